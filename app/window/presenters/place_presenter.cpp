@@ -8,6 +8,7 @@
 #include "hexoderm/geometry/se3.h"
 #include "hexoderm/kinematics/joint_check.h"
 #include "hexoderm/reconstruction/result/patch_placements.h"
+#include "hexoderm/robot/place/by_gravity.h"
 #include "hexoderm/util/error.h"
 #include "widgets/controls/step_panel.h"
 #include "widgets/robot/place_panel.h"
@@ -46,22 +47,6 @@ bool isSamePlace(const PatchOnLink& a, const PatchOnLink& b) {
   constexpr double kSame_rad = 1e-3;
   return a.link == b.link && (a.T_l_o.t - b.T_l_o.t).norm() < kSame_m &&
          rotationAngle(a.T_l_o.R.transpose() * b.T_l_o.R) < kSame_rad;
-}
-
-/// How the patch is turned on a link, as far as gravity says.
-std::optional<KnownRotation> rotationOn(const PatchLinks* links, const std::string& link) {
-  if (links == nullptr) return std::nullopt;
-  if (links->placed && links->placed->link == link) {
-    return KnownRotation{links->placed->R_l_o, links->placed->covariance};
-  }
-  std::vector<const LinkCandidate*> candidates;
-  for (const LinkCandidate& candidate : links->candidates) candidates.push_back(&candidate);
-  if (links->nearest) candidates.push_back(&*links->nearest);
-  for (const LinkCandidate* candidate : candidates) {
-    const auto turn = std::ranges::find(candidate->links, link, &PatchTurn::link);
-    if (turn != candidate->links.end()) return KnownRotation{turn->R_l_o, turn->covariance};
-  }
-  return std::nullopt;
 }
 
 QString endingOf(const QString& path) { return QFileInfo(path).suffix().toLower(); }
@@ -530,7 +515,7 @@ std::optional<PlaceTask> PlacePresenter::taskFor(const PatchReconstruction& patc
   for (const PatchReconstruction* of : patches) {
     const PatchPlacement placement = decided(*of);
     PatchToPlace to_place = patchToPlace(*of);
-    to_place.rotation = rotationOn(linksOf(*of), link);
+    if (const PatchLinks* links = linksOf(*of)) to_place.rotation = rotationByGravity(*links, link);
     task.patches.push_back(std::move(to_place));
     // A patch of more cells than are placed goes without the points of those that are left out.
     const std::vector<CellId>& cells = task.patches.back().cells;

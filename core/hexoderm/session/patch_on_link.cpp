@@ -12,11 +12,6 @@ namespace {
   throw InvalidArgument(located(message("the patch of cell {}", origin), std::move(why)));
 }
 
-bool isRotation(const Eigen::Matrix3d& R) {
-  constexpr double kOrthogonal = 1e-6;
-  return isWithin(R.transpose() * R - Eigen::Matrix3d::Identity(), kOrthogonal) && R.determinant() > 0;
-}
-
 bool isSigmaOfLength(double sigma_m) { return sigma_m > 0 && sigma_m <= kMostLength_m; }
 
 }  // namespace
