@@ -339,8 +339,18 @@ void PlacePanel::buildPlaces() {
   remove_place_ =
       namedField(new QPushButton(tr("Take away")), "placeRemovePlace", tr("Take the patch away from its place"));
   QHBoxLayout* row = places_->addRow();
-  row->addWidget(remove_place_);
+  move_ = namedField(new QPushButton(tr("Move by hand")), "placeMove", tr("Move the patch over the link by keys"));
+  move_->setCheckable(true);
+  look_ = namedField(new QPushButton(tr("Look closely")), "placeLook", tr("Look closely at the patch on the robot"));
+  look_->setToolTip(tr("The picture shows the cells of the patch with their numbers"));
+  row->addWidget(move_);
+  row->addWidget(look_);
   row->addStretch();
+  QHBoxLayout* second = places_->addRow();
+  second->addWidget(remove_place_);
+  second->addStretch();
+  connect(move_, &QPushButton::toggled, this, &PlacePanel::movingChanged);
+  connect(look_, &QPushButton::clicked, this, &PlacePanel::lookWanted);
   connect(place_list_, &QListWidget::itemEntered, this,
           [this](QListWidgetItem* item) { emit placePreviewed(place_list_->row(item)); });
   connect(place_list_, &QListWidget::currentRowChanged, this, &PlacePanel::placePreviewed);
@@ -431,6 +441,12 @@ void PlacePanel::refreshControls() {
   remove_known_->setEnabled(known_list_->currentRow() >= 0);
   add_distance_->setEnabled(distance_mm_->value() > 0);
   remove_place_->setVisible(stand_.is_placed);
+  look_->setEnabled(stand_.is_drawn);
+  move_->setEnabled(stand_.can_move);
+  move_->setToolTip(
+      stand_.can_move
+          ? tr("In the picture the mouse pulls the patch over the link at any time; this is for the keyboard")
+          : tr("A patch is moved over the surface of its link, which has to be known and used"));
   if (!has_link && pick_->isChecked()) pick_->setChecked(false);
 }
 
@@ -447,6 +463,11 @@ void PlacePanel::proposePoint(const Eigen::Vector3d& x_l) {
   }
   pick_->setChecked(false);
   add_point_->setFocus(Qt::OtherFocusReason);
+}
+
+void PlacePanel::endMoving() {
+  const QSignalBlocker blocker(move_);
+  move_->setChecked(false);
 }
 
 void PlacePanel::setTheme(Theme theme) {

@@ -57,6 +57,8 @@ struct PlaceStand {
   QStringList places;
   int place = -1;  ///< the row of the chosen one; -1: none is, or it is not among them
   bool is_placed = false;
+  bool is_drawn = false;  ///< the robot has the patch on it, where it is or could be
+  bool can_move = false;  ///< by hand
   VerifySentence place_says;
 };
 
@@ -75,6 +77,8 @@ class PlacePanel : public QWidget {
   [[nodiscard]] bool isRunning(PlaceWork work) const;
   /// A point that was picked in 3D: it goes into the fields, and waits there to be added. Ends picking.
   void proposePoint(const Eigen::Vector3d& x_l);
+  /// Moving by keys has ended without this panel.
+  void endMoving();
   void setTheme(Theme theme);
 
  signals:
@@ -98,6 +102,9 @@ class PlacePanel : public QWidget {
   void placePreviewed(int row);
   void placeChosen(int row);
   void placeRemoved();
+  /// The patch is to be moved by keys, or no more: it lies where it is to lie.
+  void movingChanged(bool moving);
+  void lookWanted();
   void pickingChanged(bool picking);
 
  protected:
@@ -150,6 +157,8 @@ class PlacePanel : public QWidget {
   QPushButton* add_distance_;
   QListWidget* place_list_;
   QPushButton* remove_place_;
+  QPushButton* move_;
+  QPushButton* look_;
 };
 
 }  // namespace hexoderm

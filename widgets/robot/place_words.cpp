@@ -65,6 +65,7 @@ VerifySentence linkInWords(const PatchLinks& patch) {
 
 QString placeInList(const PlaceCandidate& candidate, std::size_t number, bool chosen) {
   QString text = PlaceTexts::tr("%1 · misfit %2").arg(number).arg(millimetresInWords(candidate.rms_m, 2));
+  if (candidate.by_hand) text += QStringLiteral(" · ") + PlaceTexts::tr("put by hand");
   if (!candidate.fits) text += QStringLiteral(" · ") + PlaceTexts::tr("does not fit");
   const bool is_free = std::ranges::any_of(candidate.patches, [](const PlacedPatch& patch) {
     return std::ranges::any_of(patch.free, [](const FreeDirection& free) { return !free.held_by_rotation; });

@@ -396,6 +396,88 @@ TEST_F(WindowPlaceTest, AnotherLinkCanBeChosenAndIsSaidNotToFit) {
   EXPECT_TRUE(controller().session()->placements()[0].link_chosen);
 }
 
+TEST_F(WindowPlaceTest, ThePatchIsMovedByHandAndTheFitBeginsThere) {
+  ASSERT_NO_FATAL_FAILURE(openWithRobot());
+  RobotView* view = window_->robotView();
+  if (!view->canDraw()) GTEST_SKIP() << "no OpenGL";
+  const CellId origin(stand().patch);
+  ASSERT_NO_FATAL_FAILURE(typePoints(origin));
+  ASSERT_NO_FATAL_FAILURE(clickRowOf(inPanel<QListWidget>("placePlaceList"), 0));
+  ASSERT_TRUE(waitForWork());
+  const auto placed = [&] { return controller().session()->findPlacement(origin)->place; };
+  ASSERT_TRUE(placed());
+  const SE3 before = placed()->T_l_o;
+  const int steps = controller().undoStack()->index();
+  const auto drawn = [&] {
+    const RobotPicture& picture = view->picture();
+    return picture.movable ? std::optional(picture.patches[*picture.movable]) : std::nullopt;
+  };
+  ASSERT_TRUE(drawn());
+
+  // The keyboard: 10 mm along the screen and 5 degrees about the normal, and left alone.
+  ASSERT_NO_FATAL_FAILURE(pressInPanel<QPushButton>("placeMove"));
+  EXPECT_TRUE(view->hasFocus());
+  EXPECT_THAT(stand().place_says.text.toStdString(), HasSubstr("Return lays it there"));
+  key(Qt::Key_Right, Qt::ShiftModifier);
+  ASSERT_TRUE(drawn());
+  EXPECT_TRUE(drawn()->is_proposal);
+  EXPECT_NEAR((drawn()->T_l_o.t - before.t).norm(), 0.010, 0.003);
+  EXPECT_EQ(placed()->T_l_o.t, before.t) << "nothing is decided yet";
+  for (int k = 0; k < 4; ++k) key(Qt::Key_PageUp, Qt::ShiftModifier);
+  EXPECT_THAT(stand().place_says.text.toStdString(), HasSubstr("against what gravity says"));
+  key(Qt::Key_Escape);
+  EXPECT_FALSE(inPanel<QPushButton>("placeMove")->isChecked());
+  EXPECT_EQ(drawn()->T_l_o.t, before.t);
+  EXPECT_EQ(controller().undoStack()->index(), steps);
+
+  // Again, and laid: known points hold the patch, so that the fit brings it back to where it was.
+  ASSERT_NO_FATAL_FAILURE(pressInPanel<QPushButton>("placeMove"));
+  key(Qt::Key_Right, Qt::ShiftModifier);
+  key(Qt::Key_Return);
+  ASSERT_TRUE(waitForWork());
+  ASSERT_TRUE(placed());
+  EXPECT_LT((placed()->T_l_o.t - before.t).norm(), 0.002);
+
+  // Without them, the mouse pulls it to the other end of what is open, and it stays there.
+  for (int k = 0; k < 2; ++k) {
+    inPanel<QListWidget>("placeKnownList")->setCurrentRow(0);
+    ASSERT_NO_FATAL_FAILURE(pressInPanel<QPushButton>("placeRemoveKnown"));
+    ASSERT_TRUE(waitForWork());
+  }
+  const int without = controller().undoStack()->index();
+  const Eigen::Vector3d below = drawn()->T_l_o.t;
+  emit view->gripped(below);
+  emit view->pulledTo(below + Eigen::Vector3d(0, 0, 0.02));
+  ASSERT_TRUE(drawn());
+  EXPECT_TRUE(drawn()->is_proposal);
+  const SE3 pulled = drawn()->T_l_o;
+  EXPECT_NEAR(pulled.t.z() - below.z(), 0.02, 0.006);
+  emit view->released();
+  ASSERT_TRUE(waitForWork());
+  ASSERT_TRUE(waitUntil([&] { return controller().undoStack()->index() == without + 1; }))
+      << stand().place_says.text.toStdString();
+  EXPECT_TRUE(std::ranges::any_of(stand().places, [](const QString& text) { return text.contains("put by hand"); }));
+  EXPECT_GE(stand().place, 0) << "it is among the places, and chosen";
+  EXPECT_TRUE(placed()->cov_t_r.has_value());
+  press(Qt::Key_Z, Qt::ControlModifier);
+  EXPECT_TRUE(waitUntil([&] { return placed() && (placed()->T_l_o.t - before.t).norm() < 0.002; }));
+}
+
+TEST_F(WindowPlaceTest, BeforeTheExportTheCellsAreLookedAtWithTheirNumbers) {
+  ASSERT_NO_FATAL_FAILURE(openWithRobot());
+  ASSERT_NO_FATAL_FAILURE(typePoints(CellId(stand().patch)));
+  ASSERT_NO_FATAL_FAILURE(clickRowOf(inPanel<QListWidget>("placePlaceList"), 0));
+  ASSERT_TRUE(waitForWork());
+  const bool draws = window_->robotView()->canDraw();
+  const QImage whole = draws ? window_->robotView()->screenshot() : QImage();
+  window_->findChild<StepPanel*>()->openStep(static_cast<int>(GuideStep::Export));
+  ASSERT_TRUE(waitUntil([this] { return window_->robotView()->isVisible(); }));
+  EXPECT_EQ(window_->robotView()->picture().patches.size(), 1U);
+  EXPECT_FALSE(window_->robotView()->picture().movable) << "nothing is moved here";
+  if (draws) EXPECT_NE(window_->robotView()->screenshot(), whole) << "the camera goes up to the skin";
+  keepPicture(window_->picture(), "place-before-export-light");
+}
+
 TEST_F(WindowPlaceTest, APointIsPickedOnTheRobotAndWaitsToBeAdded) {
   ASSERT_NO_FATAL_FAILURE(openWithRobot());
   if (!window_->robotView()->canDraw()) GTEST_SKIP() << "no OpenGL";

@@ -81,24 +81,27 @@ TEST_F(PatchByHandTest, SlidesAlongAndAroundByWhatItIsTold) {
   const auto [around_now, z_now] = onCylinder(around);
   EXPECT_NEAR(std::remainder(around_now - around_0 - 8 * turn, 2 * kPi), 0, 0.05 * 8 * turn);
   EXPECT_NEAR(z_now, z_0, 0.002);
-  // Straight into the link it goes nowhere.
-  const Eigen::Vector3d inwards = -0.010 * laid.T_l_o.R.col(2);
-  const SE3 pressed = hand.slid(laid.T_l_o, Eigen::Vector3d(inwards.x(), inwards.y(), 0));
-  EXPECT_LT((pressed.t - laid.T_l_o.t).norm(), 0.012);
-  expectOnSurface(pressed);
 }
 
 TEST_F(PatchByHandTest, TurnsAboutTheNormal) {
   const SE3 turned = hand.turned(laid.T_l_o, 180 * kDegree);
   expectOnSurface(turned);
   EXPECT_NEAR(rotationAngle(turned.R.transpose() * laid.T_l_o.R), kPi, 3 * kDegree);
-  // On a plane by exactly as much.
+}
+
+TEST_F(PatchByHandTest, OnAPlaneItGoesExactlyAsFarAsItIsTold) {
   const TriangleMesh plate = meshOfBox({0.5, 0.5, 0.1});
   const LaidPatch flat = layPatch(plate, {Eigen::Matrix3d::Identity(), {0, 0, 0.06}});
   const PatchByHand on_plate(plate, flat.patch, thickness());
-  const SE3 by_five = on_plate.turned(flat.T_l_o, 5 * kDegree);
-  const Eigen::Matrix3d turn = by_five.R * flat.T_l_o.R.transpose();
+  const SE3 turned = on_plate.turned(flat.T_l_o, 5 * kDegree);
+  const Eigen::Matrix3d turn = turned.R * flat.T_l_o.R.transpose();
   EXPECT_LT((logSO3(turn) - Eigen::Vector3d(0, 0, 5 * kDegree)).norm(), 1e-6) << "counter-clockwise from outside";
+  const SE3 slid = on_plate.slid(flat.T_l_o, {0.006, 0.008, 0});
+  EXPECT_LT((slid.t - flat.T_l_o.t - Eigen::Vector3d(0.006, 0.008, 0)).norm(), 1e-6);
+  // A way that is seen obliquely counts with its whole length, as it does on the screen.
+  EXPECT_NEAR((on_plate.slid(flat.T_l_o, {0.006, 0, -0.008}).t - flat.T_l_o.t).norm(), 0.010, 1e-6);
+  const SE3 pressed = on_plate.slid(flat.T_l_o, {0, 0, -0.010});
+  EXPECT_LT((pressed.t - flat.T_l_o.t).norm(), 1e-6) << "straight into the link it goes nowhere";
 }
 
 TEST_F(PatchByHandTest, IsPulledByTheCellThatIsGripped) {
