@@ -1,8 +1,8 @@
 #include "widgets/robot/robot_view.h"
 
 #include "hexoderm/util/units.h"
-#include "tests/support/hand_made_skins.h"
 #include "tests/support/qt_wait.h"
+#include "tests/widgets/scene/patch_scene_test.h"
 #include "widgets/patch/scene_widget.h"
 
 #include <gmock/gmock.h>
@@ -19,7 +19,7 @@ class RobotViewTest : public testing::Test {
   void SetUp() override {
     picture.bodies = std::make_shared<const LinkBodies>(LinkBodies{meshOfBox({kBox_m, kBox_m, kBox_m})});
     picture.T_w_l = {SE3{}};
-    picture.skin = sampleX17();
+    picture.skin = shared(demoReconstruction());
     picture.patches = {{0, 0, SE3{Eigen::Matrix3d::Identity(), {0, 0, kBox_m / 2 + 0.003}}, false}};
     picture.movable = 0;
     view.resize(500, 400);
