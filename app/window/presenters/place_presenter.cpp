@@ -396,7 +396,7 @@ void PlacePresenter::refresh() {
   }
   if (hand_.isHeld()) {
     const auto where = handle();
-    if (!where || hand_.isStale(*where)) leaveAlone();
+    if (!where || !hand_.isReadyFor(*where)) leaveAlone();
   }
   findLinks();
   findPlaces();
@@ -843,14 +843,17 @@ bool PlacePresenter::takeInHand() {
   const auto where = handle();
   if (!where) return false;
   const PatchReconstruction* of = patch();
-  PatchToPlace to_place = patchToPlace(*of);
-  if (const PatchLinks* links = linksOf(*of)) to_place.rotation = rotationByGravity(*links, linkOf(*of));
   const RobotPicture drawn = picture();
   const auto index = indexInPicture(drawn, of);
   std::optional<SE3> from;
   if (index && drawn.patches[*index].link == where->link) from = drawn.patches[*index].T_l_o;
   try {
-    hand_.take(*where, to_place, solved_->model->thickness_m, from);
+    if (!hand_.isReadyFor(*where)) {
+      PatchToPlace to_place = patchToPlace(*of);
+      if (const PatchLinks* links = linksOf(*of)) to_place.rotation = rotationByGravity(*links, linkOf(*of));
+      hand_.getReady(*where, to_place, solved_->model->thickness_m);
+    }
+    hand_.take(from);
   } catch (const InvalidArgument& error) {
     places_fault_ = words(error);
     showStand();

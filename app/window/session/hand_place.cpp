@@ -2,12 +2,13 @@
 
 namespace hexoderm {
 
-void HandPlace::take(const Where& where, const PatchToPlace& patch, double thickness_m,
-                     const std::optional<SE3>& T_l_o) {
-  if (!by_hand_ || isStale(where)) {
-    by_hand_.emplace((*where.robot->bodies)[where.link], patch, thickness_m);
-    where_ = where;
-  }
+void HandPlace::getReady(const Where& where, const PatchToPlace& patch, double thickness_m) {
+  by_hand_.reset();
+  by_hand_.emplace((*where.robot->bodies)[where.link], patch, thickness_m);
+  where_ = where;
+}
+
+void HandPlace::take(const std::optional<SE3>& T_l_o) {
   held_ = Held{T_l_o ? *T_l_o : by_hand_->somewhere()};
   held_->moved = !T_l_o;
 }

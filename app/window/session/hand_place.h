@@ -29,12 +29,13 @@ class HandPlace {
     friend bool operator==(const Where&, const Where&) = default;
   };
 
-  /// Takes the patch from its place, or from none. `patch` and its thickness are looked at where the last one was
-  /// another. Throws InvalidArgument where the link has no surface.
-  void take(const Where& where, const PatchToPlace& patch, double thickness_m, const std::optional<SE3>& T_l_o);
+  /// Whether it was got ready for this patch on this link, and nothing that it is moved by has changed since.
+  [[nodiscard]] bool isReadyFor(const Where& where) const { return by_hand_ && where_ == where; }
+  /// Throws InvalidArgument where the link has no surface.
+  void getReady(const Where& where, const PatchToPlace& patch, double thickness_m);
+  /// Once it is ready: takes the patch from its place, or from none.
+  void take(const std::optional<SE3>& T_l_o);
   [[nodiscard]] bool isHeld() const { return held_.has_value(); }
-  /// What it is moved by is no more what it was taken by.
-  [[nodiscard]] bool isStale(const Where& where) const { return where_ != where; }
   [[nodiscard]] CellId origin() const { return where_.origin; }
 
   // Of a patch that is held.

@@ -14,7 +14,9 @@ namespace hexoderm {
 
 struct PatchByHand::State {
   State(const TriangleMesh& surface, const PatchToPlace& of, double back)
-      : box(boundingBox(surface)), feet(surface), patch(of), back_m(back) {}
+      : box(boundingBox(surface)), feet(surface), patch(of), back_m(back) {
+    patch.covariance.clear();  // large, and of no use here
+  }
 
   BoundingBox box;
   MeshFeet feet;
