@@ -1,5 +1,6 @@
 #include "hexoderm/robot/place/by_hand.h"
 
+#include "hexoderm/geometry/mesh_feet.h"
 #include "hexoderm/util/error.h"
 #include "tests/core/robot/place/laid_patches.h"
 #include "tests/support/error_matchers.h"
