@@ -33,12 +33,6 @@ Eigen::Vector3d logSO3(const Eigen::Matrix3d& R) {
   return 2 * std::atan2(sine, q.w()) / sine * q.vec();
 }
 
-bool isRotation(const Eigen::Matrix3d& M) {
-  constexpr double kOrthogonal = 1e-6;
-  const Eigen::Matrix3d off = M.transpose() * M - Eigen::Matrix3d::Identity();
-  return M.allFinite() && off.cwiseAbs().maxCoeff() <= kOrthogonal && M.determinant() > 0;
-}
-
 double rotationAngle(const Eigen::Matrix3d& R) { return logSO3(R).norm(); }
 
 double angleBetween(const Eigen::Vector3d& a, const Eigen::Vector3d& b) {

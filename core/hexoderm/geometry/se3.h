@@ -30,9 +30,6 @@ Eigen::Matrix3d expSO3(const Eigen::Vector3d& w);
 /// The rotation vector w, |w| <= pi, with expSO3(w) = R. At exactly pi the sign of the axis is arbitrary.
 Eigen::Vector3d logSO3(const Eigen::Matrix3d& R);
 
-/// Whether M turns and does nothing else, to a millionth. False for numbers that are not finite.
-bool isRotation(const Eigen::Matrix3d& M);
-
 /// Angle of the rotation in [0, pi], by atan2 (acos loses half the digits near 0).
 double rotationAngle(const Eigen::Matrix3d& R);
 

@@ -1,9 +1,9 @@
 #include "hexoderm/geometry/se3.h"
 
+#include "hexoderm/geometry/is_rotation.h"
 #include "hexoderm/util/units.h"
 
 #include <gtest/gtest.h>
-
 #include <Eigen/LU>
 #include <limits>
 
@@ -128,7 +128,7 @@ TEST(RollPitchYaw, InGimbalLockStillGivesTheSameRotationWithoutYaw) {
   }
 }
 
-TEST(SE3, OnlyWhatTurnsIsARotation) {
+TEST(IsRotation, OnlyWhatTurnsIsOne) {
   const Eigen::Matrix3d R = rotationFromRpy({0.3, -1.2, 2.0});
   EXPECT_TRUE(isRotation(R));
   EXPECT_FALSE(isRotation(-R)) << "it mirrors";
