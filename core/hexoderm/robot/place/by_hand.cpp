@@ -6,6 +6,7 @@
 #include "hexoderm/util/error.h"
 #include "hexoderm/util/units.h"
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 #include <vector>
@@ -90,25 +91,39 @@ SE3 PatchByHand::laid(const SE3& T_l_o) const {
 }
 
 SE3 PatchByHand::somewhere() const {
+  const Eigen::Vector3d z_o = state_->patch.T_o_u[state_->middle].R.col(2);
+  const Eigen::Vector3d size = state_->box.size();
   SE3 beside;
-  if (state_->patch.rotation) beside.R = state_->patch.rotation->R_l_o;
-  const Eigen::Vector3d outwards = beside.R * state_->patch.T_o_u[state_->middle].R.col(2);
+  if (state_->patch.rotation) {
+    beside.R = state_->patch.rotation->R_l_o;
+  } else {
+    // On a side, not on an end.
+    Eigen::Index thinnest = 0;
+    size.minCoeff(&thinnest);
+    beside.R = shortestRotation(z_o, Eigen::Vector3d::Unit(thinnest));
+  }
   const Eigen::Vector3d center = (state_->box.low + state_->box.high) / 2;
-  beside.t = center + state_->box.size().norm() * outwards - beside.R * state_->back(state_->middle);
+  beside.t = center + size.norm() * (beside.R * z_o) - beside.R * state_->back(state_->middle);
   return laid(beside);
 }
 
 SE3 PatchByHand::pulled(const SE3& T_l_o, const Eigen::Vector3d& grip_o, const Eigen::Vector3d& x_l) const {
   constexpr int kSteps = 8;
   constexpr double kNear_m = 0.0002;
+  const auto& cells = state_->patch.T_o_u;
+  const auto gripped = std::ranges::min_element(cells, {}, [&](const SE3& T_o_u) { return (T_o_u.t - grip_o).norm(); });
   const Eigen::Vector3d normal = state_->feet.footOf(x_l).normal;
-  SE3 pulled = T_l_o;
+  // The gripped cell goes there and lies flat.
+  SE3 pulled;
+  pulled.R = projectToSO3(shortestRotation((T_l_o.R * gripped->R.col(2)).normalized(), normal) * T_l_o.R);
+  pulled.t = x_l - pulled.R * grip_o;
+  pulled = laid(pulled);
+  // Then its middle goes over the surface by what the grip still misses, which is seen from there as it is turned.
   for (int k = 0; k < kSteps; ++k) {
     Eigen::Vector3d miss = x_l - pulled * grip_o;
-    // At first all the way there; then the height is that of the patch on the surface.
-    if (k > 0) miss -= miss.dot(normal) * normal;
-    if (k > 0 && miss.norm() < kNear_m) break;
-    pulled.t += miss;
+    miss -= miss.dot(normal) * normal;
+    if (miss.norm() < kNear_m) break;
+    pulled.t += shortestRotation(normal, state_->normalAt(pulled)) * miss;
     pulled = laid(pulled);
   }
   return pulled;

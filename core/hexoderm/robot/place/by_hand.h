@@ -21,7 +21,7 @@ class PatchByHand {
 
   /// The place on the surface that is nearest, turned about the normal as the patch is.
   [[nodiscard]] SE3 laid(const SE3& T_l_o) const;
-  /// A place to begin with where none is known: the side of the link that gravity says, if it says any.
+  /// A place to begin with where none is known: on the side of the link that gravity says, else on any, but on no end.
   [[nodiscard]] SE3 somewhere() const;
   /// Pulled by a point of the patch (in its frame) until that is over the point x_l of the link.
   [[nodiscard]] SE3 pulled(const SE3& T_l_o, const Eigen::Vector3d& grip_o, const Eigen::Vector3d& x_l) const;
