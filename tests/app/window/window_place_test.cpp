@@ -402,7 +402,8 @@ TEST_F(WindowPlaceTest, ThePatchIsMovedByHandAndTheFitBeginsThere) {
   if (!view->canDraw()) GTEST_SKIP() << "no OpenGL";
   // The upper arm is a box with rounded edges, along which its patch can slide.
   for (const PlaceStand::Choice& choice : std::vector(stand().patches)) {
-    if (mounted(CellId(choice.id)).link == "upper_arm") ASSERT_NO_FATAL_FAILURE(choosePatch(choice.id));
+    if (mounted(CellId(choice.id)).link != "upper_arm") continue;
+    ASSERT_NO_FATAL_FAILURE(choosePatch(choice.id));
   }
   const CellId origin(stand().patch);
   ASSERT_NO_FATAL_FAILURE(typePoints(origin));
@@ -479,7 +480,9 @@ TEST_F(WindowPlaceTest, BeforeTheExportTheCellsAreLookedAtWithTheirNumbers) {
   ASSERT_TRUE(waitUntil([this] { return window_->robotView()->isVisible(); }));
   EXPECT_EQ(window_->robotView()->picture().patches.size(), 1U);
   EXPECT_FALSE(window_->robotView()->picture().movable) << "nothing is moved here";
-  if (draws) EXPECT_NE(window_->robotView()->screenshot(), whole) << "the camera goes up to the skin";
+  if (draws) {
+    EXPECT_NE(window_->robotView()->screenshot(), whole) << "the camera goes up to the skin";
+  }
   keepPicture(window_->picture(), "place-before-export-light");
 }
 
