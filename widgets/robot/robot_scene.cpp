@@ -379,7 +379,8 @@ void RobotScene::fit() {
 
 void RobotScene::lookAtSkin(std::optional<std::size_t> patch) { parts_->look_pending = Parts::Look{patch}; }
 
-Eigen::Vector3d RobotScene::wayOnScreen(double right_m, double up_m, std::size_t link) const {
+Eigen::Vector3d RobotScene::wayOnScreen(double right_m, double up_m, std::size_t link) {
+  parts_->moveCamera();
   vtkCamera* camera = parts_->renderer->GetActiveCamera();
   const Eigen::Vector3d into(camera->GetDirectionOfProjection());
   const Eigen::Vector3d right = into.cross(Eigen::Vector3d(camera->GetViewUp())).normalized();

@@ -71,7 +71,7 @@ class RobotScene {
   /// picture's patches. It stays where it is while no cells are drawn.
   void lookAtSkin(std::optional<std::size_t> patch = std::nullopt);
   /// Ways to the right and up on the screen, in the frame of a link, m.
-  [[nodiscard]] Eigen::Vector3d wayOnScreen(double right_m, double up_m, std::size_t link) const;
+  [[nodiscard]] Eigen::Vector3d wayOnScreen(double right_m, double up_m, std::size_t link);
 
   /// The point of a link's body at a pixel of the window (origin lower left); none beside the robot.
   [[nodiscard]] std::optional<RobotPicture::Point> pick(double x, double y);

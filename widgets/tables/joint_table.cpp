@@ -168,7 +168,9 @@ QVariant JointTable::data(const QModelIndex& index, int role) const {
                                 .arg(sheet_.rows[static_cast<std::size_t>(index.row())].pose.value())
                                 .arg(QString::fromStdString(joint.name));
       const QString what = position ? textAt(index) + QLatin1Char(' ') + signOf(joint) : tr("not known");
-      return QStringList({where, what, beyond ? words(*beyond) : QString()}).join(QStringLiteral(", "));
+      QStringList parts{where, what};
+      if (beyond) parts << words(*beyond);
+      return parts.join(QStringLiteral(", "));
     }
     default:
       return {};

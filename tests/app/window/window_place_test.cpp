@@ -337,6 +337,7 @@ TEST_F(WindowPlaceTest, AnglesAreTypedAndPastedIntoTheTableOfPoses) {
   table->setCurrentIndex(table->model()->index(0, static_cast<int>(column)));
   keys(QStringLiteral("200"));
   key(Qt::Key_Return);
+  ASSERT_TRUE(waitUntil([&] { return table->currentIndex().row() == 1; })) << "the pose below is next";
   const auto elbow = [this](std::size_t pose) -> std::optional<double> {
     const auto& positions = controller().session()->poses()[pose].joint_angles.positions;
     const auto found = positions.find("elbow");
@@ -346,9 +347,9 @@ TEST_F(WindowPlaceTest, AnglesAreTypedAndPastedIntoTheTableOfPoses) {
   EXPECT_DOUBLE_EQ(*elbow(0), 200 * kDegree);
   EXPECT_EQ(stand().joints.tone, Tone::Caution);
   EXPECT_THAT(stand().joints.text.toStdString(), AllOf(HasSubstr("1 of 8 poses"), HasSubstr("its limits are")));
-  EXPECT_EQ(table->currentIndex().row(), 1);
   keys(QStringLiteral("1-2"));
   key(Qt::Key_Return);
+  ASSERT_TRUE(waitUntil([&] { return table->currentIndex().row() == 2; }));
   EXPECT_THAT(stand().joints.text.toStdString(), HasSubstr("\"1-2\" is no number"));
   EXPECT_FALSE(elbow(1));
   press(Qt::Key_Z, Qt::ControlModifier);
@@ -419,6 +420,8 @@ TEST_F(WindowPlaceTest, ThePatchIsMovedByHandAndTheFitBeginsThere) {
   };
   ASSERT_TRUE(drawn());
 
+  // From before it, so that the ways on the screen are ways along the surface.
+  ASSERT_NO_FATAL_FAILURE(pressInPanel<QPushButton>("placeLook"));
   // The keyboard: 10 mm along the screen and 5 degrees about the normal, and left alone.
   ASSERT_NO_FATAL_FAILURE(pressInPanel<QPushButton>("placeMove"));
   EXPECT_TRUE(view->hasFocus());
