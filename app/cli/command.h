@@ -10,6 +10,7 @@
 #include <CLI/CLI.hpp>
 
 #include <functional>
+#include <map>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <sstream>
@@ -129,6 +130,9 @@ PackageFolders packageFolders(const std::vector<std::string>& texts);
 inline constexpr std::string_view kDemoRobot = "demo";
 /// Reads a URDF, or kDemoRobot; `packages`: NAME=FOLDER, as `--package`.
 RobotModel openRobot(const std::string& robot, const std::vector<std::string>& packages);
+/// The joint angles of a session's poses: those of the table `file` (as `--joints`; may be empty) where it has a pose,
+/// else those of the session.
+std::map<PoseId, JointAngles> anglesOfPoses(const Session& session, const std::string& file, const RobotModel& robot);
 
 int exitCodeOf(const Assessment& verdict);
 

@@ -3,7 +3,6 @@
 #include "hexoderm/reconstruction/reconstructor.h"
 #include "hexoderm/reconstruction/result/uncertainty.h"
 #include "hexoderm/robot/links/links.h"
-#include "hexoderm/session/session_joint_angles.h"
 #include "hexoderm/util/text.h"
 #include "hexoderm/util/units.h"
 
@@ -42,20 +41,6 @@ LinksOptions optionsOf(const LinksArguments& arguments) {
   for (const std::string& choice : arguments.chosen) addChoice(choice, options);
   options.validate();
   return options;
-}
-
-/// Those of the file where it has a pose, else those of the session.
-std::map<PoseId, JointAngles> anglesOf(const Session& session, const std::string& file, const RobotModel& robot) {
-  std::map<PoseId, JointAngles> angles;
-  for (const SessionPose& pose : session.poses()) {
-    if (!pose.joint_angles.positions.empty()) angles[pose.capture->id] = pose.joint_angles;
-  }
-  if (file.empty()) return angles;
-  const JointAnglesTable table = asInput([&] { return readJointAnglesCsv(file, robot); });
-  for (const SetJointAngles& edit : jointAnglesFor(session, table).edits) {
-    angles[session.poses()[edit.index].capture->id] = edit.angles;
-  }
-  return angles;
 }
 
 // --- as text
@@ -228,7 +213,7 @@ int run(const LinksArguments& arguments, const Common& common) {
   const LinksOptions options = optionsOf(arguments);
   const RobotModel robot = openRobot(arguments.robot, arguments.packages);
   const Session session = openSession(arguments.session);
-  const std::map<PoseId, JointAngles> angles = anglesOf(session, arguments.joints, robot);
+  const std::map<PoseId, JointAngles> angles = anglesOfPoses(session, arguments.joints, robot);
   common.progress("Solving ...");
   const auto r = reconstruct(*session.snapshot());
   common.progress("Comparing with the robot ...");

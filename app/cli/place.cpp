@@ -4,6 +4,8 @@
 #include "hexoderm/io/placements_json.h"
 #include "hexoderm/kinematics/robot_model.h"
 #include "hexoderm/reconstruction/reconstructor.h"
+#include "hexoderm/robot/links/links.h"
+#include "hexoderm/robot/place/by_gravity.h"
 #include "hexoderm/util/text.h"
 #include "hexoderm/util/units.h"
 
@@ -20,6 +22,7 @@ namespace {
 constexpr std::string_view kPointSyntax = "CELL:x,y,z[:sigma]";
 constexpr std::string_view kDistanceSyntax = "CELL:CELL:distance[:sigma]";
 constexpr std::string_view kRotationSyntax = "[CELL@]roll,pitch,yaw[:sigma]";
+constexpr std::string_view kFromLinks = "links";
 
 struct PlaceCommandOptions {
   std::string input;
@@ -29,6 +32,8 @@ struct PlaceCommandOptions {
   std::string body = "any";
   std::vector<std::uint32_t> patches;
   std::vector<std::string> rotations;
+  std::string joints;
+  std::vector<double> up;
   std::vector<std::string> points;
   std::vector<std::string> distances;
   bool no_surface = false;
@@ -142,13 +147,62 @@ TriangleMesh surfaceOf(const PlaceCommandOptions& options, const RobotModel& rob
   return mesh;
 }
 
-std::shared_ptr<const Reconstruction> solved(const std::string& input, const Common& common) {
+struct SolvedInput {
+  std::shared_ptr<const Reconstruction> result;
+  std::optional<Session> session;  ///< none: the input is a calibration
+};
+
+SolvedInput solved(const std::string& input, const Common& common) {
   OpenedFile opened = openInput(input);
-  if (auto* calibration = std::get_if<std::shared_ptr<const Reconstruction>>(&opened)) return *calibration;
+  if (auto* calibration = std::get_if<std::shared_ptr<const Reconstruction>>(&opened)) return {*calibration, {}};
+  SolvedInput fresh{nullptr, std::move(std::get<Session>(opened))};
   common.progress("Solving ...");
-  auto result = reconstruct(*std::get<Session>(opened).snapshot());
+  fresh.result = reconstruct(*fresh.session->snapshot());
   common.endProgress();
-  return result;
+  return fresh;
+}
+
+bool wantsLinks(const PlaceCommandOptions& options) {
+  const bool wants = std::ranges::find(options.rotations, kFromLinks) != options.rotations.end();
+  if (!wants && !(options.joints.empty() && options.up.empty())) {
+    throw InvalidArgument("--joints and --up go with --rotation links");
+  }
+  return wants;
+}
+
+/// How the patches are turned on the link by gravity and joint angles, as the command `links` finds it. Those of which
+/// --rotation says it keep that. Whether all of them fit the link; a remark says so where one does not.
+bool takeRotationsOfLinks(const PlaceCommandOptions& options, const SolvedInput& input, const RobotModel& robot,
+                          PlaceTask& task, const Common& common) {
+  if (!input.session) throw noSession(options.input);
+  const std::map<PoseId, JointAngles> angles = anglesOfPoses(*input.session, options.joints, robot);
+  if (angles.empty()) {
+    throw BadInput(options.input +
+                   ": no pose has joint angles, by which --rotation links goes: give a table of them, "
+                   "--joints FILE");
+  }
+  LinksOptions links_options;
+  if (!options.up.empty()) links_options.up_w = {options.up[0], options.up[1], options.up[2]};
+  for (const PatchToPlace& patch : task.patches) links_options.chosen[patch.origin] = options.link;
+  links_options.validate();
+  common.progress("Comparing with the robot ...");
+  const LinksResult links = findLinks(*input.result, robot, angles, links_options);
+  common.endProgress();
+  for (const Message& finding : links.findings) common.note(finding.english());
+  bool all_fit = true;
+  for (PatchToPlace& patch : task.patches) {
+    const auto found = std::ranges::find(links.patches, patch.origin, &PatchLinks::origin);
+    if (found == links.patches.end()) {
+      throw BadInput(options.input + ": the patch of cell " + std::to_string(patch.origin.value()) +
+                     " saw gravity in no pose whose joint angles are known");
+    }
+    if (found->nearest) {
+      common.note(found->why.english());
+      all_fit = false;
+    }
+    if (!patch.rotation) patch.rotation = rotationByGravity(*found, options.link);
+  }
+  return all_fit;
 }
 
 // --- as text
@@ -277,17 +331,21 @@ PlaceTask taskFrom(const PlaceCommandOptions& options, const Reconstruction& r) 
     task.patches.push_back(patchToPlace(*patch));
   }
   if (task.patches.empty()) throw BadInput(options.input + ": holds no patch");
-  for (const std::string& text : options.rotations) addRotation(r, text, task);
+  for (const std::string& text : options.rotations) {
+    if (text != kFromLinks) addRotation(r, text, task);
+  }
   return task;
 }
 
 int run(const PlaceCommandOptions& options, const Common& common) {
   std::optional<Output> output;
   if (!options.output.empty()) output.emplace(options.output, common);
-  const auto r = solved(options.input, common);
-  PlaceTask task = taskFrom(options, *r);
+  const bool by_links = wantsLinks(options);
+  const SolvedInput input = solved(options.input, common);
+  PlaceTask task = taskFrom(options, *input.result);
   const RobotModel robot = openRobot(options.robot, options.packages);
   const std::size_t link = robot.linkNamed(options.link);
+  const bool fits_link = !by_links || takeRotationsOfLinks(options, input, robot, task, common);
   if (!options.no_surface) task.surface = surfaceOf(options, robot, link, common);
   PlaceOptions place_options;
   place_options.surface_sigma_m = options.surface_sigma_mm * kMillimetre;
@@ -314,7 +372,7 @@ int run(const PlaceCommandOptions& options, const Common& common) {
       if (!common.json) std::cout << "Place 1 is written to " << forTerminal(output->inWords()) << '\n';
     }
   }
-  return result.verdict == PlaceVerdict::Placed ? kDone : kNotGoodEnough;
+  return result.verdict == PlaceVerdict::Placed && fits_link ? kDone : kNotGoodEnough;
 }
 
 }  // namespace
@@ -338,7 +396,14 @@ void addPlace(CLI::App& app, Common& common) {
   command->add_option("--rotation", options->rotations,
                       std::string(kRotationSyntax) +
                           ": how the patch is turned on the link, as rpy of a URDF, in degrees, and 1 sigma about each "
-                          "axis (1); gravity says it. Without it any");
+                          "axis (1). Or links: as gravity and the joint angles say, which takes a session. Without it "
+                          "any");
+  command->add_option(
+      "--joints", options->joints,
+      "With --rotation links: joint angles of the poses as CSV (default: those that the session holds)");
+  command->add_option("--up", options->up, "With --rotation links: what points up in the frame of the base, x,y,z")
+      ->expected(3)
+      ->delimiter(',');
   command->add_option("--point", options->points,
                       std::string(kPointSyntax) +
                           ": the middle of a cell's front is at this point of the link, m; sigma an axis, m (0.001)");
@@ -361,9 +426,11 @@ void addPlace(CLI::App& app, Common& common) {
   common.addTo(*command);
   command->footer(
       "All places that fit are given, the best first, with what is left open and how far the patch can be moved.\n"
-      "Exit code 1: no place fits, several do, or one from which the patch can be moved.\n"
+      "Exit code 1: no place fits, several do, or one from which the patch can be moved; or gravity says that\n"
+      "the patch is on another link.\n"
       "Example:\n  hexoderm-cli place arm.calibration.json --robot robot.urdf --link r_forearm --rotation 0,90,12:1 "
-      "-o placements.json");
+      "-o placements.json\n"
+      "  hexoderm-cli place arm.hexo --robot robot.urdf --link r_forearm --rotation links --joints joints.csv");
   command->callback([options, &common] { common.exit_code = run(*options, common); });
 }
 

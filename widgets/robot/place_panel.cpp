@@ -3,6 +3,7 @@
 #include "hexoderm/util/units.h"
 #include "widgets/controls/selection.h"
 #include "widgets/controls/typed_values.h"
+#include "widgets/tables/joint_table_view.h"
 
 #include <QCheckBox>
 #include <QComboBox>
@@ -10,9 +11,11 @@
 #include <QEvent>
 #include <QGridLayout>
 #include <QHBoxLayout>
+#include <QHeaderView>
 #include <QLabel>
 #include <QListWidget>
 #include <QPushButton>
+#include <QScrollBar>
 #include <QSignalBlocker>
 #include <QSpinBox>
 #include <QVBoxLayout>
@@ -121,6 +124,7 @@ PlacePanel::PlacePanel(Selection* selection, QWidget* parent)
                                 selection)) {
   setObjectName(QStringLiteral("placePanel"));
   buildRobot();
+  buildJoints();
   buildPatch();
   buildLink();
   buildKnown();
@@ -172,13 +176,22 @@ void PlacePanel::buildRobot() {
   connect(choose_robot_, &QPushButton::clicked, this, &PlacePanel::robotWanted);
   connect(package_, &QPushButton::clicked, this, &PlacePanel::packageWanted);
   connect(remove_robot_, &QPushButton::clicked, this, &PlacePanel::robotRemoved);
+}
 
+void PlacePanel::buildJoints() {
   choose_joints_ =
       namedField(new QPushButton(tr("Choose CSV…")), "placeChooseJoints", tr("Choose a table of joint angles"));
   QHBoxLayout* joints = joints_->addRow();
   joints->addWidget(choose_joints_);
   joints->addStretch();
   connect(choose_joints_, &QPushButton::clicked, this, &PlacePanel::jointsWanted);
+  joint_table_ = new JointTable(this);
+  joint_view_ = namedField(new JointTableView(joint_table_), "placeJointTable", tr("Joint angles of the poses"));
+  joint_view_->setToolTip(
+      tr("Type angles, or paste a block of them from a spreadsheet; an empty cell is an angle that is not known"));
+  joints_->addRow()->addWidget(joint_view_, 1);
+  connect(joint_table_, &JointTable::typed, this, &PlacePanel::anglesTyped);
+  connect(joint_table_, &JointTable::refused, this, &PlacePanel::anglesRefused);
   pose_ = namedField(new QComboBox, "placePose", tr("Pose in which the robot is drawn"));
   makeNarrow(pose_);
   QHBoxLayout* pose = joints_->addRow();
@@ -326,8 +339,18 @@ void PlacePanel::buildPlaces() {
   remove_place_ =
       namedField(new QPushButton(tr("Take away")), "placeRemovePlace", tr("Take the patch away from its place"));
   QHBoxLayout* row = places_->addRow();
-  row->addWidget(remove_place_);
+  move_ = namedField(new QPushButton(tr("Move by hand")), "placeMove", tr("Move the patch over the link by keys"));
+  move_->setCheckable(true);
+  look_ = namedField(new QPushButton(tr("Look closely")), "placeLook", tr("Look closely at the patch on the robot"));
+  look_->setToolTip(tr("The picture shows the cells of the patch with their numbers"));
+  row->addWidget(move_);
+  row->addWidget(look_);
   row->addStretch();
+  QHBoxLayout* second = places_->addRow();
+  second->addWidget(remove_place_);
+  second->addStretch();
+  connect(move_, &QPushButton::toggled, this, &PlacePanel::movingChanged);
+  connect(look_, &QPushButton::clicked, this, &PlacePanel::lookWanted);
   connect(place_list_, &QListWidget::itemEntered, this,
           [this](QListWidgetItem* item) { emit placePreviewed(place_list_->row(item)); });
   connect(place_list_, &QListWidget::currentRowChanged, this, &PlacePanel::placePreviewed);
@@ -360,8 +383,19 @@ void PlacePanel::setStand(const PlaceStand& stand) {
   std::vector<PlaceStand::Choice> all{{0, tr("open")}};
   for (const QString& link : stand.other_links) all.push_back({static_cast<quint32>(all.size()), link});
   fillChoices(other_link_, all, static_cast<quint32>(stand.other_links.indexOf(stand.link) + 1));
+  showSheet();
   showKnown();
   refreshControls();
+}
+
+void PlacePanel::showSheet() {
+  joint_table_->setSheet(stand_.sheet);
+  const int rows = joint_table_->rowCount();
+  joint_view_->setVisible(rows > 0 && joint_table_->columnCount() > 0);
+  const int shown = std::min(rows, kMostRowsInList);
+  joint_view_->setFixedHeight(joint_view_->horizontalHeader()->sizeHint().height() +
+                              shown * joint_view_->verticalHeader()->defaultSectionSize() +
+                              joint_view_->horizontalScrollBar()->sizeHint().height() + 2 * joint_view_->frameWidth());
 }
 
 void PlacePanel::showKnown() {
@@ -407,6 +441,12 @@ void PlacePanel::refreshControls() {
   remove_known_->setEnabled(known_list_->currentRow() >= 0);
   add_distance_->setEnabled(distance_mm_->value() > 0);
   remove_place_->setVisible(stand_.is_placed);
+  look_->setEnabled(stand_.is_drawn);
+  move_->setEnabled(stand_.can_move);
+  move_->setToolTip(
+      stand_.can_move
+          ? tr("In the picture the mouse pulls the patch over the link at any time; this is for the keyboard")
+          : tr("A patch is moved over the surface of its link, which has to be known and used"));
   if (!has_link && pick_->isChecked()) pick_->setChecked(false);
 }
 
@@ -423,6 +463,11 @@ void PlacePanel::proposePoint(const Eigen::Vector3d& x_l) {
   }
   pick_->setChecked(false);
   add_point_->setFocus(Qt::OtherFocusReason);
+}
+
+void PlacePanel::endMoving() {
+  const QSignalBlocker blocker(move_);
+  move_->setChecked(false);
 }
 
 void PlacePanel::setTheme(Theme theme) {

@@ -2,6 +2,7 @@
 
 #include "hexoderm/session/patch_on_link.h"
 #include "widgets/robot/place_words.h"
+#include "widgets/tables/joint_table.h"
 #include "widgets/verify/verify_section.h"
 
 #include <QStringList>
@@ -19,6 +20,8 @@ class QSpinBox;
 
 namespace hexoderm {
 
+class JointTableView;
+
 /// Work for the step that may take a while.
 enum class PlaceWork { Robot, Joints, Links, Places };
 
@@ -35,6 +38,7 @@ struct PlaceStand {
   bool names_robot = false;  ///< the session does, also where its file can't be read
   VerifySentence robot;      ///< which one, and what is doubtful about it
   VerifySentence joints;
+  JointSheet sheet;  ///< of the robot's joints in the session's poses
 
   std::vector<Choice> poses;
   quint32 pose = 0;  ///< in which the robot is drawn
@@ -53,6 +57,8 @@ struct PlaceStand {
   QStringList places;
   int place = -1;  ///< the row of the chosen one; -1: none is, or it is not among them
   bool is_placed = false;
+  bool is_drawn = false;  ///< the robot has the patch on it, where it is or could be
+  bool can_move = false;  ///< by hand
   VerifySentence place_says;
 };
 
@@ -71,6 +77,8 @@ class PlacePanel : public QWidget {
   [[nodiscard]] bool isRunning(PlaceWork work) const;
   /// A point that was picked in 3D: it goes into the fields, and waits there to be added. Ends picking.
   void proposePoint(const Eigen::Vector3d& x_l);
+  /// Moving by keys has ended without this panel.
+  void endMoving();
   void setTheme(Theme theme);
 
  signals:
@@ -78,6 +86,9 @@ class PlacePanel : public QWidget {
   void packageWanted();
   void robotRemoved();
   void jointsWanted();
+  void anglesTyped(const std::vector<hexoderm::TypedAngle>& angles);
+  /// Why joint angles that were typed are not taken, one sentence.
+  void anglesRefused(const QString& why);
   void cancelRequested(hexoderm::PlaceWork work);
   void poseChosen(quint32 pose);
   void patchChosen(quint32 origin);
@@ -91,6 +102,9 @@ class PlacePanel : public QWidget {
   void placePreviewed(int row);
   void placeChosen(int row);
   void placeRemoved();
+  /// The patch is to be moved by keys, or no more: it lies where it is to lie.
+  void movingChanged(bool moving);
+  void lookWanted();
   void pickingChanged(bool picking);
 
  protected:
@@ -98,6 +112,7 @@ class PlacePanel : public QWidget {
 
  private:
   void buildRobot();
+  void buildJoints();
   void buildPatch();
   void buildLink();
   void buildKnown();
@@ -105,6 +120,7 @@ class PlacePanel : public QWidget {
   void buildDistance();
   void buildPlaces();
   [[nodiscard]] VerifySection* section(PlaceWork work) const;
+  void showSheet();
   void showKnown();
   void refreshControls();
 
@@ -120,6 +136,8 @@ class PlacePanel : public QWidget {
   QPushButton* package_;
   QPushButton* remove_robot_;
   QPushButton* choose_joints_;
+  JointTable* joint_table_;
+  JointTableView* joint_view_;
   QComboBox* pose_;
   QComboBox* patch_list_;
   QListWidget* links_;
@@ -139,6 +157,8 @@ class PlacePanel : public QWidget {
   QPushButton* add_distance_;
   QListWidget* place_list_;
   QPushButton* remove_place_;
+  QPushButton* move_;
+  QPushButton* look_;
 };
 
 }  // namespace hexoderm

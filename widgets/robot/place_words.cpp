@@ -65,6 +65,7 @@ VerifySentence linkInWords(const PatchLinks& patch) {
 
 QString placeInList(const PlaceCandidate& candidate, std::size_t number, bool chosen) {
   QString text = PlaceTexts::tr("%1 · misfit %2").arg(number).arg(millimetresInWords(candidate.rms_m, 2));
+  if (candidate.by_hand) text += QStringLiteral(" · ") + PlaceTexts::tr("put by hand");
   if (!candidate.fits) text += QStringLiteral(" · ") + PlaceTexts::tr("does not fit");
   const bool is_free = std::ranges::any_of(candidate.patches, [](const PlacedPatch& patch) {
     return std::ranges::any_of(patch.free, [](const FreeDirection& free) { return !free.held_by_rotation; });
@@ -93,8 +94,9 @@ VerifySentence placesInWords(const PlaceResult& result, std::size_t row) {
   if (row < result.candidates.size()) {
     for (const PlacedPatch& patch : result.candidates[row].patches) {
       for (const FreeDirection& free : patch.free) {
-        // The summary of a single place that is open says these itself.
-        if (free.held_by_rotation || result.verdict != PlaceVerdict::Open) lines << words(free.words);
+        // The summary of the one place that was found to be open says these itself; below it is where a hand put it.
+        const bool is_said = result.verdict == PlaceVerdict::Open && row == 0 && !free.held_by_rotation;
+        if (!is_said) lines << words(free.words);
       }
     }
   }

@@ -24,7 +24,9 @@
 #include <vtkTubeFilter.h>
 #include <vtkWeakPointer.h>
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 namespace hexoderm {
@@ -36,6 +38,7 @@ constexpr double kHeadLength = 0.6;
 constexpr double kHeadRadius = 0.25;
 constexpr double kShortWay = 2;  // length of an arrow where nothing says how far one can go
 constexpr double kPointSize = 0.35;
+constexpr std::size_t kFacesOfPrism = 8;
 
 /// What is drawn of one thing.
 struct RobotActor {
@@ -147,13 +150,20 @@ struct RobotScene::Parts {
   RobotActor skin;
   SceneLabels labels{renderer};
   std::shared_ptr<SceneContent> labelled;  ///< the cells in the frame of the base
+  std::vector<std::size_t> patch_of_cell;  ///< index into the picture's patches, of each of these cells
   std::vector<std::unique_ptr<RobotActor>> marks;
   bool fit_pending = false;
+  struct Look {
+    std::optional<std::size_t> patch;
+  };
+  std::optional<Look> look_pending;
 
   Parts();
   ~Parts();
   void beforeRender();
   void fit();
+  void lookAt(const Look& look);
+  void moveCamera();
   void makeLinks();
   void placeLinks();
   void makeSkin();
@@ -186,7 +196,7 @@ RobotScene::Parts::~Parts() {
 }
 
 void RobotScene::Parts::beforeRender() {
-  if (std::exchange(fit_pending, false)) fit();
+  moveCamera();
   renderer->ResetCameraClippingRange();
   if (!window) return;
   const int* pixels = window->GetSize();
@@ -199,6 +209,39 @@ void RobotScene::Parts::fit() {
   camera->SetPosition(1.0, -0.9, 0.55);
   camera->SetViewUp(0, 0, 1);
   renderer->ResetCamera();
+}
+
+/// From where the cells face.
+void RobotScene::Parts::lookAt(const Look& look) {
+  Eigen::Vector3d low = Eigen::Vector3d::Constant(std::numeric_limits<double>::infinity());
+  Eigen::Vector3d high = -low;
+  Eigen::Vector3d facing = Eigen::Vector3d::Zero();
+  for (std::size_t k = 0; k < patch_of_cell.size(); ++k) {
+    if (look.patch && *look.patch != patch_of_cell[k]) continue;
+    const SE3& T_w_u = labelled->layout.cells[k].T_s_u;
+    const Eigen::Vector3d reach = Eigen::Vector3d::Constant(picture.skin->model->side_m);
+    low = low.cwiseMin(T_w_u.t - reach);
+    high = high.cwiseMax(T_w_u.t + reach);
+    facing += T_w_u.R.col(2);
+  }
+  if (!(high.x() >= low.x())) return;
+  vtkCamera* camera = renderer->GetActiveCamera();
+  const Eigen::Vector3d middle = (low + high) / 2;
+  // Patches all around a link face nowhere in the mean: the camera stays on its side then.
+  const Eigen::Vector3d back = -Eigen::Vector3d(camera->GetDirectionOfProjection());
+  const Eigen::Vector3d from = facing.norm() > 1 ? Eigen::Vector3d(facing.normalized()) : back;
+  const Eigen::Vector3d position = middle + from;
+  constexpr double kUpright = 0.95;
+  camera->SetFocalPoint(middle.x(), middle.y(), middle.z());
+  camera->SetPosition(position.x(), position.y(), position.z());
+  camera->SetViewUp(std::abs(from.z()) > kUpright ? 1 : 0, 0, std::abs(from.z()) > kUpright ? 0 : 1);
+  const std::array<double, 6> bounds{low.x(), high.x(), low.y(), high.y(), low.z(), high.z()};
+  renderer->ResetCamera(bounds.data());
+}
+
+void RobotScene::Parts::moveCamera() {
+  if (std::exchange(fit_pending, false)) fit();
+  if (const auto look = std::exchange(look_pending, std::nullopt)) lookAt(*look);
 }
 
 void RobotScene::Parts::makeLinks() {
@@ -233,10 +276,12 @@ void RobotScene::Parts::makeSkin() {
   PolyDataBuilder mesh;
   std::vector<Rgb> front_colors;
   labelled.reset();
+  patch_of_cell.clear();
   if (picture.skin && picture.bodies) {
     labelled = std::make_shared<SceneContent>();
     labelled->reconstruction = picture.skin;
-    for (const RobotPicture::Patch& placed : picture.patches) {
+    for (std::size_t index = 0; index < picture.patches.size(); ++index) {
+      const RobotPicture::Patch& placed = picture.patches[index];
       if (!isDrawn(placed)) continue;
       const SE3 T_w_o = picture.T_w_l[placed.link] * placed.T_l_o;
       const PatchReconstruction& patch = picture.skin->patches[placed.patch];
@@ -247,6 +292,7 @@ void RobotScene::Parts::makeSkin() {
         addPrism(*picture.skin->model, T_w_u, color, mesh);
         labelled->layout.cells.push_back({cell.cell, T_w_u, placed.patch, cell.cell == patch.origin});
         front_colors.push_back(color);
+        patch_of_cell.push_back(index);
       }
     }
   }
@@ -326,7 +372,21 @@ void RobotScene::setColors(const SceneColors& colors) {
   parts_->makeMarks();
 }
 
-void RobotScene::fit() { parts_->fit_pending = true; }
+void RobotScene::fit() {
+  parts_->fit_pending = true;
+  parts_->look_pending.reset();
+}
+
+void RobotScene::lookAtSkin(std::optional<std::size_t> patch) { parts_->look_pending = Parts::Look{patch}; }
+
+Eigen::Vector3d RobotScene::wayOnScreen(double right_m, double up_m, std::size_t link) {
+  parts_->moveCamera();
+  vtkCamera* camera = parts_->renderer->GetActiveCamera();
+  const Eigen::Vector3d into(camera->GetDirectionOfProjection());
+  const Eigen::Vector3d right = into.cross(Eigen::Vector3d(camera->GetViewUp())).normalized();
+  const Eigen::Vector3d way_w = right_m * right + up_m * right.cross(into);
+  return parts_->picture.T_w_l.at(link).R.transpose() * way_w;
+}
 
 void RobotScene::turn(double right_deg, double up_deg) {
   vtkCamera* camera = parts_->renderer->GetActiveCamera();
@@ -338,7 +398,7 @@ void RobotScene::turn(double right_deg, double up_deg) {
 void RobotScene::zoom(double factor) { parts_->renderer->GetActiveCamera()->Dolly(factor); }
 
 std::optional<RobotPicture::Point> RobotScene::pick(double x, double y) {
-  if (std::exchange(parts_->fit_pending, false)) parts_->fit();
+  parts_->moveCamera();
   const vtkNew<vtkCellPicker> picker;
   picker->SetTolerance(0);
   if (picker->Pick(x, y, 0, parts_->renderer) == 0) return std::nullopt;
@@ -348,6 +408,25 @@ std::optional<RobotPicture::Point> RobotScene::pick(double x, double y) {
     return RobotPicture::Point{k, parts_->picture.T_w_l[k].inverse() * x_w};
   }
   return std::nullopt;
+}
+
+std::optional<RobotScene::Grip> RobotScene::grip(double x, double y) {
+  parts_->moveCamera();
+  const vtkNew<vtkCellPicker> picker;
+  picker->SetTolerance(0);
+  parts_->skin.actor->PickableOn();
+  const bool hit = picker->Pick(x, y, 0, parts_->renderer) != 0;
+  parts_->skin.actor->PickableOff();
+  if (!hit || picker->GetActor() != parts_->skin.actor || picker->GetCellId() < 0) return std::nullopt;
+  const std::size_t cell = static_cast<std::size_t>(picker->GetCellId()) / kFacesOfPrism;
+  if (cell >= parts_->patch_of_cell.size()) return std::nullopt;
+  const Eigen::Vector3d x_w = toEigen(picker->GetPickPosition());
+  Grip grip;
+  grip.patch = parts_->patch_of_cell[cell];
+  const std::size_t link = parts_->picture.patches[grip.patch].link;
+  const auto below = pick(x, y);
+  grip.x_l = below && below->link == link ? below->x_l : parts_->picture.T_w_l[link].inverse() * x_w;
+  return grip;
 }
 
 std::size_t RobotScene::cellsDrawn() const { return parts_->labelled ? parts_->labelled->layout.cells.size() : 0; }

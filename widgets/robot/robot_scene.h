@@ -39,6 +39,7 @@ struct RobotPicture {
   std::optional<std::size_t> link;           ///< that is spoken of
   std::shared_ptr<const Reconstruction> skin;
   std::vector<Patch> patches;
+  std::optional<std::size_t> movable;  ///< of `patches`: the one that can be moved by hand
   std::vector<Free> free;
   std::vector<Point> points;  ///< known ones
 };
@@ -66,9 +67,22 @@ class RobotScene {
   void turn(double right_deg, double up_deg);
   /// Above 1: nearer.
   void zoom(double factor);
+  /// Moves the camera before the cells, near enough for their IDs to be read: all of them, or those of one of the
+  /// picture's patches. It stays where it is while no cells are drawn.
+  void lookAtSkin(std::optional<std::size_t> patch = std::nullopt);
+  /// Ways to the right and up on the screen, in the frame of a link, m.
+  [[nodiscard]] Eigen::Vector3d wayOnScreen(double right_m, double up_m, std::size_t link);
 
   /// The point of a link's body at a pixel of the window (origin lower left); none beside the robot.
   [[nodiscard]] std::optional<RobotPicture::Point> pick(double x, double y);
+  /// Where a patch is gripped.
+  struct Grip {
+    std::size_t patch = 0;  ///< of the picture's
+    Eigen::Vector3d x_l =
+        Eigen::Vector3d::Zero();  ///< in the frame of its link: of the link's body below, or of the skin
+  };
+  /// The patch whose cell is seen at a pixel of the window.
+  [[nodiscard]] std::optional<Grip> grip(double x, double y);
   /// How many cells have their IDs beside them at present.
   [[nodiscard]] std::size_t cellsDrawn() const;
 

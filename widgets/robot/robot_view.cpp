@@ -1,5 +1,6 @@
 #include "widgets/robot/robot_view.h"
 
+#include "hexoderm/util/units.h"
 #include "widgets/patch/opengl_info.h"
 #include "widgets/patch/scene_look.h"
 #include "widgets/patch/scene_widget.h"
@@ -81,7 +82,17 @@ void RobotView::setTheme(Theme theme) {
 
 void RobotView::setPicking(bool picking) {
   picking_ = picking;
-  if (parts_ && parts_->canvas != nullptr) parts_->canvas->setCursor(picking ? Qt::CrossCursor : Qt::ArrowCursor);
+  showCursor();
+}
+
+void RobotView::setMoving(bool moving) {
+  moving_ = moving;
+  if (moving) setFocus(Qt::OtherFocusReason);
+}
+
+void RobotView::showCursor() {
+  if (!parts_ || parts_->canvas == nullptr) return;
+  parts_->canvas->setCursor(pulling_ ? Qt::ClosedHandCursor : picking_ ? Qt::CrossCursor : Qt::ArrowCursor);
 }
 
 bool RobotView::canDraw() const { return parts_ && parts_->scene; }
@@ -106,10 +117,41 @@ void RobotView::fit() {
   requestRender();
 }
 
-void RobotView::pickAt(const QPoint& position) {
+void RobotView::lookAtSkin(std::optional<std::size_t> patch) {
+  if (!canDraw()) return;
+  parts_->scene->lookAtSkin(patch);
+  requestRender();
+}
+
+std::pair<double, double> RobotView::pixelAt(const QPoint& position) const {
   const double ratio = parts_->canvas->devicePixelRatioF();
-  const auto picked = parts_->scene->pick(ratio * position.x(), ratio * (parts_->canvas->height() - 1 - position.y()));
+  return {ratio * position.x(), ratio * (parts_->canvas->height() - 1 - position.y())};
+}
+
+void RobotView::pickAt(const QPoint& position) {
+  const auto [x, y] = pixelAt(position);
+  const auto picked = parts_->scene->pick(x, y);
   if (picked) emit pointPicked(picked->link, picked->x_l);
+}
+
+bool RobotView::beginPulling(const QPoint& position) {
+  if (picking_ || !picture_.movable) return false;
+  const auto [x, y] = pixelAt(position);
+  const auto grip = parts_->scene->grip(x, y);
+  if (!grip || grip->patch != *picture_.movable) return false;
+  pulling_ = true;
+  showCursor();
+  setFocus(Qt::MouseFocusReason);  // for Escape
+  emit gripped(grip->x_l);
+  return true;
+}
+
+/// Beside the link the patch stays where it was last.
+void RobotView::pullTo(const QPoint& position) {
+  if (!picture_.movable) return;
+  const auto [x, y] = pixelAt(position);
+  const auto picked = parts_->scene->pick(x, y);
+  if (picked && picked->link == picture_.patches[*picture_.movable].link) emit pulledTo(picked->x_l);
 }
 
 bool RobotView::eventFilter(QObject* /*watched*/, QEvent* event) {
@@ -123,11 +165,24 @@ bool RobotView::eventFilter(QObject* /*watched*/, QEvent* event) {
     case QEvent::Resize:
       requestRender();
       return false;
-    case QEvent::MouseButtonPress:
-      parts_->pressed_at = static_cast<QMouseEvent*>(event)->pos();
-      return false;
+    case QEvent::MouseButtonPress: {
+      const auto* mouse = static_cast<QMouseEvent*>(event);
+      parts_->pressed_at = mouse->pos();
+      return mouse->button() == Qt::LeftButton && beginPulling(mouse->pos());
+    }
+    case QEvent::MouseMove: {
+      const QPoint at = static_cast<QMouseEvent*>(event)->pos();
+      if (pulling_ && (at - parts_->pressed_at).manhattanLength() > kClickSlack) pullTo(at);
+      return pulling_;
+    }
     case QEvent::MouseButtonRelease: {
       const auto* mouse = static_cast<QMouseEvent*>(event);
+      if (pulling_ && mouse->button() == Qt::LeftButton) {
+        pulling_ = false;
+        showCursor();
+        emit released();
+        return true;
+      }
       const bool is_click = (mouse->pos() - parts_->pressed_at).manhattanLength() <= kClickSlack;
       if (picking_ && mouse->button() == Qt::LeftButton && is_click) pickAt(mouse->pos());
       return false;
@@ -137,10 +192,52 @@ bool RobotView::eventFilter(QObject* /*watched*/, QEvent* event) {
   }
 }
 
+bool RobotView::moveByKey(const QKeyEvent& event) {
+  if (event.key() == Qt::Key_Escape) {
+    pulling_ = false;
+    showCursor();
+    emit leftAlone();
+    return true;
+  }
+  if (!moving_ || !picture_.movable) return false;
+  const double times = (event.modifiers() & Qt::ShiftModifier) != 0 ? 10 : 1;
+  const double way_m = times * kMillimetre;
+  const auto slide = [&](double right_m, double up_m) {
+    emit slid(parts_->scene->wayOnScreen(right_m, up_m, picture_.patches[*picture_.movable].link));
+  };
+  switch (event.key()) {
+    case Qt::Key_Left:
+      slide(-way_m, 0);
+      return true;
+    case Qt::Key_Right:
+      slide(way_m, 0);
+      return true;
+    case Qt::Key_Up:
+      slide(0, way_m);
+      return true;
+    case Qt::Key_Down:
+      slide(0, -way_m);
+      return true;
+    case Qt::Key_PageUp:
+      emit turned(times * kDegree);
+      return true;
+    case Qt::Key_PageDown:
+      emit turned(-times * kDegree);
+      return true;
+    case Qt::Key_Return:
+    case Qt::Key_Enter:
+      emit laid();
+      return true;
+    default:
+      return false;
+  }
+}
+
 void RobotView::keyPressEvent(QKeyEvent* event) {
   constexpr double kTurn_deg = 10;
   constexpr double kZoom = 1.15;
   if (!canDraw()) return QWidget::keyPressEvent(event);
+  if ((moving_ || pulling_) && moveByKey(*event)) return;
   switch (event->key()) {
     case Qt::Key_Left:
       parts_->scene->turn(-kTurn_deg, 0);

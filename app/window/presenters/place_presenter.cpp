@@ -8,6 +8,7 @@
 #include "hexoderm/geometry/se3.h"
 #include "hexoderm/kinematics/joint_check.h"
 #include "hexoderm/reconstruction/result/patch_placements.h"
+#include "hexoderm/robot/place/by_gravity.h"
 #include "hexoderm/util/error.h"
 #include "widgets/controls/step_panel.h"
 #include "widgets/robot/place_panel.h"
@@ -41,6 +42,13 @@ std::string asText(const PatchPlacement& placement, const std::string& link) {
   return text.str();
 }
 
+std::string asText(const SE3& T) {
+  std::ostringstream text;
+  text.precision(17);
+  text << T.R << ' ' << T.t.transpose();
+  return text.str();
+}
+
 bool isSamePlace(const PatchOnLink& a, const PatchOnLink& b) {
   constexpr double kSame_m = 1e-4;
   constexpr double kSame_rad = 1e-3;
@@ -48,18 +56,10 @@ bool isSamePlace(const PatchOnLink& a, const PatchOnLink& b) {
          rotationAngle(a.T_l_o.R.transpose() * b.T_l_o.R) < kSame_rad;
 }
 
-/// How the patch is turned on a link, as far as gravity says.
-std::optional<KnownRotation> rotationOn(const PatchLinks* links, const std::string& link) {
-  if (links == nullptr) return std::nullopt;
-  if (links->placed && links->placed->link == link) {
-    return KnownRotation{links->placed->R_l_o, links->placed->covariance};
-  }
-  std::vector<const LinkCandidate*> candidates;
-  for (const LinkCandidate& candidate : links->candidates) candidates.push_back(&candidate);
-  if (links->nearest) candidates.push_back(&*links->nearest);
-  for (const LinkCandidate* candidate : candidates) {
-    const auto turn = std::ranges::find(candidate->links, link, &PatchTurn::link);
-    if (turn != candidate->links.end()) return KnownRotation{turn->R_l_o, turn->covariance};
+/// Where a patch is among those of a picture.
+std::optional<std::size_t> indexInPicture(const RobotPicture& picture, const PatchReconstruction* patch) {
+  for (std::size_t k = 0; patch != nullptr && k < picture.patches.size(); ++k) {
+    if (&picture.skin->patches[picture.patches[k].patch] == patch) return k;
   }
   return std::nullopt;
 }
@@ -73,7 +73,11 @@ PlacePresenter::PlacePresenter(const Views& views, SessionController& controller
   connectPanel();
   connectWork();
   connectEdits();
-  connect(&views_.steps, &StepPanel::opened, this, &PlacePresenter::showRobot);
+  connectHand();
+  connect(&views_.steps, &StepPanel::opened, this, [this] {
+    showStand();
+    showRobot();
+  });
   connect(&controller_, &SessionController::opened, this, [this] {
     joints_file_.clear();
     robot_fault_.clear();
@@ -81,6 +85,9 @@ PlacePresenter::PlacePresenter(const Views& views, SessionController& controller
     known_fault_.clear();
     pose_ = 0;
     patch_ = CellId(0);
+    leaveAlone();
+    put_.reset();
+    lays_ = false;
   });
 }
 
@@ -89,11 +96,19 @@ void PlacePresenter::connectPanel() {
   connect(panel, &PlacePanel::robotWanted, this, &PlacePresenter::askForRobot);
   connect(panel, &PlacePanel::packageWanted, this, &PlacePresenter::askForPackage);
   connect(panel, &PlacePanel::jointsWanted, this, &PlacePresenter::askForJoints);
+  connect(panel, &PlacePanel::anglesTyped, this, &PlacePresenter::setAngles);
+  connect(panel, &PlacePanel::anglesRefused, this, [this](const QString& why) {
+    joints_fault_ = why;
+    showStand();
+  });
   connect(panel, &PlacePanel::cancelRequested, this, [this](PlaceWork work) {
     placing_.cancel(work);
     if (work == PlaceWork::Robot) picked_.reset();
     if (work == PlaceWork::Links) links_fault_ = tr("Cancelled.");
-    if (work == PlaceWork::Places) places_fault_ = tr("Cancelled.");
+    if (work == PlaceWork::Places) {
+      places_fault_ = tr("Cancelled.");
+      lays_ = false;
+    }
     refresh();
   });
   connect(panel, &PlacePanel::poseChosen, this, [this](quint32 pose) {
@@ -103,6 +118,9 @@ void PlacePresenter::connectPanel() {
   connect(panel, &PlacePanel::patchChosen, this, [this](quint32 origin) {
     patch_ = CellId(origin);
     known_fault_.clear();
+    leaveAlone();
+    put_.reset();
+    lays_ = false;
     forgetPlaces();
     refresh();
   });
@@ -164,6 +182,12 @@ void PlacePresenter::connectWork() {
     places_ = places;
     places_fault_.clear();
     preview_ = -1;
+    if (std::exchange(lays_, false)) {
+      const auto laid = std::ranges::find(places_->candidates, true, &PlaceCandidate::by_hand);
+      if (laid != places_->candidates.end()) {
+        choosePlace(static_cast<int>(laid - places_->candidates.begin()), tr("move the patch by hand"));
+      }
+    }
     refresh();
   });
   connect(&placing_, &Placing::failed, this, [this](PlaceWork work, const QString& message) {
@@ -182,6 +206,7 @@ void PlacePresenter::connectWork() {
       case PlaceWork::Places:
         places_.reset();
         places_fault_ = message;
+        lays_ = false;
         break;
     }
     refresh();
@@ -196,7 +221,7 @@ void PlacePresenter::connectEdits() {
   connect(panel, &PlacePanel::linkChosen, this, &PlacePresenter::chooseLink);
   connect(panel, &PlacePanel::pointAdded, this, &PlacePresenter::addPoint);
   connect(panel, &PlacePanel::distanceAdded, this, &PlacePresenter::addDistance);
-  connect(panel, &PlacePanel::placeChosen, this, &PlacePresenter::choosePlace);
+  connect(panel, &PlacePanel::placeChosen, this, [this](int row) { choosePlace(row, tr("place the patch")); });
   connect(panel, &PlacePanel::surfaceChosen, this, [this](bool by_surface) {
     const PatchReconstruction* of = patch();
     if (of == nullptr) return;
@@ -226,6 +251,36 @@ void PlacePresenter::connectEdits() {
     PatchPlacement placement = decided(*of);
     placement.place.reset();
     decide({placement}, tr("take the patch away"));
+  });
+}
+
+void PlacePresenter::connectHand() {
+  PlacePanel* panel = &views_.panel;
+  RobotView* view = &views_.robot;
+  connect(panel, &PlacePanel::lookWanted, this,
+          [this] { views_.robot.lookAtSkin(indexInPicture(picture(), patch())); });
+  connect(panel, &PlacePanel::movingChanged, this, [this](bool moving) {
+    if (!moving) return lay();
+    if (takeInHand()) {
+      showStand();
+      views_.robot.setMoving(true);
+    } else {
+      views_.panel.endMoving();
+    }
+  });
+  connect(view, &RobotView::gripped, this, [this](const Eigen::Vector3d& x_l) {
+    if (takeInHand()) moveInHand([&] { hand_.grip(x_l); });
+  });
+  connect(view, &RobotView::pulledTo, this,
+          [this](const Eigen::Vector3d& x_l) { moveInHand([&] { hand_.pullTo(x_l); }); });
+  connect(view, &RobotView::slid, this,
+          [this](const Eigen::Vector3d& way_l) { moveInHand([&] { hand_.slide(way_l); }); });
+  connect(view, &RobotView::turned, this, [this](double angle_rad) { moveInHand([&] { hand_.turn(angle_rad); }); });
+  connect(view, &RobotView::released, this, &PlacePresenter::lay);
+  connect(view, &RobotView::laid, this, &PlacePresenter::lay);
+  connect(view, &RobotView::leftAlone, this, [this] {
+    leaveAlone();
+    showStand();
   });
 }
 
@@ -283,6 +338,27 @@ void PlacePresenter::readJoints(const QString& path) {
   placing_.readJoints(path, robot_, *controller_.session());
 }
 
+void PlacePresenter::setAngles(const std::vector<TypedAngle>& angles) {
+  if (!controller_.session()) return;
+  joints_fault_.clear();
+  const std::vector<SessionPose>& poses = controller_.session()->poses();
+  std::map<std::size_t, JointAngles> of_poses;
+  for (const TypedAngle& angle : angles) {
+    if (angle.row >= poses.size()) continue;
+    JointAngles& of_pose = of_poses.try_emplace(angle.row, poses[angle.row].joint_angles).first->second;
+    if (angle.position) {
+      of_pose.positions[angle.joint] = *angle.position;
+    } else {
+      of_pose.positions.erase(angle.joint);
+    }
+  }
+  std::vector<SessionEdit> edits;
+  for (auto& [index, of_pose] : of_poses) edits.emplace_back(SetJointAngles{index, std::move(of_pose)});
+  if (edits.empty()) return;
+  controller_.perform(edits, edits.size() > 1 ? tr("set joint angles of %1 poses").arg(edits.size()) : QString());
+  refresh();
+}
+
 bool PlacePresenter::takeFile(const QString& path) {
   const QString ending = endingOf(path);
   const bool is_robot = ending == QStringLiteral("urdf");
@@ -317,6 +393,10 @@ void PlacePresenter::refresh() {
     const PatchReconstruction* largest = largestPatch(*solved_);
     patch_ = largest != nullptr ? largest->origin : CellId(0);
     forgetPlaces();
+  }
+  if (hand_.isHeld()) {
+    const auto where = handle();
+    if (!where || !hand_.isReadyFor(*where)) leaveAlone();
   }
   findLinks();
   findPlaces();
@@ -390,11 +470,15 @@ void PlacePresenter::findPlaces() {
   for (const PatchReconstruction* other : placedWith(*of)) {
     question.decisions.push_back(asText(decided(*other), linkOf(*other)));
   }
+  if (isPut(*of)) question.decisions.push_back(asText(put_->T_l_o));
   if (places_question_ == question) return;
   forgetPlaces();
   places_question_ = question;
   std::optional<PlaceTask> task = taskFor(*of);
-  if (!task) return;
+  if (!task) {
+    lays_ = false;
+    return;
+  }
   std::size_t known_points = 0;
   for (const PatchReconstruction* other : placedWith(*of)) known_points += decided(*other).points.size();
   if (known_points > task->points.size()) {
@@ -463,6 +547,18 @@ JointAngles PlacePresenter::shownAngles() const {
   return known.empty() ? JointAngles() : known.begin()->second;
 }
 
+JointSheet PlacePresenter::sheet() const {
+  JointSheet sheet;
+  if (!robot_ || !controller_.session()) return sheet;
+  for (const RobotJoint& joint : robot_->model.joints()) {
+    if (joint.isFree()) sheet.joints.push_back(joint);
+  }
+  for (const SessionPose& pose : controller_.session()->poses()) {
+    sheet.rows.push_back({pose.capture->id, pose.joint_angles});
+  }
+  return sheet;
+}
+
 std::vector<const PatchReconstruction*> PlacePresenter::placedWith(const PatchReconstruction& patch) const {
   std::vector<const PatchReconstruction*> patches{&patch};
   const std::string link = linkOf(patch);
@@ -492,7 +588,8 @@ std::optional<PlaceTask> PlacePresenter::taskFor(const PatchReconstruction& patc
   for (const PatchReconstruction* of : patches) {
     const PatchPlacement placement = decided(*of);
     PatchToPlace to_place = patchToPlace(*of);
-    to_place.rotation = rotationOn(linksOf(*of), link);
+    if (const PatchLinks* links = linksOf(*of)) to_place.rotation = rotationByGravity(*links, link);
+    if (isPut(*of)) to_place.start = put_->T_l_o;
     task.patches.push_back(std::move(to_place));
     // A patch of more cells than are placed goes without the points of those that are left out.
     const std::vector<CellId>& cells = task.patches.back().cells;
@@ -581,6 +678,14 @@ VerifySentence PlacePresenter::linkSaid(const PatchReconstruction& patch) const 
 }
 
 VerifySentence PlacePresenter::placesSaid() const {
+  if (hand_.isHeld()) {
+    const VerifySentence keys{
+        Tone::Neutral, tr("Pull it by the mouse; or arrow keys slide it by 1 mm, Page Up and Page Down turn it by "
+                          "1°, with Shift by ten times as much. Return lays it there, Escape leaves it where it "
+                          "was.")};
+    const std::optional<Message> objection = hand_.objection();
+    return objection ? together({{Tone::Caution, words(*objection)}, keys}) : keys;
+  }
   if (!places_fault_.isEmpty()) return {Tone::Bad, places_fault_};
   if (!places_) return {places_remark_.isEmpty() ? Tone::Neutral : Tone::Caution, places_remark_};
   const int row = preview_ >= 0 ? preview_ : std::max(0, rowOfPlace());
@@ -616,6 +721,7 @@ void PlacePresenter::showStand() {
   stand.names_robot = asked_.has_value();
   stand.robot = robotInWords();
   stand.joints = jointsInWords();
+  stand.sheet = sheet();
   if (solved_) addChoices(stand);
   if (const PatchReconstruction* of = patch(); of != nullptr && robot_) {
     if (const PatchLinks* links = linksOf(*of)) stand.links = linkChoices(*links);
@@ -640,8 +746,11 @@ void PlacePresenter::showStand() {
                                         .arg(stand.link)};
     }
   }
+  const RobotPicture drawn = picture();
+  views_.robot.setPicture(drawn);
+  stand.is_drawn = indexInPicture(drawn, patch()).has_value();
+  stand.can_move = handle().has_value() && views_.robot.canDraw();
   views_.panel.setStand(stand);
-  views_.robot.setPicture(picture());
 }
 
 RobotPicture PlacePresenter::picture() const {
@@ -649,25 +758,46 @@ RobotPicture PlacePresenter::picture() const {
   if (!robot_) return picture;
   picture.bodies = robot_->bodies;
   picture.T_w_l = robot_->model.forward(shownAngles());
-  const std::shared_ptr<const Reconstruction>& result = solved_;
-  if (!result) return picture;
-  picture.skin = result;
+  if (!solved_) return picture;
+  picture.skin = solved_;
+  addPatches(picture);
   const PatchReconstruction* of = patch();
-  const PlaceCandidate* previewed = nullptr;
-  if (places_ && !places_->candidates.empty()) {
-    const int row = preview_ >= 0 ? preview_ : rowOfPlace();
-    // Where nothing is chosen yet, the best place is what is proposed.
-    const bool proposes = row < 0 && of != nullptr && !decided(*of).place;
-    const auto index = static_cast<std::size_t>(proposes ? 0 : row);
-    if ((row >= 0 || proposes) && index < places_->candidates.size()) previewed = &places_->candidates[index];
+  if (of == nullptr) return picture;
+  if (const auto link = robot_->model.findLink(linkOf(*of))) {
+    picture.link = *link;
+    for (const KnownPoint& point : decided(*of).points) picture.points.push_back({*link, point.x_l});
   }
-  for (std::size_t k = 0; k < result->patches.size(); ++k) {
-    const PatchReconstruction& drawn = result->patches[k];
+  if (handle() && views_.steps.openIndex() == static_cast<int>(GuideStep::Place)) {
+    picture.movable = indexInPicture(picture, of);
+  }
+  return picture;
+}
+
+/// The one that is pointed at, or chosen. Where nothing is chosen yet, the best place is what is proposed.
+const PlaceCandidate* PlacePresenter::shownCandidate() const {
+  if (!places_ || places_->candidates.empty()) return nullptr;
+  const PatchReconstruction* of = patch();
+  const int row = preview_ >= 0 ? preview_ : rowOfPlace();
+  if (row < 0) return of != nullptr && !decided(*of).place ? &places_->candidates.front() : nullptr;
+  const auto index = static_cast<std::size_t>(row);
+  return index < places_->candidates.size() ? &places_->candidates[index] : nullptr;
+}
+
+void PlacePresenter::addPatches(RobotPicture& picture) const {
+  const PlaceCandidate* candidate = shownCandidate();
+  for (std::size_t k = 0; k < solved_->patches.size(); ++k) {
+    const PatchReconstruction& drawn = solved_->patches[k];
+    const bool is_held = hand_.isHeld() && hand_.origin() == drawn.origin;
+    if (is_held || (lays_ && isPut(drawn))) {
+      const PutPlace put = is_held ? hand_.place() : *put_;
+      if (const auto link = robot_->model.findLink(put.link)) picture.patches.push_back({k, *link, put.T_l_o, true});
+      continue;
+    }
     const PlacedPatch* proposal = nullptr;
-    if (previewed != nullptr) {
+    if (candidate != nullptr) {
       const auto found = std::ranges::find_if(
-          previewed->patches, [&](const PlacedPatch& placed) { return placed.place.origin == drawn.origin; });
-      if (found != previewed->patches.end()) proposal = &*found;
+          candidate->patches, [&](const PlacedPatch& placed) { return placed.place.origin == drawn.origin; });
+      if (found != candidate->patches.end()) proposal = &*found;
     }
     const PatchPlacement placement = decided(drawn);
     if (proposal == nullptr && !placement.place) continue;
@@ -681,24 +811,83 @@ RobotPicture PlacePresenter::picture() const {
       if (!free.held_by_rotation) picture.free.push_back({picture.patches.back(), free});
     }
   }
-  if (of == nullptr) return picture;
-  if (const auto link = robot_->model.findLink(linkOf(*of))) {
-    picture.link = *link;
-    for (const KnownPoint& point : decided(*of).points) picture.points.push_back({*link, point.x_l});
-  }
-  return picture;
 }
 
-/// In the step itself, and before the export where there is something to be seen of it.
+/// In the step itself; and before the export where there is something to be seen of it: there it is looked at closely,
+/// so that the cells' numbers can be compared with the skin.
 void PlacePresenter::showRobot() {
   const int open = views_.steps.openIndex();
+  const bool opened = std::exchange(open_step_, open) != open;
   const bool placed = controller_.reconstruction() && !placedPatches(*controller_.reconstruction()).empty();
-  const bool shown =
-      robot_ && (open == static_cast<int>(GuideStep::Place) || (placed && open == static_cast<int>(GuideStep::Export)));
+  const bool before_export = placed && open == static_cast<int>(GuideStep::Export);
+  if (robot_ && before_export && opened) views_.robot.lookAtSkin();
+  const bool shown = robot_ && (open == static_cast<int>(GuideStep::Place) || before_export);
   if (shown == views_.robot.isVisibleTo(views_.robot.parentWidget())) return;
   views_.robot.setVisible(shown);
   // Beneath, it would take the keyboard and not be seen.
   views_.middle.setVisible(!shown);
+}
+
+// --- by hand
+
+std::optional<HandPlace::Where> PlacePresenter::handle() const {
+  const PatchReconstruction* of = patch();
+  if (!robot_ || of == nullptr || !controller_.session() || !decided(*of).by_surface) return std::nullopt;
+  const auto link = robot_->model.findLink(linkOf(*of));
+  if (!link || (*robot_->bodies)[*link].empty()) return std::nullopt;
+  return HandPlace::Where{robot_, *link, solved_, links_, of->origin};
+}
+
+bool PlacePresenter::takeInHand() {
+  if (hand_.isHeld()) return true;
+  const auto where = handle();
+  if (!where) return false;
+  const PatchReconstruction* of = patch();
+  const RobotPicture drawn = picture();
+  const auto index = indexInPicture(drawn, of);
+  std::optional<SE3> from;
+  if (index && drawn.patches[*index].link == where->link) from = drawn.patches[*index].T_l_o;
+  try {
+    if (!hand_.isReadyFor(*where)) {
+      PatchToPlace to_place = patchToPlace(*of);
+      if (const PatchLinks* links = linksOf(*of)) to_place.rotation = rotationByGravity(*links, linkOf(*of));
+      hand_.getReady(*where, to_place, solved_->model->thickness_m);
+    }
+    hand_.take(from);
+  } catch (const InvalidArgument& error) {
+    places_fault_ = words(error);
+    showStand();
+    return false;
+  }
+  return true;
+}
+
+template <class Move>
+void PlacePresenter::moveInHand(Move move) {
+  if (!hand_.isHeld()) return;
+  move();
+  showStand();
+}
+
+void PlacePresenter::lay() {
+  if (!hand_.isHeld()) return;
+  if (hand_.isMoved()) {
+    put_ = hand_.place();
+    lays_ = true;
+    places_question_.reset();
+  }
+  leaveAlone();
+  refresh();
+}
+
+void PlacePresenter::leaveAlone() {
+  hand_.letGo();
+  views_.robot.setMoving(false);
+  views_.panel.endMoving();
+}
+
+bool PlacePresenter::isPut(const PatchReconstruction& patch) const {
+  return put_ && put_->origin == patch.origin && put_->link == linkOf(patch);
 }
 
 // --- decisions
@@ -786,7 +975,7 @@ void PlacePresenter::addDistance(const KnownDistance& distance) {
   showStand();
 }
 
-void PlacePresenter::choosePlace(int row) {
+void PlacePresenter::choosePlace(int row, const QString& text) {
   if (!places_ || row < 0 || static_cast<std::size_t>(row) >= places_->candidates.size()) return;
   if (row == rowOfPlace()) return;
   std::vector<PatchPlacement> placements;
@@ -798,7 +987,7 @@ void PlacePresenter::choosePlace(int row) {
     placement.place = placed.place;
     placements.push_back(std::move(placement));
   }
-  decide(std::move(placements), tr("place the patch"));
+  decide(std::move(placements), text);
 }
 
 }  // namespace hexoderm

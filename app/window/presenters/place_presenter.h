@@ -1,5 +1,6 @@
 #pragma once
 
+#include "app/window/session/hand_place.h"
 #include "app/window/session/placing.h"
 
 #include <QObject>
@@ -63,11 +64,13 @@ class PlacePresenter : public QObject {
   void connectPanel();
   void connectWork();
   void connectEdits();
+  void connectHand();
   void askForRobot();
   void askForPackage();
   void askForJoints();
   void pickRobot(const RobotDescription& description);
   void readJoints(const QString& path);
+  void setAngles(const std::vector<TypedAngle>& angles);
 
   void followRobot();
   void findLinks();
@@ -86,6 +89,7 @@ class PlacePresenter : public QObject {
   [[nodiscard]] std::string linkOf(const PatchReconstruction& patch) const;
   [[nodiscard]] std::map<PoseId, JointAngles> angles() const;
   [[nodiscard]] JointAngles shownAngles() const;
+  [[nodiscard]] JointSheet sheet() const;
   /// The patches that are placed together with one, because distances join them: itself first.
   [[nodiscard]] std::vector<const PatchReconstruction*> placedWith(const PatchReconstruction& patch) const;
   [[nodiscard]] std::optional<PlaceTask> taskFor(const PatchReconstruction& patch) const;
@@ -95,13 +99,26 @@ class PlacePresenter : public QObject {
   [[nodiscard]] VerifySentence linkSaid(const PatchReconstruction& patch) const;
   [[nodiscard]] VerifySentence placesSaid() const;
   [[nodiscard]] RobotPicture picture() const;
+  void addPatches(RobotPicture& picture) const;
+  [[nodiscard]] const PlaceCandidate* shownCandidate() const;
   void addChoices(PlaceStand& stand) const;
 
   void decide(std::vector<PatchPlacement> placements, const QString& text);
   void chooseLink(const QString& link);
   void addPoint(const KnownPoint& point);
   void addDistance(const KnownDistance& distance);
-  void choosePlace(int row);
+  void choosePlace(int row, const QString& text);
+
+  /// By what the patch is moved by hand; nullopt: it can't be.
+  [[nodiscard]] std::optional<HandPlace::Where> handle() const;
+  /// Whether there is anything to be moved.
+  bool takeInHand();
+  template <class Move>
+  void moveInHand(Move move);
+  /// It is to lie where it is: the fit begins there, and what comes of it becomes the place.
+  void lay();
+  void leaveAlone();
+  [[nodiscard]] bool isPut(const PatchReconstruction& patch) const;
 
   Views views_;
   SessionController& controller_;
@@ -124,6 +141,10 @@ class PlacePresenter : public QObject {
   CellId patch_{0};      ///< the origin cell of the patch that is spoken of
   quint32 pose_ = 0;     ///< in which the robot is drawn
   int preview_ = -1;     ///< the row of the place that is pointed at
+  HandPlace hand_;
+  std::optional<PutPlace> put_;  ///< where a patch was put by hand; the fit begins there too
+  bool lays_ = false;            ///< what the fit makes of it becomes the place
+  int open_step_ = -1;           ///< as showRobot() last saw it
 };
 
 }  // namespace hexoderm

@@ -4,6 +4,7 @@
 
 #include <Eigen/Geometry>
 #include <cmath>
+#include <utility>
 
 namespace hexoderm {
 namespace {
@@ -47,6 +48,16 @@ double enclosedVolume(const TriangleMesh& mesh) {
     six_volumes += mesh.points[a].dot(mesh.points[b].cross(mesh.points[c]));
   }
   return six_volumes / 6;
+}
+
+bool isInsideOut(const TriangleMesh& mesh) {
+  constexpr double kLeastFilled = 0.02;
+  const double box_m3 = boundingBox(mesh).size().prod();
+  return box_m3 > 0 && enclosedVolume(mesh) < -kLeastFilled * box_m3;
+}
+
+void turnInsideOut(TriangleMesh& mesh) {
+  for (auto& triangle : mesh.triangles) std::swap(triangle[1], triangle[2]);
 }
 
 TriangleMesh meshOfBox(const Eigen::Vector3d& size_m) {

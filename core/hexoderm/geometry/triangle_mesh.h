@@ -32,6 +32,11 @@ void append(TriangleMesh& mesh, const TriangleMesh& other);
 
 /// Volume inside a closed mesh by the divergence theorem; negative where it is inside out.
 double enclosedVolume(const TriangleMesh& mesh);
+/// Whether the triangles of a closed mesh are clockwise as seen from outside. A body that is open somewhere encloses
+/// nothing for certain; one inside out is clearly negative.
+bool isInsideOut(const TriangleMesh& mesh);
+/// Turns every triangle round.
+void turnInsideOut(TriangleMesh& mesh);
 
 /// A box about the origin. Sizes are above 0, m.
 TriangleMesh meshOfBox(const Eigen::Vector3d& size_m);

@@ -81,6 +81,11 @@ std::vector<std::string> missingJoints(const RobotModel& robot, const JointAngle
   return missing;
 }
 
+std::optional<Message> beyondLimits(const RobotJoint& joint, double position) {
+  if (!joint.limits || excess(*joint.limits, position) <= slackOf(joint)) return std::nullopt;
+  return beyondLimitsMessage(joint, position, *joint.limits);
+}
+
 JointDoubts doubtsOf(const RobotModel& robot, std::span<const JointAngles> angles) {
   JointDoubts doubts;
   for (const RobotJoint& joint : robot.joints()) {

@@ -14,6 +14,10 @@ namespace hexoderm {
 /// Free joints of the robot that the angles don't name, in the order of RobotModel::joints().
 std::vector<std::string> missingJoints(const RobotModel& robot, const JointAngles& angles);
 
+/// One sentence where a position (rad, prismatic: m) is outside the joint's limits by more than 2 degrees or 5 mm,
+/// which calibrations of joints excuse.
+std::optional<Message> beyondLimits(const RobotJoint& joint, double position);
+
 /// How far a joint was outside its limits.
 struct BeyondLimits {
   std::string joint;
@@ -25,7 +29,7 @@ struct BeyondLimits {
 
 /// What makes joint angles doubtful. They are used as they are all the same.
 struct JointDoubts {
-  /// One for each joint that is outside its limits by more than 2 degrees or 5 mm, which calibrations of joints excuse.
+  /// One for each joint that is outside its limits, as beyondLimits() has it.
   std::vector<BeyondLimits> beyond_limits;
   /// Said where the angles make sense only as degrees: read as rad, most joints that turn are outside their limits by
   /// more than their whole range (without limits, by more than six turns), and as degrees none is outside.

@@ -1,6 +1,7 @@
 #include "hexoderm/session/patch_on_link.h"
 
 #include "hexoderm/geometry/covariance.h"
+#include "hexoderm/geometry/is_rotation.h"
 #include "hexoderm/util/error.h"
 #include "hexoderm/util/limits.h"
 #include "hexoderm/util/message.h"
@@ -10,11 +11,6 @@ namespace {
 
 [[noreturn]] void failPlacement(CellId origin, Message why) {
   throw InvalidArgument(located(message("the patch of cell {}", origin), std::move(why)));
-}
-
-bool isRotation(const Eigen::Matrix3d& R) {
-  constexpr double kOrthogonal = 1e-6;
-  return isWithin(R.transpose() * R - Eigen::Matrix3d::Identity(), kOrthogonal) && R.determinant() > 0;
 }
 
 bool isSigmaOfLength(double sigma_m) { return sigma_m > 0 && sigma_m <= kMostLength_m; }

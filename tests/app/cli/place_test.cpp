@@ -95,6 +95,54 @@ TEST_F(CliPlace, PrintsEveryCellInTheFrameOfTheLinkAsJson) {
   EXPECT_EQ(outcome.exit_code, json["verdict"] == "placed" ? 0 : 1);
 }
 
+/// From gravity and joint angles: R_l_o with its covariance goes from links to place.
+TEST_F(CliPlace, TakesTheRotationThatLinksFinds) {
+  const std::string place = "place arm.session.json --robot demo --link forearm --json";
+  const Outcome outcome = run(place + " --rotation links" + point());
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.out << outcome.err;
+  const auto json = nlohmann::json::parse(outcome.out);
+  ASSERT_FALSE(json["candidates"].empty()) << outcome.out;
+  const auto& placed = json["candidates"][0]["patches"][0];
+  const auto& t = placed["t_m"];
+  EXPECT_LT((Eigen::Vector3d(t[0], t[1], t[2]) - T_l_o_.t).norm(), 0.004);
+
+  // By a point alone the place is turned exactly as links says, and as certainly.
+  const auto links = nlohmann::json::parse(
+      run("links arm.session.json --robot demo --put " + std::to_string(origin_) + "=forearm --json").out);
+  const auto& turn = links["patches"][0]["placed"];
+  const auto& q = turn["q_l_o_wxyz"];
+  const Eigen::Matrix3d R_links = Eigen::Quaterniond(q[0], q[1], q[2], q[3]).toRotationMatrix();
+  const auto by_point = nlohmann::json::parse(run(place + " --rotation links --no-surface" + point()).out);
+  const auto& alone = by_point["candidates"][0]["patches"][0];
+  Eigen::Matrix3d R;
+  for (Eigen::Index k = 0; k < 9; ++k) R(k / 3, k % 3) = alone["R"][static_cast<std::size_t>(k)];
+  EXPECT_LT(rotationAngle(R_links.transpose() * R), 1e-4);
+  // The 21 numbers above the diagonal, row by row: those of the rotation begin at 15.
+  EXPECT_NEAR(alone["cov_t_r"][15].get<double>(), turn["covariance_rad2"][0][0].get<double>(),
+              0.05 * turn["covariance_rad2"][0][0].get<double>());
+
+  // The same angles from a table.
+  EXPECT_EQ(run(place + " --rotation links --joints arm.joints.csv" + point()).out, outcome.out);
+}
+
+TEST_F(CliPlace, SaysWhereGravityGivesNoRotation) {
+  const auto fails = [&](const std::string& arguments, int code) {
+    const Outcome outcome = run("place " + arguments);
+    EXPECT_EQ(outcome.exit_code, code) << arguments << outcome.err;
+    return outcome.err;
+  };
+  EXPECT_THAT(fails("arm.calibration.json --robot demo --link forearm --rotation links", 3),
+              HasSubstr("arm.calibration.json"));
+  EXPECT_THAT(fails("arm.session.json --robot demo --link forearm --joints arm.joints.csv", 2),
+              HasSubstr("go with --rotation links"));
+  EXPECT_THAT(fails("arm.session.json --robot demo --link hand --rotation links", 1), HasSubstr("link hand"));
+  auto session = nlohmann::json::parse(readFile(path("arm.session.json")));
+  for (auto& pose : session["poses"]) pose.erase("joint_angles");
+  writeFileAtomically(path("bare.session.json"), session.dump());
+  EXPECT_THAT(fails("bare.session.json --robot demo --link forearm --rotation links", 3),
+              AllOf(HasSubstr("no pose has joint angles"), HasSubstr("--joints")));
+}
+
 TEST_F(CliPlace, RefusesWhatMakesNoSense) {
   const auto says = [&](const std::string& arguments, int code) {
     const Outcome outcome = run("place arm.calibration.json --robot demo " + arguments);

@@ -16,7 +16,9 @@
 #include "widgets/controls/step_panel.h"
 #include "widgets/robot/place_panel.h"
 #include "widgets/robot/robot_view.h"
+#include "widgets/tables/joint_table_view.h"
 
+#include <QClipboard>
 #include <QDoubleSpinBox>
 #include <QListWidget>
 #include <QMimeData>
@@ -321,6 +323,63 @@ TEST_F(WindowPlaceTest, EveryDecisionCanBeUndoneAndIsKept) {
   EXPECT_EQ(placedPatches(*controller().reconstruction())[0].T_l_o.t, before.T_l_o.t);
 }
 
+TEST_F(WindowPlaceTest, AnglesAreTypedAndPastedIntoTheTableOfPoses) {
+  ASSERT_NO_FATAL_FAILURE(openSession());
+  ASSERT_NO_FATAL_FAILURE(chooseRobot(HEXODERM_DEMO_ROBOT));
+  auto* table = inPanel<JointTableView>("placeJointTable");
+  window_->findChild<StepPanel*>()->ensureWidgetVisible(table);
+  const std::vector<RobotJoint> joints = stand().sheet.joints;
+  ASSERT_EQ(joints.size(), robot_->robot().freeJointNames().size());
+  ASSERT_EQ(table->model()->rowCount(), 8);
+  // One by the keyboard.
+  const auto column = std::ranges::find(joints, "elbow", &RobotJoint::name) - joints.begin();
+  table->setFocus();
+  table->setCurrentIndex(table->model()->index(0, static_cast<int>(column)));
+  keys(QStringLiteral("200"));
+  key(Qt::Key_Return);
+  ASSERT_TRUE(waitUntil([&] { return table->currentIndex().row() == 1; })) << "the pose below is next";
+  const auto elbow = [this](std::size_t pose) -> std::optional<double> {
+    const auto& positions = controller().session()->poses()[pose].joint_angles.positions;
+    const auto found = positions.find("elbow");
+    return found == positions.end() ? std::nullopt : std::optional(found->second);
+  };
+  ASSERT_TRUE(elbow(0));
+  EXPECT_DOUBLE_EQ(*elbow(0), 200 * kDegree);
+  EXPECT_EQ(stand().joints.tone, Tone::Caution);
+  EXPECT_THAT(stand().joints.text.toStdString(), AllOf(HasSubstr("1 of 8 poses"), HasSubstr("its limits are")));
+  keys(QStringLiteral("1-2"));
+  key(Qt::Key_Return);
+  ASSERT_TRUE(waitUntil([&] { return table->currentIndex().row() == 2; }));
+  EXPECT_THAT(stand().joints.text.toStdString(), HasSubstr("\"1-2\" is no number"));
+  EXPECT_FALSE(elbow(1));
+  press(Qt::Key_Z, Qt::ControlModifier);
+  EXPECT_TRUE(waitUntil([&] { return !elbow(0); }));
+
+  // All of them from a spreadsheet, in one step.
+  QString block;
+  for (const JointAnglesRow& row : angles_.rows) {
+    QStringList line;
+    for (const RobotJoint& joint : joints) {
+      const double position = row.angles.positions.at(joint.name);
+      line << QString::number(joint.type == JointType::Prismatic ? toMillimetres(position) : toDegrees(position), 'g',
+                              17);
+    }
+    block += line.join('\t') + '\n';
+  }
+  QApplication::clipboard()->setText(block);
+  table->setFocus();
+  table->setCurrentIndex(table->model()->index(0, 0));
+  const int steps = controller().undoStack()->count();
+  key(Qt::Key_V, Qt::ControlModifier);
+  ASSERT_TRUE(waitForWork());
+  EXPECT_EQ(controller().undoStack()->index(), steps);  // in place of the one that was undone
+  EXPECT_THAT(stand().joints.text.toStdString(), HasSubstr("8 of 8 poses"));
+  EXPECT_EQ(stand().link.toStdString(), mounted(CellId(stand().patch)).link) << "as with the angles of a file";
+  press(Qt::Key_Z, Qt::ControlModifier);
+  EXPECT_TRUE(waitUntil([&] { return controller().session()->poses()[7].joint_angles.positions.empty(); }));
+  EXPECT_TRUE(waitUntil([&] { return controller().session()->poses()[0].joint_angles.positions.empty(); }));
+}
+
 TEST_F(WindowPlaceTest, AnotherLinkCanBeChosenAndIsSaidNotToFit) {
   ASSERT_NO_FATAL_FAILURE(openWithRobot());
   const std::string right = stand().link.toStdString();
@@ -336,6 +395,98 @@ TEST_F(WindowPlaceTest, AnotherLinkCanBeChosenAndIsSaidNotToFit) {
   EXPECT_THAT(stand().link_says.text.toStdString(), HasSubstr("doesn't fit"));
   ASSERT_EQ(controller().session()->placements().size(), 1U);
   EXPECT_TRUE(controller().session()->placements()[0].link_chosen);
+}
+
+TEST_F(WindowPlaceTest, ThePatchIsMovedByHandAndTheFitBeginsThere) {
+  ASSERT_NO_FATAL_FAILURE(openWithRobot());
+  RobotView* view = window_->robotView();
+  if (!view->canDraw()) GTEST_SKIP() << "no OpenGL";
+  // The upper arm is a box with rounded edges, along which its patch can slide.
+  for (const PlaceStand::Choice& choice : std::vector(stand().patches)) {
+    if (mounted(CellId(choice.id)).link != "upper_arm") continue;
+    ASSERT_NO_FATAL_FAILURE(choosePatch(choice.id));
+  }
+  const CellId origin(stand().patch);
+  ASSERT_NO_FATAL_FAILURE(typePoints(origin));
+  ASSERT_NO_FATAL_FAILURE(clickRowOf(inPanel<QListWidget>("placePlaceList"), 0));
+  ASSERT_TRUE(waitForWork());
+  const auto placed = [&] { return controller().session()->findPlacement(origin)->place; };
+  ASSERT_TRUE(placed());
+  const SE3 before = placed()->T_l_o;
+  const int steps = controller().undoStack()->index();
+  const auto drawn = [&] {
+    const RobotPicture& picture = view->picture();
+    return picture.movable ? std::optional(picture.patches[*picture.movable]) : std::nullopt;
+  };
+  ASSERT_TRUE(drawn());
+
+  // From before it, so that the ways on the screen are ways along the surface.
+  ASSERT_NO_FATAL_FAILURE(pressInPanel<QPushButton>("placeLook"));
+  // The keyboard: 10 mm along the screen and 5 degrees about the normal, and left alone.
+  ASSERT_NO_FATAL_FAILURE(pressInPanel<QPushButton>("placeMove"));
+  EXPECT_TRUE(view->hasFocus());
+  EXPECT_THAT(stand().place_says.text.toStdString(), HasSubstr("Return lays it there"));
+  key(Qt::Key_Right, Qt::ShiftModifier);
+  ASSERT_TRUE(drawn());
+  EXPECT_TRUE(drawn()->is_proposal);
+  EXPECT_NEAR((drawn()->T_l_o.t - before.t).norm(), 0.010, 0.003);
+  EXPECT_EQ(placed()->T_l_o.t, before.t) << "nothing is decided yet";
+  for (int k = 0; k < 4; ++k) key(Qt::Key_PageUp, Qt::ShiftModifier);
+  EXPECT_THAT(stand().place_says.text.toStdString(), HasSubstr("against what gravity says"));
+  key(Qt::Key_Escape);
+  EXPECT_FALSE(inPanel<QPushButton>("placeMove")->isChecked());
+  EXPECT_EQ(drawn()->T_l_o.t, before.t);
+  EXPECT_EQ(controller().undoStack()->index(), steps);
+
+  // Again, and laid: known points hold the patch, so that the fit brings it back to where it was.
+  ASSERT_NO_FATAL_FAILURE(pressInPanel<QPushButton>("placeMove"));
+  key(Qt::Key_Right, Qt::ShiftModifier);
+  key(Qt::Key_Return);
+  ASSERT_TRUE(waitForWork());
+  ASSERT_TRUE(placed());
+  EXPECT_LT((placed()->T_l_o.t - before.t).norm(), 0.002);
+
+  // Without them, the mouse pulls it to the other end of what is open, and it stays there.
+  for (int k = 0; k < 2; ++k) {
+    inPanel<QListWidget>("placeKnownList")->setCurrentRow(0);
+    ASSERT_NO_FATAL_FAILURE(pressInPanel<QPushButton>("placeRemoveKnown"));
+    ASSERT_TRUE(waitForWork());
+  }
+  const int without = controller().undoStack()->index();
+  const Eigen::Vector3d below = drawn()->T_l_o.t;
+  emit view->gripped(below);
+  emit view->pulledTo(below + Eigen::Vector3d(0, 0, 0.02));
+  ASSERT_TRUE(drawn());
+  EXPECT_TRUE(drawn()->is_proposal);
+  const SE3 pulled = drawn()->T_l_o;
+  EXPECT_NEAR(pulled.t.z() - below.z(), 0.02, 0.006);
+  emit view->released();
+  ASSERT_TRUE(waitForWork());
+  ASSERT_TRUE(waitUntil([&] { return controller().undoStack()->index() == without + 1; }))
+      << stand().place_says.text.toStdString();
+  EXPECT_TRUE(std::ranges::any_of(stand().places, [](const QString& text) { return text.contains("put by hand"); }));
+  EXPECT_GE(stand().place, 0) << "it is among the places, and chosen";
+  EXPECT_NEAR(placed()->T_l_o.t.z(), pulled.t.z(), 0.004) << "where nothing holds it, it stays where it was put";
+  EXPECT_TRUE(placed()->cov_t_r.has_value());
+  press(Qt::Key_Z, Qt::ControlModifier);
+  EXPECT_TRUE(waitUntil([&] { return placed() && (placed()->T_l_o.t - before.t).norm() < 0.002; }));
+}
+
+TEST_F(WindowPlaceTest, BeforeTheExportTheCellsAreLookedAtWithTheirNumbers) {
+  ASSERT_NO_FATAL_FAILURE(openWithRobot());
+  ASSERT_NO_FATAL_FAILURE(typePoints(CellId(stand().patch)));
+  ASSERT_NO_FATAL_FAILURE(clickRowOf(inPanel<QListWidget>("placePlaceList"), 0));
+  ASSERT_TRUE(waitForWork());
+  const bool draws = window_->robotView()->canDraw();
+  const QImage whole = draws ? window_->robotView()->screenshot() : QImage();
+  window_->findChild<StepPanel*>()->openStep(static_cast<int>(GuideStep::Export));
+  ASSERT_TRUE(waitUntil([this] { return window_->robotView()->isVisible(); }));
+  EXPECT_EQ(window_->robotView()->picture().patches.size(), 1U);
+  EXPECT_FALSE(window_->robotView()->picture().movable) << "nothing is moved here";
+  if (draws) {
+    EXPECT_NE(window_->robotView()->screenshot(), whole) << "the camera goes up to the skin";
+  }
+  keepPicture(window_->picture(), "place-before-export-light");
 }
 
 TEST_F(WindowPlaceTest, APointIsPickedOnTheRobotAndWaitsToBeAdded) {

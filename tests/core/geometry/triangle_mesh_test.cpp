@@ -51,5 +51,18 @@ TEST(TriangleMesh, TurnsMovesAndJoins) {
 
 TEST(TriangleMesh, AnEmptyOneHasABoxWithoutSize) { EXPECT_EQ(boundingBox({}).size(), Eigen::Vector3d::Zero()); }
 
+TEST(TriangleMesh, AMeshThatIsInsideOutIsNoticedAndTurned) {
+  TriangleMesh mesh = meshOfBox({0.1, 0.2, 0.3});
+  EXPECT_FALSE(isInsideOut(mesh));
+  turnInsideOut(mesh);
+  EXPECT_TRUE(isInsideOut(mesh));
+  turnInsideOut(mesh);
+  EXPECT_NEAR(enclosedVolume(mesh), 0.006, 1e-12);
+  // A single sheet encloses nothing, whichever way it faces.
+  mesh = {{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 2, 1}}};
+  EXPECT_FALSE(isInsideOut(mesh));
+  EXPECT_FALSE(isInsideOut({}));
+}
+
 }  // namespace
 }  // namespace hexoderm

@@ -40,6 +40,17 @@ TEST(JointCheck, NamesTheWorstPoseOfEachJointBeyondItsLimits) {
   EXPECT_FALSE(doubts.probably_degrees) << "as degrees it would be inside, but it is not far outside";
 }
 
+TEST(JointCheck, ASinglePositionBeyondItsLimitsIsSaid) {
+  const RobotJoint& elbow = demoArm().joints()[demoArm().jointNamed("elbow")];
+  EXPECT_FALSE(beyondLimits(elbow, elbow.limits->upper + 0.01)) << "calibrations of joints excuse it";
+  const auto said = beyondLimits(elbow, 2.8);
+  ASSERT_TRUE(said);
+  EXPECT_THAT(said->english(), saysAll("elbow", "160.4°", "131.8°"));
+  RobotJoint endless = elbow;
+  endless.limits.reset();
+  EXPECT_FALSE(beyondLimits(endless, 100));
+}
+
 TEST(JointCheck, NoticesDegreesThatWereReadAsRadians) {
   const std::vector<JointAngles> poses{angles(30, 90, 0), angles(-20, 45, 80)};
   const JointDoubts doubts = doubtsOf(demoArm(), poses);

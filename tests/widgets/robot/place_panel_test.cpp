@@ -3,6 +3,7 @@
 #include "hexoderm/util/units.h"
 #include "tests/support/qt_wait.h"
 #include "widgets/controls/selection.h"
+#include "widgets/tables/joint_table_view.h"
 
 #include <gmock/gmock.h>
 #include <QApplication>
@@ -146,6 +147,49 @@ TEST_F(PlacePanelTest, APlaceIsShownByPointingAndTakenByReturn) {
   EXPECT_EQ(previewed.back(), -1);
 }
 
+TEST_F(PlacePanelTest, AnglesThatAreTypedAreAskedForAndRefusedOnesSaid) {
+  PlaceStand stand = standOfTwoPatches();
+  EXPECT_FALSE(find<JointTableView>("placeJointTable")->isVisible()) << "no joints are known";
+  RobotJoint elbow;
+  elbow.name = "elbow";
+  elbow.type = JointType::Revolute;
+  stand.sheet.joints = {elbow};
+  stand.sheet.rows = {{PoseId(1), {}}, {PoseId(2), {}}};
+  panel_->setStand(stand);
+  auto* table = find<JointTableView>("placeJointTable");
+  EXPECT_TRUE(table->isVisible());
+  std::vector<TypedAngle> typed;
+  QString refused;
+  QObject::connect(panel_, &PlacePanel::anglesTyped, [&](const std::vector<TypedAngle>& angles) { typed = angles; });
+  QObject::connect(panel_, &PlacePanel::anglesRefused, [&](const QString& why) { refused = why; });
+  table->model()->setData(table->model()->index(1, 0), QStringLiteral("90"));
+  ASSERT_EQ(typed.size(), 1U);
+  EXPECT_EQ(typed[0].row, 1U);
+  table->model()->setData(table->model()->index(1, 0), QStringLiteral("?"));
+  EXPECT_THAT(refused.toStdString(), HasSubstr("is no number"));
+}
+
+TEST_F(PlacePanelTest, MovingByHandIsAModeThatIsOfferedWhereItIsPossible) {
+  PlaceStand stand = standOfTwoPatches();
+  panel_->setStand(stand);
+  auto* move = find<QPushButton>("placeMove");
+  EXPECT_FALSE(move->isEnabled());
+  EXPECT_FALSE(find<QPushButton>("placeLook")->isEnabled());
+  stand.can_move = stand.is_drawn = true;
+  panel_->setStand(stand);
+  std::vector<bool> asked;
+  int looks = 0;
+  QObject::connect(panel_, &PlacePanel::movingChanged, [&](bool moving) { asked.push_back(moving); });
+  QObject::connect(panel_, &PlacePanel::lookWanted, [&] { ++looks; });
+  QTest::keyClick(move, Qt::Key_Space);
+  EXPECT_TRUE(move->isChecked());
+  panel_->endMoving();
+  EXPECT_FALSE(move->isChecked());
+  EXPECT_THAT(asked, testing::ElementsAre(true)) << "what has ended elsewhere is not asked for";
+  QTest::mouseClick(find<QPushButton>("placeLook"), Qt::LeftButton);
+  EXPECT_EQ(looks, 1);
+}
+
 TEST_F(PlacePanelTest, ThePickedCellIsProposedForPoints) {
   panel_->setStand(standOfTwoPatches());
   selection_.selectCell(CellId(12));
@@ -199,6 +243,9 @@ TEST(PlaceWords, APlaceNamesItsMisfitAndWhatIsOpen) {
   EXPECT_THAT(placeInList(candidate, 1, false).toStdString(), HasSubstr("can be moved"));
   candidate.patches[0].free[0].held_by_rotation = true;
   EXPECT_THAT(placeInList(candidate, 1, false).toStdString(), testing::Not(HasSubstr("can be moved")));
+  EXPECT_THAT(placeInList(candidate, 1, false).toStdString(), testing::Not(HasSubstr("by hand")));
+  candidate.by_hand = true;
+  EXPECT_THAT(placeInList(candidate, 1, false).toStdString(), HasSubstr("put by hand"));
   candidate.fits = false;
   EXPECT_THAT(placeInList(candidate, 2, true).toStdString(), HasSubstr("does not fit"));
   EXPECT_TRUE(placeInList(candidate, 2, true).startsWith(QStringLiteral("✓ 2")));

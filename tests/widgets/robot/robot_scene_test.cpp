@@ -139,5 +139,72 @@ TEST_F(RobotSceneTest, TheCameraStaysWhereItIsUntilThereIsAnotherRobot) {
   EXPECT_NE(after, before);
 }
 
+TEST_F(RobotSceneTest, APatchIsGrippedAtThePointOfItsLinkThatLiesBelow) {
+  RobotPicture placed = picture;
+  placed.patches = {{0, 1, SE3{Eigen::Matrix3d::Identity(), {0, 0, kBox_m / 2 + 0.003}}, false}};
+  scene.setPicture(placed);
+  draw();
+  const CellPlacement& cell = placed.skin->patches[0].cells[0];
+  const Eigen::Vector3d front_w = placed.T_w_l[1] * placed.patches[0].T_l_o * cell.T_o_u.t;
+  const auto [x, y] = pixelOf(front_w);
+  const auto grip = scene.grip(x, y);
+  ASSERT_TRUE(grip);
+  EXPECT_EQ(grip->patch, 0U);
+  EXPECT_LT((placed.T_w_l[1] * grip->x_l - front_w).norm(), 0.02) << "a line of sight that is oblique";
+  EXPECT_FALSE(scene.grip(1, 1)) << "beside the robot";
+  const auto [other_x, other_y] = pixelOf(Eigen::Vector3d(0, 0, kBox_m / 2));
+  EXPECT_FALSE(scene.grip(other_x, other_y)) << "a link without skin";
+  EXPECT_TRUE(scene.pick(x, y)) << "points of the link are picked through the skin as before";
+}
+
+TEST_F(RobotSceneTest, WaysOnTheScreenAreGivenInTheFrameOfTheLink) {
+  scene.setPicture(picture);
+  draw();
+  for (std::size_t link = 0; link < 2; ++link) {
+    SCOPED_TRACE(link);
+    const Eigen::Vector3d from_w = picture.T_w_l[link].t;
+    const auto [x, y] = pixelOf(from_w);
+    const auto after = [&](double right_m, double up_m) {
+      return pixelOf(from_w + picture.T_w_l[link].R * scene.wayOnScreen(right_m, up_m, link));
+    };
+    const auto right = after(0.01, 0);
+    EXPECT_GT(right[0], x + 1);
+    EXPECT_NEAR(right[1], y, 0.5);
+    const auto up = after(0, 0.01);
+    EXPECT_GT(up[1], y + 1);
+    EXPECT_NEAR(up[0], x, 0.5);
+    EXPECT_NEAR(scene.wayOnScreen(0.003, 0.004, link).norm(), 0.005, 1e-12);
+  }
+}
+
+TEST_F(RobotSceneTest, TheSkinIsLookedAtSoCloselyThatItsNumbersCanBeRead) {
+  RobotPicture placed = picture;
+  placed.patches = {{0, 1, SE3{Eigen::Matrix3d::Identity(), {0, 0, kBox_m / 2 + 0.003}}, false}};
+  scene.setPicture(placed);
+  draw();
+  const auto pixelsPerSide = [&] {
+    const SE3 T_w_u = placed.T_w_l[1] * placed.patches[0].T_l_o * placed.skin->patches[0].cells[0].T_o_u;
+    const auto a = pixelOf(T_w_u.t);
+    const auto b = pixelOf(T_w_u * Eigen::Vector3d(placed.skin->model->side_m, 0, 0));
+    return std::hypot(a[0] - b[0], a[1] - b[1]);
+  };
+  const double before = pixelsPerSide();
+  scene.lookAtSkin(0);
+  draw();
+  EXPECT_GT(pixelsPerSide(), 1.5 * before);
+  for (const CellPlacement& cell : placed.skin->patches[0].cells) {
+    const auto [x, y] = pixelOf(placed.T_w_l[1] * placed.patches[0].T_l_o * cell.T_o_u.t);
+    EXPECT_TRUE(x > 0 && x < kWidth && y > 0 && y < kHeight) << "cell " << cell.cell << " is not seen";
+  }
+  // Of a patch that is not drawn nothing can be looked at.
+  const double near = pixelsPerSide();
+  scene.lookAtSkin(5);
+  draw();
+  EXPECT_DOUBLE_EQ(pixelsPerSide(), near);
+  scene.fit();
+  draw();
+  EXPECT_NEAR(pixelsPerSide(), before, 0.01 * before);
+}
+
 }  // namespace
 }  // namespace hexoderm

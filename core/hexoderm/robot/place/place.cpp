@@ -1,6 +1,9 @@
 #include "hexoderm/robot/place/place.h"
 
 #include "hexoderm/geometry/covariance.h"
+#include "hexoderm/geometry/is_rotation.h"
+#include "hexoderm/robot/place/by_gravity.h"
+#include "hexoderm/robot/place/by_hand.h"
 #include "hexoderm/robot/place/freedom.h"
 #include "hexoderm/robot/place/placement_fit.h"
 #include "hexoderm/robot/place/placement_search.h"
@@ -80,16 +83,17 @@ FitPatch fitPatchOf(const PatchToPlace& given, double least_radius_m) {
   patch.C = covarianceOf(given);
   patch.rotation = given.rotation;
   if (patch.rotation) {
-    const Eigen::Matrix3d& R = patch.rotation->R_l_o;
-    const bool turns = R.allFinite() && (R.transpose() * R - Eigen::Matrix3d::Identity()).norm() < 1e-6;
     const bool is_sure = patch.rotation->covariance.allFinite() && isCovariance(patch.rotation->covariance) &&
                          patch.rotation->covariance.llt().info() == Eigen::Success;
-    if (!turns || !(R.determinant() > 0) || !is_sure) {
+    if (!isRotation(patch.rotation->R_l_o) || !is_sure) {
       throw InvalidArgument(
           message("the rotation of the patch of cell {} must be a rotation with a positive definite "
                   "covariance",
                   given.origin));
     }
+  }
+  if (given.start && !(isRotation(given.start->R) && given.start->t.allFinite())) {
+    throw InvalidArgument(message("the place at which the patch of cell {} was put is none", given.origin));
   }
   const auto count = static_cast<double>(patch.T_o_u.size());
   for (const SE3& T_o_u : patch.T_o_u) {
@@ -159,6 +163,7 @@ class Placement {
       result.candidates.push_back(candidateOf(place, limit.absolute, limit.above(places.front().chi_squared)));
     }
     judge(result);
+    addStart(places, result);
     return result;
   }
 
@@ -169,11 +174,8 @@ class Placement {
       if (!point.allFinite())
         throw InvalidArgument(message("the mesh of link {} holds points that are not finite", task_.link));
     }
-    const Eigen::Vector3d size = boundingBox(mesh).size();
-    // A body that is open somewhere encloses nothing for certain; one inside out is clearly negative.
-    constexpr double kLeastFilled = 0.02;
-    if (enclosedVolume(mesh) < -kLeastFilled * size.prod() && size.prod() > 0) {
-      for (auto& triangle : surface_.triangles) std::swap(triangle[1], triangle[2]);
+    if (isInsideOut(mesh)) {
+      turnInsideOut(surface_);
       remarks_.push_back(
           message("The mesh of link {} is inside out: its triangles are clockwise as seen from outside, "
                   "and the volume inside is negative. It was taken the other way round.",
@@ -184,7 +186,7 @@ class Placement {
       throw InvalidArgument(
           message("the mesh of link {} has no triangle with an area, on which a patch could lie", task_.link));
     }
-    link_size_m_ = size.norm();
+    link_size_m_ = boundingBox(mesh).size().norm();
     problem_.feet = &*feet_;
     problem_.link_size_m = link_size_m_;
   }
@@ -239,6 +241,66 @@ class Placement {
           task_.patches[p].origin, task_.link, Millimetres{extent_m, 0}, Millimetres{link_size_m_, 0});
     }
     return std::nullopt;
+  }
+
+  /// The patches as they were put by hand, and those that nobody put anywhere at their best place. nullopt: none was
+  /// put, or one has no place.
+  [[nodiscard]] std::optional<FitState> start(const std::vector<FitSolution>& places) const {
+    if (std::ranges::none_of(task_.patches, [](const PatchToPlace& patch) { return patch.start.has_value(); })) {
+      return std::nullopt;
+    }
+    FitState state;
+    for (std::size_t p = 0; p < task_.patches.size(); ++p) {
+      const std::optional<SE3>& put = task_.patches[p].start;
+      if (!put && places.empty()) return std::nullopt;
+      state.push_back(put ? *put : places.front().state[p]);
+    }
+    return state;
+  }
+
+  /// The fit from where the patches were put is a candidate whatever it is worth: somebody put them there. It goes only
+  /// where something holds them, so that what is open stays as it was decided by hand.
+  void addStart(const std::vector<FitSolution>& places, PlaceResult& result) const {
+    constexpr int kSteps = 40;
+    constexpr double kSame_m = 0.0005;
+    const std::optional<FitState> begun = start(places);
+    if (!begun) return;
+    const FitSolution put = refine(problem_, *begun, kSteps, Eigen::VectorXd::Zero(problem_.unknowns()));
+    objectToTurn(*begun, put.state, result);
+    for (std::size_t k = 0; k < places.size(); ++k) {
+      if (distanceBetween(problem_, places[k].state, put.state) > kSame_m) continue;
+      result.candidates[k].by_hand = true;
+      return;
+    }
+    const FitLimit limit = limitOf(problem_, options_.false_alarm);
+    const double best = places.empty() ? put.chi_squared : std::min(put.chi_squared, places.front().chi_squared);
+    PlaceCandidate candidate = candidateOf(put, limit.absolute, limit.above(best));
+    candidate.by_hand = true;
+    const bool is_another = candidate.fits && std::ranges::none_of(places, [&](const FitSolution& place) {
+                              return isWayBetween(problem_, place.state, put.state, options_.false_alarm);
+                            });
+    const auto after =
+        std::ranges::upper_bound(result.candidates, candidate.chi_squared, {}, &PlaceCandidate::chi_squared);
+    result.candidates.insert(after, std::move(candidate));
+    // What is said stays that of the places that were found, unless this is one more.
+    if (is_another) judge(result);
+  }
+
+  /// Says where patches were put against what gravity says.
+  void objectToTurn(const FitState& begun, const FitState& fitted, PlaceResult& result) const {
+    for (std::size_t p = 0; p < task_.patches.size(); ++p) {
+      const PatchToPlace& patch = task_.patches[p];
+      if (!patch.start || !patch.rotation) continue;
+      const auto against = againstGravity(*patch.rotation, begun[p].R, kTurnByHand_rad);
+      if (!against) continue;
+      double sum_m2 = 0;
+      for (const SE3& T_o_u : patch.T_o_u) sum_m2 += (begun[p] * T_o_u.t - fitted[p] * T_o_u.t).squaredNorm();
+      result.remarks.push_back(
+          message("Where the patch of cell {} was put by hand, it is turned by {} against what gravity says, which is "
+                  "certain to {} (1 sigma); the fit moved it by {}.",
+                  patch.origin, Degrees{against->angle_rad, 0}, Degrees{against->sigma_rad},
+                  Millimetres{std::sqrt(sum_m2 / static_cast<double>(patch.T_o_u.size())), 0}));
+    }
   }
 
   [[nodiscard]] PlaceCandidate candidateOf(const FitSolution& place, double most_absolute, double most) const {

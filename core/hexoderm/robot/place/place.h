@@ -29,6 +29,8 @@ struct PatchToPlace {
   std::vector<double> covariance;
   bool covariance_assumed = false;        ///< what was solved or read states none
   std::optional<KnownRotation> rotation;  ///< nothing: any
+  /// T_l_o where the patch was put by hand (PatchByHand): the fit from there is one more candidate.
+  std::optional<SE3> start;
 };
 
 /// A patch as it was solved: with the covariance of all cells together where a fresh result of the global solver has
@@ -112,6 +114,7 @@ struct PlaceCandidate {
   double probability = 1;  ///< of a misfit at least as large where the patches do lie so
   double rms_m = 0;        ///< of distances to the surface, points and distances
   bool fits = true;
+  bool by_hand = false;  ///< of the place at which patches were put by hand; given even where it does not fit
 };
 
 enum class PlaceVerdict {

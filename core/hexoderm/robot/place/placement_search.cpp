@@ -307,7 +307,7 @@ std::vector<FitSolution> minimaTogether(const FitProblem& problem, const std::ve
 
 /// Whether all places on a way from one state to another fit. The way is a screw at first, and then where the misfit is
 /// least across it.
-bool isWayBetween(const FitProblem& problem, const FitState& from, const FitState& to, double most_chi_squared) {
+bool fitsAllTheWay(const FitProblem& problem, const FitState& from, const FitState& to, double most_chi_squared) {
   constexpr int kMostStrides = 200;
   constexpr int kRefinements = 4;
   FitState at = from;
@@ -357,7 +357,7 @@ std::vector<FitSolution> basinsOf(const FitProblem& problem, std::vector<FitSolu
       std::ranges::sort(nearest);
       for (const auto& [from, k] : nearest) {
         if (!tried.insert({k, from.second}).second) continue;
-        if (!isWayBetween(problem, basin.members[from.second], minima[k].state, limit)) continue;
+        if (!fitsAllTheWay(problem, basin.members[from.second], minima[k].state, limit)) continue;
         basin.members.push_back(minima[k].state);
         std::erase(left, k);
         grows = true;
@@ -444,6 +444,11 @@ std::vector<FitSolution> findPlaces(const FitProblem& problem, const std::vector
   const double limit = limitOf(problem, false_alarm).above(places.front().chi_squared);
   std::erase_if(places, [&](const FitSolution& place) { return place.chi_squared > limit; });
   return places;
+}
+
+bool isWayBetween(const FitProblem& problem, const FitState& from, const FitState& to, double false_alarm) {
+  const FitProblem coarse = coarseProblem(problem);
+  return fitsAllTheWay(coarse, from, to, limitOf(coarse, false_alarm).above(refine(coarse, from, 0).chi_squared));
 }
 
 Valley followValley(const FitProblem& problem, const FitState& from, const Eigen::VectorXd& direction,

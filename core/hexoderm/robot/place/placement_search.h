@@ -33,6 +33,9 @@ int freedomOf(const FitProblem& problem);
 std::vector<FitSolution> findPlaces(const FitProblem& problem, const std::vector<SurfaceSample>& samples,
                                     double false_alarm);
 
+/// Whether a way leads from one place to another on which all places fit, so that they are one.
+bool isWayBetween(const FitProblem& problem, const FitState& from, const FitState& to, double false_alarm);
+
 /// How far one can go from a solution.
 struct Valley {
   double reach_m = 0;       ///< of the cells, rms, from where they were

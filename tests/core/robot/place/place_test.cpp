@@ -19,9 +19,9 @@ using ::testing::IsEmpty;
 using ::testing::SizeIs;
 
 #ifdef NDEBUG
-constexpr int kSeeds = 6;
+constexpr int kPlaceSeeds = 6;
 #else
-constexpr int kSeeds = 2;
+constexpr int kPlaceSeeds = 2;
 #endif
 
 const SE3 kOnForearm{rotationFromRpy({0, 0, kPi / 2}), {0.08, 0, 0.12}};
@@ -43,7 +43,7 @@ TEST(Place, WithErrorsTheTruePlaceIsAmongTheCandidates) {
   for (const std::string link : {"forearm", "upper_arm"}) {
     const TriangleMesh mesh = demoBody(link);
     int among = 0;
-    for (int seed = 1; seed <= kSeeds; ++seed) {
+    for (int seed = 1; seed <= kPlaceSeeds; ++seed) {
       const LaidPatch laid = layPatch(mesh, link == "forearm" ? kOnForearm : kOnUpperArm,
                                       static_cast<std::uint64_t>(seed), {0.0007, 0.7 * kDegree, 1 * kDegree});
       const PlaceResult result = placePatches(surfaceTask(mesh, laid));
@@ -53,7 +53,7 @@ TEST(Place, WithErrorsTheTruePlaceIsAmongTheCandidates) {
       }
       among += least < 22.46 ? 1 : 0;  // 99.9 % of chi-squared with six degrees of freedom
     }
-    EXPECT_EQ(among, kSeeds) << link;
+    EXPECT_EQ(among, kPlaceSeeds) << link;
   }
 }
 
