@@ -1594,6 +1594,64 @@ Die Werte sagen, wie gut die Posen die Drehung der Zellen in drei Achsen festhal
     </message>
 </context>
 <context>
+    <name>hexoderm::JointTable</name>
+    <message>
+        <source>between %1 and %2</source>
+        <translation>zwischen %1 und %2</translation>
+    </message>
+    <message>
+        <source>The block has %1 rows and %2 columns, and from here there is room for %3 and %4.</source>
+        <translation>Der Block hat %1 Zeilen und %2 Spalten, und von hier an ist Platz für %3 und %4.</translation>
+    </message>
+    <message>
+        <source>Pose %1, joint %2</source>
+        <translation>Pose %1, Gelenk %2</translation>
+    </message>
+    <message>
+        <source>not known</source>
+        <translation>nicht bekannt</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is no number: joint %2 in pose %3 takes millimetres.</source>
+        <translation>„%1“ ist keine Zahl: Gelenk %2 in Pose %3 nimmt Millimeter.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is no number: joint %2 in pose %3 takes degrees.</source>
+        <translation>„%1“ ist keine Zahl: Gelenk %2 in Pose %3 nimmt Grad.</translation>
+    </message>
+    <message>
+        <source>%1 is no position of joint %2.</source>
+        <translation>%1 ist keine Stellung von Gelenk %2.</translation>
+    </message>
+    <message>
+        <source>Pose %1</source>
+        <translation>Pose %1</translation>
+    </message>
+    <message>
+        <source>Joint %1, %2</source>
+        <translation>Gelenk %1, %2</translation>
+    </message>
+    <message>
+        <source>Joint %1, without limits</source>
+        <translation>Gelenk %1, ohne Grenzen</translation>
+    </message>
+</context>
+<context>
+    <name>hexoderm::JointTableView</name>
+    <message>
+        <source>Copy</source>
+        <translation>Kopieren</translation>
+    </message>
+    <message>
+        <source>Paste</source>
+        <translation>Einfügen</translation>
+    </message>
+    <message>
+        <source>Clear</source>
+        <translation>Leeren</translation>
+    </message>
+</context>
+<context>
     <name>hexoderm::KeysDialog</name>
     <message>
         <source>Keys</source>
@@ -5898,6 +5956,18 @@ Die Werte sagen, wie gut die Posen die Drehung der Zellen in drei Achsen festhal
         <source>See that the cells are still joined where a link is no longer reported.</source>
         <translation>Prüfen, ob die Zellen noch verbunden sind, wo eine Verbindung nicht mehr gemeldet wird.</translation>
     </message>
+    <message>
+        <source>Here the patch is turned by {} against what gravity says, which is certain to {} (1 sigma).</source>
+        <translation>Hier ist das Hautstück um {} anders gedreht, als die Schwerkraft sagt, die es auf {} genau angibt (1 Sigma).</translation>
+    </message>
+    <message>
+        <source>the place at which the patch of cell {} was put is none</source>
+        <translation>der Platz, an den das Hautstück von Zelle {} gelegt wurde, ist keiner</translation>
+    </message>
+    <message>
+        <source>Where the patch of cell {} was put by hand, it is turned by {} against what gravity says, which is certain to {} (1 sigma); the fit moved it by {}.</source>
+        <translation>Wo das Hautstück von Zelle {} von Hand hingelegt wurde, ist es um {} anders gedreht, als die Schwerkraft sagt, die es auf {} genau angibt (1 Sigma); die Anpassung hat es um {} bewegt.</translation>
+    </message>
 </context>
 <context>
     <name>hexoderm::MessageBar</name>
@@ -6417,6 +6487,10 @@ Auf einem entfernten Bildschirm oder mit einem fehlerhaften Treiber kann es helf
         <source>Cell %1 to cell %2: %3 mm ± %4 mm</source>
         <translation>Zelle %1 bis Zelle %2: %3 mm ± %4 mm</translation>
     </message>
+    <message>
+        <source>put by hand</source>
+        <translation>von Hand gelegt</translation>
+    </message>
 </context>
 <context>
     <name>hexoderm::PlacePanel</name>
@@ -6684,6 +6758,42 @@ Auf einem entfernten Bildschirm oder mit einem fehlerhaften Treiber kann es helf
         <source>Choose the robot first: its joints have the names of the columns</source>
         <translation>Zuerst den Roboter wählen: Seine Gelenke geben den Spalten ihre Namen</translation>
     </message>
+    <message>
+        <source>Joint angles of the poses</source>
+        <translation>Gelenkwinkel der Posen</translation>
+    </message>
+    <message>
+        <source>Type angles, or paste a block of them from a spreadsheet; an empty cell is an angle that is not known</source>
+        <translation>Winkel eintippen oder einen Block aus einer Tabellenkalkulation einfügen; eine leere Zelle ist ein Winkel, der nicht bekannt ist</translation>
+    </message>
+    <message>
+        <source>Move by hand</source>
+        <translation>Von Hand bewegen</translation>
+    </message>
+    <message>
+        <source>Move the patch over the link by keys</source>
+        <translation>Das Hautstück mit Tasten über das Glied bewegen</translation>
+    </message>
+    <message>
+        <source>Look closely</source>
+        <translation>Nah ansehen</translation>
+    </message>
+    <message>
+        <source>Look closely at the patch on the robot</source>
+        <translation>Das Hautstück am Roboter nah ansehen</translation>
+    </message>
+    <message>
+        <source>The picture shows the cells of the patch with their numbers</source>
+        <translation>Das Bild zeigt die Zellen des Hautstücks mit ihren Nummern</translation>
+    </message>
+    <message>
+        <source>In the picture the mouse pulls the patch over the link at any time; this is for the keyboard</source>
+        <translation>Im Bild zieht die Maus das Hautstück jederzeit über das Glied; dies ist für die Tastatur</translation>
+    </message>
+    <message>
+        <source>A patch is moved over the surface of its link, which has to be known and used</source>
+        <translation>Ein Hautstück wird über die Oberfläche seines Glieds bewegt, die bekannt sein und benutzt werden muss</translation>
+    </message>
 </context>
 <context>
     <name>hexoderm::PlacePresenter</name>
@@ -6830,6 +6940,18 @@ Auf einem entfernten Bildschirm oder mit einem fehlerhaften Treiber kann es helf
     <message>
         <source>place the patch</source>
         <translation>Hautstück einordnen</translation>
+    </message>
+    <message>
+        <source>move the patch by hand</source>
+        <translation>Hautstück von Hand bewegen</translation>
+    </message>
+    <message>
+        <source>set joint angles of %1 poses</source>
+        <translation>Gelenkwinkel von %1 Posen setzen</translation>
+    </message>
+    <message>
+        <source>Pull it by the mouse; or arrow keys slide it by 1 mm, Page Up and Page Down turn it by 1°, with Shift by ten times as much. Return lays it there, Escape leaves it where it was.</source>
+        <translation>Mit der Maus ziehen; oder die Pfeiltasten schieben es um 1 mm, Bild auf und Bild ab drehen es um 1°, mit der Umschalttaste um das Zehnfache. Die Eingabetaste legt es dort ab, Esc lässt es, wo es war.</translation>
     </message>
 </context>
 <context>

@@ -299,7 +299,10 @@ void StepPanel::makeRoom() {
 }
 
 void StepPanel::makeRoomSoon() {
-  if (verticalScrollBar()->value() == placed_at_) make_room_.start();
+  // Who has gone to another heading by the keyboard is not taken away from it.
+  const QWidget* focus = QApplication::focusWidget();
+  const bool is_elsewhere = focus != nullptr && widget()->isAncestorOf(focus) && !rows_[open_]->isAncestorOf(focus);
+  if (!is_elsewhere && verticalScrollBar()->value() == placed_at_) make_room_.start();
 }
 
 bool StepPanel::focusNextPrevChild(bool next) {
