@@ -4882,7 +4882,7 @@ Die Werte sagen, wie gut die Posen die Drehung der Zellen in drei Achsen festhal
     </message>
     <message>
         <source>simulated robot: expected at least one patch on a link</source>
-        <translation>Simulierter Roboter: Mindestens ein Patch auf einem Glied wird erwartet</translation>
+        <translation>Simulierter Roboter: Mindestens ein Hautstück auf einem Glied wird erwartet</translation>
     </message>
     <message>
         <source>{} on {}</source>
@@ -4922,11 +4922,11 @@ Die Werte sagen, wie gut die Posen die Drehung der Zellen in drei Achsen festhal
     </message>
     <message>
         <source>the body has no surface on which a patch could lie</source>
-        <translation>Der Körper hat keine Oberfläche, auf der ein Patch liegen könnte</translation>
+        <translation>Der Körper hat keine Oberfläche, auf der ein Hautstück liegen könnte</translation>
     </message>
     <message>
         <source>the patch can&apos;t be laid there: its x axis would stand upright on the body</source>
-        <translation>Dort kann der Patch nicht liegen: Seine x-Achse stünde senkrecht auf dem Körper</translation>
+        <translation>Dort kann das Hautstück nicht liegen: Seine x-Achse stünde senkrecht auf dem Körper</translation>
     </message>
     <message>
         <source>the demo robot is not installed: there is no {}</source>
@@ -5442,7 +5442,7 @@ Die Werte sagen, wie gut die Posen die Drehung der Zellen in drei Achsen festhal
     </message>
     <message>
         <source>Which patches move together can be told of a session that was just solved by the global solver, not of a calibration file or of the tree: they don&apos;t hold how well gravity is known.</source>
-        <translation>Welche Patches sich gemeinsam bewegen, lässt sich nur für eine eben mit dem globalen Löser gelöste Sitzung sagen, nicht für eine Kalibrierungsdatei oder den Baum: Diese enthalten nicht, wie genau die Schwerkraft bekannt ist.</translation>
+        <translation>Welche Hautstücke sich gemeinsam bewegen, lässt sich nur für eine eben mit dem globalen Löser gelöste Sitzung sagen, nicht für eine Kalibrierungsdatei oder den Baum: Diese enthalten nicht, wie genau die Schwerkraft bekannt ist.</translation>
     </message>
     <message>
         <source>The part of cell {} and the part of cell {} turned against each other.</source>
@@ -5474,23 +5474,23 @@ Die Werte sagen, wie gut die Posen die Drehung der Zellen in drei Achsen festhal
     </message>
     <message>
         <source>No patch saw gravity: there is nothing to compare.</source>
-        <translation>Kein Patch hat die Schwerkraft gemessen: Es gibt nichts zu vergleichen.</translation>
+        <translation>Kein Hautstück hat die Schwerkraft gemessen: Es gibt nichts zu vergleichen.</translation>
     </message>
     <message>
         <source>There is one patch: nothing to compare it with.</source>
-        <translation>Es gibt nur einen Patch, also nichts, womit er sich vergleichen ließe.</translation>
+        <translation>Es gibt nur ein Hautstück, also nichts, womit es sich vergleichen ließe.</translation>
     </message>
     <message>
         <source>All {} patches move together, as far as these poses show: a joint that stood still in all of them can&apos;t be seen.</source>
-        <translation>Alle {} Patches bewegen sich gemeinsam, soweit diese Posen das zeigen: Ein Gelenk, das in allen stillstand, ist nicht zu erkennen.</translation>
+        <translation>Alle {} Hautstücke bewegen sich gemeinsam, soweit diese Posen das zeigen: Ein Gelenk, das in allen stillstand, ist nicht zu erkennen.</translation>
     </message>
     <message>
         <source>{} patches on {} parts that turned against each other.</source>
-        <translation>{} Patches auf {} Teilen, die sich gegeneinander gedreht haben.</translation>
+        <translation>{} Hautstücke auf {} Teilen, die sich gegeneinander gedreht haben.</translation>
     </message>
     <message>
         <source>{} patches on up to {} parts: of {} of the {} pairs of parts these poses can&apos;t tell whether they move together.</source>
-        <translation>{} Patches auf bis zu {} Teilen: Bei {} der {} Paare von Teilen lassen diese Posen offen, ob sie sich gemeinsam bewegen.</translation>
+        <translation>{} Hautstücke auf bis zu {} Teilen: Bei {} der {} Paare von Teilen lassen diese Posen offen, ob sie sich gemeinsam bewegen.</translation>
     </message>
     <message>
         <source>false_alarm must be between 0 and 1</source>
@@ -6793,6 +6793,22 @@ Auf einem entfernten Bildschirm oder mit einem fehlerhaften Treiber kann es helf
     <message>
         <source>A patch is moved over the surface of its link, which has to be known and used</source>
         <translation>Ein Hautstück wird über die Oberfläche seines Glieds bewegt, die bekannt sein und benutzt werden muss</translation>
+    </message>
+    <message>
+        <source>The robot&apos;s description holds no surface of this link</source>
+        <translation>Die Beschreibung des Roboters enthält keine Oberfläche dieses Glieds</translation>
+    </message>
+    <message>
+        <source>Pick a point or a distance in the list first</source>
+        <translation>Zuerst einen Punkt oder Abstand in der Liste wählen</translation>
+    </message>
+    <message>
+        <source>Type the measured distance first</source>
+        <translation>Zuerst den gemessenen Abstand eingeben</translation>
+    </message>
+    <message>
+        <source>The patch is drawn once its place is known</source>
+        <translation>Das Hautstück wird gezeichnet, sobald sein Platz bekannt ist</translation>
     </message>
 </context>
 <context>

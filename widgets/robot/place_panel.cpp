@@ -60,9 +60,26 @@ QLabel* buddyLabel(QWidget* field, const QString& text) {
   return label;
 }
 
-QListWidget* choiceList(const char* object_name, const QString& accessible_name) {
-  auto* list = namedField(new QListWidget, object_name, accessible_name);
+/// As high as its rows, up to so many; how high they are depends on its width, as long texts are wrapped.
+class ChoiceList : public QListWidget {
+ public:
+  void fitHeight() {
+    int height = 2 * frameWidth();
+    for (int row = 0; row < std::min(count(), kMostRowsInList); ++row) height += visualItemRect(item(row)).height();
+    setFixedHeight(height);
+  }
+
+ protected:
+  void resizeEvent(QResizeEvent* event) override {
+    QListWidget::resizeEvent(event);
+    fitHeight();
+  }
+};
+
+ChoiceList* choiceList(const char* object_name, const QString& accessible_name) {
+  auto* list = namedField(new ChoiceList, object_name, accessible_name);
   list->setWordWrap(true);
+  list->setResizeMode(QListView::Adjust);
   list->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
   list->setTabKeyNavigation(false);
   list->hide();
@@ -80,10 +97,7 @@ void fillChoices(QListWidget* list, const QStringList& texts) {
   list->clear();
   list->addItems(texts);
   if (current >= 0 && current < texts.size()) list->setCurrentRow(current);
-  const int rows = std::min<int>(texts.size(), kMostRowsInList);
-  int height = 2 * list->frameWidth();
-  for (int row = 0; row < rows; ++row) height += std::max(list->sizeHintForRow(row), list->fontMetrics().height() + 4);
-  list->setFixedHeight(height + 4);
+  static_cast<ChoiceList*>(list)->fitHeight();
 }
 
 void fillChoices(QComboBox* box, const std::vector<PlaceStand::Choice>& choices, quint32 current) {
@@ -275,12 +289,12 @@ void PlacePanel::buildPoint() {
   grid->addWidget(point_cell_, 0, 1);
   grid->addWidget(buddyLabel(point_sigma_mm_, tr("±")), 0, 2);
   grid->addWidget(point_sigma_mm_, 0, 3);
-  grid->addWidget(buddyLabel(point_mm_[0], tr("x")), 1, 0);
-  grid->addWidget(point_mm_[0], 1, 1);
-  grid->addWidget(buddyLabel(point_mm_[1], tr("y")), 1, 2);
-  grid->addWidget(point_mm_[1], 1, 3);
-  grid->addWidget(buddyLabel(point_mm_[2], tr("z")), 2, 0);
-  grid->addWidget(point_mm_[2], 2, 1);
+  const std::array<QString, 3> axes = {tr("x"), tr("y"), tr("z")};
+  for (int axis = 0; axis < 3; ++axis) {
+    QDoubleSpinBox* field = point_mm_.at(static_cast<std::size_t>(axis));
+    grid->addWidget(buddyLabel(field, axes.at(static_cast<std::size_t>(axis))), 1 + axis, 0);
+    grid->addWidget(field, 1 + axis, 1, 1, 3);
+  }
   known_->addRow()->addLayout(grid);
   QHBoxLayout* row = known_->addRow();
   row->addWidget(add_point_);
@@ -315,9 +329,9 @@ void PlacePanel::buildDistance() {
   grid->addWidget(buddyLabel(to_cell_, tr("to")), 0, 2);
   grid->addWidget(to_cell_, 0, 3);
   grid->addWidget(buddyLabel(distance_mm_, tr("is")), 1, 0);
-  grid->addWidget(distance_mm_, 1, 1);
-  grid->addWidget(buddyLabel(distance_sigma_mm_, tr("±")), 1, 2);
-  grid->addWidget(distance_sigma_mm_, 1, 3);
+  grid->addWidget(distance_mm_, 1, 1, 1, 3);
+  grid->addWidget(buddyLabel(distance_sigma_mm_, tr("±")), 2, 0);
+  grid->addWidget(distance_sigma_mm_, 2, 1, 1, 3);
   known_->addRow()->addLayout(grid);
   QHBoxLayout* row = known_->addRow();
   row->addWidget(add_distance_);
@@ -342,7 +356,6 @@ void PlacePanel::buildPlaces() {
   move_ = namedField(new QPushButton(tr("Move by hand")), "placeMove", tr("Move the patch over the link by keys"));
   move_->setCheckable(true);
   look_ = namedField(new QPushButton(tr("Look closely")), "placeLook", tr("Look closely at the patch on the robot"));
-  look_->setToolTip(tr("The picture shows the cells of the patch with their numbers"));
   row->addWidget(move_);
   row->addWidget(look_);
   row->addStretch();
@@ -426,8 +439,8 @@ void PlacePanel::refreshControls() {
   choose_robot_->setEnabled(can && !isRunning(PlaceWork::Robot));
   choose_robot_->setToolTip(can ? tr("The robot's description; a file can also be dropped onto the window")
                                 : stand_.why_not);
-  package_->setEnabled(has_robot);
-  remove_robot_->setEnabled(can && stand_.names_robot);
+  package_->setVisible(has_robot);
+  remove_robot_->setVisible(can && stand_.names_robot);
   choose_joints_->setEnabled(has_robot);
   choose_joints_->setToolTip(has_robot ? tr("A line for each pose, a column for each joint, with its unit")
                                        : tr("Choose the robot first: its joints have the names of the columns"));
@@ -437,11 +450,18 @@ void PlacePanel::refreshControls() {
   known_->setVisible(has_link);
   places_->setVisible(has_link);
   by_surface_->setEnabled(stand_.has_surface);
+  by_surface_->setToolTip(stand_.has_surface ? QString() : tr("The robot's description holds no surface of this link"));
   remove_known_->setVisible(known_list_->count() > 0);
-  remove_known_->setEnabled(known_list_->currentRow() >= 0);
-  add_distance_->setEnabled(distance_mm_->value() > 0);
+  const bool picked = known_list_->currentRow() >= 0;
+  remove_known_->setEnabled(picked);
+  remove_known_->setToolTip(picked ? QString() : tr("Pick a point or a distance in the list first"));
+  const bool measured = distance_mm_->value() > 0;
+  add_distance_->setEnabled(measured);
+  add_distance_->setToolTip(measured ? QString() : tr("Type the measured distance first"));
   remove_place_->setVisible(stand_.is_placed);
   look_->setEnabled(stand_.is_drawn);
+  look_->setToolTip(stand_.is_drawn ? tr("The picture shows the cells of the patch with their numbers")
+                                    : tr("The patch is drawn once its place is known"));
   move_->setEnabled(stand_.can_move);
   move_->setToolTip(
       stand_.can_move

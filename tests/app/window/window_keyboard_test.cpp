@@ -213,7 +213,7 @@ void DemoByKeys::verify() {
 }
 
 void DemoByKeys::exportIt() {
-  key(Qt::Key_6, Qt::ControlModifier);
+  key(Qt::Key_7, Qt::ControlModifier);
   ASSERT_NO_FATAL_FAILURE(pressButton("Export…"));
   ASSERT_NE(waitForDialog<QDialog>("exportDialog"), nullptr);
   EXPECT_EQ(QApplication::focusWidget()->objectName(), "exportPath");

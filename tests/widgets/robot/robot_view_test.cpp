@@ -11,16 +11,16 @@
 namespace hexoderm {
 namespace {
 
-constexpr double kBox_m = 0.2;
+constexpr double kViewedBox_m = 0.2;
 
 /// A box with a patch on its top, seen closely: the middle of the patch is in the middle of the view.
 class RobotViewTest : public testing::Test {
  protected:
   void SetUp() override {
-    picture.bodies = std::make_shared<const LinkBodies>(LinkBodies{meshOfBox({kBox_m, kBox_m, kBox_m})});
+    picture.bodies = std::make_shared<const LinkBodies>(LinkBodies{meshOfBox({kViewedBox_m, kViewedBox_m, kViewedBox_m})});
     picture.T_w_l = {SE3{}};
     picture.skin = shared(demoReconstruction());
-    picture.patches = {{0, 0, SE3{Eigen::Matrix3d::Identity(), {0, 0, kBox_m / 2 + 0.003}}, false}};
+    picture.patches = {{0, 0, SE3{Eigen::Matrix3d::Identity(), {0, 0, kViewedBox_m / 2 + 0.003}}, false}};
     picture.movable = 0;
     view.resize(500, 400);
     view.show();
@@ -81,7 +81,7 @@ TEST_F(RobotViewTest, TheMouseGripsThePatchPullsItAndLetsItGo) {
   const QImage before = view.screenshot();
   press(at);
   EXPECT_EQ(said, QStringList({"gripped"}));
-  EXPECT_NEAR(gripped_at.z(), kBox_m / 2, 0.005);
+  EXPECT_NEAR(gripped_at.z(), kViewedBox_m / 2, 0.005);
   move(at + QPoint(1, 1));
   EXPECT_EQ(said.size(), 1) << "a hand trembles";
   move(at + QPoint(20, 10));
