@@ -15,6 +15,7 @@
 #include <QLabel>
 #include <QListWidget>
 #include <QPushButton>
+#include <QResizeEvent>
 #include <QScrollBar>
 #include <QSignalBlocker>
 #include <QSpinBox>
@@ -60,19 +61,25 @@ QLabel* buddyLabel(QWidget* field, const QString& text) {
   return label;
 }
 
-/// As high as its rows, up to so many; how high they are depends on its width, as long texts are wrapped.
+/// As high as its rows, up to so many; how high they are depends on its width, as long texts are wrapped. Reckoned
+/// here, because asking the list would lay it out again while it is being laid out.
 class ChoiceList : public QListWidget {
  public:
   void fitHeight() {
+    constexpr int kMargin = 4;  // on both sides of a text, in all styles about so much
+    const int width = QListWidget::width() - 2 * (frameWidth() + kMargin);
     int height = 2 * frameWidth();
-    for (int row = 0; row < std::min(count(), kMostRowsInList); ++row) height += visualItemRect(item(row)).height();
+    for (int row = 0; row < std::min(count(), kMostRowsInList); ++row) {
+      const QRect text = fontMetrics().boundingRect({0, 0, width, 0}, Qt::TextWordWrap, item(row)->text());
+      height += text.height() + kMargin;
+    }
     setFixedHeight(height);
   }
 
  protected:
   void resizeEvent(QResizeEvent* event) override {
     QListWidget::resizeEvent(event);
-    fitHeight();
+    if (event->size().width() != event->oldSize().width()) fitHeight();
   }
 };
 

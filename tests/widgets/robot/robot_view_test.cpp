@@ -17,7 +17,8 @@ constexpr double kViewedBox_m = 0.2;
 class RobotViewTest : public testing::Test {
  protected:
   void SetUp() override {
-    picture.bodies = std::make_shared<const LinkBodies>(LinkBodies{meshOfBox({kViewedBox_m, kViewedBox_m, kViewedBox_m})});
+    picture.bodies =
+        std::make_shared<const LinkBodies>(LinkBodies{meshOfBox({kViewedBox_m, kViewedBox_m, kViewedBox_m})});
     picture.T_w_l = {SE3{}};
     picture.skin = shared(demoReconstruction());
     picture.patches = {{0, 0, SE3{Eigen::Matrix3d::Identity(), {0, 0, kViewedBox_m / 2 + 0.003}}, false}};
@@ -28,6 +29,7 @@ class RobotViewTest : public testing::Test {
     ASSERT_TRUE(test::waitUntilExposed(view));
     view.setPicture(picture);
     if (!view.canDraw()) GTEST_SKIP() << "no OpenGL";
+    QCoreApplication::processEvents();  // until then the canvas has no size
     canvas = view.findChild<SceneWidget*>();
     ASSERT_NE(canvas, nullptr);
     view.lookAtSkin(0);
