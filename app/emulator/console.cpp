@@ -155,7 +155,7 @@ std::string consoleHelp() {
          "\n"
          "  mend CELL [PORT]\n"
          "  explore                the cells explore their neighbours again\n"
-         "  turn X Y Z             until this direction of the body points up, of a robot in a hand that of its base\n"
+         "  turn X Y Z             until this direction of the body (of a robot in a hand: its base) points up\n"
          "  pose                   turns to the next pose; a robot's joints go to angles drawn at random\n"
          "  drop on|off|20%        messages of samples get lost on the wire\n"
          "  garble on|off|20%      a bit of a message is flipped\n"

@@ -394,8 +394,8 @@ TEST(EmulatedDevice, ARobotHasAllItsPatchesOnOneInterface) {
   EXPECT_THAT(bench.take<skinwire::Samples>().at(0).cells, SizeIs(34));
 
   // Faults, too, go by the robot's numbers.
-  bench.device.breakCell({SkinFault::NoSamples, CellId(20)});
-  bench.device.breakLink({LinkFaultKind::WrongPort, {CellId(21), PortNumber(1)}}, bench.heard);
+  bench.device.breakCell({SkinFault::NoSamples, CellId(21)});
+  bench.device.breakLink({LinkFaultKind::WrongPort, {CellId(20), PortNumber(1)}}, bench.heard);
   bench.explore();
   bench.take<skinwire::Samples>();
   bench.tick(10);
@@ -455,9 +455,9 @@ TEST(EmulatedDevice, SaysWhyARobotDoesNotTurn) {
   bench.device.greet(bench.heard);
   bench.explore();
   EXPECT_THROW(bench.device.turnTo(Eigen::Vector3d::UnitX(), bench.heard), InvalidArgument) << "its base is fixed";
-  // The upper arm hangs with its patch outwards, or is lifted to this side: the patch never faces down.
+  // The patch on the outside of the upper arm looks down where the arm is lifted sideways, but never up.
   const MountedPatch patch = demoArm().patches().at(0);
-  bench.device.take({1, skinwire::TurnTo{patch.cells.at(0).value(), -Eigen::Vector3d::UnitZ()}}, bench.heard);
+  bench.device.take({1, skinwire::TurnTo{patch.cells.at(0).value(), Eigen::Vector3d::UnitZ()}}, bench.heard);
   const auto acks = bench.take<skinwire::Ack>();
   ASSERT_THAT(acks, SizeIs(1));
   EXPECT_FALSE(acks[0].done || acks[0].working);
@@ -478,7 +478,7 @@ TEST(EmulatedDevice, NamesOfJointsHaveToFitIntoAMessage) {
   SimulatedRobotOptions options = SimulatedRobotOptions::ideal();
   options.mounts = {{"link3", {}, "sheet:1x1", "plane"}};
   const auto make = [&] { return SimulatedRobot(builtInCellModel("hex-bma150"), robot, options); };
-  EXPECT_NO_THROW(Bench(make()));
+  EXPECT_NO_THROW(Bench{make()});
   EmulatedDeviceOptions datagrams;
   datagrams.max_body = skinwire::kMaxDatagram;
   EXPECT_THROW(Bench(make(), datagrams), InvalidArgument);
