@@ -220,7 +220,7 @@ TEST(LiveSimulatedRobot, RefusesWhatItCantDo) {
   EXPECT_THROW(robot.turnTo(CellId(1), {0, std::numeric_limits<double>::quiet_NaN(), 1}), InvalidArgument);
   EXPECT_THROW(robot.breakCell({SkinFault::Dead, CellId(0)}), InvalidArgument);
   EXPECT_THAT(complaint([&] {
-                robot.withLinkFaults({{LinkFaultKind::Joint, {CellId(35), PortNumber(1)}}});
+                static_cast<void>(robot.withLinkFaults({{LinkFaultKind::Joint, {CellId(35), PortNumber(1)}}}));
               }),
               saysAll("cell 35"));
 
