@@ -370,7 +370,7 @@ void printWithoutSkin(const Capture& capture, const CaptureOptions& options, con
 template <class Report>
 void captureAndThen(const CaptureOptions& options, const Common& common, const Report& report) {
   endOnInterrupt(kLastWords);
-  const std::unique_ptr<SkinSource> source = openSkinSource(options.source);
+  const std::unique_ptr<SkinSource> source = asInput([&] { return openSkinSource(options.source); });
   PoseRecorderOptions recorder;
   recorder.keep_frames = options.keep_raw;
   CaptureEvents events(recorder);
@@ -457,6 +457,7 @@ void addCapture(CLI::App& app, Common& common) {
   command->footer(
       "A pose is captured when the part is held still. Ctrl+C ends and keeps what there is.\n"
       "Example:\n  hexoderm-cli capture --source sim:x17 --auto --poses 4 -o arm.hexo\n"
+      "  hexoderm-cli capture --source sim:robot --auto --poses 8 -o arm.hexo\n"
       "  hexoderm-cli solve arm.hexo -o arm.calibration.json");
   command->callback([options, &common] { common.exit_code = run(*options, common); });
 }

@@ -82,23 +82,8 @@ std::shared_ptr<const Reconstruction> openCalibration(const std::string& path, c
   throw BadInput(path + ": this is a session, expected a calibration; \"hexoderm-cli solve\" makes one of it");
 }
 
-PackageFolders packageFolders(const std::vector<std::string>& texts) {
-  PackageFolders folders;
-  for (const std::string& text : texts) {
-    const std::size_t equals = text.find('=');
-    if (equals == 0 || equals == std::string::npos || equals + 1 == text.size()) {
-      throw InvalidArgument("--package: expected NAME=FOLDER, found \"" + text + "\"");
-    }
-    folders[text.substr(0, equals)] = text.substr(equals + 1);
-  }
-  return folders;
-}
-
 RobotModel openRobot(const std::string& robot, const std::vector<std::string>& packages) {
-  PackageFolders folders = packageFolders(packages);
-  return asInput([&] {
-    return RobotModel::read(robot == kDemoRobot ? demoRobotFile() : std::filesystem::path(robot), std::move(folders));
-  });
+  return asInput([&] { return robotNamed(robot, packages); });
 }
 
 std::map<PoseId, JointAngles> anglesOfPoses(const Session& session, const std::string& file, const RobotModel& robot) {

@@ -124,11 +124,7 @@ BadInput noSession(const std::string& path);
 std::shared_ptr<const Reconstruction> openCalibration(const std::string& path,
                                                       const std::string& cell_model = "hex-bma150");
 
-/// "NAME=FOLDER" of --package.
-PackageFolders packageFolders(const std::vector<std::string>& texts);
-/// As `--robot`: the made-up arm that comes with the program.
-inline constexpr std::string_view kDemoRobot = "demo";
-/// Reads a URDF, or kDemoRobot; `packages`: NAME=FOLDER, as `--package`.
+/// robotNamed() of `--robot` and `--package`.
 RobotModel openRobot(const std::string& robot, const std::vector<std::string>& packages);
 /// The joint angles of a session's poses: those of the table `file` (as `--joints`; may be empty) where it has a pose,
 /// else those of the session.

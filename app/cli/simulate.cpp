@@ -1,7 +1,7 @@
 #include "app/cli/command.h"
 
 #include "hexoderm/device/simulation/fault_names.h"
-#include "hexoderm/device/simulation/simulated_robot.h"
+#include "hexoderm/device/simulation/robot_in_words.h"
 #include "hexoderm/device/simulation/simulated_skin.h"
 #include "hexoderm/io/open_file.h"
 #include "hexoderm/io/robot_truth_json.h"
@@ -27,15 +27,11 @@ struct SimulateOptions {
   bool ideal = false;
   std::vector<std::string> faults;
   std::string robot;  ///< empty: a skin alone
-  std::vector<std::string> mounts;
-  std::vector<std::string> packages;
-  std::string base = "fixed";
+  RobotInWords robot_words;
   std::string joints;  ///< empty: beside the session
   std::string truth;
   std::string output;
 };
-
-constexpr const char* kMountSyntax = "LINK:X,Y,Z or LINK:X,Y,Z,ROLL,PITCH,YAW";
 
 template <class Kinds>
 std::string namesOf(const Kinds& kinds) {
@@ -72,42 +68,15 @@ void addFault(const std::string& text, SimulatedSkinOptions& skin) {
   throw InvalidArgument("--fault: expected " + faultSyntax() + ", found \"" + text + "\"");
 }
 
-PatchMount mountOf(const std::string& text, const SimulateOptions& options) {
-  const std::string what = "--mount " + text;
-  const std::size_t colon = text.rfind(':');
-  const std::vector<std::string> numbers =
-      colon == std::string::npos ? std::vector<std::string>() : split(text.substr(colon + 1), ',');
-  if (colon == 0 || (numbers.size() != 3 && numbers.size() != 6)) {
-    throw InvalidArgument("--mount: expected " + std::string(kMountSyntax) + ", found \"" + text + "\"");
-  }
-  PatchMount mount;
-  mount.link = text.substr(0, colon);
-  mount.patch = options.skin.patch;
-  mount.surface = options.skin.surface;
-  Eigen::Vector3d rpy = Eigen::Vector3d::Zero();
-  for (std::size_t k = 0; k < numbers.size(); ++k) {
-    const auto axis = static_cast<Eigen::Index>(k % 3);
-    (k < 3 ? mount.T_l_m.t : rpy)[axis] = parseNumber(numbers[k], what);
-  }
-  mount.T_l_m.R = rotationFromRpy(rpy);
-  return mount;
-}
-
-SimulatedRobot makeRobot(CellModel model, const SimulateOptions& options) {
-  const bool is_demo = options.robot == kDemoRobot;
-  SimulatedRobotOptions robot = options.ideal ? SimulatedRobotOptions::ideal() : SimulatedRobotOptions();
-  if (options.base == "motors") robot.skin = SimulatedSkinOptions::robot();
-  if (options.base == "hand") robot.base = BaseHold::Hand;
-  robot.seed = options.skin.seed;
-  robot.skin.link_law = options.link_law == "surface" ? LinkLaw::Surface : LinkLaw::Bend;
-  for (const std::string& mount : options.mounts) robot.mounts.push_back(mountOf(mount, options));
-  if (robot.mounts.empty()) {
-    if (!is_demo)
-      throw InvalidArgument("--robot: say with --mount " + std::string(kMountSyntax) + " where the patches are");
-    robot.mounts = demoMounts();
-  }
-  const RobotModel urdf = openRobot(options.robot, options.packages);
-  return asInput([&] { return SimulatedRobot(std::move(model), urdf, robot); });
+SimulatedRobot robotOf(CellModel model, const SimulateOptions& options) {
+  RobotInWords words = options.robot_words;
+  words.robot = options.robot;
+  words.patch = options.skin.patch;
+  words.surface = options.skin.surface;
+  words.seed = options.skin.seed;
+  words.link_law = options.link_law == "surface" ? LinkLaw::Surface : LinkLaw::Bend;
+  words.ideal = options.ideal;
+  return asInput([&] { return makeRobot(std::move(model), words); });
 }
 
 /// "arm.joints.csv" beside "arm.session.json".
@@ -122,6 +91,8 @@ std::string besideOutput(const SimulateOptions& options, const std::string& endi
 }
 
 int runRobot(SimulatedRobot robot, const SimulateOptions& options, const Output& output, const Common& common) {
+  const bool moves = !robot.robot().freeJointNames().empty();
+  if (!moves && !options.joints.empty()) throw InvalidArgument("--joints: no joint of the robot can move");
   common.progress("Taking poses ...");
   const SimulatedRobotSession simulated = simulateRobotSession(robot, options.poses, options.samples);
   common.progress("Writing ...");
@@ -133,7 +104,7 @@ int runRobot(SimulatedRobot robot, const SimulateOptions& options, const Output&
     saveSession(simulated.session, options.output);
   }
   const bool beside = !output.isStandard();
-  const bool has_joints = options.poses > 0 && (beside || !options.joints.empty());
+  const bool has_joints = moves && options.poses > 0 && (beside || !options.joints.empty());
   const bool has_truth = beside || !options.truth.empty();
   if (has_joints) writeFileAtomically(joints, jointAnglesCsv(jointAnglesOf(simulated.session), robot.robot()));
   if (has_truth) writeFileAtomically(truth, robotTruthToJson(robot, simulated));
@@ -168,7 +139,7 @@ int run(const SimulateOptions& options, const Common& common) {
   model.validate();
   if (!options.robot.empty()) {
     common.progress("Laying the skins ...");
-    return runRobot(makeRobot(std::move(model), options), options, output, common);
+    return runRobot(robotOf(std::move(model), options), options, output, common);
   }
   SimulatedSkinOptions skin_options = options.ideal               ? SimulatedSkinOptions::ideal()
                                       : options.motion == "robot" ? SimulatedSkinOptions::robot()
@@ -246,21 +217,23 @@ void addSimulate(CLI::App& app, Common& common) {
           ->excludes(faults);
   command
       ->add_option(
-          "--mount", options->mounts,
-          std::string("A patch on the robot: ") + kMountSyntax +
+          "--mount", options->robot_words.mounts,
+          "A patch on the robot: " + std::string(kMountSyntax) +
               ", the place of its middle in the link's frame in m and rad, z out of the skin; without --surface "
               "it lies on the link's body where that is nearest; may be repeated")
       ->needs(robot);
   command
       ->add_option(
-          "--base", options->base,
+          "--base", options->robot_words.base,
           "What holds the robot: fixed, on a base that holds still; motors, the same with its motors on, which "
           "shake it by 8 to 35 mg; or hand, which turns the whole robot anew in every pose")
       ->check(CLI::IsMember({"fixed", "motors", "hand"}))
       ->capture_default_str()
       ->needs(robot)
       ->excludes(ideal);
-  command->add_option("--package", options->packages, "NAME=FOLDER of meshes at package://NAME/...; may be repeated")
+  command
+      ->add_option("--package", options->robot_words.packages,
+                   "NAME=FOLDER of meshes at package://NAME/...; may be repeated")
       ->needs(robot);
   command
       ->add_option("--joints", options->joints,

@@ -4,7 +4,7 @@
 
 #include <string>
 #include <system_error>
-#include <vector>
+#include <utility>
 
 namespace hexoderm {
 
@@ -22,6 +22,23 @@ std::filesystem::path demoRobotFile() {
     looked_at.push_back(place.string());
   }
   throw StorageError(message("the demo robot is not installed: there is no {}", looked_at));
+}
+
+PackageFolders packageFolders(const std::vector<std::string>& texts) {
+  PackageFolders folders;
+  for (const std::string& text : texts) {
+    const std::size_t equals = text.find('=');
+    if (equals == 0 || equals == std::string::npos || equals + 1 == text.size()) {
+      throw InvalidArgument(message("package: expected NAME=FOLDER, found \"{}\"", text));
+    }
+    folders[text.substr(0, equals)] = text.substr(equals + 1);
+  }
+  return folders;
+}
+
+RobotModel robotNamed(const std::string& robot, const std::vector<std::string>& packages) {
+  PackageFolders folders = packageFolders(packages);
+  return RobotModel::read(robot == kDemoRobotName ? demoRobotFile() : std::filesystem::path(robot), std::move(folders));
 }
 
 }  // namespace hexoderm

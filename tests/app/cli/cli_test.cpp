@@ -103,6 +103,24 @@ TEST_F(Cli, SimulatesARobotWithItsJointAnglesAndTheTruth) {
   EXPECT_EQ(readSessionStore(path("hand.hexo")).poses()[1].joint_angles.positions.size(), 5U);
 }
 
+TEST_F(Cli, ARobotWithoutJointsHasNoJointAngles) {
+  std::ofstream(path("block.urdf")) << "<robot name='block'><link name='block'/></robot>";
+  const std::string block =
+      "simulate --robot block.urdf --mount block:0,0,0.1 --patch sheet:2x2 --surface plane --poses 2 -o ";
+  const Outcome outcome = run(block + "block.session.json");
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+  EXPECT_THAT(outcome.out, AllOf(HasSubstr("4 cells in 1 patch, 2 poses"), HasSubstr("block.truth.json"),
+                                 Not(HasSubstr("joint angles"))));
+  EXPECT_TRUE(exists("block.truth.json"));
+  EXPECT_FALSE(exists("block.joints.csv"));
+  EXPECT_TRUE(readSessionJson(path("block.session.json")).poses().at(1).joint_angles.positions.empty());
+
+  const Outcome asked = run(block + "asked.session.json --joints j.csv");
+  EXPECT_EQ(asked.exit_code, 2);
+  EXPECT_THAT(asked.err, HasSubstr("--joints: no joint of the robot can move"));
+  EXPECT_FALSE(exists("asked.session.json"));
+}
+
 TEST_F(Cli, NamesWhatMakesNoSimulatedRobot) {
   const auto complaint = [&](const std::string& arguments, int exit_code) {
     const Outcome outcome = run("simulate -o a.session.json " + arguments);
@@ -115,7 +133,7 @@ TEST_F(Cli, NamesWhatMakesNoSimulatedRobot) {
                                       "<child link='a'/></joint></robot>";
   EXPECT_THAT(complaint("--robot loop.urdf --mount a:0,0,0", 3),
               AllOf(HasSubstr("loop.urdf"), HasSubstr("form a loop")));
-  EXPECT_THAT(complaint("--robot loop.urdf", 2), HasSubstr("--mount LINK:X,Y,Z"));
+  EXPECT_THAT(complaint("--robot loop.urdf", 2), HasSubstr("needs a mount for each patch, LINK:X,Y,Z"));
   EXPECT_THAT(complaint("--robot demo --mount forearm", 2), HasSubstr("LINK:X,Y,Z"));
   EXPECT_THAT(complaint("--robot demo --mount fore_arm:0,0,0", 2), HasSubstr("did you mean forearm?"));
   EXPECT_THAT(complaint("--robot demo --package x", 2), HasSubstr("NAME=FOLDER"));

@@ -12,6 +12,11 @@
 
 namespace hexoderm {
 
+/// The smoothest way between two rests (minimum jerk): the share of it that is done after the share `x` of the time.
+inline double minimumJerk(double x) { return x * x * x * (10 - 15 * x + 6 * x * x); }
+/// Its highest rate over its mean one.
+inline constexpr double kPeakOverMean = 1.875;
+
 /// No hand turns a part faster than 120 degrees per second.
 inline constexpr double kFastestTurn_rad_s = 120 * kDegree;
 

@@ -1,7 +1,9 @@
 #include "hexoderm/device/simulation/simulated_robot.h"
 
 #include "hexoderm/device/simulation/hand_motion.h"
+#include "hexoderm/device/simulation/patch_plan.h"
 #include "hexoderm/device/simulation/random_streams.h"
+#include "hexoderm/device/simulation/robot_hold.h"
 #include "hexoderm/geometry/mesh_surface.h"
 #include "hexoderm/util/error.h"
 #include "hexoderm/util/units.h"
@@ -34,9 +36,36 @@ Eigen::Vector3d drawDirection(std::mt19937_64& random) {
   return direction.normalized();
 }
 
-/// The motion of a body that the robot carries, from the robot's own.
-BodyMotion seenFrom(const Eigen::Matrix3d& R_w_b, const BodyMotion& motion_w) {
-  return {R_w_b.transpose() * motion_w.up_b, R_w_b.transpose() * motion_w.field_b * R_w_b};
+// Of so many, the best one is about 5 degrees off where the joints reach all directions.
+constexpr std::size_t kTriesOfAngles = 500;
+constexpr double kNearEnough = 30 * kDegree;
+
+CellId& cellOf(CellFault& fault) { return fault.cell; }
+CellId& cellOf(LinkFault& fault) { return fault.at.cell; }
+
+/// Makes the skin of a patch, which names its links by its own numbers of the cells.
+template <class Make>
+SimulatedSkin numberedFrom(std::uint32_t first, const std::string& link, const Make& make) {
+  try {
+    return make();
+  } catch (const InvalidArgument& error) {
+    if (first == 1) throw;
+    throw InvalidArgument(
+        located(message("patch on {}, whose cell 1 is the robot's cell {}", link, first), error.message()));
+  }
+}
+
+/// Those of `count` cells behind the first `before` ones, as these number themselves.
+template <class Fault>
+std::vector<Fault> faultsAmong(const std::vector<Fault>& faults, std::uint32_t before, std::size_t count) {
+  std::vector<Fault> among;
+  for (Fault fault : faults) {
+    CellId& cell = cellOf(fault);
+    if (cell.value() <= before || cell.value() > before + count) continue;
+    cell = CellId(cell.value() - before);
+    among.push_back(fault);
+  }
+  return among;
 }
 
 }  // namespace
@@ -73,6 +102,15 @@ struct SimulatedRobot::State {
     std::size_t link;
     SE3 T_l_b;
     std::uint32_t ids_before;  ///< cells of the skins before
+
+    [[nodiscard]] CellId idOnSkin(CellId id) const { return CellId(id.value() - ids_before); }
+    /// The skin's samples to the robot's.
+    void addTo(SampleFrame& frame, const SampleFrame& of_skin) const {
+      for (CellSample sample : of_skin.samples) {
+        sample.cell = CellId(sample.cell.value() + ids_before);
+        frame.samples.push_back(sample);
+      }
+    }
   };
 
   CellModel model;
@@ -86,16 +124,37 @@ struct SimulatedRobot::State {
   std::size_t poses = 0;
   struct Held {
     SimulatedRobotPose pose;
-    HandMotion motion;
-    Eigen::Vector3d hand_w;
+    RobotHold hold;
   };
-  std::optional<Held> held;
+  std::optional<Held> held;  ///< what is recorded
   double clock_s = 0;
+  std::optional<Held> live;
+  std::uint64_t live_tick = 0;  ///< since the hold began
+  double live_clock_s = 0;
 
   State(CellModel cell_model, RobotModel robot_model, SimulatedRobotOptions robot_options);
   void mount(const PatchMount& mount, std::uint64_t seed);
   void drawErrors();
-  [[nodiscard]] Eigen::Vector3d middleOfPatches(const SimulatedRobotPose& pose) const;
+  [[nodiscard]] Eigen::Vector3d middleOfPatches(const std::vector<SE3>& T_w_l) const;
+
+  [[nodiscard]] JointAngles drawAngles(std::mt19937_64& random) const;
+  [[nodiscard]] JointAngles trueAngles(JointAngles reported) const;
+  [[nodiscard]] Held hold(JointAngles reported, const Eigen::Vector3d& up_w, bool by_hand,
+                          std::mt19937_64& random) const;
+  Held drawPose();
+  [[nodiscard]] CarriedBody carried(std::size_t k, const RobotHold& hold) const;
+
+  [[nodiscard]] double rate_hz() const { return skins.front().skin.rate_hz(); }
+  [[nodiscard]] double liveTime_s() const { return static_cast<double>(live_tick) / rate_hz(); }
+  void holdLive(Held next);
+  /// In the next pose, unless it stands in one already.
+  void beginLive();
+  /// Which of the skins has the cell.
+  [[nodiscard]] std::size_t indexOf(CellId cell) const;
+  [[nodiscard]] Mounted& skinOf(CellId cell) { return skins[indexOf(cell)]; }
+  /// In the base's frame, were the joints at these angles.
+  [[nodiscard]] Eigen::Matrix3d rotationOf(CellId cell, const JointAngles& reported) const;
+  [[nodiscard]] JointAngles anglesNearest(CellId cell, const Eigen::Vector3d& up_u, std::mt19937_64& random) const;
 };
 
 SimulatedRobot::State::State(CellModel cell_model, RobotModel robot_model, SimulatedRobotOptions robot_options)
@@ -118,15 +177,18 @@ void SimulatedRobot::State::mount(const PatchMount& mount, std::uint64_t seed) {
   skin_options.seed = seed;
   skin_options.lot_seed = options.seed;
   skin_options.hand_held = options.base == BaseHold::Hand;
+  const auto ids_before = static_cast<std::uint32_t>(neighbors.size());
+  const std::size_t cells = planPatch(mount.patch, model).cell_count;
+  skin_options.faults = faultsAmong(options.skin.faults, ids_before, cells);
+  skin_options.link_faults = faultsAmong(options.skin.link_faults, ids_before, cells);
   // A body's own frame is the link's; other surfaces are carried to where the patch's middle is wanted.
   SE3 T_l_b;
   if (mount.surface.empty() && robot.hasBody(link)) {
     skin_options.laid_on = std::make_shared<MeshSurface>(robot.bodyOf(link), mount.T_l_m, model.thickness_m);
   }
-  SimulatedSkin skin(model, skin_options);
+  SimulatedSkin skin = numberedFrom(ids_before + 1, mount.link, [&] { return SimulatedSkin(model, skin_options); });
   if (!skin_options.laid_on) T_l_b = mount.T_l_m * makeSurface(skin.options().surface)->middle().inverse();
 
-  const auto ids_before = static_cast<std::uint32_t>(neighbors.size());
   MountedPatch patch{mount.link, robot.links()[robot.partOf(link)].name, {}, {}};
   const auto renumbered = [&](CellId id) { return id.value() == 0 ? id : CellId(id.value() + ids_before); };
   for (const TrueCell& cell : skin.truth()) {
@@ -155,14 +217,105 @@ void SimulatedRobot::State::drawErrors() {
 }
 
 /// In the base's frame.
-Eigen::Vector3d SimulatedRobot::State::middleOfPatches(const SimulatedRobotPose& pose) const {
+Eigen::Vector3d SimulatedRobot::State::middleOfPatches(const std::vector<SE3>& T_w_l) const {
   Eigen::Vector3d sum = Eigen::Vector3d::Zero();
-  for (std::size_t k = 0; k < skins.size(); ++k) sum += pose.T_w_l[skins[k].link] * patches[k].T_l_u.front().t;
+  for (std::size_t k = 0; k < skins.size(); ++k) sum += T_w_l[skins[k].link] * patches[k].T_l_u.front().t;
   return sum / static_cast<double>(skins.size());
 }
 
+// ---- poses
+
+JointAngles SimulatedRobot::State::drawAngles(std::mt19937_64& random) const {
+  JointAngles angles;
+  std::uniform_real_distribution<double> share(0, 1);
+  for (const RobotJoint& joint : robot.joints()) {
+    if (!joint.isFree()) continue;
+    const JointLimits range = drawnRange(joint, options.range_share);
+    angles.positions[joint.name] = range.lower + share(random) * (range.upper - range.lower);
+  }
+  return angles;
+}
+
+JointAngles SimulatedRobot::State::trueAngles(JointAngles reported) const {
+  for (auto& [name, position] : reported.positions) position += zero_offsets.positions.at(name);
+  return reported;
+}
+
+SimulatedRobot::State::Held SimulatedRobot::State::hold(JointAngles reported, const Eigen::Vector3d& up_w, bool by_hand,
+                                                        std::mt19937_64& random) const {
+  SimulatedRobotPose pose;
+  pose.true_angles = trueAngles(reported);
+  pose.reported = std::move(reported);
+  pose.T_w_l = robot.forward(pose.true_angles);
+  HandMotion base = by_hand ? HandMotion(up_w, options.skin, random) : HandMotion(up_w);
+  pose.up_w = base.orientationAt(0).transpose() * Eigen::Vector3d::UnitZ();
+  RobotHold robot_hold(robot, pose.true_angles, std::move(base), middleOfPatches(pose.T_w_l));
+  return {std::move(pose), std::move(robot_hold)};
+}
+
+/// The next pose of the robot's own choice.
+SimulatedRobot::State::Held SimulatedRobot::State::drawPose() {
+  const std::size_t index = poses++;
+  std::mt19937_64 random = randomStream(options.seed, Stream::RobotPose, index);
+  JointAngles reported = drawAngles(random);
+  const bool in_hand = options.base == BaseHold::Hand && index > 0;
+  const Eigen::Vector3d up_w = in_hand ? drawDirection(random) : tilted_up_w;
+  return hold(std::move(reported), up_w, in_hand, random);
+}
+
+/// The robot as what carries one of its skins. `hold` must outlive it.
+CarriedBody SimulatedRobot::State::carried(std::size_t k, const RobotHold& hold) const {
+  return {[this, k, &hold](double time_s) { return hold.motionOf(skins[k].link, skins[k].T_l_b, time_s); },
+          hold.handIn(skins[k].link, skins[k].T_l_b)};
+}
+
+void SimulatedRobot::State::holdLive(Held next) {
+  if (live) next.hold.arriveFrom(live->hold, liveTime_s());
+  live = std::move(next);
+  live_tick = 0;
+  for (std::size_t k = 0; k < skins.size(); ++k) skins[k].skin.carry(carried(k, live->hold));
+}
+
+void SimulatedRobot::State::beginLive() {
+  if (!live) holdLive(drawPose());
+}
+
+std::size_t SimulatedRobot::State::indexOf(CellId cell) const {
+  std::size_t k = skins.size() - 1;
+  while (skins[k].ids_before >= cell.value()) --k;
+  return k;
+}
+
+Eigen::Matrix3d SimulatedRobot::State::rotationOf(CellId cell, const JointAngles& reported) const {
+  const std::size_t k = indexOf(cell);
+  const std::vector<SE3> T_w_l = robot.forward(trueAngles(reported));
+  return T_w_l[skins[k].link].R * patches[k].T_l_u[skins[k].idOnSkin(cell).value() - 1].R;
+}
+
+/// Of angles drawn at random, those at which the direction of the cell's points up most exactly.
+JointAngles SimulatedRobot::State::anglesNearest(CellId cell, const Eigen::Vector3d& up_u,
+                                                 std::mt19937_64& random) const {
+  JointAngles nearest;
+  double least_rad = 2 * kPi;
+  for (std::size_t k = 0; k < kTriesOfAngles; ++k) {
+    JointAngles angles = drawAngles(random);
+    const double off_rad = angleBetween(rotationOf(cell, angles) * up_u, tilted_up_w);
+    if (off_rad >= least_rad) continue;
+    least_rad = off_rad;
+    nearest = std::move(angles);
+  }
+  if (least_rad > kNearEnough) {
+    throw InvalidArgument(
+        message("the joints can't turn cell {} there: they come within {}", cell, Degrees{least_rad, 0}));
+  }
+  return nearest;
+}
+
 SimulatedRobot::SimulatedRobot(CellModel model, RobotModel robot, SimulatedRobotOptions options)
-    : state_(std::make_unique<State>(std::move(model), std::move(robot), std::move(options))) {}
+    : state_(std::make_unique<State>(std::move(model), std::move(robot), std::move(options))) {
+  for (const CellFault& fault : state_->options.skin.faults) requireCell(fault.cell);
+  for (const LinkFault& fault : state_->options.skin.link_faults) requireCell(fault.at.cell);
+}
 SimulatedRobot::~SimulatedRobot() = default;
 SimulatedRobot::SimulatedRobot(SimulatedRobot&&) noexcept = default;
 SimulatedRobot& SimulatedRobot::operator=(SimulatedRobot&&) noexcept = default;
@@ -191,51 +344,109 @@ Message SimulatedRobot::description() const {
              : message("Simulated robot {} in a hand: {}, seed {}", robot().name(), patches, options().seed);
 }
 
+double SimulatedRobot::rate_hz() const { return state_->rate_hz(); }
+std::vector<CellFault> SimulatedRobot::cellFaults() const { return options().skin.faults; }
+std::vector<LinkFault> SimulatedRobot::linkFaults() const { return options().skin.link_faults; }
+
+std::unique_ptr<SimulatedBody> SimulatedRobot::withLinkFaults(std::vector<LinkFault> faults) const {
+  SimulatedRobotOptions options = state_->options;
+  options.skin.faults.clear();
+  options.skin.link_faults = std::move(faults);
+  return std::make_unique<SimulatedRobot>(state_->model, state_->robot, std::move(options));
+}
+
 SimulatedRobotPose SimulatedRobot::nextPose() {
-  State& state = *state_;
-  const std::size_t index = state.poses++;
-  std::mt19937_64 random = randomStream(state.options.seed, Stream::RobotPose, index);
-  SimulatedRobotPose pose;
-  std::uniform_real_distribution<double> share(0, 1);
-  for (const RobotJoint& joint : state.robot.joints()) {
-    if (!joint.isFree()) continue;
-    const JointLimits range = drawnRange(joint, state.options.range_share);
-    const double position = range.lower + share(random) * (range.upper - range.lower);
-    pose.reported.positions[joint.name] = position;
-    pose.true_angles.positions[joint.name] = position + state.zero_offsets.positions.at(joint.name);
-  }
-  pose.T_w_l = state.robot.forward(pose.true_angles);
-  const bool upright = state.options.base == BaseHold::Fixed || index == 0;
-  const Eigen::Vector3d wanted_up_w = upright ? state.tilted_up_w : drawDirection(random);
-  HandMotion motion = state.options.base == BaseHold::Hand && index > 0
-                          ? HandMotion(wanted_up_w, state.options.skin, random)
-                          : HandMotion(wanted_up_w);
-  pose.up_w = motion.orientationAt(0).transpose() * Eigen::Vector3d::UnitZ();
-  state.held = State::Held{pose, std::move(motion), state.middleOfPatches(pose)};
-  return pose;
+  state_->held = state_->drawPose();
+  return state_->held->pose;
 }
 
 std::vector<SampleFrame> SimulatedRobot::record(std::size_t frame_count) {
   State& state = *state_;
   if (!state.held) throw InvalidArgument("simulated robot: expected a pose before it is recorded");
-  const State::Held& held = *state.held;
   std::vector<SampleFrame> frames(frame_count);
-  for (State::Mounted& mounted : state.skins) {
-    const SE3 T_w_b = held.pose.T_w_l[mounted.link] * mounted.T_l_b;
-    const CarriedBody body{[&](double time_s) { return seenFrom(T_w_b.R, held.motion.at(time_s)); },
-                           T_w_b.inverse() * held.hand_w};
-    const std::vector<SampleFrame> recorded = mounted.skin.record(body, frame_count);
-    for (std::size_t k = 0; k < frame_count; ++k) {
-      for (CellSample sample : recorded[k].samples) {
-        sample.cell = CellId(sample.cell.value() + mounted.ids_before);
-        frames[k].samples.push_back(sample);
-      }
-    }
+  for (std::size_t k = 0; k < state.skins.size(); ++k) {
+    State::Mounted& mounted = state.skins[k];
+    const std::vector<SampleFrame> recorded = mounted.skin.record(state.carried(k, state.held->hold), frame_count);
+    for (std::size_t tick = 0; tick < frame_count; ++tick) mounted.addTo(frames[tick], recorded[tick]);
   }
-  const double tick_s = 1 / state.skins.front().skin.rate_hz();
+  const double tick_s = 1 / state.rate_hz();
   for (std::size_t k = 0; k < frame_count; ++k) frames[k].time_s = state.clock_s + static_cast<double>(k) * tick_s;
   state.clock_s += static_cast<double>(frame_count) * tick_s + kPauseBetweenPoses_s;
   return frames;
+}
+
+// ---- live
+
+void SimulatedRobot::turnTo(CellId cell, const Eigen::Vector3d& up_u) {
+  requireCell(cell);
+  const Eigen::Vector3d up = unitUp(up_u);
+  State& state = *state_;
+  state.beginLive();
+  std::mt19937_64 random = randomStream(state.options.seed, Stream::RobotPose, state.poses++);
+  if (state.options.base == BaseHold::Fixed) {
+    state.holdLive(state.hold(state.anglesNearest(cell, up, random), state.tilted_up_w, false, random));
+  } else {
+    const JointAngles angles = state.drawAngles(random);
+    state.holdLive(state.hold(angles, state.rotationOf(cell, angles) * up, true, random));
+  }
+}
+
+void SimulatedRobot::turnTo(const Eigen::Vector3d& up_w) {
+  const Eigen::Vector3d up = unitUp(up_w);
+  State& state = *state_;
+  if (state.options.base == BaseHold::Fixed) {
+    throw InvalidArgument(message("the robot's base is fixed: only its joints turn"));
+  }
+  state.beginLive();
+  std::mt19937_64 random = randomStream(state.options.seed, Stream::RobotPose, state.poses++);
+  state.holdLive(state.hold(state.live->pose.reported, up, true, random));
+}
+
+void SimulatedRobot::turnToNextPose() {
+  state_->beginLive();
+  state_->holdLive(state_->drawPose());
+}
+
+bool SimulatedRobot::turning() const { return state_->live && state_->liveTime_s() < state_->live->hold.arrival_s(); }
+
+JointAngles SimulatedRobot::jointAngles() const {
+  State& state = *state_;
+  state.beginLive();
+  if (!turning()) return state.live->pose.reported;
+  JointAngles angles = state.live->hold.anglesAt(state.liveTime_s());
+  for (auto& [name, position] : angles.positions) position -= state.zero_offsets.positions.at(name);
+  return angles;
+}
+
+SampleFrame SimulatedRobot::next() {
+  State& state = *state_;
+  state.beginLive();
+  SampleFrame frame;
+  frame.time_s = state.live_clock_s;
+  for (State::Mounted& mounted : state.skins) mounted.addTo(frame, mounted.skin.next());
+  ++state.live_tick;
+  state.live_clock_s += 1 / state.rate_hz();
+  return frame;
+}
+
+void SimulatedRobot::skip(std::size_t ticks) {
+  State& state = *state_;
+  state.beginLive();
+  for (State::Mounted& mounted : state.skins) mounted.skin.skip(ticks);
+  state.live_tick += ticks;
+  state.live_clock_s += static_cast<double>(ticks) / state.rate_hz();
+}
+
+void SimulatedRobot::breakCell(const CellFault& fault) {
+  requireCell(fault.cell);
+  State::Mounted& mounted = state_->skinOf(fault.cell);
+  mounted.skin.breakCell({fault.kind, mounted.idOnSkin(fault.cell)});
+}
+
+void SimulatedRobot::mendCell(CellId cell) {
+  requireCell(cell);
+  State::Mounted& mounted = state_->skinOf(cell);
+  mounted.skin.mendCell(mounted.idOnSkin(cell));
 }
 
 std::vector<PatchMount> demoMounts() {

@@ -121,10 +121,11 @@ struct SimulatedSkin::State {
   Hold hold(const Eigen::Vector3d& up_b);
   Hold hold(const CarriedBody& body);
   std::vector<SampleFrame> record(Hold holding, std::size_t frame_count);
-  void holdLive(const Eigen::Vector3d& up_b);
+  void holdLive(Hold holding);
+  /// On a table, unless it is held already.
+  void beginLive();
   template <class Noise>
   void sense(Hold& holding, Noise& noise, SampleFrame& frame);
-  void requireCell(CellId cell) const;
 
   State(CellModel cell_model, SimulatedSkinOptions skin_options);
 
@@ -242,6 +243,16 @@ GroundTruth SimulatedSkin::groundTruth() const {
 }
 std::optional<std::pair<LinkEnd, LinkEnd>> SimulatedSkin::loop() const { return state_->loop; }
 double SimulatedSkin::rate_hz() const { return state_->rate_hz(); }
+bool SimulatedSkin::turnsOnRequest() const { return !state_->robot; }
+std::vector<CellFault> SimulatedSkin::cellFaults() const { return state_->options.faults; }
+std::vector<LinkFault> SimulatedSkin::linkFaults() const { return state_->options.link_faults; }
+
+std::unique_ptr<SimulatedBody> SimulatedSkin::withLinkFaults(std::vector<LinkFault> faults) const {
+  SimulatedSkinOptions options = state_->options;
+  options.faults.clear();
+  options.link_faults = std::move(faults);
+  return std::make_unique<SimulatedSkin>(state_->model, std::move(options));
+}
 
 std::vector<Eigen::Vector3d> SimulatedSkin::upDirections(std::size_t pose_count) const {
   if (!state_->robot) return scriptedUpDirections(pose_count);
@@ -261,13 +272,10 @@ Message SimulatedSkin::description() const {
 
 /// A new hold, by hand unless it is the skin's first.
 SimulatedSkin::State::Hold SimulatedSkin::State::hold(const Eigen::Vector3d& up_b) {
-  if (!up_b.allFinite() || up_b.norm() < 1e-9) {
-    throw InvalidArgument(
-        message("simulated skin: the direction that points up must be a finite vector other than zero"));
-  }
+  const Eigen::Vector3d wanted_b = unitUp(up_b);
   const std::size_t recording = recordings++;
   std::mt19937_64 hand_random = randomStream(options.seed, Stream::Hand, recording);
-  const Eigen::Vector3d up = robot ? RobotMotion::nearestTo(up_b) : up_b.normalized();
+  const Eigen::Vector3d up = robot ? RobotMotion::nearestTo(up_b) : wanted_b;
   const bool in_hand = options.hand_held && recording > 0;
   HandMotion motion = in_hand ? HandMotion(up, options, hand_random) : HandMotion(up);
   // A hand holds the part near its middle, not in it.
@@ -276,9 +284,13 @@ SimulatedSkin::State::Hold SimulatedSkin::State::hold(const Eigen::Vector3d& up_
           !bent_sensors.empty() && recording % 2 == 1, recording};
 }
 
-void SimulatedSkin::State::holdLive(const Eigen::Vector3d& up_b) {
-  live = hold(up_b);
+void SimulatedSkin::State::holdLive(Hold holding) {
+  live = std::move(holding);
   live_noise = FastNormalSource(live->noise);
+}
+
+void SimulatedSkin::State::beginLive() {
+  if (!live) holdLive(hold(Eigen::Vector3d::UnitZ()));
 }
 
 /// Readings of all cells at the hold's next tick.
@@ -352,11 +364,24 @@ std::vector<SampleFrame> SimulatedSkin::record(const CarriedBody& body, std::siz
 
 void SimulatedSkin::turnTo(const Eigen::Vector3d& up_b) {
   State& state = *state_;
-  if (!state.live) state.holdLive(Eigen::Vector3d::UnitZ());
+  state.beginLive();
   const Eigen::Matrix3d R_w_b = state.live->motion.orientationAt(state.liveTime_s());
-  state.holdLive(up_b);
+  state.holdLive(state.hold(up_b));
   state.live->motion.arriveFrom(R_w_b, state.robot ? RobotMotion::kFastest_rad_s : kFastestTurn_rad_s);
 }
+
+void SimulatedSkin::turnTo(CellId cell, const Eigen::Vector3d& up_u) {
+  requireCell(cell);
+  turnTo(state_->truth[cell.value() - 1].T_b_u.R * up_u);
+}
+
+void SimulatedSkin::turnToNextPose() {
+  state_->beginLive();
+  const std::size_t poses = state_->recordings;
+  turnTo(upDirections(poses + 1).back());
+}
+
+void SimulatedSkin::carry(const CarriedBody& body) { state_->holdLive(state_->hold(body)); }
 
 bool SimulatedSkin::turning() const {
   const State& state = *state_;
@@ -366,8 +391,8 @@ bool SimulatedSkin::turning() const {
 
 SampleFrame SimulatedSkin::next() {
   State& state = *state_;
-  if (!state.live) state.holdLive(Eigen::Vector3d::UnitZ());
-  if (state.robot &&
+  state.beginLive();
+  if (state.robot && !state.live->carried &&
       state.liveTime_s() >= state.live->motion.arrival_s() + RobotMotion::staysFor_s(state.robot_holds)) {
     turnTo(RobotMotion::upOf(++state.robot_holds));
   }
@@ -380,30 +405,24 @@ SampleFrame SimulatedSkin::next() {
 
 void SimulatedSkin::skip(std::size_t ticks) {
   State& state = *state_;
-  if (!state.live) state.holdLive(Eigen::Vector3d::UnitZ());
+  state.beginLive();
   state.live->tick += ticks;
   state.live_clock_s += static_cast<double>(ticks) / state.rate_hz();
 }
 
-void SimulatedSkin::State::requireCell(CellId cell) const {
-  if (cell.value() == 0 || cell.value() > truth.size()) {
-    throw InvalidArgument(message("simulated skin: there is no cell {}", cell));
-  }
-}
-
 void SimulatedSkin::breakCell(const CellFault& fault) {
-  state_->requireCell(fault.cell);
+  requireCell(fault.cell);
   std::mt19937_64 random = randomStream(state_->options.seed, Stream::DeadAxis, {fault.cell.value()});
   addFault(state_->health[fault.cell.value() - 1], fault.kind, random);
 }
 
 void SimulatedSkin::mendCell(CellId cell) {
-  state_->requireCell(cell);
+  requireCell(cell);
   state_->health[cell.value() - 1] = CellHealth{};
 }
 
 Eigen::Matrix3d SimulatedSkin::turnOf(CellId cell) const {
-  state_->requireCell(cell);
+  requireCell(cell);
   return state_->health[cell.value() - 1].turn.value_or(Eigen::Matrix3d::Identity());
 }
 

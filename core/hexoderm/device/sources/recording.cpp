@@ -58,7 +58,7 @@ struct StreamRecorder::Impl {
 
   Impl(std::filesystem::path where, SkinListener& listener) : path(std::move(where)), next(listener) {}
 
-  std::vector<std::string> joint_names;  ///< as last written since the description
+  skinwire::JointsEncoder joints;
 
   void fail(const Message& why) {
     file.close();
@@ -83,7 +83,7 @@ struct StreamRecorder::Impl {
   void writeDescription() {
     write(skinwire::helloOf(skin, 0, stream));
     for (const skinwire::Topology& part : skinwire::topologyParts(skin.neighbors, topology)) write(part);
-    joint_names.clear();
+    joints.nameAgain();
   }
 
   /// Recording must not take listening down with it.
@@ -165,20 +165,7 @@ void StreamRecorder::onDeviceStatus(const DeviceStatus& status) {
 void StreamRecorder::onJoints(const JointReport& joints) {
   impl_->next.onJoints(joints);
   if (joints.angles.positions.empty()) return;
-  impl_->guarded([&] {
-    skinwire::Joints message;
-    message.time_us = static_cast<std::uint64_t>(std::llround(1e6 * std::max(0.0, joints.time_s)));
-    for (const auto& [name, position] : joints.angles.positions) {
-      message.names.push_back(name);
-      message.position.push_back(position);
-    }
-    if (message.names == impl_->joint_names) {
-      message.names.clear();
-    } else {
-      impl_->joint_names = message.names;
-    }
-    impl_->write(message);
-  });
+  impl_->guarded([&] { impl_->write(impl_->joints.encode(joints)); });
 }
 
 void StreamRecorder::onCommandOutcome(const CommandOutcome& outcome) { impl_->next.onCommandOutcome(outcome); }
