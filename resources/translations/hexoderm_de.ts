@@ -776,8 +776,8 @@
         <translation>Jede Pose wird in diese Datei geschrieben, bevor sie als aufgenommen gilt.</translation>
     </message>
     <message>
-        <source>x17, ring8 or sheet:10x10, also with options: x17?seed=1&amp;speed=2. Its readings are made up.</source>
-        <translation>x17, ring8 oder sheet:10x10, auch mit Optionen: x17?seed=1&amp;speed=2. Die Messwerte sind simuliert.</translation>
+        <source>x17, ring8 or sheet:10x10, also with options: x17?seed=1&amp;speed=2; or robot, an arm with two patches. Its readings are made up.</source>
+        <translation>x17, ring8 oder sheet:10x10, auch mit Optionen: x17?seed=1&amp;speed=2; oder robot, ein Arm mit zwei Patches. Die Messwerte sind simuliert.</translation>
     </message>
 </context>
 <context>
@@ -3112,10 +3112,6 @@ Die Werte sagen, wie gut die Posen die Drehung der Zellen in drei Achsen festhal
         <translation>simulierte Haut: Die Richtung nach oben muss ein endlicher Vektor ungleich null sein</translation>
     </message>
     <message>
-        <source>simulated skin: there is no cell {}</source>
-        <translation>simulierte Haut: Es gibt keine Zelle {}</translation>
-    </message>
-    <message>
         <source>source &quot;{}&quot;: speed must be above 0</source>
         <translation>Quelle „{}“: speed muss über 0 liegen</translation>
     </message>
@@ -3126,10 +3122,6 @@ Die Werte sagen, wie gut die Posen die Drehung der Zellen in drei Achsen festhal
     <message>
         <source>there is no cell {}</source>
         <translation>es gibt keine Zelle {}</translation>
-    </message>
-    <message>
-        <source>up must be a finite vector other than zero</source>
-        <translation>die Richtung nach oben muss ein endlicher Vektor ungleich null sein</translation>
     </message>
     <message>
         <source>another turn came before it was there</source>
@@ -5967,6 +5959,50 @@ Die Werte sagen, wie gut die Posen die Drehung der Zellen in drei Achsen festhal
     <message>
         <source>Where the patch of cell {} was put by hand, it is turned by {} against what gravity says, which is certain to {} (1 sigma); the fit moved it by {}.</source>
         <translation>Wo das Hautstück von Zelle {} von Hand hingelegt wurde, ist es um {} anders gedreht, als die Schwerkraft sagt, die es auf {} genau angibt (1 Sigma); die Anpassung hat es um {} bewegt.</translation>
+    </message>
+    <message>
+        <source>the names and angles of {} joints take {} bytes, and a message on this wire has {}</source>
+        <translation>die Namen und Winkel von {} Gelenken brauchen {} Bytes, eine Nachricht auf dieser Leitung hat {}</translation>
+    </message>
+    <message>
+        <source>mount: expected {}, found &quot;{}&quot;</source>
+        <translation>mount: erwartet ist {}, gefunden wurde „{}“</translation>
+    </message>
+    <message>
+        <source>base: expected fixed, motors or hand, found &quot;{}&quot;</source>
+        <translation>base: erwartet ist fixed, motors oder hand, gefunden wurde „{}“</translation>
+    </message>
+    <message>
+        <source>base: a robot with its motors on is not ideal</source>
+        <translation>base: Ein Roboter mit eingeschalteten Motoren ist nicht ideal</translation>
+    </message>
+    <message>
+        <source>the robot needs a mount for each patch, {}</source>
+        <translation>der Roboter braucht für jeden Patch ein mount, {}</translation>
+    </message>
+    <message>
+        <source>there is no cell {}; cells are 1 to {}</source>
+        <translation>es gibt keine Zelle {}; die Zellen sind 1 bis {}</translation>
+    </message>
+    <message>
+        <source>patch on {}, whose cell 1 is the robot&apos;s cell {}</source>
+        <translation>Patch auf {}, dessen Zelle 1 die Zelle {} des Roboters ist</translation>
+    </message>
+    <message>
+        <source>the joints can&apos;t turn cell {} there: they come within {}</source>
+        <translation>die Gelenke können Zelle {} nicht dorthin drehen: Sie kommen nur bis auf {} heran</translation>
+    </message>
+    <message>
+        <source>the robot&apos;s base is fixed: only its joints turn</source>
+        <translation>die Basis des Roboters steht fest: Nur seine Gelenke drehen sich</translation>
+    </message>
+    <message>
+        <source>source &quot;{}&quot;: expected sim:robot[?urdf=FILE&amp;package=NAME=FOLDER&amp;mount=LINK:X,Y,Z&amp;base=fixed|motors|hand&amp;patch=...&amp;surface=...&amp;seed=N&amp;speed=X|max], found &quot;{}&quot;</source>
+        <translation>Quelle „{}“: erwartet ist sim:robot[?urdf=DATEI&amp;package=NAME=ORDNER&amp;mount=GLIED:X,Y,Z&amp;base=fixed|motors|hand&amp;patch=...&amp;surface=...&amp;seed=N&amp;speed=X|max], gefunden wurde „{}“</translation>
+    </message>
+    <message>
+        <source>package: expected NAME=FOLDER, found &quot;{}&quot;</source>
+        <translation>package: erwartet ist NAME=ORDNER, gefunden wurde „{}“</translation>
     </message>
 </context>
 <context>
