@@ -268,6 +268,8 @@ void PlacePanel::buildKnown() {
     const int picked = known_list_->currentRow();
     const int points = static_cast<int>(stand_.known.points.size());
     if (picked < 0) return;
+    // The button goes with the last one; the keyboard had better not end up in a field, where Ctrl+Z means the field.
+    if (known_list_->count() == 1) by_surface_->setFocus(Qt::OtherFocusReason);
     if (picked < points) {
       emit pointRemoved(picked);
     } else {

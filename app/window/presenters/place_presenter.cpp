@@ -85,6 +85,7 @@ PlacePresenter::PlacePresenter(const Views& views, SessionController& controller
     known_fault_.clear();
     pose_ = 0;
     patch_ = CellId(0);
+    looked_at_.reset();
     leaveAlone();
     put_.reset();
     lays_ = false;
@@ -748,6 +749,7 @@ void PlacePresenter::showStand() {
   }
   const RobotPicture drawn = picture();
   views_.robot.setPicture(drawn);
+  lookAtWhatIsNew(drawn);
   stand.is_drawn = indexInPicture(drawn, patch()).has_value();
   stand.can_move = handle().has_value() && views_.robot.canDraw();
   views_.panel.setStand(stand);
@@ -815,6 +817,14 @@ void PlacePresenter::addPatches(RobotPicture& picture) const {
 
 /// In the step itself; and before the export where there is something to be seen of it: there it is looked at closely,
 /// so that the cells' numbers can be compared with the skin.
+/// The camera goes up to a patch when it is drawn on a link for the first time; after that it is the operator's.
+void PlacePresenter::lookAtWhatIsNew(const RobotPicture& drawn) {
+  const auto index = indexInPicture(drawn, patch());
+  if (!index) return;
+  const std::pair<CellId, std::size_t> seen{patch_, drawn.patches[*index].link};
+  if (std::exchange(looked_at_, seen) != seen) views_.robot.lookAtSkin(index);
+}
+
 void PlacePresenter::showRobot() {
   const int open = views_.steps.openIndex();
   const bool opened = std::exchange(open_step_, open) != open;

@@ -9,6 +9,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 class QWidget;
@@ -78,6 +79,7 @@ class PlacePresenter : public QObject {
   void forgetPlaces();
   void showStand();
   void showRobot();
+  void lookAtWhatIsNew(const RobotPicture& drawn);
 
   [[nodiscard]] QString whyNot() const;
   [[nodiscard]] const PatchReconstruction* patch() const;
@@ -145,6 +147,8 @@ class PlacePresenter : public QObject {
   std::optional<PutPlace> put_;  ///< where a patch was put by hand; the fit begins there too
   bool lays_ = false;            ///< what the fit makes of it becomes the place
   int open_step_ = -1;           ///< as showRobot() last saw it
+  /// The patch, by its origin cell, and the link that the camera went up to last.
+  std::optional<std::pair<CellId, std::size_t>> looked_at_;
 };
 
 }  // namespace hexoderm

@@ -480,6 +480,7 @@ TEST_F(WindowPlaceTest, BeforeTheExportTheCellsAreLookedAtWithTheirNumbers) {
   ASSERT_NO_FATAL_FAILURE(clickRowOf(inPanel<QListWidget>("placePlaceList"), 0));
   ASSERT_TRUE(waitForWork());
   const bool draws = window_->robotView()->canDraw();
+  window_->robotView()->fit();
   const QImage whole = draws ? window_->robotView()->screenshot() : QImage();
   window_->findChild<StepPanel*>()->openStep(static_cast<int>(GuideStep::Export));
   ASSERT_TRUE(waitUntil([this] { return window_->robotView()->isVisible(); }));
