@@ -150,15 +150,16 @@ TEST(CalibrationJson, HoldsWherePatchesAreOnTheRobot) {
   EXPECT_FALSE(parseCalibrationJson(older.dump(), "c.json")->robot);
   EXPECT_TRUE(parseCalibrationJson(older.dump(), "c.json")->placements.empty());
 
-  EXPECT_THAT(complaint("/placements/0/origin_cell", 77), saysAll("placements[0]", "origin"));
-  EXPECT_THAT(complaint("/placements/0/by_surface", 1), saysAll("placements[0].by_surface"));
-  EXPECT_THAT(complaint("/placements/0/link", ""), saysAll("placements[0]", "a place of this patch on its link"));
-  EXPECT_THAT(complaint("/placements/0/points/0/sigma_m", 0), saysAll("placements[0].points[0].sigma_m"));
-  EXPECT_THAT(complaint("/placements/0/distances/0/to_cell", result.placements[0].origin.value()),
+  EXPECT_THAT(calibrationComplaint("/placements/0/origin_cell", 77), saysAll("placements[0]", "origin"));
+  EXPECT_THAT(calibrationComplaint("/placements/0/by_surface", 1), saysAll("placements[0].by_surface"));
+  EXPECT_THAT(calibrationComplaint("/placements/0/link", ""),
+              saysAll("placements[0]", "a place of this patch on its link"));
+  EXPECT_THAT(calibrationComplaint("/placements/0/points/0/sigma_m", 0), saysAll("placements[0].points[0].sigma_m"));
+  EXPECT_THAT(calibrationComplaint("/placements/0/distances/0/to_cell", result.placements[0].origin.value()),
               saysAll("placements[0]", "two cells"));
-  EXPECT_THAT(complaint("/placements/0/place/cov_t_r/0", -1), saysAll("placements[0].place.cov_t_r"));
+  EXPECT_THAT(calibrationComplaint("/placements/0/place/cov_t_r/0", -1), saysAll("placements[0].place.cov_t_r"));
   const nlohmann::json package = {{"name", "arm"}, {"folder", "/opt/arm"}};
-  EXPECT_THAT(complaint("/robot/packages", nlohmann::json::array({package, package})),
+  EXPECT_THAT(calibrationComplaint("/robot/packages", nlohmann::json::array({package, package})),
               saysAll("robot.packages[1].name", "each package once"));
 }
 
