@@ -6648,7 +6648,7 @@ Auf einem entfernten Bildschirm oder mit einem fehlerhaften Treiber kann es helf
     </message>
     <message>
         <source>Its back lies on the link&apos;s surface</source>
-        <translation>Die Rückseite liegt auf der Oberfläche des Glieds</translation>
+        <translation>Rückseite liegt auf dem Glied</translation>
     </message>
     <message>
         <source>Known points and distances</source>
@@ -9352,12 +9352,12 @@ Auf einem entfernten Bildschirm oder mit einem fehlerhaften Treiber kann es helf
         <translation>Adresse berichtigen…</translation>
     </message>
     <message>
-        <source>Try it with a simulated &amp;robot</source>
-        <translation>Mit einem simulierten &amp;Roboter ausprobieren</translation>
-    </message>
-    <message>
         <source>A forearm with two patches and an elbow: a session to place on its robot</source>
         <translation>Ein Unterarm mit zwei Hautstücken und einem Ellbogen: eine Sitzung, die am Roboter einzuordnen ist</translation>
+    </message>
+    <message>
+        <source>Start the demo a&amp;rm</source>
+        <translation>Demo-A&amp;rm starten</translation>
     </message>
 </context>
 <context>

@@ -305,10 +305,11 @@ void PlacePanel::buildPoint() {
     grid->addWidget(field, 1 + axis, 1, 1, 3);
   }
   known_->addRow()->addLayout(grid);
-  QHBoxLayout* row = known_->addRow();
-  row->addWidget(add_point_);
-  row->addWidget(pick_);
-  row->addStretch();
+  for (QPushButton* button : {pick_, add_point_}) {
+    QHBoxLayout* row = known_->addRow();
+    row->addWidget(button);
+    row->addStretch();
+  }
   connect(pick_, &QPushButton::toggled, this, &PlacePanel::pickingChanged);
   connect(add_point_, &QPushButton::clicked, this, [this] {
     KnownPoint point;
@@ -366,9 +367,9 @@ void PlacePanel::buildPlaces() {
   move_->setCheckable(true);
   look_ = namedField(new QPushButton(tr("Look closely")), "placeLook", tr("Look closely at the patch on the robot"));
   row->addWidget(move_);
-  row->addWidget(look_);
   row->addStretch();
   QHBoxLayout* second = places_->addRow();
+  second->addWidget(look_);
   second->addWidget(remove_place_);
   second->addStretch();
   connect(move_, &QPushButton::toggled, this, &PlacePanel::movingChanged);

@@ -39,7 +39,7 @@ QString purposeOf(const QAction& action) { return action.property(kPurpose).toSt
 WindowActions::WindowActions(QWidget* owner, QUndoStack* undo_stack)
     : demo(make(owner, "actionDemo", tr("Start the &demo skin"), tr("A simulated skin to try everything with"),
                 {QKeySequence(QStringLiteral("Ctrl+D"))})),
-      robot_demo(make(owner, "actionRobotDemo", tr("Try it with a simulated &robot"),
+      robot_demo(make(owner, "actionRobotDemo", tr("Start the demo a&rm"),
                       tr("A forearm with two patches and an elbow: a session to place on its robot"))),
       connect_skin(make(owner, "actionConnect", tr("&Connect to a skin…"),
                         tr("Take poses of a skin that is connected, or of a recording"),

@@ -226,7 +226,7 @@ TEST_F(DamagedStore, GapsAndLiesInTheJournalAreSeen) {
 }
 
 TEST_F(DamagedStore, EntriesThatMakeNoSenseAreNamed) {
-  const std::string where = "journal entry 9: ";
+  const std::string where = "journal entry 12: ";
   EXPECT_THAT(complaintAbout("dance", "{}"), saysAll(where, "kind: expected capture", "found \"dance\""));
   EXPECT_THAT(complaintAbout("remove", "{"), saysAll(where, "the file ends in the middle"));
   EXPECT_THAT(complaintAbout("remove", "[]"), saysAll(where, "expected an object"));
@@ -261,9 +261,9 @@ TEST_F(DamagedStore, SamplesThatMakeNoSenseAreNamed) {
     return complaintAbout("capture", R"({"pose": 9, "place": 3})", bytes);
   };
   const double nan = std::numeric_limits<double>::quiet_NaN();
-  EXPECT_THAT(with(8, std::uint32_t{2}), saysAll("entry 9: samples: cell 5", "flags"));
-  EXPECT_THAT(with(12, std::uint32_t{1}), saysAll("entry 9: samples: cell 5", "flags"));
-  EXPECT_THAT(with(16, nan), saysAll("entry 9: samples: cell 5: the mean must be finite"));
+  EXPECT_THAT(with(8, std::uint32_t{2}), saysAll("entry 12: samples: cell 5", "flags"));
+  EXPECT_THAT(with(12, std::uint32_t{1}), saysAll("entry 12: samples: cell 5", "flags"));
+  EXPECT_THAT(with(16, nan), saysAll("entry 12: samples: cell 5: the mean must be finite"));
   EXPECT_THAT(with(40, -1e-9), saysAll("cell 5: variances must be at least 0"));
   EXPECT_THAT(with(80, std::numeric_limits<double>::infinity()), saysAll("cell 5: the covariance must be finite"));
   EXPECT_THAT(with(88, nan), saysAll("cell 5: the temperature must be finite"));

@@ -132,7 +132,7 @@ TEST_F(SessionStoreTest, RemovedPosesStayInTheFileAndComeBackAsTheyWere) {
   appendOne(store, RestorePose{third, 2});
   EXPECT_THAT(poseIds(readSessionStore(path_)), ElementsAre(2U, 1U, 3U));
   EXPECT_THAT(kinds(store), ElementsAre("skin", "source", "truth", "capture", "capture", "capture", "mute", "mute",
-                                        "remove", "remove", "restore", "restore"));
+                                        "robot", "placement", "placement", "remove", "remove", "restore", "restore"));
 }
 
 TEST_F(SessionStoreTest, APoseThatWasRemovedBeforeTheFileWasMadeComesBackAllTheSame) {

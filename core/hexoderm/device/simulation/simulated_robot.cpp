@@ -38,7 +38,7 @@ Eigen::Vector3d drawDirection(std::mt19937_64& random) {
 
 // Of so many, the best one is about 5 degrees off where the joints reach all directions.
 constexpr std::size_t kTriesOfAngles = 500;
-constexpr double kNearEnough = 30 * kDegree;
+constexpr double kNearEnough = 90 * kDegree;
 
 CellId& cellOf(CellFault& fault) { return fault.cell; }
 CellId& cellOf(LinkFault& fault) { return fault.at.cell; }

@@ -92,9 +92,10 @@ MovementTest testMovement(const GravitySeen& a, const GravitySeen& b) {
   if (both[0].size() < 2) return test;
   test.on_one_line = lieOnOneLine(both[0].up) || lieOnOneLine(both[1].up);
   // Swings that bring about more than a usual hand's speak for no joint that turned by tens of degrees: noise counts as
-  // large as one rigid body would show it.
+  // large as one rigid body would show it. Of three poses a joint's turns can look like noise.
+  constexpr int kShowsNoise = 5;  // degrees of freedom of four poses
   const GravityMisfit& misfit = test.fit.misfit;
-  const double stretch = misfit.freedom > 0 ? std::max(1.0, misfit.chi_squared / misfit.freedom) : 1;
+  const double stretch = misfit.freedom >= kShowsNoise ? std::max(1.0, misfit.chi_squared / misfit.freedom) : 1;
   const TurnsOfBodies turns(both[0], both[1], test.fit.R[1], stretch);
   std::vector<Eigen::Vector3d> axes = axesAllAround();
   double least_odds = std::numeric_limits<double>::infinity();
