@@ -244,8 +244,8 @@ StepPanel::StepPanel(QWidget* parent) : QScrollArea(parent), layout_(nullptr) {
   setWidget(content);
   make_room_.setSingleShot(true);
   connect(&make_room_, &QTimer::timeout, this, [this] {
-    // An operator who has scrolled meanwhile stays there.
-    if (verticalScrollBar()->value() == placed_at_) makeRoom();
+    // An operator who has scrolled meanwhile stays there, and so does one who is at another heading by the keyboard.
+    if (verticalScrollBar()->value() == placed_at_ && !isFocusElsewhere()) makeRoom();
   });
 }
 
@@ -299,10 +299,12 @@ void StepPanel::makeRoom() {
 }
 
 void StepPanel::makeRoomSoon() {
-  // Who has gone to another heading by the keyboard is not taken away from it.
+  if (verticalScrollBar()->value() == placed_at_ && !isFocusElsewhere()) make_room_.start();
+}
+
+bool StepPanel::isFocusElsewhere() const {
   const QWidget* focus = QApplication::focusWidget();
-  const bool is_elsewhere = focus != nullptr && widget()->isAncestorOf(focus) && !rows_[open_]->isAncestorOf(focus);
-  if (!is_elsewhere && verticalScrollBar()->value() == placed_at_) make_room_.start();
+  return focus != nullptr && widget()->isAncestorOf(focus) && !rows_[open_]->isAncestorOf(focus);
 }
 
 bool StepPanel::focusNextPrevChild(bool next) {

@@ -102,7 +102,7 @@ class SimulatedRobot final : public SimulatedBody {
 
   [[nodiscard]] bool turnsOnRequest() const override { return true; }
   /// In a hand all joints go to angles drawn at random, and the hand does the rest. On a fixed base they go to those,
-  /// of many drawn at random, that come nearest to what is asked for; it is refused if none come within 30 degrees.
+  /// of many drawn at random, that come nearest to what is asked for; it is refused if none come within 90 degrees.
   void turnTo(CellId cell, const Eigen::Vector3d& up_u) override;
   /// In a hand alone; the joints stay as they are.
   void turnTo(const Eigen::Vector3d& up_w) override;

@@ -455,15 +455,21 @@ TEST(EmulatedDevice, SaysWhyARobotDoesNotTurn) {
   bench.device.greet(bench.heard);
   bench.explore();
   EXPECT_THROW(bench.device.turnTo(Eigen::Vector3d::UnitX(), bench.heard), InvalidArgument) << "its base is fixed";
-  // The patch on the outside of the upper arm looks down where the arm is lifted sideways, but never up.
-  const MountedPatch patch = demoArm().patches().at(0);
-  bench.device.take({1, skinwire::TurnTo{patch.cells.at(0).value(), Eigen::Vector3d::UnitZ()}}, bench.heard);
-  const auto acks = bench.take<skinwire::Ack>();
-  ASSERT_THAT(acks, SizeIs(1));
-  EXPECT_FALSE(acks[0].done || acks[0].working);
-  EXPECT_THAT(acks[0].text, HasSubstr("they come within"));
   bench.device.turnToNextPose(bench.heard);
   EXPECT_TRUE(bench.device.body().turning());
+
+  // A post with a cell on its top, which can't look down.
+  const RobotModel post = RobotModel::parse("<robot name='post'><link name='post'/></robot>", "post.urdf");
+  SimulatedRobotOptions options = SimulatedRobotOptions::ideal();
+  options.mounts = {{"post", {}, "sheet:1x1", "plane"}};
+  Bench fixed(SimulatedRobot(builtInCellModel("hex-bma150"), post, options));
+  fixed.device.greet(fixed.heard);
+  fixed.explore();
+  fixed.device.take({1, skinwire::TurnTo{1, -Eigen::Vector3d::UnitZ()}}, fixed.heard);
+  const auto acks = fixed.take<skinwire::Ack>();
+  ASSERT_THAT(acks, SizeIs(1));
+  EXPECT_FALSE(acks[0].done || acks[0].working);
+  EXPECT_THAT(acks[0].text, HasSubstr("they come within 180"));
 }
 
 TEST(EmulatedDevice, NamesOfJointsHaveToFitIntoAMessage) {
