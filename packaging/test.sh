@@ -59,11 +59,9 @@ run_stage() {
       select=(--tests-regex "$by_others|links_no_gui$")
       ;;
     asan)
-      # What these count over many seeds, or in size, runs the same code as the tests beside them; memory can't be measured
-      # while a sanitizer keeps what is freed.
+      # What these count over many seeds runs the same code as the tests beside them.
       local counts='StatedDeviationAgrees|ErrsAsMuchAsExpectedInTheMedian|LieWithinTheirRangesAsOften|KnownSigmasLie'
       counts+='|SeveralSkinsNarrow|UncertaintyAndDetectionAreCounted|AccuracyTableIsWhole'
-      counts+='|^Size\.MemoryGrowsLinearly|^SensorStatistics\.ALargeSkinIsLookedAtInPart$'
       # The house's rules are looked at in the stages before.
       select=(--exclude-regex "$counts|^structure\.")
       ;;

@@ -29,7 +29,7 @@ class Cli : public ::testing::Test {
   Outcome run(const std::string& arguments, const std::string& before = "") const {
     const std::string errors = path("stderr.txt");
     const std::string command =
-        "cd '" + folder_.path().string() + "' && " + before + "'" HEXODERM_CLI "' " + arguments + " 2>" + errors;
+        "cd '" + folder_.path().string() + "' && " + before + "'" + program_ + "' " + arguments + " 2>" + errors;
     Outcome result;
     std::FILE* pipe = ::popen(command.c_str(), "r");
     std::array<char, 4096> buffer{};
@@ -44,6 +44,7 @@ class Cli : public ::testing::Test {
   [[nodiscard]] bool exists(const std::string& name) const { return std::filesystem::exists(path(name)); }
 
   test::TemporaryFolder folder_;
+  std::string program_ = HEXODERM_CLI;
 };
 
 }  // namespace hexoderm

@@ -228,8 +228,11 @@ TEST_F(CliFiles, AFolderWithoutAccessIsOneLineAndFive) {
   std::filesystem::permissions(folder_.path(), std::filesystem::perms(0755));
   std::string as_nobody;
   if (::geteuid() == 0) {
+    // Nothing is closed to root, and the build folder may be closed to everybody else.
     as_nobody = "setpriv --reuid=65534 --regid=65534 --clear-groups ";
-    if (run("--version", as_nobody).exit_code != 0) GTEST_SKIP() << "another user can't run the program here";
+    std::filesystem::copy_file(program_, path("hexoderm-cli"));
+    program_ = path("hexoderm-cli");
+    ASSERT_EQ(run("--version", as_nobody).exit_code, 0);
   } else {
     std::filesystem::permissions(path("closed"), std::filesystem::perms(0));
   }

@@ -66,6 +66,18 @@ TEST(Assess, APreciseResultWithoutFindingsIsGoodAndAsksForNothing) {
   EXPECT_EQ(assessment.next_action.english(), "Export.");
 }
 
+// A cell that is placed through its links is less sure than what is stated, and the sentence says so.
+TEST(Assess, SaysWhichCellsTheStatedUncertaintyIsOf) {
+  Reconstruction result = resultWith(kRough);
+  EXPECT_THAT(assess(result, {}).reason.english(), HasSubstr("±2.0 mm, ±5.0° at the worst cell (95 %)"));
+  CellPlacement unmeasured = result.patches[0].cells.back();
+  unmeasured.cell = CellId(4);
+  unmeasured.placed_by = PlacedBy::Links;
+  unmeasured.cov_t_r = covarianceOf(kUseless);
+  result.patches[0].cells.push_back(unmeasured);
+  EXPECT_THAT(assess(result, {}).reason.english(), HasSubstr("±2.0 mm, ±5.0° at the worst measured cell (95 %)"));
+}
+
 TEST(Assess, TheNumberOfPosesDoesNotMatter) {
   for (const Uncertainty95& spread : {kPrecise, kRough, kUseless}) {
     Reconstruction result = resultWith(spread);
