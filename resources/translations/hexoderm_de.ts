@@ -4570,6 +4570,14 @@ Die Werte sagen, wie gut die Posen die Drehung der Zellen in drei Achsen festhal
         <source>Look for the missing link, or export patch by patch.</source>
         <translation>Nach der fehlenden Verbindung suchen oder Hautstück für Hautstück exportieren.</translation>
     </message>
+    <message>
+        <source>Usable: {} at the worst measured cell (95 %), {}.</source>
+        <translation>Brauchbar: {} an der schlechtesten gemessenen Zelle (95 %), {}.</translation>
+    </message>
+    <message>
+        <source>Not enough: {} at the worst measured cell (95 %), {}.</source>
+        <translation>Nicht genug: {} an der schlechtesten gemessenen Zelle (95 %), {}.</translation>
+    </message>
 </context>
 <context>
     <name>hexoderm::MessageBar</name>

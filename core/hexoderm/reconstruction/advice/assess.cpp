@@ -173,17 +173,22 @@ class Assessor {
 
   void sayReason() {
     const Message spread = plusMinus(worst_);
+    const Message poses = posesInWords(poses_);
+    // Cells that are placed through their links are not counted in, and are less sure.
+    const bool all_measured = measuredCells(r_) == r_.cellCount();
     switch (result_.level) {
       case VerdictLevel::Good:
-        result_.reason = message("Good: {} at the worst cell (95 %), {}.", spread, posesInWords(poses_));
+        result_.reason = message("Good: {} at the worst cell (95 %), {}.", spread, poses);
         break;
       case VerdictLevel::Usable:
-        result_.reason = message("Usable: {} at the worst cell (95 %), {}.", spread, posesInWords(poses_));
+        result_.reason = all_measured ? message("Usable: {} at the worst cell (95 %), {}.", spread, poses)
+                                      : message("Usable: {} at the worst measured cell (95 %), {}.", spread, poses);
         break;
       default:
-        result_.reason = poses_ == 0
-                             ? message("Not enough: no pose yet. The shape shown follows from the ports alone.")
-                             : message("Not enough: {} at the worst cell (95 %), {}.", spread, posesInWords(poses_));
+        result_.reason = poses_ == 0 ? message("Not enough: no pose yet. The shape shown follows from the ports alone.")
+                         : all_measured
+                             ? message("Not enough: {} at the worst cell (95 %), {}.", spread, poses)
+                             : message("Not enough: {} at the worst measured cell (95 %), {}.", spread, poses);
     }
     std::vector<Message> sentences = {result_.reason};
     if (result_.limit == Limit::Readings) {
