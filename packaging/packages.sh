@@ -14,13 +14,20 @@ core_packages=(
   libfmt-dev
   libgmock-dev
   libgtest-dev
+  liborocos-kdl-dev
   libprotobuf-dev
   libpugixml-dev
   libsqlite3-dev
   libssl-dev
+  liburdfdom-dev
   nlohmann-json3-dev
   protobuf-compiler
   python3 # kill tests and an example sender
+  python3-yaml # reads exports back in tests, as do the next four
+  assimp-utils
+  libmujoco-dev
+  libsdformat-dev
+  liburdfdom-tools
   zlib1g-dev # named in the CMake files of libassimp-dev, which does not bring it
 )
 

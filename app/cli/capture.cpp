@@ -1,3 +1,4 @@
+#include "app/cli/capture.h"
 #include "app/cli/capture_events.h"
 #include "app/cli/command.h"
 
@@ -21,16 +22,6 @@
 
 namespace hexoderm::cli {
 namespace {
-
-struct CaptureOptions {
-  std::string source;
-  std::string output;
-  std::string recording;
-  std::size_t poses = 0;
-  bool automatic = false;
-  bool keep_raw = false;
-  double timeout_s = 30;
-};
 
 constexpr const char* kLastWords =
     "hexoderm-cli: ended while something was held up; every pose that was reported as captured is in the file\n";
@@ -375,23 +366,11 @@ void printWithoutSkin(const Capture& capture, const CaptureOptions& options, con
              {"offences", cli::toJson(capture.status().offences)}});
 }
 
-int run(const CaptureOptions& options, const Common& common) {
-  if (options.output == kStandardOutput) {
-    throw InvalidArgument("-o -: a capture is kept in a file (*.hexo) while it goes on: give the name of one");
-  }
-  if (!options.output.ends_with(".hexo")) {
-    throw InvalidArgument("-o: expected a name that ends in .hexo, found \"" + options.output + "\"");
-  }
-  std::error_code error;
-  const auto there = std::filesystem::symlink_status(options.output, error).type();
-  if (there == std::filesystem::file_type::none) {
-    throw StorageError(located(options.output, message("cannot be written: {}", systemReason(error))));
-  }
-  if (there != std::filesystem::file_type::not_found) {
-    throw StorageError(options.output + ": exists already; a capture never replaces a session");
-  }
+/// `report` is given the capture, once it is over, and where its time went.
+template <class Report>
+void captureAndThen(const CaptureOptions& options, const Common& common, const Report& report) {
   endOnInterrupt(kLastWords);
-  const std::unique_ptr<SkinSource> source = openSkinSource(options.source);
+  const std::unique_ptr<SkinSource> source = asInput([&] { return openSkinSource(options.source); });
   PoseRecorderOptions recorder;
   recorder.keep_frames = options.keep_raw;
   CaptureEvents events(recorder);
@@ -418,11 +397,46 @@ int run(const CaptureOptions& options, const Common& common) {
     throw DeviceError(options.source + ": ended before a skin described itself" +
                       (capture.status().offences.empty() ? "" : ". " + capture.whyNothingComes()));
   }
-  print(capture, events.ledger(), options, common);
-  return capture.result() ? exitCodeOf(capture.result()->assessment) : kNotGoodEnough;
+  report(capture, events.ledger());
+}
+
+int run(const CaptureOptions& options, const Common& common) {
+  requireNewSession(options.output);
+  int exit_code = kNotGoodEnough;
+  captureAndThen(options, common, [&](const Capture& capture, const HoldLedger& ledger) {
+    print(capture, ledger, options, common);
+    if (capture.result()) exit_code = exitCodeOf(capture.result()->assessment);
+  });
+  return exit_code;
 }
 
 }  // namespace
+
+void requireNewSession(const std::string& output) {
+  if (output == kStandardOutput) {
+    throw InvalidArgument("-o -: a capture is kept in a file (*.hexo) while it goes on: give the name of one");
+  }
+  if (!output.ends_with(".hexo")) {
+    throw InvalidArgument("-o: expected a name that ends in .hexo, found \"" + output + "\"");
+  }
+  std::error_code error;
+  const auto there = std::filesystem::symlink_status(output, error).type();
+  if (there == std::filesystem::file_type::none) {
+    throw StorageError(located(output, message("cannot be written: {}", systemReason(error))));
+  }
+  if (there != std::filesystem::file_type::not_found) {
+    throw StorageError(output + ": exists already; a capture never replaces a session");
+  }
+}
+
+Session captureSession(const CaptureOptions& options, const Common& common) {
+  std::optional<Session> session;
+  captureAndThen(options, common, [&](const Capture& capture, const HoldLedger& ledger) {
+    session = capture.session();
+    if (session->poses().empty() && !common.json) printWhatBlocked(ledger);
+  });
+  return *std::move(session);
+}
 
 void addCapture(CLI::App& app, Common& common) {
   const auto options = std::make_shared<CaptureOptions>();
@@ -443,6 +457,7 @@ void addCapture(CLI::App& app, Common& common) {
   command->footer(
       "A pose is captured when the part is held still. Ctrl+C ends and keeps what there is.\n"
       "Example:\n  hexoderm-cli capture --source sim:x17 --auto --poses 4 -o arm.hexo\n"
+      "  hexoderm-cli capture --source sim:robot --auto --poses 8 -o arm.hexo\n"
       "  hexoderm-cli solve arm.hexo -o arm.calibration.json");
   command->callback([options, &common] { common.exit_code = run(*options, common); });
 }

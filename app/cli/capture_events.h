@@ -43,6 +43,7 @@ class CaptureEvents final : public SkinListener, public PoseRecorderListener {
 
   void onSkin(const SkinDescription& skin) override;
   void onFrame(const SampleFrame& frame) override { recorder_.addFrame(frame); }
+  void onJoints(const JointReport& joints) override { recorder_.addJoints(joints); }
   void onStatus(const SourceStatus& status) override { push(status); }
   void onCommandOutcome(const CommandOutcome& outcome) override { push(outcome); }
   void onPoseCaptured(CapturedPose captured) override { push(std::move(captured)); }

@@ -1,6 +1,9 @@
 #include "app/cli/command.h"
 
 #include "hexoderm/device/sources/open_source.h"
+#include "hexoderm/kinematics/demo_robot.h"
+#include "hexoderm/kinematics/joint_angles_csv.h"
+#include "hexoderm/session/session_joint_angles.h"
 #include "hexoderm/util/file.h"
 #include "hexoderm/util/text.h"
 #include "hexoderm/util/units.h"
@@ -77,6 +80,23 @@ std::shared_ptr<const Reconstruction> openCalibration(const std::string& path, c
   OpenedFile opened = openInput(path, cell_model);
   if (auto* calibration = std::get_if<std::shared_ptr<const Reconstruction>>(&opened)) return std::move(*calibration);
   throw BadInput(path + ": this is a session, expected a calibration; \"hexoderm-cli solve\" makes one of it");
+}
+
+RobotModel openRobot(const std::string& robot, const std::vector<std::string>& packages) {
+  return asInput([&] { return robotNamed(robot, packages); });
+}
+
+std::map<PoseId, JointAngles> anglesOfPoses(const Session& session, const std::string& file, const RobotModel& robot) {
+  std::map<PoseId, JointAngles> angles;
+  for (const SessionPose& pose : session.poses()) {
+    if (!pose.joint_angles.positions.empty()) angles[pose.capture->id] = pose.joint_angles;
+  }
+  if (file.empty()) return angles;
+  const JointAnglesTable table = asInput([&] { return readJointAnglesCsv(file, robot); });
+  for (const SetJointAngles& edit : jointAnglesFor(session, table).edits) {
+    angles[session.poses()[edit.index].capture->id] = edit.angles;
+  }
+  return angles;
 }
 
 int exitCodeOf(const Assessment& verdict) { return verdict.isUsable() ? kDone : kNotGoodEnough; }

@@ -2,6 +2,7 @@
 
 #include "hexoderm/device/offence.h"
 #include "hexoderm/io/open_file.h"
+#include "hexoderm/kinematics/robot_model.h"
 #include "hexoderm/reconstruction/result/reconstruction.h"
 #include "hexoderm/session/session.h"
 #include "hexoderm/util/error.h"
@@ -9,19 +10,21 @@
 #include <CLI/CLI.hpp>
 
 #include <functional>
+#include <map>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <sstream>
 #include <streambuf>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace hexoderm::cli {
 
 /// Exit codes of the program.
 enum ExitCode : int {
   kDone = 0,
-  kNotGoodEnough = 1,  ///< the verdict is not_enough or failed; the output is still written
+  kNotGoodEnough = 1,  ///< the verdict is not_enough or failed, or a check found changes; the output is still written
   kUsage = 2,
   kBadInput = 3,
   kDevice = 4,
@@ -79,10 +82,14 @@ void addCapture(CLI::App& app, Common& common);
 void addListen(CLI::App& app, Common& common);
 void addSolve(CLI::App& app, Common& common);
 void addEvaluate(CLI::App& app, Common& common);
+void addCheck(CLI::App& app, Common& common);
 void addExport(CLI::App& app, Common& common);
 void addConvert(CLI::App& app, Common& common);
 void addInspect(CLI::App& app, Common& common);
 void addSensors(CLI::App& app, Common& common);
+void addParts(CLI::App& app, Common& common);
+void addLinks(CLI::App& app, Common& common);
+void addPlace(CLI::App& app, Common& common);
 void addReproduce(CLI::App& app, Common& common);
 
 /// Says every offence of a device once, as soon as it is known.
@@ -116,6 +123,12 @@ Session openSession(const std::string& path);
 BadInput noSession(const std::string& path);
 std::shared_ptr<const Reconstruction> openCalibration(const std::string& path,
                                                       const std::string& cell_model = "hex-bma150");
+
+/// robotNamed() of `--robot` and `--package`.
+RobotModel openRobot(const std::string& robot, const std::vector<std::string>& packages);
+/// The joint angles of a session's poses: those of the table `file` (as `--joints`; may be empty) where it has a pose,
+/// else those of the session.
+std::map<PoseId, JointAngles> anglesOfPoses(const Session& session, const std::string& file, const RobotModel& robot);
 
 int exitCodeOf(const Assessment& verdict);
 

@@ -1,19 +1,28 @@
 #include "app/cli/command.h"
 
 #include "hexoderm/io/exporter.h"
+#include "hexoderm/io/placements_json.h"
+#include "hexoderm/reconstruction/result/patch_placements.h"
+#include "hexoderm/util/file.h"
+#include "hexoderm/util/sha256.h"
 #include "hexoderm/util/text.h"
 
+#include <algorithm>
+#include <array>
+#include <filesystem>
 #include <iostream>
+#include <map>
 
 namespace hexoderm::cli {
 namespace {
 
 struct ExportCommandOptions {
   std::string input;
-  std::string format;
+  std::string formats;
   std::string output;
-  std::string stl_unit = "mm";
-  std::string urdf_links = "cell";
+  std::map<std::string_view, std::string> values;  ///< of exportOptions(), by name
+  std::vector<std::string> placements;
+  std::string placements_file;
   std::uint32_t patch_of_cell = 0;
   ExportOptions options;
 };
@@ -28,75 +37,197 @@ nlohmann::ordered_json toJson(const std::vector<PatchLeftOut>& patches) {
   return array;
 }
 
+/// "[CELL@]LINK:x,y,z,roll,pitch,yaw"; without a cell the patch that is exported alone.
+PatchOnLink placementFrom(const std::string& text, const Reconstruction& reconstruction, const ExportOptions& options) {
+  const auto fail = [&text](const Message& what) { throw InvalidArgument(located("--place \"" + text + "\"", what)); };
+  const std::size_t colon = text.rfind(':');
+  if (colon == std::string::npos) fail(message("expected [CELL@]LINK:x,y,z,roll,pitch,yaw in metres and radians"));
+  const std::vector<std::string> numbers = split(text.substr(colon + 1), ',');
+  if (numbers.size() != 6) fail(message("expected six numbers behind the link, found {}", numbers.size()));
+  std::array<double, 6> values{};
+  for (std::size_t k = 0; k < values.size(); ++k) values[k] = parseNumber(numbers[k], "--place");
+
+  PatchOnLink place;
+  const std::size_t at = text.find('@');
+  const PatchReconstruction* patch =
+      options.patch ? reconstruction.find(*options.patch).patch : largestPatch(reconstruction);
+  if (at < colon) {
+    const CellId cell(parseUnsigned(text.substr(0, at), "--place"));
+    patch = reconstruction.find(cell).patch;
+    if (patch == nullptr) fail(message("no patch holds a cell {}", cell));
+  }
+  if (patch == nullptr) fail(message("there is no patch to place"));
+  place.origin = patch->origin;
+  const std::size_t name = at < colon ? at + 1 : 0;
+  place.link = text.substr(name, colon - name);
+  place.T_l_o = {rotationFromRpy({values[3], values[4], values[5]}), {values[0], values[1], values[2]}};
+  return place;
+}
+
+/// The placements of a file that `hexoderm-cli place` wrote, all of which the calibration has to hold.
+std::vector<PatchOnLink> placementsOf(const Reconstruction& reconstruction, const std::string& file) {
+  std::vector<PatchOnLink> placements = asInput([&] { return readPlacementsJson(file); });
+  for (const PatchOnLink& place : placements) {
+    const auto is_it = [&](const PatchReconstruction& patch) { return patch.origin == place.origin; };
+    if (std::ranges::none_of(reconstruction.patches, is_it)) {
+      throw BadInput(file + ": cell " + toString(place.origin) + " is the origin of no patch of the calibration");
+    }
+  }
+  return placements;
+}
+
+std::vector<ExportFormat> formatsFrom(const std::string& text) {
+  std::vector<ExportFormat> formats;
+  for (const std::string& name : split(text, ',')) formats.push_back(exportFormatFromName(name));
+  return formats;
+}
+
+void addOnce(std::vector<std::string>& sentences, const std::string& sentence) {
+  if (std::ranges::find(sentences, sentence) == sentences.end()) sentences.push_back(sentence);
+}
+
+/// What the formats can't hold.
+std::vector<std::string> notCarried(const std::vector<ExportFormat>& formats) {
+  std::vector<std::string> sentences;
+  for (const ExportFormat format : formats) {
+    const std::string sentence = exportFormatDescription(format).not_carried.english();
+    if (!sentence.empty()) addOnce(sentences, sentence);
+  }
+  return sentences;
+}
+
+/// The file that the calibration was read from, unless it was a pipe, which can't be read again.
+std::vector<ExportInput> inputFile(const std::string& path) {
+  std::error_code error;
+  if (!std::filesystem::is_regular_file(path, error)) return {};
+  return {{"calibration", std::filesystem::path(path).filename().string(), sha256Hex(readFile(path))}};
+}
+
 int run(ExportCommandOptions command, bool one_patch, const Common& common) {
-  const ExportFormat format = exportFormatFromName(command.format);
-  command.options.stl_unit = command.stl_unit == "m" ? LengthUnit::Metres : LengthUnit::Millimetres;
-  command.options.urdf_link_per_cell = command.urdf_links == "cell";
-  if (one_patch) command.options.patch = CellId(command.patch_of_cell);
-  command.options.validate();
+  const std::vector<ExportFormat> formats = formatsFrom(command.formats);
+  ExportOptions& options = command.options;
+  for (const ExportOptionDescription& option : exportOptions()) option.set(options, command.values.at(option.name));
+  if (one_patch) options.patch = CellId(command.patch_of_cell);
+  for (const ExportFormat format : formats) options.validateFor(format);
   const Output output(command.output, common);
-  if (output.isStandard() && format == ExportFormat::Csv) {
-    throw InvalidArgument("-o -: csv is a folder of several files, which standard output can't be: give a folder");
+  const bool is_folder = formats.size() > 1 || formats.front() == ExportFormat::Csv;
+  if (output.isStandard() && is_folder) {
+    throw InvalidArgument("-o -: " + std::string(formats.size() > 1 ? "an export in several formats" : "csv") +
+                          " is a folder of several files, which standard output can't be: give a folder");
   }
   const auto calibration = openCalibration(command.input);
-  const std::vector<PatchLeftOut> left_out = patchesLeftOut(*calibration, format, command.options);
-  const auto sayLeftOut = [&] {
-    if (left_out.empty()) return;
-    common.note(leftOutInWords(left_out).english() + " --patch CELL writes the patch of a cell to a file of its own.");
+  if (!command.placements_file.empty()) {
+    options.placements = placementsOf(*calibration, command.placements_file);
+  }
+  for (const std::string& text : command.placements) {
+    options.placements.push_back(placementFrom(text, *calibration, options));
+  }
+  if (options.placements.empty()) options.placements = placedPatches(*calibration);
+  if (is_folder) options.inputs = inputFile(command.input);
+
+  std::vector<PatchLeftOut> left_out;
+  std::vector<std::string> remarks;
+  for (const ExportFormat format : formats) {
+    const std::vector<PatchLeftOut> of_format = patchesLeftOut(*calibration, format, options);
+    if (of_format.empty()) continue;
+    addOnce(remarks,
+            leftOutInWords(of_format).english() +
+                (of_format.front().not_on_link ? " --place or --placements says where a patch is."
+                                               : " --patch CELL writes the patch of a cell to a file of its own."));
+    for (const PatchLeftOut& patch : of_format) {
+      if (std::ranges::find(left_out, patch.patch, &PatchLeftOut::patch) == left_out.end()) left_out.push_back(patch);
+    }
+  }
+  const std::vector<std::string> not_carried = notCarried(formats);
+  for (const std::string& sentence : not_carried) addOnce(remarks, sentence);
+  const auto sayWhatIsMissing = [&] {
+    for (const std::string& remark : remarks) common.note(remark);
   };
+
   common.progress("Writing " + output.inWords() + " ...");
   if (output.isStandard()) {
-    output.write(exportBytes(*calibration, format, command.options, output.inWords()));
+    output.write(exportBytes(*calibration, formats.front(), options, output.inWords()));
     common.endProgress();
-    sayLeftOut();
+    sayWhatIsMissing();
     return kDone;
   }
-  const auto files = exportReconstruction(*calibration, format, command.output, command.options);
+  const auto files = formats.size() > 1 ? exportBundle(*calibration, formats, command.output, options)
+                                        : exportReconstruction(*calibration, formats.front(), command.output, options);
   common.endProgress();
   if (common.json) {
     auto names = nlohmann::ordered_json::array();
     for (const auto& file : files) names.push_back(file.string());
-    printJson({{"format", command.format}, {"files", names}, {"left_out", toJson(left_out)}});
+    printJson(
+        {{"format", command.formats}, {"files", names}, {"left_out", toJson(left_out)}, {"not_carried", not_carried}});
   } else {
     for (const auto& file : files) std::cout << "Written and read back: " << forTerminal(file.string()) << '\n';
-    sayLeftOut();
+    sayWhatIsMissing();
   }
   return kDone;
+}
+
+/// "urdf, robot-urdf: URDF of the robot" for the help.
+std::string helpOf(const ExportOptionDescription& option) {
+  std::string names;
+  for (const ExportFormat format : option.formats) {
+    names += (names.empty() ? "" : ", ") + std::string(exportFormatDescription(format).name);
+  }
+  return option.help.english() + " (" + names + ")";
+}
+
+void addFormatOptions(CLI::App& command, const std::shared_ptr<ExportCommandOptions>& options) {
+  for (const ExportOptionDescription& description : exportOptions()) {
+    std::string& value = options->values[description.name];
+    value = description.get(options->options);
+    CLI::Option* option = command.add_option("--" + std::string(description.name), value, helpOf(description));
+    std::vector<std::string> choices;
+    for (const auto& choice : description.choices) choices.emplace_back(choice.value);
+    if (!choices.empty()) option->check(CLI::IsMember(choices));
+    if (!value.empty()) option->capture_default_str();
+  }
 }
 
 }  // namespace
 
 void addExport(CLI::App& app, Common& common) {
   const auto options = std::make_shared<ExportCommandOptions>();
-  CLI::App* command = app.add_subcommand("export", "Write a calibration in a form that other software reads");
+  CLI::App* command = app.add_subcommand("export", "Write a calibration in forms that other software reads");
   std::string formats;
   for (const ExportFormatDescription& format : exportFormats()) {
     formats += "\n  " + std::string(format.name) + ": " + format.summary.english();
+    if (!format.not_carried.empty()) formats += ". " + format.not_carried.english();
   }
   command->add_option("calibration", options->input, "Calibration (*.calibration.json, or TUM XML)")->required();
-  command->add_option("--to", options->format, "Format, one of:" + formats)->required();
-  command->add_option("-o,--output", options->output, "File to write; for csv a folder; - is standard output")
+  command
+      ->add_option(
+          "--to", options->formats,
+          "Format, or several with commas between for a folder with all of them and a manifest.json:" + formats)
       ->required();
-  command->add_option("--stl-unit", options->stl_unit, "mm or m; STL itself has no unit")
-      ->check(CLI::IsMember({"mm", "m"}))
-      ->capture_default_str();
-  command->add_option("--urdf-links", options->urdf_links, "One link per cell or per patch")
-      ->check(CLI::IsMember({"cell", "patch"}))
-      ->capture_default_str();
-  command->add_option("--urdf-robot", options->options.urdf_robot, "Name of the robot")->capture_default_str();
-  command->add_option("--urdf-parent", options->options.urdf_parent_link, "Link that the skin is fixed to")
-      ->capture_default_str();
-  command->add_option("--urdf-prefix", options->options.urdf_prefix, "Prefix of link and joint names")
-      ->capture_default_str();
+  command
+      ->add_option("-o,--output", options->output,
+                   "File to write; for csv and for several formats a folder; - is standard output")
+      ->required();
+  addFormatOptions(*command, options);
+  command->add_option(
+      "--place", options->placements,
+      "[CELL@]LINK:x,y,z,roll,pitch,yaw: where the patch of a cell is on a link of the robot, in metres and "
+      "radians as the origin of a URDF joint; once for each patch");
+  command->add_option("--placements", options->placements_file,
+                      "File of hexoderm-cli place, which says where patches are on links of the robot");
+  command->add_option("--in-link", options->options.in_link,
+                      "Write coordinates in the frame of this link, of the patches that are placed on it");
   CLI::Option* patch = command->add_option("--patch", options->patch_of_cell,
                                            "Cell whose patch is written; without it all patches are where the format "
-                                           "keeps their frames apart (csv, dot), else the one with the most cells");
+                                           "keeps their frames apart, else the one with the most cells");
   command
       ->add_flag("--all-patches", options->options.all_patches,
                  "Write every patch to a vtp file too, each in its own frame, their origins at one place")
       ->excludes(patch);
   common.addTo(*command);
-  command->footer("Example:\n  hexoderm-cli export arm.calibration.json --to urdf -o arm.urdf");
+  command->footer(
+      "Examples:\n  hexoderm-cli export arm.calibration.json --to urdf -o arm.urdf\n"
+      "  hexoderm-cli export arm.calibration.json --to robot-urdf --robot robot.urdf "
+      "--place r_forearm:0.02,0,0.1,0,1.5708,0 -o robot_with_skin.urdf");
   command->callback([options, patch, &common] { common.exit_code = run(*options, patch->count() > 0, common); });
 }
 

@@ -193,7 +193,7 @@ void print(const ListeningReport& report) {
 
 int run(const ListenOptions& options, const Common& common) {
   endOnInterrupt(kLastLine);
-  const std::unique_ptr<SkinSource> source = openSkinSource(options.source);
+  const std::unique_ptr<SkinSource> source = asInput([&] { return openSkinSource(options.source); });
   Ear ear;
   common.progress("Connecting to " + options.source + " ...");
   source->start(ear);

@@ -34,7 +34,8 @@ int main(int argc, char** argv) {
   app.set_version_flag("--version", "hexoderm-cli " HEXODERM_VERSION);
   app.require_subcommand(1);
   app.footer(
-      "Exit codes: 0 done; 1 the verdict is not_enough or failed (the output is still written);\n"
+      "Exit codes: 0 done; 1 the verdict is not_enough or failed (the output is still written), check found changes,\n"
+      "or parts can't tell;\n"
       "2 usage; 3 bad input; 4 device; 5 storage.\n\n"
       "A first calibration, of a simulated skin:\n"
       "  hexoderm-cli simulate --poses 3 -o arm.session.json\n"
@@ -45,10 +46,14 @@ int main(int argc, char** argv) {
   cli::addListen(app, common);
   cli::addSolve(app, common);
   cli::addEvaluate(app, common);
+  cli::addCheck(app, common);
   cli::addExport(app, common);
   cli::addConvert(app, common);
   cli::addInspect(app, common);
   cli::addSensors(app, common);
+  cli::addParts(app, common);
+  cli::addLinks(app, common);
+  cli::addPlace(app, common);
   cli::addReproduce(app, common);
 
   try {

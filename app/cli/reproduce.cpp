@@ -16,10 +16,12 @@ struct Part {
   const char* name;
   nlohmann::ordered_json (*run)(const Trials& trials, bool prints);
 };
-constexpr std::array<Part, 4> kParts = {{{"paper", reproducePaper},
+constexpr std::array<Part, 6> kParts = {{{"paper", reproducePaper},
                                          {"accuracy", tabulateAccuracy},
                                          {"uncertainty", checkUncertainty},
-                                         {"detection", countDetections}}};
+                                         {"detection", countDetections},
+                                         {"check", countChanges},
+                                         {"place", placeOnLinks}}};
 
 int run(const ReproduceOptions& options, const Common& common) {
   nlohmann::ordered_json json = {{"seeds", options.seeds}, {"simulated", true}};

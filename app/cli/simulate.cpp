@@ -1,10 +1,14 @@
 #include "app/cli/command.h"
 
 #include "hexoderm/device/simulation/fault_names.h"
+#include "hexoderm/device/simulation/robot_in_words.h"
 #include "hexoderm/device/simulation/simulated_skin.h"
 #include "hexoderm/io/open_file.h"
+#include "hexoderm/io/robot_truth_json.h"
 #include "hexoderm/io/session_json.h"
+#include "hexoderm/session/session_joint_angles.h"
 #include "hexoderm/session/simulated_session.h"
+#include "hexoderm/util/file.h"
 #include "hexoderm/util/text.h"
 
 #include <iostream>
@@ -22,6 +26,10 @@ struct SimulateOptions {
   double offset_sigma_mg = -1;
   bool ideal = false;
   std::vector<std::string> faults;
+  std::string robot;  ///< empty: a skin alone
+  RobotInWords robot_words;
+  std::string joints;  ///< empty: beside the session
+  std::string truth;
   std::string output;
 };
 
@@ -60,6 +68,66 @@ void addFault(const std::string& text, SimulatedSkinOptions& skin) {
   throw InvalidArgument("--fault: expected " + faultSyntax() + ", found \"" + text + "\"");
 }
 
+SimulatedRobot robotOf(CellModel model, const SimulateOptions& options) {
+  RobotInWords words = options.robot_words;
+  words.robot = options.robot;
+  words.patch = options.skin.patch;
+  words.surface = options.skin.surface;
+  words.seed = options.skin.seed;
+  words.link_law = options.link_law == "surface" ? LinkLaw::Surface : LinkLaw::Bend;
+  words.ideal = options.ideal;
+  return asInput([&] { return makeRobot(std::move(model), words); });
+}
+
+/// "arm.joints.csv" beside "arm.session.json".
+std::string besideOutput(const SimulateOptions& options, const std::string& ending) {
+  std::string name = options.output;
+  for (const std::string_view known : {".session.json", ".json", ".hexo"}) {
+    if (!name.ends_with(known)) continue;
+    name.resize(name.size() - known.size());
+    break;
+  }
+  return name + ending;
+}
+
+int runRobot(SimulatedRobot robot, const SimulateOptions& options, const Output& output, const Common& common) {
+  const bool moves = !robot.robot().freeJointNames().empty();
+  if (!moves && !options.joints.empty()) throw InvalidArgument("--joints: no joint of the robot can move");
+  common.progress("Taking poses ...");
+  const SimulatedRobotSession simulated = simulateRobotSession(robot, options.poses, options.samples);
+  common.progress("Writing ...");
+  const std::string joints = options.joints.empty() ? besideOutput(options, ".joints.csv") : options.joints;
+  const std::string truth = options.truth.empty() ? besideOutput(options, ".truth.json") : options.truth;
+  if (output.isStandard()) {
+    output.write(sessionToJson(simulated.session));
+  } else {
+    saveSession(simulated.session, options.output);
+  }
+  const bool beside = !output.isStandard();
+  const bool has_joints = moves && options.poses > 0 && (beside || !options.joints.empty());
+  const bool has_truth = beside || !options.truth.empty();
+  if (has_joints) writeFileAtomically(joints, jointAnglesCsv(jointAnglesOf(simulated.session), robot.robot()));
+  if (has_truth) writeFileAtomically(truth, robotTruthToJson(robot, simulated));
+  common.endProgress();
+  if (common.json) {
+    printJson({{"file", options.output},
+               {"joint_angles", has_joints ? nlohmann::ordered_json(joints) : nullptr},
+               {"truth", has_truth ? nlohmann::ordered_json(truth) : nullptr},
+               {"description", robot.description().english()},
+               {"cells", robot.neighbors().size()},
+               {"patches", robot.patches().size()},
+               {"poses", simulated.session.poses().size()}});
+  } else {
+    std::cout << robot.description() << ": " << robot.neighbors().size() << " cells in " << robot.patches().size()
+              << (robot.patches().size() == 1 ? " patch, " : " patches, ") << simulated.session.poses().size()
+              << " poses. Written to " << forTerminal(output.inWords());
+    if (has_joints) std::cout << "; joint angles: " << forTerminal(joints);
+    if (has_truth) std::cout << "; truth: " << forTerminal(truth);
+    std::cout << '\n';
+  }
+  return kDone;
+}
+
 int run(const SimulateOptions& options, const Common& common) {
   const Output output(options.output, common);
   if (!output.isStandard() && !options.output.ends_with(".json") && !isSessionFileName(options.output)) {
@@ -69,6 +137,10 @@ int run(const SimulateOptions& options, const Common& common) {
   CellModel model = asInput([&] { return loadCellModel(options.cell_model); });
   if (options.offset_sigma_mg >= 0) model.accelerometer.offset_sigma_g = options.offset_sigma_mg / 1000;
   model.validate();
+  if (!options.robot.empty()) {
+    common.progress("Laying the skins ...");
+    return runRobot(robotOf(std::move(model), options), options, output, common);
+  }
   SimulatedSkinOptions skin_options = options.ideal               ? SimulatedSkinOptions::ideal()
                                       : options.motion == "robot" ? SimulatedSkinOptions::robot()
                                                                   : SimulatedSkinOptions();
@@ -126,7 +198,7 @@ void addSimulate(CLI::App& app, Common& common) {
       ->add_option("--offset-sigma", options->offset_sigma_mg,
                    "Accelerometer offsets, 1 sigma, in mg (default: the cell model's)")
       ->check(CLI::NonNegativeNumber);
-  command->add_option("--fault", options->faults, faultSyntax() + "; may be repeated");
+  CLI::Option* faults = command->add_option("--fault", options->faults, faultSyntax() + "; may be repeated");
   CLI::Option* motion =
       command
           ->add_option("--motion", options->motion,
@@ -134,7 +206,44 @@ void addSimulate(CLI::App& app, Common& common) {
                        "readings a second, and a single joint")
           ->check(CLI::IsMember({"hand", "robot"}))
           ->capture_default_str();
-  command->add_flag("--ideal", options->ideal, "No jitter, no sensor errors, no noise, no hand")->excludes(motion);
+  CLI::Option* ideal =
+      command->add_flag("--ideal", options->ideal, "No jitter, no sensor errors, no noise, no hand")->excludes(motion);
+  CLI::Option* robot =
+      command
+          ->add_option("--robot", options->robot,
+                       "A robot that wears the skin, as URDF, or demo: an arm with a patch on the upper arm and one on "
+                       "the forearm. In every pose its joints stand in angles drawn at random")
+          ->excludes(motion)
+          ->excludes(faults);
+  command
+      ->add_option(
+          "--mount", options->robot_words.mounts,
+          "A patch on the robot: " + std::string(kMountSyntax) +
+              ", the place of its middle in the link's frame in m and rad, z out of the skin; without --surface "
+              "it lies on the link's body where that is nearest; may be repeated")
+      ->needs(robot);
+  command
+      ->add_option(
+          "--base", options->robot_words.base,
+          "What holds the robot: fixed, on a base that holds still; motors, the same with its motors on, which "
+          "shake it by 8 to 35 mg; or hand, which turns the whole robot anew in every pose")
+      ->check(CLI::IsMember({"fixed", "motors", "hand"}))
+      ->capture_default_str()
+      ->needs(robot)
+      ->excludes(ideal);
+  command
+      ->add_option("--package", options->robot_words.packages,
+                   "NAME=FOLDER of meshes at package://NAME/...; may be repeated")
+      ->needs(robot);
+  command
+      ->add_option("--joints", options->joints,
+                   "Joint angles to write (default: *.joints.csv beside the session; none beside -)")
+      ->needs(robot);
+  command
+      ->add_option("--truth", options->truth,
+                   "Truth to write: places of cells on links, errors of joints, links in every pose (default: "
+                   "*.truth.json beside the session; none beside -)")
+      ->needs(robot);
   command
       ->add_option("-o,--output", options->output,
                    "Session to write (*.session.json, or *.hexo, which must not exist yet; - is standard output)")
@@ -142,7 +251,8 @@ void addSimulate(CLI::App& app, Common& common) {
   common.addTo(*command);
   command->footer(
       "Example:\n  hexoderm-cli simulate --patch x17 --surface cylinder:r=0.0501 --poses 2 --seed 1 "
-      "-o arm.session.json");
+      "-o arm.session.json\n"
+      "  hexoderm-cli simulate --robot demo --poses 8 -o arm.session.json");
   command->callback([options, &common] { common.exit_code = run(*options, common); });
 }
 

@@ -155,7 +155,8 @@ std::string consoleHelp() {
          "\n"
          "  mend CELL [PORT]\n"
          "  explore                the cells explore their neighbours again\n"
-         "  turn X Y Z             until this direction of the body points up\n"
+         "  turn X Y Z             until this direction of the body (of a robot in a hand: its base) points up\n"
+         "  pose                   turns to the next pose; a robot's joints go to angles drawn at random\n"
          "  drop on|off|20%        messages of samples get lost on the wire\n"
          "  garble on|off|20%      a bit of a message is flipped\n"
          "  silence on|off         nothing is sent at all\n"
@@ -168,15 +169,15 @@ std::string faultSyntax() {
          namesOf(linkFaultNames());
 }
 
-void addFault(const std::string& text, SimulatedSkinOptions& skin) {
+void addFault(const std::string& text, std::vector<CellFault>& cells, std::vector<LinkFault>& links) {
   const std::vector<std::string> parts = split(text, ':');
   const auto number = [&](std::size_t part) { return parseUnsigned(parts[part], "--fault " + text); };
   const auto cell_fault = kindNamed(skinFaultNames(), parts[0]);
   const auto link_fault = kindNamed(linkFaultNames(), parts[0]);
   if (parts.size() == 2 && cell_fault) {
-    skin.faults.push_back({*cell_fault, CellId(number(1))});
+    cells.push_back({*cell_fault, CellId(number(1))});
   } else if (parts.size() == 3 && link_fault) {
-    skin.link_faults.push_back({*link_fault, {CellId(number(1)), PortNumber(number(2))}});
+    links.push_back({*link_fault, {CellId(number(1)), PortNumber(number(2))}});
   } else {
     throw InvalidArgument("--fault: expected " + faultSyntax() + ", found \"" + text + "\"");
   }
@@ -210,6 +211,10 @@ std::string runLine(const std::string& line, Emulator& emulator) {
   if (verb == "explore") {
     emulator.withDevice([&](EmulatedDevice::Messages& out) { emulator.device().exploreAgain(out); });
     return "exploring";
+  }
+  if (verb == "pose") {
+    emulator.withDevice([&](EmulatedDevice::Messages& out) { emulator.device().turnToNextPose(out); });
+    return "turning";
   }
   if (verb == "disconnect") {
     emulator.disconnect();

@@ -1,4 +1,6 @@
 #include "app/emulator/console.h"
+#include "hexoderm/device/simulation/robot_in_words.h"
+#include "hexoderm/device/simulation/simulated_skin.h"
 #include "hexoderm/util/error.h"
 #include "hexoderm/util/interrupt.h"
 #include "hexoderm/util/text.h"
@@ -8,10 +10,13 @@
 
 #include <CLI/CLI.hpp>
 
+#include <cmath>
 #include <csignal>
 #include <cstdint>
 #include <iostream>
+#include <memory>
 #include <optional>
+#include <utility>
 
 namespace hexoderm::emulator {
 namespace {
@@ -24,6 +29,8 @@ constexpr int kDevice = 4;
 
 struct Options {
   SimulatedSkinOptions skin;
+  std::string robot;  ///< empty: a skin alone
+  RobotInWords robot_words;
   std::string cell_model = "hex-bma150";
   std::string link_law = "bend";
   double offset_sigma_mg = -1;
@@ -62,8 +69,28 @@ void addOptions(CLI::App& app, Options& options) {
   app.add_option("--offset-sigma", options.offset_sigma_mg,
                  "Accelerometer offsets, 1 sigma, in mg (default: the cell model's)")
       ->check(CLI::NonNegativeNumber);
-  app.add_flag("--ideal", options.ideal, "No jitter, no sensor errors, no noise, no hand");
+  CLI::Option* ideal = app.add_flag("--ideal", options.ideal, "No jitter, no sensor errors, no noise, no hand");
   app.add_option("--fault", options.faults, faultSyntax() + "; may be repeated");
+
+  CLI::Option* robot = app.add_option(
+      "--robot", options.robot,
+      "A robot that wears the skin, as URDF, or demo: an arm with a patch on the upper arm and one on the "
+      "forearm. It moves its joints when it is asked to turn, and says where they stand");
+  app.add_option("--mount", options.robot_words.mounts,
+                 "A patch on the robot: " + std::string(kMountSyntax) +
+                     ", the place of its middle in the link's frame in m and rad, z out of the skin; without --surface "
+                     "it lies on the link's body where that is nearest; may be repeated")
+      ->needs(robot);
+  app.add_option("--base", options.robot_words.base,
+                 "What holds the robot: fixed, on a base that holds still; motors, the same with its motors on, which "
+                 "shake it by 8 to 35 mg; or hand, which turns the whole robot")
+      ->check(CLI::IsMember({"fixed", "motors", "hand"}))
+      ->capture_default_str()
+      ->needs(robot)
+      ->excludes(ideal);
+  app.add_option("--package", options.robot_words.packages,
+                 "NAME=FOLDER of meshes at package://NAME/...; may be repeated")
+      ->needs(robot);
 
   app.add_option("--rate", options.device.rate_hz, "Samples of each cell per second (default: the cell model's)")
       ->check(CLI::PositiveNumber);
@@ -73,16 +100,28 @@ void addOptions(CLI::App& app, Options& options) {
       ->capture_default_str();
 }
 
-SimulatedSkin makeSkin(const Options& options) {
+std::unique_ptr<SimulatedBody> makeBody(const Options& options) {
   CellModel model = loadCellModel(options.cell_model);
   if (options.offset_sigma_mg >= 0) model.accelerometer.offset_sigma_g = options.offset_sigma_mg / 1000;
+  const LinkLaw link_law = options.link_law == "surface" ? LinkLaw::Surface : LinkLaw::Bend;
+  if (!options.robot.empty()) {
+    RobotInWords robot = options.robot_words;
+    robot.robot = options.robot;
+    robot.patch = options.skin.patch;
+    robot.surface = options.skin.surface;
+    robot.seed = options.skin.seed;
+    robot.link_law = link_law;
+    robot.ideal = options.ideal;
+    for (const std::string& fault : options.faults) addFault(fault, robot.faults, robot.link_faults);
+    return std::make_unique<SimulatedRobot>(makeRobot(std::move(model), robot));
+  }
   SimulatedSkinOptions skin = options.ideal ? SimulatedSkinOptions::ideal() : SimulatedSkinOptions();
   skin.patch = options.skin.patch;
   skin.surface = options.skin.surface;
   skin.seed = options.skin.seed;
-  skin.link_law = options.link_law == "surface" ? LinkLaw::Surface : LinkLaw::Bend;
-  for (const std::string& fault : options.faults) addFault(fault, skin);
-  return {std::move(model), std::move(skin)};
+  skin.link_law = link_law;
+  for (const std::string& fault : options.faults) addFault(fault, skin.faults, skin.link_faults);
+  return std::make_unique<SimulatedSkin>(std::move(model), std::move(skin));
 }
 
 std::unique_ptr<DeviceLink> openLink(boost::asio::io_context& io, const Options& options) {
@@ -122,12 +161,12 @@ void run(Options options) {
   options.device.working_every_s *= options.speed;
   options.device.message_every_s *= options.speed;
   const std::string address = link->address();
-  EmulatedDevice device(makeSkin(options), options.device);
+  EmulatedDevice device(makeBody(options), options.device);
   const Exploration& exploration = device.exploration();
   std::cout << "listening on " << address << '\n'
-            << device.skin().description() << ": " << device.skin().truth().size() << " cells; exploring takes them "
-            << std::lround(1000 * exploration.duration_s) << " ms and " << exploration.messages << " messages"
-            << std::endl;
+            << device.body().description() << ": " << device.body().neighbors().size()
+            << " cells; exploring takes them " << std::lround(1000 * exploration.duration_s) << " ms and "
+            << exploration.messages << " messages" << std::endl;
 
   Emulator emulator(io, std::move(device), std::move(link), options.speed);
   endOnInterrupt("hexoderm-emulator: ended while something was held up\n");

@@ -776,8 +776,8 @@
         <translation>Jede Pose wird in diese Datei geschrieben, bevor sie als aufgenommen gilt.</translation>
     </message>
     <message>
-        <source>x17, ring8 or sheet:10x10, also with options: x17?seed=1&amp;speed=2. Its readings are made up.</source>
-        <translation>x17, ring8 oder sheet:10x10, auch mit Optionen: x17?seed=1&amp;speed=2. Die Messwerte sind simuliert.</translation>
+        <source>x17, ring8 or sheet:10x10, also with options: x17?seed=1&amp;speed=2; or robot, an arm with two patches. Its readings are made up.</source>
+        <translation>x17, ring8 oder sheet:10x10, auch mit Optionen: x17?seed=1&amp;speed=2; oder robot, ein Arm mit zwei Patches. Die Messwerte sind simuliert.</translation>
     </message>
 </context>
 <context>
@@ -880,6 +880,22 @@ Die Werte sagen, wie gut die Posen die Drehung der Zellen in drei Achsen festhal
         <source>take link %1 back</source>
         <translation>Verbindung %1 zurücknehmen</translation>
     </message>
+    <message>
+        <source>set the joint angles of pose %1</source>
+        <translation>Gelenkwinkel von Pose %1 setzen</translation>
+    </message>
+    <message>
+        <source>choose the robot</source>
+        <translation>Roboter wählen</translation>
+    </message>
+    <message>
+        <source>remove the robot</source>
+        <translation>Roboter entfernen</translation>
+    </message>
+    <message>
+        <source>place the patch of cell %1</source>
+        <translation>Hautstück von Zelle %1 einordnen</translation>
+    </message>
 </context>
 <context>
     <name>hexoderm::EventLog</name>
@@ -922,18 +938,6 @@ Die Werte sagen, wie gut die Posen die Drehung der Zellen in drei Achsen festhal
         <translation>Zieldatei</translation>
     </message>
     <message>
-        <source>Name of the robot</source>
-        <translation>Name des Roboters</translation>
-    </message>
-    <message>
-        <source>Parent link</source>
-        <translation>Elternglied</translation>
-    </message>
-    <message>
-        <source>Prefix of names</source>
-        <translation>Namensvorsatz</translation>
-    </message>
-    <message>
         <source>Export the calibration</source>
         <translation>Kalibrierung exportieren</translation>
     </message>
@@ -960,34 +964,6 @@ Die Werte sagen, wie gut die Posen die Drehung der Zellen in drei Achsen festhal
     <message>
         <source>Calibration</source>
         <translation>Kalibrierung</translation>
-    </message>
-    <message>
-        <source>Unit of length</source>
-        <translation>Längeneinheit</translation>
-    </message>
-    <message>
-        <source>Millimetres</source>
-        <translation>Millimeter</translation>
-    </message>
-    <message>
-        <source>Metres</source>
-        <translation>Meter</translation>
-    </message>
-    <message>
-        <source>Unit</source>
-        <translation>Einheit</translation>
-    </message>
-    <message>
-        <source>Links</source>
-        <translation>Glieder</translation>
-    </message>
-    <message>
-        <source>One for each cell</source>
-        <translation>Eines je Zelle</translation>
-    </message>
-    <message>
-        <source>Robot</source>
-        <translation>Roboter</translation>
     </message>
     <message>
         <source>Hexoderm&apos;s own file: everything that is known, to be opened again, compared and exported from later.</source>
@@ -1018,10 +994,6 @@ Die Werte sagen, wie gut die Posen die Drehung der Zellen in drei Achsen festhal
         <translation>Ersetzen</translation>
     </message>
     <message>
-        <source>One for the patch (lighter in RViz)</source>
-        <translation>Eines für das Hautstück (leichter in RViz)</translation>
-    </message>
-    <message>
         <source>Patch</source>
         <translation>Hautstück</translation>
     </message>
@@ -1040,6 +1012,10 @@ Die Werte sagen, wie gut die Posen die Drehung der Zellen in drei Achsen festhal
     <message>
         <source>Patch of cell %1, %2 cells</source>
         <translation>Hautstück der Zelle %1, %2 Zellen</translation>
+    </message>
+    <message>
+        <source>All that are placed on the robot</source>
+        <translation>Alle, die am Roboter eingeordnet sind</translation>
     </message>
 </context>
 <context>
@@ -1507,6 +1483,30 @@ Die Werte sagen, wie gut die Posen die Drehung der Zellen in drei Achsen festhal
         <source>The placements of %1 cells are being worked out…</source>
         <translation>Die Lagen der %1 Zellen werden berechnet…</translation>
     </message>
+    <message>
+        <source>%1 of %2 patches placed</source>
+        <translation>%1 von %2 Hautstücken eingeordnet</translation>
+    </message>
+    <message>
+        <source>Place on the robot</source>
+        <translation>Am Roboter einordnen</translation>
+    </message>
+    <message>
+        <source>A calibration is open: it holds the result, not the poses.</source>
+        <translation>Eine Kalibrierung ist geöffnet: Sie enthält das Ergebnis, nicht die Posen.</translation>
+    </message>
+    <message>
+        <source>There is a result to place.</source>
+        <translation>Es gibt ein Ergebnis, das sich einordnen lässt.</translation>
+    </message>
+    <message>
+        <source>Say where on the robot each patch is.</source>
+        <translation>Angeben, wo am Roboter jedes Hautstück ist.</translation>
+    </message>
+    <message>
+        <source>With the robot&apos;s description and its joint angles, gravity tells which link a patch is on and how it is turned there; the link&apos;s surface, or known points, tell where. Files for robots need it.</source>
+        <translation>Mit der Beschreibung des Roboters und seinen Gelenkwinkeln verrät die Schwerkraft, auf welchem Glied ein Hautstück liegt und wie es dort gedreht ist; die Oberfläche des Glieds oder bekannte Punkte sagen, wo. Dateien für Roboter brauchen das.</translation>
+    </message>
 </context>
 <context>
     <name>hexoderm::GuidePresenter</name>
@@ -1591,6 +1591,64 @@ Die Werte sagen, wie gut die Posen die Drehung der Zellen in drei Achsen festhal
     <message>
         <source>How long the part has been held</source>
         <translation>Wie lange das Teil schon gehalten wird</translation>
+    </message>
+</context>
+<context>
+    <name>hexoderm::JointTable</name>
+    <message>
+        <source>between %1 and %2</source>
+        <translation>zwischen %1 und %2</translation>
+    </message>
+    <message>
+        <source>The block has %1 rows and %2 columns, and from here there is room for %3 and %4.</source>
+        <translation>Der Block hat %1 Zeilen und %2 Spalten, und von hier an ist Platz für %3 und %4.</translation>
+    </message>
+    <message>
+        <source>Pose %1, joint %2</source>
+        <translation>Pose %1, Gelenk %2</translation>
+    </message>
+    <message>
+        <source>not known</source>
+        <translation>nicht bekannt</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is no number: joint %2 in pose %3 takes millimetres.</source>
+        <translation>„%1“ ist keine Zahl: Gelenk %2 in Pose %3 nimmt Millimeter.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is no number: joint %2 in pose %3 takes degrees.</source>
+        <translation>„%1“ ist keine Zahl: Gelenk %2 in Pose %3 nimmt Grad.</translation>
+    </message>
+    <message>
+        <source>%1 is no position of joint %2.</source>
+        <translation>%1 ist keine Stellung von Gelenk %2.</translation>
+    </message>
+    <message>
+        <source>Pose %1</source>
+        <translation>Pose %1</translation>
+    </message>
+    <message>
+        <source>Joint %1, %2</source>
+        <translation>Gelenk %1, %2</translation>
+    </message>
+    <message>
+        <source>Joint %1, without limits</source>
+        <translation>Gelenk %1, ohne Grenzen</translation>
+    </message>
+</context>
+<context>
+    <name>hexoderm::JointTableView</name>
+    <message>
+        <source>Copy</source>
+        <translation>Kopieren</translation>
+    </message>
+    <message>
+        <source>Paste</source>
+        <translation>Einfügen</translation>
+    </message>
+    <message>
+        <source>Clear</source>
+        <translation>Leeren</translation>
     </message>
 </context>
 <context>
@@ -3054,10 +3112,6 @@ Die Werte sagen, wie gut die Posen die Drehung der Zellen in drei Achsen festhal
         <translation>simulierte Haut: Die Richtung nach oben muss ein endlicher Vektor ungleich null sein</translation>
     </message>
     <message>
-        <source>simulated skin: there is no cell {}</source>
-        <translation>simulierte Haut: Es gibt keine Zelle {}</translation>
-    </message>
-    <message>
         <source>source &quot;{}&quot;: speed must be above 0</source>
         <translation>Quelle „{}“: speed muss über 0 liegen</translation>
     </message>
@@ -3068,10 +3122,6 @@ Die Werte sagen, wie gut die Posen die Drehung der Zellen in drei Achsen festhal
     <message>
         <source>there is no cell {}</source>
         <translation>es gibt keine Zelle {}</translation>
-    </message>
-    <message>
-        <source>up must be a finite vector other than zero</source>
-        <translation>die Richtung nach oben muss ein endlicher Vektor ungleich null sein</translation>
     </message>
     <message>
         <source>another turn came before it was there</source>
@@ -3618,10 +3668,6 @@ Die Werte sagen, wie gut die Posen die Drehung der Zellen in drei Achsen festhal
         <translation>ein Objekt</translation>
     </message>
     <message>
-        <source>kind: expected capture, remove, restore, disable, enable, mute, unmute, skin, source, truth or options, found &quot;{}&quot;</source>
-        <translation>kind: erwartet ist capture, remove, restore, disable, enable, mute, unmute, skin, source, truth oder options, gefunden wurde „{}“</translation>
-    </message>
-    <message>
         <source>a skin must have a cell model</source>
         <translation>eine Haut muss ein Zellmodell haben</translation>
     </message>
@@ -4089,10 +4135,6 @@ Die Werte sagen, wie gut die Posen die Drehung der Zellen in drei Achsen festhal
     <message>
         <source>{} has no field with the number {}</source>
         <translation>{} hat kein Feld mit der Nummer {}</translation>
-    </message>
-    <message>
-        <source>there is no message of type {}; expected 1 to 6</source>
-        <translation>es gibt keine Nachricht vom Typ {}; erwartet wird 1 bis 6</translation>
     </message>
     <message>
         <source>a message can&apos;t be sent: {}</source>
@@ -4571,12 +4613,1405 @@ Die Werte sagen, wie gut die Posen die Drehung der Zellen in drei Achsen festhal
         <translation>Nach der fehlenden Verbindung suchen oder Hautstück für Hautstück exportieren.</translation>
     </message>
     <message>
+<<<<<<< HEAD
+        <source>&quot;{}&quot; is none of its values</source>
+        <translation>„{}“ ist keiner der möglichen Werte</translation>
+    </message>
+    <message>
+        <source>Unit</source>
+        <translation>Einheit</translation>
+    </message>
+    <message>
+        <source>mm or m; STL itself has no unit</source>
+        <translation>mm oder m; STL selbst hat keine Einheit</translation>
+    </message>
+    <message>
+        <source>Millimetres</source>
+        <translation>Millimeter</translation>
+    </message>
+    <message>
+        <source>Metres</source>
+        <translation>Meter</translation>
+    </message>
+    <message>
+        <source>URDF of the robot</source>
+        <translation>URDF des Roboters</translation>
+    </message>
+    <message>
+        <source>URDF of the robot that gets the skin</source>
+        <translation>URDF des Roboters, der die Haut bekommt</translation>
+    </message>
+    <message>
+        <source>Name of the model</source>
+        <translation>Name des Modells</translation>
+    </message>
+    <message>
+        <source>Parent link</source>
+        <translation>Elternglied</translation>
+    </message>
+    <message>
+        <source>Link that a patch is fixed to whose place is not known</source>
+        <translation>Glied, an dem ein Hautstück befestigt wird, dessen Ort nicht bekannt ist</translation>
+    </message>
+    <message>
+        <source>Prefix of names</source>
+        <translation>Namensvorsatz</translation>
+    </message>
+    <message>
+        <source>Prefix of the names of links, joints and frames</source>
+        <translation>Vorsatz der Namen von Gliedern, Gelenken und Koordinatensystemen</translation>
+    </message>
+    <message>
+        <source>Links</source>
+        <translation>Glieder</translation>
+    </message>
+    <message>
+        <source>One link or frame per cell and sensor, or one per patch</source>
+        <translation>Ein Glied oder Koordinatensystem je Zelle und Sensor, oder eines je Hautstück</translation>
+    </message>
+    <message>
+        <source>One for each cell</source>
+        <translation>Eines je Zelle</translation>
+    </message>
+    <message>
+        <source>One for the patch (lighter in RViz)</source>
+        <translation>Eines für das Hautstück (leichter in RViz)</translation>
+    </message>
+    <message>
+        <source>Form</source>
+        <translation>Form</translation>
+    </message>
+    <message>
+        <source>alone: loads by itself; part: to be included in a robot that has the parent link; xacro: a macro for each patch</source>
+        <translation>alone: lässt sich allein laden; part: zum Einbinden in einen Roboter, der das Elternglied hat; xacro: ein Makro je Hautstück</translation>
+    </message>
+    <message>
+        <source>Loads by itself</source>
+        <translation>Lässt sich allein laden</translation>
+    </message>
+    <message>
+        <source>Part of a robot, without the parent link</source>
+        <translation>Teil eines Roboters, ohne das Elternglied</translation>
+    </message>
+    <message>
+        <source>xacro macro for each patch</source>
+        <translation>xacro-Makro je Hautstück</translation>
+    </message>
+    <message>
+        <source>no patch has cell {} as its origin</source>
+        <translation>kein Hautstück hat Zelle {} als Ursprung</translation>
+    </message>
+    <message>
+        <source>the patches are placed on {} links, and {} as asked for holds one, for how links lie to each other depends on the robot&apos;s joints: name one of them</source>
+        <translation>die Hautstücke sitzen an {} Gliedern, und {} nimmt in dieser Form nur eines auf, denn wie Glieder zueinander liegen, hängt von den Gelenken des Roboters ab: nennen Sie eines davon</translation>
+    </message>
+    <message>
+        <source>{} holds each patch in a frame of its own, not in that of a link</source>
+        <translation>{} enthält jedes Hautstück in einem eigenen Koordinatensystem, nicht in dem eines Gliedes</translation>
+    </message>
+    <message>
+        <source>no exported patch is placed on link {}</source>
+        <translation>keines der zu exportierenden Hautstücke sitzt an Glied {}</translation>
+    </message>
+    <message>
+        <source>&quot;{}&quot; is no name for a xacro macro: leave out the /</source>
+        <translation>„{}“ ist kein Name für ein xacro-Makro: lassen Sie den / weg</translation>
+    </message>
+    <message>
+        <source>expected each {} once, found {} again</source>
+        <translation>jedes Element {} darf nur einmal vorkommen, {} gibt es noch einmal</translation>
+    </message>
+    <message>
+        <source>the link {} hangs on two joints</source>
+        <translation>das Glied {} hängt an zwei Gelenken</translation>
+    </message>
+    <message>
+        <source>already has a {} {}: if this is an earlier skin, give the robot&apos;s own file, else choose another prefix of names</source>
+        <translation>{} {} gibt es dort schon: ist das eine frühere Haut, geben Sie die Datei des Roboters selbst an, sonst wählen Sie einen anderen Namensvorsatz</translation>
+    </message>
+    <message>
+        <source>link</source>
+        <translation>Glied</translation>
+    </message>
+    <message>
+        <source>joint</source>
+        <translation>Gelenk</translation>
+    </message>
+    <message>
+        <source>sensor</source>
+        <translation>Sensor</translation>
+    </message>
+    <message>
+        <source>expected an end tag &lt;/robot&gt;, but there is none</source>
+        <translation>erwartet wird ein End-Tag &lt;/robot&gt;, es gibt aber keines</translation>
+    </message>
+    <message>
+        <source>A DOT file is a flat drawing without places and uncertainties.</source>
+        <translation>Eine DOT-Datei ist eine flache Zeichnung ohne Lagen und Unsicherheiten.</translation>
+    </message>
+    <message>
+        <source>A PLY file holds no sensors and no uncertainties.</source>
+        <translation>Eine PLY-Datei enthält keine Sensoren und keine Unsicherheiten.</translation>
+    </message>
+    <message>
+        <source>An STL file holds no IDs, colours, sensors and uncertainties.</source>
+        <translation>Eine STL-Datei enthält keine Nummern, Farben, Sensoren und Unsicherheiten.</translation>
+    </message>
+    <message>
+        <source>A VTP file holds no links between cells.</source>
+        <translation>Eine VTP-Datei enthält keine Verbindungen zwischen den Zellen.</translation>
+    </message>
+    <message>
+        <source>A URDF holds no uncertainties.</source>
+        <translation>Ein URDF enthält keine Unsicherheiten.</translation>
+    </message>
+    <message>
+        <source>the robot&apos;s own URDF, unchanged, with the skin on its links</source>
+        <translation>das URDF des Roboters selbst, unverändert, mit der Haut an seinen Gliedern</translation>
+    </message>
+    <message>
+        <source>static transforms of all frames, a ROS 1 launch file</source>
+        <translation>feste Transformationen aller Koordinatensysteme, als Launch-Datei für ROS 1</translation>
+    </message>
+    <message>
+        <source>Static transforms hold no shapes and no uncertainties.</source>
+        <translation>Feste Transformationen enthalten keine Formen und keine Unsicherheiten.</translation>
+    </message>
+    <message>
+        <source>static transforms of all frames, a ROS 2 launch file</source>
+        <translation>feste Transformationen aller Koordinatensysteme, als Launch-Datei für ROS 2</translation>
+    </message>
+    <message>
+        <source>static transforms of all frames, TransformStamped in YAML</source>
+        <translation>feste Transformationen aller Koordinatensysteme, TransformStamped in YAML</translation>
+    </message>
+    <message>
+        <source>SkinConfig of the TUM skin&apos;s own software</source>
+        <translation>SkinConfig der Software zur TUM-Haut</translation>
+    </message>
+    <message>
+        <source>A SkinConfig holds no sensors, no uncertainties, and not the port of the computer.</source>
+        <translation>Eine SkinConfig enthält keine Sensoren, keine Unsicherheiten und nicht den Anschluss des Rechners.</translation>
+    </message>
+    <message>
+        <source>taxel positions as iCub reads them, a taxel for each cell</source>
+        <translation>Taxelpositionen, wie iCub sie liest, ein Taxel je Zelle</translation>
+    </message>
+    <message>
+        <source>Taxel positions are centres and normals of the cells, without IDs, turns about the normal and uncertainties.</source>
+        <translation>Taxelpositionen sind Mittelpunkte und Normalen der Zellen, ohne Nummern, Drehungen um die Normale und Unsicherheiten.</translation>
+    </message>
+    <message>
+        <source>map of the cells for Skinware (CySkin)</source>
+        <translation>Karte der Zellen für Skinware (CySkin)</translation>
+    </message>
+    <message>
+        <source>A Skinware map holds centres and normals of the cells, without turns about the normal and uncertainties.</source>
+        <translation>Eine Skinware-Karte enthält Mittelpunkte und Normalen der Zellen, ohne Drehungen um die Normale und Unsicherheiten.</translation>
+    </message>
+    <message>
+        <source>mesh of the cells in metres, an object for each cell</source>
+        <translation>Netz der Zellen in Metern, ein Objekt je Zelle</translation>
+    </message>
+    <message>
+        <source>An OBJ file holds no sensors and no uncertainties.</source>
+        <translation>Eine OBJ-Datei enthält keine Sensoren und keine Unsicherheiten.</translation>
+    </message>
+    <message>
+        <source>scene with a node for each cell and sensor (glTF 2.0)</source>
+        <translation>Szene mit einem Knoten je Zelle und Sensor (glTF 2.0)</translation>
+    </message>
+    <message>
+        <source>A glTF scene holds no uncertainties.</source>
+        <translation>Eine glTF-Szene enthält keine Unsicherheiten.</translation>
+    </message>
+    <message>
+        <source>model for Gazebo, with a frame for each cell and sensor</source>
+        <translation>Modell für Gazebo, mit einem Koordinatensystem je Zelle und Sensor</translation>
+    </message>
+    <message>
+        <source>An SDF model holds no uncertainties; the skin&apos;s mass is not known, and 1 g stands for it.</source>
+        <translation>Ein SDF-Modell enthält keine Unsicherheiten; die Masse der Haut ist nicht bekannt, und 1 g steht dafür.</translation>
+    </message>
+    <message>
+        <source>model for MuJoCo, with a site for each sensor</source>
+        <translation>Modell für MuJoCo, mit einer Stelle („site“) je Sensor</translation>
+    </message>
+    <message>
+        <source>An MJCF model holds no uncertainties and no mass of the skin.</source>
+        <translation>Ein MJCF-Modell enthält keine Unsicherheiten und keine Masse der Haut.</translation>
+    </message>
+    <message>
+        <source>expected finite numbers for the patch of cell {}</source>
+        <translation>erwartet werden endliche Zahlen für das Hautstück der Zelle {}</translation>
+    </message>
+    <message>
+        <source>the patch of cell {} is placed twice</source>
+        <translation>das Hautstück der Zelle {} ist zweimal platziert</translation>
+    </message>
+    <message>
+        <source>expected the URDF of the robot that gets the skin</source>
+        <translation>erwartet wird das URDF des Roboters, der die Haut bekommt</translation>
+    </message>
+    <message>
+        <source>Not in the file: the patch of cell {} ({}), because it is not placed on a link that the file holds.</source>
+        <translation>Nicht in der Datei: das Hautstück der Zelle {} ({}), weil es an keinem Glied sitzt, das die Datei enthält.</translation>
+    </message>
+    <message>
+        <source>Not in the file: {} patches ({}), because they are not placed on a link that the file holds.</source>
+        <translation>Nicht in der Datei: {} Hautstücke ({}), weil sie an keinem Glied sitzen, das die Datei enthält.</translation>
+    </message>
+    <message>
+        <source>&quot;{}&quot; is also the name of a link of the skin</source>
+        <translation>„{}“ ist auch der Name eines Gliedes der Haut</translation>
+    </message>
+    <message>
+        <source>simulated robot: {} must not be negative</source>
+        <translation>Simulierter Roboter: {} darf nicht negativ sein</translation>
+    </message>
+    <message>
+        <source>simulated robot: range_share must be from 0 to 1</source>
+        <translation>Simulierter Roboter: range_share muss zwischen 0 und 1 liegen</translation>
+    </message>
+    <message>
+        <source>simulated robot: expected at least one patch on a link</source>
+        <translation>Simulierter Roboter: Mindestens ein Hautstück auf einem Glied wird erwartet</translation>
+    </message>
+    <message>
+        <source>{} on {}</source>
+        <translation>{} auf {}</translation>
+    </message>
+    <message>
+        <source>Simulated robot {} on a fixed base: {}, seed {}</source>
+        <translation>Simulierter Roboter {} auf fester Basis: {}, Startwert {}</translation>
+    </message>
+    <message>
+        <source>Simulated robot {} in a hand: {}, seed {}</source>
+        <translation>Simulierter Roboter {} in einer Hand: {}, Startwert {}</translation>
+    </message>
+    <message>
+        <source>there is no message of type {}; expected 1 to 7</source>
+        <translation>Eine Nachricht vom Typ {} gibt es nicht; erwartet: 1 bis 7</translation>
+    </message>
+    <message>
+        <source>expected 1 to {} numbers, found {}</source>
+        <translation>1 bis {} Zahlen werden erwartet, gefunden: {}</translation>
+    </message>
+    <message>
+        <source>expected the name of a joint, found nothing</source>
+        <translation>Der Name eines Gelenks wird erwartet, gefunden wurde nichts</translation>
+    </message>
+    <message>
+        <source>expected each joint once</source>
+        <translation>Jedes Gelenk wird nur einmal erwartet</translation>
+    </message>
+    <message>
+        <source>expected finite numbers, at most {}</source>
+        <translation>Endliche Zahlen bis höchstens {} werden erwartet</translation>
+    </message>
+    <message>
+        <source>expected a number for each of {} joints that were named, found {}</source>
+        <translation>Eine Zahl für jedes der {} genannten Gelenke wird erwartet, gefunden: {}</translation>
+    </message>
+    <message>
+        <source>the body has no surface on which a patch could lie</source>
+        <translation>Der Körper hat keine Oberfläche, auf der ein Hautstück liegen könnte</translation>
+    </message>
+    <message>
+        <source>the patch can&apos;t be laid there: its x axis would stand upright on the body</source>
+        <translation>Dort kann das Hautstück nicht liegen: Seine x-Achse stünde senkrecht auf dem Körper</translation>
+    </message>
+    <message>
+        <source>the demo robot is not installed: there is no {}</source>
+        <translation>Der Demo-Roboter ist nicht installiert: Es fehlt {}</translation>
+    </message>
+    <message>
+        <source>a joint&apos;s position needs the name of the joint</source>
+        <translation>Zur Stellung eines Gelenks gehört dessen Name</translation>
+    </message>
+    <message>
+        <source>joint {}: expected a finite position, at most {}</source>
+        <translation>Gelenk {}: Eine endliche Stellung bis höchstens {} wird erwartet</translation>
+    </message>
+    <message>
+        <source>the table is too large</source>
+        <translation>Die Tabelle ist zu groß</translation>
+    </message>
+    <message>
+        <source>expected a line for each pose, but there is none</source>
+        <translation>Eine Zeile für jede Pose wird erwartet, es gibt aber keine</translation>
+    </message>
+    <message>
+        <source>column {}</source>
+        <translation>Spalte {}</translation>
+    </message>
+    <message>
+        <source>expected the unit of the angles, deg or rad, found {}</source>
+        <translation>Die Einheit der Winkel, deg oder rad, wird erwartet, gefunden: {}</translation>
+    </message>
+    <message>
+        <source>expected the unit above the line with the names of the joints</source>
+        <translation>Die Einheit wird über der Zeile mit den Namen der Gelenke erwartet</translation>
+    </message>
+    <message>
+        <source>expected fields separated by commas; a quote is not closed</source>
+        <translation>Durch Kommas getrennte Felder werden erwartet; ein Anführungszeichen ist nicht geschlossen</translation>
+    </message>
+    <message>
+        <source>is empty; expected a line with the names of the joints</source>
+        <translation>ist leer; eine Zeile mit den Namen der Gelenke wird erwartet</translation>
+    </message>
+    <message>
+        <source>there are more than {} columns</source>
+        <translation>Es gibt mehr als {} Spalten</translation>
+    </message>
+    <message>
+        <source>joint {} has a column already</source>
+        <translation>Gelenk {} hat schon eine Spalte</translation>
+    </message>
+    <message>
+        <source>expected one column pose or time, this is a second one</source>
+        <translation>Eine einzige Spalte „pose“ oder „time“ wird erwartet, dies ist eine zweite</translation>
+    </message>
+    <message>
+        <source>expected a column pose (the poses&apos; numbers) or time (s since 1970, UTC)</source>
+        <translation>Eine Spalte „pose“ (Nummern der Posen) oder „time“ (s seit 1970, UTC) wird erwartet</translation>
+    </message>
+    <message>
+        <source>these joints of the robot have no column: {}</source>
+        <translation>Diese Gelenke des Roboters haben keine Spalte: {}</translation>
+    </message>
+    <message>
+        <source>{} joints of the robot have no column, {} among them</source>
+        <translation>{} Gelenke des Roboters haben keine Spalte, darunter {}</translation>
+    </message>
+    <message>
+        <source>expected one for each joint that can move (0 where it did not)</source>
+        <translation>Für jedes bewegliche Gelenk wird eine erwartet (0, wo es sich nicht bewegt hat)</translation>
+    </message>
+    <message>
+        <source>expected the name of a joint above every column</source>
+        <translation>Über jeder Spalte wird der Name eines Gelenks erwartet</translation>
+    </message>
+    <message>
+        <source>this joint of the robot is fixed and has no angle</source>
+        <translation>Dieses Gelenk des Roboters ist fest und hat keinen Winkel</translation>
+    </message>
+    <message>
+        <source>the robot {} has no joint {}</source>
+        <translation>Der Roboter {} hat kein Gelenk {}</translation>
+    </message>
+    <message>
+        <source>did you mean {}?</source>
+        <translation>Ist {} gemeint?</translation>
+    </message>
+    <message>
+        <source>expected the unit deg or rad, found {}</source>
+        <translation>Die Einheit deg oder rad wird erwartet, gefunden: {}</translation>
+    </message>
+    <message>
+        <source>expected the unit m or mm, found {}</source>
+        <translation>Die Einheit m oder mm wird erwartet, gefunden: {}</translation>
+    </message>
+    <message>
+        <source>expected the unit s, ms, us or ns, found {}</source>
+        <translation>Die Einheit s, ms, us oder ns wird erwartet, gefunden: {}</translation>
+    </message>
+    <message>
+        <source>expected the unit in the title, as in lift[m]</source>
+        <translation>Die Einheit wird im Titel erwartet, wie in lift[m]</translation>
+    </message>
+    <message>
+        <source>expected the unit in the title, as in {}[deg] or {}[rad], or a first line &quot;# unit: deg&quot;</source>
+        <translation>Die Einheit wird im Titel erwartet, wie in {}[deg] oder {}[rad], oder eine erste Zeile „# unit: deg“</translation>
+    </message>
+    <message>
+        <source>expected {} columns as in the first line, found {}</source>
+        <translation>{} Spalten wie in der ersten Zeile werden erwartet, gefunden: {}</translation>
+    </message>
+    <message>
+        <source>{} is no joint&apos;s angle</source>
+        <translation>{} ist kein Gelenkwinkel</translation>
+    </message>
+    <message>
+        <source>expected a number, but there is none</source>
+        <translation>Eine Zahl wird erwartet, es gibt aber keine</translation>
+    </message>
+    <message>
+        <source>pose {} was given already, in line {}</source>
+        <translation>Pose {} kam schon in Zeile {} vor</translation>
+    </message>
+    <message>
+        <source>expected times that ascend; {} does not</source>
+        <translation>Aufsteigende Zeiten werden erwartet; {} ist nicht größer als die vorige</translation>
+    </message>
+    <message>
+        <source>Joint {} is at {}; its limits are {} and {}.</source>
+        <translation>Gelenk {} steht bei {}; seine Grenzen sind {} und {}.</translation>
+    </message>
+    <message>
+        <source>These joint angles are probably degrees that were read as rad: {} of {} joints that turn are far beyond their limits, and as degrees none is. Joint {}, for example, has {}.</source>
+        <translation>Diese Gelenkwinkel sind wahrscheinlich Grad, die als Radiant gelesen wurden: {} von {} Drehgelenken liegen weit außerhalb ihrer Grenzen, in Grad keines. Gelenk {} zum Beispiel hat {}.</translation>
+    </message>
+    <message>
+        <source>there is no such mesh file</source>
+        <translation>Diese Netzdatei gibt es nicht</translation>
+    </message>
+    <message>
+        <source>expected a mesh file, but this is none</source>
+        <translation>Eine Netzdatei wird erwartet, das ist aber keine</translation>
+    </message>
+    <message>
+        <source>is too large: at most {} MB of a mesh are read</source>
+        <translation>ist zu groß: Von einem Netz werden höchstens {} MB gelesen</translation>
+    </message>
+    <message>
+        <source>expected a mesh of triangles, but it has none</source>
+        <translation>Ein Netz aus Dreiecken wird erwartet, es hat aber keine</translation>
+    </message>
+    <message>
+        <source>nests its parts too deeply</source>
+        <translation>verschachtelt seine Teile zu tief</translation>
+    </message>
+    <message>
+        <source>has more than {} triangles</source>
+        <translation>hat mehr als {} Dreiecke</translation>
+    </message>
+    <message>
+        <source>point {} is not finite or farther than {} from its origin</source>
+        <translation>Punkt {} ist nicht endlich oder weiter als {} vom Ursprung entfernt</translation>
+    </message>
+    <message>
+        <source>this is no mesh that can be read: {}</source>
+        <translation>Das ist kein lesbares Netz: {}</translation>
+    </message>
+    <message>
+        <source>this is no valid URDF; urdfdom says: {}</source>
+        <translation>Das ist keine gültige URDF; urdfdom meldet: {}</translation>
+    </message>
+    <message>
+        <source>link {}</source>
+        <translation>Glied {}</translation>
+    </message>
+    <message>
+        <source>joint {}</source>
+        <translation>Gelenk {}</translation>
+    </message>
+    <message>
+        <source>expected an origin of metres, at most {}</source>
+        <translation>Ein Ursprung in Metern bis höchstens {} wird erwartet</translation>
+    </message>
+    <message>
+        <source>expected rpy of finite angles in rad</source>
+        <translation>Für rpy werden endliche Winkel in Radiant erwartet</translation>
+    </message>
+    <message>
+        <source>expected a box, cylinder, sphere or mesh</source>
+        <translation>Ein Quader, ein Zylinder, eine Kugel oder ein Netz wird erwartet</translation>
+    </message>
+    <message>
+        <source>expected a scale of three numbers, none of them 0</source>
+        <translation>Ein Maßstab aus drei Zahlen ungleich 0 wird erwartet</translation>
+    </message>
+    <message>
+        <source>expected an axis of three finite numbers</source>
+        <translation>Eine Achse aus drei endlichen Zahlen wird erwartet</translation>
+    </message>
+    <message>
+        <source>expected an axis, but its length is 0</source>
+        <translation>Eine Achse wird erwartet, ihre Länge ist aber 0</translation>
+    </message>
+    <message>
+        <source>expected limits of which the lower is not above the upper</source>
+        <translation>Grenzen werden erwartet, deren untere nicht über der oberen liegt</translation>
+    </message>
+    <message>
+        <source>Joint {} is a floating one; it is taken as fixed at its zero.</source>
+        <translation>Gelenk {} ist frei beweglich; es wird als fest in seiner Nullstellung genommen.</translation>
+    </message>
+    <message>
+        <source>Joint {} is a planar one; it is taken as fixed at its zero.</source>
+        <translation>Gelenk {} ist in einer Ebene beweglich; es wird als fest in seiner Nullstellung genommen.</translation>
+    </message>
+    <message>
+        <source>expected the type revolute, continuous, prismatic, fixed, floating or planar</source>
+        <translation>Der Typ revolute, continuous, prismatic, fixed, floating oder planar wird erwartet</translation>
+    </message>
+    <message>
+        <source>mimics joint {}, which is not among the robot&apos;s joints</source>
+        <translation>folgt Gelenk {}, das der Roboter nicht hat</translation>
+    </message>
+    <message>
+        <source>expected a multiplier and an offset that are finite</source>
+        <translation>Ein endlicher Faktor und ein endlicher Versatz werden erwartet</translation>
+    </message>
+    <message>
+        <source>mimics joints that mimic each other in a circle</source>
+        <translation>folgt Gelenken, die einander im Kreis folgen</translation>
+    </message>
+    <message>
+        <source>the mesh {} can&apos;t be found: {}</source>
+        <translation>Das Netz {} ist nicht zu finden: {}</translation>
+    </message>
+    <message>
+        <source>say which folder is the package {}, as --package {}=FOLDER</source>
+        <translation>Geben Sie den Ordner des Pakets {} an: --package {}=ORDNER</translation>
+    </message>
+    <message>
+        <source>expected package://NAME/FILE, file:///FILE or a path</source>
+        <translation>package://NAME/DATEI, file:///DATEI oder ein Pfad wird erwartet</translation>
+    </message>
+    <message>
+        <source>the robot has no link {}</source>
+        <translation>Der Roboter hat kein Glied {}</translation>
+    </message>
+    <message>
+        <source>the robot has no joint {}</source>
+        <translation>Der Roboter hat kein Gelenk {}</translation>
+    </message>
+    <message>
+        <source>The body of link {} would be {} m long: its mesh is probably in millimetres, where a URDF needs metres. With a scale of 0.001 it would be {} long.</source>
+        <translation>Der Körper von Glied {} wäre {} m lang: Sein Netz ist wahrscheinlich in Millimetern, wo eine URDF Meter braucht. Im Maßstab 0,001 wäre er {} lang.</translation>
+    </message>
+    <message>
+        <source>The body of link {} would be only {} long: its mesh is probably scaled twice. With a scale 1000 times as large it would be {} long.</source>
+        <translation>Der Körper von Glied {} wäre nur {} lang: Sein Netz ist wahrscheinlich zweimal verkleinert. In tausendfachem Maßstab wäre er {} lang.</translation>
+    </message>
+    <message>
+        <source>this is not well-formed XML ({}; truncated?), expected a URDF</source>
+        <translation>Das ist kein wohlgeformtes XML ({}; abgeschnitten?), erwartet wird eine URDF</translation>
+    </message>
+    <message>
+        <source>expected a URDF, whose root element is &lt;robot&gt;, found &lt;{}&gt;</source>
+        <translation>Eine URDF mit dem Wurzelelement &lt;robot&gt; wird erwartet, gefunden: &lt;{}&gt;</translation>
+    </message>
+    <message>
+        <source>the elements are nested too deeply for a URDF</source>
+        <translation>Die Elemente sind für eine URDF zu tief verschachtelt</translation>
+    </message>
+    <message>
+        <source>{} is xacro, from which URDF is made: run xacro first, and open what it writes</source>
+        <translation>{} ist xacro, woraus URDF erst entsteht: Rufen Sie zuerst xacro auf, und öffnen Sie dessen Ausgabe</translation>
+    </message>
+    <message>
+        <source>&lt;{}&gt; has no name</source>
+        <translation>&lt;{}&gt; hat keinen Namen</translation>
+    </message>
+    <message>
+        <source>there is a {} {} already, in line {}: expected each name once</source>
+        <translation>Ein {} {} gibt es schon in Zeile {}: Jeder Name wird nur einmal erwartet</translation>
+    </message>
+    <message>
+        <source>there are more than {} links</source>
+        <translation>Es gibt mehr als {} Glieder</translation>
+    </message>
+    <message>
+        <source>expected links, but the robot has none</source>
+        <translation>Glieder werden erwartet, der Roboter hat aber keine</translation>
+    </message>
+    <message>
+        <source>link {} has two parents, by the joints {} and {}: a URDF is a tree</source>
+        <translation>Glied {} hat durch die Gelenke {} und {} zwei Eltern: Eine URDF ist ein Baum</translation>
+    </message>
+    <message>
+        <source>no joint carries link {}, nor link {}: expected one root</source>
+        <translation>Weder Glied {} noch Glied {} hängt an einem Gelenk: Nur eine Wurzel wird erwartet</translation>
+    </message>
+    <message>
+        <source>the joints {} form a loop: a URDF is a tree, whose root no joint carries</source>
+        <translation>Die Gelenke {} bilden eine Schleife: Eine URDF ist ein Baum, dessen Wurzel an keinem Gelenk hängt</translation>
+    </message>
+    <message>
+        <source>the name of a joint</source>
+        <translation>der Name eines Gelenks</translation>
+    </message>
+    <message>
+        <source>a position of at most {}</source>
+        <translation>eine Stellung von höchstens {}</translation>
+    </message>
+    <message>
+        <source>each joint once</source>
+        <translation>jedes Gelenk nur einmal</translation>
+    </message>
+    <message>
+        <source>expected a size above 0 and at most {} m</source>
+        <translation>Eine Größe über 0 und bis höchstens {} m wird erwartet</translation>
+    </message>
+    <message>
+        <source>expected a radius above 0 and at most {} m</source>
+        <translation>Ein Radius über 0 und bis höchstens {} m wird erwartet</translation>
+    </message>
+    <message>
+        <source>expected a length above 0 and at most {} m</source>
+        <translation>Eine Länge über 0 und bis höchstens {} m wird erwartet</translation>
+    </message>
+    <message>
+        <source>joint {} has no &lt;{} link=&quot;...&quot;&gt;</source>
+        <translation>Gelenk {} hat kein &lt;{} link=&quot;...&quot;&gt;</translation>
+    </message>
+    <message>
+        <source>joint {}: &lt;{} link=&quot;{}&quot;&gt; names none of the robot&apos;s links</source>
+        <translation>Gelenk {}: &lt;{} link=&quot;{}&quot;&gt; nennt kein Glied des Roboters</translation>
+    </message>
+    <message>
+        <source>broken: it reads the same as another cell, digit for digit</source>
+        <translation>defekt: misst Ziffer für Ziffer dasselbe wie eine andere Zelle</translation>
+    </message>
+    <message>
+        <source>dead: it reads no gravity</source>
+        <translation>tot: misst keine Schwerkraft</translation>
+    </message>
+    <message>
+        <source>dead: it reads the same in all poses</source>
+        <translation>tot: misst in allen Posen dasselbe</translation>
+    </message>
+    <message>
+        <source>broken: it reads the end of its range</source>
+        <translation>defekt: misst das Ende ihres Messbereichs</translation>
+    </message>
+    <message>
+        <source>broken: one of its axes is dead</source>
+        <translation>defekt: eine ihrer Achsen ist tot</translation>
+    </message>
+    <message>
+        <source>broken: it scatters far more than the other cells</source>
+        <translation>defekt: streut weit mehr als die anderen Zellen</translation>
+    </message>
+    <message>
+        <source>can&apos;t be told: no other cell of its patch can be compared with it</source>
+        <translation>nicht zu sagen: Keine andere Zelle ihres Hautstücks lässt sich mit ihr vergleichen</translation>
+    </message>
+    <message>
+        <source>can&apos;t be told: the cells of its patch contradict each other, and no majority agrees</source>
+        <translation>nicht zu sagen: Die Zellen ihres Hautstücks widersprechen einander, und keine Mehrheit ist sich einig</translation>
+    </message>
+    <message>
+        <source>gone: it is no longer among the skin&apos;s cells</source>
+        <translation>fort: gehört nicht mehr zu den Zellen der Haut</translation>
+    </message>
+    <message>
+        <source>can&apos;t be told: it has no usable reading, as when it was calibrated</source>
+        <translation>nicht zu sagen: Sie hat keinen brauchbaren Messwert, wie schon beim Kalibrieren</translation>
+    </message>
+    <message>
+        <source>dead: it sends no reading</source>
+        <translation>tot: sendet keine Messwerte</translation>
+    </message>
+    <message>
+        <source>can&apos;t be told: its calibration is too uncertain</source>
+        <translation>nicht zu sagen: Ihre Kalibrierung ist zu unsicher</translation>
+    </message>
+    <message>
+        <source>as calibrated</source>
+        <translation>wie kalibriert</translation>
+    </message>
+    <message>
+        <source>broken: neither a turn nor a drift of its offset explains what it reads</source>
+        <translation>defekt: Weder eine Drehung noch eine Drift ihres Offsets erklärt, was sie misst</translation>
+    </message>
+    <message>
+        <source>turned by {} +- {} or more</source>
+        <translation>um {} ± {} oder mehr gedreht</translation>
+    </message>
+    <message>
+        <source>turned by {} +- {}</source>
+        <translation>um {} ± {} gedreht</translation>
+    </message>
+    <message>
+        <source>its sensor&apos;s offset drifted by {} +- {}</source>
+        <translation>der Offset ihres Sensors ist um {} ± {} gedriftet</translation>
+    </message>
+    <message>
+        <source>changed: {}, or {}; these poses can&apos;t tell which</source>
+        <translation>verändert: {}, oder {}; diese Posen können das nicht unterscheiden</translation>
+    </message>
+    <message>
+        <source>The {} of the calibration is no longer reported.</source>
+        <translation>Nicht mehr gemeldet wird, was die Kalibrierung noch hat: {}.</translation>
+    </message>
+    <message>
+        <source>Not as calibrated: {}.</source>
+        <translation>Nicht wie kalibriert: {}.</translation>
+    </message>
+    <message>
+        <source>Nothing could be compared: no two cells of a patch have a usable reading.</source>
+        <translation>Es ließ sich nichts vergleichen: Kein Hautstück hat zwei Zellen mit einem brauchbaren Messwert.</translation>
+    </message>
+    <message>
+        <source>The skin is not as calibrated, and the cells contradict each other so much that none can be named: calibrate it anew.</source>
+        <translation>Die Haut ist nicht wie kalibriert, und die Zellen widersprechen einander so sehr, dass sich keine nennen lässt: neu kalibrieren.</translation>
+    </message>
+    <message>
+        <source>All {} cells are as calibrated, as far as these poses show.</source>
+        <translation>Alle {} Zellen sind wie kalibriert, soweit diese Posen es zeigen.</translation>
+    </message>
+    <message>
+        <source>So many cells changed that the skin should be calibrated anew.</source>
+        <translation>So viele Zellen haben sich verändert, dass die Haut neu kalibriert werden sollte.</translation>
+    </message>
+    <message>
+        <source>These poses don&apos;t show every turn of a cell: take another one, with the part turned by 45° or more.</source>
+        <translation>Diese Posen zeigen nicht jede Drehung einer Zelle: eine weitere aufnehmen, mit dem Körperteil um mindestens 45° gedreht.</translation>
+    </message>
+    <message>
+        <source>the calibration was imported and does not say how its cells were measured: only one that Hexoderm made of poses can be checked</source>
+        <translation>die Kalibrierung wurde importiert und sagt nicht, wie ihre Zellen gemessen wurden: Prüfen lässt sich nur eine, die Hexoderm aus Posen berechnet hat</translation>
+    </message>
+    <message>
+        <source>there is no pose to check the calibration with: take one to three</source>
+        <translation>es gibt keine Pose, mit der sich die Kalibrierung prüfen ließe: eine bis drei aufnehmen</translation>
+    </message>
+    <message>
+        <source>the calibration is of another kind of cell: port {} of its cell model {} is not where the cell model {} has it</source>
+        <translation>die Kalibrierung gehört zu einer anderen Art von Zelle: Port {} ihres Zellmodells {} liegt nicht dort, wo das Zellmodell {} ihn hat</translation>
+    </message>
+    <message>
+        <source>the calibration is of another kind of cell: the ports or the accelerometer of its cell model {} are not those of the cell model {}</source>
+        <translation>die Kalibrierung gehört zu einer anderen Art von Zelle: Ports oder Beschleunigungssensor ihres Zellmodells {} sind nicht die des Zellmodells {}</translation>
+    </message>
+    <message>
+        <source>the calibration is of another skin: {} of today is not in it</source>
+        <translation>die Kalibrierung gehört zu einer anderen Haut: {} von heute kommt darin nicht vor</translation>
+    </message>
+    <message>
+        <source>one of the {}</source>
+        <translation>eine von {}</translation>
+    </message>
+    <message>
+        <source>the calibration is of another skin, or the cells were joined otherwise: {} is not in it</source>
+        <translation>die Kalibrierung gehört zu einer anderen Haut, oder die Zellen wurden anders verbunden: {} kommt darin nicht vor</translation>
+    </message>
+    <message>
+        <source>the calibration is of another skin: {} of its {} cells are not there today</source>
+        <translation>die Kalibrierung gehört zu einer anderen Haut: {} ihrer {} Zellen sind heute nicht da</translation>
+    </message>
+    <message>
+        <source>Nothing can be told of any cell: the calibration is too uncertain.</source>
+        <translation>Über keine Zelle lässt sich etwas sagen: Die Kalibrierung ist zu unsicher.</translation>
+    </message>
+    <message>
+        <source>{} of {} cells are as calibrated, as far as these poses show; of {} nothing can be told.</source>
+        <translation>{} von {} Zellen sind wie kalibriert, soweit diese Posen es zeigen; über {} lässt sich nichts sagen.</translation>
+    </message>
+    <message>
+        <source>urdfdom reads other links or joints in it than this program: an element or an attribute is probably malformed, or there twice</source>
+        <translation>urdfdom liest darin andere Glieder oder Gelenke als dieses Programm: Wahrscheinlich ist ein Element oder Attribut fehlerhaft oder doppelt vorhanden</translation>
+    </message>
+    <message>
+        <source>No single axis explains how the two parts turned against each other: there is more between them than one revolute joint, or a part moved while a pose was taken.</source>
+        <translation>Keine einzelne Achse erklärt, wie sich die beiden Teile gegeneinander gedreht haben: Zwischen ihnen liegt mehr als ein Drehgelenk, oder ein Teil hat sich während einer Aufnahme bewegt.</translation>
+    </message>
+    <message>
+        <source>Move one joint only, and take at least five poses with it.</source>
+        <translation>Nur ein Gelenk bewegen und damit mindestens fünf Posen aufnehmen.</translation>
+    </message>
+    <message>
+        <source>One axis explains all {} poses; it is known to {} in the one part and to {} in the other.</source>
+        <translation>Eine Achse erklärt alle {} Posen; sie ist im einen Teil auf {} genau bekannt und im anderen auf {}.</translation>
+    </message>
+    <message>
+        <source>Take another pose with the joint between them turned elsewhere and its axis pointing in a new direction.</source>
+        <translation>Eine weitere Pose aufnehmen, in der das Gelenk dazwischen anders steht und seine Achse in eine neue Richtung zeigt.</translation>
+    </message>
+    <message>
+        <source>The poses can be explained by several axes.</source>
+        <translation>Die Posen lassen sich durch mehrere Achsen erklären.</translation>
+    </message>
+    <message>
+        <source>The axis is known in one of the two parts only: in the other one, gravity came from nearly one direction in all poses.</source>
+        <translation>Die Achse ist nur in einem der beiden Teile bekannt: Im anderen kam die Schwerkraft in allen Posen etwa aus derselben Richtung.</translation>
+    </message>
+    <message>
+        <source>The poses leave open where the axis is.</source>
+        <translation>Die Posen lassen offen, wo die Achse liegt.</translation>
+    </message>
+    <message>
+        <source>An axis between two parts takes at least {} poses, and there are {}.</source>
+        <translation>Für eine Achse zwischen zwei Teilen braucht es mindestens {} Posen, vorhanden sind {}.</translation>
+    </message>
+    <message>
+        <source>Take more poses, each with the joint turned elsewhere.</source>
+        <translation>Mehr Posen aufnehmen, jede mit dem Gelenk in einer anderen Stellung.</translation>
+    </message>
+    <message>
+        <source>Which patches move together can be told of a session that was just solved by the global solver, not of a calibration file or of the tree: they don&apos;t hold how well gravity is known.</source>
+        <translation>Welche Hautstücke sich gemeinsam bewegen, lässt sich nur für eine eben mit dem globalen Löser gelöste Sitzung sagen, nicht für eine Kalibrierungsdatei oder den Baum: Diese enthalten nicht, wie genau die Schwerkraft bekannt ist.</translation>
+    </message>
+    <message>
+        <source>The part of cell {} and the part of cell {} turned against each other.</source>
+        <translation>Der Teil mit Zelle {} und der Teil mit Zelle {} haben sich gegeneinander gedreht.</translation>
+    </message>
+    <message>
+        <source>Whether the part of cell {} and that of cell {} move together can&apos;t be told: fewer than two poses have readings of both.</source>
+        <translation>Ob sich der Teil mit Zelle {} und der mit Zelle {} gemeinsam bewegen, lässt sich nicht sagen: In weniger als zwei Posen gibt es Messwerte von beiden.</translation>
+    </message>
+    <message>
+        <source>Take poses in which the cells of both have readings.</source>
+        <translation>Posen aufnehmen, in denen die Zellen beider Teile Messwerte haben.</translation>
+    </message>
+    <message>
+        <source>Whether the part of cell {} and that of cell {} move together can&apos;t be told: gravity came along one line in all poses, and a turn about that line doesn&apos;t show.</source>
+        <translation>Ob sich der Teil mit Zelle {} und der mit Zelle {} gemeinsam bewegen, lässt sich nicht sagen: Die Schwerkraft lag in allen Posen auf einer Geraden, und eine Drehung um diese Gerade zeigt sich nicht.</translation>
+    </message>
+    <message>
+        <source>Take poses in which the parts are tipped over by about 90 degrees.</source>
+        <translation>Posen aufnehmen, in denen die Teile um etwa 90 Grad gekippt sind.</translation>
+    </message>
+    <message>
+        <source>Whether the part of cell {} and that of cell {} move together can&apos;t be told: in all {} poses they fit one rotation, but a joint between them could have been moved without showing.</source>
+        <translation>Ob sich der Teil mit Zelle {} und der mit Zelle {} gemeinsam bewegen, lässt sich nicht sagen: In allen {} Posen passt zu ihnen eine einzige Drehung, aber ein Gelenk dazwischen könnte unbemerkt bewegt worden sein.</translation>
+    </message>
+    <message>
+        <source>Take more poses: move the joint that may be between them by 30 degrees or more from pose to pose, and tip the parts over in new directions.</source>
+        <translation>Weitere Posen aufnehmen: das mögliche Gelenk dazwischen von Pose zu Pose um mindestens 30 Grad bewegen und die Teile in neue Richtungen kippen.</translation>
+    </message>
+    <message>
+        <source>No patch saw gravity: there is nothing to compare.</source>
+        <translation>Kein Hautstück hat die Schwerkraft gemessen: Es gibt nichts zu vergleichen.</translation>
+    </message>
+    <message>
+        <source>There is one patch: nothing to compare it with.</source>
+        <translation>Es gibt nur ein Hautstück, also nichts, womit es sich vergleichen ließe.</translation>
+    </message>
+    <message>
+        <source>All {} patches move together, as far as these poses show: a joint that stood still in all of them can&apos;t be seen.</source>
+        <translation>Alle {} Hautstücke bewegen sich gemeinsam, soweit diese Posen das zeigen: Ein Gelenk, das in allen stillstand, ist nicht zu erkennen.</translation>
+    </message>
+    <message>
+        <source>{} patches on {} parts that turned against each other.</source>
+        <translation>{} Hautstücke auf {} Teilen, die sich gegeneinander gedreht haben.</translation>
+    </message>
+    <message>
+        <source>{} patches on up to {} parts: of {} of the {} pairs of parts these poses can&apos;t tell whether they move together.</source>
+        <translation>{} Hautstücke auf bis zu {} Teilen: Bei {} der {} Paare von Teilen lassen diese Posen offen, ob sie sich gemeinsam bewegen.</translation>
+    </message>
+    <message>
+        <source>false_alarm must be between 0 and 1</source>
+        <translation>false_alarm muss zwischen 0 und 1 liegen</translation>
+    </message>
+    <message>
+        <source>least_odds must be at least 1</source>
+        <translation>least_odds muss mindestens 1 sein</translation>
+    </message>
+    <message>
+        <source>lever_m must not be negative</source>
+        <translation>lever_m darf nicht negativ sein</translation>
+    </message>
+    <message>
+        <source>joint_lever_m must not be negative</source>
+        <translation>joint_lever_m darf nicht negativ sein</translation>
+    </message>
+    <message>
+        <source>most_poses must be at least 2</source>
+        <translation>most_poses muss mindestens 2 sein</translation>
+    </message>
+    <message>
+        <source>most_patches must be at least 1</source>
+        <translation>most_patches muss mindestens 1 sein</translation>
+    </message>
+    <message>
+        <source>The joint angles are probably degrees that were read as rad: as degrees they fit what the patches see, as rad they don&apos;t.</source>
+        <translation>Die Gelenkwinkel sind wahrscheinlich Grad, die als rad gelesen wurden: Als Grad passen sie zu dem, was die Hautstücke sehen, als rad nicht.</translation>
+    </message>
+    <message>
+        <source>The joint angles are probably rad that were read as degrees: as rad they fit what the patches see, as degrees they don&apos;t.</source>
+        <translation>Die Gelenkwinkel sind wahrscheinlich rad, die als Grad gelesen wurden: Als rad passen sie zu dem, was die Hautstücke sehen, als Grad nicht.</translation>
+    </message>
+    <message>
+        <source>Pose {} doesn&apos;t go with the others: without it every patch fits a link. Its joint angles are probably those of another moment.</source>
+        <translation>Pose {} passt nicht zu den anderen: Ohne sie passt jedes Hautstück auf ein Glied. Ihre Gelenkwinkel sind wahrscheinlich die eines anderen Augenblicks.</translation>
+    </message>
+    <message>
+        <source>Joint {} seems to count its angle the other way round: with its sign turned the angles fit what the patches see.</source>
+        <translation>Gelenk {} scheint seinen Winkel andersherum zu zählen: Mit umgekehrtem Vorzeichen passen die Winkel zu dem, was die Hautstücke sehen.</translation>
+    </message>
+    <message>
+        <source>One of the joints {} seems to count its angle the other way round: with its sign turned the angles fit what the patches see.</source>
+        <translation>Eines der Gelenke {} scheint seinen Winkel andersherum zu zählen: Mit umgekehrtem Vorzeichen passen die Winkel zu dem, was die Hautstücke sehen.</translation>
+    </message>
+    <message>
+        <source>The zero of joint {} seems to be off by about {}: if so much is added to its angle, the angles fit what the patches see.</source>
+        <translation>Der Nullpunkt von Gelenk {} scheint um etwa {} verschoben zu sein: Wird so viel zu seinem Winkel addiert, passen die Winkel zu dem, was die Hautstücke sehen.</translation>
+    </message>
+    <message>
+        <source>On which link a patch is can be told of a session that was just solved by the global solver, not of a calibration file or of the tree: they don&apos;t hold how well gravity is known.</source>
+        <translation>Auf welchem Glied ein Hautstück sitzt, lässt sich nur von einer Sitzung sagen, die der globale Löser gerade gelöst hat, nicht von einer Kalibrierdatei oder vom Baum: Sie enthalten nicht, wie genau die Schwerkraft bekannt ist.</translation>
+    </message>
+    <message>
+        <source>No joint angles are known of these poses, which are not compared: {}.</source>
+        <translation>Von diesen Posen sind keine Gelenkwinkel bekannt; sie werden nicht verglichen: {}.</translation>
+    </message>
+    <message>
+        <source>The angles of these joints are not known, and links beyond them are not compared: {}.</source>
+        <translation>Die Winkel dieser Gelenke sind nicht bekannt, und Glieder jenseits von ihnen werden nicht verglichen: {}.</translation>
+    </message>
+    <message>
+        <source>Pose {} is not compared, because it lacks the angles of these joints: {}.</source>
+        <translation>Pose {} wird nicht verglichen, weil ihr die Winkel dieser Gelenke fehlen: {}.</translation>
+    </message>
+    <message>
+        <source>There is no cell {} to put on link {}.</source>
+        <translation>Es gibt keine Zelle {}, die auf Glied {} gesetzt werden könnte.</translation>
+    </message>
+    <message>
+        <source>Cell {} can&apos;t be put on link {}: the angle of a joint that carries it is not known.</source>
+        <translation>Zelle {} kann nicht auf Glied {} gesetzt werden: Der Winkel eines Gelenks, das es trägt, ist nicht bekannt.</translation>
+    </message>
+    <message>
+        <source>The patch of cell {} can&apos;t be on two links, {} and {}.</source>
+        <translation>Das Hautstück von Zelle {} kann nicht auf zwei Gliedern sitzen, {} und {}.</translation>
+    </message>
+    <message>
+        <source>How it is turned there about one axis is not determined: gravity came along one line in all poses.</source>
+        <translation>Wie es dort um eine Achse gedreht ist, ist nicht bestimmt: Die Schwerkraft kam in allen Posen entlang einer Linie.</translation>
+    </message>
+    <message>
+        <source>No joint moves link {}: only tipping the whole robot over would show it.</source>
+        <translation>Kein Gelenk bewegt Glied {}: Nur wenn der ganze Roboter gekippt würde, zeigte es sich.</translation>
+    </message>
+    <message>
+        <source>Take poses in which link {} is tipped over by about 90 degrees.</source>
+        <translation>Nehmen Sie Posen auf, in denen Glied {} um etwa 90 Grad gekippt ist.</translation>
+    </message>
+    <message>
+        <source>The patch of cell {} was put on link {}, which doesn&apos;t fit: what the patch saw of gravity is not what that link would see.</source>
+        <translation>Das Hautstück von Zelle {} wurde auf Glied {} gesetzt, das nicht passt: Was das Hautstück von der Schwerkraft sah, ist nicht, was dieses Glied sähe.</translation>
+    </message>
+    <message>
+        <source>The patch of cell {} was put on link {}, the only one that fits.</source>
+        <translation>Das Hautstück von Zelle {} wurde auf Glied {} gesetzt, das einzige, das passt.</translation>
+    </message>
+    <message>
+        <source>The patch of cell {} was put on link {}, which fits.</source>
+        <translation>Das Hautstück von Zelle {} wurde auf Glied {} gesetzt, das passt.</translation>
+    </message>
+    <message>
+        <source>The patch of cell {} fits no link: link {} comes nearest, with a chi-squared of {} at {} degrees of freedom.</source>
+        <translation>Das Hautstück von Zelle {} passt auf kein Glied: Am nächsten kommt Glied {}, mit einem Chi-Quadrat von {} bei {} Freiheitsgraden.</translation>
+    </message>
+    <message>
+        <source>On which link the patch of cell {} is can&apos;t be told from one pose, which any link fits.</source>
+        <translation>Auf welchem Glied das Hautstück von Zelle {} sitzt, lässt sich aus einer einzigen Pose nicht sagen: Zu ihr passt jedes Glied.</translation>
+    </message>
+    <message>
+        <source>The patch of cell {} fits several links, the best first: {}.</source>
+        <translation>Das Hautstück von Zelle {} passt auf mehrere Glieder, das beste zuerst: {}.</translation>
+    </message>
+    <message>
+        <source>The patch of cell {} is on link {}: no other link fits.</source>
+        <translation>Das Hautstück von Zelle {} sitzt auf Glied {}: Kein anderes Glied passt.</translation>
+    </message>
+    <message>
+        <source>The patch of cell {} is on one of these links, which turn as one: {}.</source>
+        <translation>Das Hautstück von Zelle {} sitzt auf einem dieser Glieder, die sich nur gemeinsam drehen: {}.</translation>
+    </message>
+    <message>
+        <source>The patch of cell {} is on one of these links, which these poses can&apos;t tell apart: {}.</source>
+        <translation>Das Hautstück von Zelle {} sitzt auf einem dieser Glieder, die sich durch diese Posen nicht unterscheiden lassen: {}.</translation>
+    </message>
+    <message>
+        <source>Take more poses, in which the joints that carry these links stand in other angles and the links in new directions.</source>
+        <translation>Nehmen Sie weitere Posen auf, in denen die Gelenke, die diese Glieder tragen, in anderen Winkeln stehen und die Glieder in neuen Richtungen.</translation>
+    </message>
+    <message>
+        <source>Move these joints by 30 degrees or more from pose to pose, with their axes level: {}.</source>
+        <translation>Bewegen Sie diese Gelenke von Pose zu Pose um 30 Grad oder mehr, mit waagerechten Achsen: {}.</translation>
+    </message>
+    <message>
+        <source>The zero of joint {} seems to be off: {} has to be added to the angle that it reports (1 sigma: {}).</source>
+        <translation>Der Nullpunkt von Gelenk {} scheint verschoben zu sein: Zu dem Winkel, den es meldet, ist {} zu addieren (1 Sigma: {}).</translation>
+    </message>
+    <message>
+        <source>The robot&apos;s base seems to be tilted by {} (1 sigma: {}).</source>
+        <translation>Die Basis des Roboters scheint um {} geneigt zu sein (1 Sigma: {}).</translation>
+    </message>
+    <message>
+        <source>Taken together, the patches fit the joint angles badly: a chi-squared of {} at {} degrees of freedom.</source>
+        <translation>Zusammengenommen passen die Hautstücke schlecht zu den Gelenkwinkeln: ein Chi-Quadrat von {} bei {} Freiheitsgraden.</translation>
+    </message>
+    <message>
+        <source>No pose has joint angles: on which links the patches are can&apos;t be told.</source>
+        <translation>Keine Pose hat Gelenkwinkel: Auf welchen Gliedern die Hautstücke sitzen, lässt sich nicht sagen.</translation>
+    </message>
+    <message>
+        <source>No pose has both readings and the angles of the joints: on which links the patches are can&apos;t be told.</source>
+        <translation>Keine Pose hat sowohl Messwerte als auch die Winkel der Gelenke: Auf welchen Gliedern die Hautstücke sitzen, lässt sich nicht sagen.</translation>
+    </message>
+    <message>
+        <source>Each of {} patches is on a link that is known.</source>
+        <translation>Von jedem der {} Hautstücke ist bekannt, auf welchem Glied es sitzt.</translation>
+    </message>
+    <message>
+        <source>Of {} patches {} are on a link that is known; of {} these poses leave open which it is, and {} fit none.</source>
+        <translation>Von {} Hautstücken ist bei {} das Glied bekannt; bei {} lassen diese Posen offen, welches es ist, und {} passen auf keines.</translation>
+    </message>
+    <message>
+        <source>up_w must be a direction</source>
+        <translation>up_w muss eine Richtung sein</translation>
+    </message>
+    <message>
+        <source>zero_sigma_rad must be above 0 and at most pi</source>
+        <translation>zero_sigma_rad muss größer als 0 und höchstens pi sein</translation>
+    </message>
+    <message>
+        <source>tilt_sigma_rad must be from 0 to pi</source>
+        <translation>tilt_sigma_rad muss zwischen 0 und pi liegen</translation>
+    </message>
+    <message>
+        <source>test_lever_m must not be negative</source>
+        <translation>test_lever_m darf nicht negativ sein</translation>
+    </message>
+    <message>
+        <source>The robot&apos;s base seems to stand otherwise than was said: the patches fit with {} of its frame upwards.</source>
+        <translation>Die Basis des Roboters scheint anders zu stehen als angegeben: Die Hautstücke passen, wenn {} ihres Koordinatensystems nach oben zeigt.</translation>
+    </message>
+    <message>
+        <source>the name of a link</source>
+        <translation>der Name eines Glieds</translation>
+    </message>
+    <message>
+        <source>each patch once; that of cell {} is there twice</source>
+        <translation>jedes Hautstück einmal; das von Zelle {} steht zweimal da</translation>
+    </message>
+    <message>
+        <source>slide along {}</source>
+        <translation>verschoben werden, längs {}</translation>
+    </message>
+    <message>
+        <source>slide and turn at once, as a screw about {}</source>
+        <translation>zugleich verschoben und gedreht werden, wie eine Schraube längs {}</translation>
+    </message>
+    <message>
+        <source>turn on the spot, about {}</source>
+        <translation>auf der Stelle gedreht werden, um eine Achse längs {}</translation>
+    </message>
+    <message>
+        <source>turn around an axis along {}, {} from its middle</source>
+        <translation>um eine Achse längs {} gedreht werden, {} von seiner Mitte entfernt</translation>
+    </message>
+    <message>
+        <source>Nothing but its known rotation keeps it from being free to {}: to {} (1 sigma).</source>
+        <translation>Nur seine bekannte Drehung legt fest, wie weit es kann: {}; auf {} (1 Sigma).</translation>
+    </message>
+    <message>
+        <source>It is free to {}, all the way round.</source>
+        <translation>Es kann frei {}, ganz herum.</translation>
+    </message>
+    <message>
+        <source>It is free to {}, by {} one way and {} the other.</source>
+        <translation>Es kann frei {}, um {} in der einen und {} in der anderen Richtung.</translation>
+    </message>
+    <message>
+        <source>It is free to {}, by {} forwards and {} backwards.</source>
+        <translation>Es kann frei {}, um {} vorwärts und {} rückwärts.</translation>
+    </message>
+    <message>
+        <source>the link&apos;s {} axis</source>
+        <translation>der {}-Achse des Glieds</translation>
+    </message>
+    <message>
+        <source>the direction ({}, {}, {}) of the link</source>
+        <translation>der Richtung ({}, {}, {}) des Glieds</translation>
+    </message>
+    <message>
+        <source>none of the patches to place holds a cell {}</source>
+        <translation>keines der Hautstücke, deren Lage gesucht ist, enthält eine Zelle {}</translation>
+    </message>
+    <message>
+        <source>the patch of cell {} needs a covariance of {} x {}, found {} numbers</source>
+        <translation>das Hautstück von Zelle {} braucht eine Kovarianz von {} x {}, gefunden wurden {} Zahlen</translation>
+    </message>
+    <message>
+        <source>the covariance of the patch of cell {} is none: it must be symmetric and positive semidefinite</source>
+        <translation>die Kovarianz des Hautstücks von Zelle {} ist keine: sie muss symmetrisch und positiv semidefinit sein</translation>
+    </message>
+    <message>
+        <source>the patch of cell {} must hold that cell, and a placement of every cell</source>
+        <translation>das Hautstück von Zelle {} muss diese Zelle enthalten, und von jeder Zelle die Lage</translation>
+    </message>
+    <message>
+        <source>the rotation of the patch of cell {} must be a rotation with a positive definite covariance</source>
+        <translation>die Drehung des Hautstücks von Zelle {} muss eine Drehung mit positiv definiter Kovarianz sein</translation>
+    </message>
+    <message>
+        <source>a placement in the patch of cell {} is not finite</source>
+        <translation>eine Lage im Hautstück von Zelle {} ist nicht endlich</translation>
+    </message>
+    <message>
+        <source>there is no patch to place</source>
+        <translation>es gibt kein Hautstück, dessen Lage zu suchen wäre</translation>
+    </message>
+    <message>
+        <source>nothing says where on the link the patch lies: it takes the link&apos;s surface, or points, or distances to another patch</source>
+        <translation>nichts sagt, wo am Glied das Hautstück liegt: es braucht die Oberfläche des Glieds, oder Punkte, oder Abstände zu einem anderen Hautstück</translation>
+    </message>
+    <message>
+        <source>the cells&apos; thickness must be 0 or more</source>
+        <translation>die Dicke der Zellen muss mindestens 0 sein</translation>
+    </message>
+    <message>
+        <source>How certain the cells of the patch of cell {} are is not stated; 2 mm and 3° were taken for each.</source>
+        <translation>Wie sicher die Zellen des Hautstücks von Zelle {} sind, ist nicht angegeben; für jede wurden 2 mm und 3° angenommen.</translation>
+    </message>
+    <message>
+        <source>{} places fit; the best {} are given.</source>
+        <translation>{} Lagen passen; die besten {} sind angegeben.</translation>
+    </message>
+    <message>
+        <source>the mesh of link {} holds points that are not finite</source>
+        <translation>das Netz von Glied {} enthält Punkte, die nicht endlich sind</translation>
+    </message>
+    <message>
+        <source>The mesh of link {} is inside out: its triangles are clockwise as seen from outside, and the volume inside is negative. It was taken the other way round.</source>
+        <translation>Das Netz von Glied {} ist umgestülpt: seine Dreiecke laufen von außen gesehen im Uhrzeigersinn, und das Volumen darin ist negativ. Es wurde andersherum genommen.</translation>
+    </message>
+    <message>
+        <source>the mesh of link {} has no triangle with an area, on which a patch could lie</source>
+        <translation>das Netz von Glied {} hat kein Dreieck mit einer Fläche, auf der ein Hautstück liegen könnte</translation>
+    </message>
+    <message>
+        <source>cell {} is there twice</source>
+        <translation>Zelle {} kommt zweimal vor</translation>
+    </message>
+    <message>
+        <source>the sigma of the point of cell {}</source>
+        <translation>das Sigma des Punkts von Zelle {}</translation>
+    </message>
+    <message>
+        <source>the point of cell {} is not finite</source>
+        <translation>der Punkt von Zelle {} ist nicht endlich</translation>
+    </message>
+    <message>
+        <source>cells {} and {} are of one patch: their distance says nothing of its place</source>
+        <translation>die Zellen {} und {} gehören zu einem Hautstück: ihr Abstand sagt nichts über dessen Lage</translation>
+    </message>
+    <message>
+        <source>the distance between cells {} and {}</source>
+        <translation>der Abstand zwischen den Zellen {} und {}</translation>
+    </message>
+    <message>
+        <source>the sigma of the distance between cells {} and {}</source>
+        <translation>das Sigma des Abstands zwischen den Zellen {} und {}</translation>
+    </message>
+    <message>
+        <source>The patch of cell {} is larger than link {}: {} from cell to cell, where the link&apos;s box measures {} from corner to corner. It belongs on another link, or the mesh is not in metres.</source>
+        <translation>Das Hautstück von Zelle {} ist größer als Glied {}: {} von Zelle zu Zelle, während der Kasten um das Glied {} von Ecke zu Ecke misst. Es gehört an ein anderes Glied, oder das Netz ist nicht in Metern.</translation>
+    </message>
+    <message>
+        <source>The patch of cell {}</source>
+        <translation>Das Hautstück von Zelle {}</translation>
+    </message>
+    <message>
+        <source>The patches of cells {}</source>
+        <translation>Die Hautstücke der Zellen {}</translation>
+    </message>
+    <message>
+        <source>{}: nowhere on link {} does the surface face as it would have to. Is it the right link, and is the rotation right?</source>
+        <translation>{}: nirgends an Glied {} zeigt die Oberfläche dorthin, wohin sie müsste. Ist es das richtige Glied, und stimmt die Drehung?</translation>
+    </message>
+    <message>
+        <source>{}: no place on link {} fits. At the best one the misfit is {} rms, chi-squared {} with {} degrees of freedom. Is it the right link, are all lengths in metres, and do the cells lie on the surface that the mesh describes?</source>
+        <translation>{}: keine Lage an Glied {} passt. Die beste weicht um {} ab (quadratisches Mittel), Chi-Quadrat {} bei {} Freiheitsgraden. Ist es das richtige Glied, sind alle Längen in Metern, und liegen die Zellen auf der Oberfläche, die das Netz beschreibt?</translation>
+    </message>
+    <message>
+        <source>{}: {} places on link {} fit. A point whose place on the link is known would tell them apart.</source>
+        <translation>{}: {} Lagen an Glied {} passen. Ein Punkt, dessen Ort am Glied bekannt ist, würde sie unterscheiden.</translation>
+    </message>
+    <message>
+        <source>{}: one place on link {} fits, certain to {} (95 %, the worst cell).</source>
+        <translation>{}: eine Lage an Glied {} passt, auf {} sicher (95 %, die schlechteste Zelle).</translation>
+    </message>
+    <message>
+        <source>{}: one place on link {} fits, but not all of it is determined.</source>
+        <translation>{}: eine Lage an Glied {} passt, aber sie ist nicht ganz bestimmt.</translation>
+    </message>
+    <message>
+        <source>Cell {}&apos;s patch: {}</source>
+        <translation>Hautstück von Zelle {}: {}</translation>
+    </message>
+    <message>
+        <source>the sigma of the surface</source>
+        <translation>das Sigma der Oberfläche</translation>
+    </message>
+    <message>
+        <source>the sigma of the normals</source>
+        <translation>das Sigma der Normalen</translation>
+    </message>
+    <message>
+        <source>the length beyond which a direction is free</source>
+        <translation>die Länge, ab der eine Richtung frei ist</translation>
+    </message>
+    <message>
+        <source>the gap must be 0 or more</source>
+        <translation>der Spalt muss mindestens 0 sein</translation>
+    </message>
+    <message>
+        <source>the probability of a false alarm must be between 0 and 1</source>
+        <translation>die Wahrscheinlichkeit eines Fehlalarms muss zwischen 0 und 1 liegen</translation>
+    </message>
+    <message>
+        <source>there must be room for at least one candidate</source>
+        <translation>es muss Platz für mindestens einen Kandidaten sein</translation>
+    </message>
+    <message>
+        <source>the origin cell of a patch</source>
+        <translation>die Ursprungszelle eines Hautstücks</translation>
+    </message>
+    <message>
+        <source>No patch fits any link: perhaps the robot&apos;s base did not stand still in all poses, or joint angles and URDF are those of another robot.</source>
+        <translation>Kein Hautstück passt auf irgendein Glied: Vielleicht stand die Basis des Roboters nicht in allen Posen still, oder Gelenkwinkel und URDF sind die eines anderen Roboters.</translation>
+    </message>
+    <message>
+        <source>kind: expected capture, remove, restore, disable, enable, joints, mute, unmute, robot, placement, skin, source, truth or options, found &quot;{}&quot;</source>
+        <translation>kind: erwartet capture, remove, restore, disable, enable, joints, mute, unmute, robot, placement, skin, source, truth oder options, gefunden „{}“</translation>
+    </message>
+    <message>
+        <source>the patch of cell {}</source>
+        <translation>das Hautstück von Zelle {}</translation>
+    </message>
+    <message>
+        <source>the description of a robot needs a file</source>
+        <translation>die Beschreibung eines Roboters braucht eine Datei</translation>
+    </message>
+    <message>
+        <source>a package has a name and a folder</source>
+        <translation>ein Paket hat einen Namen und einen Ordner</translation>
+    </message>
+    <message>
+        <source>expected a point within {} m and a sigma above 0 for cell {}</source>
+        <translation>erwartet einen Punkt innerhalb von {} m und ein Sigma über 0 für Zelle {}</translation>
+    </message>
+    <message>
+        <source>expected a distance above 0 between two cells, and a sigma above 0, for cell {}</source>
+        <translation>erwartet einen Abstand über 0 zwischen zwei Zellen und ein Sigma über 0 für Zelle {}</translation>
+    </message>
+    <message>
+        <source>expected a place of this patch on its link</source>
+        <translation>erwartet einen Platz dieses Hautstücks auf seinem Glied</translation>
+    </message>
+    <message>
+        <source>expected a rotation and a translation within {} m</source>
+        <translation>erwartet eine Drehung und eine Verschiebung innerhalb von {} m</translation>
+    </message>
+    <message>
+        <source>expected a covariance (positive semidefinite)</source>
+        <translation>erwartet eine Kovarianz (positiv semidefinit)</translation>
+    </message>
+    <message>
+        <source>the name of a file</source>
+        <translation>der Name einer Datei</translation>
+    </message>
+    <message>
+        <source>a name and a folder</source>
+        <translation>ein Name und ein Ordner</translation>
+    </message>
+    <message>
+        <source>each package once</source>
+        <translation>jedes Paket einmal</translation>
+    </message>
+    <message>
+        <source>a placement that makes sense ({})</source>
+        <translation>eine sinnvolle Einordnung ({})</translation>
+    </message>
+    <message>
+        <source>See that the cells send readings, and that the calibration was made of three poses or more.</source>
+        <translation>Prüfen, ob die Zellen Messwerte senden und ob die Kalibrierung aus mindestens drei Posen stammt.</translation>
+    </message>
+    <message>
+        <source>As far as it could be compared, the calibration still holds.</source>
+        <translation>Soweit sie sich vergleichen ließ, gilt die Kalibrierung noch.</translation>
+    </message>
+    <message>
+        <source>The calibration still holds: it can be used as before.</source>
+        <translation>Die Kalibrierung gilt noch und lässt sich weiter verwenden.</translation>
+    </message>
+    <message>
+        <source>A cell that turned came loose or was fixed anew: see that it sits firmly, then calibrate anew.</source>
+        <translation>Eine gedrehte Zelle hat sich gelöst oder wurde neu befestigt: dafür sorgen, dass sie fest sitzt, dann neu kalibrieren.</translation>
+    </message>
+    <message>
+        <source>A cell whose offset drifted is still where it was; its readings are off by that much until the skin is calibrated anew.</source>
+        <translation>Eine Zelle, deren Offset gedriftet ist, sitzt noch, wo sie war; ihre Messwerte sind um so viel falsch, bis die Haut neu kalibriert ist.</translation>
+    </message>
+    <message>
+        <source>Another pose, with the part turned by 45° or more, tells a turn from a drift.</source>
+        <translation>Eine weitere Pose, mit dem Körperteil um mindestens 45° gedreht, unterscheidet eine Drehung von einer Drift.</translation>
+    </message>
+    <message>
+        <source>Check the sensor, plug and cable of a cell that is dead, broken or gone.</source>
+        <translation>Bei einer Zelle, die tot, defekt oder verschwunden ist, Sensor, Stecker und Kabel prüfen.</translation>
+    </message>
+    <message>
+        <source>What neither a turn nor a drift explains may have happened between these poses: compare only those that were taken since.</source>
+        <translation>Was weder eine Drehung noch eine Drift erklärt, kann zwischen diesen Posen geschehen sein: nur mit denen vergleichen, die danach aufgenommen wurden.</translation>
+    </message>
+    <message>
+        <source>See that the cells are still joined where a link is no longer reported.</source>
+        <translation>Prüfen, ob die Zellen noch verbunden sind, wo eine Verbindung nicht mehr gemeldet wird.</translation>
+    </message>
+    <message>
+        <source>Here the patch is turned by {} against what gravity says, which is certain to {} (1 sigma).</source>
+        <translation>Hier ist das Hautstück um {} anders gedreht, als die Schwerkraft sagt, die es auf {} genau angibt (1 Sigma).</translation>
+    </message>
+    <message>
+        <source>the place at which the patch of cell {} was put is none</source>
+        <translation>der Platz, an den das Hautstück von Zelle {} gelegt wurde, ist keiner</translation>
+    </message>
+    <message>
+        <source>Where the patch of cell {} was put by hand, it is turned by {} against what gravity says, which is certain to {} (1 sigma); the fit moved it by {}.</source>
+        <translation>Wo das Hautstück von Zelle {} von Hand hingelegt wurde, ist es um {} anders gedreht, als die Schwerkraft sagt, die es auf {} genau angibt (1 Sigma); die Anpassung hat es um {} bewegt.</translation>
+    </message>
+    <message>
+        <source>the names and angles of {} joints take {} bytes, and a message on this wire has {}</source>
+        <translation>die Namen und Winkel von {} Gelenken brauchen {} Bytes, eine Nachricht auf dieser Leitung hat {}</translation>
+    </message>
+    <message>
+        <source>mount: expected {}, found &quot;{}&quot;</source>
+        <translation>mount: erwartet ist {}, gefunden wurde „{}“</translation>
+    </message>
+    <message>
+        <source>base: expected fixed, motors or hand, found &quot;{}&quot;</source>
+        <translation>base: erwartet ist fixed, motors oder hand, gefunden wurde „{}“</translation>
+    </message>
+    <message>
+        <source>base: a robot with its motors on is not ideal</source>
+        <translation>base: Ein Roboter mit eingeschalteten Motoren ist nicht ideal</translation>
+    </message>
+    <message>
+        <source>the robot needs a mount for each patch, {}</source>
+        <translation>der Roboter braucht für jeden Patch ein mount, {}</translation>
+    </message>
+    <message>
+        <source>there is no cell {}; cells are 1 to {}</source>
+        <translation>es gibt keine Zelle {}; die Zellen sind 1 bis {}</translation>
+    </message>
+    <message>
+        <source>patch on {}, whose cell 1 is the robot&apos;s cell {}</source>
+        <translation>Patch auf {}, dessen Zelle 1 die Zelle {} des Roboters ist</translation>
+    </message>
+    <message>
+        <source>the joints can&apos;t turn cell {} there: they come within {}</source>
+        <translation>die Gelenke können Zelle {} nicht dorthin drehen: Sie kommen nur bis auf {} heran</translation>
+    </message>
+    <message>
+        <source>the robot&apos;s base is fixed: only its joints turn</source>
+        <translation>die Basis des Roboters steht fest: Nur seine Gelenke drehen sich</translation>
+    </message>
+    <message>
+        <source>source &quot;{}&quot;: expected sim:robot[?urdf=FILE&amp;package=NAME=FOLDER&amp;mount=LINK:X,Y,Z&amp;base=fixed|motors|hand&amp;patch=...&amp;surface=...&amp;seed=N&amp;speed=X|max], found &quot;{}&quot;</source>
+        <translation>Quelle „{}“: erwartet ist sim:robot[?urdf=DATEI&amp;package=NAME=ORDNER&amp;mount=GLIED:X,Y,Z&amp;base=fixed|motors|hand&amp;patch=...&amp;surface=...&amp;seed=N&amp;speed=X|max], gefunden wurde „{}“</translation>
+    </message>
+    <message>
+        <source>package: expected NAME=FOLDER, found &quot;{}&quot;</source>
+        <translation>package: erwartet ist NAME=ORDNER, gefunden wurde „{}“</translation>
+=======
         <source>Usable: {} at the worst measured cell (95 %), {}.</source>
         <translation>Brauchbar: {} an der schlechtesten gemessenen Zelle (95 %), {}.</translation>
     </message>
     <message>
         <source>Not enough: {} at the worst measured cell (95 %), {}.</source>
         <translation>Nicht genug: {} an der schlechtesten gemessenen Zelle (95 %), {}.</translation>
+>>>>>>> a491a58e (Where cells are placed through their links, the stated uncertainty is said to be that of the worst measured cell)
     </message>
 </context>
 <context>
@@ -5061,6 +6496,530 @@ Auf einem entfernten Bildschirm oder mit einem fehlerhaften Treiber kann es helf
     <message>
         <source>Documents (*.pdf);;Pages for the browser (*.html)</source>
         <translation>Dokumente (*.pdf);;Seiten für den Browser (*.html)</translation>
+    </message>
+</context>
+<context>
+    <name>hexoderm::PlaceOnRobot</name>
+    <message>
+        <source>%1 · can&apos;t be told from %2</source>
+        <translation>%1 · nicht von %2 zu unterscheiden</translation>
+    </message>
+    <message>
+        <source>%1 · fits: misfit %2, usual is %3</source>
+        <translation>%1 · passt: Abweichung %2, üblich ist %3</translation>
+    </message>
+    <message>
+        <source>%1 · does not fit: misfit %2, usual is %3</source>
+        <translation>%1 · passt nicht: Abweichung %2, üblich ist %3</translation>
+    </message>
+    <message>
+        <source>%1 · misfit %2</source>
+        <translation>%1 · Abweichung %2</translation>
+    </message>
+    <message>
+        <source>does not fit</source>
+        <translation>passt nicht</translation>
+    </message>
+    <message>
+        <source>can be moved</source>
+        <translation>verschiebbar</translation>
+    </message>
+    <message>
+        <source>Cell %1 at (%2, %3, %4) mm ± %5 mm</source>
+        <translation>Zelle %1 bei (%2; %3; %4) mm ± %5 mm</translation>
+    </message>
+    <message>
+        <source>Cell %1 to cell %2: %3 mm ± %4 mm</source>
+        <translation>Zelle %1 bis Zelle %2: %3 mm ± %4 mm</translation>
+    </message>
+    <message>
+        <source>put by hand</source>
+        <translation>von Hand gelegt</translation>
+    </message>
+</context>
+<context>
+    <name>hexoderm::PlacePanel</name>
+    <message>
+        <source> mm</source>
+        <translation> mm</translation>
+    </message>
+    <message>
+        <source>Robot</source>
+        <translation>Roboter</translation>
+    </message>
+    <message>
+        <source>Which robot wears the skin?</source>
+        <translation>Welcher Roboter trägt die Haut?</translation>
+    </message>
+    <message>
+        <source>Joint angles</source>
+        <translation>Gelenkwinkel</translation>
+    </message>
+    <message>
+        <source>How did it stand in each pose?</source>
+        <translation>Wie stand er in jeder Pose?</translation>
+    </message>
+    <message>
+        <source>Patch</source>
+        <translation>Hautstück</translation>
+    </message>
+    <message>
+        <source>Which patch is to be placed?</source>
+        <translation>Welches Hautstück soll eingeordnet werden?</translation>
+    </message>
+    <message>
+        <source>Link</source>
+        <translation>Glied</translation>
+    </message>
+    <message>
+        <source>Which link saw the same gravity?</source>
+        <translation>Welches Glied hat dieselbe Schwerkraft gesehen?</translation>
+    </message>
+    <message>
+        <source>What is known</source>
+        <translation>Was bekannt ist</translation>
+    </message>
+    <message>
+        <source>What says where on the link it lies?</source>
+        <translation>Was sagt, wo auf dem Glied es liegt?</translation>
+    </message>
+    <message>
+        <source>Place</source>
+        <translation>Platz</translation>
+    </message>
+    <message>
+        <source>Where on the link can it lie?</source>
+        <translation>Wo auf dem Glied kann es liegen?</translation>
+    </message>
+    <message>
+        <source>Choose URDF…</source>
+        <translation>URDF wählen…</translation>
+    </message>
+    <message>
+        <source>Choose the robot&apos;s URDF</source>
+        <translation>Das URDF des Roboters wählen</translation>
+    </message>
+    <message>
+        <source>Package folder…</source>
+        <translation>Paketordner…</translation>
+    </message>
+    <message>
+        <source>Say in which folder a package of the robot is</source>
+        <translation>Angeben, in welchem Ordner ein Paket des Roboters liegt</translation>
+    </message>
+    <message>
+        <source>Where a URDF says package://NAME/…: the folder called NAME</source>
+        <translation>Wo ein URDF package://NAME/… sagt: der Ordner namens NAME</translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation>Entfernen</translation>
+    </message>
+    <message>
+        <source>Remove the robot</source>
+        <translation>Den Roboter entfernen</translation>
+    </message>
+    <message>
+        <source>Choose CSV…</source>
+        <translation>CSV wählen…</translation>
+    </message>
+    <message>
+        <source>Choose a table of joint angles</source>
+        <translation>Eine Tabelle mit Gelenkwinkeln wählen</translation>
+    </message>
+    <message>
+        <source>Pose in which the robot is drawn</source>
+        <translation>Pose, in der der Roboter gezeichnet wird</translation>
+    </message>
+    <message>
+        <source>Drawn in</source>
+        <translation>Gezeichnet in</translation>
+    </message>
+    <message>
+        <source>Patch that is placed</source>
+        <translation>Hautstück, das eingeordnet wird</translation>
+    </message>
+    <message>
+        <source>Links that the patch may be on</source>
+        <translation>Glieder, auf denen das Hautstück liegen kann</translation>
+    </message>
+    <message>
+        <source>Return or a click puts the patch on a link</source>
+        <translation>Die Eingabetaste oder ein Klick legt das Hautstück auf ein Glied</translation>
+    </message>
+    <message>
+        <source>Any link of the robot</source>
+        <translation>Jedes Glied des Roboters</translation>
+    </message>
+    <message>
+        <source>On link</source>
+        <translation>Auf Glied</translation>
+    </message>
+    <message>
+        <source>Its back lies on the link&apos;s surface</source>
+        <translation>Rückseite liegt auf dem Glied</translation>
+    </message>
+    <message>
+        <source>Known points and distances</source>
+        <translation>Bekannte Punkte und Abstände</translation>
+    </message>
+    <message>
+        <source>Remove the picked point or distance</source>
+        <translation>Den gewählten Punkt oder Abstand entfernen</translation>
+    </message>
+    <message>
+        <source>Cell at the known point</source>
+        <translation>Zelle am bekannten Punkt</translation>
+    </message>
+    <message>
+        <source>x of the point in the link&apos;s frame</source>
+        <translation>x des Punkts im Koordinatensystem des Glieds</translation>
+    </message>
+    <message>
+        <source>y of the point in the link&apos;s frame</source>
+        <translation>y des Punkts im Koordinatensystem des Glieds</translation>
+    </message>
+    <message>
+        <source>z of the point in the link&apos;s frame</source>
+        <translation>z des Punkts im Koordinatensystem des Glieds</translation>
+    </message>
+    <message>
+        <source>Uncertainty of the point, 1 sigma</source>
+        <translation>Unsicherheit des Punkts, 1 Sigma</translation>
+    </message>
+    <message>
+        <source>Pick in 3D</source>
+        <translation>In 3D wählen</translation>
+    </message>
+    <message>
+        <source>Pick the point on the robot</source>
+        <translation>Den Punkt am Roboter wählen</translation>
+    </message>
+    <message>
+        <source>The next click on the robot fills in x, y and z</source>
+        <translation>Der nächste Klick auf den Roboter füllt x, y und z aus</translation>
+    </message>
+    <message>
+        <source>Add point</source>
+        <translation>Punkt hinzufügen</translation>
+    </message>
+    <message>
+        <source>Add the known point</source>
+        <translation>Den bekannten Punkt hinzufügen</translation>
+    </message>
+    <message>
+        <source>Cell</source>
+        <translation>Zelle</translation>
+    </message>
+    <message>
+        <source>±</source>
+        <translation>±</translation>
+    </message>
+    <message>
+        <source>x</source>
+        <translation>x</translation>
+    </message>
+    <message>
+        <source>y</source>
+        <translation>y</translation>
+    </message>
+    <message>
+        <source>z</source>
+        <translation>z</translation>
+    </message>
+    <message>
+        <source>Cell of this patch</source>
+        <translation>Zelle dieses Hautstücks</translation>
+    </message>
+    <message>
+        <source>Cell of another patch on the same link</source>
+        <translation>Zelle eines anderen Hautstücks auf demselben Glied</translation>
+    </message>
+    <message>
+        <source>Measured distance of the two cells</source>
+        <translation>Gemessener Abstand der beiden Zellen</translation>
+    </message>
+    <message>
+        <source>not measured</source>
+        <translation>nicht gemessen</translation>
+    </message>
+    <message>
+        <source>Uncertainty of the distance, 1 sigma</source>
+        <translation>Unsicherheit des Abstands, 1 Sigma</translation>
+    </message>
+    <message>
+        <source>Add distance</source>
+        <translation>Abstand hinzufügen</translation>
+    </message>
+    <message>
+        <source>Add the measured distance</source>
+        <translation>Den gemessenen Abstand hinzufügen</translation>
+    </message>
+    <message>
+        <source>to</source>
+        <translation>bis</translation>
+    </message>
+    <message>
+        <source>is</source>
+        <translation>ist</translation>
+    </message>
+    <message>
+        <source>Places that fit, the best first</source>
+        <translation>Plätze, die passen, der beste zuerst</translation>
+    </message>
+    <message>
+        <source>Pointing at a place shows it; Return or a click takes it</source>
+        <translation>Zeigen auf einen Platz führt ihn vor; die Eingabetaste oder ein Klick übernimmt ihn</translation>
+    </message>
+    <message>
+        <source>Take away</source>
+        <translation>Wegnehmen</translation>
+    </message>
+    <message>
+        <source>Take the patch away from its place</source>
+        <translation>Das Hautstück von seinem Platz wegnehmen</translation>
+    </message>
+    <message>
+        <source>open</source>
+        <translation>offen</translation>
+    </message>
+    <message>
+        <source>Nothing says where on the link the patch lies: use the surface, or add a point.</source>
+        <translation>Nichts sagt, wo auf dem Glied das Hautstück liegt: die Oberfläche verwenden oder einen Punkt hinzufügen.</translation>
+    </message>
+    <message>
+        <source>Nothing describes the surface of this link; points and distances can say where the patch lies.</source>
+        <translation>Nichts beschreibt die Oberfläche dieses Glieds; Punkte und Abstände können sagen, wo das Hautstück liegt.</translation>
+    </message>
+    <message>
+        <source>The robot&apos;s description; a file can also be dropped onto the window</source>
+        <translation>Die Beschreibung des Roboters; eine Datei lässt sich auch auf das Fenster ziehen</translation>
+    </message>
+    <message>
+        <source>A line for each pose, a column for each joint, with its unit</source>
+        <translation>Eine Zeile für jede Pose, eine Spalte für jedes Gelenk, mit ihrer Einheit</translation>
+    </message>
+    <message>
+        <source>Choose the robot first: its joints have the names of the columns</source>
+        <translation>Zuerst den Roboter wählen: Seine Gelenke geben den Spalten ihre Namen</translation>
+    </message>
+    <message>
+        <source>Joint angles of the poses</source>
+        <translation>Gelenkwinkel der Posen</translation>
+    </message>
+    <message>
+        <source>Type angles, or paste a block of them from a spreadsheet; an empty cell is an angle that is not known</source>
+        <translation>Winkel eintippen oder einen Block aus einer Tabellenkalkulation einfügen; eine leere Zelle ist ein Winkel, der nicht bekannt ist</translation>
+    </message>
+    <message>
+        <source>Move by hand</source>
+        <translation>Von Hand bewegen</translation>
+    </message>
+    <message>
+        <source>Move the patch over the link by keys</source>
+        <translation>Das Hautstück mit Tasten über das Glied bewegen</translation>
+    </message>
+    <message>
+        <source>Look closely</source>
+        <translation>Nah ansehen</translation>
+    </message>
+    <message>
+        <source>Look closely at the patch on the robot</source>
+        <translation>Das Hautstück am Roboter nah ansehen</translation>
+    </message>
+    <message>
+        <source>The picture shows the cells of the patch with their numbers</source>
+        <translation>Das Bild zeigt die Zellen des Hautstücks mit ihren Nummern</translation>
+    </message>
+    <message>
+        <source>In the picture the mouse pulls the patch over the link at any time; this is for the keyboard</source>
+        <translation>Im Bild zieht die Maus das Hautstück jederzeit über das Glied; dies ist für die Tastatur</translation>
+    </message>
+    <message>
+        <source>A patch is moved over the surface of its link, which has to be known and used</source>
+        <translation>Ein Hautstück wird über die Oberfläche seines Glieds bewegt, die bekannt sein und benutzt werden muss</translation>
+    </message>
+    <message>
+        <source>The robot&apos;s description holds no surface of this link</source>
+        <translation>Die Beschreibung des Roboters enthält keine Oberfläche dieses Glieds</translation>
+    </message>
+    <message>
+        <source>Pick a point or a distance in the list first</source>
+        <translation>Zuerst einen Punkt oder Abstand in der Liste wählen</translation>
+    </message>
+    <message>
+        <source>Type the measured distance first</source>
+        <translation>Zuerst den gemessenen Abstand eingeben</translation>
+    </message>
+    <message>
+        <source>The patch is drawn once its place is known</source>
+        <translation>Das Hautstück wird gezeichnet, sobald sein Platz bekannt ist</translation>
+    </message>
+</context>
+<context>
+    <name>hexoderm::PlacePresenter</name>
+    <message>
+        <source>Cancelled.</source>
+        <translation>Abgebrochen.</translation>
+    </message>
+    <message>
+        <source>This point is on link %1, and the patch on %2: pick a point of that link.</source>
+        <translation>Dieser Punkt liegt auf Glied %1 und das Hautstück auf %2: einen Punkt dieses Glieds wählen.</translation>
+    </message>
+    <message>
+        <source>%1 has no line for any pose of this session.</source>
+        <translation>%1 hat für keine Pose dieser Sitzung eine Zeile.</translation>
+    </message>
+    <message>
+        <source>read the joint angles of %1</source>
+        <translation>Gelenkwinkel aus %1 lesen</translation>
+    </message>
+    <message>
+        <source>use the surface of the link</source>
+        <translation>Oberfläche des Glieds verwenden</translation>
+    </message>
+    <message>
+        <source>do without the surface of the link</source>
+        <translation>auf die Oberfläche des Glieds verzichten</translation>
+    </message>
+    <message>
+        <source>remove a known point</source>
+        <translation>bekannten Punkt entfernen</translation>
+    </message>
+    <message>
+        <source>remove a measured distance</source>
+        <translation>gemessenen Abstand entfernen</translation>
+    </message>
+    <message>
+        <source>take the patch away</source>
+        <translation>Hautstück wegnehmen</translation>
+    </message>
+    <message>
+        <source>Choose the robot&apos;s URDF</source>
+        <translation>Das URDF des Roboters wählen</translation>
+    </message>
+    <message>
+        <source>Robots (*.urdf *.xml);;All files (*)</source>
+        <translation>Roboter (*.urdf *.xml);;Alle Dateien (*)</translation>
+    </message>
+    <message>
+        <source>The folder of a package</source>
+        <translation>Der Ordner eines Pakets</translation>
+    </message>
+    <message>
+        <source>Choose a table of joint angles</source>
+        <translation>Eine Tabelle mit Gelenkwinkeln wählen</translation>
+    </message>
+    <message>
+        <source>Tables (*.csv *.tsv *.txt);;All files (*)</source>
+        <translation>Tabellen (*.csv *.tsv *.txt);;Alle Dateien (*)</translation>
+    </message>
+    <message>
+        <source>Choose the robot first: its joints have the names of the columns.</source>
+        <translation>Zuerst den Roboter wählen: Seine Gelenke geben den Spalten ihre Namen.</translation>
+    </message>
+    <message>
+        <source>Of a patch this large only some cells are placed, and %1 known points are of others: give points of other cells.</source>
+        <translation>Von einem so großen Hautstück werden nur einige Zellen eingeordnet, und %1 bekannte Punkte gehören zu anderen: Punkte anderer Zellen angeben.</translation>
+    </message>
+    <message>
+        <source>There is no skin yet.</source>
+        <translation>Noch gibt es keine Haut.</translation>
+    </message>
+    <message>
+        <source>A calibration is open: it holds the result, not the poses.</source>
+        <translation>Eine Kalibrierung ist geöffnet: Sie enthält das Ergebnis, nicht die Posen.</translation>
+    </message>
+    <message>
+        <source>%1, %2 links, from %3.</source>
+        <translation>%1, %2 Glieder, aus %3.</translation>
+    </message>
+    <message>
+        <source>Not chosen yet.</source>
+        <translation>Noch nicht gewählt.</translation>
+    </message>
+    <message>
+        <source>No pose has joint angles, so that no link can be told. A link can be chosen all the same.</source>
+        <translation>Keine Pose hat Gelenkwinkel, so dass sich kein Glied bestimmen lässt. Ein Glied lässt sich trotzdem wählen.</translation>
+    </message>
+    <message>
+        <source>%1 of %2 poses have joint angles.</source>
+        <translation>%1 von %2 Posen haben Gelenkwinkel.</translation>
+    </message>
+    <message>
+        <source>This patch saw gravity in no pose that has joint angles.</source>
+        <translation>Dieses Hautstück hat in keiner Pose mit Gelenkwinkeln Schwerkraft gesehen.</translation>
+    </message>
+    <message>
+        <source>Pose %1</source>
+        <translation>Pose %1</translation>
+    </message>
+    <message>
+        <source>All joints at 0</source>
+        <translation>Alle Gelenke auf 0</translation>
+    </message>
+    <message>
+        <source>Cell %1 alone</source>
+        <translation>Zelle %1 allein</translation>
+    </message>
+    <message>
+        <source>Patch of cell %1, %2 cells</source>
+        <translation>Hautstück der Zelle %1, %2 Zellen</translation>
+    </message>
+    <message>
+        <source>The robot has no link %1, on which the patch was placed: choose another one, or the robot that it belongs to.</source>
+        <translation>Der Roboter hat kein Glied %1, auf dem das Hautstück eingeordnet wurde: ein anderes wählen, oder den Roboter, zu dem es gehört.</translation>
+    </message>
+    <message>
+        <source>leave the link open</source>
+        <translation>Glied offenlassen</translation>
+    </message>
+    <message>
+        <source>put the patch on link %1</source>
+        <translation>Hautstück auf Glied %1 legen</translation>
+    </message>
+    <message>
+        <source>Cell %1 is none of this patch.</source>
+        <translation>Zelle %1 gehört nicht zu diesem Hautstück.</translation>
+    </message>
+    <message>
+        <source>add a known point</source>
+        <translation>bekannten Punkt hinzufügen</translation>
+    </message>
+    <message>
+        <source>Cell %1 is of no other patch: inside a patch, distances are known.</source>
+        <translation>Zelle %1 gehört zu keinem anderen Hautstück: Innerhalb eines Hautstücks sind Abstände bekannt.</translation>
+    </message>
+    <message>
+        <source>The patch of cell %1 is not on link %2: its distance depends on the joints.</source>
+        <translation>Das Hautstück von Zelle %1 liegt nicht auf Glied %2: Sein Abstand hängt von den Gelenken ab.</translation>
+    </message>
+    <message>
+        <source>add a measured distance</source>
+        <translation>gemessenen Abstand hinzufügen</translation>
+    </message>
+    <message>
+        <source>place the patch</source>
+        <translation>Hautstück einordnen</translation>
+    </message>
+    <message>
+        <source>move the patch by hand</source>
+        <translation>Hautstück von Hand bewegen</translation>
+    </message>
+    <message>
+        <source>set joint angles of %1 poses</source>
+        <translation>Gelenkwinkel von %1 Posen setzen</translation>
+    </message>
+    <message>
+        <source>Pull it by the mouse; or arrow keys slide it by 1 mm, Page Up and Page Down turn it by 1°, with Shift by ten times as much. Return lays it there, Escape leaves it where it was.</source>
+        <translation>Mit der Maus ziehen; oder die Pfeiltasten schieben es um 1 mm, Bild auf und Bild ab drehen es um 1°, mit der Umschalttaste um das Zehnfache. Die Eingabetaste legt es dort ab, Esc lässt es, wo es war.</translation>
+    </message>
+</context>
+<context>
+    <name>hexoderm::Placing</name>
+    <message>
+        <source>The file has changed since the robot was chosen: look whether the places still hold.</source>
+        <translation>Die Datei hat sich geändert, seit der Roboter gewählt wurde: nachsehen, ob die Plätze noch stimmen.</translation>
     </message>
 </context>
 <context>
@@ -5998,6 +7957,17 @@ Auf einem entfernten Bildschirm oder mit einem fehlerhaften Treiber kann es helf
     </message>
 </context>
 <context>
+    <name>hexoderm::RobotView</name>
+    <message>
+        <source>The robot in three dimensions</source>
+        <translation>Der Roboter in drei Dimensionen</translation>
+    </message>
+    <message>
+        <source>The 3D view needs OpenGL 3.2, which is not available here. Links, places and points can still be chosen in the lists.</source>
+        <translation>Die 3D-Ansicht braucht OpenGL 3.2, das hier nicht verfügbar ist. Glieder, Plätze und Punkte lassen sich trotzdem in den Listen wählen.</translation>
+    </message>
+</context>
+<context>
     <name>hexoderm::SessionFile</name>
     <message>
         <source>%1 is open already.</source>
@@ -6022,6 +7992,14 @@ Auf einem entfernten Bildschirm oder mit einem fehlerhaften Treiber kann es helf
     <message>
         <source>Until it is saved, this session is kept in memory only. %1</source>
         <translation>Bis sie gespeichert ist, liegt diese Sitzung nur im Speicher. %1</translation>
+    </message>
+    <message>
+        <source>Simulating a robot</source>
+        <translation>Ein Roboter wird simuliert</translation>
+    </message>
+    <message>
+        <source>Simulated robot</source>
+        <translation>Simulierter Roboter</translation>
     </message>
 </context>
 <context>
@@ -6524,6 +8502,38 @@ Auf einem entfernten Bildschirm oder mit einem fehlerhaften Treiber kann es helf
         <source>It contradicts the result. Check the size of the cells in the cell model, the numbering of the ports and the axes of the sensors; with fewer than three poses, take more. %1</source>
         <translation>Es widerspricht dem Ergebnis. Die Größe der Zellen im Zellmodell, die Nummern der Ports und die Achsen der Sensoren prüfen; bei weniger als drei Posen weitere aufnehmen. %1</translation>
     </message>
+    <message>
+        <source>Compared with %1: %2.</source>
+        <translation>Verglichen mit %1: %2.</translation>
+    </message>
+    <message>
+        <source>Now</source>
+        <translation>Jetzt</translation>
+    </message>
+    <message>
+        <source>What became of the cell, with 1 sigma</source>
+        <translation>Was aus der Zelle geworden ist, mit 1 Sigma</translation>
+    </message>
+    <message>
+        <source>The turn that explains best what the cell reads</source>
+        <translation>Die Drehung, die am besten erklärt, was die Zelle misst</translation>
+    </message>
+    <message>
+        <source>Drift mg</source>
+        <translation>Drift mg</translation>
+    </message>
+    <message>
+        <source>The drift of its sensor&apos;s offset that explains best what the cell reads</source>
+        <translation>Die Drift des Offsets ihres Sensors, die am besten erklärt, was die Zelle misst</translation>
+    </message>
+    <message>
+        <source>Noticed from °</source>
+        <translation>Fällt auf ab °</translation>
+    </message>
+    <message>
+        <source>A turn by so much, about whatever axis, would be found in these poses with 95 %; no figure: a turn about some axis would not be</source>
+        <translation>Eine Drehung um so viel, um welche Achse auch immer, würde in diesen Posen mit 95 % gefunden; keine Zahl: um irgendeine Achse nicht</translation>
+    </message>
 </context>
 <context>
     <name>hexoderm::VerifyPanel</name>
@@ -6711,6 +8721,50 @@ Auf einem entfernten Bildschirm oder mit einem fehlerhaften Treiber kann es helf
         <source>Cells far apart, across the bend, tell most</source>
         <translation>Weit entfernte Zellen, über die Biegung hinweg, sagen am meisten</translation>
     </message>
+    <message>
+        <source>Old calibration</source>
+        <translation>Alte Kalibrierung</translation>
+    </message>
+    <message>
+        <source>Does it still hold? Compared with poses of today, cell by cell.</source>
+        <translation>Gilt sie noch? Zelle für Zelle mit Posen von heute verglichen.</translation>
+    </message>
+    <message>
+        <source>Cancelled.</source>
+        <translation>Abgebrochen.</translation>
+    </message>
+    <message>
+        <source>Choose the file of the old calibration</source>
+        <translation>Datei der alten Kalibrierung wählen</translation>
+    </message>
+    <message>
+        <source>Remove the old calibration</source>
+        <translation>Alte Kalibrierung entfernen</translation>
+    </message>
+    <message>
+        <source>Poses that the old calibration is compared with</source>
+        <translation>Posen, mit denen die alte Kalibrierung verglichen wird</translation>
+    </message>
+    <message>
+        <source>The newest pose</source>
+        <translation>Die neueste Pose</translation>
+    </message>
+    <message>
+        <source>The newest %1 poses</source>
+        <translation>Die neuesten %1 Posen</translation>
+    </message>
+    <message>
+        <source>All poses</source>
+        <translation>Alle Posen</translation>
+    </message>
+    <message>
+        <source>A calibration file holds no readings: open a session with the poses of today.</source>
+        <translation>Eine Kalibrierdatei enthält keine Messwerte: eine Sitzung mit den Posen von heute öffnen.</translation>
+    </message>
+    <message>
+        <source>Choose those that were taken since the calibration; disabled ones don&apos;t count</source>
+        <translation>Die wählen, die seit der Kalibrierung aufgenommen wurden; nicht benutzte zählen nicht</translation>
+    </message>
 </context>
 <context>
     <name>hexoderm::VerifyPresenter</name>
@@ -6721,6 +8775,14 @@ Auf einem entfernten Bildschirm oder mit einem fehlerhaften Treiber kann es helf
     <message>
         <source>Calibrations and sessions (*.calibration.json *.hexo *.session.json *.xml)</source>
         <translation>Kalibrierungen und Sitzungen (*.calibration.json *.hexo *.session.json *.xml)</translation>
+    </message>
+    <message>
+        <source>Check an old calibration</source>
+        <translation>Eine alte Kalibrierung prüfen</translation>
+    </message>
+    <message>
+        <source>Calibrations and sessions (*.calibration.json *.hexo *.session.json)</source>
+        <translation>Kalibrierungen und Sitzungen (*.calibration.json *.hexo *.session.json)</translation>
     </message>
 </context>
 <context>
@@ -7297,6 +9359,14 @@ Auf einem entfernten Bildschirm oder mit einem fehlerhaften Treiber kann es helf
     <message>
         <source>Correct the address…</source>
         <translation>Adresse berichtigen…</translation>
+    </message>
+    <message>
+        <source>A forearm with two patches and an elbow: a session to place on its robot</source>
+        <translation>Ein Unterarm mit zwei Hautstücken und einem Ellbogen: eine Sitzung, die am Roboter einzuordnen ist</translation>
+    </message>
+    <message>
+        <source>Start the demo a&amp;rm</source>
+        <translation>Demo-A&amp;rm starten</translation>
     </message>
 </context>
 <context>

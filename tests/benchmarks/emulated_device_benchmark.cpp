@@ -15,7 +15,7 @@ void emulate(benchmark::State& state) {
   skin.patch = "sheet:100x100";
   EmulatedDeviceOptions options;
   options.means_of = static_cast<std::uint32_t>(state.range(0));
-  EmulatedDevice device(SimulatedSkin(builtInCellModel("hex-bma150"), skin), options);
+  EmulatedDevice device(std::make_unique<SimulatedSkin>(builtInCellModel("hex-bma150"), skin), options);
   EmulatedDevice::Messages messages;
   device.greet(messages);
   while (device.isExploring()) device.tick(messages);
@@ -38,7 +38,7 @@ void explore(benchmark::State& state) {
   SimulatedSkinOptions skin_options;
   skin_options.patch = "sheet:100x100";
   const SimulatedSkin skin(builtInCellModel("hex-bma150"), skin_options);
-  const LinkEnd at = firstFreePort(skin.neighbors(), skin.model());
+  const std::vector<LinkEnd> at = firstFreePorts(skin.neighbors(), skin.model());
   for ([[maybe_unused]] auto _ : state) {
     benchmark::DoNotOptimize(exploreNetwork(skin.neighbors(), skin.model(), at));
   }

@@ -1,11 +1,15 @@
 // Prints what a program is given and computes from it, one figure a line: to be compared with what the same program
 // prints that was compiled with other flags than the library.
 
+#include "hexoderm/device/simulation/simulated_robot.h"
 #include "hexoderm/device/simulation/simulated_skin.h"
+#include "hexoderm/kinematics/demo_robot.h"
 #include "hexoderm/reconstruction/advice/pose_coverage.h"
 #include "hexoderm/reconstruction/evaluation/evaluation.h"
 #include "hexoderm/reconstruction/hold_out.h"
 #include "hexoderm/reconstruction/reconstructor.h"
+#include "hexoderm/robot/parts/parts.h"
+#include "hexoderm/session/simulated_session.h"
 
 #include <Eigen/Dense>
 #include <cstdio>
@@ -79,6 +83,35 @@ void printResult(const SessionSnapshot& snapshot, const SolverOptions& options) 
   print("cylinder", *evaluateSurface(patch, SurfaceKind::Cylinder).radius_m);
 }
 
+void printRobot(const CellModel& model) {
+  SimulatedRobotOptions options;
+  options.mounts = demoMounts();
+  SimulatedRobot robot(model, RobotModel::read(demoRobotFile()), options);
+  const SimulatedRobotSession simulated = simulateRobotSession(robot, 6, 50);
+  for (const SE3& T_w_l : simulated.poses.back().T_w_l) print("link of the robot", T_w_l);
+  for (std::size_t link = 0; link < robot.robot().links().size(); ++link) {
+    for (const Eigen::Vector3d& point : robot.robot().bodyOf(link).points) print("body", point);
+  }
+
+  const std::shared_ptr<const Reconstruction> result = reconstruct(*simulated.session.snapshot());
+  for (const PatchReconstruction& patch : result->patches) {
+    for (const CellPlacement& cell : patch.cells) print("shape", *cell.shape_cov_t_r);
+    print("forces", patch.gravity_covariance->forces(0, 1));
+  }
+  const PartsResult parts = findParts(*result);
+  for (const PatchPair& pair : parts.pairs) {
+    print("pair", pair.R_a_b);
+    print("pair", pair.covariance);
+    print("pair", pair.log10_odds);
+  }
+  for (const PartRelation& relation : parts.relations) {
+    print("movement", static_cast<double>(relation.movement));
+    if (!relation.hinge) continue;
+    print("hinge", relation.hinge->a.u);
+    print("hinge", relation.hinge->b.covariance);
+  }
+}
+
 }  // namespace
 
 int main() {
@@ -96,5 +129,6 @@ int main() {
   }
   const HoldOutResult held_out = evaluateHoldOut(*session.snapshot(), PoseId(5), {});
   for (const HoldOutCell& cell : held_out.cells) print("hold-out", cell.error_rad);
+  printRobot(skin.model());
   print("own algebra", ownAlgebra(Eigen::MatrixXd::Identity(150, 150)));
 }

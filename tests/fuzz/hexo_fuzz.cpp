@@ -75,8 +75,8 @@ void changeGoodFile(FuzzInput& input) {
 }
 
 std::string kindOf(unsigned number) {
-  static constexpr std::array kKinds = {"skin",   "capture", "source", "truth",  "remove",   "restore", "disable",
-                                        "enable", "options", "mute",   "unmute", "surprise", ""};
+  static constexpr std::array kKinds = {"skin",   "capture", "source", "truth",  "remove", "restore",  "disable",
+                                        "enable", "options", "mute",   "unmute", "joints", "surprise", ""};
   return kKinds[number % kKinds.size()];
 }
 

@@ -91,7 +91,7 @@ def calibrations(program):
 
 
 def entry(kind, detail, samples=None, raw=None):
-    kinds = ["skin", "capture", "source", "truth", "remove", "restore", "disable", "enable", "options", "mute", "unmute"]
+    kinds = ["skin", "capture", "source", "truth", "remove", "restore", "disable", "enable", "options", "mute", "unmute", "joints"]
     flags = (0x10 if samples is not None else 0) | (0x20 if raw is not None else 0)
     pieces = [detail if isinstance(detail, bytes) else json.dumps(detail).encode()] + [piece for piece in (samples, raw) if piece is not None]
     return bytes([kinds.index(kind) | flags]) + b"".join(struct.pack("<H", len(piece)) + piece for piece in pieces)
@@ -101,7 +101,7 @@ def forged_database(schema):
     with tempfile.TemporaryDirectory() as folder:
         path = pathlib.Path(folder) / "forged.hexo"
         database = sqlite3.connect(path)
-        database.executescript(f"PRAGMA page_size=512; PRAGMA application_id={0x4845584F}; PRAGMA user_version=2; {schema}")
+        database.executescript(f"PRAGMA page_size=512; PRAGMA application_id={0x4845584F}; PRAGMA user_version=3; {schema}")
         database.close()
         return path.read_bytes()
 
@@ -126,6 +126,9 @@ def hexo():
         entry("restore", {"capture": 4, "place": 1}) +
         entry("mute", {"source": 1, "source_port": 2, "target": 2, "target_port": 3, "why": "cable"}) +
         entry("unmute", {"source": 1, "source_port": 2, "target": 2, "target_port": 3}) + entry("options", {"solver": "tree"}))
+    joints = [{"joint": "elbow", "position": 0.5}, {"joint": "lift", "position": -1e-3}]
+    put("hexo", "journal_joints", b"J" + skin + captures + entry("joints", {"capture": 2, "joint_angles": joints}) +
+        entry("joints", {"capture": 2, "joint_angles": []}))
     put("hexo", "journal_without_skin", b"J" + captures)
     # Journals whose digests are right, by somebody who means harm.
     twice = json.dumps({"cell_model": model, "cells": cells}).encode()[:-1] + b', "cells": []}'
@@ -151,8 +154,22 @@ def hexo():
     put("hexo", "no_database", b"R" + b"SQLite format 3\0" + bytes(84))
 
 
+def robots():
+    demo = (HERE.parent.parent / "resources/robot/demo_arm.urdf").read_bytes()
+    put("urdf", "demo_arm", demo)
+    put("urdf", "loop", demo.replace(b'<parent link="base"/>', b'<parent link="forearm"/>'))
+    put("urdf", "two_parents", demo.replace(b'<child link="hand"/>', b'<child link="shoulder"/>'))
+    put("urdf", "xacro", demo.replace(b'<link name="base">', b'<xacro:include filename="x"/><link name="base">'))
+    put("urdf", "package", demo.replace(b"meshes/", b"package://arm/meshes/"))
+    put("urdf", "mimic_circle", demo.replace(b'<mimic joint="grip"/>', b'<mimic joint="grip_other"/>'))
+    put("urdf", "not_finite", demo.replace(b'xyz="0 0 0.29"', b'xyz="0 nan 1e999"'))
+    put("joint_angles_csv", "units", b"pose,elbow[deg],wrist_rad,lift (mm)\n1,90,0.5,100\n2,-1e-3,0,0\n")
+    put("joint_angles_csv", "times", b"# unit: deg\ntime[ms];wrist;lift[m]\n1000;1;0\n2000;\"3\";0.1\n")
+
+
 skinwire()
 documents()
+robots()
 hostile_documents()
 hexo()
 if len(sys.argv) > 1:

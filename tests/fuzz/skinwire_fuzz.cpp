@@ -69,6 +69,12 @@ class StrictListener final : public SkinListener {
       fuzz::require(known_.contains(temperature.cell), "only cells of the description");
     }
   }
+  void onJoints(const JointReport& joints) override {
+    fuzz::require(described_, "a description before the first joints");
+    fuzz::require(std::isfinite(joints.time_s) && joints.time_s >= 0, "finite times of at least 0");
+    fuzz::require(!joints.angles.positions.empty(), "joints in every report");
+    joints.angles.validate();
+  }
   void onStatus(const SourceStatus& /*status*/) override {}
   void onCommandOutcome(const CommandOutcome& /*outcome*/) override {}
 

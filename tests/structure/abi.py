@@ -18,7 +18,8 @@ import tempfile
 FLAGS = (["-mavx2", "-mfma"], ["-mavx512f", "-mfma"], ["-march=native"], ["-DEIGEN_DONT_VECTORIZE"],
          ["-DEIGEN_MAX_STATIC_ALIGN_BYTES=0"], ["-DEIGEN_MAX_ALIGN_BYTES=64"])
 
-TOKEN = re.compile(r"//[^\n]*|/\*.*?\*/|\"(?:\\.|[^\"\\])*\"|'(?:\\.|[^'\\])+'|#[^\n]*(?:\\\n[^\n]*)*|\w+|::|[^\s\w]", re.S)
+TOKEN = re.compile(r"//[^\n]*|/\*.*?\*/|\"(?:\\.|[^\"\\])*\"|'(?:\\.|[^'\\])+'|#[^\n]*(?:\\\n[^\n]*)*|\d(?:'?\w)*|\w+|"
+                   r"::|[^\s\w]", re.S)
 DYNAMIC = re.compile(r"\bEigen::(?:(?:Matrix|Array|Vector|RowVector)\w*X[a-z]*|\w*\bDynamic)\b(?!\s*&)")
 
 

@@ -146,6 +146,18 @@ WrittenKeys writtenKeys(const std::string& document) {
   return written;
 }
 
+/// With every key that a placement can have.
+PatchPlacement fullPlacement() {
+  PatchPlacement placement;
+  placement.origin = CellId(1);
+  placement.link = "forearm";
+  placement.link_chosen = true;
+  placement.points = {{CellId(1), {0, 0, 0.1}, 0.001}};
+  placement.distances = {{CellId(1), CellId(2), 0.1, 0.001}};
+  placement.place = PatchOnLink{CellId(1), "forearm", {}, Matrix6d(Matrix6d::Identity())};
+  return placement;
+}
+
 /// With every key that a calibration can have.
 Reconstruction fullCalibration() {
   Reconstruction result = makeTestReconstruction();
@@ -154,6 +166,7 @@ Reconstruction fullCalibration() {
   result.poses.at(0).label = message("Pose {}", 1);
   PatchReconstruction& patch = result.patches.at(0);
   patch.gap_share = {0.5, 0.1};
+  patch.cells.at(0).shape_cov_t_r = Matrix6d::Identity();
   patch.cells.at(0).accel_offset_g = Eigen::Vector3d::Zero();
   patch.cells.at(0).accel_scale = Eigen::Vector3d::Ones();
   result.findings = {makeFinding(FindingCode::LeftOut, message("Cell {}", 3), {CellId(3)})};
@@ -162,6 +175,8 @@ Reconstruction fullCalibration() {
                        .position_95_m = 0.001,
                        .orientation_95_rad = 0.01,
                        .next_action = message("Cell {}", 1)};
+  result.robot = RobotDescription{"arm.urdf", "00", {{"arm", "/arm"}}};
+  result.placements = {fullPlacement()};
   return result;
 }
 
@@ -210,9 +225,11 @@ Session fullSession() {
   sample.count = 1;
   sample.temperature_c = 20;
   pose.samples = {sample};
-  session.addPose({std::make_shared<const PoseCapture>(pose), true, "bumped"});
+  session.addPose({std::make_shared<const PoseCapture>(pose), true, "bumped", {{{"elbow", 0.5}}}});
   session.setLinkMuted({CellId(1), PortNumber(1)}, {CellId(2), PortNumber(3)}, true, "a cable");
   session.setTruth({"body", {{CellId(1), {}}}});
+  session.setRobot(RobotDescription{"arm.urdf", "00", {{"arm", "/arm"}}});
+  session.setPlacement(fullPlacement());
   return session;
 }
 

@@ -5,12 +5,12 @@ set -euo pipefail
 cd "$1"
 failed=0
 
-foreign='^[[:space:]]*#[[:space:]]*include[[:space:]]*[<"](boost|nlohmann|assimp|fmt|openssl|ceres|google|pugi|sqlite|CLI|Q|vtk)'
+foreign='^[[:space:]]*#[[:space:]]*include[[:space:]]*[<"](boost|nlohmann|assimp|fmt|openssl|ceres|google|pugi|sqlite|CLI|urdf|kdl|console_bridge|Q|vtk)'
 if grep -rnE "$foreign" hexoderm; then
   echo "These includes are in installed headers; core/CMakeLists.txt lists which those are"
   failed=1
 fi
-if grep -rnE '\b(boost|fmt|nlohmann|pugi|Assimp|ceres)::' hexoderm; then
+if grep -rnE '\b(boost|fmt|nlohmann|pugi|Assimp|ceres|urdf|KDL)::' hexoderm; then
   echo "These types are in installed headers"
   failed=1
 fi

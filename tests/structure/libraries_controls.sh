@@ -38,6 +38,8 @@ core/hexoderm/io/c.cpp "QFile"
 core/hexoderm/reconstruction/result/a.cpp <vtkPolyData.h>
 core/hexoderm/io/a.h <pugixml.hpp>
 core/hexoderm/io/b.h <assimp/scene.h>
+core/hexoderm/io/c.h <urdf_model/model.h>
+core/hexoderm/io/d.h <kdl/tree.hpp>
 core/hexoderm/io/e.h <fmt/format.h>
 core/hexoderm/reconstruction/a.h <ceres/ceres.h>
 widgets/style/a.cpp <ceres/ceres.h>

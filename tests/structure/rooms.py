@@ -18,13 +18,15 @@ import sys
 # The halls; a name such as main.cpp stands for the files with that stem at the root of the hall.
 HALLS = {
     "": "core < widgets < app < tests",
-    "core/hexoderm": "util < geometry < graph < device < capture < session < reconstruction < io < course",
+    "core/hexoderm": "util < geometry < graph < kinematics < device < capture < session < reconstruction < robot"
+                     " < io < course",
     "core/hexoderm/device": "{sample_frame, ground_truth, offence} < skin_source < diagnosis < {skinwire, simulation}"
                             " < {emulation, sources}",
-    "core/hexoderm/reconstruction": "result < {links, sparse, accelerometer} < {joint, faults, advice} < {patch, evaluation}"
+    "core/hexoderm/reconstruction": "result < {links, sparse, accelerometer} < {joint, faults, advice} < {patch, evaluation, check}"
                                     " < figures < solved_skin < reconstructor < {hold_out, reconstruction_worker,"
                                     " sensor_statistics}",
-    "widgets": "style < words < {controls, coloring} < {tables, capture, graph, scene} < {verify, patch}",
+    "core/hexoderm/robot": "parts < links < place",
+    "widgets": "style < words < {controls, coloring} < {tables, capture, graph, scene} < {verify, patch} < robot",
     "app": "{cli, emulator, window}",
     "app/window": "{files, toolkit} < {settings, report} < session < {guide, dialogs, log} < presenters < main_window"
                   " < main",

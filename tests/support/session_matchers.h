@@ -26,6 +26,7 @@ bool sameBits(const A& a, const B& b) {
 inline void expectSamePose(const SessionPose& a, const SessionPose& b) {
   EXPECT_EQ(a.disabled, b.disabled);
   EXPECT_EQ(a.why_disabled, b.why_disabled);
+  EXPECT_EQ(a.joint_angles, b.joint_angles);
   EXPECT_EQ(a.capture->id, b.capture->id);
   EXPECT_EQ(a.capture->label, b.capture->label);
   EXPECT_EQ(a.capture->taken_at_ms, b.capture->taken_at_ms);
@@ -39,6 +40,52 @@ inline void expectSamePose(const SessionPose& a, const SessionPose& b) {
     EXPECT_TRUE(sameBits(x.mean_g, y.mean_g)) << "sample " << k;
     EXPECT_TRUE(sameBits(x.cov_g2, y.cov_g2)) << "sample " << k;
   }
+}
+
+inline void expectSamePlacement(const PatchPlacement& a, const PatchPlacement& b) {
+  EXPECT_EQ(a.origin, b.origin);
+  EXPECT_EQ(a.link, b.link);
+  EXPECT_EQ(a.link_chosen, b.link_chosen);
+  EXPECT_EQ(a.by_surface, b.by_surface);
+  ASSERT_EQ(a.points.size(), b.points.size());
+  for (std::size_t k = 0; k < a.points.size(); ++k) {
+    EXPECT_EQ(a.points[k].cell, b.points[k].cell);
+    EXPECT_TRUE(sameBits(a.points[k].x_l, b.points[k].x_l));
+    EXPECT_EQ(a.points[k].sigma_m, b.points[k].sigma_m);
+  }
+  ASSERT_EQ(a.distances.size(), b.distances.size());
+  for (std::size_t k = 0; k < a.distances.size(); ++k) {
+    EXPECT_EQ(a.distances[k].a, b.distances[k].a);
+    EXPECT_EQ(a.distances[k].b, b.distances[k].b);
+    EXPECT_EQ(a.distances[k].distance_m, b.distances[k].distance_m);
+    EXPECT_EQ(a.distances[k].sigma_m, b.distances[k].sigma_m);
+  }
+  ASSERT_EQ(a.place.has_value(), b.place.has_value());
+  if (!a.place) return;
+  EXPECT_EQ(a.place->origin, b.place->origin);
+  EXPECT_EQ(a.place->link, b.place->link);
+  EXPECT_TRUE(sameBits(a.place->T_l_o.R, b.place->T_l_o.R));
+  EXPECT_TRUE(sameBits(a.place->T_l_o.t, b.place->T_l_o.t));
+  ASSERT_EQ(a.place->cov_t_r.has_value(), b.place->cov_t_r.has_value());
+  if (!a.place->cov_t_r) return;
+  EXPECT_TRUE(sameBits(*a.place->cov_t_r, *b.place->cov_t_r));
+}
+
+/// A placement with everything that one can have, and numbers that are hard to keep.
+inline PatchPlacement placementWithEverything(CellId origin) {
+  PatchPlacement placement;
+  placement.origin = origin;
+  placement.link = "a \"forearm\"";
+  placement.link_chosen = true;
+  placement.by_surface = false;
+  placement.points = {{origin, {1.0 / 3, -0.0, 5e-324}, 1e-3 / 7}};
+  placement.distances = {{origin, CellId(origin.value() + 1), 0.1 + 0.2, 1e-3 / 3}};
+  Matrix6d A;
+  for (Eigen::Index k = 0; k < 36; ++k) A(k / 6, k % 6) = 1e-3 / (static_cast<double>(k) + 1.7);
+  Matrix6d covariance = A * A.transpose();
+  covariance = (0.5 * (covariance + covariance.transpose())).eval();
+  placement.place = PatchOnLink{origin, placement.link, {expSO3({0.1, 2, -0.3}), {0.1, -1.0 / 7, 0}}, covariance};
+  return placement;
 }
 
 /// Everything that is measured or decided, bit for bit; the source's text, but not the file it was read from.
@@ -56,6 +103,9 @@ inline void expectSameSession(const Session& a, const Session& b) {
     expectSamePose(a.poses()[p], b.poses()[p]);
   }
   EXPECT_EQ(a.mutedLinks(), b.mutedLinks());
+  EXPECT_EQ(a.robot(), b.robot());
+  ASSERT_EQ(a.placements().size(), b.placements().size());
+  for (std::size_t k = 0; k < a.placements().size(); ++k) expectSamePlacement(a.placements()[k], b.placements()[k]);
   ASSERT_EQ(a.truth() == nullptr, b.truth() == nullptr);
   if (!a.truth()) return;
   EXPECT_EQ(a.truth()->frame, b.truth()->frame);
@@ -94,9 +144,16 @@ inline Session sessionWithEverything() {
     if (id == 3) b.cov_g2(2, 1) = b.cov_g2(1, 2) = -0.0;
     capture.samples = {a, b};
     session.addPose({std::make_shared<const PoseCapture>(capture), id == 2, id == 2 ? "the arm moved" : ""});
+    if (id != 1) session.setJointAngles(id - 1, {{{"elbow", id / 3.0}, {"a \"wrist\"", -1e-17}}});
   }
   session.setLinkMuted({CellId(2), PortNumber(3)}, {CellId(1), PortNumber(2)}, true, "a \"cable\"\n");
   session.setLinkMuted({CellId(7), PortNumber(1)}, {CellId(7), PortNumber(4)}, true);
+  session.setRobot(RobotDescription{"a \"robot\".urdf", "00ff", {{"arm", "/opt/ärm"}, {"hand", "hand"}}});
+  session.setPlacement(placementWithEverything(CellId(2)));
+  PatchPlacement begun;
+  begun.origin = CellId(1);
+  begun.link = "upper_arm";
+  session.setPlacement(begun);
   return session;
 }
 

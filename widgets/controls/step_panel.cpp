@@ -244,8 +244,8 @@ StepPanel::StepPanel(QWidget* parent) : QScrollArea(parent), layout_(nullptr) {
   setWidget(content);
   make_room_.setSingleShot(true);
   connect(&make_room_, &QTimer::timeout, this, [this] {
-    // An operator who has scrolled meanwhile stays there.
-    if (verticalScrollBar()->value() == placed_at_) makeRoom();
+    // An operator who has scrolled meanwhile stays there, and so does one who is at another heading by the keyboard.
+    if (verticalScrollBar()->value() == placed_at_ && !isFocusElsewhere()) makeRoom();
   });
 }
 
@@ -299,7 +299,12 @@ void StepPanel::makeRoom() {
 }
 
 void StepPanel::makeRoomSoon() {
-  if (verticalScrollBar()->value() == placed_at_) make_room_.start();
+  if (verticalScrollBar()->value() == placed_at_ && !isFocusElsewhere()) make_room_.start();
+}
+
+bool StepPanel::isFocusElsewhere() const {
+  const QWidget* focus = QApplication::focusWidget();
+  return focus != nullptr && widget()->isAncestorOf(focus) && !rows_[open_]->isAncestorOf(focus);
 }
 
 bool StepPanel::focusNextPrevChild(bool next) {

@@ -68,6 +68,7 @@ class StepPanel : public QScrollArea {
   /// If the open step does not fit below the steps before it, these give way; its widget with the focus stays in view.
   void makeRoom();
   void makeRoomSoon();
+  [[nodiscard]] bool isFocusElsewhere() const;  ///< at the heading of another step
 
   QVBoxLayout* layout_;
   std::vector<Row*> rows_;

@@ -73,6 +73,14 @@ CsvActions::CsvActions(QAbstractItemView* view, QString name) : QObject(view), v
   connect(copy, &QAction::triggered, this,
           [this] { QApplication::clipboard()->setText(QString::fromUtf8(tableAsCsv(*view_->model()))); });
   connect(save, &QAction::triggered, this, [this] { emit saveRequested(name_, tableAsCsv(*view_->model())); });
+  const auto follow = [view, copy, save] {
+    for (QAction* action : {copy, save}) action->setEnabled(view->model()->rowCount() > 0);
+  };
+  for (const auto changed : {&QAbstractItemModel::rowsInserted, &QAbstractItemModel::rowsRemoved}) {
+    connect(view->model(), changed, this, follow);
+  }
+  connect(view->model(), &QAbstractItemModel::modelReset, this, follow);
+  follow();
   view->addActions({copy, save});
   view->setContextMenuPolicy(Qt::ActionsContextMenu);
 }

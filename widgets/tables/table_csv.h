@@ -15,13 +15,14 @@ namespace hexoderm {
 /// names, where a table has any, come first. Rows are in the model's order, so a sorted view is written in its order.
 QByteArray tableAsCsv(const QAbstractItemModel& model);
 
-/// "Copy as CSV" and "Save as CSV…" in the context menu of a table. Choosing and writing the file is the window's
-/// business.
+/// "Copy as CSV" and "Save as CSV…" in the context menu of a table, as long as it has rows. Choosing and writing the
+/// file is the window's business.
 class CsvActions : public QObject {
   Q_OBJECT
 
  public:
-  /// Becomes a child of the view. `name`: proposed name of the file, without folder and extension.
+  /// Becomes a child of the view, which has its model already. `name`: proposed name of the file, without folder and
+  /// extension.
   CsvActions(QAbstractItemView* view, QString name);
 
  signals:

@@ -28,6 +28,11 @@ namespace {
 /// In the list of surfaces, besides the kinds.
 constexpr int kNoSurface = -1;
 constexpr int kAnySurface = -2;
+/// In the list of poses of today, besides their number.
+constexpr int kAllPoses = 0;
+/// What an old calibration is compared with at first: as few as tell most, and none of its own where the session goes
+/// on with new ones.
+constexpr int kUsualPoses = 2;
 
 std::optional<SurfaceEvaluation> largestOf(const std::vector<SurfaceEvaluation>& surfaces) {
   const auto largest =
@@ -65,6 +70,9 @@ VerifyPanel::VerifyPanel(Selection* selection, QWidget* parent)
                                  QStringLiteral("caliper"), selection)),
       comparison_(
           new VerifySection(tr("Earlier calibration"), tr("Does it repeat?"), QStringLiteral("comparison"), selection)),
+      old_(new VerifySection(tr("Old calibration"),
+                             tr("Does it still hold? Compared with poses of today, cell by cell."),
+                             QStringLiteral("oldCalibration"), selection)),
       pose_(new QComboBox),
       run_(new QPushButton(tr("Run"))),
       by_cell_(new QToolButton),
@@ -75,22 +83,31 @@ VerifyPanel::VerifyPanel(Selection* selection, QWidget* parent)
       second_(new QSpinBox),
       distance_mm_(new QDoubleSpinBox),
       choose_(new QPushButton(tr("Choose file…"))),
-      drop_(new QPushButton(tr("Remove"))) {
+      drop_(new QPushButton(tr("Remove"))),
+      old_poses_(new QComboBox),
+      choose_old_(new QPushButton(tr("Choose file…"))),
+      drop_old_(new QPushButton(tr("Remove"))) {
   setObjectName(QStringLiteral("verifyPanel"));
   buildHoldOut();
   buildSurface();
   buildCaliper();
   buildComparison();
+  buildOldCalibration();
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(0, 4, 0, 4);
   layout->setSpacing(16);
-  for (VerifySection* section : {hold_out_, loop_, surface_, caliper_, comparison_}) layout->addWidget(section);
+  for (VerifySection* section : sections()) layout->addWidget(section);
   layout->addStretch();
 
-  connect(hold_out_, &VerifySection::cancelled, this, [this] { emit cancelRequested(VerifyCheck::HoldOut); });
-  connect(loop_, &VerifySection::cancelled, this, [this] { emit cancelRequested(VerifyCheck::Loops); });
-  connect(surface_, &VerifySection::cancelled, this, [this] { emit cancelRequested(VerifyCheck::Surface); });
-  connect(comparison_, &VerifySection::cancelled, this, [this] { emit cancelRequested(VerifyCheck::Comparison); });
+  for (const VerifyCheck check : {VerifyCheck::HoldOut, VerifyCheck::Loops, VerifyCheck::Surface,
+                                  VerifyCheck::Comparison, VerifyCheck::OldCalibration}) {
+    connect(sectionOf(check), &VerifySection::cancelled, this, [this, check] { emit cancelRequested(check); });
+  }
+  // What it said was about other poses.
+  connect(old_, &VerifySection::cancelled, this, [this] {
+    old_->setFigures({});
+    old_->setSentence({Tone::Neutral, tr("Cancelled.")});
+  });
   connect(loop_, &VerifySection::rowPicked, this, [this](int row) {
     emit loopShown(row < 0 ? std::nullopt : std::optional(loops_.at(static_cast<std::size_t>(row)).closure));
   });
@@ -253,6 +270,52 @@ void VerifyPanel::dropComparison() {
   emit comparisonShown({});
 }
 
+void VerifyPanel::buildOldCalibration() {
+  choose_old_->setObjectName(QStringLiteral("oldCalibrationChoose"));
+  choose_old_->setAccessibleName(tr("Choose the file of the old calibration"));
+  drop_old_->setObjectName(QStringLiteral("oldCalibrationRemove"));
+  drop_old_->setAccessibleName(tr("Remove the old calibration"));
+  old_poses_->setObjectName(QStringLiteral("oldCalibrationPoses"));
+  old_poses_->setAccessibleName(tr("Poses that the old calibration is compared with"));
+  old_poses_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+  old_poses_->setMinimumContentsLength(8);
+  old_poses_->addItem(tr("The newest pose"), 1);
+  for (int count = kUsualPoses; count <= kUsualPoses + 1; ++count) {
+    old_poses_->addItem(tr("The newest %1 poses").arg(count), count);
+  }
+  old_poses_->addItem(tr("All poses"), kAllPoses);
+  old_poses_->setCurrentIndex(old_poses_->findData(kUsualPoses));
+  old_->addRow()->addWidget(old_poses_, 1);
+  QHBoxLayout* row = old_->addRow();
+  row->addWidget(choose_old_);
+  row->addWidget(drop_old_);
+  row->addStretch();
+  connect(old_poses_, qOverload<int>(&QComboBox::currentIndexChanged), this, &VerifyPanel::requestOldCalibration);
+  connect(choose_old_, &QPushButton::clicked, this, &VerifyPanel::oldCalibrationWanted);
+  connect(drop_old_, &QPushButton::clicked, this, &VerifyPanel::dropOldCalibration);
+}
+
+void VerifyPanel::checkOldCalibration(const QString& path) {
+  old_calibration_ = path;
+  refreshControls();
+  requestOldCalibration();
+}
+
+void VerifyPanel::requestOldCalibration() {
+  if (old_calibration_.isEmpty()) return;
+  const int poses = old_poses_->currentData().toInt();
+  emit oldCalibrationRequested(old_calibration_,
+                               poses == kAllPoses ? std::nullopt : std::optional(static_cast<std::size_t>(poses)));
+}
+
+void VerifyPanel::dropOldCalibration() {
+  old_calibration_.clear();
+  old_->setFigures({});
+  old_->setSentence({});
+  refreshControls();
+  emit oldCalibrationDropped();
+}
+
 void VerifyPanel::setHasReadings(bool has_readings) {
   has_readings_ = has_readings;
   refreshControls();
@@ -280,7 +343,7 @@ void VerifyPanel::setReconstruction(std::shared_ptr<const Reconstruction> recons
   const int place = pose_->findData(chosen);
   pose_->setCurrentIndex(place >= 0 ? place : pose_->count() - 1);
   if (!reconstruction_) {
-    for (VerifySection* section : {hold_out_, loop_, surface_, caliper_, comparison_}) {
+    for (VerifySection* section : sections()) {
       section->setSentence({});
       section->setFigures({});
     }
@@ -340,10 +403,28 @@ void VerifyPanel::refreshControls() {
   choose_->setEnabled(reconstruction_ != nullptr);
   choose_->setToolTip(reconstruction_ ? tr("A calibration, or a session that is then solved") : no_skin);
   drop_->setVisible(compares_);
+  refreshOldCalibration(no_skin);
   for (QWidget* field : std::initializer_list<QWidget*>{first_, second_, distance_mm_}) {
     field->setEnabled(reconstruction_ != nullptr);
     field->setToolTip(reconstruction_ ? tr("Cells far apart, across the bend, tell most") : no_skin);
   }
+}
+
+void VerifyPanel::refreshOldCalibration(const QString& no_skin) {
+  QString why;
+  if (!reconstruction_) {
+    why = no_skin;
+  } else if (!has_readings_) {
+    why = tr("A calibration file holds no readings: open a session with the poses of today.");
+  }
+  choose_old_->setEnabled(why.isEmpty());
+  choose_old_->setToolTip(why.isEmpty() ? tr("A calibration, or a session that is then solved") : why);
+  old_poses_->setEnabled(why.isEmpty());
+  old_poses_->setToolTip(
+      why.isEmpty() ? tr("Choose those that were taken since the calibration; disabled ones don't count") : why);
+  drop_old_->setVisible(!old_calibration_.isEmpty());
+  // A grey button alone would leave open why.
+  if (old_calibration_.isEmpty()) old_->setSentence({Tone::Neutral, reconstruction_ ? why : QString()});
 }
 
 void VerifyPanel::setAwaited(const QString& awaited) {
@@ -352,12 +433,20 @@ void VerifyPanel::setAwaited(const QString& awaited) {
 }
 
 void VerifyPanel::setTheme(Theme theme) {
-  for (VerifySection* section : {hold_out_, loop_, surface_, caliper_, comparison_}) section->setTheme(theme);
+  for (VerifySection* section : sections()) section->setTheme(theme);
+}
+
+std::array<VerifySection*, 6> VerifyPanel::sections() const {
+  return {hold_out_, loop_, surface_, caliper_, comparison_, old_};
+}
+
+VerifySection* VerifyPanel::sectionOf(VerifyCheck check) const {
+  const std::array<VerifySection*, 5> of_checks = {hold_out_, loop_, surface_, comparison_, old_};
+  return of_checks.at(static_cast<std::size_t>(check));
 }
 
 void VerifyPanel::setRunning(VerifyCheck check, bool running) {
-  const std::array<VerifySection*, 4> sections = {hold_out_, loop_, surface_, comparison_};
-  sections.at(static_cast<std::size_t>(check))->setRunning(running);
+  sectionOf(check)->setRunning(running);
   refreshControls();
 }
 
@@ -413,9 +502,14 @@ void VerifyPanel::showComparison(const std::vector<Comparison>& comparisons, con
   emit comparisonShown(comparisons);
 }
 
+void VerifyPanel::showOldCalibration(const CalibrationCheck& check, const QString& calibration) {
+  if (!reconstruction_) return;
+  old_->setSentence(oldCalibrationInWords(check, calibration));
+  old_->setFigures(oldCalibrationFigures(check, *reconstruction_));
+}
+
 void VerifyPanel::showFailure(VerifyCheck check, const QString& message) {
-  const std::array<VerifySection*, 4> sections = {hold_out_, loop_, surface_, comparison_};
-  VerifySection* section = sections.at(static_cast<std::size_t>(check));
+  VerifySection* section = sectionOf(check);
   section->setFigures({});
   section->setSentence({Tone::Bad, message});
   switch (check) {
@@ -434,12 +528,15 @@ void VerifyPanel::showFailure(VerifyCheck check, const QString& message) {
     case VerifyCheck::Comparison:
       emit comparisonShown({});
       break;
+    case VerifyCheck::OldCalibration:
+      break;
   }
 }
 
-std::array<CsvActions*, 5> VerifyPanel::csvActions() const {
-  return {hold_out_->csvActions(), loop_->csvActions(), surface_->csvActions(), caliper_->csvActions(),
-          comparison_->csvActions()};
+std::array<CsvActions*, 6> VerifyPanel::csvActions() const {
+  std::array<CsvActions*, 6> actions{};
+  std::ranges::transform(sections(), actions.begin(), &VerifySection::csvActions);
+  return actions;
 }
 
 void VerifyPanel::requestSurface() {

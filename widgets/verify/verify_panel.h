@@ -16,11 +16,12 @@ class QToolButton;
 
 namespace hexoderm {
 
-enum class VerifyCheck { HoldOut, Loops, Surface, Comparison };
+enum class VerifyCheck { HoldOut, Loops, Surface, Comparison, OldCalibration };
 
 /// The checks of a finished calibration, each with a verdict: does it foretell a pose it has not seen, do its loops
-/// close, do its cells lie on the surface they were put on, does a distance measured by hand agree, does it repeat? The
-/// panel asks by its requests and shows the results that it is given; it is narrow enough for the column of steps.
+/// close, do its cells lie on the surface they were put on, does a distance measured by hand agree, does it repeat? And
+/// of an old calibration: does it still hold, by the poses of today? The panel asks by its requests and shows the
+/// results that it is given; it is narrow enough for the column of steps.
 class VerifyPanel : public QWidget {
   Q_OBJECT
 
@@ -45,11 +46,15 @@ class VerifyPanel : public QWidget {
   /// With the file that was chosen, until dropComparison(), whether it can be read or not.
   void compareWith(const QString& path);
   void dropComparison();
+  void showOldCalibration(const CalibrationCheck& check, const QString& calibration);
+  /// Whether the one in this file still holds, until dropOldCalibration().
+  void checkOldCalibration(const QString& path);
+  void dropOldCalibration();
   /// Shows a failure in place of an earlier result, which goes from the other views too.
   void showFailure(VerifyCheck check, const QString& message);
 
   /// For the actions on its tables.
-  [[nodiscard]] std::array<CsvActions*, 5> csvActions() const;
+  [[nodiscard]] std::array<CsvActions*, 6> csvActions() const;
 
  signals:
   void holdOutRequested(hexoderm::PoseId pose);
@@ -61,6 +66,11 @@ class VerifyPanel : public QWidget {
   void comparisonFileWanted();
   void comparisonRequested(const QString& path);
   void comparisonDropped();
+  /// Which one, the window asks, and answers by checkOldCalibration().
+  void oldCalibrationWanted();
+  /// With the newest `poses` poses of the session; no number: with all.
+  void oldCalibrationRequested(const QString& path, std::optional<std::size_t> poses);
+  void oldCalibrationDropped();
 
   /// Emitted with the things that the views draw; none: nothing any more. The surface is that of the largest patch,
   /// unless a row of another is picked.
@@ -73,6 +83,12 @@ class VerifyPanel : public QWidget {
   void buildSurface();
   void buildCaliper();
   void buildComparison();
+  void buildOldCalibration();
+  void requestOldCalibration();
+  /// `no_skin`: why there is none, in words.
+  void refreshOldCalibration(const QString& no_skin);
+  [[nodiscard]] VerifySection* sectionOf(VerifyCheck check) const;
+  [[nodiscard]] std::array<VerifySection*, 6> sections() const;
   void requestSurface();
   void proposeCells();
   void checkCaliper();
@@ -87,13 +103,15 @@ class VerifyPanel : public QWidget {
   bool hold_out_outdated_ = false;  ///< there was a result, of an earlier state
   std::vector<FoundLoop> loops_;
   std::vector<SurfaceEvaluation> surfaces_;
-  bool compares_ = false;  ///< a file is chosen
+  bool compares_ = false;    ///< a file is chosen
+  QString old_calibration_;  ///< the file that is chosen; empty: none
 
   VerifySection* hold_out_;
   VerifySection* loop_;
   VerifySection* surface_;
   VerifySection* caliper_;
   VerifySection* comparison_;
+  VerifySection* old_;
   QComboBox* pose_;
   QPushButton* run_;
   QToolButton* by_cell_;
@@ -105,6 +123,9 @@ class VerifyPanel : public QWidget {
   QDoubleSpinBox* distance_mm_;
   QPushButton* choose_;
   QPushButton* drop_;
+  QComboBox* old_poses_;
+  QPushButton* choose_old_;
+  QPushButton* drop_old_;
 };
 
 }  // namespace hexoderm

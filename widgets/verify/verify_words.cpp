@@ -3,6 +3,7 @@
 #include "hexoderm/util/units.h"
 #include "widgets/words/formatting.h"
 #include "widgets/words/surface_words.h"
+#include "widgets/words/words.h"
 
 #include <QCoreApplication>
 #include <algorithm>
@@ -334,6 +335,65 @@ VerifyFigures comparisonFigures(const std::vector<Comparison>& comparisons) {
                               stated && (!isWithinStated(cell.position_m.norm(), cell.sigma_t_m) ||
                                          !isWithinStated(cell.orientation_rad, cell.sigma_r_rad))});
     }
+  }
+  return figures;
+}
+
+namespace {
+
+bool isChanged(const CheckedCell& cell) {
+  return cell.change != CellChange::None && cell.change != CellChange::NotTold;
+}
+
+/// Every cell could be compared, and a turn about any axis would have been seen.
+bool isWhollyCompared(const CalibrationCheck& check) {
+  return std::ranges::all_of(check.cells, [](const CheckedCell& cell) {
+    return cell.change != CellChange::NotTold && cell.noticed_turn_rad.has_value();
+  });
+}
+
+/// 0: changed, 1: nothing can be told, 2: as calibrated.
+int rankInList(const CheckedCell& cell) { return isChanged(cell) ? 0 : cell.change == CellChange::NotTold ? 1 : 2; }
+
+}  // namespace
+
+VerifySentence oldCalibrationInWords(const CalibrationCheck& check, const QString& calibration) {
+  QStringList sentences;
+  for (const Message* said : {&check.summary, &check.advice}) {
+    if (!said->empty()) sentences << words(*said);
+  }
+  for (const Message& remark : check.remarks) sentences << words(remark);
+  const QString poses =
+      words(check.poses.size() == 1 ? message("pose {}", check.poses.front()) : message("poses {}", check.poses));
+  sentences << VerifyTexts::tr("Compared with %1: %2.").arg(calibration, poses);
+  const Tone tone = check.changed ? Tone::Bad : check.compared && isWhollyCompared(check) ? Tone::Good : Tone::Caution;
+  return {tone, sentences.join(QLatin1Char(' '))};
+}
+
+VerifyFigures oldCalibrationFigures(const CalibrationCheck& check, const Reconstruction& today) {
+  VerifyFigures figures;
+  figures.columns = {
+      cellColumn(),
+      {VerifyTexts::tr("Now"), {}, VerifyTexts::tr("What became of the cell, with 1 sigma"), 0, true},
+      degreeColumn(VerifyTexts::tr("Turned °"), VerifyTexts::tr("The turn that explains best what the cell reads")),
+      {VerifyTexts::tr("Drift mg"), QStringLiteral("mg"),
+       VerifyTexts::tr("The drift of its sensor's offset that explains best what the cell reads"), 0, false},
+      degreeColumn(VerifyTexts::tr("Noticed from °"),
+                   VerifyTexts::tr("A turn by so much, about whatever axis, would be found in these poses with 95 %; "
+                                   "no figure: a turn about some axis would not be"))};
+  std::vector<const CheckedCell*> cells;
+  for (const CheckedCell& cell : check.cells) cells.push_back(&cell);
+  std::ranges::stable_sort(cells, {}, [](const CheckedCell* cell) { return rankInList(*cell); });
+  for (const CheckedCell* cell : cells) {
+    constexpr double kMilli = 1000;
+    ResultTable::Row row;
+    row.values = {cell->cell.value(), words(cell->words),
+                  inDegrees(cell->turn ? std::optional(cell->turn->angle_rad) : std::nullopt),
+                  cell->drift ? QVariant(kMilli * cell->drift->offset_g.norm()) : QVariant(),
+                  inDegrees(cell->noticed_turn_rad)};
+    if (today.find(cell->cell).cell != nullptr) row.cell = cell->cell;
+    row.remarkable = isChanged(*cell);
+    figures.rows.push_back(std::move(row));
   }
   return figures;
 }

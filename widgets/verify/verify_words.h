@@ -1,5 +1,6 @@
 #pragma once
 
+#include "hexoderm/reconstruction/check/calibration_check.h"
 #include "hexoderm/reconstruction/evaluation/evaluation.h"
 #include "hexoderm/reconstruction/evaluation/loop_search.h"
 #include "hexoderm/reconstruction/hold_out.h"
@@ -37,5 +38,9 @@ VerifySentence distanceCheckInWords(const DistanceCheck& check);
 
 VerifySentence comparisonInWords(const std::vector<Comparison>& comparisons, const QString& against);
 VerifyFigures comparisonFigures(const std::vector<Comparison>& comparisons);
+
+VerifySentence oldCalibrationInWords(const CalibrationCheck& check, const QString& calibration);
+/// The cells that changed come first. A cell that is none of `today` can't be picked.
+VerifyFigures oldCalibrationFigures(const CalibrationCheck& check, const Reconstruction& today);
 
 }  // namespace hexoderm

@@ -18,5 +18,9 @@ nlohmann::ordered_json countDetections(const Trials& trials, bool prints);
 /// The same for sessions that make no sense as a whole or in part, and for healthy ones of all patches; part of
 /// countDetections().
 nlohmann::ordered_json countGarbage(const Trials& trials, bool prints);
+/// How often `check` finds what changed since a calibration, and blames healthy cells.
+nlohmann::ordered_json countChanges(const Trials& trials, bool prints);
+/// How often the true place on a link is found by the link's surface, and how far off.
+nlohmann::ordered_json placeOnLinks(const Trials& trials, bool prints);
 
 }  // namespace hexoderm::cli

@@ -21,43 +21,6 @@ constexpr double kBelowBound = 5;               ///< percent, where the bound is
 constexpr double kBarFalseAlarms = 0.2;         ///< percent of sessions
 constexpr double kBarAccused = 0.1;             ///< percent of cells
 
-/// Wilson's 95 % interval of a share, in percent.
-struct Share {
-  std::size_t part = 0;
-  std::size_t whole = 0;
-  [[nodiscard]] double percent() const {
-    return whole == 0 ? 0 : 100.0 * static_cast<double>(part) / static_cast<double>(whole);
-  }
-  [[nodiscard]] std::pair<double, double> interval() const {
-    if (whole == 0) return {0, 100};
-    constexpr double kZ = 1.96;
-    const auto n = static_cast<double>(whole);
-    const double p = static_cast<double>(part) / n;
-    const double middle = (p + kZ * kZ / (2 * n)) / (1 + kZ * kZ / n);
-    const double half = kZ * std::sqrt(p * (1 - p) / n + kZ * kZ / (4 * n * n)) / (1 + kZ * kZ / n);
-    return {100 * std::max(0.0, middle - half), 100 * std::min(1.0, middle + half)};
-  }
-  void operator+=(const Share& other) {
-    part += other.part;
-    whole += other.whole;
-  }
-};
-
-std::string inWords(const Share& share, int decimals) {
-  const auto [low, high] = share.interval();
-  return formatFixed(share.percent(), decimals) + " % (" + formatFixed(low, decimals) + " to " +
-         formatFixed(high, decimals) + ")";
-}
-
-nlohmann::ordered_json toJson(const Share& share) {
-  const auto [low, high] = share.interval();
-  return {{"count", share.part},
-          {"of", share.whole},
-          {"percent", share.percent()},
-          {"low_percent", low},
-          {"high_percent", high}};
-}
-
 struct Garbage {
   std::string name;
   std::size_t poses = 3;

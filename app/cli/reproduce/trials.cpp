@@ -5,6 +5,7 @@
 #include "hexoderm/util/units.h"
 
 #include <algorithm>
+#include <cmath>
 #include <iostream>
 #include <numeric>
 
@@ -82,6 +83,40 @@ double median(std::vector<double> values) { return quantile(std::move(values), 0
 
 double mean(const std::vector<double>& values) {
   return values.empty() ? 0 : std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
+}
+
+double Share::percent() const {
+  return whole == 0 ? 0 : 100.0 * static_cast<double>(part) / static_cast<double>(whole);
+}
+
+std::pair<double, double> Share::interval() const {
+  if (whole == 0) return {0, 100};
+  constexpr double kZ = 1.96;
+  const auto n = static_cast<double>(whole);
+  const double p = static_cast<double>(part) / n;
+  const double middle = (p + kZ * kZ / (2 * n)) / (1 + kZ * kZ / n);
+  const double half = kZ * std::sqrt(p * (1 - p) / n + kZ * kZ / (4 * n * n)) / (1 + kZ * kZ / n);
+  return {100 * std::max(0.0, middle - half), 100 * std::min(1.0, middle + half)};
+}
+
+void Share::operator+=(const Share& other) {
+  part += other.part;
+  whole += other.whole;
+}
+
+std::string inWords(const Share& share, int decimals) {
+  const auto [low, high] = share.interval();
+  return formatFixed(share.percent(), decimals) + " % (" + formatFixed(low, decimals) + " to " +
+         formatFixed(high, decimals) + ")";
+}
+
+nlohmann::ordered_json toJson(const Share& share) {
+  const auto [low, high] = share.interval();
+  return {{"count", share.part},
+          {"of", share.whole},
+          {"percent", share.percent()},
+          {"low_percent", low},
+          {"high_percent", high}};
 }
 
 void Trials::report(const std::string& what, std::size_t seed, std::size_t count) const {

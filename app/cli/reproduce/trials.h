@@ -13,6 +13,7 @@
 #include <optional>
 #include <string>
 #include <thread>
+#include <utility>
 #include <vector>
 
 namespace hexoderm::cli {
@@ -51,6 +52,18 @@ std::optional<LoopEvaluation> measureLoop(const SimulatedSkin& skin, const Recon
 double quantile(std::vector<double> values, double fraction);
 double median(std::vector<double> values);
 double mean(const std::vector<double>& values);
+
+/// Wilson's 95 % interval of a share, in percent.
+struct Share {
+  std::size_t part = 0;
+  std::size_t whole = 0;
+  [[nodiscard]] double percent() const;
+  [[nodiscard]] std::pair<double, double> interval() const;
+  void operator+=(const Share& other);
+};
+/// "97.5 % (95.1 to 99.0)".
+std::string inWords(const Share& share, int decimals);
+nlohmann::ordered_json toJson(const Share& share);
 
 /// Repeats trials over seeds on all processors. Every trial depends on its seed alone, so the outcome depends on
 /// neither their number nor their order.

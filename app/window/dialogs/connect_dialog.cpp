@@ -39,8 +39,10 @@ struct Kind {
 constexpr std::array<Kind, 5> kKinds = {{
     {"sim:", QT_TRANSLATE_NOOP("hexoderm::ConnectDialog", "Simulated skin"), "x17",
      "x17?surface=cylinder:r=0.05&seed=2",
-     QT_TRANSLATE_NOOP("hexoderm::ConnectDialog",
-                       "x17, ring8 or sheet:10x10, also with options: x17?seed=1&speed=2. Its readings are made up.")},
+     QT_TRANSLATE_NOOP(
+         "hexoderm::ConnectDialog",
+         "x17, ring8 or sheet:10x10, also with options: x17?seed=1&speed=2; or robot, an arm with two patches. "
+         "Its readings are made up.")},
     {"tcp://", QT_TRANSLATE_NOOP("hexoderm::ConnectDialog", "Network, TCP"), "", "192.168.0.7:7700",
      QT_TRANSLATE_NOOP("hexoderm::ConnectDialog", "Name or number of the device, a colon and its port.")},
     {"udp://", QT_TRANSLATE_NOOP("hexoderm::ConnectDialog", "Network, UDP"), "", "192.168.0.7:7700",

@@ -1,7 +1,9 @@
 #include "app/window/dialogs/export_dialog.h"
 
+#include "app/window/files/session_paths.h"
 #include "app/window/toolkit/deferred_dialog.h"
 #include "app/window/toolkit/file_dialog.h"
+#include "hexoderm/reconstruction/result/patch_placements.h"
 #include "hexoderm/util/error.h"
 #include "widgets/words/words.h"
 
@@ -11,12 +13,12 @@
 #include <QFileInfo>
 #include <QFormLayout>
 #include <QGridLayout>
+#include <QHBoxLayout>
 #include <QLabel>
 #include <QLineEdit>
 #include <QListWidget>
 #include <QPushButton>
 #include <QSignalBlocker>
-#include <QStackedWidget>
 #include <QStyle>
 #include <QVBoxLayout>
 #include <algorithm>
@@ -25,6 +27,9 @@
 
 namespace hexoderm {
 namespace {
+
+/// In the list of patches, besides their origin cells.
+constexpr uint kAllPlaced = 0;
 
 const QString kCalibrationExtension = QStringLiteral(".calibration.json");
 
@@ -51,15 +56,13 @@ ExportDialog::ExportDialog(std::shared_ptr<const Reconstruction> reconstruction,
       formats_(new QListWidget(this)),
       summary_(new QLabel(this)),
       path_(named(new QLineEdit(this), "exportPath", tr("File to write"))),
-      options_(new QStackedWidget(this)),
       patch_(new QComboBox(this)),
-      stl_unit_(new QComboBox(this)),
-      urdf_robot_(named(new QLineEdit(this), "urdfRobot", tr("Name of the robot"))),
-      urdf_parent_(named(new QLineEdit(this), "urdfParent", tr("Parent link"))),
-      urdf_prefix_(named(new QLineEdit(this), "urdfPrefix", tr("Prefix of names"))),
-      urdf_links_(new QComboBox(this)),
       note_(new QLabel(this)) {
   setObjectName(QStringLiteral("exportDialog"));
+  if (reconstruction_) {
+    options_.placements = placedPatches(*reconstruction_);
+    if (reconstruction_->robot) options_.robot_urdf = toPath(QString::fromStdString(reconstruction_->robot->urdf));
+  }
   setWindowTitle(tr("Export the calibration"));
   setModal(true);
 
@@ -109,9 +112,7 @@ ExportDialog::ExportDialog(std::shared_ptr<const Reconstruction> reconstruction,
   connect(browse, &QPushButton::clicked, this, &ExportDialog::choosePath);
   connect(formats_, &QListWidget::currentRowChanged, this, &ExportDialog::chooseFormat);
   connect(patch_, QOverload<int>::of(&QComboBox::currentIndexChanged), this, &ExportDialog::check);
-  for (QLineEdit* edit : {path_, urdf_robot_, urdf_parent_, urdf_prefix_}) {
-    connect(edit, &QLineEdit::textChanged, this, &ExportDialog::check);
-  }
+  connect(path_, &QLineEdit::textChanged, this, &ExportDialog::check);
   formats_->setCurrentRow(0);
   path_->setFocus();
   path_->selectAll();
@@ -128,36 +129,72 @@ QWidget* ExportDialog::makeFormatList() {
 }
 
 QWidget* ExportDialog::makeOptions() {
-  options_->addWidget(new QWidget);
+  auto* page = new QWidget;
+  auto* form = new QFormLayout(page);
+  form->setContentsMargins(0, 0, 0, 0);
+  for (const ExportOptionDescription& option : exportOptions()) {
+    auto* label = new QLabel(words(option.label));
+    QWidget* field = makeOptionField(option);
+    form->addRow(label, field);
+    option_rows_.push_back({label, field});
+  }
+  return page;
+}
 
-  stl_unit_->setObjectName(QStringLiteral("stlUnit"));
-  stl_unit_->setAccessibleName(tr("Unit of length"));
-  stl_unit_->addItem(tr("Millimetres"));
-  stl_unit_->addItem(tr("Metres"));
-  auto* stl = new QWidget;
-  auto* stl_form = new QFormLayout(stl);
-  stl_form->setContentsMargins(0, 0, 0, 0);
-  stl_form->addRow(tr("Unit"), stl_unit_);
-  options_->addWidget(stl);
+QWidget* ExportDialog::makeOptionField(const ExportOptionDescription& option) {
+  const QString value = QString::fromStdString(option.get(options_));
+  const QString object_name = QStringLiteral("export-") + toQString(option.name);
+  const auto* const described = &option;  // lives as long as the program
+  if (option.kind == ExportOptionDescription::Kind::Choice) {
+    auto* box = new QComboBox;
+    box->setObjectName(object_name);
+    box->setAccessibleName(words(option.label));
+    box->setToolTip(words(option.help));
+    for (const ExportOptionDescription::Choice& choice : option.choices) {
+      box->addItem(words(choice.label), toQString(choice.value));
+    }
+    box->setCurrentIndex(box->findData(value));
+    connect(box, QOverload<int>::of(&QComboBox::currentIndexChanged), this, [this, box, described] {
+      described->set(options_, box->currentData().toString().toStdString());
+      check();
+    });
+    return box;
+  }
+  auto* edit = new QLineEdit(value);
+  edit->setObjectName(object_name);
+  edit->setAccessibleName(words(option.label));
+  edit->setToolTip(words(option.help));
+  connect(edit, &QLineEdit::textChanged, this, [this, described](const QString& text) {
+    described->set(options_, text.trimmed().toStdString());
+    check();
+  });
+  return option.kind == ExportOptionDescription::Kind::File ? makeFileField(option, edit) : edit;
+}
 
-  const ExportOptions defaults;
-  urdf_robot_->setText(QString::fromStdString(defaults.urdf_robot));
-  urdf_parent_->setText(QString::fromStdString(defaults.urdf_parent_link));
-  urdf_prefix_->setText(QString::fromStdString(defaults.urdf_prefix));
-  urdf_links_->setObjectName(QStringLiteral("urdfLinks"));
-  urdf_links_->setAccessibleName(tr("Links"));
-  urdf_links_->addItem(tr("One for each cell"));
-  urdf_links_->addItem(tr("One for the patch (lighter in RViz)"));
-  urdf_links_->setCurrentIndex(defaults.urdf_link_per_cell ? 0 : 1);
-  auto* urdf = new QWidget;
-  auto* urdf_form = new QFormLayout(urdf);
-  urdf_form->setContentsMargins(0, 0, 0, 0);
-  urdf_form->addRow(tr("Robot"), urdf_robot_);
-  urdf_form->addRow(tr("Parent link"), urdf_parent_);
-  urdf_form->addRow(tr("Prefix of names"), urdf_prefix_);
-  urdf_form->addRow(tr("Links"), urdf_links_);
-  options_->addWidget(urdf);
-  return options_;
+QWidget* ExportDialog::makeFileField(const ExportOptionDescription& option, QLineEdit* edit) {
+  auto* field = new QWidget;
+  auto* row = new QHBoxLayout(field);
+  row->setContentsMargins(0, 0, 0, 0);
+  auto* browse = new QPushButton(tr("Browse…"));
+  browse->setObjectName(edit->objectName() + QStringLiteral("-browse"));
+  row->addWidget(edit, 1);
+  row->addWidget(browse);
+  connect(browse, &QPushButton::clicked, this, [this, edit, title = words(option.label)] {
+    auto* dialog = new FileDialog(this, title, QFileInfo(edit->text()).absolutePath());
+    dialog->setFileMode(QFileDialog::ExistingFile);
+    connect(dialog, &QFileDialog::fileSelected, edit, &QLineEdit::setText);
+    openInTurns(dialog);
+  });
+  return field;
+}
+
+void ExportDialog::showOptionsOf(const std::optional<ExportFormatDescription>& format) {
+  for (std::size_t k = 0; k < option_rows_.size(); ++k) {
+    const std::vector<ExportFormat>& formats = exportOptions()[k].formats;
+    const bool shown = format && std::ranges::find(formats, format->format) != formats.end();
+    option_rows_[k].label->setVisible(shown);
+    option_rows_[k].field->setVisible(shown);
+  }
 }
 
 QWidget* ExportDialog::makePatchRow() {
@@ -183,6 +220,9 @@ void ExportDialog::offerPatches() {
     const PatchReconstruction* largest = largestPatch(*reconstruction_);
     std::ranges::stable_partition(patches, [largest](const auto* patch) { return patch == largest; });
   }
+  const bool has_links =
+      format && (format->patches == PatchesInFile::OnLinks || format->patches == PatchesInFile::OnALink);
+  if (has_links && !options_.placements.empty()) patch_->addItem(tr("All that are placed on the robot"), kAllPlaced);
   const auto offerAll = [this] { patch_->addItem(tr("All, each in its own frame")); };
   if (format && format->patches == PatchesInFile::All) offerAll();
   for (const PatchReconstruction* patch : patches) {
@@ -208,14 +248,11 @@ QString ExportDialog::extension() const {
 
 void ExportDialog::chooseFormat() {
   const std::optional<ExportFormatDescription> format = formatOfRow(formats_->currentRow());
-  summary_->setText(format
-                        ? words(format->summary)
-                        : tr("Hexoderm's own file: everything that is known, to be opened again, compared and exported "
-                             "from later."));
-  options_->setCurrentIndex(!format                                ? 0
-                            : format->format == ExportFormat::Stl  ? 1
-                            : format->format == ExportFormat::Urdf ? 2
-                                                                   : 0);
+  summary_->setText(
+      format ? QStringList({words(format->summary), words(format->not_carried)}).join(QLatin1Char('\n')).trimmed()
+             : tr("Hexoderm's own file: everything that is known, to be opened again, compared and exported "
+                  "from later."));
+  showOptionsOf(format);
   offerPatches();
   // The name stays, the extension follows the format.
   QString path = path_->text();
@@ -243,6 +280,7 @@ void ExportDialog::check() {
   const QFileInfo target(request().path);
   QString problem;
   QString remark;
+  QString left_out;
   if (path_->text().trimmed().isEmpty()) {
     problem = tr("Say where the file should go.");
   } else if (!target.absoluteDir().exists()) {
@@ -251,7 +289,9 @@ void ExportDialog::check() {
     problem = tr("%1 is a folder; give the file a name.").arg(QDir::toNativeSeparators(target.filePath()));
   } else {
     try {
-      request().options.validate();
+      const ExportRequest asked = request();
+      if (asked.format) asked.options.validateFor(*asked.format);
+      left_out = leftOut();
     } catch (const InvalidArgument& error) {
       problem = words(error);
     }
@@ -263,7 +303,7 @@ void ExportDialog::check() {
     remark = extension().isEmpty() ? tr("The tables in this folder will be replaced.")
                                    : tr("There is a file of this name; it will be replaced.");
   }
-  if (problem.isEmpty()) remark = QStringList({remark, leftOut()}).join(QLatin1Char('\n')).trimmed();
+  if (problem.isEmpty()) remark = QStringList({remark, left_out}).join(QLatin1Char('\n')).trimmed();
   export_->setText(replaces ? tr("Replace") : tr("Export"));
   export_->setEnabled(problem.isEmpty());
   export_->setToolTip(problem);
@@ -276,15 +316,11 @@ ExportRequest ExportDialog::request() const {
     request.format = format->format;
   }
   request.path = QDir::fromNativeSeparators(path_->text().trimmed());
-  request.options.stl_unit = stl_unit_->currentIndex() == 0 ? LengthUnit::Millimetres : LengthUnit::Metres;
-  request.options.urdf_robot = urdf_robot_->text().trimmed().toStdString();
-  request.options.urdf_parent_link = urdf_parent_->text().trimmed().toStdString();
-  request.options.urdf_prefix = urdf_prefix_->text().trimmed().toStdString();
-  request.options.urdf_link_per_cell = urdf_links_->currentIndex() == 0;
+  request.options = options_;
   if (patch_->count() > 0) {
     const QVariant origin = patch_->currentData();
     request.options.all_patches = !origin.isValid();
-    if (origin.isValid()) request.options.patch = CellId(origin.toUInt());
+    if (origin.isValid() && origin.toUInt() != kAllPlaced) request.options.patch = CellId(origin.toUInt());
   }
   return request;
 }

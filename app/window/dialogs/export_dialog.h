@@ -4,13 +4,14 @@
 
 #include <QDialog>
 #include <memory>
+#include <optional>
+#include <vector>
 
 class QComboBox;
 class QLabel;
 class QLineEdit;
 class QListWidget;
 class QPushButton;
-class QStackedWidget;
 
 namespace hexoderm {
 
@@ -35,6 +36,10 @@ class ExportDialog : public QDialog {
  private:
   QWidget* makeFormatList();
   QWidget* makeOptions();
+  /// The field of one option, which writes into options_.
+  QWidget* makeOptionField(const ExportOptionDescription& option);
+  QWidget* makeFileField(const ExportOptionDescription& option, QLineEdit* edit);
+  void showOptionsOf(const std::optional<ExportFormatDescription>& format);
   QWidget* makePatchRow();
   /// The patches that can be chosen in the present format.
   void offerPatches();
@@ -49,14 +54,15 @@ class ExportDialog : public QDialog {
   QListWidget* formats_;
   QLabel* summary_;
   QLineEdit* path_;
-  QStackedWidget* options_;
+  ExportOptions options_;
+  /// The row of each of exportOptions().
+  struct OptionRow {
+    QLabel* label;
+    QWidget* field;
+  };
+  std::vector<OptionRow> option_rows_;
   QWidget* patch_row_ = nullptr;
   QComboBox* patch_;
-  QComboBox* stl_unit_;
-  QLineEdit* urdf_robot_;
-  QLineEdit* urdf_parent_;
-  QLineEdit* urdf_prefix_;
-  QComboBox* urdf_links_;
   QLabel* note_;
   QPushButton* export_;
   QString extension_;

@@ -39,6 +39,8 @@ QString purposeOf(const QAction& action) { return action.property(kPurpose).toSt
 WindowActions::WindowActions(QWidget* owner, QUndoStack* undo_stack)
     : demo(make(owner, "actionDemo", tr("Start the &demo skin"), tr("A simulated skin to try everything with"),
                 {QKeySequence(QStringLiteral("Ctrl+D"))})),
+      robot_demo(make(owner, "actionRobotDemo", tr("Start the demo a&rm"),
+                      tr("A forearm with two patches and an elbow: a session to place on its robot"))),
       connect_skin(make(owner, "actionConnect", tr("&Connect to a skin…"),
                         tr("Take poses of a skin that is connected, or of a recording"),
                         {QKeySequence(QStringLiteral("Ctrl+K"))})),
@@ -150,7 +152,7 @@ WindowActions::WindowActions(QWidget* owner, QUndoStack* undo_stack)
 
 void WindowActions::fillMenuBar(QMenuBar* bar, const std::vector<QAction*>& panels) const {
   QMenu* file = bar->addMenu(tr("&File"));
-  file->addActions({demo, connect_skin, disconnect_skin, open});
+  file->addActions({demo, robot_demo, connect_skin, disconnect_skin, open});
   file->addMenu(recent);
   file->addSeparator();
   file->addActions({save, save_as, save_calibration, export_to, report});

@@ -28,6 +28,7 @@ class WindowActions {
   WindowActions(QWidget* owner, QUndoStack* undo_stack);
 
   QAction* demo;
+  QAction* robot_demo;
   QAction* connect_skin;
   QAction* disconnect_skin;
   QAction* open;

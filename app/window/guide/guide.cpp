@@ -3,6 +3,7 @@
 #include "app/window/guide/actions.h"
 #include "app/window/session/session_controller.h"
 #include "hexoderm/reconstruction/advice/assess.h"
+#include "hexoderm/reconstruction/result/patch_placements.h"
 #include "widgets/words/formatting.h"
 #include "widgets/words/words.h"
 
@@ -92,7 +93,7 @@ void sayOf(Step& step, const QAction& action, const QString& because) {
 Step connectStep(const SessionController& controller, const WindowActions& actions) {
   Step step;
   step.title = Guide::tr("Connect");
-  step.actions = {actions.demo, actions.connect_skin, actions.open};
+  step.actions = {actions.demo, actions.robot_demo, actions.connect_skin, actions.open};
   if (controller.liveSession().source().isRunning()) step.actions = {actions.disconnect_skin};
   if (controller.liveSession().source().isRunning() && !controller.liveSession().isLive()) {
     step.actions.push_back(actions.connect_skin);
@@ -263,6 +264,38 @@ Step verifyStep(const SessionController& controller) {
   return step;
 }
 
+/// "1 of 2 patches is placed".
+QString placedInWords(const Reconstruction& result) {
+  const std::size_t placed = placedPatches(result).size();
+  const auto patches = static_cast<std::size_t>(
+      std::ranges::count_if(result.patches, [](const PatchReconstruction& patch) { return !patch.cells.empty(); }));
+  return placed == 0 ? Guide::tr("optional") : Guide::tr("%1 of %2 patches placed").arg(placed).arg(patches);
+}
+
+Step placeStep(const SessionController& controller) {
+  Step step;
+  step.title = Guide::tr("Place on the robot");
+  const Reconstruction* result = controller.reconstruction().get();
+  if (!result) {
+    step.why = Guide::tr("Waits for a reconstruction.");
+    sayNoResult(step, controller);
+    return step;
+  }
+  step.note = placedInWords(*result);
+  if (!controller.session()) {
+    say(step, Readiness::Blocked, Guide::tr("A calibration is open: it holds the result, not the poses."));
+  } else if (hasNoPose(controller)) {
+    say(step, Readiness::Blocked, noPose());
+  } else {
+    say(step, Readiness::Ready, Guide::tr("There is a result to place."));
+  }
+  step.what = Guide::tr("Say where on the robot each patch is.");
+  step.why = Guide::tr(
+      "With the robot's description and its joint angles, gravity tells which link a patch is on and how it is turned "
+      "there; the link's surface, or known points, tell where. Files for robots need it.");
+  return step;
+}
+
 Step exportStep(const SessionController& controller, const WindowActions& actions) {
   Step step;
   step.title = Guide::tr("Export");
@@ -350,6 +383,7 @@ std::vector<Step> describeSteps(const SessionController& controller, const Windo
   steps.push_back(reviewStep(controller, actions, captured));
   const bool reviewed = steps.back().state == StepState::Done;
   steps.push_back(verifyStep(controller));
+  steps.push_back(placeStep(controller));
   steps.push_back(exportStep(controller, actions));
   // With everything before it done that has to be, exporting is what is left to do.
   const Reconstruction* result = controller.reconstruction().get();

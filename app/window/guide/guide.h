@@ -12,7 +12,7 @@ class SessionController;
 class WindowActions;
 
 /// The steps in their order.
-enum class GuideStep { Connect, Check, Capture, Review, Verify, Export };
+enum class GuideStep { Connect, Check, Capture, Review, Verify, Place, Export };
 
 /// The operator's present state and best next action, in words, from the controller's knowledge. Nothing is judged
 /// here: core's verdict tells how good a result is.

@@ -2,6 +2,7 @@
 
 #include "app/window/guide/keys_dialog.h"
 #include "app/window/session/session_controller.h"
+#include "hexoderm/reconstruction/result/patch_placements.h"
 
 #include <QAction>
 #include <QApplication>
@@ -51,8 +52,8 @@ QToolButton* makeButton(const QString& text, const QString& tip, const char* nam
 
 QStringList GuideWindow::pages() {
   return {QStringLiteral("demo"),   QStringLiteral("connect"), QStringLiteral("check"),  QStringLiteral("capture"),
-          QStringLiteral("graph"),  QStringLiteral("review"),  QStringLiteral("verify"), QStringLiteral("export"),
-          QStringLiteral("faults"), QStringLiteral("keys")};
+          QStringLiteral("graph"),  QStringLiteral("review"),  QStringLiteral("verify"), QStringLiteral("place"),
+          QStringLiteral("export"), QStringLiteral("faults"),  QStringLiteral("keys")};
 }
 
 QString GuideWindow::titleOf(const QString& page) {
@@ -273,7 +274,9 @@ QString guidePageFor(const SessionController& controller) {
   if (controller.poseGuide().wantsMorePoses()) return QStringLiteral("capture");
   const bool has_faults = std::any_of(result->findings.begin(), result->findings.end(),
                                       [](const Finding& finding) { return finding.severity != Severity::Info; });
-  return has_faults ? QStringLiteral("faults") : QStringLiteral("export");
+  if (has_faults) return QStringLiteral("faults");
+  const bool waits_for_places = controller.session() && controller.session()->robot() && placedPatches(*result).empty();
+  return waits_for_places ? QStringLiteral("place") : QStringLiteral("export");
 }
 
 }  // namespace hexoderm

@@ -17,6 +17,7 @@
 #include "app/window/presenters/log_presenter.h"
 #include "app/window/presenters/picked_commands.h"
 #include "app/window/presenters/picture_presenter.h"
+#include "app/window/presenters/place_presenter.h"
 #include "app/window/presenters/preferences_presenter.h"
 #include "app/window/presenters/result_presenter.h"
 #include "app/window/presenters/review_presenter.h"
@@ -24,6 +25,7 @@
 #include "app/window/presenters/theme_presenter.h"
 #include "app/window/presenters/verify_presenter.h"
 #include "app/window/presenters/view_commands.h"
+#include "app/window/session/placing.h"
 #include "app/window/session/verification.h"
 #include "app/window/toolkit/status_bar.h"
 #include "app/window/toolkit/table_views.h"
@@ -39,6 +41,8 @@
 #include "widgets/controls/step_panel.h"
 #include "widgets/graph/graph_view.h"
 #include "widgets/patch/patch_view.h"
+#include "widgets/robot/place_panel.h"
+#include "widgets/robot/robot_view.h"
 #include "widgets/tables/cell_table.h"
 #include "widgets/tables/finding_table.h"
 #include "widgets/tables/link_table.h"
@@ -79,7 +83,8 @@ struct MainWindow::Presenters {
         results(window.controller_),
         themes(window.actions_, window.preferences_),
         files(window, window.controller_, window.actions_, *views.messages),
-        pictures({window, *views.patch, *views.graph}, window.controller_, window.actions_, files, window.refresh_),
+        pictures({window, *views.patch, *views.robot, *views.graph}, window.controller_, window.actions_, files,
+                 window.refresh_),
         connection({window, *views.live_strip, *views.status, *views.messages}, window.controller_, window.actions_,
                    files, window.log_),
         capture({*views.steps, *views.capture_panel, *views.coverage, panels.coverage(), *views.stillness, *views.patch,
@@ -91,6 +96,7 @@ struct MainWindow::Presenters {
         picked({*views.steps, *views.graph, *views.tables.link_view, *views.messages}, window.controller_,
                window.actions_, window.selection_, review),
         verify({window, *views.verify_panel, *views.patch}, window.controller_, verification, files),
+        place({window, *views.steps, *views.place_panel, *views.robot, panels.middle()}, window.controller_, placing),
         guide({*views.banner, *views.steps, *views.check_list}, window.controller_, window.actions_),
         status({window, *views.session_name, *views.status, panels.graph(), panels.poses(), *views.detail_tabs},
                window.controller_),
@@ -99,8 +105,9 @@ struct MainWindow::Presenters {
         preferences({window, *views.messages}, window.controller_, window.actions_, window.preferences_, themes),
         log({window, *views.log, *views.messages}, window.controller_, window.actions_, window.log_),
         help(window, *views.menus, window.controller_, window.actions_),
-        view_commands({*views.patch, *views.graph, panels.graph(), *views.steps, panels.steps(), panels.swap()},
-                      window.actions_),
+        view_commands(
+            {*views.patch, *views.robot, *views.graph, panels.graph(), *views.steps, panels.steps(), panels.swap()},
+            window.actions_),
         // As one reads the window: from the top, and from left to right.
         keyboard({views.banner, views.messages, views.live_strip, views.steps, panels.centralWidget(), &panels.graph(),
                   &panels.coverage(), &panels.poses(), &panels.details()},
@@ -117,6 +124,8 @@ struct MainWindow::Presenters {
   PickedCommands picked;
   Verification verification;
   VerifyPresenter verify;
+  Placing placing;
+  PlacePresenter place;
   GuidePresenter guide;
   StatusPresenter status;
   HistoryPresenter history;
@@ -208,6 +217,7 @@ void MainWindow::handOutResults() {
   results.add(views_->residuals);
   results.add(views_->verify_panel);
   results.add(&presenters_->verification);
+  results.add(&presenters_->place);
   results.add(&presenters_->capture);
   results.addWaiting(views_->graph);
   results.addWaiting(views_->patch);
@@ -231,6 +241,8 @@ void MainWindow::dressViews() {
   themes.add(views_->graph);
   themes.add(views_->residuals);
   themes.add(views_->verify_panel);
+  themes.add(views_->place_panel);
+  themes.add(views_->robot);
 }
 
 void MainWindow::connectRefresh() {
@@ -244,11 +256,14 @@ void MainWindow::refresh() {
   presenters_->picked.refresh();  // the guide asks the actions
   presenters_->guide.refresh();
   presenters_->results.refresh();
+  presenters_->place.refresh();
   presenters_->status.refresh();
   presenters_->connection.refresh();
   presenters_->history.refresh();
 }
 
+PlacePanel* MainWindow::placePanel() { return views_->place_panel; }
+RobotView* MainWindow::robotView() { return views_->robot; }
 VerifyPanel* MainWindow::verifyPanel() { return views_->verify_panel; }
 void MainWindow::openFile(const QString& path) { presenters_->files.openFile(path); }
 void MainWindow::startDemo() { presenters_->files.startDemo(); }
@@ -276,7 +291,7 @@ void MainWindow::dropEvent(QDropEvent* event) {
   const QString path = droppedFile(event->mimeData());
   if (path.isEmpty()) return;
   event->acceptProposedAction();
-  openFile(path);
+  if (!presenters_->place.takeFile(path)) openFile(path);
 }
 
 bool MainWindow::focusNextPrevChild(bool next) {

@@ -19,6 +19,8 @@
 namespace hexoderm {
 
 class Panels;
+class PlacePanel;
+class RobotView;
 class VerifyPanel;
 struct Views;
 
@@ -40,6 +42,9 @@ class MainWindow : public QMainWindow {
   [[nodiscard]] UnsavedSessions& unsavedSessions() { return unsaved_; }
   /// The body of the step Verify.
   [[nodiscard]] VerifyPanel* verifyPanel();
+  /// The body of the step "Place on the robot", and the robot in 3D.
+  [[nodiscard]] PlacePanel* placePanel();
+  [[nodiscard]] RobotView* robotView();
 
   /// All ask first if poses would be lost.
   void openFile(const QString& path);

@@ -11,6 +11,7 @@
 #include "widgets/controls/step_panel.h"
 #include "widgets/graph/graph_view.h"
 #include "widgets/patch/patch_view.h"
+#include "widgets/robot/robot_view.h"
 #include "widgets/verify/residual_view.h"
 
 #include <QFrame>
@@ -50,6 +51,8 @@ Panels::Panels(const Views& views, QWidget* parent) : QMainWindow(parent) {
   views.coverage->setEmptyHint(tr("No poses yet."));
   coverage_ = new CardDock(tr("Directions seen"), QStringLiteral("coverageDock"), views.coverage, this);
   swap_ = std::make_unique<ViewSwap>(*views.patch, *views.graph, *graph_);
+  // In their order from below.
+  connect(swap_.get(), &ViewSwap::swapped, views.robot, &QWidget::raise);
   connect(swap_.get(), &ViewSwap::swapped, views.welcome, &QWidget::raise);
   details_ = makeDetails(views);
   arrange();
@@ -60,15 +63,17 @@ Panels::~Panels() = default;
 QWidget* Panels::makeCentre(const Views& views) {
   views.patch->setAccessibleName(tr("The patch in three dimensions"));
   views.patch->setMinimumSize(320, 240);
-  auto* place = new QWidget;
-  auto* place_layout = new QVBoxLayout(place);
+  middle_ = new QWidget;
+  auto* place_layout = new QVBoxLayout(middle_);
   place_layout->setContentsMargins(0, 0, 0, 0);
   place_layout->addWidget(views.patch);
   // One above the other, so that the 3D view gets its graphics ready while nobody waits for it.
   auto* stack = new QWidget;
   auto* stack_layout = new QGridLayout(stack);
   stack_layout->setContentsMargins(0, 0, 0, 0);
-  stack_layout->addWidget(place, 0, 0);
+  stack_layout->addWidget(middle_, 0, 0);
+  stack_layout->addWidget(views.robot, 0, 0);
+  views.robot->hide();
   stack_layout->addWidget(views.welcome, 0, 0);
   views.welcome->raise();
   auto* card = new QFrame;

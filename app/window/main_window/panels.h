@@ -29,6 +29,8 @@ class Panels : public QMainWindow {
   [[nodiscard]] CardDock& poses() { return *poses_; }
   [[nodiscard]] CardDock& details() { return *details_; }
   [[nodiscard]] ViewSwap& swap() { return *swap_; }
+  /// What lies in the middle: the 3D view or the graph. The robot takes its place.
+  [[nodiscard]] QWidget& middle() { return *middle_; }
   [[nodiscard]] const std::vector<TableOrHint*>& tables() const { return tables_; }
   /// One a panel: shows or hides it.
   [[nodiscard]] std::vector<QAction*> toggleActions() const;
@@ -43,6 +45,7 @@ class Panels : public QMainWindow {
   [[nodiscard]] TableOrHint* makeTable(QTableView* view, const QString& hint);
   void arrange();
 
+  QWidget* middle_ = nullptr;
   CardDock* steps_;
   CardDock* graph_;
   CardDock* poses_;

@@ -17,6 +17,8 @@
 #include "widgets/controls/step_panel.h"
 #include "widgets/graph/graph_view.h"
 #include "widgets/patch/patch_view.h"
+#include "widgets/robot/place_panel.h"
+#include "widgets/robot/robot_view.h"
 #include "widgets/verify/residual_view.h"
 #include "widgets/verify/verify_panel.h"
 
@@ -39,9 +41,12 @@ Views::Views(const Sources& sources, QObject* owner)
       capture_panel(new CapturePanel(
           {sources.actions.automatic, sources.actions.capture, sources.actions.skip_pose, sources.actions.turn})),
       verify_panel(new VerifyPanel(&sources.selection)),
-      welcome(new WelcomePanel({sources.actions.demo, sources.actions.connect_skin, sources.actions.open},
-                               sources.recent, sources.unsaved)),
+      place_panel(new PlacePanel(&sources.selection)),
+      welcome(new WelcomePanel(
+          {sources.actions.demo, sources.actions.robot_demo, sources.actions.connect_skin, sources.actions.open},
+          sources.recent, sources.unsaved)),
       patch(new PatchView(&sources.selection)),
+      robot(new RobotView),
       graph(new GraphView(&sources.selection)),
       coverage(new CoverageView),
       stillness(new StillnessView),
@@ -54,6 +59,7 @@ Views::Views(const Sources& sources, QObject* owner)
   steps->setBody(static_cast<int>(GuideStep::Check), check_list);
   steps->setBody(static_cast<int>(GuideStep::Capture), capture_panel);
   steps->setBody(static_cast<int>(GuideStep::Verify), verify_panel);
+  steps->setBody(static_cast<int>(GuideStep::Place), place_panel);
 }
 
 }  // namespace hexoderm

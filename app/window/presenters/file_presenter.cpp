@@ -29,6 +29,7 @@ FilePresenter::FilePresenter(QWidget& window, SessionController& controller, con
                              MessageBar& messages)
     : window_(window), controller_(controller), messages_(messages) {
   connect(actions.demo, &QAction::triggered, this, &FilePresenter::startDemo);
+  connect(actions.robot_demo, &QAction::triggered, this, &FilePresenter::startRobotDemo);
   connect(actions.open, &QAction::triggered, this, &FilePresenter::askToOpen);
   connect(actions.save, &QAction::triggered, this, [this] { saveSession(false); });
   connect(actions.save_as, &QAction::triggered, this, [this] { saveSession(true); });
@@ -77,6 +78,10 @@ void FilePresenter::openFile(const QString& path) {
 
 void FilePresenter::startDemo() {
   afterAskingToSave([this] { controller_.liveSession().startDemo(); });
+}
+
+void FilePresenter::startRobotDemo() {
+  afterAskingToSave([this] { controller_.file().openRobotDemo(); });
 }
 
 void FilePresenter::askToOpen() {

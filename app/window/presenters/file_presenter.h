@@ -26,6 +26,8 @@ class FilePresenter : public QObject {
 
   void openFile(const QString& path);
   void startDemo();
+  /// A session of a simulated robot, to place its patches.
+  void startRobotDemo();
 
   /// Calls `proceed` at once where nothing would be lost, else after the operator has answered, unless they cancel.
   void afterAskingToSave(std::function<void()> proceed);

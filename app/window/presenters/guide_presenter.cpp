@@ -7,13 +7,22 @@
 #include "widgets/controls/check_list.h"
 #include "widgets/controls/step_panel.h"
 
+#include <algorithm>
+
 namespace hexoderm {
 
 GuidePresenter::GuidePresenter(const Views& views, const SessionController& controller, const WindowActions& actions)
     : views_(views), controller_(controller), actions_(actions) {
   connect(&controller_, &SessionController::opened, this, [this] {
+    const Session* session = controller_.session();
+    // A robot was chosen, and its patches wait for their places.
+    const bool waits_for_places = session != nullptr && session->robot() &&
+                                  std::ranges::none_of(session->placements(), [](const PatchPlacement& placement) {
+                                    return placement.place.has_value();
+                                  });
     const GuideStep step = controller_.liveSession().source().isRunning() ? GuideStep::Capture
-                           : controller_.session()                        ? GuideStep::Review
+                           : waits_for_places                             ? GuideStep::Place
+                           : session != nullptr                           ? GuideStep::Review
                                                                           : GuideStep::Export;
     views_.steps.openStep(static_cast<int>(step));
   });

@@ -9,6 +9,7 @@
 #include "app/window/toolkit/once_per_turn.h"
 #include "widgets/graph/graph_view.h"
 #include "widgets/patch/patch_view.h"
+#include "widgets/robot/robot_view.h"
 
 #include <QCoreApplication>
 #include <QDateTime>
@@ -41,6 +42,7 @@ QImage PicturePresenter::picture() {
   settle();
   views_.patch.waitUntilUpToDate();
   views_.patch.drawNow();
+  if (views_.robot.isVisible()) views_.robot.drawNow();
   return pictureAsDrawn();
 }
 

@@ -11,6 +11,7 @@ class FilePresenter;
 class GraphView;
 class OncePerTurn;
 class PatchView;
+class RobotView;
 class SessionController;
 class WindowActions;
 
@@ -22,6 +23,7 @@ class PicturePresenter : public QObject {
   struct Views {
     QWidget& window;
     PatchView& patch;
+    RobotView& robot;
     GraphView& graph;
   };
   /// All outlive the presenter. `refresh`: of the window, which is finished before a picture is taken.

@@ -25,11 +25,18 @@ VerifyPresenter::VerifyPresenter(const Views& views, const SessionController& co
   connect(panel, &VerifyPanel::comparisonFileWanted, this, &VerifyPresenter::askForComparison);
   connect(panel, &VerifyPanel::comparisonRequested, &verification_, &Verification::compareWith);
   connect(panel, &VerifyPanel::comparisonDropped, &verification_, &Verification::dropComparison);
+  connect(panel, &VerifyPanel::oldCalibrationWanted, this, &VerifyPresenter::askForOldCalibration);
+  connect(panel, &VerifyPanel::oldCalibrationRequested, &verification_, &Verification::checkOldCalibration);
+  connect(panel, &VerifyPanel::oldCalibrationDropped, &verification_, &Verification::dropOldCalibration);
   connectResults();
-  connect(&controller_, &SessionController::reconstructionChanged, panel,
-          [this] { views_.panel.setHasReadings(controller_.session() != nullptr); });
+  connect(&controller_, &SessionController::reconstructionChanged, panel, [this] {
+    const Session* session = controller_.session();
+    views_.panel.setHasReadings(session != nullptr);
+    verification_.setToday(session != nullptr ? session->snapshot() : nullptr);
+  });
   // What one skin was compared with says nothing about the next.
   connect(&controller_, &SessionController::opened, panel, &VerifyPanel::dropComparison);
+  connect(&controller_, &SessionController::opened, panel, &VerifyPanel::dropOldCalibration);
 }
 
 void VerifyPresenter::connectResults() {
@@ -39,6 +46,7 @@ void VerifyPresenter::connectResults() {
   connect(&verification_, &Verification::loopsFound, panel, &VerifyPanel::showLoops);
   connect(&verification_, &Verification::surfacesFitted, panel, &VerifyPanel::showSurfaces);
   connect(&verification_, &Verification::compared, panel, &VerifyPanel::showComparison);
+  connect(&verification_, &Verification::oldCalibrationChecked, panel, &VerifyPanel::showOldCalibration);
   connect(&verification_, &Verification::failed, panel, &VerifyPanel::showFailure);
   connect(panel, &VerifyPanel::surfaceShown, this, [this](const std::optional<SurfaceEvaluation>& surface) {
     PatchOverlays overlays = views_.patch.overlays();
@@ -58,13 +66,25 @@ void VerifyPresenter::connectResults() {
 }
 
 void VerifyPresenter::askForComparison() {
-  auto* dialog = new FileDialog(&views_.window, tr("Compare with an earlier calibration"), lastFolder(),
-                                tr("Calibrations and sessions (*.calibration.json *.hexo *.session.json *.xml)"));
-  dialog->setObjectName(QStringLiteral("comparisonDialog"));
+  askForFile("comparisonDialog", tr("Compare with an earlier calibration"),
+             tr("Calibrations and sessions (*.calibration.json *.hexo *.session.json *.xml)"),
+             [this](const QString& path) { views_.panel.compareWith(path); });
+}
+
+void VerifyPresenter::askForOldCalibration() {
+  askForFile("oldCalibrationDialog", tr("Check an old calibration"),
+             tr("Calibrations and sessions (*.calibration.json *.hexo *.session.json)"),
+             [this](const QString& path) { views_.panel.checkOldCalibration(path); });
+}
+
+void VerifyPresenter::askForFile(const char* name, const QString& title, const QString& filter,
+                                 const std::function<void(const QString&)>& take) {
+  auto* dialog = new FileDialog(&views_.window, title, lastFolder(), filter);
+  dialog->setObjectName(QLatin1String(name));
   dialog->setFileMode(QFileDialog::ExistingFile);
-  connect(dialog, &QFileDialog::fileSelected, this, [this](const QString& path) {
+  connect(dialog, &QFileDialog::fileSelected, this, [take](const QString& path) {
     rememberFolder(path);
-    views_.panel.compareWith(path);
+    take(path);
   });
   openInTurns(dialog);
 }

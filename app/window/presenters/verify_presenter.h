@@ -1,6 +1,7 @@
 #pragma once
 
 #include <QObject>
+#include <functional>
 
 class QWidget;
 
@@ -29,6 +30,10 @@ class VerifyPresenter : public QObject {
  private:
   void connectResults();
   void askForComparison();
+  void askForOldCalibration();
+  /// Opens a dialog for a file and hands over the one that is chosen.
+  void askForFile(const char* name, const QString& title, const QString& filter,
+                  const std::function<void(const QString&)>& take);
 
   Views views_;
   const SessionController& controller_;

@@ -6,12 +6,14 @@
 #include "widgets/controls/step_panel.h"
 #include "widgets/graph/graph_view.h"
 #include "widgets/patch/patch_view.h"
+#include "widgets/robot/robot_view.h"
 
 namespace hexoderm {
 
 ViewCommands::ViewCommands(const Views& views, const WindowActions& actions) {
   connect(actions.fit, &QAction::triggered, &views.graph, &GraphView::fit);
   connect(actions.fit, &QAction::triggered, &views.patch, &PatchView::fit);
+  connect(actions.fit, &QAction::triggered, &views.robot, &RobotView::fit);
   const auto look = [patch = &views.patch](QAction* action, PatchView::StandardView view) {
     connect(action, &QAction::triggered, patch, [patch, view] { patch->showStandardView(view); });
   };

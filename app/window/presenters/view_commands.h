@@ -7,6 +7,7 @@ namespace hexoderm {
 class CardDock;
 class GraphView;
 class PatchView;
+class RobotView;
 class StepPanel;
 class ViewSwap;
 class WindowActions;
@@ -18,6 +19,7 @@ class ViewCommands : public QObject {
  public:
   struct Views {
     PatchView& patch;
+    RobotView& robot;
     GraphView& graph;
     CardDock& graph_dock;
     StepPanel& steps;

@@ -62,6 +62,7 @@ class LiveSource::Feed final : public SkinListener,
     });
   }
   void onFrame(const SampleFrame& frame) override { recorder_.addFrame(frame); }
+  void onJoints(const JointReport& joints) override { recorder_.addJoints(joints); }
   void onStatus(const SourceStatus& status) override {
     if (!keepNewest(status_, status)) return;
     post([this](LiveSource& live) {

@@ -21,6 +21,13 @@ EditCommand::EditCommand(EditedSession edited, SessionEdit edit) : edited_(std::
   } else if (const auto* set = std::get_if<SetPoseDisabled>(&next_)) {
     const QString pose = idOf(poses.at(set->index));
     setText(set->disabled ? tr("disable pose %1").arg(pose) : tr("enable pose %1").arg(pose));
+  } else if (const auto* joints = std::get_if<SetJointAngles>(&next_)) {
+    setText(tr("set the joint angles of pose %1").arg(idOf(poses.at(joints->index))));
+  } else if (const auto* robot = std::get_if<SetRobot>(&next_)) {
+    setText(robot->robot ? tr("choose the robot") : tr("remove the robot"));
+  } else if (const auto* placed = std::get_if<SetPatchPlacement>(&next_)) {
+    const QString cell = QString::number(placed->placement.origin.value());
+    setText(tr("place the patch of cell %1").arg(cell));
   } else if (const auto* mute = std::get_if<SetLinkMuted>(&next_)) {
     const QString link = shortLinkName(std::min(mute->a, mute->b), std::max(mute->a, mute->b));
     setText(mute->muted ? tr("set link %1 aside").arg(link) : tr("take link %1 back").arg(link));

@@ -1,5 +1,6 @@
 #include "app/window/session/session_controller.h"
 
+#include "hexoderm/reconstruction/result/patch_placements.h"
 #include "widgets/words/words.h"
 
 #include <QMetaObject>
@@ -21,7 +22,12 @@ SessionController::SessionController(QObject* parent)
       live_mode_(*this),
       file_(*this, work_) {
   connect(&undo_stack_, &QUndoStack::indexChanged, this, [this] {
-    if (session_) submit();
+    if (!session_) return;
+    if (std::exchange(needs_solving_, false)) {
+      submit();
+    } else {
+      noteRobot();
+    }
   });
   connect(&undo_stack_, &QUndoStack::cleanChanged, this, &SessionController::changed);
   connectParts();
@@ -81,13 +87,20 @@ std::optional<std::size_t> SessionController::indexToRetake() const {
 }
 
 EditedSession SessionController::edited() {
-  return {*session_, [this](const SessionEdit& edit) { file_.record(edit); }};
+  return {*session_, [this](const SessionEdit& edit) {
+            needs_solving_ |= !isAboutRobot(edit);
+            file_.record(edit);
+          }};
 }
 
 void SessionController::perform(const std::vector<SessionEdit>& edits, const QString& text) {
   const bool is_macro = edits.size() > 1;
   if (is_macro) undo_stack_.beginMacro(text);
-  for (const SessionEdit& edit : edits) undo_stack_.push(new EditCommand(edited(), edit));
+  for (const SessionEdit& edit : edits) {
+    auto* command = new EditCommand(edited(), edit);
+    if (!text.isEmpty()) command->setText(text);
+    undo_stack_.push(command);
+  }
   if (is_macro) undo_stack_.endMacro();
 }
 
@@ -123,6 +136,7 @@ void SessionController::closeCurrent() {
   reconstruction_.reset();
   first_revision_ = submitted_revision_ + 1;
   shown_revision_ = submitted_revision_;
+  needs_solving_ = robot_is_newer_ = false;
 }
 
 void SessionController::showSession(std::unique_ptr<Session> session, const QString& name, const QString& path) {
@@ -146,9 +160,17 @@ void SessionController::submit() {
   auto snapshot = std::make_shared<SessionSnapshot>(*session_->snapshot());
   // Sessions count their own revisions from 1; results must be told apart across sessions too.
   snapshot->revision = ++submitted_revision_;
+  robot_is_newer_ = false;
   worker_.submit(std::move(snapshot), options_);
   live_session_.noteChange();
   emit changed();
+}
+
+void SessionController::noteRobot() {
+  if (reconstruction_) reconstruction_ = withPlacements(*reconstruction_, *session_);
+  robot_is_newer_ = isSolving();
+  emit changed();
+  emit robotChanged();
 }
 
 void SessionController::setSolverOptions(const SolverOptions& options) {
@@ -160,7 +182,7 @@ void SessionController::receive(const ReconstructionOutcome& outcome) {
   if (outcome.revision < first_revision_ || outcome.revision <= shown_revision_) return;
   shown_revision_ = outcome.revision;
   if (outcome.reconstruction) {
-    reconstruction_ = outcome.reconstruction;
+    reconstruction_ = robot_is_newer_ ? withPlacements(*outcome.reconstruction, *session_) : outcome.reconstruction;
     live_session_.noteResult();
     emit reconstructionChanged(reconstruction_);
   } else {

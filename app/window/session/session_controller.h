@@ -64,7 +64,7 @@ class SessionController : public QObject {
 
   void showSession(std::unique_ptr<Session> session, const QString& name, const QString& path);
   void showCalibration(std::shared_ptr<const Reconstruction> calibration, const QString& path);
-  /// One step for undo, named `text` if it has several edits.
+  /// One step for undo. `text` names it; one of a single edit has a name of its own.
   void perform(const std::vector<SessionEdit>& edits, const QString& text = {});
   /// An edit that the operator can't undo.
   void performForGood(const SessionEdit& edit);
@@ -81,6 +81,9 @@ class SessionController : public QObject {
   /// Anything about the session, or about one of the parts, changed.
   void changed();
   void reconstructionChanged(std::shared_ptr<const hexoderm::Reconstruction> reconstruction);
+  /// The session's robot, its joint angles or the places of patches on it changed; reconstruction() holds them, and is
+  /// the same otherwise.
+  void robotChanged();
   void opened(const QString& name);
   /// One message for a person, as core said it. From the parts too.
   void failed(const QString& message);
@@ -91,6 +94,8 @@ class SessionController : public QObject {
   void connectParts();
   void closeCurrent();
   void submit();
+  /// An edit that needs no solving.
+  void noteRobot();
   void receive(const ReconstructionOutcome& outcome);
   [[nodiscard]] EditedSession edited();
   [[nodiscard]] std::optional<std::size_t> indexOf(PoseId pose) const;
@@ -102,6 +107,8 @@ class SessionController : public QObject {
   std::uint64_t submitted_revision_ = 0;  ///< counts over all sessions, unlike the session's own
   std::uint64_t first_revision_ = 1;      ///< of the session that is open
   std::uint64_t shown_revision_ = 0;
+  bool needs_solving_ = false;   ///< an edit of the present step does
+  bool robot_is_newer_ = false;  ///< than in what is being solved
 
   // Last, so that their threads have ended before anything they report to goes. The file leaves its end to the work.
   ReconstructionWorker worker_;

@@ -5,7 +5,10 @@
 #include "app/window/session/session_controller.h"
 #include "hexoderm/io/open_file.h"
 #include "hexoderm/io/session_json.h"
+#include "hexoderm/kinematics/demo_robot.h"
+#include "hexoderm/kinematics/robot_model.h"
 #include "hexoderm/session/session_store.h"
+#include "hexoderm/session/simulated_session.h"
 #include "hexoderm/util/error.h"
 #include "widgets/words/words.h"
 
@@ -17,6 +20,18 @@
 
 namespace hexoderm {
 namespace {
+
+/// With its robot and the joint angles, but without a place of any patch: that is what is to be tried.
+Session simulateRobotDemo() {
+  constexpr std::size_t kPoses = 8;
+  const RobotModel model = RobotModel::read(demoRobotFile());
+  SimulatedRobotOptions options;
+  options.mounts = demoMounts();
+  SimulatedRobot robot(builtInCellModel("hex-bma150"), model, options);
+  Session session = simulateRobotSession(robot, kPoses).session;
+  session.setRobot(RobotDescription{model.file().string(), model.sha256(), {}});
+  return session;
+}
 
 /// A file as it was opened; a session store that can be written stays open for what comes.
 struct Opened {
@@ -111,6 +126,18 @@ void SessionFile::openFile(const QString& path) {
         emit noticed(tr("Changes will not be kept in this file; save the session under another name. %1")
                          .arg(words(opened_file->remark)));
       }
+    };
+  });
+}
+
+void SessionFile::openRobotDemo() {
+  const std::uint64_t ticket = ++asked_count_;
+  work_.start(tr("Simulating a robot"), [this, ticket]() -> BackgroundWork::Continuation {
+    auto session = std::make_shared<Session>(simulateRobotDemo());
+    return [this, ticket, session] {
+      if (ticket != asked_count_) return;
+      controller_.liveSession().disconnectSource();
+      controller_.showSession(std::make_unique<Session>(std::move(*session)), tr("Simulated robot"), {});
     };
   });
 }

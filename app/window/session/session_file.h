@@ -58,6 +58,8 @@ class SessionFile : public QObject {
 
  public slots:
   void openFile(const QString& path);
+  /// A session of a simulated robot: a forearm with two patches and an elbow, in eight poses.
+  void openRobotDemo();
   void saveSession(const QString& path);
   /// Writes what could not be written.
   void retryWriting();

@@ -8,6 +8,7 @@
 
 #include <QFileInfo>
 #include <QMetaObject>
+#include <algorithm>
 #include <exception>
 #include <utility>
 
@@ -26,6 +27,31 @@ std::shared_ptr<const Reconstruction> readReference(const QString& path, const S
   return std::get<std::shared_ptr<const Reconstruction>>(file);
 }
 
+/// The session with its newest enabled poses, no others being used; no number: as it is. A pose that is taken again
+/// stands where the old one stood, and so the newest are those with the largest IDs.
+SessionSnapshot withNewestPoses(SessionSnapshot session, std::optional<std::size_t> count) {
+  if (!count) return session;
+  std::vector<PoseId> enabled;
+  for (const SessionPose& pose : session.poses) {
+    if (!pose.disabled) enabled.push_back(pose.capture->id);
+  }
+  if (enabled.size() <= *count) return session;
+  std::ranges::sort(enabled);
+  const PoseId oldest = enabled[enabled.size() - *count];
+  for (SessionPose& pose : session.poses) pose.disabled = pose.disabled || pose.capture->id < oldest;
+  return session;
+}
+
+/// What `work` finds wrong with the file is said with its name.
+template <class Work>
+auto aboutFile(const QString& path, const Work& work) {
+  try {
+    return work();
+  } catch (const InvalidArgument& error) {
+    throw InvalidArgument(located(QFileInfo(path).fileName().toStdString(), error.message()));
+  }
+}
+
 }  // namespace
 
 Verification::Verification(QObject* parent) : QObject(parent), worker_(kChecks) {}
@@ -34,7 +60,10 @@ void Verification::setReconstruction(std::shared_ptr<const Reconstruction> recon
   reconstruction_ = std::move(reconstruction);
   cancel(VerifyCheck::HoldOut);
   if (!reconstruction_) {
-    for (const VerifyCheck check : {VerifyCheck::Loops, VerifyCheck::Surface, VerifyCheck::Comparison}) cancel(check);
+    for (const VerifyCheck check :
+         {VerifyCheck::Loops, VerifyCheck::Surface, VerifyCheck::Comparison, VerifyCheck::OldCalibration}) {
+      cancel(check);
+    }
     return;
   }
   request(VerifyCheck::Loops, [this, seen = reconstruction_](const std::stop_token&) -> Announcement {
@@ -85,33 +114,65 @@ void Verification::fitSurface() {
 }
 
 void Verification::compareWith(const QString& path) {
-  reference_path_ = path;
-  reference_.reset();
+  reference_ = {path, nullptr, {}};
   compare();
 }
 
 void Verification::dropComparison() {
-  reference_path_.clear();
-  reference_.reset();
+  reference_ = {};
   cancel(VerifyCheck::Comparison);
 }
 
 void Verification::compare() {
-  if (!reconstruction_ || reference_path_.isEmpty()) return;
-  if (reference_options_ != reconstruction_->options) reference_.reset();
+  if (!reconstruction_ || reference_.path.isEmpty()) return;
+  if (reference_.options != reconstruction_->options) reference_.calibration.reset();
   request(VerifyCheck::Comparison,
-          [this, seen = reconstruction_, path = reference_path_,
-           known = reference_](const std::stop_token& stop) -> Announcement {
+          [this, seen = reconstruction_, path = reference_.path,
+           known = reference_.calibration](const std::stop_token& stop) -> Announcement {
             const std::shared_ptr<const Reconstruction> reference =
                 known ? known : readReference(path, seen->options, stop);
             // Nobody waits for it any more, and comparing takes its time too.
             if (stop.stop_requested()) return [] {};
             return [this, path, seen, reference, comparisons = compareToReconstruction(*seen, *reference)] {
-              reference_ = reference;
-              reference_options_ = seen->options;
+              reference_ = {path, reference, seen->options};
               emit compared(comparisons, QFileInfo(path).fileName());
             };
           });
+}
+
+void Verification::setToday(std::shared_ptr<const SessionSnapshot> today) {
+  today_ = std::move(today);
+  if (!today_) cancel(VerifyCheck::OldCalibration);
+  checkToday();
+}
+
+void Verification::checkOldCalibration(const QString& path, std::optional<std::size_t> poses) {
+  if (path != old_.path) old_ = {path, nullptr, {}};
+  newest_poses_ = poses;
+  checkToday();
+}
+
+void Verification::dropOldCalibration() {
+  old_ = {};
+  cancel(VerifyCheck::OldCalibration);
+}
+
+void Verification::checkToday() {
+  if (!reconstruction_ || !today_ || old_.path.isEmpty()) return;
+  if (old_.options != reconstruction_->options) old_.calibration.reset();
+  request(
+      VerifyCheck::OldCalibration,
+      [this, path = old_.path, known = old_.calibration, options = reconstruction_->options, today = today_,
+       poses = newest_poses_](const std::stop_token& stop) -> Announcement {
+        const std::shared_ptr<const Reconstruction> calibration = known ? known : readReference(path, options, stop);
+        if (stop.stop_requested()) return [] {};
+        return
+            [this, path, calibration, options,
+             check = aboutFile(path, [&] { return checkCalibration(*calibration, withNewestPoses(*today, poses)); })] {
+              old_ = {path, calibration, options};
+              emit oldCalibrationChecked(check, QFileInfo(path).fileName());
+            };
+      });
 }
 
 void Verification::cancel(VerifyCheck check) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "hexoderm/reconstruction/check/calibration_check.h"
 #include "hexoderm/reconstruction/evaluation/evaluation.h"
 #include "hexoderm/reconstruction/evaluation/loop_search.h"
 #include "hexoderm/reconstruction/hold_out.h"
@@ -16,9 +17,9 @@
 
 namespace hexoderm {
 
-/// Computes the checks of the step Verify on a thread of its own and keeps them up to date with the reconstruction. The
-/// newest request for a check wins: one that waits is dropped, one that runs is stopped, and its result is not shown.
-/// An exception that a check throws becomes a message.
+/// Computes the checks of the step Verify on a thread of its own and keeps them up to date with the reconstruction and
+/// the session. The newest request for a check wins: one that waits is dropped, one that runs is stopped, and its
+/// result is not shown. An exception that a check throws becomes a message.
 class Verification : public QObject {
   Q_OBJECT
 
@@ -27,7 +28,7 @@ class Verification : public QObject {
   explicit Verification(QObject* parent = nullptr);
 
   /// What is verified from now on; null: nothing. Loops, surface and comparison are computed anew; a hold-out that is
-  /// running is cancelled.
+  /// running is cancelled. An old calibration is checked anew by setToday().
   void setReconstruction(std::shared_ptr<const Reconstruction> reconstruction);
   /// `session`: as it is now; it is solved with the options of the reconstruction. Nothing happens without one.
   void runHoldOut(std::shared_ptr<const SessionSnapshot> session, PoseId pose);
@@ -38,6 +39,12 @@ class Verification : public QObject {
   /// dropComparison().
   void compareWith(const QString& path);
   void dropComparison();
+  /// The session as it is now, whose poses an old calibration is compared with; null: there is none.
+  void setToday(std::shared_ptr<const SessionSnapshot> today);
+  /// Does this calibration still hold? Compares it, or a session solved as in compareWith(), with the newest `poses`
+  /// poses of today that are enabled; no number: with all of them. Stays in force until dropOldCalibration().
+  void checkOldCalibration(const QString& path, std::optional<std::size_t> poses);
+  void dropOldCalibration();
   void cancel(VerifyCheck check);
 
  signals:
@@ -46,26 +53,35 @@ class Verification : public QObject {
   void loopsFound(const std::vector<hexoderm::FoundLoop>& loops);
   void surfacesFitted(const std::vector<hexoderm::SurfaceEvaluation>& surfaces, const QStringList& remarks);
   void compared(const std::vector<hexoderm::Comparison>& comparisons, const QString& against);
+  void oldCalibrationChecked(const hexoderm::CalibrationCheck& check, const QString& calibration);
   void failed(hexoderm::VerifyCheck check, const QString& message);
 
  private:
   using Announcement = std::function<void()>;
   using Work = std::function<Announcement(const std::stop_token&)>;
+  /// A file of the operator's, with the calibration in it.
+  struct Reference {
+    QString path;                                       ///< empty: none is chosen
+    std::shared_ptr<const Reconstruction> calibration;  ///< once it was read
+    SolverOptions options;                              ///< that it was solved with, if it is a session
+  };
   void request(VerifyCheck check, Work work);
   void finish(VerifyCheck check, std::uint64_t number, const Announcement& announce);
   void fitSurface();
   void compare();
+  void checkToday();
   void setRunning(VerifyCheck check, bool running);
 
   std::shared_ptr<const Reconstruction> reconstruction_;
   bool wants_surface_ = false;
   std::optional<SurfaceKind> surface_kind_;
   std::optional<double> true_radius_m_;
-  QString reference_path_;
-  std::shared_ptr<const Reconstruction> reference_;  ///< of reference_path_, once it was read
-  SolverOptions reference_options_;                  ///< that it was solved with, if it is a session
+  Reference reference_;  ///< to compare the result with
+  Reference old_;        ///< to compare the poses of today with
+  std::shared_ptr<const SessionSnapshot> today_;
+  std::optional<std::size_t> newest_poses_;
 
-  static constexpr std::size_t kChecks = 4;
+  static constexpr std::size_t kChecks = 5;
   std::array<std::uint64_t, kChecks> newest_{};  ///< request per check; results of older ones are dropped
   std::array<bool, kChecks> running_{};          ///< as runningChanged() last said
   LatestWorker worker_;  // a mailbox per check; last: it has ended before anything that it uses is destroyed

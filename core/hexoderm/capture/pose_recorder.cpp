@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <deque>
 #include <map>
 #include <mutex>
 #include <utility>
@@ -22,6 +23,9 @@ constexpr double kConfirm_s = 0.1;
 // Means of 100 ms in one hold differ by less, with default tremor: 3 sigma are 2.5 degrees.
 constexpr double kMovedMeanwhile = 3 * kDegree;
 constexpr double kClockReset_s = 0.5;
+constexpr double kJointsKept_s = 20;  // no capture takes longer
+constexpr double kJointsLast_s = 1;
+constexpr std::size_t kMostJointReports = 100'000;
 
 std::int64_t systemClock_ms() {
   const auto now = std::chrono::system_clock::now().time_since_epoch();
@@ -41,6 +45,19 @@ std::optional<double> angleBetweenPoses(const PoseCapture& a, const PoseCapture&
   const auto middle = angles.begin() + static_cast<std::ptrdiff_t>((angles.size() - 1) / 2);
   std::nth_element(angles.begin(), middle, angles.end());
   return *middle;
+}
+
+/// The mean of reports, of the joints that all of them name.
+JointAngles meanOf(const std::vector<const JointReport*>& reports) {
+  JointAngles mean = reports.front()->angles;
+  for (std::size_t k = 1; k < reports.size(); ++k) {
+    const auto& positions = reports[k]->angles.positions;
+    std::erase_if(mean.positions, [&](const auto& joint) { return !positions.contains(joint.first); });
+    for (auto& [name, position] : mean.positions) {
+      position += (positions.at(name) - position) / static_cast<double>(k + 1);
+    }
+  }
+  return mean;
 }
 
 }  // namespace
@@ -88,6 +105,7 @@ struct PoseRecorder::State {
   std::optional<CaptureWindow> window;
   bool forced = false;
   std::map<CellId, double> temperatures_c;
+  std::deque<JointReport> joints;  ///< of the last kJointsKept_s
   std::optional<double> last_s;
   std::optional<double> late_from_s, late_to_s;  ///< times of consecutive late frames; their own time increases
   std::uint64_t late_in_row = 0;
@@ -132,6 +150,7 @@ struct PoseRecorder::State {
       if (cell.id < skin.model->interface_id) described.push_back(cell.id);
     }
     std::ranges::sort(described);
+    joints.clear();
     window.reset();
     last_s.reset();
     late_from_s.reset();
@@ -182,6 +201,25 @@ struct PoseRecorder::State {
     late_from_s.reset();
     ++tick;
     noteReadings(frame);
+  }
+
+  void addJoints(const JointReport& report) {
+    if (!joints.empty() && report.time_s < joints.back().time_s) joints.clear();  // the clock began anew
+    joints.push_back(report);
+    while (joints.size() > kMostJointReports || joints.front().time_s < report.time_s - kJointsKept_s)
+      joints.pop_front();
+  }
+
+  [[nodiscard]] JointAngles jointAngles(double start_s, double end_s) const {
+    std::vector<const JointReport*> during;
+    const JointReport* last = nullptr;
+    for (const JointReport& report : joints) {
+      if (report.time_s > end_s) break;
+      if (report.time_s >= start_s) during.push_back(&report);
+      if (report.time_s >= start_s - kJointsLast_s) last = &report;
+    }
+    if (during.empty() && last != nullptr) during.push_back(last);
+    return during.empty() ? JointAngles() : meanOf(during);
   }
 
   // ---- the course of a capture
@@ -262,6 +300,7 @@ struct PoseRecorder::State {
     captured.forced = forced;
     captured.start_s = window->start_s();
     captured.end_s = window->end_s();
+    captured.joint_angles = jointAngles(captured.start_s, captured.end_s);
     captured.odd_cells = detector.stillness().odd_cells;
     listMissing(*pose, captured);
     captured.frames = window->takeFrames();
@@ -344,6 +383,7 @@ PoseRecorder::~PoseRecorder() = default;
 
 void PoseRecorder::setSkin(const SkinDescription& skin) { state_->setSkin(skin); }
 void PoseRecorder::addFrame(const SampleFrame& frame) { state_->addFrame(frame); }
+void PoseRecorder::addJoints(const JointReport& joints) { state_->addJoints(joints); }
 
 void PoseRecorder::setAutomatic(bool automatic) {
   const std::lock_guard lock(state_->mutex);

@@ -45,6 +45,9 @@ struct CapturedPose {
   std::vector<CellId> short_cells;
   std::vector<OddCell> odd_cells;   ///< found while the part was still
   std::vector<SampleFrame> frames;  ///< empty unless keep_frames is set
+  /// Where the joints of the robot stood, if the device says so: the mean of what it said between start_s and end_s, or
+  /// what it said last, at most a second before.
+  JointAngles joint_angles{};
 };
 
 enum class HoldPhase {
@@ -98,8 +101,8 @@ class PoseRecorderListener {
 /// increase are ignored and counted. If nothing else comes for 0.5 s of their own time, the device's clock was set back
 /// (the device was reset), and recording starts over.
 ///
-/// Threads: setSkin() and addFrame() belong to one thread, the source's; the listener is called there. The other
-/// functions may be called from any thread; they take effect with the next frame.
+/// Threads: setSkin(), addFrame() and addJoints() belong to one thread, the source's; the listener is called there. The
+/// other functions may be called from any thread; they take effect with the next frame.
 class PoseRecorder {
  public:
   /// `listener` must outlive the recorder. Throws InvalidArgument (PoseRecorderOptions::validate).
@@ -113,6 +116,8 @@ class PoseRecorder {
   void setSkin(const SkinDescription& skin);
   /// Handles SkinListener::onFrame.
   void addFrame(const SampleFrame& frame);
+  /// Handles SkinListener::onJoints.
+  void addJoints(const JointReport& joints);
 
   void setAutomatic(bool automatic);
   /// "Capture anyway": takes the next samples whatever moves.

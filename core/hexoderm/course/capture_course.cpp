@@ -110,7 +110,7 @@ void CaptureCourse::take(const CapturedPose& captured) {
   const PoseId id = keeps_number ? *recapturing_ : session_->nextPoseId();
   PoseTaken taken{captured, {}};
   taken.captured.pose = named(captured.pose, id);
-  AddPose add{{taken.captured.pose, false}};
+  AddPose add{{taken.captured.pose, false, {}, taken.captured.joint_angles}};
   if (options_.keep_raw) add.raw = std::make_shared<const std::vector<SampleFrame>>(std::move(taken.captured.frames));
   taken.captured.frames.clear();
   std::vector<SessionEdit> edits;

@@ -5,6 +5,7 @@
 #include "hexoderm/device/sample_frame.h"
 #include "hexoderm/graph/cell_model.h"
 #include "hexoderm/graph/neighbor_list.h"
+#include "hexoderm/kinematics/joint_angles.h"
 #include "hexoderm/util/message.h"
 
 #include <chrono>
@@ -64,6 +65,12 @@ struct DeviceStatus {
   std::uint64_t samples_dropped = 0;  ///< likewise; could not be sent
 };
 
+/// Where the joints of the robot stand that wears the skin.
+struct JointReport {
+  double time_s = 0;  ///< device time, by the clock of the samples
+  JointAngles angles;
+};
+
 /// Rate of samples that the device should send, Hz.
 struct SetRate {
   double rate_hz = 0;
@@ -106,6 +113,9 @@ class SkinListener {
   virtual void onCommandOutcome(const CommandOutcome& outcome) = 0;
   /// Whenever the device says so, in its place among the frames. Not every device does.
   virtual void onDeviceStatus(const DeviceStatus& /*status*/) {}
+  /// Whenever the device says so, in its place among the frames, after onSkin. Times don't go back, as those of frames.
+  /// Not every device does.
+  virtual void onJoints(const JointReport& /*joints*/) {}
 };
 
 /// A skin that delivers by itself: a device on a wire, a recording, a simulated skin. It runs on a thread of its own.

@@ -2,6 +2,7 @@
 
 #include "hexoderm/geometry/covariance.h"
 #include "hexoderm/graph/cell_model_json.h"
+#include "hexoderm/session/session_parts_json.h"
 #include "hexoderm/util/error.h"
 #include "hexoderm/util/file.h"
 #include "hexoderm/util/limits.h"
@@ -176,6 +177,7 @@ CellPlacement readCell(const JsonReader& json) {
     }
   }
   if (const auto cov = json.find("cov_t_r")) cell.cov_t_r = readCovariance(*cov);
+  if (const auto cov = json.find("shape_cov_t_r")) cell.shape_cov_t_r = readCovariance(*cov);
   if (const auto sigma = json.find("sigma_t_m")) static_cast<void>(nonNegativeVector(*sigma));
   if (const auto sigma = json.find("sigma_r_rad")) static_cast<void>(nonNegativeVector(*sigma));
   if (const auto offset = json.find("accel_offset_g")) cell.accel_offset_g = offset->vector3(kMostAcceleration_g);
@@ -259,6 +261,19 @@ Assessment readVerdict(const JsonReader& json) {
     verdict.remedy = Remedy::TakePose;
   }
   return verdict;
+}
+
+/// Placements, each of a patch by its origin cell.
+std::vector<PatchPlacement> readOrigins(const JsonReader& json, const Reconstruction& result) {
+  std::vector<PatchPlacement> placements = readPlacements(json);
+  const std::vector<JsonReader> items = json.items();
+  for (std::size_t k = 0; k < items.size(); ++k) {
+    const PatchReconstruction* patch = result.find(placements[k].origin).patch;
+    if (patch == nullptr || patch->origin != placements[k].origin) {
+      items[k].at("origin_cell").fail(message("the origin cell of a patch"));
+    }
+  }
+  return placements;
 }
 
 /// Reads the patches and sees to it that what views and exporters look up is there.
@@ -355,6 +370,8 @@ std::shared_ptr<const Reconstruction> parseCalibrationJson(std::string_view text
   }
   for (const JsonReader& finding : json.at("findings").items()) result.findings.push_back(readFinding(finding));
   result.assessment = readVerdict(json.at("verdict"));
+  if (const auto robot = json.find("robot")) result.robot = readRobot(*robot);
+  if (const auto placements = json.find("placements")) result.placements = readOrigins(*placements, result);
   result.layout = computeFlatLayout(*result.model, result.patches);
   return std::make_shared<const Reconstruction>(std::move(result));
 }

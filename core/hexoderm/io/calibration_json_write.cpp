@@ -1,6 +1,7 @@
 #include "hexoderm/io/calibration_json.h"
 
 #include "hexoderm/graph/cell_model_json.h"
+#include "hexoderm/session/session_parts_json.h"
 #include "hexoderm/util/file.h"
 #include "hexoderm/util/message_json.h"
 #include "hexoderm/util/units.h"
@@ -88,6 +89,7 @@ Json cellJson(const CellPlacement& cell) {
     json["sigma_t_m"] = toJson(Eigen::Vector3d(sigma.head<3>()));
     json["sigma_r_rad"] = toJson(Eigen::Vector3d(sigma.tail<3>()));
   }
+  if (cell.shape_cov_t_r) json["shape_cov_t_r"] = covarianceJson(*cell.shape_cov_t_r);
   if (cell.accel_offset_g) json["accel_offset_g"] = toJson(*cell.accel_offset_g);
   if (cell.accel_scale) json["accel_scale"] = toJson(*cell.accel_scale);
   json["path"] = idsJson(cell.path);
@@ -195,6 +197,8 @@ std::string calibrationToJson(const Reconstruction& reconstruction) {
   json["findings"] = Json::array();
   for (const Finding& finding : reconstruction.findings) json["findings"].push_back(findingJson(finding));
   json["verdict"] = verdictJson(reconstruction.assessment);
+  if (reconstruction.robot) json["robot"] = robotJson(reconstruction.robot);
+  if (!reconstruction.placements.empty()) json["placements"] = placementsJson(reconstruction.placements);
   return dumpReadable(json);
 }
 

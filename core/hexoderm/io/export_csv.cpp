@@ -43,6 +43,17 @@ void appendRotation(Row& row, const Eigen::Matrix3d& R) {
   for (const double value : {q.w(), q.x(), q.y(), q.z()}) row.emplace_back(value);
 }
 
+void appendSigmas(Row& row, const std::optional<Matrix6d>& cov_t_r) {
+  for (Eigen::Index k = 0; k < 6; ++k) {
+    if (!cov_t_r) {
+      row.emplace_back();
+      continue;
+    }
+    const double sigma = std::sqrt(std::max(0.0, (*cov_t_r)(k, k)));
+    row.emplace_back(k < 3 ? sigma : toDegrees(sigma));
+  }
+}
+
 CsvTable cellTable(const Reconstruction& reconstruction) {
   CsvTable table{"cells.csv",
                  {"patch",
@@ -63,6 +74,12 @@ CsvTable cellTable(const Reconstruction& reconstruction) {
                   "sigma_rx_deg",
                   "sigma_ry_deg",
                   "sigma_rz_deg",
+                  "shape_sigma_x_m",
+                  "shape_sigma_y_m",
+                  "shape_sigma_z_m",
+                  "shape_sigma_rx_deg",
+                  "shape_sigma_ry_deg",
+                  "shape_sigma_rz_deg",
                   "accel_offset_x_g",
                   "accel_offset_y_g",
                   "accel_offset_z_g",
@@ -77,13 +94,8 @@ CsvTable cellTable(const Reconstruction& reconstruction) {
               std::string(cell.placed_by == PlacedBy::Samples ? "samples" : "links")};
       append(row, cell.T_o_u.t);
       appendRotation(row, cell.T_o_u.R);
-      for (Eigen::Index k = 0; k < 6; ++k) {
-        if (!cell.cov_t_r) {
-          row.emplace_back();
-          continue;
-        }
-        const double sigma = std::sqrt(std::max(0.0, (*cell.cov_t_r)(k, k)));
-        row.emplace_back(k < 3 ? sigma : toDegrees(sigma));
+      for (const std::optional<Matrix6d>& covariance : {cell.cov_t_r, cell.shape_cov_t_r}) {
+        appendSigmas(row, covariance);
       }
       for (const std::optional<Eigen::Vector3d>& values : {cell.accel_offset_g, cell.accel_scale}) {
         if (values) {

@@ -12,12 +12,12 @@ constexpr std::size_t kPointsPerCell = 12;
 
 }  // namespace
 
-ExportMesh plyMesh(const Reconstruction& reconstruction) {
+ExportMesh plyMesh(const Reconstruction& reconstruction, const ExportSelection& selection) {
   const PatchMesh prisms = makePatchMesh(reconstruction);
   const auto quality = worstUsedQuality(reconstruction);
   ExportMesh mesh;
   mesh.points = prisms.points;
-  mesh.frame = frameInWords(reconstruction);
+  mesh.frame = frameInWords(reconstruction, selection);
   for (const PatchMesh::Polygon& polygon : prisms.polygons) mesh.polygons.push_back(polygon.points);
   for (const CellId cell : prisms.cells) {
     const auto found = quality.find(cell);

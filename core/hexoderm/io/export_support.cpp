@@ -20,9 +20,13 @@ std::unordered_map<CellId, EdgeQuality> worstUsedQuality(const Reconstruction& r
   return worst;
 }
 
-std::string frameInWords(const Reconstruction& reconstruction) {
-  if (reconstruction.patches.size() != 1) return "each patch in the frame of its origin cell";
-  return "in the frame of cell " + toString(reconstruction.patches.front().origin) + ", the origin of the patch";
+std::string frameInWords(const Reconstruction& reconstruction, const ExportSelection& selection) {
+  if (!selection.frame_link.empty()) return "in the frame of link " + selection.frame_link;
+  const PatchReconstruction* only = selection.patches.size() == 1        ? selection.patches.front()
+                                    : reconstruction.patches.size() == 1 ? &reconstruction.patches.front()
+                                                                         : nullptr;
+  if (only == nullptr) return "each patch in the frame of its origin cell";
+  return "in the frame of cell " + toString(only->origin) + ", the origin of the patch";
 }
 
 SE3 rigid(const SE3& T) { return {projectToSO3(T.R), T.t}; }

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "hexoderm/reconstruction/result/reconstruction.h"
+#include "hexoderm/io/export_selection.h"
 
 #include <string>
 #include <unordered_map>
@@ -13,8 +13,9 @@ namespace hexoderm {
 /// Class of each cell's worst used link; cells without a used link are not in the map.
 std::unordered_map<CellId, EdgeQuality> worstUsedQuality(const Reconstruction& reconstruction);
 
-/// The frame of the points, for files that say it: "in the frame of cell 7, the origin of the patch".
-std::string frameInWords(const Reconstruction& reconstruction);
+/// The frame of the points, for files that say it: "in the frame of cell 7, the origin of the patch", "in the frame of
+/// link r_forearm".
+std::string frameInWords(const Reconstruction& reconstruction, const ExportSelection& selection = {});
 
 /// The placement with its rotation made orthogonal to rounding: files may state rotations with few decimals, and
 /// quaternions and angles can only say true ones.

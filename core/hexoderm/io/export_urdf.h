@@ -1,55 +1,41 @@
 #pragma once
 
-#include "hexoderm/io/exporter.h"
+#include "hexoderm/io/skin_tree.h"
+#include "hexoderm/kinematics/robot_model.h"
 
 #include <string>
 #include <string_view>
-#include <vector>
 
 namespace hexoderm {
 
-/// A cylinder drawn for a cell.
-struct UrdfVisual {
-  std::string name;
-  SE3 T_link_center;
-  std::string material;
-};
-/// A link and where it hangs. `T_root_link` says where it is meant to be in the parent link that the options name: it
-/// is what chaining the joints of the file must give.
-struct UrdfLink {
-  std::string name;
-  std::string parent;  ///< empty: the root
-  SE3 T_parent_link;
-  SE3 T_root_link;
-  std::vector<UrdfVisual> visuals;
-};
-/// A sensor that has no link of its own.
-struct UrdfSensor {
-  std::string name;
-  std::string link;
-  SE3 T_link_sensor;
-};
-struct UrdfModel {
-  std::string robot;
-  double radius_m = 0;  ///< of every cell's cylinder
-  double length_m = 0;
-  std::vector<UrdfLink> links;  ///< the root first, parents before children
-  std::vector<UrdfSensor> sensors;
+/// What a URDF of the skin holds: all joints fixed and named after their child. With one link per patch the cells are
+/// its visuals and the sensors are <sensor> elements. Cells are drawn as hexagonal prisms.
+struct UrdfContent {
+  SkinTree tree;
+  bool link_per_cell = true;
+  UrdfForm form = UrdfForm::Alone;  ///< of a file of the skin's own
 };
 
-/// parent link -> PREFIXpatchK -> PREFIXcellN -> PREFIXcellN_SENSOR, all joints fixed and named after their child. Of
-/// several patches the frames would coincide: exportReconstruction() gives it one. With one link per patch the cells
-/// are its visuals and the sensors are <sensor> elements. Throws InvalidArgument if the parent link's name is also that
-/// of a link made here.
-UrdfModel urdfModel(const Reconstruction& reconstruction, const ExportOptions& options);
+/// The skin in a file of its own. InvalidArgument: the name of a patch is none that a xacro macro can have.
+std::string urdfBytes(const UrdfContent& content);
+/// Chains the joints of the file, of macros with the defaults of their parameters, and compares where every link,
+/// visual and sensor ends up, to 1e-9 (m and matrix elements). Throws FormatError.
+void verifyUrdf(std::string_view bytes, const UrdfContent& content, const std::string& file);
 
-std::string urdfBytes(const UrdfModel& model);
+/// The description of a robot: its text, and what urdfdom and KDL make of it.
+struct RobotUrdf {
+  std::string text;
+  RobotModel model;
+};
+/// Throws StorageError; FormatError, naming file, place and expectation, for what is no URDF.
+RobotUrdf readRobotUrdf(const std::filesystem::path& path);
 
-/// Chains the joints of the file and compares where every link, visual and sensor ends up, to 1e-9 (m and matrix
-/// elements). Throws FormatError.
-void verifyUrdf(std::string_view bytes, const UrdfModel& model, const std::string& file);
-
-/// Not empty, and only letters, digits and _ - . / with no slash in front: what URDF and TF accept.
-bool isUrdfName(std::string_view name);
+/// The robot with the skin on it: its text byte for byte, and in front of </robot> the links and joints of the skin.
+/// InvalidArgument: the robot has no link of the name that a patch is placed on. FormatError: it has a link, joint or
+/// sensor already of the name of one that would be added. Materials that it has, of an earlier skin, are used.
+std::string robotUrdfBytes(const RobotUrdf& robot, const UrdfContent& content);
+/// As verifyUrdf(), that nothing else differs from the robot's text, and that KDL puts every link where it is meant.
+void verifyRobotUrdf(std::string_view bytes, const RobotUrdf& robot, const UrdfContent& content,
+                     const std::string& file);
 
 }  // namespace hexoderm

@@ -177,7 +177,7 @@ VtpArray textArray(std::string name, std::string text) {
 
 }  // namespace
 
-VtpData vtpData(const Reconstruction& reconstruction) {
+VtpData vtpData(const Reconstruction& reconstruction, const ExportSelection& selection) {
   const PatchMesh prisms = makePatchMesh(reconstruction);
   const auto quality = worstUsedQuality(reconstruction);
   const auto qualityOf = [&](CellId cell) {
@@ -230,7 +230,7 @@ VtpData vtpData(const Reconstruction& reconstruction) {
   data.verts = verts.offsets.size();
   data.polys = polys.offsets.size();
   data.field_data = {textArray("units", "positions in metres, rotations in radians"),
-                     textArray("frame", frameInWords(reconstruction)),
+                     textArray("frame", frameInWords(reconstruction, selection)),
                      textArray("cell_model", reconstruction.model->name),
                      textArray("solver", reconstruction.solver),
                      textArray("verdict", std::string(verdictName(reconstruction.assessment.level))),

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "hexoderm/reconstruction/result/reconstruction.h"
+#include "hexoderm/io/export_selection.h"
 
 #include <cstdint>
 #include <string>
@@ -23,7 +23,7 @@ struct VtpSection {
 };
 
 /// A vtkPolyData: the prisms of the cells (polygons) and the sensors (vertices), metres, each patch in the frame of its
-/// origin cell.
+/// origin cell, or of the link that the selection names.
 ///
 /// Every polygon and vertex carries cell_id, patch, patch_origin, body_part, sensor and sensor_type (empty on the
 /// cell's own polygons), placed_by (0 samples, 1 links), quality of the worst used link (0 un to 3 over, -1 none),
@@ -39,7 +39,7 @@ struct VtpData {
   std::vector<VtpSection> sections;
 };
 
-VtpData vtpData(const Reconstruction& reconstruction);
+VtpData vtpData(const Reconstruction& reconstruction, const ExportSelection& selection = {});
 
 /// XML with base64 blocks (no number loses a bit), as vtkXMLPolyDataReader reads it.
 std::string vtpBytes(const VtpData& data);

@@ -2,82 +2,98 @@
 
 #include "hexoderm/io/export_csv.h"
 #include "hexoderm/io/export_dot.h"
+#include "hexoderm/io/export_gltf.h"
+#include "hexoderm/io/export_manifest.h"
+#include "hexoderm/io/export_models.h"
+#include "hexoderm/io/export_obj.h"
 #include "hexoderm/io/export_ply.h"
+#include "hexoderm/io/export_selection.h"
 #include "hexoderm/io/export_staging.h"
 #include "hexoderm/io/export_stl.h"
+#include "hexoderm/io/export_support.h"
+#include "hexoderm/io/export_taxels.h"
+#include "hexoderm/io/export_transforms.h"
+#include "hexoderm/io/export_tum.h"
 #include "hexoderm/io/export_urdf.h"
 #include "hexoderm/io/export_vtp.h"
 #include "hexoderm/util/error.h"
 #include "hexoderm/util/file.h"
+#include "hexoderm/util/sha256.h"
 
 #include <algorithm>
 #include <array>
+#include <set>
 #include <utility>
 
 namespace hexoderm {
 namespace {
 
+constexpr std::string_view kBundleStem = "skin";
+
 /// Built at its first use, for a message is no constant expression.
-const std::array<ExportFormatDescription, 6>& formats() {
-  static const std::array<ExportFormatDescription, 6> the_formats = {{
-      {ExportFormat::Csv, "csv", "", message("folder of tables: cells, sensors, links, poses, residuals"),
-       PatchesInFile::All},
-      {ExportFormat::Dot, "dot", ".dot", message("skin graph for Graphviz, with ports and quality"),
-       PatchesInFile::All},
+const std::vector<ExportFormatDescription>& formats() {
+  static const std::vector<ExportFormatDescription> the_formats = {
+      {ExportFormat::Csv,
+       "csv",
+       "",
+       message("folder of tables: cells, sensors, links, poses, residuals"),
+       PatchesInFile::All,
+       {}},
+      {ExportFormat::Dot, "dot", ".dot", message("skin graph for Graphviz, with ports and quality"), PatchesInFile::All,
+       message("A DOT file is a flat drawing without places and uncertainties.")},
       {ExportFormat::Ply, "ply", ".ply", message("mesh of the cells in metres, coloured by quality"),
-       PatchesInFile::One},
+       PatchesInFile::One, message("A PLY file holds no sensors and no uncertainties.")},
       {ExportFormat::Stl, "stl", ".stl", message("mesh of the cells for CAD, in millimetres or metres"),
-       PatchesInFile::One},
+       PatchesInFile::One, message("An STL file holds no IDs, colours, sensors and uncertainties.")},
       {ExportFormat::Vtp, "vtp", ".vtp",
-       message("everything about the cells and sensors for ParaView and VTK, lossless"), PatchesInFile::AllIfAsked},
+       message("everything about the cells and sensors for ParaView and VTK, lossless"), PatchesInFile::AllIfAsked,
+       message("A VTP file holds no links between cells.")},
       {ExportFormat::Urdf, "urdf", ".urdf", message("links for every cell and sensor, or one for the patch, for ROS"),
-       PatchesInFile::One},
-  }};
+       PatchesInFile::OnLinks, message("A URDF holds no uncertainties.")},
+      {ExportFormat::RobotUrdf, "robot-urdf", ".robot.urdf",
+       message("the robot's own URDF, unchanged, with the skin on its links"), PatchesInFile::OnLinks,
+       message("A URDF holds no uncertainties.")},
+      {ExportFormat::TfRos1, "tf-ros1", ".launch", message("static transforms of all frames, a ROS 1 launch file"),
+       PatchesInFile::OnLinks, message("Static transforms hold no shapes and no uncertainties.")},
+      {ExportFormat::TfRos2, "tf-ros2", ".launch.py", message("static transforms of all frames, a ROS 2 launch file"),
+       PatchesInFile::OnLinks, message("Static transforms hold no shapes and no uncertainties.")},
+      {ExportFormat::TfYaml, "tf-yaml", ".tf.yaml",
+       message("static transforms of all frames, TransformStamped in YAML"), PatchesInFile::OnLinks,
+       message("Static transforms hold no shapes and no uncertainties.")},
+      {ExportFormat::Tum, "tum", ".tum.xml", message("SkinConfig of the TUM skin's own software"), PatchesInFile::All,
+       message("A SkinConfig holds no sensors, no uncertainties, and not the port of the computer.")},
+      {ExportFormat::Icub, "icub", ".icub.txt", message("taxel positions as iCub reads them, a taxel for each cell"),
+       PatchesInFile::OnALink,
+       message("Taxel positions are centres and normals of the cells, without IDs, turns about the normal and "
+               "uncertainties.")},
+      {ExportFormat::Skinware, "skinware", ".skinware.txt", message("map of the cells for Skinware (CySkin)"),
+       PatchesInFile::OnLinks,
+       message("A Skinware map holds centres and normals of the cells, without turns about the normal and "
+               "uncertainties.")},
+      {ExportFormat::Obj, "obj", ".obj", message("mesh of the cells in metres, an object for each cell"),
+       PatchesInFile::One, message("An OBJ file holds no sensors and no uncertainties.")},
+      {ExportFormat::Gltf, "gltf", ".glb", message("scene with a node for each cell and sensor (glTF 2.0)"),
+       PatchesInFile::One, message("A glTF scene holds no uncertainties.")},
+      {ExportFormat::Sdf, "sdf", ".sdf", message("model for Gazebo, with a frame for each cell and sensor"),
+       PatchesInFile::OnALink,
+       message("An SDF model holds no uncertainties; the skin's mass is not known, and 1 g stands for it.")},
+      {ExportFormat::Mjcf, "mjcf", ".mjcf.xml", message("model for MuJoCo, with a site for each sensor"),
+       PatchesInFile::OnALink, message("An MJCF model holds no uncertainties and no mass of the skin.")},
+  };
   return the_formats;
-}
-
-const ExportFormatDescription& descriptionOf(ExportFormat format) {
-  return *std::ranges::find(formats(), format, &ExportFormatDescription::format);
-}
-
-/// The patch that is alone in the file; null: all of them are in it.
-const PatchReconstruction* onlyPatch(const Reconstruction& reconstruction, ExportFormat format,
-                                     const ExportOptions& options) {
-  const ExportFormatDescription& description = descriptionOf(format);
-  if (options.all_patches && description.patches == PatchesInFile::One) {
-    throw InvalidArgument(located(
-        "all_patches", message("{} has one frame, and how the patches lie to each other is not known: write each to a "
-                               "file of its own",
-                               description.name)));
-  }
-  if (options.patch) {
-    const PatchReconstruction* patch = reconstruction.find(*options.patch).patch;
-    if (patch == nullptr) throw InvalidArgument(located("patch", message("no patch holds a cell {}", *options.patch)));
-    return patch;
-  }
-  const bool holds_all = options.all_patches || description.patches == PatchesInFile::All;
-  return holds_all ? nullptr : largestPatch(reconstruction);
-}
-
-/// The reconstruction with one of its patches. Its links to cells of other patches stay.
-Reconstruction partOf(const Reconstruction& reconstruction, const PatchReconstruction& patch) {
-  Reconstruction part = reconstruction;
-  part.patches = {patch};
-  std::erase_if(part.layout.cells, [&](const FlatCell& cell) { return patch.findCell(cell.cell) == nullptr; });
-  std::erase_if(part.layout.links, [&](const FlatLink& link) { return link.patch != patch.id; });
-  return part;
 }
 
 /// Calls `use` with what is to be in the file.
 template <class Use>
 auto withExported(const Reconstruction& reconstruction, ExportFormat format, const ExportOptions& options, Use use) {
-  const PatchReconstruction* only = onlyPatch(reconstruction, format, options);
-  if (only == nullptr || reconstruction.patches.size() == 1) return use(reconstruction);
-  return use(partOf(reconstruction, *only));
+  const ExportSelection selection = selectForExport(reconstruction, exportFormatDescription(format), options);
+  const bool all = selection.patches.size() == reconstruction.patches.size();
+  if (all && selection.frame_link.empty()) return use(reconstruction, selection);
+  return use(exportedPart(reconstruction, selection, options), selection);
 }
 
 void requireName(const char* option, const std::string& name) {
-  if (!isUrdfName(name)) {
+  if (!isLinkName(name)) {
     throw InvalidArgument(located(option, message("expected letters, digits and _ - . /, found \"{}\"", name)));
   }
 }
@@ -90,7 +106,9 @@ void requireFinite(const Reconstruction& reconstruction) {
   for (const PatchReconstruction& patch : reconstruction.patches) {
     for (const CellPlacement& cell : patch.cells) {
       require(cell.T_o_u.R.allFinite() && cell.T_o_u.t.allFinite(), cell.cell, [] { return message("its placement"); });
-      require(!cell.cov_t_r || cell.cov_t_r->allFinite(), cell.cell, [] { return message("its covariance"); });
+      for (const std::optional<Matrix6d>& covariance : {cell.cov_t_r, cell.shape_cov_t_r}) {
+        require(!covariance || covariance->allFinite(), cell.cell, [] { return message("its covariance"); });
+      }
       require((!cell.accel_offset_g || cell.accel_offset_g->allFinite()) &&
                   (!cell.accel_scale || cell.accel_scale->allFinite()),
               cell.cell, [] { return message("its accelerometer's offset or scale"); });
@@ -112,27 +130,26 @@ void requireCells(const Reconstruction& reconstruction, std::string_view format)
   }
 }
 
-std::vector<std::filesystem::path> exportCsv(const Reconstruction& reconstruction, const std::filesystem::path& path) {
-  std::vector<StagedFile> files;
-  for (const CsvTable& table : csvTables(reconstruction)) {
-    files.push_back({table.file, csvText(table), [table](const std::string& bytes) { verifyCsv(bytes, table); }});
-  }
-  return publishFolder(path, files);
-}
-
 /// The bytes of a file, and what checks them.
 struct ExportedFile {
   std::string bytes;
   VerifyBytes verify;
 };
 
-ExportedFile exportedFile(const Reconstruction& reconstruction, ExportFormat format, const ExportOptions& options,
-                          const std::string& file) {
+UrdfContent urdfContent(SkinTree tree, const ExportOptions& options) {
+  return {std::move(tree), options.link_per_cell, options.urdf_form};
+}
+
+ExportedFile exportedFile(const Reconstruction& reconstruction, const ExportSelection& selection, ExportFormat format,
+                          const ExportOptions& options, const std::string& file) {
   const auto exported = [&file](auto content, std::string bytes, auto verify) {
     return ExportedFile{std::move(bytes), [content = std::move(content), file, verify](const std::string& found) {
                           verify(found, content, file);
                         }};
   };
+  const auto tree = [&] { return skinTree(*reconstruction.model, selection.mounted, reconstruction, options); };
+  const auto frames = [&] { return skinFrames(tree(), options.link_per_cell); };
+  const auto taxels = [&] { return taxelMap(*reconstruction.model, selection.mounted, options); };
   switch (format) {
     case ExportFormat::Csv:
       break;
@@ -143,7 +160,7 @@ ExportedFile exportedFile(const Reconstruction& reconstruction, ExportFormat for
     }
     case ExportFormat::Ply: {
       requireCells(reconstruction, "PLY");
-      ExportMesh mesh = plyMesh(reconstruction);
+      ExportMesh mesh = plyMesh(reconstruction, selection);
       std::string bytes = plyBytes(mesh, file);
       return exported(std::move(mesh), std::move(bytes), verifyPly);
     }
@@ -154,32 +171,166 @@ ExportedFile exportedFile(const Reconstruction& reconstruction, ExportFormat for
       return exported(std::move(mesh), std::move(bytes), verifyStl);
     }
     case ExportFormat::Vtp: {
-      VtpData data = vtpData(reconstruction);
+      VtpData data = vtpData(reconstruction, selection);
       std::string bytes = vtpBytes(data);
       return exported(std::move(data), std::move(bytes), verifyVtp);
     }
     case ExportFormat::Urdf: {
-      UrdfModel model = urdfModel(reconstruction, options);
-      std::string bytes = urdfBytes(model);
-      return exported(std::move(model), std::move(bytes), verifyUrdf);
+      UrdfContent content = urdfContent(tree(), options);
+      std::string bytes = urdfBytes(content);
+      return exported(std::move(content), std::move(bytes), verifyUrdf);
+    }
+    case ExportFormat::RobotUrdf: {
+      RobotUrdf robot = readRobotUrdf(options.robot_urdf);
+      UrdfContent content = urdfContent(tree(), options);
+      content.form = UrdfForm::Part;
+      std::string bytes = robotUrdfBytes(robot, content);
+      return exported(
+          std::move(content), std::move(bytes),
+          [robot = std::move(robot)](const std::string& found, const UrdfContent& meant, const std::string& name) {
+            verifyRobotUrdf(found, robot, meant, name);
+          });
+    }
+    case ExportFormat::TfRos1: {
+      std::vector<SkinFrame> list = frames();
+      std::string bytes = rosLaunchText(list);
+      return exported(std::move(list), std::move(bytes), verifyRosLaunch);
+    }
+    case ExportFormat::TfRos2: {
+      std::vector<SkinFrame> list = frames();
+      std::string bytes = ros2LaunchText(list);
+      return exported(std::move(list), std::move(bytes), verifyRos2Launch);
+    }
+    case ExportFormat::TfYaml: {
+      std::vector<SkinFrame> list = frames();
+      std::string bytes = transformsYaml(list);
+      return exported(std::move(list), std::move(bytes), verifyTransformsYaml);
+    }
+    case ExportFormat::Tum:
+      return exported(reconstruction, tumBytes(reconstruction, options),
+                      [options](const std::string& found, const Reconstruction& meant, const std::string& name) {
+                        verifyTum(found, meant, options, name);
+                      });
+    case ExportFormat::Icub: {
+      TaxelMap map = taxels();
+      std::string bytes = icubText(map);
+      return exported(std::move(map), std::move(bytes), verifyIcub);
+    }
+    case ExportFormat::Skinware: {
+      TaxelMap map = taxels();
+      std::string bytes = skinwareText(map);
+      return exported(std::move(map), std::move(bytes), verifySkinware);
+    }
+    case ExportFormat::Obj: {
+      requireCells(reconstruction, "OBJ");
+      ObjMesh mesh = objMesh(reconstruction, selection);
+      std::string bytes = objText(mesh);
+      return exported(std::move(mesh), std::move(bytes), verifyObj);
+    }
+    case ExportFormat::Gltf:
+      requireCells(reconstruction, "glTF");
+      return exported(reconstruction, gltfBytes(reconstruction, frameInWords(reconstruction, selection)), verifyGltf);
+    case ExportFormat::Sdf: {
+      SkinTree model = tree();
+      std::string bytes = sdfBytes(model);
+      return exported(std::move(model), std::move(bytes), verifySdf);
+    }
+    case ExportFormat::Mjcf: {
+      SkinTree model = tree();
+      std::string bytes = mjcfBytes(model);
+      return exported(std::move(model), std::move(bytes), verifyMjcf);
     }
   }
   throw InvalidArgument(message("csv is a folder of several files and can't be written as one: give a folder"));
 }
 
+/// The files of a folder and, as the last one, what they are.
+class Bundle {
+ public:
+  Bundle(const Reconstruction& reconstruction, const ExportOptions& options)
+      : reconstruction_(reconstruction), options_(options) {}
+
+  void add(ExportFormat format) {
+    const ExportFormatDescription& description = exportFormatDescription(format);
+    withExported(reconstruction_, format, options_, [&](const Reconstruction& part, const ExportSelection& selection) {
+      requireFinite(part);
+      if (format == ExportFormat::Csv) {
+        for (const CsvTable& table : csvTables(part)) {
+          add({table.file, csvText(table), [table](const std::string& bytes) { verifyCsv(bytes, table); }}, description,
+              selection);
+        }
+        return;
+      }
+      const std::string name = std::string(kBundleStem) + std::string(description.extension);
+      ExportedFile file = exportedFile(part, selection, format, options_, name);
+      add({name, std::move(file.bytes), std::move(file.verify)}, description, selection);
+    });
+  }
+
+  std::vector<std::filesystem::path> publish(const std::filesystem::path& folder) {
+    const std::string text = manifestText(reconstruction_, listed_, options_);
+    files_.push_back(
+        {kManifestFile, text, [text](const std::string& bytes) { verifyManifest(bytes, text, kManifestFile); }});
+    return publishFolder(folder, files_);
+  }
+
+ private:
+  void add(StagedFile file, const ExportFormatDescription& description, const ExportSelection& selection) {
+    listed_.push_back({file.name, sha256Hex(file.content), &description, selection});
+    files_.push_back(std::move(file));
+  }
+
+  const Reconstruction& reconstruction_;
+  const ExportOptions& options_;
+  std::vector<StagedFile> files_;
+  std::vector<ManifestFile> listed_;
+};
+
+/// The options with the robot's file among the inputs, if one of the formats reads it.
+ExportOptions withInputs(ExportOptions options, std::span<const ExportFormat> formats) {
+  if (!options.robot_urdf.empty() && std::ranges::find(formats, ExportFormat::RobotUrdf) != formats.end()) {
+    options.inputs.push_back(
+        {"robot", options.robot_urdf.filename().string(), sha256Hex(readFile(options.robot_urdf))});
+  }
+  return options;
+}
+
 }  // namespace
 
 void ExportOptions::validate() const {
-  requireName("urdf_robot", urdf_robot);
-  requireName("urdf_parent_link", urdf_parent_link);
-  if (!urdf_prefix.empty()) requireName("urdf_prefix", urdf_prefix);
+  requireName("model_name", model_name);
+  requireName("parent_link", parent_link);
+  if (!prefix.empty()) requireName("prefix", prefix);
+  if (!in_link.empty()) requireName("in_link", in_link);
   if (patch && all_patches) throw InvalidArgument(message("all_patches: patch asks for one of them"));
+  std::set<CellId> origins;
+  for (const PatchOnLink& place : placements) {
+    requireName("placements", place.link);
+    if (!place.T_l_o.R.allFinite() || !place.T_l_o.t.allFinite() || (place.cov_t_r && !place.cov_t_r->allFinite())) {
+      throw InvalidArgument(
+          located("placements", message("expected finite numbers for the patch of cell {}", place.origin)));
+    }
+    if (!origins.insert(place.origin).second) {
+      throw InvalidArgument(located("placements", message("the patch of cell {} is placed twice", place.origin)));
+    }
+  }
+}
+
+void ExportOptions::validateFor(ExportFormat format) const {
+  validate();
+  if (format == ExportFormat::RobotUrdf && robot_urdf.empty()) {
+    throw InvalidArgument(located("robot", message("expected the URDF of the robot that gets the skin")));
+  }
 }
 
 std::span<const ExportFormatDescription> exportFormats() { return formats(); }
 
+const ExportFormatDescription& exportFormatDescription(ExportFormat format) {
+  return *std::ranges::find(formats(), format, &ExportFormatDescription::format);
+}
+
 ExportFormat exportFormatFromName(std::string_view name) {
-  const auto* const found = std::ranges::find(formats(), name, &ExportFormatDescription::name);
+  const auto found = std::ranges::find(formats(), name, &ExportFormatDescription::name);
   if (found != formats().end()) return found->format;
   std::string names;
   for (const ExportFormatDescription& format : formats()) {
@@ -191,12 +342,14 @@ ExportFormat exportFormatFromName(std::string_view name) {
 std::vector<PatchLeftOut> patchesLeftOut(const Reconstruction& reconstruction, ExportFormat format,
                                          const ExportOptions& options) {
   options.validate();
-  const PatchReconstruction* only = onlyPatch(reconstruction, format, options);
+  const ExportSelection selection = selectForExport(reconstruction, exportFormatDescription(format), options);
+  const std::set<const PatchReconstruction*> exported(selection.patches.begin(), selection.patches.end());
+  const bool on_links = !selection.frame_link.empty() ||
+                        std::ranges::any_of(selection.mounted, [](const ExportMount& mount) { return mount.placed; });
   std::vector<PatchLeftOut> left_out;
-  if (only == nullptr) return left_out;
   for (const PatchReconstruction& patch : reconstruction.patches) {
-    if (&patch == only || patch.cells.empty()) continue;
-    PatchLeftOut& added = left_out.emplace_back(PatchLeftOut{patch.id, patch.origin, {}});
+    if (exported.contains(&patch) || patch.cells.empty()) continue;
+    PatchLeftOut& added = left_out.emplace_back(PatchLeftOut{patch.id, patch.origin, {}, on_links});
     for (const CellPlacement& cell : patch.cells) added.cells.push_back(cell.cell);
   }
   return left_out;
@@ -212,6 +365,15 @@ Message leftOutInWords(const std::vector<PatchLeftOut>& patches) {
     count += patch.cells.size();
   }
   const Message cells = count == 1 ? message("1 cell") : message("{} cells", count);
+  if (patches.front().not_on_link) {
+    if (patches.size() == 1) {
+      return message(
+          "Not in the file: the patch of cell {} ({}), because it is not placed on a link that the file holds.",
+          origins.front(), cells);
+    }
+    return message("Not in the file: {} patches ({}), because they are not placed on a link that the file holds.",
+                   patches.size(), cells);
+  }
   if (patches.size() == 1) {
     return message(
         "Not in the file: the patch of cell {} ({}), because how it lies to the exported patch is not known.",
@@ -229,27 +391,43 @@ Message leftOutInWords(const std::vector<PatchLeftOut>& patches) {
 std::vector<std::filesystem::path> exportReconstruction(const Reconstruction& reconstruction, ExportFormat format,
                                                         const std::filesystem::path& path,
                                                         const ExportOptions& options) {
-  options.validate();
+  options.validateFor(format);
   if (path.empty()) throw InvalidArgument(message("expected the name of a file or folder to export to"));
-  return withExported(reconstruction, format, options,
-                      [&](const Reconstruction& exported) -> std::vector<std::filesystem::path> {
-                        requireFinite(exported);
-                        if (format == ExportFormat::Csv) return exportCsv(exported, path);
-                        const ExportedFile file = exportedFile(exported, format, options, path.string());
-                        writeFileAtomically(path, file.bytes, file.verify);
-                        return {path};
-                      });
+  if (format == ExportFormat::Csv) return exportBundle(reconstruction, std::array{format}, path, options);
+  return withExported(
+      reconstruction, format, options,
+      [&](const Reconstruction& part, const ExportSelection& selection) -> std::vector<std::filesystem::path> {
+        requireFinite(part);
+        const ExportedFile file = exportedFile(part, selection, format, options, path.string());
+        writeFileAtomically(path, file.bytes, file.verify);
+        return {path};
+      });
+}
+
+std::vector<std::filesystem::path> exportBundle(const Reconstruction& reconstruction,
+                                                std::span<const ExportFormat> formats,
+                                                const std::filesystem::path& folder, const ExportOptions& options) {
+  for (const ExportFormat format : formats) options.validateFor(format);
+  if (folder.empty()) throw InvalidArgument(message("expected the name of a file or folder to export to"));
+  const ExportOptions with_inputs = withInputs(options, formats);
+  Bundle bundle(reconstruction, with_inputs);
+  std::set<ExportFormat> added;
+  for (const ExportFormat format : formats) {
+    if (added.insert(format).second) bundle.add(format);
+  }
+  return bundle.publish(folder);
 }
 
 std::string exportBytes(const Reconstruction& reconstruction, ExportFormat format, const ExportOptions& options,
                         const std::string& file) {
-  options.validate();
-  return withExported(reconstruction, format, options, [&](const Reconstruction& part) {
-    requireFinite(part);
-    ExportedFile exported = exportedFile(part, format, options, file);
-    exported.verify(exported.bytes);
-    return std::move(exported.bytes);
-  });
+  options.validateFor(format);
+  return withExported(reconstruction, format, options,
+                      [&](const Reconstruction& part, const ExportSelection& selection) {
+                        requireFinite(part);
+                        ExportedFile exported = exportedFile(part, selection, format, options, file);
+                        exported.verify(exported.bytes);
+                        return std::move(exported.bytes);
+                      });
 }
 
 }  // namespace hexoderm

@@ -59,8 +59,9 @@ SessionPose readPose(const JsonReader& json) {
   }
   const auto disabled = json.find("disabled");
   const auto why = json.find("why_disabled");
+  const auto joints = json.find("joint_angles");
   return {std::make_shared<const PoseCapture>(std::move(capture)), disabled && disabled->boolean(),
-          why ? why->string() : std::string()};
+          why ? why->string() : std::string(), joints ? readJointAngles(*joints) : JointAngles()};
 }
 
 /// Somebody's program wrote another unit: no reading would count, and nothing would say why. Throws FormatError.
@@ -99,6 +100,7 @@ Json poseJson(const SessionPose& pose) {
   if (pose.capture->taken_at_ms) json["taken_at_ms"] = *pose.capture->taken_at_ms;
   if (pose.disabled) json["disabled"] = true;
   if (!pose.why_disabled.empty()) json["why_disabled"] = pose.why_disabled;
+  if (!pose.joint_angles.positions.empty()) json["joint_angles"] = jointAnglesJson(pose.joint_angles);
   json["samples"] = Json::array();
   for (const GravitySample& sample : pose.capture->samples) {
     Json item;
@@ -134,6 +136,10 @@ Session parseSessionJson(std::string_view text, const std::string& file) {
       session.setLinkMuted(link.source, link.target, true, link.why);
     }
   }
+  if (const auto robot = json.find("robot")) session.setRobot(readRobot(*robot));
+  if (const auto placements = json.find("placements")) {
+    for (PatchPlacement& placement : readPlacements(*placements)) session.setPlacement(std::move(placement));
+  }
   if (const auto truth = json.find("truth")) session.setTruth(readTruth(*truth));
   return session;
 }
@@ -153,6 +159,8 @@ std::string sessionToJson(const Session& session) {
     json["muted_links"] = Json::array();
     for (const MutedLink& link : session.mutedLinks()) json["muted_links"].push_back(mutedLinkJson(link));
   }
+  if (session.robot()) json["robot"] = robotJson(session.robot());
+  if (!session.placements().empty()) json["placements"] = placementsJson(session.placements());
   if (session.truth()) json["truth"] = truthJson(*session.truth());
   return dumpReadable(json);
 }

@@ -6,6 +6,7 @@
 #include "hexoderm/util/units.h"
 
 #include "hexoderm/reconstruction/accelerometer/accelerometer_fit.h"
+#include "hexoderm/reconstruction/check/cell_errors.h"
 #include "hexoderm/reconstruction/links/gravity_table.h"
 
 #include <Eigen/Cholesky>
@@ -33,26 +34,6 @@ constexpr double kDetectable = 4;  // multiple of the expected rms, from simulat
 /// A corrected reading shorter than this shows no direction worth a comparison.
 constexpr double kShortest_g = 0.5;
 
-/// 1 sigma per axis, g/m, of the swing that is left when the other poses foretell one: the mean over 0.1 s of a
-/// tremor of 0.05 degrees at 4 to 12 Hz is 0.6 rad/s^2, and what it did to the others comes on top.
-constexpr double kSwingSigma = 1 / kStandardGravity;
-
-/// The unknowns of one cell: a small turn of its attitude (accelerometer axes), then per axis offset and gains.
-constexpr int kUnknowns = 15;
-using Information = Eigen::Matrix<double, kUnknowns, kUnknowns>;
-using Jacobian = Eigen::Matrix<double, 3, kUnknowns>;
-
-/// Derivative of a reading gain v + offset of the specific force v by the unknowns.
-Jacobian readingJacobian(const Eigen::Matrix3d& gain, const Eigen::Vector3d& v) {
-  Jacobian J = Jacobian::Zero();
-  J.leftCols<3>() = gain * skew(v);
-  for (int axis = 0; axis < 3; ++axis) {
-    J(axis, 3 + 4 * axis) = 1;
-    J.block<1, 3>(axis, 4 + 4 * axis) = v.transpose();
-  }
-  return J;
-}
-
 /// A cell's view of the left-out pose: the specific force there, patch frame.
 struct Seen {
   CellId cell;
@@ -61,25 +42,15 @@ struct Seen {
   Eigen::Matrix3d covariance_g2;  ///< covariance of force_o_g
 };
 
-/// The motion that all cells share in a pose: the specific force at the patch's origin, then the swing (g/m).
-using Motion = Eigen::Matrix<double, 6, 1>;
-using MotionJacobian = Eigen::Matrix<double, 3, 6>;
-
-MotionJacobian motionJacobian(const Eigen::Vector3d& at_o) {
-  MotionJacobian X;
-  X << Eigen::Matrix3d::Identity(), -skew(at_o);
-  return X;
-}
-
 /// The most probable motion given what some cells see, and its covariance.
 struct MotionFit {
   Matrix6d information = Matrix6d::Zero();
-  Motion right = Motion::Zero();
+  PartMotion right = PartMotion::Zero();
 
   MotionFit() { information.diagonal().tail<3>().setConstant(1 / (kSwingSigma * kSwingSigma)); }
   void add(const Seen& seen, double sign) {
-    const MotionJacobian X = motionJacobian(seen.at_o);
-    const MotionJacobian weighted = seen.covariance_g2.llt().solve(X);
+    const PartMotionJacobian X = motionJacobian(seen.at_o);
+    const PartMotionJacobian weighted = seen.covariance_g2.llt().solve(X);
     information += sign * X.transpose() * weighted;
     right += sign * weighted.transpose() * seen.force_o_g;
   }
@@ -113,13 +84,13 @@ class HoldOut {
       MotionFit others = all;
       others.add(view, -1);
       const Eigen::LDLT<Matrix6d> factor(others.information);
-      const MotionJacobian X = motionJacobian(view.at_o);
+      const PartMotionJacobian X = motionJacobian(view.at_o);
       const Eigen::Vector3d foretold = X * factor.solve(others.right);
       const Eigen::Matrix3d covariance = view.covariance_g2 + X * factor.solve(X.transpose());
       result.cells.push_back(
           {view.cell, angleBetween(view.force_o_g, foretold), std::sqrt(squareAcross(covariance, view.force_o_g))});
     }
-    const Motion motion = all.information.ldlt().solve(all.right);
+    const PartMotion motion = all.information.ldlt().solve(all.right);
     result.turning_rad_s2 = std::max(result.turning_rad_s2, motion.tail<3>().norm() * kStandardGravity);
     for (const LinkEstimate& link : patch.links) {
       const auto c = by_cell.find(link.source.cell);
@@ -142,7 +113,7 @@ class HoldOut {
     return (covariance.trace() - along.dot(covariance * along)) / v.squaredNorm();
   }
 
-  static void addLink(const LinkEstimate& link, const Seen& c, const Seen& n, const Motion& motion,
+  static void addLink(const LinkEstimate& link, const Seen& c, const Seen& n, const PartMotion& motion,
                       HoldOutResult& result) {
     const Eigen::Vector3d swing = motion.tail<3>();
     const Eigen::Vector3d at_c = n.force_o_g + swing.cross(c.at_o - n.at_o);
@@ -160,7 +131,7 @@ class HoldOut {
 
     std::vector<CellReading> readings;
     std::vector<Eigen::Vector3d> forces;
-    std::vector<double> scatter_g2;
+    std::vector<PlacingReading> placing;
     for (const GravityDirection& gravity : patch.gravity) {
       const auto place = place_of_.find(gravity.pose);
       if (place == place_of_.end() || !table_.at(*index, place->second).usable) continue;
@@ -170,7 +141,7 @@ class HoldOut {
                         : gravity.g_o;
       forces.emplace_back(R_a_o * force_o);
       readings.push_back({readings.size(), R_a_u * reading.mean_g, reading.variance_g2});
-      scatter_g2.push_back(ownVariance(*index, place->second));
+      placing.push_back({forces.back(), reading.variance_g2, ownVariance(*index, place->second)});
     }
     if (readings.empty()) return std::nullopt;
     AccelerometerFit fit;
@@ -179,8 +150,10 @@ class HoldOut {
     const Eigen::Matrix3d inverse = fit.gain.inverse();
     const Eigen::Vector3d v = inverse * (R_a_u * entry.mean_g - fit.offset_g);
     if (!v.allFinite() || v.norm() < kShortest_g) return std::nullopt;
-    const Jacobian J = readingJacobian(fit.gain, v.normalized());
-    Eigen::Matrix3d covariance = J * unknownsCovariance(cell, readings, forces, fit.gain, scatter_g2) * J.transpose();
+    const CellJacobian J = readingJacobian(fit.gain, v.normalized());
+    const CellErrors priors = priorInformation(prior_, elastomerInformation(model_, linkedPorts(*index)));
+    Eigen::Matrix3d covariance =
+        J * errorsOfCell(priors, placing, fit.gain, joint_ ? CellEstimate::Joint : CellEstimate::Tree) * J.transpose();
     covariance.diagonal().array() += ownVariance(*index, left_out_);
     const Eigen::Matrix3d to_o = R_a_o.transpose() * inverse;
     return Seen{cell.cell, cell.T_o_u.t, R_a_o.transpose() * v, to_o * covariance * to_o.transpose()};
@@ -245,60 +218,14 @@ class HoldOut {
     return std::max(own_g2, kLeast_g2);
   }
 
-  /// Errors of the attitude and of the sensor's fit. The solver weighs readings as if each had a hand's tremor to
-  /// itself (GravityTable), and each scatters by its `scatter_g2` about the motion that all cells share: with the
-  /// solver's information A, its priors' L and the readings' N = A - L, the errors are A^-1 (L + sum scatter N /
-  /// variance) A^-1.
-  [[nodiscard]] Information unknownsCovariance(const CellPlacement& cell, const std::vector<CellReading>& readings,
-                                               const std::vector<Eigen::Vector3d>& forces, const Eigen::Matrix3d& gain,
-                                               const std::vector<double>& scatter_g2) const {
-    Information information = Information::Zero();
-    information.topLeftCorner<3, 3>() = elastomerInformation(cell.cell);
-    for (int axis = 0; axis < 3; ++axis) information.diagonal().segment<4>(3 + 4 * axis) = prior_.precision(axis);
-    Information normal = Information::Zero();
-    Information scattered = Information::Zero();
-    for (std::size_t k = 0; k < readings.size(); ++k) {
-      const Jacobian J = readingJacobian(gain, forces[k]);
-      const Information share = J.transpose() * J / readings[k].variance_g2;
-      normal += share;
-      scattered += scatter_g2[k] / readings[k].variance_g2 * share;
-    }
-    if (joint_) {
-      const Eigen::LDLT<Information> factor(information + normal);
-      const Information spread = factor.solve(information + scattered);
-      return factor.solve(spread.transpose());
-    }
-    // The tree turns the cell so that its raw readings fit and takes the sensor's errors for part of gravity.
-    const Eigen::Matrix3d attitude = (normal + information).topLeftCorner<3, 3>().inverse();
-    const Information priors = information.diagonal().cwiseInverse().asDiagonal();
-    Information carried = Information::Identity();
-    carried.topLeftCorner<3, 3>().setZero();
-    carried.topRightCorner<3, 12>() = -attitude * normal.topRightCorner<3, 12>();
-    Information covariance = carried * priors * carried.transpose();
-    covariance.topLeftCorner<3, 3>() += attitude;
-    return covariance;
-  }
-
-  /// Information of the links' elastomer about a cell's attitude, accelerometer axes. A turn about an axis along which
-  /// every neighbour lets the cell go is still not free: it is known to within a turn.
-  [[nodiscard]] Eigen::Matrix3d elastomerInformation(CellId id) const {
-    Eigen::Matrix3d information = Eigen::Matrix3d::Identity();
-    const std::size_t cell = *graph_.indexOf(id);
+  /// Ports at which the cell has links that are not muted.
+  [[nodiscard]] std::vector<PortNumber> linkedPorts(std::size_t cell) const {
+    std::vector<PortNumber> ports;
     for (const std::size_t k : graph_.linksAt(cell)) {
       const GraphLink& link = graph_.links()[k];
-      if (link.muted()) continue;
-      const PortNumber port = link.source == cell ? link.source_port : link.target_port;
-      const Eigen::Vector3d u = model_.port(port).vector_m.normalized();
-      const Eigen::Vector3d z = Eigen::Vector3d::UnitZ();
-      const auto add = [&information](const Eigen::Vector3d& axis, double sigma) {
-        if (sigma > 0) information += axis * axis.transpose() / (sigma * sigma);
-      };
-      add(u, model_.twist_sigma_rad);
-      add(z.cross(u), model_.bend_sigma_rad);
-      add(z, model_.yaw_sigma_rad);
+      if (!link.muted()) ports.push_back(link.source == cell ? link.source_port : link.target_port);
     }
-    const Eigen::Matrix3d& R_u_a = model_.accelerometer.T_u_a.R;
-    return R_u_a.transpose() * information * R_u_a;
+    return ports;
   }
 
   const CellModel& model_;

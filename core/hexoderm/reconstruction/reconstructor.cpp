@@ -4,6 +4,7 @@
 #include "hexoderm/reconstruction/figures/pose_summary.h"
 #include "hexoderm/reconstruction/patch/forecast.h"
 #include "hexoderm/reconstruction/patch/patch_description.h"
+#include "hexoderm/reconstruction/result/patch_placements.h"
 #include "hexoderm/reconstruction/solved_skin.h"
 
 #include <chrono>
@@ -28,6 +29,8 @@ std::shared_ptr<Reconstruction> describe(const SolvedSkin& solved) {
   result->poses = summarisePoses(snapshot, skin.table(), *result);
   judgePoses(*result, findings);
   result->findings = std::move(findings);
+  result->robot = snapshot.robot;
+  result->placements = placementsOf(result->patches, snapshot.placements);
   result->layout = computeFlatLayout(skin.model(), result->patches);
   result->assessment = assess(*result, forecastOf(skin, solved.patches(), *result));
   if (std::optional<Finding> open = describeTooFewDirections(*result)) result->findings.push_back(std::move(*open));

@@ -53,6 +53,7 @@ Json sayCapture(const SessionPose& pose, std::size_t place, JournalEntry& entry)
   if (capture.taken_at_ms) detail["taken_at_ms"] = *capture.taken_at_ms;
   if (pose.disabled) detail["disabled"] = true;
   if (!pose.why_disabled.empty()) detail["why_disabled"] = pose.why_disabled;
+  if (!pose.joint_angles.positions.empty()) detail["joint_angles"] = jointAnglesJson(pose.joint_angles);
   return detail;
 }
 
@@ -140,8 +141,8 @@ void JournalState::apply(const JournalEntry& entry, const std::string& where) {
   } else if (entry.kind == "options") {
     options_ = entry.detail;
   } else {
-    throw FormatError(located(where, message("kind: expected capture, remove, restore, disable, enable, mute, unmute, "
-                                             "skin, source, truth or options, found \"{}\"",
+    throw FormatError(located(where, message("kind: expected capture, remove, restore, disable, enable, joints, mute, "
+                                             "unmute, robot, placement, skin, source, truth or options, found \"{}\"",
                                              entry.kind.substr(0, 40))));
   }
 }
@@ -162,8 +163,9 @@ std::optional<SessionEdit> JournalState::editIn(const JournalEntry& entry, const
     capture.samples = decodeSamples(*entry.samples, where);
     const auto disabled = json.find("disabled");
     const auto why = json.find("why_disabled");
+    const auto joints = json.find("joint_angles");
     return AddPose{{std::make_shared<const PoseCapture>(std::move(capture)), disabled && disabled->boolean(),
-                    why ? why->string() : std::string()},
+                    why ? why->string() : std::string(), joints ? readJointAngles(*joints) : JointAngles()},
                    placeIn(json)};
   }
   if (kind == "remove") return RemovePose{placeOf(captureOf(json))};
@@ -172,6 +174,9 @@ std::optional<SessionEdit> JournalState::editIn(const JournalEntry& entry, const
     const auto why = json.find("why");
     return SetPoseDisabled{placeOf(captureOf(json)), kind == "disable", why ? why->string() : std::string()};
   }
+  if (kind == "joints") return SetJointAngles{placeOf(captureOf(json)), readJointAngles(json.at("joint_angles"))};
+  if (kind == "robot") return SetRobot{readRobot(json)};
+  if (kind == "placement") return SetPatchPlacement{readPlacement(json)};
   if (kind == "mute" || kind == "unmute") {
     MutedLink link = readMutedLink(json);
     return SetLinkMuted{link.source, link.target, kind == "mute", std::move(link.why)};
@@ -253,10 +258,23 @@ nlohmann::ordered_json JournalState::sayEdit(const SessionEdit& edit, const std:
     entry.kind = disable->disabled ? "disable" : "enable";
     detail["capture"] = captureAt(disable->index);
     if (disable->disabled && !disable->why.empty()) detail["why"] = disable->why;
+  } else if (const auto* joints = std::get_if<SetJointAngles>(&edit)) {
+    entry.kind = "joints";
+    detail["capture"] = captureAt(joints->index);
+    joints->angles.validate();
+    detail["joint_angles"] = jointAnglesJson(joints->angles);
   } else if (const auto* mute = std::get_if<SetLinkMuted>(&edit)) {
     entry.kind = mute->muted ? "mute" : "unmute";
     detail = mutedLinkJson(
         {std::min(mute->a, mute->b), std::max(mute->a, mute->b), mute->muted ? mute->why : std::string()});
+  } else if (const auto* robot = std::get_if<SetRobot>(&edit)) {
+    entry.kind = "robot";
+    if (robot->robot) robot->robot->validate();
+    detail = robotJson(robot->robot);
+  } else if (const auto* placed = std::get_if<SetPatchPlacement>(&edit)) {
+    entry.kind = "placement";
+    placed->placement.validate();
+    detail = placementJson(placed->placement);
   } else if (const auto* skin = std::get_if<SetSkin>(&edit)) {
     if (!skin->model) throw InvalidArgument(message("a skin must have a cell model"));
     entry.kind = "skin";

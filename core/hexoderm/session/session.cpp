@@ -40,6 +40,7 @@ void Session::addPose(SessionPose pose, std::optional<std::size_t> index) {
   if (!pose.capture) throw InvalidArgument(message("a pose must hold a capture"));
   const std::size_t at = index.value_or(poses_.size());
   if (at > poses_.size()) throw InvalidArgument(message("there is no place {} among the poses", at));
+  pose.joint_angles.validate();
   largest_pose_id_ = std::max(largest_pose_id_, pose.capture->id.value());
   poses_.insert(poses_.begin() + static_cast<std::ptrdiff_t>(at), std::move(pose));
   ++revision_;
@@ -60,6 +61,13 @@ void Session::setPoseDisabled(std::size_t index, bool disabled, std::string why)
   ++revision_;
 }
 
+void Session::setJointAngles(std::size_t index, JointAngles angles) {
+  if (index >= poses_.size()) throw InvalidArgument(message("there is no pose at place {}", index));
+  angles.validate();
+  poses_[index].joint_angles = std::move(angles);
+  ++revision_;
+}
+
 const MutedLink* Session::findMutedLink(LinkEnd a, LinkEnd b) const {
   const auto found = std::ranges::lower_bound(muted_links_, std::pair(std::min(a, b), std::max(a, b)), {}, endsOf);
   const bool there = found != muted_links_.end() && endsOf(*found) == std::pair(std::min(a, b), std::max(a, b));
@@ -77,9 +85,28 @@ void Session::setLinkMuted(LinkEnd a, LinkEnd b, bool muted, std::string why) {
   ++revision_;
 }
 
+const PatchPlacement* Session::findPlacement(CellId origin) const {
+  const auto found = std::ranges::lower_bound(placements_, origin, {}, &PatchPlacement::origin);
+  return found != placements_.end() && found->origin == origin ? &*found : nullptr;
+}
+
+void Session::setRobot(std::optional<RobotDescription> robot) {
+  if (robot) robot->validate();
+  robot_ = std::move(robot);
+  ++revision_;
+}
+
+void Session::setPlacement(PatchPlacement placement) {
+  placement.validate();
+  const auto [first, last] = std::ranges::equal_range(placements_, placement.origin, {}, &PatchPlacement::origin);
+  const auto place = placements_.erase(first, last);
+  if (!placement.isEmpty()) placements_.insert(place, std::move(placement));
+  ++revision_;
+}
+
 std::shared_ptr<const SessionSnapshot> Session::snapshot() const {
   return std::make_shared<const SessionSnapshot>(
-      SessionSnapshot{revision_, model_, neighbors_, poses_, source_, truth_, muted_links_});
+      SessionSnapshot{revision_, model_, neighbors_, poses_, source_, truth_, muted_links_, robot_, placements_});
 }
 
 }  // namespace hexoderm

@@ -4,6 +4,8 @@
 #include "hexoderm/device/ground_truth.h"
 #include "hexoderm/graph/cell_model.h"
 #include "hexoderm/graph/neighbor_list.h"
+#include "hexoderm/kinematics/joint_angles.h"
+#include "hexoderm/session/patch_on_link.h"
 
 #include <cstdint>
 #include <memory>
@@ -18,6 +20,7 @@ struct SessionPose {
   std::shared_ptr<const PoseCapture> capture;  ///< never null
   bool disabled = false;
   std::string why_disabled{};  ///< the operator's words; empty if none
+  JointAngles joint_angles{};  ///< where the joints of the robot stood that wears the skin; empty if not known
 };
 
 /// The origin of a session, written into every calibration made of it.
@@ -46,6 +49,8 @@ struct SessionSnapshot {
   SourceDescription source;
   std::shared_ptr<const GroundTruth> truth;  ///< null if not known
   std::vector<MutedLink> muted_links;        ///< in ascending order of their ends
+  std::optional<RobotDescription> robot{};   ///< that wears the skin, where it was said
+  std::vector<PatchPlacement> placements{};  ///< in ascending order of their origin cells
 };
 
 /// The session while it is worked on: owned by one thread; every change makes a new revision.
@@ -62,6 +67,12 @@ class Session {
   [[nodiscard]] const std::vector<MutedLink>& mutedLinks() const { return muted_links_; }
   /// Null if the link between these ports, in either order, is not set aside.
   [[nodiscard]] const MutedLink* findMutedLink(LinkEnd a, LinkEnd b) const;
+  /// The robot that wears the skin, where it was said.
+  [[nodiscard]] const std::optional<RobotDescription>& robot() const { return robot_; }
+  /// What was decided about the places of patches on the robot, in ascending order of their origin cells.
+  [[nodiscard]] const std::vector<PatchPlacement>& placements() const { return placements_; }
+  /// Null if nothing was decided under this origin cell.
+  [[nodiscard]] const PatchPlacement* findPlacement(CellId origin) const;
   [[nodiscard]] std::uint64_t revision() const { return revision_; }
 
   /// The device describes itself again: poses, source and truth stay.
@@ -77,9 +88,18 @@ class Session {
   SessionPose removePose(std::size_t index);
   /// `why` is kept while the pose is disabled.
   void setPoseDisabled(std::size_t index, bool disabled, std::string why = {});
+  /// Where the joints of the robot stood in a pose; empty: not known. Throws InvalidArgument if there is no such index,
+  /// and for positions that JointAngles::validate() refuses.
+  void setJointAngles(std::size_t index, JointAngles angles);
   /// Sets the link between two ports, in either order, aside or takes it back; `why` is kept while it is set aside. The
   /// link need not be in the topology. Throws InvalidArgument if both ends are the same port.
   void setLinkMuted(LinkEnd a, LinkEnd b, bool muted, std::string why = {});
+
+  /// Throws InvalidArgument for a description that makes no sense.
+  void setRobot(std::optional<RobotDescription> robot);
+  /// Takes the place of what was decided under the same origin cell; one that is empty removes it. The cell need not be
+  /// an origin, nor in the topology. Throws InvalidArgument for one that makes no sense.
+  void setPlacement(PatchPlacement placement);
 
   [[nodiscard]] std::shared_ptr<const SessionSnapshot> snapshot() const;
 
@@ -90,6 +110,8 @@ class Session {
   SourceDescription source_;
   std::shared_ptr<const GroundTruth> truth_;
   std::vector<MutedLink> muted_links_;
+  std::optional<RobotDescription> robot_;
+  std::vector<PatchPlacement> placements_;
   std::uint32_t largest_pose_id_ = 0;
   std::uint64_t revision_ = 1;
 };

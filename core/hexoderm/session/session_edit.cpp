@@ -19,7 +19,10 @@ struct Apply {
   void operator()(const RemovePose& remove) const { session.removePose(remove.index); }
   void operator()(const RestorePose& restore) const { session.addPose(restore.pose, restore.index); }
   void operator()(const SetPoseDisabled& set) const { session.setPoseDisabled(set.index, set.disabled, set.why); }
+  void operator()(const SetJointAngles& set) const { session.setJointAngles(set.index, set.angles); }
   void operator()(const SetLinkMuted& set) const { session.setLinkMuted(set.a, set.b, set.muted, set.why); }
+  void operator()(const SetRobot& set) const { session.setRobot(set.robot); }
+  void operator()(const SetPatchPlacement& set) const { session.setPlacement(set.placement); }
   void operator()(const SetSkin& skin) const {
     if (!skin.model) throw InvalidArgument(message("a skin must have a cell model"));
     session.setSkin(*skin.model, skin.neighbors);
@@ -38,9 +41,21 @@ struct Invert {
     const SessionPose& pose = poseAt(before, set.index);
     return SetPoseDisabled{set.index, pose.disabled, pose.why_disabled};
   }
+  SessionEdit operator()(const SetJointAngles& set) const {
+    return SetJointAngles{set.index, poseAt(before, set.index).joint_angles};
+  }
   SessionEdit operator()(const SetLinkMuted& set) const {
     const MutedLink* link = before.findMutedLink(set.a, set.b);
     return SetLinkMuted{set.a, set.b, link != nullptr, link != nullptr ? link->why : std::string()};
+  }
+  SessionEdit operator()(const SetRobot& /*set*/) const { return SetRobot{before.robot()}; }
+  SessionEdit operator()(const SetPatchPlacement& set) const {
+    if (const PatchPlacement* placement = before.findPlacement(set.placement.origin)) {
+      return SetPatchPlacement{*placement};
+    }
+    PatchPlacement nothing;
+    nothing.origin = set.placement.origin;
+    return SetPatchPlacement{nothing};
   }
   SessionEdit operator()(const SetSkin& /*skin*/) const {
     return SetSkin{std::make_shared<const CellModel>(before.model()), before.neighbors()};
@@ -48,6 +63,11 @@ struct Invert {
 };
 
 }  // namespace
+
+bool isAboutRobot(const SessionEdit& edit) {
+  return std::holds_alternative<SetRobot>(edit) || std::holds_alternative<SetPatchPlacement>(edit) ||
+         std::holds_alternative<SetJointAngles>(edit);
+}
 
 void apply(const SessionEdit& edit, Session& session) { std::visit(Apply{session}, edit); }
 

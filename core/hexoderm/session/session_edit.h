@@ -36,12 +36,25 @@ struct SetPoseDisabled {
   bool disabled = true;
   std::string why{};
 };
+/// Session::setJointAngles(): those read from a file, typed, or sent by the device.
+struct SetJointAngles {
+  std::size_t index = 0;
+  JointAngles angles{};
+};
 /// Session::setLinkMuted().
 struct SetLinkMuted {
   LinkEnd a;
   LinkEnd b;
   bool muted = true;
   std::string why{};
+};
+/// Session::setRobot(): whose description was chosen.
+struct SetRobot {
+  std::optional<RobotDescription> robot{};
+};
+/// Session::setPlacement(): what is decided about the place of a patch on the robot.
+struct SetPatchPlacement {
+  PatchPlacement placement{};
 };
 /// Session::setSkin(): cell model and topology as reported anew. Poses, and links that were set aside, stay.
 struct SetSkin {
@@ -50,7 +63,11 @@ struct SetSkin {
 };
 
 /// One edit of a session, as a value: it is applied to sessions, kept for undo and written to files.
-using SessionEdit = std::variant<AddPose, RemovePose, RestorePose, SetPoseDisabled, SetLinkMuted, SetSkin>;
+using SessionEdit = std::variant<AddPose, RemovePose, RestorePose, SetPoseDisabled, SetJointAngles, SetLinkMuted,
+                                 SetRobot, SetPatchPlacement, SetSkin>;
+
+/// Whether the edit is about the robot alone, with its joint angles: what was reconstructed of the skin stays as it is.
+bool isAboutRobot(const SessionEdit& edit);
 
 /// Changes the session. Throws InvalidArgument if the edit makes no sense for it (no such pose, no capture, a link with
 /// two equal ends, no cell model); the session then is as before.

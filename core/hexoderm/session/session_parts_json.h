@@ -16,6 +16,25 @@ nlohmann::ordered_json neighborsJson(const NeighborList& neighbors);
 MutedLink readMutedLink(const JsonReader& json);
 nlohmann::ordered_json mutedLinkJson(const MutedLink& link);
 
+/// `[{"joint", "position"}]`, rad or m. Reading throws FormatError for a joint that is given twice.
+JointAngles readJointAngles(const JsonReader& json);
+nlohmann::ordered_json jointAnglesJson(const JointAngles& angles);
+
+/// `urdf`, `sha256` and `packages`; an object without `urdf` is no robot.
+std::optional<RobotDescription> readRobot(const JsonReader& json);
+nlohmann::ordered_json robotJson(const std::optional<RobotDescription>& robot);
+
+/// `R`, `t_m` and, where it is known, `cov_t_r` of a placement; origin and link stand around them.
+void readPlace(const JsonReader& json, PatchOnLink& place);
+void writePlace(const PatchOnLink& place, nlohmann::ordered_json& json);
+
+/// What was decided about a patch. Reading throws FormatError for what PatchPlacement::validate() refuses.
+PatchPlacement readPlacement(const JsonReader& json);
+nlohmann::ordered_json placementJson(const PatchPlacement& placement);
+/// An array of them, each patch once.
+std::vector<PatchPlacement> readPlacements(const JsonReader& json);
+nlohmann::ordered_json placementsJson(const std::vector<PatchPlacement>& placements);
+
 GroundTruth readTruth(const JsonReader& json);
 nlohmann::ordered_json truthJson(const GroundTruth& truth);
 

@@ -113,6 +113,8 @@ std::vector<StoreOperation> operationsThatMake(const Session& session) {
   for (const MutedLink& link : session.mutedLinks()) {
     operations.emplace_back(SetLinkMuted{link.source, link.target, true, link.why});
   }
+  if (session.robot()) operations.emplace_back(SetRobot{session.robot()});
+  for (const PatchPlacement& placement : session.placements()) operations.emplace_back(SetPatchPlacement{placement});
   return operations;
 }
 

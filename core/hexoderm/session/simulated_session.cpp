@@ -21,4 +21,17 @@ Session simulateSession(SimulatedSkin& skin, std::size_t pose_count, std::size_t
   return session;
 }
 
+SimulatedRobotSession simulateRobotSession(SimulatedRobot& robot, std::size_t pose_count, std::size_t frame_count) {
+  SimulatedRobotSession result{Session(robot.model(), robot.neighbors(), {robot.description(), {}, {}}), {}};
+  Session& session = result.session;
+  session.setTruth(robot.groundTruth());
+  for (std::size_t k = 0; k < pose_count; ++k) {
+    result.poses.push_back(robot.nextPose());
+    const PoseId id = session.nextPoseId();
+    PoseCapture capture = averageFrames(robot.record(frame_count), id, message("pose {}", id));
+    session.addPose({std::make_shared<const PoseCapture>(std::move(capture)), false, {}, result.poses.back().reported});
+  }
+  return result;
+}
+
 }  // namespace hexoderm

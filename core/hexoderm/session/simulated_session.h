@@ -1,5 +1,6 @@
 #pragma once
 
+#include "hexoderm/device/simulation/simulated_robot.h"
 #include "hexoderm/device/simulation/simulated_skin.h"
 #include "hexoderm/session/session.h"
 
@@ -11,5 +12,14 @@ Session beginSimulatedSession(const SimulatedSkin& skin);
 /// A whole scripted calibration of a simulated skin: `pose_count` poses as SimulatedSkin::upDirections() has them, each
 /// the mean of `frame_count` samples.
 Session simulateSession(SimulatedSkin& skin, std::size_t pose_count, std::size_t frame_count = 100);
+
+/// A whole calibration of a simulated robot, and how it stood.
+struct SimulatedRobotSession {
+  Session session;                        ///< poses with the joint angles that the robot reports; places as truth
+  std::vector<SimulatedRobotPose> poses;  ///< the truth of each pose of the session
+};
+/// `pose_count` poses with joints in angles drawn at random, each the mean of `frame_count` samples.
+SimulatedRobotSession simulateRobotSession(SimulatedRobot& robot, std::size_t pose_count,
+                                           std::size_t frame_count = 100);
 
 }  // namespace hexoderm

@@ -35,7 +35,13 @@ CREATE TRIGGER raw_samples_lose_nothing BEFORE DELETE ON raw_samples
 // must not take links for good that were set aside.
 constexpr const char* kVersion2 = "";
 
-constexpr std::array kMigrations = {kVersion1, kVersion2};
+// Likewise entries of the kind "joints".
+constexpr const char* kVersion3 = "";
+
+// And of the kinds "robot" and "placement".
+constexpr const char* kVersion4 = "";
+
+constexpr std::array kMigrations = {kVersion1, kVersion2, kVersion3, kVersion4};
 
 /// Reading a schema of a few entries takes a few hundred; a database can be made so that it takes for ever.
 constexpr int kMostWorkOnSchema = 1'000'000;

@@ -1,5 +1,6 @@
 #include "hexoderm/util/csv.h"
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 
@@ -31,6 +32,34 @@ std::string csvQuoted(std::string_view text) {
     result += c;
   }
   return result + '"';
+}
+
+std::optional<std::vector<std::string>> csvFields(std::string_view line, char separator) {
+  std::vector<std::string> fields;
+  std::size_t at = 0;
+  while (true) {
+    std::string& field = fields.emplace_back();
+    if (at < line.size() && line[at] == '"') {
+      for (++at; at < line.size(); ++at) {
+        if (line[at] != '"') {
+          field += line[at];
+        } else if (at + 1 < line.size() && line[at + 1] == '"') {
+          field += line[at++];
+        } else {
+          break;
+        }
+      }
+      if (at == line.size()) return std::nullopt;
+      ++at;
+      if (at < line.size() && line[at] != separator) return std::nullopt;
+    } else {
+      const std::size_t end = std::min(line.find(separator, at), line.size());
+      field = line.substr(at, end - at);
+      at = end;
+    }
+    if (at == line.size()) return fields;
+    ++at;
+  }
 }
 
 }  // namespace hexoderm

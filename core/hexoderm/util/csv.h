@@ -1,7 +1,9 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace hexoderm {
 
@@ -12,5 +14,9 @@ std::string csvHarmless(std::string_view text);
 /// A text as one field of a CSV file (RFC 4180), harmless: in quotes if it holds a comma, a quote or a line break, or
 /// starts or ends with a space, which some readers would trim; a quote inside is doubled.
 std::string csvQuoted(std::string_view text);
+
+/// The fields of one line (RFC 4180) without its end: quotes around a field are taken off, and a doubled one inside is
+/// one. nullopt if a quote is not closed, or something follows one that is. Line breaks inside fields are not known.
+std::optional<std::vector<std::string>> csvFields(std::string_view line, char separator = ',');
 
 }  // namespace hexoderm

@@ -1,6 +1,6 @@
 #pragma once
 
-// Private to core: files and folders on their way to their names.
+// Private to core and the command line: files and folders on their way to their names.
 
 #include <sys/types.h>
 

@@ -116,6 +116,37 @@ TEST_F(CliCapture, ASimulatedRobotWithItsMotorsOnIsCapturedHoldByHold) {
   }
 }
 
+TEST_F(CliCapture, ARobotTellsItsJointAnglesWithEachPoseAndLinksAreFoundByThem) {
+  const Outcome capture =
+      run("capture --source 'sim:robot?seed=2&speed=max' --auto --poses 6 --timeout 600 --record arm.skinrec --json "
+          "-o arm.hexo");
+  EXPECT_NE(capture.exit_code, 4) << capture.err;
+  const auto json = nlohmann::json::parse(capture.out);
+  EXPECT_EQ(json.at("poses"), 6) << capture.err;
+  EXPECT_EQ(json.at("cells"), 34);
+  const Session session = readSessionStore(path("arm.hexo"));
+  ASSERT_EQ(session.poses().size(), 6U);
+  for (std::size_t k = 0; k < 6; ++k) {
+    EXPECT_EQ(session.poses()[k].joint_angles.positions.size(), 5U);
+    if (k == 0) continue;
+    EXPECT_NE(session.poses()[k].joint_angles, session.poses()[k - 1].joint_angles);
+  }
+  const Outcome links = run("links arm.hexo --robot demo --json");
+  EXPECT_EQ(links.exit_code, 0) << links.err << links.out;
+  const auto found = nlohmann::json::parse(links.out);
+  ASSERT_EQ(found.at("patches").size(), 2U);
+  EXPECT_EQ(found.at("patches").at(0).at("placed").at("link"), "upper_arm");
+  EXPECT_EQ(found.at("patches").at(1).at("placed").at("link"), "forearm");
+
+  // A recording holds the angles, too.
+  EXPECT_NE(run("capture --source 'replay:arm.skinrec?speed=max' -o again.hexo").exit_code, 4);
+  const Session again = readSessionStore(path("again.hexo"));
+  ASSERT_EQ(again.poses().size(), 6U);
+  for (std::size_t k = 0; k < 6; ++k) EXPECT_EQ(again.poses()[k].joint_angles, session.poses()[k].joint_angles);
+
+  EXPECT_EQ(run("capture --source 'sim:robot?urdf=none.urdf&mount=a:0,0,0' -o none.hexo").exit_code, 3);
+}
+
 TEST_F(CliCapture, ALooseLinkDoesNotFillTheSession) {
   // Ends of a ring that find each other and lose each other, 5,000 times.
   const auto topology = [](int id, bool is_closed) {

@@ -34,7 +34,8 @@ TEST_F(Cli, WholeWayFromASimulatedSkinToAnExport) {
   const auto json = nlohmann::json::parse(evaluate.out);
   EXPECT_NEAR(json.at("fits").at(0).at("radius_mm").get<double>(), 50.1, 5);
   EXPECT_LT(json.at("against").at(0).at("orientation_rms_deg").get<double>(), 10);
-  for (const std::string format : {"dot", "ply", "stl", "vtp", "urdf"}) {
+  for (const std::string format : {"dot", "ply", "stl", "vtp", "urdf", "tf-ros1", "tf-ros2", "tf-yaml", "tum", "icub",
+                                   "skinware", "obj", "gltf", "sdf", "mjcf"}) {
     EXPECT_EQ(run("export arm.calibration.json --to " + format + " -o arm." + format).exit_code, 0);
     EXPECT_TRUE(exists("arm." + format));
   }
@@ -73,6 +74,71 @@ TEST_F(Cli, SensorsOfOnePoseAreNotKnownAndOfTwoModelsNotLookedFor) {
   EXPECT_EQ(two.exit_code, 3);
   EXPECT_THAT(two.err, HasSubstr("must have one cell model"));
   EXPECT_EQ(run("sensors").exit_code, 2);
+}
+
+TEST_F(Cli, SimulatesARobotWithItsJointAnglesAndTheTruth) {
+  const Outcome outcome = run("simulate --robot demo --poses 4 --seed 3 -o arm.session.json");
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  EXPECT_THAT(outcome.out, AllOf(HasSubstr("34 cells in 2 patches, 4 poses"), HasSubstr("arm.joints.csv"),
+                                 HasSubstr("arm.truth.json")));
+  const Session session = readSessionJson(path("arm.session.json"));
+  ASSERT_EQ(session.poses().size(), 4U);
+  const std::string csv = readFile(path("arm.joints.csv"));
+  EXPECT_THAT(csv, HasSubstr("pose,elbow[rad],grip[m],"));
+  EXPECT_EQ(std::ranges::count(csv, '\n'), 5);
+  EXPECT_EQ(session.poses()[3].joint_angles.positions.size(), 5U);
+  const auto truth = nlohmann::json::parse(readFile(path("arm.truth.json")));
+  EXPECT_EQ(truth.at("robot"), "demo_arm");
+  EXPECT_EQ(truth.at("patches").at(1).at("link"), "forearm");
+  EXPECT_EQ(truth.at("poses").size(), 4U);
+  EXPECT_EQ(run("solve arm.session.json").exit_code, 0);
+
+  EXPECT_EQ(
+      run("simulate --robot demo --mount hand:0,0.02,0.05 --patch sheet:2x2 --surface plane --base hand --poses 2 "
+          "-o hand.hexo --truth t.json --joints j.csv")
+          .exit_code,
+      0);
+  EXPECT_TRUE(exists("t.json"));
+  EXPECT_TRUE(exists("j.csv"));
+  EXPECT_EQ(readSessionStore(path("hand.hexo")).poses()[1].joint_angles.positions.size(), 5U);
+}
+
+TEST_F(Cli, ARobotWithoutJointsHasNoJointAngles) {
+  std::ofstream(path("block.urdf")) << "<robot name='block'><link name='block'/></robot>";
+  const std::string block =
+      "simulate --robot block.urdf --mount block:0,0,0.1 --patch sheet:2x2 --surface plane --poses 2 -o ";
+  const Outcome outcome = run(block + "block.session.json");
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+  EXPECT_THAT(outcome.out, AllOf(HasSubstr("4 cells in 1 patch, 2 poses"), HasSubstr("block.truth.json"),
+                                 Not(HasSubstr("joint angles"))));
+  EXPECT_TRUE(exists("block.truth.json"));
+  EXPECT_FALSE(exists("block.joints.csv"));
+  EXPECT_TRUE(readSessionJson(path("block.session.json")).poses().at(1).joint_angles.positions.empty());
+
+  const Outcome asked = run(block + "asked.session.json --joints j.csv");
+  EXPECT_EQ(asked.exit_code, 2);
+  EXPECT_THAT(asked.err, HasSubstr("--joints: no joint of the robot can move"));
+  EXPECT_FALSE(exists("asked.session.json"));
+}
+
+TEST_F(Cli, NamesWhatMakesNoSimulatedRobot) {
+  const auto complaint = [&](const std::string& arguments, int exit_code) {
+    const Outcome outcome = run("simulate -o a.session.json " + arguments);
+    EXPECT_EQ(outcome.exit_code, exit_code) << outcome.err;
+    EXPECT_FALSE(exists("a.session.json"));
+    return outcome.err;
+  };
+  EXPECT_THAT(complaint("--robot none.urdf --mount a:0,0,0", 3), HasSubstr("none.urdf"));
+  std::ofstream(path("loop.urdf")) << "<robot name='r'><link name='a'/><joint name='j' type='fixed'><parent link='a'/>"
+                                      "<child link='a'/></joint></robot>";
+  EXPECT_THAT(complaint("--robot loop.urdf --mount a:0,0,0", 3),
+              AllOf(HasSubstr("loop.urdf"), HasSubstr("form a loop")));
+  EXPECT_THAT(complaint("--robot loop.urdf", 2), HasSubstr("needs a mount for each patch, LINK:X,Y,Z"));
+  EXPECT_THAT(complaint("--robot demo --mount forearm", 2), HasSubstr("LINK:X,Y,Z"));
+  EXPECT_THAT(complaint("--robot demo --mount fore_arm:0,0,0", 2), HasSubstr("did you mean forearm?"));
+  EXPECT_THAT(complaint("--robot demo --package x", 2), HasSubstr("NAME=FOLDER"));
+  EXPECT_THAT(complaint("--robot demo --motion robot", 2), HasSubstr("--motion"));
+  EXPECT_THAT(complaint("--mount forearm:0,0,0", 2), HasSubstr("--robot"));
 }
 
 TEST_F(Cli, SameSeedSameFile) {

@@ -64,7 +64,8 @@ TEST_F(CliFiles, DashIsStandardOutput) {
   EXPECT_EQ(run("convert arm.hexo -o -").out, readFile(path("arm.session.json")));
   ASSERT_EQ(run("convert arm.calibration.json -o again.calibration.json").exit_code, 0);
   EXPECT_EQ(run("convert arm.calibration.json -o -").out, readFile(path("again.calibration.json")));
-  for (const std::string format : {"dot", "ply", "stl", "vtp", "urdf"}) {
+  for (const std::string format :
+       {"dot", "ply", "stl", "vtp", "urdf", "tf-yaml", "tum", "icub", "skinware", "obj", "gltf", "sdf", "mjcf"}) {
     EXPECT_EQ(run("export arm.calibration.json --to " + format + " -o arm." + format).exit_code, 0);
     EXPECT_EQ(run("export arm.calibration.json --to " + format + " -o -").out, readFile(path("arm." + format)));
   }

@@ -3,6 +3,7 @@
 
 #include "hexoderm/io/calibration_json.h"
 
+#include "hexoderm/util/sha256.h"
 #include "tests/app/cli/cli_program.h"
 
 #include <gmock/gmock.h>
@@ -11,6 +12,7 @@
 #include <algorithm>
 #include <cstdint>
 #include <string>
+#include <vector>
 
 namespace hexoderm {
 namespace {
@@ -68,7 +70,7 @@ TEST_F(CliPatches, AFileOfOneFrameHoldsTheLargestPatchAndTheRestIsNamed) {
     const Outcome plain = run(command + " -o arm." + format);
     EXPECT_EQ(plain.exit_code, 0) << format;
     EXPECT_THAT(plain.err, AllOf(HasSubstr(left_out), HasSubstr("--patch CELL"))) << format;
-    EXPECT_EQ(std::ranges::count(plain.err, '\n'), 1) << plain.err;
+    EXPECT_EQ(std::ranges::count(plain.err, '\n'), 2) << "and what the format can't hold: " << plain.err;
     EXPECT_THAT(run(command + " -o -").err, HasSubstr(left_out)) << "on standard output too";
     EXPECT_THAT(run(command + " --quiet -o arm." + format).err, IsEmpty());
 
@@ -117,6 +119,46 @@ TEST_F(CliPatches, AllPatchesGoWhereTheirFramesAreKeptApart) {
     EXPECT_FALSE(exists("all." + format));
   }
   EXPECT_EQ(run("export arm.calibration.json --to vtp --patch 1 --all-patches -o a.vtp").exit_code, 2);
+}
+
+TEST_F(CliPatches, APlacedPatchIsInTheFrameOfItsLink) {
+  const std::string place = "--place " + std::to_string(fallen_) + "@hand:1,2,3,0,0,1.5707963267948966 ";
+  EXPECT_THAT(exported("tf-yaml", place), AllOf(HasSubstr("frame_id: \"hand\""), HasSubstr("{x: 1.0, y: 2.0, z: 3.0}"),
+                                                Not(HasSubstr("base_link"))));
+  EXPECT_THAT(exported("ply", place + "--in-link hand"), HasSubstr("in the frame of link hand"));
+  const Outcome json = run("export arm.calibration.json --to ply " + place + "--in-link hand --json -o hand.ply");
+  const auto told = nlohmann::json::parse(json.out);
+  EXPECT_EQ(told.at("left_out").at(0).at("cells").size(), 16U);
+  EXPECT_EQ(told.at("not_carried").at(0), "A PLY file holds no sensors and no uncertainties.");
+  const Outcome note = run("export arm.calibration.json --to tf-ros1 " + place + "-o skin.launch");
+  EXPECT_THAT(note.err, AllOf(HasSubstr("not placed on a link"), HasSubstr("--place")));
+  for (const std::string wrong :
+       {"hand", "hand:1,2,3", "hand:1,2,3,0,0,x", "999@hand:0,0,0,0,0,0", "a b:0,0,0,0,0,0"}) {
+    const Outcome refused = run("export arm.calibration.json --to tf-ros1 --place '" + wrong + "' -o wrong.launch");
+    EXPECT_EQ(refused.exit_code, 2) << wrong;
+    EXPECT_EQ(std::ranges::count(refused.err, '\n'), 1) << refused.err;
+    EXPECT_FALSE(exists("wrong.launch"));
+  }
+}
+
+TEST_F(CliPatches, SeveralFormatsAreAFolderWithAManifest) {
+  writeFileAtomically(path("robot.urdf"), "<robot name=\"r\">\n  <link name=\"hand\"/>\n</robot>\n");
+  const Outcome bundle = run(
+      "export arm.calibration.json --to robot-urdf,tf-yaml,icub --robot robot.urdf --place hand:0,0,0.1,0,0,0 -o out");
+  EXPECT_EQ(bundle.exit_code, 0) << bundle.err;
+  const auto manifest = nlohmann::json::parse(readFile(path("out/manifest.json")));
+  EXPECT_EQ(manifest.at("files").size(), 3U);
+  std::vector<std::string> roles;
+  for (const auto& input : manifest.at("inputs")) roles.push_back(input.at("role"));
+  EXPECT_THAT(roles, ElementsAre("calibration", "robot", "source"));
+  EXPECT_EQ(manifest.at("inputs").at(0).at("sha256"), sha256Hex(readFile(path("arm.calibration.json"))));
+  EXPECT_THAT(manifest.at("frames").at(0).at("words").get<std::string>(), HasSubstr("into link hand"));
+  EXPECT_THAT(readFile(path("out/skin.robot.urdf")), HasSubstr("<parent link=\"hand\" />"));
+  EXPECT_EQ(run("export arm.calibration.json --to urdf,ply -o -").exit_code, 2);
+  EXPECT_EQ(run("export arm.calibration.json --to urdf,nothing -o out").exit_code, 2);
+  const Outcome no_robot = run("export arm.calibration.json --to robot-urdf -o r.urdf");
+  EXPECT_EQ(no_robot.exit_code, 2);
+  EXPECT_THAT(no_robot.err, HasSubstr("robot: expected the URDF"));
 }
 
 TEST_F(CliPatches, EvaluateGivesFiguresOfEachPatchByItselfAndNoneBetweenThem) {

@@ -53,6 +53,16 @@ TEST(Reproduce, PrintsThePapersFiguresBesideOurs) {
   }
 }
 
+TEST(Reproduce, PlacesOnEveryLinkAreCounted) {
+  const auto json = nlohmann::json::parse(outputOf("--seeds 1 --only place --json"));
+  const auto& rows = json.at("place").at("rows");
+  ASSERT_EQ(rows.size(), 3 * 2 + 1);
+  for (const auto& row : rows) {
+    EXPECT_EQ(row.at("among").at("of"), 1) << row;
+    expectFinite(row, {"candidates_mean", "error_median_mm", "error_95_mm", "nees"});
+  }
+}
+
 TEST(Reproduce, AccuracyTableIsWholeAndTheGlobalSolverBeatsThePapersMethod) {
   const auto json = nlohmann::json::parse(outputOf("--seeds 2 --only accuracy --json"));
   const auto& rows = json.at("accuracy").at("rows");
@@ -91,6 +101,26 @@ TEST(Reproduce, TextHasEveryPart) {
               AllOf(HasSubstr("The paper's two experiments"), HasSubstr("Accuracy on simulated skins"),
                     HasSubstr("Stated uncertainty"), HasSubstr("What is broken is found"), HasSubstr("By hand"),
                     Not(HasSubstr("nan")), Not(HasSubstr("inf "))));
+}
+
+TEST(Reproduce, ChecksOfCalibrationsAreCountedWithIntervals) {
+  const std::string text = outputOf("--seeds 3 --only check");
+  EXPECT_THAT(text, AllOf(HasSubstr("turned by 10 deg"), HasSubstr("offset drifted by 60 mg"), HasSubstr("healthy"),
+                          HasSubstr("imulated")));
+  const auto json = nlohmann::json::parse(outputOf("--seeds 3 --only check --json"));
+  EXPECT_FALSE(json.contains("detection"));
+  for (const auto& row : json.at("check").at("rows")) {
+    expectFinite(row.at("blamed_per_cell"), {"percent", "low_percent", "high_percent"});
+    if (row.at("change") == "healthy") {
+      EXPECT_TRUE(row.at("found").is_null());
+      EXPECT_EQ(row.at("blamed_per_cell").at("of"), 3 * 17);
+      continue;
+    }
+    expectFinite(row.at("found"), {"percent", "low_percent", "high_percent"});
+    EXPECT_EQ(row.at("found").at("of"), 3);
+    if (row.at("reached").is_null()) continue;
+    EXPECT_EQ(row.at("found").at("percent"), 100) << row;
+  }
 }
 
 }  // namespace

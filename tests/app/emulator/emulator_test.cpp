@@ -1,5 +1,6 @@
 // The emulator as a user would start it, and the library's own source as its host.
 
+#include "hexoderm/device/simulation/robot_in_words.h"
 #include "hexoderm/device/simulation/simulated_skin.h"
 #include "hexoderm/device/skinwire/framing.h"
 #include "hexoderm/device/sources/wire_source.h"
@@ -170,6 +171,46 @@ TEST(Emulator, IsASkinOnAPseudoTerminal) {
   const Emulator emulator(ring8({"--pty"}));
   EXPECT_THAT(emulator.address, StartsWith("serial:/dev/pts/"));
   talk(emulator, 8);
+}
+
+TEST(Emulator, IsARobotThatSaysWhereItsJointsStand) {
+  const Emulator emulator({"--tcp", "0", "--robot", "demo", "--ideal", "--speed", "4", "--rate", "100"});
+  EXPECT_THAT(emulator.about, AllOf(HasSubstr("demo_arm"), HasSubstr("34 cells")));
+  Host host(emulator.address);
+  ASSERT_TRUE(host.listener.waitFor([](const Delivered& d) { return d.joints.size() >= 3; }));
+  const JointAngles first = host.listener.delivered().joints.front().angles;
+  EXPECT_THAT(first.positions, SizeIs(5));
+
+  EXPECT_EQ(emulator.type("pose"), "turning");
+  ASSERT_TRUE(host.listener.waitFor([&](const Delivered& d) { return d.joints.back().angles != first; }));
+
+  // To how it would be with other angles.
+  RobotInWords words;
+  words.ideal = true;
+  const SimulatedRobot same = makeRobot(builtInCellModel("hex-bma150"), words);
+  const auto upIn = [&](const MountedPatch& patch, const JointAngles& angles) {
+    const SE3 T_w_l = same.robot().forward(angles)[same.robot().linkNamed(patch.link)];
+    return Eigen::Vector3d((T_w_l.R * patch.T_l_u.front().R).transpose() * Eigen::Vector3d::UnitZ());
+  };
+  JointAngles wanted = first;
+  wanted.positions["elbow"] = 2.2 - first.positions.at("elbow");
+  const MountedPatch& forearm = same.patches().at(1);
+  ASSERT_TRUE(host.ask(TurnTo{forearm.cells.front(), upIn(forearm, wanted)}).done);
+  ASSERT_TRUE(host.waitForNewFrames(20));
+  const std::size_t reports = host.listener.delivered().joints.size();
+  ASSERT_TRUE(host.listener.waitFor([&](const Delivered& d) { return d.joints.size() > reports; }));
+  const Delivered delivered = host.listener.delivered();
+  const JointAngles& stands = delivered.joints.back().angles;
+  EXPECT_LT(angleBetween(upIn(forearm, stands), upIn(forearm, wanted)), 30 * kDegree);
+  for (const MountedPatch& patch : same.patches()) {
+    const auto& samples = delivered.frames.back().samples;
+    const auto reading = std::ranges::find(samples, patch.cells.front(), &CellSample::cell);
+    ASSERT_NE(reading, samples.end());
+    EXPECT_LT((same.model().accelerometer.T_u_a.R * reading->acceleration_g - upIn(patch, stands)).norm(), 0.01);
+  }
+  EXPECT_EQ(delivered.status().rejected_messages, 0U);
+  EXPECT_THAT(emulator.type("turn 1 0 0"), StartsWith("error: the robot's base is fixed"));
+  EXPECT_THAT(emulator.type("break dead 20"), HasSubstr("cell 20 is broken: dead"));
 }
 
 TEST(Emulator, ExploresThe31CellsOfThePaper) {
@@ -404,6 +445,11 @@ TEST(Emulator, EndsWithTheCodesOfTheOtherPrograms) {
   EXPECT_EQ(codeOf({"--tcp", "0", "--rate", "5000"}), 2);
   EXPECT_EQ(codeOf({"--tcp", "0", "--fault", "rotten:1"}), 2);
   EXPECT_EQ(codeOf({"--tcp", "0", "--bind", "nowhere"}), 2);
+  EXPECT_EQ(codeOf({"--tcp", "0", "--robot", "none.urdf", "--mount", "a:0,0,0"}), 3);
+  EXPECT_EQ(codeOf({"--tcp", "0", "--robot", "none.urdf"}), 2) << "without a mount";
+  EXPECT_EQ(codeOf({"--tcp", "0", "--robot", "demo", "--mount", "fore_arm:0,0,0"}), 2);
+  EXPECT_EQ(codeOf({"--tcp", "0", "--robot", "demo", "--base", "table"}), 2);
+  EXPECT_EQ(codeOf({"--tcp", "0", "--mount", "forearm:0,0,0"}), 2) << "without a robot";
   EXPECT_EQ(codeOf({"--help"}), 0);
   EXPECT_EQ(emulator.type("quit"), "bye");
   EXPECT_EQ(emulator.wait(), 0);

@@ -121,7 +121,7 @@ TEST_F(MainWindowTest, ExportDialogSaysWhatIsMissing) {
   formats->setFocus();
   QTest::keyClicks(formats, "URDF");
   edit->setText(pathTo("arm.urdf"));
-  auto* prefix = dialog->findChild<QLineEdit*>("urdfParent");
+  auto* prefix = dialog->findChild<QLineEdit*>("export-parent");
   ASSERT_TRUE(prefix->isVisible());
   EXPECT_TRUE(button->isEnabled());
   prefix->clear();

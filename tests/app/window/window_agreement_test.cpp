@@ -50,8 +50,9 @@ class WindowAgreementTest : public WindowTest {
     EXPECT_EQ(isDone(3), a.isUsable()) << "captured: " << reason;
     EXPECT_TRUE(isDone(3) || !isDone(4)) << "reviewed before it is captured: " << reason;
     EXPECT_EQ(isDone(4), a.isUsable() && worst == nullptr) << "reviewed: " << reason;
-    EXPECT_EQ(isCurrent(6), isDone(4)) << "to be exported: " << reason;
+    EXPECT_EQ(isCurrent(7), isDone(4)) << "to be exported: " << reason;
     EXPECT_FALSE(isDone(5)) << "nobody has run a check";
+    EXPECT_FALSE(isDone(6)) << "nobody has named a robot";
     EXPECT_EQ(noteOf(4).startsWith(QLatin1String("no findings")), result.findings.empty()) << noteOf(4).toStdString();
 
     expectTheReportSaysSo(result);

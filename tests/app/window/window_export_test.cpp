@@ -57,6 +57,14 @@ class WindowExportTest : public WindowTest {
     QDialog* dialog = openDialog();
     ASSERT_NE(dialog, nullptr);
     ASSERT_NO_FATAL_FAILURE(choose(dialog, format));
+    if (auto* robot = dialog->findChild<QLineEdit*>("export-robot"); robot->isVisible()) {
+      EXPECT_FALSE(dialog->findChild<QPushButton*>("exportButton")->isEnabled()) << "the robot is missing";
+      QFile urdf(pathTo("robot.urdf"));
+      ASSERT_TRUE(urdf.open(QIODevice::WriteOnly));
+      urdf.write("<robot name=\"arm\">\n  <link name=\"base_link\"/>\n</robot>\n");
+      urdf.close();
+      QTest::keyClicks(robot, pathTo("robot.urdf"));
+    }
     auto* edit = dialog->findChild<QLineEdit*>("exportPath");
     edit->setFocus();
     edit->selectAll();
@@ -114,15 +122,15 @@ TEST_F(WindowExportTest, OptionsOfAFormatAreInTheFile) {
   QDialog* dialog = openDialog();
   ASSERT_NE(dialog, nullptr);
   ASSERT_NO_FATAL_FAILURE(choose(dialog, "URDF"));
-  for (const auto& [name, text] :
-       {std::pair("urdfRobot", "arm7"), std::pair("urdfParent", "elbow_link"), std::pair("urdfPrefix", "tactile_")}) {
+  for (const auto& [name, text] : {std::pair("export-model-name", "arm7"), std::pair("export-parent", "elbow_link"),
+                                   std::pair("export-prefix", "tactile_")}) {
     auto* edit = dialog->findChild<QLineEdit*>(name);
     ASSERT_TRUE(edit->isVisible()) << name;
     edit->setFocus();
     edit->selectAll();
     QTest::keyClicks(edit, text);
   }
-  QTest::keyClick(dialog->findChild<QComboBox*>("urdfLinks"), Qt::Key_Down);
+  QTest::keyClick(dialog->findChild<QComboBox*>("export-links"), Qt::Key_Down);
   click(dialog->findChild<QPushButton*>("exportButton"));
   ASSERT_TRUE(waitForMessage("Exported to ")) << message().toStdString();
   const QByteArray urdf = contentOf(pathTo("arm.urdf"));
@@ -137,7 +145,7 @@ TEST_F(WindowExportTest, OptionsOfAFormatAreInTheFile) {
     dialog = openDialog();
     ASSERT_NE(dialog, nullptr);
     ASSERT_NO_FATAL_FAILURE(choose(dialog, "STL"));
-    auto* units = dialog->findChild<QComboBox*>("stlUnit");
+    auto* units = dialog->findChild<QComboBox*>("export-stl-unit");
     ASSERT_TRUE(units->isVisible());
     if (units->currentText() != unit) QTest::keyClick(units, Qt::Key_Down);
     EXPECT_EQ(units->currentText(), unit);

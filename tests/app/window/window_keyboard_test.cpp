@@ -213,7 +213,7 @@ void DemoByKeys::verify() {
 }
 
 void DemoByKeys::exportIt() {
-  key(Qt::Key_6, Qt::ControlModifier);
+  key(Qt::Key_7, Qt::ControlModifier);
   ASSERT_NO_FATAL_FAILURE(pressButton("Export…"));
   ASSERT_NE(waitForDialog<QDialog>("exportDialog"), nullptr);
   EXPECT_EQ(QApplication::focusWidget()->objectName(), "exportPath");
@@ -222,7 +222,7 @@ void DemoByKeys::exportIt() {
   ASSERT_NO_FATAL_FAILURE(tabTo("exportPath"));
   key(Qt::Key_A, Qt::ControlModifier);
   keys(pathTo("arm.urdf"));
-  ASSERT_NO_FATAL_FAILURE(tabTo("urdfParent"));
+  ASSERT_NO_FATAL_FAILURE(tabTo("export-parent"));
   key(Qt::Key_A, Qt::ControlModifier);
   keys("elbow");
   key(Qt::Key_Return);

@@ -215,7 +215,7 @@ TEST_F(WindowMessagesTest, StepsSayWhyTheyAreReadyOrBlocked) {
     return label->text().toStdString();
   };
   EXPECT_EQ(because(1), "… Waiting: Nothing is connected and nothing is open yet.");
-  for (int step = 2; step <= 6; ++step) {
+  for (int step = 2; step <= 7; ++step) {
     EXPECT_THAT(because(step), testing::StartsWith("■ Blocked: ")) << step;
   }
   ASSERT_NO_FATAL_FAILURE(connectDevice());
@@ -223,14 +223,15 @@ TEST_F(WindowMessagesTest, StepsSayWhyTheyAreReadyOrBlocked) {
   EXPECT_EQ(because(2), "… Waiting: No readings have come yet.");
   EXPECT_EQ(because(3), "… Waiting: The first readings are on their way.");
   ASSERT_TRUE(waitUntilIdle());
-  for (const int step : {4, 5}) EXPECT_EQ(because(step), "■ Blocked: No pose has been captured yet.");
-  EXPECT_EQ(because(6), "▲ Possible: Without a pose, a file only holds what follows from the ports.");
+  for (const int step : {4, 5, 6}) EXPECT_EQ(because(step), "■ Blocked: No pose has been captured yet.");
+  EXPECT_EQ(because(7), "▲ Possible: Without a pose, a file only holds what follows from the ports.");
   device_.hold(3, kSide);
   ASSERT_TRUE(waitForPoses(1));
   ASSERT_TRUE(waitUntil([&] { return because(2) == "✓ Ready: Every cell sends."; })) << because(2);
   EXPECT_EQ(because(3), "✓ Ready: The skin sends.");
   EXPECT_EQ(because(4), "✓ Ready: There is a result of 1 pose.");
-  EXPECT_THAT(because(6), testing::StartsWith("▲ Possible: ")) << "gravity along the sheet leaves open how it is bent";
+  EXPECT_EQ(because(6), "✓ Ready: There is a result to place.");
+  EXPECT_THAT(because(7), testing::StartsWith("▲ Possible: ")) << "gravity along the sheet leaves open how it is bent";
   device_.unplug();
   ASSERT_TRUE(waitUntil([&] { return because(3).find("■ Blocked: The skin does not send") == 0; })) << because(3);
   EXPECT_THAT(because(1), testing::StartsWith("■ Blocked: "));

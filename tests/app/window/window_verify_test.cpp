@@ -2,6 +2,7 @@
 #include "app/window/guide/guide.h"
 #include "app/window/session/verification.h"
 #include "hexoderm/device/simulation/simulated_skin.h"
+#include "hexoderm/io/calibration_json.h"
 #include "hexoderm/io/session_json.h"
 #include "hexoderm/reconstruction/reconstructor.h"
 #include "hexoderm/session/simulated_session.h"
@@ -15,6 +16,7 @@
 #include <QClipboard>
 #include <QComboBox>
 #include <QDoubleSpinBox>
+#include <QFileInfo>
 #include <QHeaderView>
 #include <QTabBar>
 #include <QToolButton>
@@ -43,6 +45,21 @@ class WindowVerifyTest : public WindowTest {
   QString sentence(const char* section) { return inPanel<QLabel>((std::string(section) + "Sentence").c_str())->text(); }
   bool waitForSentence(const char* section, const QString& part) {
     return waitUntil([&] { return sentence(section).contains(part); });
+  }
+  QString writeCalibration(const QString& name, const Session& session) {
+    const QString path = pathTo(name);
+    writeCalibrationJson(*reconstruct(*session.snapshot()), path.toStdString());
+    return path;
+  }
+  void openSession(const QString& name, const Session& session) {
+    writeSessionJson(session, pathTo(name).toStdString());
+    controller().file().openFile(pathTo(name));
+    ASSERT_TRUE(waitForPoses(session.poses().size())) << message().toStdString();
+  }
+  static QByteArray contentOf(const QString& path) {
+    QFile file(path);
+    EXPECT_TRUE(file.open(QIODevice::ReadOnly));
+    return file.readAll();
   }
   void showPanel() {
     window_->findChild<StepPanel*>()->openStep(static_cast<int>(GuideStep::Verify));
@@ -169,6 +186,165 @@ TEST_F(WindowVerifyTest, ComparesWithAnEarlierCalibrationAndSaysWhatIsWrongWithA
   EXPECT_EQ(sentence("comparison"), "");
   ASSERT_NO_FATAL_FAILURE(takeNextPose());
   EXPECT_EQ(sentence("comparison"), "") << "the file that can't be read is not read again";
+}
+
+Session simulatedSession(std::size_t poses, const SimulatedSkinOptions& options = {},
+                         const CellModel& model = builtInCellModel("hex-bma150")) {
+  SimulatedSkin skin(model, options);
+  return simulateSession(skin, poses);
+}
+
+TEST_F(WindowVerifyTest, AnOldCalibrationIsComparedWithThePosesOfToday) {
+  const QString calibration = writeCalibration("arm.calibration.json", simulatedSession(4));
+  const QByteArray before = contentOf(calibration);
+  SimulatedSkinOptions changed;
+  changed.faults = {{SkinFault::Yawed, CellId(5)}, {SkinFault::Dead, CellId(7)}};
+  ASSERT_NO_FATAL_FAILURE(openSession("today.session.json", simulatedSession(2, changed)));
+  ASSERT_NO_FATAL_FAILURE(showPanel());
+  auto* choose = inPanel<QPushButton>("oldCalibrationChoose");
+  ASSERT_TRUE(choose->isEnabled());
+  activateWindow();
+  window_->findChild<StepPanel*>()->ensureWidgetVisible(choose);
+  QCoreApplication::processEvents();
+  choose->setFocus();
+  QTest::keyClick(choose, Qt::Key_Space);
+  ASSERT_NO_FATAL_FAILURE(typeIntoFileDialog("oldCalibrationDialog", calibration));
+  ASSERT_TRUE(waitForSentence("oldCalibration", "Not as calibrated: cells 5 and 7."))
+      << sentence("oldCalibration").toStdString();
+  EXPECT_TRUE(sentence("oldCalibration").contains("Compared with arm.calibration.json: poses 1 and 2."));
+  EXPECT_TRUE(sentence("oldCalibration").contains("calibrate anew")) << sentence("oldCalibration").toStdString();
+  auto* table = inPanel<QTableView>("oldCalibrationTable");
+  const QAbstractItemModel& model = *table->model();
+  ASSERT_EQ(model.rowCount(), 17);
+  EXPECT_EQ(model.index(0, 0).data().toInt(), 5);
+  EXPECT_TRUE(model.index(0, 1).data().toString().startsWith("turned by "));
+  EXPECT_EQ(model.index(1, 1).data().toString(), "dead: it reads no gravity");
+  EXPECT_EQ(model.index(2, 1).data().toString(), "as calibrated");
+  showTab("Cells");
+  table->selectRow(1);
+  EXPECT_EQ(window_->selection().cell(), CellId(7));
+  table->setFocus();
+  QTest::keyClick(table, Qt::Key_Up);
+  EXPECT_EQ(window_->selection().cell(), CellId(5));
+  const QModelIndex current = find<QTableView>("cellView")->currentIndex();
+  EXPECT_EQ(current.siblingAtColumn(0).data().toInt(), 5) << "the other views follow";
+  keepPicture(window_->picture(), "old-calibration-light");
+
+  // It is compared anew when the session changes, without poses that the operator disabled.
+  controller().setPoseDisabled(1, true);
+  ASSERT_TRUE(waitForSentence("oldCalibration", "Compared with arm.calibration.json: pose 1."))
+      << sentence("oldCalibration").toStdString();
+  click(inPanel<QPushButton>("oldCalibrationRemove"));
+  EXPECT_EQ(sentence("oldCalibration"), "");
+  EXPECT_FALSE(table->isVisible());
+  EXPECT_EQ(contentOf(calibration), before) << "a check never changes a calibration";
+  EXPECT_EQ(controller().session()->poses().size(), 2U);
+}
+
+TEST_F(WindowVerifyTest, AnOldCalibrationThatHoldsIsSaidToHoldWhetherFromACalibrationOrASession) {
+  ASSERT_NO_FATAL_FAILURE(openSession("today.session.json", simulatedSession(2)));
+  ASSERT_NO_FATAL_FAILURE(showPanel());
+  const QString holds = "All 17 cells are as calibrated, as far as these poses show. The calibration still holds";
+  panel().checkOldCalibration(writeCalibration("arm.calibration.json", simulatedSession(4)));
+  ASSERT_TRUE(waitForSentence("oldCalibration", holds)) << sentence("oldCalibration").toStdString();
+  const QString session = pathTo("earlier.session.json");
+  writeSessionJson(simulatedSession(4), session.toStdString());
+  panel().checkOldCalibration(session);
+  ASSERT_TRUE(waitForSentence("oldCalibration", "earlier.session.json")) << sentence("oldCalibration").toStdString();
+  EXPECT_TRUE(sentence("oldCalibration").startsWith(holds)) << sentence("oldCalibration").toStdString();
+
+  // Another skin is open, and what was chosen for this one says nothing about it.
+  ASSERT_NO_FATAL_FAILURE(openSession("other.session.json", simulatedSession(3)));
+  EXPECT_EQ(sentence("oldCalibration"), "");
+  EXPECT_FALSE(inPanel<QPushButton>("oldCalibrationRemove")->isVisible());
+}
+
+TEST_F(WindowVerifyTest, AFileThatIsNoCalibrationOfThisSkinGetsASentenceThatSaysWhy) {
+  const Session today = simulatedSession(2);
+  ASSERT_NO_FATAL_FAILURE(openSession("today.session.json", today));
+  ASSERT_NO_FATAL_FAILURE(showPanel());
+  SimulatedSkinOptions ring;
+  ring.patch = "ring8";
+  CellModel larger = builtInCellModel("hex-bma150");
+  larger.name = "larger";
+  for (Port& port : larger.ports) port.vector_m *= 1.2;
+  Reconstruction imported = *reconstruct(*today.snapshot());
+  imported.solver = "imported";
+  writeCalibrationJson(imported, pathTo("imported.calibration.json").toStdString());
+  const std::vector<std::pair<QString, QString>> files = {
+      {writeCalibration("ring.calibration.json", simulatedSession(4, ring)), "another skin"},
+      {writeCalibration("larger.calibration.json", simulatedSession(4, {}, larger)), "another kind of cell"},
+      {pathTo("imported.calibration.json"), "was imported"},
+      {writeFile("broken.calibration.json", "{\"format\": "), "broken.calibration.json"},
+      {pathTo("missing.calibration.json"), "missing.calibration.json"}};
+  for (const auto& [path, why] : files) {
+    panel().checkOldCalibration(path);
+    ASSERT_TRUE(waitForSentence("oldCalibration", why))
+        << path.toStdString() << ": " << sentence("oldCalibration").toStdString();
+    EXPECT_TRUE(sentence("oldCalibration").contains(QFileInfo(path).fileName()))
+        << sentence("oldCalibration").toStdString();
+    EXPECT_EQ(inPanel<QTableView>("oldCalibrationTable")->model()->rowCount(), 0);
+  }
+  // After all of them, the right one.
+  panel().checkOldCalibration(writeCalibration("arm.calibration.json", simulatedSession(4)));
+  ASSERT_TRUE(waitForSentence("oldCalibration", "All 17 cells")) << sentence("oldCalibration").toStdString();
+  for (std::size_t k = 0; k < 2; ++k) controller().setPoseDisabled(k, true);
+  ASSERT_TRUE(waitForSentence("oldCalibration", "there is no pose to check the calibration with"))
+      << sentence("oldCalibration").toStdString();
+}
+
+TEST_F(WindowVerifyTest, ACalibrationThatIsOpenHasNoPosesToCheckAnotherOneWith) {
+  const QString calibration = writeCalibration("arm.calibration.json", simulatedSession(4));
+  controller().file().openFile(calibration);
+  ASSERT_TRUE(waitUntilIdle());
+  ASSERT_NO_FATAL_FAILURE(showPanel());
+  EXPECT_FALSE(inPanel<QPushButton>("oldCalibrationChoose")->isEnabled());
+  EXPECT_TRUE(sentence("oldCalibration").contains("open a session with the poses of today"))
+      << sentence("oldCalibration").toStdString();
+}
+
+TEST_F(WindowVerifyTest, OfASessionThatGoesOnTheNewestPosesAreCheckedAndACancelledCheckSaysNothing) {
+  // Cell 9 comes loose before the fifth pose, after the calibration.
+  SimulatedSkinOptions options;
+  options.hand_held = false;
+  options.faults = {{SkinFault::Reglued, CellId(9)}};
+  options.reglued_before = 4;
+  const QString path = writeCalibration("arm.calibration.json", simulatedSession(4, options));
+  const Session today = simulatedSession(6, options);
+  Verification verification;
+  std::optional<CalibrationCheck> checked;
+  bool running = false;
+  QObject::connect(&verification, &Verification::oldCalibrationChecked,
+                   [&](const CalibrationCheck& check, const QString&) { checked = check; });
+  QObject::connect(&verification, &Verification::runningChanged, [&](VerifyCheck check, bool now) {
+    if (check == VerifyCheck::OldCalibration) running = now;
+  });
+  verification.checkOldCalibration(path, 2);
+  EXPECT_FALSE(running) << "there is neither a skin nor a session";
+  verification.setReconstruction(reconstruct(*today.snapshot()));
+  verification.setToday(today.snapshot());
+  EXPECT_TRUE(running);
+  ASSERT_TRUE(waitUntil([&] { return checked.has_value(); }));
+  EXPECT_THAT(checked->poses, testing::ElementsAre(PoseId(5), PoseId(6)));
+  const auto changeOf9 = [&] { return std::ranges::find(checked->cells, CellId(9), &CheckedCell::cell)->change; };
+  EXPECT_THAT(changeOf9(), testing::AnyOf(CellChange::Turned, CellChange::TurnedOrDrifted));
+  checked.reset();
+  verification.checkOldCalibration(path, std::nullopt);
+  ASSERT_TRUE(waitUntil([&] { return checked.has_value(); }));
+  EXPECT_EQ(checked->poses.size(), 6U);
+  EXPECT_EQ(changeOf9(), CellChange::Broken) << "no one turn explains poses before and after it";
+
+  checked.reset();
+  verification.checkOldCalibration(path, 1);
+  verification.cancel(VerifyCheck::OldCalibration);
+  EXPECT_FALSE(running);
+  verification.checkOldCalibration(path, 3);
+  verification.dropOldCalibration();
+  EXPECT_FALSE(running);
+  verification.setToday(today.snapshot());
+  EXPECT_FALSE(running) << "none is chosen any more";
+  test::letTurnsPass();
+  EXPECT_FALSE(checked.has_value());
 }
 
 TEST_F(WindowVerifyTest, TheTableOfCellsPicksAndIsSavedAsItIsSorted) {

@@ -87,6 +87,35 @@ TEST(PoseRecorder, CapturesTheMeanOfEveryCellWithCovarianceAndCount) {
   }
 }
 
+TEST(PoseRecorder, HandsOverWhereTheRobotsJointsStoodMeanwhile) {
+  SyntheticStream stream(cells(3));
+  stream.hold(2);
+  const auto captured = [&](double joints_from_s, double joints_to_s) {
+    Captures captures;
+    PoseRecorder recorder(captures);
+    recorder.setSkin(skinOf(3));
+    double next_s = joints_from_s;
+    for (const SampleFrame& frame : stream.frames) {
+      if (frame.time_s >= next_s && frame.time_s <= joints_to_s) {
+        recorder.addJoints({frame.time_s, {{{"elbow", frame.time_s}, {"wrist", 0.25}}}});
+        next_s += 0.02;
+      }
+      recorder.addFrame(frame);
+    }
+    EXPECT_THAT(captures.poses, SizeIs(1));
+    return captures.poses.front();
+  };
+  const double begin_s = stream.frames.front().time_s;
+  const CapturedPose with = captured(begin_s, begin_s + 10);
+  ASSERT_EQ(with.joint_angles.positions.size(), 2U);
+  EXPECT_NEAR(with.joint_angles.positions.at("elbow"), (with.start_s + with.end_s) / 2, 0.011);
+  EXPECT_EQ(with.joint_angles.positions.at("wrist"), 0.25);
+
+  // The last word counts for a second.
+  EXPECT_EQ(captured(with.start_s - 0.5, with.start_s - 0.4).joint_angles.positions.size(), 2U);
+  EXPECT_TRUE(captured(begin_s + 100, begin_s + 200).joint_angles.positions.empty());
+}
+
 TEST(PoseRecorder, TakesAsManySamplesAsTheRateAllows) {
   const auto samplesAt = [](double model_hz, double rate_hz, std::uint32_t asked) {
     SyntheticStream stream(cells(2, rate_hz));

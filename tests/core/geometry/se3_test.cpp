@@ -1,9 +1,11 @@
 #include "hexoderm/geometry/se3.h"
 
+#include "hexoderm/geometry/is_rotation.h"
 #include "hexoderm/util/units.h"
 
 #include <gtest/gtest.h>
 #include <Eigen/LU>
+#include <limits>
 
 namespace hexoderm {
 namespace {
@@ -124,6 +126,14 @@ TEST(RollPitchYaw, InGimbalLockStillGivesTheSameRotationWithoutYaw) {
       }
     }
   }
+}
+
+TEST(IsRotation, OnlyWhatTurnsIsOne) {
+  const Eigen::Matrix3d R = rotationFromRpy({0.3, -1.2, 2.0});
+  EXPECT_TRUE(isRotation(R));
+  EXPECT_FALSE(isRotation(-R)) << "it mirrors";
+  EXPECT_FALSE(isRotation(1.00001 * R)) << "it stretches";
+  EXPECT_FALSE(isRotation(std::numeric_limits<double>::quiet_NaN() * R));
 }
 
 }  // namespace

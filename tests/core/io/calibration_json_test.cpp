@@ -8,6 +8,7 @@
 #include "tests/support/error_matchers.h"
 #include "tests/support/json_mutations.h"
 #include "tests/support/result_builder.h"
+#include "tests/support/session_matchers.h"
 #include "tests/support/temporary_folder.h"
 
 #include <gtest/gtest.h>
@@ -73,6 +74,8 @@ Reconstruction richCalibration() {
                        .remedy = Remedy::RetakePoses,
                        .next_action = Message::verbatim("Do this."),
                        .retake = {PoseId(5)}};
+  result.robot = RobotDescription{"robots/arm.urdf", "00ff", {{"arm", "/opt/arm"}}};
+  result.placements = {test::placementWithEverything(patch.origin)};
   return result;
 }
 
@@ -132,6 +135,32 @@ void expectSameLink(const LinkEstimate& a, const LinkEstimate& b) {
     ASSERT_EQ(a.pose_residual_rad[k].has_value(), b.pose_residual_rad[k].has_value());
     EXPECT_DOUBLE_EQ(a.pose_residual_rad[k].value_or(0), b.pose_residual_rad[k].value_or(0));
   }
+}
+
+TEST(CalibrationJson, HoldsWherePatchesAreOnTheRobot) {
+  const Reconstruction result = richCalibration();
+  const auto back = parseCalibrationJson(calibrationToJson(result), "c.json");
+  EXPECT_EQ(back->robot, result.robot);
+  ASSERT_EQ(back->placements.size(), 1U);
+  test::expectSamePlacement(back->placements[0], result.placements[0]);
+
+  nlohmann::json older = richJson();
+  older.erase("robot");
+  older.erase("placements");
+  EXPECT_FALSE(parseCalibrationJson(older.dump(), "c.json")->robot);
+  EXPECT_TRUE(parseCalibrationJson(older.dump(), "c.json")->placements.empty());
+
+  EXPECT_THAT(calibrationComplaint("/placements/0/origin_cell", 77), saysAll("placements[0]", "origin"));
+  EXPECT_THAT(calibrationComplaint("/placements/0/by_surface", 1), saysAll("placements[0].by_surface"));
+  EXPECT_THAT(calibrationComplaint("/placements/0/link", ""),
+              saysAll("placements[0]", "a place of this patch on its link"));
+  EXPECT_THAT(calibrationComplaint("/placements/0/points/0/sigma_m", 0), saysAll("placements[0].points[0].sigma_m"));
+  EXPECT_THAT(calibrationComplaint("/placements/0/distances/0/to_cell", result.placements[0].origin.value()),
+              saysAll("placements[0]", "two cells"));
+  EXPECT_THAT(calibrationComplaint("/placements/0/place/cov_t_r/0", -1), saysAll("placements[0].place.cov_t_r"));
+  const nlohmann::json package = {{"name", "arm"}, {"folder", "/opt/arm"}};
+  EXPECT_THAT(calibrationComplaint("/robot/packages", nlohmann::json::array({package, package})),
+              saysAll("robot.packages[1].name", "each package once"));
 }
 
 TEST(CalibrationJson, ComesBackAsItWas) {

@@ -7,6 +7,7 @@
 
 #include <gmock/gmock.h>
 
+#include <algorithm>
 #include <map>
 #include <pugixml.hpp>
 #include <set>
@@ -19,6 +20,14 @@ using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::UnorderedElementsAre;
 using ExportUrdf = ExportTest;
+
+/// What a file of the skin holds.
+UrdfContent contentOf(const Reconstruction& reconstruction, const ExportOptions& options = {}) {
+  const ExportSelection selection =
+      selectForExport(reconstruction, exportFormatDescription(ExportFormat::Urdf), options);
+  return {skinTree(*reconstruction.model, selection.mounted, reconstruction, options), options.link_per_cell,
+          options.urdf_form};
+}
 
 /// An <origin> by Eigen's own rotations.
 SE3 originOf(pugi::xml_node node) {
@@ -78,29 +87,61 @@ TEST_F(ExportUrdf, ChainsToEveryCellAndSensor) {
   expectNear(T_root.at("skin_cell12_sensor"), cells[2].sensors[0].T_o_s, "sensor of cell 12");
 }
 
-TEST_F(ExportUrdf, DrawsCellsBelowTheirFrontFace) {
+/// Where a corner of a box is, in the frame of the link of its <visual>.
+std::vector<Eigen::Vector3d> boxCorners(pugi::xml_node visual) {
+  Eigen::Vector3d size;
+  std::istringstream(visual.child("geometry").child("box").attribute("size").value()) >> size.x() >> size.y() >>
+      size.z();
+  std::vector<Eigen::Vector3d> corners;
+  for (const double x : {-0.5, 0.5}) {
+    for (const double y : {-0.5, 0.5}) {
+      for (const double z : {-0.5, 0.5}) {
+        corners.emplace_back(originOf(visual) * Eigen::Vector3d(x * size.x(), y * size.y(), z * size.z()));
+      }
+    }
+  }
+  return corners;
+}
+
+TEST_F(ExportUrdf, DrawsCellsAsHexagonsBelowTheirFrontFace) {
   exportReconstruction(makeTestReconstruction(), ExportFormat::Urdf, in("skin.urdf"));
   const auto document = load(in("skin.urdf"));
   const pugi::xml_node link = document.child("robot").find_child_by_attribute("link", "name", "skin_cell12");
-  expectNear(originOf(link.child("visual")), {Eigen::Matrix3d::Identity(), {0, 0, -0.0017}}, "visual");
-  const pugi::xml_node cylinder = link.child("visual").child("geometry").child("cylinder");
-  EXPECT_STREQ(cylinder.attribute("radius").value(), "0.01502");
-  EXPECT_STREQ(cylinder.attribute("length").value(), "0.0034");
   EXPECT_STREQ(link.child("visual").child("material").attribute("name").value(), "hexoderm_over");
+  // The corners of the boxes are those of the prism, each of two boxes, and no others.
+  const CellModel model = builtInCellModel("hex-bma150");
+  std::vector<Eigen::Vector3d> prism;
+  for (const Eigen::Vector3d& corner : model.outline()) {
+    prism.push_back(corner);
+    prism.emplace_back(corner - model.thickness_m * Eigen::Vector3d::UnitZ());
+  }
+  std::vector<int> boxes_at(prism.size());
+  int boxes = 0;
+  for (const pugi::xml_node visual : link.children("visual")) {
+    ++boxes;
+    for (const Eigen::Vector3d& corner : boxCorners(visual)) {
+      const auto near = std::ranges::min_element(
+          prism, {}, [&](const Eigen::Vector3d& of_prism) { return (of_prism - corner).norm(); });
+      EXPECT_LT((*near - corner).norm(), 1e-12);
+      ++boxes_at[static_cast<std::size_t>(near - prism.begin())];
+    }
+  }
+  EXPECT_EQ(boxes, 3);
+  EXPECT_THAT(boxes_at, ::testing::Each(2));
 }
 
 TEST_F(ExportUrdf, OneLinkAPatchHoldsCellsAsVisualsAndSensorsAsElements) {
   const Reconstruction reconstruction = makeTestReconstruction();
   ExportOptions options;
-  options.urdf_link_per_cell = false;
+  options.link_per_cell = false;
   exportReconstruction(reconstruction, ExportFormat::Urdf, in("skin.urdf"), options);
   const auto document = load(in("skin.urdf"));
   EXPECT_EQ(chained(document).size(), 2U);
   const pugi::xml_node robot = document.child("robot");
   const pugi::xml_node patch = robot.find_child_by_attribute("link", "name", "skin_patch0");
-  const pugi::xml_node visual = patch.find_child_by_attribute("visual", "name", "skin_cell12");
+  const pugi::xml_node visual = patch.find_child_by_attribute("visual", "name", "skin_cell12_1");
   const SE3& T_o_u = reconstruction.patches[0].cells[2].T_o_u;
-  expectNear(originOf(visual), T_o_u * SE3{Eigen::Matrix3d::Identity(), {0, 0, -0.0017}}, "cell 12");
+  EXPECT_LT((originOf(visual).t - T_o_u * Eigen::Vector3d(0, 0, -0.0017)).norm(), 1e-12);
   const pugi::xml_node sensor = robot.find_child_by_attribute("sensor", "name", "skin_cell3_accelerometer");
   EXPECT_STREQ(sensor.child("parent").attribute("link").value(), "skin_patch0");
   expectNear(originOf(sensor), reconstruction.patches[0].cells[0].sensors[0].T_o_s, "sensor of cell 3");
@@ -108,9 +149,9 @@ TEST_F(ExportUrdf, OneLinkAPatchHoldsCellsAsVisualsAndSensorsAsElements) {
 
 TEST_F(ExportUrdf, UsesTheNamesOfTheOptions) {
   ExportOptions options;
-  options.urdf_robot = "nao-6";
-  options.urdf_parent_link = "l_forearm";
-  options.urdf_prefix = "";
+  options.model_name = "nao-6";
+  options.parent_link = "l_forearm";
+  options.prefix = "";
   exportReconstruction(makeTestReconstruction(), ExportFormat::Urdf, in("skin.urdf"), options);
   const auto document = load(in("skin.urdf"));
   const pugi::xml_node robot = document.child("robot");
@@ -122,9 +163,9 @@ TEST_F(ExportUrdf, UsesTheNamesOfTheOptions) {
 
 TEST_F(ExportUrdf, RefusesAParentLinkThatTheSkinNeedsItself) {
   ExportOptions options;
-  options.urdf_parent_link = "skin_cell7";
-  EXPECT_THAT(messageOf<InvalidArgument>([&] { urdfModel(makeTestReconstruction(), options); }),
-              HasSubstr("urdf_parent_link: \"skin_cell7\""));
+  options.parent_link = "skin_cell7";
+  EXPECT_THAT(messageOf<InvalidArgument>([&] { contentOf(makeTestReconstruction(), options); }),
+              HasSubstr("parent_link: \"skin_cell7\""));
 }
 
 TEST_F(ExportUrdf, EveryOrientationComesBack) {
@@ -134,7 +175,7 @@ TEST_F(ExportUrdf, EveryOrientationComesBack) {
       for (const double yaw_deg : {-180.0, -91.0, 0.0, 77.0}) {
         reconstruction.patches[0].cells[0].T_o_u.R =
             rotationFromRpy(kDegree * Eigen::Vector3d(roll_deg, pitch_deg, yaw_deg));
-        const UrdfModel model = urdfModel(reconstruction, {});
+        const UrdfContent model = contentOf(reconstruction);
         EXPECT_NO_THROW(verifyUrdf(urdfBytes(model), model, "skin.urdf"))
             << roll_deg << " " << pitch_deg << " " << yaw_deg;
       }
@@ -157,16 +198,15 @@ TEST_F(ExportUrdf, EmptyReconstructionGivesTheParentLinkAlone) {
 TEST_F(ExportUrdf, DetectsATamperedModel) {
   for (const bool link_per_cell : {true, false}) {
     ExportOptions options;
-    options.urdf_link_per_cell = link_per_cell;
-    const UrdfModel model = urdfModel(makeTestReconstruction(), options);
+    options.link_per_cell = link_per_cell;
+    const UrdfContent model = contentOf(makeTestReconstruction(), options);
     const std::string text = urdfBytes(model);
     EXPECT_NO_THROW(verifyUrdf(text, model, "skin.urdf"));
     std::vector<std::string> tampered = {
         replaced(text, "<parent link=\"base_link\"", "<parent link=\"skin_patch1\""),
         replaced(text, "type=\"fixed\"", "type=\"floating\""),
-        replaced(text, "name=\"skin_patch1_joint\"", "name=\"skin_patch0_joint\""),
-        replaced(text, "radius=\"0.01502\"", "radius=\"0.0150\""),
-        replaced(text, "name=\"skin_cell12\"", "name=\"skin_cell13\""),
+        replaced(text, " 0.01502 0.0034\"", " 0.01502 0.0035\""),
+        replaced(text, "name=\"skin_cell12_1\"", "name=\"skin_cell13_1\""),
         replaced(text, "\"hexoderm_over\" />\n    </visual>", "\"hexoderm_un\" />\n    </visual>"),
         replaced(text, "rpy=\"0 0 0\"", "rpy=\"0 0 0.00000001\""),
         replaced(text, "rpy=\"0 0 0\"", "rpy=\"0 0\""),
@@ -181,9 +221,81 @@ TEST_F(ExportUrdf, DetectsATamperedModel) {
   }
 }
 
-TEST(UrdfName, TakesWhatUrdfAndTfTake) {
-  for (const char* name : {"base_link", "r-arm.2", "left/forearm", "7"}) EXPECT_TRUE(isUrdfName(name)) << name;
-  for (const char* name : {"", "/base", "base link", "größe", "a\"b", "a<b"}) EXPECT_FALSE(isUrdfName(name)) << name;
+TEST_F(ExportUrdf, PutsPlacedPatchesOnTheirLinks) {
+  const Reconstruction reconstruction = makeTestReconstruction();
+  ExportOptions options;
+  options.parent_link = "torso";
+  const SE3 T_l_o{rotationFromRpy({0.1, -0.2, 2.0}), {0.3, -0.05, 0.01}};
+  options.placements = {{CellId(20), "base_link", T_l_o, {}}};
+  exportReconstruction(reconstruction, ExportFormat::Urdf, in("skin.urdf"), options);
+  const auto T_root = chained(load(in("skin.urdf")));
+  EXPECT_TRUE(T_root.contains("skin_cell20"));
+  EXPECT_FALSE(T_root.contains("skin_cell7")) << "its patch is not placed";
+  expectNear(T_root.at("skin_patch1"), T_l_o, "patch");
+  expectNear(T_root.at("skin_cell20"), T_l_o * reconstruction.patches[1].cells[0].T_o_u, "cell 20");
+
+  options.placements.push_back({CellId(7), "elbow", {}, {}});
+  EXPECT_THAT(messageOf<InvalidArgument>(
+                  [&] { exportReconstruction(reconstruction, ExportFormat::Urdf, in("both.urdf"), options); }),
+              HasSubstr("placed on 2 links"));
+  options.in_link = "elbow";
+  exportReconstruction(reconstruction, ExportFormat::Urdf, in("elbow.urdf"), options);
+  EXPECT_STREQ(load(in("elbow.urdf")).child("robot").child("link").attribute("name").value(), "elbow");
+}
+
+TEST_F(ExportUrdf, APartLeavesTheParentLinksToTheRobot) {
+  ExportOptions options;
+  options.urdf_form = UrdfForm::Part;
+  options.placements = {{CellId(20), "hand", {}, {}}, {CellId(7), "elbow", {}, {}}};
+  exportReconstruction(makeTestReconstruction(), ExportFormat::Urdf, in("part.urdf"), options);
+  const auto document = load(in("part.urdf"));
+  const pugi::xml_node robot = document.child("robot");
+  for (const char* link : {"hand", "elbow"}) EXPECT_FALSE(robot.find_child_by_attribute("link", "name", link)) << link;
+  const auto parentOf = [&](const char* joint) {
+    return std::string(robot.find_child_by_attribute("joint", "name", joint).child("parent").attribute("link").value());
+  };
+  EXPECT_EQ(parentOf("skin_patch0_joint"), "elbow");
+  EXPECT_EQ(parentOf("skin_patch1_joint"), "hand");
+}
+
+/// What xacro makes of a call of a macro without arguments: its parameters by their defaults.
+std::string expanded(std::string body, const std::map<std::string, std::string>& values) {
+  for (const auto& [name, value] : values) {
+    for (std::size_t at = body.find("${" + name + "}"); at != std::string::npos; at = body.find("${" + name + "}")) {
+      body.replace(at, name.size() + 3, value);
+    }
+  }
+  return body;
+}
+
+TEST_F(ExportUrdf, AMacroIsTheSkinWithItsOriginAsParameters) {
+  const Reconstruction reconstruction = makeTestReconstruction();
+  ExportOptions options;
+  options.urdf_form = UrdfForm::Macro;
+  options.placements = {{CellId(7), "elbow", {Eigen::Matrix3d::Identity(), {0.1, 0.2, 0.3}}, {}}};
+  exportReconstruction(reconstruction, ExportFormat::Urdf, in("skin.xacro"), options);
+  const auto document = load(in("skin.xacro"));
+  const pugi::xml_node macro = document.child("robot").child("xacro:macro");
+  EXPECT_STREQ(macro.attribute("name").value(), "skin_patch0");
+  EXPECT_STREQ(macro.attribute("params").value(), "parent:=elbow xyz:='0.1 0.2 0.3' rpy:='0 0 0'");
+  std::ostringstream body;
+  for (const pugi::xml_node node : macro.children()) node.print(body);
+  const std::string robot =
+      "<robot name=\"r\"><link name=\"base_link\"/>" +
+      expanded(body.str(), {{"parent", "base_link"}, {"xyz", "1 2 3"}, {"rpy", "0 0 1.5707963267948966"}}) + "</robot>";
+  write(in("robot.urdf"), robot);
+  const SE3 T_l_o{rotationFromRpy({0, 0, 1.5707963267948966}), {1, 2, 3}};
+  expectNear(chained(load(in("robot.urdf"))).at("skin_cell3"), T_l_o * reconstruction.patches[0].cells[0].T_o_u,
+             "cell 3");
+  options.prefix = "left/";
+  EXPECT_THAT(messageOf<InvalidArgument>(
+                  [&] { exportReconstruction(reconstruction, ExportFormat::Urdf, in("x.xacro"), options); }),
+              HasSubstr("left/patch0"));
+}
+
+TEST(LinkName, TakesWhatUrdfAndTfTake) {
+  for (const char* name : {"base_link", "r-arm.2", "left/forearm", "7"}) EXPECT_TRUE(isLinkName(name)) << name;
+  for (const char* name : {"", "/base", "base link", "größe", "a\"b", "a<b"}) EXPECT_FALSE(isLinkName(name)) << name;
 }
 
 }  // namespace

@@ -25,10 +25,30 @@ class EveryExport : public ExportTest, public ::testing::WithParamInterface<Expo
     return *std::ranges::find(exportFormats(), GetParam(), &ExportFormatDescription::format);
   }
   [[nodiscard]] std::filesystem::path target() const { return in("skin" + std::string(description().extension)); }
+  void SetUp() override {
+    ExportTest::SetUp();
+    if (GetParam() != ExportFormat::RobotUrdf) return;
+    // Outside the folder, whose files are counted.
+    robot_ = folder_.string() + ".robot.urdf";
+    write(robot_, "<robot name=\"arm\">\n  <link name=\"base_link\"/>\n</robot>\n");
+  }
+  void TearDown() override {
+    if (!robot_.empty()) std::filesystem::remove(robot_);
+    ExportTest::TearDown();
+  }
+  /// The options that every test of the format needs.
+  [[nodiscard]] ExportOptions needed() const {
+    ExportOptions options;
+    options.robot_urdf = robot_;
+    return options;
+  }
+
+ private:
+  std::filesystem::path robot_;
 };
 
 TEST_P(EveryExport, ReturnsTheFilesItWroteAndNoOthersAreLeft) {
-  const auto paths = exportReconstruction(makeTestReconstruction(), GetParam(), target());
+  const auto paths = exportReconstruction(makeTestReconstruction(), GetParam(), target(), needed());
   std::set<std::filesystem::path> written;
   for (const auto& entry : std::filesystem::recursive_directory_iterator(folder_)) {
     if (entry.is_regular_file()) written.insert(entry.path());
@@ -42,24 +62,24 @@ TEST_P(EveryExport, GivesTheBytesOfItsFileWithoutAFile) {
                 HasSubstr("folder of several files"));
     return;
   }
-  const auto paths = exportReconstruction(makeTestReconstruction(), GetParam(), target());
-  EXPECT_EQ(exportBytes(makeTestReconstruction(), GetParam(), {}, "standard output"), read(paths.at(0)));
+  const auto paths = exportReconstruction(makeTestReconstruction(), GetParam(), target(), needed());
+  EXPECT_EQ(exportBytes(makeTestReconstruction(), GetParam(), needed(), "standard output"), read(paths.at(0)));
 }
 
 TEST_P(EveryExport, GivesTheSameBytesAgainOverAnEarlierExport) {
-  const auto paths = exportReconstruction(makeTestReconstruction(), GetParam(), target());
+  const auto paths = exportReconstruction(makeTestReconstruction(), GetParam(), target(), needed());
   std::vector<std::string> first;
   for (const auto& path : paths) first.push_back(read(path));
-  EXPECT_EQ(exportReconstruction(makeTestReconstruction(), GetParam(), target()), paths);
+  EXPECT_EQ(exportReconstruction(makeTestReconstruction(), GetParam(), target(), needed()), paths);
   for (std::size_t k = 0; k < paths.size(); ++k) EXPECT_EQ(read(paths[k]), first[k]);
 }
 
 TEST_P(EveryExport, RefusesNumbersThatAreNotFiniteAndKeepsTheEarlierFile) {
   Reconstruction reconstruction = makeTestReconstruction();
-  const auto paths = exportReconstruction(reconstruction, GetParam(), target());
+  const auto paths = exportReconstruction(reconstruction, GetParam(), target(), needed());
   const std::string earlier = read(paths.front());
   reconstruction.patches[0].cells[1].T_o_u.t.y() = std::numeric_limits<double>::quiet_NaN();
-  EXPECT_THAT(messageOf<InvalidArgument>([&] { exportReconstruction(reconstruction, GetParam(), target()); }),
+  EXPECT_THAT(messageOf<InvalidArgument>([&] { exportReconstruction(reconstruction, GetParam(), target(), needed()); }),
               HasSubstr("cell 7: its placement is not a finite number"));
   EXPECT_EQ(read(paths.front()), earlier);
 }
@@ -71,12 +91,12 @@ TEST_P(EveryExport, TakesWhatEverySolverFinds) {
     SolverOptions options;
     options.solver = solver;
     const auto result = reconstruct(*session.snapshot(), options);
-    const auto paths = exportReconstruction(*result, GetParam(), target());
+    const auto paths = exportReconstruction(*result, GetParam(), target(), needed());
     ASSERT_FALSE(paths.empty());
     for (const auto& path : paths) EXPECT_FALSE(read(path).empty()) << path;
     // A calibration that was written to a file and read again is exported just the same.
     const auto back = parseCalibrationJson(calibrationToJson(*result), "c.json");
-    EXPECT_NO_THROW(exportReconstruction(*back, GetParam(), target()));
+    EXPECT_NO_THROW(exportReconstruction(*back, GetParam(), target(), needed()));
   }
 }
 
@@ -90,11 +110,12 @@ Reconstruction withPatch(std::size_t index) {
 
 class EveryExportOfPatches : public EveryExport {
  protected:
-  /// The contents of the files that an export writes.
-  std::vector<std::string> contents(const Reconstruction& reconstruction, const ExportOptions& options = {}) {
+  /// The contents of the files that an export writes, but for the manifest, which names the patches left out.
+  std::vector<std::string> contents(const Reconstruction& reconstruction) { return contents(reconstruction, needed()); }
+  std::vector<std::string> contents(const Reconstruction& reconstruction, const ExportOptions& options) {
     std::vector<std::string> found;
     for (const auto& path : exportReconstruction(reconstruction, GetParam(), target(), options)) {
-      found.push_back(read(path));
+      if (path.filename() != "manifest.json") found.push_back(read(path));
     }
     return found;
   }
@@ -119,14 +140,14 @@ TEST_P(EveryExportOfPatches, NeverHoldsTwoPatchesAtOnePlaceUnasked) {
 TEST_P(EveryExportOfPatches, HoldsThePatchOfACellAlone) {
   const Reconstruction two = makeTestReconstruction();
   for (const auto& [cell, index] : {std::pair(3U, 0U), std::pair(7U, 0U), std::pair(20U, 1U)}) {
-    ExportOptions options;
+    ExportOptions options = needed();
     options.patch = CellId(cell);
     EXPECT_EQ(contents(two, options), contents(withPatch(index))) << cell;
     const std::vector<PatchLeftOut> left_out = patchesLeftOut(two, GetParam(), options);
     ASSERT_EQ(left_out.size(), 1U);
     EXPECT_EQ(left_out[0].patch, PatchId(1 - index));
   }
-  ExportOptions options;
+  ExportOptions options = needed();
   options.patch = CellId(99);
   EXPECT_THAT(messageOf<InvalidArgument>([&] { contents(two, options); }), HasSubstr("no patch holds a cell 99"));
   options.patch = CellId(7);
@@ -136,9 +157,9 @@ TEST_P(EveryExportOfPatches, HoldsThePatchOfACellAlone) {
 
 TEST_P(EveryExportOfPatches, HoldsAllOfThemWhereItCanTellThemApart) {
   const Reconstruction two = makeTestReconstruction();
-  ExportOptions options;
+  ExportOptions options = needed();
   options.all_patches = true;
-  if (description().patches == PatchesInFile::One) {
+  if (description().patches != PatchesInFile::All && description().patches != PatchesInFile::AllIfAsked) {
     EXPECT_THAT(messageOf<InvalidArgument>([&] { contents(two, options); }), HasSubstr("has one frame"));
     EXPECT_THROW(patchesLeftOut(two, GetParam(), options), InvalidArgument);
     EXPECT_THAT(names(), IsEmpty());
@@ -159,19 +180,26 @@ TEST_P(EveryExport, NamesATargetThatCannotBeWritten) {
   write(in("file"), "mine");
   for (const char* parent : {"missing", "file"}) {
     const std::filesystem::path path = in(parent) / target().filename();
-    EXPECT_THAT(messageOf<StorageError>([&] { exportReconstruction(makeTestReconstruction(), GetParam(), path); }),
-                HasSubstr(path.string()));
+    EXPECT_THAT(
+        messageOf<StorageError>([&] { exportReconstruction(makeTestReconstruction(), GetParam(), path, needed()); }),
+        HasSubstr(path.string()));
   }
   EXPECT_THAT(names(), ::testing::ElementsAre("file"));
   EXPECT_THROW(exportReconstruction(makeTestReconstruction(), GetParam(), ""), InvalidArgument);
 }
 
 std::string nameOf(const ::testing::TestParamInfo<ExportFormat>& parameter) {
-  return std::string(std::ranges::find(exportFormats(), parameter.param, &ExportFormatDescription::format)->name);
+  std::string name(exportFormatDescription(parameter.param).name);
+  std::erase(name, '-');
+  return name;
 }
 
-const auto kEveryFormat = ::testing::Values(ExportFormat::Csv, ExportFormat::Dot, ExportFormat::Ply, ExportFormat::Stl,
-                                            ExportFormat::Vtp, ExportFormat::Urdf);
+std::vector<ExportFormat> everyFormat() {
+  std::vector<ExportFormat> formats;
+  for (const ExportFormatDescription& format : exportFormats()) formats.push_back(format.format);
+  return formats;
+}
+const auto kEveryFormat = ::testing::ValuesIn(everyFormat());
 INSTANTIATE_TEST_SUITE_P(Formats, EveryExport, kEveryFormat, nameOf);
 INSTANTIATE_TEST_SUITE_P(Formats, EveryExportOfPatches, kEveryFormat, nameOf);
 
@@ -194,25 +222,27 @@ TEST(ExportFormats, AreFoundByName) {
     EXPECT_FALSE(format.summary.empty());
     EXPECT_EQ(format.extension.empty(), format.format == ExportFormat::Csv);
   }
-  EXPECT_EQ(exportFormats().size(), 6U);
+  std::set<std::string_view> extensions;
+  for (const ExportFormatDescription& format : exportFormats()) extensions.insert(format.extension);
+  EXPECT_EQ(extensions.size(), exportFormats().size()) << "files of a bundle need names of their own";
 }
 
 TEST(ExportFormats, UnknownNameListsTheKnownOnes) {
-  EXPECT_THAT(messageOf<InvalidArgument>([] { exportFormatFromName("obj"); }),
-              AllOf(HasSubstr("\"obj\""), HasSubstr("csv, dot, ply, stl, vtp, urdf")));
+  EXPECT_THAT(messageOf<InvalidArgument>([] { exportFormatFromName("step"); }),
+              AllOf(HasSubstr("\"step\""), HasSubstr("csv, dot, ply, stl, vtp, urdf, robot-urdf, tf-ros1")));
 }
 
 TEST(ExportOptions, NamesTheOptionThatMakesNoSense) {
   EXPECT_NO_THROW(ExportOptions().validate());
   ExportOptions options;
-  options.urdf_robot = "";
-  EXPECT_THAT(messageOf<InvalidArgument>([&] { options.validate(); }), HasSubstr("urdf_robot"));
+  options.model_name = "";
+  EXPECT_THAT(messageOf<InvalidArgument>([&] { options.validate(); }), HasSubstr("model_name"));
   options = {};
-  options.urdf_parent_link = "base link";
-  EXPECT_THAT(messageOf<InvalidArgument>([&] { options.validate(); }), HasSubstr("urdf_parent_link"));
+  options.parent_link = "base link";
+  EXPECT_THAT(messageOf<InvalidArgument>([&] { options.validate(); }), HasSubstr("parent_link"));
   options = {};
-  options.urdf_prefix = "größe_";
-  EXPECT_THAT(messageOf<InvalidArgument>([&] { options.validate(); }), HasSubstr("urdf_prefix"));
+  options.prefix = "größe_";
+  EXPECT_THAT(messageOf<InvalidArgument>([&] { options.validate(); }), HasSubstr("prefix"));
 }
 
 }  // namespace

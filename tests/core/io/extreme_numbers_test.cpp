@@ -187,8 +187,11 @@ TEST_F(ExtremeExports, AllFormatsHoldThem) {
   }
   const Session session = parseSessionJson(document.dump(), "large.session.json");
   const auto result = reconstruct(*session.snapshot());
+  ExportOptions options;
+  options.robot_urdf = in("robot.urdf");
+  write(options.robot_urdf, "<robot name=\"arm\"><link name=\"base_link\"/></robot>");
   for (const ExportFormatDescription& format : exportFormats()) {
-    EXPECT_NO_THROW(exportReconstruction(*result, format.format, in("large" + std::string(format.extension))))
+    EXPECT_NO_THROW(exportReconstruction(*result, format.format, in("large" + std::string(format.extension)), options))
         << format.name;
   }
 }

@@ -7,6 +7,7 @@
 #include "hexoderm/reconstruction/solved_skin.h"
 #include "hexoderm/session/simulated_session.h"
 #include "hexoderm/util/error.h"
+#include "tests/support/few_seeds.h"
 
 #include <gmock/gmock.h>
 
@@ -20,12 +21,7 @@ namespace {
 
 using Snapshots = std::vector<std::shared_ptr<const SessionSnapshot>>;
 
-// Debug and sanitizer builds take a few seeds only: there the code is watched, not the figures.
-#ifdef NDEBUG
-constexpr bool kFewSeeds = false;
-#else
-constexpr bool kFewSeeds = true;
-#endif
+using test::kFewSeeds;
 
 CellModel modelWith(double offset_g, double shared_g, double scale, double cross_axis) {
   CellModel model = builtInCellModel("hex-bma150");

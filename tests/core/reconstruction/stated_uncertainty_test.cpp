@@ -3,6 +3,7 @@
 
 #include "hexoderm/reconstruction/reconstructor.h"
 #include "hexoderm/session/simulated_session.h"
+#include "tests/support/few_seeds.h"
 
 #include <gmock/gmock.h>
 
@@ -13,12 +14,7 @@
 namespace hexoderm {
 namespace {
 
-// Debug and sanitizer builds take a few seeds only: there the code is watched, not the figures.
-#ifdef NDEBUG
-constexpr bool kFewSeeds = false;
-#else
-constexpr bool kFewSeeds = true;
-#endif
+using test::kFewSeeds;
 
 struct Nees {
   double position = 0;

@@ -132,7 +132,7 @@ TEST_F(SessionStoreTest, RemovedPosesStayInTheFileAndComeBackAsTheyWere) {
   appendOne(store, RestorePose{third, 2});
   EXPECT_THAT(poseIds(readSessionStore(path_)), ElementsAre(2U, 1U, 3U));
   EXPECT_THAT(kinds(store), ElementsAre("skin", "source", "truth", "capture", "capture", "capture", "mute", "mute",
-                                        "remove", "remove", "restore", "restore"));
+                                        "robot", "placement", "placement", "remove", "remove", "restore", "restore"));
 }
 
 TEST_F(SessionStoreTest, APoseThatWasRemovedBeforeTheFileWasMadeComesBackAllTheSame) {
@@ -209,6 +209,47 @@ TEST_F(SessionStoreTest, KeepsWhichLinksAreSetAsideAndWhy) {
   EXPECT_THAT(kinds(store), ElementsAre("skin", "source", "mute", "mute", "unmute"));
   appendOne(store, SetSkin{std::make_shared<const CellModel>(builtInCellModel("hex-bma150")), {}});
   EXPECT_EQ(readSessionStore(path_).mutedLinks().size(), 1U) << "the skin may be explored anew";
+}
+
+TEST_F(SessionStoreTest, KeepsWhereTheRobotsJointsStoodThroughRemovals) {
+  SessionStore store = SessionStore::create(path_, sessionWithEverything());
+  const JointAngles angles{{{"elbow", 0.1}, {"wrist", -2}}};
+  appendOne(store, SetJointAngles{0, angles});
+  EXPECT_EQ(readSessionStore(path_).poses()[0].joint_angles, angles);
+  const SessionPose before = store.readSession().poses()[0];
+  appendOne(store, RemovePose{0});
+  appendOne(store, RestorePose{before, 0});
+  EXPECT_EQ(readSessionStore(path_).poses()[0].joint_angles, angles);
+  appendOne(store, SetJointAngles{0, {}});
+  EXPECT_TRUE(readSessionStore(path_).poses()[0].joint_angles.positions.empty());
+  EXPECT_EQ(kinds(store).back(), "joints");
+  EXPECT_THROW(appendOne(store, SetJointAngles{0, {{{"elbow", std::numeric_limits<double>::infinity()}}}}),
+               InvalidArgument);
+}
+
+TEST_F(SessionStoreTest, KeepsTheRobotAndWherePatchesAreOnIt) {
+  SessionStore store = SessionStore::create(path_, Session(builtInCellModel("hex-bma150"), {}));
+  const RobotDescription robot{"/home/arm.urdf", "00ff", {{"arm", "/opt/arm"}}};
+  appendOne(store, SetRobot{robot});
+  PatchPlacement placement = test::placementWithEverything(CellId(3));
+  appendOne(store, SetPatchPlacement{placement});
+  EXPECT_EQ(readSessionStore(path_).robot(), robot);
+  ASSERT_EQ(readSessionStore(path_).placements().size(), 1U);
+  test::expectSamePlacement(readSessionStore(path_).placements()[0], placement);
+  placement.place.reset();
+  placement.link = "hand";
+  appendOne(store, SetPatchPlacement{placement});
+  ASSERT_EQ(readSessionStore(path_).placements().size(), 1U) << "the last one of a patch counts";
+  test::expectSamePlacement(readSessionStore(path_).placements()[0], placement);
+  PatchPlacement nothing;
+  nothing.origin = CellId(3);
+  appendOne(store, SetPatchPlacement{nothing});
+  appendOne(store, SetRobot{});
+  EXPECT_TRUE(readSessionStore(path_).placements().empty());
+  EXPECT_FALSE(readSessionStore(path_).robot());
+  EXPECT_THAT(kinds(store), ElementsAre("skin", "source", "robot", "placement", "placement", "placement", "robot"));
+  placement.points[0].sigma_m = 0;
+  EXPECT_THROW(appendOne(store, SetPatchPlacement{placement}), InvalidArgument);
 }
 
 TEST_F(SessionStoreTest, KeepsSourceSkinTruthAndOptionsAsLastSet) {

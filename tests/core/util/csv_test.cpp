@@ -39,5 +39,21 @@ TEST(CsvQuoted, LeavesNumbersNumbers) {
   for (const char* number : {"-1.5", "+2", "-3e-7", "-0", "1"}) EXPECT_EQ(csvQuoted(number), number);
 }
 
+TEST(CsvFields, AreWhatWasQuoted) {
+  const std::vector<std::string> fields{"", "a,b", "say \"x\"", " a ", "1.5", ""};
+  std::string line;
+  for (std::size_t k = 0; k < fields.size(); ++k) line += (k > 0 ? "," : "") + csvQuoted(fields[k]);
+  EXPECT_EQ(csvFields(line), fields);
+  EXPECT_EQ(csvFields(""), std::vector<std::string>{""});
+  EXPECT_EQ(csvFields("a;\"b;c\"", ';'), (std::vector<std::string>{"a", "b;c"}));
+}
+
+TEST(CsvFields, AreNoneWhereAQuoteIsNotClosedOrFollowed) {
+  EXPECT_EQ(csvFields("a,\"b"), std::nullopt);
+  EXPECT_EQ(csvFields("\"a\"b,c"), std::nullopt);
+  EXPECT_EQ(csvFields("\""), std::nullopt);
+  EXPECT_EQ(csvFields("\"a\"\""), std::nullopt);
+}
+
 }  // namespace
 }  // namespace hexoderm

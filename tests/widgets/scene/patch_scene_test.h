@@ -123,8 +123,8 @@ class PatchSceneTest : public testing::Test {
   PatchMoment moment;
 };
 
-/// Share of the pixels that differ; 1 if the sizes do.
-inline double differingShare(vtkImageData* a, vtkImageData* b) {
+/// Share of the pixels that differ by more than so much in any channel; 1 if the sizes do.
+inline double differingShare(vtkImageData* a, vtkImageData* b, int slack = kChannelSlack) {
   const int* size = a->GetDimensions();
   const int* other = b->GetDimensions();
   if (size[0] != other[0] || size[1] != other[1]) return 1;
@@ -134,7 +134,7 @@ inline double differingShare(vtkImageData* a, vtkImageData* b) {
       const auto* p = static_cast<const unsigned char*>(a->GetScalarPointer(x, y, 0));
       const auto* q = static_cast<const unsigned char*>(b->GetScalarPointer(x, y, 0));
       bool same = true;
-      for (int channel = 0; channel < 3; ++channel) same = same && std::abs(p[channel] - q[channel]) <= kChannelSlack;
+      for (int channel = 0; channel < 3; ++channel) same = same && std::abs(p[channel] - q[channel]) <= slack;
       if (!same) ++differing;
     }
   }

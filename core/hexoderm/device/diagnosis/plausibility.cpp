@@ -1,6 +1,7 @@
 #include "hexoderm/device/diagnosis/plausibility.h"
 
 #include "hexoderm/util/median.h"
+#include "hexoderm/util/units.h"
 
 #include <algorithm>
 #include <cmath>
@@ -8,8 +9,6 @@
 
 namespace hexoderm {
 namespace {
-
-constexpr double kStandardGravity = 9.80665;  // m/s^2
 
 /// Uncalibrated sensors and a hand's motion change the median of many norms by less.
 constexpr double kNearGravity = 0.25;

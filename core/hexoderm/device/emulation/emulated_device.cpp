@@ -1,5 +1,6 @@
 #include "hexoderm/device/emulation/emulated_device.h"
 
+#include "hexoderm/device/skinwire/codec.h"
 #include "hexoderm/device/skinwire/description.h"
 #include "hexoderm/util/error.h"
 #include "hexoderm/util/text.h"
@@ -16,6 +17,7 @@ constexpr std::size_t kMostAnswered = 1000;
 constexpr std::size_t kHeadBytes = 80;
 constexpr std::size_t kCellIdBytes = 3;
 constexpr std::size_t kSampleBytes = 6;
+constexpr const char* kSentElsewhere = "the part was sent elsewhere";
 
 }  // namespace
 
@@ -29,14 +31,15 @@ void EmulatedDeviceOptions::validate() const {
   exploration.validate();
 }
 
-EmulatedDevice::EmulatedDevice(SimulatedSkin skin, EmulatedDeviceOptions options)
-    : skin_(std::move(skin)),
+EmulatedDevice::EmulatedDevice(std::unique_ptr<SimulatedBody> body, EmulatedDeviceOptions options)
+    : body_(std::move(body)),
       options_(std::move(options)),
-      leds_(skin_->truth().size()),
-      encoder_(skin_->model().accelerometer.lsb_g, options_.max_body),
-      sums_(skin_->truth().size()) {
+      leds_(body_->neighbors().size()),
+      encoder_(body_->model().accelerometer.lsb_g, options_.max_body),
+      sums_(body_->neighbors().size()) {
   options_.validate();
-  for (const CellFault& fault : skin_->options().faults) cell_faults_[fault.cell].push_back(fault.kind);
+  requireRoomForJoints();
+  for (const CellFault& fault : body_->cellFaults()) cell_faults_[fault.cell].push_back(fault.kind);
   if (options_.rate_hz > 0) {
     if (const std::string why = setRate(options_.rate_hz); !why.empty()) throw InvalidArgument(why);
   }
@@ -52,8 +55,8 @@ std::uint64_t EmulatedDevice::ticksIn(double seconds) const {
 
 void EmulatedDevice::startExploring(Messages& out) {
   flush(out);
-  const NeighborList& wiring = skin_->neighbors();
-  exploration_ = exploreNetwork(wiring, skin_->model(), firstFreePort(wiring, skin_->model()), options_.exploration);
+  const NeighborList& wiring = body_->neighbors();
+  exploration_ = exploreNetwork(wiring, body_->model(), firstFreePorts(wiring, body_->model()), options_.exploration);
   explored_at_ = ticks_ + ticksIn(exploration_.duration_s);
   status_at_ = ticks_ + ticksIn(options_.status_every_s);
   if (has_host_) out.emplace_back(status());
@@ -65,8 +68,8 @@ void EmulatedDevice::finishExploring(Messages& out) {
     ++topology_id_;
   }
   found_.clear();
-  if (topology_.size() != skin_->truth().size()) {
-    found_.resize(skin_->truth().size(), false);
+  if (topology_.size() != body_->neighbors().size()) {
+    found_.resize(body_->neighbors().size(), false);
     for (const CellReport& cell : topology_) found_.at(cell.id.value() - 1) = true;
   }
   std::ranges::fill(sums_, Sums{});
@@ -79,21 +82,21 @@ void EmulatedDevice::exploreAgain(Messages& out) {
   if (!isExploring()) startExploring(out);
 }
 
-void EmulatedDevice::restart(SimulatedSkinOptions options, Messages& out) {
-  // The new skin is made first, because that may throw. Faults of cells are carried over.
-  options.faults.clear();
-  SimulatedSkin skin(skin_->model(), std::move(options));
-  firstFreePort(skin.neighbors(), skin.model());
+void EmulatedDevice::restart(std::vector<LinkFault> link_faults, Messages& out) {
+  // The new body is made first, because that may throw. Faults of cells are carried over.
+  std::unique_ptr<SimulatedBody> body = body_->withLinkFaults(std::move(link_faults));
+  firstFreePorts(body->neighbors(), body->model());
   for (const auto& [cell, kinds] : cell_faults_) {
-    for (const SkinFault kind : kinds) skin.breakCell({kind, cell});
+    for (const SkinFault kind : kinds) body->breakCell({kind, cell});
   }
-  skin_ = std::move(skin);
+  body_ = std::move(body);
   ++stream_;
   ticks_ = 0;
   batch_.clear();
-  encoder_ = skinwire::SampleEncoder(skin_->model().accelerometer.lsb_g, options_.max_body);
+  joint_reporting_ = {};
+  encoder_ = skinwire::SampleEncoder(body_->model().accelerometer.lsb_g, options_.max_body);
   skipped_ = dropped_ = 0;
-  if (turning_) answer(std::exchange(turning_, std::nullopt)->command, false, "the device was restarted", out);
+  dropTurn("the device was restarted", out);
   for (const Turn& asked : std::exchange(exploring_, {})) {
     answer(asked.command, false, "the device was restarted", out);
   }
@@ -102,24 +105,18 @@ void EmulatedDevice::restart(SimulatedSkinOptions options, Messages& out) {
 }
 
 bool EmulatedDevice::isFound(CellId cell) const {
-  if (cell.value() == 0 || cell.value() > skin_->truth().size()) return false;
+  if (cell.value() == 0 || cell.value() > body_->neighbors().size()) return false;
   return found_.empty() || found_[cell.value() - 1];
-}
-
-void EmulatedDevice::requireCell(CellId cell) const {
-  if (cell.value() != 0 && cell.value() <= skin_->truth().size()) return;
-  throw InvalidArgument("there is no cell " + toString(cell) + "; cells are 1 to " +
-                        std::to_string(skin_->truth().size()));
 }
 
 // ---- the host
 
 skinwire::Hello EmulatedDevice::hello() const {
-  const SkinDescription description{located("emulated skin", skin_->description()),
-                                    std::make_shared<const CellModel>(skin_->model()),
+  const SkinDescription description{located("emulated skin", body_->description()),
+                                    std::make_shared<const CellModel>(body_->model()),
                                     {},
                                     true,
-                                    true};
+                                    body_->turnsOnRequest()};
   return skinwire::helloOf(description, rate_hz(), stream_);
 }
 
@@ -132,6 +129,7 @@ skinwire::Status EmulatedDevice::status() const {
 
 void EmulatedDevice::describe(const std::optional<std::uint32_t>& known_topology, Messages& out) {
   out.emplace_back(hello());
+  joints_.nameAgain();
   if (topology_id_ == 0) {
     out.emplace_back(status());
   } else if (known_topology != topology_id_) {
@@ -200,7 +198,7 @@ void EmulatedDevice::work(std::uint32_t command, Messages& out) {
 }
 
 std::string EmulatedDevice::setRate(double rate_hz) {
-  const double most_hz = skin_->rate_hz();
+  const double most_hz = body_->rate_hz();
   if (!(rate_hz > 0) || rate_hz > most_hz * 1.0001 || rate_hz < most_hz / 1e6) {
     return "expected a rate above 0 and at most " + formatFixed(most_hz, 0) + " Hz";
   }
@@ -215,7 +213,7 @@ std::string EmulatedDevice::light(const skinwire::SetLed& led) {
 }
 
 std::array<std::uint8_t, 3> EmulatedDevice::led(CellId cell) const {
-  requireCell(cell);
+  body_->requireCell(cell);
   return leds_.at(cell.value() - 1);
 }
 
@@ -223,20 +221,34 @@ void EmulatedDevice::turn(std::uint32_t command, const skinwire::TurnTo& request
   if (!isFound(CellId(request.cell))) {
     return answer(command, false, "there is no cell " + std::to_string(request.cell), out);
   }
-  turnTo(skin_->truth().at(request.cell - 1).T_b_u.R * request.up_u, out);
-  if (!skin_->turning()) return answer(command, true, "", out);
+  if (!body_->turnsOnRequest()) return answer(command, false, "the part is turned by itself", out);
+  try {
+    body_->turnTo(CellId(request.cell), request.up_u);
+  } catch (const InvalidArgument& error) {
+    return answer(command, false, error.what(), out);
+  }
+  dropTurn(kSentElsewhere, out);
+  if (!body_->turning()) return answer(command, true, "", out);
   turning_ = {command, ticks_ + ticksIn(options_.working_every_s)};
   work(command, out);
 }
 
+void EmulatedDevice::dropTurn(std::string why, Messages& out) {
+  if (turning_) answer(std::exchange(turning_, std::nullopt)->command, false, std::move(why), out);
+}
+
 void EmulatedDevice::turnTo(const Eigen::Vector3d& up_b, Messages& out) {
-  skin_->turnTo(up_b);
-  if (!turning_) return;
-  answer(std::exchange(turning_, std::nullopt)->command, false, "the part was sent elsewhere", out);
+  body_->turnTo(up_b);
+  dropTurn(kSentElsewhere, out);
+}
+
+void EmulatedDevice::turnToNextPose(Messages& out) {
+  body_->turnToNextPose();
+  dropTurn(kSentElsewhere, out);
 }
 
 void EmulatedDevice::tendCommands(Messages& out) {
-  if (turning_ && !skin_->turning()) answer(std::exchange(turning_, std::nullopt)->command, true, "", out);
+  if (turning_ && !body_->turning()) answer(std::exchange(turning_, std::nullopt)->command, true, "", out);
   const auto keepWaiting = [&](Turn& asked) {
     if (ticks_ < asked.say_at) return;
     asked.say_at = ticks_ + ticksIn(options_.working_every_s);
@@ -250,12 +262,13 @@ void EmulatedDevice::tendCommands(Messages& out) {
 
 void EmulatedDevice::tick(Messages& out) {
   const bool was_exploring = isExploring();
+  if (!was_exploring && has_host_) tellJoints(out);
   if (!was_exploring && has_host_ && ticks_ % divider_ == 0) {
-    SampleFrame frame = skin_->next();
+    SampleFrame frame = body_->next();
     frame.time_s = time_s();
     takeSamples(std::move(frame), out);
   } else {
-    skin_->skip(1);
+    body_->skip(1);
   }
   ++ticks_;
   if (was_exploring && !isExploring()) finishExploring(out);
@@ -286,7 +299,7 @@ void EmulatedDevice::skip(std::size_t ticks, Messages& out) {
     skipped_ += lost;
     dropped_ += lost;
   }
-  skin_->skip(ticks);
+  body_->skip(ticks);
   ticks_ += ticks;
   if (has_host_) tendCommands(out);
 }
@@ -301,6 +314,23 @@ std::size_t EmulatedDevice::ticksPerMessage() const {
   const std::size_t room = options_.max_body - std::min(options_.max_body, kHeadBytes + kCellIdBytes * cells);
   const double wanted = std::floor(options_.message_every_s * rate_hz() + 0.5);
   return std::max<std::size_t>(1, std::min(static_cast<std::size_t>(wanted), room / (kSampleBytes * cells)));
+}
+
+/// A message with the names can't be parted, and without the names the others are of no use.
+void EmulatedDevice::requireRoomForJoints() const {
+  const JointReport report{time_s(), body_->jointAngles()};
+  if (report.angles.positions.empty()) return;
+  const std::size_t bytes = skinwire::encodeBody(skinwire::JointsEncoder().encode(report)).size();
+  if (bytes <= options_.max_body) return;
+  throw InvalidArgument(message("the names and angles of {} joints take {} bytes, and a message on this wire has {}",
+                                report.angles.positions.size(), bytes, options_.max_body));
+}
+
+void EmulatedDevice::tellJoints(Messages& out) {
+  const std::optional<JointReport> report = joint_reporting_.before(*body_, time_s());
+  if (!report) return;
+  flush(out);
+  out.emplace_back(joints_.encode(*report));
 }
 
 void EmulatedDevice::takeSamples(SampleFrame frame, Messages& out) {
@@ -362,24 +392,24 @@ void EmulatedDevice::send(std::vector<skinwire::Samples> samples, Messages& out)
 // ---- faults
 
 void EmulatedDevice::breakCell(const CellFault& fault) {
-  skin_->breakCell(fault);
+  body_->breakCell(fault);
   cell_faults_[fault.cell].push_back(fault.kind);
 }
 
 void EmulatedDevice::mendCell(CellId cell) {
-  skin_->mendCell(cell);
+  body_->mendCell(cell);
   cell_faults_.erase(cell);
   std::erase(options_.exploration.dead_cells, cell);
 }
 
 void EmulatedDevice::breakController(CellId cell) {
-  requireCell(cell);
+  body_->requireCell(cell);
   options_.exploration.dead_cells.push_back(cell);
 }
 
 void EmulatedDevice::breakPort(const PortFault& fault) {
-  requireCell(fault.at.cell);
-  static_cast<void>(skin_->model().port(fault.at.port));
+  body_->requireCell(fault.at.cell);
+  static_cast<void>(body_->model().port(fault.at.port));
   options_.exploration.port_faults.push_back(fault);
 }
 
@@ -388,15 +418,15 @@ bool EmulatedDevice::mendPort(const LinkEnd& at) {
 }
 
 void EmulatedDevice::breakLink(const LinkFault& fault, Messages& out) {
-  SimulatedSkinOptions options = skin_->options();
-  options.link_faults.push_back(fault);
-  restart(std::move(options), out);
+  std::vector<LinkFault> faults = body_->linkFaults();
+  faults.push_back(fault);
+  restart(std::move(faults), out);
 }
 
 bool EmulatedDevice::mendLink(const LinkEnd& at, Messages& out) {
-  SimulatedSkinOptions options = skin_->options();
-  if (std::erase_if(options.link_faults, [&](const LinkFault& fault) { return fault.at == at; }) == 0) return false;
-  restart(std::move(options), out);
+  std::vector<LinkFault> faults = body_->linkFaults();
+  if (std::erase_if(faults, [&](const LinkFault& fault) { return fault.at == at; }) == 0) return false;
+  restart(std::move(faults), out);
   return true;
 }
 

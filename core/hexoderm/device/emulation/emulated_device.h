@@ -1,12 +1,13 @@
 #pragma once
 
 #include "hexoderm/device/emulation/exploration.h"
-#include "hexoderm/device/simulation/simulated_skin.h"
+#include "hexoderm/device/simulation/simulated_body.h"
 #include "hexoderm/device/skinwire/messages.h"
 #include "hexoderm/device/skinwire/sample_messages.h"
 
 #include <array>
 #include <map>
+#include <memory>
 #include <optional>
 #include <vector>
 
@@ -25,18 +26,20 @@ struct EmulatedDeviceOptions {
   void validate() const;
 };
 
-/// A skin that is a device: what a SimulatedSkin reads becomes SkinWire messages, and commands are answered. It knows
-/// no transport and no clock but its own: the caller lets it tick, at the speed it likes, and sends what it is handed.
-/// All times are the device's.
+/// A skin that is a device: what the cells of a SimulatedBody feel becomes SkinWire messages, and commands are
+/// answered. It knows no transport and no clock but its own: the caller lets it tick, at the speed it likes, and sends
+/// what it is handed. All times are the device's.
 ///
 /// When power comes, and when asked, the cells explore their neighbours (exploration.h; the interface hangs on the
-/// first free port); meanwhile nothing is sampled. Samples are sent of the cells that were found.
+/// first free port of each patch); meanwhile nothing is sampled. Samples are sent of the cells that were found. A robot
+/// says where its joints stand as JointReporting has it.
 class EmulatedDevice {
  public:
   using Messages = std::vector<skinwire::Message>;
 
-  /// Throws InvalidArgument as exploreNetwork, firstFreePort and the options' validate() do.
-  explicit EmulatedDevice(SimulatedSkin skin, EmulatedDeviceOptions options = {});
+  /// Throws InvalidArgument as exploreNetwork, firstFreePorts and the options' validate() do, and if the names of the
+  /// joints don't fit into a message.
+  explicit EmulatedDevice(std::unique_ptr<SimulatedBody> body, EmulatedDeviceOptions options = {});
 
   /// A host has come: tells it everything. Until then ticks only pass the time.
   void greet(Messages& out);
@@ -55,9 +58,9 @@ class EmulatedDevice {
   void countDropped(const skinwire::Samples& samples);
 
   /// Length of a tick, s: 1 / the cell model's rate, whatever part of the ticks is sent.
-  [[nodiscard]] double tick_s() const { return 1 / skin_->rate_hz(); }
+  [[nodiscard]] double tick_s() const { return 1 / body_->rate_hz(); }
   [[nodiscard]] double time_s() const { return static_cast<double>(ticks_) * tick_s(); }
-  [[nodiscard]] const SimulatedSkin& skin() const { return *skin_; }
+  [[nodiscard]] const SimulatedBody& body() const { return *body_; }
   [[nodiscard]] bool isExploring() const { return ticks_ < explored_at_; }
   /// The last one that was begun.
   [[nodiscard]] const Exploration& exploration() const { return exploration_; }
@@ -69,6 +72,7 @@ class EmulatedDevice {
 
   // Faults and motions while it runs. All throw InvalidArgument for what is not there.
   void turnTo(const Eigen::Vector3d& up_b, Messages& out);
+  void turnToNextPose(Messages& out);
   void breakCell(const CellFault& fault);
   /// Mends the cell's sensor at once, and its part in the network from the next exploration on.
   void mendCell(CellId cell);
@@ -91,25 +95,27 @@ class EmulatedDevice {
 
   void startExploring(Messages& out);
   void finishExploring(Messages& out);
-  void restart(SimulatedSkinOptions options, Messages& out);
+  void restart(std::vector<LinkFault> link_faults, Messages& out);
   void describe(const std::optional<std::uint32_t>& known_topology, Messages& out);
   void answer(std::uint32_t command, bool done, std::string text, Messages& out);
   void work(std::uint32_t command, Messages& out);
   void turn(std::uint32_t command, const skinwire::TurnTo& request, Messages& out);
+  void dropTurn(std::string why, Messages& out);
   std::string setRate(double rate_hz);
   std::string light(const skinwire::SetLed& led);
   void tendCommands(Messages& out);
+  void requireRoomForJoints() const;
+  void tellJoints(Messages& out);
   void takeSamples(SampleFrame frame, Messages& out);
   void average(const SampleFrame& frame, Messages& out);
   /// Returns how many.
   std::size_t sendMeans(Messages& out);
   void flush(Messages& out);
   void send(std::vector<skinwire::Samples> samples, Messages& out);
-  void requireCell(CellId cell) const;
   [[nodiscard]] bool isFound(CellId cell) const;
   [[nodiscard]] std::uint64_t ticksIn(double seconds) const;
 
-  std::optional<SimulatedSkin> skin_;  ///< never empty
+  std::unique_ptr<SimulatedBody> body_;  ///< never null
   EmulatedDeviceOptions options_;
   std::map<CellId, std::vector<SkinFault>> cell_faults_;
   std::size_t divider_ = 1;
@@ -129,6 +135,8 @@ class EmulatedDevice {
   std::vector<Turn> exploring_;
 
   std::vector<std::array<std::uint8_t, 3>> leds_;
+  JointReporting joint_reporting_;
+  skinwire::JointsEncoder joints_;
   skinwire::SampleEncoder encoder_;
   std::uint64_t skipped_ = 0;  ///< samples that were not even encoded
   std::uint64_t dropped_ = 0;  ///< those, and those that could not be sent

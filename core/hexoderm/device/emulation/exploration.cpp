@@ -5,6 +5,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
+#include <numeric>
 #include <random>
 #include <string>
 #include <tuple>
@@ -15,7 +17,6 @@ namespace hexoderm {
 namespace {
 
 constexpr double kBitsPerByte = 10;  // start and stop bit
-constexpr PortNumber kInterfacePort{1};
 // Long lists go in packets, which a cell passes on as they come.
 constexpr std::size_t kPacketBytes = 64;
 
@@ -29,7 +30,7 @@ struct Socket {
 /// The world outside the cells: who is joined to whom, how long everything takes, and what is broken.
 class Network {
  public:
-  Network(const NeighborList& wiring, const CellModel& model, const LinkEnd& interface_at,
+  Network(const NeighborList& wiring, const CellModel& model, const std::vector<LinkEnd>& interface_at,
           const ExplorationOptions& options)
       : options_(options), ports_(sortedPorts(model)) {
     index_.reserve(wiring.size());
@@ -43,8 +44,12 @@ class Network {
       cells_.emplace_back(ports_, options.ids_remembered ? id : CellId(), std::nullopt, options_);
       plugs_.emplace_back(ports_.size());
     }
-    cells_.emplace_back(std::vector{kInterfacePort}, CellId(), model.interface_id, options_);
-    plugs_.emplace_back(1);
+    std::vector<PortNumber> interface_ports;
+    while (interface_ports.size() < interface_at.size()) {
+      interface_ports.emplace_back(static_cast<std::uint32_t>(interface_ports.size()) + 1);
+    }
+    cells_.emplace_back(interface_ports, CellId(), model.interface_id, options_);
+    plugs_.emplace_back(interface_ports.size());
     dead_.resize(cells_.size(), false);
     for (std::size_t k = 0; k < wiring.size(); ++k) {
       for (const NeighborReport& link : wiring[k].neighbors) {
@@ -53,7 +58,7 @@ class Network {
         join({k, portIndex({wiring[k].id, link.port})}, socketAt({link.cell, *link.cell_port}));
       }
     }
-    if (!wiring.empty()) join({cells_.size() - 1, 0}, socketAt(interface_at));
+    for (std::size_t k = 0; k < interface_at.size(); ++k) join({cells_.size() - 1, k}, socketAt(interface_at[k]));
     for (const CellId dead : options.dead_cells) dead_[nodeOf(dead)] = true;
     for (const PortFault& fault : options.port_faults) {
       const Socket at = socketAt(fault.at);
@@ -211,6 +216,30 @@ class Network {
   double now_s_ = 0;
 };
 
+/// A number for the patch of each cell: cells that are joined, whichever end says so, have the same.
+std::vector<std::size_t> patchesOf(const NeighborList& wiring) {
+  std::unordered_map<CellId, std::size_t> index;
+  for (std::size_t k = 0; k < wiring.size(); ++k) index.emplace(wiring[k].id, k);
+  // Each cell points to one of its patch; those that point to each other end at the patch's first cell.
+  std::vector<std::size_t> towards_first(wiring.size());
+  std::iota(towards_first.begin(), towards_first.end(), std::size_t{0});
+  const auto firstOf = [&](std::size_t cell) {
+    while (towards_first[cell] != cell) cell = towards_first[cell] = towards_first[towards_first[cell]];
+    return cell;
+  };
+  for (std::size_t k = 0; k < wiring.size(); ++k) {
+    for (const NeighborReport& link : wiring[k].neighbors) {
+      const auto other = index.find(link.cell);
+      if (other == index.end()) continue;
+      const std::size_t a = firstOf(k);
+      const std::size_t b = firstOf(other->second);
+      towards_first[std::max(a, b)] = std::min(a, b);
+    }
+  }
+  for (std::size_t k = 0; k < wiring.size(); ++k) towards_first[k] = firstOf(k);
+  return towards_first;
+}
+
 }  // namespace
 
 void ExplorationOptions::validate() const {
@@ -230,25 +259,33 @@ void ExplorationOptions::validate() const {
   if (hellos == 0) throw InvalidArgument(message("exploration: hellos must be at least 1"));
 }
 
-Exploration exploreNetwork(const NeighborList& wiring, const CellModel& model, const LinkEnd& interface_at,
+Exploration exploreNetwork(const NeighborList& wiring, const CellModel& model, const std::vector<LinkEnd>& interface_at,
                            const ExplorationOptions& options) {
   options.validate();
   return Network(wiring, model, interface_at, options).run();
 }
 
-LinkEnd firstFreePort(const NeighborList& wiring, const CellModel& model) {
-  std::optional<LinkEnd> first;
-  for (const CellReport& cell : wiring) {
+std::vector<LinkEnd> firstFreePorts(const NeighborList& wiring, const CellModel& model) {
+  const std::vector<std::size_t> patch_of = patchesOf(wiring);
+  std::map<std::size_t, std::optional<LinkEnd>> first_of;
+  for (std::size_t k = 0; k < wiring.size(); ++k) {
+    std::optional<LinkEnd>& first = first_of[patch_of[k]];
     for (const Port& port : model.ports) {
-      const bool is_free = std::ranges::none_of(cell.neighbors, [&](const NeighborReport& link) {
+      const bool is_free = std::ranges::none_of(wiring[k].neighbors, [&](const NeighborReport& link) {
         return link.port == port.number && link.cell.value() != 0;
       });
-      const LinkEnd end{cell.id, port.number};
+      const LinkEnd end{wiring[k].id, port.number};
       if (is_free && (!first || end < *first)) first = end;
     }
   }
-  if (!first) throw InvalidArgument(message("no port of the skin is free for a computer interface"));
-  return *first;
+  std::vector<LinkEnd> ends;
+  for (const auto& [patch, end] : first_of) {
+    if (end) ends.push_back(*end);
+  }
+  if (ends.empty() || ends.size() < first_of.size()) {
+    throw InvalidArgument(message("no port of the skin is free for a computer interface"));
+  }
+  return ends;
 }
 
 }  // namespace hexoderm

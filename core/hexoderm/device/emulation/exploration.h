@@ -47,7 +47,7 @@ struct ExplorationOptions {
 /// The interface's knowledge at the end.
 struct Exploration {
   /// The cells' reports, in the order of their IDs; each lists its connected ports in the order of their numbers. The
-  /// interface appears as a neighbour (its port is 1), not as a cell.
+  /// interface appears as a neighbour, not as a cell.
   NeighborList cells;
   double duration_s = 0;
   double waiting_s = 0;           ///< static waits, which every exploration contains
@@ -69,17 +69,19 @@ struct Exploration {
 ///    the reports go in hop by hop along the routes.
 ///
 /// `wiring` says which ports are really joined (both ends or one end of each link named), and by the cells' IDs which
-/// ones they remember. `interface_at` is the port to which the computer interface (model.interface_id) is
-/// connected. Cells that can't be reached from there are absent. Ports that are not connected are not reported.
+/// ones they remember. `interface_at` are the ports to which the computer interface (model.interface_id) is connected,
+/// by its own ports 1, 2, ... Cells that can't be reached from there are absent. Ports that are not connected are not
+/// reported.
 ///
 /// Throws InvalidArgument if a port is not the model's, does not belong to a cell of the wiring or is joined twice, or
 /// options make no sense. Source: Mittendorfer and Cheng, IROS 2012, II-A, which names the steps; the messages are our
 /// own.
-Exploration exploreNetwork(const NeighborList& wiring, const CellModel& model, const LinkEnd& interface_at,
+Exploration exploreNetwork(const NeighborList& wiring, const CellModel& model, const std::vector<LinkEnd>& interface_at,
                            const ExplorationOptions& options = {});
 
-/// The first port (smallest cell, then smallest port) that is not connected: where an interface fits. Throws
-/// InvalidArgument if there is none.
-LinkEnd firstFreePort(const NeighborList& wiring, const CellModel& model);
+/// Where an interface reaches all cells: of each patch, which is cells that are joined to each other, the first port
+/// (smallest cell, then smallest port) that is not connected. Throws InvalidArgument if a patch has none, and if there
+/// is no patch.
+std::vector<LinkEnd> firstFreePorts(const NeighborList& wiring, const CellModel& model);
 
 }  // namespace hexoderm

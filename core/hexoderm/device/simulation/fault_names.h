@@ -1,6 +1,6 @@
 #pragma once
 
-#include "hexoderm/device/simulation/simulated_skin.h"
+#include "hexoderm/device/simulation/skin_faults.h"
 
 #include <span>
 #include <string_view>

@@ -9,8 +9,7 @@ namespace {
 constexpr int kWavesPerAxis = 6;
 constexpr double kLowestTremor_hz = 4;
 constexpr double kHighestTremor_hz = 12;
-constexpr double kPeakOverMean = 1.875;  // ratio of the rates on the smoothest way
-constexpr double kDriftsOneWay_s = 3;    // before the person notices and comes back, as far beyond the middle
+constexpr double kDriftsOneWay_s = 3;  // before the person notices and comes back, as far beyond the middle
 
 /// Seconds of drift that are left after so long a time, and whether it goes forth (1) or back (-1).
 struct Drift {
@@ -62,9 +61,8 @@ void HandMotion::arriveFrom(const Eigen::Matrix3d& R_w_b, double fastest_rad_s) 
 
 HandMotion::Approach HandMotion::approachAt(double time_s) const {
   if (time_s >= arrival_s_) return {};
-  // The smoothest way between two rests (minimum jerk): 10 x^3 - 15 x^4 + 6 x^5.
-  const double x = time_s / arrival_s_;
-  const double done = x * x * x * (10 - 15 * x + 6 * x * x);
+  const double x = std::max(time_s, 0.0) / arrival_s_;
+  const double done = minimumJerk(x);
   const double rate = 30 * x * x * (1 - x) * (1 - x) / arrival_s_;
   const double acceleration = 60 * x * (1 - x) * (1 - 2 * x) / (arrival_s_ * arrival_s_);
   return {(1 - done) * way_rad_, -rate * way_rad_, -acceleration * way_rad_};

@@ -12,12 +12,10 @@
 
 namespace hexoderm {
 
-/// The specific force on a moving body at one moment, in the body's axes: an accelerometer fixed at p_b reads up_b +
-/// field_b (p_b - hand_b), g.
-struct BodyMotion {
-  Eigen::Vector3d up_b;     ///< specific force at the hand: gravity's and the tremor's
-  Eigen::Matrix3d field_b;  ///< angular and centripetal acceleration per lever arm, g/m
-};
+/// The smoothest way between two rests (minimum jerk): the share of it that is done after the share `x` of the time.
+inline double minimumJerk(double x) { return x * x * x * (10 - 15 * x + 6 * x * x); }
+/// Its highest rate over its mean one.
+inline constexpr double kPeakOverMean = 1.875;
 
 /// No hand turns a part faster than 120 degrees per second.
 inline constexpr double kFastestTurn_rad_s = 120 * kDegree;

@@ -24,7 +24,10 @@ enum class Stream : std::uint32_t {
   LinkFaults,
   Vibration,
   WholeSkin,
-  Lot
+  Lot,
+  RobotZero,
+  RobotPose,
+  RobotSkin
 };
 
 /// The stream's generator for what `keys` number (a recording, a cell ...).

@@ -103,6 +103,9 @@ struct SimulatedSkin::State {
     bool is_bent = false;
     std::size_t recording = 0;
     std::size_t tick = 0;
+    std::function<BodyMotion(double time_s)> carried{};  ///< instead of `motion`
+
+    [[nodiscard]] BodyMotion at(double time_s) const { return carried ? carried(time_s) : motion.at(time_s); }
   };
   std::optional<RobotMotion> robot;  ///< absent unless it holds the part
   std::optional<Hold> live;
@@ -116,10 +119,13 @@ struct SimulatedSkin::State {
   [[nodiscard]] double liveTime_s() const { return static_cast<double>(live->tick) / rate_hz(); }
 
   Hold hold(const Eigen::Vector3d& up_b);
-  void holdLive(const Eigen::Vector3d& up_b);
+  Hold hold(const CarriedBody& body);
+  std::vector<SampleFrame> record(Hold holding, std::size_t frame_count);
+  void holdLive(Hold holding);
+  /// On a table, unless it is held already.
+  void beginLive();
   template <class Noise>
   void sense(Hold& holding, Noise& noise, SampleFrame& frame);
-  void requireCell(CellId cell) const;
 
   State(CellModel cell_model, SimulatedSkinOptions skin_options);
 
@@ -135,6 +141,7 @@ SimulatedSkin::State::State(CellModel cell_model, SimulatedSkinOptions skin_opti
   options.validate();
   const PatchPlan plan = planPatch(options.patch, model);
   surface_text = options.surface;
+  if (options.laid_on) options.surface = surface_text = "a body";
   if (options.surface.empty() && options.patch == "x17") options.surface = surface_text = "cylinder:r=0.0501";
   if (options.surface.empty() && plan.is_ring) {
     const double radius = closingRadius(model, plan.cell_count, options.link_law == LinkLaw::Bend);
@@ -142,7 +149,7 @@ SimulatedSkin::State::State(CellModel cell_model, SimulatedSkinOptions skin_opti
     surface_text = "cylinder:r=" + formatFixed(radius, 4);
   }
   if (options.surface.empty()) options.surface = surface_text = "plane";
-  const std::unique_ptr<Surface> surface = makeSurface(options.surface);
+  const std::shared_ptr<const Surface> surface = options.laid_on ? options.laid_on : makeSurface(options.surface);
 
   // IDs run from 1 without gaps, and none may be an interface's: a skin larger than the model's range of IDs gets a
   // wider range.
@@ -180,7 +187,8 @@ void SimulatedSkin::State::drawCells(const std::vector<SE3>& placements) {
   const Accelerometer& accelerometer = model.accelerometer;
   // All chips are of one lot.
   const Eigen::Vector3d shared_offset_g =
-      accelerometer.shared_offset_sigma_g * NormalSource(randomStream(options.seed, Stream::Lot)).nextVector();
+      accelerometer.shared_offset_sigma_g *
+      NormalSource(randomStream(options.lot_seed.value_or(options.seed), Stream::Lot)).nextVector();
   const double own_offset_sigma_g =
       std::sqrt(std::pow(accelerometer.offset_sigma_g, 2) - std::pow(accelerometer.shared_offset_sigma_g, 2));
   truth.reserve(placements.size());
@@ -235,6 +243,16 @@ GroundTruth SimulatedSkin::groundTruth() const {
 }
 std::optional<std::pair<LinkEnd, LinkEnd>> SimulatedSkin::loop() const { return state_->loop; }
 double SimulatedSkin::rate_hz() const { return state_->rate_hz(); }
+bool SimulatedSkin::turnsOnRequest() const { return !state_->robot; }
+std::vector<CellFault> SimulatedSkin::cellFaults() const { return state_->options.faults; }
+std::vector<LinkFault> SimulatedSkin::linkFaults() const { return state_->options.link_faults; }
+
+std::unique_ptr<SimulatedBody> SimulatedSkin::withLinkFaults(std::vector<LinkFault> faults) const {
+  SimulatedSkinOptions options = state_->options;
+  options.faults.clear();
+  options.link_faults = std::move(faults);
+  return std::make_unique<SimulatedSkin>(state_->model, std::move(options));
+}
 
 std::vector<Eigen::Vector3d> SimulatedSkin::upDirections(std::size_t pose_count) const {
   if (!state_->robot) return scriptedUpDirections(pose_count);
@@ -254,13 +272,10 @@ Message SimulatedSkin::description() const {
 
 /// A new hold, by hand unless it is the skin's first.
 SimulatedSkin::State::Hold SimulatedSkin::State::hold(const Eigen::Vector3d& up_b) {
-  if (!up_b.allFinite() || up_b.norm() < 1e-9) {
-    throw InvalidArgument(
-        message("simulated skin: the direction that points up must be a finite vector other than zero"));
-  }
+  const Eigen::Vector3d wanted_b = unitUp(up_b);
   const std::size_t recording = recordings++;
   std::mt19937_64 hand_random = randomStream(options.seed, Stream::Hand, recording);
-  const Eigen::Vector3d up = robot ? RobotMotion::nearestTo(up_b) : up_b.normalized();
+  const Eigen::Vector3d up = robot ? RobotMotion::nearestTo(up_b) : wanted_b;
   const bool in_hand = options.hand_held && recording > 0;
   HandMotion motion = in_hand ? HandMotion(up, options, hand_random) : HandMotion(up);
   // A hand holds the part near its middle, not in it.
@@ -269,9 +284,13 @@ SimulatedSkin::State::Hold SimulatedSkin::State::hold(const Eigen::Vector3d& up_
           !bent_sensors.empty() && recording % 2 == 1, recording};
 }
 
-void SimulatedSkin::State::holdLive(const Eigen::Vector3d& up_b) {
-  live = hold(up_b);
+void SimulatedSkin::State::holdLive(Hold holding) {
+  live = std::move(holding);
   live_noise = FastNormalSource(live->noise);
+}
+
+void SimulatedSkin::State::beginLive() {
+  if (!live) holdLive(hold(Eigen::Vector3d::UnitZ()));
 }
 
 /// Readings of all cells at the hold's next tick.
@@ -288,7 +307,7 @@ void SimulatedSkin::State::sense(Hold& holding, Noise& noise, SampleFrame& frame
     return Eigen::Vector3d(output.cwiseMin(accelerometer.range_g).cwiseMax(-accelerometer.range_g));
   };
   const std::vector<SensorChain>& chains = holding.is_bent ? bent_sensors : sensors;
-  const BodyMotion body = holding.motion.at(static_cast<double>(holding.tick++) / rate_hz());
+  const BodyMotion body = holding.at(static_cast<double>(holding.tick++) / rate_hz());
   frame.samples.reserve(truth.size());
   for (std::size_t c = 0; c < truth.size(); ++c) {
     const SensorChain& sensor = chains[c];
@@ -313,26 +332,56 @@ void SimulatedSkin::State::sense(Hold& holding, Noise& noise, SampleFrame& frame
   wrong_delivery->apply(health, holding.recording, frame);
 }
 
-std::vector<SampleFrame> SimulatedSkin::record(const Eigen::Vector3d& up_b, std::size_t frame_count) {
-  State& state = *state_;
-  State::Hold holding = state.hold(up_b);
+SimulatedSkin::State::Hold SimulatedSkin::State::hold(const CarriedBody& body) {
+  const std::size_t recording = recordings++;
+  return {HandMotion(Eigen::Vector3d::UnitZ()),
+          body.hand_b,
+          randomStream(options.seed, Stream::Noise, recording),
+          !bent_sensors.empty() && recording % 2 == 1,
+          recording,
+          0,
+          body.motion};
+}
+
+std::vector<SampleFrame> SimulatedSkin::State::record(Hold holding, std::size_t frame_count) {
   NormalSource noise(holding.noise);
   std::vector<SampleFrame> frames(frame_count);
   for (std::size_t k = 0; k < frame_count; ++k) {
-    frames[k].time_s = state.clock_s + static_cast<double>(k) / state.rate_hz();
-    state.sense(holding, noise, frames[k]);
+    frames[k].time_s = clock_s + static_cast<double>(k) / rate_hz();
+    sense(holding, noise, frames[k]);
   }
-  state.clock_s += static_cast<double>(frame_count) / state.rate_hz() + kPauseBetweenRecordings_s;
+  clock_s += static_cast<double>(frame_count) / rate_hz() + kPauseBetweenRecordings_s;
   return frames;
+}
+
+std::vector<SampleFrame> SimulatedSkin::record(const Eigen::Vector3d& up_b, std::size_t frame_count) {
+  return state_->record(state_->hold(up_b), frame_count);
+}
+
+std::vector<SampleFrame> SimulatedSkin::record(const CarriedBody& body, std::size_t frame_count) {
+  return state_->record(state_->hold(body), frame_count);
 }
 
 void SimulatedSkin::turnTo(const Eigen::Vector3d& up_b) {
   State& state = *state_;
-  if (!state.live) state.holdLive(Eigen::Vector3d::UnitZ());
+  state.beginLive();
   const Eigen::Matrix3d R_w_b = state.live->motion.orientationAt(state.liveTime_s());
-  state.holdLive(up_b);
+  state.holdLive(state.hold(up_b));
   state.live->motion.arriveFrom(R_w_b, state.robot ? RobotMotion::kFastest_rad_s : kFastestTurn_rad_s);
 }
+
+void SimulatedSkin::turnTo(CellId cell, const Eigen::Vector3d& up_u) {
+  requireCell(cell);
+  turnTo(state_->truth[cell.value() - 1].T_b_u.R * up_u);
+}
+
+void SimulatedSkin::turnToNextPose() {
+  state_->beginLive();
+  const std::size_t poses = state_->recordings;
+  turnTo(upDirections(poses + 1).back());
+}
+
+void SimulatedSkin::carry(const CarriedBody& body) { state_->holdLive(state_->hold(body)); }
 
 bool SimulatedSkin::turning() const {
   const State& state = *state_;
@@ -342,8 +391,8 @@ bool SimulatedSkin::turning() const {
 
 SampleFrame SimulatedSkin::next() {
   State& state = *state_;
-  if (!state.live) state.holdLive(Eigen::Vector3d::UnitZ());
-  if (state.robot &&
+  state.beginLive();
+  if (state.robot && !state.live->carried &&
       state.liveTime_s() >= state.live->motion.arrival_s() + RobotMotion::staysFor_s(state.robot_holds)) {
     turnTo(RobotMotion::upOf(++state.robot_holds));
   }
@@ -356,30 +405,24 @@ SampleFrame SimulatedSkin::next() {
 
 void SimulatedSkin::skip(std::size_t ticks) {
   State& state = *state_;
-  if (!state.live) state.holdLive(Eigen::Vector3d::UnitZ());
+  state.beginLive();
   state.live->tick += ticks;
   state.live_clock_s += static_cast<double>(ticks) / state.rate_hz();
 }
 
-void SimulatedSkin::State::requireCell(CellId cell) const {
-  if (cell.value() == 0 || cell.value() > truth.size()) {
-    throw InvalidArgument(message("simulated skin: there is no cell {}", cell));
-  }
-}
-
 void SimulatedSkin::breakCell(const CellFault& fault) {
-  state_->requireCell(fault.cell);
+  requireCell(fault.cell);
   std::mt19937_64 random = randomStream(state_->options.seed, Stream::DeadAxis, {fault.cell.value()});
   addFault(state_->health[fault.cell.value() - 1], fault.kind, random);
 }
 
 void SimulatedSkin::mendCell(CellId cell) {
-  state_->requireCell(cell);
+  requireCell(cell);
   state_->health[cell.value() - 1] = CellHealth{};
 }
 
 Eigen::Matrix3d SimulatedSkin::turnOf(CellId cell) const {
-  state_->requireCell(cell);
+  requireCell(cell);
   return state_->health[cell.value() - 1].turn.value_or(Eigen::Matrix3d::Identity());
 }
 

@@ -1,13 +1,12 @@
 #pragma once
 
-#include "hexoderm/device/ground_truth.h"
-#include "hexoderm/device/sample_frame.h"
+#include "hexoderm/device/simulation/simulated_body.h"
+#include "hexoderm/device/simulation/skin_faults.h"
 #include "hexoderm/geometry/se3.h"
-#include "hexoderm/graph/cell_model.h"
-#include "hexoderm/graph/neighbor_list.h"
-#include "hexoderm/util/message.h"
+#include "hexoderm/geometry/surface.h"
 
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -22,68 +21,16 @@ enum class LinkLaw {
   Surface,  ///< neighbouring centres one pitch (2 e) apart along the surface
 };
 
-/// WrongGain is chosen so that the norm of the readings need not give it away: five sigma of 60 mg of offset and 2 % of
-/// scale excuse 1 +- 0.32 g.
-enum class SkinFault {
-  Dead,       ///< reads 0 and noise
-  Stuck,      ///< repeats its first reading for ever
-  StuckAxis,  ///< one axis does
-  Saturated,  ///< amplifies 20 times and ends at its range
-  Noisy,      ///< 20 times the noise
-  NoSamples,
-  WrongGain,  ///< amplifies 1.25 times, see above
-  DeadAxis,   ///< one axis, drawn from the seed, reads 0 and noise
-  Echo,       ///< sends what its first neighbour sends
-  Swapped,    ///< sends what its first neighbour sends, which sends what this cell would: the two cables are swapped
-  Yawed,      ///< is mounted turned by 20 degrees about z
-  Reglued,    ///< turns by 10 degrees about an axis drawn from the seed before the recording `reglued_before`
-};
-
-/// One cell's sensor is broken in a known way.
-struct CellFault {
-  SkinFault kind{};
-  CellId cell;
-};
-
-enum class LinkFaultKind {
-  /// Both cells report the link at another of the cell's ports, which is free; drawn from the seed. Only measurements
-  /// can tell.
-  WrongPort,
-  /// The body part has a hinge: in every second recording (the 2nd, 4th ...) the far side is turned by joint_angle_rad,
-  /// as one rigid piece, about the line through the link's middle that runs along the surface, perpendicular to the
-  /// link. The truth is that of the unbent part.
-  Joint,
-  /// The cells are no neighbours in the mould: the far side lies elsewhere, turned by 40 to 120 degrees about any axis
-  /// and moved by 0.1 m, always alike; drawn from the seed. The truth says where.
-  Cable,
-};
-
-/// A link that is broken in a known way, named by one of its ends. The far side of a joint or cable is the side without
-/// the patch's middle (the cell that was laid first). If other links hold both sides together too, as in a sheet, the
-/// far side is everything behind the line through the link's middle and perpendicular to it when the sheet is laid
-/// flat, so that this line cuts those links as well. A closed ring has no far side.
-struct LinkFault {
-  LinkFaultKind kind{};
-  LinkEnd at;
-};
-
-/// The whole skin is broken in a known way: not a cell, but what all cells are said to be.
-enum class WholeSkinFault {
-  Identical,     ///< all cells send what the first one sends
-  AxesSwapped,   ///< x and y of all accelerometers are swapped
-  AxesPermuted,  ///< x, y and z of all accelerometers are y, z and x
-  PortsRotated,  ///< all cells number their ports one side on, around the cell (where the model has as many pairs)
-  PortOffset,    ///< all cells report every port's number one higher, the last one as the first
-  Shuffled,      ///< whose readings are whose is drawn anew in every recording
-  Random,        ///< every cell reads 1 g in a direction drawn anew in every recording
-};
-
 struct SimulatedSkinOptions {
   std::string patch = "x17";  ///< x17 | ringN | ringN:closed | sheet:ROWSxCOLS
   std::string surface;        ///< plane | cylinder:r=M | sphere:r=M | cone:r=M,angle=RAD | torus:R=M,r=M
                               ///< empty: x17 on cylinder r=0.0501, rings on the cup that closes them, else a plane
+  /// Where it is given, the surface itself instead of its description.
+  std::shared_ptr<const Surface> laid_on{};
   LinkLaw link_law = LinkLaw::Bend;
   std::uint64_t seed = 1;
+  /// Chips of one lot share a part of their offsets, which is drawn from this; absent: from the seed.
+  std::optional<std::uint64_t> lot_seed{};
   double position_jitter_m = 0.0002;      ///< 1 sigma, along the surface and normal to it
   double yaw_jitter_rad = 0;              ///< set by the constructor to 1 degree
   double tilt_jitter_rad = 0;             ///< 0.5 degrees
@@ -115,6 +62,19 @@ struct SimulatedSkinOptions {
   static SimulatedSkinOptions robot();
 };
 
+/// The specific force on a moving body at one moment, in the body's axes: an accelerometer fixed at p_b reads up_b +
+/// field_b (p_b - hand_b), g.
+struct BodyMotion {
+  Eigen::Vector3d up_b;     ///< specific force at the hand: gravity's and the tremor's
+  Eigen::Matrix3d field_b;  ///< angular and centripetal acceleration per lever arm, g/m
+};
+
+/// A skin's body that something else holds and moves, a robot for example.
+struct CarriedBody {
+  std::function<BodyMotion(double time_s)> motion;  ///< since the hold began
+  Eigen::Vector3d hand_b = Eigen::Vector3d::Zero();
+};
+
 struct TrueCell {
   CellId id;
   SE3 T_b_u;  ///< from the cell frame to the body frame
@@ -135,29 +95,28 @@ struct TrueCell {
 /// cylinders and for trees on spheres; X17's oblique links on a cylinder miss by the geodesic's torsion (0.23 mm at r
 /// = 50.1 mm). With LinkLaw::Surface link points lie about (2/3) e a^2 apart (a: half the bend), as cells keep the
 /// pitch instead.
-class SimulatedSkin {
+class SimulatedSkin final : public SimulatedBody {
  public:
   /// Throws InvalidArgument if options or model make no skin (unknown patch, too small a surface, no opposite
   /// ports, a fault of what is not there).
   SimulatedSkin(CellModel model, SimulatedSkinOptions options);
-  ~SimulatedSkin();
+  ~SimulatedSkin() override;
   SimulatedSkin(SimulatedSkin&&) noexcept;
   SimulatedSkin& operator=(SimulatedSkin&&) noexcept;
 
   /// The given model, but with interface_id raised if the skin has more cells than IDs below it.
-  [[nodiscard]] const CellModel& model() const;
-  /// The given options, with the default surface filled in.
+  [[nodiscard]] const CellModel& model() const override;
+  /// The given options, with the default surface's description filled in.
   [[nodiscard]] const SimulatedSkinOptions& options() const;
-  [[nodiscard]] const NeighborList& neighbors() const;
+  [[nodiscard]] const NeighborList& neighbors() const override;
   [[nodiscard]] const std::vector<TrueCell>& truth() const;
   /// The part of the truth that is about places.
-  [[nodiscard]] GroundTruth groundTruth() const;
+  [[nodiscard]] GroundTruth groundTruth() const override;
   /// "Simulated x17 on cylinder:r=0.0501, link law bend, seed 1".
-  [[nodiscard]] Message description() const;
+  [[nodiscard]] Message description() const override;
   /// The two free ports whose distance is the loop gap of an open ring (ringN); nullopt for other patches.
   [[nodiscard]] std::optional<std::pair<LinkEnd, LinkEnd>> loop() const;
-  /// Readings a second and cell: the device's ticks.
-  [[nodiscard]] double rate_hz() const;
+  [[nodiscard]] double rate_hz() const override;
   /// The directions of a scripted calibration (scriptedUpDirections), or those that a robot goes to one after the
   /// other: up to 60 degrees to either side.
   [[nodiscard]] std::vector<Eigen::Vector3d> upDirections(std::size_t pose_count) const;
@@ -168,21 +127,30 @@ class SimulatedSkin {
   /// Throws InvalidArgument if `up_b` is zero or not finite.
   std::vector<SampleFrame> record(const Eigen::Vector3d& up_b, std::size_t frame_count = 100);
 
-  /// Live: begins to turn the part from where it is until `up_b` points up, and to hold it there as record() does.
-  /// Before the first call it lies on a table with +z up, as cells with no motion of their own see it. A robot turns it
-  /// by itself to and fro, at 20 degrees a second at most, and holds it for 3 to 8 s in between.
-  /// Throws InvalidArgument if `up_b` is zero or not finite.
-  void turnTo(const Eigen::Vector3d& up_b);
-  /// Live: has the last turnTo() not yet arrived?
-  [[nodiscard]] bool turning() const;
-  /// Live: the next tick of the device's clock, 1 / rate after the one before.
-  SampleFrame next();
-  /// Live: as many ticks that nobody reads. No noise is drawn for them.
-  void skip(std::size_t ticks);
-  /// Breaks a cell's sensor from the next tick on, or mends all that is broken about it.
-  /// Throws InvalidArgument if there is no such cell.
-  void breakCell(const CellFault& fault);
-  void mendCell(CellId cell);
+  /// The same of a body that something else holds and moves, without a hand or joint of the skin's own.
+  std::vector<SampleFrame> record(const CarriedBody& body, std::size_t frame_count = 100);
+
+  // Live. The part lies on a table with +z up, as cells with no motion of their own see it, until it is turned. A robot
+  // turns it by itself to and fro, at 20 degrees a second at most, and holds it for 3 to 8 s in between.
+
+  /// Not on a robot.
+  [[nodiscard]] bool turnsOnRequest() const override;
+  /// Begins to turn the part from where it is, and to hold it there as record() does.
+  void turnTo(const Eigen::Vector3d& up_b) override;
+  void turnTo(CellId cell, const Eigen::Vector3d& up_u) override;
+  /// As upDirections() has them.
+  void turnToNextPose() override;
+  /// From the next tick on something else holds and moves the body, as in record(); nothing turns it by itself.
+  void carry(const CarriedBody& body);
+  [[nodiscard]] bool turning() const override;
+  SampleFrame next() override;
+  void skip(std::size_t ticks) override;
+
+  void breakCell(const CellFault& fault) override;
+  void mendCell(CellId cell) override;
+  [[nodiscard]] std::vector<CellFault> cellFaults() const override;
+  [[nodiscard]] std::vector<LinkFault> linkFaults() const override;
+  [[nodiscard]] std::unique_ptr<SimulatedBody> withLinkFaults(std::vector<LinkFault> faults) const override;
   /// How far a Yawed or Reglued cell is turned, from the cell as it lies to the cell as it is said to lie; the identity
   /// for others. Throws InvalidArgument if there is no such cell.
   [[nodiscard]] Eigen::Matrix3d turnOf(CellId cell) const;

@@ -1,6 +1,8 @@
 #include "hexoderm/device/simulation/simulated_source.h"
 
 #include "hexoderm/device/simulation/patch_plan.h"
+#include "hexoderm/device/simulation/robot_in_words.h"
+#include "hexoderm/device/simulation/simulated_skin.h"
 #include "hexoderm/geometry/surface.h"
 #include "hexoderm/util/error.h"
 #include "hexoderm/util/text.h"
@@ -13,6 +15,7 @@
 #include <mutex>
 #include <thread>
 #include <utility>
+#include <variant>
 #include <vector>
 
 namespace hexoderm {
@@ -25,10 +28,11 @@ struct SimulatedSource::Impl {
     SkinCommand command;
   };
 
-  SimulatedSkin skin;
+  std::unique_ptr<SimulatedBody> body;
   double speed;
   std::string address;
   const std::uint64_t ticks_at_once;
+  JointReporting joint_reporting;
   SkinListener* listener = nullptr;
   SourceStatus status;
 
@@ -40,11 +44,11 @@ struct SimulatedSource::Impl {
 
   std::jthread thread;  // last: it uses all of the above
 
-  Impl(SimulatedSkin simulated, double times, std::string text)
-      : skin(std::move(simulated)),
+  Impl(std::unique_ptr<SimulatedBody> simulated, double times, std::string text)
+      : body(std::move(simulated)),
         speed(times),
         address(std::move(text)),
-        ticks_at_once(std::max<std::uint64_t>(1, static_cast<std::uint64_t>(kWakeEvery_s * skin.rate_hz()))) {
+        ticks_at_once(std::max<std::uint64_t>(1, static_cast<std::uint64_t>(kWakeEvery_s * body->rate_hz()))) {
     if (!(speed > 0)) throw InvalidArgument(message("source \"{}\": speed must be above 0", address));
   }
 
@@ -58,26 +62,18 @@ struct SimulatedSource::Impl {
     listener->onCommandOutcome({number, done, std::move(why)});
   }
 
-  [[nodiscard]] const TrueCell* find(CellId id) const {
-    return id.value() == 0 || id.value() > skin.truth().size() ? nullptr : &skin.truth()[id.value() - 1];
-  }
-
+  /// Throws InvalidArgument for what can't be done.
   void obey(const Queued& queued) {
     if (const auto* turn = std::get_if<TurnTo>(&queued.command)) {
-      if (skin.options().on_robot) return answer(queued.number, false, message("the simulated robot turns by itself"));
-      const TrueCell* cell = find(turn->cell);
-      if (cell == nullptr) return answer(queued.number, false, message("there is no cell {}", turn->cell));
-      if (!turn->up_u.allFinite() || turn->up_u.norm() < 1e-9) {
-        return answer(queued.number, false, message("up must be a finite vector other than zero"));
-      }
+      if (!body->turnsOnRequest()) throw InvalidArgument(message("the simulated robot turns by itself"));
+      body->turnTo(turn->cell, turn->up_u);
       if (turn_number != 0) answer(turn_number, false, message("another turn came before it was there"));
-      skin.turnTo(cell->T_b_u.R * turn->up_u);
       turn_number = queued.number;
     } else if (const auto* led = std::get_if<SetLed>(&queued.command)) {
-      const bool known = find(led->cell) != nullptr;
-      answer(queued.number, known, known ? Message() : message("there is no cell {}", led->cell));
+      body->requireCell(led->cell);
+      answer(queued.number, true);
     } else {
-      answer(queued.number, false, message("a simulated skin has the rate of its cell model"));
+      throw InvalidArgument(message("a simulated skin has the rate of its cell model"));
     }
   }
 
@@ -87,27 +83,36 @@ struct SimulatedSource::Impl {
       const std::lock_guard lock(mutex);
       commands.swap(queue);
     }
-    for (const Queued& command : commands) obey(command);
-    if (turn_number != 0 && !skin.turning()) answer(std::exchange(turn_number, 0), true);
+    for (const Queued& command : commands) {
+      try {
+        obey(command);
+      } catch (const InvalidArgument& error) {
+        answer(command.number, false, error.message());
+      }
+    }
+    if (turn_number != 0 && !body->turning()) answer(std::exchange(turn_number, 0), true);
   }
 
   void run(const std::stop_token& stop) {
     constexpr std::uint64_t kTicksPerStatus = 500;
     SkinDescription description;
-    description.device = skin.description();
-    description.model = std::make_shared<const CellModel>(skin.model());
-    description.neighbors = skin.neighbors();
+    description.device = body->description();
+    description.model = std::make_shared<const CellModel>(body->model());
+    description.neighbors = body->neighbors();
     description.can_light_cells = true;
-    description.can_turn = !skin.options().on_robot;
-    description.truth = std::make_shared<const GroundTruth>(skin.groundTruth());
+    description.can_turn = body->turnsOnRequest();
+    description.truth = std::make_shared<const GroundTruth>(body->groundTruth());
     listener->onSkin(description);
     say(SourceState::Streaming, message("Streaming: {}", description.device));
     const Clock::time_point start = Clock::now();
-    const double tick_s = 1 / (skin.rate_hz() * speed);
+    const double tick_s = 1 / (body->rate_hz() * speed);
     while (!stop.stop_requested()) {
       obeyAll();
       for (std::uint64_t k = 0; k < ticks_at_once; ++k) {
-        listener->onFrame(skin.next());
+        const double time_s = static_cast<double>(status.frames) / body->rate_hz();
+        const std::optional<JointReport> joints = joint_reporting.before(*body, time_s);
+        if (joints) listener->onJoints(*joints);
+        listener->onFrame(body->next());
         if (++status.frames % kTicksPerStatus == 0) listener->onStatus(status);
       }
       if (!std::isfinite(speed)) continue;
@@ -120,64 +125,128 @@ struct SimulatedSource::Impl {
   }
 };
 
-SimulatedSource::SimulatedSource(SimulatedSkin skin, double speed, std::string address)
-    : impl_(std::make_unique<Impl>(std::move(skin), speed, std::move(address))) {}
+SimulatedSource::SimulatedSource(std::unique_ptr<SimulatedBody> body, double speed, std::string address)
+    : impl_(std::make_unique<Impl>(std::move(body), speed, std::move(address))) {}
 SimulatedSource::~SimulatedSource() { stop(); }
 
 namespace {
 
+constexpr std::string_view kRobotAddress = "robot";
+
 struct SimulatedAddress {
-  SimulatedSkinOptions options;
+  std::variant<SimulatedSkinOptions, RobotInWords> body;
   double speed = 1;
 };
 
-SimulatedAddress parseAddress(const std::string& address) {
-  constexpr std::string_view kPrefix = "sim:";
-  const std::string what = "source \"" + address + "\": ";
-  const std::size_t query = address.find('?');
-  SimulatedAddress parsed;
-  SimulatedSkinOptions& options = parsed.options;
-  double& speed = parsed.speed;
-  const std::string patch = address.substr(kPrefix.size(), query == std::string::npos ? query : query - kPrefix.size());
-  std::vector<std::string> parts;
-  if (query != std::string::npos) parts = split(address.substr(query + 1), '&');
-  // Whoever moves the part comes first: it is a whole set of options.
-  for (const std::string& part : parts) {
-    if (part == "motion=robot") options = SimulatedSkinOptions::robot();
-  }
-  options.patch = patch;
-  for (const std::string& part : parts) {
+/// NAME=VALUE, of an address.
+struct AddressOption {
+  std::string text;
+  std::string name;
+  std::string value;
+};
+
+std::vector<AddressOption> optionsInAddress(const std::string& text) {
+  std::vector<AddressOption> options;
+  for (const std::string& part : split(text, '&')) {
     const std::size_t equals = part.find('=');
-    const std::string name = part.substr(0, equals);
-    const std::string value = equals == std::string::npos ? "" : part.substr(equals + 1);
+    options.push_back({part, part.substr(0, equals), equals == std::string::npos ? "" : part.substr(equals + 1)});
+  }
+  return options;
+}
+
+SimulatedSkinOptions skinInAddress(const std::string& address, const std::string& patch,
+                                   const std::vector<AddressOption>& parts) {
+  // Whoever moves the part comes first: it is a whole set of options.
+  const auto moves = [](const AddressOption& part) { return part.name == "motion" && part.value == "robot"; };
+  SimulatedSkinOptions options =
+      std::ranges::any_of(parts, moves) ? SimulatedSkinOptions::robot() : SimulatedSkinOptions();
+  options.patch = patch;
+  for (const auto& [text, name, value] : parts) {
     if (name == "surface") {
       options.surface = value;
     } else if (name == "seed") {
-      options.seed = parseUnsigned(value, what + "seed");
-    } else if (name == "speed") {
-      speed = value == "max" ? std::numeric_limits<double>::infinity() : parseNumber(value, what + "speed");
-    } else if (name != "motion" || (value != "hand" && value != "robot")) {
+      options.seed = parseUnsigned(value, "source \"" + address + "\": seed");
+    } else if (name != "speed" && (name != "motion" || (value != "hand" && value != "robot"))) {
       throw InvalidArgument(
           message("source \"{}\": expected sim:PATCH[?surface=...&seed=N&speed=X|max&motion=hand|robot], found \"{}\"",
-                  address, part));
+                  address, text));
     }
   }
-  if (!(speed > 0)) throw InvalidArgument(message("source \"{}\": speed must be above 0", address));
+  return options;
+}
+
+RobotInWords robotInAddress(const std::string& address, const std::vector<AddressOption>& parts) {
+  RobotInWords robot;
+  for (const auto& [text, name, value] : parts) {
+    if (name == "urdf") {
+      robot.robot = value;
+    } else if (name == "package") {
+      robot.packages.push_back(value);
+    } else if (name == "mount") {
+      robot.mounts.push_back(value);
+    } else if (name == "base") {
+      robot.base = value;
+    } else if (name == "patch") {
+      robot.patch = value;
+    } else if (name == "surface") {
+      robot.surface = value;
+    } else if (name == "seed") {
+      robot.seed = parseUnsigned(value, "source \"" + address + "\": seed");
+    } else if (name != "speed") {
+      throw InvalidArgument(
+          message("source \"{}\": expected sim:robot[?urdf=FILE&package=NAME=FOLDER&mount=LINK:X,Y,Z&"
+                  "base=fixed|motors|hand&patch=...&surface=...&seed=N&speed=X|max], found \"{}\"",
+                  address, text));
+    }
+  }
+  return robot;
+}
+
+SimulatedAddress parseAddress(const std::string& address) {
+  constexpr std::string_view kPrefix = "sim:";
+  const std::size_t query = address.find('?');
+  const std::string name = address.substr(kPrefix.size(), query == std::string::npos ? query : query - kPrefix.size());
+  std::vector<AddressOption> options;
+  if (query != std::string::npos) options = optionsInAddress(address.substr(query + 1));
+  SimulatedAddress parsed;
+  if (name == kRobotAddress) {
+    parsed.body = robotInAddress(address, options);
+  } else {
+    parsed.body = skinInAddress(address, name, options);
+  }
+  for (const AddressOption& option : options) {
+    if (option.name != "speed") continue;
+    parsed.speed = option.value == "max" ? std::numeric_limits<double>::infinity()
+                                         : parseNumber(option.value, "source \"" + address + "\": speed");
+  }
+  if (!(parsed.speed > 0)) throw InvalidArgument(message("source \"{}\": speed must be above 0", address));
   return parsed;
 }
+
+std::unique_ptr<SimulatedBody> makeBody(const SimulatedSkinOptions& skin) {
+  return std::make_unique<SimulatedSkin>(builtInCellModel("hex-bma150"), skin);
+}
+std::unique_ptr<SimulatedBody> makeBody(const RobotInWords& robot) {
+  return std::make_unique<SimulatedRobot>(makeRobot(builtInCellModel("hex-bma150"), robot));
+}
+
+/// Throws as makeBody() does for what is wrong with the words themselves.
+void checkBody(const SimulatedSkinOptions& skin) {
+  parsePatch(skin.patch);
+  if (!skin.surface.empty()) makeSurface(skin.surface);
+}
+void checkBody(const RobotInWords& robot) { robotOptions(robot); }
 
 }  // namespace
 
 std::unique_ptr<SkinSource> SimulatedSource::open(const std::string& address) {
   const SimulatedAddress parsed = parseAddress(address);
-  return std::make_unique<SimulatedSource>(SimulatedSkin(builtInCellModel("hex-bma150"), parsed.options), parsed.speed,
-                                           address);
+  std::unique_ptr<SimulatedBody> body = std::visit([](const auto& what) { return makeBody(what); }, parsed.body);
+  return std::make_unique<SimulatedSource>(std::move(body), parsed.speed, address);
 }
 
 void SimulatedSource::check(const std::string& address) {
-  const SimulatedSkinOptions options = parseAddress(address).options;
-  parsePatch(options.patch);
-  if (!options.surface.empty()) makeSurface(options.surface);
+  std::visit([](const auto& what) { checkBody(what); }, parseAddress(address).body);
 }
 
 void SimulatedSource::start(SkinListener& listener) {

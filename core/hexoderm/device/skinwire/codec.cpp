@@ -107,6 +107,12 @@ void fill(const Ack& from, v1::Ack& to) {
   to.set_working(from.working);
 }
 
+void fill(const Joints& from, v1::Joints& to) {
+  to.set_time_us(from.time_us);
+  for (const std::string& name : from.names) to.add_names(name);
+  assign(to.mutable_position(), from.position);
+}
+
 // ---- protobuf to plain types; nullopt where a plain type can't hold it
 
 std::optional<Message> plain(const v1::Hello& from) {
@@ -187,6 +193,11 @@ std::optional<Message> plain(const v1::Ack& from) {
   return Ack{from.command(), from.done(), from.text(), from.working()};
 }
 
+std::optional<Message> plain(const v1::Joints& from) {
+  return Joints{
+      from.time_us(), {from.names().begin(), from.names().end()}, {from.position().begin(), from.position().end()}};
+}
+
 // ---- bodies
 
 std::string_view asText(ByteView bytes) { return {reinterpret_cast<const char*>(bytes.data()), bytes.size()}; }
@@ -262,10 +273,12 @@ Decoded parsePayload(std::uint8_t type, ByteView payload) {
       return parsePayload<v1::Command>(payload);
     case 6:
       return parsePayload<v1::Ack>(payload);
+    case 7:
+      return parsePayload<v1::Joints>(payload);
     default:
       return failed(DecodeOutcome::UnknownType,
                     {OffenceKind::UnknownMessage,
-                     message("there is no message of type {}; expected 1 to 6", std::uint32_t{type})});
+                     message("there is no message of type {}; expected 1 to 7", std::uint32_t{type})});
   }
 }
 
@@ -347,6 +360,8 @@ Decoded messageIn(const v1::Line& line) {
       return checked(plain(line.command()));
     case v1::Line::kAck:
       return checked(plain(line.ack()));
+    case v1::Line::kJoints:
+      return checked(plain(line.joints()));
     case v1::Line::MESSAGE_NOT_SET:
       break;
   }
@@ -377,6 +392,7 @@ Bytes encodeBody(const Message& message) {
           if constexpr (std::is_same_v<Plain, Status>) return v1::Status();
           if constexpr (std::is_same_v<Plain, Command>) return v1::Command();
           if constexpr (std::is_same_v<Plain, Ack>) return v1::Ack();
+          if constexpr (std::is_same_v<Plain, Joints>) return v1::Joints();
         }();
         fill(m, proto);
         const std::size_t payload = proto.ByteSizeLong();
@@ -423,6 +439,7 @@ std::string encodeLine(const Message& message) {
         if constexpr (std::is_same_v<Plain, Status>) fill(m, *line.mutable_status());
         if constexpr (std::is_same_v<Plain, Command>) fill(m, *line.mutable_command());
         if constexpr (std::is_same_v<Plain, Ack>) fill(m, *line.mutable_ack());
+        if constexpr (std::is_same_v<Plain, Joints>) fill(m, *line.mutable_joints());
       },
       message);
   google::protobuf::util::JsonPrintOptions options;

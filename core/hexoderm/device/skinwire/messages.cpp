@@ -1,8 +1,11 @@
 #include "hexoderm/device/skinwire/messages.h"
 
+#include "hexoderm/kinematics/joint_angles.h"
+
 #include <algorithm>
 #include <cmath>
 #include <initializer_list>
+#include <set>
 #include <utility>
 
 namespace hexoderm::skinwire {
@@ -155,6 +158,30 @@ Complaint complain(const Command& command) {
 Complaint complain(const Ack& ack) {
   if (ack.done && ack.working) return wrongValue("ack", message("expected done or working, found both"));
   return tooLong("ack.text", ack.text, kMaxText);
+}
+
+Complaint complain(const Joints& joints) {
+  if (joints.time_us > kMaxTime_us) return wrongValue("joints.time_us", message("expected at most 2^53"));
+  if (joints.position.empty() || joints.position.size() > kMaxJoints) {
+    return wrongLength("joints.position",
+                       message("expected 1 to {} numbers, found {}", kMaxJoints, joints.position.size()));
+  }
+  if (!joints.names.empty()) {
+    if (Complaint why = wrongSize("joints.position", joints.names.size(), joints.position.size()); !why.empty()) {
+      return why;
+    }
+  }
+  std::set<std::string_view> names;
+  for (const std::string& name : joints.names) {
+    if (Complaint why = tooLong("joints.names", name, kMaxText); !why.empty()) return why;
+    if (name.empty()) return wrongValue("joints.names", message("expected the name of a joint, found nothing"));
+    if (!names.insert(name).second) return wrongValue("joints.names", message("expected each joint once"));
+  }
+  const auto isPosition = [](double position) { return std::abs(position) <= kMostJointPosition; };  // NaN is none
+  if (!std::ranges::all_of(joints.position, isPosition)) {
+    return wrongValue("joints.position", message("expected finite numbers, at most {}", Number{kMostJointPosition, 0}));
+  }
+  return {};
 }
 
 }  // namespace

@@ -16,12 +16,14 @@
 namespace hexoderm::skinwire {
 
 inline constexpr std::uint8_t kMajor = 1;
-inline constexpr std::uint32_t kMinor = 0;
+inline constexpr std::uint32_t kMinor = 1;
 
 /// Longest body of a frame (and longest line), bytes. A frame that claims to be longer is broken.
 inline constexpr std::size_t kMaxBody = 1U << 20U;
 /// Longest UDP datagram, bytes: one body, not fragmented on common networks.
 inline constexpr std::size_t kMaxDatagram = 1200;
+/// Joints of a robot.
+inline constexpr std::size_t kMaxJoints = 10'000;
 /// Cells of a whole topology.
 inline constexpr std::size_t kMaxCells = 1'000'000;
 /// Largest time: beyond it a double of microseconds is not exact.
@@ -112,8 +114,16 @@ struct Ack {
   friend bool operator==(const Ack&, const Ack&) = default;
 };
 
+/// Names as they came; none where they are those of the message before.
+struct Joints {
+  std::uint64_t time_us = 0;
+  std::vector<std::string> names{};
+  std::vector<double> position{};  ///< rad or m
+  friend bool operator==(const Joints&, const Joints&) = default;
+};
+
 /// The alternatives are in the order of the type numbers on the wire, which begin with 1.
-using Message = std::variant<Hello, Topology, Samples, Status, Command, Ack>;
+using Message = std::variant<Hello, Topology, Samples, Status, Command, Ack, Joints>;
 
 /// The fault of a message beyond its syntax; empty if there is none.
 struct Complaint {

@@ -187,6 +187,21 @@ void SampleEncoder::encodeBatch(std::span<const SampleFrame> frames, std::vector
   append(std::move(batch), out);
 }
 
+Joints JointsEncoder::encode(const JointReport& report) {
+  Joints message;
+  message.time_us = static_cast<std::uint64_t>(std::llround(1e6 * std::max(0.0, report.time_s)));
+  for (const auto& [name, position] : report.angles.positions) {
+    message.names.push_back(name);
+    message.position.push_back(position);
+  }
+  if (message.names == names_) {
+    message.names.clear();
+  } else {
+    names_ = message.names;
+  }
+  return message;
+}
+
 void decodeTick(const Samples& message, std::size_t tick, double lsb_g, SampleFrame& frame) {
   assert(tick == 0 || tick < message.ticks());
   const std::size_t cells = message.cells.size();

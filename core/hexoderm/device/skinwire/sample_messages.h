@@ -1,9 +1,11 @@
 #pragma once
 
 #include "hexoderm/device/sample_frame.h"
+#include "hexoderm/device/skin_source.h"
 #include "hexoderm/device/skinwire/messages.h"
 
 #include <span>
+#include <string>
 #include <vector>
 
 namespace hexoderm::skinwire {
@@ -35,6 +37,18 @@ class SampleEncoder {
   double lsb_g_;
   std::size_t max_body_;
   std::uint64_t sequence_ = 0;
+};
+
+/// Turns what a robot says about its joints into messages: with their names at first, and whenever they change.
+class JointsEncoder {
+ public:
+  /// Of at least one joint. A time before 0 becomes 0.
+  Joints encode(const JointReport& report);
+  /// The next message has the names again, as after a description.
+  void nameAgain() { names_.clear(); }
+
+ private:
+  std::vector<std::string> names_;  ///< as said last
 };
 
 /// One tick of a message as a frame. `frame` is used again, so that its arrays need not grow each time. `tick` is below

@@ -62,8 +62,10 @@ std::span<const SourceKind> sourceKinds() {
       {"serial:", "serial:/dev/DEVICE[?baud=N]", openWire, by_opening(openWire)},
       {"stdin", "stdin", openStdin, by_opening(openStdin)},
       {"replay:", "replay:FILE[?speed=X|max|step]", openReplay, by_opening(openReplay)},
-      {"sim:", "sim:PATCH[?surface=...&seed=N&speed=X|max&motion=hand|robot]", SimulatedSource::open,
-       SimulatedSource::check},
+      {"sim:",
+       "sim:PATCH[?surface=...&seed=N&speed=X|max&motion=hand|robot], "
+       "sim:robot[?urdf=FILE&mount=LINK:X,Y,Z&base=fixed|motors|hand&seed=N&speed=X|max]",
+       SimulatedSource::open, SimulatedSource::check},
   };
   return kinds;
 }

@@ -22,8 +22,8 @@ struct SourceKind {
 std::span<const SourceKind> sourceKinds();
 
 /// A source, not yet started: "tcp://HOST:PORT", "udp://HOST:PORT", "serial:/dev/tty...[?baud=N]", "stdin",
-/// "replay:FILE[?speed=X|max|step]" or "sim:PATCH[?surface=...&seed=N&speed=X|max]". Throws InvalidArgument naming what
-/// was expected.
+/// "replay:FILE[?speed=X|max|step]", "sim:PATCH[?surface=...&seed=N&speed=X|max]" or "sim:robot[?...]". Throws
+/// InvalidArgument naming what was expected; for the URDF of a simulated robot also StorageError and FormatError.
 std::unique_ptr<SkinSource> openSkinSource(const std::string& address);
 
 /// Throws as openSkinSource() for what is wrong with the address itself. Opens and builds nothing, and is quick enough

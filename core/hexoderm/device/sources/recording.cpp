@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <array>
 #include <cerrno>
+#include <cmath>
 #include <cstring>
 #include <fstream>
 #include <mutex>
@@ -57,6 +58,8 @@ struct StreamRecorder::Impl {
 
   Impl(std::filesystem::path where, SkinListener& listener) : path(std::move(where)), next(listener) {}
 
+  skinwire::JointsEncoder joints;
+
   void fail(const Message& why) {
     file.close();
     const std::lock_guard lock(mutex);
@@ -80,6 +83,7 @@ struct StreamRecorder::Impl {
   void writeDescription() {
     write(skinwire::helloOf(skin, 0, stream));
     for (const skinwire::Topology& part : skinwire::topologyParts(skin.neighbors, topology)) write(part);
+    joints.nameAgain();
   }
 
   /// Recording must not take listening down with it.
@@ -156,6 +160,12 @@ void StreamRecorder::onDeviceStatus(const DeviceStatus& status) {
   impl_->guarded([&] {
     impl_->write(skinwire::Status{status.text, status.exploring, status.samples_sent, status.samples_dropped});
   });
+}
+
+void StreamRecorder::onJoints(const JointReport& joints) {
+  impl_->next.onJoints(joints);
+  if (joints.angles.positions.empty()) return;
+  impl_->guarded([&] { impl_->write(impl_->joints.encode(joints)); });
 }
 
 void StreamRecorder::onCommandOutcome(const CommandOutcome& outcome) { impl_->next.onCommandOutcome(outcome); }

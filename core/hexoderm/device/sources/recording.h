@@ -33,6 +33,7 @@ class StreamRecorder final : public SkinListener {
   void onStatus(const SourceStatus& status) override;
   void onCommandOutcome(const CommandOutcome& outcome) override;
   void onDeviceStatus(const DeviceStatus& status) override;
+  void onJoints(const JointReport& joints) override;
 
   /// Ends the recording. After the source was stopped, or on its thread. Throws StorageError if not all was written.
   void finish();

@@ -29,6 +29,7 @@ struct ReplaySource::Impl {
     void onStatus(const SourceStatus& status) override { next.onStatus(status); }
     void onCommandOutcome(const CommandOutcome& outcome) override { next.onCommandOutcome(outcome); }
     void onDeviceStatus(const DeviceStatus& status) override { next.onDeviceStatus(status); }
+    void onJoints(const JointReport& joints) override { next.onJoints(joints); }
   };
 
   std::filesystem::path path;

@@ -59,6 +59,7 @@ void SkinStream::restart() {
   held_.reset();
   is_model_held_ = false;
   device_text_ = {};
+  joint_names_.clear();
   is_exploring_ = false;
   was_heard_ = false;
   undescribed_since_.reset();
@@ -68,6 +69,7 @@ void SkinStream::restart() {
 void SkinStream::startCounting() {
   next_sequence_.reset();
   last_us_ = 0;
+  last_joints_us_ = 0;
   late_from_us_.reset();
   for (auto& last_us : cell_last_us_) std::ranges::fill(last_us, 0);
   reading_check_.restart();
@@ -103,6 +105,8 @@ SkinStream::Effect SkinStream::take(Decoded decoded, Clock::time_point now) {
     takeStatus(*status);
   } else if (const auto* ack = std::get_if<skinwire::Ack>(&decoded.message)) {
     if (on_ack) on_ack(*ack);
+  } else if (auto* joints = std::get_if<skinwire::Joints>(&decoded.message)) {
+    return takeJoints(std::move(*joints));
   }
   return Effect::Alive;
 }
@@ -114,6 +118,30 @@ void SkinStream::takeStatus(const skinwire::Status& status) {
   if (status_.dropped_by_device != status.samples_dropped) counters_changed_ = true;
   status_.dropped_by_device = status.samples_dropped;
   listener_.onDeviceStatus({printable(status.text), status.exploring, status.samples_sent, status.samples_dropped});
+}
+
+SkinStream::Effect SkinStream::takeJoints(skinwire::Joints joints) {
+  if (!joints.names.empty()) joint_names_ = std::move(joints.names);
+  if (joint_names_.size() != joints.position.size()) {
+    countRejected(
+        located("joints.position", message("expected a number for each of {} joints that were named, found {}",
+                                           joint_names_.size(), joints.position.size())),
+        OffenceKind::WrongLength);
+    return Effect::Nothing;
+  }
+  if (joints.time_us < last_joints_us_) {
+    ++status_.late_frames;
+    counters_changed_ = true;
+    return Effect::Nothing;
+  }
+  last_joints_us_ = joints.time_us;
+  if (!announced_) return Effect::Alive;
+  JointReport report{1e-6 * static_cast<double>(joints.time_us), {}};
+  for (std::size_t k = 0; k < joint_names_.size(); ++k) {
+    report.angles.positions[joint_names_[k]] = joints.position[k];
+  }
+  listener_.onJoints(report);
+  return Effect::Alive;
 }
 
 void SkinStream::countRejected(const Message& why, OffenceKind kind) {

@@ -102,6 +102,7 @@ class SkinStream {
   Effect takeTopology(skinwire::Topology part, Clock::time_point now);
   Effect takeSamples(const skinwire::Samples& samples);
   void takeStatus(const skinwire::Status& status);
+  Effect takeJoints(skinwire::Joints joints);
   void startCounting();
   void announce(Clock::time_point now);
   void indexCells();
@@ -135,6 +136,8 @@ class SkinStream {
   Message last_rejection_;
 
   bool has_hello_ = false;
+  std::vector<std::string> joint_names_;  ///< of the device's last message that had them
+  std::uint64_t last_joints_us_ = 0;
   skinwire::Hello hello_;
   std::shared_ptr<const CellModel> model_;  ///< null: none, or one that makes no sense
   Message model_complaint_;

@@ -14,8 +14,8 @@ using Variances = Eigen::Vector4d;
 constexpr Eigen::Index kShared = 3;
 constexpr Eigen::Index kKinds = kSensorErrors;
 
-constexpr double kLeastVariance = 1e-12;  // far below what any reading shows
-constexpr double kWeightOfModel = 1e-3;   // of one error, for the cell model's sigmas
+constexpr double kLeastVariance = 1e-12;       // far below what any reading shows
+constexpr double kWeightOfModelSigmas = 1e-3;  // of one error, for the cell model's sigmas
 /// With fewer degrees of freedom the range of a sigma spans more than a factor of three.
 constexpr double kFewestErrors = 7;
 /// A lot has three offsets.
@@ -129,9 +129,11 @@ Variances variancesOf(const Accelerometer& model) {
 
 /// The model's word, as if so much of an error had been seen.
 Eigen::Vector4d modelScore(const Variances& model, const Variances& now) {
-  return kWeightOfModel / 2 * (model - now).cwiseQuotient(now.cwiseAbs2());
+  return kWeightOfModelSigmas / 2 * (model - now).cwiseQuotient(now.cwiseAbs2());
 }
-Eigen::Vector4d modelInformation(const Variances& now) { return kWeightOfModel / 2 * now.cwiseAbs2().cwiseInverse(); }
+Eigen::Vector4d modelInformation(const Variances& now) {
+  return kWeightOfModelSigmas / 2 * now.cwiseAbs2().cwiseInverse();
+}
 
 Variances mostLikely(std::span<const SensorEvidence> evidence, const Variances& model) {
   constexpr int kRounds = 200;

@@ -61,6 +61,8 @@ CellFigures makeCellFigures(const Reconstruction& reconstruction) {
   figures.sigma_rad.resize(count);
   figures.position_95_m.resize(count);
   figures.orientation_95_rad.resize(count);
+  figures.shape_position_95_m.resize(count);
+  figures.shape_orientation_95_rad.resize(count);
   figures.path_length_m.resize(count);
   figures.body_part.resize(count);
   std::set<std::string> parts;
@@ -77,6 +79,10 @@ CellFigures makeCellFigures(const Reconstruction& reconstruction) {
       if (const std::optional<Uncertainty95> known = uncertaintyOf(cell)) {
         figures.position_95_m[k] = known->position_m;
         figures.orientation_95_rad[k] = known->orientation_rad;
+      }
+      if (const std::optional<Uncertainty95> known = shapeUncertaintyOf(cell)) {
+        figures.shape_position_95_m[k] = known->position_m;
+        figures.shape_orientation_95_rad[k] = known->orientation_rad;
       }
       if (!cell.body_part.empty()) parts.insert(cell.body_part);
     }

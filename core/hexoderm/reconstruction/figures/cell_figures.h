@@ -21,6 +21,9 @@ struct CellFigures {
   /// See uncertaintyOf().
   std::vector<std::optional<double>> position_95_m;
   std::vector<std::optional<double>> orientation_95_rad;
+  /// See shapeUncertaintyOf().
+  std::vector<std::optional<double>> shape_position_95_m;
+  std::vector<std::optional<double>> shape_orientation_95_rad;
   /// From the origin from centre to centre along CellPlacement::path; absent where that is empty.
   std::vector<std::optional<double>> path_length_m;
   /// Names of the body parts in ascending order, the empty one left out; then the index of each cell's.

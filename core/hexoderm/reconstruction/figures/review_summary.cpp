@@ -77,6 +77,7 @@ std::vector<CellSummary> summariseCells(const Reconstruction& reconstruction) {
       summary.placed_by = cell.placed_by;
       summary.T_o_u = cell.T_o_u;
       summary.stated = uncertaintyOf(cell);
+      summary.shape = shapeUncertaintyOf(cell);
       if (const auto found = worst.find(cell.cell); found != worst.end()) summary.worst_residual_rad = found->second;
       summary.offset_g = cell.accel_offset_g;
       if (cell.accel_scale) summary.worst_scale_error = furthestFromZero(cell.accel_scale->array() - 1);

@@ -17,7 +17,8 @@ struct CellSummary {
   bool origin = false;
   PlacedBy placed_by = PlacedBy::Samples;
   SE3 T_o_u;
-  std::optional<Uncertainty95> stated;  ///< absent where no covariance is
+  std::optional<Uncertainty95> stated;  ///< relative to the origin; absent where no covariance is
+  std::optional<Uncertainty95> shape;   ///< relative to the patch as a whole; absent where it is not stated
   /// The largest residual of its links that are in use; absent where none was measured.
   std::optional<double> worst_residual_rad;
   std::optional<Eigen::Vector3d> offset_g;

@@ -114,9 +114,23 @@ class CellsFirstInverse : public JointInverse {
     return unit.middleRows<6>(static_cast<Eigen::Index>(6 * a)) + borderPart(parts().border_root, a, b);
   }
 
-  [[nodiscard]] Eigen::Matrix3d force(std::size_t pose) const override {
-    const Eigen::Index at = layout_.force(pose);
-    return border().block<3, 3>(at, at);
+  [[nodiscard]] Eigen::MatrixXd timesCells(const Eigen::MatrixXd& B) const override {
+    Eigen::MatrixXd product = B;
+    const auto origin_rows = [this](Eigen::MatrixXd& rows) {
+      return rows.middleRows<6>(static_cast<Eigen::Index>(6 * origin_));
+    };
+    origin_rows(product).setZero();
+    const Eigen::MatrixXd by_border = parts().border_root.transpose() * product;
+    factor_->cells().solve(product);
+    product.noalias() += parts().border_root * by_border;
+    origin_rows(product).setZero();
+    return product;
+  }
+
+  [[nodiscard]] Eigen::Matrix3d force(std::size_t pose) const override { return forces(pose, pose); }
+
+  [[nodiscard]] Eigen::Matrix3d forces(std::size_t a, std::size_t b) const override {
+    return border().block<3, 3>(layout_.force(a), layout_.force(b));
   }
 
   [[nodiscard]] Eigen::Matrix3d acceleration(std::size_t pose) const override {

@@ -1,8 +1,10 @@
 #include "hexoderm/reconstruction/joint/joint_refinement.h"
 
 #include "hexoderm/reconstruction/joint/patch_evidence.h"
+#include "hexoderm/reconstruction/joint/shape_covariance.h"
 #include "hexoderm/util/error.h"
 #include "hexoderm/util/median.h"
+#include "hexoderm/util/units.h"
 
 #include <Eigen/LU>
 #include <algorithm>
@@ -20,6 +22,9 @@ constexpr std::size_t kMostPosesForAccelerations = 50;
 // Error that a hand's translation leaves in a mean; on a large part, also that of its turning at the middle of a patch.
 constexpr double kForceSigma_g = 0.003;
 constexpr double kForceSigmaOfLargePart_g = 0.03;
+// A hand that holds a part with several patches is near the middle of one of them at most: its turning, by a usual
+// tremor's angular acceleration, acts at arms of 0.15 m.
+constexpr double kForceSigmaOfSeveralPatches_g = 0.01;
 
 GapShare gapShareOf(GapModel model) {
   switch (model) {
@@ -59,6 +64,12 @@ class SolvedCovariance : public PlacementCovariance {
            mixed.transpose();
   }
 
+  [[nodiscard]] Matrix6d together(CellId a, CellId b) const override {
+    const std::size_t at_a = indexOf(a);
+    const std::size_t at_b = indexOf(b);
+    return at_a == at_b ? covariance_->cell(at_a) : covariance_->between(at_a, at_b);
+  }
+
  private:
   [[nodiscard]] std::size_t indexOf(CellId id) const {
     const auto found = std::ranges::lower_bound(ids_, id);
@@ -69,6 +80,25 @@ class SolvedCovariance : public PlacementCovariance {
   std::vector<CellId> ids_;  // ascending
   std::vector<SE3> cells_;
   std::shared_ptr<const JointCovariance> covariance_;
+};
+
+/// The covariance of the forces of any two poses from that of the whole patch.
+class SolvedGravityCovariance : public GravityCovariance {
+ public:
+  SolvedGravityCovariance(std::shared_ptr<const JointCovariance> covariance, bool accelerations)
+      : covariance_(std::move(covariance)), accelerations_(accelerations) {}
+
+  [[nodiscard]] Eigen::Matrix3d forces(std::size_t a, std::size_t b) const override {
+    return covariance_->forces(a, b);
+  }
+  [[nodiscard]] std::optional<Eigen::Matrix3d> swing(std::size_t pose) const override {
+    if (!accelerations_) return std::nullopt;
+    return covariance_->acceleration(pose) / (kStandardGravity * kStandardGravity);
+  }
+
+ private:
+  std::shared_ptr<const JointCovariance> covariance_;
+  bool accelerations_;
 };
 
 std::vector<Matrix6d> covariancesOf(const JointProblem& problem, const JointState& state) {
@@ -115,7 +145,8 @@ JointRefinement::JointRefinement(const CellModel& model, const SkinGraph& graph,
   }
   problem_->poses = poses_.size();
   const bool large = cells_.size() >= kCellsOfLargePart;
-  problem_->force_sigma_g = large ? kForceSigmaOfLargePart_g : kForceSigma_g;
+  const bool several = graph.patches().size() > 1;
+  problem_->force_sigma_g = large ? kForceSigmaOfLargePart_g : several ? kForceSigmaOfSeveralPatches_g : kForceSigma_g;
 
   for (const std::size_t cell : cells_) {
     for (const std::size_t k : graph.linksAt(cell)) {
@@ -299,6 +330,14 @@ const Matrix6d& JointRefinement::covarianceOf(std::size_t cell) const {
   return solution_.covariance->cell(localOf(cell));
 }
 
+std::vector<Matrix6d> JointRefinement::shapeCovariances() const {
+  const JointCovariance& covariance = *solution_.covariance;
+  std::vector<Matrix6d> cells;
+  for (std::size_t cell = 0; cell < cells_.size(); ++cell) cells.push_back(covariance.cell(cell));
+  return shapeCovariancesOf(solution_.state.cells, cells,
+                            [&](const Eigen::MatrixXd& B) { return covariance.timesCells(B); });
+}
+
 Eigen::Vector3d JointRefinement::correctedReading(std::size_t cell, const Eigen::Vector3d& mean_g) const {
   const Eigen::Matrix3d& R_u_a = problem_->model->accelerometer.T_u_a.R;
   const AccelerometerFit& fit = sensorOf(cell);
@@ -342,6 +381,10 @@ std::shared_ptr<const PlacementCovariance> JointRefinement::placementCovariance(
   std::vector<CellId> ids;
   for (const std::size_t cell : cells_) ids.push_back(graph.cells()[cell].id);
   return std::make_shared<SolvedCovariance>(std::move(ids), solution_.state.cells, solution_.covariance);
+}
+
+std::shared_ptr<const GravityCovariance> JointRefinement::gravityCovariance() const {
+  return std::make_shared<SolvedGravityCovariance>(solution_.covariance, problem_->accelerations);
 }
 
 const AccelerometerFit& JointRefinement::sensorOf(std::size_t cell) const { return sensors_[localOf(cell)].fit; }

@@ -46,6 +46,8 @@ class JointRefinement {
 
   [[nodiscard]] SE3 placementOf(std::size_t cell) const;
   [[nodiscard]] const Matrix6d& covarianceOf(std::size_t cell) const;  ///< see CellPlacement::cov_t_r
+  /// See CellPlacement::shape_cov_t_r; per cell, in the order of the patch's cells.
+  [[nodiscard]] std::vector<Matrix6d> shapeCovariances() const;
   /// A reading (cell frame) freed from the offset, gains and cross-axis sensitivity estimated for its sensor.
   [[nodiscard]] Eigen::Vector3d correctedReading(std::size_t cell, const Eigen::Vector3d& mean_g) const;
   /// The covariances of all cells (CellPlacement::cov_t_r, in the order of the patch's cells) that the patch would have
@@ -55,6 +57,7 @@ class JointRefinement {
   [[nodiscard]] std::vector<Matrix6d> covariancesWithPose(const Eigen::Vector3d& up_o) const;
   [[nodiscard]] std::vector<Matrix6d> covariancesWithAllReadings() const;
   [[nodiscard]] std::shared_ptr<const PlacementCovariance> placementCovariance(const SkinGraph& graph) const;
+  [[nodiscard]] std::shared_ptr<const GravityCovariance> gravityCovariance() const;  ///< poses as in poses()
   [[nodiscard]] const AccelerometerFit& sensorOf(std::size_t cell) const;
   /// The readings of a cell that are used, and per reading the specific force in the accelerometer's axes.
   [[nodiscard]] std::span<const CellReading> readingsOf(std::size_t cell) const;

@@ -45,7 +45,9 @@ JointCovariance::~JointCovariance() = default;
 const Matrix6d& JointCovariance::cell(std::size_t cell) const { return inverse_->cell(cell); }
 const Matrix6d& JointCovariance::link(std::size_t link) const { return inverse_->link(link); }
 Matrix6d JointCovariance::between(std::size_t a, std::size_t b) const { return inverse_->between(a, b); }
+Eigen::MatrixXd JointCovariance::timesCells(const Eigen::MatrixXd& B) const { return inverse_->timesCells(B); }
 Eigen::Matrix3d JointCovariance::force(std::size_t pose) const { return inverse_->force(pose); }
+Eigen::Matrix3d JointCovariance::forces(std::size_t a, std::size_t b) const { return inverse_->forces(a, b); }
 Eigen::Matrix3d JointCovariance::acceleration(std::size_t pose) const { return inverse_->acceleration(pose); }
 double JointCovariance::gapShareSigma() const { return std::sqrt(inverse_->gapShareVariance()); }
 

@@ -46,8 +46,14 @@ class JointCovariance {
   [[nodiscard]] const Matrix6d& link(std::size_t link) const;
   /// Cross-covariance of any two cells, rows a, columns b. Two triangular solves each.
   [[nodiscard]] Matrix6d between(std::size_t a, std::size_t b) const;
+  /// The covariance of all cells, 6 N x 6 N in the order of cell() with the origin's rows and columns zero, times B
+  /// (6 N x m). Takes a solution with the factor, and memory of B's size.
+  [[nodiscard]] Eigen::MatrixXd timesCells(const Eigen::MatrixXd& B) const;
   /// Covariance of the specific force of a pose, patch frame, g^2.
   [[nodiscard]] Eigen::Matrix3d force(std::size_t pose) const;
+  /// Cross-covariance of the specific forces of two poses, rows a, columns b: the sensors' errors are the same in all
+  /// poses.
+  [[nodiscard]] Eigen::Matrix3d forces(std::size_t a, std::size_t b) const;
   /// Covariance of the angular acceleration of a pose, patch frame, (rad/s^2)^2; only if they are estimated.
   [[nodiscard]] Eigen::Matrix3d acceleration(std::size_t pose) const;
   [[nodiscard]] double gapShareSigma() const;  ///< 0 if it is not estimated

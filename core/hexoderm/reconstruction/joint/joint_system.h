@@ -19,7 +19,10 @@ class JointInverse {
   [[nodiscard]] virtual const Matrix6d& cell(std::size_t cell) const = 0;
   [[nodiscard]] virtual const Matrix6d& link(std::size_t link) const = 0;
   [[nodiscard]] virtual Matrix6d between(std::size_t a, std::size_t b) const = 0;
+  /// The covariance of all cells, 6 N x 6 N with the origin's rows and columns zero, times B (6 N x m).
+  [[nodiscard]] virtual Eigen::MatrixXd timesCells(const Eigen::MatrixXd& B) const = 0;
   [[nodiscard]] virtual Eigen::Matrix3d force(std::size_t pose) const = 0;
+  [[nodiscard]] virtual Eigen::Matrix3d forces(std::size_t a, std::size_t b) const = 0;
   [[nodiscard]] virtual Eigen::Matrix3d acceleration(std::size_t pose) const = 0;  ///< where they are estimated
   [[nodiscard]] virtual double gapShareVariance() const = 0;                       ///< 0 if it is not estimated
 };

@@ -22,7 +22,17 @@ class PosesFirstInverse : public JointInverse {
   [[nodiscard]] const Matrix6d& cell(std::size_t cell) const override { return parts().cells[cell]; }
   [[nodiscard]] const Matrix6d& link(std::size_t link) const override { return parts().links[link]; }
   [[nodiscard]] Matrix6d between(std::size_t a, std::size_t b) const override { return blockOf(parts().rest, a, b); }
+  [[nodiscard]] MatrixXd timesCells(const MatrixXd& B) const override {
+    MatrixXd from = B;
+    from.middleRows<6>(static_cast<Index>(6 * origin_)).setZero();
+    MatrixXd product = parts().rest.topLeftCorner(B.rows(), B.rows()) * from;
+    product.middleRows<6>(static_cast<Index>(6 * origin_)).setZero();
+    return product;
+  }
   [[nodiscard]] Eigen::Matrix3d force(std::size_t pose) const override { return parts().forces[pose]; }
+  [[nodiscard]] Eigen::Matrix3d forces(std::size_t a, std::size_t b) const override {
+    return factor_->forces(parts().force_spread, a, b);
+  }
   [[nodiscard]] Eigen::Matrix3d acceleration(std::size_t) const override {
     throw std::logic_error("no acceleration was estimated");
   }
@@ -36,6 +46,7 @@ class PosesFirstInverse : public JointInverse {
     MatrixXd rest;
     std::vector<Matrix6d> cells;
     std::vector<Matrix6d> links;
+    poses_first::Factor::ForceSpread force_spread;
     std::vector<Eigen::Matrix3d> forces;
   };
 
@@ -46,10 +57,7 @@ class PosesFirstInverse : public JointInverse {
 
   /// Computed when somebody asks: of several solutions in a row only the last one's is looked at.
   const Parts& parts() const {
-    std::call_once(computed_, [this] {
-      parts_ = compute();
-      factor_.reset();
-    });
+    std::call_once(computed_, [this] { parts_ = compute(); });
     return parts_;
   }
 
@@ -62,14 +70,17 @@ class PosesFirstInverse : public JointInverse {
     }
     for (const poses_first::LinkEnds& link : factor_->links())
       parts.links.push_back(blockOf(parts.rest, link.c, link.n));
-    parts.forces = factor_->forces();
+    parts.force_spread = factor_->forceSpread();
+    for (std::size_t pose = 0; pose < factor_->poseCount(); ++pose) {
+      parts.forces.push_back(factor_->forces(parts.force_spread, pose, pose));
+    }
     return parts;
   }
 
   std::size_t origin_;
   bool estimates_gap_share_;
   mutable std::once_flag computed_;
-  mutable std::unique_ptr<const poses_first::Factor> factor_;
+  std::unique_ptr<const poses_first::Factor> factor_;
   mutable Parts parts_;
 };
 

@@ -91,7 +91,7 @@ double Factor::step(const Equations& at, VectorXd& cells, VectorXd& border) cons
          2;
 }
 
-std::vector<Eigen::Matrix3d> Factor::forces() const {
+Factor::ForceSpread Factor::forceSpread() const {
   MatrixXd across = MatrixXd::Zero(rest_.rows(), kSensor * parts());
   for (std::size_t k = 0; k < moving_.size(); ++k) {
     across.block<3, kSensor>(turnOf(moving_[k]), kSensor * static_cast<Index>(moving_[k])) =
@@ -104,37 +104,42 @@ std::vector<Eigen::Matrix3d> Factor::forces() const {
     across.middleRows<3>(turnOf(moving_[k])) -= of_turns.middleRows<3>(static_cast<Index>(3 * k));
   }
   rest_.matrixL().solveInPlace(across);
-  MatrixXd C = MatrixXd::Zero(root.cols(), root.cols());
-  C.selfadjointView<Eigen::Lower>().rankUpdate(root.transpose());
-  C.selfadjointView<Eigen::Lower>().rankUpdate(across.transpose());
-  C.triangularView<Eigen::StrictlyUpper>() = C.transpose();
+  ForceSpread spread;
+  spread.C = MatrixXd::Zero(root.cols(), root.cols());
+  spread.C.selfadjointView<Eigen::Lower>().rankUpdate(root.transpose());
+  spread.C.selfadjointView<Eigen::Lower>().rankUpdate(across.transpose());
+  spread.C.triangularView<Eigen::StrictlyUpper>() = spread.C.transpose();
+  spread.CB = spread.C * shared_;
+  spread.BCB = shared_.transpose() * spread.CB;
+  return spread;
+}
 
-  const MatrixXd CB = C * shared_;
-  const Eigen::Matrix<double, kShared, kShared> BCB = shared_.transpose() * CB;
-  std::vector<Eigen::Matrix3d> covariances;
-  std::vector<SensorByForce> D;
-  for (std::size_t pose = 0; pose < equations_->phi.size(); ++pose) {
-    const Eigen::Matrix<double, kShared, 3> phi = sharedOf(pose);
-    Eigen::Matrix3d seen = phi.transpose() * BCB * phi;
-    const std::vector<Deviation>& deviating = equations_->readings[pose].deviating;
-    D.clear();
-    for (const Deviation& deviation : deviating) D.push_back(deviationOf(deviation, pose));
-    for (std::size_t a = 0; a < deviating.size(); ++a) {
-      const SensorByForce& D_a = D[a];
-      const Index at_a = kSensor * static_cast<Index>(deviating[a].part);
-      const Eigen::Matrix3d mixed = D_a.transpose() * CB.middleRows<kSensor>(at_a) * phi;
-      seen += mixed + mixed.transpose();
-      SensorByForce CD = SensorByForce::Zero();  // row of a
-      for (std::size_t b = 0; b < deviating.size(); ++b) {
-        const Index at_b = kSensor * static_cast<Index>(deviating[b].part);
-        CD.noalias() += C.block<kSensor, kSensor>(at_a, at_b).lazyProduct(D[b]);
-      }
-      seen += D_a.transpose() * CD;
-    }
-    const Eigen::Matrix3d covariance = pose_inverse_[pose] + pose_inverse_[pose] * seen * pose_inverse_[pose];
-    covariances.emplace_back((covariance + covariance.transpose()) / 2);
+Eigen::Matrix3d Factor::forces(const ForceSpread& spread, std::size_t p, std::size_t q) const {
+  const Eigen::Matrix<double, kShared, 3> phi_p = sharedOf(p);
+  const Eigen::Matrix<double, kShared, 3> phi_q = sharedOf(q);
+  Eigen::Matrix3d seen = phi_p.transpose() * spread.BCB * phi_q;
+  const std::vector<Deviation>& deviating_p = equations_->readings[p].deviating;
+  const std::vector<Deviation>& deviating_q = equations_->readings[q].deviating;
+  std::vector<SensorByForce> D_q;
+  for (const Deviation& deviation : deviating_q) D_q.push_back(deviationOf(deviation, q));
+  for (std::size_t b = 0; b < deviating_q.size(); ++b) {
+    const Index at_b = kSensor * static_cast<Index>(deviating_q[b].part);
+    seen += phi_p.transpose() * spread.CB.middleRows<kSensor>(at_b).transpose() * D_q[b];
   }
-  return covariances;
+  for (const Deviation& deviation : deviating_p) {
+    const SensorByForce D_p = deviationOf(deviation, p);
+    const Index at_a = kSensor * static_cast<Index>(deviation.part);
+    seen += D_p.transpose() * spread.CB.middleRows<kSensor>(at_a) * phi_q;
+    SensorByForce CD = SensorByForce::Zero();
+    for (std::size_t b = 0; b < deviating_q.size(); ++b) {
+      const Index at_b = kSensor * static_cast<Index>(deviating_q[b].part);
+      CD.noalias() += spread.C.block<kSensor, kSensor>(at_a, at_b).lazyProduct(D_q[b]);
+    }
+    seen += D_p.transpose() * CD;
+  }
+  Eigen::Matrix3d covariance = pose_inverse_[p] * seen * pose_inverse_[q];
+  if (p == q) covariance = (pose_inverse_[p] + (covariance + covariance.transpose()) / 2).eval();
+  return covariance;
 }
 
 Index Factor::turnOf(std::size_t part) const { return static_cast<Index>(6 * equations_->measured[part].cell + 3); }

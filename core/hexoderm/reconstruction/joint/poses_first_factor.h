@@ -33,8 +33,17 @@ class Factor {
     return rest_.solve(Eigen::MatrixXd::Identity(rest_.rows(), rest_.rows()));
   }
 
-  /// Covariance of the force of every pose: H^-1 + H^-1 U^T C U H^-1, with C the covariance of t.
-  [[nodiscard]] std::vector<Eigen::Matrix3d> forces() const;
+  /// What the sensors' and turns' errors do to forces: the covariance C of t, C B and B^T C B.
+  struct ForceSpread {
+    Eigen::MatrixXd C;
+    Eigen::MatrixXd CB;
+    Eigen::Matrix<double, kShared, kShared, Eigen::DontAlign> BCB;
+  };
+  [[nodiscard]] ForceSpread forceSpread() const;
+  /// Cross-covariance of the forces of two poses: H_p^-1 U_p^T C U_q H_q^-1, and H_p^-1 on top where they are one.
+  /// U_p = B phi_p + D_p, D_p being that of the deviating readings.
+  [[nodiscard]] Eigen::Matrix3d forces(const ForceSpread& spread, std::size_t p, std::size_t q) const;
+  [[nodiscard]] std::size_t poseCount() const { return equations_->phi.size(); }
 
   [[nodiscard]] std::size_t origin() const { return origin_; }
   [[nodiscard]] std::size_t cellCount() const { return cells_; }

@@ -7,8 +7,6 @@
 namespace hexoderm {
 namespace {
 
-/// A hand's tremor is not white: averaging does not bring a mean below this.
-constexpr double kTremorFloor_g = 0.003;
 /// The paper's K, where a file does not say how many samples were averaged.
 constexpr double kDefaultCount = 100;
 /// Degrees of freedom with which a variance is known well enough to weigh a reading.

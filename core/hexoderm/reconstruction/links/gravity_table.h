@@ -8,6 +8,9 @@
 
 namespace hexoderm {
 
+/// A hand's tremor is not white: averaging does not bring a mean below this.
+inline constexpr double kTremorFloor_g = 0.003;
+
 /// The readings of all cells in all poses of a snapshot, laid out for the solver: cells as in the graph, poses as in
 /// the snapshot, turned into the cell frame.
 ///

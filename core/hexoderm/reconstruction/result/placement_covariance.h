@@ -18,6 +18,9 @@ class PlacementCovariance {
   /// right-multiplied error in the frame of b). Costs a few triangular solves with the sparse factor. Zero for a = b.
   /// Throws InvalidArgument if a cell is not in the patch.
   [[nodiscard]] virtual Matrix6d relative(CellId a, CellId b) const = 0;
+  /// Covariance between the errors of two cells as CellPlacement::cov_t_r states them of each: relative to the origin,
+  /// whose own are zero; rows a, columns b. Costs and throws as relative().
+  [[nodiscard]] virtual Matrix6d together(CellId a, CellId b) const = 0;
 };
 
 }  // namespace hexoderm

@@ -3,6 +3,7 @@
 #include "hexoderm/geometry/se3.h"
 #include "hexoderm/graph/cell_model.h"
 #include "hexoderm/reconstruction/result/assessment.h"
+#include "hexoderm/reconstruction/result/gravity_covariance.h"
 #include "hexoderm/reconstruction/result/placement_covariance.h"
 #include "hexoderm/reconstruction/result/solver_options.h"
 #include "hexoderm/session/session.h"
@@ -71,6 +72,11 @@ struct CellPlacement {
   /// the cell frame: R_true = R exp(e)). Zero for the origin. Absent where a solver or an imported file does not state
   /// it.
   std::optional<Matrix6d> cov_t_r;
+  /// The same relative to the patch as a whole: what is left when the patch is moved as one so that the variances of
+  /// all cells' centres are least in sum (inner constraints; W. Baarda, "S-transformations and criterion matrices",
+  /// Netherlands Geodetic Commission, 1973). Does not depend on which cell is the origin, whose own covariance is not
+  /// zero here. Stated by the global solver, and by files that it was written to.
+  std::optional<Matrix6d> shape_cov_t_r;
   /// The accelerometer reads scale * force + offset along its axes, apart from cross-axis sensitivity. Estimated by the
   /// global solver for measured cells.
   std::optional<Eigen::Vector3d> accel_offset_g;
@@ -108,7 +114,9 @@ struct PatchReconstruction {
   std::vector<CellPlacement> cells;           ///< in ascending order of ID
   std::vector<LinkEstimate> links;            ///< muted links too; a link between two patches is listed with its source
   std::optional<GapShareEstimate> gap_share;  ///< set by the global solver
-  std::shared_ptr<const PlacementCovariance> covariance;  ///< null but for a fresh result of the global solver
+  // Null but for a fresh result of the global solver.
+  std::shared_ptr<const PlacementCovariance> covariance;
+  std::shared_ptr<const GravityCovariance> gravity_covariance;
 
   [[nodiscard]] const CellPlacement* findCell(CellId cell_id) const;
 };
@@ -156,6 +164,8 @@ struct Reconstruction {
   Assessment assessment;
   FlatLayout layout;
   double solve_seconds = 0;
+  std::optional<RobotDescription> robot;   ///< that wears the skin, where it was said
+  std::vector<PatchPlacement> placements;  ///< on the robot, at most one for each patch, by its origin cell
 
   [[nodiscard]] std::size_t cellCount() const;
   [[nodiscard]] std::size_t linkCount() const;

@@ -20,4 +20,8 @@ double rotationSigma(const Eigen::Matrix3d& covariance);
 /// Absent where no covariance is stated; zero for the origin.
 std::optional<Uncertainty95> uncertaintyOf(const CellPlacement& cell);
 
+/// The same of the cell's place in the shape, relative to the patch as a whole (CellPlacement::shape_cov_t_r). Absent
+/// where it is not stated.
+std::optional<Uncertainty95> shapeUncertaintyOf(const CellPlacement& cell);
+
 }  // namespace hexoderm

@@ -1,5 +1,7 @@
 #include "hexoderm/device/emulation/emulated_device.h"
 
+#include "hexoderm/device/simulation/simulated_robot.h"
+#include "hexoderm/device/simulation/simulated_skin.h"
 #include "hexoderm/device/skinwire/codec.h"
 #include "hexoderm/device/skinwire/description.h"
 #include "hexoderm/util/error.h"
@@ -19,7 +21,9 @@ using Messages = EmulatedDevice::Messages;
 /// A device and a host that asks and listens, without anything between them.
 struct Bench {
   explicit Bench(SimulatedSkinOptions skin = SimulatedSkinOptions::ideal(), EmulatedDeviceOptions options = {})
-      : device(SimulatedSkin(builtInCellModel("hex-bma150"), std::move(skin)), std::move(options)) {}
+      : device(std::make_unique<SimulatedSkin>(builtInCellModel("hex-bma150"), std::move(skin)), std::move(options)) {}
+  explicit Bench(SimulatedRobot robot, EmulatedDeviceOptions options = {})
+      : device(std::make_unique<SimulatedRobot>(std::move(robot)), std::move(options)) {}
 
   void explore() {
     while (device.isExploring()) device.tick(heard);
@@ -89,6 +93,7 @@ TEST(EmulatedDevice, SendsEverySampleAsTheSkinReadIt) {
   bench.tick(100);
   const auto messages = bench.take<skinwire::Samples>();
   EXPECT_THAT(messages, SizeIs(10)) << "ten ticks together";
+  const GroundTruth truth = bench.device.body().groundTruth();
   SampleFrame frame;
   std::size_t sequence = 0;
   std::size_t ticks = 0;
@@ -99,7 +104,7 @@ TEST(EmulatedDevice, SendsEverySampleAsTheSkinReadIt) {
       skinwire::decodeTick(message, tick, 0.004, frame);
       EXPECT_NEAR(frame.time_s, began_s + static_cast<double>(ticks) / 1000, 1e-9);
       for (std::size_t k = 0; k < frame.samples.size(); ++k) {
-        const Eigen::Vector3d up_b = bench.device.skin().truth()[k].T_b_u.R * frame.samples[k].acceleration_g;
+        const Eigen::Vector3d up_b = truth.cells[k].T_b_u.R * frame.samples[k].acceleration_g;
         EXPECT_LT((up_b - Eigen::Vector3d::UnitZ()).norm(), 0.15);
       }
     }
@@ -181,7 +186,7 @@ TEST(EmulatedDevice, TurnsUntilTheCellLooksUp) {
   bench.device.take({7, skinwire::TurnTo{5, up_u}}, bench.heard);
   EXPECT_THAT(bench.take<skinwire::Ack>(), ElementsAre(skinwire::Ack{7, true, "", false}))
       << "answered, not done again";
-  EXPECT_FALSE(bench.device.skin().turning());
+  EXPECT_FALSE(bench.device.body().turning());
 }
 
 TEST(EmulatedDevice, TheNewerTurnWins) {
@@ -259,7 +264,7 @@ TEST(EmulatedDevice, ExploresAgainAndLosesWhatDoesNotAnswer) {
   EXPECT_THAT(bench.take<skinwire::Samples>().at(0).cells, SizeIs(16));
 
   bench.device.mendCell(CellId(5));
-  bench.device.breakPort({PortFaultKind::Cut, {CellId(2), bench.device.skin().neighbors()[1].neighbors[0].port}});
+  bench.device.breakPort({PortFaultKind::Cut, {CellId(2), bench.device.body().neighbors()[1].neighbors[0].port}});
   bench.device.take({2, skinwire::ExploreAgain{}}, bench.heard);
   bench.explore();
   EXPECT_LT(bench.take<skinwire::Topology>().at(0).cells.size(), 17U);
@@ -358,6 +363,131 @@ TEST(EmulatedDevice, SaysTwiceASecondHowItIs) {
   bench.take<skinwire::Status>();
   bench.tick(2000);
   EXPECT_THAT(bench.take<skinwire::Status>(), SizeIs(4));
+}
+
+/// The made-up arm with ideal skins on two links.
+SimulatedRobot demoArm() {
+  SimulatedRobotOptions options = SimulatedRobotOptions::ideal();
+  options.mounts = demoMounts();
+  return {builtInCellModel("hex-bma150"), RobotModel::read(HEXODERM_DEMO_ROBOT), options};
+}
+
+TEST(EmulatedDevice, ARobotHasAllItsPatchesOnOneInterface) {
+  Bench bench(demoArm());
+  bench.device.greet(bench.heard);
+  bench.explore();
+  EXPECT_TRUE(bench.take<skinwire::Hello>().at(0).can_turn);
+  NeighborList cells = bench.take<skinwire::Topology>().at(0).cells;
+  ASSERT_THAT(cells, SizeIs(34));
+  const CellId interface_id = bench.device.body().model().interface_id;
+  std::vector<PortNumber> of_interface;
+  for (CellReport& cell : cells) {
+    std::erase_if(cell.neighbors, [&](const NeighborReport& link) {
+      if (link.cell != interface_id) return false;
+      of_interface.push_back(link.cell_port.value());
+      return true;
+    });
+  }
+  EXPECT_THAT(of_interface, ElementsAre(PortNumber(1), PortNumber(2)));
+  EXPECT_EQ(cells, bench.device.body().neighbors());
+  bench.tick(10);
+  EXPECT_THAT(bench.take<skinwire::Samples>().at(0).cells, SizeIs(34));
+
+  // Faults, too, go by the robot's numbers.
+  bench.device.breakCell({SkinFault::NoSamples, CellId(21)});
+  bench.device.breakLink({LinkFaultKind::WrongPort, {CellId(20), PortNumber(1)}}, bench.heard);
+  bench.explore();
+  bench.take<skinwire::Samples>();
+  bench.tick(10);
+  EXPECT_THAT(bench.take<skinwire::Samples>().at(0).cells, SizeIs(33)) << "its broken cell stays broken";
+}
+
+TEST(EmulatedDevice, ARobotSaysWhereItsJointsStand) {
+  Bench bench(demoArm());
+  bench.device.greet(bench.heard);
+  bench.explore();
+  EXPECT_THAT(bench.take<skinwire::Joints>(), SizeIs(0)) << "nobody knows its cells yet";
+  bench.tick(1000);
+  const auto standing = bench.take<skinwire::Joints>();
+  ASSERT_THAT(standing, SizeIs(10));
+  EXPECT_THAT(standing[0].names, ElementsAre("elbow", "grip", "shoulder_pitch", "shoulder_roll", "wrist_yaw"));
+  for (std::size_t k = 1; k < standing.size(); ++k) {
+    EXPECT_THAT(standing[k].names, SizeIs(0));
+    EXPECT_EQ(standing[k].position, standing[0].position);
+  }
+  bench.device.take({0, skinwire::Describe{}}, bench.heard);
+  bench.tick(100);
+  EXPECT_THAT(bench.take<skinwire::Joints>().at(0).names, SizeIs(5)) << "after Describe";
+
+  // To where it could stand.
+  const SimulatedRobot same = demoArm();
+  JointAngles angles;
+  for (const std::string& name : same.robot().freeJointNames()) angles.positions[name] = 0;
+  angles.positions["elbow"] = 1;
+  angles.positions["shoulder_pitch"] = 1;
+  const MountedPatch& patch = same.patches().at(1);
+  const SE3 T_w_l = same.robot().forward(angles)[same.robot().linkNamed(patch.link)];
+  const Eigen::Vector3d up_u = (T_w_l.R * patch.T_l_u.at(2).R).transpose() * Eigen::Vector3d::UnitZ();
+  bench.device.take({5, skinwire::TurnTo{patch.cells.at(2).value(), up_u}}, bench.heard);
+  EXPECT_TRUE(bench.take<skinwire::Ack>().at(0).working);
+  std::vector<skinwire::Joints> moving;
+  std::vector<skinwire::Ack> acks;
+  for (int ticks = 0; acks.empty() || acks.back().working; ++ticks) {
+    ASSERT_LT(ticks, 20'000);
+    bench.tick(1);
+    for (const skinwire::Ack& ack : bench.take<skinwire::Ack>()) acks.push_back(ack);
+    for (const skinwire::Joints& joints : bench.take<skinwire::Joints>()) moving.push_back(joints);
+  }
+  EXPECT_TRUE(acks.back().done);
+  EXPECT_GT(moving.size(), 5U);
+  EXPECT_NE(moving.front().position, moving.back().position);
+  bench.tick(1);
+  const auto arrived = bench.take<skinwire::Joints>();
+  ASSERT_THAT(arrived, SizeIs(1)) << "at once";
+  std::vector<double> stands;
+  for (const auto& [name, position] : bench.device.body().jointAngles().positions) stands.push_back(position);
+  EXPECT_EQ(arrived[0].position, stands);
+  EXPECT_NE(stands, standing[0].position);
+}
+
+TEST(EmulatedDevice, SaysWhyARobotDoesNotTurn) {
+  Bench bench(demoArm());
+  bench.device.greet(bench.heard);
+  bench.explore();
+  EXPECT_THROW(bench.device.turnTo(Eigen::Vector3d::UnitX(), bench.heard), InvalidArgument) << "its base is fixed";
+  bench.device.turnToNextPose(bench.heard);
+  EXPECT_TRUE(bench.device.body().turning());
+
+  // A post with a cell on its top, which can't look down.
+  const RobotModel post = RobotModel::parse("<robot name='post'><link name='post'/></robot>", "post.urdf");
+  SimulatedRobotOptions options = SimulatedRobotOptions::ideal();
+  options.mounts = {{"post", {}, "sheet:1x1", "plane"}};
+  Bench fixed(SimulatedRobot(builtInCellModel("hex-bma150"), post, options));
+  fixed.device.greet(fixed.heard);
+  fixed.explore();
+  fixed.device.take({1, skinwire::TurnTo{1, -Eigen::Vector3d::UnitZ()}}, fixed.heard);
+  const auto acks = fixed.take<skinwire::Ack>();
+  ASSERT_THAT(acks, SizeIs(1));
+  EXPECT_FALSE(acks[0].done || acks[0].working);
+  EXPECT_THAT(acks[0].text, HasSubstr("they come within 180"));
+}
+
+TEST(EmulatedDevice, NamesOfJointsHaveToFitIntoAMessage) {
+  std::string urdf = "<robot name='long'><link name='link0'/>";
+  for (int k = 1; k <= 40; ++k) {
+    const std::string number = std::to_string(k);
+    urdf += "<joint name='a_joint_with_quite_a_long_name_" + number + "' type='continuous'><parent link='link" +
+            std::to_string(k - 1) + "'/><child link='link" + number + "'/><axis xyz='0 0 1'/></joint><link name='link" +
+            number + "'/>";
+  }
+  const RobotModel robot = RobotModel::parse(urdf + "</robot>", "long.urdf");
+  SimulatedRobotOptions options = SimulatedRobotOptions::ideal();
+  options.mounts = {{"link3", {}, "sheet:1x1", "plane"}};
+  const auto make = [&] { return SimulatedRobot(builtInCellModel("hex-bma150"), robot, options); };
+  EXPECT_NO_THROW(Bench{make()});
+  EmulatedDeviceOptions datagrams;
+  datagrams.max_body = skinwire::kMaxDatagram;
+  EXPECT_THROW(Bench(make(), datagrams), InvalidArgument);
 }
 
 TEST(EmulatedDevice, RefusesOptionsThatMakeNoSense) {

@@ -35,8 +35,8 @@ Explored explore(const std::string& patch, const ExplorationOptions& options = {
   SimulatedSkinOptions skin_options = SimulatedSkinOptions::ideal();
   skin_options.patch = patch;
   const SimulatedSkin skin(builtInCellModel("hex-bma150"), skin_options);
-  Explored explored{skin.neighbors(), skin.model(), firstFreePort(skin.neighbors(), skin.model()), {}};
-  explored.result = exploreNetwork(explored.truth, explored.model, explored.interface_at, options);
+  Explored explored{skin.neighbors(), skin.model(), firstFreePorts(skin.neighbors(), skin.model()).at(0), {}};
+  explored.result = exploreNetwork(explored.truth, explored.model, {explored.interface_at}, options);
   return explored;
 }
 
@@ -166,9 +166,38 @@ TEST(Exploration, AWrongPortIsExploredAsTheCellsKnowIt) {
   SimulatedSkinOptions options = SimulatedSkinOptions::ideal();
   options.link_faults = {{LinkFaultKind::WrongPort, {CellId(3), PortNumber(1)}}};
   const SimulatedSkin skin(builtInCellModel("hex-bma150"), options);
-  const LinkEnd at = firstFreePort(skin.neighbors(), skin.model());
-  EXPECT_EQ(exploreNetwork(skin.neighbors(), skin.model(), at).cells,
+  const LinkEnd at = firstFreePorts(skin.neighbors(), skin.model()).at(0);
+  EXPECT_EQ(exploreNetwork(skin.neighbors(), skin.model(), {at}).cells,
             withInterface(skin.neighbors(), at, skin.model()));
+}
+
+TEST(Exploration, AnInterfaceWithAPortForEachPatchFindsThemAll) {
+  const CellModel model = builtInCellModel("hex-bma150");
+  SimulatedSkinOptions options = SimulatedSkinOptions::ideal();
+  options.patch = "ring8";
+  NeighborList cells = SimulatedSkin(model, options).neighbors();
+  // The same ring again, with other numbers, and one cell alone.
+  for (CellReport cell : NeighborList(cells)) {
+    cell.id = CellId(cell.id.value() + 8);
+    for (NeighborReport& link : cell.neighbors) link.cell = CellId(link.cell.value() + 8);
+    cells.push_back(cell);
+  }
+  cells.push_back({CellId(17), "", {}});
+  const std::vector<LinkEnd> at = firstFreePorts(cells, model);
+  ASSERT_EQ(at.size(), 3U);
+  EXPECT_EQ(at[1].cell, CellId(9));
+  EXPECT_EQ(at[2], (LinkEnd{CellId(17), PortNumber(1)}));
+  NeighborList expected = cells;
+  for (std::uint32_t k = 0; k < 3; ++k) {
+    CellReport& cell = expected.at(at[k].cell.value() - 1);
+    cell.neighbors.push_back({at[k].port, model.interface_id, PortNumber(k + 1)});
+    std::ranges::sort(cell.neighbors, {}, &NeighborReport::port);
+  }
+  EXPECT_EQ(exploreNetwork(cells, model, at).cells, expected);
+  EXPECT_EQ(exploreNetwork(cells, model, {at[1]}).cells.size(), 8U) << "the others are not reached";
+  // One end that says so joins patches.
+  cells[16].neighbors = {{PortNumber(2), CellId(16), PortNumber(4)}};
+  EXPECT_EQ(firstFreePorts(cells, model).size(), 2U);
 }
 
 TEST(Exploration, NoCellsAreNoSkin) {
@@ -176,7 +205,7 @@ TEST(Exploration, NoCellsAreNoSkin) {
   const Exploration result = exploreNetwork({}, model, {});
   EXPECT_THAT(result.cells, IsEmpty());
   EXPECT_EQ(result.longest_route, 0U);
-  EXPECT_THROW(firstFreePort({}, model), InvalidArgument);
+  EXPECT_THROW(firstFreePorts({}, model), InvalidArgument);
 }
 
 TEST(Exploration, RefusesWiringThatCantBe) {
@@ -184,7 +213,7 @@ TEST(Exploration, RefusesWiringThatCantBe) {
   const auto link = [](std::uint32_t port, std::uint32_t cell, std::uint32_t cell_port) {
     return NeighborReport{PortNumber(port), CellId(cell), PortNumber(cell_port)};
   };
-  const LinkEnd at{CellId(1), PortNumber(4)};
+  const std::vector<LinkEnd> at = {{CellId(1), PortNumber(4)}};
   EXPECT_EQ(exploreNetwork({{CellId(1), "", {link(1, 2, 3)}}, {CellId(2), "", {}}}, model, at).cells.size(), 2U)
       << "one end of a link is enough";
   const std::vector<NeighborList> wirings = {

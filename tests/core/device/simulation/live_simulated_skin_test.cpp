@@ -103,7 +103,7 @@ TEST(LiveSimulatedSkin, RefusesWhatIsNotThere) {
   EXPECT_THROW(skin.mendCell(CellId(0)), InvalidArgument);
 }
 
-TEST(SimulatedRobot, ShakesEachCellByEightToThirtyFiveMilligTwentyTimesASecond) {
+TEST(SimulatedRobotMotion, ShakesEachCellByEightToThirtyFiveMilligTwentyTimesASecond) {
   SimulatedSkin skin = x17(SimulatedSkinOptions::robot());
   EXPECT_EQ(skin.rate_hz(), 20);
   const std::vector<SampleFrame> frames = skin.record(Eigen::Vector3d::UnitZ(), 2000);
@@ -129,7 +129,7 @@ TEST(SimulatedRobot, ShakesEachCellByEightToThirtyFiveMilligTwentyTimesASecond) 
   EXPECT_GT(most_g - least_g, 0.010);
 }
 
-TEST(SimulatedRobot, TurnsAboutOneAxisAndHolds) {
+TEST(SimulatedRobotMotion, TurnsAboutOneAxisAndHolds) {
   SimulatedSkinOptions options = SimulatedSkinOptions::robot();
   options.least_vibration_g = options.most_vibration_g = 0;
   options.sensor_errors = options.sensor_noise = false;
@@ -156,7 +156,7 @@ TEST(SimulatedRobot, TurnsAboutOneAxisAndHolds) {
   EXPECT_LT(longest_s, 8.2);
 }
 
-TEST(SimulatedRobot, FollowsFromItsSeed) {
+TEST(SimulatedRobotMotion, FollowsFromItsSeed) {
   SimulatedSkinOptions options = SimulatedSkinOptions::robot();
   SimulatedSkin first = x17(options), second = x17(options);
   options.seed = 2;
@@ -172,7 +172,7 @@ TEST(SimulatedRobot, FollowsFromItsSeed) {
   EXPECT_TRUE(differs);
 }
 
-TEST(SimulatedRobot, RefusesAVibrationThatEndsBeforeItBegins) {
+TEST(SimulatedRobotMotion, RefusesAVibrationThatEndsBeforeItBegins) {
   SimulatedSkinOptions options = SimulatedSkinOptions::robot();
   options.least_vibration_g = 0.04;
   EXPECT_THROW(x17(options), InvalidArgument);

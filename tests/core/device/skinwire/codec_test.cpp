@@ -295,6 +295,13 @@ TEST(SkinWireCodec, RefusesOtherMessagesThatMakeNoSense) {
   EXPECT_THAT(complaint(Command{1, TurnTo{1, {0, 0, 2}}}).reason.english(), HasSubstr("unit vector"));
   EXPECT_THAT(complaint(Command{1, SetRate{-5}}).reason.english(), HasSubstr("rate_hz"));
   EXPECT_THAT(complaint(Ack{1, true, "", true}).reason.english(), HasSubstr("working"));
+  EXPECT_TRUE(complaint(Joints{0, {}, {1}}).empty());
+  EXPECT_THAT(complaint(Joints{0, {}, {}}).reason.english(), HasSubstr("joints.position"));
+  EXPECT_THAT(complaint(Joints{0, {"a"}, {1, 2}}).reason.english(), HasSubstr("joints.position"));
+  EXPECT_THAT(complaint(Joints{0, {"a", "a"}, {1, 2}}).reason.english(), HasSubstr("each joint once"));
+  EXPECT_THAT(complaint(Joints{0, {""}, {1}}).reason.english(), HasSubstr("joints.names"));
+  EXPECT_THAT(complaint(Joints{0, {"a"}, {std::nan("")}}).reason.english(), HasSubstr("finite"));
+  EXPECT_THAT(complaint(Joints{kMaxTime_us + 1, {"a"}, {1}}).reason.english(), HasSubstr("2^53"));
 }
 
 TEST(Codec, LetsTheLibraryBelowSayNothing) {

@@ -19,6 +19,7 @@ class CollectingListener : public SkinListener {
     std::vector<SourceStatus> statuses;
     std::vector<CommandOutcome> outcomes;
     std::vector<DeviceStatus> device_statuses;
+    std::vector<JointReport> joints;
 
     [[nodiscard]] SourceStatus status() const { return statuses.empty() ? SourceStatus{} : statuses.back(); }
     [[nodiscard]] bool sawState(SourceState state) const {
@@ -55,6 +56,9 @@ class CollectingListener : public SkinListener {
   }
   void onDeviceStatus(const DeviceStatus& status) override {
     add([&] { delivered_.device_statuses.push_back(status); });
+  }
+  void onJoints(const JointReport& joints) override {
+    add([&] { delivered_.joints.push_back(joints); });
   }
 
   /// False if it never comes.

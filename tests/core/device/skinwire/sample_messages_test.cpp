@@ -140,6 +140,22 @@ TEST(SampleMessages, WhatDoesNotFitABatchGoesOneByOne) {
   EXPECT_GT(out.size(), 4U);
 }
 
+TEST(JointsEncoder, SaysTheNamesOnceAndWhenTheyChange) {
+  JointsEncoder encoder;
+  JointReport report{1.5, {{{"elbow", 0.25}, {"wrist", -1}}}};
+  const Joints first = encoder.encode(report);
+  EXPECT_EQ(first, (Joints{1'500'000, {"elbow", "wrist"}, {0.25, -1}}));
+  report.time_s = 1.6;
+  report.angles.positions["elbow"] = 0.5;
+  EXPECT_EQ(encoder.encode(report), (Joints{1'600'000, {}, {0.5, -1}}));
+  encoder.nameAgain();
+  EXPECT_EQ(encoder.encode(report).names.size(), 2U);
+  report.angles.positions.erase("wrist");
+  EXPECT_EQ(encoder.encode(report).names, std::vector<std::string>{"elbow"});
+  report.time_s = -1e-9;
+  EXPECT_EQ(encoder.encode(report).time_us, 0U);
+}
+
 TEST(SampleMessages, NumbersThatAreNotFiniteAreLeftOutAndBadTimesRefused) {
   SampleFrame frame;
   frame.samples = {{CellId(1), {0, 0, std::nan("")}}, {CellId(2), {0, 0, 1e300}}, {CellId(3), {0, 0, 0.5}}};

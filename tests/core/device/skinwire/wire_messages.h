@@ -66,7 +66,9 @@ inline std::vector<Message> everyMessage() {
           Command{6, Describe{}},
           Command{7, std::monostate{}},
           Ack{2, false, "there is no cell 7", false},
-          Ack{3, false, "", true}};
+          Ack{3, false, "", true},
+          Joints{1'000'000, {"elbow", "wrist_yaw"}, {1.25, -0.5}},
+          Joints{1'100'000, {}, {1.5, 0.0}}};
 }
 
 }  // namespace hexoderm::skinwire

@@ -47,6 +47,16 @@ TEST(OpenSkinSource, SaysWhatItExpected) {
       {"sim:x17?speed=0", "above 0"},
       {"sim:x17?seed=-1", "seed"},
       {"sim:x17?sped=2", "sim:PATCH"},
+      {"sim:robot?sped=2", "sim:robot[?urdf=FILE"},
+      {"sim:robot?speed=0", "above 0"},
+      {"sim:robot?seed=-1", "seed"},
+      {"sim:robot?base=table", "fixed, motors or hand"},
+      {"sim:robot?patch=blob", "is not known; expected x17"},
+      {"sim:robot?surface=cube:r=1", "cube"},
+      {"sim:robot?mount=forearm", "LINK:X,Y,Z"},
+      {"sim:robot?mount=forearm:0,0,x", "mount forearm:0,0,x"},
+      {"sim:robot?package=x", "NAME=FOLDER"},
+      {"sim:robot?urdf=arm.urdf", "a mount for each patch"},
   };
   const auto refusal = [](auto&& use) -> std::string {
     try {
@@ -63,9 +73,17 @@ TEST(OpenSkinSource, SaysWhatItExpected) {
   }
 }
 
+TEST(OpenSkinSource, TellsFilesFromAddresses) {
+  EXPECT_THROW(openSkinSource("sim:robot?urdf=none.urdf&mount=a:0,0,0"), StorageError);
+  EXPECT_NO_THROW(checkSkinAddress("sim:robot?urdf=none.urdf&mount=a:0,0,0")) << "opens nothing";
+  EXPECT_THROW(openSkinSource("sim:robot?mount=fore_arm:0,0,0"), InvalidArgument);
+}
+
 TEST(CheckSkinAddress, TakesWhatCanBeOpenedAndBuildsNoSkinForIt) {
-  for (const char* address : {"tcp://localhost:7700", "serial:/dev/ttyACM0?baud=921600", "stdin", "replay:a?speed=max",
-                              "sim:x17", "sim:ring8:closed", "sim:x17?surface=cylinder:r=0.05&seed=2&speed=max"}) {
+  for (const char* address :
+       {"tcp://localhost:7700", "serial:/dev/ttyACM0?baud=921600", "stdin", "replay:a?speed=max", "sim:x17",
+        "sim:ring8:closed", "sim:x17?surface=cylinder:r=0.05&seed=2&speed=max", "sim:robot",
+        "sim:robot?mount=hand:0,0.02,0.05,0,0,1.57&mount=forearm:0,0,0&base=motors&speed=max"}) {
     EXPECT_NO_THROW(checkSkinAddress(address)) << address;
   }
   // Building one of these takes about a second, a thousand of them would take the test's time and more.

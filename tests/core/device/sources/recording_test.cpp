@@ -146,6 +146,28 @@ TEST(Recording, TellsWhatTheDeviceSaidAndWhatWasLostOnTheWay) {
   EXPECT_EQ(delivered.status().lost_samples, 6U);
 }
 
+TEST(Recording, KeepsWhereTheJointsStood) {
+  const test::TemporaryFolder folder;
+  const auto path = folder.path() / "a.skinrec";
+  CollectingListener live;
+  StreamRecorder recorder(path, live);
+  recorder.onSkin(twoCells());
+  recorder.onJoints({0.001, {{{"elbow", 0.1}, {"wrist", -1.0 / 3}}}});
+  recorder.onFrame(frameAt(0.001));
+  recorder.onJoints({0.002, {{{"elbow", 0.2}, {"wrist", -1.0 / 3}}}});
+  recorder.onJoints({0.003, {{{"elbow", 0.3}}}});
+  recorder.onSkin(twoCells());
+  recorder.onJoints({0.004, {{{"elbow", 0.4}}}});
+  recorder.finish();
+  EXPECT_EQ(live.delivered().joints.size(), 4U);
+  const auto delivered = play(path, kAtOnce);
+  ASSERT_EQ(delivered.joints.size(), 4U);
+  for (std::size_t k = 0; k < 4; ++k) {
+    EXPECT_EQ(delivered.joints[k].angles, live.delivered().joints[k].angles);
+    EXPECT_NEAR(delivered.joints[k].time_s, live.delivered().joints[k].time_s, 1e-9);
+  }
+}
+
 TEST(Recording, KeepsFramesAfterTheDevicesClockBeganAnew) {
   const test::TemporaryFolder folder;
   CollectingListener ignored;

@@ -409,5 +409,34 @@ TEST_F(SkinStreamTest, WhatADeviceSaysCantMoveATerminalsCursor) {
   EXPECT_EQ(listener.delivered().skins[0].device.english(), "red [31m");
 }
 
+TEST_F(SkinStreamTest, DeliversJointsByTheNamesThatCameLast) {
+  take(skinwire::Joints{1'000, {"elbow"}, {0.25}});
+  EXPECT_TRUE(listener.delivered().joints.empty()) << "nobody knows the skin yet";
+  describe();
+  EXPECT_EQ(take(skinwire::Joints{2'000, {}, {0.5}}), Effect::Alive) << "the name is known";
+  take(skinwire::Joints{3'000, {"elbow", "wrist"}, {0.75, -1}});
+  take(skinwire::Joints{4'000, {}, {1, -2}});
+  const auto joints = listener.delivered().joints;
+  ASSERT_EQ(joints.size(), 3U);
+  EXPECT_EQ(joints[0].angles, (JointAngles{{{"elbow", 0.5}}}));
+  EXPECT_EQ(joints[2].time_s, 0.004);
+  EXPECT_EQ(joints[2].angles, (JointAngles{{{"elbow", 1}, {"wrist", -2}}}));
+}
+
+TEST_F(SkinStreamTest, LeavesOutJointsWithoutNamesAndLateOnes) {
+  describe();
+  EXPECT_EQ(take(skinwire::Joints{1'000, {}, {0.25}}), Effect::Nothing);
+  EXPECT_EQ(status().rejected_messages, 1U);
+  take(skinwire::Joints{2'000, {"elbow"}, {0.25}});
+  EXPECT_EQ(take(skinwire::Joints{1'999, {}, {0.5}}), Effect::Nothing);
+  EXPECT_EQ(status().late_frames, 1U);
+  EXPECT_EQ(take(skinwire::Joints{3'000, {}, {0.5, 1}}), Effect::Nothing);
+  EXPECT_EQ(listener.delivered().joints.size(), 1U);
+  // Another device may come after a new connection: its names have to come too.
+  stream.restart();
+  describe();
+  EXPECT_EQ(take(skinwire::Joints{1'000, {}, {0.25}}), Effect::Nothing);
+}
+
 }  // namespace
 }  // namespace hexoderm

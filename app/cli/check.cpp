@@ -1,0 +1,146 @@
+#include "app/cli/capture.h"
+
+#include "hexoderm/reconstruction/check/calibration_check.h"
+#include "hexoderm/util/temporary_file.h"
+#include "hexoderm/util/text.h"
+#include "hexoderm/util/units.h"
+
+#include <filesystem>
+#include <iostream>
+#include <optional>
+
+namespace hexoderm::cli {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+struct CheckOptions {
+  std::string calibration;
+  std::string session;
+  CaptureOptions live;
+};
+
+/// Poses that are taken for the check; without -o they are kept only as long as it takes.
+Session takePoses(const CheckOptions& options, const Common& common) {
+  CaptureOptions live = options.live;
+  std::optional<TemporaryFolder> folder;
+  if (live.output.empty()) {
+    folder.emplace(std::filesystem::temp_directory_path(), "the poses to check");
+    live.output = (folder->path() / "check.hexo").string();
+  }
+  requireNewSession(live.output);
+  return captureSession(live, common);
+}
+
+CalibrationCheck checkAgainst(const Reconstruction& calibration, const Session& today, const CheckOptions& options) {
+  try {
+    return checkCalibration(calibration, *today.snapshot());
+  } catch (const InvalidArgument& error) {
+    // The two don't belong together.
+    throw BadInput(located(options.calibration, error.message()));
+  }
+}
+
+Json toJson(const CheckedCell& cell) {
+  Json json = {{"cell", cell.cell.value()},     {"change", cellChangeName(cell.change)},
+               {"words", cell.words.english()}, {"poses", cell.poses},
+               {"deviate", cell.deviate},       {"turn_deg", nullptr},
+               {"turn_sigma_deg", nullptr},     {"turn_at_least", nullptr},
+               {"offset_drift_mg", nullptr},    {"offset_drift_sigma_mg", nullptr},
+               {"noticed_turn_deg", nullptr}};
+  if (cell.turn) {
+    json["turn_deg"] = toDegrees(cell.turn->angle_rad);
+    json["turn_sigma_deg"] = toDegrees(cell.turn->sigma_rad);
+    json["turn_at_least"] = cell.turn->at_least;
+  }
+  if (cell.drift) {
+    constexpr double kMilli = 1000;
+    const Eigen::Vector3d drift_mg = kMilli * cell.drift->offset_g;
+    json["offset_drift_mg"] = {drift_mg.x(), drift_mg.y(), drift_mg.z()};
+    json["offset_drift_sigma_mg"] = kMilli * cell.drift->sigma_g;
+  }
+  if (cell.noticed_turn_rad) json["noticed_turn_deg"] = toDegrees(*cell.noticed_turn_rad);
+  return json;
+}
+
+Json toJson(const CalibrationCheck& check, const CheckOptions& options) {
+  Json json = {{"calibration", options.calibration},
+               {"poses_of", options.session.empty() ? options.live.source : options.session},
+               {"poses", Json::array()},
+               {"changed", check.changed},
+               {"compared", check.compared},
+               {"summary", check.summary.english()},
+               {"advice", check.advice.english()},
+               {"remarks", Json::array()},
+               {"cells", Json::array()}};
+  for (const PoseId pose : check.poses) json["poses"].push_back(pose.value());
+  for (const Message& remark : check.remarks) json["remarks"].push_back(remark.english());
+  for (const CheckedCell& cell : check.cells) json["cells"].push_back(toJson(cell));
+  return json;
+}
+
+void print(const CalibrationCheck& check) {
+  std::cout << check.poses.size() << (check.poses.size() == 1 ? " pose" : " poses") << " against the calibration of "
+            << check.cells.size() << (check.cells.size() == 1 ? " cell\n" : " cells\n");
+  std::cout << "  cell   a turn is noticed from   now\n";
+  for (const CheckedCell& cell : check.cells) {
+    const std::string id = toString(cell.cell);
+    const std::string noticed = cell.noticed_turn_rad ? degrees(*cell.noticed_turn_rad, 1) : "-";
+    const std::size_t noticed_width = noticed == "-" ? 1 : noticed.size() - 1;  // the degree sign has two bytes
+    std::cout << "  " << id << std::string(id.size() < 7 ? 7 - id.size() : 1, ' ') << noticed
+              << std::string(noticed_width < 25 ? 25 - noticed_width : 1, ' ') << cell.words << '\n';
+  }
+  for (const Message& remark : check.remarks) std::cout << forTerminal(remark.english()) << '\n';
+  std::cout << forTerminal(check.summary.english()) << '\n';
+  if (!check.advice.empty()) std::cout << forTerminal(check.advice.english()) << '\n';
+}
+
+int run(const CheckOptions& options, const Common& common) {
+  if (options.session.empty() == options.live.source.empty()) {
+    throw InvalidArgument("check: give either a session or --source, for the poses to compare the calibration with");
+  }
+  const auto calibration = openCalibration(options.calibration);
+  const Session today = options.session.empty() ? takePoses(options, common) : openSession(options.session);
+  const CalibrationCheck check = checkAgainst(*calibration, today, options);
+  if (common.json) {
+    printJson(toJson(check, options));
+  } else {
+    print(check);
+  }
+  return check.changed || !check.compared ? kNotGoodEnough : kDone;
+}
+
+}  // namespace
+
+void addCheck(CLI::App& app, Common& common) {
+  const auto options = std::make_shared<CheckOptions>();
+  options->live.poses = 2;
+  CLI::App* command = app.add_subcommand(
+      "check", "Does an old calibration still hold? Compare it, cell by cell, with one to three new poses");
+  command->add_option("calibration", options->calibration, "Calibration (*.calibration.json)")->required();
+  command->add_option("session", options->session, "Session with the new poses (*.hexo or *.session.json)");
+  CLI::Option* source =
+      command->add_option("--source", options->live.source, "Take the poses now: " + sourceKindsInWords());
+  command->add_option("--poses", options->live.poses, "Poses to take")
+      ->check(CLI::Range(1, 100))
+      ->capture_default_str()
+      ->needs(source);
+  command->add_flag("--auto", options->live.automatic, "The device turns itself")->needs(source);
+  command
+      ->add_option("--timeout", options->live.timeout_s,
+                   "Seconds to wait for a device to describe itself; with --auto also for each pose")
+      ->check(CLI::PositiveNumber)
+      ->capture_default_str()
+      ->needs(source);
+  command->add_option("-o,--output", options->live.output, "Keep the poses that are taken in a session (*.hexo)")
+      ->needs(source);
+  common.addTo(*command);
+  command->footer(
+      "The calibration is not changed. A part that sits otherwise on the robot as a whole is no change.\n"
+      "Exit code 1: something is not as calibrated, or nothing could be told.\n"
+      "Example:\n  hexoderm-cli check arm.calibration.json today.session.json\n"
+      "  hexoderm-cli check arm.calibration.json --source tcp://localhost:7700 --poses 2");
+  command->callback([options, &common] { common.exit_code = run(*options, common); });
+}
+
+}  // namespace hexoderm::cli

@@ -1,0 +1,199 @@
+#include "app/cli/reproduce/experiments.h"
+
+#include "hexoderm/reconstruction/check/calibration_check.h"
+#include "hexoderm/reconstruction/reconstructor.h"
+#include "hexoderm/session/simulated_session.h"
+#include "hexoderm/util/text.h"
+#include "hexoderm/util/units.h"
+
+#include <algorithm>
+#include <cmath>
+#include <iostream>
+#include <random>
+
+namespace hexoderm::cli {
+namespace {
+
+constexpr double kBarNoticed = 95;  ///< percent
+constexpr double kBarBlamed = 0.2;  ///< percent of healthy cells
+constexpr double kDrift_g = 0.060;
+
+enum class Change { None, Turn, Dead, Stuck, Drift };
+
+struct CheckCase {
+  std::string name;
+  Change change = Change::None;
+  CellChange expected = CellChange::None;
+  std::size_t calibration_poses = 4;
+  std::size_t poses = 2;
+  bool has_bar = true;
+};
+
+struct ChangeRow {
+  CheckCase what;
+  Share found;                   ///< the changed cell is called changed
+  Share right;                   ///< ... and as what it is
+  Share ambiguous;               ///< ... and as turned or drifted, which can't be told
+  Share blamed;                  ///< healthy cells
+  Share alarms;                  ///< checks in which a healthy cell is blamed
+  std::vector<double> deviates;  ///< of the turn's angle about the true 10 degrees, in its stated sigmas
+  [[nodiscard]] bool reached() const {
+    return blamed.percent() <= kBarBlamed && (what.change == Change::None || found.percent() >= kBarNoticed);
+  }
+};
+
+Eigen::Vector3d directionFrom(std::mt19937_64& random) {
+  std::normal_distribution<double> normal;
+  Eigen::Vector3d v;
+  for (double& x : v) x = normal(random);
+  return v.normalized();
+}
+
+/// Directions that up has in the part one day, each 60 to 120 degrees from those before.
+std::vector<Eigen::Vector3d> anyPoses(std::size_t count, std::mt19937_64& random) {
+  std::vector<Eigen::Vector3d> ups;
+  while (ups.size() < count) {
+    const Eigen::Vector3d up = directionFrom(random);
+    const auto is_near = [&](const Eigen::Vector3d& other) { return std::abs(up.dot(other)) > 0.5; };
+    if (std::ranges::none_of(ups, is_near)) ups.push_back(up);
+  }
+  return ups;
+}
+
+bool isNamed(CellChange change) { return change != CellChange::None && change != CellChange::NotTold; }
+
+ChangeRow runTrial(const CheckCase& what, std::size_t seed) {
+  std::mt19937_64 random(seed);
+  // The changed cell is any of the skin, whatever is done to it.
+  const CellId changed(static_cast<std::uint32_t>(1 + seed % 17));
+  // A cell is turned before the last pose of as many as are named here.
+  SkinCase skin_case = {.patch = "x17", .surface = "cylinder:r=0.0501", .poses = what.calibration_poses + 1};
+  if (what.change == Change::Turn) skin_case.faults.push_back({SkinFault::Reglued, changed});
+  SimulatedSkin skin = makeSkin(skin_case, seed);
+  skin_case.poses = what.calibration_poses;
+  const auto calibration = reconstruct(*measure(skin, skin_case).snapshot(), globalSolver());
+
+  if (what.change == Change::Dead) skin.breakCell({SkinFault::Dead, changed});
+  if (what.change == Change::Stuck) skin.breakCell({SkinFault::Stuck, changed});
+  const Eigen::Vector3d drift_g = kDrift_g * directionFrom(random);
+  Session today = beginSimulatedSession(skin);
+  for (const Eigen::Vector3d& up : anyPoses(what.poses, random)) {
+    PoseCapture pose = averageFrames(skin.record(up), today.nextPoseId(), {});
+    for (GravitySample& sample : pose.samples) {
+      if (what.change == Change::Drift && sample.cell == changed) sample.mean_g += drift_g;
+    }
+    today.addPose({std::make_shared<const PoseCapture>(std::move(pose))});
+  }
+
+  ChangeRow row{what, {}, {}, {}, {}, {}, {}};
+  const CalibrationCheck check = checkCalibration(*calibration, *today.snapshot());
+  for (const CheckedCell& cell : check.cells) {
+    if (what.change == Change::None || cell.cell != changed) {
+      row.blamed += {isNamed(cell.change) ? 1U : 0U, 1};
+      continue;
+    }
+    row.found += {isNamed(cell.change) ? 1U : 0U, 1};
+    row.right += {cell.change == what.expected ? 1U : 0U, 1};
+    row.ambiguous += {cell.change == CellChange::TurnedOrDrifted ? 1U : 0U, 1};
+    if (what.change == Change::Turn && cell.change == CellChange::Turned) {
+      row.deviates.push_back((cell.turn->angle_rad - 10 * kDegree) / cell.turn->sigma_rad);
+    }
+  }
+  row.alarms += {row.blamed.part > 0 ? 1U : 0U, 1};
+  return row;
+}
+
+ChangeRow runRow(const Trials& trials, const CheckCase& what) {
+  ChangeRow row{what, {}, {}, {}, {}, {}, {}};
+  for (const ChangeRow& trial :
+       trials.run(what.name, trials.seeds(), [&](std::size_t seed) { return runTrial(what, seed); })) {
+    row.found += trial.found;
+    row.right += trial.right;
+    row.ambiguous += trial.ambiguous;
+    row.blamed += trial.blamed;
+    row.alarms += trial.alarms;
+    row.deviates.insert(row.deviates.end(), trial.deviates.begin(), trial.deviates.end());
+  }
+  return row;
+}
+
+std::vector<CheckCase> checkCases() {
+  std::vector<CheckCase> cases;
+  for (const std::size_t calibration_poses : {4, 8}) {
+    const std::size_t n = calibration_poses;
+    cases.push_back({"turned by 10 deg", Change::Turn, CellChange::Turned, n, 2});
+    cases.push_back({"dead", Change::Dead, CellChange::Broken, n, 2});
+    cases.push_back({"stuck", Change::Stuck, CellChange::Broken, n, 2});
+    cases.push_back({"offset drifted by 60 mg", Change::Drift, CellChange::Drifted, n, 2});
+    cases.push_back({"healthy", Change::None, CellChange::None, n, 2});
+  }
+  cases.push_back({"turned by 10 deg", Change::Turn, CellChange::Turned, 3, 2, false});
+  cases.push_back({"offset drifted by 60 mg", Change::Drift, CellChange::Drifted, 3, 2, false});
+  cases.push_back({"turned by 10 deg", Change::Turn, CellChange::TurnedOrDrifted, 4, 1, false});
+  cases.push_back({"turned by 10 deg", Change::Turn, CellChange::Turned, 4, 3, false});
+  cases.push_back({"offset drifted by 60 mg", Change::Drift, CellChange::Drifted, 4, 3, false});
+  return cases;
+}
+
+/// Root mean square; the normalised error of what is stated as 1 sigma.
+double rootMeanSquare(const std::vector<double>& values) {
+  double sum = 0;
+  for (const double value : values) sum += value * value;
+  return values.empty() ? 0 : std::sqrt(sum / static_cast<double>(values.size()));
+}
+
+nlohmann::ordered_json toJson(const ChangeRow& row) {
+  const bool is_healthy = row.what.change == Change::None;
+  nlohmann::ordered_json json = {{"change", row.what.name},
+                                 {"calibration_poses", row.what.calibration_poses},
+                                 {"poses", row.what.poses},
+                                 {"found", nullptr},
+                                 {"right_kind", nullptr},
+                                 {"turned_or_drifted", nullptr},
+                                 {"blamed_per_cell", cli::toJson(row.blamed)},
+                                 {"false_alarms", cli::toJson(row.alarms)},
+                                 {"turn_error_over_stated", nullptr},
+                                 {"reached", nullptr}};
+  if (!is_healthy) {
+    json["found"] = cli::toJson(row.found);
+    json["right_kind"] = cli::toJson(row.right);
+    json["turned_or_drifted"] = cli::toJson(row.ambiguous);
+  }
+  if (!row.deviates.empty()) json["turn_error_over_stated"] = rootMeanSquare(row.deviates);
+  if (row.what.has_bar) json["reached"] = row.reached();
+  return json;
+}
+
+}  // namespace
+
+nlohmann::ordered_json countChanges(const Trials& trials, bool prints) {
+  std::vector<ChangeRow> rows;
+  for (const CheckCase& what : checkCases()) rows.push_back(runRow(trials, what));
+  if (prints) {
+    std::cout
+        << "What changed since a calibration is found by a check, on a simulated X17 in a hand, defaults: "
+        << trials.seeds() << " skins per row.\n"
+        << "Found: the cell is named as changed. Right: as what it is; in one pose that is \"turned or drifted\".\n"
+        << "Either: as turned or drifted, which the poses can't tell. Blamed: healthy cells named as changed.\n"
+        << "Error / stated: rms error of the angle in its stated deviations. With 95 % intervals. Bars, of two poses\n"
+        << "and a calibration by four or more: found >= " << formatFixed(kBarNoticed, 0)
+        << " %, blamed <= " << formatFixed(kBarBlamed, 1) << " %.\n\n";
+    TextTable table({"change", "calibrated by", "checked by", "found", "right", "either", "blamed, per cell",
+                     "error / stated", "reached"});
+    for (const ChangeRow& row : rows) {
+      const bool healthy = row.what.change == Change::None;
+      table.add({row.what.name, std::to_string(row.what.calibration_poses) + " poses",
+                 std::to_string(row.what.poses) + (row.what.poses == 1 ? " pose" : " poses"),
+                 healthy ? "-" : inWords(row.found, 1), healthy ? "-" : inWords(row.right, 1),
+                 healthy ? "-" : formatFixed(row.ambiguous.percent(), 1) + " %", inWords(row.blamed, 2),
+                 row.deviates.empty() ? "-" : formatFixed(rootMeanSquare(row.deviates), 2),
+                 row.what.has_bar ? (row.reached() ? "yes" : "NO") : "-"});
+    }
+    table.print();
+  }
+  nlohmann::ordered_json json = {{"skins", trials.seeds()}, {"rows", nlohmann::ordered_json::array()}};
+  for (const ChangeRow& row : rows) json["rows"].push_back(toJson(row));
+  return json;
+}
+
+}  // namespace hexoderm::cli

@@ -1,0 +1,69 @@
+#include "hexoderm/device/simulation/robot_in_words.h"
+
+#include "hexoderm/device/simulation/patch_plan.h"
+#include "hexoderm/kinematics/demo_robot.h"
+#include "hexoderm/util/error.h"
+#include "hexoderm/util/text.h"
+
+#include <utility>
+
+namespace hexoderm {
+namespace {
+
+PatchMount mountOf(const std::string& text, const RobotInWords& words) {
+  const std::size_t colon = text.rfind(':');
+  const std::vector<std::string> numbers =
+      colon == std::string::npos ? std::vector<std::string>() : split(text.substr(colon + 1), ',');
+  if (colon == 0 || (numbers.size() != 3 && numbers.size() != 6)) {
+    throw InvalidArgument(message("mount: expected {}, found \"{}\"", kMountSyntax, text));
+  }
+  PatchMount mount;
+  mount.link = text.substr(0, colon);
+  mount.patch = words.patch;
+  mount.surface = words.surface;
+  Eigen::Vector3d rpy = Eigen::Vector3d::Zero();
+  for (std::size_t k = 0; k < numbers.size(); ++k) {
+    const auto axis = static_cast<Eigen::Index>(k % 3);
+    (k < 3 ? mount.T_l_m.t : rpy)[axis] = parseNumber(numbers[k], "mount " + text);
+  }
+  mount.T_l_m.R = rotationFromRpy(rpy);
+  return mount;
+}
+
+}  // namespace
+
+SimulatedRobotOptions robotOptions(const RobotInWords& words) {
+  SimulatedRobotOptions options = words.ideal ? SimulatedRobotOptions::ideal() : SimulatedRobotOptions();
+  if (words.base == "motors") {
+    options.skin = SimulatedSkinOptions::robot();
+  } else if (words.base == "hand") {
+    options.base = BaseHold::Hand;
+  } else if (words.base != "fixed") {
+    throw InvalidArgument(message("base: expected fixed, motors or hand, found \"{}\"", words.base));
+  }
+  if (words.ideal && words.base == "motors") {
+    throw InvalidArgument(message("base: a robot with its motors on is not ideal"));
+  }
+  parsePatch(words.patch);
+  if (!words.surface.empty()) makeSurface(words.surface);
+  options.seed = words.seed;
+  options.skin.link_law = words.link_law;
+  options.skin.faults = words.faults;
+  options.skin.link_faults = words.link_faults;
+  for (const std::string& mount : words.mounts) options.mounts.push_back(mountOf(mount, words));
+  if (options.mounts.empty()) {
+    if (words.robot != kDemoRobotName) {
+      throw InvalidArgument(message("the robot needs a mount for each patch, {}", kMountSyntax));
+    }
+    options.mounts = demoMounts();
+  }
+  packageFolders(words.packages);
+  return options;
+}
+
+SimulatedRobot makeRobot(CellModel model, const RobotInWords& words) {
+  SimulatedRobotOptions options = robotOptions(words);
+  return {std::move(model), robotNamed(words.robot, words.packages), std::move(options)};
+}
+
+}  // namespace hexoderm

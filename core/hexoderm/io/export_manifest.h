@@ -1,0 +1,29 @@
+#pragma once
+
+#include "hexoderm/io/export_selection.h"
+
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace hexoderm {
+
+/// A file of a bundle.
+struct ManifestFile {
+  std::string name;
+  std::string sha256;
+  const ExportFormatDescription* format = nullptr;
+  ExportSelection selection;
+};
+
+/// manifest.json of a bundle: version of the program, units, inputs and files with their SHA-256, what each file does
+/// not hold, and for every cell in words and numbers into which frame its placement maps, with its covariance.
+std::string manifestText(const Reconstruction& reconstruction, std::span<const ManifestFile> files,
+                         const ExportOptions& options);
+/// Throws FormatError unless the bytes are JSON that says the same as `text`.
+void verifyManifest(std::string_view bytes, const std::string& text, const std::string& file);
+
+inline constexpr const char* kManifestFile = "manifest.json";
+
+}  // namespace hexoderm

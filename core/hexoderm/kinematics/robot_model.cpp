@@ -1,0 +1,565 @@
+#include "hexoderm/kinematics/robot_model.h"
+
+#include "hexoderm/kinematics/mesh_file.h"
+#include "hexoderm/kinematics/urdf_document.h"
+#include "hexoderm/util/error.h"
+#include "hexoderm/util/file.h"
+#include "hexoderm/util/limits.h"
+#include "hexoderm/util/near_match.h"
+#include "hexoderm/util/sha256.h"
+#include "hexoderm/util/text.h"
+#include "hexoderm/util/units.h"
+
+#include <console_bridge/console.h>
+#include <urdf_model/model.h>
+#include <urdf_parser/urdf_parser.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <kdl/frames.hpp>
+#include <kdl/segment.hpp>
+#include <mutex>
+#include <set>
+#include <utility>
+
+namespace hexoderm {
+namespace {
+
+/// No robot is larger.
+constexpr double kFarthestJoint_m = 1000;
+
+KDL::Vector toKdl(const Eigen::Vector3d& v) { return {v.x(), v.y(), v.z()}; }
+KDL::Frame toKdl(const SE3& T) {
+  return {KDL::Rotation(toKdl(T.R.col(0)), toKdl(T.R.col(1)), toKdl(T.R.col(2))), toKdl(T.t)};
+}
+SE3 fromKdl(const KDL::Frame& frame) {
+  SE3 T;
+  for (int row = 0; row < 3; ++row) {
+    T.t[row] = frame.p[row];
+    for (int column = 0; column < 3; ++column) T.R(row, column) = frame.M(row, column);
+  }
+  return T;
+}
+
+/// What urdfdom says while it reads; it would go to standard error.
+class UrdfdomWords : public console_bridge::OutputHandler {
+ public:
+  UrdfdomWords() : lock_(mutex()), level_(console_bridge::getLogLevel()) {
+    console_bridge::useOutputHandler(this);
+    console_bridge::setLogLevel(console_bridge::CONSOLE_BRIDGE_LOG_ERROR);
+  }
+  ~UrdfdomWords() override {
+    console_bridge::setLogLevel(level_);
+    console_bridge::restorePreviousOutputHandler();
+  }
+  void log(const std::string& text, console_bridge::LogLevel /*level*/, const char* /*file*/, int /*line*/) override {
+    if (first_.empty()) first_ = text;
+  }
+  [[nodiscard]] const std::string& first() const { return first_; }
+
+ private:
+  /// The handler belongs to the process.
+  static std::mutex& mutex() {
+    static std::mutex instance;
+    return instance;
+  }
+  std::lock_guard<std::mutex> lock_;
+  console_bridge::LogLevel level_;
+  std::string first_;
+};
+
+urdf::ModelInterfaceSharedPtr parseByUrdfdom(std::string_view text, const std::string& file) {
+  UrdfdomWords words;
+  const urdf::ModelInterfaceSharedPtr model = urdf::parseURDF(std::string(text));
+  if (!model) {
+    const std::string why = words.first().empty() ? "no reason given" : shortened(words.first(), 300);
+    throw FormatError(located(file, message("this is no valid URDF; urdfdom says: {}", why)));
+  }
+  return model;
+}
+
+/// urdfdom's model as this library's, with its numbers checked.
+class UrdfConverter {
+ public:
+  UrdfConverter(const urdf::ModelInterface& model, const UrdfDocument& document, const std::string& file)
+      : model_(model), document_(document), file_(file) {
+    for (std::size_t k = 0; k < document.links.size(); ++k) link_index_.emplace(document.links[k], k);
+    for (std::size_t k = 0; k < document.joints.size(); ++k) joint_index_.emplace(document.joints[k], k);
+    requireSameNames();
+  }
+
+  std::vector<RobotLink> links() const {
+    std::vector<RobotLink> links;
+    for (const std::string& name : document_.links) {
+      const urdf::LinkConstSharedPtr link = model_.getLink(name);
+      place_ = message("link {}", name);
+      line_ = document_.line_of_link.at(name);
+      RobotLink& result = links.emplace_back();
+      result.name = name;
+      if (link->parent_joint) result.joint = joint_index_.at(link->parent_joint->name);
+      for (const auto& visual : link->visual_array) {
+        if (visual && visual->geometry) result.visuals.push_back(shapeOf(*visual->geometry, visual->origin));
+      }
+      for (const auto& collision : link->collision_array) {
+        if (collision && collision->geometry) {
+          result.collisions.push_back(shapeOf(*collision->geometry, collision->origin));
+        }
+      }
+    }
+    return links;
+  }
+
+  std::vector<RobotJoint> joints(std::vector<Message>& notes) const {
+    std::vector<RobotJoint> joints;
+    for (const std::string& name : document_.joints) {
+      const urdf::JointConstSharedPtr joint = model_.getJoint(name);
+      place_ = message("joint {}", name);
+      line_ = document_.line_of_joint.at(name);
+      joints.push_back(jointOf(*joint, notes));
+    }
+    for (std::size_t k = 0; k < joints.size(); ++k) requireEndingMimic(joints, k);
+    return joints;
+  }
+
+ private:
+  /// urdfdom reads XML with another library, which is not as strict about what is malformed.
+  void requireSameNames() const {
+    bool same = model_.links_.size() == link_index_.size() && model_.joints_.size() == joint_index_.size();
+    for (const auto& [name, link] : model_.links_) same = same && link && link_index_.contains(name);
+    for (const auto& [name, joint] : model_.joints_) {
+      same = same && joint && joint_index_.contains(name) && link_index_.contains(joint->parent_link_name) &&
+             link_index_.contains(joint->child_link_name);
+    }
+    if (same) return;
+    throw FormatError(
+        located(file_, message("urdfdom reads other links or joints in it than this program: an element or "
+                               "an attribute is probably malformed, or there twice")));
+  }
+
+  [[noreturn]] void fail(Message what) const {
+    throw FormatError(located(file_, located(message("line {}", line_), located(place_, std::move(what)))));
+  }
+
+  [[nodiscard]] Eigen::Vector3d vectorOf(const urdf::Vector3& v, double most, Message expected) const {
+    Eigen::Vector3d result(v.x, v.y, v.z);
+    if (!isWithin(result, most)) fail(std::move(expected));
+    return result;
+  }
+
+  [[nodiscard]] SE3 placementOf(const urdf::Pose& pose) const {
+    SE3 T;
+    T.t = vectorOf(pose.position, kFarthestJoint_m,
+                   message("expected an origin of metres, at most {}", Number{kFarthestJoint_m, 0}));
+    Eigen::Quaterniond q(pose.rotation.w, pose.rotation.x, pose.rotation.y, pose.rotation.z);
+    if (!std::isfinite(q.norm()) || std::abs(q.norm() - 1) > 1e-6)
+      fail(message("expected rpy of finite angles in rad"));
+    T.R = q.normalized().toRotationMatrix();
+    return T;
+  }
+
+  [[nodiscard]] double lengthOf(double value, Message expected) const {
+    if (!(value > 0 && value <= kFarthestJoint_m)) fail(std::move(expected));
+    return value;
+  }
+  [[nodiscard]] double sizeOf(double value) const {
+    return lengthOf(value, message("expected a size above 0 and at most {} m", Number{kFarthestJoint_m, 0}));
+  }
+  [[nodiscard]] double radiusOf(double value) const {
+    return lengthOf(value, message("expected a radius above 0 and at most {} m", Number{kFarthestJoint_m, 0}));
+  }
+  [[nodiscard]] double cylinderLengthOf(double value) const {
+    return lengthOf(value, message("expected a length above 0 and at most {} m", Number{kFarthestJoint_m, 0}));
+  }
+
+  [[nodiscard]] LinkShape shapeOf(const urdf::Geometry& geometry, const urdf::Pose& origin) const {
+    LinkShape result{placementOf(origin), {}};
+    if (const auto* box = dynamic_cast<const urdf::Box*>(&geometry)) {
+      result.shape = BoxShape{{sizeOf(box->dim.x), sizeOf(box->dim.y), sizeOf(box->dim.z)}};
+    } else if (const auto* cylinder = dynamic_cast<const urdf::Cylinder*>(&geometry)) {
+      result.shape = CylinderShape{radiusOf(cylinder->radius), cylinderLengthOf(cylinder->length)};
+    } else if (const auto* sphere = dynamic_cast<const urdf::Sphere*>(&geometry)) {
+      result.shape = SphereShape{radiusOf(sphere->radius)};
+    } else if (const auto* mesh = dynamic_cast<const urdf::Mesh*>(&geometry)) {
+      MeshShape shape{mesh->filename, vectorOf(mesh->scale, kMostJointPosition, badScale())};
+      if ((shape.scale.array() == 0).any()) fail(badScale());
+      result.shape = std::move(shape);
+    } else {
+      fail(message("expected a box, cylinder, sphere or mesh"));
+    }
+    return result;
+  }
+
+  static Message badScale() { return message("expected a scale of three numbers, none of them 0"); }
+
+  [[nodiscard]] RobotJoint jointOf(const urdf::Joint& joint, std::vector<Message>& notes) const {
+    RobotJoint result;
+    result.name = joint.name;
+    result.parent = link_index_.at(joint.parent_link_name);
+    result.child = link_index_.at(joint.child_link_name);
+    result.T_parent_joint = placementOf(joint.parent_to_joint_origin_transform);
+    result.type = typeOf(joint, notes);
+    if (result.type == JointType::Fixed) return result;
+
+    result.axis = vectorOf(joint.axis, kMostJointPosition, message("expected an axis of three finite numbers"));
+    if (result.axis.norm() < 1e-6) fail(message("expected an axis, but its length is 0"));
+    result.axis.normalize();
+    if (joint.limits && result.type != JointType::Continuous) {
+      result.limits = JointLimits{joint.limits->lower, joint.limits->upper};
+      const bool in_order = result.limits->lower <= result.limits->upper;  // false for NaN
+      if (!in_order || std::abs(result.limits->lower) > kMostJointPosition ||
+          std::abs(result.limits->upper) > kMostJointPosition) {
+        fail(message("expected limits of which the lower is not above the upper"));
+      }
+    }
+    if (joint.mimic) result.mimic = mimicOf(*joint.mimic);
+    return result;
+  }
+
+  [[nodiscard]] JointType typeOf(const urdf::Joint& joint, std::vector<Message>& notes) const {
+    switch (joint.type) {
+      case urdf::Joint::REVOLUTE:
+        return JointType::Revolute;
+      case urdf::Joint::CONTINUOUS:
+        return JointType::Continuous;
+      case urdf::Joint::PRISMATIC:
+        return JointType::Prismatic;
+      case urdf::Joint::FIXED:
+        return JointType::Fixed;
+      case urdf::Joint::FLOATING:
+        notes.push_back(message("Joint {} is a floating one; it is taken as fixed at its zero.", joint.name));
+        return JointType::Fixed;
+      case urdf::Joint::PLANAR:
+        notes.push_back(message("Joint {} is a planar one; it is taken as fixed at its zero.", joint.name));
+        return JointType::Fixed;
+      default:
+        fail(message("expected the type revolute, continuous, prismatic, fixed, floating or planar"));
+    }
+  }
+
+  [[nodiscard]] JointMimic mimicOf(const urdf::JointMimic& mimic) const {
+    const auto joint = joint_index_.find(mimic.joint_name);
+    if (joint == joint_index_.end()) {
+      fail(message("mimics joint {}, which is not among the robot's joints", mimic.joint_name));
+    }
+    if (!(std::abs(mimic.multiplier) <= kMostJointPosition && std::abs(mimic.offset) <= kMostJointPosition)) {
+      fail(message("expected a multiplier and an offset that are finite"));
+    }
+    return {joint->second, mimic.multiplier, mimic.offset};
+  }
+
+  void requireEndingMimic(const std::vector<RobotJoint>& joints, std::size_t first) const {
+    std::size_t at = first;
+    for (std::size_t steps = 0; joints[at].mimic; ++steps) {
+      at = joints[at].mimic->joint;
+      if (steps <= joints.size()) continue;
+      place_ = message("joint {}", joints[first].name);
+      line_ = document_.line_of_joint.at(joints[first].name);
+      fail(message("mimics joints that mimic each other in a circle"));
+    }
+  }
+
+  const urdf::ModelInterface& model_;
+  const UrdfDocument& document_;
+  const std::string& file_;
+  std::map<std::string, std::size_t> link_index_;
+  std::map<std::string, std::size_t> joint_index_;
+  mutable Message place_;  ///< what is read, for complaints
+  mutable std::ptrdiff_t line_ = 0;
+};
+
+/// KDL's counterpart of a joint and the link that it carries. KDL puts the axis into the parent's frame.
+KDL::Segment segmentOf(const RobotJoint& joint, const std::string& child) {
+  const KDL::Frame T_parent_joint = toKdl(joint.T_parent_joint);
+  const KDL::Vector axis = T_parent_joint.M * toKdl(joint.axis);
+  switch (joint.type) {
+    case JointType::Fixed:
+      break;
+    case JointType::Revolute:
+    case JointType::Continuous:
+      return KDL::Segment(child, KDL::Joint(joint.name, T_parent_joint.p, axis, KDL::Joint::RotAxis), T_parent_joint);
+    case JointType::Prismatic:
+      return KDL::Segment(child, KDL::Joint(joint.name, T_parent_joint.p, axis, KDL::Joint::TransAxis), T_parent_joint);
+  }
+  return KDL::Segment(child, KDL::Joint(joint.name, KDL::Joint::None), T_parent_joint);
+}
+
+/// The rest of an address behind "SCHEME://PACKAGE/"; nullopt for other addresses.
+struct PackageFile {
+  std::string package;
+  std::string rest;
+};
+std::optional<PackageFile> packageFile(std::string_view address) {
+  for (const std::string_view scheme : {"package://", "model://"}) {
+    if (!address.starts_with(scheme)) continue;
+    const std::string_view path = address.substr(scheme.size());
+    const std::size_t slash = path.find('/');
+    if (slash == 0 || slash == std::string_view::npos) return std::nullopt;
+    return PackageFile{std::string(path.substr(0, slash)), std::string(path.substr(slash + 1))};
+  }
+  return std::nullopt;
+}
+
+/// A mesh with another scale; one that is mirrored keeps its outside.
+TriangleMesh scaled(TriangleMesh mesh, const Eigen::Vector3d& scale) {
+  for (Eigen::Vector3d& point : mesh.points) point = point.cwiseProduct(scale);
+  if (scale.prod() < 0) {
+    for (auto& triangle : mesh.triangles) std::swap(triangle[1], triangle[2]);
+  }
+  return mesh;
+}
+
+double longestSide(const TriangleMesh& mesh) { return boundingBox(mesh).size().maxCoeff(); }
+
+}  // namespace
+
+struct RobotModel::State {
+  std::string name;
+  std::filesystem::path file;
+  std::string sha256;
+  PackageFolders packages;
+  std::vector<RobotLink> links;
+  std::vector<RobotJoint> joints;
+  std::vector<Message> notes;
+  std::size_t root = 0;
+  std::map<std::string, std::size_t, std::less<>> link_index;
+  std::map<std::string, std::size_t, std::less<>> joint_index;
+  std::vector<std::size_t> parents_first;  ///< all joints, each behind the one that carries its parent
+  std::vector<KDL::Segment> segments;      ///< of each joint
+  double reach_m = 0;                      ///< the longest distance from a link's origin to a joint on it
+
+  [[nodiscard]] double positionOf(std::size_t joint, const JointAngles& angles) const;
+  void orderJoints();
+  [[nodiscard]] TriangleMesh meshOf(const MeshShape& mesh, std::size_t link) const;
+  [[nodiscard]] std::filesystem::path fileOf(const MeshShape& mesh, std::size_t link) const;
+  [[nodiscard]] std::filesystem::path packageFolder(const PackageFile& wanted, const MeshShape& mesh,
+                                                    std::size_t link) const;
+  [[noreturn]] void failMesh(const MeshShape& mesh, std::size_t link, Message why) const {
+    throw FormatError(located(
+        file.string(), located(message("link {}", links[link].name),
+                               message("the mesh {} can't be found: {}", excerptOf(mesh.file), std::move(why)))));
+  }
+};
+
+double RobotModel::State::positionOf(std::size_t joint, const JointAngles& angles) const {
+  const auto given = angles.positions.find(joints[joint].name);
+  if (given != angles.positions.end()) return given->second;
+  if (!joints[joint].mimic) return 0;
+  const JointMimic& mimic = *joints[joint].mimic;
+  return mimic.multiplier * positionOf(mimic.joint, angles) + mimic.offset;
+}
+
+void RobotModel::State::orderJoints() {
+  std::vector<std::vector<std::size_t>> carried(links.size());
+  for (std::size_t k = 0; k < joints.size(); ++k) carried[joints[k].parent].push_back(k);
+  std::vector<std::size_t> ahead{root};
+  while (!ahead.empty()) {
+    const std::size_t link = ahead.back();
+    ahead.pop_back();
+    for (const std::size_t joint : carried[link]) {
+      parents_first.push_back(joint);
+      ahead.push_back(joints[joint].child);
+      reach_m = std::max(reach_m, joints[joint].T_parent_joint.t.norm());
+    }
+  }
+  for (const RobotJoint& joint : joints) segments.push_back(segmentOf(joint, links[joint.child].name));
+}
+
+std::filesystem::path RobotModel::State::packageFolder(const PackageFile& wanted, const MeshShape& mesh,
+                                                       std::size_t link) const {
+  const auto named = packages.find(wanted.package);
+  if (named != packages.end()) return named->second;
+  std::error_code ignored;
+  const std::filesystem::path start = std::filesystem::absolute(file, ignored);
+  for (std::filesystem::path at = start.parent_path(); at.has_relative_path(); at = at.parent_path()) {
+    if (at.filename() == wanted.package) return at;
+  }
+  failMesh(mesh, link,
+           message("say which folder is the package {}, as --package {}=FOLDER", wanted.package, wanted.package));
+}
+
+std::filesystem::path RobotModel::State::fileOf(const MeshShape& mesh, std::size_t link) const {
+  const std::string_view address = mesh.file;
+  constexpr std::string_view kFileScheme = "file://";
+  if (const auto wanted = packageFile(address)) return packageFolder(*wanted, mesh, link) / wanted->rest;
+  if (address.starts_with(kFileScheme)) return address.substr(kFileScheme.size());
+  if (address.empty() || address.find("://") != std::string_view::npos) {
+    failMesh(mesh, link, message("expected package://NAME/FILE, file:///FILE or a path"));
+  }
+  return file.parent_path() / address;  // an absolute one stays as it is
+}
+
+TriangleMesh RobotModel::State::meshOf(const MeshShape& mesh, std::size_t link) const {
+  const std::filesystem::path path = fileOf(mesh, link);
+  const auto inLink = [&](const Error& error) {
+    return located(file.string(), located(message("link {}", links[link].name), error.message()));
+  };
+  try {
+    return scaled(readMeshFile(path), mesh.scale);
+  } catch (const StorageError& error) {
+    throw StorageError(inLink(error));
+  } catch (const FormatError& error) {
+    throw FormatError(inLink(error));
+  }
+}
+
+RobotModel::RobotModel(std::shared_ptr<const State> state) : state_(std::move(state)) {}
+
+RobotModel RobotModel::read(const std::filesystem::path& urdf, PackageFolders packages) {
+  return parse(readFile(urdf), urdf, std::move(packages));
+}
+
+RobotModel RobotModel::parse(std::string_view urdf, const std::filesystem::path& file, PackageFolders packages) {
+  const UrdfDocument document = checkUrdf(urdf, file.string());
+  const urdf::ModelInterfaceSharedPtr model = parseByUrdfdom(urdf, file.string());
+  const std::string file_name = file.string();
+  const UrdfConverter converter(*model, document, file_name);
+  auto state = std::make_shared<State>();
+  state->name = model->getName();
+  state->file = file;
+  state->sha256 = sha256Hex(urdf);
+  state->packages = std::move(packages);
+  state->links = converter.links();
+  state->joints = converter.joints(state->notes);
+  for (std::size_t k = 0; k < state->links.size(); ++k) {
+    state->link_index.emplace(state->links[k].name, k);
+    if (!state->links[k].joint) state->root = k;
+  }
+  for (std::size_t k = 0; k < state->joints.size(); ++k) state->joint_index.emplace(state->joints[k].name, k);
+  state->orderJoints();
+  return RobotModel(std::move(state));
+}
+
+const std::string& RobotModel::name() const { return state_->name; }
+const std::filesystem::path& RobotModel::file() const { return state_->file; }
+const std::string& RobotModel::sha256() const { return state_->sha256; }
+const std::vector<RobotLink>& RobotModel::links() const { return state_->links; }
+const std::vector<RobotJoint>& RobotModel::joints() const { return state_->joints; }
+std::size_t RobotModel::rootLink() const { return state_->root; }
+const std::vector<Message>& RobotModel::notes() const { return state_->notes; }
+
+std::optional<std::size_t> RobotModel::findLink(std::string_view name) const {
+  const auto found = state_->link_index.find(name);
+  return found == state_->link_index.end() ? std::nullopt : std::optional(found->second);
+}
+
+std::optional<std::size_t> RobotModel::findJoint(std::string_view name) const {
+  const auto found = state_->joint_index.find(name);
+  return found == state_->joint_index.end() ? std::nullopt : std::optional(found->second);
+}
+
+std::size_t RobotModel::linkNamed(std::string_view name) const {
+  if (const auto found = findLink(name)) return *found;
+  std::vector<std::string> names;
+  for (const RobotLink& link : links()) names.push_back(link.name);
+  const std::optional<std::string> meant = nearMatch(name, names);
+  throw InvalidArgument(located(file().string(), inRow({message("the robot has no link {}", excerptOf(name)),
+                                                        meant ? message("did you mean {}?", *meant) : Message()},
+                                                       "; ")));
+}
+
+std::size_t RobotModel::jointNamed(std::string_view name) const {
+  if (const auto found = findJoint(name)) return *found;
+  std::vector<std::string> names;
+  for (const RobotJoint& joint : joints()) names.push_back(joint.name);
+  const std::optional<std::string> meant = nearMatch(name, names);
+  throw InvalidArgument(located(file().string(), inRow({message("the robot has no joint {}", excerptOf(name)),
+                                                        meant ? message("did you mean {}?", *meant) : Message()},
+                                                       "; ")));
+}
+
+std::vector<SE3> RobotModel::forward(const JointAngles& angles) const {
+  angles.validate();
+  for (const auto& [name, position] : angles.positions) static_cast<void>(jointNamed(name));
+  std::vector<SE3> T_w_l(links().size());
+  for (const std::size_t joint : state_->parents_first) {
+    const double position = state_->positionOf(joint, angles);
+    requirePosition(joints()[joint].name, position);  // of a mimicking one it may be anything
+    const SE3 T_parent_child = fromKdl(state_->segments[joint].pose(position));
+    T_w_l[joints()[joint].child] = T_w_l[joints()[joint].parent] * T_parent_child;
+  }
+  return T_w_l;
+}
+
+std::vector<std::size_t> RobotModel::freeJointsTo(std::size_t link) const {
+  std::set<std::size_t> result;
+  for (std::optional<std::size_t> at = links().at(link).joint; at; at = links()[joints()[*at].parent].joint) {
+    std::size_t joint = *at;
+    while (const auto& mimic = joints()[joint].mimic) joint = mimic->joint;
+    if (joints()[joint].isFree()) result.insert(joint);
+  }
+  return {result.begin(), result.end()};
+}
+
+std::size_t RobotModel::partOf(std::size_t link) const {
+  while (links().at(link).joint && joints()[*links()[link].joint].type == JointType::Fixed) {
+    link = joints()[*links()[link].joint].parent;
+  }
+  return link;
+}
+
+std::vector<std::string> RobotModel::freeJointNames() const {
+  std::vector<std::string> names;
+  for (const RobotJoint& joint : joints()) {
+    if (joint.isFree()) names.push_back(joint.name);
+  }
+  return names;
+}
+
+bool RobotModel::hasBody(std::size_t link, LinkBody body) const {
+  const RobotLink& described = links().at(link);
+  return (body != LinkBody::Collision && !described.visuals.empty()) ||
+         (body != LinkBody::Visual && !described.collisions.empty());
+}
+
+TriangleMesh RobotModel::bodyOf(std::size_t link, LinkBody body) const {
+  const RobotLink& described = links().at(link);
+  const bool by_visuals = body == LinkBody::Visual || (body == LinkBody::Any && !described.visuals.empty());
+  TriangleMesh result;
+  for (const LinkShape& piece : by_visuals ? described.visuals : described.collisions) {
+    struct ToMesh {
+      const State& state;
+      std::size_t link;
+      TriangleMesh operator()(const BoxShape& box) const { return meshOfBox(box.size_m); }
+      TriangleMesh operator()(const CylinderShape& shape) const {
+        return meshOfCylinder(shape.radius_m, shape.length_m);
+      }
+      TriangleMesh operator()(const SphereShape& sphere) const { return meshOfSphere(sphere.radius_m); }
+      TriangleMesh operator()(const MeshShape& mesh) const { return state.meshOf(mesh, link); }
+    };
+    append(result, transformed(std::visit(ToMesh{*state_, link}, piece.shape), piece.T_l_shape));
+  }
+  return result;
+}
+
+std::filesystem::path RobotModel::meshFile(const MeshShape& mesh, std::size_t link) const {
+  return state_->fileOf(mesh, link);
+}
+
+std::optional<SuspectedUnit> RobotModel::suspectedUnit(std::size_t link, const TriangleMesh& body) const {
+  constexpr double kLongestLink_m = 5;
+  constexpr double kMostTimesReach = 20;
+  constexpr double kLongAnyway_m = 1;
+  constexpr double kShortestLink_m = 0.001;
+  const double size_m = longestSide(body);
+  const bool too_long = size_m > kLongestLink_m ||
+                        (size_m > kLongAnyway_m && state_->reach_m > 0 && size_m > kMostTimesReach * state_->reach_m);
+  if (!too_long && (size_m >= kShortestLink_m || body.empty())) return std::nullopt;
+
+  SuspectedUnit suspicion{size_m, too_long ? kMillimetre : 1 / kMillimetre, {}};
+  const std::string& name = links().at(link).name;
+  if (too_long) {
+    suspicion.message = message(
+        "The body of link {} would be {} m long: its mesh is probably in millimetres, where a "
+        "URDF needs metres. With a scale of 0.001 it would be {} long.",
+        name, Number{size_m, 1}, Millimetres{size_m * suspicion.factor, 0});
+  } else {
+    suspicion.message = message(
+        "The body of link {} would be only {} long: its mesh is probably scaled twice. With a "
+        "scale 1000 times as large it would be {} long.",
+        name, Millimetres{size_m, 4}, Millimetres{size_m * suspicion.factor, 0});
+  }
+  return suspicion;
+}
+
+}  // namespace hexoderm

@@ -1,0 +1,189 @@
+#include "hexoderm/kinematics/urdf_document.h"
+
+#include "hexoderm/util/error.h"
+#include "hexoderm/util/near_match.h"
+#include "hexoderm/util/text.h"
+
+#include <pugixml.hpp>
+
+#include <algorithm>
+#include <cstring>
+#include <optional>
+#include <set>
+
+namespace hexoderm {
+namespace {
+
+/// A humanoid with hands has 200 links; a file with more is made to keep a reader busy.
+constexpr std::size_t kMostUrdfLinks = 10'000;
+constexpr std::size_t kMostUrdfMegabytes = 20;
+/// URDF nests five deep, extensions for simulators a little more; urdfdom's reader is recursive.
+constexpr int kDeepestElement = 100;
+
+class UrdfChecker {
+ public:
+  UrdfChecker(std::string_view text, const std::string& file) : text_(text), file_(file) {}
+
+  UrdfDocument check() {
+    if (text_.size() > kMostUrdfMegabytes * 1'000'000) {
+      throw FormatError(located(file_, message("is too large: at most {} MB of XML are read", kMostUrdfMegabytes)));
+    }
+    const pugi::xml_parse_result parsed = document_.load_buffer(text_.data(), text_.size());
+    if (!parsed) {
+      failAt(lineAt(parsed.offset),
+             message("this is not well-formed XML ({}; truncated?), expected a URDF", parsed.description()));
+    }
+    const pugi::xml_node robot = document_.document_element();
+    DeepAndXacro walker(*this);
+    document_.traverse(walker);
+    if (std::strcmp(robot.name(), "robot") != 0) {
+      fail(robot, message("expected a URDF, whose root element is <robot>, found <{}>", excerptOf(robot.name())));
+    }
+    readLinks(robot);
+    readJoints(robot);
+    requireTree();
+    return std::move(result_);
+  }
+
+ private:
+  struct JointEnds {
+    std::string name;
+    std::string parent;
+    std::string child;
+    pugi::xml_node node;
+  };
+
+  /// Fails for elements that are nested deeply, and for xacro's.
+  class DeepAndXacro : public pugi::xml_tree_walker {
+   public:
+    explicit DeepAndXacro(const UrdfChecker& checker) : checker_(checker) {}
+    bool for_each(pugi::xml_node& node) override {
+      if (depth() > kDeepestElement) checker_.fail(node, message("the elements are nested too deeply for a URDF"));
+      if (std::string_view(node.name()).starts_with("xacro:")) failXacro(node, node.name());
+      if (std::strcmp(node.name(), "link") != 0 && std::strcmp(node.name(), "joint") != 0) return true;
+      const std::string_view name = node.attribute("name").value();
+      if (name.find("${") != std::string_view::npos) failXacro(node, name);
+      return true;
+    }
+
+   private:
+    [[noreturn]] void failXacro(const pugi::xml_node& node, std::string_view what) const {
+      checker_.fail(node, message("{} is xacro, from which URDF is made: run xacro first, and open what it writes",
+                                  excerptOf(what)));
+    }
+    const UrdfChecker& checker_;
+  };
+
+  [[nodiscard]] std::ptrdiff_t lineAt(std::ptrdiff_t offset) const {
+    const auto end = std::min(static_cast<std::size_t>(std::max<std::ptrdiff_t>(offset, 0)), text_.size());
+    return std::ranges::count(text_.substr(0, end), '\n') + 1;
+  }
+  [[noreturn]] void failAt(std::ptrdiff_t line, Message what) const {
+    throw FormatError(located(file_, located(message("line {}", line), std::move(what))));
+  }
+  [[noreturn]] void fail(const pugi::xml_node& node, Message what) const {
+    failAt(lineAt(node.offset_debug()), std::move(what));
+  }
+
+  std::string nameOf(const pugi::xml_node& node, const std::map<std::string, std::ptrdiff_t>& known) const {
+    std::string name = node.attribute("name").value();
+    if (name.empty()) fail(node, message("<{}> has no name", node.name()));
+    const auto earlier = known.find(name);
+    if (earlier != known.end()) {
+      fail(node, message("there is a {} {} already, in line {}: expected each name once", node.name(), name,
+                         earlier->second));
+    }
+    return name;
+  }
+
+  void readLinks(const pugi::xml_node& robot) {
+    for (const pugi::xml_node node : robot.children("link")) {
+      const std::string name = nameOf(node, result_.line_of_link);
+      result_.line_of_link.emplace(name, lineAt(node.offset_debug()));
+      result_.links.push_back(name);
+      if (result_.links.size() > kMostUrdfLinks) fail(node, message("there are more than {} links", kMostUrdfLinks));
+    }
+    if (result_.links.empty()) fail(robot, message("expected links, but the robot has none"));
+  }
+
+  std::string linkOf(const JointEnds& joint, const char* end) const {
+    const pugi::xml_node node = joint.node.child(end);
+    const std::string name = node.attribute("link").value();
+    if (name.empty()) fail(joint.node, message("joint {} has no <{} link=\"...\">", joint.name, end));
+    if (!result_.line_of_link.contains(name)) {
+      const std::optional<std::string> meant = nearMatch(name, result_.links);
+      const Message hint = meant ? message("did you mean {}?", *meant) : Message();
+      fail(node,
+           inRow({message("joint {}: <{} link=\"{}\"> names none of the robot's links", joint.name, end, name), hint},
+                 "; "));
+    }
+    return name;
+  }
+
+  void readJoints(const pugi::xml_node& robot) {
+    for (const pugi::xml_node node : robot.children("joint")) {
+      JointEnds joint{nameOf(node, result_.line_of_joint), {}, {}, node};
+      joint.parent = linkOf(joint, "parent");
+      joint.child = linkOf(joint, "child");
+      const auto [earlier, is_first] = carrier_.emplace(joint.child, ends_.size());
+      if (!is_first) {
+        fail(node, message("link {} has two parents, by the joints {} and {}: a URDF is a tree", joint.child,
+                           ends_[earlier->second].name, joint.name));
+      }
+      result_.line_of_joint.emplace(joint.name, lineAt(node.offset_debug()));
+      result_.joints.push_back(joint.name);
+      ends_.push_back(std::move(joint));
+    }
+  }
+
+  /// Every link has one parent at most by now: going up from it ends at a root or goes round.
+  void requireTree() const {
+    std::map<std::string, std::string> root_of;
+    std::string first_root;
+    for (const std::string& link : result_.links) {
+      std::set<std::string> way;
+      std::string at = link;
+      while (!root_of.contains(at)) {
+        if (!way.insert(at).second) failLoop(at);
+        const auto joint = carrier_.find(at);
+        if (joint == carrier_.end()) break;
+        at = ends_[joint->second].parent;
+      }
+      const auto known = root_of.find(at);
+      const std::string root = known == root_of.end() ? at : known->second;
+      for (const std::string& passed : way) root_of[passed] = root;
+      if (first_root.empty()) first_root = root;
+      if (root != first_root) {
+        failAt(result_.line_of_link.at(root),
+               message("no joint carries link {}, nor link {}: expected one root", root, first_root));
+      }
+    }
+  }
+
+  [[noreturn]] void failLoop(const std::string& link) const {
+    constexpr std::size_t kMostNamed = 8;
+    std::vector<std::string> joints;
+    std::string at = link;
+    do {
+      const JointEnds& joint = ends_[carrier_.at(at)];
+      joints.push_back(joint.name);
+      at = joint.parent;
+    } while (at != link && joints.size() < kMostNamed);
+    std::ranges::reverse(joints);
+    fail(ends_[carrier_.at(link)].node,
+         message("the joints {} form a loop: a URDF is a tree, whose root no joint carries", joints));
+  }
+
+  std::string_view text_;
+  const std::string& file_;
+  pugi::xml_document document_;
+  UrdfDocument result_;
+  std::vector<JointEnds> ends_;
+  std::map<std::string, std::size_t> carrier_;  ///< of a link: index of the joint that it is the child of
+};
+
+}  // namespace
+
+UrdfDocument checkUrdf(std::string_view text, const std::string& file) { return UrdfChecker(text, file).check(); }
+
+}  // namespace hexoderm

@@ -1,0 +1,28 @@
+#pragma once
+
+// Private to kinematics/: the text of a URDF, checked for what urdfdom lets pass or reports without a place.
+
+#include "hexoderm/util/message.h"
+
+#include <cstddef>
+#include <map>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace hexoderm {
+
+/// The names in a URDF, in the order of the text.
+struct UrdfDocument {
+  std::vector<std::string> links;
+  std::vector<std::string> joints;
+  std::map<std::string, std::ptrdiff_t> line_of_link;
+  std::map<std::string, std::ptrdiff_t> line_of_joint;
+};
+
+/// Reads the text as XML and makes sure of a tree: a root element <robot>, links and joints of different names, joints
+/// between links that exist, one root, no link with two parents, no loop. Throws FormatError naming file, line, place
+/// and expectation. Text of xacro is recognised.
+UrdfDocument checkUrdf(std::string_view text, const std::string& file);
+
+}  // namespace hexoderm

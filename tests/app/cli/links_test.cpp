@@ -1,0 +1,98 @@
+// `hexoderm-cli links`: on which link of a simulated robot a patch is.
+
+#include "tests/app/cli/cli_program.h"
+
+#include "hexoderm/geometry/se3.h"
+#include "hexoderm/util/units.h"
+
+#include <gmock/gmock.h>
+#include <nlohmann/json.hpp>
+
+#include <cmath>
+#include <stdexcept>
+#include <vector>
+
+namespace hexoderm {
+namespace {
+
+using ::testing::AllOf;
+using ::testing::HasSubstr;
+
+class CliLinks : public Cli {
+ protected:
+  /// Patches on the upper arm and the forearm of the demo robot.
+  void takePoses(int poses) const {
+    const Outcome outcome =
+        run("simulate --robot demo --seed 1 --poses " + std::to_string(poses) + " -o arm.session.json");
+    ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  }
+  [[nodiscard]] nlohmann::json links(const std::string& options = "") const {
+    return nlohmann::json::parse(run("links arm.session.json --robot demo --json " + options).out);
+  }
+};
+
+/// The true rotation of a cell in the frame of its link.
+Eigen::Matrix3d trueRotationOf(const nlohmann::json& truth, const nlohmann::json& cell) {
+  for (const auto& patch : truth.at("patches")) {
+    for (const auto& placed : patch.at("cells")) {
+      if (placed.at("id") != cell) continue;
+      const auto R = placed.at("R").get<std::vector<double>>();
+      return Eigen::Map<const Eigen::Matrix<double, 3, 3, Eigen::RowMajor>>(R.data());
+    }
+  }
+  throw std::runtime_error("the truth holds no cell " + cell.dump());
+}
+
+TEST_F(CliLinks, PutsPatchesOnTheirLinks) {
+  takePoses(8);
+  const Outcome text = run("links arm.session.json --robot demo");
+  EXPECT_EQ(text.exit_code, 0) << text.err;
+  EXPECT_THAT(text.out, AllOf(HasSubstr("is on link upper_arm"), HasSubstr("is on link forearm"),
+                              HasSubstr("All together: misfit"), HasSubstr("joint shoulder_roll: zero")));
+
+  const nlohmann::json json = links();
+  const auto truth = nlohmann::json::parse(readFile(path("arm.truth.json")));
+  ASSERT_EQ(json.at("patches").size(), 2U);
+  for (const auto& patch : json.at("patches")) {
+    const auto& placed = patch.at("placed");
+    const auto& q = placed.at("q_l_o_wxyz");
+    const Eigen::Matrix3d R = Eigen::Quaterniond(q.at(0), q.at(1), q.at(2), q.at(3)).toRotationMatrix();
+    const Eigen::Matrix3d off = R.transpose() * trueRotationOf(truth, patch.at("origin"));
+    EXPECT_LT(toDegrees(Eigen::AngleAxisd(off).angle()), 4 * placed.at("sigma_deg").get<double>());
+    EXPECT_EQ(patch.at("residuals").size(), 8U);
+  }
+  const auto& robot = json.at("robot");
+  EXPECT_EQ(robot.at("covariance_rad2").size(), 2 * 3 + robot.at("zeros").size() + 3);
+
+  // The same angles from a file.
+  EXPECT_EQ(links("--joints arm.joints.csv").at("patches"), json.at("patches"));
+}
+
+TEST_F(CliLinks, SaysWhatIsLeftOpenAndTakesTheOperatorsWord) {
+  takePoses(1);
+  const Outcome text = run("links arm.session.json --robot demo");
+  EXPECT_EQ(text.exit_code, 1);
+  EXPECT_THAT(text.out, HasSubstr("can't be told from one pose"));
+  const nlohmann::json put = links("--put 1=upper_arm");
+  EXPECT_EQ(put.at("patches").at(0).at("placed").at("link"), "upper_arm");
+  EXPECT_TRUE(put.at("patches").at(0).at("chosen"));
+}
+
+TEST_F(CliLinks, BadInputIsRefused) {
+  takePoses(2);
+  EXPECT_EQ(run("links arm.session.json").exit_code, 2) << "no robot";
+  EXPECT_EQ(run("links arm.session.json --robot no.urdf").exit_code, 3);
+  EXPECT_EQ(run("links no.session.json --robot demo").exit_code, 3);
+  const Outcome link = run("links arm.session.json --robot demo --put 1=upperarm");
+  EXPECT_EQ(link.exit_code, 2);
+  EXPECT_THAT(link.err, HasSubstr("upper_arm")) << "what may have been meant";
+  EXPECT_EQ(run("links arm.session.json --robot demo --put upper_arm").exit_code, 2);
+  EXPECT_EQ(run("links arm.session.json --robot demo --up 0,0,0").exit_code, 2);
+  writeFileAtomically(path("joints.csv"), "pose,elbow\n1,30\n");
+  const Outcome unit = run("links arm.session.json --robot demo --joints joints.csv");
+  EXPECT_EQ(unit.exit_code, 3);
+  EXPECT_THAT(unit.err, HasSubstr("joints.csv"));
+}
+
+}  // namespace
+}  // namespace hexoderm

@@ -1,0 +1,178 @@
+// `hexoderm-cli place`: where on a link a patch lies, and what export makes of it.
+
+#include "hexoderm/geometry/se3.h"
+#include "hexoderm/util/file.h"
+#include "hexoderm/util/text.h"
+#include "hexoderm/util/units.h"
+#include "tests/app/cli/cli_program.h"
+
+#include <gmock/gmock.h>
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <string>
+
+namespace hexoderm {
+namespace {
+
+using ::testing::AllOf;
+using ::testing::HasSubstr;
+
+/// The demo robot with a patch on its forearm.
+class CliPlace : public Cli {
+ protected:
+  CliPlace() {
+    EXPECT_EQ(run("simulate --robot demo --mount forearm:0.08,0,0.12,0,0,1.5708 --poses 4 --seed 3 -o arm.session.json")
+                  .exit_code,
+              0);
+    EXPECT_EQ(run("solve arm.session.json -o arm.calibration.json").exit_code, 0);
+    const auto calibration = nlohmann::json::parse(readFile(path("arm.calibration.json")));
+    origin_ = calibration["patches"][0]["origin"].get<int>();
+    const auto truth = nlohmann::json::parse(readFile(path("arm.truth.json")));
+    for (const auto& cell : truth["patches"][0]["cells"]) {
+      if (cell["id"] != origin_) continue;
+      for (Eigen::Index k = 0; k < 9; ++k) T_l_o_.R(k / 3, k % 3) = cell["R"][static_cast<std::size_t>(k)];
+      for (Eigen::Index k = 0; k < 3; ++k) T_l_o_.t[k] = cell["t_m"][static_cast<std::size_t>(k)];
+    }
+  }
+  /// --rotation of the truth.
+  [[nodiscard]] std::string rotation() const {
+    const Eigen::Vector3d rpy = rpyFromRotation(T_l_o_.R) / kDegree;
+    return " --rotation " + formatFixed(rpy.x(), 4) + "," + formatFixed(rpy.y(), 4) + "," + formatFixed(rpy.z(), 4);
+  }
+  /// --point of the origin's true place.
+  [[nodiscard]] std::string point() const {
+    return " --point " + std::to_string(origin_) + ":" + formatFixed(T_l_o_.t.x(), 6) + "," +
+           formatFixed(T_l_o_.t.y(), 6) + "," + formatFixed(T_l_o_.t.z(), 6);
+  }
+
+  int origin_ = 0;
+  SE3 T_l_o_;
+};
+
+TEST_F(CliPlace, PlacesAPatchThatExportPutsOnTheLink) {
+  for (const std::string input : {"arm.session.json", "arm.calibration.json"}) {
+    const Outcome outcome =
+        run("place " + input + " --robot demo --link forearm" + rotation() + point() + " -o placements.json");
+    EXPECT_EQ(outcome.exit_code, 0) << outcome.out << outcome.err;
+    EXPECT_THAT(outcome.out, AllOf(HasSubstr("one place on link forearm fits, certain to"),
+                                   HasSubstr("Place 1: misfit"), HasSubstr("Place 1 is written to placements.json")));
+    const auto file = nlohmann::json::parse(readFile(path("placements.json")));
+    const auto& t = file["placements"][0]["t_m"];
+    EXPECT_LT((Eigen::Vector3d(t[0], t[1], t[2]) - T_l_o_.t).norm(), 0.004);
+    EXPECT_EQ(file["placements"][0]["origin_cell"], origin_);
+  }
+  const Outcome exported = run("export arm.calibration.json --to urdf --placements placements.json -o arm.urdf");
+  EXPECT_EQ(exported.exit_code, 0) << exported.err;
+  EXPECT_THAT(readFile(path("arm.urdf")), HasSubstr("\"forearm\""));
+}
+
+TEST_F(CliPlace, ExportTakesThePlacesThatTheCalibrationHolds) {
+  auto session = nlohmann::json::parse(readFile(path("arm.session.json")));
+  nlohmann::json place = {{"R", nlohmann::json::array()}, {"t_m", nlohmann::json::array()}};
+  for (Eigen::Index k = 0; k < 9; ++k) place["R"].push_back(T_l_o_.R(k / 3, k % 3));
+  for (Eigen::Index k = 0; k < 3; ++k) place["t_m"].push_back(T_l_o_.t[k]);
+  session["placements"] =
+      nlohmann::json::array({{{"origin_cell", origin_}, {"link", "forearm"}, {"by_surface", true}, {"place", place}}});
+  writeFileAtomically(path("placed.session.json"), session.dump());
+  EXPECT_EQ(run("solve placed.session.json -o placed.calibration.json").exit_code, 0);
+  const Outcome exported = run("export placed.calibration.json --to urdf -o placed.urdf");
+  EXPECT_EQ(exported.exit_code, 0) << exported.err;
+  EXPECT_THAT(readFile(path("placed.urdf")), HasSubstr("\"forearm\""));
+  // What is said on the command line counts instead.
+  EXPECT_EQ(run("export placed.calibration.json --to urdf --place hand:0,0,0.1,0,0,0 -o hand.urdf").exit_code, 0);
+  EXPECT_THAT(readFile(path("hand.urdf")), AllOf(HasSubstr("\"hand\""), testing::Not(HasSubstr("\"forearm\""))));
+}
+
+TEST_F(CliPlace, PrintsEveryCellInTheFrameOfTheLinkAsJson) {
+  const Outcome outcome = run("place arm.session.json --robot demo --link forearm --json" + rotation());
+  const auto json = nlohmann::json::parse(outcome.out);
+  ASSERT_FALSE(json["candidates"].empty()) << outcome.out;
+  const auto& patch = json["candidates"][0]["patches"][0];
+  EXPECT_EQ(patch["cells"].size(), 17U);
+  EXPECT_EQ(patch["cells"][0]["cov_t_r"].size(), 21U);
+  EXPECT_EQ(patch["link"], "forearm");
+  EXPECT_EQ(outcome.exit_code, json["verdict"] == "placed" ? 0 : 1);
+}
+
+/// From gravity and joint angles: R_l_o with its covariance goes from links to place.
+TEST_F(CliPlace, TakesTheRotationThatLinksFinds) {
+  const std::string place = "place arm.session.json --robot demo --link forearm --json";
+  const Outcome outcome = run(place + " --rotation links" + point());
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.out << outcome.err;
+  const auto json = nlohmann::json::parse(outcome.out);
+  ASSERT_FALSE(json["candidates"].empty()) << outcome.out;
+  const auto& placed = json["candidates"][0]["patches"][0];
+  const auto& t = placed["t_m"];
+  EXPECT_LT((Eigen::Vector3d(t[0], t[1], t[2]) - T_l_o_.t).norm(), 0.004);
+
+  // By a point alone the place is turned exactly as links says, and as certainly.
+  const auto links = nlohmann::json::parse(
+      run("links arm.session.json --robot demo --put " + std::to_string(origin_) + "=forearm --json").out);
+  const auto& turn = links["patches"][0]["placed"];
+  const auto& q = turn["q_l_o_wxyz"];
+  const Eigen::Matrix3d R_links = Eigen::Quaterniond(q[0], q[1], q[2], q[3]).toRotationMatrix();
+  const auto by_point = nlohmann::json::parse(run(place + " --rotation links --no-surface" + point()).out);
+  const auto& alone = by_point["candidates"][0]["patches"][0];
+  Eigen::Matrix3d R;
+  for (Eigen::Index k = 0; k < 9; ++k) R(k / 3, k % 3) = alone["R"][static_cast<std::size_t>(k)];
+  EXPECT_LT(rotationAngle(R_links.transpose() * R), 1e-4);
+  // The 21 numbers above the diagonal, row by row: those of the rotation begin at 15.
+  EXPECT_NEAR(alone["cov_t_r"][15].get<double>(), turn["covariance_rad2"][0][0].get<double>(),
+              0.05 * turn["covariance_rad2"][0][0].get<double>());
+
+  // The same angles from a table.
+  EXPECT_EQ(run(place + " --rotation links --joints arm.joints.csv" + point()).out, outcome.out);
+}
+
+TEST_F(CliPlace, SaysWhereGravityGivesNoRotation) {
+  const auto fails = [&](const std::string& arguments, int code) {
+    const Outcome outcome = run("place " + arguments);
+    EXPECT_EQ(outcome.exit_code, code) << arguments << outcome.err;
+    return outcome.err;
+  };
+  EXPECT_THAT(fails("arm.calibration.json --robot demo --link forearm --rotation links", 3),
+              HasSubstr("arm.calibration.json"));
+  EXPECT_THAT(fails("arm.session.json --robot demo --link forearm --joints arm.joints.csv", 2),
+              HasSubstr("go with --rotation links"));
+  EXPECT_THAT(fails("arm.session.json --robot demo --link hand --rotation links", 1), HasSubstr("link hand"));
+  auto session = nlohmann::json::parse(readFile(path("arm.session.json")));
+  for (auto& pose : session["poses"]) pose.erase("joint_angles");
+  writeFileAtomically(path("bare.session.json"), session.dump());
+  EXPECT_THAT(fails("bare.session.json --robot demo --link forearm --rotation links", 3),
+              AllOf(HasSubstr("no pose has joint angles"), HasSubstr("--joints")));
+}
+
+TEST_F(CliPlace, RefusesWhatMakesNoSense) {
+  const auto says = [&](const std::string& arguments, int code) {
+    const Outcome outcome = run("place arm.calibration.json --robot demo " + arguments);
+    EXPECT_EQ(outcome.exit_code, code) << arguments << outcome.err;
+    EXPECT_EQ(std::ranges::count(outcome.err, '\n'), 1) << outcome.err;
+    return outcome.err;
+  };
+  EXPECT_THAT(says("--link fourarm", 2), HasSubstr("has no link fourarm"));
+  EXPECT_THAT(says("--link forearm --point 1:0,0", 2), HasSubstr("--point: expected CELL:x,y,z[:sigma]"));
+  EXPECT_THAT(says("--link forearm --point 99:0,0,0", 2), HasSubstr("no patch holds a cell 99"));
+  EXPECT_THAT(says("--link forearm --rotation 1,2", 2),
+              HasSubstr("--rotation: expected [CELL@]roll,pitch,yaw[:sigma]"));
+  EXPECT_THAT(says("--link forearm --distance 1:2:0.1", 2), HasSubstr("cells 1 and 2 are of one patch"));
+  EXPECT_THAT(says("--link forearm --no-surface", 2), HasSubstr("nothing says where on the link the patch lies"));
+}
+
+TEST_F(CliPlace, WritesNoPlaceThatDoesNotFit) {
+  const Outcome outcome =
+      run("place arm.calibration.json --robot demo --link upper_arm -o placements.json" + rotation());
+  EXPECT_EQ(outcome.exit_code, 1) << outcome.err;
+  EXPECT_THAT(outcome.out, AllOf(HasSubstr("no place on link upper_arm fits"), HasSubstr("Place 1 (does not fit)")));
+  EXPECT_FALSE(exists("placements.json"));
+}
+
+TEST_F(CliPlace, SaysThatThePatchIsLargerThanTheLink) {
+  const Outcome outcome = run("place arm.calibration.json --robot demo --link left_finger -o placements.json");
+  EXPECT_EQ(outcome.exit_code, 1) << outcome.err;
+  EXPECT_THAT(outcome.out, HasSubstr("is larger than link left_finger"));
+  EXPECT_FALSE(exists("placements.json"));
+}
+
+}  // namespace
+}  // namespace hexoderm

@@ -1,0 +1,200 @@
+// The robot's URDF with the skin on it, as urdfdom, check_urdf and KDL read it.
+
+#include "hexoderm/io/export_urdf.h"
+
+#include "hexoderm/kinematics/robot_model.h"
+#include "hexoderm/util/error.h"
+#include "tests/core/io/export_test_folder.h"
+#include "tests/support/hand_made_skins.h"
+#include "tests/support/other_programs.h"
+
+#include <gmock/gmock.h>
+#include <urdf_parser/urdf_parser.h>
+
+#include <algorithm>
+#include <map>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace hexoderm {
+namespace {
+
+using ::testing::AllOf;
+using ::testing::HasSubstr;
+
+/// Two joints that move, a comment that ends the robot in vain, and attributes in both kinds of quotes.
+constexpr const char* kRobot = R"(<?xml version="1.0"?>
+<!-- An arm.   Written   by hand; </robot> stands here, too. -->
+<robot name='arm'>
+  <material name="grey"><color rgba="0.5 0.5 0.5 1"/></material>
+  <link name="base_link"/>
+  <link name='upper_arm'><visual><geometry><box size="0.1 0.1 0.3"/></geometry></visual></link>
+  <link name="forearm"/>
+  <joint name="shoulder" type="revolute">
+    <parent link="base_link"/><child link="upper_arm"/>
+    <origin xyz="0 0 0.2" rpy="0.3 0 0"/><axis xyz="0 1 0"/><limit lower="-2" upper="2" effort="1" velocity="1"/>
+  </joint>
+  <joint name="elbow" type="revolute">
+    <parent link="upper_arm"/><child link="forearm"/>
+    <origin xyz="0 0 0.3" rpy="0 0 0.7"/><axis xyz="1 0 0"/><limit lower="-2" upper="2" effort="1" velocity="1"/>
+  </joint>
+</robot>
+<!-- </robot> -->
+)";
+
+class ExportRobotUrdf : public ExportTest {
+ protected:
+  void SetUp() override {
+    ExportTest::SetUp();
+    write(in("robot.urdf"), kRobot);
+    options_.robot_urdf = in("robot.urdf");
+    options_.placements = {{CellId(7), "forearm", T_forearm_7_, {}}, {CellId(20), "upper_arm", T_upper_20_, {}}};
+  }
+  std::string exported() {
+    exportReconstruction(reconstruction_, ExportFormat::RobotUrdf, in("with_skin.urdf"), options_);
+    return read(in("with_skin.urdf"));
+  }
+  std::string refused() {
+    return messageOf<Error>(
+        [&] { exportReconstruction(reconstruction_, ExportFormat::RobotUrdf, in("with_skin.urdf"), options_); });
+  }
+
+  const SE3 T_forearm_7_{rotationFromRpy({0.4, -0.9, 2.5}), {0.03, -0.01, 0.12}};
+  const SE3 T_upper_20_{rotationFromRpy({-1.4, 0.2, 0.5}), {0.0, 0.05, 0.2}};
+  Reconstruction reconstruction_ = makeTestReconstruction();
+  ExportOptions options_;
+};
+
+TEST_F(ExportRobotUrdf, AddsToTheGivenTextAndChangesNoByteOfIt) {
+  const std::string robot = kRobot;
+  for (const std::string& text :
+       {robot, replaced(robot, "\n</robot>", "</robot>"), replaced(robot, "\n</robot>", "\r\n  </robot >")}) {
+    write(in("robot.urdf"), text);
+    const std::string found = exported();
+    const std::size_t begin = static_cast<std::size_t>(std::ranges::mismatch(text, found).in1 - text.begin());
+    const std::string rest = text.substr(begin);
+    EXPECT_TRUE(found.ends_with(rest)) << found;
+    const std::string added = found.substr(begin, found.size() - text.size());
+    EXPECT_THAT(added, AllOf(HasSubstr("skin_cell7"), HasSubstr("skin_cell20")));
+    EXPECT_EQ(added.find("name=\"forearm\""), std::string::npos) << "the parent link is not defined again";
+  }
+}
+
+TEST_F(ExportRobotUrdf, IsReadByUrdfdom) {
+  const auto model = urdf::parseURDF(exported());
+  ASSERT_TRUE(model);
+  const auto placeIn = [&](const std::string& link, const std::string& root) {
+    SE3 T;
+    auto at = model->getLink(link);
+    while (at && at->name != root) {
+      EXPECT_EQ(at->parent_joint->type, urdf::Joint::FIXED) << at->name;
+      const urdf::Pose& pose = at->parent_joint->parent_to_joint_origin_transform;
+      const Eigen::Quaterniond q(pose.rotation.w, pose.rotation.x, pose.rotation.y, pose.rotation.z);
+      T = SE3{q.toRotationMatrix(), {pose.position.x, pose.position.y, pose.position.z}} * T;
+      at = at->getParent();
+    }
+    EXPECT_TRUE(at) << link << " does not hang on " << root;
+    return T;
+  };
+  const auto expectAt = [&](const std::string& link, const std::string& root, const SE3& T) {
+    const SE3 found = placeIn(link, root);
+    EXPECT_LT((found.R - T.R).norm(), 1e-9) << link;
+    EXPECT_LT((found.t - T.t).norm(), 1e-9) << link;
+  };
+  for (const CellPlacement& cell : reconstruction_.patches[0].cells) {
+    expectAt("skin_cell" + toString(cell.cell), "forearm", T_forearm_7_ * cell.T_o_u);
+  }
+  expectAt("skin_cell20", "upper_arm", T_upper_20_);
+  EXPECT_EQ(model->getLink("skin_cell12")->visual_array.size(), 3U);
+  EXPECT_EQ(model->getLink("skin_cell12")->visual->material->name, "hexoderm_over");
+}
+
+TEST_F(ExportRobotUrdf, MovesWithTheRobotAsKdlMovesIt) {
+  const RobotModel robot = RobotModel::read(options_.robot_urdf);
+  exported();
+  const RobotModel with_skin = RobotModel::read(in("with_skin.urdf"));
+  for (const auto& [shoulder, elbow] : {std::pair(0.0, 0.0), std::pair(0.7, -1.2), std::pair(-1.9, 0.4)}) {
+    const JointAngles angles{{{"shoulder", shoulder}, {"elbow", elbow}}};
+    const std::vector<SE3> T_w_l = robot.forward(angles);
+    const std::vector<SE3> found = with_skin.forward(angles);
+    for (const RobotLink& link : robot.links()) {
+      const SE3& T = T_w_l[robot.linkNamed(link.name)];
+      EXPECT_LT((found[with_skin.linkNamed(link.name)].t - T.t).norm(), 1e-12) << "the robot itself is as it was";
+    }
+    for (const CellPlacement& cell : reconstruction_.patches[0].cells) {
+      const SE3 T = T_w_l[robot.linkNamed("forearm")] * T_forearm_7_ * cell.T_o_u;
+      const SE3& T_found = found[with_skin.linkNamed("skin_cell" + toString(cell.cell))];
+      EXPECT_LT((T_found.R - T.R).norm(), 1e-9);
+      EXPECT_LT((T_found.t - T.t).norm(), 1e-9);
+    }
+  }
+}
+
+TEST_F(ExportRobotUrdf, IsFoundGoodByCheckUrdf) {
+  for (const bool link_per_cell : {true, false}) {
+    options_.link_per_cell = link_per_cell;
+    exported();
+    const auto check = test::runProgram("check_urdf " + in("with_skin.urdf").string());
+    if (!check) GTEST_SKIP() << "there is no check_urdf";
+    EXPECT_EQ(check->exit_code, 0) << check->out;
+    EXPECT_THAT(check->out, AllOf(HasSubstr("Successfully Parsed XML"), HasSubstr("skin_patch0")));
+  }
+}
+
+TEST_F(ExportRobotUrdf, ASecondSkinWithAnotherPrefixUsesTheMaterialsOfTheFirst) {
+  options_.placements.pop_back();
+  write(in("robot.urdf"), exported());
+  EXPECT_THAT(refused(), AllOf(HasSubstr("robot.urdf: already has a link skin_patch0"), HasSubstr("prefix")));
+  options_.prefix = "back_";
+  const auto model = urdf::parseURDF(exported());
+  ASSERT_TRUE(model);
+  EXPECT_TRUE(model->getLink("skin_cell7") && model->getLink("back_cell7"));
+}
+
+TEST_F(ExportRobotUrdf, RefusesWhatItCannotBePutOnAndKeepsTheEarlierFile) {
+  const std::string earlier = exported();
+  const std::map<std::string, std::string> robots = {
+      {replaced(replaced(kRobot, "forearm\"/>", "for_arm\"/>"), "link=\"forearm\"", "link=\"for_arm\""),
+       "the robot has no link forearm"},
+      {replaced(kRobot, "<link name=\"base_link\"/>",
+                "<link name=\"base_link\"/><link name=\"skin_cell3\"/><joint name=\"j\" type=\"fixed\">"
+                "<parent link=\"base_link\"/><child link=\"skin_cell3\"/></joint>"),
+       "already has a link skin_cell3"},
+      {replaced(kRobot, "name=\"elbow\"", "name=\"skin_cell12_joint\""), "already has a joint skin_cell12_joint"},
+      {replaced(kRobot, "<joint name=\"elbow\"", "<jo"), "line "},
+      {"<sdf version=\"1.9\"/>", "sdf"},
+      {"<robot name=\"arm\"/>", "link"},
+      {"", "URDF"},
+      {replaced(kRobot, "<link name=\"forearm\"/>", "<xacro:include filename=\"forearm.xacro\"/>"), "xacro"},
+  };
+  for (const auto& [robot, why] : robots) {
+    write(in("robot.urdf"), robot);
+    EXPECT_THAT(refused(), AllOf(HasSubstr("robot.urdf: "), HasSubstr(why)));
+    EXPECT_EQ(read(in("with_skin.urdf")), earlier);
+  }
+  options_.robot_urdf = in("missing.urdf");
+  EXPECT_THAT(refused(), HasSubstr("missing.urdf"));
+  options_.robot_urdf.clear();
+  EXPECT_THAT(refused(), HasSubstr("robot: expected the URDF of the robot"));
+}
+
+TEST_F(ExportRobotUrdf, DetectsATamperedFile) {
+  const RobotUrdf robot = readRobotUrdf(in("robot.urdf"));
+  const ExportSelection selection =
+      selectForExport(reconstruction_, exportFormatDescription(ExportFormat::RobotUrdf), options_);
+  const UrdfContent content{skinTree(*reconstruction_.model, selection.mounted, reconstruction_, options_), true,
+                            UrdfForm::Part};
+  const std::string text = robotUrdfBytes(robot, content);
+  EXPECT_NO_THROW(verifyRobotUrdf(text, robot, content, "with_skin.urdf"));
+  for (const std::string& bytes : {replaced(text, "Written   by", "Written by"),
+                                   replaced(text, "<parent link=\"forearm\"", "<parent link=\"upper_arm\""),
+                                   replaced(text, "xyz=\"0.03 -0.01 0.12\"", "xyz=\"0.03 -0.01 0.1200001\""),
+                                   replaced(text, "\n</robot>", "\n<link name=\"more\"/></robot>"),
+                                   text.substr(0, text.size() / 2), std::string()}) {
+    EXPECT_THROW(verifyRobotUrdf(bytes, robot, content, "with_skin.urdf"), FormatError) << bytes;
+  }
+}
+
+}  // namespace
+}  // namespace hexoderm

@@ -1,0 +1,181 @@
+// Static transforms, as a YAML library and Python read them.
+
+#include "hexoderm/io/export_transforms.h"
+
+#include "hexoderm/util/error.h"
+#include "tests/core/io/export_test_folder.h"
+#include "tests/support/hand_made_skins.h"
+#include "tests/support/other_programs.h"
+
+#include <gmock/gmock.h>
+
+#include <map>
+#include <nlohmann/json.hpp>
+#include <pugixml.hpp>
+#include <sstream>
+#include <string>
+#include <vector>
+
+namespace hexoderm {
+namespace {
+
+using ::testing::AllOf;
+using ::testing::HasSubstr;
+
+/// x y z qx qy qz qw and the two frames of a transform.
+struct Transform {
+  std::vector<double> numbers;
+  std::string parent;
+};
+using Transforms = std::map<std::string, Transform>;
+
+class ExportTransforms : public ExportTest {
+ protected:
+  void SetUp() override {
+    ExportTest::SetUp();
+    options_.placements = {{CellId(7), "forearm", T_l_o_, {}}, {CellId(20), "hand", {}, {}}};
+    // A number that has no point in its shortest form, and one that is whole.
+    reconstruction_.patches[0].cells[0].T_o_u.t = {1e-5, -2e-7, 1};
+  }
+
+  /// Every cell and sensor of the skin ends up where it is, in the link of its patch.
+  void expectTheSkin(const Transforms& found) const {
+    std::size_t frames = 2;
+    const auto placeIn = [&](std::string at, const std::string& root) {
+      SE3 T;
+      while (at != root && found.contains(at)) {
+        const Transform& step = found.at(at);
+        const std::vector<double>& n = step.numbers;
+        EXPECT_EQ(n.size(), 7U);
+        T = SE3{Eigen::Quaterniond(n[6], n[3], n[4], n[5]).toRotationMatrix(), {n[0], n[1], n[2]}} * T;
+        at = step.parent;
+      }
+      EXPECT_EQ(at, root);
+      return T;
+    };
+    const auto expectAt = [&](const std::string& name, const std::string& root, const SE3& T) {
+      const SE3 at = placeIn(name, root);
+      EXPECT_LT((at.R - T.R).norm(), 1e-9) << name;
+      EXPECT_LT((at.t - T.t).norm(), 1e-9) << name;
+      ++frames;
+    };
+    for (const CellPlacement& cell : reconstruction_.patches[0].cells) {
+      expectAt("skin_cell" + toString(cell.cell), "forearm", T_l_o_ * cell.T_o_u);
+      frames += cell.sensors.size();
+    }
+    expectAt("skin_cell20", "hand", reconstruction_.patches[1].cells[0].T_o_u);
+    expectAt("skin_cell3_accelerometer", "forearm", T_l_o_ * reconstruction_.patches[0].cells[0].sensors[0].T_o_s);
+    EXPECT_EQ(found.size(), frames - 1) << "the sensor was counted with its cell";
+  }
+
+  const SE3 T_l_o_{rotationFromRpy({0.4, -0.9, 2.5}), {0.03, -0.01, 0.12}};
+  Reconstruction reconstruction_ = makeTestReconstruction();
+  ExportOptions options_;
+};
+
+TEST_F(ExportTransforms, OfRos1AreArgumentsOfStaticTransformPublisher) {
+  exportReconstruction(reconstruction_, ExportFormat::TfRos1, in("skin.launch"), options_);
+  pugi::xml_document document;
+  ASSERT_TRUE(document.load_file(in("skin.launch").c_str()));
+  Transforms found;
+  for (const pugi::xml_node node : document.child("launch").children("node")) {
+    EXPECT_STREQ(node.attribute("pkg").value(), "tf2_ros");
+    EXPECT_STREQ(node.attribute("type").value(), "static_transform_publisher");
+    std::istringstream args(node.attribute("args").value());
+    Transform transform{std::vector<double>(7), ""};
+    for (double& number : transform.numbers) args >> number;
+    std::string child;
+    args >> transform.parent >> child;
+    found[child] = transform;
+  }
+  expectTheSkin(found);
+}
+
+TEST_F(ExportTransforms, OfRos2AreWhatItsLaunchFileGivesToTheNodes) {
+  exportReconstruction(reconstruction_, ExportFormat::TfRos2, in("skin.launch.py"), options_);
+  // Python runs the file, with classes in place of those of ROS 2 that keep what they are given.
+  write(in("run.py"), R"(
+import importlib.util, json, sys, types
+class Node:
+    def __init__(self, **words): self.words = words
+for name, members in {"launch": {"LaunchDescription": list}, "launch_ros": {}, "launch_ros.actions": {"Node": Node}}.items():
+    module = types.ModuleType(name)
+    vars(module).update(members)
+    sys.modules[name] = module
+spec = importlib.util.spec_from_file_location("skin", sys.argv[1])
+skin = importlib.util.module_from_spec(spec)
+spec.loader.exec_module(skin)
+print(json.dumps([node.words for node in skin.generate_launch_description()]))
+)");
+  const auto outcome = test::runProgram("python3 " + in("run.py").string() + " " + in("skin.launch.py").string());
+  if (!outcome) GTEST_SKIP() << "there is no python3";
+  ASSERT_EQ(outcome->exit_code, 0) << outcome->out;
+  Transforms found;
+  for (const auto& node : nlohmann::json::parse(outcome->out)) {
+    EXPECT_EQ(node.at("package"), "tf2_ros");
+    EXPECT_EQ(node.at("executable"), "static_transform_publisher");
+    const auto words = node.at("arguments").get<std::vector<std::string>>();
+    ASSERT_EQ(words.size(), 18U);
+    std::map<std::string, std::string> values;
+    for (std::size_t k = 0; k < words.size(); k += 2) values[words[k]] = words[k + 1];
+    Transform transform{{}, values.at("--frame-id")};
+    for (const char* option : {"--x", "--y", "--z", "--qx", "--qy", "--qz", "--qw"}) {
+      transform.numbers.push_back(std::stod(values.at(option)));
+    }
+    found[values.at("--child-frame-id")] = transform;
+  }
+  expectTheSkin(found);
+}
+
+TEST_F(ExportTransforms, InYamlAreNumbersForAYamlLibrary) {
+  exportReconstruction(reconstruction_, ExportFormat::TfYaml, in("skin.yaml"), options_);
+  // Debian's own Python has Debian's python3-yaml.
+  const auto outcome =
+      test::runProgram("/usr/bin/python3 -c 'import json, sys, yaml; print(json.dumps(yaml.safe_load(open(\"" +
+                       in("skin.yaml").string() + "\"))))'");
+  if (!outcome || outcome->out.find("No module named") != std::string::npos) GTEST_SKIP() << "there is no python3-yaml";
+  ASSERT_EQ(outcome->exit_code, 0) << outcome->out;
+  Transforms found;
+  for (const auto& stamped : nlohmann::json::parse(outcome->out)) {
+    const auto& transform = stamped.at("transform");
+    Transform& added = found[stamped.at("child_frame_id").get<std::string>()];
+    added.parent = stamped.at("header").at("frame_id").get<std::string>();
+    for (const auto& [part, axes] : {std::pair("translation", "xyz"), std::pair("rotation", "xyzw")}) {
+      for (const char axis : std::string(axes)) {
+        const auto& number = transform.at(part).at(std::string(1, axis));
+        ASSERT_TRUE(number.is_number_float()) << number;
+        added.numbers.push_back(number.get<double>());
+      }
+    }
+  }
+  expectTheSkin(found);
+}
+
+TEST_F(ExportTransforms, OfPatchesAloneWhereCellsWouldBeTooMany) {
+  options_.link_per_cell = false;
+  exportReconstruction(reconstruction_, ExportFormat::TfRos1, in("skin.launch"), options_);
+  const std::string text = read(in("skin.launch"));
+  EXPECT_THAT(text, AllOf(HasSubstr("forearm skin_patch0"), HasSubstr("hand skin_patch1")));
+  EXPECT_EQ(text.find("cell7"), std::string::npos);
+}
+
+TEST_F(ExportTransforms, ATamperedFileIsDetected) {
+  const ExportSelection selection =
+      selectForExport(reconstruction_, exportFormatDescription(ExportFormat::TfYaml), options_);
+  const auto frames = skinFrames(skinTree(*reconstruction_.model, selection.mounted, reconstruction_, options_), true);
+  const std::string launch = rosLaunchText(frames);
+  const std::string python = ros2LaunchText(frames);
+  const std::string yaml = transformsYaml(frames);
+  EXPECT_NO_THROW(verifyRosLaunch(launch, frames, "f"));
+  EXPECT_NO_THROW(verifyRos2Launch(python, frames, "f"));
+  EXPECT_NO_THROW(verifyTransformsYaml(yaml, frames, "f"));
+  EXPECT_THROW(verifyRosLaunch(replaced(launch, "1e-05", "2e-05"), frames, "f"), FormatError);
+  EXPECT_THROW(verifyRosLaunch(replaced(launch, " forearm ", " hand "), frames, "f"), FormatError);
+  EXPECT_THROW(verifyRos2Launch(replaced(python, "1e-05", "2e-05"), frames, "f"), FormatError);
+  EXPECT_THROW(verifyRos2Launch(python.substr(0, python.size() - 20), frames, "f"), FormatError);
+  EXPECT_THROW(verifyTransformsYaml(replaced(yaml, "1.0e-05", "2.0e-05"), frames, "f"), FormatError);
+  EXPECT_THROW(verifyTransformsYaml(yaml.substr(0, yaml.size() - 20), frames, "f"), FormatError);
+}
+
+}  // namespace
+}  // namespace hexoderm

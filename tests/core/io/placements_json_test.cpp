@@ -1,0 +1,60 @@
+#include "hexoderm/io/placements_json.h"
+
+#include "hexoderm/util/error.h"
+#include "tests/support/error_matchers.h"
+
+#include <gmock/gmock.h>
+
+#include <cmath>
+#include <string>
+
+namespace hexoderm {
+namespace {
+
+using test::messageOf;
+using test::saysAll;
+
+std::vector<PatchOnLink> somePlacements() {
+  PatchOnLink a{
+      CellId(7), "r_forearm", {rotationFromRpy({0.1, -0.2, 0.3}), {0.1, 1.0 / 3, -2e-5}}, Matrix6d::Identity()};
+  (*a.cov_t_r)(0, 4) = (*a.cov_t_r)(4, 0) = 0.25;
+  return {a, {CellId(20), "a \"link\"", {}, std::nullopt}};
+}
+
+TEST(PlacementsJson, ReadsBackWhatWasWritten) {
+  const std::vector<PatchOnLink> before = somePlacements();
+  const std::vector<PatchOnLink> after = placementsFromJson(placementsToJson(before), "a.json");
+  ASSERT_EQ(after.size(), before.size());
+  for (std::size_t k = 0; k < after.size(); ++k) {
+    EXPECT_EQ(after[k].origin, before[k].origin);
+    EXPECT_EQ(after[k].link, before[k].link);
+    EXPECT_EQ(after[k].T_l_o.R, before[k].T_l_o.R);
+    EXPECT_EQ(after[k].T_l_o.t, before[k].T_l_o.t);
+    EXPECT_EQ(after[k].cov_t_r, before[k].cov_t_r);
+  }
+}
+
+TEST(PlacementsJson, SaysWhatIsWrongAndWhere) {
+  const auto says = [](const std::string& from, const std::string& to) {
+    std::string text = placementsToJson(somePlacements());
+    const std::size_t at = text.find(from);
+    EXPECT_NE(at, std::string::npos) << from;
+    text.replace(at, from.size(), to);
+    return messageOf<FormatError>([&] { placementsFromJson(text, "a.json"); });
+  };
+  EXPECT_THAT(says("hexoderm-placements", "hexoderm-session"), saysAll("a.json", "hexoderm-placements"));
+  EXPECT_THAT(says("\"origin_cell\": 20", "\"origin_cell\": 7"),
+              saysAll("placements[1].origin_cell", "each patch once"));
+  EXPECT_THAT(says("\"r_forearm\"", "\"\""), saysAll("placements[0].link", "the name of a link"));
+  EXPECT_THAT(says("0.25", "7"), saysAll("placements[0].cov_t_r", "a covariance"));
+  EXPECT_THAT(says("\"version\": 1", "\"version\": 2"), saysAll("version"));
+}
+
+TEST(PlacementsJson, WritesNoNumberThatIsNotFinite) {
+  std::vector<PatchOnLink> placements = somePlacements();
+  placements[0].T_l_o.t.x() = std::nan("");
+  EXPECT_THROW(placementsToJson(placements), InvalidArgument);
+}
+
+}  // namespace
+}  // namespace hexoderm

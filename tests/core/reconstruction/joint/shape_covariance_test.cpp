@@ -1,0 +1,260 @@
+#include "hexoderm/reconstruction/joint/shape_covariance.h"
+
+#include "hexoderm/geometry/alignment.h"
+#include "hexoderm/reconstruction/joint/joint_solver.h"
+#include "hexoderm/reconstruction/reconstructor.h"
+#include "hexoderm/reconstruction/result/uncertainty.h"
+#include "tests/core/reconstruction/joint/joint_case.h"
+#include "tests/support/few_seeds.h"
+
+#include <gmock/gmock.h>
+
+#include <Eigen/Dense>
+#include <algorithm>
+#include <cmath>
+
+namespace hexoderm {
+namespace {
+
+using test::kFewSeeds;
+
+Eigen::Index rowsOf(std::size_t cell) { return static_cast<Eigen::Index>(6 * cell); }
+
+/// What motions of the whole patch do to its cells, about the frame's origin.
+Eigen::MatrixXd motionsOf(const std::vector<SE3>& cells) {
+  Eigen::MatrixXd G = Eigen::MatrixXd::Zero(rowsOf(cells.size()), 6);
+  for (std::size_t k = 0; k < cells.size(); ++k) {
+    G.block<3, 3>(rowsOf(k), 0).setIdentity();
+    G.block<3, 3>(rowsOf(k), 3) = -skew(cells[k].t);
+    G.block<3, 3>(rowsOf(k) + 3, 3) = cells[k].R.transpose();
+  }
+  return G;
+}
+
+/// S = I - G (G^T W G)^-1 G^T W, W of the centres.
+Eigen::MatrixXd transformationOf(const std::vector<SE3>& cells) {
+  const Eigen::MatrixXd G = motionsOf(cells);
+  Eigen::MatrixXd WG = G;
+  for (std::size_t k = 0; k < cells.size(); ++k) WG.middleRows<3>(rowsOf(k) + 3).setZero();
+  return Eigen::MatrixXd::Identity(G.rows(), G.rows()) - G * (G.transpose() * WG).inverse() * WG.transpose();
+}
+
+/// The covariance of all cells of a solution relative to its origin.
+Eigen::MatrixXd wholeOf(const JointSolution& solution) {
+  const Eigen::Index rows = rowsOf(solution.state.cells.size());
+  return solution.covariance->timesCells(Eigen::MatrixXd::Identity(rows, rows));
+}
+
+std::vector<Matrix6d> shapeOf(const JointSolution& solution) {
+  std::vector<Matrix6d> own;
+  for (std::size_t k = 0; k < solution.state.cells.size(); ++k) own.push_back(solution.covariance->cell(k));
+  return shapeCovariancesOf(solution.state.cells, own,
+                            [&](const Eigen::MatrixXd& B) { return solution.covariance->timesCells(B); });
+}
+
+JointCase x17Case(std::uint64_t seed) {
+  SimulatedSkinOptions options;
+  options.seed = seed;
+  return simulatedCase(options, 4, kFitGap);
+}
+
+TEST(TimesCells, IsTheCovarianceInBothOrdersOfElimination) {
+  const JointCase example = x17Case(1);
+  for (const JointOrder order : {JointOrder::CellsFirst, JointOrder::PosesFirst}) {
+    JointSolverOptions options;
+    options.order = order;
+    const JointSolution solution = solveJointly(example.problem, example.truth, options);
+    const Eigen::MatrixXd C = wholeOf(solution);
+    for (const std::size_t a : {0U, 3U, 16U}) {
+      for (const std::size_t b : {1U, 5U, 16U}) {
+        const Matrix6d block = a == b ? solution.covariance->cell(a) : solution.covariance->between(a, b);
+        EXPECT_LE((C.block<6, 6>(rowsOf(a), rowsOf(b)) - block).norm(), 1e-9 * (1 + block.norm())) << a << ", " << b;
+      }
+    }
+  }
+}
+
+TEST(Forces, HaveTheSameCrossCovariancesInBothOrdersOfElimination) {
+  const JointCase example = x17Case(2);
+  JointSolverOptions options;
+  options.order = JointOrder::CellsFirst;
+  const JointSolution cells_first = solveJointly(example.problem, example.truth, options);
+  options.order = JointOrder::PosesFirst;
+  const JointSolution poses_first = solveJointly(example.problem, cells_first.state, options);
+  for (std::size_t a = 0; a < 4; ++a) {
+    EXPECT_EQ(poses_first.covariance->force(a), poses_first.covariance->forces(a, a));
+    for (std::size_t b = 0; b < 4; ++b) {
+      const Eigen::Matrix3d expected = cells_first.covariance->forces(a, b);
+      EXPECT_LE((poses_first.covariance->forces(a, b) - expected).norm(),
+                1e-4 * cells_first.covariance->force(a).norm())
+          << a << ", " << b;
+    }
+  }
+}
+
+TEST(ShapeCovariance, IsTheSTransformedCovariance) {
+  const JointCase example = x17Case(3);
+  const JointSolution solution = solveJointly(example.problem, example.truth);
+  const Eigen::MatrixXd S = transformationOf(solution.state.cells);
+  const Eigen::MatrixXd C_s = S * wholeOf(solution) * S.transpose();
+  // Motions of the whole are taken out.
+  Eigen::MatrixXd WG = motionsOf(solution.state.cells);
+  for (std::size_t k = 0; k < solution.state.cells.size(); ++k) WG.middleRows<3>(rowsOf(k) + 3).setZero();
+  EXPECT_LE((WG.transpose() * C_s).norm(), 1e-12);
+  const std::vector<Matrix6d> shape = shapeOf(solution);
+  for (std::size_t k = 0; k < shape.size(); ++k) {
+    EXPECT_LE((shape[k] - C_s.block<6, 6>(rowsOf(k), rowsOf(k))).norm(), 1e-10) << k;
+  }
+}
+
+// Among all frames the sum of the centres' variances is least in this one.
+TEST(ShapeCovariance, HasTheLeastSumOfVariances) {
+  const JointCase example = x17Case(4);
+  const JointSolution solution = solveJointly(example.problem, example.truth);
+  const Eigen::MatrixXd C = wholeOf(solution);
+  const Eigen::MatrixXd G = motionsOf(solution.state.cells);
+  const Eigen::MatrixXd S = transformationOf(solution.state.cells);
+  const auto sumOf = [&](const Eigen::MatrixXd& T) {
+    const Eigen::MatrixXd moved = T * C * T.transpose();
+    double sum = 0;
+    for (std::size_t k = 0; k < solution.state.cells.size(); ++k) sum += moved.diagonal().segment<3>(rowsOf(k)).sum();
+    return sum;
+  };
+  const double least = sumOf(S);
+  JointDraw draw(4);
+  for (int k = 0; k < 20; ++k) {
+    Eigen::MatrixXd motion(6, S.cols());
+    for (double& value : motion.reshaped()) value = 1e-3 * draw.normal();
+    const Eigen::MatrixXd other = S + G * motion;
+    EXPECT_GT(sumOf(other), least);
+  }
+}
+
+// Another origin is another frame with another covariance; the shape's is the same, but for the priors' being
+// linearised elsewhere.
+TEST(ShapeCovariance, DoesNotDependOnTheOrigin) {
+  const JointCase example = x17Case(5);
+  const JointSolution one = solveJointly(example.problem, example.truth);
+  JointCase moved = example;
+  moved.problem.origin = 14;
+  const SE3 T = one.state.cells[14].inverse();
+  JointState start = one.state;
+  for (SE3& cell : start.cells) cell = T * cell;
+  for (Eigen::Vector3d& force : start.force_o) force = T.R * force;
+  for (Eigen::Vector3d& acceleration : start.acceleration_o) acceleration = T.R * acceleration;
+  start.middle_o = T * start.middle_o;
+  const JointSolution other = solveJointly(moved.problem, start);
+  const std::vector<Matrix6d> shape = shapeOf(one);
+  const std::vector<Matrix6d> shape_there = shapeOf(other);
+  Matrix6d turn = Matrix6d::Identity();  // positions are in the patch's frame
+  turn.topLeftCorner<3, 3>() = T.R;
+  for (std::size_t k = 0; k < shape.size(); ++k) {
+    EXPECT_LE((turn * shape[k] * turn.transpose() - shape_there[k]).norm(), 2e-3 * shape[k].norm()) << k;
+  }
+  EXPECT_GT(shape[example.problem.origin].norm(), 0);
+  EXPECT_EQ(one.covariance->cell(example.problem.origin).norm(), 0);
+}
+
+// Few cells: two that lie on one line, and one that has no shape.
+TEST(ShapeCovariance, IsACovarianceForAnyNumberOfCells) {
+  for (const char* patch : {"sheet:1x1", "sheet:1x2", "sheet:1x6", "ring3"}) {
+    SimulatedSkinOptions options;
+    options.patch = patch;
+    options.surface = "plane";
+    SimulatedSkin skin(builtInCellModel("hex-bma150"), options);
+    const auto result = reconstruct(*simulateSession(skin, 3).snapshot());
+    for (const CellPlacement& cell : result->patches.front().cells) {
+      ASSERT_TRUE(cell.shape_cov_t_r.has_value()) << patch;
+      EXPECT_TRUE(cell.shape_cov_t_r->allFinite()) << patch;
+      EXPECT_GE(cell.shape_cov_t_r->diagonal().minCoeff(), 0) << patch;
+      const Uncertainty95 shape = *shapeUncertaintyOf(cell);
+      EXPECT_LE(shape.position_m, 0.02) << patch;
+      EXPECT_TRUE(result->patches.front().cells.size() > 1 || cell.shape_cov_t_r->norm() == 0);
+    }
+  }
+}
+
+// The tilt of one cell swings the far end of a large patch; its shape is known better.
+TEST(ShapeCovariance, IsSmallerThanTheCovarianceRelativeToTheOriginOfALargePatch) {
+  SimulatedSkinOptions options;
+  options.patch = kFewSeeds ? "sheet:4x4" : "sheet:15x15";
+  options.surface = "cylinder:r=0.3";
+  SimulatedSkin skin(builtInCellModel("hex-bma150"), options);
+  const auto result = reconstruct(*simulateSession(skin, 4).snapshot());
+  double origin = 0;
+  double shape = 0;
+  for (const CellPlacement& cell : result->patches.front().cells) {
+    origin = std::max(origin, uncertaintyOf(cell)->position_m);
+    shape = std::max(shape, shapeUncertaintyOf(cell)->position_m);
+  }
+  EXPECT_LT(shape, 0.7 * origin);
+}
+
+/// e^T C_s^+ e per degree of freedom, e after the best alignment of the centres (S e, to first order) and C_s^+ the
+/// pseudo-inverse of the singular covariance of all centres.
+double neesOfShape(const JointCase& example, const JointSolution& solution) {
+  const std::vector<SE3>& cells = solution.state.cells;
+  const Eigen::MatrixXd S = transformationOf(cells);
+  const Eigen::MatrixXd C_s = S * wholeOf(solution) * S.transpose();
+  std::vector<Eigen::Vector3d> found;
+  std::vector<Eigen::Vector3d> truth;
+  for (std::size_t k = 0; k < cells.size(); ++k) {
+    found.push_back(cells[k].t);
+    truth.push_back(example.truth.cells[k].t);
+  }
+  const SE3 T = alignPoints(found, truth);  // the truth onto what was found
+  const auto rows = static_cast<Eigen::Index>(3 * cells.size());
+  Eigen::VectorXd e(rows);
+  Eigen::MatrixXd C(rows, rows);
+  for (std::size_t a = 0; a < cells.size(); ++a) {
+    e.segment<3>(static_cast<Eigen::Index>(3 * a)) = T * truth[a] - found[a];
+    for (std::size_t b = 0; b < cells.size(); ++b) {
+      C.block<3, 3>(static_cast<Eigen::Index>(3 * a), static_cast<Eigen::Index>(3 * b)) =
+          C_s.block<3, 3>(rowsOf(a), rowsOf(b));
+    }
+  }
+  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(C);
+  double nees = 0;
+  for (Eigen::Index k = 6; k < rows; ++k) {  // the six smallest are the motions of the whole
+    nees += std::pow(solver.eigenvectors().col(k).dot(e), 2) / solver.eigenvalues()[k];
+  }
+  return nees / static_cast<double>(rows - 6);
+}
+
+TEST(ShapeCovariance, ErrorsAfterTheBestAlignmentAreAsLargeAsStated) {
+  const int seeds = kFewSeeds ? 2 : 100;
+  double nees = 0;
+  double cells = 0;
+  double count = 0;
+  for (int seed = 1; seed <= seeds; ++seed) {
+    const JointCase example = x17Case(static_cast<std::uint64_t>(seed));
+    const JointSolution solution = solveJointly(example.problem, example.truth);
+    nees += neesOfShape(example, solution) / seeds;
+    // Cell by cell, as the tables have it.
+    const std::vector<Matrix6d> shape = shapeOf(solution);
+    std::vector<Eigen::Vector3d> found;
+    std::vector<Eigen::Vector3d> truth;
+    for (std::size_t k = 0; k < shape.size(); ++k) {
+      found.push_back(solution.state.cells[k].t);
+      truth.push_back(example.truth.cells[k].t);
+    }
+    const SE3 T = alignPoints(found, truth);
+    for (std::size_t k = 0; k < shape.size(); ++k) {
+      const Eigen::Vector3d e = T * truth[k] - found[k];
+      const Eigen::Matrix3d C = shape[k].topLeftCorner<3, 3>();
+      cells += e.dot(C.ldlt().solve(e)) / 3;
+      ++count;
+    }
+  }
+  RecordProperty("all centres together", std::to_string(nees));
+  RecordProperty("cell by cell", std::to_string(cells / count));
+  EXPECT_TRUE(std::isfinite(nees) && std::isfinite(cells));
+  if (kFewSeeds) return;
+  EXPECT_GT(nees, 0.5) << cells / count;
+  EXPECT_LT(nees, 1.5) << cells / count;
+  EXPECT_GT(cells / count, 0.5) << nees;
+  EXPECT_LT(cells / count, 1.5) << nees;
+}
+
+}  // namespace
+}  // namespace hexoderm

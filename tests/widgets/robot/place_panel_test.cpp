@@ -1,0 +1,255 @@
+#include "widgets/robot/place_panel.h"
+
+#include "hexoderm/util/units.h"
+#include "tests/support/qt_wait.h"
+#include "widgets/controls/selection.h"
+#include "widgets/tables/joint_table_view.h"
+
+#include <gmock/gmock.h>
+#include <QApplication>
+#include <QCheckBox>
+#include <QComboBox>
+#include <QDir>
+#include <QDoubleSpinBox>
+#include <QLabel>
+#include <QListWidget>
+#include <QPushButton>
+#include <QScrollArea>
+#include <QSpinBox>
+#include <QTest>
+
+namespace hexoderm {
+namespace {
+
+using testing::HasSubstr;
+
+PlaceStand standOfTwoPatches() {
+  PlaceStand stand;
+  stand.has_robot = stand.names_robot = true;
+  stand.robot = {Tone::Good, QStringLiteral("demo_arm, 8 links")};
+  stand.joints = {Tone::Good, QStringLiteral("4 of 4 poses have joint angles.")};
+  stand.poses = {{1, QStringLiteral("Pose 1")}, {2, QStringLiteral("Pose 2")}};
+  stand.pose = 1;
+  stand.patches = {{1, QStringLiteral("Patch of cell 1, 17 cells")},
+                   {18, QStringLiteral("Patch of cell 18, 17 cells")}};
+  stand.patch = 1;
+  stand.links = {{QStringLiteral("forearm"), QStringLiteral("forearm · fits")},
+                 {QStringLiteral("hand"), QStringLiteral("hand · can't be told from forearm")}};
+  stand.other_links = QStringList{QStringLiteral("base"), QStringLiteral("forearm"), QStringLiteral("hand")};
+  stand.link = QStringLiteral("forearm");
+  stand.link_says = {Tone::Caution, QStringLiteral("Move the wrist.")};
+  stand.has_surface = true;
+  stand.known.origin = CellId(1);
+  stand.known.points = {{CellId(3), {0.01, 0, -0.02}, 0.001}};
+  stand.places = QStringList{QStringLiteral("1 · misfit 0.40 mm"), QStringLiteral("2 · misfit 0.90 mm")};
+  stand.place_says = {Tone::Caution, QStringLiteral("2 places fit.")};
+  return stand;
+}
+
+class PlacePanelTest : public testing::Test {
+ protected:
+  PlacePanelTest() {
+    QApplication::setStyle(QStringLiteral("Fusion"));
+    setTheme(Theme::Light);
+    scroll_.setWidget(panel_);
+    scroll_.setWidgetResizable(true);
+    scroll_.resize(286, 900);
+    scroll_.show();
+    EXPECT_TRUE(test::waitUntilExposed(scroll_));
+  }
+  void setTheme(Theme theme) {
+    QApplication::setPalette(qtPalette(theme));
+    qApp->setStyleSheet(styleSheet(theme));
+    panel_->setTheme(theme);
+  }
+  template <class T>
+  T* find(const char* name) {
+    T* found = panel_->findChild<T*>(QLatin1String(name));
+    EXPECT_NE(found, nullptr) << name;
+    return found;
+  }
+  void keep(const QString& name) {
+    const QDir folder(QStringLiteral(HEXODERM_SCREENSHOTS));
+    ASSERT_TRUE(folder.mkpath("."));
+    EXPECT_TRUE(panel_->grab().save(folder.filePath(name + ".png")));
+  }
+
+  Selection selection_;
+  QScrollArea scroll_;
+  PlacePanel* panel_ = new PlacePanel(&selection_);
+};
+
+TEST_F(PlacePanelTest, WithoutARobotItAsksForOneAndSaysWhyNotWhereNothingCanBePlaced) {
+  EXPECT_TRUE(find<QPushButton>("placeChooseRobot")->isEnabled());
+  EXPECT_FALSE(find<QListWidget>("placeLinks")->isVisible());
+  EXPECT_FALSE(find<QPushButton>("placeAddPoint")->isVisible());
+  PlaceStand stand;
+  stand.why_not = QStringLiteral("There is no skin yet.");
+  panel_->setStand(stand);
+  EXPECT_FALSE(find<QPushButton>("placeChooseRobot")->isEnabled());
+  EXPECT_EQ(find<QLabel>("placeRobotSentence")->text(), stand.why_not);
+}
+
+TEST_F(PlacePanelTest, ListsAndFieldsAskForWhatTheyShow) {
+  panel_->setStand(standOfTwoPatches());
+  keep(QStringLiteral("place-panel-light"));
+  QStringList links;
+  QObject::connect(panel_, &PlacePanel::linkChosen, [&](const QString& link) { links << link; });
+  auto* list = find<QListWidget>("placeLinks");
+  EXPECT_TRUE(list->item(0)->text().startsWith(QStringLiteral("✓ ")));
+  list->setFocus();
+  list->setCurrentRow(1);
+  QTest::keyClick(list, Qt::Key_Return);
+  ASSERT_FALSE(links.isEmpty());
+  EXPECT_EQ(links.back(), QStringLiteral("hand"));
+
+  std::optional<KnownPoint> added;
+  QObject::connect(panel_, &PlacePanel::pointAdded, [&](const KnownPoint& point) { added = point; });
+  find<QSpinBox>("placePointCell")->setValue(7);
+  panel_->proposePoint({0.0123, -0.05, 0});
+  QTest::mouseClick(find<QPushButton>("placeAddPoint"), Qt::LeftButton);
+  ASSERT_TRUE(added);
+  EXPECT_EQ(added->cell, CellId(7));
+  EXPECT_NEAR(added->x_l.x(), 0.0123, 1e-9);
+  EXPECT_NEAR(added->sigma_m, 0.001, 1e-9);
+
+  int removed = -1;
+  QObject::connect(panel_, &PlacePanel::pointRemoved, [&](int index) { removed = index; });
+  EXPECT_FALSE(find<QPushButton>("placeRemoveKnown")->isEnabled()) << "nothing is picked";
+  find<QListWidget>("placeKnownList")->setCurrentRow(0);
+  QTest::mouseClick(find<QPushButton>("placeRemoveKnown"), Qt::LeftButton);
+  EXPECT_EQ(removed, 0);
+
+  std::optional<bool> by_surface;
+  QObject::connect(panel_, &PlacePanel::surfaceChosen, [&](bool on) { by_surface = on; });
+  QTest::keyClick(find<QCheckBox>("placeBySurface"), Qt::Key_Space);
+  EXPECT_EQ(by_surface, false);
+}
+
+TEST_F(PlacePanelTest, APlaceIsShownByPointingAndTakenByReturn) {
+  panel_->setStand(standOfTwoPatches());
+  std::vector<int> previewed;
+  std::vector<int> chosen;
+  QObject::connect(panel_, &PlacePanel::placePreviewed, [&](int row) { previewed.push_back(row); });
+  QObject::connect(panel_, &PlacePanel::placeChosen, [&](int row) { chosen.push_back(row); });
+  auto* list = find<QListWidget>("placePlaceList");
+  list->setFocus();
+  list->setCurrentRow(1);
+  EXPECT_THAT(previewed, testing::Contains(1));
+  EXPECT_TRUE(chosen.empty());
+  QTest::keyClick(list, Qt::Key_Return);
+  EXPECT_THAT(chosen, testing::Contains(1));
+  // The same lists again leave the row where it is.
+  panel_->setStand(standOfTwoPatches());
+  EXPECT_EQ(list->currentRow(), 1);
+  QEvent leave(QEvent::Leave);
+  QApplication::sendEvent(list->viewport(), &leave);
+  EXPECT_EQ(previewed.back(), -1);
+}
+
+TEST_F(PlacePanelTest, AnglesThatAreTypedAreAskedForAndRefusedOnesSaid) {
+  PlaceStand stand = standOfTwoPatches();
+  EXPECT_FALSE(find<JointTableView>("placeJointTable")->isVisible()) << "no joints are known";
+  RobotJoint elbow;
+  elbow.name = "elbow";
+  elbow.type = JointType::Revolute;
+  stand.sheet.joints = {elbow};
+  stand.sheet.rows = {{PoseId(1), {}}, {PoseId(2), {}}};
+  panel_->setStand(stand);
+  auto* table = find<JointTableView>("placeJointTable");
+  EXPECT_TRUE(table->isVisible());
+  std::vector<TypedAngle> typed;
+  QString refused;
+  QObject::connect(panel_, &PlacePanel::anglesTyped, [&](const std::vector<TypedAngle>& angles) { typed = angles; });
+  QObject::connect(panel_, &PlacePanel::anglesRefused, [&](const QString& why) { refused = why; });
+  table->model()->setData(table->model()->index(1, 0), QStringLiteral("90"));
+  ASSERT_EQ(typed.size(), 1U);
+  EXPECT_EQ(typed[0].row, 1U);
+  table->model()->setData(table->model()->index(1, 0), QStringLiteral("?"));
+  EXPECT_THAT(refused.toStdString(), HasSubstr("is no number"));
+}
+
+TEST_F(PlacePanelTest, MovingByHandIsAModeThatIsOfferedWhereItIsPossible) {
+  PlaceStand stand = standOfTwoPatches();
+  panel_->setStand(stand);
+  auto* move = find<QPushButton>("placeMove");
+  EXPECT_FALSE(move->isEnabled());
+  EXPECT_FALSE(find<QPushButton>("placeLook")->isEnabled());
+  stand.can_move = stand.is_drawn = true;
+  panel_->setStand(stand);
+  std::vector<bool> asked;
+  int looks = 0;
+  QObject::connect(panel_, &PlacePanel::movingChanged, [&](bool moving) { asked.push_back(moving); });
+  QObject::connect(panel_, &PlacePanel::lookWanted, [&] { ++looks; });
+  QTest::keyClick(move, Qt::Key_Space);
+  EXPECT_TRUE(move->isChecked());
+  panel_->endMoving();
+  EXPECT_FALSE(move->isChecked());
+  EXPECT_THAT(asked, testing::ElementsAre(true)) << "what has ended elsewhere is not asked for";
+  QTest::mouseClick(find<QPushButton>("placeLook"), Qt::LeftButton);
+  EXPECT_EQ(looks, 1);
+}
+
+TEST_F(PlacePanelTest, ThePickedCellIsProposedForPoints) {
+  panel_->setStand(standOfTwoPatches());
+  selection_.selectCell(CellId(12));
+  EXPECT_EQ(find<QSpinBox>("placePointCell")->value(), 12);
+  EXPECT_EQ(find<QSpinBox>("placeFromCell")->value(), 12);
+}
+
+TEST_F(PlacePanelTest, SaysWhereNothingTellsThePlace) {
+  PlaceStand stand = standOfTwoPatches();
+  stand.has_surface = false;
+  stand.known.points.clear();
+  panel_->setStand(stand);
+  EXPECT_FALSE(find<QCheckBox>("placeBySurface")->isEnabled());
+  EXPECT_THAT(find<QLabel>("placeKnownSentence")->text().toStdString(), HasSubstr("Nothing says where"));
+  setTheme(Theme::Dark);
+  keep(QStringLiteral("place-panel-dark"));
+}
+
+TEST(PlaceWords, LinksThatCannotBeToldApartStandTogether) {
+  PatchLinks patch;
+  LinkCandidate candidate;
+  candidate.links = {PatchTurn{"forearm"}, PatchTurn{"hand"}};
+  candidate.chi_squared = 11.2;
+  candidate.freedom = 13;
+  patch.candidates = {candidate};
+  const std::vector<LinkChoice> choices = linkChoices(patch);
+  ASSERT_EQ(choices.size(), 2U);
+  EXPECT_EQ(choices[0].link, QStringLiteral("forearm"));
+  EXPECT_THAT(choices[0].text.toStdString(), HasSubstr("misfit 11.2, usual is 13"));
+  EXPECT_EQ(choices[1].link, QStringLiteral("hand"));
+  EXPECT_THAT(choices[1].text.toStdString(), HasSubstr("can't be told from forearm"));
+  patch.nearest = candidate;
+  EXPECT_THAT(linkChoices(patch)[2].text.toStdString(), HasSubstr("does not fit"));
+  EXPECT_EQ(linkInWords(patch).tone, Tone::Bad);
+}
+
+TEST(PlaceWords, SeveralSentencesHaveSignsAndTheGravestTone) {
+  EXPECT_EQ(together({{Tone::Good, QStringLiteral("One.")}}).text, QStringLiteral("One."));
+  const VerifySentence two =
+      together({{Tone::Good, QStringLiteral("One.")}, {Tone::Bad, QStringLiteral("Two.")}, {Tone::Caution, {}}});
+  EXPECT_EQ(two.tone, Tone::Bad);
+  EXPECT_EQ(two.text, QStringLiteral("✓ One.\n✕ Two."));
+}
+
+TEST(PlaceWords, APlaceNamesItsMisfitAndWhatIsOpen) {
+  PlaceCandidate candidate;
+  candidate.rms_m = 0.0004;
+  candidate.patches.resize(1);
+  EXPECT_THAT(placeInList(candidate, 1, false).toStdString(), HasSubstr("1 · misfit 0.40"));
+  candidate.patches[0].free.resize(1);
+  EXPECT_THAT(placeInList(candidate, 1, false).toStdString(), HasSubstr("can be moved"));
+  candidate.patches[0].free[0].held_by_rotation = true;
+  EXPECT_THAT(placeInList(candidate, 1, false).toStdString(), testing::Not(HasSubstr("can be moved")));
+  EXPECT_THAT(placeInList(candidate, 1, false).toStdString(), testing::Not(HasSubstr("by hand")));
+  candidate.by_hand = true;
+  EXPECT_THAT(placeInList(candidate, 1, false).toStdString(), HasSubstr("put by hand"));
+  candidate.fits = false;
+  EXPECT_THAT(placeInList(candidate, 2, true).toStdString(), HasSubstr("does not fit"));
+  EXPECT_TRUE(placeInList(candidate, 2, true).startsWith(QStringLiteral("✓ 2")));
+}
+
+}  // namespace
+}  // namespace hexoderm

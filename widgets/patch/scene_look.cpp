@@ -1,0 +1,59 @@
+#include "widgets/patch/scene_look.h"
+
+#include <vtkInteractorStyleTrackballCamera.h>
+#include <vtkObjectFactory.h>
+#include <QColor>
+
+namespace hexoderm {
+namespace {
+
+/// The trackball without VTK's single-letter commands: keys belong to the window.
+class SceneInteractorStyle : public vtkInteractorStyleTrackballCamera {
+ public:
+  static SceneInteractorStyle* New();
+  vtkTypeMacro(SceneInteractorStyle, vtkInteractorStyleTrackballCamera) void OnChar() override {}
+  void OnKeyPress() override {}
+};
+vtkStandardNewMacro(SceneInteractorStyle);
+
+Rgb toRgb(const QColor& color) { return {color.redF(), color.greenF(), color.blueF()}; }
+
+}  // namespace
+
+SceneColors sceneColors(Theme theme) {
+  const Colors& colors = Colors::of(theme);
+  const bool dark = theme == Theme::Dark;
+  // Large faces in a link's full colour would shout: they are calmed towards black.
+  const Rgb black{};
+  const double calm = dark ? 0.36 : 0.10;
+  SceneColors scene;
+  scene.background_top = toRgb(colors.scene_top);
+  scene.background_bottom = toRgb(colors.scene_bottom);
+  for (std::size_t k = 0; k < scene.quality.size(); ++k) {
+    scene.link_line.at(k) = toRgb(linkStroke(static_cast<EdgeQuality>(k), theme).color);
+    scene.quality.at(k) = mixed(scene.link_line.at(k), black, calm);
+  }
+  scene.neutral = toRgb(colors.muted_link);
+  constexpr int kScaleSteps = 32;
+  for (int k = 0; k <= kScaleSteps; ++k) {
+    scene.scale.push_back(mixed(toRgb(viridis(static_cast<double>(k) / kScaleSteps)), black, 0.5 * calm));
+  }
+  scene.edge = toRgb(dark ? colors.scene_top : colors.text);
+  scene.selection = toRgb(colors.selection);
+  scene.light_mark = toRgb(dark ? colors.selection : colors.panel);
+  scene.dark_mark = toRgb(dark ? colors.scene_top : colors.text);
+  scene.arrow_shaft = toRgb(colors.text_muted);
+  scene.arrow_head = toRgb(colors.accent);
+  scene.text = toRgb(colors.text);
+  scene.overlay = toRgb(colors.accent);
+  scene.difference = toRgb(colors.caution);
+  scene.ellipsoid = toRgb(dark ? colors.selection : colors.panel);
+  for (std::size_t k = 0; k < scene.axis.size(); ++k) scene.axis.at(k) = toRgb(colors.axis.at(k));
+  return scene;
+}
+
+vtkSmartPointer<vtkInteractorObserver> makeSceneInteractorStyle() {
+  return vtkSmartPointer<SceneInteractorStyle>::New();
+}
+
+}  // namespace hexoderm

@@ -1,0 +1,78 @@
+#include "widgets/tables/joint_table_view.h"
+
+#include "widgets/tables/joint_table.h"
+
+#include <QAction>
+#include <QApplication>
+#include <QClipboard>
+#include <QHeaderView>
+#include <QKeyEvent>
+
+namespace hexoderm {
+namespace {
+
+bool clears(const QKeyEvent& event) { return event.key() == Qt::Key_Delete || event.key() == Qt::Key_Backspace; }
+
+bool beginsNumber(const QKeyEvent& event) {
+  const QString text = event.text();
+  return !text.isEmpty() && (text.front().isDigit() || QStringLiteral("+-.,").contains(text.front()));
+}
+
+}  // namespace
+
+JointTableView::JointTableView(JointTable* table, QWidget* parent) : QTableView(parent), table_(table) {
+  setModel(table);
+  setSelectionBehavior(QAbstractItemView::SelectItems);
+  setSelectionMode(QAbstractItemView::ContiguousSelection);
+  setEditTriggers(QAbstractItemView::AnyKeyPressed | QAbstractItemView::EditKeyPressed |
+                  QAbstractItemView::DoubleClicked);
+  setTabKeyNavigation(false);
+  setWordWrap(false);
+  horizontalHeader()->setHighlightSections(false);
+  horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
+  verticalHeader()->setHighlightSections(false);
+  auto* copy = new QAction(tr("Copy"), this);
+  copy->setShortcut(QKeySequence::Copy);
+  auto* paste = new QAction(tr("Paste"), this);
+  paste->setShortcut(QKeySequence::Paste);
+  for (QAction* action : {copy, paste}) action->setShortcutContext(Qt::WidgetShortcut);
+  // Its key is one of the window too, which means poses there: keyPressEvent() knows it.
+  auto* clear = new QAction(tr("Clear"), this);
+  connect(copy, &QAction::triggered, this, &JointTableView::copy);
+  connect(paste, &QAction::triggered, this, &JointTableView::paste);
+  connect(clear, &QAction::triggered, this, [this] { table_->clear(selectedIndexes()); });
+  addActions({copy, paste, clear});
+  setContextMenuPolicy(Qt::ActionsContextMenu);
+}
+
+void JointTableView::copy() { QApplication::clipboard()->setText(table_->block(selectedIndexes())); }
+
+void JointTableView::paste() { table_->paste(currentIndex(), QApplication::clipboard()->text()); }
+
+bool JointTableView::event(QEvent* event) {
+  if (event->type() == QEvent::ShortcutOverride) {
+    const auto* key = static_cast<QKeyEvent*>(event);
+    if (clears(*key) || beginsNumber(*key)) {
+      event->accept();
+      return true;
+    }
+  }
+  return QTableView::event(event);
+}
+
+void JointTableView::keyPressEvent(QKeyEvent* event) {
+  if (clears(*event) && state() != QAbstractItemView::EditingState) {
+    table_->clear(selectedIndexes());
+    return;
+  }
+  QTableView::keyPressEvent(event);
+}
+
+void JointTableView::closeEditor(QWidget* editor, QAbstractItemDelegate::EndEditHint hint) {
+  QTableView::closeEditor(editor, hint);
+  if (hint != QAbstractItemDelegate::SubmitModelCache || !currentIndex().isValid()) return;
+  const QModelIndex below = currentIndex().siblingAtRow(currentIndex().row() + 1);
+  if (below.isValid()) setCurrentIndex(below);
+}
+
+}  // namespace hexoderm
