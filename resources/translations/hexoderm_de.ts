@@ -6498,6 +6498,57 @@ Auf einem entfernten Bildschirm oder mit einem fehlerhaften Treiber kann es helf
     </message>
 </context>
 <context>
+    <name>hexoderm::PlaceDecisions</name>
+    <message>
+        <source>use the surface of the link</source>
+        <translation>Oberfläche des Glieds verwenden</translation>
+    </message>
+    <message>
+        <source>do without the surface of the link</source>
+        <translation>auf die Oberfläche des Glieds verzichten</translation>
+    </message>
+    <message>
+        <source>remove a known point</source>
+        <translation>bekannten Punkt entfernen</translation>
+    </message>
+    <message>
+        <source>remove a measured distance</source>
+        <translation>gemessenen Abstand entfernen</translation>
+    </message>
+    <message>
+        <source>take the patch away</source>
+        <translation>Hautstück wegnehmen</translation>
+    </message>
+    <message>
+        <source>leave the link open</source>
+        <translation>Glied offenlassen</translation>
+    </message>
+    <message>
+        <source>put the patch on link %1</source>
+        <translation>Hautstück auf Glied %1 legen</translation>
+    </message>
+    <message>
+        <source>Cell %1 is none of this patch.</source>
+        <translation>Zelle %1 gehört nicht zu diesem Hautstück.</translation>
+    </message>
+    <message>
+        <source>add a known point</source>
+        <translation>bekannten Punkt hinzufügen</translation>
+    </message>
+    <message>
+        <source>Cell %1 is of no other patch: inside a patch, distances are known.</source>
+        <translation>Zelle %1 gehört zu keinem anderen Hautstück: Innerhalb eines Hautstücks sind Abstände bekannt.</translation>
+    </message>
+    <message>
+        <source>The patch of cell %1 is not on link %2: its distance depends on the joints.</source>
+        <translation>Das Hautstück von Zelle %1 liegt nicht auf Glied %2: Sein Abstand hängt von den Gelenken ab.</translation>
+    </message>
+    <message>
+        <source>add a measured distance</source>
+        <translation>gemessenen Abstand hinzufügen</translation>
+    </message>
+</context>
+<context>
     <name>hexoderm::PlaceOnRobot</name>
     <message>
         <source>%1 · can&apos;t be told from %2</source>
@@ -6874,26 +6925,6 @@ Auf einem entfernten Bildschirm oder mit einem fehlerhaften Treiber kann es helf
         <translation>Gelenkwinkel aus %1 lesen</translation>
     </message>
     <message>
-        <source>use the surface of the link</source>
-        <translation>Oberfläche des Glieds verwenden</translation>
-    </message>
-    <message>
-        <source>do without the surface of the link</source>
-        <translation>auf die Oberfläche des Glieds verzichten</translation>
-    </message>
-    <message>
-        <source>remove a known point</source>
-        <translation>bekannten Punkt entfernen</translation>
-    </message>
-    <message>
-        <source>remove a measured distance</source>
-        <translation>gemessenen Abstand entfernen</translation>
-    </message>
-    <message>
-        <source>take the patch away</source>
-        <translation>Hautstück wegnehmen</translation>
-    </message>
-    <message>
         <source>Choose the robot&apos;s URDF</source>
         <translation>Das URDF des Roboters wählen</translation>
     </message>
@@ -6930,6 +6961,25 @@ Auf einem entfernten Bildschirm oder mit einem fehlerhaften Treiber kann es helf
         <translation>Eine Kalibrierung ist geöffnet: Sie enthält das Ergebnis, nicht die Posen.</translation>
     </message>
     <message>
+        <source>The robot has no link %1, on which the patch was placed: choose another one, or the robot that it belongs to.</source>
+        <translation>Der Roboter hat kein Glied %1, auf dem das Hautstück eingeordnet wurde: ein anderes wählen, oder den Roboter, zu dem es gehört.</translation>
+    </message>
+    <message>
+        <source>place the patch</source>
+        <translation>Hautstück einordnen</translation>
+    </message>
+    <message>
+        <source>move the patch by hand</source>
+        <translation>Hautstück von Hand bewegen</translation>
+    </message>
+    <message>
+        <source>set joint angles of %1 poses</source>
+        <translation>Gelenkwinkel von %1 Posen setzen</translation>
+    </message>
+</context>
+<context>
+    <name>hexoderm::PlaceSentences</name>
+    <message>
         <source>%1, %2 links, from %3.</source>
         <translation>%1, %2 Glieder, aus %3.</translation>
     </message>
@@ -6964,50 +7014,6 @@ Auf einem entfernten Bildschirm oder mit einem fehlerhaften Treiber kann es helf
     <message>
         <source>Patch of cell %1, %2 cells</source>
         <translation>Hautstück der Zelle %1, %2 Zellen</translation>
-    </message>
-    <message>
-        <source>The robot has no link %1, on which the patch was placed: choose another one, or the robot that it belongs to.</source>
-        <translation>Der Roboter hat kein Glied %1, auf dem das Hautstück eingeordnet wurde: ein anderes wählen, oder den Roboter, zu dem es gehört.</translation>
-    </message>
-    <message>
-        <source>leave the link open</source>
-        <translation>Glied offenlassen</translation>
-    </message>
-    <message>
-        <source>put the patch on link %1</source>
-        <translation>Hautstück auf Glied %1 legen</translation>
-    </message>
-    <message>
-        <source>Cell %1 is none of this patch.</source>
-        <translation>Zelle %1 gehört nicht zu diesem Hautstück.</translation>
-    </message>
-    <message>
-        <source>add a known point</source>
-        <translation>bekannten Punkt hinzufügen</translation>
-    </message>
-    <message>
-        <source>Cell %1 is of no other patch: inside a patch, distances are known.</source>
-        <translation>Zelle %1 gehört zu keinem anderen Hautstück: Innerhalb eines Hautstücks sind Abstände bekannt.</translation>
-    </message>
-    <message>
-        <source>The patch of cell %1 is not on link %2: its distance depends on the joints.</source>
-        <translation>Das Hautstück von Zelle %1 liegt nicht auf Glied %2: Sein Abstand hängt von den Gelenken ab.</translation>
-    </message>
-    <message>
-        <source>add a measured distance</source>
-        <translation>gemessenen Abstand hinzufügen</translation>
-    </message>
-    <message>
-        <source>place the patch</source>
-        <translation>Hautstück einordnen</translation>
-    </message>
-    <message>
-        <source>move the patch by hand</source>
-        <translation>Hautstück von Hand bewegen</translation>
-    </message>
-    <message>
-        <source>set joint angles of %1 poses</source>
-        <translation>Gelenkwinkel von %1 Posen setzen</translation>
     </message>
     <message>
         <source>Pull it by the mouse; or arrow keys slide it by 1 mm, Page Up and Page Down turn it by 1°, with Shift by ten times as much. Return lays it there, Escape leaves it where it was.</source>

@@ -400,7 +400,7 @@ TEST_F(WindowPlaceTest, AnotherLinkCanBeChosenAndIsSaidNotToFit) {
 TEST_F(WindowPlaceTest, ThePatchIsMovedByHandAndTheFitBeginsThere) {
   ASSERT_NO_FATAL_FAILURE(openWithRobot());
   RobotView* view = window_->robotView();
-  if (!view->canDraw()) GTEST_SKIP() << "no OpenGL";
+  ASSERT_TRUE(view->canDraw()) << "no OpenGL";
   // The upper arm is a box with rounded edges, along which its patch can slide.
   for (const PlaceStand::Choice& choice : std::vector(stand().patches)) {
     if (mounted(CellId(choice.id)).link != "upper_arm") continue;
@@ -494,7 +494,7 @@ TEST_F(WindowPlaceTest, BeforeTheExportTheCellsAreLookedAtWithTheirNumbers) {
 
 TEST_F(WindowPlaceTest, APointIsPickedOnTheRobotAndWaitsToBeAdded) {
   ASSERT_NO_FATAL_FAILURE(openWithRobot());
-  if (!window_->robotView()->canDraw()) GTEST_SKIP() << "no OpenGL";
+  ASSERT_TRUE(window_->robotView()->canDraw()) << "no OpenGL";
   ASSERT_NO_FATAL_FAILURE(pressInPanel<QPushButton>("placePick"));
   const RobotPicture& picture = window_->robotView()->picture();
   ASSERT_TRUE(picture.link);
