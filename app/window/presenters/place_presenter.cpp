@@ -53,7 +53,7 @@ PlacePresenter::PlacePresenter(const Views& views, SessionController& controller
     : views_(views),
       controller_(controller),
       placing_(placing),
-      facts_{controller},
+      facts_(controller),
       sentences_(facts_, faults_),
       decisions_(controller, facts_) {
   connectPanel();

@@ -20,6 +20,9 @@ class SessionController;
 /// What is known of the patches on the robot while the step "Place on the robot" is worked on: what was read and found,
 /// beside what the session says was decided; and of which patch and pose the step speaks. The questions change nothing.
 struct PlaceFacts {
+  /// Nothing is known yet. The controller outlives this.
+  explicit PlaceFacts(const SessionController& of) : controller(of) {}
+
   const SessionController& controller;
   std::shared_ptr<const Reconstruction> solved;
   std::shared_ptr<const LoadedRobot> robot;
