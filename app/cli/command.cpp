@@ -92,7 +92,12 @@ std::map<PoseId, JointAngles> anglesOfPoses(const Session& session, const std::s
     if (!pose.joint_angles.positions.empty()) angles[pose.capture->id] = pose.joint_angles;
   }
   if (file.empty()) return angles;
-  const JointAnglesTable table = asInput([&] { return readJointAnglesCsv(file, robot); });
+  const JointAnglesTable table = asInput([&] {
+    JointAnglesTable read = readJointAnglesCsv(file, robot);
+    const Message why = whyNoPoseHasAngles(session, read);
+    if (!why.empty()) throw FormatError(located(file, why));
+    return read;
+  });
   for (const SetJointAngles& edit : jointAnglesFor(session, table).edits) {
     angles[session.poses()[edit.index].capture->id] = edit.angles;
   }

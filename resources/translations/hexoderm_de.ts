@@ -5001,6 +5001,10 @@ Die Werte sagen, wie gut die Posen die Drehung der Zellen in drei Achsen festhal
         <translation>Der Roboter {} hat kein Gelenk {}</translation>
     </message>
     <message>
+        <source>columns of anything else have to be taken out</source>
+        <translation>Spalten mit anderem müssen entfernt werden</translation>
+    </message>
+    <message>
         <source>did you mean {}?</source>
         <translation>Ist {} gemeint?</translation>
     </message>
@@ -5039,6 +5043,18 @@ Die Werte sagen, wie gut die Posen die Drehung der Zellen in drei Achsen festhal
     <message>
         <source>pose {} was given already, in line {}</source>
         <translation>Pose {} kam schon in Zeile {} vor</translation>
+    </message>
+    <message>
+        <source>has angles of the poses {} to {}, but the session has the poses {} to {}</source>
+        <translation>hat Winkel der Posen {} bis {}, aber die Sitzung hat die Posen {} bis {}</translation>
+    </message>
+    <message>
+        <source>has times, but the poses of the session don&apos;t say when they were taken: expected a column pose</source>
+        <translation>hat Zeiten, aber die Posen der Sitzung sagen nicht, wann sie aufgenommen wurden: Eine Spalte pose wird erwartet</translation>
+    </message>
+    <message>
+        <source>no time is within a second of a pose: the file goes from {} to {}, and the poses were taken from {} to {} (s since 1970, UTC)</source>
+        <translation>Keine Zeit liegt näher als eine Sekunde an einer Pose: Die Datei geht von {} bis {}, und die Posen wurden von {} bis {} aufgenommen (s seit 1970, UTC)</translation>
     </message>
     <message>
         <source>expected times that ascend; {} does not</source>
@@ -5663,6 +5679,14 @@ Die Werte sagen, wie gut die Posen die Drehung der Zellen in drei Achsen festhal
     <message>
         <source>The robot&apos;s base seems to stand otherwise than was said: the patches fit with {} of its frame upwards.</source>
         <translation>Die Basis des Roboters scheint anders zu stehen als angegeben: Die Hautstücke passen, wenn {} ihres Koordinatensystems nach oben zeigt.</translation>
+    </message>
+    <message>
+        <source>The joint angles are probably off by one pose: with those of the pose after it, each pose fits what the patches see.</source>
+        <translation>Die Gelenkwinkel sind wahrscheinlich um eine Pose verschoben: Mit denen der Pose danach passt jede Pose zu dem, was die Hautstücke sehen.</translation>
+    </message>
+    <message>
+        <source>The joint angles are probably off by one pose: with those of the pose before it, each pose fits what the patches see.</source>
+        <translation>Die Gelenkwinkel sind wahrscheinlich um eine Pose verschoben: Mit denen der Pose davor passt jede Pose zu dem, was die Hautstücke sehen.</translation>
     </message>
     <message>
         <source>the name of a link</source>

@@ -224,7 +224,8 @@ class JointAnglesReader {
     for (const RobotJoint& known : robot_.joints()) names.push_back(known.name);
     const std::optional<std::string> meant = nearMatch(name, names);
     failIn(title, inRow({message("the robot {} has no joint {}", robot_.name(), excerptOf(name)),
-                         meant ? message("did you mean {}?", *meant) : Message()},
+                         meant ? message("did you mean {}?", *meant)
+                               : message("columns of anything else have to be taken out")},
                         "; "));
   }
 
@@ -280,7 +281,13 @@ class JointAnglesReader {
                                         : message("expected a number, found {}", excerptOf(text)));
     }
   }
-  double numberIn(const Column& column, const std::string& text) const { return parsed(column, text, parseNumber); }
+  double numberIn(const Column& column, std::string text) const {
+    // Programs that separate columns otherwise may write 1,5 for one and a half.
+    if (separator_ != ',' && std::ranges::count(text, ',') == 1 && text.find('.') == std::string::npos) {
+      std::ranges::replace(text, ',', '.');
+    }
+    return parsed(column, text, parseNumber);
+  }
 
   PoseId poseIn(const Column& column, const std::string& text) {
     const PoseId pose(parsed(column, text, parseUnsigned));

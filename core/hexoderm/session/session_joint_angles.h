@@ -2,6 +2,7 @@
 
 #include "hexoderm/kinematics/joint_angles_csv.h"
 #include "hexoderm/session/session_edit.h"
+#include "hexoderm/util/message.h"
 
 #include <vector>
 
@@ -13,6 +14,8 @@ struct JointAnglesForSession {
   std::vector<PoseId> without_angles;  ///< poses of the session that it does not have, disabled ones too
 };
 JointAnglesForSession jointAnglesFor(const Session& session, const JointAnglesTable& table);
+/// Why a table has nothing for any pose of a session, with the numbers or times of both; empty where it has something.
+Message whyNoPoseHasAngles(const Session& session, const JointAnglesTable& table);
 
 /// The angles that the session's poses have, by pose; poses without any are left out. Joints that not every such pose
 /// names are left out too.

@@ -57,6 +57,22 @@ TEST(JointAnglesCsv, ReadsUnitsInBracketsAndEndings) {
   EXPECT_EQ(table.rows[1].angles.positions.size(), 4U);
 }
 
+TEST(JointAnglesCsv, ReadsDecimalCommasWhereColumnsAreSeparatedOtherwise) {
+  const JointAnglesTable table = parse("pose;elbow[rad];wrist[rad];tilt_deg[rad];lift[m]\n1;0,5;-1,25;2.5;0,1\n");
+  ASSERT_EQ(table.rows.size(), 1U);
+  EXPECT_EQ(table.rows[0].angles.positions.at("elbow"), 0.5);
+  EXPECT_EQ(table.rows[0].angles.positions.at("wrist"), -1.25);
+  EXPECT_EQ(table.rows[0].angles.positions.at("tilt_deg"), 2.5);
+  EXPECT_EQ(table.rows[0].angles.positions.at("lift"), 0.1);
+  EXPECT_THAT(csvComplaint("pose;elbow[rad];wrist[rad];tilt_deg[rad];lift[m]\n1;1.000,5;0;0;0\n"),
+              saysAll("line 2", "expected a number", "1.000,5"));
+}
+
+TEST(JointAnglesCsv, SaysWhatToDoAboutColumnsOfAnythingElse) {
+  EXPECT_THAT(csvComplaint("pose,elbow[rad],battery_voltage\n1,0,12\n"),
+              saysAll("battery_voltage", "columns of anything else have to be taken out"));
+}
+
 TEST(JointAnglesCsv, ReadsOneUnitForAllOtherSeparatorsAndAByteOrderMark) {
   const JointAnglesTable table = parse("\xEF\xBB\xBF# unit: deg\npose;wrist;elbow;tilt_deg;lift[m]\n1;180;90;0;0.1\n");
   EXPECT_NEAR(table.rows[0].angles.positions.at("wrist"), kPi, 1e-15);

@@ -43,6 +43,30 @@ TEST(SessionJointAngles, GoThroughACsvFileToAnotherSession) {
   EXPECT_EQ(without.poses()[1].joint_angles, with.poses()[2].joint_angles);
 }
 
+TEST(SessionJointAngles, ATableOfOtherPosesIsSaidWithWhatBothHave) {
+  SimulatedRobot robot = demoRobot();
+  const Session session = simulateRobotSession(robot, 3, 10).session;
+  JointAnglesTable table;
+  table.rows = {{PoseId(11), std::nullopt, {}}, {PoseId(14), std::nullopt, {}}};
+  EXPECT_EQ(whyNoPoseHasAngles(session, table).english(),
+            "has angles of the poses 11 to 14, but the session has the poses 1 to 3");
+  table.rows.push_back({PoseId(2), std::nullopt, {}});
+  EXPECT_TRUE(whyNoPoseHasAngles(session, table).empty());
+
+  // Times of another clock. Simulated poses don't say when they were taken.
+  JointAnglesTable timed;
+  timed.rows = {{std::nullopt, 12.5, {}}, {std::nullopt, 13.5, {}}};
+  EXPECT_EQ(whyNoPoseHasAngles(session, timed).english(),
+            "has times, but the poses of the session don't say when they were taken: expected a column pose");
+  PoseCapture taken = *session.poses()[0].capture;
+  taken.taken_at_ms = 1448423000500;
+  Session at(session.model(), robot.neighbors());
+  at.addPose({std::make_shared<const PoseCapture>(taken)});
+  EXPECT_EQ(whyNoPoseHasAngles(at, timed).english(),
+            "no time is within a second of a pose: the file goes from 12.5 to 13.5, and the poses were taken from "
+            "1448423000.5 to 1448423000.5 (s since 1970, UTC)");
+}
+
 TEST(SessionJointAngles, OnlyJointsOfAllPosesMakeATable) {
   SimulatedRobot robot = demoRobot();
   Session session = simulateRobotSession(robot, 3, 10).session;

@@ -9,6 +9,9 @@
 #include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
+#include <functional>
+#include <limits>
+#include <mutex>
 
 namespace hexoderm {
 namespace {
@@ -85,8 +88,13 @@ class SolvedCovariance : public PlacementCovariance {
 /// The covariance of the forces of any two poses from that of the whole patch.
 class SolvedGravityCovariance : public GravityCovariance {
  public:
-  SolvedGravityCovariance(std::shared_ptr<const JointCovariance> covariance, bool accelerations)
-      : covariance_(std::move(covariance)), accelerations_(accelerations) {}
+  using Solve = std::function<std::shared_ptr<const JointCovariance>()>;
+  /// `solve_without_tremor`: empty where that is not known.
+  SolvedGravityCovariance(std::shared_ptr<const JointCovariance> covariance, bool accelerations,
+                          Solve solve_without_tremor)
+      : covariance_(std::move(covariance)),
+        accelerations_(accelerations),
+        solve_without_tremor_(std::move(solve_without_tremor)) {}
 
   [[nodiscard]] Eigen::Matrix3d forces(std::size_t a, std::size_t b) const override {
     return covariance_->forces(a, b);
@@ -95,10 +103,20 @@ class SolvedGravityCovariance : public GravityCovariance {
     if (!accelerations_) return std::nullopt;
     return covariance_->acceleration(pose) / (kStandardGravity * kStandardGravity);
   }
+  [[nodiscard]] std::shared_ptr<const GravityCovariance> withoutTremor() const override {
+    if (!solve_without_tremor_) return nullptr;
+    std::call_once(solved_once_, [this] {
+      without_tremor_ = std::make_shared<SolvedGravityCovariance>(solve_without_tremor_(), accelerations_, Solve());
+    });
+    return without_tremor_;
+  }
 
  private:
   std::shared_ptr<const JointCovariance> covariance_;
   bool accelerations_;
+  Solve solve_without_tremor_;
+  mutable std::once_flag solved_once_;
+  mutable std::shared_ptr<const GravityCovariance> without_tremor_;
 };
 
 std::vector<Matrix6d> covariancesOf(const JointProblem& problem, const JointState& state) {
@@ -126,6 +144,7 @@ JointRefinement::JointRefinement(const CellModel& model, const SkinGraph& graph,
   state.gap_share = problem_->gap.mean;
 
   problem_->readings.resize(cells_.size());
+  own_variances_g2_.resize(cells_.size());
   const Eigen::Matrix3d R_a_u = model.accelerometer.T_u_a.R.transpose();
   for (const std::size_t pose : table.enabledPoses()) {
     Eigen::Vector3d sum = Eigen::Vector3d::Zero();
@@ -135,6 +154,7 @@ JointRefinement::JointRefinement(const CellModel& model, const SkinGraph& graph,
       const GravityTable::Entry& entry = table.at(cell, pose);
       if (!entry.usable) continue;
       problem_->readings[local].push_back({poses_.size(), R_a_u * entry.mean_g, entry.variance_g2});
+      own_variances_g2_[local].push_back(entry.own_variance_g2);
       sum += placements[local].R * entry.mean_g.normalized();
       any = true;
     }
@@ -290,7 +310,10 @@ bool JointRefinement::widenNoise() {
   return true;
 }
 
-void JointRefinement::leaveOut(std::size_t cell) { problem_->readings[localOf(cell)].clear(); }
+void JointRefinement::leaveOut(std::size_t cell) {
+  problem_->readings[localOf(cell)].clear();
+  own_variances_g2_[localOf(cell)].clear();
+}
 
 Misfit JointRefinement::misfitOf(std::size_t cell) const {
   const std::size_t at = localOf(cell);
@@ -384,7 +407,26 @@ std::shared_ptr<const PlacementCovariance> JointRefinement::placementCovariance(
 }
 
 std::shared_ptr<const GravityCovariance> JointRefinement::gravityCovariance() const {
-  return std::make_shared<SolvedGravityCovariance>(solution_.covariance, problem_->accelerations);
+  SolvedGravityCovariance::Solve solve;
+  if (!noise_is_widened_) {
+    solve = [problem = std::shared_ptr<const JointProblem>(problem_), model = *problem_->model, state = solution_.state,
+             own_variances_g2 = own_variances_g2_] {
+      constexpr double kLeastVariance_g2 = 1e-10;  // of readings that were simulated without noise
+      JointProblem quiet = *problem;
+      quiet.model = &model;
+      quiet.loss.threshold = std::numeric_limits<double>::infinity();  // readings are weighed by their noise alone
+      for (std::size_t cell = 0; cell < quiet.readings.size(); ++cell) {
+        for (std::size_t k = 0; k < quiet.readings[cell].size(); ++k) {
+          double& variance_g2 = quiet.readings[cell][k].variance_g2;
+          variance_g2 = std::min(variance_g2, std::max(kLeastVariance_g2, own_variances_g2[cell][k]));
+        }
+      }
+      NormalEquations equations;
+      linearize(quiet, state, equations);
+      return std::make_shared<const JointCovariance>(quiet, equations);
+    };
+  }
+  return std::make_shared<SolvedGravityCovariance>(solution_.covariance, problem_->accelerations, std::move(solve));
 }
 
 const AccelerometerFit& JointRefinement::sensorOf(std::size_t cell) const { return sensors_[localOf(cell)].fit; }

@@ -89,6 +89,7 @@ class JointRefinement {
   JointSolution solution_;
   std::vector<SensorState> sensors_;
   bool noise_is_widened_ = false;
+  std::vector<std::vector<double>> own_variances_g2_;  ///< of the readings of every cell, without tremor
 };
 
 }  // namespace hexoderm

@@ -2,6 +2,7 @@
 
 #include <Eigen/Core>
 #include <cstddef>
+#include <memory>
 #include <optional>
 
 namespace hexoderm {
@@ -22,6 +23,10 @@ class GravityCovariance {
   [[nodiscard]] virtual Eigen::Matrix3d forces(std::size_t a, std::size_t b) const = 0;
   /// Covariance of GravityDirection::Force::swing_o, (g/m)^2; absent where swings are not estimated.
   [[nodiscard]] virtual std::optional<Eigen::Matrix3d> swing(std::size_t pose) const = 0;
+  /// As if nothing but the sensors' own noise had disturbed the readings: forces() grants each of them a hand's tremor,
+  /// which is not there on a robot that holds still. Null where that is not known. The first call costs about as much
+  /// as a step of the solver with its covariance.
+  [[nodiscard]] virtual std::shared_ptr<const GravityCovariance> withoutTremor() const { return nullptr; }
 };
 
 }  // namespace hexoderm

@@ -31,8 +31,8 @@ class Explainer {
   }
 
   std::optional<Message> explain() const {
-    for (const auto& kind : {&Explainer::otherUnit, &Explainer::otherUp, &Explainer::onePose, &Explainer::otherSign,
-                             &Explainer::otherZero}) {
+    for (const auto& kind : {&Explainer::otherUnit, &Explainer::otherUp, &Explainer::otherRow, &Explainer::onePose,
+                             &Explainer::otherSign, &Explainer::otherZero}) {
       if (std::optional<Message> words = std::invoke(kind, *this)) return words;
     }
     return std::nullopt;
@@ -116,6 +116,36 @@ class Explainer {
     if (!best) return std::nullopt;
     return message(
         "The robot's base seems to stand otherwise than was said: the patches fit with {} of its frame upwards.", name);
+  }
+
+  /// Each pose has the angles of the one after it, or before it: a table that counts its poses from 0.
+  [[nodiscard]] std::optional<Message> otherRow() const {
+    const std::size_t places = compared_.poses.size();
+    if (places < 3) return std::nullopt;
+    const auto shifted = [&](bool to_next) {
+      std::vector<JointAngles> angles = compared_.angles;
+      if (to_next) {
+        std::copy(compared_.angles.begin() + 1, compared_.angles.end(), angles.begin());
+      } else {
+        std::copy(compared_.angles.begin(), compared_.angles.end() - 1, angles.begin() + 1);
+      }
+      std::vector<SeenByPatch> patches;
+      for (const SeenByPatch* patch : patches_) patches.push_back(withoutPlace(*patch, to_next ? places - 1 : 0));
+      return evidenceOf(patches, angles, compared_.test.parts);
+    };
+    const std::optional<double> next = shifted(true);
+    const std::optional<double> previous = shifted(false);
+    if (next && (!previous || *next > *previous)) {
+      return message(
+          "The joint angles are probably off by one pose: with those of the pose after it, each pose fits what the "
+          "patches see.");
+    }
+    if (previous) {
+      return message(
+          "The joint angles are probably off by one pose: with those of the pose before it, each pose fits what the "
+          "patches see.");
+    }
+    return std::nullopt;
   }
 
   [[nodiscard]] std::optional<Message> onePose() const {

@@ -21,8 +21,9 @@ struct ComparedRobot {
 };
 
 /// One mistake that would explain why these patches fit no link, the likeliest kinds first: angles
-/// in another unit, a base that stands otherwise, those of a single pose, a joint that counts the other way round, a
-/// joint whose zero is far off. In words; nullopt if none does, or if there are too few poses to tell.
+/// in another unit, a base that stands otherwise, angles of the next pose or the one before, those of a single pose, a
+/// joint that counts the other way round, a joint whose zero is far off. In words; nullopt if none does, or if there
+/// are too few poses to tell.
 std::optional<Message> explain(const std::vector<const SeenByPatch*>& without_link, const ComparedRobot& compared);
 
 }  // namespace hexoderm

@@ -47,7 +47,7 @@ class TurnProblem {
     double cost = costOf(R_, small_);
     Eigen::LLT<Eigen::MatrixXd> factor;
     for (int step = 0; step < kMostTurnSteps; ++step) {
-      linearize();
+      linearize(small_);
       factor.compute(matrix_);
       Eigen::VectorXd move = -factor.solve(gradient_);
       double moved_cost = 0;
@@ -61,7 +61,7 @@ class TurnProblem {
       small_ += move.tail(small_.size());
       if (move.cwiseAbs().maxCoeff() < kTurnSettled_rad) break;
     }
-    linearize();
+    linearize(small_);
     factor.compute(matrix_);
     return describe(factor, cost);
   }
@@ -90,11 +90,12 @@ class TurnProblem {
     return rows.squaredNorm() + small.squaredNorm();
   }
 
-  void linearize() {
+  /// About the turn and these zeros and tilt.
+  void linearize(const Eigen::VectorXd& small) {
     const Index unknowns = 3 + small_.size();
     Eigen::MatrixXd rows(rowOf(up_l_.size()), unknowns + 1);
     for (std::size_t k = 0; k < up_l_.size(); ++k) {
-      const Eigen::Vector3d f = foretold(k, R_, small_);
+      const Eigen::Vector3d f = foretold(k, R_, small);
       rows.block<2, 3>(rowOf(k), 0) = patch_.across(k) * skew(f);
       rows.block(rowOf(k), 3, 2, small_.size()) = patch_.across(k) * R_.transpose() * by_small_[k];
       rows.block<2, 1>(rowOf(k), unknowns) = patch_.residual(k, f);
@@ -105,19 +106,24 @@ class TurnProblem {
     matrix_.diagonal().head<3>().array() += kOpenTurnInformation;
     matrix_.diagonal().tail(small_.size()).array() += 1;
     gradient_ = by_unknowns.transpose() * rows.col(unknowns);
-    gradient_.tail(small_.size()) += small_;
+    gradient_.tail(small_.size()) += small;
   }
 
-  [[nodiscard]] LinkTurn describe(const Eigen::LLT<Eigen::MatrixXd>& factor, double cost) const {
+  [[nodiscard]] LinkTurn describe(const Eigen::LLT<Eigen::MatrixXd>& factor, double cost) {
     LinkTurn turn;
     turn.R_l_o = R_;
+    turn.log_evidence = -cost / 2 - Eigen::MatrixXd(factor.matrixL()).diagonal().array().log().sum();
+    // The covariance is that without the tilt that was found. On a link that only turns about the vertical, turning the
+    // patch and the way in which the base is tilted together changes nothing, and so that tilt says nothing of the
+    // turn; to first order it would seem to, because its prior resists such a change.
+    linearize(Eigen::VectorXd::Zero(small_.size()));
+    const Eigen::LLT<Eigen::MatrixXd> untilted(matrix_);
     const Eigen::MatrixXd columns = Eigen::MatrixXd::Identity(matrix_.rows(), 3);
-    turn.covariance = factor.solve(columns).topRows<3>();
+    turn.covariance = untilted.solve(columns).topRows<3>();
     turn.covariance = ((turn.covariance + turn.covariance.transpose()) / 2).eval();
     const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(turn.covariance, Eigen::EigenvaluesOnly);
     const auto known = (solver.eigenvalues().array() < kOpenVariance_rad2).count();
     turn.misfit = {cost, static_cast<int>(std::max<Index>(0, rowOf(up_l_.size()) - known))};
-    turn.log_evidence = -cost / 2 - Eigen::MatrixXd(factor.matrixL()).diagonal().array().log().sum();
     return turn;
   }
 

@@ -29,6 +29,8 @@ class SeenByPatch {
   [[nodiscard]] Eigen::Vector2d residual(std::size_t k, const Eigen::Vector3d& foretold) const;
   /// Rows of two for each pose, turned into ones with the covariance I.
   void whiten(Eigen::MatrixXd& rows) const { factor_.matrixL().solveInPlace(rows); }
+  /// Half the logarithm of the covariance's determinant.
+  [[nodiscard]] double logSpread() const { return factor_.matrixLLT().diagonal().array().log().sum(); }
   /// The inverse of the covariance, 1/rad^2.
   [[nodiscard]] Eigen::MatrixXd information() const {
     return factor_.solve(Eigen::MatrixXd::Identity(factor_.rows(), factor_.cols()));

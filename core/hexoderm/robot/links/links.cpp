@@ -6,6 +6,7 @@
 #include "hexoderm/robot/links/link_test.h"
 #include "hexoderm/robot/links/robot_fit.h"
 #include "hexoderm/robot/parts/compared_poses.h"
+#include "hexoderm/robot/parts/hand_share.h"
 #include "hexoderm/util/error.h"
 #include "hexoderm/util/units.h"
 
@@ -250,7 +251,12 @@ class LinksFinder {
       whose.push_back(&compared);
     }
     if (placed.empty()) return;
-    const RobotFit fit = fitRobot(placed, robot_, compared_angles_, up_w_, priors());
+    const auto fitWith = [&](double hand_share) {
+      seeWith(hand_share);
+      return fitRobot(placed, robot_, compared_angles_, up_w_, priors());
+    };
+    const double hand_share = meanHandShare([&](double share) { return fitWith(share).log_evidence; });
+    const RobotFit fit = fitWith(hand_share);
     RobotEstimate& estimate = result_.robot.emplace();
     for (std::size_t k = 0; k < placed.size(); ++k) {
       const auto at = static_cast<Eigen::Index>(3 * k);
@@ -259,6 +265,15 @@ class LinksFinder {
     }
     describeEstimate(fit, estimate);
     addResidualsOf(fit);
+  }
+
+  /// Links are tested as if a usual hand held the robot. How much of it there was shows on links that are known, and
+  /// what is stated goes by that.
+  void seeWith(double hand_share) {
+    for (Compared& compared : patches_) {
+      const double lever_m = options_.lever_m * std::sqrt(hand_share);
+      compared.seen = {gravityIn(*compared.patch, result_.poses, lever_m, hand_share), compared.seen.places()};
+    }
   }
 
   void describeEstimate(const RobotFit& fit, RobotEstimate& estimate) const {

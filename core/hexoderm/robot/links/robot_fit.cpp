@@ -211,6 +211,10 @@ class RobotProblem {
       const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(C, Eigen::EigenvaluesOnly);
       known += (solver.eigenvalues().array() < kOpenVariance_rad2).count();
     }
+    fit.log_evidence = -cost_ / 2 - Eigen::MatrixXd(factor_.matrixL()).diagonal().array().log().sum() +
+                       static_cast<double>(joints_.size()) * std::log(zeroInformation()) / 2 +
+                       std::log(tiltInformation());
+    for (const PatchOnKnownLink& patch : patches_) fit.log_evidence -= patch.patch->logSpread();
     fit.misfit = {cost_, static_cast<int>(std::max<Index>(0, rows - known))};
     describePoses(fit);
     return fit;

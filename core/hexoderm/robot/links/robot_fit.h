@@ -27,6 +27,9 @@ struct RobotFit {
   /// Of the errors of each turn (3), the zeros, and up_w (3, of rank 2).
   Eigen::MatrixXd covariance;
   GravityMisfit misfit;
+  /// Logarithm of how probable what the patches saw is, but for a constant; of use for comparing covariances of the
+  /// same patches.
+  double log_evidence = 0;
 
   struct PoseTurn {
     std::size_t place = 0;

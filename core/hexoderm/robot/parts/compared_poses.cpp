@@ -60,14 +60,15 @@ std::vector<PoseId> differentPoses(const std::vector<const PatchReconstruction*>
   return chosen;
 }
 
-GravitySeen gravityIn(const PatchReconstruction& patch, const std::vector<PoseId>& poses, double lever_m) {
+GravitySeen gravityIn(const PatchReconstruction& patch, const std::vector<PoseId>& poses, double lever_m,
+                      double tremor_share) {
   std::vector<std::size_t> used;
   for (std::size_t k = 0; k < patch.gravity.size(); ++k) {
     const PoseId pose = patch.gravity[k].pose;
     const bool is_first = std::ranges::none_of(used, [&](std::size_t u) { return patch.gravity[u].pose == pose; });
     if (is_first && std::ranges::binary_search(poses, pose)) used.push_back(k);
   }
-  return gravityOf(patch, used, lever_m);
+  return gravityOf(patch, used, lever_m, tremor_share);
 }
 
 }  // namespace hexoderm

@@ -17,6 +17,7 @@ std::vector<PoseId> differentPoses(const std::vector<const PatchReconstruction*>
                                    const std::vector<PoseId>& all, std::size_t most);
 
 /// gravityOf() in those of these poses (ascending) that the patch saw.
-GravitySeen gravityIn(const PatchReconstruction& patch, const std::vector<PoseId>& poses, double lever_m);
+GravitySeen gravityIn(const PatchReconstruction& patch, const std::vector<PoseId>& poses, double lever_m,
+                      double tremor_share = 1);
 
 }  // namespace hexoderm

@@ -48,18 +48,22 @@ Eigen::Matrix<double, 3, 2> acrossBasis(const Eigen::Vector3d& up) {
   return basis;
 }
 
-GravitySeen gravityOf(const PatchReconstruction& patch, std::span<const std::size_t> used, double lever_m) {
+GravitySeen gravityOf(const PatchReconstruction& patch, std::span<const std::size_t> used, double lever_m,
+                      double tremor_share) {
   GravitySeen seen;
   for (const std::size_t k : used) {
     seen.poses.push_back(patch.gravity[k].pose);
     seen.up.push_back(patch.gravity[k].g_o);
   }
   const SwingNoise noise = swingNoise(patch, lever_m);
+  const std::shared_ptr<const GravityCovariance> quiet =
+      tremor_share < 1 ? patch.gravity_covariance->withoutTremor() : nullptr;
   seen.covariance.setZero(blockOf(used.size()), blockOf(used.size()));
   for (std::size_t a = 0; a < used.size(); ++a) {
     const Eigen::Matrix<double, 3, 2> across_a = acrossBasis(seen.up[a]);
     for (std::size_t b = a; b < used.size(); ++b) {
       Eigen::Matrix3d C = patch.gravity_covariance->forces(used[a], used[b]);
+      if (quiet != nullptr) C = tremor_share * C + (1 - tremor_share) * quiet->forces(used[a], used[b]);
       C += noise.arms[used[a]] * noise.arms[used[b]].transpose();
       if (a == b) C += noise.own[used[a]] + kLeastSigma_rad * kLeastSigma_rad * Eigen::Matrix3d::Identity();
       const Eigen::Matrix2d block = across_a.transpose() * C * acrossBasis(seen.up[b]);

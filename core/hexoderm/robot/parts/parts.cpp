@@ -2,6 +2,7 @@
 
 #include "hexoderm/geometry/covariance.h"
 #include "hexoderm/robot/parts/compared_poses.h"
+#include "hexoderm/robot/parts/hand_share.h"
 #include "hexoderm/robot/parts/hinge_fit.h"
 #include "hexoderm/robot/parts/movement.h"
 #include "hexoderm/util/error.h"
@@ -94,40 +95,28 @@ class PartsFinder {
   }
 
   /// The patches of a group, each so far away from the point at which gravity is meant.
-  [[nodiscard]] RigidFit fitWithLever(const Group& group, double lever_m) const {
+  [[nodiscard]] RigidFit fitAgain(const Group& group, double lever_m, double swing_share) const {
     std::vector<GravitySeen> bodies;
     for (const std::size_t member : group.members) {
-      bodies.push_back(gravityIn(*patches_[member].patch, poses_, lever_m));
+      bodies.push_back(gravityIn(*patches_[member].patch, poses_, lever_m * std::sqrt(swing_share)));
     }
     return fitRigid(bodies);
   }
 
   /// Whether patches move together was asked as if a usual hand had swung them. How much a swing really did between
-  /// patches shows where several are on one part: of shares of the usual variance, each as probable beforehand, the
-  /// mean by what the parts saw. With it the parts are fitted again; without such parts it stays the usual one.
+  /// patches shows where several are on one part. With that share the parts are fitted again; without such parts it
+  /// stays the usual one.
   void settleSwings() {
-    constexpr int kHalvings = 7;
-    std::vector<double> log_evidence(kHalvings, 0);
-    bool any = false;
-    for (const Group& group : groups_) {
-      if (group.members.size() < 2) continue;
-      any = true;
-      for (int k = 0; k < kHalvings; ++k) {
-        log_evidence[static_cast<std::size_t>(k)] +=
-            fitWithLever(group, options_.lever_m * std::pow(0.5, k / 2.0)).log_evidence;
+    const auto hasSeveral = [](const Group& group) { return group.members.size() > 1; };
+    if (std::ranges::none_of(groups_, hasSeveral)) return;
+    swing_share_ = meanHandShare([&](double share) {
+      double log_evidence = 0;
+      for (const Group& group : groups_) {
+        if (hasSeveral(group)) log_evidence += fitAgain(group, options_.lever_m, share).log_evidence;
       }
-    }
-    if (!any) return;
-    const double most = *std::ranges::max_element(log_evidence);
-    double sum = 0;
-    double weights = 0;
-    for (int k = 0; k < kHalvings; ++k) {
-      const double weight = std::exp(log_evidence[static_cast<std::size_t>(k)] - most);
-      sum += weight * std::pow(0.5, k);
-      weights += weight;
-    }
-    swing_share_ = sum / weights;
-    for (Group& group : groups_) group.fit = fitWithLever(group, options_.lever_m * std::sqrt(swing_share_));
+      return log_evidence;
+    });
+    for (Group& group : groups_) group.fit = fitAgain(group, options_.lever_m, swing_share_);
   }
 
   using Tests = std::vector<std::vector<MovementTest>>;  // [a][b] for b < a
@@ -241,7 +230,7 @@ class PartsFinder {
 
   /// What a part sees at a joint, which is further away than its patches are from each other.
   [[nodiscard]] GravitySeen gravityAtJoint(std::size_t group) const {
-    return fitWithLever(groups_[group], options_.joint_lever_m * std::sqrt(swing_share_)).gravity;
+    return fitAgain(groups_[group], options_.joint_lever_m, swing_share_).gravity;
   }
 
   void sayApart(std::size_t a, std::size_t b, PartRelation& relation) const {

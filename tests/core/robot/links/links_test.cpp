@@ -265,6 +265,24 @@ TEST(Links, OnTheBaseTheTurnAboutTheVerticalStaysOpen) {
               HasSubstr("No joint moves link base"));
 }
 
+// How the base is tilted and how the patch is turned about the vertical can't be told apart there, however much the
+// base seems to be tilted.
+TEST(Links, OnTheBaseATiltSaysNothingOfTheTurnAboutTheVertical) {
+  for (std::uint64_t seed = 1; seed <= 5; ++seed) {
+    DrawnArmOptions options;
+    options.links = {"l1"};
+    options.poses = 8;
+    options.seed = seed;
+    options.tilt_sigma_rad = 3 * kDegree;
+    const LinksResult result = DrawnArm(options).find();
+    ASSERT_FALSE(result.patches.front().candidates.empty());
+    for (const PatchTurn& turn : result.patches.front().candidates.front().links) {
+      const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(turn.covariance, Eigen::EigenvaluesOnly);
+      EXPECT_GT(std::sqrt(solver.eigenvalues()[2]), 0.9) << turn.link << ", seed " << seed;
+    }
+  }
+}
+
 // The joints hardly move: gravity comes from one direction, and nothing tells links apart.
 TEST(Links, OnOneLineTheTurnAboutItStaysOpen) {
   DrawnArmOptions options;
@@ -345,6 +363,21 @@ TEST(Links, AJointWhoseZeroIsFarOffIsNamed) {
   const LinksResult result = arm.find();
   EXPECT_TRUE(result.patches.front().candidates.empty());
   EXPECT_THAT(findingsOf(result), Contains(HasSubstr("The zero of joint j4 seems to be off by about")));
+}
+
+TEST(Links, AnglesThatAreOffByOnePoseAreSaid) {
+  DrawnArmOptions options;
+  options.poses = 8;
+  const DrawnArm right(options);
+  DrawnArm later(options);
+  DrawnArm earlier(options);
+  for (std::uint32_t pose = 1; pose < 8; ++pose) {
+    later.angles[PoseId(pose + 1)] = right.angles.at(PoseId(pose));
+    earlier.angles[PoseId(pose)] = right.angles.at(PoseId(pose + 1));
+  }
+  EXPECT_THAT(findingsOf(later.find()), Contains(HasSubstr("off by one pose: with those of the pose after it")));
+  EXPECT_THAT(findingsOf(earlier.find()), Contains(HasSubstr("off by one pose: with those of the pose before it")));
+  EXPECT_THAT(findingsOf(right.find()), ::testing::Not(Contains(HasSubstr("off by one pose"))));
 }
 
 TEST(Links, APoseWithTheAnglesOfAnotherOneIsNamed) {

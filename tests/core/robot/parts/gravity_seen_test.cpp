@@ -100,6 +100,25 @@ TEST(GravitySeen, PlacesThatAreNotKnownCostCertainty) {
   EXPECT_GT(more.eigenvalues().minCoeff(), 0);
 }
 
+// On a table nothing but the sensors' noise disturbs a reading, and the solver grants each of them 3 mg.
+TEST(GravitySeen, IsMoreCertainWithLessOfAHand) {
+  JointedSkinsOptions options;
+  options.body_of_patch = {0};
+  options.hand_held = false;
+  JointedSkins skins(options);
+  const auto result = reconstruct(*skins.session(4).snapshot());
+  const PatchReconstruction& patch = result->patches.front();
+  ASSERT_NE(patch.gravity_covariance->withoutTremor(), nullptr);
+  const std::array<std::size_t, 4> all = {0, 1, 2, 3};
+  const Eigen::MatrixXd usual = gravityOf(patch, all, 0.1).covariance;
+  const Eigen::MatrixXd half = gravityOf(patch, all, 0.1, 0.5).covariance;
+  const Eigen::MatrixXd none = gravityOf(patch, all, 0.1, 0).covariance;
+  EXPECT_LE((half - (usual + none) / 2).norm(), 1e-9 * usual.norm());
+  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> less(usual - none);
+  EXPECT_GT(less.eigenvalues().minCoeff(), 0);
+  EXPECT_EQ(none.llt().info(), Eigen::Success);
+}
+
 // Many poses are solved in another order of elimination: their errors are correlated all the same.
 TEST(GravitySeen, ManyPosesHaveTheirCrossCovariancesToo) {
   JointedSkinsOptions options;
