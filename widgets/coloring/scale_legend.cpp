@@ -13,10 +13,10 @@ struct ScaleLegendWords {
   Q_DECLARE_TR_FUNCTIONS(hexoderm::ScaleLegend)
 };
 
-QString unitOf(Coloring coloring) { return QString::fromUtf8(coloringRow(coloring).unit); }
+QString scaleUnitOf(Coloring coloring) { return QString::fromUtf8(coloringRow(coloring).unit); }
 
 QString withUnit(const QString& number, Coloring coloring) {
-  const QString unit = unitOf(coloring);
+  const QString unit = scaleUnitOf(coloring);
   return unit == QStringLiteral("°") ? number + unit : number + QLatin1Char(' ') + unit;
 }
 

@@ -5,6 +5,7 @@
 #include "widgets/coloring/scale_legend.h"
 #include "widgets/graph/graph_scene.h"
 #include "widgets/style/palette.h"
+#include "widgets/style/scene_colors.h"
 
 #include <QColor>
 #include <QString>

@@ -18,14 +18,14 @@
 namespace hexoderm {
 namespace {
 
-constexpr int kSample = 26;   // length of a line or swatch
-constexpr int kSpace = 7;     // between it and its word
-constexpr int kBetween = 22;  // between two entries
-constexpr int kMargin = 8;    // below the plate and at the sides
-constexpr int kPadding = 8;   // within the plate
+constexpr int kSample = 26;          // length of a line or swatch
+constexpr int kBeforeWord = 7;       // between it and its word
+constexpr int kBetweenEntries = 22;  // between two entries
+constexpr int kMargin = 8;           // below the plate and at the sides
+constexpr int kPlatePadding = 8;     // within the plate
 constexpr int kLeastBar = 220;
 constexpr int kUsualBar = 380;
-constexpr double kPlate = 0.84;  // how little is seen through it
+constexpr double kPlateOpacity = 0.84;  // how little is seen through it
 constexpr std::size_t kMaxCategories = 12;
 constexpr std::array kClasses = {EdgeQuality::Undefined, EdgeQuality::Partially, EdgeQuality::Fully, EdgeQuality::Over};
 
@@ -141,28 +141,28 @@ PatchLegend::Rows PatchLegend::arranged(std::vector<Entry> entries, int room) co
   rows.entries = std::move(entries);
   if (rows.entries.empty()) return rows;
   const QFontMetrics metrics(font_);
-  int total = -kBetween;
+  int total = -kBetweenEntries;
   for (const Entry& entry : rows.entries) {
-    rows.widths.push_back(std::min(kSample + kSpace + metrics.horizontalAdvance(entry.word), room));
-    total += rows.widths.back() + kBetween;
+    rows.widths.push_back(std::min(kSample + kBeforeWord + metrics.horizontalAdvance(entry.word), room));
+    total += rows.widths.back() + kBetweenEntries;
     rows.widest = std::max(rows.widest, rows.widths.back());
   }
   const int count = static_cast<int>(rows.entries.size());
   rows.columns = count;
   if (total > room) {
-    rows.columns = std::clamp((room + kBetween) / (rows.widest + kBetween), 1, count);
+    rows.columns = std::clamp((room + kBetweenEntries) / (rows.widest + kBetweenEntries), 1, count);
     const int lines = (count + rows.columns - 1) / rows.columns;
     rows.columns = (count + lines - 1) / lines;
   }
   rows.count = (count + rows.columns - 1) / rows.columns;
-  rows.width = rows.columns == count ? total : rows.columns * (rows.widest + kBetween) - kBetween;
+  rows.width = rows.columns == count ? total : rows.columns * (rows.widest + kBetweenEntries) - kBetweenEntries;
   return rows;
 }
 
 void PatchLegend::layOut(const QSize& button) {
   // One row lies below the pictures in the corners; more than that finds room between them.
-  const int full = area_.width() - 2 * (kMargin + kPadding);
-  const int between = area_.width() - 2 * (SceneCorners::kLeft + SceneCorners::kSize + kPadding);
+  const int full = area_.width() - 2 * (kMargin + kPlatePadding);
+  const int between = area_.width() - 2 * (SceneCorners::kLeft + SceneCorners::kSize + kPlatePadding);
   const int narrow = std::min(full, std::max(between, kLeastBar));
   class_rows_ = arranged(classes_, strip_ || !signs_.empty() ? narrow : full);
   if (class_rows_.count > 1) class_rows_ = arranged(classes_, narrow);
@@ -174,21 +174,21 @@ void PatchLegend::layOut(const QSize& button) {
   const QSizeF state = button.isEmpty() ? QSizeF(metrics.horizontalAdvance(state_) + 2, row_height_) : QSizeF(button);
   const double head = std::max<double>(row_height_, state.height());
   if (strip_) {
-    const double wanted = metrics.horizontalAdvance(title_) + 2 * kSpace + state.width() + 2;
+    const double wanted = metrics.horizontalAdvance(title_) + 2 * kBeforeWord + state.width() + 2;
     width = std::max({width, wanted, static_cast<double>(kUsualBar)});
     height += head + strip_->height() + 2;
   }
   if (height == 0) return;
-  width = std::min(width, static_cast<double>(room)) + 2 * kPadding;
-  height += kPadding;
+  width = std::min(width, static_cast<double>(room)) + 2 * kPlatePadding;
+  height += kPlatePadding;
   place_ = QRectF(0.5 * (area_.width() - width), area_.height() - kMargin - height, width, height);
-  double top = place_.top() + 0.5 * kPadding;
-  const double left = place_.left() + kPadding;
-  const double inner = width - 2 * kPadding;
+  double top = place_.top() + 0.5 * kPlatePadding;
+  const double left = place_.left() + kPlatePadding;
+  const double inner = width - 2 * kPlatePadding;
   if (strip_) {
     button_place_ =
         QRectF(left + inner - state.width(), top + 0.5 * (head - state.height()), state.width(), state.height());
-    title_place_ = QRectF(left, top, inner - state.width() - 2 * kSpace, head);
+    title_place_ = QRectF(left, top, inner - state.width() - 2 * kBeforeWord, head);
     top += head;
     strip_->setPlace(QPointF(left, top), inner);
     top += strip_->height() + 2;
@@ -204,7 +204,7 @@ void PatchLegend::paint(QPainter& painter, std::optional<double> marked, const Q
   painter.setFont(font_);
   painter.setRenderHint(QPainter::Antialiasing);
   QColor plate = colors.panel;
-  plate.setAlphaF(kPlate);
+  plate.setAlphaF(kPlateOpacity);
   painter.setPen(QPen(colors.border, 1));
   painter.setBrush(plate);
   painter.drawRoundedRect(place_.adjusted(0.5, 0.5, -0.5, -0.5), 5, 5);
@@ -241,11 +241,11 @@ void PatchLegend::paintRows(QPainter& painter, const Rows& rows, double top) con
     const double middle = top + (place / rows.columns + 0.5) * row_height_;
     rows.entries[k].draw(painter, x, middle);
     painter.setPen(Colors::of(theme_).text);
-    const int text_width = rows.widths[k] - kSample - kSpace + 2;
-    painter.drawText(QRectF(x + kSample + kSpace, middle - 0.5 * row_height_, text_width, row_height_),
+    const int text_width = rows.widths[k] - kSample - kBeforeWord + 2;
+    painter.drawText(QRectF(x + kSample + kBeforeWord, middle - 0.5 * row_height_, text_width, row_height_),
                      Qt::AlignLeft | Qt::AlignVCenter,
                      metrics.elidedText(rows.entries[k].word, Qt::ElideRight, text_width));
-    x += (one_row ? rows.widths[k] : rows.widest) + kBetween;
+    x += (one_row ? rows.widths[k] : rows.widest) + kBetweenEntries;
   }
 }
 

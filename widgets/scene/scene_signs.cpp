@@ -14,7 +14,7 @@ constexpr double kSignLift = 0.02;    // above the face, and above ports
 constexpr double kFreeMiddle = 0.44;  // radius that the ID and the origin's ring take
 constexpr double kStripe = 0.055;     // width
 constexpr double kStripesApart = 0.19;
-constexpr double kBar = 0.15;       // width of a cross's bar
+constexpr double kCrossBar = 0.15;  // width of a cross's bar
 constexpr double kBarEnd = 0.93;    // distance of its end from the middle
 constexpr double kTriangle = 0.80;  // from the middle to its corners
 constexpr double kTriangleBar = 0.11;
@@ -94,7 +94,7 @@ void hatch(FacePainter& face, const Rgb& color) {
 void cross(FacePainter& face, const Rgb& color) {
   for (const int corner : {1, 2, 4, 5}) {
     const Eigen::Vector2d way = FacePainter::direction(corner * kPi / 3);
-    face.bar(kFreeMiddle * way, kBarEnd * way, kBar, color);
+    face.bar(kFreeMiddle * way, kBarEnd * way, kCrossBar, color);
   }
 }
 

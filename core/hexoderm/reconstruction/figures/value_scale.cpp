@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 
 namespace hexoderm {
 namespace {
@@ -11,7 +12,7 @@ namespace {
 constexpr std::size_t kLeastForOutliers = 6;
 constexpr std::size_t kMostOutliers = 20;
 constexpr double kFarApart = 2;   // times the width of the others
-constexpr double kRounding = 40;  // ends are rounded to less than the range's width divided by this
+constexpr double kEndRounding = 40;  // ends are rounded to less than the range's width divided by this
 constexpr double kSlack = 1e-9;   // share of a step that rounding errors may take
 
 /// 1, 2 or 5 times a power of ten, not below `least`; positive.
@@ -23,7 +24,7 @@ double roundStep(double least) {
   return 10 * decade;
 }
 
-std::vector<double> known(std::span<const std::optional<double>> values) {
+std::vector<double> finiteValues(std::span<const std::optional<double>> values) {
   std::vector<double> numbers;
   numbers.reserve(values.size());
   for (const std::optional<double>& value : values) {
@@ -32,10 +33,21 @@ std::vector<double> known(std::span<const std::optional<double>> values) {
   return numbers;
 }
 
-/// The largest value without those that lie far above all others; `least` of all values.
+/// How many values at an end may lie beyond the scale.
+std::size_t mostOutliers(std::size_t values) { return std::clamp<std::size_t>(values / 20, 1, kMostOutliers); }
+
+/// The value that as many are smaller than as may be outliers.
+double leastOfTheCrowd(std::vector<double> values) {
+  if (values.size() < kLeastForOutliers) return *std::ranges::min_element(values);
+  const auto place = values.begin() + static_cast<std::ptrdiff_t>(mostOutliers(values.size()));
+  std::nth_element(values.begin(), place, values.end());
+  return *place;
+}
+
+/// The largest value without those that lie far above all others, which begin at `least`.
 double largestOfTheCrowd(std::vector<double> values, double least, double least_span) {
-  const std::size_t outliers = std::clamp<std::size_t>(values.size() / 20, 1, kMostOutliers);
   if (values.size() < kLeastForOutliers) return *std::ranges::max_element(values);
+  const std::size_t outliers = mostOutliers(values.size());
   const auto end = values.begin() + static_cast<std::ptrdiff_t>(outliers + 1);
   std::partial_sort(values.begin(), end, values.end(), std::greater<>());
   // From below, so that a second value far out does not hide behind a third one.
@@ -47,7 +59,7 @@ double largestOfTheCrowd(std::vector<double> values, double least, double least_
 
 /// Rounded outwards; the ends of a range that is none of the computer's making stay as they are.
 ValueRange rounded(double low, double high) {
-  const double step = roundStep((high - low) / kRounding);
+  const double step = roundStep((high - low) / kEndRounding);
   return {step * std::floor(low / step + kSlack), step * std::ceil(high / step - kSlack)};
 }
 
@@ -62,17 +74,17 @@ ValueRange fitAround(double center, std::vector<double> values, double least_spa
 
 ValueRange fitRange(std::span<const std::optional<double>> values, const ValueRangeOptions& options) {
   if (!(options.least_span > 0)) throw InvalidArgument("fitRange: least_span must be positive");
-  std::vector<double> numbers = known(values);
+  std::vector<double> numbers = finiteValues(values);
   if (options.center) return fitAround(*options.center, std::move(numbers), options.least_span);
   if (numbers.empty()) return {0, options.least_span};
-  const auto [least, largest] = std::ranges::minmax(numbers);
-  double high = largestOfTheCrowd(numbers, least, options.least_span);
+  const bool is_positive = *std::ranges::min_element(numbers) >= 0;
+  double high = largestOfTheCrowd(numbers, leastOfTheCrowd(numbers), options.least_span);
   for (double& number : numbers) number = -number;
-  double low = -largestOfTheCrowd(std::move(numbers), -high, options.least_span);
+  double low = -largestOfTheCrowd(numbers, leastOfTheCrowd(numbers), options.least_span);
   if (high - low < options.least_span) {
     const double middle = 0.5 * (low + high);
     low = middle - 0.5 * options.least_span;
-    if (least >= 0) low = std::max(low, 0.0);
+    if (is_positive) low = std::max(low, 0.0);
     high = low + options.least_span;
   }
   return rounded(low, high);

@@ -26,8 +26,9 @@ struct ValueRangeOptions {
 
 /// The ends that a scale needs to show these values: those of the values, rounded outwards to a number that can be
 /// read. Values that lie far apart from all others (by more than twice the width of these; at either end a twentieth
-/// of the values, 20 at most and one at least) are left beyond the end, as with them the others would all look alike;
-/// who shows the scale must say so (ValueHistogram::above). Never with fewer than six values.
+/// of the values, 20 at most and one at least, which don't count for that width) are left beyond the end, as with them
+/// the others would all look alike; who shows the scale must say so (ValueHistogram::above). Never with fewer than six
+/// values.
 ///
 /// Of values that are all the same, of a single one and of none the range is `least_span` wide. A range of values that
 /// are not negative does not begin below zero. O(n).
