@@ -29,8 +29,7 @@ constexpr std::array<std::uint32_t, 17> kDivergingOnLight = {0x0A3F7F, 0x0E4A86,
 
 constexpr std::array<std::uint32_t, 8> kClassesOnDark = {0x8277FB, 0xC6A634, 0x7FDFF5, 0xB14C1C,
                                                          0x82AB7D, 0xDBED51, 0xB97FA3, 0xA7FEBE};
-constexpr std::array<std::uint32_t, 8> kClassesOnLight = {0x06299E, 0xDA5819, 0x3F9788, 0xC763BE,
-                                                          0x2E3E0F, 0x925054, 0x614B7A, 0x480F2E};
+constexpr std::array<std::uint32_t, 6> kClassesOnLight = {0x06299E, 0xDA5819, 0x3F9788, 0x614B7A, 0x2E3E0F, 0x480F2E};
 
 Rgb fromHex(std::uint32_t rgb) {
   constexpr double kFull = 255;

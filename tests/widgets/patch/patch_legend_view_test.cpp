@@ -60,7 +60,7 @@ class PatchLegendViewTest : public testing::Test {
 TEST_F(PatchLegendViewTest, SaysRangeUnitGoalAndWhatLiesBeyond) {
   EXPECT_TRUE(legend().isVisible());
   EXPECT_TRUE(legend().accessibleName().contains(QStringLiteral("position uncertainty (95 %), mm")));
-  for (const char* part : {"range fitted to what is shown", "more than 1.96 mm: 1 cell", "not known: 1 cell"}) {
+  for (const char* part : {"range fitted to what is shown", "more than 2.00 mm: 1 cell", "not known: 1 cell"}) {
     EXPECT_TRUE(said().contains(QLatin1String(part))) << part << " in " << qPrintable(said());
   }
   EXPECT_EQ(button()->text(), QStringLiteral("fitted range ▾"));
@@ -71,15 +71,15 @@ TEST_F(PatchLegendViewTest, SaysRangeUnitGoalAndWhatLiesBeyond) {
 TEST_F(PatchLegendViewTest, ArrowKeysWalkThroughTheScale) {
   legend().setFocus();
   key(Qt::Key_Home);
-  EXPECT_TRUE(said().contains(QRegularExpression(QStringLiteral("^0.38 to 0.4\\d mm: 1 cell$")))) << qPrintable(said());
+  EXPECT_TRUE(said().contains(QRegularExpression(QStringLiteral("^0.35 to 0.42 mm: 1 cell$")))) << qPrintable(said());
   key(Qt::Key_Left);
-  EXPECT_TRUE(said().startsWith(QStringLiteral("0.38 to"))) << "nothing lies below";
+  EXPECT_TRUE(said().startsWith(QStringLiteral("0.35 to"))) << "nothing lies below";
   key(Qt::Key_Right);
   EXPECT_TRUE(said().contains(QStringLiteral("0 cells"))) << qPrintable(said());
   key(Qt::Key_End);
-  EXPECT_EQ(said(), QStringLiteral("more than 1.96 mm: 1 cell"));
+  EXPECT_EQ(said(), QStringLiteral("more than 2.00 mm: 1 cell"));
   key(Qt::Key_Right);
-  EXPECT_EQ(said(), QStringLiteral("more than 1.96 mm: 1 cell"));
+  EXPECT_EQ(said(), QStringLiteral("more than 2.00 mm: 1 cell"));
   button()->setFocus();
   EXPECT_TRUE(said().contains(QStringLiteral("coloured by"))) << "left, it says what it is again";
 }

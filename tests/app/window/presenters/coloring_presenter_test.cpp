@@ -17,7 +17,8 @@ class ColoringPresenterTest : public PresenterTest {
  protected:
   /// A session of the X17 in three poses, all links of which are of one class.
   void openSession() {
-    window_->openFile(writeSession(pathTo("one_class.hexo"), 3));
+    const QString path = pathTo("one_class.hexo");
+    window_->openFile(QFile::exists(path) ? path : writeSession(path, 3));
     ASSERT_TRUE(waitForPoses(3));
     ASSERT_TRUE(waitUntil([this] { return patch().isUpToDate(); }));
   }
@@ -59,12 +60,12 @@ TEST_F(ColoringPresenterTest, AFixedRangeStaysWithOtherResultsAndStarts) {
   EXPECT_TRUE(legend().accessibleDescription().contains("range fixed"));
   window_->openFile(writeSession(pathTo("another.hexo"), 4));
   ASSERT_TRUE(waitForPoses(4));
-  EXPECT_TRUE(legend().accessibleDescription().contains("from 0.0 to 5.0 mm, range fixed"))
+  EXPECT_TRUE(legend().accessibleDescription().contains("from 0.00 to 5.00 mm, range fixed"))
       << qPrintable(legend().accessibleDescription());
   reopenWindow();
   ASSERT_NO_FATAL_FAILURE(openSession());
   choose(Coloring::PositionUncertainty);
-  EXPECT_TRUE(legend().accessibleDescription().contains("from 0.0 to 5.0 mm, range fixed"))
+  EXPECT_TRUE(legend().accessibleDescription().contains("from 0.00 to 5.00 mm, range fixed"))
       << qPrintable(legend().accessibleDescription());
   emit legend().rangeReleased();
   reopenWindow();
