@@ -2,11 +2,13 @@
 
 #include "widgets/coloring/coloring_words.h"
 #include "widgets/controls/selection.h"
+#include "widgets/patch/cut_bar.h"
 #include "widgets/patch/measure_tool.h"
 #include "widgets/patch/opengl_info.h"
 #include "widgets/patch/part_motion.h"
 #include "widgets/patch/patch_captions.h"
 #include "widgets/patch/patch_controls.h"
+#include "widgets/patch/patch_menu.h"
 #include "widgets/patch/patch_words.h"
 #include "widgets/patch/scene_look.h"
 #include "widgets/patch/scene_widget.h"
@@ -17,8 +19,12 @@
 #include <vtkInteractorObserver.h>
 #include <vtkRenderWindowInteractor.h>
 #include <QAction>
+#include <QClipboard>
+#include <QContextMenuEvent>
 #include <QGridLayout>
+#include <QGuiApplication>
 #include <QLocale>
+#include <QMenu>
 #include <QMouseEvent>
 #include <QPainter>
 #include <QTimer>
@@ -82,7 +88,15 @@ struct PatchView::Parts : public QObject {
   void refresh();
   /// Several changes in one turn of the event loop make one picture.
   void requestRender();
+  /// Where the scene counts its pixels.
+  [[nodiscard]] QPointF inScene(const QPoint& position) const;
   void pickAt(const QPoint& position);
+  /// Turns the picture if there is a knob of the axes.
+  bool turnByKnobAt(const QPoint& position);
+  void hoverAt(const QPoint& position);
+  /// Opens the menu for the cell at this place of the canvas, if there is one.
+  void openMenuAt(const QPoint& position);
+  void connectCut();
   bool eventFilter(QObject* watched, QEvent* event) override;
 };
 
@@ -153,6 +167,21 @@ void PatchView::Parts::connectControls() {
     requestRender();
   });
   connect(controls->pictureAction(), &QAction::triggered, view, &PatchView::pictureRequested);
+  connectCut();
+}
+
+void PatchView::Parts::connectCut() {
+  const auto cut = [this] {
+    const bool is_cut = controls->cutAction()->isChecked();
+    scene->setCut(is_cut ? std::optional(controls->cutBar()->share()) : std::nullopt);
+    requestRender();
+  };
+  connect(controls->cutAction(), &QAction::toggled, this, cut);
+  connect(controls->cutBar(), &CutBar::shareChanged, this, cut);
+  connect(controls->cutBar(), &CutBar::alignRequested, this, [this] {
+    scene->alignCut();
+    requestRender();
+  });
 }
 
 /// While the mouse turns the scene, pictures come without smoothing; without a graphics card, where the shader for it
@@ -261,9 +290,39 @@ void PatchView::Parts::requestRender() {
   canvas->requestRender();
 }
 
+QPointF PatchView::Parts::inScene(const QPoint& position) const {
+  return canvas->devicePixelRatioF() * QPointF(position.x(), canvas->height() - 1 - position.y());
+}
+
+bool PatchView::Parts::turnByKnobAt(const QPoint& position) {
+  const QPointF at = inScene(position);
+  const auto wanted = scene->viewAt(at.x(), at.y());
+  if (!wanted) return false;
+  scene->showStandardView(*wanted);
+  requestRender();
+  return true;
+}
+
+void PatchView::Parts::hoverAt(const QPoint& position) {
+  const QPointF at = inScene(position);
+  if (scene->hoverAxes(at.x(), at.y())) requestRender();
+}
+
+void PatchView::Parts::openMenuAt(const QPoint& position) {
+  if (!scene || scene->content() == nullptr) return;
+  const QPointF at = inScene(position);
+  auto* menu = new QMenu(view);
+  menu->setObjectName(QStringLiteral("patchMenu"));
+  menu->setAttribute(Qt::WA_DeleteOnClose);
+  fillPatchMenu(*menu, *controls, scene->pick(at.x(), at.y()),
+                {[this](CellId cell) { selection->selectCell(cell); }, [this](CellId cell) { view->centerOn(cell); },
+                 [this] { view->copyPicture(); }});
+  menu->popup(canvas->mapToGlobal(position));
+}
+
 void PatchView::Parts::pickAt(const QPoint& position) {
-  const double ratio = canvas->devicePixelRatioF();
-  const auto picked = scene->pick(ratio * position.x(), ratio * (canvas->height() - 1 - position.y()));
+  const QPointF at = inScene(position);
+  const auto picked = scene->pick(at.x(), at.y());
   if (picked) {
     selection->selectCell(*picked);
   } else {
@@ -286,11 +345,19 @@ bool PatchView::Parts::eventFilter(QObject*, QEvent* event) {
     case QEvent::MouseButtonPress:
       pressed_at = static_cast<QMouseEvent*>(event)->pos();
       return false;
+    case QEvent::MouseMove:
+      hoverAt(static_cast<QMouseEvent*>(event)->pos());
+      return false;
+    case QEvent::Leave:
+      hoverAt({-1, -1});
+      return false;
+    case QEvent::ContextMenu:  // comes when the button goes down, and dragging with it zooms
+      return static_cast<QContextMenuEvent*>(event)->reason() == QContextMenuEvent::Mouse;
     case QEvent::MouseButtonRelease: {
       const auto* mouse = static_cast<QMouseEvent*>(event);
-      if (mouse->button() == Qt::LeftButton && (mouse->pos() - pressed_at).manhattanLength() <= kClickSlack) {
-        pickAt(mouse->pos());
-      }
+      if ((mouse->pos() - pressed_at).manhattanLength() > kClickSlack) return false;
+      if (mouse->button() == Qt::LeftButton && !turnByKnobAt(mouse->pos())) pickAt(mouse->pos());
+      if (mouse->button() == Qt::RightButton) openMenuAt(mouse->pos());
       return false;
     }
     default:
@@ -419,6 +486,19 @@ void PatchView::fit() {
   parts_->requestRender();
 }
 
+void PatchView::centerOn(CellId cell) {
+  if (!parts_->scene) return;
+  parts_->scene->centerOn(cell);
+  parts_->requestRender();
+}
+
+void PatchView::copyPicture() { QGuiApplication::clipboard()->setImage(screenshot()); }
+
+void PatchView::contextMenuEvent(QContextMenuEvent* event) {
+  if (event->reason() == QContextMenuEvent::Mouse || parts_->canvas == nullptr) return;
+  parts_->openMenuAt(parts_->canvas->rect().center());
+}
+
 void PatchView::keepView() {
   if (parts_->scene) parts_->scene->keepView();
 }
@@ -440,6 +520,12 @@ void PatchView::showStandardView(StandardView view) {
       break;
     case StandardView::Top:
       parts_->scene->showStandardView(PatchScene::View::Top);
+      break;
+    case StandardView::Back:
+      parts_->scene->showStandardView(PatchScene::View::Back);
+      break;
+    case StandardView::Isometric:
+      parts_->scene->showStandardView(PatchScene::View::Isometric);
       break;
   }
   parts_->requestRender();

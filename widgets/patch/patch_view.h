@@ -23,7 +23,7 @@ class PatchView : public QWidget {
   Q_OBJECT
 
  public:
-  enum class StandardView { Front, Side, Top };
+  enum class StandardView { Front, Side, Top, Back, Isometric };
   /// Larger skins take longer than a few milliseconds to prepare.
   static constexpr std::size_t kMaxCellsAtOnce = 1500;
 
@@ -69,6 +69,10 @@ class PatchView : public QWidget {
   /// again.
   void keepView();
   void returnToKeptView();
+  /// Brings the cell into the middle of the picture, without turning.
+  void centerOn(hexoderm::CellId cell);
+  /// Puts screenshot() on the clipboard.
+  void copyPicture();
 
  signals:
   /// "Save picture of the 3D view…" was chosen: the window asks for a path and saves screenshot().
@@ -78,6 +82,8 @@ class PatchView : public QWidget {
 
  protected:
   void paintEvent(QPaintEvent* event) override;
+  /// The menu key; the right button of the mouse opens the menu when it is let go.
+  void contextMenuEvent(QContextMenuEvent* event) override;
 
  private:
   struct Parts;

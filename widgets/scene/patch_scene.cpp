@@ -11,7 +11,6 @@
 #include <vtkActor.h>
 #include <vtkCamera.h>
 #include <vtkCommand.h>
-#include <vtkLight.h>
 #include <vtkNew.h>
 #include <vtkPolyDataMapper.h>
 #include <vtkProperty.h>
@@ -19,6 +18,7 @@
 #include <vtkRenderer.h>
 #include <vtkWeakPointer.h>
 #include <algorithm>
+#include <limits>
 #include <unordered_map>
 
 namespace hexoderm {
@@ -30,6 +30,8 @@ struct PatchScene::Parts {
   std::optional<std::pair<LinkEnd, LinkEnd>> picked_link;
   PatchMoment moment;
   PatchOverlays overlays;
+  std::optional<double> cut_share;
+  std::optional<SceneCut> cut;
   bool text_visible = true;
   ShownItems shown = kShownAtFirst;
 
@@ -55,6 +57,7 @@ struct PatchScene::Parts {
   void updateSelection();
   void updateGravity();
   void updateGhost();
+  void updateCut();
   void showGhostOfLargestPatch();
   /// The present up, else that of the pose whose gravity is shown; none without either.
   [[nodiscard]] std::optional<Eigen::Vector3d> upShown() const;
@@ -69,16 +72,7 @@ PatchScene::Parts::Parts() {
   selection_actor->GetProperty()->LightingOff();
   selection_actor->GetProperty()->SetLineWidth(3.5F);
 
-  vtkNew<vtkLight> key;
-  key->SetLightTypeToCameraLight();
-  key->SetPosition(SceneLights::kKeyFrom[0], SceneLights::kKeyFrom[1], SceneLights::kKeyFrom[2]);
-  key->SetFocalPoint(0, 0, 0);
-  key->SetIntensity(SceneLights::kKey);
-  renderer->AddLight(key);
-  vtkNew<vtkLight> fill;
-  fill->SetLightTypeToHeadlight();
-  fill->SetIntensity(SceneLights::kHead);
-  renderer->AddLight(fill);
+  addSceneLights(renderer);
   renderer->GradientBackgroundOn();
 
   observer = renderer->AddObserver(vtkCommand::StartEvent, this, &Parts::beforeRender);
@@ -107,12 +101,13 @@ SceneCamera::Surroundings PatchScene::Parts::surroundings() const {
 
 void PatchScene::Parts::beforeRender() {
   const SceneCamera::Surroundings around = surroundings();
+  if (drawn_overlays.update()) camera.setMore(drawn_overlays.points());
   camera.prepare(around);
-  drawn_overlays.update();
   renderer->ResetCameraClippingRange();
   if (!window) return;
   skin.update(around.window[1]);
-  labels.update(around.window, window->GetDPI());
+  const std::optional<std::size_t> picked = labels.picked();
+  labels.update(around.window, window->GetDPI(), picked && skin.isCovered(*picked));
   corners.follow(renderer->GetActiveCamera(), window);
   ghost.follow(renderer->GetActiveCamera(), window);
 }
@@ -154,12 +149,34 @@ void PatchScene::Parts::recolor() {
 
 void PatchScene::Parts::updateItems() {
   skin.setPortsVisible(shown.at(indexOf(SceneItem::Ports)));
-  labels.setVisible(text_visible && shown.at(indexOf(SceneItem::Ids)));
+  labels.setVisible(text_visible && shown.at(indexOf(SceneItem::Ids)), text_visible);
   corners.setAxesVisible(content && !content->layout.cells.empty() && shown.at(indexOf(SceneItem::Axes)));
   updateGravity();
 }
 
+void PatchScene::Parts::updateCut() {
+  if (!cut_share || !content || content->layout.points.empty()) {
+    cut.reset();
+  } else {
+    if (!cut) cut = SceneCut{-Eigen::Vector3d(renderer->GetActiveCamera()->GetDirectionOfProjection()), 0};
+    double least = std::numeric_limits<double>::infinity();
+    double most = -least;
+    for (const Eigen::Vector3d& p : content->layout.points) {
+      least = std::min(least, cut->normal.dot(p));
+      most = std::max(most, cut->normal.dot(p));
+    }
+    // At the ends everything is there, or nothing.
+    constexpr double kBeyond = 0.001;
+    const double beyond = kBeyond * (most - least);
+    cut->offset_m = most + beyond - *cut_share * (most - least + 2 * beyond);
+  }
+  skin.setCut(cut);
+  drawn_overlays.setCut(cut);
+  labels.setCut(cut);
+}
+
 void PatchScene::Parts::updateSelection() {
+  labels.setPicked(picked_cell);
   selection_actor->VisibilityOff();
   if (!content) return;
   if (picked_link && content->reconstruction->findLink(picked_link->first, picked_link->second) != nullptr) {
@@ -216,6 +233,7 @@ void PatchScene::setContent(std::shared_ptr<const SceneContent> content) {
   parts_->recolor();
   parts_->updateItems();
   parts_->updateSelection();
+  if (parts_->cut_share) parts_->updateCut();
   parts_->showGhostOfLargestPatch();
 }
 
@@ -309,6 +327,44 @@ void PatchScene::setTopMargin(int pixels) { parts_->camera.setTopMargin(pixels);
 void PatchScene::fit() { parts_->camera.fit(); }
 
 void PatchScene::showStandardView(View view) { parts_->camera.lookFrom(view); }
+
+void PatchScene::centerOn(CellId cell) {
+  const SceneCell* found = parts_->content ? parts_->content->layout.find(cell) : nullptr;
+  if (found != nullptr) parts_->camera.centerOn(found->T_s_u.t);
+}
+
+std::optional<PatchScene::View> PatchScene::viewAt(double x, double y) const {
+  constexpr std::array<View, 3> kPositive = {View::Side, View::Top, View::Front};
+  constexpr std::array<View, 3> kNegative = {View::OtherSide, View::Bottom, View::Back};
+  const std::optional<AxisEnd> end = parts_->corners.endAt(x, y);
+  if (!end) return std::nullopt;
+  const View wanted = (end->positive ? kPositive : kNegative).at(end->axis);
+  return parts_->camera.looksFrom(wanted) ? (end->positive ? kNegative : kPositive).at(end->axis) : wanted;
+}
+
+bool PatchScene::hoverAxes(double x, double y) { return parts_->corners.setHovered(parts_->corners.endAt(x, y)); }
+
+void PatchScene::setCut(std::optional<double> share) {
+  parts_->cut_share = share;
+  parts_->updateCut();
+}
+
+void PatchScene::alignCut() {
+  parts_->cut.reset();
+  parts_->updateCut();
+}
+
+const std::optional<SceneCut>& PatchScene::cut() const { return parts_->cut; }
+
+std::vector<CellId> PatchScene::labelledCells() const {
+  std::vector<CellId> cells;
+  for (const PlacedLabel& label : parts_->labels.drawn()) {
+    cells.push_back(parts_->content->layout.cells.at(label.cell).id);
+  }
+  return cells;
+}
+
+bool PatchScene::isPickedBehind() const { return parts_->labels.picked() && parts_->labels.isPickedBehind(); }
 
 void PatchScene::keepView() { parts_->camera.keepView(); }
 
