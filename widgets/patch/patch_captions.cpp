@@ -3,6 +3,7 @@
 #include "widgets/scene/scene_corners.h"
 
 #include <QPainter>
+#include <QPicture>
 #include <algorithm>
 
 namespace hexoderm {
@@ -10,13 +11,20 @@ namespace {
 
 constexpr int kPadding = 6;
 
-/// On a ground that keeps it readable over any cell.
-void writeOnGround(QPainter& painter, const QRect& place, const QString& text, const QColor& color, QColor ground) {
-  ground.setAlphaF(0.78);
+/// A ground that keeps what stands on it readable over any cell.
+void paintPlate(QPainter& painter, const QRect& place, QColor ground) {
+  ground.setAlphaF(0.8);
   painter.save();
   painter.setPen(Qt::NoPen);
   painter.setBrush(ground);
-  painter.drawRoundedRect(place.adjusted(-kPadding, -3, kPadding, 3), 3, 3);
+  painter.drawRoundedRect(place, 4, 4);
+  painter.restore();
+}
+
+void writeOnGround(QPainter& painter, const QRect& place, const QString& text, const QColor& color,
+                   const QColor& ground) {
+  paintPlate(painter, place.adjusted(-kPadding, -3, kPadding, 3), ground);
+  painter.save();
   painter.setPen(color);
   painter.drawText(place.adjusted(0, 0, 1, 0), Qt::TextWordWrap, text);
   painter.restore();
@@ -77,6 +85,22 @@ void PatchCaptions::paint(QPainter& painter, const QSize& area) const {
     writeOnGround(painter, word, tr("gravity"), colors.text_muted, colors.scene_bottom);
   }
   paintNotes(painter, area);
+  paintLegendOnPlate(painter, area);
+}
+
+/// What the legend covers is known when it has been painted: once for its plate, and once on it.
+void PatchCaptions::paintLegendOnPlate(QPainter& painter, const QSize& area) const {
+  QPicture measured;
+  QPainter measuring(&measured);
+  measuring.setFont(painter.font());
+  paintLegend(measuring, area, content_.legend, theme_, colors_);
+  measuring.end();
+  constexpr int kBelow = 2;
+  const QRect covered = measured.boundingRect();
+  if (!covered.isEmpty()) {
+    paintPlate(painter, covered.adjusted(-kPadding, -kBelow, kPadding, kBelow) & QRect(QPoint(2, 0), area - QSize(4, 2)),
+               Colors::of(theme_).scene_bottom);
+  }
   paintLegend(painter, area, content_.legend, theme_, colors_);
 }
 

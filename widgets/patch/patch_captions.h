@@ -37,6 +37,7 @@ class PatchCaptions : public QWidget {
 
  private:
   void paintNotes(QPainter& painter, const QSize& area) const;
+  void paintLegendOnPlate(QPainter& painter, const QSize& area) const;
 
   Content content_;
   Theme theme_ = Theme::Light;

@@ -16,8 +16,10 @@
 #include <vtkProperty.h>
 #include <vtkRenderWindow.h>
 #include <vtkRenderer.h>
+#include <vtkRendererCollection.h>
 #include <vtkWeakPointer.h>
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <unordered_map>
 
@@ -355,6 +357,25 @@ void PatchScene::alignCut() {
 }
 
 const std::optional<SceneCut>& PatchScene::cut() const { return parts_->cut; }
+
+PatchScene::Depths PatchScene::depths() const {
+  vtkCamera* camera = parts_->renderer->GetActiveCamera();
+  Depths depths;
+  depths.parallel = camera->GetParallelProjection() != 0;
+  camera->GetClippingRange(depths.near_m, depths.far_m);
+  if (!parts_->window) return depths;
+  const int* size = parts_->window->GetSize();
+  vtkRendererCollection* renderers = parts_->window->GetRenderers();
+  renderers->InitTraversal();
+  while (vtkRenderer* other = renderers->GetNextItem()) {
+    if (other == parts_->renderer || other->GetDraw() == 0) continue;
+    const double* place = other->GetViewport();
+    depths.elsewhere.push_back(
+        {static_cast<int>(std::floor(place[0] * size[0])), static_cast<int>(std::floor(place[1] * size[1])),
+         static_cast<int>(std::ceil(place[2] * size[0])), static_cast<int>(std::ceil(place[3] * size[1]))});
+  }
+  return depths;
+}
 
 std::vector<CellId> PatchScene::labelledCells() const {
   std::vector<CellId> cells;

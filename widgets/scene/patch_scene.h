@@ -10,6 +10,7 @@
 #include "widgets/scene/scene_overlays.h"
 #include "widgets/style/scene_colors.h"
 
+#include <array>
 #include <memory>
 #include <optional>
 #include <utility>
@@ -98,6 +99,16 @@ class PatchScene {
   /// Makes the plane face the viewer as he looks now.
   void alignCut();
   [[nodiscard]] const std::optional<SceneCut>& cut() const;
+
+  /// What the depths mean that the last picture left in the window.
+  struct Depths {
+    double near_m = 0;
+    double far_m = 1;
+    bool parallel = false;
+    /// Left, bottom, right and top of the small pictures over the scene, in pixels: what lies there is not the scene's.
+    std::vector<std::array<int, 4>> elsewhere;
+  };
+  [[nodiscard]] Depths depths() const;
 
   /// The cells whose IDs the last picture has, the picked one first.
   [[nodiscard]] std::vector<CellId> labelledCells() const;
