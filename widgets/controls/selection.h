@@ -24,9 +24,14 @@ class Selection : public QObject {
   void selectCell(CellId cell);
   void selectLink(LinkEnd a, LinkEnd b);
   void clear();
+  /// Picks, and asks the views to turn to it: the operator wants to see where it is.
+  void seekCell(CellId cell);
+  void seekLink(LinkEnd a, LinkEnd b);
 
  signals:
   void changed();
+  /// What is picked now is to be seen. After changed(), and also where the same was picked before.
+  void sought();
 
  private:
   void set(std::optional<CellId> cell, std::optional<Link> link);
