@@ -231,7 +231,8 @@ Step reviewStep(const SessionController& controller, const WindowActions& action
   }
   const Finding* finding = worstFinding(*result);
   if (captured) step.state = finding ? StepState::Current : StepState::Done;
-  step.what = words(finding ? finding->message : result->assessment.reason);
+  // The cards below say what was found.
+  step.what = finding ? Guide::tr("Look at what was found, the worst first.") : words(result->assessment.reason);
   if (controller.session()) {
     step.why = Guide::tr(
         "A pose that does not fit can be disabled or deleted in the table of poses, and taken back with "

@@ -10,6 +10,7 @@
 #include "app/window/presenters/capture_presenter.h"
 #include "app/window/presenters/connection_presenter.h"
 #include "app/window/presenters/file_presenter.h"
+#include "app/window/presenters/finding_presenter.h"
 #include "app/window/presenters/guide_presenter.h"
 #include "app/window/presenters/help_presenter.h"
 #include "app/window/presenters/history_presenter.h"
@@ -37,6 +38,7 @@
 #include "widgets/controls/banner.h"
 #include "widgets/controls/card_dock.h"
 #include "widgets/controls/check_list.h"
+#include "widgets/controls/finding_card.h"
 #include "widgets/controls/message_bar.h"
 #include "widgets/controls/step_panel.h"
 #include "widgets/graph/graph_view.h"
@@ -90,11 +92,14 @@ struct MainWindow::Presenters {
         capture({*views.steps, *views.capture_panel, *views.coverage, panels.coverage(), *views.stillness, *views.patch,
                  *views.tone},
                 window.controller_, window.actions_, window.selection_, window.preferences_),
-        review(
-            {*views.steps, *views.check_list, window.views_->tables, *views.residuals, *views.coverage, *views.patch},
-            window.controller_, window.actions_, window.selection_, files, results),
+        review({*views.steps, *views.check_list, window.views_->tables, *views.residuals, *views.coverage, *views.patch,
+                *views.graph},
+               window.controller_, window.actions_, window.selection_, files, results),
         picked({*views.steps, *views.graph, *views.tables.link_view, *views.messages}, window.controller_,
                window.actions_, window.selection_, review),
+        findings({*views.steps, *views.check_findings, *views.review_findings, *views.finding_card,
+                  *views.tables.findings, *views.tables.finding_view},
+                 window.controller_, window.actions_, window.selection_, review),
         verify({window, *views.verify_panel, *views.patch}, window.controller_, verification, files),
         place({window, *views.steps, *views.place_panel, *views.robot, panels.middle()}, window.controller_, placing),
         guide({*views.banner, *views.steps, *views.check_list}, window.controller_, window.actions_),
@@ -122,6 +127,7 @@ struct MainWindow::Presenters {
   CapturePresenter capture;
   ReviewPresenter review;
   PickedCommands picked;
+  FindingPresenter findings;
   Verification verification;
   VerifyPresenter verify;
   Placing placing;
@@ -212,6 +218,7 @@ void MainWindow::handOutResults() {
   results.add(views_->tables.links);
   results.add(views_->tables.findings);
   results.add(views_->tables.cells);
+  results.add(&presenters_->findings);
   results.addPicture(views_->graph);
   results.addPicture(views_->patch);
   results.add(views_->residuals);
@@ -234,6 +241,9 @@ void MainWindow::dressViews() {
   themes.add(views_->live_strip);
   themes.add(views_->steps);
   themes.add(views_->check_list);
+  themes.add(views_->check_findings);
+  themes.add(views_->review_findings);
+  themes.add(views_->finding_card);
   themes.add(views_->capture_panel);
   themes.add(views_->coverage);
   themes.add(views_->stillness);
@@ -250,11 +260,17 @@ void MainWindow::connectRefresh() {
   connect(&controller_.poseGuide(), &PoseGuide::nextPoseChanged, &refresh_, &OncePerTurn::request);
   connect(&presenters_->review, &ReviewPresenter::pickedPoseChanged, &refresh_, &OncePerTurn::request);
   connect(&refresh_, &OncePerTurn::done, this, &MainWindow::refreshed);
+  connect(&presenters_->review, &ReviewPresenter::findingsWanted, this, [this] {
+    panels_->details().show();
+    panels_->details().raise();
+    views_->detail_tabs->setCurrentIndex(0);
+  });
 }
 
 void MainWindow::refresh() {
   presenters_->picked.refresh();  // the guide asks the actions
   presenters_->guide.refresh();
+  presenters_->findings.refresh();
   presenters_->results.refresh();
   presenters_->place.refresh();
   presenters_->status.refresh();
