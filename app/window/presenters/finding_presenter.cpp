@@ -42,6 +42,7 @@ FindingPresenter::FindingPresenter(const Views& views, SessionController& contro
 }
 
 void FindingPresenter::setReconstruction(const std::shared_ptr<const Reconstruction>& reconstruction) {
+  known_.reset();
   by_weight_.clear();
   if (reconstruction) {
     std::ranges::copy_if(reconstruction->findings, std::back_inserter(by_weight_),
@@ -52,6 +53,11 @@ void FindingPresenter::setReconstruction(const std::shared_ptr<const Reconstruct
 }
 
 void FindingPresenter::refresh() {
+  const LiveSession& live = controller_.liveSession();
+  const auto now = std::make_tuple(controller_.submittedRevision(), live.isLive(), live.litCell(),
+                                   actions_.show_next_pose->isEnabled());
+  if (known_ == now) return;
+  known_ = now;
   std::vector<FindingCards::Item> in_check;
   std::vector<FindingCards::Item> in_review;
   for (const Finding& finding : by_weight_) {

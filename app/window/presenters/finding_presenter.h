@@ -4,8 +4,10 @@
 #include "widgets/controls/finding_card.h"
 
 #include <QObject>
+#include <cstdint>
 #include <memory>
 #include <optional>
+#include <tuple>
 #include <vector>
 
 class QTableView;
@@ -55,6 +57,9 @@ class FindingPresenter : public QObject {
   Selection& selection_;
   ReviewPresenter& review_;
   std::vector<Finding> by_weight_;  ///< of the result, the worst first; remarks left out
+  /// What decides on what can be done: the revision of the session, a skin that is connected, its lit cell, and whether
+  /// a pose can be taken. While a skin streams, nothing of it changes.
+  std::optional<std::tuple<std::uint64_t, bool, std::optional<CellId>, bool>> known_;
 };
 
 }  // namespace hexoderm

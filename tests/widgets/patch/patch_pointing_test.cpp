@@ -343,7 +343,9 @@ TEST_F(PatchPointingTest, ArrowKeysWalkToTheNeighbourThatLiesThere) {
       EXPECT_TRUE(
           std::ranges::any_of(links, [&](const LinkEstimate* link) { return neighborAcross(*link, from) == to; }))
           << from << " to " << to;
-      if (k == 0) EXPECT_GT(QPoint::dotProduct(positionOf(to) - here, way), 0) << from << " to " << to;
+      if (k == 0) {
+        EXPECT_GT(QPoint::dotProduct(positionOf(to) - here, way), 0) << from << " to " << to;
+      }
     }
   }
   EXPECT_GE(steps, 8);
