@@ -86,7 +86,7 @@ TEST(WorstCells, AreTheLeastCertainInPositionAndInOrientationOfAllPatches) {
   // The worst position is elsewhere than the worst orientation.
   result.patches[0].cells[1].cov_t_r = covarianceOf({5 * kMillimetre, 1 * kDegree});
   EXPECT_THAT(worstCells(result), ElementsAre(CellId(2), CellId(3)));
-  EXPECT_THAT(assess(result, {}).reason.english(), HasSubstr("±5.0 mm, ±5.0° (95 %, worst: cells 2, 3)"));
+  EXPECT_THAT(assess(result, {}).reason.english(), HasSubstr("±5.0 mm, ±5.0° (95 %, worst: cells 2 and 3)"));
   result.patches.push_back(patchWith(kUseless, 11));
   EXPECT_THAT(worstCells(result), ElementsAre(CellId(13)));
   // Measured cells only, as long as a patch has any.
