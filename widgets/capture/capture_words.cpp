@@ -166,7 +166,7 @@ QString coverageInWords(const PoseCoverage& coverage, const std::optional<Eigen:
     const QString said = text.arg(seen.pose.value());
     parts.push_back(seen.enabled ? said : CaptureWords::tr("%1, disabled").arg(said));
   }
-  parts.push_back(CaptureWords::tr("values %1, %2 and %3, limit %4: %5")
+  parts.push_back(CaptureWords::tr("values %1, %2 and %3, of which %4 is enough: %5")
                       .arg(figureInWords(coverage.singular_values.x(), 2),
                            figureInWords(coverage.singular_values.y(), 2),
                            figureInWords(coverage.singular_values.z(), 2), figureInWords(coverage.threshold, 2),

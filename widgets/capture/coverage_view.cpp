@@ -275,8 +275,10 @@ void CoverageView::Parts::paintLegend(QPainter& painter, const Layout& layout) c
 
 void CoverageView::Parts::paintGauges(QPainter& painter, const Layout& layout) const {
   const QFontMetrics metrics = view->fontMetrics();
-  const std::array<QString, 3> names = {QStringLiteral("σ₁"), QStringLiteral("σ₂"), QStringLiteral("σ₃")};
-  const double left = kMargin + metrics.horizontalAdvance(names[0]) + 10;
+  const std::array<QString, 3> names = {CoverageView::tr("1st"), CoverageView::tr("2nd"), CoverageView::tr("3rd")};
+  int names_width = 0;
+  for (const QString& each : names) names_width = std::max(names_width, metrics.horizontalAdvance(each));
+  const double left = kMargin + names_width + 10;
   const double value_width = metrics.horizontalAdvance(QStringLiteral("✓ 00.00"));
   const double bar = std::max(20.0, view->width() - left - kMargin - value_width - 10);
   const double scale = std::max(2 * coverage.threshold, 1.15 * coverage.singular_values.x());
@@ -323,8 +325,7 @@ void CoverageView::Parts::paintWords(QPainter& painter, const Layout& layout) co
   painter.setPen(colors().text);
   painter.drawText(
       QRectF(kMargin + 33, layout.words_top, width - 33, line()), Qt::AlignLeft | Qt::AlignVCenter,
-      metrics.elidedText(CoverageView::tr("%1, limit %2")
-                             .arg(qualityWord(coverage.quality), QLocale().toString(coverage.threshold, 'f', 2)),
+      metrics.elidedText(CoverageView::tr("%1; a bar is enough from its mark on").arg(qualityWord(coverage.quality)),
                          Qt::ElideRight, static_cast<int>(width - 33)));
   painter.setPen(colors().text_muted);
   painter.drawText(all.translated(0, 1.3 * line()), kFlags, words());
@@ -445,8 +446,10 @@ bool CoverageView::event(QEvent* event) {
   const auto* help = static_cast<QHelpEvent*>(event);
   const SeenDirection* seen = parts_->at(help->pos());
   QString text =
-      tr("Front: up is where the origin cell faces. Back: the other half, seen from behind.\nThe values say how "
-         "well the poses hold the cells' turn along three axes.");
+      tr("Front: up is where the origin cell faces. Back: the other half, seen from behind.\nThe bars say how "
+         "much the directions seen differ, along three axes (their singular values). Two that reach their mark, %1, fix "
+         "how the cells are turned; the third tells the sensors' errors apart from that.")
+          .arg(QLocale().toString(parts_->coverage.threshold, 'f', 2));
   if (seen != nullptr) {
     text = tr("Pose %1").arg(seen->pose.value());
     if (!seen->label.empty()) text += QStringLiteral(" · ") + words(seen->label);

@@ -43,7 +43,7 @@ QString eventWord(const TraceEvent& event) {
     case TraceEventKind::Captured:
       return StillnessView::tr("captured %1").arg(event.pose.value());
     case TraceEventKind::ArmedAgain:
-      return StillnessView::tr("armed again");
+      return StillnessView::tr("ready again");
     case TraceEventKind::StartsOver:
       return StillnessView::tr("starts over");
   }

@@ -1,5 +1,6 @@
 #include "app/window/main_window/panels.h"
 
+#include "app/window/guide/guide.h"
 #include "app/window/guide/welcome_panel.h"
 #include "app/window/log/log_view.h"
 #include "app/window/main_window/views.h"
@@ -9,41 +10,48 @@
 #include "widgets/capture/stillness_view.h"
 #include "widgets/controls/card_dock.h"
 #include "widgets/controls/step_panel.h"
+#include "widgets/controls/view_mark.h"
 #include "widgets/graph/graph_view.h"
 #include "widgets/patch/patch_view.h"
 #include "widgets/robot/robot_view.h"
 #include "widgets/verify/residual_view.h"
+#include "widgets/verify/verify_panel.h"
 
 #include <QFrame>
 #include <QGridLayout>
+#include <QScrollArea>
 #include <QSettings>
+#include <QSplitter>
 #include <QStackedWidget>
 #include <QTabBar>
 #include <QTableView>
 #include <QVBoxLayout>
+#include <algorithm>
+#include <utility>
 
 namespace hexoderm {
 namespace {
 
 /// Raised when docks come or go, so that an older layout is not forced onto a newer window.
-constexpr int kLayoutVersion = 2;
+constexpr int kLayoutVersion = 3;
 const QString kState = QStringLiteral("window/state");
+/// So wide that the sentences of the steps can be read, whatever the size of the text.
+constexpr int kStepCharacters = 36;
+/// The graph, the directions and the poses with their most important columns.
+constexpr int kSideCharacters = 34;
 
 }  // namespace
 
 Panels::Panels(const Views& views, QWidget* parent) : QMainWindow(parent) {
+  setObjectName(QStringLiteral("panels"));
   setWindowFlags(Qt::Widget);
   setContextMenuPolicy(Qt::PreventContextMenu);
   setCentralWidget(makeCentre(views));
   setDockOptions(AnimatedDocks | AllowNestedDocks | AllowTabbedDocks);
   setCorner(Qt::BottomLeftCorner, Qt::LeftDockWidgetArea);
   setCorner(Qt::BottomRightCorner, Qt::RightDockWidgetArea);
-  // So wide that the sentences of the steps can be read, whatever the size of the text.
-  constexpr int kStepCharacters = 36;
   views.steps->setMinimumWidth(kStepCharacters * fontMetrics().averageCharWidth());
-  // All columns of the poses, with their headings.
-  constexpr int kPoseCharacters = 56;
-  views.tables.pose_view->setMinimumWidth(kPoseCharacters * fontMetrics().averageCharWidth());
+  views.tables.pose_view->setMinimumWidth(kSideCharacters * fontMetrics().averageCharWidth());
   steps_ = new CardDock(tr("Steps"), QStringLiteral("stepsDock"), views.steps, this);
   graph_ = new CardDock(tr("Skin graph"), QStringLiteral("graphDock"), views.graph, this);
   poses_ = new CardDock(tr("Poses"), QStringLiteral("poseDock"), makeTable(views.tables.pose_view, tr("No poses yet.")),
@@ -55,6 +63,15 @@ Panels::Panels(const Views& views, QWidget* parent) : QMainWindow(parent) {
   connect(swap_.get(), &ViewSwap::swapped, views.robot, &QWidget::raise);
   connect(swap_.get(), &ViewSwap::swapped, views.welcome, &QWidget::raise);
   details_ = makeDetails(views);
+  middle_mark_ = new ViewMark(middle_);
+  middle_mark_->setObjectName(QStringLiteral("middleMark"));
+  // Below the buttons over the 3D view.
+  constexpr int kButtons_px = 30;
+  middle_mark_->setTopMargin(fontMetrics().height() + kButtons_px);
+  side_mark_ = new ViewMark(graph_->widget());
+  side_mark_->setObjectName(QStringLiteral("sideMark"));
+  connect(views.steps, &StepPanel::opened, this,
+          [this](int step) { setVerifying(step == static_cast<int>(GuideStep::Verify)); });
   arrange();
 }
 
@@ -62,7 +79,7 @@ Panels::~Panels() = default;
 
 QWidget* Panels::makeCentre(const Views& views) {
   views.patch->setAccessibleName(tr("The patch in three dimensions"));
-  views.patch->setMinimumSize(320, 240);
+  views.patch->setMinimumSize(280, 200);
   middle_ = new QWidget;
   auto* place_layout = new QVBoxLayout(middle_);
   place_layout->setContentsMargins(0, 0, 0, 0);
@@ -81,7 +98,48 @@ QWidget* Panels::makeCentre(const Views& views) {
   auto* layout = new QVBoxLayout(card);
   layout->setContentsMargins(1, 1, 1, 1);
   layout->addWidget(stack);
-  return card;
+  auto* checks_card = new QFrame;
+  checks_card->setProperty("card", true);
+  checks_card->setObjectName(QStringLiteral("checksCard"));
+  checks_ = new QScrollArea;
+  checks_->setObjectName(QStringLiteral("checksArea"));
+  checks_->setFrameShape(QFrame::NoFrame);
+  checks_->setFocusPolicy(Qt::NoFocus);  // what is in it takes the focus
+  checks_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  checks_->setWidgetResizable(true);
+  checks_->setWidget(views.verify_panel);
+  auto* checks_layout = new QVBoxLayout(checks_card);
+  checks_layout->setContentsMargins(1, 1, 1, 1);
+  checks_layout->addWidget(checks_);
+  checks_card->hide();
+  centre_ = new QSplitter;
+  centre_->setChildrenCollapsible(false);
+  centre_->setHandleWidth(8);
+  centre_->addWidget(card);
+  centre_->addWidget(checks_card);
+  // The checks have the greater part.
+  centre_->setStretchFactor(0, 2);
+  centre_->setStretchFactor(1, 3);
+  return centre_;
+}
+
+QWidget& Panels::checks() { return *checks_; }
+
+std::vector<CardDock*> Panels::docks() const { return {steps_, graph_, coverage_, poses_, details_}; }
+
+/// The panels that give way come back where they were; one that is opened meanwhile stays.
+void Panels::setVerifying(bool verifying) {
+  if (std::exchange(is_verifying_, verifying) == verifying) return;
+  if (verifying) {
+    for (CardDock* dock : {graph_, coverage_, poses_, details_}) {
+      if (dock->isHidden() || dock->isFloating()) continue;
+      hidden_for_checks_.push_back(dock);
+      dock->hide();
+    }
+  } else {
+    for (CardDock* dock : std::exchange(hidden_for_checks_, {})) dock->show();
+  }
+  centre_->widget(1)->setVisible(verifying);
 }
 
 TableOrHint* Panels::makeTable(QTableView* view, const QString& hint) {
@@ -116,9 +174,29 @@ void Panels::arrange() {
   addDockWidget(Qt::RightDockWidgetArea, coverage_);
   addDockWidget(Qt::RightDockWidgetArea, poses_);
   addDockWidget(Qt::BottomDockWidgetArea, details_);
-  resizeDocks({steps_, graph_}, {286, 420}, Qt::Horizontal);
-  resizeDocks({graph_, coverage_, poses_}, {230, 258, 170}, Qt::Vertical);
-  resizeDocks({details_}, {170}, Qt::Vertical);
+  // Shares of the room, so that the middle has the greatest part in a small window as in a large one.
+  const int character = fontMetrics().averageCharWidth();
+  const int steps = std::max(kStepCharacters * character + 16, width() / 5);
+  const int side = std::max(kSideCharacters * character + 16, width() * 28 / 100);
+  resizeDocks({steps_, graph_}, {steps, side}, Qt::Horizontal);
+  resizeDocks({graph_, coverage_, poses_}, {height() * 28 / 100, height() * 34 / 100, height() * 36 / 100},
+              Qt::Vertical);
+  resizeDocks({details_}, {height() * 37 / 100}, Qt::Vertical);
+}
+
+void Panels::reset() {
+  const bool was_verifying = is_verifying_;
+  setVerifying(false);
+  if (swap_->isSwapped()) swap_->swap();
+  for (CardDock* dock : docks()) {
+    dock->setFloating(false);
+    removeDockWidget(dock);
+  }
+  arrange();
+  for (CardDock* dock : docks()) dock->show();
+  layout()->activate();
+  arrange();
+  setVerifying(was_verifying);
 }
 
 std::vector<QAction*> Panels::toggleActions() const {
@@ -126,8 +204,14 @@ std::vector<QAction*> Panels::toggleActions() const {
           poses_->toggleViewAction(), details_->toggleViewAction()};
 }
 
-void Panels::restore(const QSettings& settings) { restoreState(settings.value(kState).toByteArray(), kLayoutVersion); }
+void Panels::restore(const QSettings& settings) {
+  arrange();
+  restoreState(settings.value(kState).toByteArray(), kLayoutVersion);
+}
 
-void Panels::remember(QSettings& settings) const { settings.setValue(kState, saveState(kLayoutVersion)); }
+void Panels::remember(QSettings& settings) {
+  setVerifying(false);
+  settings.setValue(kState, saveState(kLayoutVersion));
+}
 
 }  // namespace hexoderm

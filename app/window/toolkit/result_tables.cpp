@@ -25,6 +25,8 @@ ResultTables::ResultTables(QObject* owner)
   stretchColumn(finding_view, 1);
   stretchColumn(cell_view, cells->columnCount() - 1);
   wrapRows(finding_view);
+  // Neither the noise nor what is new says whether a pose fits.
+  leaveOutWhereNarrow(pose_view, {PoseTable::kNoiseColumn, PoseTable::kNewByColumn, PoseTable::kCellsColumn}, 1);
   wrapRows(pose_view);
   for (QTableView* view : {pose_view, link_view, cell_view}) SortedTable::enableIn(view);
 }

@@ -203,7 +203,7 @@ void DemoByKeys::verify() {
   EXPECT_EQ(find<QComboBox>("holdOutPose")->currentIndex(), 0);
   ASSERT_NO_FATAL_FAILURE(tabTo("holdOutRun"));
   key(Qt::Key_Space);
-  ASSERT_TRUE(waitUntil([this] { return text("holdOutSentence").contains("foretell pose 1"); }))
+  ASSERT_TRUE(waitUntil([this] { return text("holdOutSentence").contains("predict pose 1"); }))
       << text("holdOutSentence").toStdString();
   ASSERT_NO_FATAL_FAILURE(tabTo("holdOutTable"));
   ASSERT_NO_FATAL_FAILURE(tabTo("surfaceKind"));
