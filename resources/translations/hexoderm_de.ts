@@ -838,8 +838,8 @@
         <translation>3.</translation>
     </message>
     <message>
-        <source>%1; a bar is enough from its mark on</source>
-        <translation>%1; ein Balken genügt ab seiner Marke</translation>
+        <source>%1 · mark: enough</source>
+        <translation>%1 · Marke: genügt</translation>
     </message>
     <message>
         <source>Front: up is where the origin cell faces. Back: the other half, seen from behind.

@@ -112,7 +112,9 @@ double CoverageView::Parts::apartForLegend() const {
 double CoverageView::Parts::wordsHeight(int width) const {
   const QRect bounds =
       view->fontMetrics().boundingRect(QRect(0, 0, std::max(1, width - 2 * kMargin), 10000), Qt::TextWordWrap, words());
-  return words().isEmpty() ? 0 : bounds.height() + 4;
+  // Room for the usual sentences whatever they say just now, so that the panels around this one stay where they are.
+  constexpr int kUsualLines = 3;
+  return std::max(words().isEmpty() ? 0 : bounds.height(), kUsualLines * view->fontMetrics().lineSpacing()) + 4;
 }
 
 double CoverageView::Parts::belowDiscs(int width) const {
@@ -325,7 +327,7 @@ void CoverageView::Parts::paintWords(QPainter& painter, const Layout& layout) co
   painter.setPen(colors().text);
   painter.drawText(
       QRectF(kMargin + 33, layout.words_top, width - 33, line()), Qt::AlignLeft | Qt::AlignVCenter,
-      metrics.elidedText(CoverageView::tr("%1; a bar is enough from its mark on").arg(qualityWord(coverage.quality)),
+      metrics.elidedText(CoverageView::tr("%1 · mark: enough").arg(qualityWord(coverage.quality)),
                          Qt::ElideRight, static_cast<int>(width - 33)));
   painter.setPen(colors().text_muted);
   painter.drawText(all.translated(0, 1.3 * line()), kFlags, words());

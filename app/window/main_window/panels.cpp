@@ -100,7 +100,6 @@ QWidget* Panels::makeCentre(const Views& views) {
   layout->addWidget(stack);
   auto* checks_card = new QFrame;
   checks_card->setProperty("card", true);
-  checks_card->setObjectName(QStringLiteral("checksCard"));
   checks_ = new QScrollArea;
   checks_->setObjectName(QStringLiteral("checksArea"));
   checks_->setFrameShape(QFrame::NoFrame);
@@ -149,6 +148,8 @@ TableOrHint* Panels::makeTable(QTableView* view, const QString& hint) {
 
 CardDock* Panels::makeDetails(const Views& views) {
   auto* pages = new QStackedWidget;
+  // The widest page does not keep the column from getting narrower.
+  pages->setMinimumWidth(kSideCharacters * fontMetrics().averageCharWidth());
   QTabBar* tabs = views.detail_tabs;
   const auto add = [pages, tabs](QWidget* page, const QString& title) {
     pages->addWidget(page);
@@ -174,13 +175,19 @@ void Panels::arrange() {
   addDockWidget(Qt::RightDockWidgetArea, coverage_);
   addDockWidget(Qt::RightDockWidgetArea, poses_);
   addDockWidget(Qt::BottomDockWidgetArea, details_);
-  // Shares of the room, so that the middle has the greatest part in a small window as in a large one.
+  shareRoom();
+}
+
+void Panels::shareRoom() {
   const int character = fontMetrics().averageCharWidth();
   const int steps = std::max(kStepCharacters * character + 16, width() / 5);
   const int side = std::max(kSideCharacters * character + 16, width() * 28 / 100);
   resizeDocks({steps_, graph_}, {steps, side}, Qt::Horizontal);
-  resizeDocks({graph_, coverage_, poses_}, {height() * 28 / 100, height() * 34 / 100, height() * 36 / 100},
-              Qt::Vertical);
+  // Eight poses with their headings, where the graph has room enough all the same.
+  constexpr int kRows = 11;
+  const int poses = std::min(kRows * (fontMetrics().height() + 8), height() * 36 / 100 - std::max(0, 700 - height()) / 2);
+  const int coverage = height() * 32 / 100;
+  resizeDocks({graph_, coverage_, poses_}, {height() - coverage - poses, coverage, poses}, Qt::Vertical);
   resizeDocks({details_}, {height() * 37 / 100}, Qt::Vertical);
 }
 
@@ -195,7 +202,7 @@ void Panels::reset() {
   arrange();
   for (CardDock* dock : docks()) dock->show();
   layout()->activate();
-  arrange();
+  shareRoom();
   setVerifying(was_verifying);
 }
 
@@ -205,7 +212,7 @@ std::vector<QAction*> Panels::toggleActions() const {
 }
 
 void Panels::restore(const QSettings& settings) {
-  arrange();
+  shareRoom();
   restoreState(settings.value(kState).toByteArray(), kLayoutVersion);
 }
 

@@ -56,6 +56,8 @@ class Panels : public QMainWindow {
   [[nodiscard]] CardDock* makeDetails(const Views& views);
   [[nodiscard]] TableOrHint* makeTable(QTableView* view, const QString& hint);
   void arrange();
+  /// Among the panels, so that the middle has the greatest part in a small window as in a large one.
+  void shareRoom();
   [[nodiscard]] std::vector<CardDock*> docks() const;
 
   QWidget* middle_ = nullptr;

@@ -47,8 +47,8 @@ class ColumnChoice : public QObject {
 
  private:
   void choose() {
-    constexpr int kWord = 12;  // characters
-    int needed = kWord * view_->fontMetrics().averageCharWidth();
+    constexpr int kLabel = 18;  // characters
+    int needed = kLabel * view_->fontMetrics().averageCharWidth();
     // That of its heading: the figures of these tables are shorter.
     const auto width = [this](int column) { return view_->horizontalHeader()->sectionSizeHint(column); };
     for (int column = 0; column < view_->model()->columnCount(); ++column) {

@@ -314,8 +314,10 @@ TEST_F(KeyboardOnASession, TabGoesThroughTheWindowAsItIsRead) {
       EXPECT_GE(y, lowest) << nameOf(stop).toStdString();
       lowest = y;
     }
-    EXPECT_EQ(parts,
-              QStringList({"banner", "stepsDock", "centre", "graphDock", "coverageDock", "poseDock", "detailsDock"}))
+    QStringList expected{"banner", "stepsDock", "centre"};
+    // The checks of the step Verify are in the middle, and have the room of the other panels.
+    if (step != 5) expected << QStringList({"graphDock", "coverageDock", "poseDock", "detailsDock"});
+    EXPECT_EQ(parts, expected)
         << "step " << step << '\n'
         << order.toStdString();
   }
