@@ -1,5 +1,5 @@
-// Pictures of the real window in every step and of its dialogs, see packaging/screenshots.sh. Fails if a text is cut off
-// or lies over another, or if the window is larger than it should be.
+// Pictures of the real window in every step and of its dialogs, see packaging/screenshots.sh. Fails if a text is cut
+// off or lies over another, or if the window is larger than it should be.
 
 #include "app/window/main_window/main_window.h"
 #include "app/window/settings/preferences.h"
@@ -75,13 +75,12 @@ int main(int argc, char** argv) {
   applyTextFactor(text_percent / 100.0);
   MainWindow window;
   window.setThemeChoice(*choice, false);
-  const QString prefix = texts_language + QLatin1Char('-') +
-                         (window.theme() == Theme::Dark ? QStringLiteral("dark-") : QStringLiteral("light-")) +
-                         parser.value(size) +
-                         (text_percent == 100 ? QString() : QStringLiteral("-text%1").arg(text_percent)) +
-                         (window.devicePixelRatioF() == 1
-                              ? QString()
-                              : QStringLiteral("-scale%1").arg(qRound(100 * window.devicePixelRatioF())));
+  const QString prefix =
+      texts_language + QLatin1Char('-') +
+      (window.theme() == Theme::Dark ? QStringLiteral("dark-") : QStringLiteral("light-")) + parser.value(size) +
+      (text_percent == 100 ? QString() : QStringLiteral("-text%1").arg(text_percent)) +
+      (window.devicePixelRatioF() == 1 ? QString()
+                                       : QStringLiteral("-scale%1").arg(qRound(100 * window.devicePixelRatioF())));
   const QStringList problems =
       ScreenshotTour(window, QDir(parser.positionalArguments().front()), prefix, largest_width_px).run(window_size);
   for (const QString& problem : problems) complain(problem, 0);

@@ -184,7 +184,8 @@ QString textOf(const QWidget& widget) {
 
 /// `seen`: what the widgets around it leave of it, in the root.
 void collectTexts(const QWidget& widget, const QPoint& at, const QRect& seen, std::vector<ShownText>& texts) {
-  if (!widget.isVisible() || qobject_cast<const NoticeStack*>(&widget) || qobject_cast<const ViewMark*>(&widget)) return;
+  if (!widget.isVisible() || qobject_cast<const NoticeStack*>(&widget) || qobject_cast<const ViewMark*>(&widget))
+    return;
   const QRect place = QRect(at, widget.size()) & seen;
   if (place.isEmpty()) return;
   const QString text = textOf(widget);

@@ -325,10 +325,9 @@ void CoverageView::Parts::paintWords(QPainter& painter, const Layout& layout) co
   const double middle = layout.words_top + 0.5 * line();
   drawStroke(painter, linkStroke(coverage.quality, theme), QLineF(kMargin, middle, kMargin + 26, middle), 3);
   painter.setPen(colors().text);
-  painter.drawText(
-      QRectF(kMargin + 33, layout.words_top, width - 33, line()), Qt::AlignLeft | Qt::AlignVCenter,
-      metrics.elidedText(CoverageView::tr("%1 · mark: enough").arg(qualityWord(coverage.quality)),
-                         Qt::ElideRight, static_cast<int>(width - 33)));
+  painter.drawText(QRectF(kMargin + 33, layout.words_top, width - 33, line()), Qt::AlignLeft | Qt::AlignVCenter,
+                   metrics.elidedText(CoverageView::tr("%1 · mark: enough").arg(qualityWord(coverage.quality)),
+                                      Qt::ElideRight, static_cast<int>(width - 33)));
   painter.setPen(colors().text_muted);
   painter.drawText(all.translated(0, 1.3 * line()), kFlags, words());
 }
@@ -449,7 +448,8 @@ bool CoverageView::event(QEvent* event) {
   const SeenDirection* seen = parts_->at(help->pos());
   QString text =
       tr("Front: up is where the origin cell faces. Back: the other half, seen from behind.\nThe bars say how "
-         "much the directions seen differ, along three axes (their singular values). Two that reach their mark, %1, fix "
+         "much the directions seen differ, along three axes (their singular values). Two that reach their mark, %1, "
+         "fix "
          "how the cells are turned; the third tells the sensors' errors apart from that.")
           .arg(QLocale().toString(parts_->coverage.threshold, 'f', 2));
   if (seen != nullptr) {

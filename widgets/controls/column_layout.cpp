@@ -17,7 +17,9 @@ ColumnLayout::ColumnLayout(int least_width, QWidget* parent) : QLayout(parent), 
 
 ColumnLayout::~ColumnLayout() { qDeleteAll(items_); }
 
-QLayoutItem* ColumnLayout::itemAt(int index) const { return index >= 0 && index < count() ? items_.at(index) : nullptr; }
+QLayoutItem* ColumnLayout::itemAt(int index) const {
+  return index >= 0 && index < count() ? items_.at(index) : nullptr;
+}
 
 QLayoutItem* ColumnLayout::takeAt(int index) { return index >= 0 && index < count() ? items_.takeAt(index) : nullptr; }
 

@@ -69,7 +69,9 @@ QSize FoldingRow::sizeHint() const {
   return QSize(widthOf(count()), rowHeight()).grownBy(margins);
 }
 
-QSize FoldingRow::minimumSize() const { return QSize(more_->sizeHint().width(), rowHeight()).grownBy(contentsMargins()); }
+QSize FoldingRow::minimumSize() const {
+  return QSize(more_->sizeHint().width(), rowHeight()).grownBy(contentsMargins());
+}
 
 void FoldingRow::setGeometry(const QRect& rect) {
   QLayout::setGeometry(rect);

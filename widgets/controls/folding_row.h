@@ -10,8 +10,8 @@ class QToolButton;
 
 namespace hexoderm {
 
-/// Buttons in one row, from the left; those that find no room fold into a menu at its end, the last ones first. There may
-/// be a second group of them, at the right end of a row that is wide enough.
+/// Buttons in one row, from the left; those that find no room fold into a menu at its end, the last ones first. There
+/// may be a second group of them, at the right end of a row that is wide enough.
 class FoldingRow : public QLayout {
   Q_OBJECT
 

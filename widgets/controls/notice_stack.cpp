@@ -41,7 +41,8 @@ bool NoticeStack::eventFilter(QObject* watched, QEvent* event) {
 }
 
 void NoticeStack::place() {
-  const bool any = std::any_of(notices_.begin(), notices_.end(), [](const QWidget* notice) { return !notice->isHidden(); });
+  const bool any =
+      std::any_of(notices_.begin(), notices_.end(), [](const QWidget* notice) { return !notice->isHidden(); });
   setVisible(any);
   if (!any) return;
   constexpr int kMargin = 16;
@@ -49,7 +50,8 @@ void NoticeStack::place() {
   const QSize room = parentWidget()->size();
   const int width = std::min(room.width() - 2 * kMargin, kMostCharacters * fontMetrics().averageCharWidth());
   layout()->activate();
-  const int height = layout()->hasHeightForWidth() ? layout()->totalHeightForWidth(width) : layout()->totalSizeHint().height();
+  const int height =
+      layout()->hasHeightForWidth() ? layout()->totalHeightForWidth(width) : layout()->totalSizeHint().height();
   setGeometry((room.width() - width) / 2, room.height() - height - kMargin, width, height);
   raise();
 }

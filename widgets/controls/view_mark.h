@@ -8,8 +8,8 @@
 namespace hexoderm {
 
 /// Marks a view whose picture is not what it usually is: of this moment, without readings, or from before. A frame
-/// around the view, words in its upper middle, and a veil over a picture that is old. Lies over the view, lets the mouse
-/// through, and is hidden where there is nothing to mark.
+/// around the view, words in its upper middle, and a veil over a picture that is old. Lies over the view, lets the
+/// mouse through, and is hidden where there is nothing to mark.
 class ViewMark : public QWidget {
   Q_OBJECT
 

@@ -8,7 +8,10 @@
 namespace hexoderm {
 
 WorkNotice::WorkNotice(QWidget* parent)
-    : QFrame(parent), text_(new QLabel(this)), bar_(new QProgressBar(this)), cancel_(new QPushButton(tr("Cancel"), this)) {
+    : QFrame(parent),
+      text_(new QLabel(this)),
+      bar_(new QProgressBar(this)),
+      cancel_(new QPushButton(tr("Cancel"), this)) {
   setObjectName(QStringLiteral("workNotice"));
   setAccessibleName(tr("Work that takes a while"));
   text_->setObjectName(QStringLiteral("workText"));

@@ -68,11 +68,12 @@ VerifyPanel::VerifyPanel(Selection* selection, QWidget* parent)
                                  QStringLiteral("surface"), selection)),
       caliper_(new VerifySection(tr("Distance by caliper"), tr("Does a distance measured on the skin itself agree?"),
                                  QStringLiteral("caliper"), selection)),
-      comparison_(
-          new VerifySection(tr("Earlier calibration"), tr("Does another calibration of the same skin agree?"), QStringLiteral("comparison"), selection)),
-      old_(new VerifySection(tr("Old calibration"),
-                             tr("Does one of some time ago still hold? Compared with the poses of this session, cell by cell."),
-                             QStringLiteral("oldCalibration"), selection)),
+      comparison_(new VerifySection(tr("Earlier calibration"), tr("Does another calibration of the same skin agree?"),
+                                    QStringLiteral("comparison"), selection)),
+      old_(new VerifySection(
+          tr("Old calibration"),
+          tr("Does one of some time ago still hold? Compared with the poses of this session, cell by cell."),
+          QStringLiteral("oldCalibration"), selection)),
       pose_(new QComboBox),
       run_(new QPushButton(tr("Run"))),
       by_cell_(new QToolButton),
@@ -382,8 +383,8 @@ void VerifyPanel::refreshControls() {
               .arg(otherPoses());
   }
   run_->setEnabled(why.isEmpty() && !hold_out_->isRunning());
-  run_->setToolTip(why.isEmpty() ? tr("Solves without this pose and compares what the others predict with what was read")
-                                 : why);
+  run_->setToolTip(
+      why.isEmpty() ? tr("Solves without this pose and compares what the others predict with what was read") : why);
   pose_->setToolTip(why);
   // A grey button alone would leave open why.
   if (!why.isEmpty() && !hold_out_result_) hold_out_->setSentence({Tone::Neutral, why});

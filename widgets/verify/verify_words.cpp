@@ -232,7 +232,8 @@ VerifySentence surfaceInWords(const SurfaceEvaluation& surface, std::optional<do
                      .arg(millimetres(*stated_m));
   }
   if (surface.delta_m && surface.epsilon_m) {
-    sentences << VerifyTexts::tr("The radius is off the true one by Δ = %1, and the cells lie ε = %2 (rms) off the true surface.")
+    sentences << VerifyTexts::tr(
+                     "The radius is off the true one by Δ = %1, and the cells lie ε = %2 (rms) off the true surface.")
                      .arg(millimetres(*surface.delta_m), millimetres(*surface.epsilon_m));
   }
   return {tone, sentences.join(QLatin1Char(' '))};
@@ -303,10 +304,11 @@ VerifySentence comparisonInWords(const std::vector<Comparison>& comparisons, con
   if (within.stated == 0) {
     return {Tone::Neutral, VerifyTexts::tr("%1 Neither of them states an uncertainty to compare with.").arg(figures)};
   }
-  const QString counts = VerifyTexts::tr("Of %1 cells, %2 have their position and %3 their orientation within what was stated with 95 %.")
-                             .arg(within.stated)
-                             .arg(within.position)
-                             .arg(within.orientation);
+  const QString counts =
+      VerifyTexts::tr("Of %1 cells, %2 have their position and %3 their orientation within what was stated with 95 %.")
+          .arg(within.stated)
+          .arg(within.position)
+          .arg(within.orientation);
   return within.holds()
              ? VerifySentence{Tone::Good,
                               VerifyTexts::tr("Within what was stated for 95 % of cells. %1 %2").arg(figures, counts)}

@@ -71,7 +71,8 @@ WindowActions::WindowActions(QWidget* owner, QUndoStack* undo_stack)
       mute_link(make(owner, "actionMuteLink", tr("Set link &aside"),
                      tr("Keep the picked link out of the solution, if it is a cable for example"),
                      {QKeySequence(Qt::Key_M)})),
-      capture(make(owner, "actionCapture", tr("Capture &now"), tr("Take the next readings as a pose, whether the part is still or not"),
+      capture(make(owner, "actionCapture", tr("Capture &now"),
+                   tr("Take the next readings as a pose, whether the part is still or not"),
                    {QKeySequence(Qt::Key_Space)})),
       automatic(make(owner, "actionAutomatic", tr("Capture by itself when &still"),
                      tr("Take a pose as soon as the part is held still after it was moved"),
@@ -263,8 +264,9 @@ void WindowActions::refreshLink(const SessionController& controller, const std::
   if (no_link.isEmpty() && !picked) no_link = tr("Pick a link in the graph or in the table of links first");
   const bool muted = no_link.isEmpty() && controller.session()->findMutedLink(picked->first, picked->second) != nullptr;
   mute_link->setText(muted ? tr("Take link b&ack") : tr("Set link &aside"));
-  mute_link->setProperty(kPurpose, muted ? tr("Let the picked link into the solution again")
-                                         : tr("Keep the picked link out of the solution, if it is a cable for example"));
+  mute_link->setProperty(kPurpose, muted
+                                       ? tr("Let the picked link into the solution again")
+                                       : tr("Keep the picked link out of the solution, if it is a cable for example"));
   allow(mute_link, no_link);
 }
 

@@ -122,8 +122,8 @@ struct MainWindow::Presenters {
             {*views.patch, *views.robot, *views.graph, panels.graph(), *views.steps, panels.steps(), panels.swap()},
             window.actions_),
         // As one reads the window: from the top, and from left to right.
-        keyboard({views.banner, views.messages, views.live_strip, views.work_notice, views.steps, panels.centralWidget(), &panels.graph(),
-                  &panels.coverage(), &panels.poses(), &panels.details()},
+        keyboard({views.banner, views.messages, views.live_strip, views.work_notice, views.steps,
+                  panels.centralWidget(), &panels.graph(), &panels.coverage(), &panels.poses(), &panels.details()},
                  window.actions_) {}
 
   EventRecorder recorder;

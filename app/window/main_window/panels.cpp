@@ -126,19 +126,20 @@ QWidget& Panels::checks() { return *checks_; }
 
 std::vector<CardDock*> Panels::docks() const { return {steps_, graph_, coverage_, poses_, details_}; }
 
-/// The panels that give way come back where they were; one that is opened meanwhile stays.
+/// The panels that give way come back as they were.
 void Panels::setVerifying(bool verifying) {
   if (std::exchange(is_verifying_, verifying) == verifying) return;
   if (verifying) {
+    before_checks_ = saveState(kLayoutVersion);
     for (CardDock* dock : {graph_, coverage_, poses_, details_}) {
-      if (dock->isHidden() || dock->isFloating()) continue;
-      hidden_for_checks_.push_back(dock);
-      dock->hide();
+      if (!dock->isFloating()) dock->hide();
     }
   } else {
-    for (CardDock* dock : std::exchange(hidden_for_checks_, {})) dock->show();
+    restoreState(before_checks_, kLayoutVersion);
   }
   centre_->widget(1)->setVisible(verifying);
+  // The greater part is theirs.
+  if (verifying) centre_->setSizes({width() * 2 / 5, width() * 3 / 5});
 }
 
 TableOrHint* Panels::makeTable(QTableView* view, const QString& hint) {
@@ -185,10 +186,11 @@ void Panels::shareRoom() {
   resizeDocks({steps_, graph_}, {steps, side}, Qt::Horizontal);
   // Eight poses with their headings, where the graph has room enough all the same.
   constexpr int kRows = 11;
-  const int poses = std::min(kRows * (fontMetrics().height() + 8), height() * 36 / 100 - std::max(0, 700 - height()) / 2);
+  const int poses =
+      std::min(kRows * (fontMetrics().height() + 8), height() * 36 / 100 - std::max(0, 700 - height()) / 2);
   const int coverage = height() * 32 / 100;
   resizeDocks({graph_, coverage_, poses_}, {height() - coverage - poses, coverage, poses}, Qt::Vertical);
-  resizeDocks({details_}, {height() * 37 / 100}, Qt::Vertical);
+  resizeDocks({details_}, {height() * 39 / 100}, Qt::Vertical);
 }
 
 void Panels::reset() {

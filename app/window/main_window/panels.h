@@ -1,5 +1,6 @@
 #pragma once
 
+#include <QByteArray>
 #include <QMainWindow>
 #include <memory>
 #include <vector>
@@ -66,7 +67,7 @@ class Panels : public QMainWindow {
   ViewMark* middle_mark_ = nullptr;
   ViewMark* side_mark_ = nullptr;
   bool is_verifying_ = false;
-  std::vector<CardDock*> hidden_for_checks_;
+  QByteArray before_checks_;  ///< where the panels were
   CardDock* steps_;
   CardDock* graph_;
   CardDock* poses_;

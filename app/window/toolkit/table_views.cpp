@@ -10,6 +10,7 @@
 #include <QTableView>
 #include <QTimer>
 #include <QToolTip>
+#include <map>
 #include <utility>
 
 namespace hexoderm {
@@ -27,7 +28,8 @@ class WholeTextDelegate : public QStyledItemDelegate {
     if (event->type() != QEvent::ToolTip || !is_cut || tip == text || tip.startsWith(QLatin1Char('<'))) {
       return QStyledItemDelegate::helpEvent(event, view, option, index);
     }
-    QToolTip::showText(event->globalPos(), tip.isEmpty() ? text : text + QStringLiteral("\n\n") + tip, view->viewport());
+    QToolTip::showText(event->globalPos(), tip.isEmpty() ? text : text + QStringLiteral("\n\n") + tip,
+                       view->viewport());
     return true;
   }
 };
@@ -49,8 +51,12 @@ class ColumnChoice : public QObject {
   void choose() {
     constexpr int kLabel = 18;  // characters
     int needed = kLabel * view_->fontMetrics().averageCharWidth();
-    // That of its heading: the figures of these tables are shorter.
-    const auto width = [this](int column) { return view_->horizontalHeader()->sectionSizeHint(column); };
+    // That of its heading: the figures of these tables are shorter. A column that is left out has none.
+    const auto width = [this](int column) {
+      const int hint = view_->horizontalHeader()->sectionSizeHint(column);
+      if (hint > 0) widths_[column] = hint;
+      return widths_[column];
+    };
     for (int column = 0; column < view_->model()->columnCount(); ++column) {
       if (column != stretched_) needed += width(column);
     }
@@ -64,6 +70,7 @@ class ColumnChoice : public QObject {
   QTableView* view_;
   std::vector<int> columns_;
   int stretched_;
+  std::map<int, int> widths_;  ///< of the headings, as they last were
 };
 
 /// Qt asks how high a text is in the whole width of its column, and then draws it beside the style sheet's padding: a
@@ -95,6 +102,8 @@ QTableView* makeTable(QAbstractItemModel* model, const char* object_name, const 
   view->setItemDelegate(new WholeTextDelegate(view));
   view->setFrameShape(QFrame::NoFrame);
   view->verticalHeader()->hide();
+  constexpr int kAroundText_px = 9;
+  view->verticalHeader()->setDefaultSectionSize(view->fontMetrics().height() + kAroundText_px);
   view->horizontalHeader()->setHighlightSections(false);
   view->horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
   // Measuring every row of a large skin on each update would take longer than solving it.

@@ -16,8 +16,8 @@ QTableView* makeTable(QAbstractItemModel* model, const char* object_name, const 
 void stretchColumn(QTableView* view, int column);
 /// Long texts take as many lines as they need, as long as measuring them is quick.
 void wrapRows(QTableView* view);
-/// Where the table is too narrow for all of its columns, `columns` are left out, the first ones first, so that `stretched`
-/// keeps room for a word.
+/// Where the table is too narrow for all of its columns, `columns` are left out, the first ones first, so that
+/// `stretched` keeps room for a word.
 void leaveOutWhereNarrow(QTableView* view, const std::vector<int>& columns, int stretched);
 /// The table, or a word on why it is empty.
 class TableOrHint : public QStackedWidget {

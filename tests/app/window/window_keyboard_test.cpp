@@ -317,9 +317,7 @@ TEST_F(KeyboardOnASession, TabGoesThroughTheWindowAsItIsRead) {
     QStringList expected{"banner", "stepsDock", "centre"};
     // The checks of the step Verify are in the middle, and have the room of the other panels.
     if (step != 5) expected << QStringList({"graphDock", "coverageDock", "poseDock", "detailsDock"});
-    EXPECT_EQ(parts, expected)
-        << "step " << step << '\n'
-        << order.toStdString();
+    EXPECT_EQ(parts, expected) << "step " << step << '\n' << order.toStdString();
   }
 }
 

@@ -1,10 +1,12 @@
 #include "widgets/controls/column_layout.h"
 
 #include <gtest/gtest.h>
+#include "tests/support/qt_wait.h"
 
 #include <QLabel>
 #include <memory>
 #include <set>
+#include <vector>
 
 namespace hexoderm {
 namespace {
@@ -18,6 +20,9 @@ class ColumnLayoutTest : public testing::Test {
       parts_.back()->setFixedHeight(100);
       layout->addWidget(parts_.back());
     }
+    layout->setContentsMargins(0, 0, 0, 0);
+    widget_.show();
+    EXPECT_TRUE(test::waitUntilExposed(widget_));
   }
   std::size_t columnsAt(int width) {
     widget_.resize(width, 1000);

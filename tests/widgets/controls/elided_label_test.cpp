@@ -5,7 +5,8 @@
 namespace hexoderm {
 namespace {
 
-const QString kLong = QStringLiteral("A sentence about a cell, its links and its poses that goes on and on. ").repeated(6);
+const QString kLong =
+    QStringLiteral("A sentence about a cell, its links and its poses that goes on and on. ").repeated(6);
 
 TEST(ElidedLabel, IsAsHighAndAsNarrowAsBeforeWhateverItSays) {
   for (const int lines : {1, 2}) {

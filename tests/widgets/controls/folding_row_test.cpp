@@ -6,6 +6,8 @@
 #include <QMenu>
 #include <QSignalSpy>
 #include <QToolButton>
+#include <algorithm>
+#include <vector>
 
 namespace hexoderm {
 namespace {
@@ -21,6 +23,7 @@ class FoldingRowTest : public testing::Test {
       buttons_.push_back(button);
       if (buttons_.size() == 2) row_->beginSecondGroup();
     }
+    row_->setContentsMargins(0, 0, 0, 0);
     bar_.show();
     EXPECT_TRUE(test::waitUntilExposed(bar_));
   }
@@ -29,7 +32,8 @@ class FoldingRowTest : public testing::Test {
     row_->setGeometry(bar_.rect());
   }
   int folded() const {
-    return static_cast<int>(std::count_if(buttons_.begin(), buttons_.end(), [this](auto* each) { return row_->isFolded(each); }));
+    return static_cast<int>(
+        std::count_if(buttons_.begin(), buttons_.end(), [this](auto* each) { return row_->isFolded(each); }));
   }
 
   QWidget bar_;

@@ -231,10 +231,9 @@ class Assessor {
   void sayWorstCells(std::vector<Message>& sentences) const {
     const auto [placed, turned] = worstCells(r_, worst_);
     if (placed == nullptr || turned == nullptr || worst_.position_m <= 0) return;
-    sentences.push_back(placed == turned
-                            ? message("Least certain is cell {}.", placed->cell)
-                            : message("Least certain is where cell {} lies and how cell {} is turned.", placed->cell,
-                                      turned->cell));
+    sentences.push_back(placed == turned ? message("Least certain is cell {}.", placed->cell)
+                                         : message("Least certain is where cell {} lies and how cell {} is turned.",
+                                                   placed->cell, turned->cell));
   }
 
   [[nodiscard]] Message posesToRetake() const {
