@@ -30,8 +30,9 @@ QSize ColumnLayout::sizeHint() const {
 }
 
 QSize ColumnLayout::minimumSize() const {
-  const QMargins margins = contentsMargins();
-  return {least_width_ + margins.left() + margins.right(), margins.top() + margins.bottom()};
+  QSize least;
+  for (const QLayoutItem* item : items_) least = least.expandedTo({item->minimumSize().width(), 0});
+  return least.grownBy(contentsMargins());
 }
 
 void ColumnLayout::setGeometry(const QRect& rect) {

@@ -11,7 +11,7 @@ class ColumnLayout : public QLayout {
   Q_OBJECT
 
  public:
-  /// `least_width`: of a column.
+  /// `least_width`: of a column, where there is more than one.
   explicit ColumnLayout(int least_width, QWidget* parent = nullptr);
   ~ColumnLayout() override;
 

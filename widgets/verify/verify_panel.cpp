@@ -96,7 +96,7 @@ VerifyPanel::VerifyPanel(Selection* selection, QWidget* parent)
   buildOldCalibration();
   constexpr int kColumnCharacters = 44;
   auto* layout = new ColumnLayout(kColumnCharacters * fontMetrics().averageCharWidth(), this);
-  layout->setContentsMargins(16, 12, 16, 12);
+  layout->setContentsMargins(14, 12, 14, 12);
   layout->setSpacing(18);
   for (VerifySection* section : sections()) layout->addWidget(section);
 

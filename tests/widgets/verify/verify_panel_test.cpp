@@ -19,6 +19,7 @@
 #include <QTableView>
 #include <QTest>
 #include <QToolButton>
+#include <set>
 
 namespace hexoderm {
 namespace {
@@ -572,7 +573,7 @@ TEST_F(VerifyPanelTest, WhatFailsTakesItsEarlierResultOutOfTheOtherViews) {
   EXPECT_TRUE(comparisons.empty());
 }
 
-TEST_F(VerifyPanelTest, FitsTheColumnOfStepsInBothThemes) {
+TEST_F(VerifyPanelTest, FitsBesideThe3DViewOfASmallWindowInBothThemes) {
   panel_->setReconstruction(skin());
   panel_->showHoldOut(heldOut(HoldOutAgreement::Worse, 0.9));
   panel_->showLoops({loop(false, 0.0034), loop(true, 0.0012)});
@@ -584,9 +585,25 @@ TEST_F(VerifyPanelTest, FitsTheColumnOfStepsInBothThemes) {
   for (const Theme theme : {Theme::Light, Theme::Dark}) {
     setTheme(theme);
     QCoreApplication::processEvents();
-    EXPECT_LE(panel_->minimumSizeHint().width(), 250);
+    EXPECT_LE(panel_->minimumSizeHint().width(), 280);
     keep(theme == Theme::Light ? "verify-panel-light" : "verify-panel-dark");
   }
+}
+
+TEST_F(VerifyPanelTest, HasSeveralColumnsWhereThereIsRoom) {
+  panel_->setReconstruction(skin());
+  const auto columns = [this] {
+    QCoreApplication::processEvents();
+    std::set<int> lefts;
+    for (const char* name : {"holdOut", "loops", "surface", "caliper", "comparison", "oldCalibration"}) {
+      lefts.insert(find<QWidget>(name)->x());
+    }
+    return lefts.size();
+  };
+  EXPECT_EQ(columns(), 1U);
+  scroll_.resize(1500, 640);
+  ASSERT_TRUE(test::waitUntil([this] { return scroll_.width() == 1500; }));
+  EXPECT_GE(columns(), 2U);
 }
 
 }  // namespace
