@@ -152,6 +152,7 @@ class Finder {
   }
 
   void lookAt(const QComboBox& combo) {
+    if (combo.window()->inherits("QFileDialog")) return;  // Qt's own
     QStyleOptionComboBox option;
     option.initFrom(&combo);
     option.editable = combo.isEditable();

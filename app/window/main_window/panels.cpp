@@ -36,9 +36,9 @@ namespace {
 constexpr int kLayoutVersion = 3;
 const QString kState = QStringLiteral("window/state");
 /// So wide that the sentences of the steps can be read, whatever the size of the text.
-constexpr int kStepCharacters = 36;
+constexpr int kStepCharacters = 33;
 /// The graph, the directions and the poses with their most important columns.
-constexpr int kSideCharacters = 34;
+constexpr int kSideCharacters = 32;
 
 }  // namespace
 
