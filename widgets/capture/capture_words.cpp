@@ -151,6 +151,11 @@ QString missingInWords(const PoseCoverage& coverage, const std::optional<Eigen::
   return sentence.arg(name(missing.facing.cell), figureInWords(missing.value, 2), figureInWords(coverage.threshold, 2));
 }
 
+QString longMissingInWords() {
+  return CaptureWords::tr("No pose yet with cell %1 facing the ceiling or the floor: the second value is %2, needs %3.")
+      .arg(name(CellId(100)), figureInWords(0, 2), figureInWords(0.5, 2));
+}
+
 QString poseCountInWords(const PoseCoverage& coverage) {
   const QString count = posesInWords(coverage.enabled);
   std::size_t disabled = 0;

@@ -112,9 +112,10 @@ double CoverageView::Parts::apartForLegend() const {
 double CoverageView::Parts::wordsHeight(int width) const {
   const QRect bounds =
       view->fontMetrics().boundingRect(QRect(0, 0, std::max(1, width - 2 * kMargin), 10000), Qt::TextWordWrap, words());
-  // Room for the usual sentences whatever they say just now, so that the panels around this one stay where they are.
-  constexpr int kUsualLines = 3;
-  return std::max(words().isEmpty() ? 0 : bounds.height(), kUsualLines * view->fontMetrics().lineSpacing()) + 4;
+  // Room for a long sentence whatever is said just now, so that the panels around this one stay where they are.
+  const QRect usual = view->fontMetrics().boundingRect(QRect(0, 0, std::max(1, width - 2 * kMargin), 10000),
+                                                       Qt::TextWordWrap, longMissingInWords());
+  return std::max(words().isEmpty() ? 0 : bounds.height(), usual.height()) + 4;
 }
 
 double CoverageView::Parts::belowDiscs(int width) const {

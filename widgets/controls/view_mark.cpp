@@ -24,8 +24,9 @@ void ViewMark::setContent(const std::optional<Content>& content) {
   update();
 }
 
-void ViewMark::setTopMargin(int pixels) {
-  top_margin_ = pixels;
+void ViewMark::setPlace(int top_margin, bool at_right) {
+  top_margin_ = top_margin;
+  at_right_ = at_right;
   update();
 }
 
@@ -69,7 +70,9 @@ void ViewMark::paintEvent(QPaintEvent* /*event*/) {
   const QRect needed = painter.boundingRect(QRect(0, 0, std::max(1, width() - beside), height()),
                                             Qt::AlignHCenter | Qt::TextWordWrap, content_->words);
   const QSize plate(needed.width() + 2 * kPaddingX, needed.height() + 2 * kPaddingY);
-  const QRect place(QPoint((width() - plate.width()) / 2, top_margin_ + kFrame + 6), plate);
+  constexpr int kApart = 6;
+  const int left = at_right_ ? width() - plate.width() - kFrame - kApart : (width() - plate.width()) / 2;
+  const QRect place(QPoint(left, top_margin_ + kFrame + kApart), plate);
   painter.setPen(QPen(color, 2));
   painter.setBrush(colors.panel);
   painter.drawRoundedRect(place, 6, 6);

@@ -8,7 +8,7 @@
 namespace hexoderm {
 
 /// Marks a view whose picture is not what it usually is: of this moment, without readings, or from before. A frame
-/// around the view, words in its upper middle, and a veil over a picture that is old. Lies over the view, lets the
+/// around the view, words at its upper edge, and a veil over a picture that is old. Lies over the view, lets the
 /// mouse through, and is hidden where there is nothing to mark.
 class ViewMark : public QWidget {
   Q_OBJECT
@@ -31,8 +31,8 @@ class ViewMark : public QWidget {
   /// None: nothing is marked.
   void setContent(const std::optional<Content>& content);
   [[nodiscard]] const std::optional<Content>& content() const { return content_; }
-  /// Kept free at the top, for buttons.
-  void setTopMargin(int pixels);
+  /// What of the top is kept free for buttons, and whether the words stand on the right instead of in the middle.
+  void setPlace(int top_margin, bool at_right);
   void setTheme(Theme theme);
 
  protected:
@@ -42,6 +42,7 @@ class ViewMark : public QWidget {
  private:
   std::optional<Content> content_;
   int top_margin_ = 0;
+  bool at_right_ = false;
   Theme theme_ = Theme::Light;
 };
 

@@ -52,6 +52,9 @@ Panels::Panels(const Views& views, QWidget* parent) : QMainWindow(parent) {
   setCorner(Qt::BottomRightCorner, Qt::RightDockWidgetArea);
   views.steps->setMinimumWidth(kStepCharacters * fontMetrics().averageCharWidth());
   views.tables.pose_view->setMinimumWidth(kSideCharacters * fontMetrics().averageCharWidth());
+  // Less than it asks for, where the text is large and the window low.
+  constexpr int kLowGraph_px = 90;
+  views.graph->setMinimumHeight(kLowGraph_px);
   steps_ = new CardDock(tr("Steps"), QStringLiteral("stepsDock"), views.steps, this);
   graph_ = new CardDock(tr("Skin graph"), QStringLiteral("graphDock"), views.graph, this);
   poses_ = new CardDock(tr("Poses"), QStringLiteral("poseDock"), makeTable(views.tables.pose_view, tr("No poses yet.")),
@@ -65,11 +68,18 @@ Panels::Panels(const Views& views, QWidget* parent) : QMainWindow(parent) {
   details_ = makeDetails(views);
   middle_mark_ = new ViewMark(middle_);
   middle_mark_->setObjectName(QStringLiteral("middleMark"));
-  // Below the buttons over the 3D view.
-  constexpr int kButtons_px = 30;
-  middle_mark_->setTopMargin(fontMetrics().height() + kButtons_px);
   side_mark_ = new ViewMark(graph_->widget());
   side_mark_->setObjectName(QStringLiteral("sideMark"));
+  const auto place_marks = [this] {
+    // Below the buttons over the 3D view, and beside that over the graph.
+    constexpr int kAroundText_px = 30;
+    const int buttons = fontMetrics().height() + kAroundText_px;
+    const bool is_swapped = swap_->isSwapped();
+    middle_mark_->setPlace(is_swapped ? 0 : buttons, is_swapped);
+    side_mark_->setPlace(is_swapped ? buttons : 0, !is_swapped);
+  };
+  connect(swap_.get(), &ViewSwap::swapped, this, place_marks);
+  place_marks();
   connect(views.steps, &StepPanel::opened, this,
           [this](int step) { setVerifying(step == static_cast<int>(GuideStep::Verify)); });
   arrange();
@@ -185,10 +195,10 @@ void Panels::shareRoom() {
   const int side = std::max(kSideCharacters * character + 16, width() * 28 / 100);
   resizeDocks({steps_, graph_}, {steps, side}, Qt::Horizontal);
   // Eight poses with their headings, where the graph has room enough all the same.
-  constexpr int kRows = 11;
-  const int poses =
-      std::min(kRows * (fontMetrics().height() + 8), height() * 36 / 100 - std::max(0, 700 - height()) / 2);
-  const int coverage = height() * 32 / 100;
+  constexpr int kRows = 13;
+  const int small = std::max(0, 700 - height()) / 2;
+  const int poses = std::max(height() / 4, std::min(kRows * (fontMetrics().height() + 8), height() * 39 / 100 - small));
+  const int coverage = height() * 31 / 100;
   resizeDocks({graph_, coverage_, poses_}, {height() - coverage - poses, coverage, poses}, Qt::Vertical);
   resizeDocks({details_}, {height() * 39 / 100}, Qt::Vertical);
 }
