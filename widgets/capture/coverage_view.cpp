@@ -72,7 +72,11 @@ struct CoverageView::Parts {
   [[nodiscard]] double apartForLegend() const;
   [[nodiscard]] QString words() const;
   [[nodiscard]] double wordsHeight(int width) const;
+  [[nodiscard]] double heightOf(const QString& text, int width) const;
   [[nodiscard]] double belowDiscs(int width) const;
+  /// With the longest of the usual sentences, whatever is said just now: the panels around this one stay where they
+  /// are.
+  [[nodiscard]] double mostBelowDiscs(int width) const;
   [[nodiscard]] Layout layout() const;
   [[nodiscard]] QPointF place(const Layout& layout, const Eigen::Vector3d& up_o) const;
   [[nodiscard]] const SeenDirection* at(const QPointF& point) const;
@@ -109,18 +113,21 @@ double CoverageView::Parts::apartForLegend() const {
   return legendWidth() + widest + 1.2 * line();
 }
 
-double CoverageView::Parts::wordsHeight(int width) const {
-  const QRect bounds =
-      view->fontMetrics().boundingRect(QRect(0, 0, std::max(1, width - 2 * kMargin), 10000), Qt::TextWordWrap, words());
-  // Room for a long sentence whatever is said just now, so that the panels around this one stay where they are.
-  const QRect usual = view->fontMetrics().boundingRect(QRect(0, 0, std::max(1, width - 2 * kMargin), 10000),
-                                                       Qt::TextWordWrap, longMissingInWords());
-  return std::max(words().isEmpty() ? 0 : bounds.height(), usual.height()) + 4;
+double CoverageView::Parts::wordsHeight(int width) const { return words().isEmpty() ? 0 : heightOf(words(), width); }
+
+double CoverageView::Parts::heightOf(const QString& text, int width) const {
+  const QRect room(0, 0, std::max(1, width - 2 * kMargin), 10000);
+  return view->fontMetrics().boundingRect(room, Qt::TextWordWrap, text).height() + 4;
 }
 
 double CoverageView::Parts::belowDiscs(int width) const {
   const double legend = apartForLegend() <= width / 2.0 ? 0 : 1.1 * line();
   return 3 + legend + 1.3 * line() + 3 * gaugeStep() + (isEmpty() ? 0 : 1.3 * line()) + wordsHeight(width);
+}
+
+double CoverageView::Parts::mostBelowDiscs(int width) const {
+  const double longer = heightOf(longMissingInWords(), width) - wordsHeight(width);
+  return belowDiscs(width) + (isEmpty() ? 1.3 * line() : 0) + std::max(0.0, longer);
 }
 
 CoverageView::Parts::Layout CoverageView::Parts::layout() const {
@@ -172,7 +179,7 @@ void CoverageView::Parts::changed() {
 
 void CoverageView::Parts::sayAnew() {
   view->setAccessibleDescription(coverageInWords(coverage, next));
-  const double height = belowDiscs(view->width());
+  const double height = mostBelowDiscs(view->width());
   if (std::exchange(said_height, height) != height) view->updateGeometry();
   changed();
 }
@@ -397,12 +404,12 @@ QSize CoverageView::sizeHint() const {
 QSize CoverageView::minimumSizeHint() const {
   const int width = static_cast<int>(2 * kLeastDisc + 4 * parts_->nowSign() + 2);
   return {width, static_cast<int>(kLeastDisc + parts_->nowSign() + 1 + kBottom +
-                                  parts_->belowDiscs(std::max(width, this->width())))};
+                                  parts_->mostBelowDiscs(std::max(width, this->width())))};
 }
 
 int CoverageView::heightForWidth(int width) const {
   const double disc = std::clamp(parts_->acrossOf(width), kLeastDisc, kMostDisc);
-  return static_cast<int>(disc + parts_->nowSign() + 1 + kBottom + parts_->belowDiscs(width));
+  return static_cast<int>(disc + parts_->nowSign() + 1 + kBottom + parts_->mostBelowDiscs(width));
 }
 
 void CoverageView::paintEvent(QPaintEvent* /*event*/) {

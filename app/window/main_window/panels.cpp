@@ -36,7 +36,7 @@ namespace {
 constexpr int kLayoutVersion = 3;
 const QString kState = QStringLiteral("window/state");
 /// So wide that the sentences of the steps can be read, whatever the size of the text.
-constexpr int kStepCharacters = 33;
+constexpr int kStepCharacters = 35;
 /// The graph, the directions and the poses with their most important columns.
 constexpr int kSideCharacters = 32;
 
@@ -127,8 +127,8 @@ QWidget* Panels::makeCentre(const Views& views) {
   centre_->addWidget(card);
   centre_->addWidget(checks_card);
   // The checks have the greater part.
-  centre_->setStretchFactor(0, 2);
-  centre_->setStretchFactor(1, 3);
+  centre_->setStretchFactor(0, 9);
+  centre_->setStretchFactor(1, 11);
   return centre_;
 }
 
@@ -149,7 +149,7 @@ void Panels::setVerifying(bool verifying) {
   }
   centre_->widget(1)->setVisible(verifying);
   // The greater part is theirs.
-  if (verifying) centre_->setSizes({width() * 2 / 5, width() * 3 / 5});
+  if (verifying) centre_->setSizes({width() * 9 / 20, width() * 11 / 20});
 }
 
 TableOrHint* Panels::makeTable(QTableView* view, const QString& hint) {

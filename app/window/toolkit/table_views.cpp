@@ -10,6 +10,7 @@
 #include <QTableView>
 #include <QTimer>
 #include <QToolTip>
+#include <algorithm>
 #include <map>
 #include <utility>
 
@@ -51,10 +52,10 @@ class ColumnChoice : public QObject {
   void choose() {
     constexpr int kLabel = 18;  // characters
     int needed = kLabel * view_->fontMetrics().averageCharWidth();
-    // That of its heading: the figures of these tables are shorter. A column that is left out has none.
+    // A column that is left out has none.
     const auto width = [this](int column) {
-      const int hint = view_->horizontalHeader()->sectionSizeHint(column);
-      if (hint > 0) widths_[column] = hint;
+      const int now = std::max(view_->horizontalHeader()->sectionSizeHint(column), view_->columnWidth(column));
+      if (!view_->isColumnHidden(column)) widths_[column] = now;
       return widths_[column];
     };
     for (int column = 0; column < view_->model()->columnCount(); ++column) {
@@ -70,7 +71,7 @@ class ColumnChoice : public QObject {
   QTableView* view_;
   std::vector<int> columns_;
   int stretched_;
-  std::map<int, int> widths_;  ///< of the headings, as they last were
+  std::map<int, int> widths_;  ///< of the columns, as they last were
 };
 
 /// Qt asks how high a text is in the whole width of its column, and then draws it beside the style sheet's padding: a

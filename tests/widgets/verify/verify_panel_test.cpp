@@ -324,7 +324,7 @@ TEST_F(VerifyPanelTest, ASurfaceThatTheCellsContradictIsNotTickedAlthoughTheyLie
   sphere.better = std::make_shared<const SurfaceEvaluation>(cylinder());
   panel_->showSurfaces({sphere}, {});
   EXPECT_THAT(sentence("surface"), testing::Not(testing::HasSubstr("That is within")));
-  EXPECT_THAT(sentence("surface"), testing::HasSubstr("the cells face 36.80° (rms) away from it"));
+  EXPECT_THAT(sentence("surface"), testing::HasSubstr("the cells are tilted against it by 36.80° (rms)"));
   EXPECT_THAT(sentence("surface"), testing::HasSubstr("Cylinder, radius 50.30 mm, with 1.00°"));
 }
 
