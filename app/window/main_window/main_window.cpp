@@ -9,6 +9,7 @@
 #include "app/window/main_window/views.h"
 #include "app/window/presenters/capture_presenter.h"
 #include "app/window/presenters/connection_presenter.h"
+#include "app/window/presenters/export_presenter.h"
 #include "app/window/presenters/file_presenter.h"
 #include "app/window/presenters/guide_presenter.h"
 #include "app/window/presenters/help_presenter.h"
@@ -96,6 +97,7 @@ struct MainWindow::Presenters {
         picked({*views.steps, *views.graph, *views.tables.link_view, *views.messages}, window.controller_,
                window.actions_, window.selection_, review),
         verify({window, *views.verify_panel, *views.patch}, window.controller_, verification, files),
+        exports(window, window.controller_, verification, window.actions_, files),
         place({window, *views.steps, *views.place_panel, *views.robot, panels.middle()}, window.controller_, placing),
         guide({*views.banner, *views.steps, *views.check_list}, window.controller_, window.actions_),
         status({window, *views.session_name, *views.status, panels.graph(), panels.poses(), *views.detail_tabs},
@@ -124,6 +126,7 @@ struct MainWindow::Presenters {
   PickedCommands picked;
   Verification verification;
   VerifyPresenter verify;
+  ExportPresenter exports;
   Placing placing;
   PlacePresenter place;
   GuidePresenter guide;

@@ -4,10 +4,9 @@
 #include "widgets/capture/coverage_view.h"
 #include "widgets/controls/selection.h"
 #include "widgets/graph/graph_view.h"
-#include "widgets/patch/patch_view.h"
-#include "widgets/patch/scene_widget.h"
 
 #include <QCoreApplication>
+#include <QPainter>
 
 namespace hexoderm {
 namespace {
@@ -16,8 +15,11 @@ struct ReportPictures {
   Q_DECLARE_TR_FUNCTIONS(hexoderm::ReportPictures)
 };
 
-// Twice the room on the page: sharp in print, and texts in it can still be read.
-constexpr QSize kSize(600, 450);
+/// Of the graph in pixels of the screen: as wide as the paper's column at the size that texts have there.
+constexpr QSize kGraph(860, 400);
+constexpr int kCoverageWidth = 420;
+/// Dots for a pixel: sharp in print.
+constexpr double kFineness = 3;
 
 /// Laid out and drawn as if it were shown, and not on any screen.
 void showNowhere(QWidget& view, QSize size) {
@@ -26,36 +28,40 @@ void showNowhere(QWidget& view, QSize size) {
   view.show();
 }
 
+template <class Draw>
+QImage fineImage(QSize size, Draw draw) {
+  QImage image(size * kFineness, QImage::Format_RGB32);
+  image.setDevicePixelRatio(kFineness);
+  image.fill(Colors::of(Theme::Light).panel);
+  QPainter painter(&image);
+  painter.setRenderHint(QPainter::Antialiasing);
+  draw(painter);
+  painter.end();
+  // On paper it is as large as its place, whatever its pixels were.
+  image.setDevicePixelRatio(1);
+  return image;
+}
+
 }  // namespace
 
 std::vector<ReportPicture> takeReportPictures(const std::shared_ptr<const Reconstruction>& reconstruction) {
   std::vector<ReportPicture> pictures;
   Selection nothing_picked;
-  PatchView patch(&nothing_picked);
-  if (patch.findChild<SceneWidget*>() != nullptr) {
-    showNowhere(patch, kSize);
-    patch.setTheme(Theme::Light);
-    patch.setReconstruction(reconstruction);
-    patch.waitUntilUpToDate();
-    for (const auto& [view, title] : {std::pair(PatchView::StandardView::Front, ReportPictures::tr("Patch, front")),
-                                      std::pair(PatchView::StandardView::Side, ReportPictures::tr("Patch, side")),
-                                      std::pair(PatchView::StandardView::Top, ReportPictures::tr("Patch, top"))}) {
-      patch.showStandardView(view);
-      patch.fit();
-      pictures.push_back({title, patch.screenshot()});
-    }
-  }
   GraphView graph(&nothing_picked);
-  showNowhere(graph, kSize);
+  showNowhere(graph, kGraph);
   graph.setTheme(Theme::Light);
   graph.setReconstruction(reconstruction);
   graph.fit();
-  pictures.push_back({ReportPictures::tr("Skin graph"), graph.grab().toImage()});
+  pictures.push_back({ReportPictures::tr("Skin graph: the patches laid flat, their links by how well the poses "
+                                         "determine them"),
+                      fineImage(kGraph, [&](QPainter& painter) { graph.picture().draw(painter); })});
   CoverageView coverage;
   coverage.setTheme(Theme::Light);
   coverage.setCoverage(coverageOf(*reconstruction));
-  showNowhere(coverage, QSize(kSize.width(), coverage.heightForWidth(kSize.width())));
-  pictures.push_back({ReportPictures::tr("Directions of gravity"), coverage.grab().toImage()});
+  const QSize size(kCoverageWidth, coverage.heightForWidth(kCoverageWidth));
+  showNowhere(coverage, size);
+  pictures.push_back({ReportPictures::tr("Directions of gravity"),
+                      fineImage(size, [&](QPainter& painter) { coverage.render(&painter); })});
   return pictures;
 }
 
