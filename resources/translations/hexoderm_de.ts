@@ -8118,10 +8118,6 @@ Auf einem entfernten Bildschirm oder mit einem fehlerhaften Treiber kann es helf
         <translation>Überprüfung</translation>
     </message>
     <message>
-        <source>%1 more rows are in the window.</source>
-        <translation>%1 weitere Zeilen stehen im Fenster.</translation>
-    </message>
-    <message>
         <source>A pose that was held out</source>
         <translation>Eine zurückgehaltene Pose</translation>
     </message>
@@ -8249,6 +8245,34 @@ Auf einem entfernten Bildschirm oder mit einem fehlerhaften Treiber kann es helf
         <source>How well the orientations of the cells are known</source>
         <translation>Wie genau die Orientierungen der Zellen bekannt sind</translation>
     </message>
+    <message>
+        <source>%1, %2</source>
+        <translation>%1, %2</translation>
+    </message>
+    <message>
+        <source>patch</source>
+        <translation>Hautstück</translation>
+    </message>
+    <message>
+        <source>Which way was up in each pose, as the largest patch saw it; rings of 30°, 60° and 90°</source>
+        <translation>Wo in jeder Pose oben war, wie das größte Hautstück es sah; Ringe von 30°, 60° und 90°</translation>
+    </message>
+    <message>
+        <source>Residuals of the links in each pose: all, the middle half, the median</source>
+        <translation>Restfehler der Verbindungen in jeder Pose: alle, die mittlere Hälfte, der Median</translation>
+    </message>
+    <message>
+        <source>pose</source>
+        <translation>Pose</translation>
+    </message>
+    <message>
+        <source>residual, °</source>
+        <translation>Restfehler, °</translation>
+    </message>
+    <message>
+        <source>Those with the largest figures; %1 more are in the window.</source>
+        <translation>Die mit den größten Werten; %1 weitere stehen im Fenster.</translation>
+    </message>
 </context>
 <context>
     <name>hexoderm::ReportPatch</name>
@@ -8284,12 +8308,19 @@ Auf einem entfernten Bildschirm oder mit einem fehlerhaften Treiber kann es helf
 <context>
     <name>hexoderm::ReportPictures</name>
     <message>
-        <source>Directions of gravity</source>
-        <translation>Richtungen der Schwerkraft</translation>
-    </message>
-    <message>
         <source>Skin graph: the patches laid flat, their links by how well the poses determine them</source>
         <translation>Hautgraph: die Hautstücke flach ausgelegt, ihre Verbindungen danach, wie gut die Posen sie bestimmen</translation>
+    </message>
+</context>
+<context>
+    <name>hexoderm::ReportPlots</name>
+    <message>
+        <source>up where the origin faces</source>
+        <translation>oben, wohin der Ursprung zeigt</translation>
+    </message>
+    <message>
+        <source>up behind it</source>
+        <translation>oben dahinter</translation>
     </message>
 </context>
 <context>

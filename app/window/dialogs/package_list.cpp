@@ -13,7 +13,7 @@ const QString kPdf = QStringLiteral("report-pdf");
 const QString kHtml = QStringLiteral("report-html");
 const QString kOwn = QStringLiteral("calibration");
 
-QString nameOf(const ExportFormatDescription& format) {
+QString packagedName(const ExportFormatDescription& format) {
   return QString::fromUtf8(format.name.data(), static_cast<int>(format.name.size()));
 }
 
@@ -26,7 +26,7 @@ PackageList::PackageList(QWidget* parent) : QListWidget(parent) {
   add({kHtml, tr("Report, HTML"), tr("the same for a browser, in one file")});
   add({kOwn, tr("Calibration"), tr("everything that is known, in Hexoderm's own file")});
   for (const ExportFormatDescription& format : exportFormats()) {
-    add({nameOf(format), nameOf(format).toUpper(), words(format.summary)});
+    add({packagedName(format), packagedName(format).toUpper(), words(format.summary)});
   }
   setCurrentRow(0);
 }
@@ -55,7 +55,7 @@ PackageRequest PackageList::request() const {
   request.report_html = names.contains(kHtml);
   request.calibration = names.contains(kOwn);
   for (const ExportFormatDescription& format : exportFormats()) {
-    if (names.contains(nameOf(format))) request.formats.push_back(format.format);
+    if (names.contains(packagedName(format))) request.formats.push_back(format.format);
   }
   return request;
 }

@@ -39,7 +39,7 @@ QString reportStyles() {
       ".figures b{display:block;font-size:20px;font-weight:600}"
       ".pictures{display:grid;gap:16px 20px;margin:12px 0}"
       "figure{margin:0;break-inside:avoid}figure img{width:100%;height:auto;display:block}"
-      "table{border-collapse:collapse;width:100%;font-size:12px;margin:8px 0;font-variant-numeric:tabular-nums}"
+      "table{border-collapse:collapse;min-width:60%;font-size:12px;margin:8px 0;font-variant-numeric:tabular-nums}"
       "th{color:@muted;font-weight:600;text-align:left;vertical-align:bottom;border-bottom:1px solid @muted}"
       "td{vertical-align:top;border-bottom:1px solid @border;overflow-wrap:anywhere}"
       "th,td{padding:4px 6px}th:first-child,td:first-child{padding-left:0}th:last-child,td:last-child{padding-right:0}"

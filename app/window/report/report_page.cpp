@@ -3,6 +3,8 @@
 #include "app/window/report/report_patch.h"
 #include "app/window/report/report_plots.h"
 #include "hexoderm/reconstruction/advice/assess.h"
+#include "hexoderm/reconstruction/advice/pose_coverage.h"
+#include "hexoderm/reconstruction/figures/review_summary.h"
 #include "hexoderm/reconstruction/result/uncertainty.h"
 #include "hexoderm/util/units.h"
 #include "widgets/words/formatting.h"
@@ -21,6 +23,10 @@ constexpr std::size_t kMostPictured = 4;
 
 QString millimetresAlone(double length_m) { return figureInWords(toMillimetres(length_m), 1); }
 
+QString hundredths(std::optional<double> angle_rad) {
+  return angle_rad ? figureInWords(toDegrees(*angle_rad), 2) + QStringLiteral("°") : noValue();
+}
+
 QString countInWords(std::size_t count) { return QLocale().toString(static_cast<qulonglong>(count)); }
 
 }  // namespace
@@ -29,8 +35,9 @@ ReportDocument ReportPage::document() {
   document_ = {};
   document_.kind = tr("Hexoderm calibration report");
   document_.name = content_.name;
-  document_.subtitle =
-      tr("%1 · %2").arg(words(sizeInWords(result_)), QLocale().toString(content_.made_at, QLocale::LongFormat));
+  document_.subtitle = tr("%1 · %2").arg(
+      words(sizeInWords(result_)), tr("%1, %2").arg(QLocale().toString(content_.made_at.date(), QLocale::LongFormat),
+                                                    QLocale().toString(content_.made_at.time(), QLocale::ShortFormat)));
   document_.foot = content_.name + QStringLiteral(" · Hexoderm " HEXODERM_VERSION " · ") +
                    QLocale().toString(content_.made_at, QLocale::ShortFormat);
   if (content_.simulated) document_.stamp = tr("SIMULATED: nothing real was measured");
@@ -126,7 +133,7 @@ void ReportPage::addKeyFigures() {
   document_.blocks.emplace_back(ReportFigures{
       {{countInWords(result_.cellCount()), tr("cells")},
        {share(used_links, result_.linkCount()), tr("links used")},
-       {countInWords(result_.patches.size()), tr("patches")},
+       {countInWords(result_.patches.size()), result_.patches.size() == 1 ? tr("patch") : tr("patches")},
        {share(used_poses, result_.poses.size()), tr("poses used")},
        {verdict.position_95_m ? tr("±%1 mm").arg(millimetresAlone(*verdict.position_95_m)) : noValue(),
         tr("position, worst cell, 95 %")},
@@ -228,8 +235,8 @@ void ReportPage::linkTable(const std::vector<const LinkEstimate*>& links) {
   for (const LinkEstimate* link : links) {
     const bool known = link->hasFigures();
     rows.push_back(
-        {{shortLinkName(*link), known ? qualityWord(link->quality) : noValue(), degreesInWords(link->knownResidual()),
-          degreesInWords(link->knownSigma()), known ? degreesInWords(link->bend_rad) : noValue(),
+        {{shortLinkName(*link), known ? qualityWord(link->quality) : noValue(), hundredths(link->knownResidual()),
+          hundredths(link->knownSigma()), known ? degreesInWords(link->bend_rad) : noValue(),
           known ? degreesInWords(link->twist_rad) : noValue(), known ? degreesInWords(link->yaw_rad) : noValue(),
           link->used ? (link->in_tree ? tr("used, in tree") : tr("used")) : tr("muted: %1").arg(mutedBecause(*link))},
          false});
@@ -290,9 +297,15 @@ void ReportPage::addPoses() {
     paragraph(tr("No poses were taken."));
     return;
   }
-  std::vector<ReportDrawing> directions;
-  addPicture(1, directions);
-  if (!directions.empty()) document_.blocks.emplace_back(ReportDrawings{2, std::move(directions)});
+  std::vector<ReportDrawing> drawings = {
+      directionsDrawing(tr("Which way was up in each pose, as the largest patch saw it; rings of 30°, 60° and 90°"),
+                        coverageOf(result_))};
+  ResidualSummary residuals = summariseResiduals(result_);
+  if (!residuals.poses.empty()) {
+    drawings.push_back(boxesDrawing({tr("Residuals of the links in each pose: all, the middle half, the median"),
+                                     std::move(residuals.poses), tr("pose"), tr("residual, °")}));
+  }
+  document_.blocks.emplace_back(ReportDrawings{2, std::move(drawings)});
   std::vector<ReportTable::Row> rows;
   for (const PoseSummary& pose : result_.poses) {
     rows.push_back(
@@ -300,10 +313,10 @@ void ReportPage::addPoses() {
           pose.enabled ? tr("used") : tr("disabled"),
           QStringLiteral("%1/%2").arg(pose.cells_measured).arg(result_.cellCount()),
           pose.noise_g > 0 ? QLocale().toString(1000 * pose.noise_g, 'f', 1) : noValue(),
-          pose.new_by_rad ? wholeDegreesInWords(*pose.new_by_rad) : noValue(), degreesInWords(pose.residual_rad)},
+          pose.new_by_rad ? wholeDegreesInWords(*pose.new_by_rad) : noValue(), hundredths(pose.residual_rad)},
          false});
   }
-  table({{tr("Pose"), true},
+  table({{tr("Pose")},
          {tr("Label")},
          {tr("State")},
          {tr("Cells"), true},

@@ -26,7 +26,7 @@ struct ReportPatch {
   Q_DECLARE_TR_FUNCTIONS(hexoderm::ReportPatch)
 };
 
-constexpr double kAspect = 0.74;
+constexpr double kSideAspect = 0.68;
 // In points.
 constexpr double kPadding = 6;
 constexpr double kFooting = 20;  ///< room for the scale bar
@@ -241,6 +241,9 @@ class SidePainter {
     const QFontMetricsF metrics(font);
     QRectF box(0, 0, metrics.horizontalAdvance(text) + 0.5 * size, 1.2 * size);
     box.moveCenter(middle);
+    const QRectF room = area_.adjusted(point_, point_, -point_, -point_);
+    box.moveLeft(std::clamp(box.left(), room.left(), std::max(room.left(), room.right() - box.width())));
+    box.moveTop(std::clamp(box.top(), room.top(), std::max(room.top(), room.bottom() - box.height())));
     painter_.setPen(Qt::NoPen);
     painter_.setBrush(Qt::white);
     painter_.drawRoundedRect(box, 0.25 * size, 0.25 * size);
@@ -261,10 +264,10 @@ class SidePainter {
 
   /// The cells that the texts speak of: the worst and the origin.
   void markCell(const SeenCell& cell) {
-    if (cell.facing <= 0 || (!isWorst(cell) && !isOrigin(cell)) || isHidden(cell)) return;
+    if (cell.facing < kFacing || (!isWorst(cell) && !isOrigin(cell)) || isHidden(cell)) return;
     const QPolygonF face = frontOf(cell);
     painter_.setBrush(Qt::NoBrush);
-    const double width = isWorst(cell) ? std::clamp(0.2 * apothem_, 1.2 * point_, 2.4 * point_) : 0;
+    const double width = cell.facing * std::clamp(0.2 * apothem_, 1.2 * point_, 2.4 * point_);
     if (isWorst(cell)) {
       painter_.setPen(QPen(Qt::white, 1.7 * width, Qt::SolidLine, Qt::SquareCap, Qt::MiterJoin));
       painter_.drawPolygon(face);
@@ -276,7 +279,7 @@ class SidePainter {
       painter_.setPen(QPen(textOn(faceColor(cell)), std::max(0.5 * point_, 0.06 * apothem_)));
       painter_.drawPolygon(ring);
     }
-    if (cell.facing >= kFacing && idSize(cell) >= kSmallestId * point_) return;
+    if (idSize(cell) >= kSmallestId * point_) return;
     const QString id = QString::number(placement(cell).cell.value());
     labelOnWhite(at(cell.middle) - QPointF(0, apothem_ + 5 * point_), id, 6.5 * point_);
   }
@@ -389,9 +392,10 @@ std::vector<ReportDrawing> patchDrawings(const std::shared_ptr<const Reconstruct
                                         ReportPatch::tr("Back"), ReportPatch::tr("Left side")};
   std::vector<ReportDrawing> drawings;
   for (std::size_t side = 0; side < names.size(); ++side) {
-    drawings.push_back({names.at(side), kAspect, [picture, side](QPainter& painter, const QRectF& area, double point) {
-                          drawSide(*picture, side, painter, area, point);
-                        }});
+    drawings.push_back(
+        {names.at(side), kSideAspect, [picture, side](QPainter& painter, const QRectF& area, double point) {
+           drawSide(*picture, side, painter, area, point);
+         }});
   }
   return drawings;
 }

@@ -305,6 +305,7 @@ class StripMaker {
   }
 
   static constexpr double kColumnGap = 3 * kMm;
+  static constexpr double kMostExtra = 14 * kMm;
 
   static std::vector<double> columnWidths(const ReportTable& table) {
     const std::size_t count = table.columns.size();
@@ -326,7 +327,8 @@ class StripMaker {
     const double least = std::accumulate(needed.begin(), needed.end(), 0.0);
     for (std::size_t k = 0; k < count; ++k) {
       if (all <= room) {
-        wanted[k] += (room - all) / static_cast<double>(count);
+        // Figures that stand far from each other are hard to read in a row.
+        wanted[k] += std::min(kMostExtra, (room - all) / static_cast<double>(count));
       } else if (least < room) {
         wanted[k] = needed[k] + (wanted[k] - needed[k]) * (room - least) / (all - least);
       } else {
@@ -361,7 +363,7 @@ class StripMaker {
                 left += widths[k] + kColumnGap;
               }
               painter.setPen(is_head ? QPen(paper().text_muted, 0.7 * kPoint) : QPen(paper().border, 0.4 * kPoint));
-              painter.drawLine(QPointF(kSide, top + height), QPointF(kSide + kWidth, top + height));
+              painter.drawLine(QPointF(kSide, top + height), QPointF(left - kColumnGap, top + height));
             },
             row.values};
   }

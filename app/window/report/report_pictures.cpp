@@ -1,7 +1,5 @@
 #include "app/window/report/report_pictures.h"
 
-#include "hexoderm/reconstruction/advice/pose_coverage.h"
-#include "widgets/capture/coverage_view.h"
 #include "widgets/controls/selection.h"
 #include "widgets/graph/graph_view.h"
 
@@ -17,7 +15,6 @@ struct ReportPictures {
 
 /// Of the graph in pixels of the screen: as wide as the paper's column at the size that texts have there.
 constexpr QSize kGraph(860, 400);
-constexpr int kCoverageWidth = 420;
 /// Dots for a pixel: sharp in print.
 constexpr double kFineness = 3;
 
@@ -55,13 +52,6 @@ std::vector<ReportPicture> takeReportPictures(const std::shared_ptr<const Recons
   pictures.push_back({ReportPictures::tr("Skin graph: the patches laid flat, their links by how well the poses "
                                          "determine them"),
                       fineImage(kGraph, [&](QPainter& painter) { graph.picture().draw(painter); })});
-  CoverageView coverage;
-  coverage.setTheme(Theme::Light);
-  coverage.setCoverage(coverageOf(*reconstruction));
-  const QSize size(kCoverageWidth, coverage.heightForWidth(kCoverageWidth));
-  showNowhere(coverage, size);
-  pictures.push_back({ReportPictures::tr("Directions of gravity"),
-                      fineImage(size, [&](QPainter& painter) { coverage.render(&painter); })});
   return pictures;
 }
 

@@ -1,8 +1,10 @@
 #include "app/window/report/report_plots.h"
 
+#include "hexoderm/util/units.h"
 #include "widgets/style/palette.h"
 #include "widgets/words/formatting.h"
 
+#include <QCoreApplication>
 #include <QFontMetricsF>
 #include <QLocale>
 #include <QPainter>
@@ -11,6 +13,10 @@
 
 namespace hexoderm {
 namespace {
+
+struct ReportPlots {
+  Q_DECLARE_TR_FUNCTIONS(hexoderm::ReportPlots)
+};
 
 // In points.
 constexpr double kTickText = 7;
@@ -46,7 +52,7 @@ class HistogramPainter {
     top_ = step_ * ((largest + step_ - 1) / step_);
     const double left = metrics_.horizontalAdvance(QLocale().toString(static_cast<qulonglong>(top_))) + 6 * point_;
     const double below = 2 * metrics_.height() + (kTick + 3) * point_ + (plot.is_legend ? kScaleBar * point_ : 0);
-    const double above = metrics_.height() * (plot.marks.empty() ? 1.3 : 2.5);
+    const double above = metrics_.height() * (plot.marks.empty() ? 1.3 : 3.4);
     frame_ = area.adjusted(left, above, -6 * point_, -below);
     area_ = area;
   }
@@ -77,8 +83,8 @@ class HistogramPainter {
                        2 * metrics_.height());
       painter_.drawText(box, Qt::AlignRight | Qt::AlignVCenter, QLocale().toString(static_cast<qulonglong>(count)));
     }
-    painter_.drawText(QRectF(frame_.left(), area_.top(), frame_.width(), metrics_.height()),
-                      Qt::AlignLeft | Qt::AlignTop, plot_.count);
+    painter_.drawText(QRectF(area_.left(), area_.top(), area_.width(), metrics_.height()), Qt::AlignLeft | Qt::AlignTop,
+                      plot_.count);
   }
 
   void drawBars() {
@@ -166,6 +172,64 @@ class HistogramPainter {
   std::size_t top_ = 1;
 };
 
+/// 1, 2 or 5 times a power of ten: at most four steps to the largest value.
+double valueStep(double largest) {
+  constexpr double kSteps = 4;
+  for (double decade = std::pow(10.0, std::floor(std::log10(largest / kSteps)));; decade *= 10) {
+    for (const double step : {1.0, 2.0, 5.0}) {
+      if (step * decade * kSteps >= largest * (1 - 1e-9)) return step * decade;
+    }
+  }
+}
+
+void drawBoxes(const BoxPlot& plot, QPainter& painter, const QRectF& area, double point) {
+  const Colors& colors = Colors::of(Theme::Light);
+  const QFont font = reportFont(kTickText * point);
+  const QFontMetricsF metrics(font);
+  double largest = 1e-9;
+  for (const PoseResiduals& pose : plot.poses) largest = std::max(largest, toDegrees(pose.largest));
+  const double step = valueStep(largest);
+  const double top = step * std::ceil(largest / step - 1e-9);
+  const int decimals = decimalsOf(step);
+  const double left = metrics.horizontalAdvance(figureInWords(top, decimals)) + 6 * point;
+  const QRectF frame = area.adjusted(left, 1.5 * metrics.height(), 0, -2.3 * metrics.height());
+  const auto y = [&](double degrees) { return frame.bottom() - frame.height() * degrees / top; };
+  painter.setFont(font);
+  for (double value = 0; value <= top * (1 + 1e-9); value += step) {
+    painter.setPen(QPen(colors.border, kHairline * point));
+    painter.drawLine(QPointF(frame.left(), y(value)), QPointF(frame.right(), y(value)));
+    painter.setPen(colors.text_muted);
+    painter.drawText(QRectF(area.left(), y(value) - metrics.height(), left - 3 * point, 2 * metrics.height()),
+                     Qt::AlignRight | Qt::AlignVCenter, figureInWords(value, decimals));
+  }
+  painter.drawText(QRectF(area.left(), area.top(), area.width(), metrics.height()), Qt::AlignLeft | Qt::AlignTop,
+                   plot.value);
+  painter.drawText(QRectF(frame.left(), area.bottom() - metrics.height(), frame.width(), metrics.height()),
+                   Qt::AlignHCenter | Qt::AlignBottom, plot.axis);
+  const double width = frame.width() / static_cast<double>(std::max<std::size_t>(1, plot.poses.size()));
+  double free_from = frame.left() - width;
+  for (std::size_t k = 0; k < plot.poses.size(); ++k) {
+    const PoseResiduals& pose = plot.poses[k];
+    const double x = frame.left() + width * (static_cast<double>(k) + 0.5);
+    const double half = std::min(width * 0.3, 8 * point);
+    painter.setPen(QPen(colors.text, 0.7 * point));
+    painter.drawLine(QPointF(x, y(toDegrees(pose.least))), QPointF(x, y(toDegrees(pose.largest))));
+    painter.setBrush(colors.accent);
+    painter.setPen(Qt::NoPen);
+    painter.drawRect(QRectF(QPointF(x - half, y(toDegrees(pose.upper_quartile))),
+                            QPointF(x + half, y(toDegrees(pose.lower_quartile)))));
+    painter.setPen(QPen(Qt::white, 1.1 * point, Qt::SolidLine, Qt::FlatCap));
+    painter.drawLine(QPointF(x - half, y(toDegrees(pose.median))), QPointF(x + half, y(toDegrees(pose.median))));
+    const QString id = QString::number(pose.pose.value());
+    const double room = metrics.horizontalAdvance(id) + 3 * point;
+    if (x - room / 2 < free_from) continue;
+    free_from = x + room / 2;
+    painter.setPen(colors.text);
+    painter.drawText(QRectF(x - room, frame.bottom() + 2 * point, 2 * room, metrics.height()),
+                     Qt::AlignHCenter | Qt::AlignTop, id);
+  }
+}
+
 }  // namespace
 
 QFont reportFont(double pixels, bool is_bold) {
@@ -177,6 +241,54 @@ QFont reportFont(double pixels, bool is_bold) {
 }
 
 QColor reportScale(double share) { return viridis(std::clamp(share, 0.0, 1.0)); }
+
+ReportDrawing directionsDrawing(const QString& caption, const PoseCoverage& coverage) {
+  constexpr double kAspect = 0.5;
+  return {caption, kAspect, [coverage](QPainter& painter, const QRectF& area, double point) {
+            const Colors& colors = Colors::of(Theme::Light);
+            const QFont small = reportFont(kTickText * point);
+            const double line = QFontMetricsF(small).height();
+            const double radius = std::min(area.width() / 4 - 6 * point, (area.height() - 2 * line) / 2);
+            for (const Hemisphere side : {Hemisphere::Front, Hemisphere::Back}) {
+              const bool is_front = side == Hemisphere::Front;
+              const QPointF middle(area.left() + area.width() * (is_front ? 0.25 : 0.75),
+                                   area.top() + radius + 2 * point);
+              painter.setBrush(Qt::NoBrush);
+              for (const double angle : {30 * kDegree, 60 * kDegree, 90 * kDegree}) {
+                painter.setPen(QPen(angle > 1.5 ? colors.text_muted : colors.border, kHairline * point));
+                painter.drawEllipse(middle, radius * discRadius(angle), radius * discRadius(angle));
+              }
+              painter.setPen(QPen(colors.border, kHairline * point));
+              painter.drawLine(middle - QPointF(radius, 0), middle + QPointF(radius, 0));
+              painter.drawLine(middle - QPointF(0, radius), middle + QPointF(0, radius));
+              for (const SeenDirection& seen : coverage.seen) {
+                if (seen.at.side != side) continue;
+                const QPointF at = middle + radius * QPointF(seen.at.at.x(), -seen.at.at.y());
+                painter.setPen(QPen(seen.enabled ? Qt::white : colors.text_muted, 0.8 * point));
+                painter.setBrush(seen.enabled ? colors.accent : QColor(Qt::white));
+                painter.drawEllipse(at, 5.5 * point, 5.5 * point);
+                painter.setPen(seen.enabled ? textOn(colors.accent) : colors.text_muted);
+                painter.setFont(reportFont(6.5 * point, true));
+                painter.drawText(QRectF(at - QPointF(8 * point, 6 * point), QSizeF(16 * point, 12 * point)),
+                                 Qt::AlignCenter, QString::number(seen.pose.value()));
+              }
+              painter.setFont(small);
+              painter.setPen(colors.text_muted);
+              painter.drawText(
+                  QRectF(middle.x() - area.width() / 4, middle.y() + radius + 3 * point, area.width() / 2, 1.2 * line),
+                  Qt::AlignCenter,
+                  is_front ? ReportPlots::tr("up where the origin faces") : ReportPlots::tr("up behind it"));
+            }
+          }};
+}
+
+ReportDrawing boxesDrawing(BoxPlot plot) {
+  constexpr double kAspect = 0.5;
+  const QString caption = plot.caption;
+  return {caption, kAspect, [plot = std::move(plot)](QPainter& painter, const QRectF& area, double point) {
+            drawBoxes(plot, painter, area, point);
+          }};
+}
 
 ReportDrawing histogramDrawing(HistogramPlot plot) {
   constexpr double kAspect = 0.5;

@@ -1,7 +1,9 @@
 #pragma once
 
 #include "app/window/report/report_blocks.h"
+#include "hexoderm/reconstruction/advice/pose_coverage.h"
 #include "hexoderm/reconstruction/figures/distribution.h"
+#include "hexoderm/reconstruction/figures/review_summary.h"
 
 #include <QColor>
 #include <QFont>
@@ -31,5 +33,17 @@ struct HistogramPlot {
   std::vector<Mark> marks;  ///< those outside the axis are not drawn
 };
 ReportDrawing histogramDrawing(HistogramPlot plot);
+
+/// The residuals of the links in each pose: their whole range as a line, their middle half as a box, the median in it.
+struct BoxPlot {
+  QString caption;
+  std::vector<PoseResiduals> poses;
+  QString axis;   ///< below the horizontal one: "pose"
+  QString value;  ///< over the vertical one, with the unit
+};
+ReportDrawing boxesDrawing(BoxPlot plot);
+
+/// The up directions of the poses on two discs, with rings of 30, 60 and 90 degrees; disabled poses are hollow.
+ReportDrawing directionsDrawing(const QString& caption, const PoseCoverage& coverage);
 
 }  // namespace hexoderm

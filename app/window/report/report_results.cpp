@@ -13,6 +13,7 @@
 #include <QFileInfo>
 #include <QLocale>
 #include <algorithm>
+#include <cmath>
 
 namespace hexoderm {
 namespace {
@@ -21,8 +22,9 @@ namespace {
 constexpr std::size_t kMostRows = 400;
 /// Of a larger skin, those that matter most.
 constexpr std::size_t kWorstRows = 100;
-/// Of the figures behind a check.
-constexpr std::size_t kCheckRows = 16;
+/// Of the figures behind a check; of more the largest stand for all.
+constexpr std::size_t kCheckRows = 20;
+constexpr std::size_t kWorstCheckRows = 12;
 
 QString tenths(double length_m) { return figureInWords(toMillimetres(length_m), 1); }
 
@@ -39,14 +41,18 @@ double largestFigure(const CellSummary& cell) {
   return cell.stated ? cell.stated->position_m : 0;
 }
 
-/// The figures behind a check, the remarkable ones first where they are too many.
+/// The figures behind a check; where they are too many, the remarkable and the largest ones.
 ReportTable tableOf(VerifyFigures figures, std::size_t* left_out) {
   ReportTable table;
   for (const ResultTable::Column& column : figures.columns) table.columns.push_back({column.name, !column.is_text});
+  if (!table.columns.empty()) table.columns.front().is_figure = false;  // IDs
   if (figures.rows.size() > kCheckRows) {
-    std::ranges::stable_partition(figures.rows, &ResultTable::Row::remarkable);
-    *left_out += figures.rows.size() - kCheckRows;
-    figures.rows.resize(kCheckRows);
+    std::ranges::stable_sort(figures.rows, [](const ResultTable::Row& a, const ResultTable::Row& b) {
+      if (a.remarkable != b.remarkable) return a.remarkable;
+      return std::abs(a.values.at(1).toDouble()) > std::abs(b.values.at(1).toDouble());
+    });
+    *left_out += figures.rows.size() - kWorstCheckRows;
+    figures.rows.resize(kWorstCheckRows);
   }
   for (const ResultTable::Row& row : figures.rows) {
     ReportTable::Row added{{}, row.remarkable};
@@ -67,7 +73,7 @@ void ReportPage::addVerify() {
     if (found.rows.empty()) return;
     std::size_t left_out = 0;
     document_.blocks.emplace_back(tableOf(std::move(found), &left_out));
-    if (left_out > 0) note(tr("%1 more rows are in the window.").arg(left_out));
+    if (left_out > 0) note(tr("Those with the largest figures; %1 more are in the window.").arg(left_out));
   };
   const auto say = [this](const VerifySentence& sentence) { paragraph(sentence.text, sentence.tone); };
   const VerifyOutcome& verify = content_.verify;
@@ -150,7 +156,7 @@ void ReportPage::addPlaces() {
   note(tr(
       "Where the frame of each patch, that of its origin cell, lies in the frame of its link: position in mm, turn as "
       "roll, pitch and yaw as in a URDF; ± at 95 %, along or about the worst axis."));
-  table({{tr("Patch of cell"), true},
+  table({{tr("Patch of cell")},
          {tr("Link")},
          {tr("x mm"), true},
          {tr("y mm"), true},
@@ -197,7 +203,7 @@ void ReportPage::addCells() {
                                                            : tr("through its links")},
                     false});
   }
-  table({{tr("Cell"), true},
+  table({{tr("Cell")},
          {tr("Patch"), true},
          {tr("Body part")},
          {tr("x mm"), true},

@@ -313,7 +313,8 @@ TEST_F(ReportWindow, IsWrittenFromTheMenuAndAsksOnceForItsTitle) {
   ASSERT_NE(form, nullptr);
   EXPECT_FALSE(form->isModal());
   // By the keyboard alone, from field to field.
-  ASSERT_EQ(QApplication::focusWidget(), form->findChild<QLineEdit*>("reportRobot"));
+  form->activateWindow();
+  ASSERT_TRUE(waitUntil([&] { return QApplication::focusWidget() == form->findChild<QLineEdit*>("reportRobot"); }));
   QTest::keyClicks(QApplication::focusWidget(), "Toro 3");
   QTest::keyClick(QApplication::focusWidget(), Qt::Key_Tab);
   QTest::keyClicks(QApplication::focusWidget(), "forearm");
