@@ -56,6 +56,7 @@ struct ReportTable {
   };
   std::vector<Column> columns;
   std::vector<Row> rows;
+  QString note{};  ///< below it, small and grey; empty: none
 };
 
 /// Draws itself into an area; `point` is a typographic point in the painter's units, for texts and lines. Called on the

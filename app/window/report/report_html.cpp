@@ -215,6 +215,7 @@ class HtmlMaker {
       html_ += QStringLiteral("</tr>\n");
     }
     html_ += QStringLiteral("</tbody></table>\n");
+    if (!table.note.isEmpty()) element("p", table.note, "note");
   }
 
   QString html_;

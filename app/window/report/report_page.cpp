@@ -65,8 +65,9 @@ void ReportPage::paragraph(const QString& text, Tone tone) {
 
 void ReportPage::note(const QString& text) { document_.blocks.emplace_back(ReportParagraph{text, true}); }
 
-void ReportPage::table(std::vector<ReportTable::Column> columns, std::vector<ReportTable::Row> rows) {
-  document_.blocks.emplace_back(ReportTable{std::move(columns), std::move(rows)});
+void ReportPage::table(std::vector<ReportTable::Column> columns, std::vector<ReportTable::Row> rows,
+                       const QString& note) {
+  document_.blocks.emplace_back(ReportTable{std::move(columns), std::move(rows), note});
 }
 
 void ReportPage::addPicture(std::size_t index, std::vector<ReportDrawing>& drawings) const {

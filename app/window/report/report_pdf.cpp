@@ -66,8 +66,11 @@ class StripMaker {
  public:
   explicit StripMaker(const ReportDocument& document) {
     addTitle(document);
-    for (const ReportBlock& block : document.blocks) {
-      std::visit([this](const auto& kind) { add(kind); }, block);
+    for (std::size_t k = 0; k < document.blocks.size(); ++k) {
+      const ReportBlock* next = k + 1 < document.blocks.size() ? &document.blocks[k + 1] : nullptr;
+      leads_ = next != nullptr &&
+               (std::holds_alternative<ReportTable>(*next) || std::holds_alternative<ReportDrawings>(*next));
+      std::visit([this](const auto& kind) { add(kind); }, document.blocks[k]);
     }
   }
   [[nodiscard]] const std::vector<std::shared_ptr<const Strip>>& strips() const { return strips_; }
@@ -169,14 +172,14 @@ class StripMaker {
   void add(const ReportParagraph& paragraph) {
     ReportTextStyle style = paragraph.is_note ? muted(8) : body(9);
     if (paragraph.tone == Tone::Neutral) {
-      pushText(paragraph.text, style, 1.5 * kMm, paragraph.is_note);
+      pushText(paragraph.text, style, 1.5 * kMm, leads_);
       return;
     }
     // A bar of the tone's colour, as the verdict has it; the words say the same.
     auto laid = std::make_shared<const ReportText>(paragraph.text, style, kWidth - 4 * kMm);
     push({1.8 * kMm,
           laid->height(),
-          false,
+          leads_,
           {},
           [laid, color = colorOf(paragraph.tone)](QPainter& painter, double top) {
             painter.fillRect(QRectF(kSide, top, 0.9 * kMm, laid->height()), color);
@@ -238,19 +241,18 @@ class StripMaker {
   }
 
   void add(const ReportPairs& pairs) {
-    double names = 0;
-    for (const auto& [name, value] : pairs.rows) names = std::max(names, ReportText::widthOf(name, muted(8)));
-    names = std::min(names + 4 * kMm, kWidth / 3);
+    constexpr double kNames = (kWidth + kGutter) / 3;  // one column of three
+    std::size_t left = pairs.rows.size();
     for (const auto& [name, value] : pairs.rows) {
-      auto laid = std::make_shared<const std::pair<ReportText, ReportText>>(ReportText(name, muted(8), names - 2 * kMm),
-                                                                            ReportText(value, body(8), kWidth - names));
+      auto laid = std::make_shared<const std::pair<ReportText, ReportText>>(
+          ReportText(name, muted(8), kNames - 2 * kMm), ReportText(value, body(8), kWidth - kNames));
       push({0.8 * kMm,
             std::max(laid->first.height(), laid->second.height()),
-            false,
+            --left > 0,  // they are few, and stay together
             {},
-            [laid, names](QPainter& painter, double top) {
+            [laid](QPainter& painter, double top) {
               laid->first.draw(painter, {kSide, top});
-              laid->second.draw(painter, {kSide + names, top});
+              laid->second.draw(painter, {kSide + kNames, top});
             },
             {name, value}});
     }
@@ -299,9 +301,11 @@ class StripMaker {
       Strip row = tableRow(table, widths, table.rows[k], false);
       row.repeated = head;
       // Neither the first nor the last row stands alone.
-      row.stays_with_next = table.rows.size() > 1 && (k == 0 || k + 2 == table.rows.size());
+      const bool is_last = k + 1 == table.rows.size();
+      row.stays_with_next = is_last ? !table.note.isEmpty() : k == 0 || k + 2 == table.rows.size();
       push(std::move(row));
     }
+    if (!table.note.isEmpty()) pushText(table.note, muted(8), 1.5 * kMm);
   }
 
   static constexpr double kColumnGap = 3 * kMm;
@@ -369,6 +373,7 @@ class StripMaker {
   }
 
   std::vector<std::shared_ptr<const Strip>> strips_;
+  bool leads_ = false;  ///< a table or drawings follow
 };
 
 /// Shares the strips out among pages.

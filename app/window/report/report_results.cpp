@@ -72,8 +72,9 @@ void ReportPage::addVerify() {
   const auto figures = [this](VerifyFigures found) {
     if (found.rows.empty()) return;
     std::size_t left_out = 0;
-    document_.blocks.emplace_back(tableOf(std::move(found), &left_out));
-    if (left_out > 0) note(tr("Those with the largest figures; %1 more are in the window.").arg(left_out));
+    ReportTable made = tableOf(std::move(found), &left_out);
+    if (left_out > 0) made.note = tr("Those with the largest figures; %1 more are in the window.").arg(left_out);
+    document_.blocks.emplace_back(std::move(made));
   };
   const auto say = [this](const VerifySentence& sentence) { paragraph(sentence.text, sentence.tone); };
   const VerifyOutcome& verify = content_.verify;
@@ -215,10 +216,10 @@ void ReportPage::addCells() {
          {tr("Shape ± turn"), true},
          {tr("Residual"), true},
          {tr("Placed")}},
-        std::move(rows));
-  if (all > cells.size()) {
-    note(tr("%1 more cells are in the calibration file and in the exported tables.").arg(all - cells.size()));
-  }
+        std::move(rows),
+        all == cells.size()
+            ? QString()
+            : tr("%1 more cells are in the calibration file and in the exported tables.").arg(all - cells.size()));
 }
 
 void ReportPage::addAllLinks() {

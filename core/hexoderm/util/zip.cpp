@@ -78,6 +78,7 @@ std::vector<ZipEntry> zipEntries(std::string_view bytes, const std::string& file
   const auto fail = [&file](const std::string& why) {
     throw FormatError(located(file, message("is no whole zip archive: {}", why)));
   };
+  if (bytes.empty()) fail("it is empty");  // libzip would begin a new one
   ZipFault fault;
   ZipSource source(zip_source_buffer_create(bytes.data(), bytes.size(), 0, fault.get()));
   if (!source) fail(fault.words());

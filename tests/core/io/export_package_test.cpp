@@ -36,7 +36,16 @@ class ExportPackage : public ExportTest {
     return names;
   }
 
-  const Reconstruction skin_ = demoReconstruction();
+  /// As it is read back: a calibration has a residual, or none, for each link in each pose.
+  static Reconstruction skin() {
+    Reconstruction result = demoReconstruction();
+    for (PatchReconstruction& patch : result.patches) {
+      for (LinkEstimate& link : patch.links) link.pose_residual_rad.resize(result.poses.size());
+    }
+    return result;
+  }
+
+  const Reconstruction skin_ = skin();
 };
 
 TEST_F(ExportPackage, IsAFolderWithEverythingAndAManifestThatNamesIt) {

@@ -26,8 +26,10 @@ std::size_t binsOf(double least, double largest, double width) {
 double roundWidth(double least, double largest, std::size_t most_bins) {
   const double range = largest - least;
   const double size = std::max(std::abs(least), std::abs(largest));
-  // Values that are all alike have a bin about them; below this their difference is rounding.
-  const double wanted = std::max({range / static_cast<double>(most_bins), size * 1e-6, 1e-12});
+  // Values that are all alike have a bin about them, as wide as a figure of their size can be read.
+  constexpr double kRounding = 1e-6;
+  const double width_of_one = size > 0 ? size / 10 : 1.0;
+  const double wanted = range > kRounding * size ? range / static_cast<double>(most_bins) : width_of_one;
   for (double decade = std::pow(10.0, std::floor(std::log10(wanted)));; decade *= 10) {
     for (const double step : {1.0, 2.0, 5.0}) {
       const double width = step * decade;
