@@ -8,18 +8,24 @@
 
 #include <QDateTime>
 #include <QImage>
+#include <QSize>
 #include <QString>
 #include <QStringList>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <vector>
 
+class QPainter;
+
 namespace hexoderm {
 
-/// A picture for the report; a widget's picture must be taken on the GUI thread.
+/// A picture for the report: an image, or what draws one of a size on the thread that writes the report.
 struct ReportPicture {
   QString title;  ///< under the picture: "Skin graph"
-  QImage image;
+  QImage image{};
+  std::function<void(QPainter& painter)> draw{};
+  QSize size{};  ///< that `draw` fills, in pixels of a screen
 };
 
 /// What stands at the head of a report besides the name of the file, in the operator's words. Empty ones are left out.
@@ -53,7 +59,7 @@ struct VerifyOutcome {
 struct ReportContent {
   std::shared_ptr<const Reconstruction> reconstruction;  ///< not null
   QString name;                                          ///< name of the session or calibration
-  std::vector<ReportPicture> pictures;                   ///< null images are left out
+  std::vector<ReportPicture> pictures;                   ///< those that are neither are left out
   QDateTime made_at;
   ReportTitle title{};
   VerifyOutcome verify{};

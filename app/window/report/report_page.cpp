@@ -27,6 +27,17 @@ QString hundredths(std::optional<double> angle_rad) {
   return angle_rad ? figureInWords(toDegrees(*angle_rad), 2) + QStringLiteral("°") : noValue();
 }
 
+QImage fineImage(const ReportPicture& picture) {
+  constexpr double kDots = 3;  // for a pixel of the screen: sharp in print
+  QImage image(picture.size * kDots, QImage::Format_RGB32);
+  image.fill(Qt::white);
+  QPainter painter(&image);
+  painter.setRenderHint(QPainter::Antialiasing);
+  painter.scale(kDots, kDots);
+  picture.draw(painter);
+  return image;
+}
+
 QString countInWords(std::size_t count) { return QLocale().toString(static_cast<qulonglong>(count)); }
 
 }  // namespace
@@ -71,10 +82,13 @@ void ReportPage::table(std::vector<ReportTable::Column> columns, std::vector<Rep
 }
 
 void ReportPage::addPicture(std::size_t index, std::vector<ReportDrawing>& drawings) const {
-  if (index >= content_.pictures.size() || content_.pictures[index].image.isNull()) return;
+  if (index >= content_.pictures.size()) return;
   const ReportPicture& picture = content_.pictures[index];
-  drawings.push_back({picture.title, static_cast<double>(picture.image.height()) / picture.image.width(),
-                      [image = picture.image](QPainter& painter, const QRectF& area, double) {
+  const QSize size = picture.draw ? picture.size : picture.image.size();
+  if (size.isEmpty()) return;
+  drawings.push_back({picture.title, static_cast<double>(size.height()) / size.width(),
+                      [picture](QPainter& painter, const QRectF& area, double) {
+                        const QImage image = picture.draw ? fineImage(picture) : picture.image;
                         painter.setRenderHint(QPainter::SmoothPixmapTransform);
                         painter.drawImage(area, image, QRectF(image.rect()));
                       }});

@@ -13,46 +13,27 @@ struct ReportPictures {
   Q_DECLARE_TR_FUNCTIONS(hexoderm::ReportPictures)
 };
 
-/// Of the graph in pixels of the screen: as wide as the paper's column at the size that texts have there.
+/// As wide as the paper's column at the size that texts have there.
 constexpr QSize kGraph(860, 400);
-/// Dots for a pixel: sharp in print.
-constexpr double kFineness = 3;
-
-/// Laid out and drawn as if it were shown, and not on any screen.
-void showNowhere(QWidget& view, QSize size) {
-  view.setAttribute(Qt::WA_DontShowOnScreen);
-  view.resize(size);
-  view.show();
-}
-
-template <class Draw>
-QImage fineImage(QSize size, Draw draw) {
-  QImage image(size * kFineness, QImage::Format_RGB32);
-  image.setDevicePixelRatio(kFineness);
-  image.fill(Colors::of(Theme::Light).panel);
-  QPainter painter(&image);
-  painter.setRenderHint(QPainter::Antialiasing);
-  draw(painter);
-  painter.end();
-  // On paper it is as large as its place, whatever its pixels were.
-  image.setDevicePixelRatio(1);
-  return image;
-}
 
 }  // namespace
 
 std::vector<ReportPicture> takeReportPictures(const std::shared_ptr<const Reconstruction>& reconstruction) {
-  std::vector<ReportPicture> pictures;
   Selection nothing_picked;
   GraphView graph(&nothing_picked);
-  showNowhere(graph, kGraph);
+  // Laid out as if it were shown, and not on any screen.
+  graph.setAttribute(Qt::WA_DontShowOnScreen);
+  graph.resize(kGraph);
+  graph.show();
   graph.setTheme(Theme::Light);
   graph.setReconstruction(reconstruction);
   graph.fit();
-  pictures.push_back({ReportPictures::tr("Skin graph: the patches laid flat, their links by how well the poses "
-                                         "determine them"),
-                      fineImage(kGraph, [&](QPainter& painter) { graph.picture().draw(painter); })});
-  return pictures;
+  ReportPicture picture;
+  picture.title =
+      ReportPictures::tr("Skin graph: the patches laid flat, their links by how well the poses determine them");
+  picture.size = kGraph;
+  picture.draw = [drawn = graph.picture()](QPainter& painter) { drawn.draw(painter); };
+  return {picture};
 }
 
 }  // namespace hexoderm
