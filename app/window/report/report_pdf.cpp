@@ -274,7 +274,7 @@ class StripMaker {
       }
       push({3 * kMm,
             picture + 1 * kMm + caption,
-            last < row.drawings.size(),
+            false,
             {},
             [drawings, width, picture](QPainter& painter, double top) {
               double left = kSide;

@@ -121,7 +121,8 @@ TEST(Report, CarriesItsPicturesAndLeavesOutThoseThatAreNone) {
   const auto pictures = picturesIn(html);
   ASSERT_TRUE(pictures.count(QStringLiteral("Patch, front")));
   EXPECT_FALSE(pictures.count(QStringLiteral("nothing")));
-  EXPECT_EQ(static_cast<int>(pictures.size()), html.count(QStringLiteral("<img "))) << "every picture has its words";
+  EXPECT_EQ(html.count(QStringLiteral("<figcaption>")), html.count(QStringLiteral("<img ")))
+      << "every picture has its words";
 }
 
 TEST(Report, ShowsThePatchFromFourSidesWithScaleBarsAndIds) {
@@ -283,7 +284,7 @@ TEST(Report, OfALargeSkinListsTheWorstCellsAndSaysHowManyAreMissing) {
   const CellPlacement cell = result.patches[0].cells[0];
   while (result.patches[0].cells.size() < 1000) result.patches[0].cells.push_back(cell);
   const QString text = textOf(reportHtml(contentOf(result)));
-  EXPECT_TRUE(text.contains(QStringLiteral("900 more cells"))) << result.cellCount();
+  EXPECT_TRUE(text.contains(QStringLiteral("901 more cells"))) << result.cellCount();
 }
 
 TEST(Report, IsWrittenWholeOrNotAtAll) {
