@@ -4613,7 +4613,6 @@ Die Werte sagen, wie gut die Posen die Drehung der Zellen in drei Achsen festhal
         <translation>Nach der fehlenden Verbindung suchen oder Hautstück für Hautstück exportieren.</translation>
     </message>
     <message>
-<<<<<<< HEAD
         <source>&quot;{}&quot; is none of its values</source>
         <translation>„{}“ ist keiner der möglichen Werte</translation>
     </message>
@@ -6004,14 +6003,14 @@ Die Werte sagen, wie gut die Posen die Drehung der Zellen in drei Achsen festhal
     <message>
         <source>package: expected NAME=FOLDER, found &quot;{}&quot;</source>
         <translation>package: erwartet ist NAME=ORDNER, gefunden wurde „{}“</translation>
-=======
+    </message>
+    <message>
         <source>Usable: {} at the worst measured cell (95 %), {}.</source>
         <translation>Brauchbar: {} an der schlechtesten gemessenen Zelle (95 %), {}.</translation>
     </message>
     <message>
         <source>Not enough: {} at the worst measured cell (95 %), {}.</source>
         <translation>Nicht genug: {} an der schlechtesten gemessenen Zelle (95 %), {}.</translation>
->>>>>>> a491a58e (Where cells are placed through their links, the stated uncertainty is said to be that of the worst measured cell)
     </message>
 </context>
 <context>
