@@ -9,6 +9,7 @@
 #include <QLocale>
 #include <QPainter>
 #include <QPolygonF>
+#include <QTimer>
 #include <QVBoxLayout>
 #include <algorithm>
 #include <array>
@@ -21,7 +22,8 @@ constexpr double kHalfLane = 0.48;
 constexpr double kLimitsInHalfLane = 1.6;
 constexpr double kRibbon = -0.62;
 constexpr double kTop = 2.55;
-constexpr double kLetters_s = 0.4;  // room on the left for the names of the axes
+constexpr int kRefreshEvery_ms = 100;  // readings come twice as often; a strip of ten seconds does not show it
+constexpr double kLetters_s = 0.4;     // room on the left for the names of the axes
 constexpr std::array<const char*, 3> kAxes = {"x", "y", "z"};
 
 double laneOf(int axis) { return 2.0 - axis; }
@@ -171,11 +173,24 @@ struct StillnessView::Parts {
   QLabel* nothing = nullptr;
   Ground* ground = nullptr;  ///< the plot's
   Curves* curves = nullptr;  ///< likewise
+  QTimer refresh_soon;
 
   void refresh();
+  /// At once if nothing is drawn yet.
+  void refreshSoon();
 };
 
+void StillnessView::Parts::refreshSoon() {
+  if (!view->isVisible()) return;
+  if (plot->isHidden()) {
+    refresh();
+  } else if (!refresh_soon.isActive()) {
+    refresh_soon.start();
+  }
+}
+
 void StillnessView::Parts::refresh() {
+  refresh_soon.stop();
   if (!view->isVisible()) return;
   const bool empty = trace.points().empty();
   if (nothing->isHidden() == empty) {
@@ -235,6 +250,9 @@ StillnessView::StillnessView(QWidget* parent) : QWidget(parent), parts_(std::mak
   layout->addWidget(plot, 1);
   layout->addWidget(parts_->nothing, 1);
   plot->hide();
+  parts_->refresh_soon.setSingleShot(true);
+  parts_->refresh_soon.setInterval(kRefreshEvery_ms);
+  connect(&parts_->refresh_soon, &QTimer::timeout, this, [this] { parts_->refresh(); });
   setTheme(Theme::Light);
 }
 
@@ -245,7 +263,7 @@ StillnessView::~StillnessView() {
 
 void StillnessView::add(const HoldStatus& hold, const SkinPreview& preview) {
   parts_->trace.add(hold, preview);
-  parts_->refresh();
+  parts_->refreshSoon();
 }
 
 void StillnessView::addCaptured(PoseId pose, double time_s) {
