@@ -130,6 +130,15 @@ class Ground : public QwtPlotItem {
   Theme theme_ = Theme::Light;
 };
 
+/// Draws a long line piece by piece. Qt's rasterizer looks through all that crosses a row of pixels for each edge that
+/// does, so that a line that swings up and down takes ten times as long in one piece.
+void drawInPieces(QPainter& painter, const QPolygonF& line) {
+  constexpr int kPiece = 12;
+  for (int from = 0; from + 1 < line.size(); from += kPiece) {
+    painter.drawPolyline(line.constData() + from, std::min(kPiece + 1, static_cast<int>(line.size()) - from));
+  }
+}
+
 /// The three axes in their lanes. Not Qwt's own curve: its header is no C++20 (destructors with template arguments).
 class Curves : public QwtPlotItem {
  public:
@@ -140,7 +149,8 @@ class Curves : public QwtPlotItem {
             const QRectF& /*canvas*/) const override {
     painter->setRenderHint(QPainter::Antialiasing);
     for (int axis = 0; axis < 3; ++axis) {
-      painter->setPen(QPen(Colors::of(theme_).axis.at(static_cast<std::size_t>(axis)), 1.5));
+      painter->setPen(
+          QPen(Colors::of(theme_).axis.at(static_cast<std::size_t>(axis)), 1.5, Qt::SolidLine, Qt::FlatCap));
       QPolygonF line;
       for (const TracePoint& point : trace_->points()) {
         if (point.deviation_g) {
@@ -148,11 +158,11 @@ class Curves : public QwtPlotItem {
           line.append({across.transform(point.time_s - trace_->now_s()),
                        up.transform(laneOf(axis) + std::clamp(lanes, -kHalfLane, kHalfLane))});
         } else {
-          painter->drawPolyline(line);
+          drawInPieces(*painter, line);
           line.clear();
         }
       }
-      painter->drawPolyline(line);
+      drawInPieces(*painter, line);
     }
   }
 

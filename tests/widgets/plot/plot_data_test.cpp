@@ -20,10 +20,10 @@ std::shared_ptr<Reconstruction> sheetWithUncertainties() {
   double sigma_m = 0.0001;
   auto& cells = result->patches[0].cells;
   for (std::size_t k = 0; k + 1 < cells.size(); ++k, sigma_m += 0.0001) {
-    cells[k].covariance = Matrix6d::Zero();
-    cells[k].covariance->diagonal().setConstant(sigma_m * sigma_m);
+    cells[k].cov_t_r = Matrix6d::Zero();
+    cells[k].cov_t_r->diagonal().setConstant(sigma_m * sigma_m);
   }
-  cells.back().covariance.reset();
+  cells.back().cov_t_r.reset();
   return result;
 }
 

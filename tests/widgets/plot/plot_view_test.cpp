@@ -37,8 +37,8 @@ std::shared_ptr<Reconstruction> growingSheet(std::uint32_t rows = 3, std::uint32
   auto result = sampleSheet(rows, columns);
   double sigma_m = 0.0003;
   for (CellPlacement& cell : result->patches[0].cells) {
-    cell.covariance = Matrix6d::Zero();
-    cell.covariance->diagonal().setConstant(sigma_m * sigma_m);
+    cell.cov_t_r = Matrix6d::Zero();
+    cell.cov_t_r->diagonal().setConstant(sigma_m * sigma_m);
     sigma_m += 0.0003;
   }
   return result;
