@@ -7183,14 +7183,6 @@ Auf einem entfernten Bildschirm oder mit einem fehlerhaften Treiber kann es helf
         <translation>Diagramm</translation>
     </message>
     <message>
-        <source>along</source>
-        <translation>nach rechts</translation>
-    </message>
-    <message>
-        <source>up</source>
-        <translation>nach oben</translation>
-    </message>
-    <message>
         <source>cells</source>
         <translation>Zellen</translation>
     </message>
@@ -7227,12 +7219,12 @@ Auf einem entfernten Bildschirm oder mit einem fehlerhaften Treiber kann es helf
         <translation>%1 ohne Wert</translation>
     </message>
     <message>
-        <source>drag a rectangle to mark cells in all views</source>
-        <translation>ein Rechteck ziehen, um Zellen in allen Ansichten zu markieren</translation>
-    </message>
-    <message>
         <source>Plot of the figures of cells and links</source>
         <translation>Diagramm der Kennwerte von Zellen und Verbindungen</translation>
+    </message>
+    <message>
+        <source>Drag a rectangle to mark cells in all views, or use the arrow keys with Shift</source>
+        <translation>Ein Rechteck ziehen, um Zellen in allen Ansichten zu markieren, oder mit Umschalt die Pfeiltasten benutzen</translation>
     </message>
 </context>
 <context>

@@ -107,6 +107,7 @@ void CompareView::Parts::build() {
 
 void CompareView::Parts::buildHead(QVBoxLayout* layout) {
   source->setObjectName(QStringLiteral("compareSource"));
+  source->setSizeAdjustPolicy(QComboBox::AdjustToContents);
   source->setAccessibleName(CompareView::tr("What the result of now is compared with"));
   auto* from = new QLabel(CompareView::tr("Before:"));
   from->setBuddy(source);

@@ -24,14 +24,17 @@ double pointRadius(std::size_t count) {
 
 enum class PointLook { Plain, Hollow, Brushed };
 
-void drawPoint(QPainter& painter, const QPointF& at, double radius, PointLook look, const Colors& colors) {
-  painter.setPen(QPen(look == PointLook::Plain ? colors.panel : colors.text_muted, 1));
+/// `outlined`: apart from others that it lies on, which among thousands would leave nothing of them.
+void drawPoint(QPainter& painter, const QPointF& at, double radius, PointLook look, const Colors& colors,
+               bool outlined) {
+  const QPen outline = outlined ? QPen(colors.panel, 1) : QPen(Qt::NoPen);
+  painter.setPen(look == PointLook::Plain ? outline : QPen(colors.text_muted, 1));
   painter.setBrush(look == PointLook::Plain ? QBrush(colors.accent) : QBrush(colors.panel));
   if (look != PointLook::Brushed) {
     painter.drawEllipse(at, radius, radius);
     return;
   }
-  painter.setPen(QPen(colors.panel, 1));
+  painter.setPen(outline);
   painter.setBrush(colors.selection);
   painter.drawRect(QRectF(at - QPointF(radius, radius), QSizeF(2 * radius, 2 * radius)));
 }
@@ -44,7 +47,7 @@ QPixmap pointStamp(double radius, PointLook look, const Colors& colors, double p
   stamp.fill(Qt::transparent);
   QPainter painter(&stamp);
   painter.setRenderHint(QPainter::Antialiasing);
-  drawPoint(painter, {0.5 * side, 0.5 * side}, radius, look, colors);
+  drawPoint(painter, {0.5 * side, 0.5 * side}, radius, look, colors, false);
   return stamp;
 }
 
@@ -145,7 +148,7 @@ void PlotPicture::drawPoints(QPainter& painter, const QwtScaleMap& x, const QwtS
         const double half = 0.5 * stamp.width() / ratio;
         painter.drawPixmap(QPointF(std::round(at.x() - half), std::round(at.y() - half)), stamp);
       } else {
-        drawPoint(painter, at, radius, wanted ? PointLook::Brushed : others, colors);
+        drawPoint(painter, at, radius, wanted ? PointLook::Brushed : others, colors, true);
       }
     }
   }

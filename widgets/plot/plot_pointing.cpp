@@ -264,6 +264,7 @@ void PlotPointing::showToolTip(const QPoint& at, const QPoint& global) {
     text = what.arg(QString::number(shown.count), plotValueInWords(data_.choice.x, shown.lower),
                     plotValueInWords(data_.choice.x, shown.upper));
   }
+  if (text.isEmpty()) text = plot_->toolTip();
   if (text.isEmpty()) {
     QToolTip::hideText();
   } else {

@@ -1,7 +1,6 @@
 #include "widgets/plot/plot_view.h"
 
 #include "widgets/coloring/coloring_words.h"
-#include "widgets/controls/flow_layout.h"
 #include "widgets/plot/plot_items.h"
 #include "widgets/plot/plot_pointing.h"
 #include "widgets/words/formatting.h"
@@ -22,6 +21,7 @@
 #include <QVBoxLayout>
 #include <algorithm>
 #include <cmath>
+#include <initializer_list>
 #include <utility>
 
 namespace hexoderm {
@@ -52,17 +52,12 @@ QComboBox* figureBox(const char* name, const QString& accessible_name) {
   return box;
 }
 
-/// A label and its box, which stay together where a row breaks.
-QWidget* labelled(const QString& text, QComboBox* box) {
-  auto* pair = new QWidget;
-  auto* row = new QHBoxLayout(pair);
-  row->setContentsMargins(0, 0, 8, 0);
-  row->setSpacing(4);
-  auto* label = new QLabel(text);
-  label->setBuddy(box);
-  row->addWidget(label);
-  row->addWidget(box);
-  return pair;
+/// A row of its own, which is as narrow as the boxes in it may be.
+QHBoxLayout* rowOf(std::initializer_list<std::pair<QWidget*, int>> widgets) {
+  auto* row = new QHBoxLayout;
+  row->setSpacing(6);
+  for (const auto& [widget, stretch] : widgets) row->addWidget(widget, stretch);
+  return row;
 }
 
 /// A little room beside the outermost points, so that none lies on the frame.
@@ -124,6 +119,7 @@ void PlotView::Parts::build() {
   canvas->setFocusPolicy(Qt::StrongFocus);
   canvas->setObjectName(QStringLiteral("figurePlotCanvas"));
   canvas->setAccessibleName(PlotView::tr("Plot"));
+  plot->setToolTip(PlotView::tr("Drag a rectangle to mark cells in all views, or use the arrow keys with Shift"));
   canvas->setMouseTracking(true);
   plot->setCanvas(canvas);
   view->setFocusProxy(canvas);
@@ -139,16 +135,13 @@ void PlotView::Parts::build() {
   summary->setWordWrap(true);
   summary->setTextFormat(Qt::PlainText);
 
-  auto* boxes = new FlowLayout;
-  boxes->addWidget(labelled(PlotView::tr("Plot"), subject_box));
-  boxes->addWidget(labelled(PlotView::tr("along"), x_box));
-  boxes->addWidget(labelled(PlotView::tr("up"), y_box));
+  // The boxes are the titles of the axes, and stand where these would.
   auto* layout = new QVBoxLayout(view);
   layout->setContentsMargins(10, 4, 10, 6);
-  layout->setSpacing(4);
-  layout->addLayout(boxes);
+  layout->setSpacing(3);
+  layout->addLayout(rowOf({{new QLabel(QStringLiteral("\u2191")), 0}, {y_box, 1}, {subject_box, 0}}));
   layout->addWidget(plot, 1);
-  layout->addWidget(summary);
+  layout->addLayout(rowOf({{summary, 1}, {x_box, 2}, {new QLabel(QStringLiteral("\u2192")), 0}}));
 
   subject_box->addItem(PlotView::tr("cells"), static_cast<int>(PlotSubject::Cells));
   subject_box->addItem(PlotView::tr("links"), static_cast<int>(PlotSubject::Links));
@@ -191,7 +184,7 @@ void PlotView::Parts::fillFigures(QComboBox* box, bool with_histogram, int code)
   box->clear();
   if (with_histogram) box->addItem(PlotView::tr("how many (histogram)"), kHistogram);
   for (const PlotFigure& figure : plotFigures(choice.subject)) {
-    box->addItem(plotFigureName(choice.subject, figure), codeOf(figure));
+    box->addItem(plotAxisTitle(choice.subject, figure), codeOf(figure));
     const QString why_not = whyNot(figure);
     if (why_not.isEmpty()) continue;
     const int row = box->count() - 1;
@@ -237,16 +230,7 @@ void PlotView::Parts::refresh() {
   marks.hovered.reset();
   marks.bin.reset();
   pointing->restart();
-  const auto title = [this](const QString& text) {
-    QwtText words(text);
-    words.setFont(view->font());
-    words.setColor(Colors::of(theme).text);
-    return words;
-  };
-  plot->setAxisTitle(QwtPlot::xBottom, title(plotAxisTitle(choice.subject, choice.x)));
   if (choice.is_histogram) {
-    const QString count = choice.subject == PlotSubject::Cells ? PlotView::tr("cells") : PlotView::tr("links");
-    plot->setAxisTitle(QwtPlot::yLeft, title(count));
     const auto fullest = std::ranges::max_element(data.bins, {}, &ValueBin::count);
     const double most = fullest == data.bins.end() ? 1 : static_cast<double>(fullest->count);
     setScale(plot, QwtPlot::yLeft, {0, most}, true);
@@ -256,7 +240,6 @@ void PlotView::Parts::refresh() {
       setScale(plot, QwtPlot::xBottom, {data.bins.front().lower, data.bins.back().upper}, false);
     }
   } else {
-    plot->setAxisTitle(QwtPlot::yLeft, title(plotAxisTitle(choice.subject, choice.y)));
     setScale(plot, QwtPlot::xBottom, data.bounds(false), choice.x.has_value());
     setScale(plot, QwtPlot::yLeft, data.bounds(true), choice.y.has_value());
   }
@@ -291,7 +274,6 @@ void PlotView::Parts::summarise() {
     text = cells ? PlotView::tr("%1 cells").arg(count) : PlotView::tr("%1 links").arg(count);
     if (brushed > 0) text += QStringLiteral(" · ") + PlotView::tr("%1 marked (Esc: none)").arg(brushed);
     if (data.unknown > 0) text += QStringLiteral(" · ") + PlotView::tr("%1 without a value").arg(data.unknown);
-    if (brushed == 0) text += QStringLiteral(" · ") + PlotView::tr("drag a rectangle to mark cells in all views");
   }
   summary->setText(text);
   plot->canvas()->setAccessibleDescription(marks.picked ? pointing->describe(*marks.picked) : text);
@@ -308,10 +290,6 @@ void PlotView::Parts::dress() {
   for (const int axis : {QwtPlot::xBottom, QwtPlot::yLeft}) {
     plot->setAxisFont(axis, view->font());
     plot->axisWidget(axis)->setPalette(palette);
-    QwtText title = plot->axisTitle(axis);
-    title.setFont(view->font());
-    title.setColor(colors.text);
-    plot->setAxisTitle(axis, title);
   }
   grid->setPen(QPen(colors.border, 1));
   picture->setLook(theme, view->font());
@@ -383,6 +361,8 @@ QSize PlotView::sizeHint() const { return {36 * fontMetrics().averageCharWidth()
 QSize PlotView::minimumSizeHint() const { return {24 * fontMetrics().averageCharWidth(), 11 * fontMetrics().height()}; }
 
 void PlotView::showEvent(QShowEvent* event) {
+  // A style sheet takes colours of their own from widgets that have not been shown yet.
+  parts_->dress();
   if (parts_->is_stale) parts_->refresh();
   QWidget::showEvent(event);
 }

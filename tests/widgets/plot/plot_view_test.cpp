@@ -100,7 +100,7 @@ TEST_F(PlotViewTest, ShowsAPointForEachCellWithinTheScales) {
   EXPECT_LT(view_.positionOf(0).x(), view_.positionOf(11).x());
   EXPECT_GT(view_.positionOf(0).y(), view_.positionOf(11).y()) << "larger values are higher";
   EXPECT_TRUE(summary().startsWith(QStringLiteral("12 cells")));
-  EXPECT_TRUE(view_.plot()->axisTitle(QwtPlot::yLeft).text().endsWith(QStringLiteral(", mm")));
+  EXPECT_TRUE(box("plotUp")->currentText().endsWith(QStringLiteral(", mm")));
   keep(QStringLiteral("plot-light"));
 }
 
@@ -195,18 +195,18 @@ TEST_F(PlotViewTest, LinksArePickedAsLinksAndBrushBothTheirCells) {
 
 TEST_F(PlotViewTest, TheBoxesChooseTheAxes) {
   QComboBox* up = box("plotUp");
-  EXPECT_EQ(up->currentText(), QStringLiteral("position uncertainty (95 %)"));
+  EXPECT_EQ(up->currentText(), QStringLiteral("position uncertainty (95 %), mm"));
   up->setCurrentIndex(0);
   EXPECT_TRUE(view_.choice().is_histogram);
   EXPECT_FALSE(view_.data().bins.empty());
-  box("plotAcross")->setCurrentIndex(box("plotAcross")->findText(QStringLiteral("orientation uncertainty (95 %)")));
+  box("plotAcross")->setCurrentIndex(box("plotAcross")->findText(QStringLiteral("orientation uncertainty (95 %), °")));
   EXPECT_EQ(view_.choice().x, PlotFigure(Coloring::OrientationUncertainty));
   EXPECT_TRUE(view_.choice().is_histogram);
 }
 
 TEST_F(PlotViewTest, AFigureThatNoCellHasSaysWhy) {
   const QComboBox* across = box("plotAcross");
-  const int row = across->findText(QStringLiteral("temperature"));
+  const int row = across->findText(QStringLiteral("temperature, °C"));
   ASSERT_GE(row, 0);
   EXPECT_FALSE(qobject_cast<QStandardItemModel*>(across->model())->item(row)->isEnabled());
   EXPECT_FALSE(across->itemData(row, Qt::ToolTipRole).toString().isEmpty());
@@ -215,7 +215,7 @@ TEST_F(PlotViewTest, AFigureThatNoCellHasSaysWhy) {
   view_.setReadings(readings);
   EXPECT_TRUE(test::waitUntil([&] {
     return qobject_cast<QStandardItemModel*>(across->model())
-        ->item(across->findText(QStringLiteral("temperature")))
+        ->item(across->findText(QStringLiteral("temperature, °C")))
         ->isEnabled();
   }));
 }

@@ -35,7 +35,7 @@ TEST_F(PlotPresenterTest, WhatIsBrushedIsMarkedInTheGraphUntilAnotherSkinIsOpene
   EXPECT_EQ(window_->selection().brushed().size(), 17U);
   EXPECT_NE(graph->grab().toImage(), before);
   keepPicture(window_->picture(), "plot-brushed-in-window");
-  window_->startDemo();
+  controller().liveSession().startDemo();
   EXPECT_TRUE(waitUntil([&] { return window_->selection().brushed().empty(); }));
 }
 
