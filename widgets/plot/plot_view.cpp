@@ -141,7 +141,8 @@ void PlotView::Parts::build() {
   layout->setSpacing(3);
   layout->addLayout(rowOf({{new QLabel(QStringLiteral("\u2191")), 0}, {y_box, 1}, {subject_box, 0}}));
   layout->addWidget(plot, 1);
-  layout->addLayout(rowOf({{summary, 1}, {x_box, 2}, {new QLabel(QStringLiteral("\u2192")), 0}}));
+  layout->addLayout(rowOf({{x_box, 1}, {new QLabel(QStringLiteral("\u2192")), 0}}));
+  layout->addWidget(summary);
 
   subject_box->addItem(PlotView::tr("cells"), static_cast<int>(PlotSubject::Cells));
   subject_box->addItem(PlotView::tr("links"), static_cast<int>(PlotSubject::Links));
