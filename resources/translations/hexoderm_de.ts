@@ -501,16 +501,8 @@
         <translation>Biegung</translation>
     </message>
     <message>
-        <source>bend, either way</source>
-        <translation>Biegung, beide Richtungen</translation>
-    </message>
-    <message>
         <source>twist</source>
         <translation>Verwindung</translation>
-    </message>
-    <message>
-        <source>twist, either way</source>
-        <translation>Verwindung, beide Richtungen</translation>
     </message>
     <message>
         <source>yaw</source>
@@ -525,10 +517,6 @@
         <translation>Unsicherheit des Ortes</translation>
     </message>
     <message>
-        <source>position known to (95 %)</source>
-        <translation>Ort bekannt auf (95 %)</translation>
-    </message>
-    <message>
         <source>position uncertainty (95 %)</source>
         <translation>Unsicherheit des Ortes (95 %)</translation>
     </message>
@@ -539,10 +527,6 @@
     <message>
         <source>orientation uncertainty</source>
         <translation>Unsicherheit der Orientierung</translation>
-    </message>
-    <message>
-        <source>orientation known to (95 %)</source>
-        <translation>Orientierung bekannt auf (95 %)</translation>
     </message>
     <message>
         <source>orientation uncertainty (95 %)</source>
@@ -629,20 +613,44 @@
         <translation>Die Haut sendet keine Temperaturen</translation>
     </message>
     <message>
-        <source>%1 or more</source>
-        <translation>%1 oder mehr</translation>
-    </message>
-    <message>
-        <source>%1 or less</source>
-        <translation>%1 oder weniger</translation>
-    </message>
-    <message>
         <source>patch %1</source>
         <translation>Hautstück %1</translation>
     </message>
     <message>
         <source>not known</source>
         <translation>nicht bekannt</translation>
+    </message>
+    <message>
+        <source>largest bend of the cell&apos;s links</source>
+        <translation>größte Biegung der Verbindungen der Zelle</translation>
+    </message>
+    <message>
+        <source>largest twist of the cell&apos;s links</source>
+        <translation>größte Verwindung der Verbindungen der Zelle</translation>
+    </message>
+    <message>
+        <source>largest yaw of the cell&apos;s links</source>
+        <translation>größtes Gieren der Verbindungen der Zelle</translation>
+    </message>
+    <message>
+        <source>uncertainty of the shape</source>
+        <translation>Unsicherheit der Form</translation>
+    </message>
+    <message>
+        <source>uncertainty of the shape (95 %)</source>
+        <translation>Unsicherheit der Form (95 %)</translation>
+    </message>
+    <message>
+        <source>This result does not state how well its shape is known</source>
+        <translation>Dieses Ergebnis nennt nicht, wie gut seine Form bekannt ist</translation>
+    </message>
+    <message>
+        <source>orientation in the shape</source>
+        <translation>Orientierung in der Form</translation>
+    </message>
+    <message>
+        <source>uncertainty of the orientation in the shape (95 %)</source>
+        <translation>Unsicherheit der Orientierung in der Form (95 %)</translation>
     </message>
 </context>
 <context>
@@ -1178,6 +1186,10 @@ Die Werte sagen, wie gut die Posen die Drehung der Zellen in drei Achsen festhal
     <message>
         <source>origin</source>
         <translation>Ursprung</translation>
+    </message>
+    <message>
+        <source>range fixed</source>
+        <translation>Bereich fest</translation>
     </message>
 </context>
 <context>
@@ -6261,12 +6273,75 @@ Die Werte sagen, wie gut die Posen die Drehung der Zellen in drei Achsen festhal
         <translation>und %1 weitere</translation>
     </message>
     <message>
-        <source>Cells are coloured by: %1; from %2 (dark) to %3 (bright)</source>
-        <translation>Farbe der Zellen: %1; von %2 (dunkel) bis %3 (hell)</translation>
-    </message>
-    <message>
         <source>Cells are coloured by: %1</source>
         <translation>Farbe der Zellen: %1</translation>
+    </message>
+    <message>
+        <source>error found</source>
+        <translation>Fehler gefunden</translation>
+    </message>
+    <message>
+        <source>warning</source>
+        <translation>Warnung</translation>
+    </message>
+    <message>
+        <source>placed through its links</source>
+        <translation>durch ihre Verbindungen verortet</translation>
+    </message>
+    <message>
+        <source>link with a finding</source>
+        <translation>Verbindung mit Befund</translation>
+    </message>
+    <message>
+        <source>fixed range</source>
+        <translation>fester Bereich</translation>
+    </message>
+    <message>
+        <source>fitted range</source>
+        <translation>angepasster Bereich</translation>
+    </message>
+    <message>
+        <source>usual range</source>
+        <translation>üblicher Bereich</translation>
+    </message>
+    <message>
+        <source>Cells are coloured by: %1; %2</source>
+        <translation>Farbe der Zellen: %1; %2</translation>
+    </message>
+    <message>
+        <source>crossed cells: an error was found in their readings</source>
+        <translation>durchkreuzte Zellen: in ihren Messwerten wurde ein Fehler gefunden</translation>
+    </message>
+    <message>
+        <source>cells with a triangle: a warning about their readings</source>
+        <translation>Zellen mit Dreieck: eine Warnung zu ihren Messwerten</translation>
+    </message>
+    <message>
+        <source>hatched cells: placed through their links alone</source>
+        <translation>schraffierte Zellen: allein durch ihre Verbindungen verortet</translation>
+    </message>
+    <message>
+        <source>crossed ports: a link with a finding</source>
+        <translation>durchkreuzte Ports: eine Verbindung mit einem Befund</translation>
+    </message>
+</context>
+<context>
+    <name>hexoderm::PatchLegendView</name>
+    <message>
+        <source>The range of the colours: fitted to what is shown, the usual one, or as you type it</source>
+        <translation>Der Bereich der Farben: an das Gezeigte angepasst, der übliche oder einer, den Sie eingeben</translation>
+    </message>
+    <message>
+        <source>Range of the colours: %1</source>
+        <translation>Bereich der Farben: %1</translation>
+    </message>
+    <message>
+        <source>Scale of the colours: %1</source>
+        <translation>Skala der Farben: %1</translation>
+    </message>
+    <message>
+        <source>Legend of the colours</source>
+        <translation>Legende der Farben</translation>
     </message>
 </context>
 <context>
@@ -6294,6 +6369,10 @@ Auf einem entfernten Bildschirm oder mit einem fehlerhaften Treiber kann es helf
     <message>
         <source>This skin has no cells.</source>
         <translation>Diese Haut hat keine Zellen.</translation>
+    </message>
+    <message>
+        <source>cell %1: %2</source>
+        <translation>Zelle %1: %2</translation>
     </message>
 </context>
 <context>
@@ -7416,6 +7495,41 @@ Auf einem entfernten Bildschirm oder mit einem fehlerhaften Treiber kann es helf
     </message>
 </context>
 <context>
+    <name>hexoderm::RangePopup</name>
+    <message>
+        <source>&amp;Fitted to what is shown</source>
+        <translation>&amp;An das Gezeigte angepasst</translation>
+    </message>
+    <message>
+        <source>F&amp;ixed:</source>
+        <translation>&amp;Fest:</translation>
+    </message>
+    <message>
+        <source>Lower end of the range</source>
+        <translation>Unteres Ende des Bereichs</translation>
+    </message>
+    <message>
+        <source>Upper end of the range</source>
+        <translation>Oberes Ende des Bereichs</translation>
+    </message>
+    <message>
+        <source>The lower end must be below the upper one.</source>
+        <translation>Das untere Ende muss unter dem oberen liegen.</translation>
+    </message>
+    <message>
+        <source>Range of the colours</source>
+        <translation>Bereich der Farben</translation>
+    </message>
+    <message>
+        <source>to</source>
+        <translation>bis</translation>
+    </message>
+    <message>
+        <source>&amp;Usual range, %1 to %2</source>
+        <translation>&amp;Üblicher Bereich, %1 bis %2</translation>
+    </message>
+</context>
+<context>
     <name>hexoderm::RecentFiles</name>
     <message>
         <source>The file is not there any more</source>
@@ -7994,6 +8108,65 @@ Auf einem entfernten Bildschirm oder mit einem fehlerhaften Treiber kann es helf
     <message>
         <source>The 3D view needs OpenGL 3.2, which is not available here. Links, places and points can still be chosen in the lists.</source>
         <translation>Die 3D-Ansicht braucht OpenGL 3.2, das hier nicht verfügbar ist. Glieder, Plätze und Punkte lassen sich trotzdem in den Listen wählen.</translation>
+    </message>
+</context>
+<context>
+    <name>hexoderm::ScaleLegend</name>
+    <message>
+        <source>1 cell</source>
+        <translation>1 Zelle</translation>
+    </message>
+    <message>
+        <source>%1 cells</source>
+        <translation>%1 Zellen</translation>
+    </message>
+    <message>
+        <source>goal</source>
+        <translation>Ziel</translation>
+    </message>
+    <message>
+        <source>limit</source>
+        <translation>Grenze</translation>
+    </message>
+    <message>
+        <source>all within the goal of %1</source>
+        <translation>alle im Ziel von %1</translation>
+    </message>
+    <message>
+        <source>none within the goal of %1</source>
+        <translation>keine im Ziel von %1</translation>
+    </message>
+    <message>
+        <source>less than %1: %2</source>
+        <translation>weniger als %1: %2</translation>
+    </message>
+    <message>
+        <source>more than %1: %2</source>
+        <translation>mehr als %1: %2</translation>
+    </message>
+    <message>
+        <source>%1 to %2: %3</source>
+        <translation>%1 bis %2: %3</translation>
+    </message>
+    <message>
+        <source>range fixed</source>
+        <translation>Bereich fest</translation>
+    </message>
+    <message>
+        <source>usual range</source>
+        <translation>üblicher Bereich</translation>
+    </message>
+    <message>
+        <source>range fitted to what is shown</source>
+        <translation>Bereich an das Gezeigte angepasst</translation>
+    </message>
+    <message>
+        <source>from %1 to %2, %3</source>
+        <translation>von %1 bis %2, %3</translation>
+    </message>
+    <message>
+        <source>not known: %1</source>
+        <translation>nicht bekannt: %1</translation>
     </message>
 </context>
 <context>

@@ -32,7 +32,9 @@ SceneColors plainColors() {
   colors.quality = {{{0.59, 0.20, 0.19}, {0.70, 0.61, 0.17}, {0.37, 0.67, 0.69}, {0.34, 0.29, 0.64}}};
   colors.link_line = colors.quality;
   colors.neutral = {0.5, 0.55, 0.6};
-  colors.scale = {{0.27, 0.0, 0.33}, {0.13, 0.57, 0.55}, {0.99, 0.91, 0.14}};
+  colors.scale.steps = {{0.27, 0.0, 0.33}, {0.13, 0.57, 0.55}, {0.99, 0.91, 0.14}};
+  colors.signed_scale = colors.scale;
+  colors.classes = colors.scale.steps;
   colors.light_mark = {1, 1, 1};
   colors.dark_mark = {0.08, 0.09, 0.11};
   return colors;

@@ -1,5 +1,6 @@
 #include "widgets/graph/graph_view.h"
 
+#include "widgets/coloring/scale_ranges.h"
 #include "widgets/controls/find_cell_field.h"
 #include "widgets/controls/selection.h"
 #include "widgets/graph/graph_coloring_button.h"
@@ -101,6 +102,14 @@ void GraphView::setTheme(Theme theme) {
 
 void GraphView::setColoring(Coloring coloring) { button_->setColoring(coloring); }
 
+void GraphView::setScaleRanges(const ScaleRanges* ranges) {
+  ranges_ = ranges;
+  connect(ranges, &ScaleRanges::changed, this, [this](Coloring changed) {
+    if (changed == coloring()) recolor();
+  });
+  recolor();
+}
+
 Coloring GraphView::coloring() const { return button_->coloring(); }
 
 void GraphView::setLinkActions(const QList<QAction*>& actions) { link_actions_ = actions; }
@@ -143,7 +152,8 @@ void GraphView::findCell() {
 
 void GraphView::recolor() {
   button_->setBodyPartsKnown(knowsBodyParts(*scene_));
-  paint_ = std::make_shared<const GraphPaint>(paintOf(*scene_, button_->coloring(), theme_));
+  const auto fixed = ranges_ == nullptr ? std::nullopt : ranges_->fixed(coloring());
+  paint_ = std::make_shared<const GraphPaint>(paintOf(*scene_, coloring(), theme_, fixed));
   arrange();
   if (follows_size_) {
     fit();

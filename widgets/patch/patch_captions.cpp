@@ -34,15 +34,14 @@ void PatchCaptions::setContent(const Content& content) {
   content_ = content;
   QStringList words = content.notes;
   if (!content.message.isEmpty()) words.prepend(content.message);
-  if (content.hint.isEmpty()) words << legendInWords(content.legend);
+  if (content.hint.isEmpty()) words << content.legend;
   setAccessibleName(content.hint);
   setAccessibleDescription(content.hint.isEmpty() ? words.join(QStringLiteral(". ")) : QString());
   update();
 }
 
-void PatchCaptions::setTheme(Theme theme, const SceneColors& colors) {
+void PatchCaptions::setTheme(Theme theme) {
   theme_ = theme;
-  colors_ = colors;
   update();
 }
 
@@ -77,7 +76,6 @@ void PatchCaptions::paint(QPainter& painter, const QSize& area) const {
     writeOnGround(painter, word, tr("gravity"), colors.text_muted, colors.scene_bottom);
   }
   paintNotes(painter, area);
-  paintLegend(painter, area, content_.legend, theme_, colors_);
 }
 
 /// Below the buttons on the left.

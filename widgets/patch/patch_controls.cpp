@@ -80,6 +80,7 @@ void PatchControls::buildColoringMenu() {
       coloring_button_->setAccessibleName(tr("Colour of the cells: %1").arg(name));
       emit coloringChosen(coloring);
     });
+    connect(action, &QAction::triggered, this, [this, coloring = row.coloring] { emit coloringPicked(coloring); });
   }
   coloring_button_->setMenu(menu);
   colorings_.at(Coloring::LinkQuality)->setChecked(true);

@@ -38,6 +38,8 @@ class PatchControls : public QFrame {
 
  signals:
   void coloringChosen(hexoderm::Coloring coloring);
+  /// The operator chose it in the menu; coloringChosen() has been sent.
+  void coloringPicked(hexoderm::Coloring coloring);
   void itemToggled(hexoderm::SceneItem item, bool shown);
   void viewRequested(hexoderm::PatchScene::View view);
   void fitRequested();

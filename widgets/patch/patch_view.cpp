@@ -1,12 +1,14 @@
 #include "widgets/patch/patch_view.h"
 
 #include "widgets/coloring/coloring_words.h"
+#include "widgets/coloring/scale_ranges.h"
 #include "widgets/controls/selection.h"
 #include "widgets/patch/measure_tool.h"
 #include "widgets/patch/opengl_info.h"
 #include "widgets/patch/part_motion.h"
 #include "widgets/patch/patch_captions.h"
 #include "widgets/patch/patch_controls.h"
+#include "widgets/patch/patch_legend_view.h"
 #include "widgets/patch/patch_words.h"
 #include "widgets/patch/scene_look.h"
 #include "widgets/patch/scene_widget.h"
@@ -58,6 +60,10 @@ struct PatchView::Parts : public QObject {
   PartMotion* motion = nullptr;  ///< likewise
   PatchCaptions* captions = nullptr;
   PatchControls* controls = nullptr;
+  PatchLegendView* legend_view = nullptr;
+  ScaleRanges own_ranges;
+  ScaleRanges* ranges = &own_ranges;
+  bool is_marked_elsewhere = false;
   std::vector<std::function<void()>> waiting;  ///< for the picture to be up to date
   QTimer at_rest;
   QPoint pressed_at;
@@ -76,6 +82,9 @@ struct PatchView::Parts : public QObject {
   void updateControls();
   void updateCaptions();
   [[nodiscard]] LegendContent legend() const;
+  void connectRanges();
+  void showFixedRange();
+  void markPicked();
   void updateSelection();
   void updateMeasure();
   /// Called when the things drawn over the cells have changed.
@@ -94,6 +103,10 @@ void PatchView::Parts::build() {
   layout->addWidget(captions, 0, 0, 2, 1);
   layout->setRowStretch(1, 1);
   captions->raise();
+  legend_view = new PatchLegendView(view);
+  connect(legend_view, &PatchLegendView::rangeFixed, this, [this](ColorRange range) { ranges->fix(coloring, range); });
+  connect(legend_view, &PatchLegendView::rangeReleased, this, [this] { ranges->release(coloring); });
+  connectRanges();
   if (controls != nullptr) controls->raise();
   if (canvas != nullptr) {
     motion = new PartMotion(view, canvas, controls->turnButton(), *scene, [this] { requestRender(); });
@@ -130,9 +143,12 @@ void PatchView::Parts::buildScene(QGridLayout* layout) {
 void PatchView::Parts::connectControls() {
   connect(controls, &PatchControls::coloringChosen, this, [this](Coloring chosen) {
     coloring = chosen;
+    is_marked_elsewhere = false;
     scene->setColoring(chosen);
+    scene->setFixedRange(ranges->fixed(chosen));
     refresh();
   });
+  connect(controls, &PatchControls::coloringPicked, view, &PatchView::coloringPicked);
   connect(controls, &PatchControls::itemToggled, this, [this](SceneItem item, bool shown) {
     scene->setShown(item, shown);
     refresh();
@@ -198,10 +214,15 @@ LegendContent PatchView::Parts::legend() const {
   const SceneContent& shown = *scene->content();
   content.coloring = coloring;
   content.patches = shown.reconstruction->patches.size();
-  if (isQuantity(coloring)) {
-    const auto values = scene->values();
-    content.range = colorRange(coloring, values);
-    content.some_unknown = std::ranges::any_of(values, [](const auto& value) { return !value; });
+  content.some_links = !shown.signs.links.empty();
+  for (const CellSign& sign : shown.signs.cells) {
+    content.some_by_links = content.some_by_links || sign.by_links;
+    content.some_faulty = content.some_faulty || sign.faulty;
+    content.some_doubtful = content.some_doubtful || sign.doubtful;
+  }
+  content.scale = scene->scale();
+  if (content.scale) {
+    content.some_unknown = content.scale->counts.unknown > 0;
   } else if (coloring == Coloring::LinkQuality) {
     content.some_unknown = std::ranges::any_of(shown.figures.quality, [](const auto& quality) { return !quality; });
   } else if (coloring == Coloring::BodyPart) {
@@ -211,8 +232,36 @@ LegendContent PatchView::Parts::legend() const {
   return content;
 }
 
+void PatchView::Parts::connectRanges() {
+  connect(ranges, &ScaleRanges::changed, this, [this](Coloring changed) {
+    if (changed == coloring) showFixedRange();
+  });
+}
+
+void PatchView::Parts::showFixedRange() {
+  if (!scene) return;
+  scene->setFixedRange(ranges->fixed(coloring));
+  refresh();
+}
+
+/// The picked cell's value on the scale, unless another one is pointed at.
+void PatchView::Parts::markPicked() {
+  if (is_marked_elsewhere) return;
+  std::optional<double> value;
+  const SceneContent* content = scene ? scene->content() : nullptr;
+  const auto cell = selection->cell();
+  if (content != nullptr && cell && content->layout.find(*cell) != nullptr && isQuantity(coloring)) {
+    value = coloringRow(coloring).of_cell(content->figures, scene->readings(), content->layout.index.at(*cell));
+  }
+  const auto scale = value ? scene->scale() : std::nullopt;
+  legend_view->setMarkedValue(
+      value, scale ? PatchView::tr("cell %1: %2").arg(cell->value()).arg(valueWithUnit(*value, scale->range, coloring))
+                   : QString());
+}
+
 void PatchView::Parts::updateCaptions() {
   PatchCaptions::Content content;
+  std::optional<LegendContent> explained;
   if (canvas == nullptr) {
     content.hint = PatchView::tr(
         "The 3D view needs OpenGL 3.2, which is not available here. The graph and the tables still work.\n\n"
@@ -228,11 +277,14 @@ void PatchView::Parts::updateCaptions() {
                        .arg(QLocale().toString(static_cast<int>(reconstruction->cellCount())));
   } else {
     content.gravity = scene->showsGravity();
-    content.legend = legend();
+    explained = legend();
+    content.legend = legendInWords(*explained);
     content.notes = notesInWords(scene->notes(), overlays);
     content.message = measure.words();
   }
   captions->setContent(content);
+  legend_view->setContent(explained);
+  markPicked();
   if (controls != nullptr) controls->setVisible(content.hint.isEmpty());
 }
 
@@ -333,13 +385,36 @@ void PatchView::setAwaited(const QString& awaited) {
 
 void PatchView::setTheme(Theme theme) {
   const SceneColors colors = sceneColors(theme);
-  parts_->captions->setTheme(theme, colors);
+  parts_->captions->setTheme(theme);
+  parts_->legend_view->setTheme(theme, colors);
   if (parts_->scene) parts_->scene->setColors(colors);
   if (parts_->motion) parts_->motion->setTheme(theme);
   parts_->background = Colors::of(theme).scene_bottom;
   if (parts_->canvas != nullptr) parts_->canvas->setBackground(parts_->background);
   update();
   parts_->requestRender();
+}
+
+void PatchView::setColoring(Coloring coloring) {
+  if (parts_->controls != nullptr) parts_->controls->action(coloring)->setChecked(true);
+}
+
+Coloring PatchView::coloring() const { return parts_->coloring; }
+
+void PatchView::setScaleRanges(ScaleRanges* ranges) {
+  parts_->ranges->disconnect(parts_.get());
+  parts_->ranges = ranges;
+  parts_->connectRanges();
+  parts_->showFixedRange();
+}
+
+void PatchView::setMarkedValue(std::optional<double> value, const QString& word) {
+  parts_->is_marked_elsewhere = value.has_value();
+  if (value) {
+    parts_->legend_view->setMarkedValue(value, word);
+  } else {
+    parts_->markPicked();
+  }
 }
 
 void PatchView::paintEvent(QPaintEvent* /*event*/) { QPainter(this).fillRect(rect(), parts_->background); }
@@ -409,6 +484,7 @@ QImage PatchView::screenshot() {
   QImage image = parts_->canvas->picture();
   QPainter painter(&image);
   parts_->captions->paint(painter, parts_->canvas->size());
+  parts_->legend_view->paintPicture(painter, parts_->canvas->size());
   parts_->motion->paintCaption(painter, parts_->canvas->size());
   return image;
 }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "hexoderm/reconstruction/result/reconstruction.h"
+#include "widgets/coloring/coloring.h"
 #include "widgets/scene/patch_moment.h"
 #include "widgets/scene/patch_overlays.h"
 #include "widgets/style/palette.h"
@@ -13,6 +14,7 @@
 
 namespace hexoderm {
 
+class ScaleRanges;
 class Selection;
 
 /// The patch in 3D: true hexagonal prisms with ports, IDs, origin and gravity, in the colours that are chosen, with
@@ -36,6 +38,11 @@ class PatchView : public QWidget {
   /// What is going on while there is no skin, in words, which stand in the hint's place; empty: nothing is.
   void setAwaited(const QString& awaited);
   void setTheme(Theme theme);
+  void setColoring(Coloring coloring);
+  [[nodiscard]] Coloring coloring() const;
+  /// Ranges of scales that the operator fixes, here or elsewhere; they must outlive the view. Without them the view has
+  /// some of its own.
+  void setScaleRanges(ScaleRanges* ranges);
   /// Results and truths about the reconstruction that is shown. They stay until they are set anew.
   void setOverlays(const PatchOverlays& overlays);
   [[nodiscard]] const PatchOverlays& overlays() const;
@@ -43,6 +50,9 @@ class PatchView : public QWidget {
   /// further; may come 20 times a second.
   void setMoment(const PatchMoment& moment);
   [[nodiscard]] const PatchMoment& moment() const;
+  /// Points at a value on the scale of the colours, for example that of the cell under the mouse, and says whose it is;
+  /// none points at that of the picked cell again.
+  void setMarkedValue(std::optional<double> value, const QString& word = {});
   /// On: somebody obeys turnRequested(), so that a button, Shift and the arrow keys turn the part instead of the
   /// picture.
   void setTurnable(bool turnable);
@@ -71,6 +81,8 @@ class PatchView : public QWidget {
   void returnToKeptView();
 
  signals:
+  /// The operator chose a colouring.
+  void coloringPicked(hexoderm::Coloring coloring);
   /// "Save picture of the 3D view…" was chosen: the window asks for a path and saves screenshot().
   void pictureRequested();
   /// The part should be turned until this direction of the largest patch's frame points up; at most 20 times a second.

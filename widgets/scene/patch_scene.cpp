@@ -235,6 +235,11 @@ void PatchScene::setColoring(Coloring coloring) {
   parts_->recolor();
 }
 
+void PatchScene::setFixedRange(const std::optional<ColorRange>& range) {
+  parts_->skin.setFixedRange(range);
+  parts_->recolor();
+}
+
 void PatchScene::setOverlays(const PatchOverlays& overlays) {
   const bool other_surface = overlays.surface != parts_->overlays.surface;
   parts_->overlays = overlays;
@@ -332,6 +337,8 @@ std::vector<std::optional<double>> PatchScene::values() const {
   if (!parts_->content) return {};
   return cellValues(parts_->skin.coloring(), parts_->content->figures, parts_->skin.readings());
 }
+
+std::optional<ScaleLegend> PatchScene::scale() const { return parts_->skin.scale(); }
 
 bool PatchScene::showsGravity() const { return parts_->upShown().has_value(); }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "widgets/coloring/coloring.h"
+#include "widgets/coloring/scale_legend.h"
 #include "widgets/scene/patch_moment.h"
 #include "widgets/scene/patch_overlays.h"
 #include "widgets/scene/scene_camera.h"
@@ -43,6 +44,8 @@ class PatchScene {
   void setReconstruction(std::shared_ptr<const Reconstruction> reconstruction);
   void setColors(const SceneColors& colors);
   void setColoring(Coloring coloring);
+  /// Of the scale of the colouring; none: fitted to what is shown.
+  void setFixedRange(const std::optional<ColorRange>& range);
   /// Draws anew only the overlays that are other ones than before.
   void setOverlays(const PatchOverlays& overlays);
   [[nodiscard]] const PatchOverlays& overlays() const;
@@ -89,6 +92,8 @@ class PatchScene {
   [[nodiscard]] const CellReadings& readings() const;
   /// The values that the cells are coloured by, in the unit that is shown; for the legend.
   [[nodiscard]] std::vector<std::optional<double>> values() const;
+  /// The scale of the colouring, if that is one of a quantity and cells are shown.
+  [[nodiscard]] std::optional<ScaleLegend> scale() const;
   /// True if the arrow of gravity is there: not without a pose, nor while it is switched off.
   [[nodiscard]] bool showsGravity() const;
 

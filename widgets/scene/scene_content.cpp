@@ -208,6 +208,7 @@ std::shared_ptr<const SceneContent> makeSceneContent(std::shared_ptr<const Recon
   content->prisms = r.cellCount() <= SceneContent::kMaxPrismCells;
   content->layout = layOut(r, content->prisms);
   content->figures = makeCellFigures(r);
+  content->signs = signsOf(r);
   Eigen::AlignedBox3d box;
   for (const Eigen::Vector3d& point : content->layout.points) box.extend(point);
   content->extent_m = box.isEmpty() ? 0 : box.diagonal().norm();

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "hexoderm/reconstruction/figures/cell_figures.h"
+#include "hexoderm/reconstruction/figures/skin_signs.h"
 #include "hexoderm/reconstruction/result/reconstruction.h"
 
 #include <vtkPolyData.h>
@@ -53,6 +54,7 @@ struct SceneContent {
   std::shared_ptr<const Reconstruction> reconstruction;  ///< never null
   SceneLayout layout;
   CellFigures figures;
+  SkinSigns signs;
   double extent_m = 0;  ///< diagonal of the bounding box
   bool prisms = true;
   vtkSmartPointer<vtkPolyData> surface;  ///< without colours

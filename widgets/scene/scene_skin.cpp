@@ -4,6 +4,7 @@
 #include "hexoderm/util/units.h"
 #include "widgets/coloring/cell_colors.h"
 #include "widgets/scene/cell_meshes.h"
+#include "widgets/scene/scene_signs.h"
 
 #include <vtkActor.h>
 #include <vtkCamera.h>
@@ -61,6 +62,7 @@ struct SceneSkin::Parts {
   vtkRenderer* renderer = nullptr;
   std::shared_ptr<const SceneContent> content;
   Coloring coloring = Coloring::LinkQuality;
+  std::optional<ColorRange> fixed_range;
   CellReadings readings;
   SceneColors colors;
   std::vector<Rgb> front_colors;
@@ -79,10 +81,14 @@ struct SceneSkin::Parts {
   vtkNew<vtkPolyDataMapper> port_mapper;
   vtkNew<vtkActor> origin_actor;
   vtkNew<vtkPolyDataMapper> origin_mapper;
+  vtkNew<vtkActor> sign_actor;
+  vtkNew<vtkPolyDataMapper> sign_mapper;
   vtkSmartPointer<vtkStaticCellLocator> locator;  ///< made by the first pick
 
   void add(vtkActor* actor, vtkPolyDataMapper* mapper);
   void recolor();
+  void drawSigns(bool any);
+  [[nodiscard]] ColorRange range() const;
   void drawFaces(bool far);
   void setLights();
 };
@@ -95,7 +101,7 @@ void SceneSkin::Parts::add(vtkActor* actor, vtkPolyDataMapper* mapper) {
 
 void SceneSkin::Parts::recolor() {
   prism_actor->GetProperty()->SetEdgeColor(colors.edge.data());
-  const bool any = content && !content->layout.cells.empty() && !colors.scale.empty();
+  const bool any = content && !content->layout.cells.empty() && !colors.scale.steps.empty();
   prism_actor->SetVisibility(any && content->prisms);
   hexagons.stale = true;
   bricks.stale = true;
@@ -108,9 +114,11 @@ void SceneSkin::Parts::recolor() {
   origin_actor->SetVisibility(marked);
   if (!any) {
     front_colors.clear();
+    drawSigns(false);
     return;
   }
-  front_colors = cellColors(coloring, content->figures, readings, colors);
+  front_colors = cellColors(coloring, content->figures, readings, range(), colors);
+  drawSigns(true);
   if (content->prisms) {
     prism_mapper->SetInputData(makeColoredSurface(*content, front_colors));
   } else {
@@ -120,6 +128,18 @@ void SceneSkin::Parts::recolor() {
     port_mapper->SetInputData(makePortMarks(*content, front_colors, colors));
     origin_mapper->SetInputData(makeOriginMarks(*content, front_colors, colors));
   }
+}
+
+void SceneSkin::Parts::drawSigns(bool any) {
+  const vtkSmartPointer<vtkPolyData> signs = any ? makeSigns(*content, front_colors, colors) : nullptr;
+  sign_actor->SetVisibility(signs != nullptr);
+  if (signs) sign_mapper->SetInputData(signs);
+}
+
+ColorRange SceneSkin::Parts::range() const {
+  if (!isQuantity(coloring)) return {};
+  if (fixed_range) return *fixed_range;
+  return rangeOf(coloring, scaledValues(coloring, *content->reconstruction, content->figures, readings), {});
 }
 
 void SceneSkin::Parts::drawFaces(bool far) {
@@ -161,6 +181,7 @@ SceneSkin::SceneSkin(vtkRenderer* renderer) : parts_(std::make_unique<Parts>()) 
   }
   parts_->add(parts_->port_actor, parts_->port_mapper);
   parts_->add(parts_->origin_actor, parts_->origin_mapper);
+  parts_->add(parts_->sign_actor, parts_->sign_mapper);
   vtkProperty* prism = parts_->prism_actor->GetProperty();
   prism->SetAmbient(kAmbient);
   prism->SetDiffuse(kDiffuse);
@@ -172,6 +193,7 @@ SceneSkin::SceneSkin(vtkRenderer* renderer) : parts_(std::make_unique<Parts>()) 
   // Marks lie on the faces and keep their colour in any light.
   parts_->port_actor->GetProperty()->LightingOff();
   parts_->origin_actor->GetProperty()->LightingOff();
+  parts_->sign_actor->GetProperty()->LightingOff();
 }
 
 SceneSkin::~SceneSkin() = default;
@@ -185,6 +207,12 @@ void SceneSkin::setContent(std::shared_ptr<const SceneContent> content) {
 void SceneSkin::setColoring(Coloring coloring) {
   parts_->coloring = coloring;
   parts_->recolor();
+}
+
+void SceneSkin::setFixedRange(const std::optional<ColorRange>& range) {
+  if (range == parts_->fixed_range) return;
+  parts_->fixed_range = range;
+  if (isQuantity(parts_->coloring)) parts_->recolor();
 }
 
 void SceneSkin::setReadings(CellReadings readings) {
@@ -213,6 +241,14 @@ const std::vector<Rgb>& SceneSkin::frontColors() const { return parts_->front_co
 Coloring SceneSkin::coloring() const { return parts_->coloring; }
 
 const CellReadings& SceneSkin::readings() const { return parts_->readings; }
+
+std::optional<ScaleLegend> SceneSkin::scale() const {
+  if (!parts_->content || !isQuantity(parts_->coloring)) return std::nullopt;
+  const SceneContent& content = *parts_->content;
+  return makeScaleLegend(parts_->coloring, cellValues(parts_->coloring, content.figures, parts_->readings),
+                         scaledValues(parts_->coloring, *content.reconstruction, content.figures, parts_->readings),
+                         parts_->fixed_range, content.reconstruction->options);
+}
 
 void SceneSkin::update(int window_height) {
   // A hexagon's corners are a quarter of a side away from a brick's: half a pixel.

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "widgets/coloring/coloring.h"
+#include "widgets/coloring/scale_legend.h"
 #include "widgets/scene/scene_content.h"
 #include "widgets/style/scene_colors.h"
 
@@ -21,7 +22,8 @@ struct SceneLights {
   static constexpr double kHead = 0.4;
 };
 
-/// The cells in the scene: prisms or front faces, their colours, ports and origin; and which of them a pixel shows.
+/// The cells in the scene: prisms or front faces, their colours, ports, origin and signs; and which of them a pixel
+/// shows.
 class SceneSkin {
  public:
   /// Ports of more cells than these are specks.
@@ -35,6 +37,8 @@ class SceneSkin {
   /// Null shows nothing.
   void setContent(std::shared_ptr<const SceneContent> content);
   void setColoring(Coloring coloring);
+  /// Of the scale of the colouring; none: fitted to what is shown.
+  void setFixedRange(const std::optional<ColorRange>& range);
   void setReadings(CellReadings readings);
   void setSurfaceDistances(std::unordered_map<CellId, double> distance_m);
   void setColors(const SceneColors& colors);
@@ -43,6 +47,8 @@ class SceneSkin {
   [[nodiscard]] const std::vector<Rgb>& frontColors() const;
   [[nodiscard]] Coloring coloring() const;
   [[nodiscard]] const CellReadings& readings() const;
+  /// Of the scale of the colouring, if that is one of a quantity and cells are shown.
+  [[nodiscard]] std::optional<ScaleLegend> scale() const;
 
   /// Must be called before each rendering: cells are lit for the camera's position, and drawn in the visible detail.
   void update(int window_height);

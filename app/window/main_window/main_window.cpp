@@ -8,6 +8,7 @@
 #include "app/window/main_window/panels.h"
 #include "app/window/main_window/views.h"
 #include "app/window/presenters/capture_presenter.h"
+#include "app/window/presenters/coloring_presenter.h"
 #include "app/window/presenters/connection_presenter.h"
 #include "app/window/presenters/file_presenter.h"
 #include "app/window/presenters/guide_presenter.h"
@@ -93,6 +94,8 @@ struct MainWindow::Presenters {
         review(
             {*views.steps, *views.check_list, window.views_->tables, *views.residuals, *views.coverage, *views.patch},
             window.controller_, window.actions_, window.selection_, files, results),
+        coloring({*views.steps, *views.patch, *views.graph}, window.controller_, results, window.preferences_,
+                 window.scale_ranges_),
         picked({*views.steps, *views.graph, *views.tables.link_view, *views.messages}, window.controller_,
                window.actions_, window.selection_, review),
         verify({window, *views.verify_panel, *views.patch}, window.controller_, verification, files),
@@ -121,6 +124,7 @@ struct MainWindow::Presenters {
   ConnectionPresenter connection;
   CapturePresenter capture;
   ReviewPresenter review;
+  ColoringPresenter coloring;
   PickedCommands picked;
   Verification verification;
   VerifyPresenter verify;
