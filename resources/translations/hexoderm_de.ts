@@ -50,6 +50,10 @@
         <source>Writing</source>
         <translation>Wird geschrieben</translation>
     </message>
+    <message>
+        <source>Pose %1 captured.</source>
+        <translation>Pose %1 aufgenommen.</translation>
+    </message>
 </context>
 <context>
     <name>hexoderm::CapturePresenter</name>
@@ -651,6 +655,92 @@
     <message>
         <source>uncertainty of the orientation in the shape (95 %)</source>
         <translation>Unsicherheit der Orientierung in der Form (95 %)</translation>
+    </message>
+</context>
+<context>
+    <name>hexoderm::ComparePresenter</name>
+    <message>
+        <source>Before and after</source>
+        <translation>Vorher und nachher</translation>
+    </message>
+    <message>
+        <source>the result before the last change</source>
+        <translation>das Ergebnis vor der letzten Änderung</translation>
+    </message>
+    <message>
+        <source>%1, of the step Verify</source>
+        <translation>%1, aus dem Schritt Nachprüfen</translation>
+    </message>
+    <message>
+        <source>There is nothing to compare with yet: change something, take another pose, or choose an earlier calibration in the step Verify.</source>
+        <translation>Noch gibt es nichts zu vergleichen: etwas ändern, eine weitere Pose aufnehmen oder im Schritt Nachprüfen eine frühere Kalibrierung wählen.</translation>
+    </message>
+</context>
+<context>
+    <name>hexoderm::CompareView</name>
+    <message>
+        <source>BEFORE</source>
+        <translation>VORHER</translation>
+    </message>
+    <message>
+        <source>NOW</source>
+        <translation>JETZT</translation>
+    </message>
+    <message>
+        <source>The patch before</source>
+        <translation>Das Hautstück vorher</translation>
+    </message>
+    <message>
+        <source>The patch now</source>
+        <translation>Das Hautstück jetzt</translation>
+    </message>
+    <message>
+        <source>What the result of now is compared with</source>
+        <translation>Womit das jetzige Ergebnis verglichen wird</translation>
+    </message>
+    <message>
+        <source>Before:</source>
+        <translation>Vorher:</translation>
+    </message>
+    <message>
+        <source>Side by side</source>
+        <translation>Nebeneinander</translation>
+    </message>
+    <message>
+        <source>Both results, seen from the same side</source>
+        <translation>Beide Ergebnisse, von derselben Seite gesehen</translation>
+    </message>
+    <message>
+        <source>Arrows</source>
+        <translation>Pfeile</translation>
+    </message>
+    <message>
+        <source>The result of now, with an arrow from where each cell was</source>
+        <translation>Das jetzige Ergebnis, mit einem Pfeil von dort, wo jede Zelle war</translation>
+    </message>
+    <message>
+        <source>Enlargement of the arrows</source>
+        <translation>Vergrößerung der Pfeile</translation>
+    </message>
+    <message>
+        <source>Arrows enlarged</source>
+        <translation>Pfeile vergrößert</translation>
+    </message>
+    <message>
+        <source>%1 times</source>
+        <translation>%1-fach</translation>
+    </message>
+    <message>
+        <source>The two have no cells in common.</source>
+        <translation>Die beiden haben keine Zelle gemeinsam.</translation>
+    </message>
+    <message>
+        <source>%1 cells in common. Between before and now they lie %2 apart and are turned by %3 (rms, after the best fit of both); cell %4 has moved most, by %5.</source>
+        <translation>%1 gemeinsame Zellen. Zwischen vorher und jetzt liegen sie %2 auseinander und sind um %3 gedreht (quadratisches Mittel, nach bester Anpassung aneinander); am meisten hat sich Zelle %4 bewegt, um %5.</translation>
+    </message>
+    <message>
+        <source>Before and after</source>
+        <translation>Vorher und nachher</translation>
     </message>
 </context>
 <context>
@@ -6156,6 +6246,10 @@ Die Werte sagen, wie gut die Posen die Drehung der Zellen in drei Achsen festhal
         <source>Findings and links</source>
         <translation>Befunde und Verbindungen</translation>
     </message>
+    <message>
+        <source>Plot</source>
+        <translation>Diagramm</translation>
+    </message>
 </context>
 <context>
     <name>hexoderm::PartMotion</name>
@@ -7131,6 +7225,118 @@ Auf einem entfernten Bildschirm oder mit einem fehlerhaften Treiber kann es helf
     </message>
 </context>
 <context>
+    <name>hexoderm::PlotData</name>
+    <message>
+        <source>number of the cell</source>
+        <translation>Nummer der Zelle</translation>
+    </message>
+    <message>
+        <source>goal</source>
+        <translation>Ziel</translation>
+    </message>
+    <message>
+        <source>at rest</source>
+        <translation>in Ruhe</translation>
+    </message>
+    <message>
+        <source>the surface</source>
+        <translation>die Fläche</translation>
+    </message>
+</context>
+<context>
+    <name>hexoderm::PlotPicture</name>
+    <message>
+        <source>as predicted</source>
+        <translation>wie erwartet</translation>
+    </message>
+</context>
+<context>
+    <name>hexoderm::PlotPointing</name>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>Link %1</source>
+        <translation>Verbindung %1</translation>
+    </message>
+    <message>
+        <source>Cell %1</source>
+        <translation>Zelle %1</translation>
+    </message>
+    <message>
+        <source>%1 cells from %2 to %3</source>
+        <translation>%1 Zellen von %2 bis %3</translation>
+    </message>
+    <message>
+        <source>%1 links from %2 to %3</source>
+        <translation>%1 Verbindungen von %2 bis %3</translation>
+    </message>
+</context>
+<context>
+    <name>hexoderm::PlotView</name>
+    <message>
+        <source>What is plotted</source>
+        <translation>Wovon das Diagramm handelt</translation>
+    </message>
+    <message>
+        <source>Figure along the plot</source>
+        <translation>Kennwert nach rechts</translation>
+    </message>
+    <message>
+        <source>Figure up the plot</source>
+        <translation>Kennwert nach oben</translation>
+    </message>
+    <message>
+        <source>Plot</source>
+        <translation>Diagramm</translation>
+    </message>
+    <message>
+        <source>cells</source>
+        <translation>Zellen</translation>
+    </message>
+    <message>
+        <source>links</source>
+        <translation>Verbindungen</translation>
+    </message>
+    <message>
+        <source>how many (histogram)</source>
+        <translation>Anzahl (Histogramm)</translation>
+    </message>
+    <message>
+        <source>The plot appears here as soon as a skin is open.</source>
+        <translation>Das Diagramm erscheint hier, sobald eine Haut geöffnet ist.</translation>
+    </message>
+    <message>
+        <source>Nothing has both figures.</source>
+        <translation>Nichts hat beide Kennwerte.</translation>
+    </message>
+    <message>
+        <source>%1 cells</source>
+        <translation>%1 Zellen</translation>
+    </message>
+    <message>
+        <source>%1 links</source>
+        <translation>%1 Verbindungen</translation>
+    </message>
+    <message>
+        <source>%1 marked (Esc: none)</source>
+        <translation>%1 markiert (Esc: keine)</translation>
+    </message>
+    <message>
+        <source>%1 without a value</source>
+        <translation>%1 ohne Wert</translation>
+    </message>
+    <message>
+        <source>Plot of the figures of cells and links</source>
+        <translation>Diagramm der Kennwerte von Zellen und Verbindungen</translation>
+    </message>
+    <message>
+        <source>Drag a rectangle to mark cells in all views, or use the arrow keys with Shift</source>
+        <translation>Ein Rechteck ziehen, um Zellen in allen Ansichten zu markieren, oder mit Umschalt die Pfeiltasten benutzen</translation>
+    </message>
+</context>
+<context>
     <name>hexoderm::PoseGuide</name>
     <message>
         <source>The device refused to turn %1 times, so it is not asked any more. The last time: %2</source>
@@ -7473,6 +7679,18 @@ Auf einem entfernten Bildschirm oder mit einem fehlerhaften Treiber kann es helf
     <message>
         <source>From the next start on.</source>
         <translation>Ab dem nächsten Start.</translation>
+    </message>
+    <message>
+        <source>S&amp;peak instructions</source>
+        <translation>Anweisungen &amp;vorsprechen</translation>
+    </message>
+    <message>
+        <source>For hands and eyes that are on the robot: what to do next is spoken when it changes, in the language of the window.</source>
+        <translation>Für Hände und Augen, die am Roboter sind: Was als Nächstes zu tun ist, wird gesprochen, wenn es sich ändert, in der Sprache des Fensters.</translation>
+    </message>
+    <message>
+        <source>Not available: %1</source>
+        <translation>Nicht verfügbar: %1</translation>
     </message>
 </context>
 <context>
@@ -8202,6 +8420,21 @@ Auf einem entfernten Bildschirm oder mit einem fehlerhaften Treiber kann es helf
     <message>
         <source>Simulated robot</source>
         <translation>Simulierter Roboter</translation>
+    </message>
+</context>
+<context>
+    <name>hexoderm::Speaker</name>
+    <message>
+        <source>This computer has no engine that speaks, or none that answers.</source>
+        <translation>Dieser Rechner hat keine Sprachausgabe, oder sie antwortet nicht.</translation>
+    </message>
+    <message>
+        <source>This computer&apos;s engine has no voice for %1.</source>
+        <translation>Die Sprachausgabe dieses Rechners hat keine Stimme für %1.</translation>
+    </message>
+    <message>
+        <source>This program was built without speech.</source>
+        <translation>Dieses Programm wurde ohne Sprachausgabe gebaut.</translation>
     </message>
 </context>
 <context>
@@ -9569,6 +9802,22 @@ Auf einem entfernten Bildschirm oder mit einem fehlerhaften Treiber kann es helf
     <message>
         <source>Start the demo a&amp;rm</source>
         <translation>Demo-A&amp;rm starten</translation>
+    </message>
+    <message>
+        <source>P&amp;lot of figures</source>
+        <translation>Dia&amp;gramm der Kennwerte</translation>
+    </message>
+    <message>
+        <source>Any figure of cells or links against any other; what is marked there is marked in all views</source>
+        <translation>Jeder Kennwert der Zellen oder Verbindungen über jedem anderen; was dort markiert wird, ist in allen Ansichten markiert</translation>
+    </message>
+    <message>
+        <source>Before and &amp;after</source>
+        <translation>Vorher und n&amp;achher</translation>
+    </message>
+    <message>
+        <source>The result of now beside an earlier one, seen from the same side, or with arrows between them</source>
+        <translation>Das jetzige Ergebnis neben einem früheren, von derselben Seite gesehen, oder mit Pfeilen dazwischen</translation>
     </message>
 </context>
 <context>

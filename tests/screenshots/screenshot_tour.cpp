@@ -98,7 +98,8 @@ void ScreenshotTour::visitDialogs() {
     auto* action = const_cast<QAction*>(known);
     const QString name = action->objectName();
     const bool opens_dialog = action->text().endsWith(QChar(0x2026)) || name == QStringLiteral("actionKeys") ||
-                              name == QStringLiteral("actionAbout") || name == QStringLiteral("actionGuide");
+                              name == QStringLiteral("actionAbout") || name == QStringLiteral("actionGuide") ||
+                              name == QStringLiteral("actionCompare");
     const bool opens_a_field = name == QStringLiteral("actionFindCell");  // in the graph
     if (!opens_dialog || opens_a_field || name.isEmpty() || !action->isEnabled()) continue;
     action->trigger();
@@ -150,6 +151,9 @@ QStringList ScreenshotTour::run(QSize size) {
                      .arg(window_.width())
                      .arg(window_.height());
   }
+  window_.actions().plot->trigger();
+  stop(window_, QStringLiteral("plot"));
+  window_.actions().plot->trigger();
   visitDialogs();
   return problems_;
 }

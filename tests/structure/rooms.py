@@ -26,7 +26,7 @@ HALLS = {
                                     " < figures < solved_skin < reconstructor < {hold_out, reconstruction_worker,"
                                     " sensor_statistics}",
     "core/hexoderm/robot": "parts < links < place",
-    "widgets": "style < words < {controls, coloring} < {tables, capture, graph, scene} < {verify, patch} < robot",
+    "widgets": "style < words < {controls, coloring} < {tables, capture, graph, plot, scene} < {verify, patch} < robot",
     "app": "{cli, emulator, window}",
     "app/window": "{files, toolkit} < {settings, report} < session < {guide, dialogs, log} < presenters < main_window"
                   " < main",

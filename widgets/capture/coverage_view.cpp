@@ -1,5 +1,6 @@
 #include "widgets/capture/coverage_view.h"
 
+#include "hexoderm/capture/calm_up.h"
 #include "hexoderm/util/units.h"
 #include "widgets/capture/capture_words.h"
 #include "widgets/words/words.h"
@@ -39,6 +40,7 @@ struct CoverageView::Parts {
 
   CoverageView* view;
   PoseCoverage coverage;
+  CalmUp calm_up;
   std::optional<Eigen::Vector3d> current;
   std::optional<Eigen::Vector3d> next;
   std::optional<PoseId> picked;
@@ -348,8 +350,10 @@ void CoverageView::setCoverage(const PoseCoverage& coverage) {
 }
 
 void CoverageView::setCurrent(const std::optional<Eigen::Vector3d>& up_o) {
+  const std::optional<Eigen::Vector3d> shown = parts_->calm_up.follow(up_o);
+  if (shown == parts_->current) return;
   update(parts_->aroundCurrent());
-  parts_->current = up_o;
+  parts_->current = shown;
   update(parts_->aroundCurrent());
 }
 

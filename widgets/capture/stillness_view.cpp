@@ -9,6 +9,7 @@
 #include <QLocale>
 #include <QPainter>
 #include <QPolygonF>
+#include <QTimer>
 #include <QVBoxLayout>
 #include <algorithm>
 #include <array>
@@ -21,7 +22,8 @@ constexpr double kHalfLane = 0.48;
 constexpr double kLimitsInHalfLane = 1.6;
 constexpr double kRibbon = -0.62;
 constexpr double kTop = 2.55;
-constexpr double kLetters_s = 0.4;  // room on the left for the names of the axes
+constexpr int kRefreshEvery_ms = 100;  // readings come twice as often; a strip of ten seconds does not show it
+constexpr double kLetters_s = 0.4;     // room on the left for the names of the axes
 constexpr std::array<const char*, 3> kAxes = {"x", "y", "z"};
 
 double laneOf(int axis) { return 2.0 - axis; }
@@ -128,6 +130,15 @@ class Ground : public QwtPlotItem {
   Theme theme_ = Theme::Light;
 };
 
+/// Draws a long line piece by piece. Qt's rasterizer looks through all that crosses a row of pixels for each edge that
+/// does, so that a line that swings up and down takes ten times as long in one piece.
+void drawInPieces(QPainter& painter, const QPolygonF& line) {
+  constexpr int kPiece = 12;
+  for (int from = 0; from + 1 < line.size(); from += kPiece) {
+    painter.drawPolyline(line.constData() + from, std::min(kPiece + 1, static_cast<int>(line.size()) - from));
+  }
+}
+
 /// The three axes in their lanes. Not Qwt's own curve: its header is no C++20 (destructors with template arguments).
 class Curves : public QwtPlotItem {
  public:
@@ -138,7 +149,8 @@ class Curves : public QwtPlotItem {
             const QRectF& /*canvas*/) const override {
     painter->setRenderHint(QPainter::Antialiasing);
     for (int axis = 0; axis < 3; ++axis) {
-      painter->setPen(QPen(Colors::of(theme_).axis.at(static_cast<std::size_t>(axis)), 1.5));
+      painter->setPen(
+          QPen(Colors::of(theme_).axis.at(static_cast<std::size_t>(axis)), 1.5, Qt::SolidLine, Qt::FlatCap));
       QPolygonF line;
       for (const TracePoint& point : trace_->points()) {
         if (point.deviation_g) {
@@ -146,11 +158,11 @@ class Curves : public QwtPlotItem {
           line.append({across.transform(point.time_s - trace_->now_s()),
                        up.transform(laneOf(axis) + std::clamp(lanes, -kHalfLane, kHalfLane))});
         } else {
-          painter->drawPolyline(line);
+          drawInPieces(*painter, line);
           line.clear();
         }
       }
-      painter->drawPolyline(line);
+      drawInPieces(*painter, line);
     }
   }
 
@@ -171,11 +183,24 @@ struct StillnessView::Parts {
   QLabel* nothing = nullptr;
   Ground* ground = nullptr;  ///< the plot's
   Curves* curves = nullptr;  ///< likewise
+  QTimer refresh_soon;
 
   void refresh();
+  /// At once if nothing is drawn yet.
+  void refreshSoon();
 };
 
+void StillnessView::Parts::refreshSoon() {
+  if (!view->isVisible()) return;
+  if (plot->isHidden()) {
+    refresh();
+  } else if (!refresh_soon.isActive()) {
+    refresh_soon.start();
+  }
+}
+
 void StillnessView::Parts::refresh() {
+  refresh_soon.stop();
   if (!view->isVisible()) return;
   const bool empty = trace.points().empty();
   if (nothing->isHidden() == empty) {
@@ -235,6 +260,9 @@ StillnessView::StillnessView(QWidget* parent) : QWidget(parent), parts_(std::mak
   layout->addWidget(plot, 1);
   layout->addWidget(parts_->nothing, 1);
   plot->hide();
+  parts_->refresh_soon.setSingleShot(true);
+  parts_->refresh_soon.setInterval(kRefreshEvery_ms);
+  connect(&parts_->refresh_soon, &QTimer::timeout, this, [this] { parts_->refresh(); });
   setTheme(Theme::Light);
 }
 
@@ -245,7 +273,7 @@ StillnessView::~StillnessView() {
 
 void StillnessView::add(const HoldStatus& hold, const SkinPreview& preview) {
   parts_->trace.add(hold, preview);
-  parts_->refresh();
+  parts_->refreshSoon();
 }
 
 void StillnessView::addCaptured(PoseId pose, double time_s) {

@@ -68,6 +68,7 @@ GraphView::GraphView(Selection* selection, QWidget* parent)
   describe();
   connect(button_, &GraphColoringButton::changed, this, &GraphView::recolor);
   connect(selection, &Selection::changed, this, &GraphView::onSelectionChanged);
+  connect(selection, &Selection::brushedChanged, this, qOverload<>(&QWidget::update));
   connect(finder_, &FindCellField::found, this, [this](quint32 id) {
     if (const auto cell = scene_->indexOf(CellId(id))) {
       bringIntoView({cell, std::nullopt});
@@ -265,6 +266,9 @@ void GraphView::drawHighlights(QPainter& painter) const {
   const GraphStyle own = style();
   const GraphPainter graph(*scene_, *paint_, camera_, own);
   const Colors& colors = Colors::of(theme_);
+  for (const CellId brushed : selection_->brushed()) {
+    if (const auto cell = scene_->indexOf(brushed)) graph.drawBrushMark(painter, *cell);
+  }
   if (hovered_.cell) graph.drawCellOutline(painter, *hovered_.cell, colors.text_muted, 2);
   if (hovered_.link) graph.drawLinkOutline(painter, *hovered_.link, colors.text_muted, 1);
   const GraphHit hit = picked();

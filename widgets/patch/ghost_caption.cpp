@@ -6,6 +6,7 @@
 #include <QPainterPath>
 #include <array>
 #include <cmath>
+#include <utility>
 
 namespace hexoderm {
 
@@ -16,8 +17,8 @@ GhostCaption::GhostCaption(QWidget* parent) : QWidget(parent) {
 }
 
 void GhostCaption::setShown(bool shown) {
-  shown_ = shown;
-  update();
+  // It lies over the whole view, which would be painted with it.
+  if (std::exchange(shown_, shown) != shown) update();
 }
 
 void GhostCaption::setAngle(const QString& angle) {

@@ -18,6 +18,7 @@
 #include <vtkCommand.h>
 #include <vtkInteractorObserver.h>
 #include <vtkRenderWindowInteractor.h>
+#include <vtkRenderer.h>
 #include <QAction>
 #include <QGridLayout>
 #include <QLocale>
@@ -114,6 +115,10 @@ void PatchView::Parts::build() {
     connect(motion, &PartMotion::turnRequested, view, &PatchView::turnRequested);
   }
   connect(selection, &Selection::changed, this, [this] { updateSelection(); });
+  connect(selection, &Selection::brushedChanged, this, [this] {
+    if (scene) scene->setBrushed(selection->brushed());
+    requestRender();
+  });
   connect(&measure, &MeasureTool::changed, this, [this] { updateMeasure(); });
   view->setMinimumHeight(180);
   updateCaptions();
@@ -147,6 +152,7 @@ void PatchView::Parts::connectControls() {
     scene->setColoring(chosen);
     scene->setFixedRange(ranges->fixed(chosen));
     refresh();
+    emit view->coloringChanged(chosen);
   });
   connect(controls, &PatchControls::coloringPicked, view, &PatchView::coloringPicked);
   connect(controls, &PatchControls::itemToggled, this, [this](SceneItem item, bool shown) {
@@ -429,6 +435,26 @@ void PatchView::setOverlays(const PatchOverlays& overlays) {
 }
 
 const PatchOverlays& PatchView::overlays() const { return parts_->overlays; }
+
+void PatchView::setShiftFactor(std::optional<double> factor) {
+  if (!parts_->scene) return;
+  parts_->scene->setShiftFactor(factor);
+  parts_->refresh();
+}
+
+std::optional<double> PatchView::shiftFactor() const {
+  return parts_->scene ? parts_->scene->notes().shift_factor : std::nullopt;
+}
+
+Coloring PatchView::coloring() const { return parts_->coloring; }
+
+void PatchView::setColoring(Coloring coloring) {
+  if (parts_->controls != nullptr && parts_->coloring != coloring) parts_->controls->action(coloring)->setChecked(true);
+}
+
+vtkCamera* PatchView::camera() const { return parts_->scene ? parts_->scene->renderer()->GetActiveCamera() : nullptr; }
+
+void PatchView::redraw() { parts_->requestRender(); }
 
 void PatchView::setMoment(const PatchMoment& moment) {
   const PatchMoment before = std::exchange(parts_->moment, moment);

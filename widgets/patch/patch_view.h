@@ -12,6 +12,8 @@
 #include <memory>
 #include <optional>
 
+class vtkCamera;
+
 namespace hexoderm {
 
 class ScaleRanges;
@@ -46,6 +48,17 @@ class PatchView : public QWidget {
   /// Results and truths about the reconstruction that is shown. They stay until they are set anew.
   void setOverlays(const PatchOverlays& overlays);
   [[nodiscard]] const PatchOverlays& overlays() const;
+  /// The enlargement of the differences with another calibration; none: as far as they can be told apart.
+  void setShiftFactor(std::optional<double> factor);
+  /// As they are drawn; none: nothing is.
+  [[nodiscard]] std::optional<double> shiftFactor() const;
+  /// What the colours of the cells mean, as the menu has it.
+  [[nodiscard]] Coloring coloring() const;
+  void setColoring(Coloring coloring);
+  /// Null without OpenGL. Whoever moves it asks for a picture with redraw().
+  [[nodiscard]] vtkCamera* camera() const;
+  /// Draws soon.
+  void redraw();
   /// The present moment of a connected skin and the picked pose. Each call lets the picture follow the part a little
   /// further; may come 20 times a second.
   void setMoment(const PatchMoment& moment);
@@ -87,6 +100,7 @@ class PatchView : public QWidget {
   void pictureRequested();
   /// The part should be turned until this direction of the largest patch's frame points up; at most 20 times a second.
   void turnRequested(Eigen::Vector3d up_o);
+  void coloringChanged(hexoderm::Coloring coloring);
 
  protected:
   void paintEvent(QPaintEvent* event) override;

@@ -2,6 +2,7 @@
 
 #include "hexoderm/reconstruction/advice/pose_coverage.h"
 #include "widgets/scene/blending_renderer.h"
+#include "widgets/scene/brush_marks.h"
 #include "widgets/scene/cell_meshes.h"
 #include "widgets/scene/scene_corners.h"
 #include "widgets/scene/scene_ghost.h"
@@ -28,6 +29,7 @@ struct PatchScene::Parts {
   SceneColors colors;
   std::optional<CellId> picked_cell;
   std::optional<std::pair<LinkEnd, LinkEnd>> picked_link;
+  std::vector<CellId> brushed;
   PatchMoment moment;
   PatchOverlays overlays;
   bool text_visible = true;
@@ -42,6 +44,8 @@ struct PatchScene::Parts {
   SceneLabels labels{renderer};
   vtkNew<vtkActor> selection_actor;
   vtkNew<vtkPolyDataMapper> selection_mapper;
+  vtkNew<vtkActor> brush_actor;
+  vtkNew<vtkPolyDataMapper> brush_mapper;
   SceneCorners corners;
   SceneGhost ghost;
 
@@ -53,6 +57,7 @@ struct PatchScene::Parts {
   void recolor();
   void updateItems();
   void updateSelection();
+  void updateBrushed();
   void updateGravity();
   void updateGhost();
   void showGhostOfLargestPatch();
@@ -68,6 +73,10 @@ PatchScene::Parts::Parts() {
   // An outline lies on the faces and keeps its colour in any light.
   selection_actor->GetProperty()->LightingOff();
   selection_actor->GetProperty()->SetLineWidth(3.5F);
+  brush_actor->SetMapper(brush_mapper);
+  brush_actor->VisibilityOff();
+  brush_actor->GetProperty()->LightingOff();
+  renderer->AddActor(brush_actor);
 
   vtkNew<vtkLight> key;
   key->SetLightTypeToCameraLight();
@@ -150,6 +159,7 @@ void PatchScene::Parts::recolor() {
   corners.setColors(colors);
   ghost.setColors(colors);
   labels.setColors(skin.frontColors(), colors);
+  updateBrushed();
 }
 
 void PatchScene::Parts::updateItems() {
@@ -169,6 +179,12 @@ void PatchScene::Parts::updateSelection() {
     selection_mapper->SetInputData(makeCellOutlines(*content, {*picked_cell}));
     selection_actor->VisibilityOn();
   }
+}
+
+void PatchScene::Parts::updateBrushed() {
+  const bool any = content && !brushed.empty();
+  brush_actor->SetVisibility(any);
+  if (any) brush_mapper->SetInputData(makeBrushMarks(*content, brushed, skin.frontColors(), colors));
 }
 
 /// Every patch has a frame of its own: this is the gravity of the picked cell's patch, or else of the largest patch, or
@@ -253,13 +269,15 @@ void PatchScene::setOverlays(const PatchOverlays& overlays) {
   parts_->recolor();
 }
 
+void PatchScene::setShiftFactor(std::optional<double> factor) { parts_->drawn_overlays.setShiftFactor(factor); }
+
 const PatchOverlays& PatchScene::overlays() const { return parts_->overlays; }
 
 void PatchScene::setMoment(const PatchMoment& moment) {
   const PatchMoment before = std::exchange(parts_->moment, moment);
   if (moment.readings != before.readings) {
     parts_->skin.setReadings(moment.readings ? *moment.readings : CellReadings{});
-    parts_->recolor();
+    if (isReading(parts_->skin.coloring())) parts_->recolor();
   }
   const bool other_up = moment.up_o != before.up_o;
   if (other_up) parts_->camera.follow(moment.up_o);
@@ -285,6 +303,11 @@ void PatchScene::setSelection(std::optional<CellId> cell, std::optional<std::pai
   parts_->updateSelection();
   parts_->updateGravity();
   parts_->updateGhost();
+}
+
+void PatchScene::setBrushed(std::vector<CellId> cells) {
+  parts_->brushed = std::move(cells);
+  parts_->updateBrushed();
 }
 
 void PatchScene::setMeasured(std::optional<CellId> first, std::optional<CellId> second) {

@@ -49,6 +49,8 @@ class PatchScene {
   /// Draws anew only the overlays that are other ones than before.
   void setOverlays(const PatchOverlays& overlays);
   [[nodiscard]] const PatchOverlays& overlays() const;
+  /// The enlargement of the differences with another calibration; none: as far as they can be told apart.
+  void setShiftFactor(std::optional<double> factor);
   /// Draws anew only what has changed since the moment before. Cells without a reading are neutral.
   void setMoment(const PatchMoment& moment);
   [[nodiscard]] const PatchMoment& moment() const;
@@ -58,6 +60,8 @@ class PatchScene {
   [[nodiscard]] const SceneNotes& notes();
   /// Draws an outline about the cell or a line along the link, if the reconstruction has it.
   void setSelection(std::optional<CellId> cell, std::optional<std::pair<LinkEnd, LinkEnd>> link);
+  /// Marks these cells with a ring on their faces, those of them that the reconstruction has.
+  void setBrushed(std::vector<CellId> cells);
   /// The cells between which is measured: one is outlined, two are joined by a line.
   void setMeasured(std::optional<CellId> first, std::optional<CellId> second);
   /// Turns the ghost from the present orientation (0) to the next (1).

@@ -53,6 +53,7 @@ struct SceneOverlays::Parts {
   ShownItems shown = kShownAtFirst;
   PatchOverlays overlays;
   std::optional<SurfaceMesh> surface_mesh;  ///< the sheet and the distances are drawn from the same mesh
+  std::optional<double> shift_factor;
   std::optional<CellId> first;
   std::optional<CellId> second;
   std::array<DrawnOverlay, kKinds> drawn;
@@ -206,7 +207,8 @@ vtkSmartPointer<vtkPolyData> SceneOverlays::Parts::make(Kind kind) {
     case kShifts:
       notes.shift_factor.reset();
       return draws(SceneItem::Comparison)
-                 ? enlarged(makeShiftArrows(*content, shiftsOf(*content->reconstruction, *overlays.comparison)),
+                 ? enlarged(makeShiftArrows(*content, shiftsOf(*content->reconstruction, *overlays.comparison),
+                                            shift_factor),
                             notes.shift_factor)
                  : nullptr;
     case kMeasure:
@@ -277,6 +279,10 @@ void SceneOverlays::setOverlays(const PatchOverlays& overlays) {
   }
   if (overlays.loop != before.loop) parts_->invalidate({kLoop});
   if (overlays.comparison != before.comparison) parts_->invalidate({kShifts});
+}
+
+void SceneOverlays::setShiftFactor(std::optional<double> factor) {
+  if (std::exchange(parts_->shift_factor, factor) != factor) parts_->invalidate({kShifts});
 }
 
 void SceneOverlays::setMeasured(std::optional<CellId> first, std::optional<CellId> second) {

@@ -47,6 +47,8 @@ class SceneOverlays {
   void setColors(const SceneColors& colors);
   void setShown(SceneItem item, bool shown);
   void setOverlays(const PatchOverlays& overlays);
+  /// The enlargement of the differences; none: as far as they can be told apart.
+  void setShiftFactor(std::optional<double> factor);
   /// A line between the centres of two cells of a patch, or outlines about cells of two patches or the first alone.
   void setMeasured(std::optional<CellId> first, std::optional<CellId> second);
 

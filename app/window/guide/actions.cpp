@@ -118,6 +118,12 @@ WindowActions::WindowActions(QWidget* owner, QUndoStack* undo_stack)
                tr("Versions, graphics, what is open and the last lines of the log, with your home folder as ~"))),
       open_log_folder(make(owner, "actionOpenLogFolder", tr("&Open the log's folder"),
                            tr("Show the folder in which the log is kept"))),
+      plot(make(owner, "actionPlot", tr("P&lot of figures"),
+                tr("Any figure of cells or links against any other; what is marked there is marked in all views"),
+                {QKeySequence(Qt::Key_P)})),
+      compare(make(owner, "actionCompare", tr("Before and &after"),
+                   tr("The result of now beside an earlier one, seen from the same side, or with arrows between them"),
+                   {QKeySequence(Qt::Key_C)})),
       recent(new QMenu(tr("Open &recent"), owner)),
       themes(new QActionGroup(owner)) {
   undo->setObjectName(QStringLiteral("actionUndo"));
@@ -131,7 +137,7 @@ WindowActions::WindowActions(QWidget* owner, QUndoStack* undo_stack)
   demo->setIconText(tr("Start the demo skin"));
   // A key that is held must not take a row of poses.
   for (QAction* action : {capture, automatic, skip_pose, turn, robot, live_mode, light_cell, toggle_pose, delete_pose,
-                          recapture, retake, mute_link, screenshot, swap_views}) {
+                          recapture, retake, mute_link, screenshot, swap_views, plot, compare}) {
     action->setAutoRepeat(false);
   }
   for (QAction* action : {automatic, robot, live_mode, light_cell}) action->setCheckable(true);
@@ -178,7 +184,7 @@ void WindowActions::fillMenuBar(QMenuBar* bar, const std::vector<QAction*>& pane
   for (QAction* step : go_to_step) steps->addAction(step);
 
   QMenu* view = bar->addMenu(tr("&View"));
-  view->addActions({find_cell, show_finding, fit, front, side, top, swap_views});
+  view->addActions({find_cell, show_finding, fit, front, side, top, swap_views, plot, compare});
   view->addSeparator();
   for (QAction* panel : panels) view->addAction(panel);
   view->addSeparator();
@@ -333,7 +339,7 @@ void WindowActions::refresh(const SessionController& controller, std::optional<i
   allow(show_finding, has_findings ? QString() : tr("There are no findings"));
 
   const QString nothing = controller.reconstruction() ? QString() : tr("There is nothing to look at yet");
-  for (QAction* action : {find_cell, fit, front, side, top}) allow(action, nothing);
+  for (QAction* action : {find_cell, fit, front, side, top, plot, compare}) allow(action, nothing);
   for (QAction* action : {undo, redo}) {
     const bool can = action->isEnabled();
     const QString tip = can ? action->text().remove(QLatin1Char('&'))

@@ -69,6 +69,8 @@ class WindowActions {
   QAction* swap_views;  ///< graph and 3D view
   QAction* copy_report;
   QAction* open_log_folder;
+  QAction* plot;
+  QAction* compare;
   std::vector<QAction*> go_to_step;  ///< the first is step 1
   QMenu* recent;
   QActionGroup* themes;

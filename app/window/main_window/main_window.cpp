@@ -9,6 +9,7 @@
 #include "app/window/main_window/views.h"
 #include "app/window/presenters/capture_presenter.h"
 #include "app/window/presenters/coloring_presenter.h"
+#include "app/window/presenters/compare_presenter.h"
 #include "app/window/presenters/connection_presenter.h"
 #include "app/window/presenters/file_presenter.h"
 #include "app/window/presenters/guide_presenter.h"
@@ -19,9 +20,11 @@
 #include "app/window/presenters/picked_commands.h"
 #include "app/window/presenters/picture_presenter.h"
 #include "app/window/presenters/place_presenter.h"
+#include "app/window/presenters/plot_presenter.h"
 #include "app/window/presenters/preferences_presenter.h"
 #include "app/window/presenters/result_presenter.h"
 #include "app/window/presenters/review_presenter.h"
+#include "app/window/presenters/speech_presenter.h"
 #include "app/window/presenters/status_presenter.h"
 #include "app/window/presenters/theme_presenter.h"
 #include "app/window/presenters/verify_presenter.h"
@@ -33,6 +36,7 @@
 #include "widgets/capture/capture_panel.h"
 #include "widgets/capture/capture_tone.h"
 #include "widgets/capture/coverage_view.h"
+#include "widgets/capture/instruction_voice.h"
 #include "widgets/capture/live_strip.h"
 #include "widgets/capture/stillness_view.h"
 #include "widgets/controls/banner.h"
@@ -42,6 +46,7 @@
 #include "widgets/controls/step_panel.h"
 #include "widgets/graph/graph_view.h"
 #include "widgets/patch/patch_view.h"
+#include "widgets/plot/plot_view.h"
 #include "widgets/robot/place_panel.h"
 #include "widgets/robot/robot_view.h"
 #include "widgets/tables/cell_table.h"
@@ -100,12 +105,16 @@ struct MainWindow::Presenters {
                window.actions_, window.selection_, review),
         verify({window, *views.verify_panel, *views.patch}, window.controller_, verification, files),
         place({window, *views.steps, *views.place_panel, *views.robot, panels.middle()}, window.controller_, placing),
+        compare(window, window.controller_, window.actions_, window.selection_, verification, themes),
+        plot({*views.plot, panels.plot(), *views.verify_panel}, window.controller_, window.actions_),
         guide({*views.banner, *views.steps, *views.check_list}, window.controller_, window.actions_),
         status({window, *views.session_name, *views.status, panels.graph(), panels.poses(), *views.detail_tabs},
                window.controller_),
         history({window, *views.welcome, *views.earlier, *views.messages}, {window.recent_, window.unsaved_},
                 window.controller_, window.actions_, files, window.log_),
         preferences({window, *views.messages}, window.controller_, window.actions_, window.preferences_, themes),
+        speech({*views.capture_panel, *views.voice}, window.controller_, window.actions_, window.preferences_,
+               preferences),
         log({window, *views.log, *views.messages}, window.controller_, window.actions_, window.log_),
         help(window, *views.menus, window.controller_, window.actions_),
         view_commands(
@@ -113,7 +122,7 @@ struct MainWindow::Presenters {
             window.actions_),
         // As one reads the window: from the top, and from left to right.
         keyboard({views.banner, views.messages, views.live_strip, views.steps, panels.centralWidget(), &panels.graph(),
-                  &panels.coverage(), &panels.poses(), &panels.details()},
+                  &panels.coverage(), &panels.plot(), &panels.poses(), &panels.details()},
                  window.actions_) {}
 
   EventRecorder recorder;
@@ -130,10 +139,13 @@ struct MainWindow::Presenters {
   VerifyPresenter verify;
   Placing placing;
   PlacePresenter place;
+  ComparePresenter compare;
+  PlotPresenter plot;
   GuidePresenter guide;
   StatusPresenter status;
   HistoryPresenter history;
   PreferencesPresenter preferences;
+  SpeechPresenter speech;
   LogPresenter log;
   HelpPresenter help;
   ViewCommands view_commands;
@@ -218,6 +230,7 @@ void MainWindow::handOutResults() {
   results.add(views_->tables.cells);
   results.addPicture(views_->graph);
   results.addPicture(views_->patch);
+  results.add(views_->plot);
   results.add(views_->residuals);
   results.add(views_->verify_panel);
   results.add(&presenters_->verification);
@@ -243,6 +256,7 @@ void MainWindow::dressViews() {
   themes.add(views_->stillness);
   themes.add(views_->patch);
   themes.add(views_->graph);
+  themes.add(views_->plot);
   themes.add(views_->residuals);
   themes.add(views_->verify_panel);
   themes.add(views_->place_panel);
@@ -259,6 +273,7 @@ void MainWindow::connectRefresh() {
 void MainWindow::refresh() {
   presenters_->picked.refresh();  // the guide asks the actions
   presenters_->guide.refresh();
+  presenters_->speech.refresh();
   presenters_->results.refresh();
   presenters_->place.refresh();
   presenters_->status.refresh();

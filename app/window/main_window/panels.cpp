@@ -11,6 +11,7 @@
 #include "widgets/controls/step_panel.h"
 #include "widgets/graph/graph_view.h"
 #include "widgets/patch/patch_view.h"
+#include "widgets/plot/plot_view.h"
 #include "widgets/robot/robot_view.h"
 #include "widgets/verify/residual_view.h"
 
@@ -26,7 +27,7 @@ namespace hexoderm {
 namespace {
 
 /// Raised when docks come or go, so that an older layout is not forced onto a newer window.
-constexpr int kLayoutVersion = 2;
+constexpr int kLayoutVersion = 3;
 const QString kState = QStringLiteral("window/state");
 
 }  // namespace
@@ -50,6 +51,7 @@ Panels::Panels(const Views& views, QWidget* parent) : QMainWindow(parent) {
                         this);
   views.coverage->setEmptyHint(tr("No poses yet."));
   coverage_ = new CardDock(tr("Directions seen"), QStringLiteral("coverageDock"), views.coverage, this);
+  plot_ = new CardDock(tr("Plot"), QStringLiteral("plotDock"), views.plot, this);
   swap_ = std::make_unique<ViewSwap>(*views.patch, *views.graph, *graph_);
   // In their order from below.
   connect(swap_.get(), &ViewSwap::swapped, views.robot, &QWidget::raise);
@@ -116,6 +118,8 @@ void Panels::arrange() {
   addDockWidget(Qt::RightDockWidgetArea, coverage_);
   addDockWidget(Qt::RightDockWidgetArea, poses_);
   addDockWidget(Qt::BottomDockWidgetArea, details_);
+  tabifyDockWidget(coverage_, plot_);
+  plot_->hide();
   resizeDocks({steps_, graph_}, {286, 420}, Qt::Horizontal);
   resizeDocks({graph_, coverage_, poses_}, {230, 258, 170}, Qt::Vertical);
   resizeDocks({details_}, {170}, Qt::Vertical);

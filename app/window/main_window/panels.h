@@ -26,13 +26,15 @@ class Panels : public QMainWindow {
   [[nodiscard]] CardDock& steps() { return *steps_; }
   [[nodiscard]] CardDock& graph() { return *graph_; }
   [[nodiscard]] CardDock& coverage() { return *coverage_; }
+  /// Closed until somebody asks for it.
+  [[nodiscard]] CardDock& plot() { return *plot_; }
   [[nodiscard]] CardDock& poses() { return *poses_; }
   [[nodiscard]] CardDock& details() { return *details_; }
   [[nodiscard]] ViewSwap& swap() { return *swap_; }
   /// What lies in the middle: the 3D view or the graph. The robot takes its place.
   [[nodiscard]] QWidget& middle() { return *middle_; }
   [[nodiscard]] const std::vector<TableOrHint*>& tables() const { return tables_; }
-  /// One a panel: shows or hides it.
+  /// One a panel but the plot, which has an action of its own: shows or hides it.
   [[nodiscard]] std::vector<QAction*> toggleActions() const;
 
   /// As the operator left them at the last start.
@@ -50,6 +52,7 @@ class Panels : public QMainWindow {
   CardDock* graph_;
   CardDock* poses_;
   CardDock* coverage_;
+  CardDock* plot_;
   std::unique_ptr<ViewSwap> swap_;
   CardDock* details_;
   std::vector<TableOrHint*> tables_;

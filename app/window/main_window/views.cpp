@@ -9,7 +9,9 @@
 #include "widgets/capture/capture_panel.h"
 #include "widgets/capture/capture_tone.h"
 #include "widgets/capture/coverage_view.h"
+#include "widgets/capture/instruction_voice.h"
 #include "widgets/capture/live_strip.h"
+#include "widgets/capture/speaker.h"
 #include "widgets/capture/stillness_view.h"
 #include "widgets/controls/banner.h"
 #include "widgets/controls/check_list.h"
@@ -17,12 +19,14 @@
 #include "widgets/controls/step_panel.h"
 #include "widgets/graph/graph_view.h"
 #include "widgets/patch/patch_view.h"
+#include "widgets/plot/plot_view.h"
 #include "widgets/robot/place_panel.h"
 #include "widgets/robot/robot_view.h"
 #include "widgets/verify/residual_view.h"
 #include "widgets/verify/verify_panel.h"
 
 #include <QLabel>
+#include <QLocale>
 #include <QMenuBar>
 #include <QTabBar>
 
@@ -48,9 +52,11 @@ Views::Views(const Sources& sources, QObject* owner)
       patch(new PatchView(&sources.selection)),
       robot(new RobotView),
       graph(new GraphView(&sources.selection)),
+      plot(new PlotView(&sources.selection)),
       coverage(new CoverageView),
       stillness(new StillnessView),
       tone(new CaptureTone(owner)),
+      voice(new InstructionVoice(makeSystemSpeaker(QLocale(), nullptr), owner)),
       tables(owner),
       residuals(new ResidualView(&sources.selection)),
       log(new LogView(sources.log)),

@@ -123,6 +123,8 @@ void Verification::dropComparison() {
   cancel(VerifyCheck::Comparison);
 }
 
+QString Verification::referenceName() const { return QFileInfo(reference_.path).fileName(); }
+
 void Verification::compare() {
   if (!reconstruction_ || reference_.path.isEmpty()) return;
   if (reference_.options != reconstruction_->options) reference_.calibration.reset();

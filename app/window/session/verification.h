@@ -39,6 +39,9 @@ class Verification : public QObject {
   /// dropComparison().
   void compareWith(const QString& path);
   void dropComparison();
+  /// What compareWith() has read, from compared() on; null: nothing.
+  [[nodiscard]] const std::shared_ptr<const Reconstruction>& reference() const { return reference_.calibration; }
+  [[nodiscard]] QString referenceName() const;
   /// The session as it is now, whose poses an old calibration is compared with; null: there is none.
   void setToday(std::shared_ptr<const SessionSnapshot> today);
   /// Does this calibration still hold? Compares it, or a session solved as in compareWith(), with the newest `poses`

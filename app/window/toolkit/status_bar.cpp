@@ -13,9 +13,10 @@ QLabel* makePart(const char* object_name) {
 }
 
 void showIn(QLabel* part, const QString& text, const QString& tool_tip) {
-  part->setText(text);
-  part->setToolTip(tool_tip);
-  part->setVisible(!text.isEmpty());
+  // Setting what is there already would lay the bar out anew, and tell whoever listens to tool tips.
+  if (part->text() != text) part->setText(text);
+  if (part->toolTip() != tool_tip) part->setToolTip(tool_tip);
+  if (part->isHidden() != text.isEmpty()) part->setVisible(!text.isEmpty());
 }
 
 }  // namespace
