@@ -20,6 +20,7 @@ core_packages=(
   libsqlite3-dev
   libssl-dev
   liburdfdom-dev
+  libzip-dev
   nlohmann-json3-dev
   protobuf-compiler
   python3 # kill tests and an example sender

@@ -1040,10 +1040,6 @@ Die Werte sagen, wie gut die Posen die Drehung der Zellen in drei Achsen festhal
         <translation>Kalibrierung exportieren</translation>
     </message>
     <message>
-        <source>What should the file be?</source>
-        <translation>In welchem Format exportieren?</translation>
-    </message>
-    <message>
         <source>Browse…</source>
         <translation>Durchsuchen…</translation>
     </message>
@@ -1114,6 +1110,73 @@ Die Werte sagen, wie gut die Posen die Drehung der Zellen in drei Achsen festhal
     <message>
         <source>All that are placed on the robot</source>
         <translation>Alle, die am Roboter eingeordnet sind</translation>
+    </message>
+    <message>
+        <source>One file or several</source>
+        <translation>Eine Datei oder mehrere</translation>
+    </message>
+    <message>
+        <source>One &amp;file</source>
+        <translation>Eine &amp;Datei</translation>
+    </message>
+    <message>
+        <source>&amp;Package</source>
+        <translation>&amp;Paket</translation>
+    </message>
+    <message>
+        <source>What each file will hold</source>
+        <translation>Was jede Datei enthalten wird</translation>
+    </message>
+    <message>
+        <source>Folder or archive</source>
+        <translation>Ordner oder Archiv</translation>
+    </message>
+    <message>
+        <source>Folder</source>
+        <translation>Ordner</translation>
+    </message>
+    <message>
+        <source>Zip archive</source>
+        <translation>Zip-Archiv</translation>
+    </message>
+    <message>
+        <source>As many as each format can hold</source>
+        <translation>So viele, wie jedes Format fasst</translation>
+    </message>
+    <message>
+        <source>Tick the files that the package is to hold.</source>
+        <translation>Die Dateien ankreuzen, die das Paket enthalten soll.</translation>
+    </message>
+    <message>
+        <source>Say where the package should go.</source>
+        <translation>Angeben, wohin das Paket soll.</translation>
+    </message>
+    <message>
+        <source>%1 is a file; give the folder another name.</source>
+        <translation>%1 ist eine Datei; dem Ordner einen anderen Namen geben.</translation>
+    </message>
+    <message>
+        <source>There is a folder of this name; files of the same names in it are replaced.</source>
+        <translation>Es gibt einen Ordner dieses Namens; gleichnamige Dateien darin werden ersetzt.</translation>
+    </message>
+</context>
+<context>
+    <name>hexoderm::ExportPresenter</name>
+    <message>
+        <source>Keep</source>
+        <translation>Merken</translation>
+    </message>
+    <message>
+        <source>Continue</source>
+        <translation>Weiter</translation>
+    </message>
+    <message>
+        <source>Write a report</source>
+        <translation>Bericht schreiben</translation>
+    </message>
+    <message>
+        <source>Documents (*.pdf);;Pages for the browser (*.html)</source>
+        <translation>Dokumente (*.pdf);;Seiten für den Browser (*.html)</translation>
     </message>
 </context>
 <context>
@@ -6138,6 +6201,74 @@ Die Werte sagen, wie gut die Posen die Drehung der Zellen in drei Achsen festhal
         <source>Not enough: {} at the worst measured cell (95 %), {}.</source>
         <translation>Nicht genug: {} an der schlechtesten gemessenen Zelle (95 %), {}.</translation>
     </message>
+    <message>
+        <source>The patch of cell {} is in its place on link {}.</source>
+        <translation>Das Hautstück der Zelle {} ist an seinem Ort am Glied {}.</translation>
+    </message>
+    <message>
+        <source>The patch of cell {} has its origin at link {}: its place on the robot is not known.</source>
+        <translation>Das Hautstück der Zelle {} hat seinen Ursprung am Glied {}: Sein Ort am Roboter ist nicht bekannt.</translation>
+    </message>
+    <message>
+        <source>Coordinates are in the frame of link {}.</source>
+        <translation>Koordinaten im Koordinatensystem des Glieds {}.</translation>
+    </message>
+    <message>
+        <source>Coordinates of each patch are in the frame of its origin cell.</source>
+        <translation>Koordinaten jedes Hautstücks im Koordinatensystem seiner Ursprungszelle.</translation>
+    </message>
+    <message>
+        <source>Coordinates are in the frame of cell {}, the origin of the patch.</source>
+        <translation>Koordinaten im Koordinatensystem der Zelle {}, des Ursprungs des Hautstücks.</translation>
+    </message>
+    <message>
+        <source>Lengths are in millimetres.</source>
+        <translation>Längen in Millimetern.</translation>
+    </message>
+    <message>
+        <source>Lengths are in nanometres.</source>
+        <translation>Längen in Nanometern.</translation>
+    </message>
+    <message>
+        <source>Lengths are in metres.</source>
+        <translation>Längen in Metern.</translation>
+    </message>
+    <message>
+        <source>everything that is known, to be opened, compared and exported from again</source>
+        <translation>alles, was bekannt ist, zum Öffnen, Vergleichen und erneuten Exportieren</translation>
+    </message>
+    <message>
+        <source>Coordinates of each patch are in the frame of its origin cell. Lengths are in metres.</source>
+        <translation>Koordinaten jedes Hautstücks im Koordinatensystem seiner Ursprungszelle. Längen in Metern.</translation>
+    </message>
+    <message>
+        <source>what each file is, in which frame, with its hash, and what it was made of</source>
+        <translation>was jede Datei ist, in welchem Koordinatensystem, mit ihrer Prüfsumme, und woraus sie entstand</translation>
+    </message>
+    <message>
+        <source>a package of nothing: choose a format</source>
+        <translation>ein leeres Paket: ein Format wählen</translation>
+    </message>
+    <message>
+        <source>the package would hold {} twice</source>
+        <translation>das Paket enthielte {} zweimal</translation>
+    </message>
+    <message>
+        <source>The zip archive could not be made: {}</source>
+        <translation>Das Zip-Archiv konnte nicht erstellt werden: {}</translation>
+    </message>
+    <message>
+        <source>is no whole zip archive: {}</source>
+        <translation>ist kein vollständiges Zip-Archiv: {}</translation>
+    </message>
+    <message>
+        <source>report with verdict, pictures, checks and tables, to be sent or printed</source>
+        <translation>Bericht mit Urteil, Bildern, Prüfungen und Tabellen, zum Versenden oder Drucken</translation>
+    </message>
+    <message>
+        <source>the same report for a browser, in one file</source>
+        <translation>derselbe Bericht für einen Browser, in einer Datei</translation>
+    </message>
 </context>
 <context>
     <name>hexoderm::MessageBar</name>
@@ -6159,6 +6290,92 @@ Die Werte sagen, wie gut die Posen die Drehung der Zellen in drei Achsen festhal
     <message>
         <source>%1, in software</source>
         <translation>%1, in Software</translation>
+    </message>
+</context>
+<context>
+    <name>hexoderm::PackageDialog</name>
+    <message>
+        <source>Export package</source>
+        <translation>Paket exportieren</translation>
+    </message>
+    <message>
+        <source>Writing %1 …</source>
+        <translation>%1 wird geschrieben …</translation>
+    </message>
+    <message>
+        <source>Progress</source>
+        <translation>Fortschritt</translation>
+    </message>
+    <message>
+        <source>Files of the package</source>
+        <translation>Dateien des Pakets</translation>
+    </message>
+    <message>
+        <source>File</source>
+        <translation>Datei</translation>
+    </message>
+    <message>
+        <source>Size</source>
+        <translation>Größe</translation>
+    </message>
+    <message>
+        <source>What it holds</source>
+        <translation>Was sie enthält</translation>
+    </message>
+    <message>
+        <source>Open folder</source>
+        <translation>Ordner öffnen</translation>
+    </message>
+    <message>
+        <source>Cancelling …</source>
+        <translation>Wird abgebrochen …</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Schließen</translation>
+    </message>
+    <message>
+        <source>%1 is written: %2 files. The archive was read back from the disk, and each file in it compared with what it was to hold.</source>
+        <translation>%1 ist geschrieben: %2 Dateien. Das Archiv wurde vom Datenträger zurückgelesen und jede Datei darin mit dem verglichen, was sie enthalten sollte.</translation>
+    </message>
+    <message>
+        <source>%1 is written: %2 files. Each was read back from the disk and compared with what it was to hold.</source>
+        <translation>%1 ist geschrieben: %2 Dateien. Jede wurde vom Datenträger zurückgelesen und mit dem verglichen, was sie enthalten sollte.</translation>
+    </message>
+    <message>
+        <source>Nothing was written. %1</source>
+        <translation>Nichts wurde geschrieben. %1</translation>
+    </message>
+</context>
+<context>
+    <name>hexoderm::PackageList</name>
+    <message>
+        <source>Files of the package</source>
+        <translation>Dateien des Pakets</translation>
+    </message>
+    <message>
+        <source>Report, PDF</source>
+        <translation>Bericht, PDF</translation>
+    </message>
+    <message>
+        <source>verdict, pictures, checks and tables, to be sent or printed</source>
+        <translation>Urteil, Bilder, Prüfungen und Tabellen, zum Versenden oder Drucken</translation>
+    </message>
+    <message>
+        <source>Report, HTML</source>
+        <translation>Bericht, HTML</translation>
+    </message>
+    <message>
+        <source>the same for a browser, in one file</source>
+        <translation>dasselbe für einen Browser, in einer Datei</translation>
+    </message>
+    <message>
+        <source>Calibration</source>
+        <translation>Kalibrierung</translation>
+    </message>
+    <message>
+        <source>everything that is known, in Hexoderm&apos;s own file</source>
+        <translation>alles, was bekannt ist, in Hexoderms eigener Datei</translation>
     </message>
 </context>
 <context>
@@ -6684,14 +6901,6 @@ Auf einem entfernten Bildschirm oder mit einem fehlerhaften Treiber kann es helf
     <message>
         <source>Vector graphics (*.svg);;Pictures (*.png)</source>
         <translation>Vektorgrafik (*.svg);;Bilder (*.png)</translation>
-    </message>
-    <message>
-        <source>Write a report</source>
-        <translation>Bericht schreiben</translation>
-    </message>
-    <message>
-        <source>Documents (*.pdf);;Pages for the browser (*.html)</source>
-        <translation>Dokumente (*.pdf);;Seiten für den Browser (*.html)</translation>
     </message>
 </context>
 <context>
@@ -7847,10 +8056,6 @@ Auf einem entfernten Bildschirm oder mit einem fehlerhaften Treiber kann es helf
         <translation>Seite %1 von %2</translation>
     </message>
     <message>
-        <source>Calibration report: %1</source>
-        <translation>Kalibrierbericht: %1</translation>
-    </message>
-    <message>
         <source>Hexoderm calibration report</source>
         <translation>Hexoderm-Kalibrierbericht</translation>
     </message>
@@ -7999,10 +8204,6 @@ Auf einem entfernten Bildschirm oder mit einem fehlerhaften Treiber kann es helf
         <translation>Verbindungen mit den größten Restfehlern</translation>
     </message>
     <message>
-        <source>Position of the cell&apos;s centre in the frame of its patch&apos;s origin cell; ± at 95 %, relative to the origin.</source>
-        <translation>Ort der Zellmitte im Koordinatensystem der Ursprungszelle ihres Hautstücks; ± bei 95 %, bezogen auf den Ursprung.</translation>
-    </message>
-    <message>
         <source>origin</source>
         <translation>Ursprung</translation>
     </message>
@@ -8057,14 +8258,6 @@ Auf einem entfernten Bildschirm oder mit einem fehlerhaften Treiber kann es helf
     <message>
         <source>All links</source>
         <translation>Alle Verbindungen</translation>
-    </message>
-    <message>
-        <source>%1 more links are in the calibration file and in the exported tables.</source>
-        <translation>%1 weitere Verbindungen stehen in der Kalibrierdatei und in den exportierten Tabellen.</translation>
-    </message>
-    <message>
-        <source>Options of the reconstruction</source>
-        <translation>Einstellungen der Berechnung</translation>
     </message>
     <message>
         <source>Solver</source>
@@ -8150,28 +8343,401 @@ Auf einem entfernten Bildschirm oder mit einem fehlerhaften Treiber kann es helf
         <source>Written</source>
         <translation>Geschrieben</translation>
     </message>
+    <message>
+        <source>SIMULATED: nothing real was measured</source>
+        <translation>SIMULIERT: Es wurde nichts Wirkliches gemessen</translation>
+    </message>
+    <message>
+        <source>Robot</source>
+        <translation>Roboter</translation>
+    </message>
+    <message>
+        <source>Part</source>
+        <translation>Teil</translation>
+    </message>
+    <message>
+        <source>Operator</source>
+        <translation>Bedienung</translation>
+    </message>
+    <message>
+        <source>Notes</source>
+        <translation>Notizen</translation>
+    </message>
+    <message>
+        <source>±%1 mm and ±%2</source>
+        <translation>±%1 mm und ±%2</translation>
+    </message>
+    <message>
+        <source>With a probability of 95 %, each measured cell is at most %1 mm and %2 from where this report says, along or about any one axis, seen from the origin cell of its patch.</source>
+        <translation>Mit einer Wahrscheinlichkeit von 95 % liegt jede gemessene Zelle entlang oder um jede einzelne Achse höchstens %1 mm und %2 neben dem, was dieser Bericht nennt, von der Ursprungszelle ihres Hautstücks aus gesehen.</translation>
+    </message>
+    <message>
+        <source>A good calibration knows every cell to %1, and this one does.</source>
+        <translation>Eine gute Kalibrierung kennt jede Zelle auf %1 genau, und diese tut es.</translation>
+    </message>
+    <message>
+        <source>A good calibration knows every cell to %1; this one is coarser, and serves where touch need not be located more finely.</source>
+        <translation>Eine gute Kalibrierung kennt jede Zelle auf %1 genau; diese ist gröber und genügt, wo Berührungen nicht feiner verortet werden müssen.</translation>
+    </message>
+    <message>
+        <source>Robot software can use the places of the cells; how exact they are, this calibration does not state.</source>
+        <translation>Robotersoftware kann die Orte der Zellen verwenden; wie genau sie sind, nennt diese Kalibrierung nicht.</translation>
+    </message>
+    <message>
+        <source>The places of the cells are a first guess: what was measured does not determine them yet. They should not be used.</source>
+        <translation>Die Orte der Zellen sind eine erste Schätzung: Was gemessen wurde, bestimmt sie noch nicht. Sie sollten nicht verwendet werden.</translation>
+    </message>
+    <message>
+        <source>Something is broken or missing, as the findings say. The places of the cells should not be used.</source>
+        <translation>Etwas ist defekt oder fehlt, wie die Befunde sagen. Die Orte der Zellen sollten nicht verwendet werden.</translation>
+    </message>
+    <message>
+        <source>Shape and its uncertainty</source>
+        <translation>Form und ihre Unsicherheit</translation>
+    </message>
+    <message>
+        <source>%1 smaller patches are not drawn.</source>
+        <translation>%1 kleinere Hautstücke sind nicht gezeichnet.</translation>
+    </message>
+    <message>
+        <source>Patch %1: cell %2 alone</source>
+        <translation>Hautstück %1: Zelle %2 allein</translation>
+    </message>
+    <message>
+        <source>Patch %1, of cell %2: %3 cells</source>
+        <translation>Hautstück %1, der Zelle %2: %3 Zellen</translation>
+    </message>
+    <message>
+        <source>Thick outline: cell %1, which is known least well (±%2 mm).</source>
+        <translation>Dicker Umriss: Zelle %1, die am ungenauesten bekannt ist (±%2 mm).</translation>
+    </message>
+    <message>
+        <source>Ring: cell %1, the origin of the patch&apos;s frame, whose axes are at the lower right.</source>
+        <translation>Ring: Zelle %1, der Ursprung des Koordinatensystems des Hautstücks, dessen Achsen unten rechts stehen.</translation>
+    </message>
+    <message>
+        <source>Hatched: placed through its links, for it has no readings of its own that could be used.</source>
+        <translation>Schraffiert: über ihre Verbindungen verortet, denn sie hat keine brauchbaren eigenen Messwerte.</translation>
+    </message>
+    <message>
+        <source>White: this calibration states no uncertainties.</source>
+        <translation>Weiß: Diese Kalibrierung nennt keine Unsicherheiten.</translation>
+    </message>
+    <message>
+        <source>Grey: seen from behind.</source>
+        <translation>Grau: von hinten gesehen.</translation>
+    </message>
+    <message>
+        <source>median</source>
+        <translation>Median</translation>
+    </message>
+    <message>
+        <source>good: up to %1 mm</source>
+        <translation>gut: bis %1 mm</translation>
+    </message>
+    <message>
+        <source>uncertainty of the orientation (95 %), °</source>
+        <translation>Unsicherheit der Orientierung (95 %), °</translation>
+    </message>
+    <message>
+        <source>good: up to %1</source>
+        <translation>gut: bis %1</translation>
+    </message>
+    <message>
+        <source>Links</source>
+        <translation>Verbindungen</translation>
+    </message>
+    <message>
+        <source>links</source>
+        <translation>Verbindungen</translation>
+    </message>
+    <message>
+        <source>95 %</source>
+        <translation>95 %</translation>
+    </message>
+    <message>
+        <source>How far the two ends of a link disagree about gravity</source>
+        <translation>Wie weit die beiden Enden einer Verbindung über die Schwerkraft uneins sind</translation>
+    </message>
+    <message>
+        <source>residual, rms over the poses, °</source>
+        <translation>Restfehler, Effektivwert über die Posen, °</translation>
+    </message>
+    <message>
+        <source>How exactly the poses determine a link</source>
+        <translation>Wie genau die Posen eine Verbindung bestimmen</translation>
+    </message>
+    <message>
+        <source>predicted deviation about the worst axis, °</source>
+        <translation>vorhergesagte Abweichung um die schlechteste Achse, °</translation>
+    </message>
+    <message>
+        <source>Picture: %1</source>
+        <translation>Bild: %1</translation>
+    </message>
+    <message>
+        <source>Verification</source>
+        <translation>Überprüfung</translation>
+    </message>
+    <message>
+        <source>A pose that was held out</source>
+        <translation>Eine zurückgehaltene Pose</translation>
+    </message>
+    <message>
+        <source>a pose that was held out</source>
+        <translation>eine zurückgehaltene Pose</translation>
+    </message>
+    <message>
+        <source>Closed loops</source>
+        <translation>Geschlossene Schleifen</translation>
+    </message>
+    <message>
+        <source>closed loops</source>
+        <translation>geschlossene Schleifen</translation>
+    </message>
+    <message>
+        <source>The surface that the cells lie on</source>
+        <translation>Die Fläche, auf der die Zellen liegen</translation>
+    </message>
+    <message>
+        <source>a fitted surface</source>
+        <translation>eine angepasste Fläche</translation>
+    </message>
+    <message>
+        <source>Comparison with %1</source>
+        <translation>Vergleich mit %1</translation>
+    </message>
+    <message>
+        <source>a comparison with an earlier calibration</source>
+        <translation>ein Vergleich mit einer früheren Kalibrierung</translation>
+    </message>
+    <message>
+        <source>Does %1 still hold?</source>
+        <translation>Stimmt %1 noch?</translation>
+    </message>
+    <message>
+        <source>a check of an old calibration</source>
+        <translation>eine Prüfung einer alten Kalibrierung</translation>
+    </message>
+    <message>
+        <source>Not made for this report: %1.</source>
+        <translation>Für diesen Bericht nicht vorgenommen: %1.</translation>
+    </message>
+    <message>
+        <source>surface of the link</source>
+        <translation>Oberfläche des Glieds</translation>
+    </message>
+    <message>
+        <source>%1 points</source>
+        <translation>%1 Punkte</translation>
+    </message>
+    <message>
+        <source>%1 distances</source>
+        <translation>%1 Abstände</translation>
+    </message>
+    <message>
+        <source>only the link is known</source>
+        <translation>nur das Glied ist bekannt</translation>
+    </message>
+    <message>
+        <source>Place on the robot</source>
+        <translation>Ort am Roboter</translation>
+    </message>
+    <message>
+        <source>Robot: %1</source>
+        <translation>Roboter: %1</translation>
+    </message>
+    <message>
+        <source>Where the frame of each patch, that of its origin cell, lies in the frame of its link: position in mm, turn as roll, pitch and yaw as in a URDF; ± at 95 %, along or about the worst axis.</source>
+        <translation>Wo das Koordinatensystem jedes Hautstücks, das seiner Ursprungszelle, in dem seines Glieds liegt: Ort in mm, Drehung als Rollen, Nicken und Gieren wie in einer URDF; ± mit 95 %, entlang oder um die schlechteste Achse.</translation>
+    </message>
+    <message>
+        <source>Patch of cell</source>
+        <translation>Hautstück der Zelle</translation>
+    </message>
+    <message>
+        <source>Roll</source>
+        <translation>Rollen</translation>
+    </message>
+    <message>
+        <source>Pitch</source>
+        <translation>Nicken</translation>
+    </message>
+    <message>
+        <source>Found by</source>
+        <translation>Gefunden durch</translation>
+    </message>
+    <message>
+        <source>The %1 cells that are known least well</source>
+        <translation>Die %1 Zellen, die am ungenauesten bekannt sind</translation>
+    </message>
+    <message>
+        <source>Position of the cell&apos;s centre in the frame of its patch&apos;s origin cell; ± at 95 % along or about the worst axis, relative to the origin, and as a place in the shape as a whole.</source>
+        <translation>Ort der Zellmitte im Koordinatensystem der Ursprungszelle ihres Hautstücks; ± mit 95 % entlang oder um die schlechteste Achse, relativ zum Ursprung und als Ort in der Form als Ganzes.</translation>
+    </message>
+    <message>
+        <source>Shape ± mm</source>
+        <translation>Form ± mm</translation>
+    </message>
+    <message>
+        <source>Shape ± turn</source>
+        <translation>Form ± Drehung</translation>
+    </message>
+    <message>
+        <source>All %1 links are in the calibration file and in the exported tables.</source>
+        <translation>Alle %1 Verbindungen stehen in der Kalibrierungsdatei und in den exportierten Tabellen.</translation>
+    </message>
+    <message>
+        <source>Methods</source>
+        <translation>Verfahren</translation>
+    </message>
+    <message>
+        <source>Gap share, patch of cell %1</source>
+        <translation>Spaltanteil, Hautstück der Zelle %1</translation>
+    </message>
+    <message>
+        <source>%1 ± %2 (1 sigma)</source>
+        <translation>%1 ± %2 (1 Sigma)</translation>
+    </message>
+    <message>
+        <source>How well the places of the cells are known, and the colours of the pictures above</source>
+        <translation>Wie genau die Orte der Zellen bekannt sind, und die Farben der Bilder oben</translation>
+    </message>
+    <message>
+        <source>How well the orientations of the cells are known</source>
+        <translation>Wie genau die Orientierungen der Zellen bekannt sind</translation>
+    </message>
+    <message>
+        <source>%1, %2</source>
+        <translation>%1, %2</translation>
+    </message>
+    <message>
+        <source>patch</source>
+        <translation>Hautstück</translation>
+    </message>
+    <message>
+        <source>Which way was up in each pose, as the largest patch saw it; rings of 30°, 60° and 90°</source>
+        <translation>Wo in jeder Pose oben war, wie das größte Hautstück es sah; Ringe von 30°, 60° und 90°</translation>
+    </message>
+    <message>
+        <source>Residuals of the links in each pose: all, the middle half, the median</source>
+        <translation>Restfehler der Verbindungen in jeder Pose: alle, die mittlere Hälfte, der Median</translation>
+    </message>
+    <message>
+        <source>pose</source>
+        <translation>Pose</translation>
+    </message>
+    <message>
+        <source>residual, °</source>
+        <translation>Restfehler, °</translation>
+    </message>
+    <message>
+        <source>Those with the largest figures; %1 more are in the window.</source>
+        <translation>Die mit den größten Werten; %1 weitere stehen im Fenster.</translation>
+    </message>
+</context>
+<context>
+    <name>hexoderm::ReportPatch</name>
+    <message>
+        <source>%1 mm</source>
+        <translation>%1 mm</translation>
+    </message>
+    <message>
+        <source>uncertainty of the place in the shape (95 %), mm</source>
+        <translation>Unsicherheit des Ortes in der Form (95 %), mm</translation>
+    </message>
+    <message>
+        <source>uncertainty of the position from the origin (95 %), mm</source>
+        <translation>Unsicherheit des Ortes vom Ursprung aus (95 %), mm</translation>
+    </message>
+    <message>
+        <source>Front</source>
+        <translation>Vorn</translation>
+    </message>
+    <message>
+        <source>Right side</source>
+        <translation>Rechte Seite</translation>
+    </message>
+    <message>
+        <source>Back</source>
+        <translation>Hinten</translation>
+    </message>
+    <message>
+        <source>Left side</source>
+        <translation>Linke Seite</translation>
+    </message>
 </context>
 <context>
     <name>hexoderm::ReportPictures</name>
     <message>
-        <source>Patch, front</source>
-        <translation>Hautstück, vorn</translation>
+        <source>Skin graph: the patches laid flat, their links by how well the poses determine them</source>
+        <translation>Hautgraph: die Hautstücke flach ausgelegt, ihre Verbindungen danach, wie gut die Posen sie bestimmen</translation>
+    </message>
+</context>
+<context>
+    <name>hexoderm::ReportPlots</name>
+    <message>
+        <source>up where the origin faces</source>
+        <translation>oben, wohin der Ursprung zeigt</translation>
     </message>
     <message>
-        <source>Patch, side</source>
-        <translation>Hautstück, Seite</translation>
+        <source>up behind it</source>
+        <translation>oben dahinter</translation>
+    </message>
+</context>
+<context>
+    <name>hexoderm::ReportTitleDialog</name>
+    <message>
+        <source>Robot</source>
+        <translation>Roboter</translation>
     </message>
     <message>
-        <source>Patch, top</source>
-        <translation>Hautstück, oben</translation>
+        <source>Part</source>
+        <translation>Teil</translation>
     </message>
     <message>
-        <source>Skin graph</source>
-        <translation>Hautgraph</translation>
+        <source>Operator</source>
+        <translation>Bedienung</translation>
     </message>
     <message>
-        <source>Directions of gravity</source>
-        <translation>Richtungen der Schwerkraft</translation>
+        <source>Title of the report</source>
+        <translation>Titel des Berichts</translation>
+    </message>
+    <message>
+        <source>What is the report about?</source>
+        <translation>Worum geht es in dem Bericht?</translation>
+    </message>
+    <message>
+        <source>Stands at the head of every report on %1, and is remembered for it. Empty fields are left out.</source>
+        <translation>Steht am Kopf jedes Berichts über %1 und wird dafür gemerkt. Leere Felder werden weggelassen.</translation>
+    </message>
+    <message>
+        <source>its name or serial number</source>
+        <translation>sein Name oder seine Seriennummer</translation>
+    </message>
+    <message>
+        <source>the body part that wears the skin</source>
+        <translation>der Körperteil, der die Haut trägt</translation>
+    </message>
+    <message>
+        <source>Notes</source>
+        <translation>Notizen</translation>
+    </message>
+    <message>
+        <source>&amp;Robot</source>
+        <translation>&amp;Roboter</translation>
+    </message>
+    <message>
+        <source>&amp;Part</source>
+        <translation>&amp;Teil</translation>
+    </message>
+    <message>
+        <source>&amp;Operator</source>
+        <translation>&amp;Bedienung</translation>
+    </message>
+    <message>
+        <source>&amp;Notes</source>
+        <translation>&amp;Notizen</translation>
     </message>
 </context>
 <context>
@@ -9802,6 +10368,14 @@ Auf einem entfernten Bildschirm oder mit einem fehlerhaften Treiber kann es helf
     <message>
         <source>Start the demo a&amp;rm</source>
         <translation>Demo-A&amp;rm starten</translation>
+    </message>
+    <message>
+        <source>&amp;Title of reports…</source>
+        <translation>&amp;Titel der Berichte…</translation>
+    </message>
+    <message>
+        <source>Robot, part, operator and notes, as they stand at the head of reports on this session</source>
+        <translation>Roboter, Teil, Bedienung und Notizen, wie sie am Kopf der Berichte über diese Sitzung stehen</translation>
     </message>
     <message>
         <source>P&amp;lot of figures</source>

@@ -57,6 +57,8 @@ WindowActions::WindowActions(QWidget* owner, QUndoStack* undo_stack)
       report(make(owner, "actionReport", tr("&Report…"),
                   tr("Write a report with verdict, pictures and tables, as PDF or as a page for the browser"),
                   {QKeySequence(QStringLiteral("Ctrl+Shift+E"))})),
+      report_title(make(owner, "actionReportTitle", tr("&Title of reports…"),
+                        tr("Robot, part, operator and notes, as they stand at the head of reports on this session"))),
       quit(make(owner, "actionQuit", tr("&Quit"), tr("Close the window"), {QKeySequence(QStringLiteral("Ctrl+Q"))})),
       undo(undo_stack->createUndoAction(owner, tr("&Undo"))),
       redo(undo_stack->createRedoAction(owner, tr("&Redo"))),
@@ -161,7 +163,7 @@ void WindowActions::fillMenuBar(QMenuBar* bar, const std::vector<QAction*>& pane
   file->addActions({demo, robot_demo, connect_skin, disconnect_skin, open});
   file->addMenu(recent);
   file->addSeparator();
-  file->addActions({save, save_as, save_calibration, export_to, report});
+  file->addActions({save, save_as, save_calibration, export_to, report, report_title});
   file->addSeparator();
   file->addAction(quit);
 
@@ -318,6 +320,7 @@ void WindowActions::refresh(const SessionController& controller, std::optional<i
   allow(save_calibration, no_result);
   allow(export_to, no_result);
   allow(report, no_result);
+  allow(report_title, no_result);
 
   QString no_pose = no_session;
   const std::optional<std::size_t> index = pose_row ? controller.sessionIndexOfPoseRow(*pose_row) : std::nullopt;

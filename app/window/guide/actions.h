@@ -37,6 +37,7 @@ class WindowActions {
   QAction* save_calibration;
   QAction* export_to;
   QAction* report;
+  QAction* report_title;
   QAction* quit;
   QAction* undo;
   QAction* redo;

@@ -11,6 +11,7 @@
 #include "app/window/presenters/coloring_presenter.h"
 #include "app/window/presenters/compare_presenter.h"
 #include "app/window/presenters/connection_presenter.h"
+#include "app/window/presenters/export_presenter.h"
 #include "app/window/presenters/file_presenter.h"
 #include "app/window/presenters/guide_presenter.h"
 #include "app/window/presenters/help_presenter.h"
@@ -104,6 +105,7 @@ struct MainWindow::Presenters {
         picked({*views.steps, *views.graph, *views.tables.link_view, *views.messages}, window.controller_,
                window.actions_, window.selection_, review),
         verify({window, *views.verify_panel, *views.patch}, window.controller_, verification, files),
+        exports(window, window.controller_, verification, window.actions_, files),
         place({window, *views.steps, *views.place_panel, *views.robot, panels.middle()}, window.controller_, placing),
         compare(window, window.controller_, window.actions_, window.selection_, verification, themes),
         plot({*views.plot, panels.plot(), *views.verify_panel}, window.controller_, window.actions_),
@@ -137,6 +139,7 @@ struct MainWindow::Presenters {
   PickedCommands picked;
   Verification verification;
   VerifyPresenter verify;
+  ExportPresenter exports;
   Placing placing;
   PlacePresenter place;
   ComparePresenter compare;
