@@ -177,10 +177,6 @@
         <translation>%1, nicht benutzt</translation>
     </message>
     <message>
-        <source>values %1, %2 and %3, limit %4: %5</source>
-        <translation>Werte %1, %2 und %3, Grenze %4: %5</translation>
-    </message>
-    <message>
         <source>%1 %</source>
         <translation>%1 %</translation>
     </message>
@@ -327,6 +323,10 @@
     <message>
         <source>The directions seen are enough.</source>
         <translation>Die gesehenen Richtungen genügen.</translation>
+    </message>
+    <message>
+        <source>values %1, %2 and %3, of which %4 is enough: %5</source>
+        <translation>Werte %1, %2 und %3, von denen %4 genügt: %5</translation>
     </message>
 </context>
 <context>
@@ -912,18 +912,8 @@
         <translation>nächste</translation>
     </message>
     <message>
-        <source>%1, limit %2</source>
-        <translation>%1, Grenze %2</translation>
-    </message>
-    <message>
         <source>Directions of gravity seen</source>
         <translation>Gesehene Richtungen der Schwerkraft</translation>
-    </message>
-    <message>
-        <source>Front: up is where the origin cell faces. Back: the other half, seen from behind.
-The values say how well the poses hold the cells&apos; turn along three axes.</source>
-        <translation>Vorn: Oben ist, wohin die Ursprungszelle zeigt. Hinten: die andere Hälfte, von hinten gesehen.
-Die Werte sagen, wie gut die Posen die Drehung der Zellen in drei Achsen festhalten.</translation>
     </message>
     <message>
         <source>Pose %1</source>
@@ -932,6 +922,28 @@ Die Werte sagen, wie gut die Posen die Drehung der Zellen in drei Achsen festhal
     <message>
         <source>disabled</source>
         <translation>nicht benutzt</translation>
+    </message>
+    <message>
+        <source>1st</source>
+        <translation>1.</translation>
+    </message>
+    <message>
+        <source>2nd</source>
+        <translation>2.</translation>
+    </message>
+    <message>
+        <source>3rd</source>
+        <translation>3.</translation>
+    </message>
+    <message>
+        <source>%1 · mark: enough</source>
+        <translation>%1 · Marke: genügt</translation>
+    </message>
+    <message>
+        <source>Front: up is where the origin cell faces. Back: the other half, seen from behind.
+The bars say how much the directions seen differ, along three axes (their singular values). Two that reach their mark, %1, fix how the cells are turned; the third tells the sensors&apos; errors apart from that.</source>
+        <translation>Vorn: Oben ist, wohin die Ursprungszelle zeigt. Hinten: die andere Hälfte, von hinten gesehen.
+Die Balken sagen, wie sehr sich die gesehenen Richtungen in drei Achsen unterscheiden (ihre Singulärwerte). Zwei, die ihre Marke %1 erreichen, legen fest, wie die Zellen gedreht sind; der dritte trennt davon die Fehler der Sensoren.</translation>
     </message>
 </context>
 <context>
@@ -1285,6 +1297,21 @@ Die Werte sagen, wie gut die Posen die Drehung der Zellen in drei Achsen festhal
     </message>
 </context>
 <context>
+    <name>hexoderm::FoldingRow</name>
+    <message>
+        <source>More ▾</source>
+        <translation>Mehr ▾</translation>
+    </message>
+    <message>
+        <source>More</source>
+        <translation>Mehr</translation>
+    </message>
+    <message>
+        <source>What finds no room beside this</source>
+        <translation>Was daneben keinen Platz findet</translation>
+    </message>
+</context>
+<context>
     <name>hexoderm::GhostCaption</name>
     <message>
         <source>next pose</source>
@@ -1529,10 +1556,6 @@ Die Werte sagen, wie gut die Posen die Drehung der Zellen in drei Achsen festhal
         <translation>Von %1 kam keine Haut.</translation>
     </message>
     <message>
-        <source>The skin does not send any more. Check its power and its connection: once it sends again, this goes on by itself.</source>
-        <translation>Die Haut sendet nicht mehr. Stromversorgung und Verbindung prüfen: Sobald sie wieder sendet, geht es von selbst weiter.</translation>
-    </message>
-    <message>
         <source>Nothing more will come from this skin. The poses stay; connect to a skin to take more.</source>
         <translation>Von dieser Haut kommt nichts mehr. Die Posen bleiben; für weitere mit einer Haut verbinden.</translation>
     </message>
@@ -1671,6 +1694,22 @@ Die Werte sagen, wie gut die Posen die Drehung der Zellen in drei Achsen festhal
     <message>
         <source>With the robot&apos;s description and its joint angles, gravity tells which link a patch is on and how it is turned there; the link&apos;s surface, or known points, tell where. Files for robots need it.</source>
         <translation>Mit der Beschreibung des Roboters und seinen Gelenkwinkeln verrät die Schwerkraft, auf welchem Glied ein Hautstück liegt und wie es dort gedreht ist; die Oberfläche des Glieds oder bekannte Punkte sagen, wo. Dateien für Roboter brauchen das.</translation>
+    </message>
+    <message>
+        <source>Nothing was found that does not fit.</source>
+        <translation>Es wurde nichts gefunden, was nicht passt.</translation>
+    </message>
+    <message>
+        <source>The skin does not send any more. Check cable, power and address: once it sends again, this goes on by itself.</source>
+        <translation>Die Haut sendet nicht mehr. Kabel, Stromversorgung und Adresse prüfen: Sobald sie wieder sendet, geht es von selbst weiter.</translation>
+    </message>
+    <message>
+        <source>Working out the placements was stopped.</source>
+        <translation>Die Berechnung der Lagen wurde abgebrochen.</translation>
+    </message>
+    <message>
+        <source>Working out the last change was stopped: the result shown is from before it.</source>
+        <translation>Die Berechnung der letzten Änderung wurde abgebrochen: Das gezeigte Ergebnis ist das davor.</translation>
     </message>
 </context>
 <context>
@@ -2161,6 +2200,53 @@ Die Werte sagen, wie gut die Posen die Drehung der Zellen in drei Achsen festhal
     <message>
         <source>%1 lines</source>
         <translation>%1 Zeilen</translation>
+    </message>
+</context>
+<context>
+    <name>hexoderm::MarkPresenter</name>
+    <message>
+        <source>estimating every link</source>
+        <translation>jede Verbindung wird geschätzt</translation>
+    </message>
+    <message>
+        <source>placing all cells together</source>
+        <translation>alle Zellen werden gemeinsam platziert</translation>
+    </message>
+    <message>
+        <source>placing the cells of patch %1 of %2</source>
+        <translation>die Zellen von Hautstück %1 von %2 werden platziert</translation>
+    </message>
+    <message>
+        <source>looking for what does not fit</source>
+        <translation>es wird gesucht, was nicht passt</translation>
+    </message>
+    <message>
+        <source>working out how certain it is</source>
+        <translation>es wird berechnet, wie sicher es ist</translation>
+    </message>
+    <message>
+        <source>Working out the result of %1: %2 · %3 s</source>
+        <translation>Das Ergebnis aus %1 wird berechnet: %2 · %3 s</translation>
+    </message>
+    <message>
+        <source>✕ No readings from the skin: check cable, power and address</source>
+        <translation>✕ Keine Messwerte von der Haut: Kabel, Stromversorgung und Adresse prüfen</translation>
+    </message>
+    <message>
+        <source>✕ No readings</source>
+        <translation>✕ Keine Messwerte</translation>
+    </message>
+    <message>
+        <source>● Live: the readings of this moment, not the result</source>
+        <translation>● Live: die Messwerte dieses Augenblicks, nicht das Ergebnis</translation>
+    </message>
+    <message>
+        <source>● Live</source>
+        <translation>● Live</translation>
+    </message>
+    <message>
+        <source>from before: %1</source>
+        <translation>von vorher: %1</translation>
     </message>
 </context>
 <context>
@@ -6202,6 +6288,14 @@ Die Werte sagen, wie gut die Posen die Drehung der Zellen in drei Achsen festhal
         <translation>Nicht genug: {} an der schlechtesten gemessenen Zelle (95 %), {}.</translation>
     </message>
     <message>
+        <source>Least certain is cell {}.</source>
+        <translation>Am unsichersten ist Zelle {}.</translation>
+    </message>
+    <message>
+        <source>Least certain is where cell {} lies and how cell {} is turned.</source>
+        <translation>Am unsichersten ist, wo Zelle {} liegt und wie Zelle {} gedreht ist.</translation>
+    </message>
+    <message>
         <source>The patch of cell {} is in its place on link {}.</source>
         <translation>Das Hautstück der Zelle {} ist an seinem Ort am Glied {}.</translation>
     </message>
@@ -9034,10 +9128,6 @@ Auf einem entfernten Bildschirm oder mit einem fehlerhaften Treiber kann es helf
         <translation>%1, aus der Datei</translation>
     </message>
     <message>
-        <source>A direction counts as defined from a singular value of %1 on</source>
-        <translation>Eine Richtung gilt ab einem Singulärwert von %1 als bestimmt</translation>
-    </message>
-    <message>
         <source>not on disk</source>
         <translation>nicht auf der Platte</translation>
     </message>
@@ -9080,6 +9170,10 @@ Auf einem entfernten Bildschirm oder mit einem fehlerhaften Treiber kann es helf
     <message>
         <source>Cells</source>
         <translation>Zellen</translation>
+    </message>
+    <message>
+        <source>How long the last result took to work out, and by which method: global uses all links and poses at once, tree goes from cell to cell as in the paper</source>
+        <translation>Wie lange die Berechnung des letzten Ergebnisses dauerte, und nach welchem Verfahren: global nimmt alle Verbindungen und Posen auf einmal, tree geht wie im Aufsatz von Zelle zu Zelle</translation>
     </message>
 </context>
 <context>
@@ -9140,10 +9234,6 @@ Auf einem entfernten Bildschirm oder mit einem fehlerhaften Treiber kann es helf
         <translation>%1 aufgenommen</translation>
     </message>
     <message>
-        <source>armed again</source>
-        <translation>wieder bereit</translation>
-    </message>
-    <message>
         <source>starts over</source>
         <translation>beginnt neu</translation>
     </message>
@@ -9166,6 +9256,10 @@ Auf einem entfernten Bildschirm oder mit einem fehlerhaften Treiber kann es helf
     <message>
         <source>%1 · x y z, deviation from its mean, last %2 s, limit %3 mg</source>
         <translation>%1 · x y z, Abweichung vom Mittel, letzte %2 s, Grenze %3 mg</translation>
+    </message>
+    <message>
+        <source>ready again</source>
+        <translation>wieder bereit</translation>
     </message>
 </context>
 <context>
@@ -9228,10 +9322,6 @@ Auf einem entfernten Bildschirm oder mit einem fehlerhaften Treiber kann es helf
         <translation>Abgebrochen.</translation>
     </message>
     <message>
-        <source>The other %1 poses foretell pose %2 to %3 (rms over %4 cells); %5 were expected.</source>
-        <translation>Die anderen %1 Posen sagen Pose %2 auf %3 genau voraus (Effektivwert über %4 Zellen); erwartet waren %5.</translation>
-    </message>
-    <message>
         <source>Worst: cell %1, %2.</source>
         <translation>Am schlechtesten: Zelle %1, %2.</translation>
     </message>
@@ -9250,10 +9340,6 @@ Auf einem entfernten Bildschirm oder mit einem fehlerhaften Treiber kann es helf
     <message>
         <source>Error °</source>
         <translation>Fehler °</translation>
-    </message>
-    <message>
-        <source>Between the gravity the cell read and what the other cells and poses foretell</source>
-        <translation>Zwischen der Schwerkraft, die die Zelle maß, und dem, was die anderen Zellen und Posen voraussagen</translation>
     </message>
     <message>
         <source>Expected</source>
@@ -9392,10 +9478,6 @@ Auf einem entfernten Bildschirm oder mit einem fehlerhaften Treiber kann es helf
         <translation>Das ist mehr als die für Orte angegebenen ±%1 (95 %): Das Teil hat eine andere Form, oder die Orte sind schlechter als angegeben.</translation>
     </message>
     <message>
-        <source>Against the true radius: Δ = %1 (eq. 20), ε = %2 (eq. 21).</source>
-        <translation>Gegen den wahren Radius: Δ = %1 (Gl. 20), ε = %2 (Gl. 21).</translation>
-    </message>
-    <message>
         <source>Distance mm</source>
         <translation>Abstand mm</translation>
     </message>
@@ -9414,10 +9496,6 @@ Auf einem entfernten Bildschirm oder mit einem fehlerhaften Treiber kann es helf
     <message>
         <source>%1 Neither of them states an uncertainty to compare with.</source>
         <translation>%1 Keine der beiden nennt eine Unsicherheit zum Vergleichen.</translation>
-    </message>
-    <message>
-        <source>Of %1 cells, %2 lie and %3 point within what was stated with 95 %.</source>
-        <translation>Von %1 Zellen liegen %2 und zeigen %3 innerhalb dessen, was mit 95 % angegeben war.</translation>
     </message>
     <message>
         <source>Within what was stated for 95 % of cells. %1 %2</source>
@@ -9466,10 +9544,6 @@ Auf einem entfernten Bildschirm oder mit einem fehlerhaften Treiber kann es helf
     <message>
         <source>No two cells lie in one patch both here and in %1: there is nothing to compare.</source>
         <translation>Keine zwei Zellen liegen sowohl hier als auch in %1 in einem Hautstück: Es gibt nichts zu vergleichen.</translation>
-    </message>
-    <message>
-        <source>But it is not this surface: the cells face %1 (rms) away from it. Where they lie and face speaks for another one: %2, with %3.</source>
-        <translation>Aber es ist nicht diese Fläche: Die Zellen sind um %1 (rms) gegen sie geneigt. Ihre Lage und Neigung sprechen für eine andere: %2, mit %3.</translation>
     </message>
     <message>
         <source>Tilt °</source>
@@ -9535,6 +9609,26 @@ Auf einem entfernten Bildschirm oder mit einem fehlerhaften Treiber kann es helf
         <source>A turn by so much, about whatever axis, would be found in these poses with 95 %; no figure: a turn about some axis would not be</source>
         <translation>Eine Drehung um so viel, um welche Achse auch immer, würde in diesen Posen mit 95 % gefunden; keine Zahl: um irgendeine Achse nicht</translation>
     </message>
+    <message>
+        <source>The other %1 poses predict pose %2 to %3 (rms over %4 cells); %5 were expected.</source>
+        <translation>Die anderen %1 Posen sagen Pose %2 auf %3 genau voraus (Effektivwert über %4 Zellen); erwartet waren %5.</translation>
+    </message>
+    <message>
+        <source>Between the gravity the cell read and what the other cells and poses predict</source>
+        <translation>Zwischen der Schwerkraft, die die Zelle maß, und dem, was die anderen Zellen und Posen voraussagen</translation>
+    </message>
+    <message>
+        <source>But it is not this surface: the cells are tilted against it by %1 (rms). Positions and tilts together fit another one better: %2, with %3.</source>
+        <translation>Aber es ist nicht diese Fläche: Die Zellen sind um %1 (Effektivwert) gegen sie geneigt. Lage und Neigung zusammen passen besser zu einer anderen: %2, mit %3.</translation>
+    </message>
+    <message>
+        <source>The radius is off the true one by Δ = %1, and the cells lie ε = %2 (rms) off the true surface.</source>
+        <translation>Der Radius weicht um Δ = %1 vom wahren ab, und die Zellen liegen ε = %2 (Effektivwert) neben der wahren Fläche.</translation>
+    </message>
+    <message>
+        <source>Of %1 cells, %2 have their position and %3 their orientation within what was stated with 95 %.</source>
+        <translation>Von %1 Zellen haben %2 ihre Position und %3 ihre Orientierung innerhalb dessen, was mit 95 % angegeben war.</translation>
+    </message>
 </context>
 <context>
     <name>hexoderm::VerifyPanel</name>
@@ -9543,16 +9637,8 @@ Auf einem entfernten Bildschirm oder mit einem fehlerhaften Treiber kann es helf
         <translation>Zurückgehaltene Pose</translation>
     </message>
     <message>
-        <source>Does it foretell a pose that it has not seen?</source>
-        <translation>Sagt das Ergebnis eine Pose voraus, die es nicht kennt?</translation>
-    </message>
-    <message>
         <source>Loops</source>
         <translation>Schleifen</translation>
-    </message>
-    <message>
-        <source>Do chains of cells that meet again close?</source>
-        <translation>Schließen sich Ketten von Zellen, die sich wieder treffen?</translation>
     </message>
     <message>
         <source>Surface</source>
@@ -9565,10 +9651,6 @@ Auf einem entfernten Bildschirm oder mit einem fehlerhaften Treiber kann es helf
     <message>
         <source>Earlier calibration</source>
         <translation>Frühere Kalibrierung</translation>
-    </message>
-    <message>
-        <source>Does it repeat?</source>
-        <translation>Kommt wieder dasselbe heraus?</translation>
     </message>
     <message>
         <source>Run</source>
@@ -9631,20 +9713,12 @@ Auf einem entfernten Bildschirm oder mit einem fehlerhaften Treiber kann es helf
         <translation>Eine Kalibrierdatei enthält keine Messwerte: die Sitzung öffnen, aus der sie stammt.</translation>
     </message>
     <message>
-        <source>Solves without this pose and compares what it foretells with what was read</source>
-        <translation>Löst ohne diese Pose und vergleicht die Voraussage mit dem Gemessenen</translation>
-    </message>
-    <message>
         <source>Not run yet.</source>
         <translation>Noch nicht ausgeführt.</translation>
     </message>
     <message>
         <source>Fitted through the centres of the cells</source>
         <translation>Durch die Mitten der Zellen gelegt</translation>
-    </message>
-    <message>
-        <source>Known from a drawing or measured: gives the paper&apos;s Δ and ε</source>
-        <translation>Aus einer Zeichnung oder gemessen: ergibt Δ und ε des Aufsatzes</translation>
     </message>
     <message>
         <source>Only a cylinder and a sphere have one radius to compare with.</source>
@@ -9681,10 +9755,6 @@ Auf einem entfernten Bildschirm oder mit einem fehlerhaften Treiber kann es helf
     <message>
         <source>Distance by caliper</source>
         <translation>Abstand mit dem Messschieber</translation>
-    </message>
-    <message>
-        <source>Is it as large as the skin itself?</source>
-        <translation>Ist es so groß wie die Haut selbst?</translation>
     </message>
     <message>
         <source>One cell</source>
@@ -9727,10 +9797,6 @@ Auf einem entfernten Bildschirm oder mit einem fehlerhaften Treiber kann es helf
         <translation>Alte Kalibrierung</translation>
     </message>
     <message>
-        <source>Does it still hold? Compared with poses of today, cell by cell.</source>
-        <translation>Gilt sie noch? Zelle für Zelle mit Posen von heute verglichen.</translation>
-    </message>
-    <message>
         <source>Cancelled.</source>
         <translation>Abgebrochen.</translation>
     </message>
@@ -9765,6 +9831,34 @@ Auf einem entfernten Bildschirm oder mit einem fehlerhaften Treiber kann es helf
     <message>
         <source>Choose those that were taken since the calibration; disabled ones don&apos;t count</source>
         <translation>Die wählen, die seit der Kalibrierung aufgenommen wurden; nicht benutzte zählen nicht</translation>
+    </message>
+    <message>
+        <source>Leave one pose out: do the others predict what it read?</source>
+        <translation>Eine Pose weglassen: Sagen die anderen voraus, was sie maß?</translation>
+    </message>
+    <message>
+        <source>Do rings of cells close, link by link?</source>
+        <translation>Schließen sich Ringe von Zellen, Verbindung für Verbindung?</translation>
+    </message>
+    <message>
+        <source>Does a distance measured on the skin itself agree?</source>
+        <translation>Stimmt ein Abstand, der an der Haut selbst gemessen wurde?</translation>
+    </message>
+    <message>
+        <source>Does another calibration of the same skin agree?</source>
+        <translation>Stimmt eine andere Kalibrierung derselben Haut damit überein?</translation>
+    </message>
+    <message>
+        <source>Does one of some time ago still hold? Compared with the poses of this session, cell by cell.</source>
+        <translation>Gilt eine von früher noch? Zelle für Zelle mit den Posen dieser Sitzung verglichen.</translation>
+    </message>
+    <message>
+        <source>Solves without this pose and compares what the others predict with what was read</source>
+        <translation>Löst ohne diese Pose und vergleicht, was die anderen voraussagen, mit dem Gemessenen</translation>
+    </message>
+    <message>
+        <source>Known from a drawing or measured: the fit is then compared with it</source>
+        <translation>Aus einer Zeichnung bekannt oder gemessen: Die Ausgleichsfläche wird dann damit verglichen</translation>
     </message>
 </context>
 <context>
@@ -10066,10 +10160,6 @@ Auf einem entfernten Bildschirm oder mit einem fehlerhaften Treiber kann es helf
         <translation>&amp;Hilfe</translation>
     </message>
     <message>
-        <source>Take the next readings as a pose, moved or not</source>
-        <translation>Die nächsten Messwerte als Pose nehmen, bewegt oder nicht</translation>
-    </message>
-    <message>
         <source>The skin does not send: %1</source>
         <translation>Die Haut sendet nicht: %1</translation>
     </message>
@@ -10144,10 +10234,6 @@ Auf einem entfernten Bildschirm oder mit einem fehlerhaften Treiber kann es helf
     <message>
         <source>The next capture takes the place of the picked pose</source>
         <translation>Die nächste Aufnahme tritt an die Stelle der gewählten Pose</translation>
-    </message>
-    <message>
-        <source>Capture &amp;anyway</source>
-        <translation>&amp;Trotzdem aufnehmen</translation>
     </message>
     <message>
         <source>S&amp;kip this pose</source>
@@ -10240,10 +10326,6 @@ Auf einem entfernten Bildschirm oder mit einem fehlerhaften Treiber kann es helf
     <message>
         <source>Set link &amp;aside</source>
         <translation>Verbindung &amp;ausschließen</translation>
-    </message>
-    <message>
-        <source>Keep the picked link out of the solution, as a cable for example</source>
-        <translation>Die gewählte Verbindung aus der Lösung heraushalten, als Kabel zum Beispiel</translation>
     </message>
     <message>
         <source>&amp;Preferences…</source>
@@ -10368,6 +10450,54 @@ Auf einem entfernten Bildschirm oder mit einem fehlerhaften Treiber kann es helf
     <message>
         <source>Start the demo a&amp;rm</source>
         <translation>Demo-A&amp;rm starten</translation>
+    </message>
+    <message>
+        <source>Keep the picked link out of the solution, if it is a cable for example</source>
+        <translation>Die gewählte Verbindung aus der Lösung heraushalten, wenn sie zum Beispiel ein Kabel ist</translation>
+    </message>
+    <message>
+        <source>Capture &amp;now</source>
+        <translation>&amp;Jetzt aufnehmen</translation>
+    </message>
+    <message>
+        <source>Take the next readings as a pose, whether the part is still or not</source>
+        <translation>Die nächsten Messwerte als Pose nehmen, ob das Teil ruhig ist oder nicht</translation>
+    </message>
+    <message>
+        <source>Stop working out the last change; what is shown stays as it was before</source>
+        <translation>Die Berechnung der letzten Änderung abbrechen; was gezeigt wird, bleibt wie vorher</translation>
+    </message>
+    <message>
+        <source>&amp;Work it out after all</source>
+        <translation>&amp;Doch berechnen</translation>
+    </message>
+    <message>
+        <source>R&amp;eset layout</source>
+        <translation>An&amp;ordnung zurücksetzen</translation>
+    </message>
+    <message>
+        <source>Bring all panels back to where they were at the first start</source>
+        <translation>Alle Bereiche dorthin zurückbringen, wo sie beim ersten Start waren</translation>
+    </message>
+    <message>
+        <source>Nothing is being worked out</source>
+        <translation>Es wird nichts berechnet</translation>
+    </message>
+    <message>
+        <source>Stop working it o&amp;ut</source>
+        <translation>Berechn&amp;ung abbrechen</translation>
+    </message>
+    <message>
+        <source>Work out the result that was stopped before</source>
+        <translation>Das Ergebnis berechnen, dessen Berechnung abgebrochen wurde</translation>
+    </message>
+    <message>
+        <source>Nothing was stopped</source>
+        <translation>Es wurde nichts abgebrochen</translation>
+    </message>
+    <message>
+        <source>Working out the last change was stopped; work it out after all first</source>
+        <translation>Die Berechnung der letzten Änderung wurde abgebrochen; sie zuerst doch berechnen</translation>
     </message>
     <message>
         <source>&amp;Title of reports…</source>
@@ -10551,6 +10681,25 @@ Auf einem entfernten Bildschirm oder mit einem fehlerhaften Treiber kann es helf
     <message>
         <source>Known to ±%1, ±%2 (95 %)</source>
         <translation>Bekannt auf ±%1, ±%2 (95 %)</translation>
+    </message>
+</context>
+<context>
+    <name>hexoderm::WorkNotice</name>
+    <message>
+        <source>Cancel</source>
+        <translation>Abbrechen</translation>
+    </message>
+    <message>
+        <source>Work that takes a while</source>
+        <translation>Arbeit, die etwas dauert</translation>
+    </message>
+    <message>
+        <source>Progress</source>
+        <translation>Fortschritt</translation>
+    </message>
+    <message>
+        <source>Stop this; what is shown stays as it was before</source>
+        <translation>Das abbrechen; was gezeigt wird, bleibt wie vorher</translation>
     </message>
 </context>
 <context>

@@ -151,6 +151,11 @@ QString missingInWords(const PoseCoverage& coverage, const std::optional<Eigen::
   return sentence.arg(name(missing.facing.cell), figureInWords(missing.value, 2), figureInWords(coverage.threshold, 2));
 }
 
+QString longMissingInWords() {
+  return CaptureWords::tr("No pose yet with cell %1 facing the ceiling or the floor: the second value is %2, needs %3.")
+      .arg(name(CellId(100)), figureInWords(0, 2), figureInWords(0.5, 2));
+}
+
 QString poseCountInWords(const PoseCoverage& coverage) {
   const QString count = posesInWords(coverage.enabled);
   std::size_t disabled = 0;
@@ -166,7 +171,7 @@ QString coverageInWords(const PoseCoverage& coverage, const std::optional<Eigen:
     const QString said = text.arg(seen.pose.value());
     parts.push_back(seen.enabled ? said : CaptureWords::tr("%1, disabled").arg(said));
   }
-  parts.push_back(CaptureWords::tr("values %1, %2 and %3, limit %4: %5")
+  parts.push_back(CaptureWords::tr("values %1, %2 and %3, of which %4 is enough: %5")
                       .arg(figureInWords(coverage.singular_values.x(), 2),
                            figureInWords(coverage.singular_values.y(), 2),
                            figureInWords(coverage.singular_values.z(), 2), figureInWords(coverage.threshold, 2),

@@ -1,5 +1,7 @@
 #include "widgets/capture/stillness_view.h"
 
+#include "widgets/controls/elided_label.h"
+
 #include <qwt_plot.h>
 #include <qwt_plot_canvas.h>
 #include <qwt_plot_item.h>
@@ -45,7 +47,7 @@ QString eventWord(const TraceEvent& event) {
     case TraceEventKind::Captured:
       return StillnessView::tr("captured %1").arg(event.pose.value());
     case TraceEventKind::ArmedAgain:
-      return StillnessView::tr("armed again");
+      return StillnessView::tr("ready again");
     case TraceEventKind::StartsOver:
       return StillnessView::tr("starts over");
   }
@@ -223,7 +225,7 @@ void StillnessView::Parts::refresh() {
 StillnessView::StillnessView(QWidget* parent) : QWidget(parent), parts_(std::make_unique<Parts>(this)) {
   setObjectName(QStringLiteral("stillnessView"));
   setAccessibleName(tr("Stillness of the last ten seconds"));
-  parts_->header = new QLabel(this);
+  parts_->header = new ElidedLabel(1, this);
   parts_->header->setObjectName(QStringLiteral("stillnessHeader"));
   parts_->header->setProperty("muted", true);
   parts_->header->setAlignment(Qt::AlignRight | Qt::AlignVCenter);

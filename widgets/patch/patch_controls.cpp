@@ -1,7 +1,7 @@
 #include "widgets/patch/patch_controls.h"
 
 #include "widgets/coloring/coloring_words.h"
-#include "widgets/controls/flow_layout.h"
+#include "widgets/controls/folding_row.h"
 #include "widgets/patch/patch_words.h"
 
 #include <QAction>
@@ -25,7 +25,7 @@ void allow(QAction* action, const QString& purpose, const QString& why_not) {
 
 PatchControls::PatchControls(QWidget* parent)
     : QFrame(parent),
-      buttons_(new FlowLayout(this)),
+      buttons_(new FoldingRow(this)),
       measure_(new QAction(tr("&Measure"), this)),
       parallel_(new QAction(tr("Parallel pro&jection"), this)),
       picture_(new QAction(tr("Save picture of the 3D &view…"), this)) {

@@ -12,10 +12,10 @@ class QToolButton;
 
 namespace hexoderm {
 
-class FlowLayout;
+class FoldingRow;
 
 /// The buttons over the 3D scene: the meaning of the colours, the things that are shown, measuring, and the directions
-/// to look from. They stand in several rows where one is too narrow.
+/// to look from. They stand in one row, and fold into a menu where it is too narrow.
 class PatchControls : public QFrame {
   Q_OBJECT
 
@@ -54,7 +54,7 @@ class PatchControls : public QFrame {
   void buildShowMenu();
   void buildViewButtons();
 
-  FlowLayout* buttons_;
+  FoldingRow* buttons_;
   QToolButton* coloring_button_ = nullptr;
   QToolButton* turn_button_ = nullptr;
   QMenu* show_menu_ = nullptr;

@@ -71,9 +71,10 @@ WindowActions::WindowActions(QWidget* owner, QUndoStack* undo_stack)
       retake(make(owner, "actionRetake", tr("Take a &pose again"),
                   tr("The next capture takes the place of the pose that keeps the result from being better"))),
       mute_link(make(owner, "actionMuteLink", tr("Set link &aside"),
-                     tr("Keep the picked link out of the solution, as a cable for example"),
+                     tr("Keep the picked link out of the solution, if it is a cable for example"),
                      {QKeySequence(Qt::Key_M)})),
-      capture(make(owner, "actionCapture", tr("Capture &anyway"), tr("Take the next readings as a pose, moved or not"),
+      capture(make(owner, "actionCapture", tr("Capture &now"),
+                   tr("Take the next readings as a pose, whether the part is still or not"),
                    {QKeySequence(Qt::Key_Space)})),
       automatic(make(owner, "actionAutomatic", tr("Capture by itself when &still"),
                      tr("Take a pose as soon as the part is held still after it was moved"),
@@ -86,6 +87,10 @@ WindowActions::WindowActions(QWidget* owner, QUndoStack* undo_stack)
                  tr("The device turns itself from pose to pose until there are enough"), {QKeySequence(Qt::Key_B)})),
       live_mode(make(owner, "actionLiveMode", tr("&Live mode"),
                      tr("Draw the skin from its readings of this moment alone"), {QKeySequence(Qt::Key_L)})),
+      cancel_solving(make(owner, "actionCancelSolving", tr("Stop working it o&ut"),
+                          tr("Stop working out the last change; what is shown stays as it was before"))),
+      solve_again(make(owner, "actionSolveAgain", tr("&Work it out after all"),
+                       tr("Work out the result that was stopped before"))),
       light_cell(make(owner, "actionLightCell", tr("Li&ght the picked cell"),
                       tr("Switch on the light of the picked cell on the skin itself"),
                       {QKeySequence(QStringLiteral("Ctrl+L"))})),
@@ -115,6 +120,8 @@ WindowActions::WindowActions(QWidget* owner, QUndoStack* undo_stack)
       swap_views(make(owner, "actionSwapViews", tr("S&wap graph and 3D view"),
                       tr("The one in the middle goes to the side, and the other way round"),
                       {QKeySequence(Qt::Key_G)})),
+      reset_layout(make(owner, "actionResetLayout", tr("R&eset layout"),
+                        tr("Bring all panels back to where they were at the first start"))),
       copy_report(
           make(owner, "actionCopyReport", tr("&Copy for a bug report"),
                tr("Versions, graphics, what is open and the last lines of the log, with your home folder as ~"))),
@@ -182,6 +189,8 @@ void WindowActions::fillMenuBar(QMenuBar* bar, const std::vector<QAction*>& pane
   session->addSeparator();
   session->addActions({live_mode, light_cell});
   session->addSeparator();
+  session->addActions({cancel_solving, solve_again});
+  session->addSeparator();
   QMenu* steps = session->addMenu(tr("&Go to step"));
   for (QAction* step : go_to_step) steps->addAction(step);
 
@@ -189,6 +198,7 @@ void WindowActions::fillMenuBar(QMenuBar* bar, const std::vector<QAction*>& pane
   view->addActions({find_cell, show_finding, fit, front, side, top, swap_views, plot, compare});
   view->addSeparator();
   for (QAction* panel : panels) view->addAction(panel);
+  view->addAction(reset_layout);
   view->addSeparator();
   view->addActions({next_pane, previous_pane});
   view->addSeparator();
@@ -262,9 +272,15 @@ void WindowActions::refreshLink(const SessionController& controller, const std::
   if (no_link.isEmpty() && !picked) no_link = tr("Pick a link in the graph or in the table of links first");
   const bool muted = no_link.isEmpty() && controller.session()->findMutedLink(picked->first, picked->second) != nullptr;
   mute_link->setText(muted ? tr("Take link b&ack") : tr("Set link &aside"));
-  mute_link->setProperty(kPurpose, muted ? tr("Let the picked link into the solution again")
-                                         : tr("Keep the picked link out of the solution, as a cable for example"));
+  mute_link->setProperty(kPurpose, muted
+                                       ? tr("Let the picked link into the solution again")
+                                       : tr("Keep the picked link out of the solution, if it is a cable for example"));
   allow(mute_link, no_link);
+}
+
+void WindowActions::refreshSolving(const SessionController& controller) {
+  allow(cancel_solving, controller.isSolving() ? QString() : tr("Nothing is being worked out"));
+  allow(solve_again, controller.wasCancelled() ? QString() : tr("Nothing was stopped"));
 }
 
 void WindowActions::refreshRetake(const SessionController& controller) {
@@ -312,6 +328,8 @@ void WindowActions::refresh(const SessionController& controller, std::optional<i
     no_result = controller.isEmpty() ? tr("Nothing is open yet") : tr("There is no reconstruction yet");
   } else if (controller.isSolving()) {
     no_result = tr("The reconstruction is being brought up to date");
+  } else if (controller.wasCancelled()) {
+    no_result = tr("Working out the last change was stopped; work it out after all first");
   } else if (!controller.isCurrent()) {
     no_result = tr("The last change could not be reconstructed; undo it first");
   }
@@ -331,6 +349,7 @@ void WindowActions::refresh(const SessionController& controller, std::optional<i
   allow(delete_pose, no_pose);
 
   refreshCapture(controller, no_session);
+  refreshSolving(controller);
   refreshDevice(controller, cell);
   QString no_recapture = no_pose;
   if (no_recapture.isEmpty() && !controller.liveSession().isLive()) no_recapture = tr("No skin is connected");

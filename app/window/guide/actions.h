@@ -52,6 +52,8 @@ class WindowActions {
   QAction* turn;
   QAction* robot;  ///< can be checked: the device turns itself from pose to pose
   QAction* live_mode;
+  QAction* cancel_solving;
+  QAction* solve_again;  ///< what was given up
   QAction* light_cell;
   QAction* show_next_pose;  ///< shows where to look while holding the part
   QAction* show_finding;    ///< the one that matters most
@@ -68,6 +70,7 @@ class WindowActions {
   QAction* about;
   QAction* preferences;
   QAction* swap_views;  ///< graph and 3D view
+  QAction* reset_layout;
   QAction* copy_report;
   QAction* open_log_folder;
   QAction* plot;
@@ -89,6 +92,7 @@ class WindowActions {
  private:
   [[nodiscard]] static QString whyNoSession(const SessionController& controller);
   void refreshCapture(const SessionController& controller, const QString& no_session);
+  void refreshSolving(const SessionController& controller);
   void refreshRetake(const SessionController& controller);
   void refreshDevice(const SessionController& controller, std::optional<CellId> cell);
 };

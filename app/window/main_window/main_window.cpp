@@ -18,6 +18,7 @@
 #include "app/window/presenters/history_presenter.h"
 #include "app/window/presenters/keyboard.h"
 #include "app/window/presenters/log_presenter.h"
+#include "app/window/presenters/mark_presenter.h"
 #include "app/window/presenters/picked_commands.h"
 #include "app/window/presenters/picture_presenter.h"
 #include "app/window/presenters/place_presenter.h"
@@ -43,8 +44,12 @@
 #include "widgets/controls/banner.h"
 #include "widgets/controls/card_dock.h"
 #include "widgets/controls/check_list.h"
+#include "widgets/controls/elided_label.h"
 #include "widgets/controls/message_bar.h"
+#include "widgets/controls/notice_stack.h"
 #include "widgets/controls/step_panel.h"
+#include "widgets/controls/view_mark.h"
+#include "widgets/controls/work_notice.h"
 #include "widgets/graph/graph_view.h"
 #include "widgets/patch/patch_view.h"
 #include "widgets/plot/plot_view.h"
@@ -81,6 +86,13 @@ QString droppedFile(const QMimeData* data) {
                                                                         : QString();
 }
 
+/// For a window with a title bar, whose height nobody knows before there is one.
+QSize roomOnScreen(const QWidget& window) {
+  const int title_px = window.fontMetrics().height() * 5 / 2;
+  constexpr int kBorder_px = 2;
+  return window.screen()->availableSize() - QSize(kBorder_px, title_px + kBorder_px);
+}
+
 }  // namespace
 
 /// Each gets the views and the parts of the window that it needs, and those presenters before it that it asks.
@@ -109,6 +121,7 @@ struct MainWindow::Presenters {
         place({window, *views.steps, *views.place_panel, *views.robot, panels.middle()}, window.controller_, placing),
         compare(window, window.controller_, window.actions_, window.selection_, verification, themes),
         plot({*views.plot, panels.plot(), *views.verify_panel}, window.controller_, window.actions_),
+        marks({*views.work_notice, panels.middleMark(), panels.sideMark()}, window.controller_, window.actions_),
         guide({*views.banner, *views.steps, *views.check_list}, window.controller_, window.actions_),
         status({window, *views.session_name, *views.status, panels.graph(), panels.poses(), *views.detail_tabs},
                window.controller_),
@@ -123,8 +136,9 @@ struct MainWindow::Presenters {
             {*views.patch, *views.robot, *views.graph, panels.graph(), *views.steps, panels.steps(), panels.swap()},
             window.actions_),
         // As one reads the window: from the top, and from left to right.
-        keyboard({views.banner, views.messages, views.live_strip, views.steps, panels.centralWidget(), &panels.graph(),
-                  &panels.coverage(), &panels.plot(), &panels.poses(), &panels.details()},
+        keyboard({views.banner, views.messages, views.live_strip, views.work_notice, views.steps,
+                  panels.centralWidget(), &panels.graph(), &panels.coverage(), &panels.plot(), &panels.poses(),
+                  &panels.details()},
                  window.actions_) {}
 
   EventRecorder recorder;
@@ -144,6 +158,7 @@ struct MainWindow::Presenters {
   PlacePresenter place;
   ComparePresenter compare;
   PlotPresenter plot;
+  MarkPresenter marks;
   GuidePresenter guide;
   StatusPresenter status;
   HistoryPresenter history;
@@ -193,8 +208,6 @@ void MainWindow::layOut() {
   auto* work = new QVBoxLayout;
   work->setContentsMargins(8, 8, 8, 8);
   work->setSpacing(8);
-  work->addWidget(views_->messages);
-  work->addWidget(views_->live_strip);
   work->addWidget(panels_, 1);
   auto* centre = new QWidget;
   auto* layout = new QVBoxLayout(centre);
@@ -203,6 +216,10 @@ void MainWindow::layOut() {
   layout->addWidget(views_->banner);
   layout->addLayout(work, 1);
   setCentralWidget(centre);
+  auto* notices = new NoticeStack(centre);
+  notices->add(views_->work_notice);
+  notices->add(views_->live_strip);
+  notices->add(views_->messages);
   setMenuWidget(makeTopBar());
   setStatusBar(views_->status);
 }
@@ -211,7 +228,7 @@ QWidget* MainWindow::makeTopBar() {
   auto* app_name = new QLabel(QStringLiteral("Hexoderm"));
   app_name->setObjectName(QStringLiteral("appName"));
   views_->session_name->setObjectName(QStringLiteral("sessionName"));
-  views_->session_name->setTextFormat(Qt::PlainText);
+  views_->session_name->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
   actions_.fillMenuBar(views_->menus, panels_->toggleActions());
   auto* top_bar = new QFrame;
   top_bar->setObjectName(QStringLiteral("topBar"));
@@ -219,8 +236,8 @@ QWidget* MainWindow::makeTopBar() {
   layout->setContentsMargins(0, 0, 0, 1);  // the line below
   layout->setSpacing(0);
   layout->addWidget(app_name);
-  layout->addWidget(views_->menus, 1);
-  layout->addWidget(views_->session_name);
+  layout->addWidget(views_->menus);
+  layout->addWidget(views_->session_name, 1);
   return top_bar;
 }
 
@@ -264,12 +281,15 @@ void MainWindow::dressViews() {
   themes.add(views_->verify_panel);
   themes.add(views_->place_panel);
   themes.add(views_->robot);
+  themes.add(&panels_->middleMark());
+  themes.add(&panels_->sideMark());
 }
 
 void MainWindow::connectRefresh() {
   connect(&controller_, &SessionController::changed, &refresh_, &OncePerTurn::request);
   connect(&controller_.poseGuide(), &PoseGuide::nextPoseChanged, &refresh_, &OncePerTurn::request);
   connect(&presenters_->review, &ReviewPresenter::pickedPoseChanged, &refresh_, &OncePerTurn::request);
+  connect(actions_.reset_layout, &QAction::triggered, panels_, &Panels::reset);
   connect(&refresh_, &OncePerTurn::done, this, &MainWindow::refreshed);
 }
 
@@ -278,6 +298,7 @@ void MainWindow::refresh() {
   presenters_->guide.refresh();
   presenters_->speech.refresh();
   presenters_->results.refresh();
+  presenters_->marks.refresh();
   presenters_->place.refresh();
   presenters_->status.refresh();
   presenters_->connection.refresh();
@@ -322,11 +343,8 @@ bool MainWindow::focusNextPrevChild(bool next) {
 
 /// On a screen that is smaller than what the panels need, everything is reached by scrolling.
 void MainWindow::scrollIfScreenIsSmall() {
-  // Messages and the strip of a live skin come and go, and panels need a little more when they are filled.
-  constexpr double kReserve = 1.1;
-  const int strips_px = views_->messages->sizeHint().height() + views_->live_strip->sizeHint().height();
-  const QSize least = kReserve * minimumSizeHint() + QSize(0, strips_px);
-  const QSize room = screen()->availableSize();
+  const QSize least = minimumSizeHint();
+  const QSize room = roomOnScreen(*this);
   if (least.width() <= room.width() && least.height() <= room.height()) return;
   auto* area = new QScrollArea;
   area->setObjectName(QStringLiteral("workArea"));
@@ -339,9 +357,12 @@ void MainWindow::scrollIfScreenIsSmall() {
 
 void MainWindow::restoreLayout() {
   scrollIfScreenIsSmall();
-  resize(QSize(1440, 900).boundedTo(screen()->availableSize()));
+  resize(QSize(1440, 900).boundedTo(roomOnScreen(*this)));
   const QSettings settings;
   restoreGeometry(settings.value(kGeometry).toByteArray());
+  // So that the panels know how much room they have.
+  layout()->activate();
+  centralWidget()->layout()->activate();
   panels_->restore(settings);
 }
 

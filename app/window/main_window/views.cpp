@@ -15,8 +15,10 @@
 #include "widgets/capture/stillness_view.h"
 #include "widgets/controls/banner.h"
 #include "widgets/controls/check_list.h"
+#include "widgets/controls/elided_label.h"
 #include "widgets/controls/message_bar.h"
 #include "widgets/controls/step_panel.h"
+#include "widgets/controls/work_notice.h"
 #include "widgets/graph/graph_view.h"
 #include "widgets/patch/patch_view.h"
 #include "widgets/plot/plot_view.h"
@@ -36,9 +38,10 @@ Views::Views(const Sources& sources, QObject* owner)
     : banner(new Banner),
       messages(new MessageBar),
       live_strip(new LiveStrip(sources.actions.disconnect_skin)),
+      work_notice(new WorkNotice),
       status(new StatusBar),
       menus(new QMenuBar),
-      session_name(new QLabel),
+      session_name(new ElidedLabel),
       steps(new StepPanel),
       earlier(new EarlierPanel(sources.recent, sources.unsaved)),
       check_list(new CheckList),
@@ -64,7 +67,6 @@ Views::Views(const Sources& sources, QObject* owner)
   steps->setBody(static_cast<int>(GuideStep::Connect), earlier);
   steps->setBody(static_cast<int>(GuideStep::Check), check_list);
   steps->setBody(static_cast<int>(GuideStep::Capture), capture_panel);
-  steps->setBody(static_cast<int>(GuideStep::Verify), verify_panel);
   steps->setBody(static_cast<int>(GuideStep::Place), place_panel);
 }
 

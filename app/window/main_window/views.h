@@ -35,6 +35,7 @@ class UnsavedSessions;
 class VerifyPanel;
 class WelcomePanel;
 class WindowActions;
+class WorkNotice;
 
 /// Every view of the window. Each belongs to the widget that it is laid out in.
 struct Views {
@@ -52,6 +53,7 @@ struct Views {
   Banner* banner;
   MessageBar* messages;
   LiveStrip* live_strip;
+  WorkNotice* work_notice;
   StatusBar* status;
   QMenuBar* menus;
   QLabel* session_name;

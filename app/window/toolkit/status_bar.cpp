@@ -1,14 +1,16 @@
 #include "app/window/toolkit/status_bar.h"
 
+#include "widgets/controls/elided_label.h"
+
 #include <QLabel>
 
 namespace hexoderm {
 namespace {
 
+/// A long address or message ends in dots instead of widening the window.
 QLabel* makePart(const char* object_name) {
-  auto* part = new QLabel;
+  auto* part = new ElidedLabel;
   part->setObjectName(QLatin1String(object_name));
-  part->setTextFormat(Qt::PlainText);
   return part;
 }
 

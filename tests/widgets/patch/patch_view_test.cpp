@@ -446,6 +446,7 @@ TEST_F(PatchViewTest, NoButtonIsCutOffInASmallView) {
     ASSERT_TRUE(test::waitUntil([&] { return view.width() == width; }));
     QCoreApplication::sendPostedEvents(nullptr, QEvent::LayoutRequest);
     for (QToolButton* each : view.findChildren<QToolButton*>()) {
+      if (each->size().isEmpty()) continue;  // folded into the menu
       const QRect place(each->mapTo(&view, QPoint(0, 0)), each->size());
       EXPECT_TRUE(view.rect().contains(place)) << width << " " << each->text().toStdString();
       EXPECT_GE(each->width(), each->sizeHint().width()) << width << " " << each->text().toStdString();

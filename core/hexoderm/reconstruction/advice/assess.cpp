@@ -23,6 +23,28 @@ Uncertainty95 worstUncertainty(const Reconstruction& r) {
   return worst;
 }
 
+/// The cells that the worst uncertainties are those of; null: of none.
+struct WorstCells {
+  const CellPlacement* placed = nullptr;
+  const CellPlacement* turned = nullptr;
+};
+WorstCells worstCells(const Reconstruction& r, const Uncertainty95& worst) {
+  WorstCells cells;
+  for (const PatchReconstruction& patch : r.patches) {
+    const Uncertainty95 of_patch = worstUncertainty(patch);
+    for (const CellPlacement& cell : patch.cells) {
+      const std::optional<Uncertainty95> known = uncertaintyOf(cell);
+      if (!known) continue;
+      // A cell that is not counted in may be as uncertain as one that is.
+      if (known->position_m == worst.position_m && of_patch.position_m == worst.position_m) cells.placed = &cell;
+      if (known->orientation_rad == worst.orientation_rad && of_patch.orientation_rad == worst.orientation_rad) {
+        cells.turned = &cell;
+      }
+    }
+  }
+  return cells;
+}
+
 std::vector<Eigen::Vector3d> directionsSeen(const Reconstruction& r) {
   std::vector<Eigen::Vector3d> seen;
   const PatchReconstruction* largest = largestPatch(r);
@@ -191,6 +213,7 @@ class Assessor {
                              : message("Not enough: {} at the worst measured cell (95 %), {}.", spread, poses);
     }
     std::vector<Message> sentences = {result_.reason};
+    if (poses_ > 0) sayWorstCells(sentences);
     if (result_.limit == Limit::Readings) {
       sentences.push_back(message("What limits it is that {} can't be used in {}: the readings are missing or no good.",
                                   cellsInWords(result_.limiting_cells), posesToRetake()));
@@ -203,6 +226,14 @@ class Assessor {
     }
     if (finding_ != nullptr && poses_ > 0) sentences.push_back(finding_->message);
     if (sentences.size() > 1) result_.reason = inRow(std::move(sentences));
+  }
+
+  void sayWorstCells(std::vector<Message>& sentences) const {
+    const auto [placed, turned] = worstCells(r_, worst_);
+    if (placed == nullptr || turned == nullptr || worst_.position_m <= 0) return;
+    sentences.push_back(placed == turned ? message("Least certain is cell {}.", placed->cell)
+                                         : message("Least certain is where cell {} lies and how cell {} is turned.",
+                                                   placed->cell, turned->cell));
   }
 
   [[nodiscard]] Message posesToRetake() const {

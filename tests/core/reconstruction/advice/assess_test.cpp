@@ -66,6 +66,20 @@ TEST(Assess, APreciseResultWithoutFindingsIsGoodAndAsksForNothing) {
   EXPECT_EQ(assessment.next_action.english(), "Export.");
 }
 
+TEST(Assess, NamesTheCellThatTheStatedUncertaintyIsOf) {
+  Reconstruction result = resultWith(kPrecise);
+  ASSERT_GE(result.patches[0].cells.size(), 3U);
+  CellPlacement& bad = result.patches[0].cells[1];
+  bad.cov_t_r = covarianceOf(kRough);
+  EXPECT_THAT(assess(result, {}).reason.english(),
+              HasSubstr("at the worst cell (95 %), 3 poses. Least certain is cell " + toString(bad.cell) + "."));
+  CellPlacement& turned = result.patches[0].cells[2];
+  turned.cov_t_r = covarianceOf({kPrecise.position_m, 2 * kRough.orientation_rad});
+  EXPECT_THAT(assess(result, {}).reason.english(),
+              HasSubstr("Least certain is where cell " + toString(bad.cell) + " lies and how cell " +
+                        toString(turned.cell) + " is turned."));
+}
+
 // A cell that is placed through its links is less sure than what is stated, and the sentence says so.
 TEST(Assess, SaysWhichCellsTheStatedUncertaintyIsOf) {
   Reconstruction result = resultWith(kRough);
