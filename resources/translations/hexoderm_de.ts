@@ -1192,6 +1192,25 @@ Die Balken sagen, wie sehr sich die gesehenen Richtungen in drei Achsen untersch
     </message>
 </context>
 <context>
+    <name>hexoderm::FigureCard</name>
+    <message>
+        <source>Close this card (Esc)</source>
+        <translation>Diese Karte schließen (Esc)</translation>
+    </message>
+    <message>
+        <source>Close the card with the figures</source>
+        <translation>Die Karte mit den Werten schließen</translation>
+    </message>
+    <message>
+        <source>Neighbours</source>
+        <translation>Nachbarn</translation>
+    </message>
+    <message>
+        <source>Go to cell %1</source>
+        <translation>Zu Zelle %1 gehen</translation>
+    </message>
+</context>
+<context>
     <name>hexoderm::FilePresenter</name>
     <message>
         <source>Saved to %1</source>
@@ -1279,6 +1298,83 @@ Die Balken sagen, wie sehr sich die gesehenen Richtungen in drei Achsen untersch
     <message>
         <source>no such cell</source>
         <translation>keine solche Zelle</translation>
+    </message>
+</context>
+<context>
+    <name>hexoderm::FindingCard</name>
+    <message>
+        <source>Show</source>
+        <translation>Zeigen</translation>
+    </message>
+    <message>
+        <source>Show: %1</source>
+        <translation>Zeigen: %1</translation>
+    </message>
+    <message>
+        <source>Why: %1</source>
+        <translation>Warum: %1</translation>
+    </message>
+    <message>
+        <source>What to do: %1</source>
+        <translation>Was tun: %1</translation>
+    </message>
+    <message>
+        <source>Less ▴</source>
+        <translation>Weniger ▴</translation>
+    </message>
+    <message>
+        <source>Why, and what to do ▾</source>
+        <translation>Warum, und was tun ▾</translation>
+    </message>
+    <message>
+        <source>Fold the reasons away</source>
+        <translation>Die Gründe zuklappen</translation>
+    </message>
+    <message>
+        <source>Why, and what to do</source>
+        <translation>Warum, und was tun</translation>
+    </message>
+</context>
+<context>
+    <name>hexoderm::FindingCards</name>
+    <message>
+        <source>%1 more under Findings</source>
+        <translation>%1 weitere unter Befunde</translation>
+    </message>
+</context>
+<context>
+    <name>hexoderm::FindingPresenter</name>
+    <message>
+        <source>Take link back</source>
+        <translation>Verbindung wieder zulassen</translation>
+    </message>
+    <message>
+        <source>Set link aside</source>
+        <translation>Verbindung ausschließen</translation>
+    </message>
+    <message>
+        <source>Enable pose %1</source>
+        <translation>Pose %1 wieder benutzen</translation>
+    </message>
+    <message>
+        <source>Disable pose %1</source>
+        <translation>Pose %1 nicht benutzen</translation>
+    </message>
+    <message>
+        <source>Take pose %1 again</source>
+        <translation>Pose %1 neu aufnehmen</translation>
+    </message>
+    <message>
+        <source>Take another pose</source>
+        <translation>Eine weitere Pose aufnehmen</translation>
+    </message>
+    <message>
+        <source>Light off</source>
+        <translation>Licht aus</translation>
+    </message>
+    <message>
+        <source>Light cell %1</source>
+        <translation>Zelle %1 beleuchten</translation>
     </message>
 </context>
 <context>
@@ -1694,6 +1790,10 @@ Die Balken sagen, wie sehr sich die gesehenen Richtungen in drei Achsen untersch
     <message>
         <source>With the robot&apos;s description and its joint angles, gravity tells which link a patch is on and how it is turned there; the link&apos;s surface, or known points, tell where. Files for robots need it.</source>
         <translation>Mit der Beschreibung des Roboters und seinen Gelenkwinkeln verrät die Schwerkraft, auf welchem Glied ein Hautstück liegt und wie es dort gedreht ist; die Oberfläche des Glieds oder bekannte Punkte sagen, wo. Dateien für Roboter brauchen das.</translation>
+    </message>
+    <message>
+        <source>Look at what was found, the worst first.</source>
+        <translation>Die Befunde ansehen, den schlimmsten zuerst.</translation>
     </message>
     <message>
         <source>Nothing was found that does not fit.</source>
@@ -2741,14 +2841,6 @@ Die Balken sagen, wie sehr sich die gesehenen Richtungen in drei Achsen untersch
     <message>
         <source>Hold the part still and take a first pose.</source>
         <translation>Das Teil stillhalten und eine erste Pose aufnehmen.</translation>
-    </message>
-    <message>
-        <source>Good: {} at the worst cell (95 %), {}.</source>
-        <translation>Gut: {} an der schlechtesten Zelle (95 %), {}.</translation>
-    </message>
-    <message>
-        <source>Usable: {} at the worst cell (95 %), {}.</source>
-        <translation>Brauchbar: {} an der schlechtesten Zelle (95 %), {}.</translation>
     </message>
     <message>
         <source>Look at the findings, then export.</source>
@@ -4744,10 +4836,6 @@ Die Balken sagen, wie sehr sich die gesehenen Richtungen in drei Achsen untersch
         <translation>Nicht genug: noch keine Pose. Die gezeigte Form folgt allein aus den Ports.</translation>
     </message>
     <message>
-        <source>Not enough: {} at the worst cell (95 %), {}.</source>
-        <translation>Nicht genug: {} an der schlechtesten Zelle (95 %), {}.</translation>
-    </message>
-    <message>
         <source>What limits it is that {} can&apos;t be used in {}: the readings are missing or no good.</source>
         <translation>Begrenzt wird das Ergebnis dadurch, dass {} in {} nicht zu brauchen ist: Die Messwerte fehlen oder taugen nichts.</translation>
     </message>
@@ -6280,12 +6368,356 @@ Die Balken sagen, wie sehr sich die gesehenen Richtungen in drei Achsen untersch
         <translation>package: erwartet ist NAME=ORDNER, gefunden wurde „{}“</translation>
     </message>
     <message>
-        <source>Usable: {} at the worst measured cell (95 %), {}.</source>
-        <translation>Brauchbar: {} an der schlechtesten gemessenen Zelle (95 %), {}.</translation>
+        <source>Good: {}, {}.</source>
+        <translation>Gut: {}, {}.</translation>
     </message>
     <message>
-        <source>Not enough: {} at the worst measured cell (95 %), {}.</source>
-        <translation>Nicht genug: {} an der schlechtesten gemessenen Zelle (95 %), {}.</translation>
+        <source>Usable: {}, {}.</source>
+        <translation>Brauchbar: {}, {}.</translation>
+    </message>
+    <message>
+        <source>Not enough: {}, {}.</source>
+        <translation>Nicht genug: {}, {}.</translation>
+    </message>
+    <message>
+        <source>{} (95 %)</source>
+        <translation>{} (95 %)</translation>
+    </message>
+    <message>
+        <source>{} (95 %, worst: {})</source>
+        <translation>{} (95 %, am schlechtesten: {})</translation>
+    </message>
+    <message>
+        <source>{} (95 %, worst measured: {})</source>
+        <translation>{} (95 %, am schlechtesten von den gemessenen: {})</translation>
+    </message>
+    <message>
+        <source>The device&apos;s list names one ID twice, and two cells can&apos;t share an ID.</source>
+        <translation>Die Liste des Geräts nennt eine ID zweimal, und zwei Zellen können keine ID gemeinsam haben.</translation>
+    </message>
+    <message>
+        <source>Give one of the two cells another ID, and connect again.</source>
+        <translation>Einer der beiden Zellen eine andere ID geben und neu verbinden.</translation>
+    </message>
+    <message>
+        <source>ID 0 stands for nothing, and the interface&apos;s ID for the computer: a cell with such an ID can&apos;t be told from them.</source>
+        <translation>Die ID 0 steht für nichts und die des Interface für den Rechner: Eine Zelle mit einer solchen ID lässt sich davon nicht unterscheiden.</translation>
+    </message>
+    <message>
+        <source>Give the cell another ID, and connect again.</source>
+        <translation>Der Zelle eine andere ID geben und neu verbinden.</translation>
+    </message>
+    <message>
+        <source>The port that was reported is not among those of the cell model.</source>
+        <translation>Der gemeldete Port gehört nicht zu denen des Zellmodells.</translation>
+    </message>
+    <message>
+        <source>Check that the cell model is that of this skin. If it is, the report of the cell is wrong: connect again.</source>
+        <translation>Prüfen, ob das Zellmodell das dieser Haut ist. Wenn ja, ist die Meldung der Zelle falsch: neu verbinden.</translation>
+    </message>
+    <message>
+        <source>A cell reports a neighbour that did not report itself: it has no power, or its report was lost.</source>
+        <translation>Eine Zelle meldet einen Nachbarn, der sich selbst nicht gemeldet hat: Er hat keinen Strom, oder seine Meldung ging verloren.</translation>
+    </message>
+    <message>
+        <source>Check the power and the contacts of the missing cell, and connect again.</source>
+        <translation>Stromversorgung und Kontakte der fehlenden Zelle prüfen und neu verbinden.</translation>
+    </message>
+    <message>
+        <source>A link joins two cells. One that ends where it begins comes from a short circuit or a wrong report.</source>
+        <translation>Eine Verbindung hat zwei Zellen. Eine, die endet, wo sie beginnt, kommt von einem Kurzschluss oder einer falschen Meldung.</translation>
+    </message>
+    <message>
+        <source>Check the ports of this cell, and connect again.</source>
+        <translation>Die Ports dieser Zelle prüfen und neu verbinden.</translation>
+    </message>
+    <message>
+        <source>A sound link is seen from both of its ends, and here one end sees nothing: a contact is loose, or a report was lost.</source>
+        <translation>Eine heile Verbindung ist von beiden Enden zu sehen, und hier sieht ein Ende nichts: Ein Kontakt ist lose, oder eine Meldung ging verloren.</translation>
+    </message>
+    <message>
+        <source>Check the contacts between the two cells, and connect again. If nothing joins them there, leave it as it is.</source>
+        <translation>Die Kontakte zwischen den beiden Zellen prüfen und neu verbinden. Wenn sie dort nichts verbindet, kann es so bleiben.</translation>
+    </message>
+    <message>
+        <source>The two cells name different ports, or different neighbours, for what should be one link.</source>
+        <translation>Die beiden Zellen nennen verschiedene Ports oder verschiedene Nachbarn für das, was eine Verbindung sein sollte.</translation>
+    </message>
+    <message>
+        <source>Check how the two cells are joined, and connect again.</source>
+        <translation>Prüfen, wie die beiden Zellen verbunden sind, und neu verbinden.</translation>
+    </message>
+    <message>
+        <source>A port leads to one neighbour at most, and two cells are joined once at most.</source>
+        <translation>Ein Port führt zu höchstens einem Nachbarn, und zwei Zellen sind höchstens einmal verbunden.</translation>
+    </message>
+    <message>
+        <source>Check the ports that are named for a short circuit or a wrong cable, and connect again.</source>
+        <translation>Die genannten Ports auf einen Kurzschluss oder ein falsches Kabel prüfen und neu verbinden.</translation>
+    </message>
+    <message>
+        <source>Cells side by side in the mould can&apos;t touch with these two ports.</source>
+        <translation>Zellen, die in der Form nebeneinanderliegen, können sich mit diesen beiden Ports nicht berühren.</translation>
+    </message>
+    <message>
+        <source>If a cable joins the two cells, leave it as it is. If not, check the cell model.</source>
+        <translation>Wenn ein Kabel die beiden Zellen verbindet, kann es so bleiben. Wenn nicht, das Zellmodell prüfen.</translation>
+    </message>
+    <message>
+        <source>The computer&apos;s interface is at this port, and it is no cell.</source>
+        <translation>An diesem Port ist das Interface des Rechners, und das ist keine Zelle.</translation>
+    </message>
+    <message>
+        <source>Nothing: this is as it should be.</source>
+        <translation>Nichts: So soll es sein.</translation>
+    </message>
+    <message>
+        <source>Body parts move against each other, so a link between them is not rigid.</source>
+        <translation>Körperteile bewegen sich gegeneinander, daher ist eine Verbindung zwischen ihnen nicht starr.</translation>
+    </message>
+    <message>
+        <source>Nothing, if the names of the body parts are right.</source>
+        <translation>Nichts, wenn die Namen der Körperteile stimmen.</translation>
+    </message>
+    <message>
+        <source>Gravity, as the two cells feel it, says that they stand at a steeper angle than the mould lets them.</source>
+        <translation>Die Schwerkraft, wie die beiden Zellen sie spüren, sagt, dass sie steiler zueinander stehen, als die Form es zulässt.</translation>
+    </message>
+    <message>
+        <source>Look at the two cells. If a cable joins them, or a joint lies between them, set the link aside. If they lie side by side in the mould, check the axes of their sensors.</source>
+        <translation>Die beiden Zellen ansehen. Wenn ein Kabel sie verbindet oder ein Gelenk zwischen ihnen liegt, die Verbindung ausschließen. Wenn sie in der Form nebeneinanderliegen, die Achsen ihrer Sensoren prüfen.</translation>
+    </message>
+    <message>
+        <source>Gravity, as the two cells feel it, says that they are twisted about the line between them further than the mould lets them.</source>
+        <translation>Die Schwerkraft, wie die beiden Zellen sie spüren, sagt, dass sie um die Linie zwischen ihnen weiter verdreht sind, als die Form es zulässt.</translation>
+    </message>
+    <message>
+        <source>Look at the two cells. If a cable joins them, or other ports than those that are named, set the link aside. If not, check the axes of their sensors.</source>
+        <translation>Die beiden Zellen ansehen. Wenn ein Kabel oder andere als die genannten Ports sie verbinden, die Verbindung ausschließen. Wenn nicht, die Achsen ihrer Sensoren prüfen.</translation>
+    </message>
+    <message>
+        <source>Gravity, as the two cells feel it, says that they are turned against each other in the surface further than the mould lets them.</source>
+        <translation>Die Schwerkraft, wie die beiden Zellen sie spüren, sagt, dass sie in der Fläche weiter gegeneinander gedreht sind, als die Form es zulässt.</translation>
+    </message>
+    <message>
+        <source>The angle between the two cells was another one from pose to pose, by more than their readings err.</source>
+        <translation>Der Winkel zwischen den beiden Zellen war von Pose zu Pose ein anderer, um mehr, als ihre Messwerte fehlgehen.</translation>
+    </message>
+    <message>
+        <source>If a joint lies between the two cells, set the link aside. If not, fix them in the mould and take the poses again.</source>
+        <translation>Wenn ein Gelenk zwischen den beiden Zellen liegt, die Verbindung ausschließen. Wenn nicht, sie in der Form befestigen und die Posen neu aufnehmen.</translation>
+    </message>
+    <message>
+        <source>Where all other links are followed, the two ends of this one should meet, and they do not.</source>
+        <translation>Folgt man allen anderen Verbindungen, sollten die beiden Enden von dieser sich treffen, und das tun sie nicht.</translation>
+    </message>
+    <message>
+        <source>Look at the links of this loop for a cable. Set that one aside; if this one is sound, take it back.</source>
+        <translation>Unter den Verbindungen dieser Schleife ein Kabel suchen und ausschließen; ist diese hier heil, sie wieder zulassen.</translation>
+    </message>
+    <message>
+        <source>Somebody set this link aside in this session.</source>
+        <translation>Jemand hat diese Verbindung in dieser Sitzung ausgeschlossen.</translation>
+    </message>
+    <message>
+        <source>Nothing. Take the link back if it should count again.</source>
+        <translation>Nichts. Die Verbindung wieder zulassen, wenn sie wieder zählen soll.</translation>
+    </message>
+    <message>
+        <source>A surface bends to either side. A twist to one side everywhere comes from a wrong description of the cell.</source>
+        <translation>Eine Fläche krümmt sich nach beiden Seiten. Eine Verwindung überall zur selben Seite kommt von einer falschen Beschreibung der Zelle.</translation>
+    </message>
+    <message>
+        <source>Compare the axes and the numbers of the ports in the cell model with a real cell.</source>
+        <translation>Die Achsen und die Nummern der Ports im Zellmodell mit einer wirklichen Zelle vergleichen.</translation>
+    </message>
+    <message>
+        <source>The cell sent no readings that can be used in any pose that counts.</source>
+        <translation>Die Zelle hat in keiner Pose, die zählt, brauchbare Messwerte gesendet.</translation>
+    </message>
+    <message>
+        <source>Check the power and the contacts of the cell, and take the poses again. It may stay as it is: it is less certain than the others then.</source>
+        <translation>Stromversorgung und Kontakte der Zelle prüfen und die Posen neu aufnehmen. Es kann auch so bleiben: Dann ist sie weniger sicher als die anderen.</translation>
+    </message>
+    <message>
+        <source>The cell sent no readings that can be used while these poses were captured.</source>
+        <translation>Die Zelle hat keine brauchbaren Messwerte gesendet, während diese Posen aufgenommen wurden.</translation>
+    </message>
+    <message>
+        <source>Nothing has to be done. With these poses taken again the cell is known better.</source>
+        <translation>Es muss nichts geschehen. Werden diese Posen neu aufgenommen, ist die Zelle besser bekannt.</translation>
+    </message>
+    <message>
+        <source>At rest a sensor reads 1 g along some direction, and this one reads nothing like it.</source>
+        <translation>In Ruhe misst ein Sensor 1 g in irgendeiner Richtung, und dieser misst nichts dergleichen.</translation>
+    </message>
+    <message>
+        <source>Replace the cell, or leave it as it is: it is less certain than the others then.</source>
+        <translation>Die Zelle ersetzen oder so lassen: Dann ist sie weniger sicher als die anderen.</translation>
+    </message>
+    <message>
+        <source>The part was turned from pose to pose, and what this sensor reads stayed the same.</source>
+        <translation>Das Teil wurde von Pose zu Pose gedreht, und was dieser Sensor misst, blieb gleich.</translation>
+    </message>
+    <message>
+        <source>At the end of its range a sensor can&apos;t tell how large a value is.</source>
+        <translation>Am Ende seines Messbereichs kann ein Sensor nicht sagen, wie groß ein Wert ist.</translation>
+    </message>
+    <message>
+        <source>Take the pose again without a jolt. If it happens again, check the range that the sensor is set to.</source>
+        <translation>Die Pose ohne Stoß neu aufnehmen. Geschieht es wieder, den eingestellten Messbereich des Sensors prüfen.</translation>
+    </message>
+    <message>
+        <source>The part was still, as the other cells show, and the readings of this one scatter.</source>
+        <translation>Das Teil war ruhig, wie die anderen Zellen zeigen, und die Messwerte von dieser streuen.</translation>
+    </message>
+    <message>
+        <source>Check that the cell sits firmly and that its power is steady, and take the poses again.</source>
+        <translation>Prüfen, ob die Zelle fest sitzt und ihre Versorgung ruhig ist, und die Posen neu aufnehmen.</translation>
+    </message>
+    <message>
+        <source>At rest a reading is 1 g long, whatever its direction.</source>
+        <translation>In Ruhe ist ein Messwert 1 g lang, gleich in welcher Richtung.</translation>
+    </message>
+    <message>
+        <source>Check the sensor of the cell, and the scale in which its readings are sent.</source>
+        <translation>Den Sensor der Zelle prüfen und den Maßstab, in dem seine Messwerte gesendet werden.</translation>
+    </message>
+    <message>
+        <source>From pose to pose two axes follow gravity, and the third does not.</source>
+        <translation>Von Pose zu Pose folgen zwei Achsen der Schwerkraft, und die dritte nicht.</translation>
+    </message>
+    <message>
+        <source>At rest a reading is 1 g long, and the readings of this cell are too long or too short in every pose.</source>
+        <translation>In Ruhe ist ein Messwert 1 g lang, und die Messwerte dieser Zelle sind in jeder Pose zu lang oder zu kurz.</translation>
+    </message>
+    <message>
+        <source>However the cell is placed in the patch, its readings contradict those of the others.</source>
+        <translation>Wie auch immer die Zelle im Hautstück liegt, widersprechen ihre Messwerte denen der anderen.</translation>
+    </message>
+    <message>
+        <source>Check that the cell is not loose, and that its axes are those of the cell model.</source>
+        <translation>Prüfen, ob die Zelle nicht lose ist und ihre Achsen die des Zellmodells sind.</translation>
+    </message>
+    <message>
+        <source>No two sensors read the same to the last bit: the readings of one cell were sent in the name of another.</source>
+        <translation>Keine zwei Sensoren messen bis aufs letzte Bit dasselbe: Die Messwerte einer Zelle wurden im Namen einer anderen gesendet.</translation>
+    </message>
+    <message>
+        <source>Check the IDs of these cells, and how their data are passed on.</source>
+        <translation>Die IDs dieser Zellen prüfen und wie ihre Daten weitergegeben werden.</translation>
+    </message>
+    <message>
+        <source>If the readings of the two cells are exchanged, they fit with those around them.</source>
+        <translation>Vertauscht man die Messwerte der beiden Zellen, passen sie zu denen ringsum.</translation>
+    </message>
+    <message>
+        <source>Exchange the IDs of the two cells, or check how their data are passed on.</source>
+        <translation>Die IDs der beiden Zellen vertauschen oder prüfen, wie ihre Daten weitergegeben werden.</translation>
+    </message>
+    <message>
+        <source>The readings fit as soon as the cell is taken to lie otherwise.</source>
+        <translation>Die Messwerte passen, sobald man annimmt, dass die Zelle anders liegt.</translation>
+    </message>
+    <message>
+        <source>Look how the cell lies in the mould, and whether its sensor sits as the cell model says.</source>
+        <translation>Nachsehen, wie die Zelle in der Form liegt und ob ihr Sensor so sitzt, wie das Zellmodell sagt.</translation>
+    </message>
+    <message>
+        <source>From one pose on the readings fit another orientation of the cell than before.</source>
+        <translation>Von einer Pose an passen die Messwerte zu einer anderen Ausrichtung der Zelle als davor.</translation>
+    </message>
+    <message>
+        <source>Fix the cell in the mould, and take the poses again.</source>
+        <translation>Die Zelle in der Form befestigen und die Posen neu aufnehmen.</translation>
+    </message>
+    <message>
+        <source>The readings fit worse than those of the other cells, and several causes would explain it.</source>
+        <translation>Die Messwerte passen schlechter als die der anderen Zellen, und mehrere Ursachen würden es erklären.</translation>
+    </message>
+    <message>
+        <source>Take another pose: it tells more about the cause.</source>
+        <translation>Eine weitere Pose aufnehmen: Sie sagt mehr über die Ursache.</translation>
+    </message>
+    <message>
+        <source>Freed from all that is known, the readings still differ by more than the cell model&apos;s sigmas explain.</source>
+        <translation>Von allem Bekannten befreit, weichen die Messwerte immer noch mehr ab, als die Sigmas des Zellmodells erklären.</translation>
+    </message>
+    <message>
+        <source>Find out the errors with hexoderm-cli sensors, and write them into the cell model.</source>
+        <translation>Die Fehler mit hexoderm-cli sensors bestimmen und ins Zellmodell schreiben.</translation>
+    </message>
+    <message>
+        <source>It was asked for when this result was solved.</source>
+        <translation>Es wurde verlangt, als dieses Ergebnis berechnet wurde.</translation>
+    </message>
+    <message>
+        <source>Nothing. Solve again with the cell if it should count.</source>
+        <translation>Nichts. Noch einmal mit der Zelle rechnen, wenn sie zählen soll.</translation>
+    </message>
+    <message>
+        <source>The pose was captured with other cells than the skin has, or an ID was misread.</source>
+        <translation>Die Pose wurde mit anderen Zellen aufgenommen, als die Haut hat, oder eine ID wurde falsch gelesen.</translation>
+    </message>
+    <message>
+        <source>Connect again, so that the list of cells is read anew, and take the pose again.</source>
+        <translation>Neu verbinden, damit die Liste der Zellen neu gelesen wird, und die Pose neu aufnehmen.</translation>
+    </message>
+    <message>
+        <source>A cell has one reading in a pose, and nothing says which of the two is right.</source>
+        <translation>Eine Zelle hat in einer Pose einen Messwert, und nichts sagt, welcher der beiden der richtige ist.</translation>
+    </message>
+    <message>
+        <source>Take the pose again if the cell does not fit.</source>
+        <translation>Die Pose neu aufnehmen, wenn die Zelle nicht passt.</translation>
+    </message>
+    <message>
+        <source>Every pose has an ID of its own; files that were joined can hold one twice.</source>
+        <translation>Jede Pose hat eine eigene ID; Dateien, die zusammengefügt wurden, können eine zweimal enthalten.</translation>
+    </message>
+    <message>
+        <source>Disable one of the two if they are the same.</source>
+        <translation>Eine der beiden nicht benutzen, wenn sie gleich sind.</translation>
+    </message>
+    <message>
+        <source>The ports say how cells lie beside each other in a plane. Only gravity tells how the surface bends.</source>
+        <translation>Die Ports sagen, wie Zellen in einer Ebene nebeneinanderliegen. Erst die Schwerkraft sagt, wie die Fläche sich krümmt.</translation>
+    </message>
+    <message>
+        <source>Hold the part still, and take a first pose.</source>
+        <translation>Das Teil ruhig halten und eine erste Pose aufnehmen.</translation>
+    </message>
+    <message>
+        <source>About a line along which gravity was always seen, a cell could be turned in any way.</source>
+        <translation>Um eine Linie, entlang der die Schwerkraft immer zu sehen war, könnte eine Zelle beliebig gedreht sein.</translation>
+    </message>
+    <message>
+        <source>Turn the part by about 90 degrees about a horizontal axis, and take a pose.</source>
+        <translation>Das Teil um etwa 90 Grad um eine waagerechte Achse drehen und eine Pose aufnehmen.</translation>
+    </message>
+    <message>
+        <source>Gravity along a line that was seen before tells nothing new about the shape.</source>
+        <translation>Schwerkraft entlang einer Linie, die schon zu sehen war, sagt nichts Neues über die Form.</translation>
+    </message>
+    <message>
+        <source>Nothing has to be done. Turn the part further before the next pose.</source>
+        <translation>Es muss nichts geschehen. Das Teil vor der nächsten Pose weiter drehen.</translation>
+    </message>
+    <message>
+        <source>While a part moves, its sensors feel the motion beside gravity.</source>
+        <translation>Während ein Teil sich bewegt, spüren seine Sensoren neben der Schwerkraft die Bewegung.</translation>
+    </message>
+    <message>
+        <source>Take the pose again and hold the part still, or disable it.</source>
+        <translation>Die Pose neu aufnehmen und das Teil ruhig halten, oder sie nicht benutzen.</translation>
+    </message>
+    <message>
+        <source>In the other poses the cells agree: in this one the part moved, or something pressed on the skin.</source>
+        <translation>In den anderen Posen sind die Zellen sich einig: In dieser hat das Teil sich bewegt, oder etwas hat auf die Haut gedrückt.</translation>
+    </message>
+    <message>
+        <source>Take the pose again and let nothing touch the skin, or disable it.</source>
+        <translation>Die Pose neu aufnehmen und nichts die Haut berühren lassen, oder sie nicht benutzen.</translation>
     </message>
     <message>
         <source>Least certain is cell {}.</source>
@@ -6747,6 +7179,17 @@ Die Balken sagen, wie sehr sich die gesehenen Richtungen in drei Achsen untersch
     <message>
         <source>Legend of the colours</source>
         <translation>Legende der Farben</translation>
+    </message>
+</context>
+<context>
+    <name>hexoderm::PatchPointing</name>
+    <message>
+        <source>Figures of what is picked</source>
+        <translation>Werte des Ausgewählten</translation>
+    </message>
+    <message>
+        <source>cell %1</source>
+        <translation>Zelle %1</translation>
     </message>
 </context>
 <context>
@@ -10452,6 +10895,26 @@ Auf einem entfernten Bildschirm oder mit einem fehlerhaften Treiber kann es helf
         <translation>Demo-A&amp;rm starten</translation>
     </message>
     <message>
+        <source>Worst ce&amp;ll</source>
+        <translation>&amp;Unsicherste Zelle</translation>
+    </message>
+    <message>
+        <source>Pick the cell that is known least certainly, and show its figures and its neighbours</source>
+        <translation>Die Zelle auswählen, die am wenigsten sicher bekannt ist, und ihre Werte und Nachbarn zeigen</translation>
+    </message>
+    <message>
+        <source>F&amp;igures of what is picked</source>
+        <translation>&amp;Werte des Ausgewählten</translation>
+    </message>
+    <message>
+        <source>Keep a card with all figures of the picked cell or link over the picture, or close it</source>
+        <translation>Eine Karte mit allen Werten der ausgewählten Zelle oder Verbindung über dem Bild behalten oder schließen</translation>
+    </message>
+    <message>
+        <source>How certain the cells are is not known yet</source>
+        <translation>Wie sicher die Zellen bekannt sind, weiß noch niemand</translation>
+    </message>
+    <message>
         <source>Keep the picked link out of the solution, if it is a cable for example</source>
         <translation>Die gewählte Verbindung aus der Lösung heraushalten, wenn sie zum Beispiel ein Kabel ist</translation>
     </message>
@@ -10681,6 +11144,14 @@ Auf einem entfernten Bildschirm oder mit einem fehlerhaften Treiber kann es helf
     <message>
         <source>Known to ±%1, ±%2 (95 %)</source>
         <translation>Bekannt auf ±%1, ±%2 (95 %)</translation>
+    </message>
+    <message>
+        <source>In the shape known to ±%1, ±%2 (95 %)</source>
+        <translation>In der Form bekannt auf ±%1, ±%2 (95 %)</translation>
+    </message>
+    <message>
+        <source>Worst link: %1, residual %2, predicted deviation %3</source>
+        <translation>Schlechteste Verbindung: %1, Restfehler %2, erwartete Abweichung %3</translation>
     </message>
 </context>
 <context>

@@ -33,11 +33,16 @@ class Selection : public QObject {
   void clear();
   /// These are the brushed cells from now on, in any order.
   void brush(std::vector<CellId> cells);
+  /// Picks, and asks the views to turn to it: the operator wants to see where it is.
+  void seekCell(CellId cell);
+  void seekLink(LinkEnd a, LinkEnd b);
 
  signals:
   /// Another cell or link is picked.
   void changed();
   void brushedChanged();
+  /// What is picked now is to be seen. After changed(), and also where the same was picked before.
+  void sought();
 
  private:
   void set(std::optional<CellId> cell, std::optional<Link> link);

@@ -69,10 +69,11 @@ GraphView::GraphView(Selection* selection, QWidget* parent)
   connect(button_, &GraphColoringButton::changed, this, &GraphView::recolor);
   connect(selection, &Selection::changed, this, &GraphView::onSelectionChanged);
   connect(selection, &Selection::brushedChanged, this, qOverload<>(&QWidget::update));
+  connect(selection, &Selection::sought, this, &GraphView::showPicked);
   connect(finder_, &FindCellField::found, this, [this](quint32 id) {
     if (const auto cell = scene_->indexOf(CellId(id))) {
       bringIntoView({cell, std::nullopt});
-      selection_->selectCell(CellId(id));
+      selection_->seekCell(CellId(id));
     }
   });
   connect(finder_, &FindCellField::closed, this, [this] { setFocus(Qt::OtherFocusReason); });
@@ -206,6 +207,29 @@ void GraphView::bringIntoView(const GraphHit& hit) {
   follows_size_ = followed;
 }
 
+/// Comes closer, as far as it takes to read what is picked.
+void GraphView::showPicked() {
+  constexpr double kReadable_px = 16;  // centre to corner of a cell
+  const GraphHit hit = picked();
+  const std::optional<QPointF> middle = middleOf(*scene_, hit);
+  if (!middle) return;
+  if (scene_->radius_m() * camera_.scale < kReadable_px) {
+    GraphCamera closer = camera_;
+    closer.center = *middle;
+    closer.scale = std::min(kReadable_px / scene_->radius_m(), fit_.largestScale(*scene_));
+    moveCamera(closer);
+  } else {
+    bringIntoView(hit);
+  }
+}
+
+void GraphView::showFigures() {
+  const std::optional<QPointF> middle = middleOf(*scene_, picked());
+  if (!middle) return;
+  bringIntoView(picked());
+  QToolTip::showText(mapToGlobal(camera_.toScreen(*middle).toPoint()), toolTipOf(*scene_, picked()), this);
+}
+
 void GraphView::repaintSheet() { sheet_.invalidate(scene_->cells().size() > kMostCellsAtOnce); }
 
 // --- pointing and picking ---
@@ -272,8 +296,12 @@ void GraphView::drawHighlights(QPainter& painter) const {
   if (hovered_.cell) graph.drawCellOutline(painter, *hovered_.cell, colors.text_muted, 2);
   if (hovered_.link) graph.drawLinkOutline(painter, *hovered_.link, colors.text_muted, 1);
   const GraphHit hit = picked();
-  if (hit.cell) graph.drawCellOutline(painter, *hit.cell, colors.selection, 3.2);
-  if (hit.link) graph.drawLinkOutline(painter, *hit.link, colors.selection, 2);
+  // Light and dark side by side stand out on every colour.
+  for (const bool core : {false, true}) {
+    const QColor color = core ? colors.selection : textOn(colors.selection);
+    if (hit.cell) graph.drawCellOutline(painter, *hit.cell, color, core ? 3.2 : 6.4);
+    if (hit.link) graph.drawLinkOutline(painter, *hit.link, color, core ? 2 : 4);
+  }
 }
 
 QRect GraphView::regionOf(const GraphHit& hit) const {
@@ -377,7 +405,16 @@ void GraphView::mouseReleaseEvent(QMouseEvent* event) {
 }
 
 void GraphView::mouseDoubleClickEvent(QMouseEvent* event) {
-  if (event->button() == Qt::LeftButton) fit();
+  if (event->button() != Qt::LeftButton) return;
+  const GraphHit hit = hitAt(*scene_, camera_, positionIn(*event));
+  if (hit.cell) {
+    selection_->seekCell(scene_->cells()[*hit.cell].id);
+  } else if (hit.link) {
+    const LinkEstimate& link = *scene_->links()[*hit.link].estimate;
+    selection_->seekLink(link.source, link.target);
+  } else {
+    fit();
+  }
 }
 
 void GraphView::contextMenuEvent(QContextMenuEvent* event) {

@@ -63,6 +63,8 @@ class GraphView : public QWidget {
 
  public slots:
   void fit();
+  /// Shows the figures of what is picked beside it, as a tool tip.
+  void showFigures();
   /// Opens the field in which the ID of a cell is typed.
   void findCell();
   /// Puts the graph as it is seen on the clipboard.
@@ -96,6 +98,7 @@ class GraphView : public QWidget {
   void zoom(double factor, const QPointF& about);
   void bringIntoView(const GraphHit& hit);
   void onSelectionChanged();
+  void showPicked();
   void describe();
   void hover(const GraphHit& hit);
   void showMenu(const GraphHit& hit, const QPoint& global_position);

@@ -90,7 +90,6 @@ void PartMotion::setTurnable(bool turnable) {
     request_soon_.stop();
   }
   button_->setVisible(turnable);
-  view_->setFocusPolicy(turnable ? Qt::StrongFocus : Qt::NoFocus);
 }
 
 void PartMotion::setAnimated(bool animated) {

@@ -9,6 +9,7 @@
 #include "widgets/patch/patch_captions.h"
 #include "widgets/patch/patch_controls.h"
 #include "widgets/patch/patch_legend_view.h"
+#include "widgets/patch/patch_pointing.h"
 #include "widgets/patch/patch_words.h"
 #include "widgets/patch/scene_look.h"
 #include "widgets/patch/scene_widget.h"
@@ -21,6 +22,7 @@
 #include <vtkRenderer.h>
 #include <QAction>
 #include <QGridLayout>
+#include <QKeyEvent>
 #include <QLocale>
 #include <QMouseEvent>
 #include <QPainter>
@@ -58,7 +60,8 @@ struct PatchView::Parts : public QObject {
   SceneWidget* canvas = nullptr;      ///< null without OpenGL
   std::unique_ptr<PatchScene> scene;  ///< likewise
   std::unique_ptr<SceneBuilder> builder;
-  PartMotion* motion = nullptr;  ///< likewise
+  PartMotion* motion = nullptr;       ///< likewise
+  PatchPointing* pointing = nullptr;  ///< likewise
   PatchCaptions* captions = nullptr;
   PatchControls* controls = nullptr;
   PatchLegendView* legend_view = nullptr;
@@ -72,6 +75,7 @@ struct PatchView::Parts : public QObject {
 
   void build();
   void buildScene(QGridLayout* layout);
+  void buildPointing();
   void connectControls();
   void smoothWhenAtRest();
   void startInteraction() {
@@ -92,7 +96,6 @@ struct PatchView::Parts : public QObject {
   void refresh();
   /// Several changes in one turn of the event loop make one picture.
   void requestRender();
-  void pickAt(const QPoint& position);
   bool eventFilter(QObject* watched, QEvent* event) override;
 };
 
@@ -113,6 +116,7 @@ void PatchView::Parts::build() {
     motion = new PartMotion(view, canvas, controls->turnButton(), *scene, [this] { requestRender(); });
     motion->setParent(this);
     connect(motion, &PartMotion::turnRequested, view, &PatchView::turnRequested);
+    buildPointing();
   }
   connect(selection, &Selection::changed, this, [this] { updateSelection(); });
   connect(selection, &Selection::brushedChanged, this, [this] {
@@ -122,6 +126,22 @@ void PatchView::Parts::build() {
   connect(&measure, &MeasureTool::changed, this, [this] { updateMeasure(); });
   view->setMinimumHeight(180);
   updateCaptions();
+}
+
+/// After the motion, so that it hears of the mouse also where that turns the part.
+void PatchView::Parts::buildPointing() {
+  pointing = new PatchPointing(view, canvas, *scene, selection, [this] { requestRender(); });
+  pointing->setParent(this);
+  connect(controls, &PatchControls::coloringChosen, pointing, &PatchPointing::setColoring);
+  connect(controls, &PatchControls::itemToggled, pointing, [this](SceneItem item, bool shown) {
+    if (item == SceneItem::Ids) pointing->setIdsShown(shown);
+  });
+  connect(controls, &PatchControls::heightChanged, pointing, &PatchPointing::setTopMargin);
+  connect(controls, &PatchControls::viewRequested, pointing, &PatchPointing::forgetReturn);
+  // What has the mouse or the keyboard lies above what lets both through.
+  controls->raise();
+  pointing->raise();
+  view->setFocusPolicy(Qt::StrongFocus);
 }
 
 void PatchView::Parts::buildScene(QGridLayout* layout) {
@@ -297,12 +317,14 @@ void PatchView::Parts::updateCaptions() {
 void PatchView::Parts::refresh() {
   updateCaptions();
   if (motion != nullptr) motion->refresh();
+  if (pointing != nullptr) pointing->refresh();
   requestRender();
 }
 
 void PatchView::Parts::updateMeasure() {
   if (!scene) return;
   controls->measureAction()->setChecked(measure.isActive());
+  pointing->setOnlyCells(measure.isActive());
   scene->setMeasured(measure.first(), measure.second());
   refresh();
 }
@@ -317,16 +339,6 @@ void PatchView::Parts::requestRender() {
   if (canvas == nullptr || !canvas->isVisible()) return;
   if (opengl.software) at_rest.start();
   canvas->requestRender();
-}
-
-void PatchView::Parts::pickAt(const QPoint& position) {
-  const double ratio = canvas->devicePixelRatioF();
-  const auto picked = scene->pick(ratio * position.x(), ratio * (canvas->height() - 1 - position.y()));
-  if (picked) {
-    selection->selectCell(*picked);
-  } else {
-    selection->clear();
-  }
 }
 
 bool PatchView::Parts::eventFilter(QObject*, QEvent* event) {
@@ -347,7 +359,7 @@ bool PatchView::Parts::eventFilter(QObject*, QEvent* event) {
     case QEvent::MouseButtonRelease: {
       const auto* mouse = static_cast<QMouseEvent*>(event);
       if (mouse->button() == Qt::LeftButton && (mouse->pos() - pressed_at).manhattanLength() <= kClickSlack) {
-        pickAt(mouse->pos());
+        pointing->pickAt(mouse->pos());
       }
       return false;
     }
@@ -363,6 +375,7 @@ PatchView::PatchView(Selection* selection, QWidget* parent)
 }
 
 PatchView::~PatchView() {
+  delete parts_->pointing;
   delete parts_->motion;
   parts_->builder.reset();
   // The scene gives its OpenGL objects back while the context is still there.
@@ -395,6 +408,7 @@ void PatchView::setTheme(Theme theme) {
   parts_->legend_view->setTheme(theme, colors);
   if (parts_->scene) parts_->scene->setColors(colors);
   if (parts_->motion) parts_->motion->setTheme(theme);
+  if (parts_->pointing) parts_->pointing->setTheme(theme);
   parts_->background = Colors::of(theme).scene_bottom;
   if (parts_->canvas != nullptr) parts_->canvas->setBackground(parts_->background);
   update();
@@ -461,6 +475,7 @@ void PatchView::setMoment(const PatchMoment& moment) {
   if (!parts_->motion) return;
   const bool was_shown = parts_->scene->showsGravity();
   parts_->motion->setMoment(moment);
+  parts_->pointing->setTold(moment.told_cell);
   const bool other_readings = moment.readings != before.readings;
   if (other_readings && comesOrGoes(before.readings.get(), moment.readings.get())) parts_->updateControls();
   if (moment.pose != before.pose || (other_readings && isReading(parts_->coloring))) {
@@ -479,10 +494,24 @@ void PatchView::setTurnable(bool turnable) {
 }
 
 void PatchView::setAnimated(bool animated) {
-  if (parts_->motion) parts_->motion->setAnimated(animated);
+  if (!parts_->motion) return;
+  parts_->motion->setAnimated(animated);
+  parts_->pointing->setAnimated(animated);
 }
 
-bool PatchView::isAnimating() const { return parts_->motion && parts_->motion->isAnimating(); }
+bool PatchView::isAnimating() const {
+  return parts_->motion && (parts_->motion->isAnimating() || parts_->pointing->isGliding());
+}
+
+void PatchView::setFiguresShown(bool shown) {
+  if (parts_->pointing) parts_->pointing->setFiguresShown(shown);
+}
+
+bool PatchView::areFiguresShown() const { return parts_->pointing && parts_->pointing->areFiguresShown(); }
+
+void PatchView::keyPressEvent(QKeyEvent* event) {
+  if (!parts_->pointing || !parts_->pointing->onKey(*event)) QWidget::keyPressEvent(event);
+}
 
 void PatchView::whenUpToDate(std::function<void()> then) {
   if (isUpToDate()) {
@@ -509,6 +538,7 @@ QImage PatchView::screenshot() {
   drawNow();
   QImage image = parts_->canvas->picture();
   QPainter painter(&image);
+  parts_->pointing->paintMarks(painter);
   parts_->captions->paint(painter, parts_->canvas->size());
   parts_->legend_view->paintPicture(painter, parts_->canvas->size());
   parts_->motion->paintCaption(painter, parts_->canvas->size());
@@ -517,6 +547,7 @@ QImage PatchView::screenshot() {
 
 void PatchView::fit() {
   if (!parts_->scene) return;
+  parts_->pointing->forgetReturn();
   parts_->scene->fit();
   parts_->requestRender();
 }
@@ -533,6 +564,7 @@ void PatchView::returnToKeptView() {
 
 void PatchView::showStandardView(StandardView view) {
   if (!parts_->scene) return;
+  parts_->pointing->forgetReturn();
   switch (view) {
     case StandardView::Front:
       parts_->scene->showStandardView(PatchScene::View::Front);

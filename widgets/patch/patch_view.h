@@ -20,7 +20,9 @@ class ScaleRanges;
 class Selection;
 
 /// The patch in 3D: true hexagonal prisms with ports, IDs, origin and gravity, in the colours that are chosen, with
-/// overlays and live readings. It computes nothing itself; without OpenGL it says so in words and stays empty.
+/// overlays and live readings. What is under the mouse and what is picked is outlined and has its figures on a card;
+/// the camera turns to what is sought (Selection::sought). It computes nothing itself; without OpenGL it says so in
+/// words and stays empty.
 ///
 /// Large skins are prepared on another thread; until that is done, the previous picture stays.
 class PatchView : public QWidget {
@@ -72,6 +74,10 @@ class PatchView : public QWidget {
   /// Off: nothing moves by itself.
   void setAnimated(bool animated);
   [[nodiscard]] bool isAnimating() const;
+  /// Keeps a card with all figures of what is picked over the picture, and its neighbours to go to; the card follows
+  /// what is picked, until Esc.
+  void setFiguresShown(bool shown);
+  [[nodiscard]] bool areFiguresShown() const;
 
   /// Everything that was set is in the picture, or will be at its next drawing.
   [[nodiscard]] bool isUpToDate() const;
@@ -104,6 +110,7 @@ class PatchView : public QWidget {
 
  protected:
   void paintEvent(QPaintEvent* event) override;
+  void keyPressEvent(QKeyEvent* event) override;
 
  private:
   struct Parts;

@@ -346,9 +346,13 @@ void PatchScene::setParallel(bool parallel) { parts_->camera.setParallel(paralle
 
 void PatchScene::spin(double angle_rad) { parts_->camera.spin(parts_->upShown(), angle_rad); }
 
+void PatchScene::fitIfDue() {
+  if (parts_->window) parts_->camera.fitIfPending(parts_->surroundings());
+}
+
 std::optional<CellId> PatchScene::pick(double x, double y) {
   if (!parts_->window) return std::nullopt;
-  parts_->camera.fitIfPending(parts_->surroundings());
+  fitIfDue();
   return parts_->skin.pick(x, y);
 }
 

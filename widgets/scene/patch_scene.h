@@ -90,6 +90,8 @@ class PatchScene {
   /// Parallel instead of perspective projection; the point that is looked at keeps its size.
   void setParallel(bool parallel);
 
+  /// Carries out a fit that was asked for, as the next rendering would.
+  void fitIfDue();
   /// The cell at a pixel of the window (origin lower left); none beside the skin.
   [[nodiscard]] std::optional<CellId> pick(double x, double y);
   [[nodiscard]] const SceneContent* content() const;

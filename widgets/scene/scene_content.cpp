@@ -209,11 +209,17 @@ std::shared_ptr<const SceneContent> makeSceneContent(std::shared_ptr<const Recon
   content->layout = layOut(r, content->prisms);
   content->figures = makeCellFigures(r);
   content->signs = signsOf(r);
+  content->links = CellLinks(r);
   Eigen::AlignedBox3d box;
   for (const Eigen::Vector3d& point : content->layout.points) box.extend(point);
   content->extent_m = box.isEmpty() ? 0 : box.diagonal().norm();
   content->surface = content->prisms ? makePrisms(content->layout) : makeFrontFaces(content->layout);
-  if (!content->prisms) content->bricks = makeBricks(content->layout);
+  if (!content->prisms) {
+    content->bricks = makeBricks(content->layout);
+    content->locator = vtkSmartPointer<vtkStaticCellLocator>::New();
+    content->locator->SetDataSet(content->surface);
+    content->locator->BuildLocator();
+  }
   return content;
 }
 

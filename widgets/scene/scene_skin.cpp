@@ -83,7 +83,7 @@ struct SceneSkin::Parts {
   vtkNew<vtkPolyDataMapper> origin_mapper;
   vtkNew<vtkActor> sign_actor;
   vtkNew<vtkPolyDataMapper> sign_mapper;
-  vtkSmartPointer<vtkStaticCellLocator> locator;  ///< made by the first pick
+  vtkSmartPointer<vtkStaticCellLocator> locator;  ///< a large skin's, or made by the first pick
 
   void add(vtkActor* actor, vtkPolyDataMapper* mapper);
   void recolor();
@@ -200,7 +200,7 @@ SceneSkin::~SceneSkin() = default;
 
 void SceneSkin::setContent(std::shared_ptr<const SceneContent> content) {
   parts_->content = std::move(content);
-  parts_->locator = nullptr;
+  parts_->locator = parts_->content ? parts_->content->locator : nullptr;
   parts_->recolor();
 }
 

@@ -100,6 +100,12 @@ WindowActions::WindowActions(QWidget* owner, QUndoStack* undo_stack)
                         tr("Pick the cell or link that the most serious finding is about"))),
       find_cell(
           make(owner, "actionFindCell", tr("Find &cell…"), tr("Pick a cell by typing its ID"), {QKeySequence::Find})),
+      worst_cell(make(owner, "actionWorstCell", tr("Worst ce&ll"),
+                      tr("Pick the cell that is known least certainly, and show its figures and its neighbours"),
+                      {QKeySequence(Qt::Key_W)})),
+      figures(make(owner, "actionFigures", tr("F&igures of what is picked"),
+                   tr("Keep a card with all figures of the picked cell or link over the picture, or close it"),
+                   {QKeySequence(Qt::Key_I)})),
       fit(make(owner, "actionFit", tr("&Fit"), tr("Show the whole skin"), {QKeySequence(Qt::Key_F)})),
       front(make(owner, "actionFront", tr("F&ront view"), tr("Look at the patch from the front"))),
       side(make(owner, "actionSide", tr("&Side view"), tr("Look at the patch from its side"))),
@@ -195,7 +201,7 @@ void WindowActions::fillMenuBar(QMenuBar* bar, const std::vector<QAction*>& pane
   for (QAction* step : go_to_step) steps->addAction(step);
 
   QMenu* view = bar->addMenu(tr("&View"));
-  view->addActions({find_cell, show_finding, fit, front, side, top, swap_views, plot, compare});
+  view->addActions({find_cell, worst_cell, figures, show_finding, fit, front, side, top, swap_views, plot, compare});
   view->addSeparator();
   for (QAction* panel : panels) view->addAction(panel);
   view->addAction(reset_layout);
@@ -361,7 +367,9 @@ void WindowActions::refresh(const SessionController& controller, std::optional<i
   allow(show_finding, has_findings ? QString() : tr("There are no findings"));
 
   const QString nothing = controller.reconstruction() ? QString() : tr("There is nothing to look at yet");
-  for (QAction* action : {find_cell, fit, front, side, top, plot, compare}) allow(action, nothing);
+  for (QAction* action : {find_cell, figures, fit, front, side, top, plot, compare}) allow(action, nothing);
+  const bool is_stated = controller.reconstruction() && controller.reconstruction()->assessment.position_95_m;
+  allow(worst_cell, nothing.isEmpty() && !is_stated ? tr("How certain the cells are is not known yet") : nothing);
   for (QAction* action : {undo, redo}) {
     const bool can = action->isEnabled();
     const QString tip = can ? action->text().remove(QLatin1Char('&'))

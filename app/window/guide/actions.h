@@ -58,6 +58,8 @@ class WindowActions {
   QAction* show_next_pose;  ///< shows where to look while holding the part
   QAction* show_finding;    ///< the one that matters most
   QAction* find_cell;
+  QAction* worst_cell;  ///< picks the least certain cell, and shows its figures
+  QAction* figures;     ///< of what is picked, on a card
   QAction* fit;
   QAction* front;
   QAction* side;

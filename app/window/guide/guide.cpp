@@ -232,8 +232,9 @@ Step reviewStep(const SessionController& controller, const WindowActions& action
   }
   const Finding* finding = worstFinding(*result);
   if (captured) step.state = finding ? StepState::Current : StepState::Done;
-  // The verdict itself stands in the banner.
-  step.what = finding ? words(finding->message) : Guide::tr("Nothing was found that does not fit.");
+  // The verdict itself stands in the banner, and the cards below say what was found.
+  step.what = finding ? Guide::tr("Look at what was found, the worst first.")
+                      : Guide::tr("Nothing was found that does not fit.");
   if (controller.session()) {
     step.why = Guide::tr(
         "A pose that does not fit can be disabled or deleted in the table of poses, and taken back with "

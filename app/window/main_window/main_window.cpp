@@ -13,6 +13,7 @@
 #include "app/window/presenters/connection_presenter.h"
 #include "app/window/presenters/export_presenter.h"
 #include "app/window/presenters/file_presenter.h"
+#include "app/window/presenters/finding_presenter.h"
 #include "app/window/presenters/guide_presenter.h"
 #include "app/window/presenters/help_presenter.h"
 #include "app/window/presenters/history_presenter.h"
@@ -45,6 +46,7 @@
 #include "widgets/controls/card_dock.h"
 #include "widgets/controls/check_list.h"
 #include "widgets/controls/elided_label.h"
+#include "widgets/controls/finding_card.h"
 #include "widgets/controls/message_bar.h"
 #include "widgets/controls/notice_stack.h"
 #include "widgets/controls/step_panel.h"
@@ -109,13 +111,16 @@ struct MainWindow::Presenters {
         capture({*views.steps, *views.capture_panel, *views.coverage, panels.coverage(), *views.stillness, *views.patch,
                  *views.tone},
                 window.controller_, window.actions_, window.selection_, window.preferences_),
-        review(
-            {*views.steps, *views.check_list, window.views_->tables, *views.residuals, *views.coverage, *views.patch},
-            window.controller_, window.actions_, window.selection_, files, results),
+        review({*views.steps, *views.check_list, window.views_->tables, *views.residuals, *views.coverage, *views.patch,
+                *views.graph},
+               window.controller_, window.actions_, window.selection_, files, results),
         coloring({*views.steps, *views.patch, *views.graph}, window.controller_, results, window.preferences_,
                  window.scale_ranges_),
         picked({*views.steps, *views.graph, *views.tables.link_view, *views.messages}, window.controller_,
                window.actions_, window.selection_, review),
+        findings({*views.steps, *views.check_findings, *views.review_findings, *views.finding_card,
+                  *views.tables.findings, *views.tables.finding_view},
+                 window.controller_, window.actions_, window.selection_, review),
         verify({window, *views.verify_panel, *views.patch}, window.controller_, verification, files),
         exports(window, window.controller_, verification, window.actions_, files),
         place({window, *views.steps, *views.place_panel, *views.robot, panels.middle()}, window.controller_, placing),
@@ -151,6 +156,7 @@ struct MainWindow::Presenters {
   ReviewPresenter review;
   ColoringPresenter coloring;
   PickedCommands picked;
+  FindingPresenter findings;
   Verification verification;
   VerifyPresenter verify;
   ExportPresenter exports;
@@ -248,6 +254,7 @@ void MainWindow::handOutResults() {
   results.add(views_->tables.links);
   results.add(views_->tables.findings);
   results.add(views_->tables.cells);
+  results.add(&presenters_->findings);
   results.addPicture(views_->graph);
   results.addPicture(views_->patch);
   results.add(views_->plot);
@@ -271,6 +278,9 @@ void MainWindow::dressViews() {
   themes.add(views_->live_strip);
   themes.add(views_->steps);
   themes.add(views_->check_list);
+  themes.add(views_->check_findings);
+  themes.add(views_->review_findings);
+  themes.add(views_->finding_card);
   themes.add(views_->capture_panel);
   themes.add(views_->coverage);
   themes.add(views_->stillness);
@@ -291,12 +301,18 @@ void MainWindow::connectRefresh() {
   connect(&presenters_->review, &ReviewPresenter::pickedPoseChanged, &refresh_, &OncePerTurn::request);
   connect(actions_.reset_layout, &QAction::triggered, panels_, &Panels::reset);
   connect(&refresh_, &OncePerTurn::done, this, &MainWindow::refreshed);
+  connect(&presenters_->review, &ReviewPresenter::findingsWanted, this, [this] {
+    panels_->details().show();
+    panels_->details().raise();
+    views_->detail_tabs->setCurrentIndex(0);
+  });
 }
 
 void MainWindow::refresh() {
   presenters_->picked.refresh();  // the guide asks the actions
   presenters_->guide.refresh();
   presenters_->speech.refresh();
+  presenters_->findings.refresh();
   presenters_->results.refresh();
   presenters_->marks.refresh();
   presenters_->place.refresh();

@@ -9,6 +9,7 @@
 #include "widgets/capture/coverage_view.h"
 #include "widgets/capture/stillness_view.h"
 #include "widgets/controls/card_dock.h"
+#include "widgets/controls/finding_card.h"
 #include "widgets/controls/step_panel.h"
 #include "widgets/controls/view_mark.h"
 #include "widgets/graph/graph_view.h"
@@ -20,6 +21,7 @@
 
 #include <QFrame>
 #include <QGridLayout>
+#include <QHBoxLayout>
 #include <QScrollArea>
 #include <QSettings>
 #include <QSplitter>
@@ -159,6 +161,30 @@ TableOrHint* Panels::makeTable(QTableView* view, const QString& hint) {
   return tables_.back();
 }
 
+/// The table, and beside it the card of the finding that is picked in it.
+QWidget* Panels::makeFindings(const Views& views) {
+  auto* room = new QScrollArea;
+  room->setFrameShape(QFrame::NoFrame);
+  room->setFocusPolicy(Qt::NoFocus);
+  room->setWidgetResizable(true);
+  room->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  auto* content = new QWidget;
+  auto* column = new QVBoxLayout(content);
+  column->setContentsMargins(0, 0, 8, 8);
+  column->addWidget(views.finding_card);
+  column->addStretch(1);
+  room->setWidget(content);
+  auto* page = new QWidget;
+  auto* row = new QHBoxLayout(page);
+  row->setContentsMargins(0, 0, 0, 0);
+  row->setSpacing(8);
+  constexpr int kTableShare = 3;
+  constexpr int kCardShare = 2;
+  row->addWidget(makeTable(views.tables.finding_view, tr("No findings.")), kTableShare);
+  row->addWidget(room, kCardShare);
+  return page;
+}
+
 CardDock* Panels::makeDetails(const Views& views) {
   auto* pages = new QStackedWidget;
   // The widest page does not keep the column from getting narrower.
@@ -170,7 +196,7 @@ CardDock* Panels::makeDetails(const Views& views) {
   };
   tabs->setObjectName(QStringLiteral("detailTabs"));
   tabs->setDrawBase(false);
-  add(makeTable(views.tables.finding_view, tr("No findings.")), tr("Findings"));
+  add(makeFindings(views), tr("Findings"));
   add(makeTable(views.tables.link_view, tr("No links yet.")), tr("Links"));
   add(makeTable(views.tables.cell_view, tr("No cells yet.")), tr("Cells"));
   add(views.residuals, tr("Residuals"));

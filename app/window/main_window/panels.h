@@ -56,6 +56,7 @@ class Panels : public QMainWindow {
  private:
   void setVerifying(bool verifying);
   [[nodiscard]] QWidget* makeCentre(const Views& views);
+  [[nodiscard]] QWidget* makeFindings(const Views& views);
   [[nodiscard]] CardDock* makeDetails(const Views& views);
   [[nodiscard]] TableOrHint* makeTable(QTableView* view, const QString& hint);
   void arrange();

@@ -16,6 +16,7 @@
 #include "widgets/controls/banner.h"
 #include "widgets/controls/check_list.h"
 #include "widgets/controls/elided_label.h"
+#include "widgets/controls/finding_card.h"
 #include "widgets/controls/message_bar.h"
 #include "widgets/controls/step_panel.h"
 #include "widgets/controls/work_notice.h"
@@ -31,6 +32,7 @@
 #include <QLocale>
 #include <QMenuBar>
 #include <QTabBar>
+#include <QVBoxLayout>
 
 namespace hexoderm {
 
@@ -45,6 +47,9 @@ Views::Views(const Sources& sources, QObject* owner)
       steps(new StepPanel),
       earlier(new EarlierPanel(sources.recent, sources.unsaved)),
       check_list(new CheckList),
+      check_findings(new FindingCards(QStringLiteral("checkFindings"))),
+      review_findings(new FindingCards(QStringLiteral("reviewFindings"))),
+      finding_card(new FindingCard),
       capture_panel(new CapturePanel(
           {sources.actions.automatic, sources.actions.capture, sources.actions.skip_pose, sources.actions.turn})),
       verify_panel(new VerifyPanel(&sources.selection)),
@@ -65,7 +70,13 @@ Views::Views(const Sources& sources, QObject* owner)
       log(new LogView(sources.log)),
       detail_tabs(new QTabBar) {
   steps->setBody(static_cast<int>(GuideStep::Connect), earlier);
-  steps->setBody(static_cast<int>(GuideStep::Check), check_list);
+  auto* checks = new QWidget;
+  auto* checks_layout = new QVBoxLayout(checks);
+  checks_layout->setContentsMargins(0, 0, 0, 0);
+  checks_layout->addWidget(check_list);
+  checks_layout->addWidget(check_findings);
+  steps->setBody(static_cast<int>(GuideStep::Check), checks);
+  steps->setBody(static_cast<int>(GuideStep::Review), review_findings);
   steps->setBody(static_cast<int>(GuideStep::Capture), capture_panel);
   steps->setBody(static_cast<int>(GuideStep::Place), place_panel);
 }

@@ -16,6 +16,8 @@ class CheckList;
 class CoverageView;
 class EarlierPanel;
 class EventLog;
+class FindingCard;
+class FindingCards;
 class GraphView;
 class InstructionVoice;
 class LiveStrip;
@@ -60,6 +62,9 @@ struct Views {
   StepPanel* steps;
   EarlierPanel* earlier;
   CheckList* check_list;
+  FindingCards* check_findings;
+  FindingCards* review_findings;
+  FindingCard* finding_card;
   CapturePanel* capture_panel;
   VerifyPanel* verify_panel;
   PlacePanel* place_panel;

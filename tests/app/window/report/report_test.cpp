@@ -45,8 +45,10 @@ Reconstruction awkwardResult() {
                                  message("There is no pose yet: the shape shown follows from the ports alone."))};
   result.assessment.level = VerdictLevel::Usable;
   result.assessment.reason =
-      message("Usable: {} at the worst cell (95 %), {}.",
-              message("±{}, ±{}", Millimetres{1.2e-3}, Degrees{0.4 * kDegree}), message("{} poses", 3));
+      message("Usable: {}, {}.",
+              message("{} (95 %, worst: {})", message("±{}, ±{}", Millimetres{1.2e-3}, Degrees{0.4 * kDegree}),
+                      cellsInWords({CellId(3)})),
+              message("{} poses", 3));
   result.assessment.next_action = message("Look at the findings, then export.");
   result.assessment.position_95_m = 0.0012;
   result.assessment.orientation_95_rad = 0.007;
