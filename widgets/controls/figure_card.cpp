@@ -14,7 +14,8 @@ namespace {
 
 constexpr int kFromMouse_px = 16;
 constexpr int kFromEdge_px = 6;
-constexpr int kCardCharacters = 44;  // in its width
+constexpr int kPassingCharacters = 44;  // in its width
+constexpr int kKeptCharacters = 36;
 
 }  // namespace
 
@@ -35,7 +36,8 @@ QRect placeBeside(const QPoint& mouse, const QSize& card, const QRect& area) {
   return {};
 }
 
-FigureCard::FigureCard(Kind kind, QWidget* parent) : QFrame(parent), text_(new QLabel), value_(new QLabel) {
+FigureCard::FigureCard(Kind kind, QWidget* parent)
+    : QFrame(parent), kind_(kind), text_(new QLabel), value_(new QLabel) {
   setObjectName(kind == Kind::Passing ? QStringLiteral("hoverCard") : QStringLiteral("figureCard"));
   for (QLabel* label : {value_, text_}) {
     label->setWordWrap(true);
@@ -78,24 +80,28 @@ FigureCard::FigureCard(Kind kind, QWidget* parent) : QFrame(parent), text_(new Q
 
 void FigureCard::setTheme(Theme theme) {
   theme_ = theme;
-  const Colors& colors = Colors::of(theme);
-  QPalette colored = palette();
-  colored.setColor(QPalette::WindowText, colors.text);
-  colored.setColor(QPalette::Text, colors.text);
-  text_->setPalette(colored);
-  value_->setPalette(colored);
+  write();
   update();
 }
 
+/// The colour stands in the text: rich text does not follow a palette that a style sheet sets anew.
+void FigureCard::write() {
+  const QString begin = QStringLiteral("<span style=\"color:%1\">").arg(Colors::of(theme_).text.name());
+  const QString end = QStringLiteral("</span>");
+  text_->setText(begin + said_ + end);
+  value_->setText(said_value_.isEmpty() ? QString() : begin + said_value_ + end);
+}
+
 void FigureCard::setContent(const QString& text, const QString& value, const std::vector<Neighbor>& neighbors) {
-  text_->setText(text);
-  value_->setText(value);
+  said_ = text;
+  said_value_ = value;
+  write();
   value_->setVisible(!value.isEmpty());
   if (neighbors_ != nullptr) setNeighbors(neighbors);
 }
 
 QString FigureCard::text() const {
-  return value_->text().isEmpty() ? text_->text() : text_->text() + QStringLiteral("<br>") + value_->text();
+  return said_value_.isEmpty() ? said_ : said_ + QStringLiteral("<br>") + said_value_;
 }
 
 void FigureCard::setNeighbors(const std::vector<Neighbor>& neighbors) {
@@ -123,7 +129,8 @@ void FigureCard::setNeighbors(const std::vector<Neighbor>& neighbors) {
 }
 
 QSize FigureCard::sizeFor(const QSize& view) const {
-  const int wanted = kCardCharacters * fontMetrics().averageCharWidth();
+  const int characters = kind_ == Kind::Passing ? kPassingCharacters : kKeptCharacters;
+  const int wanted = characters * fontMetrics().averageCharWidth();
   const int width = std::min(wanted, std::max(0, view.width() - 2 * kFromEdge_px));
   ensurePolished();
   layout()->activate();

@@ -53,7 +53,11 @@ class FigureCard : public QFrame {
 
  private:
   void setNeighbors(const std::vector<Neighbor>& neighbors);
+  void write();
 
+  Kind kind_;
+  QString said_;
+  QString said_value_;
   QLabel* text_;
   QLabel* value_;
   QLabel* neighbors_word_ = nullptr;

@@ -79,6 +79,7 @@ class PatchPointing : public QObject {
   void updateMarks();
   void updateFigures();
   void placeFigures();
+  [[nodiscard]] CameraStand besideFigures(const CameraStand& stand) const;
   void glideTo(const CameraStand& stand);
   void nextGlideFrame();
   void stopGlide();
@@ -105,6 +106,7 @@ class PatchPointing : public QObject {
   bool ids_shown_ = true;
   bool only_cells_ = false;
   bool figures_shown_ = false;
+  bool figures_left_ = false;  ///< where their card is
   int top_margin_ = 0;
   std::optional<CellId> told_;
 
