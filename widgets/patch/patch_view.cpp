@@ -460,12 +460,6 @@ std::optional<double> PatchView::shiftFactor() const {
   return parts_->scene ? parts_->scene->notes().shift_factor : std::nullopt;
 }
 
-Coloring PatchView::coloring() const { return parts_->coloring; }
-
-void PatchView::setColoring(Coloring coloring) {
-  if (parts_->controls != nullptr && parts_->coloring != coloring) parts_->controls->action(coloring)->setChecked(true);
-}
-
 vtkCamera* PatchView::camera() const { return parts_->scene ? parts_->scene->renderer()->GetActiveCamera() : nullptr; }
 
 void PatchView::redraw() { parts_->requestRender(); }

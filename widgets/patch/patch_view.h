@@ -42,6 +42,7 @@ class PatchView : public QWidget {
   /// What is going on while there is no skin, in words, which stand in the hint's place; empty: nothing is.
   void setAwaited(const QString& awaited);
   void setTheme(Theme theme);
+  /// What the colours of the cells mean, as the menu has it.
   void setColoring(Coloring coloring);
   [[nodiscard]] Coloring coloring() const;
   /// Ranges of scales that the operator fixes, here or elsewhere; they must outlive the view. Without them the view has
@@ -54,9 +55,6 @@ class PatchView : public QWidget {
   void setShiftFactor(std::optional<double> factor);
   /// As they are drawn; none: nothing is.
   [[nodiscard]] std::optional<double> shiftFactor() const;
-  /// What the colours of the cells mean, as the menu has it.
-  [[nodiscard]] Coloring coloring() const;
-  void setColoring(Coloring coloring);
   /// Null without OpenGL. Whoever moves it asks for a picture with redraw().
   [[nodiscard]] vtkCamera* camera() const;
   /// Draws soon.
@@ -106,6 +104,7 @@ class PatchView : public QWidget {
   void pictureRequested();
   /// The part should be turned until this direction of the largest patch's frame points up; at most 20 times a second.
   void turnRequested(Eigen::Vector3d up_o);
+  /// The cells are coloured by something else, whoever asked for it.
   void coloringChanged(hexoderm::Coloring coloring);
 
  protected:
