@@ -6720,14 +6720,6 @@ Die Balken sagen, wie sehr sich die gesehenen Richtungen in drei Achsen untersch
         <translation>Die Pose neu aufnehmen und nichts die Haut berühren lassen, oder sie nicht benutzen.</translation>
     </message>
     <message>
-        <source>Least certain is cell {}.</source>
-        <translation>Am unsichersten ist Zelle {}.</translation>
-    </message>
-    <message>
-        <source>Least certain is where cell {} lies and how cell {} is turned.</source>
-        <translation>Am unsichersten ist, wo Zelle {} liegt und wie Zelle {} gedreht ist.</translation>
-    </message>
-    <message>
         <source>The patch of cell {} is in its place on link {}.</source>
         <translation>Das Hautstück der Zelle {} ist an seinem Ort am Glied {}.</translation>
     </message>
