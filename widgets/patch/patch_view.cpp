@@ -111,6 +111,12 @@ void PatchView::Parts::build() {
   connect(legend_view, &PatchLegendView::rangeFixed, this, [this](ColorRange range) { ranges->fix(coloring, range); });
   connect(legend_view, &PatchLegendView::rangeReleased, this, [this] { ranges->release(coloring); });
   connectRanges();
+  if (scene) {
+    connect(legend_view, &PatchLegendView::heightChanged, this, [this](int height) {
+      scene->setBottomMargin(qRound(height * canvas->devicePixelRatioF()));
+      requestRender();
+    });
+  }
   if (controls != nullptr) controls->raise();
   if (canvas != nullptr) {
     motion = new PartMotion(view, canvas, controls->turnButton(), *scene, [this] { requestRender(); });

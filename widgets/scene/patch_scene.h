@@ -80,6 +80,8 @@ class PatchScene {
 
   /// Pixels of the window's top that something else covers: what is fitted stays below.
   void setTopMargin(int pixels);
+  /// The same at the bottom.
+  void setBottomMargin(int pixels);
   /// Moves the camera along its direction until everything fits into the window.
   void fit();
   void showStandardView(View view);

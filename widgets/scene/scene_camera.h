@@ -37,6 +37,8 @@ class SceneCamera {
   void setContent(std::shared_ptr<const SceneContent> content);
   /// Pixels of the window's top that something else covers: a fitted skin stays below.
   void setTopMargin(int pixels);
+  /// The same at the bottom.
+  void setBottomMargin(int pixels);
 
   /// Moves the camera along its direction until everything fits; done by the next prepare().
   void fit() { fit_pending_ = true; }
@@ -90,6 +92,8 @@ class SceneCamera {
   /// Shares of the window.
   [[nodiscard]] double freeWidth() const;
   [[nodiscard]] double freeHeight() const;
+  /// The share of the window at its top or bottom where no fitted skin is, if that many pixels of it are covered.
+  [[nodiscard]] double freeFrom(int margin_px) const;
   /// Distance that a growing patch may exceed the fit by until it is fitted again, in half heights of the window.
   [[nodiscard]] double slackAbove() const;
   /// The upper left corner of the arrow of gravity with its word, in half windows from the window's middle.
@@ -108,6 +112,7 @@ class SceneCamera {
   bool fit_pending_ = false;
   bool content_is_new_ = false;  ///< since the last picture
   int top_margin_ = 0;           ///< pixels
+  int bottom_margin_ = 0;        ///< pixels
 };
 
 }  // namespace hexoderm
