@@ -2,8 +2,8 @@
 
 #include "widgets/scene/scene_corners.h"
 
+#include <QImage>
 #include <QPainter>
-#include <QPicture>
 #include <algorithm>
 
 namespace hexoderm {
@@ -40,6 +40,7 @@ PatchCaptions::PatchCaptions(QWidget* parent) : QWidget(parent) {
 
 void PatchCaptions::setContent(const Content& content) {
   content_ = content;
+  legend_area_ = QSize();
   QStringList words = content.notes;
   if (!content.message.isEmpty()) words.prepend(content.message);
   if (content.hint.isEmpty()) words << legendInWords(content.legend);
@@ -50,6 +51,7 @@ void PatchCaptions::setContent(const Content& content) {
 
 void PatchCaptions::setTheme(Theme theme, const SceneColors& colors) {
   theme_ = theme;
+  legend_area_ = QSize();
   colors_ = colors;
   update();
 }
@@ -88,18 +90,36 @@ void PatchCaptions::paint(QPainter& painter, const QSize& area) const {
   paintLegendOnPlate(painter, area);
 }
 
-/// What the legend covers is known when it has been painted: once for its plate, and once on it.
+/// What the legend covers is known when it has been painted: once beside the screen, for its plate.
+QRect PatchCaptions::legendRect(const QSize& area) const {
+  if (legend_area_ == area) return legend_rect_;
+  QImage beside(area, QImage::Format_ARGB32_Premultiplied);
+  beside.fill(Qt::transparent);
+  QPainter painter(&beside);
+  painter.setFont(font());
+  const int height = paintLegend(painter, area, content_.legend, theme_, colors_);
+  painter.end();
+  const int top = std::max(0, area.height() - height);
+  int left = area.width();
+  int right = -1;
+  for (int y = top; y < area.height(); ++y) {
+    const auto* line = reinterpret_cast<const QRgb*>(beside.constScanLine(y));
+    for (int x = 0; x < area.width(); ++x) {
+      if (qAlpha(line[x]) == 0) continue;
+      left = std::min(left, x);
+      right = std::max(right, x);
+    }
+  }
+  legend_area_ = area;
+  legend_rect_ = right < left ? QRect() : QRect(QPoint(left, top), QPoint(right, area.height() - 1));
+  return legend_rect_;
+}
+
 void PatchCaptions::paintLegendOnPlate(QPainter& painter, const QSize& area) const {
-  QPicture measured;
-  QPainter measuring(&measured);
-  measuring.setFont(painter.font());
-  paintLegend(measuring, area, content_.legend, theme_, colors_);
-  measuring.end();
-  constexpr int kBelow = 2;
-  const QRect covered = measured.boundingRect();
+  constexpr int kBelow = 3;
+  const QRect covered = legendRect(area);
   if (!covered.isEmpty()) {
-    paintPlate(painter, covered.adjusted(-kPadding, -kBelow, kPadding, kBelow) & QRect(QPoint(2, 0), area - QSize(4, 2)),
-               Colors::of(theme_).scene_bottom);
+    paintPlate(painter, covered.adjusted(-kPadding, -1, kPadding, -kBelow), Colors::of(theme_).scene_bottom);
   }
   paintLegend(painter, area, content_.legend, theme_, colors_);
 }

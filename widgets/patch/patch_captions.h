@@ -37,12 +37,16 @@ class PatchCaptions : public QWidget {
 
  private:
   void paintNotes(QPainter& painter, const QSize& area) const;
+  /// What the legend covers in an area of this size.
+  [[nodiscard]] QRect legendRect(const QSize& area) const;
   void paintLegendOnPlate(QPainter& painter, const QSize& area) const;
 
   Content content_;
   Theme theme_ = Theme::Light;
   SceneColors colors_;
   int top_margin_ = 0;
+  mutable QSize legend_area_;  ///< of legend_rect_; empty: it has to be found anew
+  mutable QRect legend_rect_;
 };
 
 }  // namespace hexoderm

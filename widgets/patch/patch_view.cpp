@@ -392,6 +392,8 @@ PatchView::PatchView(Selection* selection, QWidget* parent)
 PatchView::~PatchView() {
   delete parts_->motion;
   parts_->builder.reset();
+  // Qt sends a leave event to a canvas that is deleted under the mouse.
+  if (parts_->canvas != nullptr) parts_->canvas->removeEventFilter(parts_.get());
   // The scene gives its OpenGL objects back while the context is still there.
   parts_->scene.reset();
   delete parts_->canvas;
@@ -513,8 +515,11 @@ void PatchView::centerOn(CellId cell) {
 void PatchView::copyPicture() { QGuiApplication::clipboard()->setImage(screenshot()); }
 
 void PatchView::contextMenuEvent(QContextMenuEvent* event) {
-  if (event->reason() == QContextMenuEvent::Mouse || parts_->canvas == nullptr) return;
-  parts_->openMenuAt(parts_->canvas->rect().center());
+  if (event->reason() == QContextMenuEvent::Mouse || parts_->canvas == nullptr) {
+    event->ignore();
+  } else {
+    parts_->openMenuAt(parts_->canvas->rect().center());
+  }
 }
 
 void PatchView::keepView() {

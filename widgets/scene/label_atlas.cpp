@@ -19,6 +19,18 @@ constexpr int kGap = 1;  // between two digits, so that none shows the edge of i
 struct DrawnDigit {
   vtkNew<vtkImageData> image;
   std::array<int, 2> size{};  ///< of the image's part that is the digit
+  int lowest = 0;             ///< row with ink
+
+  [[nodiscard]] unsigned char inkAt(int x, int y) const {
+    const int* extent = image->GetExtent();
+    return static_cast<const unsigned char*>(image->GetScalarPointer(extent[0] + x, extent[2] + y, 0))[3];
+  }
+  [[nodiscard]] bool isEmptyRow(int y) const {
+    for (int x = 0; x < size[0]; ++x) {
+      if (inkAt(x, y) > 0) return false;
+    }
+    return true;
+  }
 };
 
 }  // namespace
@@ -41,9 +53,15 @@ bool LabelAtlas::setDpi(int dpi) {
     for (std::size_t digit = 0; digit < 10; ++digit) {
       DrawnDigit& one = drawn[row].at(digit);
       if (!renderer->RenderString(letters, std::to_string(digit), one.image, one.size.data(), dpi)) one.size = {0, 0};
-      glyphs.at(digit) = {row_width, height, one.size[0], one.size[1]};
+      // Digits have no descenders: without the room for these they stand in the middle of their cells.
+      int lowest = 0;
+      int above = one.size[1];
+      while (lowest < above && one.isEmptyRow(lowest)) ++lowest;
+      while (above > lowest && one.isEmptyRow(above - 1)) --above;
+      one.lowest = lowest;
+      glyphs.at(digit) = {row_width, height, one.size[0], above - lowest};
       row_width += one.size[0] + kGap;
-      row_height = std::max(row_height, one.size[1]);
+      row_height = std::max(row_height, above - lowest);
     }
     width = std::max(width, row_width);
     height += row_height + kGap;
@@ -60,12 +78,11 @@ bool LabelAtlas::setDpi(int dpi) {
   for (std::size_t row = 0; row < drawn.size(); ++row) {
     for (std::size_t digit = 0; digit < 10; ++digit) {
       const Glyph& to = glyphs_[LabelChoice::kFonts.at(row)].at(digit);
-      const int* extent = drawn[row].at(digit).image->GetExtent();
+      const DrawnDigit& one = drawn[row].at(digit);
       for (int y = 0; y < to.height; ++y) {
         for (int x = 0; x < to.width; ++x) {
-          const auto* in = static_cast<const unsigned char*>(
-              drawn[row].at(digit).image->GetScalarPointer(extent[0] + x, extent[2] + y, 0));
-          pixels[4 * (static_cast<std::ptrdiff_t>(to.bottom + y) * width + to.left + x) + 3] = in[3];
+          pixels[4 * (static_cast<std::ptrdiff_t>(to.bottom + y) * width + to.left + x) + 3] =
+              one.inkAt(x, one.lowest + y);
         }
       }
     }

@@ -95,7 +95,7 @@ void SceneCamera::setMore(std::vector<Eigen::Vector3d> points) {
   if (points.empty() && more_.empty()) return;
   more_ = std::move(points);
   content_is_new_ = true;
-  if (fitted_ && fitted_->wider) fitIfUntouched();
+  if (more_.empty() && fitted_ && fitted_->wider) fitIfUntouched();
 }
 
 void SceneCamera::fitIfUntouched() {

@@ -31,7 +31,7 @@ constexpr double kKnob = 0.23;         // radius at the positive ends, which hav
 constexpr double kFarKnob = 0.15;      // at the negative ones
 constexpr double kHovered = 1.25;      // larger under the mouse
 constexpr double kPlate = 1.1;         // radius
-constexpr double kPlateOpacity = 0.6;
+constexpr double kPlateOpacity = 0.82;
 constexpr std::array<const char*, 3> kAxisNames = {"x", "y", "z"};
 
 /// A round stick between two points.

@@ -132,7 +132,6 @@ struct SceneLabels::Parts {
   void writePlate(Sheets& sheets, const PlacedLabel& label) const;
 };
 
-/// After all faces in the order of the actors; letters leave the depth as it is, so that only faces shade each other.
 void SceneLabels::Parts::dress(Drawn& drawn) {
   drawn.mapper->SetColorModeToDirectScalars();
   drawn.mapper->SetInputData(vtkNew<vtkPolyData>());
@@ -141,7 +140,6 @@ void SceneLabels::Parts::dress(Drawn& drawn) {
   drawn.actor->GetProperty()->LightingOff();
   drawn.actor->PickableOff();
   drawn.actor->UseBoundsOff();
-  drawn.actor->ForceTranslucentOn();
   drawn.actor->VisibilityOff();
   renderer->AddActor(drawn.actor);
 }
@@ -199,7 +197,10 @@ SceneLabels::SceneLabels(vtkRenderer* renderer) : parts_(std::make_unique<Parts>
   parts_->texture->MipmapOff();
   parts_->dress(parts_->ids);
   parts_->dress(parts_->plate);
-  // The picked cell's is seen through everything.
+  // Letters leave the depth of the faces under them as it is, so that only faces shade each other. The picked cell's
+  // plate is seen through everything.
+  parts_->ids.actor->ForceTranslucentOn();
+  parts_->plate.actor->ForceOpaqueOn();
   parts_->plate.actor->GetShaderProperty()->AddFragmentShaderReplacement("//VTK::Depth::Impl", true,
                                                                          "gl_FragDepth = 0.0;\n", false);
 }
@@ -249,7 +250,8 @@ void SceneLabels::update(const std::array<int, 2>& window_size, int dpi, bool is
   bool behind = false;
   if (picked) {
     const SE3& T_s_u = parts_->choice.content()->layout.cells[*picked].T_s_u;
-    behind = is_picked_covered || T_s_u.R.col(2).dot(sight.towardEye(T_s_u.t)) <= 0;
+    behind = is_picked_covered || (parts_->cut && parts_->cut->removes(T_s_u.t)) ||
+             T_s_u.R.col(2).dot(sight.towardEye(T_s_u.t)) <= 0;
   }
   if (!parts_->stale && sight == parts_->sight && behind == parts_->picked_behind) return;
   parts_->stale = false;

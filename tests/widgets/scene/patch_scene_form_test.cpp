@@ -237,7 +237,7 @@ TEST_F(PatchSceneFormTest, FitTakesInAllThatIsDrawnAndGoesBackWhenItIsGone) {
   EXPECT_EQ(pointsBesideTheWindow(), 0U);
   // Differences as long as the patch, drawn enlarged.
   Reconstruction moved = demo;
-  for (CellPlacement& cell : moved.patches[0].cells) cell.T_o_u.t *= 1.4;
+  for (CellPlacement& cell : moved.patches[0].cells) cell.T_o_u.t *= 2.5;
   overlays.comparison = shared(compareToReconstruction(demo, moved));
   scene.setOverlays(overlays);
   window->Render();
