@@ -958,6 +958,29 @@ Die Balken sagen, wie sehr sich die gesehenen Richtungen in drei Achsen untersch
     </message>
 </context>
 <context>
+    <name>hexoderm::CutBar</name>
+    <message>
+        <source>Cut</source>
+        <translation>Schnitt</translation>
+    </message>
+    <message>
+        <source>Depth of the cut</source>
+        <translation>Tiefe des Schnitts</translation>
+    </message>
+    <message>
+        <source>How much of the skin is taken away from in front</source>
+        <translation>Wie viel von der Haut von vorn weggenommen wird</translation>
+    </message>
+    <message>
+        <source>Face me</source>
+        <translation>Zu mir drehen</translation>
+    </message>
+    <message>
+        <source>Turns the cut so that it faces you as you look now</source>
+        <translation>Dreht den Schnitt so, dass er dem Betrachter zugewandt ist</translation>
+    </message>
+</context>
+<context>
     <name>hexoderm::EarlierPanel</name>
     <message>
         <source>Recent</source>
@@ -7059,10 +7082,6 @@ Die Balken sagen, wie sehr sich die gesehenen Richtungen in drei Achsen untersch
         <translation>Einpassen</translation>
     </message>
     <message>
-        <source>Show the whole skin</source>
-        <translation>Die ganze Haut zeigen</translation>
-    </message>
-    <message>
         <source>Front</source>
         <translation>Vorn</translation>
     </message>
@@ -7089,6 +7108,54 @@ Die Balken sagen, wie sehr sich die gesehenen Richtungen in drei Achsen untersch
     <message>
         <source>Drawn by %1</source>
         <translation>Gezeichnet von %1</translation>
+    </message>
+    <message>
+        <source>&amp;Cut open</source>
+        <translation>Au&amp;fschneiden</translation>
+    </message>
+    <message>
+        <source>Show the whole skin, and all that is drawn with it</source>
+        <translation>Die ganze Haut zeigen und alles, was mit ihr gezeichnet ist</translation>
+    </message>
+    <message>
+        <source>Takes away what is nearer to you than a plane, so that you see what lies behind</source>
+        <translation>Nimmt weg, was vor einer Ebene liegt, sodass zu sehen ist, was dahinter ist</translation>
+    </message>
+    <message>
+        <source>C&amp;olour</source>
+        <translation>Far&amp;be</translation>
+    </message>
+    <message>
+        <source>&amp;Show</source>
+        <translation>&amp;Zeigen</translation>
+    </message>
+    <message>
+        <source>View ▾</source>
+        <translation>Ansicht ▾</translation>
+    </message>
+    <message>
+        <source>From where the skin is looked at, and how</source>
+        <translation>Von wo und wie die Haut angesehen wird</translation>
+    </message>
+    <message>
+        <source>View</source>
+        <translation>Ansicht</translation>
+    </message>
+    <message>
+        <source>Back</source>
+        <translation>Hinten</translation>
+    </message>
+    <message>
+        <source>Look at the origin cell from behind</source>
+        <translation>Von hinten auf die Ursprungszelle sehen</translation>
+    </message>
+    <message>
+        <source>Isometric</source>
+        <translation>Isometrisch</translation>
+    </message>
+    <message>
+        <source>Look from between the three axes</source>
+        <translation>Von zwischen den drei Achsen sehen</translation>
     </message>
 </context>
 <context>
@@ -7171,6 +7238,29 @@ Die Balken sagen, wie sehr sich die gesehenen Richtungen in drei Achsen untersch
     <message>
         <source>Legend of the colours</source>
         <translation>Legende der Farben</translation>
+    </message>
+</context>
+<context>
+    <name>hexoderm::PatchMenu</name>
+    <message>
+        <source>&amp;Pick cell %1</source>
+        <translation>Zelle %1 &amp;wählen</translation>
+    </message>
+    <message>
+        <source>&amp;Bring cell %1 into the middle</source>
+        <translation>Zelle %1 &amp;in die Mitte holen</translation>
+    </message>
+    <message>
+        <source>&amp;Look from</source>
+        <translation>Blick &amp;von</translation>
+    </message>
+    <message>
+        <source>Copy pict&amp;ure</source>
+        <translation>Bild &amp;kopieren</translation>
+    </message>
+    <message>
+        <source>The scene with its legend, to be pasted elsewhere</source>
+        <translation>Die Szene mit ihrer Legende, um sie anderswo einzufügen</translation>
     </message>
 </context>
 <context>
@@ -10885,6 +10975,22 @@ Auf einem entfernten Bildschirm oder mit einem fehlerhaften Treiber kann es helf
     <message>
         <source>Start the demo a&amp;rm</source>
         <translation>Demo-A&amp;rm starten</translation>
+    </message>
+    <message>
+        <source>Bac&amp;k view</source>
+        <translation>Ansicht von &amp;hinten</translation>
+    </message>
+    <message>
+        <source>Look at the patch from behind</source>
+        <translation>Das Hautstück von hinten ansehen</translation>
+    </message>
+    <message>
+        <source>&amp;Isometric view</source>
+        <translation>&amp;Isometrische Ansicht</translation>
+    </message>
+    <message>
+        <source>Look at the patch from between its axes</source>
+        <translation>Das Hautstück von zwischen seinen Achsen ansehen</translation>
     </message>
     <message>
         <source>Worst ce&amp;ll</source>

@@ -2,6 +2,7 @@
 
 #include "widgets/scene/scene_corners.h"
 
+#include <QImage>
 #include <QPainter>
 #include <algorithm>
 
@@ -10,13 +11,20 @@ namespace {
 
 constexpr int kPadding = 6;
 
-/// On a ground that keeps it readable over any cell.
-void writeOnGround(QPainter& painter, const QRect& place, const QString& text, const QColor& color, QColor ground) {
-  ground.setAlphaF(0.78);
+/// A ground that keeps what stands on it readable over any cell.
+void paintPlate(QPainter& painter, const QRect& place, QColor ground) {
+  ground.setAlphaF(0.8);
   painter.save();
   painter.setPen(Qt::NoPen);
   painter.setBrush(ground);
-  painter.drawRoundedRect(place.adjusted(-kPadding, -3, kPadding, 3), 3, 3);
+  painter.drawRoundedRect(place, 4, 4);
+  painter.restore();
+}
+
+void writeOnGround(QPainter& painter, const QRect& place, const QString& text, const QColor& color,
+                   const QColor& ground) {
+  paintPlate(painter, place.adjusted(-kPadding, -3, kPadding, 3), ground);
+  painter.save();
   painter.setPen(color);
   painter.drawText(place.adjusted(0, 0, 1, 0), Qt::TextWordWrap, text);
   painter.restore();

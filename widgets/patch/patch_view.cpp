@@ -3,12 +3,14 @@
 #include "widgets/coloring/coloring_words.h"
 #include "widgets/coloring/scale_ranges.h"
 #include "widgets/controls/selection.h"
+#include "widgets/patch/cut_bar.h"
 #include "widgets/patch/measure_tool.h"
 #include "widgets/patch/opengl_info.h"
 #include "widgets/patch/part_motion.h"
 #include "widgets/patch/patch_captions.h"
 #include "widgets/patch/patch_controls.h"
 #include "widgets/patch/patch_legend_view.h"
+#include "widgets/patch/patch_menu.h"
 #include "widgets/patch/patch_pointing.h"
 #include "widgets/patch/patch_words.h"
 #include "widgets/patch/scene_look.h"
@@ -21,9 +23,13 @@
 #include <vtkRenderWindowInteractor.h>
 #include <vtkRenderer.h>
 #include <QAction>
+#include <QClipboard>
+#include <QContextMenuEvent>
 #include <QGridLayout>
+#include <QGuiApplication>
 #include <QKeyEvent>
 #include <QLocale>
+#include <QMenu>
 #include <QMouseEvent>
 #include <QPainter>
 #include <QTimer>
@@ -78,6 +84,7 @@ struct PatchView::Parts : public QObject {
   void buildPointing();
   void connectControls();
   void smoothWhenAtRest();
+  [[nodiscard]] std::optional<HollowSight> hollowSight() const;
   void startInteraction() {
     at_rest.stop();
     scene->setSmoothed(false);
@@ -96,6 +103,14 @@ struct PatchView::Parts : public QObject {
   void refresh();
   /// Several changes in one turn of the event loop make one picture.
   void requestRender();
+  /// Where the scene counts its pixels.
+  [[nodiscard]] QPointF inScene(const QPoint& position) const;
+  /// Turns the picture if there is a knob of the axes.
+  bool turnByKnobAt(const QPoint& position);
+  void hoverAt(const QPoint& position);
+  /// Opens the menu for the cell at this place of the canvas, if there is one.
+  void openMenuAt(const QPoint& position);
+  void connectCut();
   bool eventFilter(QObject* watched, QEvent* event) override;
 };
 
@@ -195,12 +210,31 @@ void PatchView::Parts::connectControls() {
     requestRender();
   });
   connect(controls->pictureAction(), &QAction::triggered, view, &PatchView::pictureRequested);
+  connectCut();
 }
 
-/// While the mouse turns the scene, pictures come without smoothing; without a graphics card, where the shader for it
-/// takes longer than the drawing, the picture at rest is smoothed instead.
+void PatchView::Parts::connectCut() {
+  const auto cut = [this] {
+    const bool is_cut = controls->cutAction()->isChecked();
+    scene->setCut(is_cut ? std::optional(controls->cutBar()->share()) : std::nullopt);
+    requestRender();
+  };
+  connect(controls->cutAction(), &QAction::toggled, this, cut);
+  connect(controls->cutBar(), &CutBar::shareChanged, this, cut);
+  connect(controls->cutBar(), &CutBar::alignRequested, this, [this] {
+    scene->alignCut();
+    requestRender();
+  });
+}
+
+/// While the mouse turns the scene, pictures come without the shader that smooths. Without a graphics card, where that
+/// shader takes longer than the drawing, the processor smooths each picture instead, as long as it is quick enough, and
+/// otherwise the picture at rest.
 void PatchView::Parts::smoothWhenAtRest() {
   constexpr int kRest_ms = 150;
+  constexpr double kSmoothing_ms = 8;  // a quarter of a picture's time at 30 a second
+  if (opengl.software) canvas->setSmoothingBudget(kSmoothing_ms);
+  canvas->setHollows([this] { return hollowSight(); });
   at_rest.setSingleShot(true);
   at_rest.setInterval(kRest_ms);
   connect(&at_rest, &QTimer::timeout, this, [this] {
@@ -214,6 +248,19 @@ void PatchView::Parts::smoothWhenAtRest() {
   vtkInteractorObserver* style = canvas->renderWindow()->GetInteractor()->GetInteractorStyle();
   style->AddObserver(vtkCommand::StartInteractionEvent, this, &Parts::startInteraction);
   style->AddObserver(vtkCommand::EndInteractionEvent, this, &Parts::endInteraction);
+}
+
+std::optional<HollowSight> PatchView::Parts::hollowSight() const {
+  constexpr double kFull = 0.25;  // share of a cell's side: what stands out by as much is no more part of the surface
+  if (scene->content() == nullptr) return std::nullopt;
+  const PatchScene::Depths depths = scene->depths();
+  HollowSight sight{depths.near_m, depths.far_m, depths.parallel,
+                    kFull * scene->content()->reconstruction->model->side_m, {}};
+  const int height = canvas->renderWindow()->GetSize()[1];
+  for (const auto& [left, bottom, right, top] : depths.elsewhere) {
+    sight.elsewhere.emplace_back(left, height - top, right - left, top - bottom);
+  }
+  return sight;
 }
 
 void PatchView::Parts::setContent(std::shared_ptr<const SceneContent> content) {
@@ -341,6 +388,36 @@ void PatchView::Parts::requestRender() {
   canvas->requestRender();
 }
 
+QPointF PatchView::Parts::inScene(const QPoint& position) const {
+  return canvas->devicePixelRatioF() * QPointF(position.x(), canvas->height() - 1 - position.y());
+}
+
+bool PatchView::Parts::turnByKnobAt(const QPoint& position) {
+  const QPointF at = inScene(position);
+  const auto wanted = scene->viewAt(at.x(), at.y());
+  if (!wanted) return false;
+  scene->showStandardView(*wanted);
+  requestRender();
+  return true;
+}
+
+void PatchView::Parts::hoverAt(const QPoint& position) {
+  const QPointF at = inScene(position);
+  if (scene->hoverAxes(at.x(), at.y())) requestRender();
+}
+
+void PatchView::Parts::openMenuAt(const QPoint& position) {
+  if (!scene || scene->content() == nullptr) return;
+  const QPointF at = inScene(position);
+  auto* menu = new QMenu(view);
+  menu->setObjectName(QStringLiteral("patchMenu"));
+  menu->setAttribute(Qt::WA_DeleteOnClose);
+  fillPatchMenu(*menu, *controls, scene->pick(at.x(), at.y()),
+                {[this](CellId cell) { selection->selectCell(cell); }, [this](CellId cell) { view->centerOn(cell); },
+                 [this] { view->copyPicture(); }});
+  menu->popup(canvas->mapToGlobal(position));
+}
+
 bool PatchView::Parts::eventFilter(QObject*, QEvent* event) {
   constexpr int kClickSlack = 3;  // pixels that a hand trembles within a click
   switch (event->type()) {
@@ -356,11 +433,19 @@ bool PatchView::Parts::eventFilter(QObject*, QEvent* event) {
     case QEvent::MouseButtonPress:
       pressed_at = static_cast<QMouseEvent*>(event)->pos();
       return false;
+    case QEvent::MouseMove:
+      hoverAt(static_cast<QMouseEvent*>(event)->pos());
+      return false;
+    case QEvent::Leave:
+      hoverAt({-1, -1});
+      return false;
+    case QEvent::ContextMenu:  // comes when the button goes down, and dragging with it zooms
+      return static_cast<QContextMenuEvent*>(event)->reason() == QContextMenuEvent::Mouse;
     case QEvent::MouseButtonRelease: {
       const auto* mouse = static_cast<QMouseEvent*>(event);
-      if (mouse->button() == Qt::LeftButton && (mouse->pos() - pressed_at).manhattanLength() <= kClickSlack) {
-        pointing->pickAt(mouse->pos());
-      }
+      if ((mouse->pos() - pressed_at).manhattanLength() > kClickSlack) return false;
+      if (mouse->button() == Qt::LeftButton && !turnByKnobAt(mouse->pos())) pointing->pickAt(mouse->pos());
+      if (mouse->button() == Qt::RightButton) openMenuAt(mouse->pos());
       return false;
     }
     default:
@@ -378,6 +463,8 @@ PatchView::~PatchView() {
   delete parts_->pointing;
   delete parts_->motion;
   parts_->builder.reset();
+  // Qt sends a leave event to a canvas that is deleted under the mouse.
+  if (parts_->canvas != nullptr) parts_->canvas->removeEventFilter(parts_.get());
   // The scene gives its OpenGL objects back while the context is still there.
   parts_->scene.reset();
   delete parts_->canvas;
@@ -546,6 +633,22 @@ void PatchView::fit() {
   parts_->requestRender();
 }
 
+void PatchView::centerOn(CellId cell) {
+  if (!parts_->scene) return;
+  parts_->scene->centerOn(cell);
+  parts_->requestRender();
+}
+
+void PatchView::copyPicture() { QGuiApplication::clipboard()->setImage(screenshot()); }
+
+void PatchView::contextMenuEvent(QContextMenuEvent* event) {
+  if (event->reason() == QContextMenuEvent::Mouse || parts_->canvas == nullptr) {
+    event->ignore();
+  } else {
+    parts_->openMenuAt(parts_->canvas->rect().center());
+  }
+}
+
 void PatchView::keepView() {
   if (parts_->scene) parts_->scene->keepView();
 }
@@ -568,6 +671,12 @@ void PatchView::showStandardView(StandardView view) {
       break;
     case StandardView::Top:
       parts_->scene->showStandardView(PatchScene::View::Top);
+      break;
+    case StandardView::Back:
+      parts_->scene->showStandardView(PatchScene::View::Back);
+      break;
+    case StandardView::Isometric:
+      parts_->scene->showStandardView(PatchScene::View::Isometric);
       break;
   }
   parts_->requestRender();

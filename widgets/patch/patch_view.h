@@ -29,7 +29,7 @@ class PatchView : public QWidget {
   Q_OBJECT
 
  public:
-  enum class StandardView { Front, Side, Top };
+  enum class StandardView { Front, Side, Top, Back, Isometric };
   /// Larger skins take longer than a few milliseconds to prepare.
   static constexpr std::size_t kMaxCellsAtOnce = 1500;
 
@@ -96,6 +96,10 @@ class PatchView : public QWidget {
   /// again.
   void keepView();
   void returnToKeptView();
+  /// Brings the cell into the middle of the picture, without turning.
+  void centerOn(hexoderm::CellId cell);
+  /// Puts screenshot() on the clipboard.
+  void copyPicture();
 
  signals:
   /// The operator chose a colouring.
@@ -110,6 +114,8 @@ class PatchView : public QWidget {
  protected:
   void paintEvent(QPaintEvent* event) override;
   void keyPressEvent(QKeyEvent* event) override;
+  /// The menu key; the right button of the mouse opens the menu when it is let go.
+  void contextMenuEvent(QContextMenuEvent* event) override;
 
  private:
   struct Parts;

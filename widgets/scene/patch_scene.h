@@ -6,10 +6,12 @@
 #include "widgets/scene/patch_overlays.h"
 #include "widgets/scene/scene_camera.h"
 #include "widgets/scene/scene_content.h"
+#include "widgets/scene/scene_cut.h"
 #include "widgets/scene/scene_items.h"
 #include "widgets/scene/scene_overlays.h"
 #include "widgets/style/scene_colors.h"
 
+#include <array>
 #include <memory>
 #include <optional>
 #include <utility>
@@ -80,9 +82,16 @@ class PatchScene {
 
   /// Pixels of the window's top that something else covers: what is fitted stays below.
   void setTopMargin(int pixels);
-  /// Moves the camera along its direction until everything fits into the window.
+  /// Moves the camera along its direction until everything that is drawn fits into the window.
   void fit();
   void showStandardView(View view);
+  /// Brings a cell into the middle of the picture without turning or zooming, if it is there.
+  void centerOn(CellId cell);
+  /// The view that a knob of the axes stands for, at a pixel of the window (origin lower left); where it is seen from
+  /// there already, the opposite one. None beside the knobs.
+  [[nodiscard]] std::optional<View> viewAt(double x, double y) const;
+  /// Lights the knob at this pixel; true if that changes the picture.
+  bool hoverAxes(double x, double y);
   /// Remembers the present direction; returnToKeptView() looks from there again and fits. Without a kept view it does
   /// nothing.
   void keepView();
@@ -92,6 +101,29 @@ class PatchScene {
 
   /// Carries out a fit that was asked for, as the next rendering would.
   void fitIfDue();
+  /// Cuts the scene open by a plane that faces the viewer as he looks now: `share` of the skin's depth in that direction
+  /// is taken away, 0 to 1. The plane then stays where it is, so that one can look at the cut from elsewhere; another
+  /// share moves it along. None: the skin is whole again.
+  void setCut(std::optional<double> share);
+  /// Makes the plane face the viewer as he looks now.
+  void alignCut();
+  [[nodiscard]] const std::optional<SceneCut>& cut() const;
+
+  /// What the depths mean that the last picture left in the window.
+  struct Depths {
+    double near_m = 0;
+    double far_m = 1;
+    bool parallel = false;
+    /// Left, bottom, right and top of the small pictures over the scene, in pixels: what lies there is not the scene's.
+    std::vector<std::array<int, 4>> elsewhere;
+  };
+  [[nodiscard]] Depths depths() const;
+
+  /// The cells whose IDs the last picture has, the picked one first.
+  [[nodiscard]] std::vector<CellId> labelledCells() const;
+  /// The picked cell's ID was drawn as that of a cell that is not seen from here.
+  [[nodiscard]] bool isPickedBehind() const;
+
   /// The cell at a pixel of the window (origin lower left); none beside the skin.
   [[nodiscard]] std::optional<CellId> pick(double x, double y);
   [[nodiscard]] const SceneContent* content() const;

@@ -38,6 +38,14 @@ ViewDirection directionOf(SceneCamera::View view) {
       return {Eigen::Vector3d::UnitX(), Eigen::Vector3d::UnitY()};
     case SceneCamera::View::Top:
       return {Eigen::Vector3d::UnitY(), -Eigen::Vector3d::UnitZ()};
+    case SceneCamera::View::Back:
+      return {-Eigen::Vector3d::UnitZ(), Eigen::Vector3d::UnitY()};
+    case SceneCamera::View::OtherSide:
+      return {-Eigen::Vector3d::UnitX(), Eigen::Vector3d::UnitY()};
+    case SceneCamera::View::Bottom:
+      return {-Eigen::Vector3d::UnitY(), Eigen::Vector3d::UnitZ()};
+    case SceneCamera::View::Isometric:
+      return {Eigen::Vector3d::Ones().normalized(), Eigen::Vector3d::UnitY()};
     case SceneCamera::View::Oblique:
       break;
   }
@@ -81,6 +89,13 @@ void SceneCamera::setContent(std::shared_ptr<const SceneContent> content) {
 
 void SceneCamera::setTopMargin(int pixels) {
   if (std::exchange(top_margin_, pixels) != pixels) fitIfUntouched();
+}
+
+void SceneCamera::setMore(std::vector<Eigen::Vector3d> points) {
+  if (points.empty() && more_.empty()) return;
+  more_ = std::move(points);
+  content_is_new_ = true;
+  if (more_.empty() && fitted_ && fitted_->wider) fitIfUntouched();
 }
 
 void SceneCamera::fitIfUntouched() {
@@ -141,6 +156,17 @@ void SceneCamera::lookFrom(View view) {
   fit_pending_ = true;
 }
 
+bool SceneCamera::looksFrom(View view) const {
+  constexpr double kSame = 0.9999;  // cosine
+  return -toEigen(camera()->GetDirectionOfProjection()).dot(directionOf(view).from) > kSame;
+}
+
+void SceneCamera::centerOn(const Eigen::Vector3d& point) {
+  const Eigen::Vector3d position = toEigen(camera()->GetPosition()) + point - toEigen(camera()->GetFocalPoint());
+  camera()->SetFocalPoint(point.x(), point.y(), point.z());
+  camera()->SetPosition(position.x(), position.y(), position.z());
+}
+
 std::optional<double> SceneCamera::shiftPastArrow(const std::vector<Eigen::Vector3d>& seen, double distance) const {
   constexpr int kAround_px = 8;
   const auto [width, height] = around_.window;
@@ -171,6 +197,12 @@ void SceneCamera::fitNow() {
   std::vector<Eigen::Vector3d> points = content_->layout.points;
   for (const std::size_t patch : content_->layout.framed()) {
     std::ranges::copy(content_->frameCorners(patch), std::back_inserter(points));
+  }
+  const std::size_t of_cells = points.size();
+  std::ranges::copy(more_, std::back_inserter(points));
+  Eigen::AlignedBox3d cell_box;
+  for (std::size_t k = 0; k < of_cells; ++k) {
+    cell_box.extend(Eigen::Vector3d(right.dot(points[k]), up.dot(points[k]), back.dot(points[k])));
   }
   for (const Eigen::Vector3d& p : points) box.extend(Eigen::Vector3d(right.dot(p), up.dot(p), back.dot(p)));
   const Eigen::Vector3d center = box.center();
@@ -211,7 +243,8 @@ void SceneCamera::fitNow() {
   camera()->SetFocalPoint(focus.x(), focus.y(), focus.z());
   camera()->SetPosition(position.x(), position.y(), position.z());
   camera()->SetParallelScale(flat_distance * std::tan(0.5 * kViewAngle_deg * kDegree));
-  fitted_ = Fitted{position, focus, camera()->GetParallelScale(), {width, height}, content_->extent_m};
+  fitted_ = Fitted{position, focus, camera()->GetParallelScale(), {width, height}, content_->extent_m,
+                   !cell_box.contains(box)};
 }
 
 bool SceneCamera::isUntouched() const {
@@ -233,14 +266,15 @@ bool SceneCamera::hasOutgrownTheFit() const {
   const double tan_width = tan_height * width / height;
   const bool has_arrow = around_.arrow_of_gravity && !up_o_;
   const Eigen::Vector2d corner = cornerFrom(0) + windowCenter();
-  return std::any_of(content_->layout.points.begin(), content_->layout.points.end(), [&](const Eigen::Vector3d& p) {
+  const auto isOutside = [&](const Eigen::Vector3d& p) {
     const Eigen::Vector3d v = p - position;
     const double depth = camera()->GetParallelProjection() ? camera()->GetParallelScale() / tan_height : v.dot(ahead);
     return std::abs(v.dot(right)) > (freeWidth() + kEdge) * tan_width * depth ||
            v.dot(up) > (freeHeight() + slackAbove()) * tan_height * depth ||
            -v.dot(up) > (freeHeight() + kEdge) * tan_height * depth ||
            (has_arrow && v.dot(right) > corner.x() * tan_width * depth && v.dot(up) < corner.y() * tan_height * depth);
-  });
+  };
+  return std::ranges::any_of(content_->layout.points, isOutside) || std::ranges::any_of(more_, isOutside);
 }
 
 void SceneCamera::follow(const std::optional<Eigen::Vector3d>& up_o) {

@@ -64,6 +64,8 @@ class WindowActions {
   QAction* front;
   QAction* side;
   QAction* top;
+  QAction* back;
+  QAction* isometric;
   QAction* screenshot;
   QAction* next_pane;  ///< F6, as Tab within one
   QAction* previous_pane;
