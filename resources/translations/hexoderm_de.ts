@@ -542,7 +542,7 @@
     </message>
     <message>
         <source>distance from the origin along the path</source>
-        <translation>Abstand vom Ursprung entlang des Weges</translation>
+        <translation>Weg vom Ursprung</translation>
     </message>
     <message>
         <source>This result holds no paths from the origin</source>

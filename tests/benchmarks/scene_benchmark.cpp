@@ -13,8 +13,8 @@
 #include <benchmark/benchmark.h>
 #include <vtkCamera.h>
 #include <vtkNew.h>
-#include <vtkRenderWindow.h>
 #include <vtkRenderStepsPass.h>
+#include <vtkRenderWindow.h>
 #include <vtkRenderer.h>
 #include <vtkSSAOPass.h>
 #include <vtkUnsignedCharArray.h>

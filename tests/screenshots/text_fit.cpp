@@ -36,6 +36,9 @@ class Finder {
 
   void look(const QWidget& widget) {
     if (!widget.isVisible() || widget.size().isEmpty()) return;
+    // Of a panel behind another one's tab Qt sees nothing either, and a bar of tabs that it keeps in store lies
+    // beneath.
+    if (widget.inherits("QDockWidget") && widget.visibleRegion().isEmpty()) return;
     if (const auto* label = qobject_cast<const QLabel*>(&widget)) lookAt(*label);
     if (const auto* button = qobject_cast<const QAbstractButton*>(&widget)) lookAt(*button);
     if (const auto* tabs = qobject_cast<const QTabBar*>(&widget)) lookAt(*tabs);
@@ -122,6 +125,7 @@ class Finder {
   }
 
   void lookAt(const QTabBar& tabs) {
+    if (tabs.visibleRegion().isEmpty()) return;
     for (int k = 0; k < tabs.count(); ++k) {
       if (!tabs.isTabVisible(k)) continue;
       const QString text = tabs.tabText(k);

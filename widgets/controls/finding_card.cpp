@@ -47,6 +47,7 @@ FindingCard::FindingCard(QWidget* parent)
   fold_->setProperty("flat", true);
   fold_->setFocusPolicy(Qt::TabFocus);
   fold_->setToolButtonStyle(Qt::ToolButtonTextOnly);
+  fold_->setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Ignored);  // as high as the button beside it
   // A copy: what follows may bring another finding here.
   connect(show_, &QPushButton::clicked, this, [this] { emit showWanted(Finding(finding_)); });
   connect(fold_, &QToolButton::toggled, this, &FindingCard::setUnfolded);

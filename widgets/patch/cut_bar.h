@@ -6,7 +6,8 @@ class QSlider;
 
 namespace hexoderm {
 
-/// How deep the skin is cut open: a slider, which the arrow keys move too, and a button that turns the cut to the viewer.
+/// How deep the skin is cut open: a slider, which the arrow keys move too, and a button that turns the cut to the
+/// viewer.
 class CutBar : public QFrame {
   Q_OBJECT
 

@@ -89,6 +89,7 @@ void PatchLegendView::arrange() {
     }
   }
   setVisible(is_there);
+  emit heightChanged(is_there ? parentWidget()->height() - geometry().top() : 0);
   update();
 }
 

@@ -34,6 +34,8 @@ class PatchLegendView : public QWidget {
  signals:
   void rangeFixed(hexoderm::ColorRange range);
   void rangeReleased();
+  /// It covers this much of its parent's bottom, in pixels; 0 while it is hidden.
+  void heightChanged(int pixels);
 
  protected:
   bool event(QEvent* event) override;

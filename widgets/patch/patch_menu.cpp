@@ -22,7 +22,8 @@ QAction* addNamed(QMenu& menu, const char* name, const QString& text) {
 void addCellEntries(QMenu& menu, CellId cell, const PatchMenuCommands& commands) {
   QAction* pick = addNamed(menu, "actionPickCell", PatchMenu::tr("&Pick cell %1").arg(cell.value()));
   QObject::connect(pick, &QAction::triggered, &menu, [pick = commands.pick, cell] { pick(cell); });
-  QAction* center = addNamed(menu, "actionCenterCell", PatchMenu::tr("&Bring cell %1 into the middle").arg(cell.value()));
+  QAction* center =
+      addNamed(menu, "actionCenterCell", PatchMenu::tr("&Bring cell %1 into the middle").arg(cell.value()));
   QObject::connect(center, &QAction::triggered, &menu, [center = commands.center, cell] { center(cell); });
   menu.addSeparator();
 }

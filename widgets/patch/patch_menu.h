@@ -18,8 +18,8 @@ struct PatchMenuCommands {
   std::function<void()> copy_picture;
 };
 
-/// Fills the menu that opens in the 3D view by the right button or the menu key: first what can be done with `cell`, the
-/// one under the mouse, if there is one, then what the buttons over the scene offer too.
+/// Fills the menu that opens in the 3D view by the right button or the menu key: first what can be done with `cell`,
+/// the one under the mouse, if there is one, then what the buttons over the scene offer too.
 void fillPatchMenu(QMenu& menu, const PatchControls& controls, std::optional<CellId> cell,
                    const PatchMenuCommands& commands);
 

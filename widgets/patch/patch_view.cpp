@@ -126,6 +126,12 @@ void PatchView::Parts::build() {
   connect(legend_view, &PatchLegendView::rangeFixed, this, [this](ColorRange range) { ranges->fix(coloring, range); });
   connect(legend_view, &PatchLegendView::rangeReleased, this, [this] { ranges->release(coloring); });
   connectRanges();
+  if (scene) {
+    connect(legend_view, &PatchLegendView::heightChanged, this, [this](int height) {
+      scene->setBottomMargin(qRound(height * canvas->devicePixelRatioF()));
+      requestRender();
+    });
+  }
   if (controls != nullptr) controls->raise();
   if (canvas != nullptr) {
     motion = new PartMotion(view, canvas, controls->turnButton(), *scene, [this] { requestRender(); });
@@ -254,8 +260,8 @@ std::optional<HollowSight> PatchView::Parts::hollowSight() const {
   constexpr double kFull = 0.25;  // share of a cell's side: what stands out by as much is no more part of the surface
   if (scene->content() == nullptr) return std::nullopt;
   const PatchScene::Depths depths = scene->depths();
-  HollowSight sight{depths.near_m, depths.far_m, depths.parallel,
-                    kFull * scene->content()->reconstruction->model->side_m, {}};
+  HollowSight sight{
+      depths.near_m, depths.far_m, depths.parallel, kFull * scene->content()->reconstruction->model->side_m, {}};
   const int height = canvas->renderWindow()->GetSize()[1];
   for (const auto& [left, bottom, right, top] : depths.elsewhere) {
     sight.elsewhere.emplace_back(left, height - top, right - left, top - bottom);

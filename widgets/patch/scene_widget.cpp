@@ -12,8 +12,8 @@
 #include <QOpenGLFunctions>
 #include <QPainter>
 #include <array>
-#include <vector>
 #include <utility>
+#include <vector>
 
 namespace hexoderm {
 SceneWidget::SceneWidget(QWidget* parent) : QWidget(parent) {

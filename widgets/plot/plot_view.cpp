@@ -139,10 +139,10 @@ void PlotView::Parts::build() {
   auto* layout = new QVBoxLayout(view);
   layout->setContentsMargins(10, 4, 10, 6);
   layout->setSpacing(3);
-  layout->addLayout(rowOf({{new QLabel(QStringLiteral("\u2191")), 0}, {y_box, 1}, {subject_box, 0}}));
+  layout->addLayout(rowOf({{new QLabel(QStringLiteral("\u2191")), 0}, {y_box, 1}}));
   layout->addWidget(plot, 1);
   layout->addLayout(rowOf({{x_box, 1}, {new QLabel(QStringLiteral("\u2192")), 0}}));
-  layout->addWidget(summary);
+  layout->addLayout(rowOf({{summary, 1}, {subject_box, 0}}));
 
   subject_box->addItem(PlotView::tr("cells"), static_cast<int>(PlotSubject::Cells));
   subject_box->addItem(PlotView::tr("links"), static_cast<int>(PlotSubject::Links));

@@ -109,8 +109,8 @@ PlacedLabel LabelChoice::placed(std::size_t cell, double wanted_px, const LabelS
   PlacedLabel label;
   label.cell = cell;
   // Even sizes only, so that zooming does not make new letters at every step.
-  label.font_px = std::clamp(2 * static_cast<int>(std::min(wanted_px, 1.0 * kFonts.back()) / 2), kFonts.front(),
-                             kFonts.back());
+  label.font_px =
+      std::clamp(2 * static_cast<int>(std::min(wanted_px, 1.0 * kFonts.back()) / 2), kFonts.front(), kFonts.back());
   const Eigen::Vector3d& center = content_->layout.cells[cell].T_s_u.t;
   const Eigen::Vector3d at = center - sight.eye;
   const double depth = -at.dot(sight.back);

@@ -48,21 +48,21 @@ struct PlacedLabel {
 
 /// Decides which cells have their IDs written on them: those whose faces look at the viewer, are large enough for the
 /// letters, and lie within the picture. Where two would cover each other, or where there are more than kMost, round
-/// numbers come first, as on a ruler. The choice depends on the sight alone and not on what was chosen before, and as the
-/// skin turns an ID comes and goes but once. No Qt, no OpenGL.
+/// numbers come first, as on a ruler. The choice depends on the sight alone and not on what was chosen before, and as
+/// the skin turns an ID comes and goes but once. No Qt, no OpenGL.
 ///
 /// A choice takes one pass over all cells, and none at all where even the nearest of them is too small.
 class LabelChoice {
  public:
   static constexpr std::array kFonts = {8, 10, 12, 14, 16, 18, 20, 22, 24, 26};
   static constexpr std::size_t kMost = 400;
-  static constexpr double kLeastFacing = 0.4;   ///< cosine between a face's normal and the line of sight
+  static constexpr double kLeastFacing = 0.4;    ///< cosine between a face's normal and the line of sight
   static constexpr double kDigitAdvance = 0.57;  ///< share of the letters' size
 
   /// Null: there are no cells.
   void setContent(const std::shared_ptr<const SceneContent>& content);
-  /// `always`: the index of a cell that has its ID in any case; it comes first, has the first room, and may be looked at
-  /// from behind. Cells that a cut removes have none.
+  /// `always`: the index of a cell that has its ID in any case; it comes first, has the first room, and may be looked
+  /// at from behind. Cells that a cut removes have none.
   const std::vector<PlacedLabel>& choose(const LabelSight& sight, std::optional<std::size_t> always,
                                          const std::optional<SceneCut>& cut);
   /// That cell's ID alone, in letters that can be read from any distance; empty if it is behind the eye.

@@ -354,6 +354,8 @@ void PatchScene::setSmoothed(bool smoothed) {
 
 void PatchScene::setTopMargin(int pixels) { parts_->camera.setTopMargin(pixels); }
 
+void PatchScene::setBottomMargin(int pixels) { parts_->camera.setBottomMargin(pixels); }
+
 void PatchScene::fit() { parts_->camera.fit(); }
 
 void PatchScene::showStandardView(View view) { parts_->camera.lookFrom(view); }

@@ -82,6 +82,8 @@ class PatchScene {
 
   /// Pixels of the window's top that something else covers: what is fitted stays below.
   void setTopMargin(int pixels);
+  /// The same at the bottom.
+  void setBottomMargin(int pixels);
   /// Moves the camera along its direction until everything that is drawn fits into the window.
   void fit();
   void showStandardView(View view);
@@ -101,9 +103,9 @@ class PatchScene {
 
   /// Carries out a fit that was asked for, as the next rendering would.
   void fitIfDue();
-  /// Cuts the scene open by a plane that faces the viewer as he looks now: `share` of the skin's depth in that direction
-  /// is taken away, 0 to 1. The plane then stays where it is, so that one can look at the cut from elsewhere; another
-  /// share moves it along. None: the skin is whole again.
+  /// Cuts the scene open by a plane that faces the viewer as he looks now: `share` of the skin's depth in that
+  /// direction is taken away, 0 to 1. The plane then stays where it is, so that one can look at the cut from elsewhere;
+  /// another share moves it along. None: the skin is whole again.
   void setCut(std::optional<double> share);
   /// Makes the plane face the viewer as he looks now.
   void alignCut();

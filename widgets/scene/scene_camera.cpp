@@ -19,11 +19,11 @@ namespace {
 
 constexpr double kViewAngle_deg = 30;
 constexpr double kEdge = 0.08;  // in half windows: a growing patch may exceed the fit by this much
-// Shares of the window that a fitted skin fills: the legend below stays free, and so does what covers the top.
+// Shares of the window that a fitted skin fills: what covers the top and the bottom stays free.
 constexpr double kFitWidth = 0.88;
 constexpr double kFitHeight = 0.74;
 constexpr double kLeastFitHeight = 0.4;
-constexpr double kBelowTop = 0.02;  // between what covers the top and the skin
+constexpr double kBetween = 0.02;  // between what covers top or bottom and the skin
 
 struct ViewDirection {
   Eigen::Vector3d from;  ///< unit, from what is looked at to the camera
@@ -98,6 +98,10 @@ void SceneCamera::setMore(std::vector<Eigen::Vector3d> points) {
   if (more_.empty() && fitted_ && fitted_->wider) fitIfUntouched();
 }
 
+void SceneCamera::setBottomMargin(int pixels) {
+  if (std::exchange(bottom_margin_, pixels) != pixels) fitIfUntouched();
+}
+
 void SceneCamera::fitIfUntouched() {
   if (isUntouched()) fit_pending_ = true;
 }
@@ -116,16 +120,18 @@ void SceneCamera::fitIfPending(const Surroundings& around) {
 
 double SceneCamera::freeWidth() const { return around_.ghost ? kFitWidth - SceneGhost::kShare : kFitWidth; }
 
-double SceneCamera::freeHeight() const {
+double SceneCamera::freeFrom(int margin_px) const {
+  constexpr double kLeast = 0.5 * (1 - kFitHeight);
   const int height = around_.window[1];
-  if (height <= 0) return kFitHeight;
-  const double below = 0.5 * (1 - kFitHeight);
-  const double above = static_cast<double>(top_margin_) / height;
-  return std::max(kLeastFitHeight, 1 - below - std::max(below, above + kBelowTop));
+  return height <= 0 ? kLeast : std::max(kLeast, static_cast<double>(margin_px) / height + kBetween);
+}
+
+double SceneCamera::freeHeight() const {
+  return std::max(kLeastFitHeight, 1 - freeFrom(bottom_margin_) - freeFrom(top_margin_));
 }
 
 double SceneCamera::slackAbove() const {
-  const double fitted_top = 2 * freeHeight() - kFitHeight;
+  const double fitted_top = 2 * (freeFrom(bottom_margin_) + freeHeight()) - 1;
   const double covered_from = 1 - 2.0 * top_margin_ / std::max(1, around_.window[1]);
   return std::clamp(covered_from - fitted_top, 0.0, kEdge);
 }
@@ -138,7 +144,7 @@ Eigen::Vector2d SceneCamera::cornerFrom(int around_px) const {
 }
 
 Eigen::Vector2d SceneCamera::windowCenter() const {
-  return {around_.ghost ? SceneGhost::kShare : 0, kFitHeight - freeHeight()};
+  return {around_.ghost ? SceneGhost::kShare : 0, 1 - 2 * freeFrom(bottom_margin_) - freeHeight()};
 }
 
 void SceneCamera::centerInFreePart() {
@@ -243,8 +249,8 @@ void SceneCamera::fitNow() {
   camera()->SetFocalPoint(focus.x(), focus.y(), focus.z());
   camera()->SetPosition(position.x(), position.y(), position.z());
   camera()->SetParallelScale(flat_distance * std::tan(0.5 * kViewAngle_deg * kDegree));
-  fitted_ = Fitted{position, focus, camera()->GetParallelScale(), {width, height}, content_->extent_m,
-                   !cell_box.contains(box)};
+  fitted_ = Fitted{
+      position, focus, camera()->GetParallelScale(), {width, height}, content_->extent_m, !cell_box.contains(box)};
 }
 
 bool SceneCamera::isUntouched() const {

@@ -38,9 +38,11 @@ class SceneCamera {
   void setContent(std::shared_ptr<const SceneContent> content);
   /// Pixels of the window's top that something else covers: a fitted skin stays below.
   void setTopMargin(int pixels);
+  /// The same at the bottom.
+  void setBottomMargin(int pixels);
 
-  /// Points of what is drawn besides the cells, which is fitted too. The camera moves for them unless somebody has moved
-  /// it by hand, and moves back when they are gone.
+  /// Points of what is drawn besides the cells, which is fitted too. The camera moves for them unless somebody has
+  /// moved it by hand, and moves back when they are gone.
   void setMore(std::vector<Eigen::Vector3d> points);
 
   /// Moves the camera along its direction until everything fits; done by the next prepare().
@@ -101,6 +103,8 @@ class SceneCamera {
   /// Shares of the window.
   [[nodiscard]] double freeWidth() const;
   [[nodiscard]] double freeHeight() const;
+  /// The share of the window at its top or bottom where no fitted skin is, if that many pixels of it are covered.
+  [[nodiscard]] double freeFrom(int margin_px) const;
   /// Distance that a growing patch may exceed the fit by until it is fitted again, in half heights of the window.
   [[nodiscard]] double slackAbove() const;
   /// The upper left corner of the arrow of gravity with its word, in half windows from the window's middle.
@@ -120,6 +124,7 @@ class SceneCamera {
   bool fit_pending_ = false;
   bool content_is_new_ = false;  ///< since the last picture: the cells, or what is drawn besides
   int top_margin_ = 0;           ///< pixels
+  int bottom_margin_ = 0;        ///< pixels
 };
 
 }  // namespace hexoderm

@@ -61,8 +61,8 @@ struct SceneContent {
   double extent_m = 0;  ///< diagonal of the bounding box
   bool prisms = true;
   vtkSmartPointer<vtkPolyData> surface;  ///< without colours
-  /// What tells the backs of prisms from their fronts, whatever their colours: a smaller hexagon on each, a hair outside.
-  /// Null for faces.
+  /// What tells the backs of prisms from their fronts, whatever their colours: a smaller hexagon on each, a hair
+  /// outside. Null for faces.
   vtkSmartPointer<vtkPolyData> backs;
   /// A large skin from far away: hexagons of a few pixels look like bricks of the same area, which join as closely and
   /// have half the triangles. Null for prisms.

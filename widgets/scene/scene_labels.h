@@ -13,9 +13,9 @@ class vtkRenderer;
 
 namespace hexoderm {
 
-/// The cells' IDs, upright to the viewer, on faces that look at the camera and are large enough to be read; and the ID of
-/// the picked cell on a plate, wherever it is: filled where the cell is seen, and with a dashed edge where it is seen
-/// from behind or covered.
+/// The cells' IDs, upright to the viewer, on faces that look at the camera and are large enough to be read; and the ID
+/// of the picked cell on a plate, wherever it is: filled where the cell is seen, and with a dashed edge where it is
+/// seen from behind or covered.
 class SceneLabels {
  public:
   explicit SceneLabels(vtkRenderer* renderer);

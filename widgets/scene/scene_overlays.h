@@ -61,7 +61,8 @@ class SceneOverlays {
   bool update();
   /// Points of all that is drawn but measurements and frames; after update().
   [[nodiscard]] std::vector<Eigen::Vector3d> points() const;
-  /// What lies in front of the plane is cut away, but for arrows and what is measured, which are seen through everything.
+  /// What lies in front of the plane is cut away, but for arrows and what is measured, which are seen through
+  /// everything.
   void setCut(const std::optional<SceneCut>& cut);
 
  private:

@@ -32,8 +32,8 @@ constexpr double kBackFold = 0.62;  // shade of one half of a face that is seen 
 
 /// Lights front faces corner by corner: a face is flat and has one colour, so this is what VTK would compute pixel by
 /// pixel, and pixels are what takes time. From behind a face is darker and greyed, and one half of it darker still, so
-/// that every cell looks like a tile laid upside down: `corners` of them are a face. Needs `eye` (the camera's place, or
-/// with w = 0 the direction to it), `key` and `fill` (unit, to the lights) and `grey` as uniforms.
+/// that every cell looks like a tile laid upside down: `corners` of them are a face. Needs `eye` (the camera's place,
+/// or with w = 0 the direction to it), `key` and `fill` (unit, to the lights) and `grey` as uniforms.
 void lightByCorner(vtkActor* actor, int corners) {
   actor->GetProperty()->LightingOff();
   vtkShaderProperty* shader = actor->GetShaderProperty();

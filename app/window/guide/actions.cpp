@@ -203,7 +203,8 @@ void WindowActions::fillMenuBar(QMenuBar* bar, const std::vector<QAction*>& pane
   for (QAction* step : go_to_step) steps->addAction(step);
 
   QMenu* view = bar->addMenu(tr("&View"));
-  view->addActions({find_cell, worst_cell, figures, show_finding, fit, front, back, side, top, isometric, swap_views, plot, compare});
+  view->addActions({find_cell, worst_cell, figures, show_finding, fit, front, back, side, top, isometric, swap_views,
+                    plot, compare});
   view->addSeparator();
   for (QAction* panel : panels) view->addAction(panel);
   view->addAction(reset_layout);
@@ -369,7 +370,8 @@ void WindowActions::refresh(const SessionController& controller, std::optional<i
   allow(show_finding, has_findings ? QString() : tr("There are no findings"));
 
   const QString nothing = controller.reconstruction() ? QString() : tr("There is nothing to look at yet");
-  for (QAction* action : {find_cell, figures, fit, front, back, side, top, isometric, plot, compare}) allow(action, nothing);
+  for (QAction* action : {find_cell, figures, fit, front, back, side, top, isometric, plot, compare})
+    allow(action, nothing);
   const bool is_stated = controller.reconstruction() && controller.reconstruction()->assessment.position_95_m;
   allow(worst_cell, nothing.isEmpty() && !is_stated ? tr("How certain the cells are is not known yet") : nothing);
   for (QAction* action : {undo, redo}) {

@@ -141,10 +141,10 @@ struct MainWindow::Presenters {
             {*views.patch, *views.robot, *views.graph, panels.graph(), *views.steps, panels.steps(), panels.swap()},
             window.actions_),
         // As one reads the window: from the top, and from left to right.
-        keyboard({views.banner, views.messages, views.live_strip, views.work_notice, views.steps,
-                  panels.centralWidget(), &panels.graph(), &panels.coverage(), &panels.plot(), &panels.poses(),
-                  &panels.details()},
-                 window.actions_) {}
+        keyboard(
+            {views.banner, views.messages, views.live_strip, views.work_notice, views.steps, panels.centralWidget(),
+             &panels.graph(), &panels.coverage(), &panels.plot(), &panels.poses(), &panels.details()},
+            window.actions_) {}
 
   EventRecorder recorder;
   ResultPresenter results;

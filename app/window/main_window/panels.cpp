@@ -174,6 +174,9 @@ QWidget* Panels::makeFindings(const Views& views) {
   column->addWidget(views.finding_card);
   column->addStretch(1);
   room->setWidget(content);
+  // Where there is no finding, nothing is seen of it.
+  content->setAutoFillBackground(false);
+  room->viewport()->setAutoFillBackground(false);
   auto* page = new QWidget;
   auto* row = new QHBoxLayout(page);
   row->setContentsMargins(0, 0, 0, 0);

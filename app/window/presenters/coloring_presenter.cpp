@@ -47,8 +47,7 @@ void ColoringPresenter::choose() {
 
 Coloring ColoringPresenter::suggested() const {
   const Reconstruction* result = controller_.reconstruction().get();
-  if (result == nullptr || views_.steps.openIndex() < static_cast<int>(GuideStep::Review) ||
-      !isOfOneQuality(*result)) {
+  if (result == nullptr || views_.steps.openIndex() < static_cast<int>(GuideStep::Review) || !isOfOneQuality(*result)) {
     return Coloring::LinkQuality;
   }
   if (isStated(*result, &CellPlacement::shape_cov_t_r)) return Coloring::ShapeUncertainty;

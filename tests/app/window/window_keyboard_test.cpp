@@ -239,6 +239,10 @@ void DemoByKeys::exportIt() {
   EXPECT_FALSE(find<QWidget>("messageBar")->isVisible());
 
   key(Qt::Key_E, Qt::ControlModifier | Qt::ShiftModifier);
+  // The first report asks for its title.
+  ASSERT_NE(waitForDialog<QDialog>("reportTitleDialog"), nullptr);
+  keys("elbow");
+  key(Qt::Key_Return);
   ASSERT_NO_FATAL_FAILURE(typePath("saveDialog", pathTo("arm.pdf")));
   ASSERT_TRUE(waitForMessage("Exported to " + pathTo("arm.pdf"))) << message().toStdString();
   EXPECT_GT(QFileInfo(pathTo("arm.pdf")).size(), 10000);

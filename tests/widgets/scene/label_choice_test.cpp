@@ -130,7 +130,8 @@ TEST_F(LabelChoiceTest, NoTwoLabelsCoverEachOther) {
     for (std::size_t a = 0; a < labels.size(); ++a) {
       for (std::size_t b = 0; b < a; ++b) {
         const Eigen::Vector2d apart = (labels[a].at_px - labels[b].at_px).cwiseAbs();
-        EXPECT_TRUE(apart.y() > 0.8 * labels[a].font_px - 1e-6 || apart.x() > LabelChoice::kDigitAdvance * labels[a].font_px - 1e-6)
+        EXPECT_TRUE(apart.y() > 0.8 * labels[a].font_px - 1e-6 ||
+                    apart.x() > LabelChoice::kDigitAdvance * labels[a].font_px - 1e-6)
             << "labels " << a << " and " << b;
       }
     }
@@ -188,7 +189,8 @@ TEST_F(LabelChoiceTest, WhileTheSkinTurnsOnceAnIdComesAndGoesButOnceOrTwice) {
     const auto ids = chosen(sight);
     const std::set<CellId> now(ids.begin(), ids.end());
     if (step > 0) {
-      for (const SceneCell& cell : content->layout.cells) changes[cell.id] += now.contains(cell.id) != before.contains(cell.id);
+      for (const SceneCell& cell : content->layout.cells)
+        changes[cell.id] += now.contains(cell.id) != before.contains(cell.id);
     }
     before = now;
   }

@@ -93,7 +93,8 @@ TEST_F(PatchSceneFormTest, ThePickedCellHasItsIdFromEverySideAndWhereIdsAreOff) 
   for (const bool away : {false, true}) {
     const auto& cells = skin.patches[0].cells;
     const auto facing = [](const CellPlacement& cell) { return cell.T_o_u.R(2, 2); };
-    const CellId cell = (away ? std::ranges::min_element(cells, {}, facing) : std::ranges::max_element(cells, {}, facing))->cell;
+    const CellId cell =
+        (away ? std::ranges::min_element(cells, {}, facing) : std::ranges::max_element(cells, {}, facing))->cell;
     scene.setSelection(cell, std::nullopt);
     const auto picked = picture();
     EXPECT_THAT(scene.labelledCells(), testing::ElementsAre(cell));

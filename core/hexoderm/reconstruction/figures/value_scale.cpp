@@ -11,9 +11,9 @@ namespace {
 
 constexpr std::size_t kLeastForOutliers = 6;
 constexpr std::size_t kMostOutliers = 20;
-constexpr double kFarApart = 2;   // times the width of the others
+constexpr double kFarApart = 2;      // times the width of the others
 constexpr double kEndRounding = 40;  // ends are rounded to less than the range's width divided by this
-constexpr double kSlack = 1e-9;   // share of a step that rounding errors may take
+constexpr double kSlack = 1e-9;      // share of a step that rounding errors may take
 
 /// 1, 2 or 5 times a power of ten, not below `least`; positive.
 double roundStep(double least) {
