@@ -177,7 +177,7 @@ TEST(ShapeCovariance, IsACovarianceForAnyNumberOfCells) {
 // The tilt of one cell swings the far end of a large patch; its shape is known better.
 TEST(ShapeCovariance, IsSmallerThanTheCovarianceRelativeToTheOriginOfALargePatch) {
   SimulatedSkinOptions options;
-  options.patch = kFewSeeds ? "sheet:4x4" : "sheet:15x15";
+  options.patch = "sheet:15x15";
   options.surface = "cylinder:r=0.3";
   SimulatedSkin skin(builtInCellModel("hex-bma150"), options);
   const auto result = reconstruct(*simulateSession(skin, 4).snapshot());
