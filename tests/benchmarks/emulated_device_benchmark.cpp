@@ -2,6 +2,7 @@
 // "core" is the share of one core at that rate; above 1 samples are dropped.
 
 #include "hexoderm/device/emulation/emulated_device.h"
+#include "hexoderm/device/simulation/simulated_skin.h"
 #include "hexoderm/device/skinwire/framing.h"
 
 #include <benchmark/benchmark.h>
