@@ -10,6 +10,7 @@ namespace {
 constexpr double kPickedWidth = 3;
 constexpr double kHoverWidth = 1.4;
 constexpr double kToldWidth = 4;
+constexpr double kFoundWidth = 2.4;
 constexpr double kHalo = 2;  // on either side
 
 QPainterPath pathOf(const SceneMark& mark) {
@@ -17,6 +18,17 @@ QPainterPath pathOf(const SceneMark& mark) {
   path.addPolygon(mark.line);
   if (mark.closed) path.closeSubpath();
   return path;
+}
+
+/// As on the faces of the cells and in the table of findings.
+void paintSign(QPainter& painter, Severity severity, const QPointF& center, double radius) {
+  const auto at = [&](double x, double y) { return center + radius * QPointF(x, y); };
+  if (severity == Severity::Error) {
+    painter.drawLine(at(-1, -1), at(1, 1));
+    painter.drawLine(at(-1, 1), at(1, -1));
+  } else {
+    painter.drawPolygon(QPolygonF({at(0, -1), at(1.1, 0.9), at(-1.1, 0.9)}));
+  }
 }
 
 }  // namespace
@@ -58,16 +70,23 @@ void PatchMarks::paintEvent(QPaintEvent* /*event*/) {
 void PatchMarks::paintLasting(QPainter& painter) const {
   painter.setRenderHint(QPainter::Antialiasing);
   const Colors& colors = Colors::of(theme_);
+  std::vector<QRectF> tags;
+  for (const SceneMark& mark : content_.found) {
+    if (!mark.isThere()) continue;
+    const QColor& color = mark.sign == Severity::Error ? colors.bad : colors.caution;
+    paintOutline(painter, mark, color, colors.panel, kFoundWidth);
+    paintTag(painter, mark, color, textOn(color), tags);
+  }
   if (content_.told.isThere()) {
     QColor light = colors.accent;
     light.setAlphaF(0.45);
     painter.fillPath(pathOf(content_.told), light);
     paintOutline(painter, content_.told, colors.accent, colors.panel, kToldWidth);
-    paintTag(painter, content_.told, colors.accent, colors.accent_text);
+    paintTag(painter, content_.told, colors.accent, colors.accent_text, tags);
   }
   if (content_.picked.isThere()) {
     paintOutline(painter, content_.picked, colors.selection, textOn(colors.selection), kPickedWidth);
-    paintTag(painter, content_.picked, colors.selection, textOn(colors.selection));
+    paintTag(painter, content_.picked, colors.selection, textOn(colors.selection), tags);
   }
 }
 
@@ -90,24 +109,48 @@ void PatchMarks::paintOutline(QPainter& painter, const SceneMark& mark, const QC
 }
 
 /// On the side of the mark where there is room for it.
-void PatchMarks::paintTag(QPainter& painter, const SceneMark& mark, const QColor& ground, const QColor& ink) const {
+void PatchMarks::paintTag(QPainter& painter, const SceneMark& mark, const QColor& ground, const QColor& ink,
+                          std::vector<QRectF>& taken) const {
   if (mark.tag.isEmpty()) return;
-  constexpr int kAside = 6;
+  constexpr double kAside = 6;
   painter.save();
   QFont bold = font();
   bold.setBold(true);
   painter.setFont(bold);
+  const QSizeF text = painter.fontMetrics().size(0, mark.tag);
+  const double sign = mark.sign ? text.height() : 0;
+  const QSizeF size = text + QSizeF(10 + sign, 4);
   const QRectF around = mark.line.boundingRect();
-  QRectF plate(QPointF(), QSizeF(painter.fontMetrics().size(0, mark.tag)) + QSizeF(10, 4));
-  plate.moveBottomLeft(QPointF(around.right() - 2, around.top() - kAside));
-  if (plate.right() > width() - kAside) plate.moveRight(around.left() + 2);
-  if (plate.top() < kAside) plate.moveTop(around.bottom() + kAside);
-  plate.moveLeft(std::clamp<double>(plate.left(), kAside, std::max<double>(kAside, width() - kAside - plate.width())));
+  const QRectF inside = QRectF(rect()).adjusted(kAside, kAside, -kAside, -kAside);
+  const double above = around.top() - kAside - size.height();
+  const double below = around.bottom() + kAside;
+  const double to_right = around.right() - 2;
+  const double to_left = around.left() + 2 - size.width();
+  const double beside = around.center().y() - size.height() / 2;
+  QRectF plate;
+  for (const QPointF& corner : {QPointF(to_right, above), QPointF(to_left, above), QPointF(to_right, below),
+                                QPointF(to_left, below), QPointF(to_right + kAside, beside)}) {
+    const QRectF place(corner, size);
+    const auto covers = [&](const QRectF& other) { return other.intersects(place); };
+    if (!inside.contains(place) || std::ranges::any_of(taken, covers)) continue;
+    plate = place;
+    break;
+  }
+  if (plate.isNull()) {
+    plate = {QPointF(to_right, above), size};
+    if (plate.top() < kAside) plate.moveTop(below);
+    plate.moveLeft(std::clamp(plate.left(), kAside, std::max(kAside, width() - kAside - plate.width())));
+  }
+  taken.push_back(plate);
   painter.setPen(QPen(textOn(ground), 1));
   painter.setBrush(ground);
   painter.drawRoundedRect(plate, 4, 4);
-  painter.setPen(ink);
-  painter.drawText(plate, Qt::AlignCenter, mark.tag);
+  painter.setPen(QPen(ink, 2, Qt::SolidLine, Qt::RoundCap));
+  if (mark.sign) {
+    painter.setBrush(ink);
+    paintSign(painter, *mark.sign, {plate.left() + 4 + sign / 2, plate.center().y()}, 0.24 * sign);
+  }
+  painter.drawText(plate.adjusted(sign, 0, 0, 0), Qt::AlignCenter, mark.tag);
   painter.restore();
 }
 

@@ -27,6 +27,8 @@ constexpr double kReadableSide_px = 20;
 /// Larger skins have no numbers on their cells.
 constexpr std::size_t kMostNumbered = 200;
 constexpr int kCardMargin = 10;
+/// Where more is wrong, the list of findings says it better.
+constexpr std::size_t kMostFound = 6;
 
 /// Slow at both ends.
 double smoothStep(double t) { return t * t * (3 - 2 * t); }
@@ -132,6 +134,8 @@ void PatchPointing::setTold(std::optional<CellId> cell) {
 }
 
 void PatchPointing::refresh() {
+  const SceneContent* content = scene_.content();
+  found_ = content != nullptr ? foundPlaces(content->reconstruction->findings, kMostFound) : std::vector<FoundPlace>();
   updateMarks();
   updateFigures();
   if (mouse_) hover(std::exchange(hovered_, SceneHit{}));
@@ -254,9 +258,29 @@ SceneMark PatchPointing::markOf(const SceneHit& hit) const {
   return mark;
 }
 
+std::vector<SceneMark> PatchPointing::foundMarks() const {
+  std::vector<SceneMark> marks;
+  for (const FoundPlace& place : found_) {
+    SceneMark mark = markOf(place.at);
+    mark.sign = place.severity;
+    mark.tag = place.at.cell ? QString::number(place.at.cell->value())
+                             : QStringLiteral("%1\u2013%2")
+                                   .arg(place.at.link->first.cell.value())
+                                   .arg(place.at.link->second.cell.value());
+    marks.push_back(std::move(mark));
+  }
+  return marks;
+}
+
 void PatchPointing::updateMarks() {
   PatchMarks::Content content;
+  content.found = foundMarks();
   content.picked = markOf(picked());
+  // One number beside it is enough.
+  const auto is_picked = [this](const FoundPlace& place) {
+    return place.at.cell && place.at.cell == selection_->cell();
+  };
+  if (std::ranges::any_of(found_, is_picked)) content.picked.tag.clear();
   if (mouse_ && hovered_ != picked()) content.hovered = markOf(hovered_);
   if (told_) {
     content.told = markOf({told_, std::nullopt});

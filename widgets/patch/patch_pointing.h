@@ -1,6 +1,7 @@
 #pragma once
 
 #include "widgets/coloring/coloring.h"
+#include "widgets/patch/found_places.h"
 #include "widgets/patch/patch_marks.h"
 #include "widgets/scene/camera_glide.h"
 #include "widgets/scene/scene_pointing.h"
@@ -11,6 +12,7 @@
 #include <QTimer>
 #include <functional>
 #include <optional>
+#include <vector>
 
 class QKeyEvent;
 class QShortcut;
@@ -89,6 +91,7 @@ class PatchPointing : public QObject {
   [[nodiscard]] SceneHit hitAtPosition(const QPoint& position);
   [[nodiscard]] Figures figuresOf(const SceneHit& hit) const;
   [[nodiscard]] SceneMark markOf(const SceneHit& hit) const;
+  [[nodiscard]] std::vector<SceneMark> foundMarks() const;
   [[nodiscard]] QPointF toView(const Eigen::Vector2d& pixel) const;
 
   QWidget* view_;
@@ -109,6 +112,7 @@ class PatchPointing : public QObject {
   bool figures_left_ = false;  ///< where their card is
   int top_margin_ = 0;
   std::optional<CellId> told_;
+  std::vector<FoundPlace> found_;  ///< in the result that is shown
 
   std::optional<QPoint> mouse_;  ///< over the canvas, no button pressed
   SceneHit hovered_;

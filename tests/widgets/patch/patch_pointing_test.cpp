@@ -422,6 +422,26 @@ TEST_F(PatchPointingTest, TheCellThatAnInstructionSpeaksOfIsLitAndNamed) {
   EXPECT_EQ(view.screenshot(), before);
 }
 
+TEST_F(PatchPointingTest, WhereSomethingWasFoundIsPointedOutAlsoWhereItIsHidden) {
+  EXPECT_THAT(marks().found, testing::IsEmpty());
+  const QImage before = view.screenshot();
+  auto faulty = std::make_shared<Reconstruction>(*skin);
+  faulty->findings.push_back(makeFinding(FindingCode::DeadSensor, {}, {CellId(7)}));
+  show(faulty);
+  for (const auto side : {PatchView::StandardView::Front, PatchView::StandardView::Side}) {
+    view.showStandardView(side);
+    view.drawNow();
+    ASSERT_EQ(marks().found.size(), 1u);
+    EXPECT_EQ(marks().found.front().tag, QStringLiteral("7"));
+    EXPECT_EQ(marks().found.front().sign, Severity::Error);
+    EXPECT_TRUE(marks().found.front().line.containsPoint(positionOf(CellId(7)), Qt::OddEvenFill));
+  }
+  EXPECT_NE(view.screenshot(), before);
+  selection.selectCell(CellId(7));
+  EXPECT_TRUE(marks().picked.isThere());
+  EXPECT_TRUE(marks().picked.tag.isEmpty()) << "its number is there already";
+}
+
 TEST_F(PatchPointingTest, WhileMeasuringLinksAreNotPicked) {
   view.showStandardView(PatchView::StandardView::Front);
   view.drawNow();

@@ -1,6 +1,7 @@
 // The colours of figures, measured: against the grounds of both themes, against each other, and as eyes see them that
 // can't tell all colours apart.
 #include "widgets/style/color_maps.h"
+#include "tests/support/color_vision.h"
 
 #include <gtest/gtest.h>
 #include <algorithm>
@@ -11,46 +12,15 @@ namespace hexoderm {
 namespace {
 
 using Lab = std::array<double, 3>;
-using Matrix = std::array<std::array<double, 3>, 3>;
 
 constexpr std::array kThemes = {Theme::Light, Theme::Dark};
 /// Least share of its colour that a front face keeps where no light falls on it (scene_skin.cpp).
 constexpr double kDarkestShade = 0.58;
 
-double toLinear(double v) { return v <= 0.04045 ? v / 12.92 : std::pow((v + 0.055) / 1.055, 2.4); }
-double toEncoded(double v) { return v <= 0.0031308 ? 12.92 * v : 1.055 * std::pow(v, 1 / 2.4) - 0.055; }
-
-Rgb times(const Matrix& m, const Rgb& v) {
-  Rgb result{};
-  for (std::size_t row = 0; row < 3; ++row) {
-    for (std::size_t k = 0; k < 3; ++k) result.at(row) += m.at(row).at(k) * v.at(k);
-  }
-  return result;
-}
-
-/// G. Machado, M. Oliveira, L. Fernandes, "A physiologically-based model for simulation of color vision deficiency",
-/// IEEE TVCG 15, 2009: severity 1.
-constexpr Matrix kProtanopia = {{{0.152286, 1.052583, -0.204868},  //
-                                 {0.114503, 0.786281, 0.099216},
-                                 {-0.003882, -0.048116, 1.051998}}};
-constexpr Matrix kDeuteranopia = {{{0.367322, 0.860646, -0.227968},  //
-                                   {0.280085, 0.672501, 0.047413},
-                                   {-0.011820, 0.042940, 0.968881}}};
-constexpr Matrix kTritanopia = {{{1.255528, -0.076749, -0.178779},  //
-                                 {-0.078411, 0.930809, 0.147602},
-                                 {0.004733, 0.691367, 0.303900}}};
-constexpr Matrix kAllColours = {{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
-
-Rgb seenBy(const Matrix& eyes, const Rgb& color) {
-  Rgb seen = times(eyes, {toLinear(color[0]), toLinear(color[1]), toLinear(color[2])});
-  for (double& channel : seen) channel = toEncoded(std::clamp(channel, 0.0, 1.0));
-  return seen;
-}
-
 Lab toLab(const Rgb& color) {
-  constexpr Matrix kToXyz = {{{0.4124564, 0.3575761, 0.1804375},  //
-                              {0.2126729, 0.7151522, 0.0721750},
-                              {0.0193339, 0.1191920, 0.9503041}}};
+  constexpr ColorMatrix kToXyz = {{{0.4124564, 0.3575761, 0.1804375},  //
+                                   {0.2126729, 0.7151522, 0.0721750},
+                                   {0.0193339, 0.1191920, 0.9503041}}};
   const Rgb xyz = times(kToXyz, {toLinear(color[0]), toLinear(color[1]), toLinear(color[2])});
   const auto f = [](double t) { return t > 0.008856 ? std::cbrt(t) : 7.787 * t + 16.0 / 116; };
   const double x = f(xyz[0] / 0.95047);
@@ -125,7 +95,7 @@ TEST(ColorMaps, StepsLookEquallyLarge) {
 
 TEST(ColorMaps, TheOrderIsSeenByEyesThatCantTellAllColoursApart) {
   for (const Theme theme : kThemes) {
-    for (const Matrix& eyes : {kAllColours, kProtanopia, kDeuteranopia, kTritanopia}) {
+    for (const ColorMatrix& eyes : {kAllColours, kProtanopia, kDeuteranopia, kTritanopia}) {
       const std::vector<Rgb>& steps = sequentialMap(theme).steps;
       const Rgb first = seenBy(eyes, steps.front());
       for (std::size_t k = 2; k < steps.size(); k += 2) {
@@ -145,7 +115,7 @@ TEST(ColorMaps, TheOrderIsSeenByEyesThatCantTellAllColoursApart) {
 TEST(ColorMaps, ClassesAreToldApart) {
   for (const Theme theme : kThemes) {
     const std::vector<Rgb>& colors = classColors(theme);
-    for (const Matrix& eyes : {kAllColours, kProtanopia, kDeuteranopia}) {
+    for (const ColorMatrix& eyes : {kAllColours, kProtanopia, kDeuteranopia}) {
       for (std::size_t a = 0; a < colors.size(); ++a) {
         for (std::size_t b = 0; b < a; ++b) {
           EXPECT_GT(difference(seenBy(eyes, colors[a]), seenBy(eyes, colors[b])), 17) << a << " " << b;
