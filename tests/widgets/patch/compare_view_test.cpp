@@ -68,7 +68,7 @@ TEST_F(CompareViewTest, BothSidesAreSeenFromTheSameSideWhicheverIsTurned) {
   auto* canvas = view.now().findChild<SceneWidget*>();
   const Eigen::Vector3d before = from(view.before());
   QTest::mousePress(canvas, Qt::LeftButton, {}, canvas->rect().center());
-  QTest::mouseMove(canvas, canvas->rect().center() + QPoint(60, 20));
+  test::dragMouseTo(canvas, canvas->rect().center() + QPoint(60, 20));
   QTest::mouseRelease(canvas, Qt::LeftButton, {}, canvas->rect().center() + QPoint(60, 20));
   EXPECT_GT(angleBetween(from(view.before()), before), 0.05) << "the mouse on one turns the other";
   EXPECT_LT(angleBetween(from(view.before()), from(view.now())), 1e-9);

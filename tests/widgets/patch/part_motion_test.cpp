@@ -96,7 +96,7 @@ class PartMotionTest : public testing::Test {
   void drag(const QPoint& by, Qt::KeyboardModifiers keys = {}, int steps = 10) {
     const QPoint from = canvas->rect().center();
     QTest::mousePress(canvas, Qt::LeftButton, keys, from);
-    for (int k = 1; k <= steps; ++k) QTest::mouseMove(canvas, from + by * k / steps);
+    for (int k = 1; k <= steps; ++k) test::dragMouseTo(canvas, from + by * k / steps, Qt::LeftButton, keys);
     QTest::mouseRelease(canvas, Qt::LeftButton, keys, from + by);
   }
   /// Waits for a request, also for one that is still held back, that turns the part so far away from `up`.

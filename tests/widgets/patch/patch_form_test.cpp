@@ -42,7 +42,7 @@ class PatchFormTest : public testing::Test {
   QMenu* openMenu() { return view.findChild<QMenu*>(QStringLiteral("patchMenu")); }
   void clickRight(const QPoint& at, const QPoint& to) {
     QTest::mousePress(canvas, Qt::RightButton, {}, at);
-    if (to != at) QTest::mouseMove(canvas, to);
+    if (to != at) test::dragMouseTo(canvas, to, Qt::RightButton);
     QTest::mouseRelease(canvas, Qt::RightButton, {}, to);
   }
   QAction* entry(const QMenu& menu, const char* name) {

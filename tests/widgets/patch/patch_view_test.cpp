@@ -200,8 +200,8 @@ TEST_F(PatchViewTest, DragTurnsTheSceneAndPicksNothing) {
   const QImage before = view.screenshot();
   const QPoint from = canvas->rect().center();
   QTest::mousePress(canvas, Qt::LeftButton, {}, from);
-  QTest::mouseMove(canvas, from + QPoint(40, 10));
-  QTest::mouseMove(canvas, from + QPoint(80, 20));
+  test::dragMouseTo(canvas, from + QPoint(40, 10));
+  test::dragMouseTo(canvas, from + QPoint(80, 20));
   QTest::mouseRelease(canvas, Qt::LeftButton, {}, from + QPoint(80, 20));
   EXPECT_EQ(selection.cell(), std::nullopt);
   EXPECT_NE(view.screenshot(), before);

@@ -70,8 +70,8 @@ class PlotViewTest : public testing::Test {
   }
   void drag(const QPoint& from, const QPoint& to, Qt::KeyboardModifiers keys = {}) {
     QTest::mousePress(canvas_, Qt::LeftButton, keys, from);
-    QTest::mouseMove(canvas_, (from + to) / 2);
-    QTest::mouseMove(canvas_, to);
+    test::dragMouseTo(canvas_, (from + to) / 2, Qt::LeftButton, keys);
+    test::dragMouseTo(canvas_, to, Qt::LeftButton, keys);
     QTest::mouseRelease(canvas_, Qt::LeftButton, keys, to);
   }
   /// A rectangle about these points of the plot.
