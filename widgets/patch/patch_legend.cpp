@@ -172,9 +172,11 @@ void PatchLegend::layOut(const QSize& button) {
   double height = (class_rows_.count + sign_rows_.count) * row_height_;
   const QFontMetrics metrics(font_);
   const QSizeF state = button.isEmpty() ? QSizeF(metrics.horizontalAdvance(state_) + 2, row_height_) : QSizeF(button);
-  const double head = std::max<double>(row_height_, state.height());
+  const double wanted = metrics.horizontalAdvance(title_) + 2 * kBeforeWord + state.width() + 2;
+  // In a small view the title has a line of its own, or its unit would be cut off.
+  const bool is_stacked = wanted > room;
+  const double head = std::max<double>(row_height_, state.height()) + (is_stacked ? row_height_ : 0);
   if (strip_) {
-    const double wanted = metrics.horizontalAdvance(title_) + 2 * kBeforeWord + state.width() + 2;
     width = std::max({width, wanted, static_cast<double>(kUsualBar)});
     height += head + strip_->height() + 2;
   }
@@ -186,9 +188,12 @@ void PatchLegend::layOut(const QSize& button) {
   const double left = place_.left() + kPlatePadding;
   const double inner = width - 2 * kPlatePadding;
   if (strip_) {
-    button_place_ =
-        QRectF(left + inner - state.width(), top + 0.5 * (head - state.height()), state.width(), state.height());
-    title_place_ = QRectF(left, top, inner - state.width() - 2 * kBeforeWord, head);
+    const double title_height = is_stacked ? row_height_ : head;
+    const double button_top = is_stacked ? top + row_height_ : top;
+    const double button_room = is_stacked ? head - row_height_ : head;
+    button_place_ = QRectF(left + inner - state.width(), button_top + 0.5 * (button_room - state.height()),
+                           state.width(), state.height());
+    title_place_ = QRectF(left, top, is_stacked ? inner : inner - state.width() - 2 * kBeforeWord, title_height);
     top += head;
     strip_->setPlace(QPointF(left, top), inner);
     top += strip_->height() + 2;

@@ -49,6 +49,11 @@ void PatchMarks::setTheme(Theme theme) {
   update();
 }
 
+void PatchMarks::setTopMargin(int pixels) {
+  top_margin_ = pixels;
+  update();
+}
+
 void PatchMarks::setFocusShown(bool shown) {
   shows_focus_ = shown;
   update();
@@ -120,8 +125,11 @@ void PatchMarks::paintTag(QPainter& painter, const SceneMark& mark, const QColor
   const QSizeF text = painter.fontMetrics().size(0, mark.tag);
   const double sign = mark.sign ? text.height() : 0;
   const QSizeF size = text + QSizeF(10 + sign, 4);
-  const QRectF around = mark.line.boundingRect();
-  const QRectF inside = QRectF(rect()).adjusted(kAside, kAside, -kAside, -kAside);
+  // Of a link, its middle.
+  const QRectF around =
+      mark.closed ? mark.line.boundingRect()
+                  : QRectF(pathOf(mark).pointAtPercent(0.5) - QPointF(kAside, kAside), QSizeF(2 * kAside, 2 * kAside));
+  const QRectF inside = QRectF(rect()).adjusted(kAside, kAside + top_margin_, -kAside, -kAside);
   const double above = around.top() - kAside - size.height();
   const double below = around.bottom() + kAside;
   const double to_right = around.right() - 2;
@@ -138,7 +146,7 @@ void PatchMarks::paintTag(QPainter& painter, const SceneMark& mark, const QColor
   }
   if (plate.isNull()) {
     plate = {QPointF(to_right, above), size};
-    if (plate.top() < kAside) plate.moveTop(below);
+    if (plate.top() < inside.top()) plate.moveTop(below);
     plate.moveLeft(std::clamp(plate.left(), kAside, std::max(kAside, width() - kAside - plate.width())));
   }
   taken.push_back(plate);

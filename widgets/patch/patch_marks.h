@@ -41,6 +41,8 @@ class PatchMarks : public QWidget {
   void setContent(const Content& content);
   [[nodiscard]] const Content& content() const { return content_; }
   void setTheme(Theme theme);
+  /// Buttons lie there, under which a tag would not be read.
+  void setTopMargin(int pixels);
   /// A frame that shows that the view has the keyboard.
   void setFocusShown(bool shown);
   /// Paints what stays when the mouse has gone, for a picture of the view.
@@ -59,6 +61,7 @@ class PatchMarks : public QWidget {
   Content content_;
   Theme theme_ = Theme::Light;
   bool shows_focus_ = false;
+  int top_margin_ = 0;
 };
 
 }  // namespace hexoderm

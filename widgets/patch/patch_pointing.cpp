@@ -126,6 +126,7 @@ void PatchPointing::setOnlyCells(bool only) {
 
 void PatchPointing::setTopMargin(int pixels) {
   top_margin_ = pixels;
+  marks_->setTopMargin(pixels);
   placeFigures();
 }
 
