@@ -541,7 +541,7 @@
         <translation>Abstand vom Ursprung</translation>
     </message>
     <message>
-        <source>distance from the origin along the path</source>
+        <source>path length from the origin</source>
         <translation>Weg vom Ursprung</translation>
     </message>
     <message>

@@ -210,6 +210,9 @@ void CompareView::setSources(const QStringList& sources, int chosen, const QStri
   parts_->source->addItems(sources);
   parts_->source->setCurrentIndex(chosen);
   parts_->source->setEnabled(!sources.isEmpty());
+  // What the box asks for leaves out the frame of its arrow.
+  parts_->source->setMinimumWidth(parts_->source->sizeHint().width() +
+                                  parts_->source->fontMetrics().averageCharWidth());
   parts_->is_filling = false;
   if (sources.isEmpty()) parts_->summary->setText(why_none);
   disconnect(parts_->source, nullptr, this, nullptr);

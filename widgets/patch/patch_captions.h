@@ -28,6 +28,8 @@ class PatchCaptions : public QWidget {
   void setTheme(Theme theme);
   /// Kept free for the buttons.
   void setTopMargin(int pixels);
+  /// Down to here the notes reach, which stay while the picture does; 0 if there are none. In pixels.
+  [[nodiscard]] int notesBottom() const;
   /// Paints the same texts into a screenshot of the given size.
   void paint(QPainter& painter, const QSize& area) const;
 

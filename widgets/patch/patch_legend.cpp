@@ -23,7 +23,7 @@ constexpr int kBeforeWord = 7;       // between it and its word
 constexpr int kBetweenEntries = 22;  // between two entries
 constexpr int kMargin = 8;           // below the plate and at the sides
 constexpr int kPlatePadding = 8;     // within the plate
-constexpr int kLeastBar = 220;
+constexpr int kLeastBar = 176;
 constexpr int kUsualBar = 380;
 constexpr double kPlateOpacity = 0.84;  // how little is seen through it
 constexpr std::size_t kMaxCategories = 12;
@@ -173,9 +173,11 @@ void PatchLegend::layOut(const QSize& button) {
   const QFontMetrics metrics(font_);
   const QSizeF state = button.isEmpty() ? QSizeF(metrics.horizontalAdvance(state_) + 2, row_height_) : QSizeF(button);
   const double wanted = metrics.horizontalAdvance(title_) + 2 * kBeforeWord + state.width() + 2;
-  // In a small view the title has a line of its own, or its unit would be cut off.
+  // In a small view the title has lines of its own, or its unit would be cut off.
   const bool is_stacked = wanted > room;
-  const double head = std::max<double>(row_height_, state.height()) + (is_stacked ? row_height_ : 0);
+  const double lines =
+      is_stacked ? metrics.boundingRect(QRect(0, 0, room, area_.height()), Qt::TextWordWrap, title_).height() : 0;
+  const double head = std::max<double>(row_height_, state.height()) + lines;
   if (strip_) {
     width = std::max({width, wanted, static_cast<double>(kUsualBar)});
     height += head + strip_->height() + 2;
@@ -188,9 +190,9 @@ void PatchLegend::layOut(const QSize& button) {
   const double left = place_.left() + kPlatePadding;
   const double inner = width - 2 * kPlatePadding;
   if (strip_) {
-    const double title_height = is_stacked ? row_height_ : head;
-    const double button_top = is_stacked ? top + row_height_ : top;
-    const double button_room = is_stacked ? head - row_height_ : head;
+    const double title_height = is_stacked ? lines : head;
+    const double button_top = top + lines;
+    const double button_room = head - lines;
     button_place_ = QRectF(left + inner - state.width(), button_top + 0.5 * (button_room - state.height()),
                            state.width(), state.height());
     title_place_ = QRectF(left, top, is_stacked ? inner : inner - state.width() - 2 * kBeforeWord, title_height);
@@ -223,7 +225,10 @@ void PatchLegend::paint(QPainter& painter, std::optional<double> marked, const Q
     }
     painter.setPen(colors.text);
     const int room = static_cast<int>(title_place_.width());
-    painter.drawText(title_place_, Qt::AlignLeft | Qt::AlignVCenter, metrics.elidedText(title, Qt::ElideRight, room));
+    const bool is_wrapped = title == title_ && metrics.horizontalAdvance(title) > room;
+    int how = Qt::AlignLeft | Qt::AlignVCenter;
+    if (is_wrapped) how |= Qt::TextWordWrap;
+    painter.drawText(title_place_, how, is_wrapped ? title : metrics.elidedText(title, Qt::ElideRight, room));
     if (!has_button_) {
       painter.setPen(colors.text_muted);
       painter.drawText(button_place_, Qt::AlignCenter, state_);

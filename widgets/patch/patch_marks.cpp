@@ -31,6 +31,17 @@ void paintSign(QPainter& painter, Severity severity, const QPointF& center, doub
   }
 }
 
+/// From a tag to the outline that it belongs to, so that it is not taken for that of the cell under it.
+void paintLeader(QPainter& painter, const QRectF& plate, const QPolygonF& outline, const QColor& color) {
+  constexpr double kLeaderWidth = 3;
+  const auto distance = [&](const QPointF& corner) { return QLineF(plate.center(), corner).length(); };
+  const QPointF to = *std::ranges::min_element(outline, {}, distance);
+  painter.setPen(QPen(textOn(color), kLeaderWidth + 2, Qt::SolidLine, Qt::RoundCap));
+  painter.drawLine(plate.center(), to);
+  painter.setPen(QPen(color, kLeaderWidth, Qt::SolidLine, Qt::RoundCap));
+  painter.drawLine(plate.center(), to);
+}
+
 }  // namespace
 
 PatchMarks::PatchMarks(QWidget* parent) : QWidget(parent) {
@@ -150,6 +161,7 @@ void PatchMarks::paintTag(QPainter& painter, const SceneMark& mark, const QColor
     plate.moveLeft(std::clamp(plate.left(), kAside, std::max(kAside, width() - kAside - plate.width())));
   }
   taken.push_back(plate);
+  if (mark.closed) paintLeader(painter, plate, mark.line, ground);
   painter.setPen(QPen(textOn(ground), 1));
   painter.setBrush(ground);
   painter.drawRoundedRect(plate, 4, 4);

@@ -30,6 +30,15 @@ constexpr int kCardMargin = 10;
 /// Where more is wrong, the list of findings says it better.
 constexpr std::size_t kMostFound = 6;
 
+/// The way of a link without its ends, where the numbers of its cells stand.
+QPolygonF betweenNumbers(QPolygonF way) {
+  constexpr double kCut = 0.55;  // of the way from the centre to the port
+  if (way.size() < 3) return way;
+  way.front() += kCut * (way[1] - way.front());
+  way.back() += kCut * (way[way.size() - 2] - way.back());
+  return way;
+}
+
 /// Slow at both ends.
 double smoothStep(double t) { return t * t * (3 - 2 * t); }
 
@@ -264,6 +273,7 @@ std::vector<SceneMark> PatchPointing::foundMarks() const {
   for (const FoundPlace& place : found_) {
     SceneMark mark = markOf(place.at);
     mark.sign = place.severity;
+    if (place.at.link) mark.line = betweenNumbers(mark.line);
     mark.tag = place.at.cell ? QString::number(place.at.cell->value())
                              : QStringLiteral("%1\u2013%2")
                                    .arg(place.at.link->first.cell.value())

@@ -77,6 +77,7 @@ struct PatchView::Parts : public QObject {
   std::vector<std::function<void()>> waiting;  ///< for the picture to be up to date
   QTimer at_rest;
   QPoint pressed_at;
+  int controls_height = 0;
   QColor background = Colors::of(Theme::Light).scene_bottom;  ///< seen where there is no OpenGL
 
   void build();
@@ -93,6 +94,7 @@ struct PatchView::Parts : public QObject {
   void setContent(std::shared_ptr<const SceneContent> content);
   void updateControls();
   void updateCaptions();
+  void updateTopMargin();
   [[nodiscard]] LegendContent legend() const;
   void connectRanges();
   void showFixedRange();
@@ -207,7 +209,8 @@ void PatchView::Parts::connectControls() {
   });
   connect(controls, &PatchControls::heightChanged, captions, &PatchCaptions::setTopMargin);
   connect(controls, &PatchControls::heightChanged, this, [this](int height) {
-    scene->setTopMargin(qRound(height * canvas->devicePixelRatioF()));
+    controls_height = height;
+    updateTopMargin();
     requestRender();
   });
   connect(controls->measureAction(), &QAction::toggled, &measure, &MeasureTool::setActive);
@@ -362,9 +365,16 @@ void PatchView::Parts::updateCaptions() {
     content.message = measure.words();
   }
   captions->setContent(content);
+  if (scene) updateTopMargin();
   legend_view->setContent(explained);
   markPicked();
   if (controls != nullptr) controls->setVisible(content.hint.isEmpty());
+}
+
+/// What is drawn stays below the buttons and the notes.
+void PatchView::Parts::updateTopMargin() {
+  const int covered = std::max(controls_height, captions->notesBottom());
+  scene->setTopMargin(qRound(covered * canvas->devicePixelRatioF()));
 }
 
 void PatchView::Parts::refresh() {

@@ -359,7 +359,7 @@ QwtPlot* PlotView::plot() const { return parts_->plot; }
 QPoint PlotView::positionOf(std::size_t point) const { return parts_->pointing->positionOf(point).toPoint(); }
 
 QSize PlotView::sizeHint() const { return {36 * fontMetrics().averageCharWidth(), 16 * fontMetrics().height()}; }
-QSize PlotView::minimumSizeHint() const { return {24 * fontMetrics().averageCharWidth(), 11 * fontMetrics().height()}; }
+QSize PlotView::minimumSizeHint() const { return {24 * fontMetrics().averageCharWidth(), 10 * fontMetrics().height()}; }
 
 void PlotView::showEvent(QShowEvent* event) {
   // A style sheet takes colours of their own from widgets that have not been shown yet.

@@ -25,6 +25,8 @@ ResultTables::ResultTables(QObject* owner)
   stretchColumn(finding_view, 1);
   // The angles of a link are what its two cells show as well.
   leaveOutWhereNarrow(link_view, {LinkTable::kYawColumn, LinkTable::kTwistColumn}, links->columnCount() - 1);
+  // The card beside the table says where, too.
+  leaveOutWhereNarrow(finding_view, {findings->columnCount() - 1}, 1);
   wrapRows(finding_view);
   // Neither the noise nor what is new says whether a pose fits.
   leaveOutWhereNarrow(pose_view, {PoseTable::kNoiseColumn, PoseTable::kNewByColumn, PoseTable::kCellsColumn}, 1);
