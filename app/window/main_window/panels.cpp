@@ -56,7 +56,7 @@ Panels::Panels(const Views& views, QWidget* parent) : QMainWindow(parent) {
   views.steps->setMinimumWidth(kStepCharacters * fontMetrics().averageCharWidth());
   views.tables.pose_view->setMinimumWidth(kSideCharacters * fontMetrics().averageCharWidth());
   // Less than it asks for, where the text is large and the window low.
-  constexpr int kLowGraph_px = 90;
+  constexpr int kLowGraph_px = 84;
   views.graph->setMinimumHeight(kLowGraph_px);
   steps_ = new CardDock(tr("Steps"), QStringLiteral("stepsDock"), views.steps, this);
   graph_ = new CardDock(tr("Skin graph"), QStringLiteral("graphDock"), views.graph, this);
