@@ -328,6 +328,14 @@
         <source>values %1, %2 and %3, of which %4 is enough: %5</source>
         <translation>Werte %1, %2 und %3, von denen %4 genügt: %5</translation>
     </message>
+    <message>
+        <source>A second direction is not seen yet: its value is %1, of %2.</source>
+        <translation>Eine zweite Richtung ist noch nicht gesehen: Ihr Wert ist %1 von %2.</translation>
+    </message>
+    <message>
+        <source>A third direction is not seen yet: its value is %1, of %2.</source>
+        <translation>Eine dritte Richtung ist noch nicht gesehen: Ihr Wert ist %1 von %2.</translation>
+    </message>
 </context>
 <context>
     <name>hexoderm::CardDock</name>
@@ -875,7 +883,7 @@
     </message>
     <message>
         <source>x17, ring8 or sheet:10x10, also with options: x17?seed=1&amp;speed=2; or robot, an arm with two patches. Its readings are made up.</source>
-        <translation>x17, ring8 oder sheet:10x10, auch mit Optionen: x17?seed=1&amp;speed=2; oder robot, ein Arm mit zwei Patches. Die Messwerte sind simuliert.</translation>
+        <translation>x17, ring8 oder sheet:10x10, auch mit Optionen: x17?seed=1&amp;speed=2; oder robot, ein Arm mit zwei Hautstücken. Die Messwerte sind simuliert.</translation>
     </message>
 </context>
 <context>
@@ -1399,6 +1407,10 @@ Die Balken sagen, wie sehr sich die gesehenen Richtungen in drei Achsen untersch
         <source>Light cell %1</source>
         <translation>Zelle %1 beleuchten</translation>
     </message>
+    <message>
+        <source>Take the first pose</source>
+        <translation>Erste Pose aufnehmen</translation>
+    </message>
 </context>
 <context>
     <name>hexoderm::FindingTable</name>
@@ -1619,10 +1631,6 @@ Die Balken sagen, wie sehr sich die gesehenen Richtungen in drei Achsen untersch
         <translation>Wartet auf eine Haut.</translation>
     </message>
     <message>
-        <source>Compare the skin graph with the skin in front of you.</source>
-        <translation>Den Hautgraphen mit der wirklichen Haut vergleichen.</translation>
-    </message>
-    <message>
         <source>Every cell and every link should be there. What was reported but can&apos;t be a skin link is listed under Findings and kept out.</source>
         <translation>Jede Zelle und jede Verbindung soll da sein. Was gemeldet wurde, aber keine Hautverbindung sein kann, steht unter Befunde und bleibt außen vor.</translation>
     </message>
@@ -1833,6 +1841,10 @@ Die Balken sagen, wie sehr sich die gesehenen Richtungen in drei Achsen untersch
     <message>
         <source>Working out the last change was stopped: the result shown is from before it.</source>
         <translation>Die Berechnung der letzten Änderung wurde abgebrochen: Das gezeigte Ergebnis ist das davor.</translation>
+    </message>
+    <message>
+        <source>Compare the skin graph (G makes it large) with the skin in front of you.</source>
+        <translation>Den Hautgraphen (G macht ihn groß) mit der wirklichen Haut vergleichen.</translation>
     </message>
 </context>
 <context>
@@ -2323,6 +2335,10 @@ Die Balken sagen, wie sehr sich die gesehenen Richtungen in drei Achsen untersch
     <message>
         <source>%1 lines</source>
         <translation>%1 Zeilen</translation>
+    </message>
+    <message>
+        <source>Search</source>
+        <translation>Suchen</translation>
     </message>
 </context>
 <context>
@@ -5992,7 +6008,7 @@ Die Balken sagen, wie sehr sich die gesehenen Richtungen in drei Achsen untersch
     </message>
     <message>
         <source>Move these joints by 30 degrees or more from pose to pose, with their axes level: {}.</source>
-        <translation>Bewegen Sie diese Gelenke von Pose zu Pose um 30 Grad oder mehr, mit waagerechten Achsen: {}.</translation>
+        <translation>Bewegen Sie diese Gelenke von Pose zu Pose um 30 Grad oder mehr, mit waagrechten Achsen: {}.</translation>
     </message>
     <message>
         <source>The zero of joint {} seems to be off: {} has to be added to the angle that it reports (1 sigma: {}).</source>
@@ -6716,7 +6732,7 @@ Die Balken sagen, wie sehr sich die gesehenen Richtungen in drei Achsen untersch
     </message>
     <message>
         <source>Turn the part by about 90 degrees about a horizontal axis, and take a pose.</source>
-        <translation>Das Teil um etwa 90 Grad um eine waagerechte Achse drehen und eine Pose aufnehmen.</translation>
+        <translation>Das Teil um etwa 90 Grad um eine waagrechte Achse drehen und eine Pose aufnehmen.</translation>
     </message>
     <message>
         <source>Gravity along a line that was seen before tells nothing new about the shape.</source>
@@ -8266,7 +8282,7 @@ Auf einem entfernten Bildschirm oder mit einem fehlerhaften Treiber kann es helf
     </message>
     <message>
         <source>Solver</source>
-        <translation>Löser</translation>
+        <translation>Berechnung</translation>
     </message>
     <message>
         <source>Files</source>
@@ -8402,7 +8418,7 @@ Auf einem entfernten Bildschirm oder mit einem fehlerhaften Treiber kann es helf
     </message>
     <message>
         <source>&amp;Solver</source>
-        <translation>&amp;Löser</translation>
+        <translation>&amp;Berechnung</translation>
     </message>
     <message>
         <source>Global</source>
@@ -8880,7 +8896,7 @@ Auf einem entfernten Bildschirm oder mit einem fehlerhaften Treiber kann es helf
     </message>
     <message>
         <source>Solver</source>
-        <translation>Löser</translation>
+        <translation>Berechnung</translation>
     </message>
     <message>
         <source>Gap model</source>
@@ -8976,7 +8992,7 @@ Auf einem entfernten Bildschirm oder mit einem fehlerhaften Treiber kann es helf
     </message>
     <message>
         <source>Operator</source>
-        <translation>Bedienung</translation>
+        <translation>Bedient von</translation>
     </message>
     <message>
         <source>Notes</source>
@@ -9316,7 +9332,7 @@ Auf einem entfernten Bildschirm oder mit einem fehlerhaften Treiber kann es helf
     </message>
     <message>
         <source>Operator</source>
-        <translation>Bedienung</translation>
+        <translation>Bedient von</translation>
     </message>
     <message>
         <source>Title of the report</source>
@@ -9352,7 +9368,7 @@ Auf einem entfernten Bildschirm oder mit einem fehlerhaften Treiber kann es helf
     </message>
     <message>
         <source>&amp;Operator</source>
-        <translation>&amp;Bedienung</translation>
+        <translation>&amp;Bedient von</translation>
     </message>
     <message>
         <source>&amp;Notes</source>
@@ -10174,10 +10190,6 @@ Auf einem entfernten Bildschirm oder mit einem fehlerhaften Treiber kann es helf
         <translation>Liegen die Zellen auf der Fläche, auf die sie aufgebracht sind?</translation>
     </message>
     <message>
-        <source>Earlier calibration</source>
-        <translation>Frühere Kalibrierung</translation>
-    </message>
-    <message>
         <source>Run</source>
         <translation>Prüfen</translation>
     </message>
@@ -10318,10 +10330,6 @@ Auf einem entfernten Bildschirm oder mit einem fehlerhaften Treiber kann es helf
         <translation>Weit entfernte Zellen, über die Biegung hinweg, sagen am meisten</translation>
     </message>
     <message>
-        <source>Old calibration</source>
-        <translation>Alte Kalibrierung</translation>
-    </message>
-    <message>
         <source>Cancelled.</source>
         <translation>Abgebrochen.</translation>
     </message>
@@ -10384,6 +10392,14 @@ Auf einem entfernten Bildschirm oder mit einem fehlerhaften Treiber kann es helf
     <message>
         <source>Known from a drawing or measured: the fit is then compared with it</source>
         <translation>Aus einer Zeichnung bekannt oder gemessen: Die Ausgleichsfläche wird dann damit verglichen</translation>
+    </message>
+    <message>
+        <source>Compare with another calibration</source>
+        <translation>Mit anderer Kalibrierung vergleichen</translation>
+    </message>
+    <message>
+        <source>Check an old calibration</source>
+        <translation>Alte Kalibrierung prüfen</translation>
     </message>
 </context>
 <context>

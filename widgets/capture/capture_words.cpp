@@ -136,6 +136,12 @@ QString missingInWords(const PoseCoverage& coverage, const std::optional<Eigen::
                : CaptureWords::tr("A third direction is missing (value %1, needs %2); the next pose is one.");
     return still_missing.arg(figureInWords(missing.value, 2), figureInWords(coverage.threshold, 2));
   }
+  if (next_up_o) {
+    // Another pose is asked for at the moment, for a better reason: there are no two instructions at a time.
+    const QString not_seen = second ? CaptureWords::tr("A second direction is not seen yet: its value is %1, of %2.")
+                                    : CaptureWords::tr("A third direction is not seen yet: its value is %1, of %2.");
+    return not_seen.arg(figureInWords(missing.value, 2), figureInWords(coverage.threshold, 2));
+  }
   QString sentence;
   if (missing.facing.facing == Facing::Wall) {
     sentence =

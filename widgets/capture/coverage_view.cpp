@@ -293,7 +293,8 @@ void CoverageView::Parts::paintGauges(QPainter& painter, const Layout& layout) c
   const double left = kMargin + names_width + 10;
   const double value_width = metrics.horizontalAdvance(QStringLiteral("✓ 00.00"));
   const double bar = std::max(20.0, view->width() - left - kMargin - value_width - 10);
-  const double scale = std::max(2 * coverage.threshold, 1.15 * coverage.singular_values.x());
+  // The mark stays where it is from pose to pose; a value beyond the end fills the bar.
+  const double scale = 4 * coverage.threshold;
   const double thick = 0.42 * line();
   for (int k = 0; k < 3; ++k) {
     const double value = coverage.singular_values(k);
@@ -308,7 +309,7 @@ void CoverageView::Parts::paintGauges(QPainter& painter, const Layout& layout) c
     painter.drawRoundedRect(QRectF(left, middle - thick / 2, bar, thick), 2, 2);
     // A value below its limit is hatched as well as of another hue.
     const QColor hue = linkStroke(reached ? EdgeQuality::Fully : EdgeQuality::Partially, theme).color;
-    const QRectF filled(left, middle - thick / 2, std::max(2.0, bar * value / scale), thick);
+    const QRectF filled(left, middle - thick / 2, std::clamp(bar * value / scale, 2.0, bar), thick);
     painter.setBrush(reached ? QBrush(hue) : QBrush(hue, Qt::BDiagPattern));
     if (!reached) painter.setPen(QPen(hue, 1));
     if (value > kNoValue) painter.drawRoundedRect(filled, 2, 2);

@@ -63,6 +63,8 @@ class Ground : public QwtPlotItem {
   void draw(QPainter* painter, const QwtScaleMap& across, const QwtScaleMap& up, const QRectF& canvas) const override {
     const Colors& colors = Colors::of(theme_);
     painter->setRenderHint(QPainter::Antialiasing, false);
+    // Under a style sheet the canvas has a ground of its own.
+    painter->fillRect(canvas, colors.panel);
     for (int axis = 0; axis < 3; ++axis) {
       const double half = kHalfLane / kLimitsInHalfLane;
       const double top = up.transform(laneOf(axis) + half);
@@ -114,13 +116,13 @@ class Ground : public QwtPlotItem {
       const bool captured = event.kind == TraceEventKind::Captured;
       const QColor color = event.kind == TraceEventKind::StartsOver ? colors.caution : colors.good;
       painter.setPen(QPen(color, captured ? 2 : 1.2, captured ? Qt::SolidLine : Qt::DashLine));
-      painter.drawLine(QPointF(x, up.transform(kTop)), QPointF(x, up.transform(kRibbon)));
+      painter.drawLine(QPointF(x, canvas.top()), QPointF(x, up.transform(kRibbon)));
       const QString word = eventWord(event);
       const double width = metrics.horizontalAdvance(word) + 2;
       // On the other side of its line where the strip ends, and not over the word before.
       double left = x + 4 + width > canvas.right() ? x - 4 - width : x + 4;
       if (left < free_from) continue;
-      const QRectF box(left, up.transform(kTop), width, metrics.height());
+      const QRectF box(left, canvas.top(), width, metrics.height());
       painter.fillRect(box, colors.panel);
       painter.setPen(event.kind == TraceEventKind::StartsOver ? colors.text : colors.good);
       painter.drawText(box, Qt::AlignLeft | Qt::AlignVCenter, word);
@@ -215,10 +217,11 @@ void StillnessView::Parts::refresh() {
     header->setAccessibleName(text);
   }
   if (empty) return;
-  // Under the ribbon its words have room, however high the strip is.
+  // Over the lanes and under the ribbon their words have room, however high the strip is.
   const double words = view->fontMetrics().height() + 6;
-  const double lanes = std::max(10.0, plot->canvas()->height() - words);
-  plot->setAxisScale(QwtPlot::yLeft, kRibbon - words * (kTop - kRibbon) / lanes, kTop);
+  const double lanes = std::max(10.0, plot->canvas()->height() - 2 * words);
+  const double room = words * (kTop - kRibbon) / lanes;
+  plot->setAxisScale(QwtPlot::yLeft, kRibbon - room, kTop + room);
   plot->replot();
 }
 
@@ -256,7 +259,7 @@ StillnessView::StillnessView(QWidget* parent) : QWidget(parent), parts_(std::mak
   parts_->curves->attach(plot);
 
   auto* layout = new QVBoxLayout(this);
-  layout->setContentsMargins(0, 2, 0, 2);
+  layout->setContentsMargins(0, 2, 8, 2);
   layout->setSpacing(2);
   layout->addWidget(parts_->header);
   layout->addWidget(plot, 1);

@@ -4,6 +4,7 @@
 
 #include <QPainter>
 #include <QPainterPath>
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <utility>
@@ -48,9 +49,12 @@ void GhostCaption::paint(QPainter& painter, const QSize& area) const {
   painter.setFont(bold);
   const double line = QFontMetricsF(bold).height();
   const QString words = angle_.isEmpty() ? tr("next pose") : tr("next pose, %1").arg(angle_);
-  const QRectF room(ghost.left() - line, ghost.top() - 1.4 * line, ghost.width() + 2 * line, line);
+  QRectF room(ghost.left() - line, ghost.top() - 1.4 * line, ghost.width() + 2 * line, line);
   QRectF plate(0, 0, QFontMetricsF(bold).horizontalAdvance(words) + line, 1.2 * line);
   plate.moveCenter(room.center());
+  constexpr double kMargin = 8;
+  plate.moveRight(std::min(plate.right(), area.width() - kMargin));
+  room.moveCenter(plate.center());
   QColor ground = colors.scene_top;
   ground.setAlphaF(0.8);
   painter.setPen(Qt::NoPen);

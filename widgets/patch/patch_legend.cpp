@@ -163,11 +163,15 @@ void PatchLegend::layOut(const QSize& button) {
   // One row lies below the pictures in the corners; more than that finds room between them.
   const int full = area_.width() - 2 * (kMargin + kPlatePadding);
   const int between = area_.width() - 2 * (SceneCorners::kLeft + SceneCorners::kSize + kPlatePadding);
-  const int narrow = std::min(full, std::max(between, kLeastBar));
+  // Or above them, in a narrow view that is high enough.
+  constexpr int kHigh = 450;
+  const bool has_room_above = between < kLeastBar && area_.height() > kHigh;
+  const int narrow = has_room_above ? full : std::min(full, std::max(between, kLeastBar));
   class_rows_ = arranged(classes_, strip_ || !signs_.empty() ? narrow : full);
   if (class_rows_.count > 1) class_rows_ = arranged(classes_, narrow);
   sign_rows_ = arranged(signs_, narrow);
-  const int room = class_rows_.count == 1 && !strip_ && signs_.empty() ? full : narrow;
+  const bool is_one_row = class_rows_.count == 1 && !strip_ && signs_.empty();
+  const int room = is_one_row ? full : narrow;
   double width = std::max(class_rows_.width, sign_rows_.width);
   double height = (class_rows_.count + sign_rows_.count) * row_height_;
   const QFontMetrics metrics(font_);
@@ -185,7 +189,8 @@ void PatchLegend::layOut(const QSize& button) {
   if (height == 0) return;
   width = std::min(width, static_cast<double>(room)) + 2 * kPlatePadding;
   height += kPlatePadding;
-  place_ = QRectF(0.5 * (area_.width() - width), area_.height() - kMargin - height, width, height);
+  const int below = has_room_above && !is_one_row ? SceneCorners::kBottom + SceneCorners::kSize : 0;
+  place_ = QRectF(0.5 * (area_.width() - width), area_.height() - below - kMargin - height, width, height);
   double top = place_.top() + 0.5 * kPlatePadding;
   const double left = place_.left() + kPlatePadding;
   const double inner = width - 2 * kPlatePadding;

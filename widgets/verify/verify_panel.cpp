@@ -68,10 +68,11 @@ VerifyPanel::VerifyPanel(Selection* selection, QWidget* parent)
                                  QStringLiteral("surface"), selection)),
       caliper_(new VerifySection(tr("Distance by caliper"), tr("Does a distance measured on the skin itself agree?"),
                                  QStringLiteral("caliper"), selection)),
-      comparison_(new VerifySection(tr("Earlier calibration"), tr("Does another calibration of the same skin agree?"),
+      comparison_(new VerifySection(tr("Compare with another calibration"),
+                                    tr("Does another calibration of the same skin agree?"),
                                     QStringLiteral("comparison"), selection)),
       old_(new VerifySection(
-          tr("Old calibration"),
+          tr("Check an old calibration"),
           tr("Does one of some time ago still hold? Compared with the poses of this session, cell by cell."),
           QStringLiteral("oldCalibration"), selection)),
       pose_(new QComboBox),

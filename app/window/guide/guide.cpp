@@ -162,7 +162,7 @@ Step checkStep(const SessionController& controller, const WindowActions& actions
     step.state = StepState::Done;
     say(step, Readiness::Ready, Guide::tr("The cells and links are those of the file."));
   }
-  step.what = Guide::tr("Compare the skin graph with the skin in front of you.");
+  step.what = Guide::tr("Compare the skin graph (G makes it large) with the skin in front of you.");
   step.why = Guide::tr(
       "Every cell and every link should be there. What was reported but can't be a skin link is listed "
       "under Findings and kept out.");

@@ -43,6 +43,30 @@ constexpr int kStepCharacters = 35;
 /// The graph, the directions and the poses with their most important columns.
 constexpr int kSideCharacters = 32;
 
+/// A table with a card beside it, which is left out where it would leave the table too little room.
+class TableAndCard : public QWidget {
+ public:
+  explicit TableAndCard(QWidget* table, QWidget* card) : card_(card) {
+    auto* row = new QHBoxLayout(this);
+    row->setContentsMargins(0, 0, 0, 0);
+    row->setSpacing(8);
+    constexpr int kTableShare = 3;
+    constexpr int kCardShare = 2;
+    row->addWidget(table, kTableShare);
+    row->addWidget(card, kCardShare);
+  }
+
+ protected:
+  void resizeEvent(QResizeEvent* event) override {
+    constexpr int kLeastCharacters = 64;
+    card_->setVisible(width() >= kLeastCharacters * fontMetrics().averageCharWidth());
+    QWidget::resizeEvent(event);
+  }
+
+ private:
+  QWidget* card_;
+};
+
 }  // namespace
 
 Panels::Panels(const Views& views, QWidget* parent) : QMainWindow(parent) {
@@ -161,7 +185,7 @@ TableOrHint* Panels::makeTable(QTableView* view, const QString& hint) {
   return tables_.back();
 }
 
-/// The table, and beside it the card of the finding that is picked in it.
+/// The table, and beside it the card of the finding that is picked in it. The step Review has that card, too.
 QWidget* Panels::makeFindings(const Views& views) {
   auto* room = new QScrollArea;
   room->setFrameShape(QFrame::NoFrame);
@@ -177,15 +201,7 @@ QWidget* Panels::makeFindings(const Views& views) {
   // Where there is no finding, nothing is seen of it.
   content->setAutoFillBackground(false);
   room->viewport()->setAutoFillBackground(false);
-  auto* page = new QWidget;
-  auto* row = new QHBoxLayout(page);
-  row->setContentsMargins(0, 0, 0, 0);
-  row->setSpacing(8);
-  constexpr int kTableShare = 3;
-  constexpr int kCardShare = 2;
-  row->addWidget(makeTable(views.tables.finding_view, tr("No findings.")), kTableShare);
-  row->addWidget(room, kCardShare);
-  return page;
+  return new TableAndCard(makeTable(views.tables.finding_view, tr("No findings.")), room);
 }
 
 CardDock* Panels::makeDetails(const Views& views) {

@@ -39,6 +39,7 @@ ColoringPresenter::ColoringPresenter(const Views& views, const SessionController
   connect(&views_.patch, &PatchView::coloringPicked, this, [this] { is_chosen_ = true; });
   connect(&views_.steps, &StepPanel::opened, this, &ColoringPresenter::choose);
   connect(&results, &ResultPresenter::handedOut, this, &ColoringPresenter::choose);
+  connect(&controller.liveMode(), &LiveMode::toggled, this, &ColoringPresenter::choose);
 }
 
 void ColoringPresenter::choose() {
@@ -47,6 +48,8 @@ void ColoringPresenter::choose() {
 
 Coloring ColoringPresenter::suggested() const {
   const Reconstruction* result = controller_.reconstruction().get();
+  // A single moment says nothing of uncertainty.
+  if (controller_.liveMode().isOn()) return Coloring::LinkQuality;
   if (result == nullptr || views_.steps.openIndex() < static_cast<int>(GuideStep::Review) || !isOfOneQuality(*result)) {
     return Coloring::LinkQuality;
   }

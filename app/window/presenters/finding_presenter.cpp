@@ -113,7 +113,8 @@ std::optional<QString> FindingPresenter::offer(FindingRemedy remedy, const Findi
       if (!live.isLive() || !poseOf(finding)) return std::nullopt;
       return tr("Take pose %1 again").arg(finding.poses.front().value());
     case FindingRemedy::TakePose:
-      return actions_.show_next_pose->isEnabled() ? std::optional(tr("Take another pose")) : std::nullopt;
+      if (!actions_.show_next_pose->isEnabled()) return std::nullopt;
+      return session != nullptr && session->poses().empty() ? tr("Take the first pose") : tr("Take another pose");
     case FindingRemedy::LightCell:
       if (finding.cells.empty() || !live.isLive() || !live.source().skin() || !live.source().skin()->can_light_cells) {
         return std::nullopt;
