@@ -110,13 +110,18 @@ class Ground : public QwtPlotItem {
   void drawEvents(QPainter& painter, const QwtScaleMap& across, const QwtScaleMap& up, const QRectF& canvas) const {
     const Colors& colors = Colors::of(theme_);
     const QFontMetrics metrics = painter.fontMetrics();
-    double free_from = canvas.left();
+    const auto place = [&](const TraceEvent& event) { return across.transform(event.time_s - trace_->now_s()); };
     for (const TraceEvent& event : trace_->events()) {
-      const double x = across.transform(event.time_s - trace_->now_s());
+      const double x = place(event);
       const bool captured = event.kind == TraceEventKind::Captured;
       const QColor color = event.kind == TraceEventKind::StartsOver ? colors.caution : colors.good;
       painter.setPen(QPen(color, captured ? 2 : 1.2, captured ? Qt::SolidLine : Qt::DashLine));
       painter.drawLine(QPointF(x, canvas.top()), QPointF(x, up.transform(kRibbon)));
+    }
+    // No line through a word.
+    double free_from = canvas.left();
+    for (const TraceEvent& event : trace_->events()) {
+      const double x = place(event);
       const QString word = eventWord(event);
       const double width = metrics.horizontalAdvance(word) + 2;
       // On the other side of its line where the strip ends, and not over the word before.

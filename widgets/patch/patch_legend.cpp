@@ -13,6 +13,7 @@
 #include <QStringList>
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <utility>
 
 namespace hexoderm {
@@ -160,13 +161,16 @@ PatchLegend::Rows PatchLegend::arranged(std::vector<Entry> entries, int room) co
 }
 
 void PatchLegend::layOut(const QSize& button) {
+  const QFontMetrics metrics(font_);
+  const QSizeF state = button.isEmpty() ? QSizeF(metrics.horizontalAdvance(state_) + 2, row_height_) : QSizeF(button);
   // One row lies below the pictures in the corners; more than that finds room between them.
   const int full = area_.width() - 2 * (kMargin + kPlatePadding);
   const int between = area_.width() - 2 * (SceneCorners::kLeft + SceneCorners::kSize + kPlatePadding);
   // Or above them, in a narrow view that is high enough.
   constexpr int kHigh = 450;
-  const bool has_room_above = between < kLeastBar && area_.height() > kHigh;
-  const int narrow = has_room_above ? full : std::min(full, std::max(between, kLeastBar));
+  const int least = strip_ ? std::max(kLeastBar, static_cast<int>(std::ceil(state.width()))) : kLeastBar;
+  const bool has_room_above = between < least && area_.height() > kHigh;
+  const int narrow = has_room_above ? full : std::min(full, std::max(between, least));
   class_rows_ = arranged(classes_, strip_ || !signs_.empty() ? narrow : full);
   if (class_rows_.count > 1) class_rows_ = arranged(classes_, narrow);
   sign_rows_ = arranged(signs_, narrow);
@@ -174,8 +178,6 @@ void PatchLegend::layOut(const QSize& button) {
   const int room = is_one_row ? full : narrow;
   double width = std::max(class_rows_.width, sign_rows_.width);
   double height = (class_rows_.count + sign_rows_.count) * row_height_;
-  const QFontMetrics metrics(font_);
-  const QSizeF state = button.isEmpty() ? QSizeF(metrics.horizontalAdvance(state_) + 2, row_height_) : QSizeF(button);
   const double wanted = metrics.horizontalAdvance(title_) + 2 * kBeforeWord + state.width() + 2;
   // In a small view the title has lines of its own, or its unit would be cut off.
   const bool is_stacked = wanted > room;
@@ -189,7 +191,8 @@ void PatchLegend::layOut(const QSize& button) {
   if (height == 0) return;
   width = std::min(width, static_cast<double>(room)) + 2 * kPlatePadding;
   height += kPlatePadding;
-  const int below = has_room_above && !is_one_row ? SceneCorners::kBottom + SceneCorners::kSize : 0;
+  // The word above the arrow of gravity, too.
+  const int below = has_room_above && !is_one_row ? SceneCorners::kBottom + SceneCorners::kSize + 2 * row_height_ : 0;
   place_ = QRectF(0.5 * (area_.width() - width), area_.height() - below - kMargin - height, width, height);
   double top = place_.top() + 0.5 * kPlatePadding;
   const double left = place_.left() + kPlatePadding;
