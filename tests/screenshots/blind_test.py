@@ -33,6 +33,7 @@ PATCHES = [
     ("sheet:4x6", "sphere:r=0.12", 24),
     ("ring10", "cylinder:r=0.06", 10),
 ]
+CHAINS = [patch for patch in PATCHES if patch[0] == "x17"]
 OF_CELLS = ("dead", "noisy", "wrong-gain")
 OF_LINKS = ("wrong-port", "joint")
 KINDS = OF_CELLS + OF_LINKS
@@ -48,7 +49,8 @@ def simulate(path, patch, surface, poses, seed, faults):
 def make_session(path, kind, chance):
     """Writes a session with a fault of this kind, or none; gives the cells that are right answers."""
     while True:
-        patch, surface, cells = chance.choice(PATCHES)
+        # In a sheet a joint is a whole row of links that moves.
+        patch, surface, cells = chance.choice(CHAINS if kind == "joint" else PATCHES)
         poses, seed = chance.randint(4, 8), chance.randint(1, 10**6)
         whole = simulate(path, patch, surface, poses, seed, [])
         if whole.returncode != 0:

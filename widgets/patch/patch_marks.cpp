@@ -155,6 +155,11 @@ void PatchMarks::paintTag(QPainter& painter, const SceneMark& mark, const QColor
     plate = place;
     break;
   }
+  if (plate.isNull() && mark.sign && !taken.empty()) {
+    // Many lie close together: a tag over another would hide both.
+    painter.restore();
+    return;
+  }
   if (plate.isNull()) {
     plate = {QPointF(to_right, above), size};
     if (plate.top() < inside.top()) plate.moveTop(below);
