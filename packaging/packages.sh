@@ -20,6 +20,7 @@ core_packages=(
   libsqlite3-dev
   libssl-dev
   liburdfdom-dev
+  libzip-dev
   nlohmann-json3-dev
   protobuf-compiler
   python3 # kill tests and an example sender
@@ -35,7 +36,9 @@ core_packages=(
 gui_packages=(
   libqt5svg5-dev
   libqwt-qt5-dev
+  libqt5texttospeech5-dev # instructions that are spoken; by speech-dispatcher, where the operator's system has it
   qtmultimedia5-dev
+  qtspeech5-speechd-plugin
   qttools5-dev
   qttools5-dev-tools
   qttranslations5-l10n # Qt's own texts in German, used where they are

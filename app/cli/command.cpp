@@ -10,6 +10,8 @@
 
 #include <unistd.h>
 
+#include <algorithm>
+#include <cctype>
 #include <iostream>
 #include <utility>
 
@@ -119,7 +121,15 @@ void printFindings(const std::vector<Finding>& findings) {
 }
 
 void printVerdict(const Assessment& assessment) {
-  std::cout << "Verdict: " << verdictName(assessment.level) << ". " << forTerminal(assessment.reason.english()) << '\n';
+  const std::string_view level = verdictName(assessment.level);
+  std::string reason = assessment.reason.english();
+  // Most reasons begin with the verdict themselves.
+  std::string word(level);
+  std::ranges::replace(word, '_', ' ');
+  const std::string beginning = static_cast<char>(std::toupper(word.front())) + word.substr(1) + ": ";
+  const bool repeats = reason.starts_with(beginning);
+  if (repeats) reason.erase(0, beginning.size());
+  std::cout << "Verdict: " << (repeats ? word + ", " : word + ". ") << forTerminal(reason) << '\n';
   if (!assessment.next_action.empty()) std::cout << "Next: " << forTerminal(assessment.next_action.english()) << '\n';
 }
 

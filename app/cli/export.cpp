@@ -1,6 +1,6 @@
 #include "app/cli/command.h"
 
-#include "hexoderm/io/exporter.h"
+#include "hexoderm/io/export_package.h"
 #include "hexoderm/io/placements_json.h"
 #include "hexoderm/reconstruction/result/patch_placements.h"
 #include "hexoderm/util/file.h"
@@ -110,7 +110,8 @@ int run(ExportCommandOptions command, bool one_patch, const Common& common) {
   if (one_patch) options.patch = CellId(command.patch_of_cell);
   for (const ExportFormat format : formats) options.validateFor(format);
   const Output output(command.output, common);
-  const bool is_folder = formats.size() > 1 || formats.front() == ExportFormat::Csv;
+  const bool is_zip = !output.isStandard() && isZip(command.output);
+  const bool is_folder = formats.size() > 1 || formats.front() == ExportFormat::Csv || is_zip;
   if (output.isStandard() && is_folder) {
     throw InvalidArgument("-o -: " + std::string(formats.size() > 1 ? "an export in several formats" : "csv") +
                           " is a folder of several files, which standard output can't be: give a folder");
@@ -151,8 +152,8 @@ int run(ExportCommandOptions command, bool one_patch, const Common& common) {
     sayWhatIsMissing();
     return kDone;
   }
-  const auto files = formats.size() > 1 ? exportBundle(*calibration, formats, command.output, options)
-                                        : exportReconstruction(*calibration, formats.front(), command.output, options);
+  const auto files = is_folder ? exportBundle(*calibration, formats, command.output, options)
+                               : exportReconstruction(*calibration, formats.front(), command.output, options);
   common.endProgress();
   if (common.json) {
     auto names = nlohmann::ordered_json::array();
@@ -201,11 +202,13 @@ void addExport(CLI::App& app, Common& common) {
   command
       ->add_option(
           "--to", options->formats,
-          "Format, or several with commas between for a folder with all of them and a manifest.json:" + formats)
+          "Format, or several with commas between for a folder or archive with all of them and a manifest.json:" +
+              formats)
       ->required();
   command
       ->add_option("-o,--output", options->output,
-                   "File to write; for csv and for several formats a folder; - is standard output")
+                   "File to write; for csv and for several formats a folder, or with the ending .zip an archive; - is "
+                   "standard output")
       ->required();
   addFormatOptions(*command, options);
   command->add_option(

@@ -50,6 +50,10 @@
         <source>Writing</source>
         <translation>Wird geschrieben</translation>
     </message>
+    <message>
+        <source>Pose %1 captured.</source>
+        <translation>Pose %1 aufgenommen.</translation>
+    </message>
 </context>
 <context>
     <name>hexoderm::CapturePresenter</name>
@@ -171,10 +175,6 @@
     <message>
         <source>%1, disabled</source>
         <translation>%1, nicht benutzt</translation>
-    </message>
-    <message>
-        <source>values %1, %2 and %3, limit %4: %5</source>
-        <translation>Werte %1, %2 und %3, Grenze %4: %5</translation>
     </message>
     <message>
         <source>%1 %</source>
@@ -323,6 +323,18 @@
     <message>
         <source>The directions seen are enough.</source>
         <translation>Die gesehenen Richtungen genügen.</translation>
+    </message>
+    <message>
+        <source>values %1, %2 and %3, of which %4 is enough: %5</source>
+        <translation>Werte %1, %2 und %3, von denen %4 genügt: %5</translation>
+    </message>
+    <message>
+        <source>A second direction is not seen yet: its value is %1, of %2.</source>
+        <translation>Eine zweite Richtung ist noch nicht gesehen: Ihr Wert ist %1 von %2.</translation>
+    </message>
+    <message>
+        <source>A third direction is not seen yet: its value is %1, of %2.</source>
+        <translation>Eine dritte Richtung ist noch nicht gesehen: Ihr Wert ist %1 von %2.</translation>
     </message>
 </context>
 <context>
@@ -501,16 +513,8 @@
         <translation>Biegung</translation>
     </message>
     <message>
-        <source>bend, either way</source>
-        <translation>Biegung, beide Richtungen</translation>
-    </message>
-    <message>
         <source>twist</source>
         <translation>Verwindung</translation>
-    </message>
-    <message>
-        <source>twist, either way</source>
-        <translation>Verwindung, beide Richtungen</translation>
     </message>
     <message>
         <source>yaw</source>
@@ -525,10 +529,6 @@
         <translation>Unsicherheit des Ortes</translation>
     </message>
     <message>
-        <source>position known to (95 %)</source>
-        <translation>Ort bekannt auf (95 %)</translation>
-    </message>
-    <message>
         <source>position uncertainty (95 %)</source>
         <translation>Unsicherheit des Ortes (95 %)</translation>
     </message>
@@ -541,10 +541,6 @@
         <translation>Unsicherheit der Orientierung</translation>
     </message>
     <message>
-        <source>orientation known to (95 %)</source>
-        <translation>Orientierung bekannt auf (95 %)</translation>
-    </message>
-    <message>
         <source>orientation uncertainty (95 %)</source>
         <translation>Unsicherheit der Orientierung (95 %)</translation>
     </message>
@@ -553,8 +549,8 @@
         <translation>Abstand vom Ursprung</translation>
     </message>
     <message>
-        <source>distance from the origin along the path</source>
-        <translation>Abstand vom Ursprung entlang des Weges</translation>
+        <source>path length from the origin</source>
+        <translation>Weg vom Ursprung</translation>
     </message>
     <message>
         <source>This result holds no paths from the origin</source>
@@ -629,20 +625,130 @@
         <translation>Die Haut sendet keine Temperaturen</translation>
     </message>
     <message>
-        <source>%1 or more</source>
-        <translation>%1 oder mehr</translation>
-    </message>
-    <message>
-        <source>%1 or less</source>
-        <translation>%1 oder weniger</translation>
-    </message>
-    <message>
         <source>patch %1</source>
         <translation>Hautstück %1</translation>
     </message>
     <message>
         <source>not known</source>
         <translation>nicht bekannt</translation>
+    </message>
+    <message>
+        <source>largest bend of the cell&apos;s links</source>
+        <translation>größte Biegung der Verbindungen der Zelle</translation>
+    </message>
+    <message>
+        <source>largest twist of the cell&apos;s links</source>
+        <translation>größte Verwindung der Verbindungen der Zelle</translation>
+    </message>
+    <message>
+        <source>largest yaw of the cell&apos;s links</source>
+        <translation>größtes Gieren der Verbindungen der Zelle</translation>
+    </message>
+    <message>
+        <source>uncertainty of the shape</source>
+        <translation>Unsicherheit der Form</translation>
+    </message>
+    <message>
+        <source>uncertainty of the shape (95 %)</source>
+        <translation>Unsicherheit der Form (95 %)</translation>
+    </message>
+    <message>
+        <source>This result does not state how well its shape is known</source>
+        <translation>Dieses Ergebnis nennt nicht, wie gut seine Form bekannt ist</translation>
+    </message>
+    <message>
+        <source>orientation in the shape</source>
+        <translation>Orientierung in der Form</translation>
+    </message>
+    <message>
+        <source>uncertainty of the orientation in the shape (95 %)</source>
+        <translation>Unsicherheit der Orientierung in der Form (95 %)</translation>
+    </message>
+</context>
+<context>
+    <name>hexoderm::ComparePresenter</name>
+    <message>
+        <source>Before and after</source>
+        <translation>Vorher und nachher</translation>
+    </message>
+    <message>
+        <source>the result before the last change</source>
+        <translation>das Ergebnis vor der letzten Änderung</translation>
+    </message>
+    <message>
+        <source>%1, of the step Verify</source>
+        <translation>%1, aus dem Schritt Nachprüfen</translation>
+    </message>
+    <message>
+        <source>There is nothing to compare with yet: change something, take another pose, or choose an earlier calibration in the step Verify.</source>
+        <translation>Noch gibt es nichts zu vergleichen: etwas ändern, eine weitere Pose aufnehmen oder im Schritt Nachprüfen eine frühere Kalibrierung wählen.</translation>
+    </message>
+</context>
+<context>
+    <name>hexoderm::CompareView</name>
+    <message>
+        <source>BEFORE</source>
+        <translation>VORHER</translation>
+    </message>
+    <message>
+        <source>NOW</source>
+        <translation>JETZT</translation>
+    </message>
+    <message>
+        <source>The patch before</source>
+        <translation>Das Hautstück vorher</translation>
+    </message>
+    <message>
+        <source>The patch now</source>
+        <translation>Das Hautstück jetzt</translation>
+    </message>
+    <message>
+        <source>What the result of now is compared with</source>
+        <translation>Womit das jetzige Ergebnis verglichen wird</translation>
+    </message>
+    <message>
+        <source>Before:</source>
+        <translation>Vorher:</translation>
+    </message>
+    <message>
+        <source>Side by side</source>
+        <translation>Nebeneinander</translation>
+    </message>
+    <message>
+        <source>Both results, seen from the same side</source>
+        <translation>Beide Ergebnisse, von derselben Seite gesehen</translation>
+    </message>
+    <message>
+        <source>Arrows</source>
+        <translation>Pfeile</translation>
+    </message>
+    <message>
+        <source>The result of now, with an arrow from where each cell was</source>
+        <translation>Das jetzige Ergebnis, mit einem Pfeil von dort, wo jede Zelle war</translation>
+    </message>
+    <message>
+        <source>Enlargement of the arrows</source>
+        <translation>Vergrößerung der Pfeile</translation>
+    </message>
+    <message>
+        <source>Arrows enlarged</source>
+        <translation>Pfeile vergrößert</translation>
+    </message>
+    <message>
+        <source>%1 times</source>
+        <translation>%1-fach</translation>
+    </message>
+    <message>
+        <source>The two have no cells in common.</source>
+        <translation>Die beiden haben keine Zelle gemeinsam.</translation>
+    </message>
+    <message>
+        <source>%1 cells in common. Between before and now they lie %2 apart and are turned by %3 (rms, after the best fit of both); cell %4 has moved most, by %5.</source>
+        <translation>%1 gemeinsame Zellen. Zwischen vorher und jetzt liegen sie %2 auseinander und sind um %3 gedreht (quadratisches Mittel, nach bester Anpassung aneinander); am meisten hat sich Zelle %4 bewegt, um %5.</translation>
+    </message>
+    <message>
+        <source>Before and after</source>
+        <translation>Vorher und nachher</translation>
     </message>
 </context>
 <context>
@@ -777,7 +883,7 @@
     </message>
     <message>
         <source>x17, ring8 or sheet:10x10, also with options: x17?seed=1&amp;speed=2; or robot, an arm with two patches. Its readings are made up.</source>
-        <translation>x17, ring8 oder sheet:10x10, auch mit Optionen: x17?seed=1&amp;speed=2; oder robot, ein Arm mit zwei Patches. Die Messwerte sind simuliert.</translation>
+        <translation>x17, ring8 oder sheet:10x10, auch mit Optionen: x17?seed=1&amp;speed=2; oder robot, ein Arm mit zwei Hautstücken. Die Messwerte sind simuliert.</translation>
     </message>
 </context>
 <context>
@@ -814,18 +920,8 @@
         <translation>nächste</translation>
     </message>
     <message>
-        <source>%1, limit %2</source>
-        <translation>%1, Grenze %2</translation>
-    </message>
-    <message>
         <source>Directions of gravity seen</source>
         <translation>Gesehene Richtungen der Schwerkraft</translation>
-    </message>
-    <message>
-        <source>Front: up is where the origin cell faces. Back: the other half, seen from behind.
-The values say how well the poses hold the cells&apos; turn along three axes.</source>
-        <translation>Vorn: Oben ist, wohin die Ursprungszelle zeigt. Hinten: die andere Hälfte, von hinten gesehen.
-Die Werte sagen, wie gut die Posen die Drehung der Zellen in drei Achsen festhalten.</translation>
     </message>
     <message>
         <source>Pose %1</source>
@@ -834,6 +930,28 @@ Die Werte sagen, wie gut die Posen die Drehung der Zellen in drei Achsen festhal
     <message>
         <source>disabled</source>
         <translation>nicht benutzt</translation>
+    </message>
+    <message>
+        <source>1st</source>
+        <translation>1.</translation>
+    </message>
+    <message>
+        <source>2nd</source>
+        <translation>2.</translation>
+    </message>
+    <message>
+        <source>3rd</source>
+        <translation>3.</translation>
+    </message>
+    <message>
+        <source>%1 · mark: enough</source>
+        <translation>%1 · Marke: genügt</translation>
+    </message>
+    <message>
+        <source>Front: up is where the origin cell faces. Back: the other half, seen from behind.
+The bars say how much the directions seen differ, along three axes (their singular values). Two that reach their mark, %1, fix how the cells are turned; the third tells the sensors&apos; errors apart from that.</source>
+        <translation>Vorn: Oben ist, wohin die Ursprungszelle zeigt. Hinten: die andere Hälfte, von hinten gesehen.
+Die Balken sagen, wie sehr sich die gesehenen Richtungen in drei Achsen unterscheiden (ihre Singulärwerte). Zwei, die ihre Marke %1 erreichen, legen fest, wie die Zellen gedreht sind; der dritte trennt davon die Fehler der Sensoren.</translation>
     </message>
 </context>
 <context>
@@ -845,6 +963,29 @@ Die Werte sagen, wie gut die Posen die Drehung der Zellen in drei Achsen festhal
     <message>
         <source>Save as CSV…</source>
         <translation>Als CSV speichern…</translation>
+    </message>
+</context>
+<context>
+    <name>hexoderm::CutBar</name>
+    <message>
+        <source>Cut</source>
+        <translation>Schnitt</translation>
+    </message>
+    <message>
+        <source>Depth of the cut</source>
+        <translation>Tiefe des Schnitts</translation>
+    </message>
+    <message>
+        <source>How much of the skin is taken away from in front</source>
+        <translation>Wie viel von der Haut von vorn weggenommen wird</translation>
+    </message>
+    <message>
+        <source>Face me</source>
+        <translation>Zu mir drehen</translation>
+    </message>
+    <message>
+        <source>Turns the cut so that it faces you as you look now</source>
+        <translation>Dreht den Schnitt so, dass er dem Betrachter zugewandt ist</translation>
     </message>
 </context>
 <context>
@@ -942,10 +1083,6 @@ Die Werte sagen, wie gut die Posen die Drehung der Zellen in drei Achsen festhal
         <translation>Kalibrierung exportieren</translation>
     </message>
     <message>
-        <source>What should the file be?</source>
-        <translation>In welchem Format exportieren?</translation>
-    </message>
-    <message>
         <source>Browse…</source>
         <translation>Durchsuchen…</translation>
     </message>
@@ -1016,6 +1153,92 @@ Die Werte sagen, wie gut die Posen die Drehung der Zellen in drei Achsen festhal
     <message>
         <source>All that are placed on the robot</source>
         <translation>Alle, die am Roboter eingeordnet sind</translation>
+    </message>
+    <message>
+        <source>One file or several</source>
+        <translation>Eine Datei oder mehrere</translation>
+    </message>
+    <message>
+        <source>One &amp;file</source>
+        <translation>Eine &amp;Datei</translation>
+    </message>
+    <message>
+        <source>&amp;Package</source>
+        <translation>&amp;Paket</translation>
+    </message>
+    <message>
+        <source>What each file will hold</source>
+        <translation>Was jede Datei enthalten wird</translation>
+    </message>
+    <message>
+        <source>Folder or archive</source>
+        <translation>Ordner oder Archiv</translation>
+    </message>
+    <message>
+        <source>Folder</source>
+        <translation>Ordner</translation>
+    </message>
+    <message>
+        <source>Zip archive</source>
+        <translation>Zip-Archiv</translation>
+    </message>
+    <message>
+        <source>As many as each format can hold</source>
+        <translation>So viele, wie jedes Format fasst</translation>
+    </message>
+    <message>
+        <source>Tick the files that the package is to hold.</source>
+        <translation>Die Dateien ankreuzen, die das Paket enthalten soll.</translation>
+    </message>
+    <message>
+        <source>Say where the package should go.</source>
+        <translation>Angeben, wohin das Paket soll.</translation>
+    </message>
+    <message>
+        <source>%1 is a file; give the folder another name.</source>
+        <translation>%1 ist eine Datei; dem Ordner einen anderen Namen geben.</translation>
+    </message>
+    <message>
+        <source>There is a folder of this name; files of the same names in it are replaced.</source>
+        <translation>Es gibt einen Ordner dieses Namens; gleichnamige Dateien darin werden ersetzt.</translation>
+    </message>
+</context>
+<context>
+    <name>hexoderm::ExportPresenter</name>
+    <message>
+        <source>Keep</source>
+        <translation>Merken</translation>
+    </message>
+    <message>
+        <source>Continue</source>
+        <translation>Weiter</translation>
+    </message>
+    <message>
+        <source>Write a report</source>
+        <translation>Bericht schreiben</translation>
+    </message>
+    <message>
+        <source>Documents (*.pdf);;Pages for the browser (*.html)</source>
+        <translation>Dokumente (*.pdf);;Seiten für den Browser (*.html)</translation>
+    </message>
+</context>
+<context>
+    <name>hexoderm::FigureCard</name>
+    <message>
+        <source>Close this card (Esc)</source>
+        <translation>Diese Karte schließen (Esc)</translation>
+    </message>
+    <message>
+        <source>Close the card with the figures</source>
+        <translation>Die Karte mit den Werten schließen</translation>
+    </message>
+    <message>
+        <source>Neighbours</source>
+        <translation>Nachbarn</translation>
+    </message>
+    <message>
+        <source>Go to cell %1</source>
+        <translation>Zu Zelle %1 gehen</translation>
     </message>
 </context>
 <context>
@@ -1109,6 +1332,87 @@ Die Werte sagen, wie gut die Posen die Drehung der Zellen in drei Achsen festhal
     </message>
 </context>
 <context>
+    <name>hexoderm::FindingCard</name>
+    <message>
+        <source>Show</source>
+        <translation>Zeigen</translation>
+    </message>
+    <message>
+        <source>Show: %1</source>
+        <translation>Zeigen: %1</translation>
+    </message>
+    <message>
+        <source>Why: %1</source>
+        <translation>Warum: %1</translation>
+    </message>
+    <message>
+        <source>What to do: %1</source>
+        <translation>Was tun: %1</translation>
+    </message>
+    <message>
+        <source>Less ▴</source>
+        <translation>Weniger ▴</translation>
+    </message>
+    <message>
+        <source>Why, and what to do ▾</source>
+        <translation>Warum, und was tun ▾</translation>
+    </message>
+    <message>
+        <source>Fold the reasons away</source>
+        <translation>Die Gründe zuklappen</translation>
+    </message>
+    <message>
+        <source>Why, and what to do</source>
+        <translation>Warum, und was tun</translation>
+    </message>
+</context>
+<context>
+    <name>hexoderm::FindingCards</name>
+    <message>
+        <source>%1 more under Findings</source>
+        <translation>%1 weitere unter Befunde</translation>
+    </message>
+</context>
+<context>
+    <name>hexoderm::FindingPresenter</name>
+    <message>
+        <source>Take link back</source>
+        <translation>Verbindung wieder zulassen</translation>
+    </message>
+    <message>
+        <source>Set link aside</source>
+        <translation>Verbindung ausschließen</translation>
+    </message>
+    <message>
+        <source>Enable pose %1</source>
+        <translation>Pose %1 wieder benutzen</translation>
+    </message>
+    <message>
+        <source>Disable pose %1</source>
+        <translation>Pose %1 nicht benutzen</translation>
+    </message>
+    <message>
+        <source>Take pose %1 again</source>
+        <translation>Pose %1 neu aufnehmen</translation>
+    </message>
+    <message>
+        <source>Take another pose</source>
+        <translation>Eine weitere Pose aufnehmen</translation>
+    </message>
+    <message>
+        <source>Light off</source>
+        <translation>Licht aus</translation>
+    </message>
+    <message>
+        <source>Light cell %1</source>
+        <translation>Zelle %1 beleuchten</translation>
+    </message>
+    <message>
+        <source>Take the first pose</source>
+        <translation>Erste Pose aufnehmen</translation>
+    </message>
+</context>
+<context>
     <name>hexoderm::FindingTable</name>
     <message>
         <source>Severity</source>
@@ -1121,6 +1425,21 @@ Die Werte sagen, wie gut die Posen die Drehung der Zellen in drei Achsen festhal
     <message>
         <source>Where</source>
         <translation>Wo</translation>
+    </message>
+</context>
+<context>
+    <name>hexoderm::FoldingRow</name>
+    <message>
+        <source>More ▾</source>
+        <translation>Mehr ▾</translation>
+    </message>
+    <message>
+        <source>More</source>
+        <translation>Mehr</translation>
+    </message>
+    <message>
+        <source>What finds no room beside this</source>
+        <translation>Was daneben keinen Platz findet</translation>
     </message>
 </context>
 <context>
@@ -1178,6 +1497,10 @@ Die Werte sagen, wie gut die Posen die Drehung der Zellen in drei Achsen festhal
     <message>
         <source>origin</source>
         <translation>Ursprung</translation>
+    </message>
+    <message>
+        <source>range fixed</source>
+        <translation>Bereich fest</translation>
     </message>
 </context>
 <context>
@@ -1308,10 +1631,6 @@ Die Werte sagen, wie gut die Posen die Drehung der Zellen in drei Achsen festhal
         <translation>Wartet auf eine Haut.</translation>
     </message>
     <message>
-        <source>Compare the skin graph with the skin in front of you.</source>
-        <translation>Den Hautgraphen mit der wirklichen Haut vergleichen.</translation>
-    </message>
-    <message>
         <source>Every cell and every link should be there. What was reported but can&apos;t be a skin link is listed under Findings and kept out.</source>
         <translation>Jede Zelle und jede Verbindung soll da sein. Was gemeldet wurde, aber keine Hautverbindung sein kann, steht unter Befunde und bleibt außen vor.</translation>
     </message>
@@ -1362,10 +1681,6 @@ Die Werte sagen, wie gut die Posen die Drehung der Zellen in drei Achsen festhal
     <message>
         <source>No skin came from %1.</source>
         <translation>Von %1 kam keine Haut.</translation>
-    </message>
-    <message>
-        <source>The skin does not send any more. Check its power and its connection: once it sends again, this goes on by itself.</source>
-        <translation>Die Haut sendet nicht mehr. Stromversorgung und Verbindung prüfen: Sobald sie wieder sendet, geht es von selbst weiter.</translation>
     </message>
     <message>
         <source>Nothing more will come from this skin. The poses stay; connect to a skin to take more.</source>
@@ -1506,6 +1821,30 @@ Die Werte sagen, wie gut die Posen die Drehung der Zellen in drei Achsen festhal
     <message>
         <source>With the robot&apos;s description and its joint angles, gravity tells which link a patch is on and how it is turned there; the link&apos;s surface, or known points, tell where. Files for robots need it.</source>
         <translation>Mit der Beschreibung des Roboters und seinen Gelenkwinkeln verrät die Schwerkraft, auf welchem Glied ein Hautstück liegt und wie es dort gedreht ist; die Oberfläche des Glieds oder bekannte Punkte sagen, wo. Dateien für Roboter brauchen das.</translation>
+    </message>
+    <message>
+        <source>Look at what was found, the worst first.</source>
+        <translation>Die Befunde ansehen, den schlimmsten zuerst.</translation>
+    </message>
+    <message>
+        <source>Nothing was found that does not fit.</source>
+        <translation>Es wurde nichts gefunden, was nicht passt.</translation>
+    </message>
+    <message>
+        <source>The skin does not send any more. Check cable, power and address: once it sends again, this goes on by itself.</source>
+        <translation>Die Haut sendet nicht mehr. Kabel, Stromversorgung und Adresse prüfen: Sobald sie wieder sendet, geht es von selbst weiter.</translation>
+    </message>
+    <message>
+        <source>Working out the placements was stopped.</source>
+        <translation>Die Berechnung der Lagen wurde abgebrochen.</translation>
+    </message>
+    <message>
+        <source>Working out the last change was stopped: the result shown is from before it.</source>
+        <translation>Die Berechnung der letzten Änderung wurde abgebrochen: Das gezeigte Ergebnis ist das davor.</translation>
+    </message>
+    <message>
+        <source>Compare the skin graph (G makes it large) with the skin in front of you.</source>
+        <translation>Den Hautgraphen (G macht ihn groß) mit der wirklichen Haut vergleichen.</translation>
     </message>
 </context>
 <context>
@@ -1996,6 +2335,57 @@ Die Werte sagen, wie gut die Posen die Drehung der Zellen in drei Achsen festhal
     <message>
         <source>%1 lines</source>
         <translation>%1 Zeilen</translation>
+    </message>
+    <message>
+        <source>Search</source>
+        <translation>Suchen</translation>
+    </message>
+</context>
+<context>
+    <name>hexoderm::MarkPresenter</name>
+    <message>
+        <source>estimating every link</source>
+        <translation>jede Verbindung wird geschätzt</translation>
+    </message>
+    <message>
+        <source>placing all cells together</source>
+        <translation>alle Zellen werden gemeinsam platziert</translation>
+    </message>
+    <message>
+        <source>placing the cells of patch %1 of %2</source>
+        <translation>die Zellen von Hautstück %1 von %2 werden platziert</translation>
+    </message>
+    <message>
+        <source>looking for what does not fit</source>
+        <translation>es wird gesucht, was nicht passt</translation>
+    </message>
+    <message>
+        <source>working out how certain it is</source>
+        <translation>es wird berechnet, wie sicher es ist</translation>
+    </message>
+    <message>
+        <source>Working out the result of %1: %2 · %3 s</source>
+        <translation>Das Ergebnis aus %1 wird berechnet: %2 · %3 s</translation>
+    </message>
+    <message>
+        <source>✕ No readings from the skin: check cable, power and address</source>
+        <translation>✕ Keine Messwerte von der Haut: Kabel, Stromversorgung und Adresse prüfen</translation>
+    </message>
+    <message>
+        <source>✕ No readings</source>
+        <translation>✕ Keine Messwerte</translation>
+    </message>
+    <message>
+        <source>● Live: the readings of this moment, not the result</source>
+        <translation>● Live: die Messwerte dieses Augenblicks, nicht das Ergebnis</translation>
+    </message>
+    <message>
+        <source>● Live</source>
+        <translation>● Live</translation>
+    </message>
+    <message>
+        <source>from before: %1</source>
+        <translation>von vorher: %1</translation>
     </message>
 </context>
 <context>
@@ -2490,14 +2880,6 @@ Die Werte sagen, wie gut die Posen die Drehung der Zellen in drei Achsen festhal
     <message>
         <source>Hold the part still and take a first pose.</source>
         <translation>Das Teil stillhalten und eine erste Pose aufnehmen.</translation>
-    </message>
-    <message>
-        <source>Good: {} at the worst cell (95 %), {}.</source>
-        <translation>Gut: {} an der schlechtesten Zelle (95 %), {}.</translation>
-    </message>
-    <message>
-        <source>Usable: {} at the worst cell (95 %), {}.</source>
-        <translation>Brauchbar: {} an der schlechtesten Zelle (95 %), {}.</translation>
     </message>
     <message>
         <source>Look at the findings, then export.</source>
@@ -4493,10 +4875,6 @@ Die Werte sagen, wie gut die Posen die Drehung der Zellen in drei Achsen festhal
         <translation>Nicht genug: noch keine Pose. Die gezeigte Form folgt allein aus den Ports.</translation>
     </message>
     <message>
-        <source>Not enough: {} at the worst cell (95 %), {}.</source>
-        <translation>Nicht genug: {} an der schlechtesten Zelle (95 %), {}.</translation>
-    </message>
-    <message>
         <source>What limits it is that {} can&apos;t be used in {}: the readings are missing or no good.</source>
         <translation>Begrenzt wird das Ergebnis dadurch, dass {} in {} nicht zu brauchen ist: Die Messwerte fehlen oder taugen nichts.</translation>
     </message>
@@ -5630,7 +6008,7 @@ Die Werte sagen, wie gut die Posen die Drehung der Zellen in drei Achsen festhal
     </message>
     <message>
         <source>Move these joints by 30 degrees or more from pose to pose, with their axes level: {}.</source>
-        <translation>Bewegen Sie diese Gelenke von Pose zu Pose um 30 Grad oder mehr, mit waagerechten Achsen: {}.</translation>
+        <translation>Bewegen Sie diese Gelenke von Pose zu Pose um 30 Grad oder mehr, mit waagrechten Achsen: {}.</translation>
     </message>
     <message>
         <source>The zero of joint {} seems to be off: {} has to be added to the angle that it reports (1 sigma: {}).</source>
@@ -6029,12 +6407,424 @@ Die Werte sagen, wie gut die Posen die Drehung der Zellen in drei Achsen festhal
         <translation>package: erwartet ist NAME=ORDNER, gefunden wurde „{}“</translation>
     </message>
     <message>
-        <source>Usable: {} at the worst measured cell (95 %), {}.</source>
-        <translation>Brauchbar: {} an der schlechtesten gemessenen Zelle (95 %), {}.</translation>
+        <source>Good: {}, {}.</source>
+        <translation>Gut: {}, {}.</translation>
     </message>
     <message>
-        <source>Not enough: {} at the worst measured cell (95 %), {}.</source>
-        <translation>Nicht genug: {} an der schlechtesten gemessenen Zelle (95 %), {}.</translation>
+        <source>Usable: {}, {}.</source>
+        <translation>Brauchbar: {}, {}.</translation>
+    </message>
+    <message>
+        <source>Not enough: {}, {}.</source>
+        <translation>Nicht genug: {}, {}.</translation>
+    </message>
+    <message>
+        <source>{} (95 %)</source>
+        <translation>{} (95 %)</translation>
+    </message>
+    <message>
+        <source>{} (95 %, worst: {})</source>
+        <translation>{} (95 %, am schlechtesten: {})</translation>
+    </message>
+    <message>
+        <source>{} (95 %, worst measured: {})</source>
+        <translation>{} (95 %, am schlechtesten von den gemessenen: {})</translation>
+    </message>
+    <message>
+        <source>The device&apos;s list names one ID twice, and two cells can&apos;t share an ID.</source>
+        <translation>Die Liste des Geräts nennt eine ID zweimal, und zwei Zellen können keine ID gemeinsam haben.</translation>
+    </message>
+    <message>
+        <source>Give one of the two cells another ID, and connect again.</source>
+        <translation>Einer der beiden Zellen eine andere ID geben und neu verbinden.</translation>
+    </message>
+    <message>
+        <source>ID 0 stands for nothing, and the interface&apos;s ID for the computer: a cell with such an ID can&apos;t be told from them.</source>
+        <translation>Die ID 0 steht für nichts und die des Interface für den Rechner: Eine Zelle mit einer solchen ID lässt sich davon nicht unterscheiden.</translation>
+    </message>
+    <message>
+        <source>Give the cell another ID, and connect again.</source>
+        <translation>Der Zelle eine andere ID geben und neu verbinden.</translation>
+    </message>
+    <message>
+        <source>The port that was reported is not among those of the cell model.</source>
+        <translation>Der gemeldete Port gehört nicht zu denen des Zellmodells.</translation>
+    </message>
+    <message>
+        <source>Check that the cell model is that of this skin. If it is, the report of the cell is wrong: connect again.</source>
+        <translation>Prüfen, ob das Zellmodell das dieser Haut ist. Wenn ja, ist die Meldung der Zelle falsch: neu verbinden.</translation>
+    </message>
+    <message>
+        <source>A cell reports a neighbour that did not report itself: it has no power, or its report was lost.</source>
+        <translation>Eine Zelle meldet einen Nachbarn, der sich selbst nicht gemeldet hat: Er hat keinen Strom, oder seine Meldung ging verloren.</translation>
+    </message>
+    <message>
+        <source>Check the power and the contacts of the missing cell, and connect again.</source>
+        <translation>Stromversorgung und Kontakte der fehlenden Zelle prüfen und neu verbinden.</translation>
+    </message>
+    <message>
+        <source>A link joins two cells. One that ends where it begins comes from a short circuit or a wrong report.</source>
+        <translation>Eine Verbindung hat zwei Zellen. Eine, die endet, wo sie beginnt, kommt von einem Kurzschluss oder einer falschen Meldung.</translation>
+    </message>
+    <message>
+        <source>Check the ports of this cell, and connect again.</source>
+        <translation>Die Ports dieser Zelle prüfen und neu verbinden.</translation>
+    </message>
+    <message>
+        <source>A sound link is seen from both of its ends, and here one end sees nothing: a contact is loose, or a report was lost.</source>
+        <translation>Eine heile Verbindung ist von beiden Enden zu sehen, und hier sieht ein Ende nichts: Ein Kontakt ist lose, oder eine Meldung ging verloren.</translation>
+    </message>
+    <message>
+        <source>Check the contacts between the two cells, and connect again. If nothing joins them there, leave it as it is.</source>
+        <translation>Die Kontakte zwischen den beiden Zellen prüfen und neu verbinden. Wenn sie dort nichts verbindet, kann es so bleiben.</translation>
+    </message>
+    <message>
+        <source>The two cells name different ports, or different neighbours, for what should be one link.</source>
+        <translation>Die beiden Zellen nennen verschiedene Ports oder verschiedene Nachbarn für das, was eine Verbindung sein sollte.</translation>
+    </message>
+    <message>
+        <source>Check how the two cells are joined, and connect again.</source>
+        <translation>Prüfen, wie die beiden Zellen verbunden sind, und neu verbinden.</translation>
+    </message>
+    <message>
+        <source>A port leads to one neighbour at most, and two cells are joined once at most.</source>
+        <translation>Ein Port führt zu höchstens einem Nachbarn, und zwei Zellen sind höchstens einmal verbunden.</translation>
+    </message>
+    <message>
+        <source>Check the ports that are named for a short circuit or a wrong cable, and connect again.</source>
+        <translation>Die genannten Ports auf einen Kurzschluss oder ein falsches Kabel prüfen und neu verbinden.</translation>
+    </message>
+    <message>
+        <source>Cells side by side in the mould can&apos;t touch with these two ports.</source>
+        <translation>Zellen, die in der Form nebeneinanderliegen, können sich mit diesen beiden Ports nicht berühren.</translation>
+    </message>
+    <message>
+        <source>If a cable joins the two cells, leave it as it is. If not, check the cell model.</source>
+        <translation>Wenn ein Kabel die beiden Zellen verbindet, kann es so bleiben. Wenn nicht, das Zellmodell prüfen.</translation>
+    </message>
+    <message>
+        <source>The computer&apos;s interface is at this port, and it is no cell.</source>
+        <translation>An diesem Port ist das Interface des Rechners, und das ist keine Zelle.</translation>
+    </message>
+    <message>
+        <source>Nothing: this is as it should be.</source>
+        <translation>Nichts: So soll es sein.</translation>
+    </message>
+    <message>
+        <source>Body parts move against each other, so a link between them is not rigid.</source>
+        <translation>Körperteile bewegen sich gegeneinander, daher ist eine Verbindung zwischen ihnen nicht starr.</translation>
+    </message>
+    <message>
+        <source>Nothing, if the names of the body parts are right.</source>
+        <translation>Nichts, wenn die Namen der Körperteile stimmen.</translation>
+    </message>
+    <message>
+        <source>Gravity, as the two cells feel it, says that they stand at a steeper angle than the mould lets them.</source>
+        <translation>Die Schwerkraft, wie die beiden Zellen sie spüren, sagt, dass sie steiler zueinander stehen, als die Form es zulässt.</translation>
+    </message>
+    <message>
+        <source>Look at the two cells. If a cable joins them, or a joint lies between them, set the link aside. If they lie side by side in the mould, check the axes of their sensors.</source>
+        <translation>Die beiden Zellen ansehen. Wenn ein Kabel sie verbindet oder ein Gelenk zwischen ihnen liegt, die Verbindung ausschließen. Wenn sie in der Form nebeneinanderliegen, die Achsen ihrer Sensoren prüfen.</translation>
+    </message>
+    <message>
+        <source>Gravity, as the two cells feel it, says that they are twisted about the line between them further than the mould lets them.</source>
+        <translation>Die Schwerkraft, wie die beiden Zellen sie spüren, sagt, dass sie um die Linie zwischen ihnen weiter verdreht sind, als die Form es zulässt.</translation>
+    </message>
+    <message>
+        <source>Look at the two cells. If a cable joins them, or other ports than those that are named, set the link aside. If not, check the axes of their sensors.</source>
+        <translation>Die beiden Zellen ansehen. Wenn ein Kabel oder andere als die genannten Ports sie verbinden, die Verbindung ausschließen. Wenn nicht, die Achsen ihrer Sensoren prüfen.</translation>
+    </message>
+    <message>
+        <source>Gravity, as the two cells feel it, says that they are turned against each other in the surface further than the mould lets them.</source>
+        <translation>Die Schwerkraft, wie die beiden Zellen sie spüren, sagt, dass sie in der Fläche weiter gegeneinander gedreht sind, als die Form es zulässt.</translation>
+    </message>
+    <message>
+        <source>The angle between the two cells was another one from pose to pose, by more than their readings err.</source>
+        <translation>Der Winkel zwischen den beiden Zellen war von Pose zu Pose ein anderer, um mehr, als ihre Messwerte fehlgehen.</translation>
+    </message>
+    <message>
+        <source>If a joint lies between the two cells, set the link aside. If not, fix them in the mould and take the poses again.</source>
+        <translation>Wenn ein Gelenk zwischen den beiden Zellen liegt, die Verbindung ausschließen. Wenn nicht, sie in der Form befestigen und die Posen neu aufnehmen.</translation>
+    </message>
+    <message>
+        <source>Where all other links are followed, the two ends of this one should meet, and they do not.</source>
+        <translation>Folgt man allen anderen Verbindungen, sollten die beiden Enden von dieser sich treffen, und das tun sie nicht.</translation>
+    </message>
+    <message>
+        <source>Look at the links of this loop for a cable. Set that one aside; if this one is sound, take it back.</source>
+        <translation>Unter den Verbindungen dieser Schleife ein Kabel suchen und ausschließen; ist diese hier heil, sie wieder zulassen.</translation>
+    </message>
+    <message>
+        <source>Somebody set this link aside in this session.</source>
+        <translation>Jemand hat diese Verbindung in dieser Sitzung ausgeschlossen.</translation>
+    </message>
+    <message>
+        <source>Nothing. Take the link back if it should count again.</source>
+        <translation>Nichts. Die Verbindung wieder zulassen, wenn sie wieder zählen soll.</translation>
+    </message>
+    <message>
+        <source>A surface bends to either side. A twist to one side everywhere comes from a wrong description of the cell.</source>
+        <translation>Eine Fläche krümmt sich nach beiden Seiten. Eine Verwindung überall zur selben Seite kommt von einer falschen Beschreibung der Zelle.</translation>
+    </message>
+    <message>
+        <source>Compare the axes and the numbers of the ports in the cell model with a real cell.</source>
+        <translation>Die Achsen und die Nummern der Ports im Zellmodell mit einer wirklichen Zelle vergleichen.</translation>
+    </message>
+    <message>
+        <source>The cell sent no readings that can be used in any pose that counts.</source>
+        <translation>Die Zelle hat in keiner Pose, die zählt, brauchbare Messwerte gesendet.</translation>
+    </message>
+    <message>
+        <source>Check the power and the contacts of the cell, and take the poses again. It may stay as it is: it is less certain than the others then.</source>
+        <translation>Stromversorgung und Kontakte der Zelle prüfen und die Posen neu aufnehmen. Es kann auch so bleiben: Dann ist sie weniger sicher als die anderen.</translation>
+    </message>
+    <message>
+        <source>The cell sent no readings that can be used while these poses were captured.</source>
+        <translation>Die Zelle hat keine brauchbaren Messwerte gesendet, während diese Posen aufgenommen wurden.</translation>
+    </message>
+    <message>
+        <source>Nothing has to be done. With these poses taken again the cell is known better.</source>
+        <translation>Es muss nichts geschehen. Werden diese Posen neu aufgenommen, ist die Zelle besser bekannt.</translation>
+    </message>
+    <message>
+        <source>At rest a sensor reads 1 g along some direction, and this one reads nothing like it.</source>
+        <translation>In Ruhe misst ein Sensor 1 g in irgendeiner Richtung, und dieser misst nichts dergleichen.</translation>
+    </message>
+    <message>
+        <source>Replace the cell, or leave it as it is: it is less certain than the others then.</source>
+        <translation>Die Zelle ersetzen oder so lassen: Dann ist sie weniger sicher als die anderen.</translation>
+    </message>
+    <message>
+        <source>The part was turned from pose to pose, and what this sensor reads stayed the same.</source>
+        <translation>Das Teil wurde von Pose zu Pose gedreht, und was dieser Sensor misst, blieb gleich.</translation>
+    </message>
+    <message>
+        <source>At the end of its range a sensor can&apos;t tell how large a value is.</source>
+        <translation>Am Ende seines Messbereichs kann ein Sensor nicht sagen, wie groß ein Wert ist.</translation>
+    </message>
+    <message>
+        <source>Take the pose again without a jolt. If it happens again, check the range that the sensor is set to.</source>
+        <translation>Die Pose ohne Stoß neu aufnehmen. Geschieht es wieder, den eingestellten Messbereich des Sensors prüfen.</translation>
+    </message>
+    <message>
+        <source>The part was still, as the other cells show, and the readings of this one scatter.</source>
+        <translation>Das Teil war ruhig, wie die anderen Zellen zeigen, und die Messwerte von dieser streuen.</translation>
+    </message>
+    <message>
+        <source>Check that the cell sits firmly and that its power is steady, and take the poses again.</source>
+        <translation>Prüfen, ob die Zelle fest sitzt und ihre Versorgung ruhig ist, und die Posen neu aufnehmen.</translation>
+    </message>
+    <message>
+        <source>At rest a reading is 1 g long, whatever its direction.</source>
+        <translation>In Ruhe ist ein Messwert 1 g lang, gleich in welcher Richtung.</translation>
+    </message>
+    <message>
+        <source>Check the sensor of the cell, and the scale in which its readings are sent.</source>
+        <translation>Den Sensor der Zelle prüfen und den Maßstab, in dem seine Messwerte gesendet werden.</translation>
+    </message>
+    <message>
+        <source>From pose to pose two axes follow gravity, and the third does not.</source>
+        <translation>Von Pose zu Pose folgen zwei Achsen der Schwerkraft, und die dritte nicht.</translation>
+    </message>
+    <message>
+        <source>At rest a reading is 1 g long, and the readings of this cell are too long or too short in every pose.</source>
+        <translation>In Ruhe ist ein Messwert 1 g lang, und die Messwerte dieser Zelle sind in jeder Pose zu lang oder zu kurz.</translation>
+    </message>
+    <message>
+        <source>However the cell is placed in the patch, its readings contradict those of the others.</source>
+        <translation>Wie auch immer die Zelle im Hautstück liegt, widersprechen ihre Messwerte denen der anderen.</translation>
+    </message>
+    <message>
+        <source>Check that the cell is not loose, and that its axes are those of the cell model.</source>
+        <translation>Prüfen, ob die Zelle nicht lose ist und ihre Achsen die des Zellmodells sind.</translation>
+    </message>
+    <message>
+        <source>No two sensors read the same to the last bit: the readings of one cell were sent in the name of another.</source>
+        <translation>Keine zwei Sensoren messen bis aufs letzte Bit dasselbe: Die Messwerte einer Zelle wurden im Namen einer anderen gesendet.</translation>
+    </message>
+    <message>
+        <source>Check the IDs of these cells, and how their data are passed on.</source>
+        <translation>Die IDs dieser Zellen prüfen und wie ihre Daten weitergegeben werden.</translation>
+    </message>
+    <message>
+        <source>If the readings of the two cells are exchanged, they fit with those around them.</source>
+        <translation>Vertauscht man die Messwerte der beiden Zellen, passen sie zu denen ringsum.</translation>
+    </message>
+    <message>
+        <source>Exchange the IDs of the two cells, or check how their data are passed on.</source>
+        <translation>Die IDs der beiden Zellen vertauschen oder prüfen, wie ihre Daten weitergegeben werden.</translation>
+    </message>
+    <message>
+        <source>The readings fit as soon as the cell is taken to lie otherwise.</source>
+        <translation>Die Messwerte passen, sobald man annimmt, dass die Zelle anders liegt.</translation>
+    </message>
+    <message>
+        <source>Look how the cell lies in the mould, and whether its sensor sits as the cell model says.</source>
+        <translation>Nachsehen, wie die Zelle in der Form liegt und ob ihr Sensor so sitzt, wie das Zellmodell sagt.</translation>
+    </message>
+    <message>
+        <source>From one pose on the readings fit another orientation of the cell than before.</source>
+        <translation>Von einer Pose an passen die Messwerte zu einer anderen Ausrichtung der Zelle als davor.</translation>
+    </message>
+    <message>
+        <source>Fix the cell in the mould, and take the poses again.</source>
+        <translation>Die Zelle in der Form befestigen und die Posen neu aufnehmen.</translation>
+    </message>
+    <message>
+        <source>The readings fit worse than those of the other cells, and several causes would explain it.</source>
+        <translation>Die Messwerte passen schlechter als die der anderen Zellen, und mehrere Ursachen würden es erklären.</translation>
+    </message>
+    <message>
+        <source>Take another pose: it tells more about the cause.</source>
+        <translation>Eine weitere Pose aufnehmen: Sie sagt mehr über die Ursache.</translation>
+    </message>
+    <message>
+        <source>Freed from all that is known, the readings still differ by more than the cell model&apos;s sigmas explain.</source>
+        <translation>Von allem Bekannten befreit, weichen die Messwerte immer noch mehr ab, als die Sigmas des Zellmodells erklären.</translation>
+    </message>
+    <message>
+        <source>Find out the errors with hexoderm-cli sensors, and write them into the cell model.</source>
+        <translation>Die Fehler mit hexoderm-cli sensors bestimmen und ins Zellmodell schreiben.</translation>
+    </message>
+    <message>
+        <source>It was asked for when this result was solved.</source>
+        <translation>Es wurde verlangt, als dieses Ergebnis berechnet wurde.</translation>
+    </message>
+    <message>
+        <source>Nothing. Solve again with the cell if it should count.</source>
+        <translation>Nichts. Noch einmal mit der Zelle rechnen, wenn sie zählen soll.</translation>
+    </message>
+    <message>
+        <source>The pose was captured with other cells than the skin has, or an ID was misread.</source>
+        <translation>Die Pose wurde mit anderen Zellen aufgenommen, als die Haut hat, oder eine ID wurde falsch gelesen.</translation>
+    </message>
+    <message>
+        <source>Connect again, so that the list of cells is read anew, and take the pose again.</source>
+        <translation>Neu verbinden, damit die Liste der Zellen neu gelesen wird, und die Pose neu aufnehmen.</translation>
+    </message>
+    <message>
+        <source>A cell has one reading in a pose, and nothing says which of the two is right.</source>
+        <translation>Eine Zelle hat in einer Pose einen Messwert, und nichts sagt, welcher der beiden der richtige ist.</translation>
+    </message>
+    <message>
+        <source>Take the pose again if the cell does not fit.</source>
+        <translation>Die Pose neu aufnehmen, wenn die Zelle nicht passt.</translation>
+    </message>
+    <message>
+        <source>Every pose has an ID of its own; files that were joined can hold one twice.</source>
+        <translation>Jede Pose hat eine eigene ID; Dateien, die zusammengefügt wurden, können eine zweimal enthalten.</translation>
+    </message>
+    <message>
+        <source>Disable one of the two if they are the same.</source>
+        <translation>Eine der beiden nicht benutzen, wenn sie gleich sind.</translation>
+    </message>
+    <message>
+        <source>The ports say how cells lie beside each other in a plane. Only gravity tells how the surface bends.</source>
+        <translation>Die Ports sagen, wie Zellen in einer Ebene nebeneinanderliegen. Erst die Schwerkraft sagt, wie die Fläche sich krümmt.</translation>
+    </message>
+    <message>
+        <source>Hold the part still, and take a first pose.</source>
+        <translation>Das Teil ruhig halten und eine erste Pose aufnehmen.</translation>
+    </message>
+    <message>
+        <source>About a line along which gravity was always seen, a cell could be turned in any way.</source>
+        <translation>Um eine Linie, entlang der die Schwerkraft immer zu sehen war, könnte eine Zelle beliebig gedreht sein.</translation>
+    </message>
+    <message>
+        <source>Turn the part by about 90 degrees about a horizontal axis, and take a pose.</source>
+        <translation>Das Teil um etwa 90 Grad um eine waagrechte Achse drehen und eine Pose aufnehmen.</translation>
+    </message>
+    <message>
+        <source>Gravity along a line that was seen before tells nothing new about the shape.</source>
+        <translation>Schwerkraft entlang einer Linie, die schon zu sehen war, sagt nichts Neues über die Form.</translation>
+    </message>
+    <message>
+        <source>Nothing has to be done. Turn the part further before the next pose.</source>
+        <translation>Es muss nichts geschehen. Das Teil vor der nächsten Pose weiter drehen.</translation>
+    </message>
+    <message>
+        <source>While a part moves, its sensors feel the motion beside gravity.</source>
+        <translation>Während ein Teil sich bewegt, spüren seine Sensoren neben der Schwerkraft die Bewegung.</translation>
+    </message>
+    <message>
+        <source>Take the pose again and hold the part still, or disable it.</source>
+        <translation>Die Pose neu aufnehmen und das Teil ruhig halten, oder sie nicht benutzen.</translation>
+    </message>
+    <message>
+        <source>In the other poses the cells agree: in this one the part moved, or something pressed on the skin.</source>
+        <translation>In den anderen Posen sind die Zellen sich einig: In dieser hat das Teil sich bewegt, oder etwas hat auf die Haut gedrückt.</translation>
+    </message>
+    <message>
+        <source>Take the pose again and let nothing touch the skin, or disable it.</source>
+        <translation>Die Pose neu aufnehmen und nichts die Haut berühren lassen, oder sie nicht benutzen.</translation>
+    </message>
+    <message>
+        <source>The patch of cell {} is in its place on link {}.</source>
+        <translation>Das Hautstück der Zelle {} ist an seinem Ort am Glied {}.</translation>
+    </message>
+    <message>
+        <source>The patch of cell {} has its origin at link {}: its place on the robot is not known.</source>
+        <translation>Das Hautstück der Zelle {} hat seinen Ursprung am Glied {}: Sein Ort am Roboter ist nicht bekannt.</translation>
+    </message>
+    <message>
+        <source>Coordinates are in the frame of link {}.</source>
+        <translation>Koordinaten im Koordinatensystem des Glieds {}.</translation>
+    </message>
+    <message>
+        <source>Coordinates of each patch are in the frame of its origin cell.</source>
+        <translation>Koordinaten jedes Hautstücks im Koordinatensystem seiner Ursprungszelle.</translation>
+    </message>
+    <message>
+        <source>Coordinates are in the frame of cell {}, the origin of the patch.</source>
+        <translation>Koordinaten im Koordinatensystem der Zelle {}, des Ursprungs des Hautstücks.</translation>
+    </message>
+    <message>
+        <source>Lengths are in millimetres.</source>
+        <translation>Längen in Millimetern.</translation>
+    </message>
+    <message>
+        <source>Lengths are in nanometres.</source>
+        <translation>Längen in Nanometern.</translation>
+    </message>
+    <message>
+        <source>Lengths are in metres.</source>
+        <translation>Längen in Metern.</translation>
+    </message>
+    <message>
+        <source>everything that is known, to be opened, compared and exported from again</source>
+        <translation>alles, was bekannt ist, zum Öffnen, Vergleichen und erneuten Exportieren</translation>
+    </message>
+    <message>
+        <source>Coordinates of each patch are in the frame of its origin cell. Lengths are in metres.</source>
+        <translation>Koordinaten jedes Hautstücks im Koordinatensystem seiner Ursprungszelle. Längen in Metern.</translation>
+    </message>
+    <message>
+        <source>what each file is, in which frame, with its hash, and what it was made of</source>
+        <translation>was jede Datei ist, in welchem Koordinatensystem, mit ihrer Prüfsumme, und woraus sie entstand</translation>
+    </message>
+    <message>
+        <source>a package of nothing: choose a format</source>
+        <translation>ein leeres Paket: ein Format wählen</translation>
+    </message>
+    <message>
+        <source>the package would hold {} twice</source>
+        <translation>das Paket enthielte {} zweimal</translation>
+    </message>
+    <message>
+        <source>The zip archive could not be made: {}</source>
+        <translation>Das Zip-Archiv konnte nicht erstellt werden: {}</translation>
+    </message>
+    <message>
+        <source>is no whole zip archive: {}</source>
+        <translation>ist kein vollständiges Zip-Archiv: {}</translation>
+    </message>
+    <message>
+        <source>report with verdict, pictures, checks and tables, to be sent or printed</source>
+        <translation>Bericht mit Urteil, Bildern, Prüfungen und Tabellen, zum Versenden oder Drucken</translation>
+    </message>
+    <message>
+        <source>the same report for a browser, in one file</source>
+        <translation>derselbe Bericht für einen Browser, in einer Datei</translation>
     </message>
 </context>
 <context>
@@ -6057,6 +6847,92 @@ Die Werte sagen, wie gut die Posen die Drehung der Zellen in drei Achsen festhal
     <message>
         <source>%1, in software</source>
         <translation>%1, in Software</translation>
+    </message>
+</context>
+<context>
+    <name>hexoderm::PackageDialog</name>
+    <message>
+        <source>Export package</source>
+        <translation>Paket exportieren</translation>
+    </message>
+    <message>
+        <source>Writing %1 …</source>
+        <translation>%1 wird geschrieben …</translation>
+    </message>
+    <message>
+        <source>Progress</source>
+        <translation>Fortschritt</translation>
+    </message>
+    <message>
+        <source>Files of the package</source>
+        <translation>Dateien des Pakets</translation>
+    </message>
+    <message>
+        <source>File</source>
+        <translation>Datei</translation>
+    </message>
+    <message>
+        <source>Size</source>
+        <translation>Größe</translation>
+    </message>
+    <message>
+        <source>What it holds</source>
+        <translation>Was sie enthält</translation>
+    </message>
+    <message>
+        <source>Open folder</source>
+        <translation>Ordner öffnen</translation>
+    </message>
+    <message>
+        <source>Cancelling …</source>
+        <translation>Wird abgebrochen …</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Schließen</translation>
+    </message>
+    <message>
+        <source>%1 is written: %2 files. The archive was read back from the disk, and each file in it compared with what it was to hold.</source>
+        <translation>%1 ist geschrieben: %2 Dateien. Das Archiv wurde vom Datenträger zurückgelesen und jede Datei darin mit dem verglichen, was sie enthalten sollte.</translation>
+    </message>
+    <message>
+        <source>%1 is written: %2 files. Each was read back from the disk and compared with what it was to hold.</source>
+        <translation>%1 ist geschrieben: %2 Dateien. Jede wurde vom Datenträger zurückgelesen und mit dem verglichen, was sie enthalten sollte.</translation>
+    </message>
+    <message>
+        <source>Nothing was written. %1</source>
+        <translation>Nichts wurde geschrieben. %1</translation>
+    </message>
+</context>
+<context>
+    <name>hexoderm::PackageList</name>
+    <message>
+        <source>Files of the package</source>
+        <translation>Dateien des Pakets</translation>
+    </message>
+    <message>
+        <source>Report, PDF</source>
+        <translation>Bericht, PDF</translation>
+    </message>
+    <message>
+        <source>verdict, pictures, checks and tables, to be sent or printed</source>
+        <translation>Urteil, Bilder, Prüfungen und Tabellen, zum Versenden oder Drucken</translation>
+    </message>
+    <message>
+        <source>Report, HTML</source>
+        <translation>Bericht, HTML</translation>
+    </message>
+    <message>
+        <source>the same for a browser, in one file</source>
+        <translation>dasselbe für einen Browser, in einer Datei</translation>
+    </message>
+    <message>
+        <source>Calibration</source>
+        <translation>Kalibrierung</translation>
+    </message>
+    <message>
+        <source>everything that is known, in Hexoderm&apos;s own file</source>
+        <translation>alles, was bekannt ist, in Hexoderms eigener Datei</translation>
     </message>
 </context>
 <context>
@@ -6144,6 +7020,10 @@ Die Werte sagen, wie gut die Posen die Drehung der Zellen in drei Achsen festhal
         <source>Findings and links</source>
         <translation>Befunde und Verbindungen</translation>
     </message>
+    <message>
+        <source>Plot</source>
+        <translation>Diagramm</translation>
+    </message>
 </context>
 <context>
     <name>hexoderm::PartMotion</name>
@@ -6218,10 +7098,6 @@ Die Werte sagen, wie gut die Posen die Drehung der Zellen in drei Achsen festhal
         <translation>Einpassen</translation>
     </message>
     <message>
-        <source>Show the whole skin</source>
-        <translation>Die ganze Haut zeigen</translation>
-    </message>
-    <message>
         <source>Front</source>
         <translation>Vorn</translation>
     </message>
@@ -6249,6 +7125,54 @@ Die Werte sagen, wie gut die Posen die Drehung der Zellen in drei Achsen festhal
         <source>Drawn by %1</source>
         <translation>Gezeichnet von %1</translation>
     </message>
+    <message>
+        <source>&amp;Cut open</source>
+        <translation>Au&amp;fschneiden</translation>
+    </message>
+    <message>
+        <source>Show the whole skin, and all that is drawn with it</source>
+        <translation>Die ganze Haut zeigen und alles, was mit ihr gezeichnet ist</translation>
+    </message>
+    <message>
+        <source>Takes away what is nearer to you than a plane, so that you see what lies behind</source>
+        <translation>Nimmt weg, was vor einer Ebene liegt, sodass zu sehen ist, was dahinter ist</translation>
+    </message>
+    <message>
+        <source>C&amp;olour</source>
+        <translation>Far&amp;be</translation>
+    </message>
+    <message>
+        <source>&amp;Show</source>
+        <translation>&amp;Zeigen</translation>
+    </message>
+    <message>
+        <source>View ▾</source>
+        <translation>Ansicht ▾</translation>
+    </message>
+    <message>
+        <source>From where the skin is looked at, and how</source>
+        <translation>Von wo und wie die Haut angesehen wird</translation>
+    </message>
+    <message>
+        <source>View</source>
+        <translation>Ansicht</translation>
+    </message>
+    <message>
+        <source>Back</source>
+        <translation>Hinten</translation>
+    </message>
+    <message>
+        <source>Look at the origin cell from behind</source>
+        <translation>Von hinten auf die Ursprungszelle sehen</translation>
+    </message>
+    <message>
+        <source>Isometric</source>
+        <translation>Isometrisch</translation>
+    </message>
+    <message>
+        <source>Look from between the three axes</source>
+        <translation>Von zwischen den drei Achsen sehen</translation>
+    </message>
 </context>
 <context>
     <name>hexoderm::PatchLegend</name>
@@ -6261,12 +7185,109 @@ Die Werte sagen, wie gut die Posen die Drehung der Zellen in drei Achsen festhal
         <translation>und %1 weitere</translation>
     </message>
     <message>
-        <source>Cells are coloured by: %1; from %2 (dark) to %3 (bright)</source>
-        <translation>Farbe der Zellen: %1; von %2 (dunkel) bis %3 (hell)</translation>
-    </message>
-    <message>
         <source>Cells are coloured by: %1</source>
         <translation>Farbe der Zellen: %1</translation>
+    </message>
+    <message>
+        <source>error found</source>
+        <translation>Fehler gefunden</translation>
+    </message>
+    <message>
+        <source>warning</source>
+        <translation>Warnung</translation>
+    </message>
+    <message>
+        <source>placed through its links</source>
+        <translation>durch ihre Verbindungen verortet</translation>
+    </message>
+    <message>
+        <source>link with a finding</source>
+        <translation>Verbindung mit Befund</translation>
+    </message>
+    <message>
+        <source>fixed range</source>
+        <translation>fester Bereich</translation>
+    </message>
+    <message>
+        <source>fitted range</source>
+        <translation>angepasster Bereich</translation>
+    </message>
+    <message>
+        <source>usual range</source>
+        <translation>üblicher Bereich</translation>
+    </message>
+    <message>
+        <source>Cells are coloured by: %1; %2</source>
+        <translation>Farbe der Zellen: %1; %2</translation>
+    </message>
+    <message>
+        <source>crossed cells: an error was found in their readings</source>
+        <translation>durchkreuzte Zellen: in ihren Messwerten wurde ein Fehler gefunden</translation>
+    </message>
+    <message>
+        <source>cells with a triangle: a warning about their readings</source>
+        <translation>Zellen mit Dreieck: eine Warnung zu ihren Messwerten</translation>
+    </message>
+    <message>
+        <source>hatched cells: placed through their links alone</source>
+        <translation>schraffierte Zellen: allein durch ihre Verbindungen verortet</translation>
+    </message>
+    <message>
+        <source>crossed ports: a link with a finding</source>
+        <translation>durchkreuzte Ports: eine Verbindung mit einem Befund</translation>
+    </message>
+</context>
+<context>
+    <name>hexoderm::PatchLegendView</name>
+    <message>
+        <source>The range of the colours: fitted to what is shown, the usual one, or as you type it</source>
+        <translation>Der Bereich der Farben: an das Gezeigte angepasst, der übliche oder einer, den Sie eingeben</translation>
+    </message>
+    <message>
+        <source>Range of the colours: %1</source>
+        <translation>Bereich der Farben: %1</translation>
+    </message>
+    <message>
+        <source>Scale of the colours: %1</source>
+        <translation>Skala der Farben: %1</translation>
+    </message>
+    <message>
+        <source>Legend of the colours</source>
+        <translation>Legende der Farben</translation>
+    </message>
+</context>
+<context>
+    <name>hexoderm::PatchMenu</name>
+    <message>
+        <source>&amp;Pick cell %1</source>
+        <translation>Zelle %1 &amp;wählen</translation>
+    </message>
+    <message>
+        <source>&amp;Bring cell %1 into the middle</source>
+        <translation>Zelle %1 &amp;in die Mitte holen</translation>
+    </message>
+    <message>
+        <source>&amp;Look from</source>
+        <translation>Blick &amp;von</translation>
+    </message>
+    <message>
+        <source>Copy pict&amp;ure</source>
+        <translation>Bild &amp;kopieren</translation>
+    </message>
+    <message>
+        <source>The scene with its legend, to be pasted elsewhere</source>
+        <translation>Die Szene mit ihrer Legende, um sie anderswo einzufügen</translation>
+    </message>
+</context>
+<context>
+    <name>hexoderm::PatchPointing</name>
+    <message>
+        <source>Figures of what is picked</source>
+        <translation>Werte des Ausgewählten</translation>
+    </message>
+    <message>
+        <source>cell %1</source>
+        <translation>Zelle %1</translation>
     </message>
 </context>
 <context>
@@ -6294,6 +7315,10 @@ Auf einem entfernten Bildschirm oder mit einem fehlerhaften Treiber kann es helf
     <message>
         <source>This skin has no cells.</source>
         <translation>Diese Haut hat keine Zellen.</translation>
+    </message>
+    <message>
+        <source>cell %1: %2</source>
+        <translation>Zelle %1: %2</translation>
     </message>
 </context>
 <context>
@@ -6511,14 +7536,6 @@ Auf einem entfernten Bildschirm oder mit einem fehlerhaften Treiber kann es helf
     <message>
         <source>Vector graphics (*.svg);;Pictures (*.png)</source>
         <translation>Vektorgrafik (*.svg);;Bilder (*.png)</translation>
-    </message>
-    <message>
-        <source>Write a report</source>
-        <translation>Bericht schreiben</translation>
-    </message>
-    <message>
-        <source>Documents (*.pdf);;Pages for the browser (*.html)</source>
-        <translation>Dokumente (*.pdf);;Seiten für den Browser (*.html)</translation>
     </message>
 </context>
 <context>
@@ -7052,6 +8069,118 @@ Auf einem entfernten Bildschirm oder mit einem fehlerhaften Treiber kann es helf
     </message>
 </context>
 <context>
+    <name>hexoderm::PlotData</name>
+    <message>
+        <source>number of the cell</source>
+        <translation>Nummer der Zelle</translation>
+    </message>
+    <message>
+        <source>goal</source>
+        <translation>Ziel</translation>
+    </message>
+    <message>
+        <source>at rest</source>
+        <translation>in Ruhe</translation>
+    </message>
+    <message>
+        <source>the surface</source>
+        <translation>die Fläche</translation>
+    </message>
+</context>
+<context>
+    <name>hexoderm::PlotPicture</name>
+    <message>
+        <source>as predicted</source>
+        <translation>wie erwartet</translation>
+    </message>
+</context>
+<context>
+    <name>hexoderm::PlotPointing</name>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>Link %1</source>
+        <translation>Verbindung %1</translation>
+    </message>
+    <message>
+        <source>Cell %1</source>
+        <translation>Zelle %1</translation>
+    </message>
+    <message>
+        <source>%1 cells from %2 to %3</source>
+        <translation>%1 Zellen von %2 bis %3</translation>
+    </message>
+    <message>
+        <source>%1 links from %2 to %3</source>
+        <translation>%1 Verbindungen von %2 bis %3</translation>
+    </message>
+</context>
+<context>
+    <name>hexoderm::PlotView</name>
+    <message>
+        <source>What is plotted</source>
+        <translation>Wovon das Diagramm handelt</translation>
+    </message>
+    <message>
+        <source>Figure along the plot</source>
+        <translation>Kennwert nach rechts</translation>
+    </message>
+    <message>
+        <source>Figure up the plot</source>
+        <translation>Kennwert nach oben</translation>
+    </message>
+    <message>
+        <source>Plot</source>
+        <translation>Diagramm</translation>
+    </message>
+    <message>
+        <source>cells</source>
+        <translation>Zellen</translation>
+    </message>
+    <message>
+        <source>links</source>
+        <translation>Verbindungen</translation>
+    </message>
+    <message>
+        <source>how many (histogram)</source>
+        <translation>Anzahl (Histogramm)</translation>
+    </message>
+    <message>
+        <source>The plot appears here as soon as a skin is open.</source>
+        <translation>Das Diagramm erscheint hier, sobald eine Haut geöffnet ist.</translation>
+    </message>
+    <message>
+        <source>Nothing has both figures.</source>
+        <translation>Nichts hat beide Kennwerte.</translation>
+    </message>
+    <message>
+        <source>%1 cells</source>
+        <translation>%1 Zellen</translation>
+    </message>
+    <message>
+        <source>%1 links</source>
+        <translation>%1 Verbindungen</translation>
+    </message>
+    <message>
+        <source>%1 marked (Esc: none)</source>
+        <translation>%1 markiert (Esc: keine)</translation>
+    </message>
+    <message>
+        <source>%1 without a value</source>
+        <translation>%1 ohne Wert</translation>
+    </message>
+    <message>
+        <source>Plot of the figures of cells and links</source>
+        <translation>Diagramm der Kennwerte von Zellen und Verbindungen</translation>
+    </message>
+    <message>
+        <source>Drag a rectangle to mark cells in all views, or use the arrow keys with Shift</source>
+        <translation>Ein Rechteck ziehen, um Zellen in allen Ansichten zu markieren, oder mit Umschalt die Pfeiltasten benutzen</translation>
+    </message>
+</context>
+<context>
     <name>hexoderm::PoseGuide</name>
     <message>
         <source>The device refused to turn %1 times, so it is not asked any more. The last time: %2</source>
@@ -7153,7 +8282,7 @@ Auf einem entfernten Bildschirm oder mit einem fehlerhaften Treiber kann es helf
     </message>
     <message>
         <source>Solver</source>
-        <translation>Löser</translation>
+        <translation>Berechnung</translation>
     </message>
     <message>
         <source>Files</source>
@@ -7289,7 +8418,7 @@ Auf einem entfernten Bildschirm oder mit einem fehlerhaften Treiber kann es helf
     </message>
     <message>
         <source>&amp;Solver</source>
-        <translation>&amp;Löser</translation>
+        <translation>&amp;Berechnung</translation>
     </message>
     <message>
         <source>Global</source>
@@ -7395,6 +8524,18 @@ Auf einem entfernten Bildschirm oder mit einem fehlerhaften Treiber kann es helf
         <source>From the next start on.</source>
         <translation>Ab dem nächsten Start.</translation>
     </message>
+    <message>
+        <source>S&amp;peak instructions</source>
+        <translation>Anweisungen &amp;vorsprechen</translation>
+    </message>
+    <message>
+        <source>For hands and eyes that are on the robot: what to do next is spoken when it changes, in the language of the window.</source>
+        <translation>Für Hände und Augen, die am Roboter sind: Was als Nächstes zu tun ist, wird gesprochen, wenn es sich ändert, in der Sprache des Fensters.</translation>
+    </message>
+    <message>
+        <source>Not available: %1</source>
+        <translation>Nicht verfügbar: %1</translation>
+    </message>
 </context>
 <context>
     <name>hexoderm::PreferencesPresenter</name>
@@ -7413,6 +8554,41 @@ Auf einem entfernten Bildschirm oder mit einem fehlerhaften Treiber kann es helf
     <message>
         <source>From the next start on, the processor draws. Start Hexoderm again when it suits you.</source>
         <translation>Ab dem nächsten Start zeichnet der Prozessor. Hexoderm bei Gelegenheit neu starten.</translation>
+    </message>
+</context>
+<context>
+    <name>hexoderm::RangePopup</name>
+    <message>
+        <source>&amp;Fitted to what is shown</source>
+        <translation>&amp;An das Gezeigte angepasst</translation>
+    </message>
+    <message>
+        <source>F&amp;ixed:</source>
+        <translation>&amp;Fest:</translation>
+    </message>
+    <message>
+        <source>Lower end of the range</source>
+        <translation>Unteres Ende des Bereichs</translation>
+    </message>
+    <message>
+        <source>Upper end of the range</source>
+        <translation>Oberes Ende des Bereichs</translation>
+    </message>
+    <message>
+        <source>The lower end must be below the upper one.</source>
+        <translation>Das untere Ende muss unter dem oberen liegen.</translation>
+    </message>
+    <message>
+        <source>Range of the colours</source>
+        <translation>Bereich der Farben</translation>
+    </message>
+    <message>
+        <source>to</source>
+        <translation>bis</translation>
+    </message>
+    <message>
+        <source>&amp;Usual range, %1 to %2</source>
+        <translation>&amp;Üblicher Bereich, %1 bis %2</translation>
     </message>
 </context>
 <context>
@@ -7513,10 +8689,6 @@ Auf einem entfernten Bildschirm oder mit einem fehlerhaften Treiber kann es helf
     <message>
         <source>Page %1 of %2</source>
         <translation>Seite %1 von %2</translation>
-    </message>
-    <message>
-        <source>Calibration report: %1</source>
-        <translation>Kalibrierbericht: %1</translation>
     </message>
     <message>
         <source>Hexoderm calibration report</source>
@@ -7667,10 +8839,6 @@ Auf einem entfernten Bildschirm oder mit einem fehlerhaften Treiber kann es helf
         <translation>Verbindungen mit den größten Restfehlern</translation>
     </message>
     <message>
-        <source>Position of the cell&apos;s centre in the frame of its patch&apos;s origin cell; ± at 95 %, relative to the origin.</source>
-        <translation>Ort der Zellmitte im Koordinatensystem der Ursprungszelle ihres Hautstücks; ± bei 95 %, bezogen auf den Ursprung.</translation>
-    </message>
-    <message>
         <source>origin</source>
         <translation>Ursprung</translation>
     </message>
@@ -7727,16 +8895,8 @@ Auf einem entfernten Bildschirm oder mit einem fehlerhaften Treiber kann es helf
         <translation>Alle Verbindungen</translation>
     </message>
     <message>
-        <source>%1 more links are in the calibration file and in the exported tables.</source>
-        <translation>%1 weitere Verbindungen stehen in der Kalibrierdatei und in den exportierten Tabellen.</translation>
-    </message>
-    <message>
-        <source>Options of the reconstruction</source>
-        <translation>Einstellungen der Berechnung</translation>
-    </message>
-    <message>
         <source>Solver</source>
-        <translation>Löser</translation>
+        <translation>Berechnung</translation>
     </message>
     <message>
         <source>Gap model</source>
@@ -7818,28 +8978,401 @@ Auf einem entfernten Bildschirm oder mit einem fehlerhaften Treiber kann es helf
         <source>Written</source>
         <translation>Geschrieben</translation>
     </message>
+    <message>
+        <source>SIMULATED: nothing real was measured</source>
+        <translation>SIMULIERT: Es wurde nichts Wirkliches gemessen</translation>
+    </message>
+    <message>
+        <source>Robot</source>
+        <translation>Roboter</translation>
+    </message>
+    <message>
+        <source>Part</source>
+        <translation>Teil</translation>
+    </message>
+    <message>
+        <source>Operator</source>
+        <translation>Bedient von</translation>
+    </message>
+    <message>
+        <source>Notes</source>
+        <translation>Notizen</translation>
+    </message>
+    <message>
+        <source>±%1 mm and ±%2</source>
+        <translation>±%1 mm und ±%2</translation>
+    </message>
+    <message>
+        <source>With a probability of 95 %, each measured cell is at most %1 mm and %2 from where this report says, along or about any one axis, seen from the origin cell of its patch.</source>
+        <translation>Mit einer Wahrscheinlichkeit von 95 % liegt jede gemessene Zelle entlang oder um jede einzelne Achse höchstens %1 mm und %2 neben dem, was dieser Bericht nennt, von der Ursprungszelle ihres Hautstücks aus gesehen.</translation>
+    </message>
+    <message>
+        <source>A good calibration knows every cell to %1, and this one does.</source>
+        <translation>Eine gute Kalibrierung kennt jede Zelle auf %1 genau, und diese tut es.</translation>
+    </message>
+    <message>
+        <source>A good calibration knows every cell to %1; this one is coarser, and serves where touch need not be located more finely.</source>
+        <translation>Eine gute Kalibrierung kennt jede Zelle auf %1 genau; diese ist gröber und genügt, wo Berührungen nicht feiner verortet werden müssen.</translation>
+    </message>
+    <message>
+        <source>Robot software can use the places of the cells; how exact they are, this calibration does not state.</source>
+        <translation>Robotersoftware kann die Orte der Zellen verwenden; wie genau sie sind, nennt diese Kalibrierung nicht.</translation>
+    </message>
+    <message>
+        <source>The places of the cells are a first guess: what was measured does not determine them yet. They should not be used.</source>
+        <translation>Die Orte der Zellen sind eine erste Schätzung: Was gemessen wurde, bestimmt sie noch nicht. Sie sollten nicht verwendet werden.</translation>
+    </message>
+    <message>
+        <source>Something is broken or missing, as the findings say. The places of the cells should not be used.</source>
+        <translation>Etwas ist defekt oder fehlt, wie die Befunde sagen. Die Orte der Zellen sollten nicht verwendet werden.</translation>
+    </message>
+    <message>
+        <source>Shape and its uncertainty</source>
+        <translation>Form und ihre Unsicherheit</translation>
+    </message>
+    <message>
+        <source>%1 smaller patches are not drawn.</source>
+        <translation>%1 kleinere Hautstücke sind nicht gezeichnet.</translation>
+    </message>
+    <message>
+        <source>Patch %1: cell %2 alone</source>
+        <translation>Hautstück %1: Zelle %2 allein</translation>
+    </message>
+    <message>
+        <source>Patch %1, of cell %2: %3 cells</source>
+        <translation>Hautstück %1, der Zelle %2: %3 Zellen</translation>
+    </message>
+    <message>
+        <source>Thick outline: cell %1, which is known least well (±%2 mm).</source>
+        <translation>Dicker Umriss: Zelle %1, die am ungenauesten bekannt ist (±%2 mm).</translation>
+    </message>
+    <message>
+        <source>Ring: cell %1, the origin of the patch&apos;s frame, whose axes are at the lower right.</source>
+        <translation>Ring: Zelle %1, der Ursprung des Koordinatensystems des Hautstücks, dessen Achsen unten rechts stehen.</translation>
+    </message>
+    <message>
+        <source>Hatched: placed through its links, for it has no readings of its own that could be used.</source>
+        <translation>Schraffiert: über ihre Verbindungen verortet, denn sie hat keine brauchbaren eigenen Messwerte.</translation>
+    </message>
+    <message>
+        <source>White: this calibration states no uncertainties.</source>
+        <translation>Weiß: Diese Kalibrierung nennt keine Unsicherheiten.</translation>
+    </message>
+    <message>
+        <source>Grey: seen from behind.</source>
+        <translation>Grau: von hinten gesehen.</translation>
+    </message>
+    <message>
+        <source>median</source>
+        <translation>Median</translation>
+    </message>
+    <message>
+        <source>good: up to %1 mm</source>
+        <translation>gut: bis %1 mm</translation>
+    </message>
+    <message>
+        <source>uncertainty of the orientation (95 %), °</source>
+        <translation>Unsicherheit der Orientierung (95 %), °</translation>
+    </message>
+    <message>
+        <source>good: up to %1</source>
+        <translation>gut: bis %1</translation>
+    </message>
+    <message>
+        <source>Links</source>
+        <translation>Verbindungen</translation>
+    </message>
+    <message>
+        <source>links</source>
+        <translation>Verbindungen</translation>
+    </message>
+    <message>
+        <source>95 %</source>
+        <translation>95 %</translation>
+    </message>
+    <message>
+        <source>How far the two ends of a link disagree about gravity</source>
+        <translation>Wie weit die beiden Enden einer Verbindung über die Schwerkraft uneins sind</translation>
+    </message>
+    <message>
+        <source>residual, rms over the poses, °</source>
+        <translation>Restfehler, Effektivwert über die Posen, °</translation>
+    </message>
+    <message>
+        <source>How exactly the poses determine a link</source>
+        <translation>Wie genau die Posen eine Verbindung bestimmen</translation>
+    </message>
+    <message>
+        <source>predicted deviation about the worst axis, °</source>
+        <translation>vorhergesagte Abweichung um die schlechteste Achse, °</translation>
+    </message>
+    <message>
+        <source>Picture: %1</source>
+        <translation>Bild: %1</translation>
+    </message>
+    <message>
+        <source>Verification</source>
+        <translation>Überprüfung</translation>
+    </message>
+    <message>
+        <source>A pose that was held out</source>
+        <translation>Eine zurückgehaltene Pose</translation>
+    </message>
+    <message>
+        <source>a pose that was held out</source>
+        <translation>eine zurückgehaltene Pose</translation>
+    </message>
+    <message>
+        <source>Closed loops</source>
+        <translation>Geschlossene Schleifen</translation>
+    </message>
+    <message>
+        <source>closed loops</source>
+        <translation>geschlossene Schleifen</translation>
+    </message>
+    <message>
+        <source>The surface that the cells lie on</source>
+        <translation>Die Fläche, auf der die Zellen liegen</translation>
+    </message>
+    <message>
+        <source>a fitted surface</source>
+        <translation>eine angepasste Fläche</translation>
+    </message>
+    <message>
+        <source>Comparison with %1</source>
+        <translation>Vergleich mit %1</translation>
+    </message>
+    <message>
+        <source>a comparison with an earlier calibration</source>
+        <translation>ein Vergleich mit einer früheren Kalibrierung</translation>
+    </message>
+    <message>
+        <source>Does %1 still hold?</source>
+        <translation>Stimmt %1 noch?</translation>
+    </message>
+    <message>
+        <source>a check of an old calibration</source>
+        <translation>eine Prüfung einer alten Kalibrierung</translation>
+    </message>
+    <message>
+        <source>Not made for this report: %1.</source>
+        <translation>Für diesen Bericht nicht vorgenommen: %1.</translation>
+    </message>
+    <message>
+        <source>surface of the link</source>
+        <translation>Oberfläche des Glieds</translation>
+    </message>
+    <message>
+        <source>%1 points</source>
+        <translation>%1 Punkte</translation>
+    </message>
+    <message>
+        <source>%1 distances</source>
+        <translation>%1 Abstände</translation>
+    </message>
+    <message>
+        <source>only the link is known</source>
+        <translation>nur das Glied ist bekannt</translation>
+    </message>
+    <message>
+        <source>Place on the robot</source>
+        <translation>Ort am Roboter</translation>
+    </message>
+    <message>
+        <source>Robot: %1</source>
+        <translation>Roboter: %1</translation>
+    </message>
+    <message>
+        <source>Where the frame of each patch, that of its origin cell, lies in the frame of its link: position in mm, turn as roll, pitch and yaw as in a URDF; ± at 95 %, along or about the worst axis.</source>
+        <translation>Wo das Koordinatensystem jedes Hautstücks, das seiner Ursprungszelle, in dem seines Glieds liegt: Ort in mm, Drehung als Rollen, Nicken und Gieren wie in einer URDF; ± mit 95 %, entlang oder um die schlechteste Achse.</translation>
+    </message>
+    <message>
+        <source>Patch of cell</source>
+        <translation>Hautstück der Zelle</translation>
+    </message>
+    <message>
+        <source>Roll</source>
+        <translation>Rollen</translation>
+    </message>
+    <message>
+        <source>Pitch</source>
+        <translation>Nicken</translation>
+    </message>
+    <message>
+        <source>Found by</source>
+        <translation>Gefunden durch</translation>
+    </message>
+    <message>
+        <source>The %1 cells that are known least well</source>
+        <translation>Die %1 Zellen, die am ungenauesten bekannt sind</translation>
+    </message>
+    <message>
+        <source>Position of the cell&apos;s centre in the frame of its patch&apos;s origin cell; ± at 95 % along or about the worst axis, relative to the origin, and as a place in the shape as a whole.</source>
+        <translation>Ort der Zellmitte im Koordinatensystem der Ursprungszelle ihres Hautstücks; ± mit 95 % entlang oder um die schlechteste Achse, relativ zum Ursprung und als Ort in der Form als Ganzes.</translation>
+    </message>
+    <message>
+        <source>Shape ± mm</source>
+        <translation>Form ± mm</translation>
+    </message>
+    <message>
+        <source>Shape ± turn</source>
+        <translation>Form ± Drehung</translation>
+    </message>
+    <message>
+        <source>All %1 links are in the calibration file and in the exported tables.</source>
+        <translation>Alle %1 Verbindungen stehen in der Kalibrierungsdatei und in den exportierten Tabellen.</translation>
+    </message>
+    <message>
+        <source>Methods</source>
+        <translation>Verfahren</translation>
+    </message>
+    <message>
+        <source>Gap share, patch of cell %1</source>
+        <translation>Spaltanteil, Hautstück der Zelle %1</translation>
+    </message>
+    <message>
+        <source>%1 ± %2 (1 sigma)</source>
+        <translation>%1 ± %2 (1 Sigma)</translation>
+    </message>
+    <message>
+        <source>How well the places of the cells are known, and the colours of the pictures above</source>
+        <translation>Wie genau die Orte der Zellen bekannt sind, und die Farben der Bilder oben</translation>
+    </message>
+    <message>
+        <source>How well the orientations of the cells are known</source>
+        <translation>Wie genau die Orientierungen der Zellen bekannt sind</translation>
+    </message>
+    <message>
+        <source>%1, %2</source>
+        <translation>%1, %2</translation>
+    </message>
+    <message>
+        <source>patch</source>
+        <translation>Hautstück</translation>
+    </message>
+    <message>
+        <source>Which way was up in each pose, as the largest patch saw it; rings of 30°, 60° and 90°</source>
+        <translation>Wo in jeder Pose oben war, wie das größte Hautstück es sah; Ringe von 30°, 60° und 90°</translation>
+    </message>
+    <message>
+        <source>Residuals of the links in each pose: all, the middle half, the median</source>
+        <translation>Restfehler der Verbindungen in jeder Pose: alle, die mittlere Hälfte, der Median</translation>
+    </message>
+    <message>
+        <source>pose</source>
+        <translation>Pose</translation>
+    </message>
+    <message>
+        <source>residual, °</source>
+        <translation>Restfehler, °</translation>
+    </message>
+    <message>
+        <source>Those with the largest figures; %1 more are in the window.</source>
+        <translation>Die mit den größten Werten; %1 weitere stehen im Fenster.</translation>
+    </message>
+</context>
+<context>
+    <name>hexoderm::ReportPatch</name>
+    <message>
+        <source>%1 mm</source>
+        <translation>%1 mm</translation>
+    </message>
+    <message>
+        <source>uncertainty of the place in the shape (95 %), mm</source>
+        <translation>Unsicherheit des Ortes in der Form (95 %), mm</translation>
+    </message>
+    <message>
+        <source>uncertainty of the position from the origin (95 %), mm</source>
+        <translation>Unsicherheit des Ortes vom Ursprung aus (95 %), mm</translation>
+    </message>
+    <message>
+        <source>Front</source>
+        <translation>Vorn</translation>
+    </message>
+    <message>
+        <source>Right side</source>
+        <translation>Rechte Seite</translation>
+    </message>
+    <message>
+        <source>Back</source>
+        <translation>Hinten</translation>
+    </message>
+    <message>
+        <source>Left side</source>
+        <translation>Linke Seite</translation>
+    </message>
 </context>
 <context>
     <name>hexoderm::ReportPictures</name>
     <message>
-        <source>Patch, front</source>
-        <translation>Hautstück, vorn</translation>
+        <source>Skin graph: the patches laid flat, their links by how well the poses determine them</source>
+        <translation>Hautgraph: die Hautstücke flach ausgelegt, ihre Verbindungen danach, wie gut die Posen sie bestimmen</translation>
+    </message>
+</context>
+<context>
+    <name>hexoderm::ReportPlots</name>
+    <message>
+        <source>up where the origin faces</source>
+        <translation>oben, wohin der Ursprung zeigt</translation>
     </message>
     <message>
-        <source>Patch, side</source>
-        <translation>Hautstück, Seite</translation>
+        <source>up behind it</source>
+        <translation>oben dahinter</translation>
+    </message>
+</context>
+<context>
+    <name>hexoderm::ReportTitleDialog</name>
+    <message>
+        <source>Robot</source>
+        <translation>Roboter</translation>
     </message>
     <message>
-        <source>Patch, top</source>
-        <translation>Hautstück, oben</translation>
+        <source>Part</source>
+        <translation>Teil</translation>
     </message>
     <message>
-        <source>Skin graph</source>
-        <translation>Hautgraph</translation>
+        <source>Operator</source>
+        <translation>Bedient von</translation>
     </message>
     <message>
-        <source>Directions of gravity</source>
-        <translation>Richtungen der Schwerkraft</translation>
+        <source>Title of the report</source>
+        <translation>Titel des Berichts</translation>
+    </message>
+    <message>
+        <source>What is the report about?</source>
+        <translation>Worum geht es in dem Bericht?</translation>
+    </message>
+    <message>
+        <source>Stands at the head of every report on %1, and is remembered for it. Empty fields are left out.</source>
+        <translation>Steht am Kopf jedes Berichts über %1 und wird dafür gemerkt. Leere Felder werden weggelassen.</translation>
+    </message>
+    <message>
+        <source>its name or serial number</source>
+        <translation>sein Name oder seine Seriennummer</translation>
+    </message>
+    <message>
+        <source>the body part that wears the skin</source>
+        <translation>der Körperteil, der die Haut trägt</translation>
+    </message>
+    <message>
+        <source>Notes</source>
+        <translation>Notizen</translation>
+    </message>
+    <message>
+        <source>&amp;Robot</source>
+        <translation>&amp;Roboter</translation>
+    </message>
+    <message>
+        <source>&amp;Part</source>
+        <translation>&amp;Teil</translation>
+    </message>
+    <message>
+        <source>&amp;Operator</source>
+        <translation>&amp;Bedient von</translation>
+    </message>
+    <message>
+        <source>&amp;Notes</source>
+        <translation>&amp;Notizen</translation>
     </message>
 </context>
 <context>
@@ -7997,6 +9530,65 @@ Auf einem entfernten Bildschirm oder mit einem fehlerhaften Treiber kann es helf
     </message>
 </context>
 <context>
+    <name>hexoderm::ScaleLegend</name>
+    <message>
+        <source>1 cell</source>
+        <translation>1 Zelle</translation>
+    </message>
+    <message>
+        <source>%1 cells</source>
+        <translation>%1 Zellen</translation>
+    </message>
+    <message>
+        <source>goal</source>
+        <translation>Ziel</translation>
+    </message>
+    <message>
+        <source>limit</source>
+        <translation>Grenze</translation>
+    </message>
+    <message>
+        <source>all within the goal of %1</source>
+        <translation>alle im Ziel von %1</translation>
+    </message>
+    <message>
+        <source>none within the goal of %1</source>
+        <translation>keine im Ziel von %1</translation>
+    </message>
+    <message>
+        <source>less than %1: %2</source>
+        <translation>weniger als %1: %2</translation>
+    </message>
+    <message>
+        <source>more than %1: %2</source>
+        <translation>mehr als %1: %2</translation>
+    </message>
+    <message>
+        <source>%1 to %2: %3</source>
+        <translation>%1 bis %2: %3</translation>
+    </message>
+    <message>
+        <source>range fixed</source>
+        <translation>Bereich fest</translation>
+    </message>
+    <message>
+        <source>usual range</source>
+        <translation>üblicher Bereich</translation>
+    </message>
+    <message>
+        <source>range fitted to what is shown</source>
+        <translation>Bereich an das Gezeigte angepasst</translation>
+    </message>
+    <message>
+        <source>from %1 to %2, %3</source>
+        <translation>von %1 bis %2, %3</translation>
+    </message>
+    <message>
+        <source>not known: %1</source>
+        <translation>nicht bekannt: %1</translation>
+    </message>
+</context>
+<context>
     <name>hexoderm::SessionFile</name>
     <message>
         <source>%1 is open already.</source>
@@ -8032,6 +9624,21 @@ Auf einem entfernten Bildschirm oder mit einem fehlerhaften Treiber kann es helf
     </message>
 </context>
 <context>
+    <name>hexoderm::Speaker</name>
+    <message>
+        <source>This computer has no engine that speaks, or none that answers.</source>
+        <translation>Dieser Rechner hat keine Sprachausgabe, oder sie antwortet nicht.</translation>
+    </message>
+    <message>
+        <source>This computer&apos;s engine has no voice for %1.</source>
+        <translation>Die Sprachausgabe dieses Rechners hat keine Stimme für %1.</translation>
+    </message>
+    <message>
+        <source>This program was built without speech.</source>
+        <translation>Dieses Programm wurde ohne Sprachausgabe gebaut.</translation>
+    </message>
+</context>
+<context>
     <name>hexoderm::StatusPresenter</name>
     <message>
         <source>No skin</source>
@@ -8060,10 +9667,6 @@ Auf einem entfernten Bildschirm oder mit einem fehlerhaften Treiber kann es helf
     <message>
         <source>%1, read from the file</source>
         <translation>%1, aus der Datei</translation>
-    </message>
-    <message>
-        <source>A direction counts as defined from a singular value of %1 on</source>
-        <translation>Eine Richtung gilt ab einem Singulärwert von %1 als bestimmt</translation>
     </message>
     <message>
         <source>not on disk</source>
@@ -8108,6 +9711,10 @@ Auf einem entfernten Bildschirm oder mit einem fehlerhaften Treiber kann es helf
     <message>
         <source>Cells</source>
         <translation>Zellen</translation>
+    </message>
+    <message>
+        <source>How long the last result took to work out, and by which method: global uses all links and poses at once, tree goes from cell to cell as in the paper</source>
+        <translation>Wie lange die Berechnung des letzten Ergebnisses dauerte, und nach welchem Verfahren: global nimmt alle Verbindungen und Posen auf einmal, tree geht wie im Aufsatz von Zelle zu Zelle</translation>
     </message>
 </context>
 <context>
@@ -8168,10 +9775,6 @@ Auf einem entfernten Bildschirm oder mit einem fehlerhaften Treiber kann es helf
         <translation>%1 aufgenommen</translation>
     </message>
     <message>
-        <source>armed again</source>
-        <translation>wieder bereit</translation>
-    </message>
-    <message>
         <source>starts over</source>
         <translation>beginnt neu</translation>
     </message>
@@ -8194,6 +9797,10 @@ Auf einem entfernten Bildschirm oder mit einem fehlerhaften Treiber kann es helf
     <message>
         <source>%1 · x y z, deviation from its mean, last %2 s, limit %3 mg</source>
         <translation>%1 · x y z, Abweichung vom Mittel, letzte %2 s, Grenze %3 mg</translation>
+    </message>
+    <message>
+        <source>ready again</source>
+        <translation>wieder bereit</translation>
     </message>
 </context>
 <context>
@@ -8256,10 +9863,6 @@ Auf einem entfernten Bildschirm oder mit einem fehlerhaften Treiber kann es helf
         <translation>Abgebrochen.</translation>
     </message>
     <message>
-        <source>The other %1 poses foretell pose %2 to %3 (rms over %4 cells); %5 were expected.</source>
-        <translation>Die anderen %1 Posen sagen Pose %2 auf %3 genau voraus (Effektivwert über %4 Zellen); erwartet waren %5.</translation>
-    </message>
-    <message>
         <source>Worst: cell %1, %2.</source>
         <translation>Am schlechtesten: Zelle %1, %2.</translation>
     </message>
@@ -8278,10 +9881,6 @@ Auf einem entfernten Bildschirm oder mit einem fehlerhaften Treiber kann es helf
     <message>
         <source>Error °</source>
         <translation>Fehler °</translation>
-    </message>
-    <message>
-        <source>Between the gravity the cell read and what the other cells and poses foretell</source>
-        <translation>Zwischen der Schwerkraft, die die Zelle maß, und dem, was die anderen Zellen und Posen voraussagen</translation>
     </message>
     <message>
         <source>Expected</source>
@@ -8420,10 +10019,6 @@ Auf einem entfernten Bildschirm oder mit einem fehlerhaften Treiber kann es helf
         <translation>Das ist mehr als die für Orte angegebenen ±%1 (95 %): Das Teil hat eine andere Form, oder die Orte sind schlechter als angegeben.</translation>
     </message>
     <message>
-        <source>Against the true radius: Δ = %1 (eq. 20), ε = %2 (eq. 21).</source>
-        <translation>Gegen den wahren Radius: Δ = %1 (Gl. 20), ε = %2 (Gl. 21).</translation>
-    </message>
-    <message>
         <source>Distance mm</source>
         <translation>Abstand mm</translation>
     </message>
@@ -8442,10 +10037,6 @@ Auf einem entfernten Bildschirm oder mit einem fehlerhaften Treiber kann es helf
     <message>
         <source>%1 Neither of them states an uncertainty to compare with.</source>
         <translation>%1 Keine der beiden nennt eine Unsicherheit zum Vergleichen.</translation>
-    </message>
-    <message>
-        <source>Of %1 cells, %2 lie and %3 point within what was stated with 95 %.</source>
-        <translation>Von %1 Zellen liegen %2 und zeigen %3 innerhalb dessen, was mit 95 % angegeben war.</translation>
     </message>
     <message>
         <source>Within what was stated for 95 % of cells. %1 %2</source>
@@ -8494,10 +10085,6 @@ Auf einem entfernten Bildschirm oder mit einem fehlerhaften Treiber kann es helf
     <message>
         <source>No two cells lie in one patch both here and in %1: there is nothing to compare.</source>
         <translation>Keine zwei Zellen liegen sowohl hier als auch in %1 in einem Hautstück: Es gibt nichts zu vergleichen.</translation>
-    </message>
-    <message>
-        <source>But it is not this surface: the cells face %1 (rms) away from it. Where they lie and face speaks for another one: %2, with %3.</source>
-        <translation>Aber es ist nicht diese Fläche: Die Zellen sind um %1 (rms) gegen sie geneigt. Ihre Lage und Neigung sprechen für eine andere: %2, mit %3.</translation>
     </message>
     <message>
         <source>Tilt °</source>
@@ -8563,6 +10150,26 @@ Auf einem entfernten Bildschirm oder mit einem fehlerhaften Treiber kann es helf
         <source>A turn by so much, about whatever axis, would be found in these poses with 95 %; no figure: a turn about some axis would not be</source>
         <translation>Eine Drehung um so viel, um welche Achse auch immer, würde in diesen Posen mit 95 % gefunden; keine Zahl: um irgendeine Achse nicht</translation>
     </message>
+    <message>
+        <source>The other %1 poses predict pose %2 to %3 (rms over %4 cells); %5 were expected.</source>
+        <translation>Die anderen %1 Posen sagen Pose %2 auf %3 genau voraus (Effektivwert über %4 Zellen); erwartet waren %5.</translation>
+    </message>
+    <message>
+        <source>Between the gravity the cell read and what the other cells and poses predict</source>
+        <translation>Zwischen der Schwerkraft, die die Zelle maß, und dem, was die anderen Zellen und Posen voraussagen</translation>
+    </message>
+    <message>
+        <source>But it is not this surface: the cells are tilted against it by %1 (rms). Positions and tilts together fit another one better: %2, with %3.</source>
+        <translation>Aber es ist nicht diese Fläche: Die Zellen sind um %1 (Effektivwert) gegen sie geneigt. Lage und Neigung zusammen passen besser zu einer anderen: %2, mit %3.</translation>
+    </message>
+    <message>
+        <source>The radius is off the true one by Δ = %1, and the cells lie ε = %2 (rms) off the true surface.</source>
+        <translation>Der Radius weicht um Δ = %1 vom wahren ab, und die Zellen liegen ε = %2 (Effektivwert) neben der wahren Fläche.</translation>
+    </message>
+    <message>
+        <source>Of %1 cells, %2 have their position and %3 their orientation within what was stated with 95 %.</source>
+        <translation>Von %1 Zellen haben %2 ihre Position und %3 ihre Orientierung innerhalb dessen, was mit 95 % angegeben war.</translation>
+    </message>
 </context>
 <context>
     <name>hexoderm::VerifyPanel</name>
@@ -8571,16 +10178,8 @@ Auf einem entfernten Bildschirm oder mit einem fehlerhaften Treiber kann es helf
         <translation>Zurückgehaltene Pose</translation>
     </message>
     <message>
-        <source>Does it foretell a pose that it has not seen?</source>
-        <translation>Sagt das Ergebnis eine Pose voraus, die es nicht kennt?</translation>
-    </message>
-    <message>
         <source>Loops</source>
         <translation>Schleifen</translation>
-    </message>
-    <message>
-        <source>Do chains of cells that meet again close?</source>
-        <translation>Schließen sich Ketten von Zellen, die sich wieder treffen?</translation>
     </message>
     <message>
         <source>Surface</source>
@@ -8589,14 +10188,6 @@ Auf einem entfernten Bildschirm oder mit einem fehlerhaften Treiber kann es helf
     <message>
         <source>Do the cells lie on the surface they were put on?</source>
         <translation>Liegen die Zellen auf der Fläche, auf die sie aufgebracht sind?</translation>
-    </message>
-    <message>
-        <source>Earlier calibration</source>
-        <translation>Frühere Kalibrierung</translation>
-    </message>
-    <message>
-        <source>Does it repeat?</source>
-        <translation>Kommt wieder dasselbe heraus?</translation>
     </message>
     <message>
         <source>Run</source>
@@ -8659,20 +10250,12 @@ Auf einem entfernten Bildschirm oder mit einem fehlerhaften Treiber kann es helf
         <translation>Eine Kalibrierdatei enthält keine Messwerte: die Sitzung öffnen, aus der sie stammt.</translation>
     </message>
     <message>
-        <source>Solves without this pose and compares what it foretells with what was read</source>
-        <translation>Löst ohne diese Pose und vergleicht die Voraussage mit dem Gemessenen</translation>
-    </message>
-    <message>
         <source>Not run yet.</source>
         <translation>Noch nicht ausgeführt.</translation>
     </message>
     <message>
         <source>Fitted through the centres of the cells</source>
         <translation>Durch die Mitten der Zellen gelegt</translation>
-    </message>
-    <message>
-        <source>Known from a drawing or measured: gives the paper&apos;s Δ and ε</source>
-        <translation>Aus einer Zeichnung oder gemessen: ergibt Δ und ε des Aufsatzes</translation>
     </message>
     <message>
         <source>Only a cylinder and a sphere have one radius to compare with.</source>
@@ -8711,10 +10294,6 @@ Auf einem entfernten Bildschirm oder mit einem fehlerhaften Treiber kann es helf
         <translation>Abstand mit dem Messschieber</translation>
     </message>
     <message>
-        <source>Is it as large as the skin itself?</source>
-        <translation>Ist es so groß wie die Haut selbst?</translation>
-    </message>
-    <message>
         <source>One cell</source>
         <translation>Eine Zelle</translation>
     </message>
@@ -8751,14 +10330,6 @@ Auf einem entfernten Bildschirm oder mit einem fehlerhaften Treiber kann es helf
         <translation>Weit entfernte Zellen, über die Biegung hinweg, sagen am meisten</translation>
     </message>
     <message>
-        <source>Old calibration</source>
-        <translation>Alte Kalibrierung</translation>
-    </message>
-    <message>
-        <source>Does it still hold? Compared with poses of today, cell by cell.</source>
-        <translation>Gilt sie noch? Zelle für Zelle mit Posen von heute verglichen.</translation>
-    </message>
-    <message>
         <source>Cancelled.</source>
         <translation>Abgebrochen.</translation>
     </message>
@@ -8793,6 +10364,42 @@ Auf einem entfernten Bildschirm oder mit einem fehlerhaften Treiber kann es helf
     <message>
         <source>Choose those that were taken since the calibration; disabled ones don&apos;t count</source>
         <translation>Die wählen, die seit der Kalibrierung aufgenommen wurden; nicht benutzte zählen nicht</translation>
+    </message>
+    <message>
+        <source>Leave one pose out: do the others predict what it read?</source>
+        <translation>Eine Pose weglassen: Sagen die anderen voraus, was sie maß?</translation>
+    </message>
+    <message>
+        <source>Do rings of cells close, link by link?</source>
+        <translation>Schließen sich Ringe von Zellen, Verbindung für Verbindung?</translation>
+    </message>
+    <message>
+        <source>Does a distance measured on the skin itself agree?</source>
+        <translation>Stimmt ein Abstand, der an der Haut selbst gemessen wurde?</translation>
+    </message>
+    <message>
+        <source>Does another calibration of the same skin agree?</source>
+        <translation>Stimmt eine andere Kalibrierung derselben Haut damit überein?</translation>
+    </message>
+    <message>
+        <source>Does one of some time ago still hold? Compared with the poses of this session, cell by cell.</source>
+        <translation>Gilt eine von früher noch? Zelle für Zelle mit den Posen dieser Sitzung verglichen.</translation>
+    </message>
+    <message>
+        <source>Solves without this pose and compares what the others predict with what was read</source>
+        <translation>Löst ohne diese Pose und vergleicht, was die anderen voraussagen, mit dem Gemessenen</translation>
+    </message>
+    <message>
+        <source>Known from a drawing or measured: the fit is then compared with it</source>
+        <translation>Aus einer Zeichnung bekannt oder gemessen: Die Ausgleichsfläche wird dann damit verglichen</translation>
+    </message>
+    <message>
+        <source>Compare with another calibration</source>
+        <translation>Mit anderer Kalibrierung vergleichen</translation>
+    </message>
+    <message>
+        <source>Check an old calibration</source>
+        <translation>Alte Kalibrierung prüfen</translation>
     </message>
 </context>
 <context>
@@ -9094,10 +10701,6 @@ Auf einem entfernten Bildschirm oder mit einem fehlerhaften Treiber kann es helf
         <translation>&amp;Hilfe</translation>
     </message>
     <message>
-        <source>Take the next readings as a pose, moved or not</source>
-        <translation>Die nächsten Messwerte als Pose nehmen, bewegt oder nicht</translation>
-    </message>
-    <message>
         <source>The skin does not send: %1</source>
         <translation>Die Haut sendet nicht: %1</translation>
     </message>
@@ -9172,10 +10775,6 @@ Auf einem entfernten Bildschirm oder mit einem fehlerhaften Treiber kann es helf
     <message>
         <source>The next capture takes the place of the picked pose</source>
         <translation>Die nächste Aufnahme tritt an die Stelle der gewählten Pose</translation>
-    </message>
-    <message>
-        <source>Capture &amp;anyway</source>
-        <translation>&amp;Trotzdem aufnehmen</translation>
     </message>
     <message>
         <source>S&amp;kip this pose</source>
@@ -9268,10 +10867,6 @@ Auf einem entfernten Bildschirm oder mit einem fehlerhaften Treiber kann es helf
     <message>
         <source>Set link &amp;aside</source>
         <translation>Verbindung &amp;ausschließen</translation>
-    </message>
-    <message>
-        <source>Keep the picked link out of the solution, as a cable for example</source>
-        <translation>Die gewählte Verbindung aus der Lösung heraushalten, als Kabel zum Beispiel</translation>
     </message>
     <message>
         <source>&amp;Preferences…</source>
@@ -9396,6 +10991,114 @@ Auf einem entfernten Bildschirm oder mit einem fehlerhaften Treiber kann es helf
     <message>
         <source>Start the demo a&amp;rm</source>
         <translation>Demo-A&amp;rm starten</translation>
+    </message>
+    <message>
+        <source>Bac&amp;k view</source>
+        <translation>Ansicht von &amp;hinten</translation>
+    </message>
+    <message>
+        <source>Look at the patch from behind</source>
+        <translation>Das Hautstück von hinten ansehen</translation>
+    </message>
+    <message>
+        <source>&amp;Isometric view</source>
+        <translation>&amp;Isometrische Ansicht</translation>
+    </message>
+    <message>
+        <source>Look at the patch from between its axes</source>
+        <translation>Das Hautstück von zwischen seinen Achsen ansehen</translation>
+    </message>
+    <message>
+        <source>Worst ce&amp;ll</source>
+        <translation>&amp;Unsicherste Zelle</translation>
+    </message>
+    <message>
+        <source>Pick the cell that is known least certainly, and show its figures and its neighbours</source>
+        <translation>Die Zelle auswählen, die am wenigsten sicher bekannt ist, und ihre Werte und Nachbarn zeigen</translation>
+    </message>
+    <message>
+        <source>F&amp;igures of what is picked</source>
+        <translation>&amp;Werte des Ausgewählten</translation>
+    </message>
+    <message>
+        <source>Keep a card with all figures of the picked cell or link over the picture, or close it</source>
+        <translation>Eine Karte mit allen Werten der ausgewählten Zelle oder Verbindung über dem Bild behalten oder schließen</translation>
+    </message>
+    <message>
+        <source>How certain the cells are is not known yet</source>
+        <translation>Wie sicher die Zellen bekannt sind, weiß noch niemand</translation>
+    </message>
+    <message>
+        <source>Keep the picked link out of the solution, if it is a cable for example</source>
+        <translation>Die gewählte Verbindung aus der Lösung heraushalten, wenn sie zum Beispiel ein Kabel ist</translation>
+    </message>
+    <message>
+        <source>Capture &amp;now</source>
+        <translation>&amp;Jetzt aufnehmen</translation>
+    </message>
+    <message>
+        <source>Take the next readings as a pose, whether the part is still or not</source>
+        <translation>Die nächsten Messwerte als Pose nehmen, ob das Teil ruhig ist oder nicht</translation>
+    </message>
+    <message>
+        <source>Stop working out the last change; what is shown stays as it was before</source>
+        <translation>Die Berechnung der letzten Änderung abbrechen; was gezeigt wird, bleibt wie vorher</translation>
+    </message>
+    <message>
+        <source>&amp;Work it out after all</source>
+        <translation>&amp;Doch berechnen</translation>
+    </message>
+    <message>
+        <source>R&amp;eset layout</source>
+        <translation>An&amp;ordnung zurücksetzen</translation>
+    </message>
+    <message>
+        <source>Bring all panels back to where they were at the first start</source>
+        <translation>Alle Bereiche dorthin zurückbringen, wo sie beim ersten Start waren</translation>
+    </message>
+    <message>
+        <source>Nothing is being worked out</source>
+        <translation>Es wird nichts berechnet</translation>
+    </message>
+    <message>
+        <source>Stop working it o&amp;ut</source>
+        <translation>Berechn&amp;ung abbrechen</translation>
+    </message>
+    <message>
+        <source>Work out the result that was stopped before</source>
+        <translation>Das Ergebnis berechnen, dessen Berechnung abgebrochen wurde</translation>
+    </message>
+    <message>
+        <source>Nothing was stopped</source>
+        <translation>Es wurde nichts abgebrochen</translation>
+    </message>
+    <message>
+        <source>Working out the last change was stopped; work it out after all first</source>
+        <translation>Die Berechnung der letzten Änderung wurde abgebrochen; sie zuerst doch berechnen</translation>
+    </message>
+    <message>
+        <source>&amp;Title of reports…</source>
+        <translation>&amp;Titel der Berichte…</translation>
+    </message>
+    <message>
+        <source>Robot, part, operator and notes, as they stand at the head of reports on this session</source>
+        <translation>Roboter, Teil, Bedienung und Notizen, wie sie am Kopf der Berichte über diese Sitzung stehen</translation>
+    </message>
+    <message>
+        <source>P&amp;lot of figures</source>
+        <translation>Dia&amp;gramm der Kennwerte</translation>
+    </message>
+    <message>
+        <source>Any figure of cells or links against any other; what is marked there is marked in all views</source>
+        <translation>Jeder Kennwert der Zellen oder Verbindungen über jedem anderen; was dort markiert wird, ist in allen Ansichten markiert</translation>
+    </message>
+    <message>
+        <source>Before and &amp;after</source>
+        <translation>Vorher und n&amp;achher</translation>
+    </message>
+    <message>
+        <source>The result of now beside an earlier one, seen from the same side, or with arrows between them</source>
+        <translation>Das jetzige Ergebnis neben einem früheren, von derselben Seite gesehen, oder mit Pfeilen dazwischen</translation>
     </message>
 </context>
 <context>
@@ -9555,6 +11258,33 @@ Auf einem entfernten Bildschirm oder mit einem fehlerhaften Treiber kann es helf
     <message>
         <source>Known to ±%1, ±%2 (95 %)</source>
         <translation>Bekannt auf ±%1, ±%2 (95 %)</translation>
+    </message>
+    <message>
+        <source>In the shape known to ±%1, ±%2 (95 %)</source>
+        <translation>In der Form bekannt auf ±%1, ±%2 (95 %)</translation>
+    </message>
+    <message>
+        <source>Worst link: %1, residual %2, predicted deviation %3</source>
+        <translation>Schlechteste Verbindung: %1, Restfehler %2, erwartete Abweichung %3</translation>
+    </message>
+</context>
+<context>
+    <name>hexoderm::WorkNotice</name>
+    <message>
+        <source>Cancel</source>
+        <translation>Abbrechen</translation>
+    </message>
+    <message>
+        <source>Work that takes a while</source>
+        <translation>Arbeit, die etwas dauert</translation>
+    </message>
+    <message>
+        <source>Progress</source>
+        <translation>Fortschritt</translation>
+    </message>
+    <message>
+        <source>Stop this; what is shown stays as it was before</source>
+        <translation>Das abbrechen; was gezeigt wird, bleibt wie vorher</translation>
     </message>
 </context>
 <context>

@@ -13,10 +13,13 @@
 #include <benchmark/benchmark.h>
 #include <vtkCamera.h>
 #include <vtkNew.h>
+#include <vtkRenderStepsPass.h>
 #include <vtkRenderWindow.h>
 #include <vtkRenderer.h>
+#include <vtkSSAOPass.h>
 #include <vtkUnsignedCharArray.h>
 #include <array>
+#include <cmath>
 #include <map>
 
 namespace hexoderm {
@@ -32,7 +35,9 @@ SceneColors plainColors() {
   colors.quality = {{{0.59, 0.20, 0.19}, {0.70, 0.61, 0.17}, {0.37, 0.67, 0.69}, {0.34, 0.29, 0.64}}};
   colors.link_line = colors.quality;
   colors.neutral = {0.5, 0.55, 0.6};
-  colors.scale = {{0.27, 0.0, 0.33}, {0.13, 0.57, 0.55}, {0.99, 0.91, 0.14}};
+  colors.scale.steps = {{0.27, 0.0, 0.33}, {0.13, 0.57, 0.55}, {0.99, 0.91, 0.14}};
+  colors.signed_scale = colors.scale;
+  colors.classes = colors.scale.steps;
   colors.light_mark = {1, 1, 1};
   colors.dark_mark = {0.08, 0.09, 0.11};
   return colors;
@@ -92,6 +97,46 @@ void turn(benchmark::State& state, bool smoothed) {
 void Turning(benchmark::State& state) { turn(state, false); }
 /// At rest edges are smoothed.
 void TurningSmoothed(benchmark::State& state) { turn(state, true); }
+
+/// The same from so near that hundreds of cells have their IDs written on them, at every picture anew.
+void TurningNear(benchmark::State& state) {
+  Stage& stage = Stage::showing(makeSceneContent(skinOf(state.range(0))));
+  vtkCamera* camera = stage.scene.renderer()->GetActiveCamera();
+  // As large as a cell of 1,260 cells is when three times as near.
+  camera->Zoom(3 * std::sqrt(static_cast<double>(state.range(0)) / 1260));
+  stage.draw();
+  double labels = 0;
+  for ([[maybe_unused]] auto _ : state) {
+    camera->Azimuth(1);
+    stage.draw();
+    labels += static_cast<double>(stage.scene.labelledCells().size());
+  }
+  camera->SetViewAngle(30);
+  state.counters["frames/s"] = benchmark::Counter(static_cast<double>(state.iterations()), benchmark::Counter::kIsRate);
+  state.counters["IDs"] = labels / static_cast<double>(state.iterations());
+}
+
+/// With VTK's occlusion in the picture, which the window does not draw: this tells why.
+void TurningOccluded(benchmark::State& state) {
+  const auto content = makeSceneContent(skinOf(state.range(0)));
+  Stage& stage = Stage::showing(content);
+  vtkNew<vtkRenderStepsPass> steps;
+  vtkNew<vtkSSAOPass> occlusion;
+  occlusion->SetRadius(0.1 * content->extent_m);
+  occlusion->SetBias(0.001 * content->extent_m);
+  occlusion->SetKernelSize(32);
+  occlusion->BlurOn();
+  occlusion->SetDelegatePass(steps);
+  stage.scene.renderer()->SetPass(occlusion);
+  stage.draw();
+  for ([[maybe_unused]] auto _ : state) {
+    stage.scene.renderer()->GetActiveCamera()->Azimuth(3);
+    stage.draw();
+  }
+  stage.scene.renderer()->SetPass(nullptr);
+  occlusion->ReleaseGraphicsResources(stage.window);
+  state.counters["frames/s"] = benchmark::Counter(static_cast<double>(state.iterations()), benchmark::Counter::kIsRate);
+}
 
 /// A new result of the same skin, on the GUI's thread: what was prepared elsewhere is taken over and drawn.
 void NewResultTakenOverAndDrawn(benchmark::State& state) {
@@ -176,6 +221,8 @@ void sizes(benchmark::internal::Benchmark* each) {
 
 BENCHMARK(Turning)->Apply(sizes);
 BENCHMARK(TurningSmoothed)->Apply(sizes);
+BENCHMARK(TurningNear)->Apply(sizes);
+BENCHMARK(TurningOccluded)->Apply(sizes);
 BENCHMARK(PictureSmoothed)->Apply(sizes);
 BENCHMARK(NewResultPrepared)->Apply(sizes);
 BENCHMARK(NewResultTakenOver)->Apply(sizes);

@@ -1,5 +1,5 @@
 // Pictures of the real window in every step and of its dialogs, see packaging/screenshots.sh. Fails if a text is cut
-// off.
+// off or lies over another, or if the window is larger than it should be.
 
 #include "app/window/main_window/main_window.h"
 #include "app/window/settings/preferences.h"
@@ -31,6 +31,9 @@ int main(int argc, char** argv) {
   QSettings::setDefaultFormat(QSettings::IniFormat);
   QSettings::setPath(QSettings::IniFormat, QSettings::UserScope, settings.path());
   installStyle();
+#if QT_VERSION < QT_VERSION_CHECK(6, 0, 0)
+  QCoreApplication::setAttribute(Qt::AA_UseHighDpiPixmaps);
+#endif
   QCoreApplication::setOrganizationName(QStringLiteral("Hexoderm"));
   QCoreApplication::setApplicationName(QStringLiteral("hexoderm"));
   QApplication app(argc, argv);
@@ -48,7 +51,9 @@ int main(int argc, char** argv) {
                                     QStringLiteral("en"));
   const QCommandLineOption theme(QStringLiteral("theme"), QStringLiteral("light or dark."), QStringLiteral("THEME"),
                                  QStringLiteral("light"));
-  parser.addOptions({size, width, language, theme});
+  const QCommandLineOption text(QStringLiteral("text"), QStringLiteral("Size of the text in per cent."),
+                                QStringLiteral("PERCENT"), QStringLiteral("100"));
+  parser.addOptions({size, width, language, theme, text});
   parser.process(app);
 
   if (parser.positionalArguments().size() != 1)
@@ -61,15 +66,21 @@ int main(int argc, char** argv) {
   if (!is_number || largest_width_px < 0) return complain(QStringLiteral("--width takes a number of pixels."), kUsage);
   const std::optional<ThemeChoice> choice = themeChoiceFromName(parser.value(theme));
   if (!choice) return complain(QStringLiteral("--theme takes light or dark."), kUsage);
+  const int text_percent = parser.value(text).toInt(&is_number);
+  if (!is_number || text_percent < 50 || text_percent > 300)
+    return complain(QStringLiteral("--text takes a size from 50 to 300 per cent."), kUsage);
   if (!isLanguageChoice(parser.value(language))) return complain(QStringLiteral("--language takes en or de."), kUsage);
 
   const QString texts_language = installTranslations(app, parser.value(language));
-  applyTextFactor(1);
+  applyTextFactor(text_percent / 100.0);
   MainWindow window;
   window.setThemeChoice(*choice, false);
-  const QString prefix = texts_language + QLatin1Char('-') +
-                         (window.theme() == Theme::Dark ? QStringLiteral("dark-") : QStringLiteral("light-")) +
-                         parser.value(size);
+  const QString prefix =
+      texts_language + QLatin1Char('-') +
+      (window.theme() == Theme::Dark ? QStringLiteral("dark-") : QStringLiteral("light-")) + parser.value(size) +
+      (text_percent == 100 ? QString() : QStringLiteral("-text%1").arg(text_percent)) +
+      (window.devicePixelRatioF() == 1 ? QString()
+                                       : QStringLiteral("-scale%1").arg(qRound(100 * window.devicePixelRatioF())));
   const QStringList problems =
       ScreenshotTour(window, QDir(parser.positionalArguments().front()), prefix, largest_width_px).run(window_size);
   for (const QString& problem : problems) complain(problem, 0);

@@ -3,6 +3,7 @@
 #include "app/window/guide/guide.h"
 #include "app/window/main_window/main_window.h"
 #include "tests/screenshots/text_fit.h"
+#include "widgets/controls/message_bar.h"
 #include "widgets/patch/patch_view.h"
 
 #include <QAbstractButton>
@@ -10,6 +11,7 @@
 #include <QDialog>
 #include <QElapsedTimer>
 #include <QImage>
+#include <QTabBar>
 #include <functional>
 #include <utility>
 
@@ -75,6 +77,19 @@ void ScreenshotTour::stop(QWidget& shown, const QString& name) {
   for (const CutText& cut : findCutTexts(shown)) {
     problems_ << QStringLiteral("%1: \"%2\" %3 (%4)").arg(file, cut.text, cut.how, cut.where);
   }
+  for (const QString& overlap : findOverlaps(shown)) problems_ << QStringLiteral("%1: %2").arg(file, overlap);
+  if (&shown != &window_) return;
+  for (const QString& area : findSidewaysScrolling(shown)) {
+    problems_ << QStringLiteral("%1: %2 scrolls sideways").arg(file, area);
+  }
+  if (window_.size() != size_) {
+    problems_ << QStringLiteral("%1: the window is %2x%3 instead of %4x%5")
+                     .arg(file)
+                     .arg(window_.width())
+                     .arg(window_.height())
+                     .arg(size_.width())
+                     .arg(size_.height());
+  }
 }
 
 QAbstractButton* ScreenshotTour::stepHead(int number) const {
@@ -91,6 +106,37 @@ void ScreenshotTour::visitSteps(const QString& stage) {
   }
 }
 
+void ScreenshotTour::visitTables() {
+  stepHead(static_cast<int>(GuideStep::Review) + 1)->click();
+  auto* tabs = window_.findChild<QTabBar*>(QStringLiteral("detailTabs"));
+  for (int page = 0; page < tabs->count(); ++page) {
+    tabs->setCurrentIndex(page);
+    stop(window_, QStringLiteral("table%1").arg(page + 1));
+  }
+  tabs->setCurrentIndex(0);
+}
+
+void ScreenshotTour::visitLiveMode() {
+  LiveMode& live = window_.controller().liveMode();
+  bool has_solved = false;
+  const auto connection =
+      QObject::connect(&live, &LiveMode::momentSolved, &window_, [&has_solved] { has_solved = true; });
+  live.setOn(true);
+  if (!waitUntil([&] { return has_solved; })) problems_ << QStringLiteral("live mode shows nothing");
+  QObject::disconnect(connection);
+  stop(window_, QStringLiteral("live"));
+  live.setOn(false);
+}
+
+void ScreenshotTour::visitNotice() {
+  auto* notice = window_.findChild<MessageBar*>();
+  // As long as those about files are.
+  notice->showMessage(Tone::Caution, window_.controller().file().name() + QStringLiteral(" · /home/operator/robots/") +
+                                         QStringLiteral("a-rather-long-folder-name/").repeated(6));
+  stop(window_, QStringLiteral("notice"));
+  notice->hide();
+}
+
 void ScreenshotTour::visitDialogs() {
   bool has_shown_files = false;
   for (const QAction* known : window_.findChildren<QAction*>()) {
@@ -98,7 +144,8 @@ void ScreenshotTour::visitDialogs() {
     auto* action = const_cast<QAction*>(known);
     const QString name = action->objectName();
     const bool opens_dialog = action->text().endsWith(QChar(0x2026)) || name == QStringLiteral("actionKeys") ||
-                              name == QStringLiteral("actionAbout") || name == QStringLiteral("actionGuide");
+                              name == QStringLiteral("actionAbout") || name == QStringLiteral("actionGuide") ||
+                              name == QStringLiteral("actionCompare");
     const bool opens_a_field = name == QStringLiteral("actionFindCell");  // in the graph
     if (!opens_dialog || opens_a_field || name.isEmpty() || !action->isEnabled()) continue;
     action->trigger();
@@ -120,8 +167,10 @@ void ScreenshotTour::visitDialogs() {
 
 QStringList ScreenshotTour::run(QSize size) {
   if (!folder_.mkpath(QStringLiteral("."))) return {QStringLiteral("there is no folder %1").arg(folder_.path())};
+  size_ = size;
   window_.showNormal();
   window_.resize(size);
+  window_.findChild<QAction*>(QStringLiteral("actionResetLayout"))->trigger();
   // A picture shows the next pose as the part should be held, not on the way there.
   for (PatchView* view : window_.findChildren<PatchView*>()) view->setAnimated(false);
   settle();
@@ -150,6 +199,12 @@ QStringList ScreenshotTour::run(QSize size) {
                      .arg(window_.width())
                      .arg(window_.height());
   }
+  window_.actions().plot->trigger();
+  stop(window_, QStringLiteral("plot"));
+  window_.actions().plot->trigger();
+  visitTables();
+  visitLiveMode();
+  visitNotice();
   visitDialogs();
   return problems_;
 }

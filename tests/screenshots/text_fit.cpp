@@ -1,13 +1,23 @@
 #include "tests/screenshots/text_fit.h"
 
+#include "widgets/controls/action_button.h"
+#include "widgets/controls/elided_label.h"
+#include "widgets/controls/notice_stack.h"
+#include "widgets/controls/view_mark.h"
+
 #include <QAbstractButton>
+#include <QAbstractItemView>
 #include <QAbstractScrollArea>
+#include <QAbstractSpinBox>
 #include <QAction>
 #include <QComboBox>
 #include <QGroupBox>
 #include <QHeaderView>
 #include <QLabel>
+#include <QLineEdit>
 #include <QMenuBar>
+#include <QScrollArea>
+#include <QScrollBar>
 #include <QStringList>
 #include <QStyle>
 #include <QStyleOptionComboBox>
@@ -26,6 +36,9 @@ class Finder {
 
   void look(const QWidget& widget) {
     if (!widget.isVisible() || widget.size().isEmpty()) return;
+    // Of a panel behind another one's tab Qt sees nothing either, and a bar of tabs that it keeps in store lies
+    // beneath.
+    if (widget.inherits("QDockWidget") && widget.visibleRegion().isEmpty()) return;
     if (const auto* label = qobject_cast<const QLabel*>(&widget)) lookAt(*label);
     if (const auto* button = qobject_cast<const QAbstractButton*>(&widget)) lookAt(*button);
     if (const auto* tabs = qobject_cast<const QTabBar*>(&widget)) lookAt(*tabs);
@@ -80,6 +93,10 @@ class Finder {
 
   void lookAt(const QLabel& label) {
     if (label.text().isEmpty()) return;
+    if (label.property(ElidedLabel::kElides).toBool()) {
+      lookForTheEdge(label, label.text());
+      return;
+    }
     if (label.wordWrap()) {
       need(label, label.text(), label.heightForWidth(label.width()), label.height(), "height");
       need(label, label.text(), label.minimumSizeHint().width(), label.width());
@@ -92,6 +109,13 @@ class Finder {
 
   void lookAt(const QAbstractButton& button) {
     if (button.text().isEmpty()) return;
+    if (const auto* action = qobject_cast<const ActionButton*>(&button)) {
+      // It breaks its text into lines.
+      need(button, button.text(), action->sizeHint().width(), button.width());
+      need(button, button.text(), action->sizeHint().height(), button.height(), "height");
+      lookForTheEdge(button, button.text());
+      return;
+    }
     // The hint has room to spare at the sides; what counts is the text and the style's own margins.
     const int text_px = button.fontMetrics().size(Qt::TextShowMnemonic, button.text()).width();
     const int icon_px = button.icon().isNull() ? 0 : button.iconSize().width();
@@ -101,11 +125,13 @@ class Finder {
   }
 
   void lookAt(const QTabBar& tabs) {
+    if (tabs.visibleRegion().isEmpty()) return;
     for (int k = 0; k < tabs.count(); ++k) {
       if (!tabs.isTabVisible(k)) continue;
       const QString text = tabs.tabText(k);
       need(tabs, text, tabs.fontMetrics().size(Qt::TextShowMnemonic, text).width(), tabs.tabRect(k).width());
-      need(tabs, text, tabs.tabRect(k).right() + 1, tabs.width());
+      // Tabs beyond the edge are reached by the arrows beside them.
+      if (!tabs.usesScrollButtons()) need(tabs, text, tabs.tabRect(k).right() + 1, tabs.width());
     }
   }
 
@@ -130,6 +156,7 @@ class Finder {
   }
 
   void lookAt(const QComboBox& combo) {
+    if (combo.window()->inherits("QFileDialog")) return;  // Qt's own
     QStyleOptionComboBox option;
     option.initFrom(&combo);
     option.editable = combo.isEditable();
@@ -142,6 +169,66 @@ class Finder {
 };
 
 }  // namespace
+
+namespace {
+
+struct ShownText {
+  const QWidget* widget;
+  QString text;
+  QRect place;  ///< in the root, as far as it is seen
+};
+
+QString textOf(const QWidget& widget) {
+  if (const auto* label = qobject_cast<const QLabel*>(&widget)) return label->text();
+  if (const auto* button = qobject_cast<const QAbstractButton*>(&widget)) return button->text();
+  if (const auto* combo = qobject_cast<const QComboBox*>(&widget)) return combo->currentText();
+  if (const auto* spin = qobject_cast<const QAbstractSpinBox*>(&widget)) return spin->text();
+  if (const auto* line = qobject_cast<const QLineEdit*>(&widget)) return line->text();
+  return {};
+}
+
+/// `seen`: what the widgets around it leave of it, in the root.
+void collectTexts(const QWidget& widget, const QPoint& at, const QRect& seen, std::vector<ShownText>& texts) {
+  if (!widget.isVisible() || qobject_cast<const NoticeStack*>(&widget) || qobject_cast<const ViewMark*>(&widget))
+    return;
+  const QRect place = QRect(at, widget.size()) & seen;
+  if (place.isEmpty()) return;
+  const QString text = textOf(widget);
+  if (!text.isEmpty()) {
+    texts.push_back({&widget, text, place});
+    return;
+  }
+  for (const QObject* child : widget.children()) {
+    const auto* part = qobject_cast<const QWidget*>(child);
+    if (part != nullptr && !part->isWindow()) collectTexts(*part, at + part->pos(), place, texts);
+  }
+}
+
+}  // namespace
+
+QStringList findOverlaps(const QWidget& root) {
+  std::vector<ShownText> texts;
+  collectTexts(root, QPoint(0, 0), root.rect(), texts);
+  constexpr int kSlackEach_px = 2;  // frames may touch
+  QStringList found;
+  for (std::size_t a = 0; a < texts.size(); ++a) {
+    for (std::size_t b = a + 1; b < texts.size(); ++b) {
+      const QRect both = texts[a].place & texts[b].place;
+      if (both.width() > kSlackEach_px && both.height() > kSlackEach_px) {
+        found << QStringLiteral("\"%1\" lies over \"%2\"").arg(texts[b].text, texts[a].text);
+      }
+    }
+  }
+  return found;
+}
+
+QStringList findSidewaysScrolling(const QWidget& root) {
+  QStringList found;
+  for (const auto* area : root.findChildren<QScrollArea*>()) {
+    if (area->isVisible() && area->horizontalScrollBar()->isVisible()) found << area->objectName();
+  }
+  return found;
+}
 
 std::vector<CutText> findCutTexts(const QWidget& root) {
   Finder finder;

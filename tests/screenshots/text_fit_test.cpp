@@ -105,6 +105,39 @@ TEST(TextFit, BelievesAPartThatDrawsItself) {
   EXPECT_EQ(findCutTexts(window).size(), 1U);
 }
 
+TEST(TextFit, FindsTextsThatLieOverEachOtherAndNoOthers) {
+  QWidget window;
+  window.resize(400, 200);
+  auto* one = new QLabel(kText, &window);
+  auto* other = new QPushButton(QStringLiteral("Another"), &window);
+  one->setGeometry(10, 10, 200, 30);
+  other->setGeometry(10, 60, 200, 30);
+  window.show();
+  ASSERT_TRUE(test::waitUntilExposed(window));
+  EXPECT_EQ(findOverlaps(window), QStringList());
+  other->move(100, 30);
+  EXPECT_EQ(findOverlaps(window).size(), 1);
+  other->hide();
+  EXPECT_EQ(findOverlaps(window), QStringList());
+}
+
+TEST(TextFit, FindsWhatScrollsSideways) {
+  QWidget window;
+  window.resize(500, 300);
+  auto* area = new QScrollArea(&window);
+  area->setObjectName(QStringLiteral("area"));
+  area->resize(400, 200);
+  auto* inner = new QWidget;
+  inner->resize(200, 100);
+  area->setWidget(inner);
+  window.show();
+  ASSERT_TRUE(test::waitUntilExposed(window));
+  EXPECT_EQ(findSidewaysScrolling(window), QStringList());
+  inner->resize(900, 100);
+  test::letTurnsPass();
+  EXPECT_EQ(findSidewaysScrolling(window), QStringList({QStringLiteral("area")}));
+}
+
 /// The real window, in both languages, at the smallest size that it must be usable in.
 class NothingIsCutOff : public WindowTest, public testing::WithParamInterface<const char*> {
  protected:

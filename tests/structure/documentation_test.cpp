@@ -5,6 +5,7 @@
 #include "hexoderm/io/session_json.h"
 #include "hexoderm/util/file.h"
 #include "hexoderm/util/finding.h"
+#include "hexoderm/util/finding_advice.h"
 #include "hexoderm/util/text.h"
 #include "tests/support/hand_made_skins.h"
 
@@ -52,6 +53,20 @@ TEST(Documentation, FindingsTableSaysWhatTheCodeSays) {
         {"`" + std::string(entry.name) + "`", std::string(severityName(entry.severity)), entry.meaning.english()});
   }
   EXPECT_THAT(tableAfter(readFile(readme), "## Findings"), testing::ElementsAreArray(expected));
+}
+
+TEST(Documentation, TheTableOfAdviceSaysWhatTheCodeSays) {
+  const std::filesystem::path readme = std::filesystem::path(HEXODERM_SOURCE_DIR) / "core/hexoderm/util/README.md";
+  std::vector<std::vector<std::string>> expected;
+  for (const FindingAdvice& advice : findingAdvice()) {
+    std::string buttons;
+    for (const FindingRemedy remedy : advice.remedies) {
+      buttons += (buttons.empty() ? "" : "; ") + std::string(remedyInWords(remedy));
+    }
+    expected.push_back({"`" + std::string(codeName(advice.code)) + "`", advice.why.english(),
+                        advice.what_to_do.english(), buttons.empty() ? "-" : buttons});
+  }
+  EXPECT_THAT(tableAfter(readFile(readme), "## Advice on findings"), testing::ElementsAreArray(expected));
 }
 
 TEST(Documentation, OffencesTableHasEveryKindInTheOrderOfTheCode) {

@@ -23,10 +23,10 @@ HALLS = {
     "core/hexoderm/device": "{sample_frame, ground_truth, offence} < skin_source < diagnosis < {skinwire, simulation}"
                             " < {emulation, sources}",
     "core/hexoderm/reconstruction": "result < {links, sparse, accelerometer} < {joint, faults, advice} < {patch, evaluation, check}"
-                                    " < figures < solved_skin < reconstructor < {hold_out, reconstruction_worker,"
+                                    " < figures < solve_progress < solved_skin < reconstructor < {hold_out, reconstruction_worker,"
                                     " sensor_statistics}",
     "core/hexoderm/robot": "parts < links < place",
-    "widgets": "style < words < {controls, coloring} < {tables, capture, graph, scene} < {verify, patch} < robot",
+    "widgets": "style < words < {controls, coloring} < {tables, capture, graph, plot, scene} < {verify, patch} < robot",
     "app": "{cli, emulator, window}",
     "app/window": "{files, toolkit} < {settings, report} < session < {guide, dialogs, log} < presenters < main_window"
                   " < main",

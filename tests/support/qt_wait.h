@@ -2,7 +2,9 @@
 
 #include "tests/support/patience.h"
 
+#include <QApplication>
 #include <QEventLoop>
+#include <QMouseEvent>
 #include <QTest>
 #include <QTimer>
 #include <QWidget>
@@ -31,6 +33,14 @@ inline void letTurnsPass() {
     QTimer::singleShot(kTurn_ms, Qt::PreciseTimer, &loop, &QEventLoop::quit);
     loop.exec();
   }
+}
+
+/// The mouse moves there with this button down. QTest::mouseMove() moves the display's own pointer instead, of which
+/// the display tells when it finds the time: perhaps after the button has been released.
+inline void dragMouseTo(QWidget* widget, const QPoint& to, Qt::MouseButton button = Qt::LeftButton,
+                        Qt::KeyboardModifiers keys = {}) {
+  QMouseEvent move(QEvent::MouseMove, to, widget->mapToGlobal(to), Qt::NoButton, button, keys);
+  QApplication::sendEvent(widget, &move);
 }
 
 }  // namespace hexoderm::test

@@ -24,6 +24,7 @@ namespace {
 
 constexpr int kCapturedShown_ms = 2500;
 constexpr double kOnTheWay = 20 * kDegree;
+constexpr double kTremor_rad = 0.5 * kDegree;
 // Multiples of the usual font: the sentence is read from three metres, and is larger where there is room.
 constexpr double kSmallestSentence = 1.6;
 constexpr double kLargestSentence = 3.0;
@@ -137,7 +138,12 @@ void CapturePanel::setSource(const std::optional<SourceStatus>& status) {
 }
 
 void CapturePanel::setHold(const HoldStatus& hold) {
+  // A figure that trembles with the hand can't be read, and would lay the panel out anew with every reading.
+  const double moved_rad = hold_.stillness.moved_rad;
+  const bool stays = hold.stillness.blocker == Blocker::NotMoved && hold_.stillness.blocker == Blocker::NotMoved &&
+                     std::abs(hold.stillness.moved_rad - moved_rad) < kTremor_rad;
   hold_ = hold;
+  if (stays) hold_.stillness.moved_rad = moved_rad;
   // A motion ends the moment of the capture.
   if (hold.stillness.armed && hold.progress > 0 && hold.phase == HoldPhase::Watching) {
     writing_.reset();
@@ -180,7 +186,23 @@ void CapturePanel::setTheme(Theme theme) {
   remark_->setPalette(colors);
 }
 
+QString CapturePanel::instruction() const {
+  if (!source_ || source_->state != SourceState::Streaming) return {};
+  if (captured_) return tr("Pose %1 captured.").arg(captured_->value());
+  if (!next_) return {};
+  const bool is_there = next_->isWanted() && next_->turn && next_->turn->angle_rad < kThere_rad;
+  return is_there ? turnInWords(*next_) : nextPoseInWords(*next_);
+}
+
+void CapturePanel::tellInstruction() {
+  const QString now = instruction();
+  if (now == instruction_) return;
+  instruction_ = now;
+  emit instructionChanged(now);
+}
+
 void CapturePanel::refresh() {
+  tellInstruction();
   ring_->setVisible(source_.has_value());
   if (!source_) {
     showIfAny(wait_, tr("No skin is connected, so no pose can be taken."));
@@ -214,6 +236,7 @@ void CapturePanel::refresh() {
 }
 
 void CapturePanel::refreshAdvice() {
+  tellInstruction();
   if (!source_) {
     showIfAny(what_, tr("No skin is connected."));
     showIfAny(turn_, {});

@@ -49,6 +49,12 @@ class CapturePanel : public QWidget {
   void showCaptured(PoseId pose, const QString& remark = {});
   void setTheme(Theme theme);
 
+  /// What the operator is to do or should know now, in one sentence for the ear; empty without a skin that sends.
+  [[nodiscard]] QString instruction() const;
+
+ signals:
+  void instructionChanged(const QString& instruction);
+
  protected:
   void resizeEvent(QResizeEvent* event) override;
   void changeEvent(QEvent* event) override;
@@ -56,6 +62,7 @@ class CapturePanel : public QWidget {
  private:
   void refresh();
   void refreshAdvice();
+  void tellInstruction();
   void fitText();
   QWidget* makeSwitch(QAction* automatic);
   QWidget* makeButton(QAction* action, const char* object_name);
@@ -76,6 +83,7 @@ class CapturePanel : public QWidget {
   std::optional<NextPose> next_;
   std::optional<PoseId> writing_;
   std::optional<PoseId> captured_;
+  QString instruction_;  ///< as instructionChanged() last said
 };
 
 }  // namespace hexoderm

@@ -136,6 +136,12 @@ QString missingInWords(const PoseCoverage& coverage, const std::optional<Eigen::
                : CaptureWords::tr("A third direction is missing (value %1, needs %2); the next pose is one.");
     return still_missing.arg(figureInWords(missing.value, 2), figureInWords(coverage.threshold, 2));
   }
+  if (next_up_o) {
+    // Another pose is asked for at the moment, for a better reason: there are no two instructions at a time.
+    const QString not_seen = second ? CaptureWords::tr("A second direction is not seen yet: its value is %1, of %2.")
+                                    : CaptureWords::tr("A third direction is not seen yet: its value is %1, of %2.");
+    return not_seen.arg(figureInWords(missing.value, 2), figureInWords(coverage.threshold, 2));
+  }
   QString sentence;
   if (missing.facing.facing == Facing::Wall) {
     sentence =
@@ -149,6 +155,11 @@ QString missingInWords(const PoseCoverage& coverage, const std::optional<Eigen::
                          "No pose yet with cell %1 facing the ceiling or the floor: the third value is %2, needs %3.");
   }
   return sentence.arg(name(missing.facing.cell), figureInWords(missing.value, 2), figureInWords(coverage.threshold, 2));
+}
+
+QString longMissingInWords() {
+  return CaptureWords::tr("No pose yet with cell %1 facing the ceiling or the floor: the second value is %2, needs %3.")
+      .arg(name(CellId(100)), figureInWords(0, 2), figureInWords(0.5, 2));
 }
 
 QString poseCountInWords(const PoseCoverage& coverage) {
@@ -166,7 +177,7 @@ QString coverageInWords(const PoseCoverage& coverage, const std::optional<Eigen:
     const QString said = text.arg(seen.pose.value());
     parts.push_back(seen.enabled ? said : CaptureWords::tr("%1, disabled").arg(said));
   }
-  parts.push_back(CaptureWords::tr("values %1, %2 and %3, limit %4: %5")
+  parts.push_back(CaptureWords::tr("values %1, %2 and %3, of which %4 is enough: %5")
                       .arg(figureInWords(coverage.singular_values.x(), 2),
                            figureInWords(coverage.singular_values.y(), 2),
                            figureInWords(coverage.singular_values.z(), 2), figureInWords(coverage.threshold, 2),

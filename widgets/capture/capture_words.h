@@ -27,6 +27,8 @@ QString sigmaInWords(const NextPose& next);
 /// `next_up_o`: of the next pose, where that is shown: if it is such a direction, naming another cell that would do as
 /// well only confuses.
 QString missingInWords(const PoseCoverage& coverage, const std::optional<Eigen::Vector3d>& next_up_o = std::nullopt);
+/// As long as what that says usually is at most: for whoever keeps room for it.
+QString longMissingInWords();
 /// All of it, for a screen reader. `next_up_o`: as for missingInWords().
 QString coverageInWords(const PoseCoverage& coverage, const std::optional<Eigen::Vector3d>& next_up_o = std::nullopt);
 /// "2 poses", "2 poses, 1 disabled".

@@ -1,5 +1,6 @@
 #include "widgets/capture/coverage_view.h"
 
+#include "hexoderm/capture/calm_up.h"
 #include "hexoderm/util/units.h"
 #include "widgets/capture/capture_words.h"
 #include "widgets/words/words.h"
@@ -39,6 +40,7 @@ struct CoverageView::Parts {
 
   CoverageView* view;
   PoseCoverage coverage;
+  CalmUp calm_up;
   std::optional<Eigen::Vector3d> current;
   std::optional<Eigen::Vector3d> next;
   std::optional<PoseId> picked;
@@ -72,7 +74,11 @@ struct CoverageView::Parts {
   [[nodiscard]] double apartForLegend() const;
   [[nodiscard]] QString words() const;
   [[nodiscard]] double wordsHeight(int width) const;
+  [[nodiscard]] double heightOf(const QString& text, int width) const;
   [[nodiscard]] double belowDiscs(int width) const;
+  /// With the longest of the usual sentences, whatever is said just now: the panels around this one stay where they
+  /// are.
+  [[nodiscard]] double mostBelowDiscs(int width) const;
   [[nodiscard]] Layout layout() const;
   [[nodiscard]] QPointF place(const Layout& layout, const Eigen::Vector3d& up_o) const;
   [[nodiscard]] const SeenDirection* at(const QPointF& point) const;
@@ -109,15 +115,21 @@ double CoverageView::Parts::apartForLegend() const {
   return legendWidth() + widest + 1.2 * line();
 }
 
-double CoverageView::Parts::wordsHeight(int width) const {
-  const QRect bounds =
-      view->fontMetrics().boundingRect(QRect(0, 0, std::max(1, width - 2 * kMargin), 10000), Qt::TextWordWrap, words());
-  return words().isEmpty() ? 0 : bounds.height() + 4;
+double CoverageView::Parts::wordsHeight(int width) const { return words().isEmpty() ? 0 : heightOf(words(), width); }
+
+double CoverageView::Parts::heightOf(const QString& text, int width) const {
+  const QRect room(0, 0, std::max(1, width - 2 * kMargin), 10000);
+  return view->fontMetrics().boundingRect(room, Qt::TextWordWrap, text).height() + 4;
 }
 
 double CoverageView::Parts::belowDiscs(int width) const {
   const double legend = apartForLegend() <= width / 2.0 ? 0 : 1.1 * line();
   return 3 + legend + 1.3 * line() + 3 * gaugeStep() + (isEmpty() ? 0 : 1.3 * line()) + wordsHeight(width);
+}
+
+double CoverageView::Parts::mostBelowDiscs(int width) const {
+  const double longer = heightOf(longMissingInWords(), width) - wordsHeight(width);
+  return belowDiscs(width) + (isEmpty() ? 1.3 * line() : 0) + std::max(0.0, longer);
 }
 
 CoverageView::Parts::Layout CoverageView::Parts::layout() const {
@@ -169,7 +181,7 @@ void CoverageView::Parts::changed() {
 
 void CoverageView::Parts::sayAnew() {
   view->setAccessibleDescription(coverageInWords(coverage, next));
-  const double height = belowDiscs(view->width());
+  const double height = mostBelowDiscs(view->width());
   if (std::exchange(said_height, height) != height) view->updateGeometry();
   changed();
 }
@@ -275,11 +287,14 @@ void CoverageView::Parts::paintLegend(QPainter& painter, const Layout& layout) c
 
 void CoverageView::Parts::paintGauges(QPainter& painter, const Layout& layout) const {
   const QFontMetrics metrics = view->fontMetrics();
-  const std::array<QString, 3> names = {QStringLiteral("σ₁"), QStringLiteral("σ₂"), QStringLiteral("σ₃")};
-  const double left = kMargin + metrics.horizontalAdvance(names[0]) + 10;
+  const std::array<QString, 3> names = {CoverageView::tr("1st"), CoverageView::tr("2nd"), CoverageView::tr("3rd")};
+  int names_width = 0;
+  for (const QString& each : names) names_width = std::max(names_width, metrics.horizontalAdvance(each));
+  const double left = kMargin + names_width + 10;
   const double value_width = metrics.horizontalAdvance(QStringLiteral("✓ 00.00"));
   const double bar = std::max(20.0, view->width() - left - kMargin - value_width - 10);
-  const double scale = std::max(2 * coverage.threshold, 1.15 * coverage.singular_values.x());
+  // The mark stays where it is from pose to pose; a value beyond the end fills the bar.
+  const double scale = 4 * coverage.threshold;
   const double thick = 0.42 * line();
   for (int k = 0; k < 3; ++k) {
     const double value = coverage.singular_values(k);
@@ -294,7 +309,7 @@ void CoverageView::Parts::paintGauges(QPainter& painter, const Layout& layout) c
     painter.drawRoundedRect(QRectF(left, middle - thick / 2, bar, thick), 2, 2);
     // A value below its limit is hatched as well as of another hue.
     const QColor hue = linkStroke(reached ? EdgeQuality::Fully : EdgeQuality::Partially, theme).color;
-    const QRectF filled(left, middle - thick / 2, std::max(2.0, bar * value / scale), thick);
+    const QRectF filled(left, middle - thick / 2, std::clamp(bar * value / scale, 2.0, bar), thick);
     painter.setBrush(reached ? QBrush(hue) : QBrush(hue, Qt::BDiagPattern));
     if (!reached) painter.setPen(QPen(hue, 1));
     if (value > kNoValue) painter.drawRoundedRect(filled, 2, 2);
@@ -321,11 +336,9 @@ void CoverageView::Parts::paintWords(QPainter& painter, const Layout& layout) co
   const double middle = layout.words_top + 0.5 * line();
   drawStroke(painter, linkStroke(coverage.quality, theme), QLineF(kMargin, middle, kMargin + 26, middle), 3);
   painter.setPen(colors().text);
-  painter.drawText(
-      QRectF(kMargin + 33, layout.words_top, width - 33, line()), Qt::AlignLeft | Qt::AlignVCenter,
-      metrics.elidedText(CoverageView::tr("%1, limit %2")
-                             .arg(qualityWord(coverage.quality), QLocale().toString(coverage.threshold, 'f', 2)),
-                         Qt::ElideRight, static_cast<int>(width - 33)));
+  painter.drawText(QRectF(kMargin + 33, layout.words_top, width - 33, line()), Qt::AlignLeft | Qt::AlignVCenter,
+                   metrics.elidedText(CoverageView::tr("%1 · mark: enough").arg(qualityWord(coverage.quality)),
+                                      Qt::ElideRight, static_cast<int>(width - 33)));
   painter.setPen(colors().text_muted);
   painter.drawText(all.translated(0, 1.3 * line()), kFlags, words());
 }
@@ -348,8 +361,10 @@ void CoverageView::setCoverage(const PoseCoverage& coverage) {
 }
 
 void CoverageView::setCurrent(const std::optional<Eigen::Vector3d>& up_o) {
+  const std::optional<Eigen::Vector3d> shown = parts_->calm_up.follow(up_o);
+  if (shown == parts_->current) return;
   update(parts_->aroundCurrent());
-  parts_->current = up_o;
+  parts_->current = shown;
   update(parts_->aroundCurrent());
 }
 
@@ -394,12 +409,12 @@ QSize CoverageView::sizeHint() const {
 QSize CoverageView::minimumSizeHint() const {
   const int width = static_cast<int>(2 * kLeastDisc + 4 * parts_->nowSign() + 2);
   return {width, static_cast<int>(kLeastDisc + parts_->nowSign() + 1 + kBottom +
-                                  parts_->belowDiscs(std::max(width, this->width())))};
+                                  parts_->mostBelowDiscs(std::max(width, this->width())))};
 }
 
 int CoverageView::heightForWidth(int width) const {
   const double disc = std::clamp(parts_->acrossOf(width), kLeastDisc, kMostDisc);
-  return static_cast<int>(disc + parts_->nowSign() + 1 + kBottom + parts_->belowDiscs(width));
+  return static_cast<int>(disc + parts_->nowSign() + 1 + kBottom + parts_->mostBelowDiscs(width));
 }
 
 void CoverageView::paintEvent(QPaintEvent* /*event*/) {
@@ -445,8 +460,11 @@ bool CoverageView::event(QEvent* event) {
   const auto* help = static_cast<QHelpEvent*>(event);
   const SeenDirection* seen = parts_->at(help->pos());
   QString text =
-      tr("Front: up is where the origin cell faces. Back: the other half, seen from behind.\nThe values say how "
-         "well the poses hold the cells' turn along three axes.");
+      tr("Front: up is where the origin cell faces. Back: the other half, seen from behind.\nThe bars say how "
+         "much the directions seen differ, along three axes (their singular values). Two that reach their mark, %1, "
+         "fix "
+         "how the cells are turned; the third tells the sensors' errors apart from that.")
+          .arg(QLocale().toString(parts_->coverage.threshold, 'f', 2));
   if (seen != nullptr) {
     text = tr("Pose %1").arg(seen->pose.value());
     if (!seen->label.empty()) text += QStringLiteral(" · ") + words(seen->label);

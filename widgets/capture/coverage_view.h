@@ -24,7 +24,8 @@ class CoverageView : public QWidget {
   void setEmptyHint(const QString& hint);
   /// What is going on while there is no result, in words, which stand in the hint's place; empty: nothing is.
   void setAwaited(const QString& awaited);
-  /// Unit vectors in the frame of the coverage; none hides the mark. Cheap: may be called 20 times a second.
+  /// Unit vectors in the frame of the coverage; none hides the mark. The present one is shown as CalmUp makes it.
+  /// Cheap: may be called 20 times a second.
   void setCurrent(const std::optional<Eigen::Vector3d>& up_o);
   void setNext(const std::optional<Eigen::Vector3d>& up_o);
   void setPickedPose(std::optional<PoseId> pose);

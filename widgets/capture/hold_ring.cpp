@@ -29,8 +29,9 @@ HoldRing::HoldRing(QWidget* parent) : QWidget(parent) {
 void HoldRing::setContent(const Content& content) {
   // The words alone: progress would be read out twenty times a second.
   if (content.word != content_.word) setAccessibleDescription(content.word);
+  const bool is_same = content == content_;
   content_ = content;
-  update();
+  if (!is_same) update();
 }
 
 void HoldRing::setTheme(Theme theme) {

@@ -16,6 +16,8 @@ class HoldRing : public QWidget {
     QString detail;
     double progress = 0;    ///< 0 to 1
     bool captured = false;  ///< a pose was just taken: a full ring with a tick
+
+    friend bool operator==(const Content&, const Content&) = default;
   };
 
   explicit HoldRing(QWidget* parent = nullptr);

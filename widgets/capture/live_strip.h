@@ -23,7 +23,7 @@ QString countersInWords(const SourceStatus& status, const HoldStatus& hold);
 QString lossesInWords(const SourceStatus& status, const HoldStatus& hold);
 
 /// The strip for a skin that does not (yet) send as it should: the state of its source, and a button that disconnects
-/// it. The window shows it until all is well; then the status bar and the step Capture say how it goes.
+/// it. The window shows it over the content until all is well; then the status bar and the step Capture say more.
 class LiveStrip : public QFrame {
   Q_OBJECT
 

@@ -1,5 +1,7 @@
 #include "widgets/capture/stillness_view.h"
 
+#include "widgets/controls/elided_label.h"
+
 #include <qwt_plot.h>
 #include <qwt_plot_canvas.h>
 #include <qwt_plot_item.h>
@@ -9,6 +11,7 @@
 #include <QLocale>
 #include <QPainter>
 #include <QPolygonF>
+#include <QTimer>
 #include <QVBoxLayout>
 #include <algorithm>
 #include <array>
@@ -21,7 +24,8 @@ constexpr double kHalfLane = 0.48;
 constexpr double kLimitsInHalfLane = 1.6;
 constexpr double kRibbon = -0.62;
 constexpr double kTop = 2.55;
-constexpr double kLetters_s = 0.4;  // room on the left for the names of the axes
+constexpr int kRefreshEvery_ms = 100;  // readings come twice as often; a strip of ten seconds does not show it
+constexpr double kLetters_s = 0.4;     // room on the left for the names of the axes
 constexpr std::array<const char*, 3> kAxes = {"x", "y", "z"};
 
 double laneOf(int axis) { return 2.0 - axis; }
@@ -43,7 +47,7 @@ QString eventWord(const TraceEvent& event) {
     case TraceEventKind::Captured:
       return StillnessView::tr("captured %1").arg(event.pose.value());
     case TraceEventKind::ArmedAgain:
-      return StillnessView::tr("armed again");
+      return StillnessView::tr("ready again");
     case TraceEventKind::StartsOver:
       return StillnessView::tr("starts over");
   }
@@ -59,6 +63,8 @@ class Ground : public QwtPlotItem {
   void draw(QPainter* painter, const QwtScaleMap& across, const QwtScaleMap& up, const QRectF& canvas) const override {
     const Colors& colors = Colors::of(theme_);
     painter->setRenderHint(QPainter::Antialiasing, false);
+    // Under a style sheet the canvas has a ground of its own.
+    painter->fillRect(canvas, colors.panel);
     for (int axis = 0; axis < 3; ++axis) {
       const double half = kHalfLane / kLimitsInHalfLane;
       const double top = up.transform(laneOf(axis) + half);
@@ -104,19 +110,24 @@ class Ground : public QwtPlotItem {
   void drawEvents(QPainter& painter, const QwtScaleMap& across, const QwtScaleMap& up, const QRectF& canvas) const {
     const Colors& colors = Colors::of(theme_);
     const QFontMetrics metrics = painter.fontMetrics();
-    double free_from = canvas.left();
+    const auto place = [&](const TraceEvent& event) { return across.transform(event.time_s - trace_->now_s()); };
     for (const TraceEvent& event : trace_->events()) {
-      const double x = across.transform(event.time_s - trace_->now_s());
+      const double x = place(event);
       const bool captured = event.kind == TraceEventKind::Captured;
       const QColor color = event.kind == TraceEventKind::StartsOver ? colors.caution : colors.good;
       painter.setPen(QPen(color, captured ? 2 : 1.2, captured ? Qt::SolidLine : Qt::DashLine));
-      painter.drawLine(QPointF(x, up.transform(kTop)), QPointF(x, up.transform(kRibbon)));
+      painter.drawLine(QPointF(x, canvas.top()), QPointF(x, up.transform(kRibbon)));
+    }
+    // No line through a word.
+    double free_from = canvas.left();
+    for (const TraceEvent& event : trace_->events()) {
+      const double x = place(event);
       const QString word = eventWord(event);
       const double width = metrics.horizontalAdvance(word) + 2;
       // On the other side of its line where the strip ends, and not over the word before.
       double left = x + 4 + width > canvas.right() ? x - 4 - width : x + 4;
       if (left < free_from) continue;
-      const QRectF box(left, up.transform(kTop), width, metrics.height());
+      const QRectF box(left, canvas.top(), width, metrics.height());
       painter.fillRect(box, colors.panel);
       painter.setPen(event.kind == TraceEventKind::StartsOver ? colors.text : colors.good);
       painter.drawText(box, Qt::AlignLeft | Qt::AlignVCenter, word);
@@ -128,6 +139,15 @@ class Ground : public QwtPlotItem {
   Theme theme_ = Theme::Light;
 };
 
+/// Draws a long line piece by piece. Qt's rasterizer looks through all that crosses a row of pixels for each edge that
+/// does, so that a line that swings up and down takes ten times as long in one piece.
+void drawInPieces(QPainter& painter, const QPolygonF& line) {
+  constexpr int kPiece = 12;
+  for (int from = 0; from + 1 < line.size(); from += kPiece) {
+    painter.drawPolyline(line.constData() + from, std::min(kPiece + 1, static_cast<int>(line.size()) - from));
+  }
+}
+
 /// The three axes in their lanes. Not Qwt's own curve: its header is no C++20 (destructors with template arguments).
 class Curves : public QwtPlotItem {
  public:
@@ -138,7 +158,8 @@ class Curves : public QwtPlotItem {
             const QRectF& /*canvas*/) const override {
     painter->setRenderHint(QPainter::Antialiasing);
     for (int axis = 0; axis < 3; ++axis) {
-      painter->setPen(QPen(Colors::of(theme_).axis.at(static_cast<std::size_t>(axis)), 1.5));
+      painter->setPen(
+          QPen(Colors::of(theme_).axis.at(static_cast<std::size_t>(axis)), 1.5, Qt::SolidLine, Qt::FlatCap));
       QPolygonF line;
       for (const TracePoint& point : trace_->points()) {
         if (point.deviation_g) {
@@ -146,11 +167,11 @@ class Curves : public QwtPlotItem {
           line.append({across.transform(point.time_s - trace_->now_s()),
                        up.transform(laneOf(axis) + std::clamp(lanes, -kHalfLane, kHalfLane))});
         } else {
-          painter->drawPolyline(line);
+          drawInPieces(*painter, line);
           line.clear();
         }
       }
-      painter->drawPolyline(line);
+      drawInPieces(*painter, line);
     }
   }
 
@@ -171,11 +192,24 @@ struct StillnessView::Parts {
   QLabel* nothing = nullptr;
   Ground* ground = nullptr;  ///< the plot's
   Curves* curves = nullptr;  ///< likewise
+  QTimer refresh_soon;
 
   void refresh();
+  /// At once if nothing is drawn yet.
+  void refreshSoon();
 };
 
+void StillnessView::Parts::refreshSoon() {
+  if (!view->isVisible()) return;
+  if (plot->isHidden()) {
+    refresh();
+  } else if (!refresh_soon.isActive()) {
+    refresh_soon.start();
+  }
+}
+
 void StillnessView::Parts::refresh() {
+  refresh_soon.stop();
   if (!view->isVisible()) return;
   const bool empty = trace.points().empty();
   if (nothing->isHidden() == empty) {
@@ -188,17 +222,18 @@ void StillnessView::Parts::refresh() {
     header->setAccessibleName(text);
   }
   if (empty) return;
-  // Under the ribbon its words have room, however high the strip is.
+  // Over the lanes and under the ribbon their words have room, however high the strip is.
   const double words = view->fontMetrics().height() + 6;
-  const double lanes = std::max(10.0, plot->canvas()->height() - words);
-  plot->setAxisScale(QwtPlot::yLeft, kRibbon - words * (kTop - kRibbon) / lanes, kTop);
+  const double lanes = std::max(10.0, plot->canvas()->height() - 2 * words);
+  const double room = words * (kTop - kRibbon) / lanes;
+  plot->setAxisScale(QwtPlot::yLeft, kRibbon - room, kTop + room);
   plot->replot();
 }
 
 StillnessView::StillnessView(QWidget* parent) : QWidget(parent), parts_(std::make_unique<Parts>(this)) {
   setObjectName(QStringLiteral("stillnessView"));
   setAccessibleName(tr("Stillness of the last ten seconds"));
-  parts_->header = new QLabel(this);
+  parts_->header = new ElidedLabel(1, this);
   parts_->header->setObjectName(QStringLiteral("stillnessHeader"));
   parts_->header->setProperty("muted", true);
   parts_->header->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
@@ -229,12 +264,15 @@ StillnessView::StillnessView(QWidget* parent) : QWidget(parent), parts_(std::mak
   parts_->curves->attach(plot);
 
   auto* layout = new QVBoxLayout(this);
-  layout->setContentsMargins(0, 2, 0, 2);
+  layout->setContentsMargins(0, 2, 8, 2);
   layout->setSpacing(2);
   layout->addWidget(parts_->header);
   layout->addWidget(plot, 1);
   layout->addWidget(parts_->nothing, 1);
   plot->hide();
+  parts_->refresh_soon.setSingleShot(true);
+  parts_->refresh_soon.setInterval(kRefreshEvery_ms);
+  connect(&parts_->refresh_soon, &QTimer::timeout, this, [this] { parts_->refresh(); });
   setTheme(Theme::Light);
 }
 
@@ -245,7 +283,7 @@ StillnessView::~StillnessView() {
 
 void StillnessView::add(const HoldStatus& hold, const SkinPreview& preview) {
   parts_->trace.add(hold, preview);
-  parts_->refresh();
+  parts_->refreshSoon();
 }
 
 void StillnessView::addCaptured(PoseId pose, double time_s) {

@@ -20,7 +20,7 @@ class StillnessView : public QWidget {
   explicit StillnessView(QWidget* parent = nullptr);
   ~StillnessView() override;
 
-  /// Cheap: at most 20 times a second. Drawn while visible.
+  /// Cheap: at most 20 times a second. Drawn while visible, ten times a second.
   void add(const HoldStatus& hold, const SkinPreview& preview);
   /// `time_s`: device time, CapturedPose::end_s.
   void addCaptured(PoseId pose, double time_s);

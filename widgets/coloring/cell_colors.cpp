@@ -2,10 +2,14 @@
 
 namespace hexoderm {
 
+const ColorMap& mapOf(Coloring coloring, const SceneColors& colors) {
+  return coloringRow(coloring).center ? colors.signed_scale : colors.scale;
+}
+
 std::vector<Rgb> cellColors(Coloring coloring, const CellFigures& figures, const CellReadings& readings,
-                            const SceneColors& colors) {
+                            const ColorRange& range, const SceneColors& colors) {
   const std::size_t count = figures.cells.size();
-  std::vector<Rgb> result(count, colors.neutral);
+  std::vector<Rgb> result(count, colors.no_data);
   if (coloring == Coloring::LinkQuality) {
     for (std::size_t k = 0; k < count; ++k) {
       if (figures.quality[k]) result[k] = colors.quality.at(static_cast<std::size_t>(*figures.quality[k]));
@@ -19,9 +23,9 @@ std::vector<Rgb> cellColors(Coloring coloring, const CellFigures& figures, const
     }
   } else {
     const std::vector<std::optional<double>> values = cellValues(coloring, figures, readings);
-    const ColorRange range = colorRange(coloring, values);
+    const ColorMap& map = mapOf(coloring, colors);
     for (std::size_t k = 0; k < count; ++k) {
-      if (values[k]) result[k] = onScale(colors.scale, (*values[k] - range.low) / (range.high - range.low));
+      if (values[k]) result[k] = onMap(map, (*values[k] - range.low) / (range.high - range.low));
     }
   }
   return result;

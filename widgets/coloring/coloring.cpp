@@ -1,5 +1,6 @@
 #include "widgets/coloring/coloring.h"
 
+#include "hexoderm/reconstruction/advice/assess.h"
 #include "hexoderm/util/units.h"
 
 #include <QtGlobal>
@@ -24,10 +25,29 @@ std::optional<typename Map::mapped_type> lookedUp(const Map& known, CellId cell)
   return found == known.end() ? std::nullopt : std::optional(found->second);
 }
 
-/// The size of one of a link's angles, which exist only together with its figures.
+/// One of a link's angles, which exist only together with its figures.
 template <double LinkEstimate::*Angle>
-std::optional<double> sizeOfAngle(const LinkEstimate& link) {
-  return link.hasFigures() ? std::optional(toDegrees(std::abs(link.*Angle))) : std::nullopt;
+std::optional<double> angleOfLink(const LinkEstimate& link) {
+  return link.hasFigures() ? std::optional(toDegrees(link.*Angle)) : std::nullopt;
+}
+std::optional<double> sizeOfYaw(const LinkEstimate& link) {
+  return link.hasFigures() ? std::optional(toDegrees(std::abs(link.yaw_rad))) : std::nullopt;
+}
+
+/// The angle beyond which a link is no skin link.
+template <double SolverOptions::*Largest>
+std::vector<ScaleLimit> eitherWay(const SolverOptions& options) {
+  const double angle = toDegrees(options.*Largest);
+  return {{ScaleLimit::Kind::Limit, -angle}, {ScaleLimit::Kind::Limit, angle}};
+}
+std::vector<ScaleLimit> limitOfYaw(const SolverOptions& options) {
+  return {{ScaleLimit::Kind::Limit, toDegrees(options.max_yaw_rad)}};
+}
+std::vector<ScaleLimit> limitsOfPositions(const SolverOptions& /*options*/) {
+  return {{ScaleLimit::Kind::Goal, toMillimetres(kGoodPosition_m)}};
+}
+std::vector<ScaleLimit> limitsOfOrientations(const SolverOptions& /*options*/) {
+  return {{ScaleLimit::Kind::Goal, toDegrees(kGoodOrientation_rad)}};
 }
 
 /// One of a cell's angles or lengths among its figures.
@@ -57,7 +77,7 @@ std::optional<double> surfaceDistanceOfCell(const CellFigures& figures, const Ce
   return inMillimetres(lookedUp(readings.surface_distance_m, figures.cells[index]));
 }
 
-// The scales of quantities end beyond good values, so that these can be told apart, and where bad is bad enough.
+// The usual scales of quantities end beyond good values, so that these can be told apart, and where bad is bad enough.
 constexpr std::array kTable = {
     ColoringRow{.coloring = Coloring::LinkQuality,
                 .group = ColoringGroup::Links,
@@ -72,7 +92,7 @@ constexpr std::array kTable = {
                 .of_link = [](const LinkEstimate& link) { return inDegrees(link.knownResidual()); },
                 .of_cell = angleOfCell<&CellFigures::residual_rad>,
                 .range = ColorRange{0, 2},
-                .open_above = true,
+                .least_span = 0.1,
                 .colors_links = true,
                 .graph_title = QT_TRANSLATE_NOOP("hexoderm::Coloring", "residual, rms over poses"),
                 .patch_title = QT_TRANSLATE_NOOP("hexoderm::Coloring", "worst link's residual"),
@@ -84,7 +104,7 @@ constexpr std::array kTable = {
                 .of_link = [](const LinkEstimate& link) { return inDegrees(link.knownSigma()); },
                 .of_cell = angleOfCell<&CellFigures::sigma_rad>,
                 .range = ColorRange{0, 6},
-                .open_above = true,
+                .least_span = 0.1,
                 .colors_links = true,
                 .graph_title = QT_TRANSLATE_NOOP("hexoderm::Coloring", "predicted deviation"),
                 .patch_title = QT_TRANSLATE_NOOP("hexoderm::Coloring", "worst link's predicted deviation"),
@@ -93,38 +113,74 @@ constexpr std::array kTable = {
                 .group = ColoringGroup::Links,
                 .name = QT_TRANSLATE_NOOP("hexoderm::Coloring", "bend"),
                 .unit = "°",
-                .of_link = sizeOfAngle<&LinkEstimate::bend_rad>,
-                .range = ColorRange{0, 30},
-                .open_above = true,
+                .of_link = angleOfLink<&LinkEstimate::bend_rad>,
+                .of_cell = angleOfCell<&CellFigures::bend_rad>,
+                .range = ColorRange{-30, 30},
+                .least_span = 2,
+                .center = 0,
+                .limits = eitherWay<&SolverOptions::max_bend_rad>,
                 .colors_links = true,
-                .graph_title = QT_TRANSLATE_NOOP("hexoderm::Coloring", "bend, either way")},
+                .graph_title = QT_TRANSLATE_NOOP("hexoderm::Coloring", "bend"),
+                .patch_title = QT_TRANSLATE_NOOP("hexoderm::Coloring", "largest bend of the cell's links"),
+                .missing = QT_TRANSLATE_NOOP("hexoderm::Coloring", "No link was measured yet")},
     ColoringRow{.coloring = Coloring::Twist,
                 .group = ColoringGroup::Links,
                 .name = QT_TRANSLATE_NOOP("hexoderm::Coloring", "twist"),
                 .unit = "°",
-                .of_link = sizeOfAngle<&LinkEstimate::twist_rad>,
-                .range = ColorRange{0, 20},
-                .open_above = true,
+                .of_link = angleOfLink<&LinkEstimate::twist_rad>,
+                .of_cell = angleOfCell<&CellFigures::twist_rad>,
+                .range = ColorRange{-20, 20},
+                .least_span = 2,
+                .center = 0,
+                .limits = eitherWay<&SolverOptions::max_twist_rad>,
                 .colors_links = true,
-                .graph_title = QT_TRANSLATE_NOOP("hexoderm::Coloring", "twist, either way")},
+                .graph_title = QT_TRANSLATE_NOOP("hexoderm::Coloring", "twist"),
+                .patch_title = QT_TRANSLATE_NOOP("hexoderm::Coloring", "largest twist of the cell's links"),
+                .missing = QT_TRANSLATE_NOOP("hexoderm::Coloring", "No link was measured yet")},
     ColoringRow{.coloring = Coloring::Yaw,
                 .group = ColoringGroup::Links,
                 .name = QT_TRANSLATE_NOOP("hexoderm::Coloring", "yaw"),
                 .unit = "°",
-                .of_link = sizeOfAngle<&LinkEstimate::yaw_rad>,
+                .of_link = sizeOfYaw,
+                .of_cell = angleOfCell<&CellFigures::yaw_rad>,
                 .range = ColorRange{0, 6},
-                .open_above = true,
+                .least_span = 1,
+                .limits = limitOfYaw,
                 .colors_links = true,
-                .graph_title = QT_TRANSLATE_NOOP("hexoderm::Coloring", "yaw, either way")},
+                .graph_title = QT_TRANSLATE_NOOP("hexoderm::Coloring", "yaw, either way"),
+                .patch_title = QT_TRANSLATE_NOOP("hexoderm::Coloring", "largest yaw of the cell's links"),
+                .missing = QT_TRANSLATE_NOOP("hexoderm::Coloring", "No link was measured yet")},
+    ColoringRow{
+        .coloring = Coloring::ShapeUncertainty,
+        .group = ColoringGroup::Uncertainty,
+        .name = QT_TRANSLATE_NOOP("hexoderm::Coloring", "uncertainty of the shape"),
+        .unit = "mm",
+        .of_cell = lengthOfCell<&CellFigures::shape_position_95_m>,
+        .range = ColorRange{0, 3},
+        .least_span = 0.1,
+        .graph_title = QT_TRANSLATE_NOOP("hexoderm::Coloring", "uncertainty of the shape (95 %)"),
+        .patch_title = QT_TRANSLATE_NOOP("hexoderm::Coloring", "uncertainty of the shape (95 %)"),
+        .missing = QT_TRANSLATE_NOOP("hexoderm::Coloring", "This result does not state how well its shape is known")},
+    ColoringRow{
+        .coloring = Coloring::ShapeOrientation,
+        .group = ColoringGroup::Uncertainty,
+        .name = QT_TRANSLATE_NOOP("hexoderm::Coloring", "orientation in the shape"),
+        .unit = "°",
+        .of_cell = angleOfCell<&CellFigures::shape_orientation_95_rad>,
+        .range = ColorRange{0, 3},
+        .least_span = 0.1,
+        .graph_title = QT_TRANSLATE_NOOP("hexoderm::Coloring", "uncertainty of the orientation in the shape (95 %)"),
+        .patch_title = QT_TRANSLATE_NOOP("hexoderm::Coloring", "uncertainty of the orientation in the shape (95 %)"),
+        .missing = QT_TRANSLATE_NOOP("hexoderm::Coloring", "This result does not state how well its shape is known")},
     ColoringRow{.coloring = Coloring::PositionUncertainty,
                 .group = ColoringGroup::Uncertainty,
                 .name = QT_TRANSLATE_NOOP("hexoderm::Coloring", "position uncertainty"),
                 .unit = "mm",
                 .of_cell = lengthOfCell<&CellFigures::position_95_m>,
                 .range = ColorRange{0, 6},
-                .open_above = true,
-                .sign = "±",
-                .graph_title = QT_TRANSLATE_NOOP("hexoderm::Coloring", "position known to (95 %)"),
+                .least_span = 0.1,
+                .limits = limitsOfPositions,
+                .graph_title = QT_TRANSLATE_NOOP("hexoderm::Coloring", "position uncertainty (95 %)"),
                 .patch_title = QT_TRANSLATE_NOOP("hexoderm::Coloring", "position uncertainty (95 %)"),
                 .missing = QT_TRANSLATE_NOOP("hexoderm::Coloring", "This result states no uncertainties")},
     ColoringRow{.coloring = Coloring::OrientationUncertainty,
@@ -133,9 +189,9 @@ constexpr std::array kTable = {
                 .unit = "°",
                 .of_cell = angleOfCell<&CellFigures::orientation_95_rad>,
                 .range = ColorRange{0, 6},
-                .open_above = true,
-                .sign = "±",
-                .graph_title = QT_TRANSLATE_NOOP("hexoderm::Coloring", "orientation known to (95 %)"),
+                .least_span = 0.1,
+                .limits = limitsOfOrientations,
+                .graph_title = QT_TRANSLATE_NOOP("hexoderm::Coloring", "orientation uncertainty (95 %)"),
                 .patch_title = QT_TRANSLATE_NOOP("hexoderm::Coloring", "orientation uncertainty (95 %)"),
                 .missing = QT_TRANSLATE_NOOP("hexoderm::Coloring", "This result states no uncertainties")},
     ColoringRow{.coloring = Coloring::PathDistance,
@@ -143,7 +199,9 @@ constexpr std::array kTable = {
                 .name = QT_TRANSLATE_NOOP("hexoderm::Coloring", "distance from the origin"),
                 .unit = "mm",
                 .of_cell = lengthOfCell<&CellFigures::path_length_m>,
-                .patch_title = QT_TRANSLATE_NOOP("hexoderm::Coloring", "distance from the origin along the path"),
+                .range = ColorRange{0, 500},
+                .least_span = 10,
+                .patch_title = QT_TRANSLATE_NOOP("hexoderm::Coloring", "path length from the origin"),
                 .missing = QT_TRANSLATE_NOOP("hexoderm::Coloring", "This result holds no paths from the origin")},
     ColoringRow{.coloring = Coloring::SurfaceDistance,
                 .group = ColoringGroup::Shape,
@@ -151,8 +209,8 @@ constexpr std::array kTable = {
                 .unit = "mm",
                 .of_cell = surfaceDistanceOfCell,
                 .range = ColorRange{-3, 3},
-                .open_below = true,
-                .open_above = true,
+                .least_span = 0.2,
+                .center = 0,
                 .patch_title = QT_TRANSLATE_NOOP("hexoderm::Coloring", "distance from the fitted surface"),
                 .missing = QT_TRANSLATE_NOOP("hexoderm::Coloring", "No surface was fitted yet")},
     ColoringRow{.coloring = Coloring::PlacedBy,
@@ -177,8 +235,8 @@ constexpr std::array kTable = {
                 .unit = "g",
                 .of_cell = readingOfCell<0>,
                 .range = ColorRange{-1, 1},
-                .open_below = true,
-                .open_above = true,
+                .is_fitted = false,
+                .center = 0,
                 .patch_title = QT_TRANSLATE_NOOP("hexoderm::Coloring", "newest reading along x"),
                 .missing = QT_TRANSLATE_NOOP("hexoderm::Coloring", "There are no readings: connect a skin")},
     ColoringRow{.coloring = Coloring::ReadingY,
@@ -187,8 +245,8 @@ constexpr std::array kTable = {
                 .unit = "g",
                 .of_cell = readingOfCell<1>,
                 .range = ColorRange{-1, 1},
-                .open_below = true,
-                .open_above = true,
+                .is_fitted = false,
+                .center = 0,
                 .patch_title = QT_TRANSLATE_NOOP("hexoderm::Coloring", "newest reading along y"),
                 .missing = QT_TRANSLATE_NOOP("hexoderm::Coloring", "There are no readings: connect a skin")},
     ColoringRow{.coloring = Coloring::ReadingZ,
@@ -197,8 +255,8 @@ constexpr std::array kTable = {
                 .unit = "g",
                 .of_cell = readingOfCell<2>,
                 .range = ColorRange{-1, 1},
-                .open_below = true,
-                .open_above = true,
+                .is_fitted = false,
+                .center = 0,
                 .patch_title = QT_TRANSLATE_NOOP("hexoderm::Coloring", "newest reading along z"),
                 .missing = QT_TRANSLATE_NOOP("hexoderm::Coloring", "There are no readings: connect a skin")},
     ColoringRow{.coloring = Coloring::ReadingNorm,
@@ -207,8 +265,8 @@ constexpr std::array kTable = {
                 .unit = "g",
                 .of_cell = normOfCell,
                 .range = ColorRange{0.8, 1.2},
-                .open_below = true,
-                .open_above = true,
+                .is_fitted = false,
+                .center = 1,
                 .patch_title = QT_TRANSLATE_NOOP("hexoderm::Coloring", "norm of the newest reading"),
                 .missing = QT_TRANSLATE_NOOP("hexoderm::Coloring", "There are no readings: connect a skin")},
     ColoringRow{.coloring = Coloring::Temperature,
@@ -217,22 +275,9 @@ constexpr std::array kTable = {
                 .unit = "°C",
                 .of_cell = temperatureOfCell,
                 .range = ColorRange{15, 45},
-                .open_below = true,
-                .open_above = true,
+                .least_span = 5,
                 .patch_title = QT_TRANSLATE_NOOP("hexoderm::Coloring", "temperature"),
                 .missing = QT_TRANSLATE_NOOP("hexoderm::Coloring", "The skin sends no temperatures")}};
-
-/// The next of 100, 200, 500, 1,000 ... mm.
-double roundLength(const std::vector<std::optional<double>>& values) {
-  double largest = 0;
-  for (const auto& value : values) largest = std::max(largest, value.value_or(0));
-  constexpr double kSmallest = 100;
-  for (double decade = kSmallest;; decade *= 10) {
-    for (const double step : {1.0, 2.0, 5.0}) {
-      if (step * decade >= largest) return step * decade;
-    }
-  }
-}
 
 }  // namespace
 
@@ -266,9 +311,26 @@ bool hasValues(Coloring coloring, const CellFigures& figures, const CellReadings
   return false;
 }
 
-ColorRange colorRange(Coloring coloring, const std::vector<std::optional<double>>& values) {
-  if (coloring == Coloring::PathDistance) return {0, roundLength(values)};
-  return coloringRow(coloring).range.value_or(ColorRange{});
+std::vector<std::optional<double>> scaledValues(Coloring coloring, const Reconstruction& reconstruction,
+                                                const CellFigures& figures, const CellReadings& readings) {
+  const ColoringRow& row = coloringRow(coloring);
+  if (row.of_link == nullptr) return cellValues(coloring, figures, readings);
+  std::vector<std::optional<double>> values;
+  values.reserve(reconstruction.linkCount());
+  for (const PatchReconstruction& patch : reconstruction.patches) {
+    for (const LinkEstimate& link : patch.links) {
+      if (link.used) values.push_back(row.of_link(link));
+    }
+  }
+  return values;
+}
+
+ColorRange rangeOf(Coloring coloring, const std::vector<std::optional<double>>& values,
+                   const std::optional<ColorRange>& fixed) {
+  if (fixed) return *fixed;
+  const ColoringRow& row = coloringRow(coloring);
+  if (!row.is_fitted && row.range) return *row.range;
+  return fitRange(values, {.least_span = row.least_span, .center = row.center});
 }
 
 }  // namespace hexoderm

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "hexoderm/reconstruction/figures/cell_figures.h"
+#include "hexoderm/reconstruction/figures/value_scale.h"
 #include "hexoderm/reconstruction/result/reconstruction.h"
 
 #include <cstddef>
@@ -19,11 +20,13 @@ enum class Coloring {
   LinkQuality,
   Residual,   ///< residual of a link, or of a cell's worst link
   Deviation,  ///< predicted, of a link; of a cell that of its worst link
-  Bend,
+  Bend,       ///< signed, of a link; of a cell that of the link that bends most; likewise:
   Twist,
-  Yaw,
-  PositionUncertainty,     ///< 95 %
-  OrientationUncertainty,  ///< 95 %
+  Yaw,                     ///< either way: its sign depends on the end that one looks from
+  ShapeUncertainty,        ///< of a cell's position in the shape, 95 %
+  ShapeOrientation,        ///< of its orientation in the shape, 95 %
+  PositionUncertainty,     ///< relative to the origin, 95 %
+  OrientationUncertainty,  ///< likewise
   PathDistance,            ///< from the origin along the path
   SurfaceDistance,         ///< from the fitted surface, signed
   PlacedBy,
@@ -40,9 +43,13 @@ enum class Coloring {
 enum class ColoringGroup { Links, Uncertainty, Shape, Classes, Readings };
 
 /// The ends of a scale, in the unit that is shown.
-struct ColorRange {
-  double low = 0;
-  double high = 1;
+using ColorRange = ValueRange;
+
+/// A value that is looked for on a scale.
+struct ScaleLimit {
+  enum class Kind { Goal, Limit };
+  Kind kind = Kind::Goal;
+  double value = 0;
 };
 
 /// Values of cells that are no part of a reconstruction.
@@ -67,12 +74,15 @@ struct ColoringRow {
   OfLink of_link = nullptr;
   OfCell of_cell = nullptr;  ///< `index`: of the cell in the figures
 
-  /// The same for every skin and every result, so that two pictures can be compared. Absent for classes, and for the
-  /// distance along the path, whose scale ends at a round length beyond the largest value.
+  // The ends of the scale; classes have none.
+  /// Usual ones, the same for every skin and every result, so that two pictures can be compared.
   std::optional<ColorRange> range{};
-  bool open_below = false;  ///< values can lie below the range
-  bool open_above = false;
-  const char* sign = "";  ///< before the ends of the graph's scale
+  /// They are fitted to the values that are shown, unless the operator has fixed them; else they are the usual ones.
+  bool is_fitted = true;
+  double least_span = 1;           ///< a smaller spread is no difference worth seeing
+  std::optional<double> center{};  ///< of signed values: lies in the middle of the scale
+  /// What is wanted of the values, and from where on they are bad; null: nothing is.
+  std::vector<ScaleLimit> (*limits)(const SolverOptions& options) = nullptr;
 
   bool colors_links = false;          ///< in the graph, where the other colourings colour cells
   const char* graph_title = nullptr;  ///< in the graph's legend; null: the graph does not offer the colouring
@@ -95,7 +105,12 @@ std::vector<std::optional<double>> cellValues(Coloring coloring, const CellFigur
                                               const CellReadings& readings);
 /// True if at least one cell has a value or a class.
 bool hasValues(Coloring coloring, const CellFigures& figures, const CellReadings& readings);
-/// `values`: of all cells.
-ColorRange colorRange(Coloring coloring, const std::vector<std::optional<double>>& values);
+/// The values that a scale is fitted to, the same for the graph and the 3D view: those of the used links where links
+/// have the figure, else those of the cells.
+std::vector<std::optional<double>> scaledValues(Coloring coloring, const Reconstruction& reconstruction,
+                                                const CellFigures& figures, const CellReadings& readings);
+/// The ends of the scale of these values, of a quantity. `fixed`: by the operator.
+ColorRange rangeOf(Coloring coloring, const std::vector<std::optional<double>>& values,
+                   const std::optional<ColorRange>& fixed);
 
 }  // namespace hexoderm

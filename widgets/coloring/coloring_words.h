@@ -11,17 +11,9 @@ namespace hexoderm {
 /// "link quality", for menus.
 QString coloringName(Coloring coloring);
 
-/// A quantity's scale in words, for a legend.
-struct ScaleWords {
-  QString title;
-  QString low;
-  QString high;
-};
-/// "position known to (95 %)", "0", "±6 mm or more": the unit stands at the scale's end.
-ScaleWords graphScaleInWords(Coloring coloring);
-/// "position uncertainty (95 %), mm", "0", "6 or more": the unit stands in the title.
-ScaleWords patchScaleInWords(Coloring coloring, const ColorRange& range);
-/// The title with its unit; of classes the name.
+/// The title with its unit, for the graph's legend: "residual, rms over poses, °".
+QString graphTitle(Coloring coloring);
+/// The same for the legend of the 3D view; of classes the name.
 QString patchTitle(Coloring coloring);
 
 /// The reason why the cells of the 3D view can't be coloured by it; empty if they can.

@@ -1,6 +1,8 @@
 #include "widgets/controls/action_button.h"
 
 #include <QAction>
+#include <QStyleOptionButton>
+#include <QStylePainter>
 
 namespace hexoderm {
 
@@ -21,6 +23,46 @@ void ActionButton::setAction(QAction* action) {
     refresh();
   }
   setVisible(action_ != nullptr);
+}
+
+void ActionButton::setRoom(int width) {
+  if (room_ == width) return;
+  room_ = width;
+  updateGeometry();
+  update();
+}
+
+/// As few lines as will do, which are broken between words.
+QString ActionButton::brokenText() const {
+  const int beside = QPushButton::sizeHint().width() - fontMetrics().size(Qt::TextShowMnemonic, text()).width();
+  const int room = room_ - beside;
+  if (room_ <= 0 || fontMetrics().horizontalAdvance(text()) <= room) return text();
+  QString broken;
+  QString line;
+  for (const QString& word : text().split(QLatin1Char(' '))) {
+    const QString longer = line.isEmpty() ? word : line + QLatin1Char(' ') + word;
+    if (!line.isEmpty() && fontMetrics().horizontalAdvance(longer) > room) {
+      broken += line + QLatin1Char('\n');
+      line = word;
+    } else {
+      line = longer;
+    }
+  }
+  return broken + line;
+}
+
+QSize ActionButton::sizeHint() const {
+  const QSize whole = fontMetrics().size(Qt::TextShowMnemonic, text());
+  const QSize broken = fontMetrics().size(Qt::TextShowMnemonic, brokenText());
+  return QPushButton::sizeHint() + broken - whole;
+}
+
+void ActionButton::paintEvent(QPaintEvent* /*event*/) {
+  QStylePainter painter(this);
+  QStyleOptionButton option;
+  initStyleOption(&option);
+  option.text = brokenText();
+  painter.drawControl(QStyle::CE_PushButton, option);
 }
 
 void ActionButton::refresh() {

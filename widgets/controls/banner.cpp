@@ -1,6 +1,7 @@
 #include "widgets/controls/banner.h"
 
 #include "widgets/controls/action_button.h"
+#include "widgets/controls/elided_label.h"
 
 #include <QHBoxLayout>
 #include <QLabel>
@@ -39,24 +40,20 @@ QColor toneColor(Tone tone, Theme theme) {
 }
 
 Banner::Banner(QWidget* parent)
-    : QFrame(parent), dot_(new QLabel(this)), sentence_(new QLabel(this)), button_(new ActionButton(this)) {
+    : QFrame(parent), dot_(new QLabel(this)), sentence_(new ElidedLabel(2, this)), button_(new ActionButton(this)) {
   setObjectName(QStringLiteral("banner"));
   setAccessibleName(tr("Where we stand"));
   setProperty("banner", true);
 
   sentence_->setObjectName(QStringLiteral("bannerSentence"));
   sentence_->setProperty("headline", true);
-  sentence_->setWordWrap(true);
-  // Names of cells and files come from outside: never read as markup.
-  sentence_->setTextFormat(Qt::PlainText);
-  sentence_->setTextInteractionFlags(Qt::TextSelectableByMouse);
   button_->setObjectName(QStringLiteral("bannerButton"));
   button_->setProperty("primary", true);
   // A click leaves the keys where they were.
   button_->setFocusPolicy(Qt::TabFocus);
 
   auto* layout = new QHBoxLayout(this);
-  layout->setContentsMargins(16, 8, 16, 8);
+  layout->setContentsMargins(16, 6, 16, 6);
   layout->setSpacing(14);
   layout->addWidget(dot_);
   layout->addWidget(sentence_, 1);

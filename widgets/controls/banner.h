@@ -10,13 +10,14 @@ class QLabel;
 namespace hexoderm {
 
 class ActionButton;
+class ElidedLabel;
 
 /// The quality of a message, good or bad; its words express it too.
 enum class Tone { Neutral, Good, Caution, Bad };
 QColor toneColor(Tone tone, Theme theme);
 Tone toneOf(VerdictLevel level);
 
-/// One sentence on where we stand and one button: the best next action.
+/// One sentence on where we stand and one button: the best next action. As high as two lines, whatever it says.
 class Banner : public QFrame {
   Q_OBJECT
 
@@ -35,7 +36,7 @@ class Banner : public QFrame {
   void drawDot();
 
   QLabel* dot_;
-  QLabel* sentence_;
+  ElidedLabel* sentence_;
   ActionButton* button_;
   Tone tone_ = Tone::Neutral;
   Theme theme_ = Theme::Light;

@@ -1,5 +1,7 @@
 #include "widgets/controls/card_dock.h"
 
+#include "widgets/controls/elided_label.h"
+
 #include <QFrame>
 #include <QHBoxLayout>
 #include <QLabel>
@@ -9,7 +11,7 @@
 namespace hexoderm {
 
 CardDock::CardDock(const QString& heading, const QString& object_name, QWidget* content, QWidget* parent)
-    : QDockWidget(heading, parent), title_(new QLabel(heading.toUpper())), remark_(new QLabel) {
+    : QDockWidget(heading, parent), title_(new QLabel(heading.toUpper())), remark_(new ElidedLabel) {
   setObjectName(object_name);
   setAccessibleName(heading);
   content->setAccessibleName(heading);
@@ -18,13 +20,13 @@ CardDock::CardDock(const QString& heading, const QString& object_name, QWidget* 
   bar->setProperty("cardHead", true);
   title_->setProperty("caption", true);
   remark_->setProperty("muted", true);
-  remark_->setTextFormat(Qt::PlainText);
+  remark_->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
   remark_->hide();
   auto* head = new QHBoxLayout(bar);
   head->setContentsMargins(13, 9, 13, 5);
   head->addWidget(title_);
   head->addStretch(1);
-  head->addWidget(remark_);
+  head->addWidget(remark_, 100);  // all that is there, before the stretch has any
   bar->setToolTip(tr("Drag to move this panel, double-click to take it out of the window"));
   setTitleBarWidget(bar);
 

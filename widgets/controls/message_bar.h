@@ -11,7 +11,7 @@ class QPushButton;
 namespace hexoderm {
 
 /// Says what has just happened, without stopping anybody: "Exported to ...", or what went wrong and where. Stays until
-/// it is closed or the next message comes.
+/// it is closed or the next message comes. A notice: it lies over the content (NoticeStack).
 class MessageBar : public QFrame {
   Q_OBJECT
 

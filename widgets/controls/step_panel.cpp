@@ -203,6 +203,8 @@ class StepPanel::Row : public QWidget {
       button->setFocusPolicy(Qt::TabFocus);
       buttons_->addWidget(button);
       buttons_shown_.push_back(button);
+      const QMargins margins = body_->layout()->contentsMargins();
+      button->setRoom(width() - margins.left() - margins.right());
     }
     for (std::size_t k = 0; k < buttons_shown_.size(); ++k) {
       buttons_shown_[k]->setAction(k < step.actions.size() ? step.actions[k] : nullptr);
@@ -215,6 +217,13 @@ class StepPanel::Row : public QWidget {
   }
   void setTheme(Theme theme) { head_->setTheme(theme); }
   [[nodiscard]] QAbstractButton* head() const { return head_; }
+
+ protected:
+  void resizeEvent(QResizeEvent* event) override {
+    const QMargins margins = body_->layout()->contentsMargins();
+    for (ActionButton* button : buttons_shown_) button->setRoom(width() - margins.left() - margins.right());
+    QWidget::resizeEvent(event);
+  }
 
  private:
   StepHead* head_;
@@ -241,6 +250,8 @@ StepPanel::StepPanel(QWidget* parent) : QScrollArea(parent), layout_(nullptr) {
   layout_->setContentsMargins(0, 4, 0, 4);
   layout_->setSpacing(0);
   layout_->addStretch(1);
+  // It scrolls up and down only, and is as wide as its place, whatever is in it.
+  content->setMinimumWidth(1);
   setWidget(content);
   make_room_.setSingleShot(true);
   connect(&make_room_, &QTimer::timeout, this, [this] {
@@ -339,9 +350,6 @@ void StepPanel::setTheme(Theme theme) {
 
 void StepPanel::showOpenRow() {
   for (std::size_t k = 0; k < rows_.size(); ++k) rows_[k]->setOpen(k == open_);
-  // It scrolls up and down only: what is widest must fit, beside the bar.
-  const int widest = widget()->minimumSizeHint().width() + verticalScrollBar()->sizeHint().width();
-  if (widest > minimumWidth()) setMinimumWidth(widest);
 }
 
 }  // namespace hexoderm

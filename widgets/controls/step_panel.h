@@ -30,7 +30,7 @@ struct Step {
 };
 
 /// The steps from top to bottom. One is open: the one that was clicked, or that openStep() named; a step never gives
-/// way to another by itself, while somebody reads it.
+/// way to another by itself, while somebody reads it. Its width is its place's: no text and no body widens it.
 class StepPanel : public QScrollArea {
   Q_OBJECT
 

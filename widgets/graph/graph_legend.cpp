@@ -1,7 +1,6 @@
 #include "widgets/graph/graph_legend.h"
 
 #include <QFontMetricsF>
-#include <QLinearGradient>
 #include <QPainter>
 #include <algorithm>
 #include <cmath>
@@ -13,15 +12,21 @@ namespace {
 constexpr double kSampleWidth = 1.5;
 constexpr double kEntrySpace = 0.4;
 constexpr double kBetween = 1.0;
-constexpr double kBarWidth = 6.0;
+constexpr double kLeastBarWidth = 6.0;
+constexpr double kMostBarWidth = 16.0;
 constexpr int kMostRows = 3;
 constexpr std::size_t kMostClasses = 8;
 
 }  // namespace
 
 GraphLegend::GraphLegend(const GraphPaint& paint, const GraphMarks& marks, Theme theme, const QFont& font)
-    : scale_(paint.scale), colors_(Colors::of(theme)), font_(font) {
+    : colors_(Colors::of(theme)), font_(font) {
   if (font_.pointSizeF() > 0) font_.setPointSizeF(0.9 * font_.pointSizeF());
+  if (paint.scale) {
+    scale_.emplace(*paint.scale, graphMap(paint.coloring, theme), theme, font_, ScaleStrip::Histogram::Hidden);
+    title_ = graphTitle(paint.coloring);
+    note_ = paint.scale->is_fixed ? tr("range fixed") : QString();
+  }
   const bool of_cells = !coloringRow(paint.coloring).colors_links;
   for (std::size_t k = 0; k < std::min(paint.words.size(), kMostClasses); ++k) {
     entries_.push_back({of_cells ? Sample::Fill : Sample::Line,
@@ -47,16 +52,16 @@ double GraphLegend::widthOf(const Entry& entry) const {
   return (kSampleWidth + kEntrySpace) * rowHeight() + QFontMetricsF(font_).horizontalAdvance(entry.word) + 1;
 }
 
-double GraphLegend::scaleWidth() const {
+double GraphLegend::titleWidth() const {
   const QFontMetricsF metrics(font_);
-  const double words = metrics.horizontalAdvance(scale_->title) + metrics.horizontalAdvance(scale_->low) +
-                       metrics.horizontalAdvance(scale_->high);
-  return words + (kBarWidth + 2 * kEntrySpace + kBetween) * rowHeight();
+  return std::max(metrics.horizontalAdvance(title_), metrics.horizontalAdvance(note_)) + 1;
 }
+
+double GraphLegend::scaleHeight() const { return scale_ ? std::max(scale_->height(), 2 * rowHeight()) + 2 : 0.0; }
 
 GraphLegend::Arrangement GraphLegend::arrange(double width) const {
   const auto count = static_cast<int>(entries_.size());
-  if (scale_ && scaleWidth() > width) return {};
+  if (scale_ && titleWidth() + (kBetween + kLeastBarWidth) * rowHeight() > width) return {};
   double total = (count - 1) * kBetween * rowHeight();
   double widest = 0;
   for (const Entry& entry : entries_) {
@@ -74,7 +79,7 @@ GraphLegend::Arrangement GraphLegend::arrange(double width) const {
 
 double GraphLegend::heightFor(double width) const {
   const Arrangement arrangement = arrange(width);
-  return arrangement.rows == 0 ? 0.0 : (arrangement.rows + (scale_ ? 1 : 0)) * rowHeight();
+  return arrangement.rows == 0 ? 0.0 : arrangement.rows * rowHeight() + scaleHeight();
 }
 
 void GraphLegend::draw(QPainter& painter, const QRectF& area) const {
@@ -82,37 +87,25 @@ void GraphLegend::draw(QPainter& painter, const QRectF& area) const {
   painter.setRenderHint(QPainter::Antialiasing);
   QRectF rest = area;
   if (scale_) {
-    drawScale(painter, QRectF(area.topLeft(), QSizeF(area.width(), rowHeight())));
-    rest.setTop(area.top() + rowHeight());
+    drawScale(painter, QRectF(area.topLeft(), QSizeF(area.width(), scaleHeight())));
+    rest.setTop(area.top() + scaleHeight());
   }
   drawEntries(painter, rest);
 }
 
-void GraphLegend::drawScale(QPainter& painter, const QRectF& row) const {
-  constexpr int kStops = 16;
-  const QFontMetricsF metrics(font_);
-  double x = row.left() + 0.5 * (row.width() - scaleWidth());
-  const auto write = [&](const QString& text, const QColor& color) {
-    const double width = metrics.horizontalAdvance(text) + 1;
-    painter.setPen(color);
-    painter.drawText(QRectF(x, row.top(), width, row.height()), Qt::AlignLeft | Qt::AlignVCenter, text);
-    x += width - 1;
-  };
-  write(scale_->title, colors_.text);
-  x += kBetween * rowHeight();
-  write(scale_->low, colors_.text_muted);
-  x += kEntrySpace * rowHeight();
-  const QRectF bar(x, row.top() + 0.25 * row.height(), kBarWidth * rowHeight(), 0.5 * row.height());
-  QLinearGradient gradient(bar.topLeft(), bar.topRight());
-  for (int k = 0; k <= kStops; ++k) {
-    const double t = static_cast<double>(k) / kStops;
-    gradient.setColorAt(t, viridis(t));
-  }
-  painter.setPen(QPen(colors_.border, 1));
-  painter.setBrush(gradient);
-  painter.drawRect(bar);
-  x = bar.right() + kEntrySpace * rowHeight();
-  write(scale_->high, colors_.text_muted);
+void GraphLegend::drawScale(QPainter& painter, const QRectF& area) const {
+  const double between = kBetween * rowHeight();
+  const double bar = std::min(kMostBarWidth * rowHeight(), area.width() - titleWidth() - between);
+  const double left = area.left() + 0.5 * (area.width() - titleWidth() - between - bar);
+  ScaleStrip strip = *scale_;
+  strip.setPlace(QPointF(left + titleWidth() + between, area.top()), bar);
+  strip.paint(painter, std::nullopt, std::nullopt);
+  // The title stands beside the bar, a word on its range below it.
+  QRectF words(left, strip.bar().center().y() - 0.5 * rowHeight(), titleWidth(), rowHeight());
+  painter.setPen(colors_.text);
+  painter.drawText(words, Qt::AlignLeft | Qt::AlignVCenter, title_);
+  painter.setPen(colors_.text_muted);
+  painter.drawText(words.translated(0, rowHeight()), Qt::AlignLeft | Qt::AlignVCenter, note_);
 }
 
 void GraphLegend::drawEntries(QPainter& painter, const QRectF& area) const {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "widgets/coloring/scale_strip.h"
 #include "widgets/graph/graph_paint.h"
 
 #include <QCoreApplication>
@@ -17,7 +18,8 @@ struct GraphMarks {
   bool muted = false;
 };
 
-/// The legend below the graph: each class of colours with its line or fill, or a scale with its unit, and the marks.
+/// The legend below the graph: each class of colours with its line or fill, or a scale with its unit
+/// and limits, and the marks.
 class GraphLegend {
   Q_DECLARE_TR_FUNCTIONS(hexoderm::GraphLegend)
 
@@ -46,12 +48,15 @@ class GraphLegend {
   [[nodiscard]] Arrangement arrange(double width) const;
   [[nodiscard]] double widthOf(const Entry& entry) const;
   [[nodiscard]] double rowHeight() const;
-  [[nodiscard]] double scaleWidth() const;
+  [[nodiscard]] double titleWidth() const;
+  [[nodiscard]] double scaleHeight() const;
   void drawSample(QPainter& painter, const Entry& entry, const QRectF& box) const;
-  void drawScale(QPainter& painter, const QRectF& row) const;
+  void drawScale(QPainter& painter, const QRectF& area) const;
   void drawEntries(QPainter& painter, const QRectF& area) const;
 
-  std::optional<ScaleWords> scale_;
+  std::optional<ScaleStrip> scale_;
+  QString title_;
+  QString note_;
   std::vector<Entry> entries_;
   const Colors& colors_;
   QFont font_;

@@ -1,5 +1,7 @@
 #include "widgets/graph/graph_paint.h"
 
+#include "widgets/style/color_maps.h"
+
 #include <QCoreApplication>
 #include <algorithm>
 #include <cmath>
@@ -19,29 +21,43 @@ CellFigures figuresOf(const GraphScene& scene) {
   return scene.reconstruction() ? makeCellFigures(*scene.reconstruction()) : CellFigures{};
 }
 
+/// After the steps of the scale come the colours of what lies below and above it.
 std::int16_t stepOf(std::optional<double> value, const ColorRange& range) {
+  constexpr double kSlack = 1e-9;  // of a value at an end
   if (!value || !std::isfinite(*value)) return GraphPaint::kPlain;
-  const double t = std::clamp((*value - range.low) / (range.high - range.low), 0.0, 1.0);
-  return static_cast<std::int16_t>(std::lround(t * (kSteps - 1)));
+  const double t = (*value - range.low) / (range.high - range.low);
+  if (t < -kSlack) return kSteps;
+  if (t > 1 + kSlack) return kSteps + 1;
+  return static_cast<std::int16_t>(std::lround(std::clamp(t, 0.0, 1.0) * (kSteps - 1)));
 }
 
-/// Classes without an order of their own, spread over the scale; its ends are left out.
-QColor classColor(std::size_t index, std::size_t count) {
-  return viridis((static_cast<double>(index) + 0.5) / static_cast<double>(std::max<std::size_t>(count, 1)));
+QColor classColor(std::size_t index, std::size_t count, Theme theme) {
+  SceneColors colors;
+  colors.scale = sequentialMap(theme);
+  colors.classes = classColors(theme);
+  return toQColor(categoryColor(colors, index, count));
 }
 
-void paintScale(const GraphScene& scene, GraphPaint& paint) {
+void paintScale(const GraphScene& scene, Theme theme, const std::optional<ColorRange>& fixed, GraphPaint& paint) {
   const ColoringRow& row = coloringRow(paint.coloring);
-  const ColorRange range = row.range.value_or(ColorRange{});
-  paint.scale = graphScaleInWords(paint.coloring);
+  const ColorMap& map = graphMap(paint.coloring, theme);
+  std::vector<QColor> steps;
   for (int step = 0; step < kSteps; ++step) {
-    const QColor color = viridis(static_cast<double>(step) / (kSteps - 1));
-    if (row.colors_links) {
-      paint.strokes.push_back({color, Qt::SolidLine, false});
-    } else {
-      paint.fills.push_back(color);
-    }
+    steps.push_back(toQColor(onScale(map.steps, static_cast<double>(step) / (kSteps - 1))));
   }
+  steps.push_back(toQColor(map.below));
+  steps.push_back(toQColor(map.above));
+  if (row.colors_links) {
+    for (const QColor& step : steps) paint.strokes.push_back({step, Qt::SolidLine, false});
+  } else {
+    paint.fills = steps;
+  }
+  if (!scene.reconstruction()) return;
+  const Reconstruction& skin = *scene.reconstruction();
+  const CellFigures figures = row.colors_links ? CellFigures{} : makeCellFigures(skin);
+  const auto values = scaledValues(paint.coloring, skin, figures, {});
+  paint.scale = makeScaleLegend(paint.coloring, values, values, fixed, skin.options);
+  const ColorRange range = paint.scale->range;
   if (row.colors_links) {
     for (std::size_t k = 0; k < scene.links().size(); ++k) {
       const LinkEstimate& link = *scene.links()[k].estimate;
@@ -49,8 +65,6 @@ void paintScale(const GraphScene& scene, GraphPaint& paint) {
       paint.has_unknown |= link.used && paint.of_link[k] == GraphPaint::kPlain;
     }
   } else {
-    const CellFigures figures = figuresOf(scene);
-    const auto values = cellValues(paint.coloring, figures, {});
     for (std::size_t k = 0; k < figures.cells.size(); ++k) {
       const std::optional<std::size_t> cell = scene.indexOf(figures.cells[k]);
       if (!cell) continue;
@@ -71,17 +85,17 @@ void paintQuality(const GraphScene& scene, Theme theme, GraphPaint& paint) {
   }
 }
 
-void paintPlacedBy(const GraphScene& scene, GraphPaint& paint) {
-  paint.fills = {classColor(1, 2), classColor(0, 2)};
+void paintPlacedBy(const GraphScene& scene, Theme theme, GraphPaint& paint) {
+  paint.fills = {classColor(0, 2, theme), classColor(1, 2, theme)};
   paint.words = {GraphPaintWords::tr("own readings"), GraphPaintWords::tr("links")};
   for (std::size_t k = 0; k < scene.cells().size(); ++k) paint.of_cell[k] = scene.cells()[k].placed_by_links ? 1 : 0;
 }
 
-void paintPatches(const GraphScene& scene, GraphPaint& paint) {
+void paintPatches(const GraphScene& scene, Theme theme, GraphPaint& paint) {
   constexpr std::size_t kMostColors = 64;  // more can't be told apart; beyond that neighbours should at least differ
   const std::size_t colors = std::min(scene.patches().size(), kMostColors);
   for (std::size_t k = 0; k < colors; ++k) {
-    paint.fills.push_back(classColor(k, colors));
+    paint.fills.push_back(classColor(k, colors, theme));
     paint.words.push_back(patchWord(scene.patches()[k].patch->id.value()));
   }
   if (scene.patches().size() > colors) paint.words.clear();
@@ -90,10 +104,10 @@ void paintPatches(const GraphScene& scene, GraphPaint& paint) {
   }
 }
 
-void paintBodyParts(const GraphScene& scene, GraphPaint& paint) {
+void paintBodyParts(const GraphScene& scene, Theme theme, GraphPaint& paint) {
   const CellFigures figures = figuresOf(scene);
   for (const std::string& name : figures.body_parts) {
-    paint.fills.push_back(classColor(paint.fills.size(), figures.body_parts.size()));
+    paint.fills.push_back(classColor(paint.fills.size(), figures.body_parts.size(), theme));
     paint.words.push_back(QString::fromStdString(name));
   }
   for (std::size_t k = 0; k < figures.cells.size(); ++k) {
@@ -106,21 +120,25 @@ void paintBodyParts(const GraphScene& scene, GraphPaint& paint) {
 
 }  // namespace
 
-GraphPaint paintOf(const GraphScene& scene, Coloring coloring, Theme theme) {
+const ColorMap& graphMap(Coloring coloring, Theme theme) {
+  return coloringRow(coloring).center ? divergingMap(theme) : sequentialMap(theme);
+}
+
+GraphPaint paintOf(const GraphScene& scene, Coloring coloring, Theme theme, const std::optional<ColorRange>& fixed) {
   GraphPaint paint;
   paint.coloring = coloring;
   paint.of_link.assign(scene.links().size(), GraphPaint::kPlain);
   paint.of_cell.assign(scene.cells().size(), GraphPaint::kPlain);
   if (isQuantity(coloring)) {
-    paintScale(scene, paint);
+    paintScale(scene, theme, fixed, paint);
   } else if (coloring == Coloring::LinkQuality) {
     paintQuality(scene, theme, paint);
   } else if (coloring == Coloring::PlacedBy) {
-    paintPlacedBy(scene, paint);
+    paintPlacedBy(scene, theme, paint);
   } else if (coloring == Coloring::Patch) {
-    paintPatches(scene, paint);
+    paintPatches(scene, theme, paint);
   } else {
-    paintBodyParts(scene, paint);
+    paintBodyParts(scene, theme, paint);
   }
   return paint;
 }

@@ -362,6 +362,23 @@ void GraphPainter::drawCellOutline(QPainter& painter, std::size_t cell, const QC
   }
 }
 
+void GraphPainter::drawBrushMark(QPainter& painter, std::size_t cell) const {
+  const GraphScene::Cell& drawn = scene_.cells()[cell];
+  const QPointF center = camera_.toScreen(drawn.center);
+  if (!seen_.contains(center)) return;
+  if (radius_px_ < 5) {
+    painter.fillRect(QRectF(center - QPointF(2, 2), QSizeF(4, 4)), colors_.selection);
+    return;
+  }
+  constexpr double kInside = 0.68;  // around an ID
+  QPolygonF ring = hexagon(cell);
+  for (QPointF& corner : ring) corner = center + kInside * (corner - center);
+  painter.setBrush(Qt::NoBrush);
+  painter.setPen(
+      QPen(textOn(fillOf(cell)), std::clamp(0.12 * radius_px_, 1.2, 3.0), Qt::SolidLine, Qt::SquareCap, Qt::MiterJoin));
+  painter.drawPolygon(ring);
+}
+
 void GraphPainter::drawLinkOutline(QPainter& painter, std::size_t link, const QColor& color, double width) const {
   const GraphScene::Link& drawn = scene_.links()[link];
   painter.setBrush(Qt::NoBrush);

@@ -33,6 +33,8 @@ class GraphPainter {
   void drawSheet(QPainter& painter) const;
   void drawCellOutline(QPainter& painter, std::size_t cell, const QColor& color, double width) const;
   void drawLinkOutline(QPainter& painter, std::size_t link, const QColor& color, double width) const;
+  /// A hexagon inside the cell's own, in black or white, whichever is seen on its colour.
+  void drawBrushMark(QPainter& painter, std::size_t cell) const;
   /// The area of these outlines, so that nothing else needs to be drawn anew.
   [[nodiscard]] QRectF outlineBounds(std::size_t cell) const;
   [[nodiscard]] QRectF linkOutlineBounds(std::size_t link) const;

@@ -1,5 +1,6 @@
 #include "widgets/graph/graph_view.h"
 
+#include "widgets/coloring/scale_ranges.h"
 #include "widgets/controls/find_cell_field.h"
 #include "widgets/controls/selection.h"
 #include "widgets/graph/graph_coloring_button.h"
@@ -67,10 +68,12 @@ GraphView::GraphView(Selection* selection, QWidget* parent)
   describe();
   connect(button_, &GraphColoringButton::changed, this, &GraphView::recolor);
   connect(selection, &Selection::changed, this, &GraphView::onSelectionChanged);
+  connect(selection, &Selection::brushedChanged, this, qOverload<>(&QWidget::update));
+  connect(selection, &Selection::sought, this, &GraphView::showPicked);
   connect(finder_, &FindCellField::found, this, [this](quint32 id) {
     if (const auto cell = scene_->indexOf(CellId(id))) {
       bringIntoView({cell, std::nullopt});
-      selection_->selectCell(CellId(id));
+      selection_->seekCell(CellId(id));
     }
   });
   connect(finder_, &FindCellField::closed, this, [this] { setFocus(Qt::OtherFocusReason); });
@@ -100,6 +103,14 @@ void GraphView::setTheme(Theme theme) {
 }
 
 void GraphView::setColoring(Coloring coloring) { button_->setColoring(coloring); }
+
+void GraphView::setScaleRanges(const ScaleRanges* ranges) {
+  ranges_ = ranges;
+  connect(ranges, &ScaleRanges::changed, this, [this](Coloring changed) {
+    if (changed == coloring()) recolor();
+  });
+  recolor();
+}
 
 Coloring GraphView::coloring() const { return button_->coloring(); }
 
@@ -143,7 +154,8 @@ void GraphView::findCell() {
 
 void GraphView::recolor() {
   button_->setBodyPartsKnown(knowsBodyParts(*scene_));
-  paint_ = std::make_shared<const GraphPaint>(paintOf(*scene_, button_->coloring(), theme_));
+  const auto fixed = ranges_ == nullptr ? std::nullopt : ranges_->fixed(coloring());
+  paint_ = std::make_shared<const GraphPaint>(paintOf(*scene_, coloring(), theme_, fixed));
   arrange();
   if (follows_size_) {
     fit();
@@ -193,6 +205,29 @@ void GraphView::bringIntoView(const GraphHit& hit) {
   const bool followed = follows_size_;
   moveCamera(moved);
   follows_size_ = followed;
+}
+
+/// Comes closer, as far as it takes to read what is picked.
+void GraphView::showPicked() {
+  constexpr double kReadable_px = 16;  // centre to corner of a cell
+  const GraphHit hit = picked();
+  const std::optional<QPointF> middle = middleOf(*scene_, hit);
+  if (!middle) return;
+  if (scene_->radius_m() * camera_.scale < kReadable_px) {
+    GraphCamera closer = camera_;
+    closer.center = *middle;
+    closer.scale = std::min(kReadable_px / scene_->radius_m(), fit_.largestScale(*scene_));
+    moveCamera(closer);
+  } else {
+    bringIntoView(hit);
+  }
+}
+
+void GraphView::showFigures() {
+  const std::optional<QPointF> middle = middleOf(*scene_, picked());
+  if (!middle) return;
+  bringIntoView(picked());
+  QToolTip::showText(mapToGlobal(camera_.toScreen(*middle).toPoint()), toolTipOf(*scene_, picked()), this);
 }
 
 void GraphView::repaintSheet() { sheet_.invalidate(scene_->cells().size() > kMostCellsAtOnce); }
@@ -255,11 +290,18 @@ void GraphView::drawHighlights(QPainter& painter) const {
   const GraphStyle own = style();
   const GraphPainter graph(*scene_, *paint_, camera_, own);
   const Colors& colors = Colors::of(theme_);
+  for (const CellId brushed : selection_->brushed()) {
+    if (const auto cell = scene_->indexOf(brushed)) graph.drawBrushMark(painter, *cell);
+  }
   if (hovered_.cell) graph.drawCellOutline(painter, *hovered_.cell, colors.text_muted, 2);
   if (hovered_.link) graph.drawLinkOutline(painter, *hovered_.link, colors.text_muted, 1);
   const GraphHit hit = picked();
-  if (hit.cell) graph.drawCellOutline(painter, *hit.cell, colors.selection, 3.2);
-  if (hit.link) graph.drawLinkOutline(painter, *hit.link, colors.selection, 2);
+  // Light and dark side by side stand out on every colour.
+  for (const bool core : {false, true}) {
+    const QColor color = core ? colors.selection : textOn(colors.selection);
+    if (hit.cell) graph.drawCellOutline(painter, *hit.cell, color, core ? 3.2 : 6.4);
+    if (hit.link) graph.drawLinkOutline(painter, *hit.link, color, core ? 2 : 4);
+  }
 }
 
 QRect GraphView::regionOf(const GraphHit& hit) const {
@@ -363,7 +405,16 @@ void GraphView::mouseReleaseEvent(QMouseEvent* event) {
 }
 
 void GraphView::mouseDoubleClickEvent(QMouseEvent* event) {
-  if (event->button() == Qt::LeftButton) fit();
+  if (event->button() != Qt::LeftButton) return;
+  const GraphHit hit = hitAt(*scene_, camera_, positionIn(*event));
+  if (hit.cell) {
+    selection_->seekCell(scene_->cells()[*hit.cell].id);
+  } else if (hit.link) {
+    const LinkEstimate& link = *scene_->links()[*hit.link].estimate;
+    selection_->seekLink(link.source, link.target);
+  } else {
+    fit();
+  }
 }
 
 void GraphView::contextMenuEvent(QContextMenuEvent* event) {

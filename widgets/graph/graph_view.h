@@ -20,6 +20,7 @@ namespace hexoderm {
 
 class FindCellField;
 class GraphColoringButton;
+class ScaleRanges;
 class Selection;
 
 /// The live graph: the skin as a flat honeycomb of hexagons with IDs. Every link is drawn in both directions with the
@@ -41,6 +42,8 @@ class GraphView : public QWidget {
   void setTheme(Theme theme);
   void setColoring(Coloring coloring);
   [[nodiscard]] Coloring coloring() const;
+  /// Ranges of scales that the operator has fixed; they must outlive the view. Without them all scales are fitted.
+  void setScaleRanges(const ScaleRanges* ranges);
 
   /// Actions that the context menus of a link and of a cell offer first. The link or cell that was clicked is picked
   /// before the menu opens, so the actions are about the picked one. They must outlive the view or be deleted as
@@ -60,6 +63,8 @@ class GraphView : public QWidget {
 
  public slots:
   void fit();
+  /// Shows the figures of what is picked beside it, as a tool tip.
+  void showFigures();
   /// Opens the field in which the ID of a cell is typed.
   void findCell();
   /// Puts the graph as it is seen on the clipboard.
@@ -93,6 +98,7 @@ class GraphView : public QWidget {
   void zoom(double factor, const QPointF& about);
   void bringIntoView(const GraphHit& hit);
   void onSelectionChanged();
+  void showPicked();
   void describe();
   void hover(const GraphHit& hit);
   void showMenu(const GraphHit& hit, const QPoint& global_position);
@@ -108,6 +114,7 @@ class GraphView : public QWidget {
   Selection* selection_;
   std::shared_ptr<const GraphScene> scene_ = std::make_shared<GraphScene>();
   std::shared_ptr<const GraphPaint> paint_ = std::make_shared<GraphPaint>();
+  const ScaleRanges* ranges_ = nullptr;
   QString awaited_;
   Theme theme_ = Theme::Light;
   FindCellField* finder_;

@@ -4,8 +4,10 @@
 
 #include <QPainter>
 #include <QPainterPath>
+#include <algorithm>
 #include <array>
 #include <cmath>
+#include <utility>
 
 namespace hexoderm {
 
@@ -16,8 +18,8 @@ GhostCaption::GhostCaption(QWidget* parent) : QWidget(parent) {
 }
 
 void GhostCaption::setShown(bool shown) {
-  shown_ = shown;
-  update();
+  // It lies over the whole view, which would be painted with it.
+  if (std::exchange(shown_, shown) != shown) update();
 }
 
 void GhostCaption::setAngle(const QString& angle) {
@@ -45,11 +47,21 @@ void GhostCaption::paint(QPainter& painter, const QSize& area) const {
   QFont bold = font();
   bold.setWeight(QFont::DemiBold);
   painter.setFont(bold);
-  painter.setPen(colors.accent);
   const double line = QFontMetricsF(bold).height();
   const QString words = angle_.isEmpty() ? tr("next pose") : tr("next pose, %1").arg(angle_);
-  painter.drawText(QRectF(ghost.left() - line, ghost.top() - 1.4 * line, ghost.width() + 2 * line, line),
-                   Qt::AlignCenter, words);
+  QRectF room(ghost.left() - line, ghost.top() - 1.4 * line, ghost.width() + 2 * line, line);
+  QRectF plate(0, 0, QFontMetricsF(bold).horizontalAdvance(words) + line, 1.2 * line);
+  plate.moveCenter(room.center());
+  constexpr double kMargin = 8;
+  plate.moveRight(std::min(plate.right(), area.width() - kMargin));
+  room.moveCenter(plate.center());
+  QColor ground = colors.scene_top;
+  ground.setAlphaF(0.8);
+  painter.setPen(Qt::NoPen);
+  painter.setBrush(ground);
+  painter.drawRoundedRect(plate, 4, 4);
+  painter.setPen(colors.accent);
+  painter.drawText(room, Qt::AlignCenter, words);
   // From the part, over its upper right, to the ghost.
   const QPointF from(ghost.left() - 0.34 * ghost.width(), ghost.top() + 0.26 * ghost.height());
   const QPointF to(ghost.left() + 0.06 * ghost.width(), ghost.top() + 0.16 * ghost.height());

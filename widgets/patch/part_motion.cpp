@@ -19,11 +19,6 @@
 namespace hexoderm {
 namespace {
 
-// The picture follows large moves at once and small ones slowly: a hand trembles, and nobody wants to see that.
-constexpr double kAtOnce = 4 * kDegree;
-constexpr double kSlowest = 0.15;
-constexpr double kUnseen = 0.15 * kDegree;
-
 constexpr double kPlay_s = 2.0;
 constexpr double kTurning = 0.65;  // share of it
 constexpr int kPlays = 3;
@@ -70,17 +65,9 @@ PartMotion::PartMotion(QWidget* view, QWidget* canvas, QToolButton* button, Patc
 
 PartMotion::~PartMotion() = default;
 
-std::optional<Eigen::Vector3d> PartMotion::smoothed(const std::optional<Eigen::Vector3d>& up_o) const {
-  if (!up_o || !up_o_) return up_o;
-  const double away = angleBetween(*up_o_, *up_o);
-  if (away < kUnseen) return up_o_;
-  const double part = std::clamp(away / kAtOnce, kSlowest, 1.0);
-  return Eigen::Vector3d(expSO3(part * logSO3(shortestRotation(*up_o_, *up_o))) * *up_o_).normalized();
-}
-
 void PartMotion::setMoment(const PatchMoment& moment) {
   PatchMoment shown = moment;
-  shown.up_o = smoothed(moment.up_o);
+  shown.up_o = calm_up_.follow(moment.up_o);
   const std::optional<Eigen::Vector3d> up_before = std::exchange(up_o_, shown.up_o);
   const std::optional<Eigen::Vector3d> next_before = std::exchange(next_o_, moment.next_up_o);
   caption_->setAngle(QString::fromStdString(moment.next_turn));
@@ -103,7 +90,6 @@ void PartMotion::setTurnable(bool turnable) {
     request_soon_.stop();
   }
   button_->setVisible(turnable);
-  view_->setFocusPolicy(turnable ? Qt::StrongFocus : Qt::NoFocus);
 }
 
 void PartMotion::setAnimated(bool animated) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "hexoderm/capture/calm_up.h"
 #include "widgets/style/palette.h"
 
 #include <Eigen/Core>
@@ -34,8 +35,8 @@ class PartMotion : public QObject {
   PartMotion(QWidget* view, QWidget* canvas, QToolButton* button, PatchScene& scene, std::function<void()> render);
   ~PartMotion() override;
 
-  /// Hands the moment on to the scene with an up direction that follows large moves at once and small ones slowly, and
-  /// starts the ghost's turn where the next pose is another one.
+  /// Hands the moment on to the scene with the up direction that CalmUp makes of it, and starts the ghost's turn where
+  /// the next pose is another one.
   void setMoment(const PatchMoment& moment);
   /// Must be called when another skin, or another shape of it, is shown.
   void refresh();
@@ -61,7 +62,6 @@ class PartMotion : public QObject {
   void beginTurn();
   void turnBy(double right_rad, double down_rad);
   void request();
-  [[nodiscard]] std::optional<Eigen::Vector3d> smoothed(const std::optional<Eigen::Vector3d>& up_o) const;
   void play();
   void nextFrame();
   void updateCaption();
@@ -74,6 +74,7 @@ class PartMotion : public QObject {
   GhostCaption* caption_;
   QToolButton* button_;
 
+  CalmUp calm_up_;
   std::optional<Eigen::Vector3d> up_o_;  ///< shown
   std::optional<Eigen::Vector3d> next_o_;
 

@@ -2,6 +2,7 @@
 
 #include "widgets/scene/scene_corners.h"
 
+#include <QImage>
 #include <QPainter>
 #include <algorithm>
 
@@ -9,14 +10,22 @@ namespace hexoderm {
 namespace {
 
 constexpr int kPadding = 6;
+constexpr int kMargin = 12;  // at the sides
 
-/// On a ground that keeps it readable over any cell.
-void writeOnGround(QPainter& painter, const QRect& place, const QString& text, const QColor& color, QColor ground) {
-  ground.setAlphaF(0.78);
+/// A ground that keeps what stands on it readable over any cell.
+void paintPlate(QPainter& painter, const QRect& place, QColor ground) {
+  ground.setAlphaF(0.8);
   painter.save();
   painter.setPen(Qt::NoPen);
   painter.setBrush(ground);
-  painter.drawRoundedRect(place.adjusted(-kPadding, -3, kPadding, 3), 3, 3);
+  painter.drawRoundedRect(place, 4, 4);
+  painter.restore();
+}
+
+void writeOnGround(QPainter& painter, const QRect& place, const QString& text, const QColor& color,
+                   const QColor& ground) {
+  paintPlate(painter, place.adjusted(-kPadding, -3, kPadding, 3), ground);
+  painter.save();
   painter.setPen(color);
   painter.drawText(place.adjusted(0, 0, 1, 0), Qt::TextWordWrap, text);
   painter.restore();
@@ -34,21 +43,30 @@ void PatchCaptions::setContent(const Content& content) {
   content_ = content;
   QStringList words = content.notes;
   if (!content.message.isEmpty()) words.prepend(content.message);
-  if (content.hint.isEmpty()) words << legendInWords(content.legend);
+  if (content.hint.isEmpty()) words << content.legend;
   setAccessibleName(content.hint);
   setAccessibleDescription(content.hint.isEmpty() ? words.join(QStringLiteral(". ")) : QString());
   update();
 }
 
-void PatchCaptions::setTheme(Theme theme, const SceneColors& colors) {
+void PatchCaptions::setTheme(Theme theme) {
   theme_ = theme;
-  colors_ = colors;
   update();
 }
 
 void PatchCaptions::setTopMargin(int pixels) {
   top_margin_ = pixels;
   update();
+}
+
+int PatchCaptions::notesBottom() const {
+  if (content_.notes.isEmpty() || !content_.hint.isEmpty()) return 0;
+  const int room = width() - 2 * (kMargin + kPadding);
+  int bottom = top_margin_;
+  for (const QString& note : content_.notes) {
+    bottom += kPadding + fontMetrics().boundingRect(QRect(0, 0, room, height()), Qt::TextWordWrap, note).height();
+  }
+  return bottom + kPadding;
 }
 
 void PatchCaptions::paintEvent(QPaintEvent*) {
@@ -77,13 +95,11 @@ void PatchCaptions::paint(QPainter& painter, const QSize& area) const {
     writeOnGround(painter, word, tr("gravity"), colors.text_muted, colors.scene_bottom);
   }
   paintNotes(painter, area);
-  paintLegend(painter, area, content_.legend, theme_, colors_);
 }
 
 /// Below the buttons on the left.
 void PatchCaptions::paintNotes(QPainter& painter, const QSize& area) const {
   const Colors& colors = Colors::of(theme_);
-  constexpr int kMargin = 12;
   const QRect room(kMargin + kPadding, top_margin_ + kPadding, area.width() - 2 * (kMargin + kPadding),
                    area.height() - top_margin_);
   int top = room.top();

@@ -1,6 +1,5 @@
 #pragma once
 
-#include "widgets/patch/patch_legend.h"
 #include "widgets/style/palette.h"
 
 #include <QStringList>
@@ -9,7 +8,7 @@
 
 namespace hexoderm {
 
-/// The texts over the 3D scene: the legend of its colours, a line for each thing drawn over the cells, the word beside
+/// The texts over the 3D scene: a line for each thing drawn over the cells, the word beside
 /// the gravity arrow, and a hint if there is nothing to see. Lets the mouse through.
 class PatchCaptions : public QWidget {
   Q_OBJECT
@@ -20,15 +19,17 @@ class PatchCaptions : public QWidget {
     bool gravity = false;  ///< the arrow is there
     QStringList notes;
     QString message;  ///< the message of a tool; emphasised above the notes
-    LegendContent legend;
+    QString legend;   ///< in words, for screen readers
   };
 
   explicit PatchCaptions(QWidget* parent = nullptr);
 
   void setContent(const Content& content);
-  void setTheme(Theme theme, const SceneColors& colors);
+  void setTheme(Theme theme);
   /// Kept free for the buttons.
   void setTopMargin(int pixels);
+  /// Down to here the notes reach, which stay while the picture does; 0 if there are none. In pixels.
+  [[nodiscard]] int notesBottom() const;
   /// Paints the same texts into a screenshot of the given size.
   void paint(QPainter& painter, const QSize& area) const;
 
@@ -40,7 +41,6 @@ class PatchCaptions : public QWidget {
 
   Content content_;
   Theme theme_ = Theme::Light;
-  SceneColors colors_;
   int top_margin_ = 0;
 };
 

@@ -1,7 +1,8 @@
 #include "widgets/patch/patch_controls.h"
 
 #include "widgets/coloring/coloring_words.h"
-#include "widgets/controls/flow_layout.h"
+#include "widgets/controls/folding_row.h"
+#include "widgets/patch/cut_bar.h"
 #include "widgets/patch/patch_words.h"
 
 #include <QAction>
@@ -25,10 +26,12 @@ void allow(QAction* action, const QString& purpose, const QString& why_not) {
 
 PatchControls::PatchControls(QWidget* parent)
     : QFrame(parent),
-      buttons_(new FlowLayout(this)),
+      buttons_(new FoldingRow(this)),
       measure_(new QAction(tr("&Measure"), this)),
       parallel_(new QAction(tr("Parallel pro&jection"), this)),
-      picture_(new QAction(tr("Save picture of the 3D &view…"), this)) {
+      picture_(new QAction(tr("Save picture of the 3D &view…"), this)),
+      fit_(new QAction(tr("Fit"), this)),
+      cut_(new QAction(tr("&Cut open"), this)) {
   measure_->setObjectName(QStringLiteral("actionMeasure"));
   measure_->setCheckable(true);
   measure_->setToolTip(tr("Distance between two cells, and the angle between their faces"));
@@ -37,14 +40,24 @@ PatchControls::PatchControls(QWidget* parent)
   parallel_->setToolTip(tr("Without perspective: equal lengths look equally long wherever they are"));
   picture_->setObjectName(QStringLiteral("actionScenePicture"));
   picture_->setToolTip(tr("The scene with its legend as an image file"));
+  fit_->setObjectName(QStringLiteral("actionSceneFit"));
+  fit_->setToolTip(tr("Show the whole skin, and all that is drawn with it"));
+  connect(fit_, &QAction::triggered, this, &PatchControls::fitRequested);
+  cut_->setObjectName(QStringLiteral("actionCut"));
+  cut_->setCheckable(true);
+  cut_->setToolTip(tr("Takes away what is nearer to you than a plane, so that you see what lies behind"));
   buttons_->setContentsMargins(10, 10, 10, 0);
   buttons_->setSpacing(6);
   buildColoringMenu();
   buildShowMenu();
   turn_button_ = addButton({}, {});
   turn_button_->hide();
+  cut_bar_ = new CutBar(this);
+  cut_bar_->hide();
+  buttons_->addWidget(cut_bar_);
+  connect(cut_, &QAction::toggled, cut_bar_, &QWidget::setVisible);
   buttons_->beginSecondGroup();
-  buildViewButtons();
+  buildViewMenu();
 }
 
 QToolButton* PatchControls::addButton(const QString& text, const QString& tip) {
@@ -60,6 +73,8 @@ void PatchControls::buildColoringMenu() {
   coloring_button_ = addButton({}, tr("What the cells' colour shows"));
   coloring_button_->setPopupMode(QToolButton::InstantPopup);
   auto* menu = new QMenu(coloring_button_);
+  coloring_menu_ = menu;
+  menu->setTitle(tr("C&olour"));
   menu->setObjectName(QStringLiteral("coloringMenu"));
   menu->setToolTipsVisible(true);
   auto* group = new QActionGroup(menu);
@@ -80,6 +95,7 @@ void PatchControls::buildColoringMenu() {
       coloring_button_->setAccessibleName(tr("Colour of the cells: %1").arg(name));
       emit coloringChosen(coloring);
     });
+    connect(action, &QAction::triggered, this, [this, coloring = row.coloring] { emit coloringPicked(coloring); });
   }
   coloring_button_->setMenu(menu);
   colorings_.at(Coloring::LinkQuality)->setChecked(true);
@@ -90,6 +106,7 @@ void PatchControls::buildShowMenu() {
   button->setAccessibleName(tr("Show"));
   button->setPopupMode(QToolButton::InstantPopup);
   show_menu_ = new QMenu(button);
+  show_menu_->setTitle(tr("&Show"));
   show_menu_->setObjectName(QStringLiteral("showMenu"));
   show_menu_->setToolTipsVisible(true);
   for (const SceneItem item : kSceneItems) {
@@ -102,21 +119,36 @@ void PatchControls::buildShowMenu() {
     connect(action, &QAction::toggled, this, [this, item](bool shown) { emit itemToggled(item, shown); });
   }
   show_menu_->addSeparator();
-  show_menu_->addActions({parallel_, picture_});
+  show_menu_->addAction(picture_);
   button->setMenu(show_menu_);
 }
 
-void PatchControls::buildViewButtons() {
-  auto* measure = addButton({}, {});
-  measure->setDefaultAction(measure_);
-  measure->setToolButtonStyle(Qt::ToolButtonTextOnly);
-  connect(addButton(tr("Fit"), tr("Show the whole skin")), &QToolButton::clicked, this, &PatchControls::fitRequested);
+void PatchControls::buildViewMenu() {
+  for (QAction* action : {measure_, fit_}) {
+    auto* button = addButton({}, {});
+    button->setDefaultAction(action);
+    button->setToolButtonStyle(Qt::ToolButtonTextOnly);
+  }
+  QToolButton* button = addButton(tr("View ▾"), tr("From where the skin is looked at, and how"));
+  button->setAccessibleName(tr("View"));
+  button->setPopupMode(QToolButton::InstantPopup);
+  auto* menu = new QMenu(button);
+  menu->setObjectName(QStringLiteral("viewMenu"));
+  menu->setToolTipsVisible(true);
   const auto look = [&](const QString& text, const QString& tip, PatchScene::View view) {
-    connect(addButton(text, tip), &QToolButton::clicked, this, [this, view] { emit viewRequested(view); });
+    QAction* action = menu->addAction(text);
+    allow(action, tip, {});
+    connect(action, &QAction::triggered, this, [this, view] { emit viewRequested(view); });
+    views_.push_back(action);
   };
   look(tr("Front"), tr("Look at the origin cell's front face"), PatchScene::View::Front);
+  look(tr("Back"), tr("Look at the origin cell from behind"), PatchScene::View::Back);
   look(tr("Side"), tr("Look along the origin cell's x axis"), PatchScene::View::Side);
   look(tr("Top"), tr("Look along the origin cell's y axis"), PatchScene::View::Top);
+  look(tr("Isometric"), tr("Look from between the three axes"), PatchScene::View::Isometric);
+  menu->addSeparator();
+  menu->addActions({parallel_, cut_});
+  button->setMenu(menu);
 }
 
 void PatchControls::setWhyNot(Coloring coloring, const QString& why_not) {

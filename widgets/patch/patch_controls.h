@@ -5,6 +5,7 @@
 
 #include <QFrame>
 #include <map>
+#include <vector>
 
 class QAction;
 class QMenu;
@@ -12,10 +13,11 @@ class QToolButton;
 
 namespace hexoderm {
 
-class FlowLayout;
+class CutBar;
+class FoldingRow;
 
-/// The buttons over the 3D scene: the meaning of the colours, the things that are shown, measuring, and the directions
-/// to look from. They stand in several rows where one is too narrow.
+/// The buttons over the 3D scene: the meaning of the colours, the things that are shown, measuring, and from where and
+/// how it is looked at. They stand in one row, and fold into a menu where it is too narrow.
 class PatchControls : public QFrame {
   Q_OBJECT
 
@@ -35,9 +37,19 @@ class PatchControls : public QFrame {
   [[nodiscard]] QAction* measureAction() const { return measure_; }
   [[nodiscard]] QAction* parallelAction() const { return parallel_; }
   [[nodiscard]] QAction* pictureAction() const { return picture_; }
+  [[nodiscard]] QAction* fitAction() const { return fit_; }
+  /// Cuts the skin open; while it is checked, a slider for the depth stands beside the buttons.
+  [[nodiscard]] QAction* cutAction() const { return cut_; }
+  [[nodiscard]] CutBar* cutBar() const { return cut_bar_; }
+  /// The directions to look from, in the order of the menu.
+  [[nodiscard]] const std::vector<QAction*>& viewActions() const { return views_; }
+  [[nodiscard]] QMenu* coloringMenu() const { return coloring_menu_; }
+  [[nodiscard]] QMenu* showMenu() const { return show_menu_; }
 
  signals:
   void coloringChosen(hexoderm::Coloring coloring);
+  /// The operator chose it in the menu; coloringChosen() has been sent.
+  void coloringPicked(hexoderm::Coloring coloring);
   void itemToggled(hexoderm::SceneItem item, bool shown);
   void viewRequested(hexoderm::PatchScene::View view);
   void fitRequested();
@@ -50,17 +62,22 @@ class PatchControls : public QFrame {
   QToolButton* addButton(const QString& text, const QString& tip);
   void buildColoringMenu();
   void buildShowMenu();
-  void buildViewButtons();
+  void buildViewMenu();
 
-  FlowLayout* buttons_;
+  FoldingRow* buttons_;
   QToolButton* coloring_button_ = nullptr;
   QToolButton* turn_button_ = nullptr;
+  QMenu* coloring_menu_ = nullptr;
   QMenu* show_menu_ = nullptr;
+  CutBar* cut_bar_ = nullptr;
+  std::vector<QAction*> views_;
   std::map<Coloring, QAction*> colorings_;
   std::map<SceneItem, QAction*> items_;
   QAction* measure_;
   QAction* parallel_;
   QAction* picture_;
+  QAction* fit_;
+  QAction* cut_;
 };
 
 }  // namespace hexoderm

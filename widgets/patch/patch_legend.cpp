@@ -1,174 +1,291 @@
 #include "widgets/patch/patch_legend.h"
 
+#include "widgets/coloring/cell_colors.h"
 #include "widgets/coloring/coloring_words.h"
+#include "widgets/scene/scene_corners.h"
+#include "widgets/style/color_maps.h"
 
 #include <QCoreApplication>
-#include <QLinearGradient>
+#include <QFontMetrics>
+#include <QLineF>
 #include <QPainter>
 #include <QPen>
-#include <QSize>
 #include <QStringList>
 #include <algorithm>
 #include <array>
-#include <functional>
+#include <cmath>
+#include <utility>
 
 namespace hexoderm {
 namespace {
 
-constexpr int kSample = 26;   // length of a line or swatch
-constexpr int kSpace = 7;     // between it and its word
-constexpr int kBetween = 22;  // between two entries
-constexpr int kMargin = 8;    // below and at the sides
+constexpr int kSample = 26;          // length of a line or swatch
+constexpr int kBeforeWord = 7;       // between it and its word
+constexpr int kBetweenEntries = 22;  // between two entries
+constexpr int kMargin = 8;           // below the plate and at the sides
+constexpr int kPlatePadding = 8;     // within the plate
+constexpr int kLeastBar = 176;
+constexpr int kUsualBar = 380;
+constexpr double kPlateOpacity = 0.84;  // how little is seen through it
 constexpr std::size_t kMaxCategories = 12;
 constexpr std::array kClasses = {EdgeQuality::Undefined, EdgeQuality::Partially, EdgeQuality::Fully, EdgeQuality::Over};
 
-struct PatchLegend {
+struct PatchLegendWords {
   Q_DECLARE_TR_FUNCTIONS(hexoderm::PatchLegend)
 };
 
-QColor toQColor(const Rgb& color) { return QColor::fromRgbF(color[0], color[1], color[2]); }
-
-/// A sample and its word.
-struct Entry {
-  QString word;
-  std::function<void(QPainter&, double x, double y)> draw;
-};
-
-Entry classEntry(EdgeQuality quality, Theme theme) {
-  return {qualityWord(quality), [stroke = linkStroke(quality, theme)](QPainter& painter, double x, double y) {
-            drawStroke(painter, stroke, QLineF(x, y, x + kSample, y), 3);
-          }};
-}
-
-Entry swatch(const QString& word, const QColor& color) {
-  return {word,
-          [color](QPainter& painter, double x, double y) { painter.fillRect(QRectF(x, y - 5, kSample, 10), color); }};
-}
-
-std::vector<Entry> categoryEntries(const LegendContent& content, Theme theme, const SceneColors& colors) {
-  std::vector<Entry> entries;
-  if (content.coloring == Coloring::LinkQuality) {
-    for (const EdgeQuality quality : kClasses) entries.push_back(classEntry(quality, theme));
-    if (content.some_unknown) entries.push_back(swatch(PatchLegend::tr("no link"), toQColor(colors.neutral)));
-    return entries;
-  }
-  const bool by_part = content.coloring == Coloring::BodyPart;
-  const std::size_t count = by_part ? content.body_parts.size() : content.patches;
-  for (std::size_t k = 0; k < std::min(count, kMaxCategories); ++k) {
-    entries.push_back(
-        swatch(by_part ? content.body_parts[k] : patchWord(k), toQColor(categoryColor(colors, k, count))));
-  }
-  if (count > kMaxCategories) {
-    entries.push_back({PatchLegend::tr("and %1 more").arg(count - kMaxCategories), [](QPainter&, double, double) {}});
-  }
-  if (by_part && content.some_unknown) entries.push_back(swatch(notKnownWord(), toQColor(colors.neutral)));
-  return entries;
-}
-
-/// Rows of entries, each row in the middle; columns have one width where there are several rows.
-int paintEntries(QPainter& painter, const QSize& area, const std::vector<Entry>& entries, Theme theme) {
-  if (entries.empty()) return 0;
-  const QFontMetrics metrics = painter.fontMetrics();
-  const int room = area.width() - 2 * kMargin;
-  std::vector<int> widths;
-  int total = -kBetween;
-  int widest = 0;
-  for (const Entry& entry : entries) {
-    widths.push_back(std::min(kSample + kSpace + metrics.horizontalAdvance(entry.word), room));
-    total += widths.back() + kBetween;
-    widest = std::max(widest, widths.back());
-  }
-  const int count = static_cast<int>(entries.size());
-  int columns = count;
-  if (total > room) {
-    columns = std::clamp((room + kBetween) / (widest + kBetween), 1, count);
-    const int rows = (count + columns - 1) / columns;
-    columns = (count + rows - 1) / rows;
-  }
-  const bool one_row = columns == count;
-  const int rows = (count + columns - 1) / columns;
-  const int row_height = metrics.height() + 2;
-  const double left = 0.5 * (area.width() - (one_row ? total : columns * (widest + kBetween) - kBetween));
-  double x = left;
-  for (int k = 0; k < count; ++k) {
-    if (k % columns == 0) x = left;
-    const double middle = area.height() - kMargin - (rows - k / columns - 0.5) * row_height;
-    const auto index = static_cast<std::size_t>(k);
-    entries[index].draw(painter, x, middle);
-    painter.setPen(Colors::of(theme).text);
-    const int text_width = widths[index] - kSample - kSpace;
-    painter.drawText(QRectF(x + kSample + kSpace, middle - 0.5 * row_height, text_width + 2, row_height),
-                     Qt::AlignLeft | Qt::AlignVCenter,
-                     metrics.elidedText(entries[index].word, Qt::ElideRight, text_width + 2));
-    x += (one_row ? widths[index] : widest) + kBetween;
-  }
-  return rows * row_height + kMargin;
-}
-
-int paintScale(QPainter& painter, const QSize& area, const LegendContent& content, Theme theme,
-               const SceneColors& colors) {
-  constexpr int kSteps = 32;
-  const QFontMetrics metrics = painter.fontMetrics();
-  const auto [title, low, high] = patchScaleInWords(content.coloring, content.range);
-  const QString unknown = content.some_unknown ? notKnownWord() : QString();
-  const int row_height = metrics.height() + 2;
-  const int unknown_width = unknown.isEmpty() ? 0 : kBetween + kSample + kSpace + metrics.horizontalAdvance(unknown);
-  const int ends = metrics.horizontalAdvance(low) + metrics.horizontalAdvance(high) + 2 * kSpace + unknown_width + 6;
-  const int room = area.width() - 2 * kMargin;
-  const int title_width = metrics.horizontalAdvance(title) + 2;
-  const bool one_row = title_width + 2 * kSpace + ends + 120 <= room;
-  const int bar = std::clamp(room - ends - (one_row ? title_width + 2 * kSpace : 0), 40, 150);
-  const int scale_width = ends + bar;
-  const double top = area.height() - kMargin - row_height;
-  double x = 0.5 * (area.width() - scale_width - (one_row ? title_width + 2 * kSpace : 0));
-  const auto write = [&](const QString& text, const QColor& color) {
-    painter.setPen(color);
-    const double width = metrics.horizontalAdvance(text) + 2;
-    painter.drawText(QRectF(x, top, width, row_height), Qt::AlignLeft | Qt::AlignVCenter, text);
-    x += width;
-  };
-  if (one_row) {
-    write(title, Colors::of(theme).text);
-    x += 2 * kSpace;
-  } else {
-    painter.setPen(Colors::of(theme).text);
-    painter.drawText(QRectF(kMargin, top - row_height, room, row_height), Qt::AlignCenter,
-                     metrics.elidedText(title, Qt::ElideRight, room));
-  }
-  write(low, Colors::of(theme).text_muted);
-  x += kSpace;
-  QLinearGradient gradient(x, 0, x + bar, 0);
-  for (int k = 0; k <= kSteps; ++k) {
-    const double t = static_cast<double>(k) / kSteps;
-    gradient.setColorAt(t, toQColor(onScale(colors.scale, t)));
-  }
-  painter.fillRect(QRectF(x, top + 0.5 * row_height - 5, bar, 10), gradient);
-  x += bar + kSpace;
-  write(high, Colors::of(theme).text_muted);
-  if (!unknown.isEmpty()) {
-    x += kBetween;
-    painter.fillRect(QRectF(x, top + 0.5 * row_height - 5, kSample, 10), toQColor(colors.neutral));
-    x += kSample + kSpace;
-    write(unknown, Colors::of(theme).text_muted);
-  }
-  return (one_row ? 1 : 2) * row_height + kMargin;
+/// A sign on a cell, as makeSigns() draws them.
+void drawSignSample(QPainter& painter, const QColor& face, const QColor& mark, double x, double y,
+                    const QVector<QLineF>& lines, double width) {
+  const QRectF box(x + 0.5 * (kSample - 16), y - 8, 16, 16);
+  painter.save();
+  painter.setPen(Qt::NoPen);
+  painter.setBrush(face);
+  painter.drawRect(box);
+  painter.setPen(QPen(mark, width, Qt::SolidLine, Qt::FlatCap));
+  for (const QLineF& line : lines) painter.drawLine(line.translated(box.center()));
+  painter.restore();
 }
 
 }  // namespace
 
-int paintLegend(QPainter& painter, const QSize& area, const LegendContent& content, Theme theme,
-                const SceneColors& colors) {
-  if (isQuantity(content.coloring)) return paintScale(painter, area, content, theme, colors);
-  return paintEntries(painter, area, categoryEntries(content, theme, colors), theme);
+PatchLegend::PatchLegend(const LegendContent& content, Theme theme, const SceneColors& colors, const QFont& font,
+                         const QSize& area, const QSize& button)
+    : content_(content),
+      theme_(theme),
+      colors_(colors),
+      font_(font),
+      area_(area),
+      row_height_(QFontMetrics(font).height() + 2),
+      has_button_(!button.isEmpty()) {
+  if (content_.scale) {
+    strip_.emplace(*content_.scale, mapOf(content_.coloring, colors_), theme_, font_, ScaleStrip::Histogram::Shown);
+    title_ = patchTitle(content_.coloring);
+    const QString beyond = limitBeyondInWords(*content_.scale);
+    if (!beyond.isEmpty()) title_ += QStringLiteral(" · ") + beyond;
+    state_ = scaleStateWord(*content_.scale);
+    if (content_.some_unknown) {
+      classes_.push_back({notKnownWord(), [color = toQColor(colors_.no_data)](QPainter& painter, double x, double y) {
+                            painter.fillRect(QRectF(x, y - 5, kSample, 10), color);
+                          }});
+    }
+  } else {
+    addClasses();
+  }
+  addSigns();
+  layOut(button);
+}
+
+void PatchLegend::addClasses() {
+  const auto swatch = [this](const QString& word, const Rgb& color) {
+    classes_.push_back({word, [color = toQColor(color)](QPainter& painter, double x, double y) {
+                          painter.fillRect(QRectF(x, y - 5, kSample, 10), color);
+                        }});
+  };
+  if (content_.coloring == Coloring::LinkQuality) {
+    for (const EdgeQuality quality : kClasses) {
+      classes_.push_back(
+          {qualityWord(quality), [stroke = linkStroke(quality, theme_)](QPainter& painter, double x, double y) {
+             drawStroke(painter, stroke, QLineF(x, y, x + kSample, y), 3);
+           }});
+    }
+    if (content_.some_unknown) swatch(PatchLegendWords::tr("no link"), colors_.no_data);
+    return;
+  }
+  const bool by_part = content_.coloring == Coloring::BodyPart;
+  const std::size_t count = by_part ? content_.body_parts.size() : content_.patches;
+  for (std::size_t k = 0; k < std::min(count, kMaxCategories); ++k) {
+    swatch(by_part ? content_.body_parts[k] : patchWord(k), categoryColor(colors_, k, count));
+  }
+  if (count > kMaxCategories) {
+    classes_.push_back(
+        {PatchLegendWords::tr("and %1 more").arg(count - kMaxCategories), [](QPainter&, double, double) {}});
+  }
+  if (by_part && content_.some_unknown) swatch(notKnownWord(), colors_.no_data);
+}
+
+void PatchLegend::addSigns() {
+  const QColor face = Colors::of(theme_).border;
+  const QColor mark = Colors::of(theme_).text;
+  const auto add = [&](const QString& word, const QVector<QLineF>& lines, double width) {
+    signs_.push_back({word, [face, mark, lines, width](QPainter& painter, double x, double y) {
+                        drawSignSample(painter, face, mark, x, y, lines, width);
+                      }});
+  };
+  if (content_.some_faulty) {
+    add(PatchLegendWords::tr("error found"), {QLineF(-7, -7, 7, 7), QLineF(-7, 7, 7, -7)}, 3);
+  }
+  if (content_.some_doubtful) {
+    add(PatchLegendWords::tr("warning"), {QLineF(0, -6, -6, 5), QLineF(-6, 5, 6, 5), QLineF(6, 5, 0, -6)}, 2);
+  }
+  if (content_.some_by_links) {
+    add(PatchLegendWords::tr("placed through its links"),
+        {QLineF(-8, -5, 8, -5), QLineF(-8, 0, 8, 0), QLineF(-8, 5, 8, 5)}, 1.4);
+  }
+  if (content_.some_links) {
+    signs_.push_back({PatchLegendWords::tr("link with a finding"), [face, mark](QPainter& painter, double x, double y) {
+                        painter.save();
+                        painter.setPen(Qt::NoPen);
+                        painter.setBrush(mark);
+                        painter.drawEllipse(QPointF(x + 0.5 * kSample, y), 7, 7);
+                        painter.setPen(QPen(face, 2));
+                        for (const QLineF& arm : {QLineF(-3.5, -3.5, 3.5, 3.5), QLineF(-3.5, 3.5, 3.5, -3.5)}) {
+                          painter.drawLine(arm.translated(x + 0.5 * kSample, y));
+                        }
+                        painter.restore();
+                      }});
+  }
+}
+
+PatchLegend::Rows PatchLegend::arranged(std::vector<Entry> entries, int room) const {
+  Rows rows;
+  rows.entries = std::move(entries);
+  if (rows.entries.empty()) return rows;
+  const QFontMetrics metrics(font_);
+  int total = -kBetweenEntries;
+  for (const Entry& entry : rows.entries) {
+    rows.widths.push_back(std::min(kSample + kBeforeWord + metrics.horizontalAdvance(entry.word), room));
+    total += rows.widths.back() + kBetweenEntries;
+    rows.widest = std::max(rows.widest, rows.widths.back());
+  }
+  const int count = static_cast<int>(rows.entries.size());
+  rows.columns = count;
+  if (total > room) {
+    rows.columns = std::clamp((room + kBetweenEntries) / (rows.widest + kBetweenEntries), 1, count);
+    const int lines = (count + rows.columns - 1) / rows.columns;
+    rows.columns = (count + lines - 1) / lines;
+  }
+  rows.count = (count + rows.columns - 1) / rows.columns;
+  rows.width = rows.columns == count ? total : rows.columns * (rows.widest + kBetweenEntries) - kBetweenEntries;
+  return rows;
+}
+
+void PatchLegend::layOut(const QSize& button) {
+  const QFontMetrics metrics(font_);
+  const QSizeF state = button.isEmpty() ? QSizeF(metrics.horizontalAdvance(state_) + 2, row_height_) : QSizeF(button);
+  // One row lies below the pictures in the corners; more than that finds room between them.
+  const int full = area_.width() - 2 * (kMargin + kPlatePadding);
+  const int between = area_.width() - 2 * (SceneCorners::kLeft + SceneCorners::kSize + kPlatePadding);
+  // Or above them, in a narrow view that is high enough.
+  constexpr int kHigh = 450;
+  const int least = strip_ ? std::max(kLeastBar, static_cast<int>(std::ceil(state.width()))) : kLeastBar;
+  const bool has_room_above = between < least && area_.height() > kHigh;
+  const int narrow = has_room_above ? full : std::min(full, std::max(between, least));
+  class_rows_ = arranged(classes_, strip_ || !signs_.empty() ? narrow : full);
+  if (class_rows_.count > 1) class_rows_ = arranged(classes_, narrow);
+  sign_rows_ = arranged(signs_, narrow);
+  const bool is_one_row = class_rows_.count == 1 && !strip_ && signs_.empty();
+  const int room = is_one_row ? full : narrow;
+  double width = std::max(class_rows_.width, sign_rows_.width);
+  double height = (class_rows_.count + sign_rows_.count) * row_height_;
+  const double wanted = metrics.horizontalAdvance(title_) + 2 * kBeforeWord + state.width() + 2;
+  // In a small view the title has lines of its own, or its unit would be cut off.
+  const bool is_stacked = wanted > room;
+  const double lines =
+      is_stacked ? metrics.boundingRect(QRect(0, 0, room, area_.height()), Qt::TextWordWrap, title_).height() : 0;
+  const double head = std::max<double>(row_height_, state.height()) + lines;
+  if (strip_) {
+    width = std::max({width, wanted, static_cast<double>(kUsualBar)});
+    height += head + strip_->height() + 2;
+  }
+  if (height == 0) return;
+  width = std::min(width, static_cast<double>(room)) + 2 * kPlatePadding;
+  height += kPlatePadding;
+  // The word above the arrow of gravity, too.
+  const int below = has_room_above && !is_one_row ? SceneCorners::kBottom + SceneCorners::kSize + 2 * row_height_ : 0;
+  place_ = QRectF(0.5 * (area_.width() - width), area_.height() - below - kMargin - height, width, height);
+  double top = place_.top() + 0.5 * kPlatePadding;
+  const double left = place_.left() + kPlatePadding;
+  const double inner = width - 2 * kPlatePadding;
+  if (strip_) {
+    const double title_height = is_stacked ? lines : head;
+    const double button_top = top + lines;
+    const double button_room = head - lines;
+    button_place_ = QRectF(left + inner - state.width(), button_top + 0.5 * (button_room - state.height()),
+                           state.width(), state.height());
+    title_place_ = QRectF(left, top, is_stacked ? inner : inner - state.width() - 2 * kBeforeWord, title_height);
+    top += head;
+    strip_->setPlace(QPointF(left, top), inner);
+    top += strip_->height() + 2;
+  }
+  signs_top_ = top;
+}
+
+void PatchLegend::paint(QPainter& painter, std::optional<double> marked, const QString& marked_word,
+                        std::optional<int> probed) const {
+  if (place_.isEmpty()) return;
+  const Colors& colors = Colors::of(theme_);
+  painter.save();
+  painter.setFont(font_);
+  painter.setRenderHint(QPainter::Antialiasing);
+  QColor plate = colors.panel;
+  plate.setAlphaF(kPlateOpacity);
+  painter.setPen(QPen(colors.border, 1));
+  painter.setBrush(plate);
+  painter.drawRoundedRect(place_.adjusted(0.5, 0.5, -0.5, -0.5), 5, 5);
+  if (strip_) {
+    const QFontMetrics metrics(font_);
+    QString title = title_;
+    if (probed) {
+      title = binInWords(strip_->legend(), *probed);
+    } else if (marked && !marked_word.isEmpty()) {
+      title = patchTitle(content_.coloring) + QStringLiteral(" · ") + marked_word;
+    }
+    painter.setPen(colors.text);
+    const int room = static_cast<int>(title_place_.width());
+    const bool is_wrapped = title == title_ && metrics.horizontalAdvance(title) > room;
+    int how = Qt::AlignLeft | Qt::AlignVCenter;
+    if (is_wrapped) how |= Qt::TextWordWrap;
+    painter.drawText(title_place_, how, is_wrapped ? title : metrics.elidedText(title, Qt::ElideRight, room));
+    if (!has_button_) {
+      painter.setPen(colors.text_muted);
+      painter.drawText(button_place_, Qt::AlignCenter, state_);
+    }
+    strip_->paint(painter, marked, probed);
+  }
+  paintRows(painter, class_rows_, signs_top_);
+  paintRows(painter, sign_rows_, signs_top_ + class_rows_.count * row_height_);
+  painter.restore();
+}
+
+void PatchLegend::paintRows(QPainter& painter, const Rows& rows, double top) const {
+  const QFontMetrics metrics(font_);
+  const bool one_row = rows.count == 1;
+  const double left = place_.center().x() - 0.5 * rows.width;
+  double x = left;
+  for (std::size_t k = 0; k < rows.entries.size(); ++k) {
+    const auto place = static_cast<int>(k);
+    if (place % rows.columns == 0) x = left;
+    const double middle = top + (place / rows.columns + 0.5) * row_height_;
+    rows.entries[k].draw(painter, x, middle);
+    painter.setPen(Colors::of(theme_).text);
+    const int text_width = rows.widths[k] - kSample - kBeforeWord + 2;
+    painter.drawText(QRectF(x + kSample + kBeforeWord, middle - 0.5 * row_height_, text_width, row_height_),
+                     Qt::AlignLeft | Qt::AlignVCenter,
+                     metrics.elidedText(rows.entries[k].word, Qt::ElideRight, text_width));
+    x += (one_row ? rows.widths[k] : rows.widest) + kBetweenEntries;
+  }
+}
+
+QString scaleStateWord(const ScaleLegend& scale) {
+  if (scale.is_fixed) return PatchLegendWords::tr("fixed range");
+  return coloringRow(scale.coloring).is_fitted ? PatchLegendWords::tr("fitted range")
+                                               : PatchLegendWords::tr("usual range");
 }
 
 QString legendInWords(const LegendContent& content) {
-  if (isQuantity(content.coloring)) {
-    const ScaleWords words = patchScaleInWords(content.coloring, content.range);
-    return PatchLegend::tr("Cells are coloured by: %1; from %2 (dark) to %3 (bright)")
-        .arg(words.title, words.low, words.high);
+  QStringList words;
+  if (content.scale) {
+    words << PatchLegendWords::tr("Cells are coloured by: %1; %2")
+                 .arg(patchTitle(content.coloring), scaleInWords(*content.scale));
+  } else {
+    words << PatchLegendWords::tr("Cells are coloured by: %1").arg(coloringName(content.coloring));
   }
-  return PatchLegend::tr("Cells are coloured by: %1").arg(coloringName(content.coloring));
+  if (content.some_faulty) words << PatchLegendWords::tr("crossed cells: an error was found in their readings");
+  if (content.some_doubtful) words << PatchLegendWords::tr("cells with a triangle: a warning about their readings");
+  if (content.some_by_links) words << PatchLegendWords::tr("hatched cells: placed through their links alone");
+  if (content.some_links) words << PatchLegendWords::tr("crossed ports: a link with a finding");
+  return words.join(QStringLiteral(". "));
 }
 
 }  // namespace hexoderm

@@ -1,33 +1,102 @@
 #pragma once
 
 #include "widgets/coloring/coloring.h"
+#include "widgets/coloring/scale_strip.h"
 #include "widgets/style/palette.h"
 #include "widgets/style/scene_colors.h"
 
+#include <QFont>
+#include <QRectF>
+#include <QSize>
 #include <QString>
+#include <functional>
 #include <optional>
 #include <vector>
 
 class QPainter;
-class QSize;
 
 namespace hexoderm {
 
-/// The meaning of the cells' colours, for the legend.
+/// The meaning of the cells' colours and of the signs on them, for the legend.
 struct LegendContent {
   Coloring coloring = Coloring::LinkQuality;
-  ColorRange range;
-  bool some_unknown = false;  ///< some cells are neutral
+  std::optional<ScaleLegend> scale;  ///< of a quantity
+  bool some_unknown = false;         ///< some cells have no value or class
   std::size_t patches = 0;
   std::vector<QString> body_parts;
+  // Signs that some cells or links have.
+  bool some_by_links = false;
+  bool some_faulty = false;
+  bool some_doubtful = false;
+  bool some_links = false;
 };
 
-/// Paints the legend along the bottom of `area`, in as many rows as its width requires: line samples of the classes,
-/// swatches of categories, or a scale with name, unit and ends. Returns the height that it took.
-int paintLegend(QPainter& painter, const QSize& area, const LegendContent& content, Theme theme,
-                const SceneColors& colors);
+/// The legend on a plate at the lower edge of a view, in as many rows as its width requires: line samples of the
+/// classes, swatches of categories, or a scale with its name, unit, ticks and counts; and the signs. Painted alike in
+/// the view and in its pictures.
+class PatchLegend {
+ public:
+  /// `button`: the size of the button that stands beside the title of a scale; empty: the state of the scale is written
+  /// there.
+  PatchLegend(const LegendContent& content, Theme theme, const SceneColors& colors, const QFont& font,
+              const QSize& area, const QSize& button);
 
-/// The legend in one sentence, for screen readers.
+  /// Of the plate, in the area; empty without anything to explain.
+  [[nodiscard]] const QRectF& place() const { return place_; }
+  [[nodiscard]] const QRectF& buttonPlace() const { return button_place_; }
+  /// Null for classes.
+  [[nodiscard]] const ScaleStrip* strip() const { return strip_ ? &*strip_ : nullptr; }
+
+  /// `marked`: a value that is pointed at on the scale, and in words. `probed`: see ScaleStrip.
+  void paint(QPainter& painter, std::optional<double> marked, const QString& marked_word,
+             std::optional<int> probed) const;
+
+ private:
+  /// A sample and its word.
+  struct Entry {
+    QString word;
+    std::function<void(QPainter&, double x, double y)> draw;
+  };
+  /// Entries in rows, each row in the middle; columns have one width where there are several rows.
+  struct Rows {
+    std::vector<Entry> entries;
+    std::vector<int> widths;
+    int columns = 1;
+    int count = 0;  ///< of rows
+    int widest = 0;
+    int width = 0;  ///< of the widest row
+  };
+
+  void addClasses();
+  void addSigns();
+  [[nodiscard]] Rows arranged(std::vector<Entry> entries, int room) const;
+  void layOut(const QSize& button);
+  void paintRows(QPainter& painter, const Rows& rows, double top) const;
+
+  LegendContent content_;
+  Theme theme_;
+  SceneColors colors_;
+  QFont font_;
+  QSize area_;
+  int row_height_;
+  std::vector<Entry> classes_;
+  std::vector<Entry> signs_;
+  Rows class_rows_;
+  Rows sign_rows_;
+  std::optional<ScaleStrip> strip_;
+  QString title_;
+  QString state_;
+  QRectF place_;
+  QRectF title_place_;
+  QRectF button_place_;
+  bool has_button_ = false;
+  double signs_top_ = 0;
+};
+
+/// "fitted", "fixed" or "usual": how the ends of the scale came about.
+QString scaleStateWord(const ScaleLegend& scale);
+
+/// The legend in a few sentences, for screen readers.
 QString legendInWords(const LegendContent& content);
 
 }  // namespace hexoderm

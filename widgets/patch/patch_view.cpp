@@ -1,12 +1,17 @@
 #include "widgets/patch/patch_view.h"
 
 #include "widgets/coloring/coloring_words.h"
+#include "widgets/coloring/scale_ranges.h"
 #include "widgets/controls/selection.h"
+#include "widgets/patch/cut_bar.h"
 #include "widgets/patch/measure_tool.h"
 #include "widgets/patch/opengl_info.h"
 #include "widgets/patch/part_motion.h"
 #include "widgets/patch/patch_captions.h"
 #include "widgets/patch/patch_controls.h"
+#include "widgets/patch/patch_legend_view.h"
+#include "widgets/patch/patch_menu.h"
+#include "widgets/patch/patch_pointing.h"
 #include "widgets/patch/patch_words.h"
 #include "widgets/patch/scene_look.h"
 #include "widgets/patch/scene_widget.h"
@@ -16,9 +21,15 @@
 #include <vtkCommand.h>
 #include <vtkInteractorObserver.h>
 #include <vtkRenderWindowInteractor.h>
+#include <vtkRenderer.h>
 #include <QAction>
+#include <QClipboard>
+#include <QContextMenuEvent>
 #include <QGridLayout>
+#include <QGuiApplication>
+#include <QKeyEvent>
 #include <QLocale>
+#include <QMenu>
 #include <QMouseEvent>
 #include <QPainter>
 #include <QTimer>
@@ -55,18 +66,26 @@ struct PatchView::Parts : public QObject {
   SceneWidget* canvas = nullptr;      ///< null without OpenGL
   std::unique_ptr<PatchScene> scene;  ///< likewise
   std::unique_ptr<SceneBuilder> builder;
-  PartMotion* motion = nullptr;  ///< likewise
+  PartMotion* motion = nullptr;       ///< likewise
+  PatchPointing* pointing = nullptr;  ///< likewise
   PatchCaptions* captions = nullptr;
   PatchControls* controls = nullptr;
+  PatchLegendView* legend_view = nullptr;
+  ScaleRanges own_ranges;
+  ScaleRanges* ranges = &own_ranges;
+  bool is_marked_elsewhere = false;
   std::vector<std::function<void()>> waiting;  ///< for the picture to be up to date
   QTimer at_rest;
   QPoint pressed_at;
+  int controls_height = 0;
   QColor background = Colors::of(Theme::Light).scene_bottom;  ///< seen where there is no OpenGL
 
   void build();
   void buildScene(QGridLayout* layout);
+  void buildPointing();
   void connectControls();
   void smoothWhenAtRest();
+  [[nodiscard]] std::optional<HollowSight> hollowSight() const;
   void startInteraction() {
     at_rest.stop();
     scene->setSmoothed(false);
@@ -75,14 +94,25 @@ struct PatchView::Parts : public QObject {
   void setContent(std::shared_ptr<const SceneContent> content);
   void updateControls();
   void updateCaptions();
+  void updateTopMargin();
   [[nodiscard]] LegendContent legend() const;
+  void connectRanges();
+  void showFixedRange();
+  void markPicked();
   void updateSelection();
   void updateMeasure();
   /// Called when the things drawn over the cells have changed.
   void refresh();
   /// Several changes in one turn of the event loop make one picture.
   void requestRender();
-  void pickAt(const QPoint& position);
+  /// Where the scene counts its pixels.
+  [[nodiscard]] QPointF inScene(const QPoint& position) const;
+  /// Turns the picture if there is a knob of the axes.
+  bool turnByKnobAt(const QPoint& position);
+  void hoverAt(const QPoint& position);
+  /// Opens the menu for the cell at this place of the canvas, if there is one.
+  void openMenuAt(const QPoint& position);
+  void connectCut();
   bool eventFilter(QObject* watched, QEvent* event) override;
 };
 
@@ -94,16 +124,47 @@ void PatchView::Parts::build() {
   layout->addWidget(captions, 0, 0, 2, 1);
   layout->setRowStretch(1, 1);
   captions->raise();
+  legend_view = new PatchLegendView(view);
+  connect(legend_view, &PatchLegendView::rangeFixed, this, [this](ColorRange range) { ranges->fix(coloring, range); });
+  connect(legend_view, &PatchLegendView::rangeReleased, this, [this] { ranges->release(coloring); });
+  connectRanges();
+  if (scene) {
+    connect(legend_view, &PatchLegendView::heightChanged, this, [this](int height) {
+      scene->setBottomMargin(qRound(height * canvas->devicePixelRatioF()));
+      requestRender();
+    });
+  }
   if (controls != nullptr) controls->raise();
   if (canvas != nullptr) {
     motion = new PartMotion(view, canvas, controls->turnButton(), *scene, [this] { requestRender(); });
     motion->setParent(this);
     connect(motion, &PartMotion::turnRequested, view, &PatchView::turnRequested);
+    buildPointing();
   }
   connect(selection, &Selection::changed, this, [this] { updateSelection(); });
+  connect(selection, &Selection::brushedChanged, this, [this] {
+    if (scene) scene->setBrushed(selection->brushed());
+    requestRender();
+  });
   connect(&measure, &MeasureTool::changed, this, [this] { updateMeasure(); });
   view->setMinimumHeight(180);
   updateCaptions();
+}
+
+/// After the motion, so that it hears of the mouse also where that turns the part.
+void PatchView::Parts::buildPointing() {
+  pointing = new PatchPointing(view, canvas, *scene, selection, [this] { requestRender(); });
+  pointing->setParent(this);
+  connect(controls, &PatchControls::coloringChosen, pointing, &PatchPointing::setColoring);
+  connect(controls, &PatchControls::itemToggled, pointing, [this](SceneItem item, bool shown) {
+    if (item == SceneItem::Ids) pointing->setIdsShown(shown);
+  });
+  connect(controls, &PatchControls::heightChanged, pointing, &PatchPointing::setTopMargin);
+  connect(controls, &PatchControls::viewRequested, pointing, &PatchPointing::forgetReturn);
+  // What has the mouse or the keyboard lies above what lets both through.
+  controls->raise();
+  pointing->raise();
+  view->setFocusPolicy(Qt::StrongFocus);
 }
 
 void PatchView::Parts::buildScene(QGridLayout* layout) {
@@ -130,9 +191,13 @@ void PatchView::Parts::buildScene(QGridLayout* layout) {
 void PatchView::Parts::connectControls() {
   connect(controls, &PatchControls::coloringChosen, this, [this](Coloring chosen) {
     coloring = chosen;
+    is_marked_elsewhere = false;
     scene->setColoring(chosen);
+    scene->setFixedRange(ranges->fixed(chosen));
     refresh();
+    emit view->coloringChanged(chosen);
   });
+  connect(controls, &PatchControls::coloringPicked, view, &PatchView::coloringPicked);
   connect(controls, &PatchControls::itemToggled, this, [this](SceneItem item, bool shown) {
     scene->setShown(item, shown);
     refresh();
@@ -144,7 +209,8 @@ void PatchView::Parts::connectControls() {
   });
   connect(controls, &PatchControls::heightChanged, captions, &PatchCaptions::setTopMargin);
   connect(controls, &PatchControls::heightChanged, this, [this](int height) {
-    scene->setTopMargin(qRound(height * canvas->devicePixelRatioF()));
+    controls_height = height;
+    updateTopMargin();
     requestRender();
   });
   connect(controls->measureAction(), &QAction::toggled, &measure, &MeasureTool::setActive);
@@ -153,12 +219,31 @@ void PatchView::Parts::connectControls() {
     requestRender();
   });
   connect(controls->pictureAction(), &QAction::triggered, view, &PatchView::pictureRequested);
+  connectCut();
 }
 
-/// While the mouse turns the scene, pictures come without smoothing; without a graphics card, where the shader for it
-/// takes longer than the drawing, the picture at rest is smoothed instead.
+void PatchView::Parts::connectCut() {
+  const auto cut = [this] {
+    const bool is_cut = controls->cutAction()->isChecked();
+    scene->setCut(is_cut ? std::optional(controls->cutBar()->share()) : std::nullopt);
+    requestRender();
+  };
+  connect(controls->cutAction(), &QAction::toggled, this, cut);
+  connect(controls->cutBar(), &CutBar::shareChanged, this, cut);
+  connect(controls->cutBar(), &CutBar::alignRequested, this, [this] {
+    scene->alignCut();
+    requestRender();
+  });
+}
+
+/// While the mouse turns the scene, pictures come without the shader that smooths. Without a graphics card, where that
+/// shader takes longer than the drawing, the processor smooths each picture instead, as long as it is quick enough, and
+/// otherwise the picture at rest.
 void PatchView::Parts::smoothWhenAtRest() {
   constexpr int kRest_ms = 150;
+  constexpr double kSmoothing_ms = 8;  // a quarter of a picture's time at 30 a second
+  if (opengl.software) canvas->setSmoothingBudget(kSmoothing_ms);
+  canvas->setHollows([this] { return hollowSight(); });
   at_rest.setSingleShot(true);
   at_rest.setInterval(kRest_ms);
   connect(&at_rest, &QTimer::timeout, this, [this] {
@@ -172,6 +257,19 @@ void PatchView::Parts::smoothWhenAtRest() {
   vtkInteractorObserver* style = canvas->renderWindow()->GetInteractor()->GetInteractorStyle();
   style->AddObserver(vtkCommand::StartInteractionEvent, this, &Parts::startInteraction);
   style->AddObserver(vtkCommand::EndInteractionEvent, this, &Parts::endInteraction);
+}
+
+std::optional<HollowSight> PatchView::Parts::hollowSight() const {
+  constexpr double kFull = 0.25;  // share of a cell's side: what stands out by as much is no more part of the surface
+  if (scene->content() == nullptr) return std::nullopt;
+  const PatchScene::Depths depths = scene->depths();
+  HollowSight sight{
+      depths.near_m, depths.far_m, depths.parallel, kFull * scene->content()->reconstruction->model->side_m, {}};
+  const int height = canvas->renderWindow()->GetSize()[1];
+  for (const auto& [left, bottom, right, top] : depths.elsewhere) {
+    sight.elsewhere.emplace_back(left, height - top, right - left, top - bottom);
+  }
+  return sight;
 }
 
 void PatchView::Parts::setContent(std::shared_ptr<const SceneContent> content) {
@@ -198,10 +296,15 @@ LegendContent PatchView::Parts::legend() const {
   const SceneContent& shown = *scene->content();
   content.coloring = coloring;
   content.patches = shown.reconstruction->patches.size();
-  if (isQuantity(coloring)) {
-    const auto values = scene->values();
-    content.range = colorRange(coloring, values);
-    content.some_unknown = std::ranges::any_of(values, [](const auto& value) { return !value; });
+  content.some_links = !shown.signs.links.empty();
+  for (const CellSign& sign : shown.signs.cells) {
+    content.some_by_links = content.some_by_links || sign.by_links;
+    content.some_faulty = content.some_faulty || sign.faulty;
+    content.some_doubtful = content.some_doubtful || sign.doubtful;
+  }
+  content.scale = scene->scale();
+  if (content.scale) {
+    content.some_unknown = content.scale->counts.unknown > 0;
   } else if (coloring == Coloring::LinkQuality) {
     content.some_unknown = std::ranges::any_of(shown.figures.quality, [](const auto& quality) { return !quality; });
   } else if (coloring == Coloring::BodyPart) {
@@ -211,8 +314,36 @@ LegendContent PatchView::Parts::legend() const {
   return content;
 }
 
+void PatchView::Parts::connectRanges() {
+  connect(ranges, &ScaleRanges::changed, this, [this](Coloring changed) {
+    if (changed == coloring) showFixedRange();
+  });
+}
+
+void PatchView::Parts::showFixedRange() {
+  if (!scene) return;
+  scene->setFixedRange(ranges->fixed(coloring));
+  refresh();
+}
+
+/// The picked cell's value on the scale, unless another one is pointed at.
+void PatchView::Parts::markPicked() {
+  if (is_marked_elsewhere) return;
+  std::optional<double> value;
+  const SceneContent* content = scene ? scene->content() : nullptr;
+  const auto cell = selection->cell();
+  if (content != nullptr && cell && content->layout.find(*cell) != nullptr && isQuantity(coloring)) {
+    value = coloringRow(coloring).of_cell(content->figures, scene->readings(), content->layout.index.at(*cell));
+  }
+  const auto scale = value ? scene->scale() : std::nullopt;
+  legend_view->setMarkedValue(
+      value, scale ? PatchView::tr("cell %1: %2").arg(cell->value()).arg(valueWithUnit(*value, scale->range, coloring))
+                   : QString());
+}
+
 void PatchView::Parts::updateCaptions() {
   PatchCaptions::Content content;
+  std::optional<LegendContent> explained;
   if (canvas == nullptr) {
     content.hint = PatchView::tr(
         "The 3D view needs OpenGL 3.2, which is not available here. The graph and the tables still work.\n\n"
@@ -228,23 +359,35 @@ void PatchView::Parts::updateCaptions() {
                        .arg(QLocale().toString(static_cast<int>(reconstruction->cellCount())));
   } else {
     content.gravity = scene->showsGravity();
-    content.legend = legend();
+    explained = legend();
+    content.legend = legendInWords(*explained);
     content.notes = notesInWords(scene->notes(), overlays);
     content.message = measure.words();
   }
   captions->setContent(content);
+  if (scene) updateTopMargin();
+  legend_view->setContent(explained);
+  markPicked();
   if (controls != nullptr) controls->setVisible(content.hint.isEmpty());
+}
+
+/// What is drawn stays below the buttons and the notes.
+void PatchView::Parts::updateTopMargin() {
+  const int covered = std::max(controls_height, captions->notesBottom());
+  scene->setTopMargin(qRound(covered * canvas->devicePixelRatioF()));
 }
 
 void PatchView::Parts::refresh() {
   updateCaptions();
   if (motion != nullptr) motion->refresh();
+  if (pointing != nullptr) pointing->refresh();
   requestRender();
 }
 
 void PatchView::Parts::updateMeasure() {
   if (!scene) return;
   controls->measureAction()->setChecked(measure.isActive());
+  pointing->setOnlyCells(measure.isActive());
   scene->setMeasured(measure.first(), measure.second());
   refresh();
 }
@@ -261,14 +404,34 @@ void PatchView::Parts::requestRender() {
   canvas->requestRender();
 }
 
-void PatchView::Parts::pickAt(const QPoint& position) {
-  const double ratio = canvas->devicePixelRatioF();
-  const auto picked = scene->pick(ratio * position.x(), ratio * (canvas->height() - 1 - position.y()));
-  if (picked) {
-    selection->selectCell(*picked);
-  } else {
-    selection->clear();
-  }
+QPointF PatchView::Parts::inScene(const QPoint& position) const {
+  return canvas->devicePixelRatioF() * QPointF(position.x(), canvas->height() - 1 - position.y());
+}
+
+bool PatchView::Parts::turnByKnobAt(const QPoint& position) {
+  const QPointF at = inScene(position);
+  const auto wanted = scene->viewAt(at.x(), at.y());
+  if (!wanted) return false;
+  scene->showStandardView(*wanted);
+  requestRender();
+  return true;
+}
+
+void PatchView::Parts::hoverAt(const QPoint& position) {
+  const QPointF at = inScene(position);
+  if (scene->hoverAxes(at.x(), at.y())) requestRender();
+}
+
+void PatchView::Parts::openMenuAt(const QPoint& position) {
+  if (!scene || scene->content() == nullptr) return;
+  const QPointF at = inScene(position);
+  auto* menu = new QMenu(view);
+  menu->setObjectName(QStringLiteral("patchMenu"));
+  menu->setAttribute(Qt::WA_DeleteOnClose);
+  fillPatchMenu(*menu, *controls, scene->pick(at.x(), at.y()),
+                {[this](CellId cell) { selection->selectCell(cell); }, [this](CellId cell) { view->centerOn(cell); },
+                 [this] { view->copyPicture(); }});
+  menu->popup(canvas->mapToGlobal(position));
 }
 
 bool PatchView::Parts::eventFilter(QObject*, QEvent* event) {
@@ -286,11 +449,19 @@ bool PatchView::Parts::eventFilter(QObject*, QEvent* event) {
     case QEvent::MouseButtonPress:
       pressed_at = static_cast<QMouseEvent*>(event)->pos();
       return false;
+    case QEvent::MouseMove:
+      hoverAt(static_cast<QMouseEvent*>(event)->pos());
+      return false;
+    case QEvent::Leave:
+      hoverAt({-1, -1});
+      return false;
+    case QEvent::ContextMenu:  // comes when the button goes down, and dragging with it zooms
+      return static_cast<QContextMenuEvent*>(event)->reason() == QContextMenuEvent::Mouse;
     case QEvent::MouseButtonRelease: {
       const auto* mouse = static_cast<QMouseEvent*>(event);
-      if (mouse->button() == Qt::LeftButton && (mouse->pos() - pressed_at).manhattanLength() <= kClickSlack) {
-        pickAt(mouse->pos());
-      }
+      if ((mouse->pos() - pressed_at).manhattanLength() > kClickSlack) return false;
+      if (mouse->button() == Qt::LeftButton && !turnByKnobAt(mouse->pos())) pointing->pickAt(mouse->pos());
+      if (mouse->button() == Qt::RightButton) openMenuAt(mouse->pos());
       return false;
     }
     default:
@@ -305,8 +476,11 @@ PatchView::PatchView(Selection* selection, QWidget* parent)
 }
 
 PatchView::~PatchView() {
+  delete parts_->pointing;
   delete parts_->motion;
   parts_->builder.reset();
+  // Qt sends a leave event to a canvas that is deleted under the mouse.
+  if (parts_->canvas != nullptr) parts_->canvas->removeEventFilter(parts_.get());
   // The scene gives its OpenGL objects back while the context is still there.
   parts_->scene.reset();
   delete parts_->canvas;
@@ -333,13 +507,37 @@ void PatchView::setAwaited(const QString& awaited) {
 
 void PatchView::setTheme(Theme theme) {
   const SceneColors colors = sceneColors(theme);
-  parts_->captions->setTheme(theme, colors);
+  parts_->captions->setTheme(theme);
+  parts_->legend_view->setTheme(theme, colors);
   if (parts_->scene) parts_->scene->setColors(colors);
   if (parts_->motion) parts_->motion->setTheme(theme);
+  if (parts_->pointing) parts_->pointing->setTheme(theme);
   parts_->background = Colors::of(theme).scene_bottom;
   if (parts_->canvas != nullptr) parts_->canvas->setBackground(parts_->background);
   update();
   parts_->requestRender();
+}
+
+void PatchView::setColoring(Coloring coloring) {
+  if (parts_->controls != nullptr) parts_->controls->action(coloring)->setChecked(true);
+}
+
+Coloring PatchView::coloring() const { return parts_->coloring; }
+
+void PatchView::setScaleRanges(ScaleRanges* ranges) {
+  parts_->ranges->disconnect(parts_.get());
+  parts_->ranges = ranges;
+  parts_->connectRanges();
+  parts_->showFixedRange();
+}
+
+void PatchView::setMarkedValue(std::optional<double> value, const QString& word) {
+  parts_->is_marked_elsewhere = value.has_value();
+  if (value) {
+    parts_->legend_view->setMarkedValue(value, word);
+  } else {
+    parts_->markPicked();
+  }
 }
 
 void PatchView::paintEvent(QPaintEvent* /*event*/) { QPainter(this).fillRect(rect(), parts_->background); }
@@ -355,11 +553,26 @@ void PatchView::setOverlays(const PatchOverlays& overlays) {
 
 const PatchOverlays& PatchView::overlays() const { return parts_->overlays; }
 
+void PatchView::setShiftFactor(std::optional<double> factor) {
+  if (!parts_->scene) return;
+  parts_->scene->setShiftFactor(factor);
+  parts_->refresh();
+}
+
+std::optional<double> PatchView::shiftFactor() const {
+  return parts_->scene ? parts_->scene->notes().shift_factor : std::nullopt;
+}
+
+vtkCamera* PatchView::camera() const { return parts_->scene ? parts_->scene->renderer()->GetActiveCamera() : nullptr; }
+
+void PatchView::redraw() { parts_->requestRender(); }
+
 void PatchView::setMoment(const PatchMoment& moment) {
   const PatchMoment before = std::exchange(parts_->moment, moment);
   if (!parts_->motion) return;
   const bool was_shown = parts_->scene->showsGravity();
   parts_->motion->setMoment(moment);
+  parts_->pointing->setTold(moment.told_cell);
   const bool other_readings = moment.readings != before.readings;
   if (other_readings && comesOrGoes(before.readings.get(), moment.readings.get())) parts_->updateControls();
   if (moment.pose != before.pose || (other_readings && isReading(parts_->coloring))) {
@@ -378,10 +591,24 @@ void PatchView::setTurnable(bool turnable) {
 }
 
 void PatchView::setAnimated(bool animated) {
-  if (parts_->motion) parts_->motion->setAnimated(animated);
+  if (!parts_->motion) return;
+  parts_->motion->setAnimated(animated);
+  parts_->pointing->setAnimated(animated);
 }
 
-bool PatchView::isAnimating() const { return parts_->motion && parts_->motion->isAnimating(); }
+bool PatchView::isAnimating() const {
+  return parts_->motion && (parts_->motion->isAnimating() || parts_->pointing->isGliding());
+}
+
+void PatchView::setFiguresShown(bool shown) {
+  if (parts_->pointing) parts_->pointing->setFiguresShown(shown);
+}
+
+bool PatchView::areFiguresShown() const { return parts_->pointing && parts_->pointing->areFiguresShown(); }
+
+void PatchView::keyPressEvent(QKeyEvent* event) {
+  if (!parts_->pointing || !parts_->pointing->onKey(*event)) QWidget::keyPressEvent(event);
+}
 
 void PatchView::whenUpToDate(std::function<void()> then) {
   if (isUpToDate()) {
@@ -408,15 +635,34 @@ QImage PatchView::screenshot() {
   drawNow();
   QImage image = parts_->canvas->picture();
   QPainter painter(&image);
+  parts_->pointing->paintMarks(painter);
   parts_->captions->paint(painter, parts_->canvas->size());
+  parts_->legend_view->paintPicture(painter, parts_->canvas->size());
   parts_->motion->paintCaption(painter, parts_->canvas->size());
   return image;
 }
 
 void PatchView::fit() {
   if (!parts_->scene) return;
+  parts_->pointing->forgetReturn();
   parts_->scene->fit();
   parts_->requestRender();
+}
+
+void PatchView::centerOn(CellId cell) {
+  if (!parts_->scene) return;
+  parts_->scene->centerOn(cell);
+  parts_->requestRender();
+}
+
+void PatchView::copyPicture() { QGuiApplication::clipboard()->setImage(screenshot()); }
+
+void PatchView::contextMenuEvent(QContextMenuEvent* event) {
+  if (event->reason() == QContextMenuEvent::Mouse || parts_->canvas == nullptr) {
+    event->ignore();
+  } else {
+    parts_->openMenuAt(parts_->canvas->rect().center());
+  }
 }
 
 void PatchView::keepView() {
@@ -431,6 +677,7 @@ void PatchView::returnToKeptView() {
 
 void PatchView::showStandardView(StandardView view) {
   if (!parts_->scene) return;
+  parts_->pointing->forgetReturn();
   switch (view) {
     case StandardView::Front:
       parts_->scene->showStandardView(PatchScene::View::Front);
@@ -440,6 +687,12 @@ void PatchView::showStandardView(StandardView view) {
       break;
     case StandardView::Top:
       parts_->scene->showStandardView(PatchScene::View::Top);
+      break;
+    case StandardView::Back:
+      parts_->scene->showStandardView(PatchScene::View::Back);
+      break;
+    case StandardView::Isometric:
+      parts_->scene->showStandardView(PatchScene::View::Isometric);
       break;
   }
   parts_->requestRender();

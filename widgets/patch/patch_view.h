@@ -1,6 +1,7 @@
 #pragma once
 
 #include "hexoderm/reconstruction/result/reconstruction.h"
+#include "widgets/coloring/coloring.h"
 #include "widgets/scene/patch_moment.h"
 #include "widgets/scene/patch_overlays.h"
 #include "widgets/style/palette.h"
@@ -11,19 +12,24 @@
 #include <memory>
 #include <optional>
 
+class vtkCamera;
+
 namespace hexoderm {
 
+class ScaleRanges;
 class Selection;
 
 /// The patch in 3D: true hexagonal prisms with ports, IDs, origin and gravity, in the colours that are chosen, with
-/// overlays and live readings. It computes nothing itself; without OpenGL it says so in words and stays empty.
+/// overlays and live readings. What is under the mouse and what is picked is outlined and has its figures on a card;
+/// the camera turns to what is sought (Selection::sought). It computes nothing itself; without OpenGL it says so in
+/// words and stays empty.
 ///
 /// Large skins are prepared on another thread; until that is done, the previous picture stays.
 class PatchView : public QWidget {
   Q_OBJECT
 
  public:
-  enum class StandardView { Front, Side, Top };
+  enum class StandardView { Front, Side, Top, Back, Isometric };
   /// Larger skins take longer than a few milliseconds to prepare.
   static constexpr std::size_t kMaxCellsAtOnce = 1500;
 
@@ -36,19 +42,40 @@ class PatchView : public QWidget {
   /// What is going on while there is no skin, in words, which stand in the hint's place; empty: nothing is.
   void setAwaited(const QString& awaited);
   void setTheme(Theme theme);
+  /// What the colours of the cells mean, as the menu has it.
+  void setColoring(Coloring coloring);
+  [[nodiscard]] Coloring coloring() const;
+  /// Ranges of scales that the operator fixes, here or elsewhere; they must outlive the view. Without them the view has
+  /// some of its own.
+  void setScaleRanges(ScaleRanges* ranges);
   /// Results and truths about the reconstruction that is shown. They stay until they are set anew.
   void setOverlays(const PatchOverlays& overlays);
   [[nodiscard]] const PatchOverlays& overlays() const;
+  /// The enlargement of the differences with another calibration; none: as far as they can be told apart.
+  void setShiftFactor(std::optional<double> factor);
+  /// As they are drawn; none: nothing is.
+  [[nodiscard]] std::optional<double> shiftFactor() const;
+  /// Null without OpenGL. Whoever moves it asks for a picture with redraw().
+  [[nodiscard]] vtkCamera* camera() const;
+  /// Draws soon.
+  void redraw();
   /// The present moment of a connected skin and the picked pose. Each call lets the picture follow the part a little
   /// further; may come 20 times a second.
   void setMoment(const PatchMoment& moment);
   [[nodiscard]] const PatchMoment& moment() const;
+  /// Points at a value on the scale of the colours, for example that of the cell under the mouse, and says whose it is;
+  /// none points at that of the picked cell again.
+  void setMarkedValue(std::optional<double> value, const QString& word = {});
   /// On: somebody obeys turnRequested(), so that a button, Shift and the arrow keys turn the part instead of the
   /// picture.
   void setTurnable(bool turnable);
   /// Off: nothing moves by itself.
   void setAnimated(bool animated);
   [[nodiscard]] bool isAnimating() const;
+  /// Keeps a card with all figures of what is picked over the picture, and its neighbours to go to; the card follows
+  /// what is picked, until Esc.
+  void setFiguresShown(bool shown);
+  [[nodiscard]] bool areFiguresShown() const;
 
   /// Everything that was set is in the picture, or will be at its next drawing.
   [[nodiscard]] bool isUpToDate() const;
@@ -69,15 +96,26 @@ class PatchView : public QWidget {
   /// again.
   void keepView();
   void returnToKeptView();
+  /// Brings the cell into the middle of the picture, without turning.
+  void centerOn(hexoderm::CellId cell);
+  /// Puts screenshot() on the clipboard.
+  void copyPicture();
 
  signals:
+  /// The operator chose a colouring.
+  void coloringPicked(hexoderm::Coloring coloring);
   /// "Save picture of the 3D view…" was chosen: the window asks for a path and saves screenshot().
   void pictureRequested();
   /// The part should be turned until this direction of the largest patch's frame points up; at most 20 times a second.
   void turnRequested(Eigen::Vector3d up_o);
+  /// The cells are coloured by something else, whoever asked for it.
+  void coloringChanged(hexoderm::Coloring coloring);
 
  protected:
   void paintEvent(QPaintEvent* event) override;
+  void keyPressEvent(QKeyEvent* event) override;
+  /// The menu key; the right button of the mouse opens the menu when it is let go.
+  void contextMenuEvent(QContextMenuEvent* event) override;
 
  private:
   struct Parts;

@@ -1,8 +1,9 @@
 #include "widgets/patch/scene_look.h"
 
+#include "widgets/style/color_maps.h"
+
 #include <vtkInteractorStyleTrackballCamera.h>
 #include <vtkObjectFactory.h>
-#include <QColor>
 
 namespace hexoderm {
 namespace {
@@ -16,16 +17,15 @@ class SceneInteractorStyle : public vtkInteractorStyleTrackballCamera {
 };
 vtkStandardNewMacro(SceneInteractorStyle);
 
-Rgb toRgb(const QColor& color) { return {color.redF(), color.greenF(), color.blueF()}; }
-
 }  // namespace
 
 SceneColors sceneColors(Theme theme) {
   const Colors& colors = Colors::of(theme);
   const bool dark = theme == Theme::Dark;
-  // Large faces in a link's full colour would shout: they are calmed towards black.
+  // Large faces in a link's full colour would shout: they are calmed towards black, as far as that brings none near the
+  // ground.
   const Rgb black{};
-  const double calm = dark ? 0.36 : 0.10;
+  const double calm = dark ? 0.08 : 0.16;
   SceneColors scene;
   scene.background_top = toRgb(colors.scene_top);
   scene.background_bottom = toRgb(colors.scene_bottom);
@@ -34,10 +34,11 @@ SceneColors sceneColors(Theme theme) {
     scene.quality.at(k) = mixed(scene.link_line.at(k), black, calm);
   }
   scene.neutral = toRgb(colors.muted_link);
-  constexpr int kScaleSteps = 32;
-  for (int k = 0; k <= kScaleSteps; ++k) {
-    scene.scale.push_back(mixed(toRgb(viridis(static_cast<double>(k) / kScaleSteps)), black, 0.5 * calm));
-  }
+  // What is not known stands back.
+  scene.no_data = mixed(scene.neutral, scene.background_bottom, 0.45);
+  scene.scale = sequentialMap(theme);
+  scene.signed_scale = divergingMap(theme);
+  scene.classes = classColors(theme);
   scene.edge = toRgb(dark ? colors.scene_top : colors.text);
   scene.selection = toRgb(colors.selection);
   scene.light_mark = toRgb(dark ? colors.selection : colors.panel);

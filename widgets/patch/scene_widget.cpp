@@ -7,11 +7,13 @@
 #include <vtkCommand.h>
 #include <vtkOpenGLFramebufferObject.h>
 #include <vtkOpenGLState.h>
+#include <QElapsedTimer>
 #include <QEvent>
 #include <QOpenGLFunctions>
 #include <QPainter>
 #include <array>
 #include <utility>
+#include <vector>
 
 namespace hexoderm {
 SceneWidget::SceneWidget(QWidget* parent) : QWidget(parent) {
@@ -130,12 +132,39 @@ void SceneWidget::readPicture() {
   picture_ = std::move(upside_down).mirrored();
   picture_.setDevicePixelRatio(devicePixelRatioF());
   is_smoothed_ = false;
+  const double pixels = 1.0 * size[0] * size[1];
+  // The first one tells how long it takes.
+  if (smoothing_budget_ms_ > 0 && pixels * smoothing_ms_per_pixel_.value_or(0) <= smoothing_budget_ms_) smoothNow();
+}
+
+void SceneWidget::smoothNow() {
+  is_smoothed_ = true;
+  if (picture_.isNull()) return;
+  constexpr double kNanoseconds = 1e-6;  // in milliseconds
+  constexpr double kNewest = 0.3;        // one slow picture, of a busy computer, is not all of them
+  QElapsedTimer timer;
+  timer.start();
+  shadePicture();
+  picture_ = smoothEdges(picture_);
+  const double pixels = 1.0 * picture_.width() * picture_.height();
+  const double measured = kNanoseconds * static_cast<double>(timer.nsecsElapsed()) / pixels;
+  double& kept = smoothing_ms_per_pixel_ ? *smoothing_ms_per_pixel_ : smoothing_ms_per_pixel_.emplace(measured);
+  kept += kNewest * (measured - kept);
+}
+
+void SceneWidget::shadePicture() {
+  const std::optional<HollowSight> sight = hollows_ ? hollows_() : std::nullopt;
+  const QSize size = picture_.size();
+  if (!sight || size != QSize(window_->GetSize()[0], window_->GetSize()[1]) || !makeCurrent()) return;
+  std::vector<float> depths(static_cast<std::size_t>(size.width()) * static_cast<std::size_t>(size.height()), 1.0F);
+  window_->GetZbufferData(0, 0, size.width() - 1, size.height() - 1, depths.data());
+  picture_ = shadeHollows(picture_, depthPicture(depths, size, *sight), sight->full_m);
 }
 
 void SceneWidget::smoothPicture() {
   readPicture();
-  if (std::exchange(is_smoothed_, true)) return;
-  picture_ = smoothEdges(picture_);
+  if (is_smoothed_) return;
+  smoothNow();
   update();
 }
 

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "widgets/patch/hollow_shading.h"
+
 #include <QVTKInteractorAdapter.h>
 #include <vtkGenericOpenGLRenderWindow.h>
 #include <vtkNew.h>
@@ -9,6 +11,9 @@
 #include <QOpenGLContext>
 #include <QTimer>
 #include <QWidget>
+#include <functional>
+#include <optional>
+#include <utility>
 
 namespace hexoderm {
 
@@ -30,6 +35,13 @@ class SceneWidget : public QWidget {
   void requestRender();
   /// Smooths the edges in the picture that was drawn last, by the processor (see smoothEdges()).
   void smoothPicture();
+  /// Each picture is smoothed as soon as it is drawn, also while they follow each other, as long as that takes no more
+  /// than `budget_ms`, as measured on those before. Where it takes longer, smoothPicture() at rest measures it anew. 0
+  /// (at first): only smoothPicture() smooths.
+  void setSmoothingBudget(double budget_ms) { smoothing_budget_ms_ = budget_ms; }
+  /// Darkens hollows too where a picture is smoothed (see shadeHollows()). `sight` is asked for each such picture, and
+  /// answers nothing where there are none.
+  void setHollows(std::function<std::optional<HollowSight>()> sight) { hollows_ = std::move(sight); }
   [[nodiscard]] bool isPictureSmoothed() const { return is_smoothed_; }
   /// Current while the window draws.
   [[nodiscard]] QOpenGLContext& context() { return context_; }
@@ -52,6 +64,10 @@ class SceneWidget : public QWidget {
   void takeSize();
   /// Fetches what was drawn, once for however many drawings.
   void readPicture();
+  /// Darkens the hollows of the picture that was drawn last.
+  void shadePicture();
+  /// Does both now, and measures how long that takes.
+  void smoothNow();
 
   QOffscreenSurface surface_;
   QOpenGLContext context_;
@@ -61,6 +77,9 @@ class SceneWidget : public QWidget {
   QColor background_ = Qt::white;
   bool is_newer_drawn_ = false;
   bool is_smoothed_ = false;
+  std::function<std::optional<HollowSight>()> hollows_;
+  double smoothing_budget_ms_ = 0;
+  std::optional<double> smoothing_ms_per_pixel_;  ///< as measured
   QTimer render_soon_;
   QTimer show_soon_;
 };

@@ -66,12 +66,12 @@ QLabel* buddyLabel(QWidget* field, const QString& text) {
 class ChoiceList : public QListWidget {
  public:
   void fitHeight() {
-    constexpr int kMargin = 4;  // on both sides of a text, in all styles about so much
-    const int width = QListWidget::width() - 2 * (frameWidth() + kMargin);
+    constexpr int kBesideText = 4;  // on both sides of a text, in all styles about so much
+    const int width = QListWidget::width() - 2 * (frameWidth() + kBesideText);
     int height = 2 * frameWidth();
     for (int row = 0; row < std::min(count(), kMostRowsInList); ++row) {
       const QRect text = fontMetrics().boundingRect({0, 0, width, 0}, Qt::TextWordWrap, item(row)->text());
-      height += text.height() + kMargin;
+      height += text.height() + kBesideText;
     }
     setFixedHeight(height);
   }

@@ -14,7 +14,6 @@
 #include <vtkCellPicker.h>
 #include <vtkCommand.h>
 #include <vtkConeSource.h>
-#include <vtkLight.h>
 #include <vtkMatrix4x4.h>
 #include <vtkNew.h>
 #include <vtkPolyDataMapper.h>
@@ -173,16 +172,7 @@ struct RobotScene::Parts {
 };
 
 RobotScene::Parts::Parts() {
-  vtkNew<vtkLight> key;
-  key->SetLightTypeToCameraLight();
-  key->SetPosition(SceneLights::kKeyFrom[0], SceneLights::kKeyFrom[1], SceneLights::kKeyFrom[2]);
-  key->SetFocalPoint(0, 0, 0);
-  key->SetIntensity(SceneLights::kKey);
-  renderer->AddLight(key);
-  vtkNew<vtkLight> fill;
-  fill->SetLightTypeToHeadlight();
-  fill->SetIntensity(SceneLights::kHead);
-  renderer->AddLight(fill);
+  addSceneLights(renderer);
   renderer->GradientBackgroundOn();
   skin.actor->PickableOff();
   skin.actor->GetProperty()->EdgeVisibilityOn();

@@ -90,7 +90,10 @@ vtkSmartPointer<vtkPolyData> withPointColors(vtkPolyData* faces, std::size_t poi
 
 }  // namespace
 
-vtkSmartPointer<vtkPolyData> makeColoredSurface(const SceneContent& content, const std::vector<Rgb>& front_colors) {
+Rgb backGrey(const SceneColors& colors) { return mixed(colors.neutral, colors.edge, 0.35); }
+
+vtkSmartPointer<vtkPolyData> makeColoredSurface(const SceneContent& content, const std::vector<Rgb>& front_colors,
+                                                const SceneColors& scene_colors) {
   if (!content.prisms) return withPointColors(content.surface, 6, front_colors);
   auto data = vtkSmartPointer<vtkPolyData>::New();
   data->ShallowCopy(content.surface);
@@ -101,8 +104,9 @@ vtkSmartPointer<vtkPolyData> makeColoredSurface(const SceneContent& content, con
   unsigned char* out = front_colors.empty() ? nullptr : colors->GetPointer(0);
   for (const Rgb& color : front_colors) {
     const Bytes front = toBytes(color);
-    const Bytes shade = toBytes(mixed({0, 0, 0}, color, kUndersideShade));
-    for (std::size_t k = 0; k < per_cell; ++k) out = std::ranges::copy(k == 0 ? front : shade, out).out;
+    const Bytes back = toBytes(mixed({0, 0, 0}, mixed(color, backGrey(scene_colors), kBackGrey), kUndersideShade));
+    const Bytes side = toBytes(mixed({0, 0, 0}, color, kUndersideShade));
+    for (std::size_t k = 0; k < per_cell; ++k) out = std::ranges::copy(k == 0 ? front : k == 1 ? back : side, out).out;
   }
   // The polygons of a prism share their points.
   data->GetCellData()->SetScalars(colors);

@@ -12,14 +12,18 @@ namespace hexoderm {
 
 // Meshes of the cells themselves. No Qt, no OpenGL.
 
-/// The surface with one colour a cell; the sides and backs of prisms are darker. Shares points and polygons with the
-/// content's.
-vtkSmartPointer<vtkPolyData> makeColoredSurface(const SceneContent& content, const std::vector<Rgb>& front_colors);
+/// The surface with one colour a cell; the sides of prisms are darker, and their backs greyed too. Shares points and
+/// polygons with the content's.
+vtkSmartPointer<vtkPolyData> makeColoredSurface(const SceneContent& content, const std::vector<Rgb>& front_colors,
+                                                const SceneColors& colors);
 /// The same with SceneContent::bricks, which must be there.
 vtkSmartPointer<vtkPolyData> makeColoredBricks(const SceneContent& content, const std::vector<Rgb>& front_colors);
 
 /// Sides, backs and undersides, of the front face's colour.
 inline constexpr double kUndersideShade = 0.70;
+/// What the back of a cell is greyed with, and how much of it.
+Rgb backGrey(const SceneColors& colors);
+inline constexpr double kBackGrey = 0.55;
 
 /// Ports as discs (joined to a neighbour by a used link) or rings (free), flat on the front faces in the colour that
 /// stands out from each face.

@@ -300,12 +300,13 @@ EnlargedShape makeDistanceLines(const SceneContent& content, const SurfaceMesh& 
   return shape;
 }
 
-EnlargedShape makeShiftArrows(const SceneContent& content, const std::vector<CellShift>& shifts) {
+EnlargedShape makeShiftArrows(const SceneContent& content, const std::vector<CellShift>& shifts,
+                              std::optional<double> factor) {
   const double side_m = content.reconstruction->model->side_m;
   double largest = 0;
   for (const CellShift& shift : shifts) largest = std::max(largest, (shift.now_o - shift.before_o).norm());
   EnlargedShape shape;
-  shape.factor = enlargement(largest, kShiftRoom * side_m);
+  shape.factor = factor.value_or(enlargement(largest, kShiftRoom * side_m));
   PolyDataBuilder mesh;
   for (const CellShift& shift : shifts) {
     const Eigen::Vector3d now = shift.now_o + content.layout.shifts[shift.patch];

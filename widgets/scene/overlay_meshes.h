@@ -7,6 +7,7 @@
 
 #include <vtkPolyData.h>
 #include <vtkSmartPointer.h>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -42,8 +43,10 @@ vtkSmartPointer<vtkPolyData> makeSurfaceSheet(const SceneContent& content, const
 /// From each foot on the surface towards the cell's centre.
 EnlargedShape makeDistanceLines(const SceneContent& content, const SurfaceMesh& mesh, std::size_t patch);
 
-/// From before to now, all ending at the cells' centres.
-EnlargedShape makeShiftArrows(const SceneContent& content, const std::vector<CellShift>& shifts);
+/// From before to now, all ending at the cells' centres. Without a `factor` they are enlarged as far as they can be
+/// told apart.
+EnlargedShape makeShiftArrows(const SceneContent& content, const std::vector<CellShift>& shifts,
+                              std::optional<double> factor = std::nullopt);
 
 /// From one point to the other, enlarged about their middle.
 EnlargedShape makeGapArrow(const SceneContent& content, const Eigen::Vector3d& from, const Eigen::Vector3d& to);

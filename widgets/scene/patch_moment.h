@@ -23,6 +23,8 @@ struct PatchMoment {
   std::optional<Eigen::Vector3d> up_o;
   /// Up in the next pose: shown as a ghost beside the skin. None: no ghost.
   std::optional<Eigen::Vector3d> next_up_o;
+  /// The cell that the present instruction speaks of: it is lit and named. None: it speaks of none.
+  std::optional<CellId> told_cell;
   /// The angle by which the part is to be turned to get there ("90°", UTF-8), written beside the ghost; may be empty.
   std::string next_turn;
 };

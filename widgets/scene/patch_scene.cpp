@@ -2,6 +2,7 @@
 
 #include "hexoderm/reconstruction/advice/pose_coverage.h"
 #include "widgets/scene/blending_renderer.h"
+#include "widgets/scene/brush_marks.h"
 #include "widgets/scene/cell_meshes.h"
 #include "widgets/scene/scene_corners.h"
 #include "widgets/scene/scene_ghost.h"
@@ -11,14 +12,16 @@
 #include <vtkActor.h>
 #include <vtkCamera.h>
 #include <vtkCommand.h>
-#include <vtkLight.h>
 #include <vtkNew.h>
 #include <vtkPolyDataMapper.h>
 #include <vtkProperty.h>
 #include <vtkRenderWindow.h>
 #include <vtkRenderer.h>
+#include <vtkRendererCollection.h>
 #include <vtkWeakPointer.h>
 #include <algorithm>
+#include <cmath>
+#include <limits>
 #include <unordered_map>
 
 namespace hexoderm {
@@ -28,8 +31,11 @@ struct PatchScene::Parts {
   SceneColors colors;
   std::optional<CellId> picked_cell;
   std::optional<std::pair<LinkEnd, LinkEnd>> picked_link;
+  std::vector<CellId> brushed;
   PatchMoment moment;
   PatchOverlays overlays;
+  std::optional<double> cut_share;
+  std::optional<SceneCut> cut;
   bool text_visible = true;
   ShownItems shown = kShownAtFirst;
 
@@ -42,6 +48,8 @@ struct PatchScene::Parts {
   SceneLabels labels{renderer};
   vtkNew<vtkActor> selection_actor;
   vtkNew<vtkPolyDataMapper> selection_mapper;
+  vtkNew<vtkActor> brush_actor;
+  vtkNew<vtkPolyDataMapper> brush_mapper;
   SceneCorners corners;
   SceneGhost ghost;
 
@@ -53,8 +61,10 @@ struct PatchScene::Parts {
   void recolor();
   void updateItems();
   void updateSelection();
+  void updateBrushed();
   void updateGravity();
   void updateGhost();
+  void updateCut();
   void showGhostOfLargestPatch();
   /// The present up, else that of the pose whose gravity is shown; none without either.
   [[nodiscard]] std::optional<Eigen::Vector3d> upShown() const;
@@ -68,17 +78,12 @@ PatchScene::Parts::Parts() {
   // An outline lies on the faces and keeps its colour in any light.
   selection_actor->GetProperty()->LightingOff();
   selection_actor->GetProperty()->SetLineWidth(3.5F);
+  brush_actor->SetMapper(brush_mapper);
+  brush_actor->VisibilityOff();
+  brush_actor->GetProperty()->LightingOff();
+  renderer->AddActor(brush_actor);
 
-  vtkNew<vtkLight> key;
-  key->SetLightTypeToCameraLight();
-  key->SetPosition(SceneLights::kKeyFrom[0], SceneLights::kKeyFrom[1], SceneLights::kKeyFrom[2]);
-  key->SetFocalPoint(0, 0, 0);
-  key->SetIntensity(SceneLights::kKey);
-  renderer->AddLight(key);
-  vtkNew<vtkLight> fill;
-  fill->SetLightTypeToHeadlight();
-  fill->SetIntensity(SceneLights::kHead);
-  renderer->AddLight(fill);
+  addSceneLights(renderer);
   renderer->GradientBackgroundOn();
 
   observer = renderer->AddObserver(vtkCommand::StartEvent, this, &Parts::beforeRender);
@@ -107,12 +112,13 @@ SceneCamera::Surroundings PatchScene::Parts::surroundings() const {
 
 void PatchScene::Parts::beforeRender() {
   const SceneCamera::Surroundings around = surroundings();
+  if (drawn_overlays.update()) camera.setMore(drawn_overlays.points());
   camera.prepare(around);
-  drawn_overlays.update();
   renderer->ResetCameraClippingRange();
   if (!window) return;
   skin.update(around.window[1]);
-  labels.update(around.window, window->GetDPI());
+  const std::optional<std::size_t> picked = labels.picked();
+  labels.update(around.window, window->GetDPI(), picked && skin.isCovered(*picked));
   corners.follow(renderer->GetActiveCamera(), window);
   ghost.follow(renderer->GetActiveCamera(), window);
 }
@@ -150,16 +156,39 @@ void PatchScene::Parts::recolor() {
   corners.setColors(colors);
   ghost.setColors(colors);
   labels.setColors(skin.frontColors(), colors);
+  updateBrushed();
 }
 
 void PatchScene::Parts::updateItems() {
   skin.setPortsVisible(shown.at(indexOf(SceneItem::Ports)));
-  labels.setVisible(text_visible && shown.at(indexOf(SceneItem::Ids)));
+  labels.setVisible(text_visible && shown.at(indexOf(SceneItem::Ids)), text_visible);
   corners.setAxesVisible(content && !content->layout.cells.empty() && shown.at(indexOf(SceneItem::Axes)));
   updateGravity();
 }
 
+void PatchScene::Parts::updateCut() {
+  if (!cut_share || !content || content->layout.points.empty()) {
+    cut.reset();
+  } else {
+    if (!cut) cut = SceneCut{-Eigen::Vector3d(renderer->GetActiveCamera()->GetDirectionOfProjection()), 0};
+    double least = std::numeric_limits<double>::infinity();
+    double most = -least;
+    for (const Eigen::Vector3d& p : content->layout.points) {
+      least = std::min(least, cut->normal.dot(p));
+      most = std::max(most, cut->normal.dot(p));
+    }
+    // At the ends everything is there, or nothing.
+    constexpr double kBeyond = 0.001;
+    const double beyond = kBeyond * (most - least);
+    cut->offset_m = most + beyond - *cut_share * (most - least + 2 * beyond);
+  }
+  skin.setCut(cut);
+  drawn_overlays.setCut(cut);
+  labels.setCut(cut);
+}
+
 void PatchScene::Parts::updateSelection() {
+  labels.setPicked(picked_cell);
   selection_actor->VisibilityOff();
   if (!content) return;
   if (picked_link && content->reconstruction->findLink(picked_link->first, picked_link->second) != nullptr) {
@@ -169,6 +198,12 @@ void PatchScene::Parts::updateSelection() {
     selection_mapper->SetInputData(makeCellOutlines(*content, {*picked_cell}));
     selection_actor->VisibilityOn();
   }
+}
+
+void PatchScene::Parts::updateBrushed() {
+  const bool any = content && !brushed.empty();
+  brush_actor->SetVisibility(any);
+  if (any) brush_mapper->SetInputData(makeBrushMarks(*content, brushed, skin.frontColors(), colors));
 }
 
 /// Every patch has a frame of its own: this is the gravity of the picked cell's patch, or else of the largest patch, or
@@ -216,6 +251,7 @@ void PatchScene::setContent(std::shared_ptr<const SceneContent> content) {
   parts_->recolor();
   parts_->updateItems();
   parts_->updateSelection();
+  if (parts_->cut_share) parts_->updateCut();
   parts_->showGhostOfLargestPatch();
 }
 
@@ -235,6 +271,11 @@ void PatchScene::setColoring(Coloring coloring) {
   parts_->recolor();
 }
 
+void PatchScene::setFixedRange(const std::optional<ColorRange>& range) {
+  parts_->skin.setFixedRange(range);
+  parts_->recolor();
+}
+
 void PatchScene::setOverlays(const PatchOverlays& overlays) {
   const bool other_surface = overlays.surface != parts_->overlays.surface;
   parts_->overlays = overlays;
@@ -248,13 +289,15 @@ void PatchScene::setOverlays(const PatchOverlays& overlays) {
   parts_->recolor();
 }
 
+void PatchScene::setShiftFactor(std::optional<double> factor) { parts_->drawn_overlays.setShiftFactor(factor); }
+
 const PatchOverlays& PatchScene::overlays() const { return parts_->overlays; }
 
 void PatchScene::setMoment(const PatchMoment& moment) {
   const PatchMoment before = std::exchange(parts_->moment, moment);
   if (moment.readings != before.readings) {
     parts_->skin.setReadings(moment.readings ? *moment.readings : CellReadings{});
-    parts_->recolor();
+    if (isReading(parts_->skin.coloring())) parts_->recolor();
   }
   const bool other_up = moment.up_o != before.up_o;
   if (other_up) parts_->camera.follow(moment.up_o);
@@ -282,6 +325,11 @@ void PatchScene::setSelection(std::optional<CellId> cell, std::optional<std::pai
   parts_->updateGhost();
 }
 
+void PatchScene::setBrushed(std::vector<CellId> cells) {
+  parts_->brushed = std::move(cells);
+  parts_->updateBrushed();
+}
+
 void PatchScene::setMeasured(std::optional<CellId> first, std::optional<CellId> second) {
   parts_->drawn_overlays.setMeasured(first, second);
 }
@@ -306,9 +354,68 @@ void PatchScene::setSmoothed(bool smoothed) {
 
 void PatchScene::setTopMargin(int pixels) { parts_->camera.setTopMargin(pixels); }
 
+void PatchScene::setBottomMargin(int pixels) { parts_->camera.setBottomMargin(pixels); }
+
 void PatchScene::fit() { parts_->camera.fit(); }
 
 void PatchScene::showStandardView(View view) { parts_->camera.lookFrom(view); }
+
+void PatchScene::centerOn(CellId cell) {
+  const SceneCell* found = parts_->content ? parts_->content->layout.find(cell) : nullptr;
+  if (found != nullptr) parts_->camera.centerOn(found->T_s_u.t);
+}
+
+std::optional<PatchScene::View> PatchScene::viewAt(double x, double y) const {
+  constexpr std::array<View, 3> kPositive = {View::Side, View::Top, View::Front};
+  constexpr std::array<View, 3> kNegative = {View::OtherSide, View::Bottom, View::Back};
+  const std::optional<AxisEnd> end = parts_->corners.endAt(x, y);
+  if (!end) return std::nullopt;
+  const View wanted = (end->positive ? kPositive : kNegative).at(end->axis);
+  return parts_->camera.looksFrom(wanted) ? (end->positive ? kNegative : kPositive).at(end->axis) : wanted;
+}
+
+bool PatchScene::hoverAxes(double x, double y) { return parts_->corners.setHovered(parts_->corners.endAt(x, y)); }
+
+void PatchScene::setCut(std::optional<double> share) {
+  parts_->cut_share = share;
+  parts_->updateCut();
+}
+
+void PatchScene::alignCut() {
+  parts_->cut.reset();
+  parts_->updateCut();
+}
+
+const std::optional<SceneCut>& PatchScene::cut() const { return parts_->cut; }
+
+PatchScene::Depths PatchScene::depths() const {
+  vtkCamera* camera = parts_->renderer->GetActiveCamera();
+  Depths depths;
+  depths.parallel = camera->GetParallelProjection() != 0;
+  camera->GetClippingRange(depths.near_m, depths.far_m);
+  if (!parts_->window) return depths;
+  const int* size = parts_->window->GetSize();
+  vtkRendererCollection* renderers = parts_->window->GetRenderers();
+  renderers->InitTraversal();
+  while (vtkRenderer* other = renderers->GetNextItem()) {
+    if (other == parts_->renderer || other->GetDraw() == 0) continue;
+    const double* place = other->GetViewport();
+    depths.elsewhere.push_back(
+        {static_cast<int>(std::floor(place[0] * size[0])), static_cast<int>(std::floor(place[1] * size[1])),
+         static_cast<int>(std::ceil(place[2] * size[0])), static_cast<int>(std::ceil(place[3] * size[1]))});
+  }
+  return depths;
+}
+
+std::vector<CellId> PatchScene::labelledCells() const {
+  std::vector<CellId> cells;
+  for (const PlacedLabel& label : parts_->labels.drawn()) {
+    cells.push_back(parts_->content->layout.cells.at(label.cell).id);
+  }
+  return cells;
+}
+
+bool PatchScene::isPickedBehind() const { return parts_->labels.picked() && parts_->labels.isPickedBehind(); }
 
 void PatchScene::keepView() { parts_->camera.keepView(); }
 
@@ -318,9 +425,13 @@ void PatchScene::setParallel(bool parallel) { parts_->camera.setParallel(paralle
 
 void PatchScene::spin(double angle_rad) { parts_->camera.spin(parts_->upShown(), angle_rad); }
 
+void PatchScene::fitIfDue() {
+  if (parts_->window) parts_->camera.fitIfPending(parts_->surroundings());
+}
+
 std::optional<CellId> PatchScene::pick(double x, double y) {
   if (!parts_->window) return std::nullopt;
-  parts_->camera.fitIfPending(parts_->surroundings());
+  fitIfDue();
   return parts_->skin.pick(x, y);
 }
 
@@ -332,6 +443,8 @@ std::vector<std::optional<double>> PatchScene::values() const {
   if (!parts_->content) return {};
   return cellValues(parts_->skin.coloring(), parts_->content->figures, parts_->skin.readings());
 }
+
+std::optional<ScaleLegend> PatchScene::scale() const { return parts_->skin.scale(); }
 
 bool PatchScene::showsGravity() const { return parts_->upShown().has_value(); }
 

@@ -1,14 +1,17 @@
 #pragma once
 
 #include "widgets/coloring/coloring.h"
+#include "widgets/coloring/scale_legend.h"
 #include "widgets/scene/patch_moment.h"
 #include "widgets/scene/patch_overlays.h"
 #include "widgets/scene/scene_camera.h"
 #include "widgets/scene/scene_content.h"
+#include "widgets/scene/scene_cut.h"
 #include "widgets/scene/scene_items.h"
 #include "widgets/scene/scene_overlays.h"
 #include "widgets/style/scene_colors.h"
 
+#include <array>
 #include <memory>
 #include <optional>
 #include <utility>
@@ -43,9 +46,13 @@ class PatchScene {
   void setReconstruction(std::shared_ptr<const Reconstruction> reconstruction);
   void setColors(const SceneColors& colors);
   void setColoring(Coloring coloring);
+  /// Of the scale of the colouring; none: fitted to what is shown.
+  void setFixedRange(const std::optional<ColorRange>& range);
   /// Draws anew only the overlays that are other ones than before.
   void setOverlays(const PatchOverlays& overlays);
   [[nodiscard]] const PatchOverlays& overlays() const;
+  /// The enlargement of the differences with another calibration; none: as far as they can be told apart.
+  void setShiftFactor(std::optional<double> factor);
   /// Draws anew only what has changed since the moment before. Cells without a reading are neutral.
   void setMoment(const PatchMoment& moment);
   [[nodiscard]] const PatchMoment& moment() const;
@@ -55,6 +62,8 @@ class PatchScene {
   [[nodiscard]] const SceneNotes& notes();
   /// Draws an outline about the cell or a line along the link, if the reconstruction has it.
   void setSelection(std::optional<CellId> cell, std::optional<std::pair<LinkEnd, LinkEnd>> link);
+  /// Marks these cells with a ring on their faces, those of them that the reconstruction has.
+  void setBrushed(std::vector<CellId> cells);
   /// The cells between which is measured: one is outlined, two are joined by a line.
   void setMeasured(std::optional<CellId> first, std::optional<CellId> second);
   /// Turns the ghost from the present orientation (0) to the next (1).
@@ -73,9 +82,18 @@ class PatchScene {
 
   /// Pixels of the window's top that something else covers: what is fitted stays below.
   void setTopMargin(int pixels);
-  /// Moves the camera along its direction until everything fits into the window.
+  /// The same at the bottom.
+  void setBottomMargin(int pixels);
+  /// Moves the camera along its direction until everything that is drawn fits into the window.
   void fit();
   void showStandardView(View view);
+  /// Brings a cell into the middle of the picture without turning or zooming, if it is there.
+  void centerOn(CellId cell);
+  /// The view that a knob of the axes stands for, at a pixel of the window (origin lower left); where it is seen from
+  /// there already, the opposite one. None beside the knobs.
+  [[nodiscard]] std::optional<View> viewAt(double x, double y) const;
+  /// Lights the knob at this pixel; true if that changes the picture.
+  bool hoverAxes(double x, double y);
   /// Remembers the present direction; returnToKeptView() looks from there again and fits. Without a kept view it does
   /// nothing.
   void keepView();
@@ -83,12 +101,39 @@ class PatchScene {
   /// Parallel instead of perspective projection; the point that is looked at keeps its size.
   void setParallel(bool parallel);
 
+  /// Carries out a fit that was asked for, as the next rendering would.
+  void fitIfDue();
+  /// Cuts the scene open by a plane that faces the viewer as he looks now: `share` of the skin's depth in that
+  /// direction is taken away, 0 to 1. The plane then stays where it is, so that one can look at the cut from elsewhere;
+  /// another share moves it along. None: the skin is whole again.
+  void setCut(std::optional<double> share);
+  /// Makes the plane face the viewer as he looks now.
+  void alignCut();
+  [[nodiscard]] const std::optional<SceneCut>& cut() const;
+
+  /// What the depths mean that the last picture left in the window.
+  struct Depths {
+    double near_m = 0;
+    double far_m = 1;
+    bool parallel = false;
+    /// Left, bottom, right and top of the small pictures over the scene, in pixels: what lies there is not the scene's.
+    std::vector<std::array<int, 4>> elsewhere;
+  };
+  [[nodiscard]] Depths depths() const;
+
+  /// The cells whose IDs the last picture has, the picked one first.
+  [[nodiscard]] std::vector<CellId> labelledCells() const;
+  /// The picked cell's ID was drawn as that of a cell that is not seen from here.
+  [[nodiscard]] bool isPickedBehind() const;
+
   /// The cell at a pixel of the window (origin lower left); none beside the skin.
   [[nodiscard]] std::optional<CellId> pick(double x, double y);
   [[nodiscard]] const SceneContent* content() const;
   [[nodiscard]] const CellReadings& readings() const;
   /// The values that the cells are coloured by, in the unit that is shown; for the legend.
   [[nodiscard]] std::vector<std::optional<double>> values() const;
+  /// The scale of the colouring, if that is one of a quantity and cells are shown.
+  [[nodiscard]] std::optional<ScaleLegend> scale() const;
   /// True if the arrow of gravity is there: not without a pose, nor while it is switched off.
   [[nodiscard]] bool showsGravity() const;
 

@@ -19,11 +19,11 @@ namespace {
 
 constexpr double kViewAngle_deg = 30;
 constexpr double kEdge = 0.08;  // in half windows: a growing patch may exceed the fit by this much
-// Shares of the window that a fitted skin fills: the legend below stays free, and so does what covers the top.
+// Shares of the window that a fitted skin fills: what covers the top and the bottom stays free.
 constexpr double kFitWidth = 0.88;
 constexpr double kFitHeight = 0.74;
 constexpr double kLeastFitHeight = 0.4;
-constexpr double kBelowTop = 0.02;  // between what covers the top and the skin
+constexpr double kBetween = 0.02;  // between what covers top or bottom and the skin
 
 struct ViewDirection {
   Eigen::Vector3d from;  ///< unit, from what is looked at to the camera
@@ -38,6 +38,14 @@ ViewDirection directionOf(SceneCamera::View view) {
       return {Eigen::Vector3d::UnitX(), Eigen::Vector3d::UnitY()};
     case SceneCamera::View::Top:
       return {Eigen::Vector3d::UnitY(), -Eigen::Vector3d::UnitZ()};
+    case SceneCamera::View::Back:
+      return {-Eigen::Vector3d::UnitZ(), Eigen::Vector3d::UnitY()};
+    case SceneCamera::View::OtherSide:
+      return {-Eigen::Vector3d::UnitX(), Eigen::Vector3d::UnitY()};
+    case SceneCamera::View::Bottom:
+      return {-Eigen::Vector3d::UnitY(), Eigen::Vector3d::UnitZ()};
+    case SceneCamera::View::Isometric:
+      return {Eigen::Vector3d::Ones().normalized(), Eigen::Vector3d::UnitY()};
     case SceneCamera::View::Oblique:
       break;
   }
@@ -83,6 +91,17 @@ void SceneCamera::setTopMargin(int pixels) {
   if (std::exchange(top_margin_, pixels) != pixels) fitIfUntouched();
 }
 
+void SceneCamera::setMore(std::vector<Eigen::Vector3d> points) {
+  if (points.empty() && more_.empty()) return;
+  more_ = std::move(points);
+  content_is_new_ = true;
+  if (more_.empty() && fitted_ && fitted_->wider) fitIfUntouched();
+}
+
+void SceneCamera::setBottomMargin(int pixels) {
+  if (std::exchange(bottom_margin_, pixels) != pixels) fitIfUntouched();
+}
+
 void SceneCamera::fitIfUntouched() {
   if (isUntouched()) fit_pending_ = true;
 }
@@ -101,16 +120,18 @@ void SceneCamera::fitIfPending(const Surroundings& around) {
 
 double SceneCamera::freeWidth() const { return around_.ghost ? kFitWidth - SceneGhost::kShare : kFitWidth; }
 
-double SceneCamera::freeHeight() const {
+double SceneCamera::freeFrom(int margin_px) const {
+  constexpr double kLeast = 0.5 * (1 - kFitHeight);
   const int height = around_.window[1];
-  if (height <= 0) return kFitHeight;
-  const double below = 0.5 * (1 - kFitHeight);
-  const double above = static_cast<double>(top_margin_) / height;
-  return std::max(kLeastFitHeight, 1 - below - std::max(below, above + kBelowTop));
+  return height <= 0 ? kLeast : std::max(kLeast, static_cast<double>(margin_px) / height + kBetween);
+}
+
+double SceneCamera::freeHeight() const {
+  return std::max(kLeastFitHeight, 1 - freeFrom(bottom_margin_) - freeFrom(top_margin_));
 }
 
 double SceneCamera::slackAbove() const {
-  const double fitted_top = 2 * freeHeight() - kFitHeight;
+  const double fitted_top = 2 * (freeFrom(bottom_margin_) + freeHeight()) - 1;
   const double covered_from = 1 - 2.0 * top_margin_ / std::max(1, around_.window[1]);
   return std::clamp(covered_from - fitted_top, 0.0, kEdge);
 }
@@ -123,7 +144,7 @@ Eigen::Vector2d SceneCamera::cornerFrom(int around_px) const {
 }
 
 Eigen::Vector2d SceneCamera::windowCenter() const {
-  return {around_.ghost ? SceneGhost::kShare : 0, kFitHeight - freeHeight()};
+  return {around_.ghost ? SceneGhost::kShare : 0, 1 - 2 * freeFrom(bottom_margin_) - freeHeight()};
 }
 
 void SceneCamera::centerInFreePart() {
@@ -139,6 +160,17 @@ void SceneCamera::lookFrom(View view) {
   camera()->SetViewUp(direction.up.x(), direction.up.y(), direction.up.z());
   camera()->OrthogonalizeViewUp();
   fit_pending_ = true;
+}
+
+bool SceneCamera::looksFrom(View view) const {
+  constexpr double kSame = 0.9999;  // cosine
+  return -toEigen(camera()->GetDirectionOfProjection()).dot(directionOf(view).from) > kSame;
+}
+
+void SceneCamera::centerOn(const Eigen::Vector3d& point) {
+  const Eigen::Vector3d position = toEigen(camera()->GetPosition()) + point - toEigen(camera()->GetFocalPoint());
+  camera()->SetFocalPoint(point.x(), point.y(), point.z());
+  camera()->SetPosition(position.x(), position.y(), position.z());
 }
 
 std::optional<double> SceneCamera::shiftPastArrow(const std::vector<Eigen::Vector3d>& seen, double distance) const {
@@ -171,6 +203,12 @@ void SceneCamera::fitNow() {
   std::vector<Eigen::Vector3d> points = content_->layout.points;
   for (const std::size_t patch : content_->layout.framed()) {
     std::ranges::copy(content_->frameCorners(patch), std::back_inserter(points));
+  }
+  const std::size_t of_cells = points.size();
+  std::ranges::copy(more_, std::back_inserter(points));
+  Eigen::AlignedBox3d cell_box;
+  for (std::size_t k = 0; k < of_cells; ++k) {
+    cell_box.extend(Eigen::Vector3d(right.dot(points[k]), up.dot(points[k]), back.dot(points[k])));
   }
   for (const Eigen::Vector3d& p : points) box.extend(Eigen::Vector3d(right.dot(p), up.dot(p), back.dot(p)));
   const Eigen::Vector3d center = box.center();
@@ -211,7 +249,8 @@ void SceneCamera::fitNow() {
   camera()->SetFocalPoint(focus.x(), focus.y(), focus.z());
   camera()->SetPosition(position.x(), position.y(), position.z());
   camera()->SetParallelScale(flat_distance * std::tan(0.5 * kViewAngle_deg * kDegree));
-  fitted_ = Fitted{position, focus, camera()->GetParallelScale(), {width, height}, content_->extent_m};
+  fitted_ = Fitted{
+      position, focus, camera()->GetParallelScale(), {width, height}, content_->extent_m, !cell_box.contains(box)};
 }
 
 bool SceneCamera::isUntouched() const {
@@ -233,14 +272,15 @@ bool SceneCamera::hasOutgrownTheFit() const {
   const double tan_width = tan_height * width / height;
   const bool has_arrow = around_.arrow_of_gravity && !up_o_;
   const Eigen::Vector2d corner = cornerFrom(0) + windowCenter();
-  return std::any_of(content_->layout.points.begin(), content_->layout.points.end(), [&](const Eigen::Vector3d& p) {
+  const auto isOutside = [&](const Eigen::Vector3d& p) {
     const Eigen::Vector3d v = p - position;
     const double depth = camera()->GetParallelProjection() ? camera()->GetParallelScale() / tan_height : v.dot(ahead);
     return std::abs(v.dot(right)) > (freeWidth() + kEdge) * tan_width * depth ||
            v.dot(up) > (freeHeight() + slackAbove()) * tan_height * depth ||
            -v.dot(up) > (freeHeight() + kEdge) * tan_height * depth ||
            (has_arrow && v.dot(right) > corner.x() * tan_width * depth && v.dot(up) < corner.y() * tan_height * depth);
-  });
+  };
+  return std::ranges::any_of(content_->layout.points, isOutside) || std::ranges::any_of(more_, isOutside);
 }
 
 void SceneCamera::follow(const std::optional<Eigen::Vector3d>& up_o) {

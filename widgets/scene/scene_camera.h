@@ -18,8 +18,9 @@ namespace hexoderm {
 /// frame, which is the patch's.
 class SceneCamera {
  public:
-  /// Directions to look from: Front from +z (out of the origin cell's skin), Side from +x, Top from +y.
-  enum class View { Oblique, Front, Side, Top };
+  /// Directions to look from: Front from +z (out of the origin cell's skin), Side from +x, Top from +y; Back, OtherSide
+  /// and Bottom from the other ends of these axes; Isometric from between all three.
+  enum class View { Oblique, Front, Side, Top, Back, OtherSide, Bottom, Isometric };
 
   /// The window, and what covers it in the scene besides the skin.
   struct Surroundings {
@@ -37,12 +38,23 @@ class SceneCamera {
   void setContent(std::shared_ptr<const SceneContent> content);
   /// Pixels of the window's top that something else covers: a fitted skin stays below.
   void setTopMargin(int pixels);
+  /// The same at the bottom.
+  void setBottomMargin(int pixels);
+
+  /// Points of what is drawn besides the cells, which is fitted too. The camera moves for them unless somebody has
+  /// moved it by hand, and moves back when they are gone.
+  void setMore(std::vector<Eigen::Vector3d> points);
 
   /// Moves the camera along its direction until everything fits; done by the next prepare().
   void fit() { fit_pending_ = true; }
   /// Fits the view unless somebody has moved the camera by hand.
   void fitIfUntouched();
   void lookFrom(View view);
+  /// Turns about what is in the middle of the picture now by bringing this point there; the direction, and what fits
+  /// into the picture, stay.
+  void centerOn(const Eigen::Vector3d& point);
+  /// The camera looks along this view's direction already, whatever is upwards.
+  [[nodiscard]] bool looksFrom(View view) const;
   /// Remembers the present direction; returnToKeptView() looks from there again and fits. Without a kept view it does
   /// nothing.
   void keepView();
@@ -71,6 +83,7 @@ class SceneCamera {
     double parallel_scale = 0;
     std::array<int, 2> window{};
     double extent_m = 0;
+    bool wider = false;  ///< it made room for more than the cells
   };
   struct KeptView {
     Eigen::Vector3d back;
@@ -90,6 +103,8 @@ class SceneCamera {
   /// Shares of the window.
   [[nodiscard]] double freeWidth() const;
   [[nodiscard]] double freeHeight() const;
+  /// The share of the window at its top or bottom where no fitted skin is, if that many pixels of it are covered.
+  [[nodiscard]] double freeFrom(int margin_px) const;
   /// Distance that a growing patch may exceed the fit by until it is fitted again, in half heights of the window.
   [[nodiscard]] double slackAbove() const;
   /// The upper left corner of the arrow of gravity with its word, in half windows from the window's middle.
@@ -105,9 +120,11 @@ class SceneCamera {
   std::optional<Eigen::Vector3d> up_o_;  ///< followed
   std::optional<Fitted> fitted_;
   std::optional<KeptView> kept_view_;
+  std::vector<Eigen::Vector3d> more_;
   bool fit_pending_ = false;
-  bool content_is_new_ = false;  ///< since the last picture
+  bool content_is_new_ = false;  ///< since the last picture: the cells, or what is drawn besides
   int top_margin_ = 0;           ///< pixels
+  int bottom_margin_ = 0;        ///< pixels
 };
 
 }  // namespace hexoderm

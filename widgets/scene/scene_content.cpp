@@ -109,6 +109,29 @@ vtkSmartPointer<vtkPolyData> makePrisms(const SceneLayout& layout) {
   return data;
 }
 
+vtkSmartPointer<vtkPolyData> makeBackMarks(const SceneLayout& layout, double side_m) {
+  constexpr double kShare = 0.6;
+  constexpr double kLift = 0.015;  // share of the side
+  std::vector<Eigen::Vector3d> points;
+  points.reserve(kSides * layout.cells.size());
+  vtkNew<vtkCellArray> polygons;
+  const auto count = static_cast<vtkIdType>(layout.cells.size());
+  polygons->AllocateExact(count, kSides * count);
+  for (vtkIdType cell = 0; cell < count; ++cell) {
+    const Eigen::Vector3d* back = &layout.points[static_cast<std::size_t>(2 * kSides * cell + kSides)];
+    Eigen::Vector3d center = Eigen::Vector3d::Zero();
+    for (vtkIdType k = 0; k < kSides; ++k) center += back[k] / kSides;
+    const Eigen::Vector3d lift = -kLift * side_m * layout.cells[static_cast<std::size_t>(cell)].T_s_u.R.col(2);
+    for (vtkIdType k = 0; k < kSides; ++k) points.push_back(center + kShare * (back[k] - center) + lift);
+    const vtkIdType first = kSides * cell;
+    polygons->InsertNextCell({first + 5, first + 4, first + 3, first + 2, first + 1, first});
+  }
+  auto data = vtkSmartPointer<vtkPolyData>::New();
+  data->SetPoints(makePoints(points));
+  data->SetPolys(polygons);
+  return data;
+}
+
 /// `Points` points a cell with its normal, cut into triangles.
 template <std::size_t Points, std::size_t Corners>
 vtkSmartPointer<vtkPolyData> makeFaces(const SceneLayout& layout, const std::vector<Eigen::Vector3d>& points,
@@ -208,11 +231,19 @@ std::shared_ptr<const SceneContent> makeSceneContent(std::shared_ptr<const Recon
   content->prisms = r.cellCount() <= SceneContent::kMaxPrismCells;
   content->layout = layOut(r, content->prisms);
   content->figures = makeCellFigures(r);
+  content->signs = signsOf(r);
+  content->links = CellLinks(r);
   Eigen::AlignedBox3d box;
   for (const Eigen::Vector3d& point : content->layout.points) box.extend(point);
   content->extent_m = box.isEmpty() ? 0 : box.diagonal().norm();
   content->surface = content->prisms ? makePrisms(content->layout) : makeFrontFaces(content->layout);
-  if (!content->prisms) content->bricks = makeBricks(content->layout);
+  if (content->prisms) content->backs = makeBackMarks(content->layout, r.model->side_m);
+  if (!content->prisms) {
+    content->bricks = makeBricks(content->layout);
+    content->locator = vtkSmartPointer<vtkStaticCellLocator>::New();
+    content->locator->SetDataSet(content->surface);
+    content->locator->BuildLocator();
+  }
   return content;
 }
 

@@ -1,10 +1,13 @@
 #pragma once
 
 #include "hexoderm/reconstruction/figures/cell_figures.h"
+#include "hexoderm/reconstruction/figures/cell_links.h"
+#include "hexoderm/reconstruction/figures/skin_signs.h"
 #include "hexoderm/reconstruction/result/reconstruction.h"
 
 #include <vtkPolyData.h>
 #include <vtkSmartPointer.h>
+#include <vtkStaticCellLocator.h>
 #include <Eigen/Geometry>
 #include <array>
 #include <memory>
@@ -53,12 +56,20 @@ struct SceneContent {
   std::shared_ptr<const Reconstruction> reconstruction;  ///< never null
   SceneLayout layout;
   CellFigures figures;
+  SkinSigns signs;
+  CellLinks links;      ///< by index of the layout's cells
   double extent_m = 0;  ///< diagonal of the bounding box
   bool prisms = true;
   vtkSmartPointer<vtkPolyData> surface;  ///< without colours
+  /// What tells the backs of prisms from their fronts, whatever their colours: a smaller hexagon on each, a hair
+  /// outside. Null for faces.
+  vtkSmartPointer<vtkPolyData> backs;
   /// A large skin from far away: hexagons of a few pixels look like bricks of the same area, which join as closely and
   /// have half the triangles. Null for prisms.
   vtkSmartPointer<vtkPolyData> bricks;
+  /// Finds where a line meets the surface. Made with a large skin's content, where it takes a while; of a small one
+  /// null.
+  vtkSmartPointer<vtkStaticCellLocator> locator;
 
   /// Corners of the frame about a patch, in the scene: bit k of an index says to which end of axis k the corner lies.
   [[nodiscard]] std::array<Eigen::Vector3d, 8> frameCorners(std::size_t patch) const;

@@ -1,6 +1,7 @@
 #include "widgets/scene/scene_corners.h"
 
 #include "hexoderm/geometry/se3.h"
+#include "widgets/scene/vtk_eigen.h"
 
 #include <vtkActor.h>
 #include <vtkBillboardTextActor3D.h>
@@ -11,8 +12,10 @@
 #include <vtkNew.h>
 #include <vtkPolyDataMapper.h>
 #include <vtkProperty.h>
+#include <vtkRegularPolygonSource.h>
 #include <vtkRenderWindow.h>
 #include <vtkRenderer.h>
+#include <vtkSphereSource.h>
 #include <vtkTextProperty.h>
 #include <vtkTubeFilter.h>
 #include <algorithm>
@@ -22,9 +25,13 @@
 namespace hexoderm {
 namespace {
 
-constexpr double kLengthRange = 1.15;  // half the height of what a corner shows; see kAxisLength
-constexpr double kAxisLength = 0.7;
-constexpr double kLetterBeyond = 0.27;  // in the picture, from an axis's tip to the middle of its letter
+constexpr double kLengthRange = 1.15;  // half the height of what a corner shows
+constexpr double kAxisLength = 0.8;    // to the middle of its knob
+constexpr double kKnob = 0.23;         // radius at the positive ends, which have letters
+constexpr double kFarKnob = 0.15;      // at the negative ones
+constexpr double kHovered = 1.25;      // larger under the mouse
+constexpr double kPlate = 1.1;         // radius
+constexpr double kPlateOpacity = 0.82;
 constexpr std::array<const char*, 3> kAxisNames = {"x", "y", "z"};
 
 /// A round stick between two points.
@@ -48,12 +55,57 @@ struct Stick {
   }
 };
 
+struct Knob {
+  vtkNew<vtkSphereSource> sphere;
+  vtkNew<vtkPolyDataMapper> mapper;
+  vtkNew<vtkActor> actor;
+
+  Knob(const Eigen::Vector3d& at, double radius) {
+    sphere->SetRadius(radius);
+    sphere->SetThetaResolution(24);
+    sphere->SetPhiResolution(16);
+    mapper->SetInputConnection(sphere->GetOutputPort());
+    actor->SetMapper(mapper);
+    actor->SetPosition(at.x(), at.y(), at.z());
+    // A disc in its full colour, on which a letter is read.
+    actor->GetProperty()->LightingOff();
+  }
+};
+
+/// A disc behind what a corner shows; drawn first.
+struct Plate {
+  vtkNew<vtkRegularPolygonSource> disc;
+  vtkNew<vtkPolyDataMapper> mapper;
+  vtkNew<vtkActor> actor;
+
+  Plate() {
+    disc->SetNumberOfSides(64);
+    disc->SetRadius(kPlate);
+    disc->GeneratePolylineOff();
+    mapper->SetInputConnection(disc->GetOutputPort());
+    actor->SetMapper(mapper);
+    actor->GetProperty()->LightingOff();
+    actor->GetProperty()->SetOpacity(kPlateOpacity);
+    actor->ForceOpaqueOn();
+    actor->PickableOff();
+  }
+  /// Behind everything: `back` towards the viewer.
+  void face(const Eigen::Vector3d& back) {
+    const Eigen::Vector3d center = -2 * back;
+    disc->SetCenter(center.x(), center.y(), center.z());
+    disc->SetNormal(back.x(), back.y(), back.z());
+  }
+};
+
 }  // namespace
 
 struct SceneCorners::Parts {
   vtkNew<vtkRenderer> axes;
   vtkNew<vtkRenderer> gravity;
+  Plate axes_plate;
+  Plate gravity_plate;
   std::vector<std::unique_ptr<Stick>> axis_sticks;
+  std::vector<std::unique_ptr<Knob>> knobs;  ///< of x, -x, y, -y, z, -z
   std::array<vtkNew<vtkBillboardTextActor3D>, 3> letters;
   Stick shaft{{-0.85, 0, 0}, {0.45, 0, 0}, 0.045};
   vtkNew<vtkConeSource> cone;
@@ -61,30 +113,23 @@ struct SceneCorners::Parts {
   vtkNew<vtkActor> head;
   bool visible = false;
   bool has_down = false;
+  std::optional<AxisEnd> hovered;
+  // As followed last: pixels of the corner, and the directions of the picture.
+  Eigen::Vector2d lower_left = Eigen::Vector2d::Zero();
+  Eigen::Vector2d size = Eigen::Vector2d::Zero();
+  Eigen::Vector3d right = Eigen::Vector3d::UnitX();
+  Eigen::Vector3d up = Eigen::Vector3d::UnitY();
+  Eigen::Vector3d back = Eigen::Vector3d::UnitZ();
 
+  static Eigen::Vector3d knobAt(std::size_t knob) {
+    return (knob % 2 == 0 ? kAxisLength : -kAxisLength) * Eigen::Vector3d::Unit(static_cast<Eigen::Index>(knob / 2));
+  }
+  static std::size_t knobOf(const AxisEnd& end) { return 2 * end.axis + (end.positive ? 0 : 1); }
   void update() {
     axes->SetDraw(visible);
     gravity->SetDraw(has_down);
   }
-  void placeLetters(const Eigen::Vector3d& back);
 };
-
-/// Beyond the tips as they are seen: an axis that points at the viewer is short, and has its letter beside it.
-void SceneCorners::Parts::placeLetters(const Eigen::Vector3d& back) {
-  constexpr double kShort = 0.15;
-  std::array<Eigen::Vector3d, 3> seen;
-  for (int k = 0; k < 3; ++k) {
-    const Eigen::Vector3d axis = Eigen::Vector3d::Unit(k);
-    seen.at(static_cast<std::size_t>(k)) = axis - axis.dot(back) * back;
-  }
-  for (std::size_t k = 0; k < seen.size(); ++k) {
-    const Eigen::Vector3d away =
-        seen.at(k).norm() > kShort ? seen.at(k) : Eigen::Vector3d(-seen.at((k + 1) % 3) - seen.at((k + 2) % 3));
-    const Eigen::Vector3d p =
-        kAxisLength * Eigen::Vector3d::Unit(static_cast<Eigen::Index>(k)) + kLetterBeyond * away.normalized();
-    letters.at(k)->SetPosition(p.x(), p.y(), p.z());
-  }
-}
 
 SceneCorners::SceneCorners() : parts_(std::make_unique<Parts>()) {
   for (vtkRenderer* renderer : {parts_->axes.Get(), parts_->gravity.Get()}) {
@@ -92,6 +137,12 @@ SceneCorners::SceneCorners() : parts_(std::make_unique<Parts>()) {
     renderer->InteractiveOff();
     renderer->GetActiveCamera()->ParallelProjectionOn();
     renderer->GetActiveCamera()->SetParallelScale(kLengthRange);
+  }
+  parts_->axes->AddActor(parts_->axes_plate.actor);
+  parts_->gravity->AddActor(parts_->gravity_plate.actor);
+  for (std::size_t knob = 0; knob < 6; ++knob) {
+    parts_->knobs.push_back(std::make_unique<Knob>(Parts::knobAt(knob), knob % 2 == 0 ? kKnob : kFarKnob));
+    parts_->axes->AddActor(parts_->knobs.back()->actor);
   }
   for (int k = 0; k < 3; ++k) {
     const auto index = static_cast<std::size_t>(k);
@@ -137,10 +188,18 @@ void SceneCorners::setColors(const SceneColors& colors) {
   Rgb head = colors.arrow_head;
   parts_->shaft.actor->GetProperty()->SetColor(shaft.data());
   parts_->head->GetProperty()->SetColor(head.data());
+  Rgb ground = colors.background_bottom;
+  for (const Plate* plate : {&parts_->axes_plate, &parts_->gravity_plate}) {
+    plate->actor->GetProperty()->SetColor(ground.data());
+  }
   for (std::size_t k = 0; k < colors.axis.size(); ++k) {
     Rgb axis = colors.axis.at(k);
+    Rgb far = mixed(axis, ground, 0.5);
+    Rgb letter = markOn(axis, colors);
     parts_->axis_sticks.at(k)->actor->GetProperty()->SetColor(axis.data());
-    parts_->letters.at(k)->GetTextProperty()->SetColor(axis.data());
+    parts_->knobs.at(2 * k)->actor->GetProperty()->SetColor(axis.data());
+    parts_->knobs.at(2 * k + 1)->actor->GetProperty()->SetColor(far.data());
+    parts_->letters.at(k)->GetTextProperty()->SetColor(letter.data());
   }
 }
 
@@ -183,18 +242,52 @@ void SceneCorners::follow(vtkCamera* camera, vtkRenderWindow* window) {
   parts_->axes->SetViewport(left, bottom, left + width, bottom + height);
   const double right = std::max(0.0, 1 - width - scale * kRight / size[0]);
   parts_->gravity->SetViewport(right, bottom, right + width, bottom + height);
-  double back[3];
-  camera->GetDirectionOfProjection(back);
-  double up[3];
-  camera->GetViewUp(up);
-  parts_->placeLetters(-Eigen::Vector3d(back));
+  const Eigen::Vector2d pixels(size[0], size[1]);
+  parts_->lower_left = pixels.cwiseProduct(Eigen::Vector2d(left, bottom));
+  parts_->size = pixels.cwiseProduct(Eigen::Vector2d(width, height));
+  parts_->back = -toEigen(camera->GetDirectionOfProjection());
+  parts_->right = toEigen(camera->GetViewUp()).cross(parts_->back).normalized();
+  parts_->up = parts_->back.cross(parts_->right);
+  parts_->axes_plate.face(parts_->back);
+  parts_->gravity_plate.face(parts_->back);
+  for (std::size_t k = 0; k < parts_->letters.size(); ++k) {
+    const Eigen::Vector3d p = Parts::knobAt(2 * k) + 1.1 * kHovered * kKnob * parts_->back;
+    parts_->letters.at(k)->SetPosition(p.x(), p.y(), p.z());
+  }
   for (vtkRenderer* renderer : {parts_->axes.Get(), parts_->gravity.Get()}) {
     vtkCamera* own = renderer->GetActiveCamera();
+    const Eigen::Vector3d from = 5 * parts_->back;
     own->SetFocalPoint(0, 0, 0);
-    own->SetPosition(-5 * back[0], -5 * back[1], -5 * back[2]);
-    own->SetViewUp(up);
+    own->SetPosition(from.x(), from.y(), from.z());
+    own->SetViewUp(parts_->up.x(), parts_->up.y(), parts_->up.z());
     own->SetClippingRange(1, 10);
   }
+}
+
+std::optional<AxisEnd> SceneCorners::endAt(double x, double y) const {
+  if (!parts_->visible || parts_->size.y() <= 0) return std::nullopt;
+  // From the corner's middle, in units of the axes.
+  const Eigen::Vector2d at =
+      2 * kLengthRange / parts_->size.y() * (Eigen::Vector2d(x, y) - parts_->lower_left - 0.5 * parts_->size);
+  std::optional<AxisEnd> found;
+  double nearest = -2;
+  for (std::size_t knob = 0; knob < parts_->knobs.size(); ++knob) {
+    const Eigen::Vector3d p = Parts::knobAt(knob);
+    const Eigen::Vector2d seen(parts_->right.dot(p), parts_->up.dot(p));
+    const double reach = 1.1 * (knob % 2 == 0 ? kKnob : kFarKnob);
+    if ((at - seen).norm() > reach || parts_->back.dot(p) <= nearest) continue;
+    nearest = parts_->back.dot(p);
+    found = AxisEnd{knob / 2, knob % 2 == 0};
+  }
+  return found;
+}
+
+bool SceneCorners::setHovered(const std::optional<AxisEnd>& end) {
+  if (end == parts_->hovered) return false;
+  if (parts_->hovered) parts_->knobs.at(Parts::knobOf(*parts_->hovered))->actor->SetScale(1);
+  parts_->hovered = end;
+  if (end) parts_->knobs.at(Parts::knobOf(*end))->actor->SetScale(kHovered);
+  return true;
 }
 
 }  // namespace hexoderm

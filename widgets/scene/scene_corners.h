@@ -11,8 +11,15 @@ class vtkRenderWindow;
 
 namespace hexoderm {
 
-/// The two small pictures in the scene's lower corners, which turn with it: the patch frame's axes on the left, the
-/// direction of gravity on the right.
+/// One end of one of the patch frame's axes.
+struct AxisEnd {
+  std::size_t axis = 0;  ///< x, y, z
+  bool positive = true;
+  friend bool operator==(const AxisEnd&, const AxisEnd&) = default;
+};
+
+/// The two small pictures in the scene's lower corners, which turn with it: the patch frame's axes on the left, with a
+/// knob on each end, and the direction of gravity on the right. Both lie on plates that keep them readable over cells.
 class SceneCorners {
  public:
   // Size in pixels at 72 dpi. Below the corners there is room for a legend, right of the arrow for its word.
@@ -37,6 +44,11 @@ class SceneCorners {
   void setSmoothed(bool smoothed);
   /// Looks the same way as `camera`, and keeps the size in pixels; called before each rendering.
   void follow(vtkCamera* camera, vtkRenderWindow* window);
+
+  /// The knob that is drawn at a pixel of the window (origin lower left), as it was followed last.
+  [[nodiscard]] std::optional<AxisEnd> endAt(double x, double y) const;
+  /// Makes this knob larger; true if another one was before.
+  bool setHovered(const std::optional<AxisEnd>& end);
 
  private:
   struct Parts;

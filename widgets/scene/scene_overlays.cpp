@@ -53,9 +53,11 @@ struct SceneOverlays::Parts {
   ShownItems shown = kShownAtFirst;
   PatchOverlays overlays;
   std::optional<SurfaceMesh> surface_mesh;  ///< the sheet and the distances are drawn from the same mesh
+  std::optional<double> shift_factor;
   std::optional<CellId> first;
   std::optional<CellId> second;
   std::array<DrawnOverlay, kKinds> drawn;
+  DrawnCut cut;
   SceneNotes notes;
 
   void setStyles();
@@ -206,7 +208,8 @@ vtkSmartPointer<vtkPolyData> SceneOverlays::Parts::make(Kind kind) {
     case kShifts:
       notes.shift_factor.reset();
       return draws(SceneItem::Comparison)
-                 ? enlarged(makeShiftArrows(*content, shiftsOf(*content->reconstruction, *overlays.comparison)),
+                 ? enlarged(makeShiftArrows(*content, shiftsOf(*content->reconstruction, *overlays.comparison),
+                                            shift_factor),
                             notes.shift_factor)
                  : nullptr;
     case kMeasure:
@@ -279,6 +282,10 @@ void SceneOverlays::setOverlays(const PatchOverlays& overlays) {
   if (overlays.comparison != before.comparison) parts_->invalidate({kShifts});
 }
 
+void SceneOverlays::setShiftFactor(std::optional<double> factor) {
+  if (std::exchange(parts_->shift_factor, factor) != factor) parts_->invalidate({kShifts});
+}
+
 void SceneOverlays::setMeasured(std::optional<CellId> first, std::optional<CellId> second) {
   parts_->first = first;
   parts_->second = second;
@@ -292,7 +299,8 @@ const SceneNotes& SceneOverlays::notes() {
   return parts_->notes;
 }
 
-void SceneOverlays::update() {
+bool SceneOverlays::update() {
+  bool changed = false;
   for (std::size_t kind = 0; kind < kKinds; ++kind) {
     DrawnOverlay& thing = parts_->drawn.at(kind);
     if (!thing.stale) continue;
@@ -300,8 +308,27 @@ void SceneOverlays::update() {
     const vtkSmartPointer<vtkPolyData> data = parts_->make(static_cast<Kind>(kind));
     const bool any = data && data->GetNumberOfCells() > 0;
     if (any) thing.mapper->SetInputData(data);
+    changed = changed || any || thing.actor->GetVisibility() != 0;
     thing.actor->SetVisibility(any);
   }
+  return changed;
+}
+
+std::vector<Eigen::Vector3d> SceneOverlays::points() const {
+  std::vector<Eigen::Vector3d> points;
+  for (const Kind kind : {kEllipsoids, kTruth, kSheet, kDistances, kLoop, kShifts}) {
+    const DrawnOverlay& thing = parts_->drawn.at(kind);
+    if (thing.actor->GetVisibility() == 0) continue;
+    vtkPolyData* data = thing.mapper->GetInput();
+    for (vtkIdType k = 0; k < data->GetNumberOfPoints(); ++k) points.emplace_back(Eigen::Vector3d(data->GetPoint(k)));
+  }
+  return points;
+}
+
+void SceneOverlays::setCut(const std::optional<SceneCut>& cut) {
+  const auto mapper = [this](Kind kind) -> vtkMapper* { return parts_->drawn.at(kind).mapper; };
+  parts_->cut.set(cut, {mapper(kFrames), mapper(kLinks), mapper(kTree), mapper(kEllipsoids), mapper(kTruth),
+                        mapper(kSheet), mapper(kDistances)});
 }
 
 }  // namespace hexoderm

@@ -3,6 +3,7 @@
 #include "hexoderm/reconstruction/figures/overlays.h"
 #include "widgets/scene/patch_overlays.h"
 #include "widgets/scene/scene_content.h"
+#include "widgets/scene/scene_cut.h"
 #include "widgets/scene/scene_items.h"
 #include "widgets/style/scene_colors.h"
 
@@ -47,6 +48,8 @@ class SceneOverlays {
   void setColors(const SceneColors& colors);
   void setShown(SceneItem item, bool shown);
   void setOverlays(const PatchOverlays& overlays);
+  /// The enlargement of the differences; none: as far as they can be told apart.
+  void setShiftFactor(std::optional<double> factor);
   /// A line between the centres of two cells of a patch, or outlines about cells of two patches or the first alone.
   void setMeasured(std::optional<CellId> first, std::optional<CellId> second);
 
@@ -54,7 +57,13 @@ class SceneOverlays {
   [[nodiscard]] Availability availability(SceneItem item) const;
   [[nodiscard]] const SceneNotes& notes();
   /// Brings what is drawn up to date; called before each rendering.
-  void update();
+  /// True if something is drawn otherwise than before.
+  bool update();
+  /// Points of all that is drawn but measurements and frames; after update().
+  [[nodiscard]] std::vector<Eigen::Vector3d> points() const;
+  /// What lies in front of the plane is cut away, but for arrows and what is measured, which are seen through
+  /// everything.
+  void setCut(const std::optional<SceneCut>& cut);
 
  private:
   struct Parts;

@@ -4,9 +4,11 @@
 #include "hexoderm/util/units.h"
 #include "widgets/coloring/cell_colors.h"
 #include "widgets/scene/cell_meshes.h"
+#include "widgets/scene/scene_signs.h"
 
 #include <vtkActor.h>
 #include <vtkCamera.h>
+#include <vtkLight.h>
 #include <vtkNew.h>
 #include <vtkPolyDataMapper.h>
 #include <vtkProperty.h>
@@ -24,31 +26,36 @@ namespace hexoderm {
 namespace {
 
 // The share of a cell's colour that shows without light, and the share of light that it gives back.
-constexpr double kAmbient = 0.58;
-constexpr double kDiffuse = 0.42;
+constexpr double kAmbient = 0.52;
+constexpr double kDiffuse = 0.48;
+constexpr double kBackFold = 0.62;  // shade of one half of a face that is seen from behind, of that of the other
 
-/// Lights front faces, and their undersides in a shade of the cell's colour as prisms have it, corner by corner: a face
-/// is flat and has one colour, so this is what VTK would compute pixel by pixel, and pixels are what takes time. Needs
-/// `eye` (the camera's place, or with w = 0 the direction to it), `key` and `head` (unit, to the lights) as uniforms.
-void lightByCorner(vtkActor* actor) {
+/// Lights front faces corner by corner: a face is flat and has one colour, so this is what VTK would compute pixel by
+/// pixel, and pixels are what takes time. From behind a face is darker and greyed, and one half of it darker still, so
+/// that every cell looks like a tile laid upside down: `corners` of them are a face. Needs `eye` (the camera's place,
+/// or with w = 0 the direction to it), `key` and `fill` (unit, to the lights) and `grey` as uniforms.
+void lightByCorner(vtkActor* actor, int corners) {
   actor->GetProperty()->LightingOff();
   vtkShaderProperty* shader = actor->GetShaderProperty();
   shader->AddVertexShaderReplacement("//VTK::Normal::Dec", true, "//VTK::Normal::Dec\nin vec3 normalMC;\n", false);
   const std::string light = "float light = " + formatFixed(kAmbient, 3) + " + " +
                             formatFixed(kDiffuse * SceneLights::kKey, 4) + " * max(0.0, dot(n, key)) + " +
-                            formatFixed(kDiffuse * SceneLights::kHead, 4) + " * max(0.0, dot(n, head));\n";
+                            formatFixed(kDiffuse * SceneLights::kFill, 4) + " * max(0.0, dot(n, fill));\n";
   const std::string code =
       "//VTK::Color::Impl\n"
       "float facing = dot(normalMC, eye.xyz - eye.w * vertexMC.xyz);\n"
       "vec3 n = facing > 0.0 ? normalMC : -normalMC;\n" +
-      light + "if (facing <= 0.0) light *= " + formatFixed(kUndersideShade, 2) +
-      ";\n"
+      light + "if (facing <= 0.0) {\n" + "  vertexColorVSOutput.rgb = mix(vertexColorVSOutput.rgb, grey, " +
+      formatFixed(kBackGrey, 2) + ");\n" + "  light *= (gl_VertexID % " + std::to_string(corners) + " < " +
+      std::to_string(corners / 2) + ") ? " + formatFixed(kUndersideShade * kBackFold, 3) + " : " +
+      formatFixed(kUndersideShade, 2) +
+      ";\n}\n"
       "vertexColorVSOutput.rgb *= light;\n";
   shader->AddVertexShaderReplacement("//VTK::Color::Impl", true, code, false);
 }
 
 /// The point at which a pixel's line of sight crosses a plane of constant depth, 0 at the front.
-std::array<double, 3> onSight(vtkRenderer* renderer, double x, double y, double depth) {
+Eigen::Vector3d onSight(vtkRenderer* renderer, double x, double y, double depth) {
   renderer->SetDisplayPoint(x, y, depth);
   renderer->DisplayToWorld();
   const double* p = renderer->GetWorldPoint();
@@ -61,6 +68,7 @@ struct SceneSkin::Parts {
   vtkRenderer* renderer = nullptr;
   std::shared_ptr<const SceneContent> content;
   Coloring coloring = Coloring::LinkQuality;
+  std::optional<ColorRange> fixed_range;
   CellReadings readings;
   SceneColors colors;
   std::vector<Rgb> front_colors;
@@ -75,16 +83,25 @@ struct SceneSkin::Parts {
   };
   Faces hexagons;
   Faces bricks;
+  vtkNew<vtkActor> back_actor;
+  vtkNew<vtkPolyDataMapper> back_mapper;
   vtkNew<vtkActor> port_actor;
   vtkNew<vtkPolyDataMapper> port_mapper;
   vtkNew<vtkActor> origin_actor;
   vtkNew<vtkPolyDataMapper> origin_mapper;
-  vtkSmartPointer<vtkStaticCellLocator> locator;  ///< made by the first pick
+  vtkNew<vtkActor> sign_actor;
+  vtkNew<vtkPolyDataMapper> sign_mapper;
+  DrawnCut cut;
+  mutable vtkSmartPointer<vtkStaticCellLocator> locator;  ///< a large skin's, or made by the first pick
 
   void add(vtkActor* actor, vtkPolyDataMapper* mapper);
   void recolor();
+  void drawSigns(bool any);
+  [[nodiscard]] ColorRange range() const;
   void drawFaces(bool far);
   void setLights();
+  /// The polygon that a line from one point to another meets first.
+  [[nodiscard]] std::optional<std::size_t> firstCell(Eigen::Vector3d from, Eigen::Vector3d to) const;
 };
 
 void SceneSkin::Parts::add(vtkActor* actor, vtkPolyDataMapper* mapper) {
@@ -95,8 +112,11 @@ void SceneSkin::Parts::add(vtkActor* actor, vtkPolyDataMapper* mapper) {
 
 void SceneSkin::Parts::recolor() {
   prism_actor->GetProperty()->SetEdgeColor(colors.edge.data());
-  const bool any = content && !content->layout.cells.empty() && !colors.scale.empty();
+  const bool any = content && !content->layout.cells.empty() && !colors.scale.steps.empty();
   prism_actor->SetVisibility(any && content->prisms);
+  back_actor->SetVisibility(any && content->prisms);
+  Rgb grey = backGrey(colors);
+  back_actor->GetProperty()->SetColor(grey.data());
   hexagons.stale = true;
   bricks.stale = true;
   if (!any || content->prisms) {
@@ -108,11 +128,13 @@ void SceneSkin::Parts::recolor() {
   origin_actor->SetVisibility(marked);
   if (!any) {
     front_colors.clear();
+    drawSigns(false);
     return;
   }
-  front_colors = cellColors(coloring, content->figures, readings, colors);
+  front_colors = cellColors(coloring, content->figures, readings, range(), colors);
+  drawSigns(true);
   if (content->prisms) {
-    prism_mapper->SetInputData(makeColoredSurface(*content, front_colors));
+    prism_mapper->SetInputData(makeColoredSurface(*content, front_colors, colors));
   } else {
     drawFaces(bricks.actor->GetVisibility() != 0);
   }
@@ -122,13 +144,25 @@ void SceneSkin::Parts::recolor() {
   }
 }
 
+void SceneSkin::Parts::drawSigns(bool any) {
+  const vtkSmartPointer<vtkPolyData> signs = any ? makeSigns(*content, front_colors, colors) : nullptr;
+  sign_actor->SetVisibility(signs != nullptr);
+  if (signs) sign_mapper->SetInputData(signs);
+}
+
+ColorRange SceneSkin::Parts::range() const {
+  if (!isQuantity(coloring)) return {};
+  if (fixed_range) return *fixed_range;
+  return rangeOf(coloring, scaledValues(coloring, *content->reconstruction, content->figures, readings), {});
+}
+
 void SceneSkin::Parts::drawFaces(bool far) {
   hexagons.actor->SetVisibility(!far);
   bricks.actor->SetVisibility(far);
   Faces& shown = far ? bricks : hexagons;
   if (!shown.stale) return;
   shown.mapper->SetInputData(far ? makeColoredBricks(*content, front_colors)
-                                 : makeColoredSurface(*content, front_colors));
+                                 : makeColoredSurface(*content, front_colors, colors));
   shown.stale = false;
 }
 
@@ -140,27 +174,45 @@ void SceneSkin::Parts::setLights() {
   Eigen::Matrix3d R_s_view;
   R_s_view << right, back.cross(right), back;
   const Eigen::Vector3f key = (R_s_view * Eigen::Vector3d(SceneLights::kKeyFrom.data()).normalized()).cast<float>();
-  const Eigen::Vector3f head = back.cast<float>();
+  const Eigen::Vector3f fill = (R_s_view * Eigen::Vector3d(SceneLights::kFillFrom.data()).normalized()).cast<float>();
+  const Rgb grey_color = backGrey(colors);
+  const Eigen::Vector3f grey = Eigen::Vector3d(grey_color.data()).cast<float>();
   const bool parallel = camera->GetParallelProjection() != 0;
-  Eigen::Vector4f eye(head.x(), head.y(), head.z(), 0);
+  Eigen::Vector4f eye = Eigen::Vector4f::Zero();
+  eye.head<3>() = back.cast<float>();
   if (!parallel) eye << Eigen::Vector3d(camera->GetPosition()).cast<float>(), 1;
   for (Faces* faces : {&hexagons, &bricks}) {
     vtkUniforms* uniforms = faces->actor->GetShaderProperty()->GetVertexCustomUniforms();
     uniforms->SetUniform4f("eye", eye.data());
     uniforms->SetUniform3f("key", key.data());
-    uniforms->SetUniform3f("head", head.data());
+    uniforms->SetUniform3f("fill", fill.data());
+    uniforms->SetUniform3f("grey", grey.data());
   }
+}
+
+void addSceneLights(vtkRenderer* renderer) {
+  const auto add = [renderer](const std::array<double, 3>& from, double intensity) {
+    vtkNew<vtkLight> light;
+    light->SetLightTypeToCameraLight();
+    light->SetPosition(from[0], from[1], from[2]);
+    light->SetFocalPoint(0, 0, 0);
+    light->SetIntensity(intensity);
+    renderer->AddLight(light);
+  };
+  add(SceneLights::kKeyFrom, SceneLights::kKey);
+  add(SceneLights::kFillFrom, SceneLights::kFill);
 }
 
 SceneSkin::SceneSkin(vtkRenderer* renderer) : parts_(std::make_unique<Parts>()) {
   parts_->renderer = renderer;
   parts_->add(parts_->prism_actor, parts_->prism_mapper);
-  for (Parts::Faces* faces : {&parts_->hexagons, &parts_->bricks}) {
-    parts_->add(faces->actor, faces->mapper);
-    lightByCorner(faces->actor);
-  }
+  for (Parts::Faces* faces : {&parts_->hexagons, &parts_->bricks}) parts_->add(faces->actor, faces->mapper);
+  lightByCorner(parts_->hexagons.actor, 6);
+  lightByCorner(parts_->bricks.actor, 4);
+  parts_->add(parts_->back_actor, parts_->back_mapper);
   parts_->add(parts_->port_actor, parts_->port_mapper);
   parts_->add(parts_->origin_actor, parts_->origin_mapper);
+  parts_->add(parts_->sign_actor, parts_->sign_mapper);
   vtkProperty* prism = parts_->prism_actor->GetProperty();
   prism->SetAmbient(kAmbient);
   prism->SetDiffuse(kDiffuse);
@@ -169,22 +221,36 @@ SceneSkin::SceneSkin(vtkRenderer* renderer) : parts_(std::make_unique<Parts>()) 
   prism->EdgeVisibilityOn();
   prism->SetLineWidth(1.2F);
   prism->BackfaceCullingOn();  // they are closed: half of the work for the same picture
+  vtkProperty* back = parts_->back_actor->GetProperty();
+  back->SetAmbient(kAmbient);
+  back->SetDiffuse(kDiffuse);
+  back->BackfaceCullingOn();
+  parts_->back_actor->PickableOff();
   // Marks lie on the faces and keep their colour in any light.
   parts_->port_actor->GetProperty()->LightingOff();
   parts_->origin_actor->GetProperty()->LightingOff();
+  parts_->sign_actor->GetProperty()->LightingOff();
 }
 
 SceneSkin::~SceneSkin() = default;
 
 void SceneSkin::setContent(std::shared_ptr<const SceneContent> content) {
   parts_->content = std::move(content);
-  parts_->locator = nullptr;
+  parts_->locator = parts_->content ? parts_->content->locator : nullptr;
+  const bool has_backs = parts_->content && parts_->content->prisms;
+  parts_->back_mapper->SetInputData(has_backs ? parts_->content->backs : vtkSmartPointer<vtkPolyData>::New());
   parts_->recolor();
 }
 
 void SceneSkin::setColoring(Coloring coloring) {
   parts_->coloring = coloring;
   parts_->recolor();
+}
+
+void SceneSkin::setFixedRange(const std::optional<ColorRange>& range) {
+  if (range == parts_->fixed_range) return;
+  parts_->fixed_range = range;
+  if (isQuantity(parts_->coloring)) parts_->recolor();
 }
 
 void SceneSkin::setReadings(CellReadings readings) {
@@ -214,6 +280,14 @@ Coloring SceneSkin::coloring() const { return parts_->coloring; }
 
 const CellReadings& SceneSkin::readings() const { return parts_->readings; }
 
+std::optional<ScaleLegend> SceneSkin::scale() const {
+  if (!parts_->content || !isQuantity(parts_->coloring)) return std::nullopt;
+  const SceneContent& content = *parts_->content;
+  return makeScaleLegend(parts_->coloring, cellValues(parts_->coloring, content.figures, parts_->readings),
+                         scaledValues(parts_->coloring, *content.reconstruction, content.figures, parts_->readings),
+                         parts_->fixed_range, content.reconstruction->options);
+}
+
 void SceneSkin::update(int window_height) {
   // A hexagon's corners are a quarter of a side away from a brick's: half a pixel.
   constexpr double kBrickPixels = 2;
@@ -233,27 +307,50 @@ void SceneSkin::update(int window_height) {
   parts_->setLights();
 }
 
-std::optional<CellId> SceneSkin::pick(double x, double y) const {
-  if (!parts_->content || parts_->content->layout.cells.empty()) return std::nullopt;
-  if (!parts_->locator) {
-    parts_->locator = vtkSmartPointer<vtkStaticCellLocator>::New();
-    parts_->locator->SetDataSet(parts_->content->surface);
-    parts_->locator->BuildLocator();
+void SceneSkin::setCut(const std::optional<SceneCut>& cut) {
+  parts_->cut.set(cut, {parts_->prism_mapper.Get(), parts_->hexagons.mapper.Get(), parts_->bricks.mapper.Get(),
+                        parts_->back_mapper.Get(), parts_->port_mapper.Get(), parts_->origin_mapper.Get()});
+  // Where prisms are cut open, they are seen from within.
+  parts_->prism_actor->GetProperty()->SetBackfaceCulling(!cut);
+}
+
+std::optional<std::size_t> SceneSkin::Parts::firstCell(Eigen::Vector3d from, Eigen::Vector3d to) const {
+  if (!content || content->layout.cells.empty()) return std::nullopt;
+  if (cut.get() && !cut.get()->shorten(from, to)) return std::nullopt;
+  if (!locator) {
+    locator = vtkSmartPointer<vtkStaticCellLocator>::New();
+    locator->SetDataSet(content->surface);
+    locator->BuildLocator();
   }
-  const auto near = onSight(parts_->renderer, x, y, 0);
-  const auto far = onSight(parts_->renderer, x, y, 1);
   constexpr double kTolerance_m = 1e-6;  // not 0: a hit on a tilted face is off its plane by rounding
   double t = 0;
   std::array<double, 3> hit{};
   std::array<double, 3> parametric{};
   int sub_id = 0;
   vtkIdType polygon = -1;
-  if (parts_->locator->IntersectWithLine(near.data(), far.data(), kTolerance_m, t, hit.data(), parametric.data(),
-                                         sub_id, polygon) == 0) {
+  if (locator->IntersectWithLine(from.data(), to.data(), kTolerance_m, t, hit.data(), parametric.data(), sub_id,
+                                 polygon) == 0) {
     return std::nullopt;
   }
-  const std::size_t cell = static_cast<std::size_t>(polygon) / parts_->content->polygonsPerCell();
-  return parts_->content->layout.cells.at(cell).id;
+  return static_cast<std::size_t>(polygon) / content->polygonsPerCell();
+}
+
+std::optional<CellId> SceneSkin::pick(double x, double y) const {
+  const auto cell = parts_->firstCell(onSight(parts_->renderer, x, y, 0), onSight(parts_->renderer, x, y, 1));
+  return cell ? std::optional(parts_->content->layout.cells.at(*cell).id) : std::nullopt;
+}
+
+bool SceneSkin::isCovered(std::size_t cell) const {
+  vtkCamera* camera = parts_->renderer->GetActiveCamera();
+  const SE3& T_s_u = parts_->content->layout.cells.at(cell).T_s_u;
+  Eigen::Vector3d eye(camera->GetPosition());
+  if (camera->GetParallelProjection() != 0) {
+    const Eigen::Vector3d back = -Eigen::Vector3d(camera->GetDirectionOfProjection());
+    eye = T_s_u.t + (parts_->content->extent_m + camera->GetDistance()) * back;
+  }
+  // A little beyond the centre, so that the cell itself is met where nothing else is.
+  const auto first = parts_->firstCell(eye, T_s_u.t + 0.02 * (T_s_u.t - eye));
+  return first.has_value() && *first != cell;
 }
 
 }  // namespace hexoderm

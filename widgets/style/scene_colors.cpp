@@ -33,8 +33,15 @@ Rgb onScale(const std::vector<Rgb>& scale, double t) {
   return mixed(scale[lower], scale[upper], position - static_cast<double>(lower));
 }
 
+Rgb onMap(const ColorMap& map, double t) {
+  constexpr double kSlack = 1e-9;  // of a value at an end
+  if (t < -kSlack) return map.below;
+  return t > 1 + kSlack ? map.above : onScale(map.steps, t);
+}
+
 Rgb categoryColor(const SceneColors& colors, std::size_t category, std::size_t count) {
-  return onScale(colors.scale, (static_cast<double>(category) + 0.5) / static_cast<double>(count));
+  if (count <= colors.classes.size()) return colors.classes[category];
+  return onScale(colors.scale.steps, (static_cast<double>(category) + 0.5) / static_cast<double>(count));
 }
 
 const Rgb& markOn(const Rgb& face, const SceneColors& colors) {

@@ -19,6 +19,7 @@ constexpr const char* kStyleSheet = R"(
 QMainWindow, QDialog { background: @window@; }
 QMainWindow::separator { background: @window@; width: 8px; height: 8px; }
 QFrame[card="true"] { background: @panel@; border: 1px solid @border@; border-radius: 6px; }
+QFrame[notice="true"] { background: @panel@; border: 1px solid @text_muted@; border-radius: 6px; }
 QFrame[banner="true"] { background: @panel@; border: 0; border-bottom: 1px solid @border@; }
 QDockWidget { color: @text_muted@; }
 QDockWidget::title { background: @window@; padding: 4px 8px; text-align: left; }

@@ -13,6 +13,10 @@ class LinkTable : public ReconstructionTable {
   Q_OBJECT
 
  public:
+  /// Columns that can be done without, by their places.
+  static constexpr int kTwistColumn = 5;
+  static constexpr int kYawColumn = 6;
+
   using ReconstructionTable::ReconstructionTable;
   int rowCount(const QModelIndex& parent = {}) const override;
   int columnCount(const QModelIndex& parent = {}) const override;

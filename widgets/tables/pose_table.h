@@ -10,6 +10,11 @@ class PoseTable : public ReconstructionTable {
   Q_OBJECT
 
  public:
+  /// Columns that can be done without, by their places.
+  static constexpr int kCellsColumn = 2;
+  static constexpr int kNoiseColumn = 3;
+  static constexpr int kNewByColumn = 4;
+
   using ReconstructionTable::ReconstructionTable;
   int rowCount(const QModelIndex& parent = {}) const override;
   int columnCount(const QModelIndex& parent = {}) const override;

@@ -2,6 +2,7 @@
 
 #include "hexoderm/util/error.h"
 #include "hexoderm/util/units.h"
+#include "widgets/controls/column_layout.h"
 #include "widgets/controls/typed_values.h"
 #include "widgets/words/surface_words.h"
 #include "widgets/words/words.h"
@@ -16,7 +17,6 @@
 #include <QSignalBlocker>
 #include <QSpinBox>
 #include <QToolButton>
-#include <QVBoxLayout>
 #include <algorithm>
 #include <initializer_list>
 #include <limits>
@@ -60,19 +60,21 @@ QLabel* labelFor(QWidget* control, const QString& text) {
 
 VerifyPanel::VerifyPanel(Selection* selection, QWidget* parent)
     : QWidget(parent),
-      hold_out_(new VerifySection(tr("Hold-out pose"), tr("Does it foretell a pose that it has not seen?"),
+      hold_out_(new VerifySection(tr("Hold-out pose"), tr("Leave one pose out: do the others predict what it read?"),
                                   QStringLiteral("holdOut"), selection)),
-      loop_(new VerifySection(tr("Loops"), tr("Do chains of cells that meet again close?"), QStringLiteral("loops"),
+      loop_(new VerifySection(tr("Loops"), tr("Do rings of cells close, link by link?"), QStringLiteral("loops"),
                               selection)),
       surface_(new VerifySection(tr("Surface"), tr("Do the cells lie on the surface they were put on?"),
                                  QStringLiteral("surface"), selection)),
-      caliper_(new VerifySection(tr("Distance by caliper"), tr("Is it as large as the skin itself?"),
+      caliper_(new VerifySection(tr("Distance by caliper"), tr("Does a distance measured on the skin itself agree?"),
                                  QStringLiteral("caliper"), selection)),
-      comparison_(
-          new VerifySection(tr("Earlier calibration"), tr("Does it repeat?"), QStringLiteral("comparison"), selection)),
-      old_(new VerifySection(tr("Old calibration"),
-                             tr("Does it still hold? Compared with poses of today, cell by cell."),
-                             QStringLiteral("oldCalibration"), selection)),
+      comparison_(new VerifySection(tr("Compare with another calibration"),
+                                    tr("Does another calibration of the same skin agree?"),
+                                    QStringLiteral("comparison"), selection)),
+      old_(new VerifySection(
+          tr("Check an old calibration"),
+          tr("Does one of some time ago still hold? Compared with the poses of this session, cell by cell."),
+          QStringLiteral("oldCalibration"), selection)),
       pose_(new QComboBox),
       run_(new QPushButton(tr("Run"))),
       by_cell_(new QToolButton),
@@ -93,11 +95,11 @@ VerifyPanel::VerifyPanel(Selection* selection, QWidget* parent)
   buildCaliper();
   buildComparison();
   buildOldCalibration();
-  auto* layout = new QVBoxLayout(this);
-  layout->setContentsMargins(0, 4, 0, 4);
-  layout->setSpacing(16);
+  constexpr int kColumnCharacters = 44;
+  auto* layout = new ColumnLayout(kColumnCharacters * fontMetrics().averageCharWidth(), this);
+  layout->setContentsMargins(14, 12, 14, 12);
+  layout->setSpacing(18);
   for (VerifySection* section : sections()) layout->addWidget(section);
-  layout->addStretch();
 
   for (const VerifyCheck check : {VerifyCheck::HoldOut, VerifyCheck::Loops, VerifyCheck::Surface,
                                   VerifyCheck::Comparison, VerifyCheck::OldCalibration}) {
@@ -382,8 +384,8 @@ void VerifyPanel::refreshControls() {
               .arg(otherPoses());
   }
   run_->setEnabled(why.isEmpty() && !hold_out_->isRunning());
-  run_->setToolTip(why.isEmpty() ? tr("Solves without this pose and compares what it foretells with what was read")
-                                 : why);
+  run_->setToolTip(
+      why.isEmpty() ? tr("Solves without this pose and compares what the others predict with what was read") : why);
   pose_->setToolTip(why);
   // A grey button alone would leave open why.
   if (!why.isEmpty() && !hold_out_result_) hold_out_->setSentence({Tone::Neutral, why});
@@ -398,7 +400,7 @@ void VerifyPanel::refreshControls() {
   kind_->setEnabled(reconstruction_ != nullptr);
   kind_->setToolTip(reconstruction_ ? tr("Fitted through the centres of the cells") : no_skin);
   radius_mm_->setEnabled(reconstruction_ && round);
-  radius_mm_->setToolTip(round ? tr("Known from a drawing or measured: gives the paper's Δ and ε")
+  radius_mm_->setToolTip(round ? tr("Known from a drawing or measured: the fit is then compared with it")
                                : tr("Only a cylinder and a sphere have one radius to compare with."));
   choose_->setEnabled(reconstruction_ != nullptr);
   choose_->setToolTip(reconstruction_ ? tr("A calibration, or a session that is then solved") : no_skin);

@@ -18,10 +18,10 @@ namespace hexoderm {
 
 enum class VerifyCheck { HoldOut, Loops, Surface, Comparison, OldCalibration };
 
-/// The checks of a finished calibration, each with a verdict: does it foretell a pose it has not seen, do its loops
-/// close, do its cells lie on the surface they were put on, does a distance measured by hand agree, does it repeat? And
-/// of an old calibration: does it still hold, by the poses of today? The panel asks by its requests and shows the
-/// results that it is given; it is narrow enough for the column of steps.
+/// The checks of a finished calibration, each with a verdict: do the other poses predict one that is left out, do its
+/// loops close, do its cells lie on the surface they were put on, does a distance measured by hand agree, does it
+/// repeat? And of an old calibration: does it still hold, by the poses of today? The panel asks by its requests and
+/// shows the results that it is given, in as many columns as there is room for.
 class VerifyPanel : public QWidget {
   Q_OBJECT
 

@@ -36,7 +36,7 @@ QString toneSign(Tone tone) {
   return QStringLiteral("●");
 }
 
-constexpr int kMostRowsSeen = 6;
+constexpr int kMostRowsSeen = 8;
 
 }  // namespace
 

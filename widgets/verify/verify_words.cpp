@@ -53,7 +53,7 @@ VerifySentence holdOutInWords(const HoldOutResult& result) {
       break;
   }
   const QString figures =
-      VerifyTexts::tr("The other %1 poses foretell pose %2 to %3 (rms over %4 cells); %5 were expected.")
+      VerifyTexts::tr("The other %1 poses predict pose %2 to %3 (rms over %4 cells); %5 were expected.")
           .arg(result.other_poses)
           .arg(result.pose.value())
           .arg(degrees(result.rms_rad))
@@ -91,7 +91,7 @@ VerifyFigures holdOutCells(const HoldOutResult& result) {
   figures.columns = {
       cellColumn(),
       degreeColumn(VerifyTexts::tr("Error °"),
-                   VerifyTexts::tr("Between the gravity the cell read and what the other cells and poses foretell")),
+                   VerifyTexts::tr("Between the gravity the cell read and what the other cells and poses predict")),
       degreeColumn(VerifyTexts::tr("Expected"),
                    VerifyTexts::tr("What the stated uncertainties lead one to expect, rms"))};
   for (const HoldOutCell& cell : result.cells) {
@@ -218,8 +218,8 @@ VerifySentence surfaceInWords(const SurfaceEvaluation& surface, std::optional<do
   if (surface.better) {
     tone = Tone::Bad;
     sentences << VerifyTexts::tr(
-                     "But it is not this surface: the cells face %1 (rms) away from it. Where they lie and face speaks "
-                     "for another one: %2, with %3.")
+                     "But it is not this surface: the cells are tilted against it by %1 (rms). Positions and tilts "
+                     "together fit another one better: %2, with %3.")
                      .arg(degrees(surface.tilt_rms_rad), formInWords(*surface.better),
                           degrees(surface.better->tilt_rms_rad));
   } else if (stated_m) {
@@ -232,7 +232,8 @@ VerifySentence surfaceInWords(const SurfaceEvaluation& surface, std::optional<do
                      .arg(millimetres(*stated_m));
   }
   if (surface.delta_m && surface.epsilon_m) {
-    sentences << VerifyTexts::tr("Against the true radius: Δ = %1 (eq. 20), ε = %2 (eq. 21).")
+    sentences << VerifyTexts::tr(
+                     "The radius is off the true one by Δ = %1, and the cells lie ε = %2 (rms) off the true surface.")
                      .arg(millimetres(*surface.delta_m), millimetres(*surface.epsilon_m));
   }
   return {tone, sentences.join(QLatin1Char(' '))};
@@ -303,10 +304,11 @@ VerifySentence comparisonInWords(const std::vector<Comparison>& comparisons, con
   if (within.stated == 0) {
     return {Tone::Neutral, VerifyTexts::tr("%1 Neither of them states an uncertainty to compare with.").arg(figures)};
   }
-  const QString counts = VerifyTexts::tr("Of %1 cells, %2 lie and %3 point within what was stated with 95 %.")
-                             .arg(within.stated)
-                             .arg(within.position)
-                             .arg(within.orientation);
+  const QString counts =
+      VerifyTexts::tr("Of %1 cells, %2 have their position and %3 their orientation within what was stated with 95 %.")
+          .arg(within.stated)
+          .arg(within.position)
+          .arg(within.orientation);
   return within.holds()
              ? VerifySentence{Tone::Good,
                               VerifyTexts::tr("Within what was stated for 95 % of cells. %1 %2").arg(figures, counts)}

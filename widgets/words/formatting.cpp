@@ -3,6 +3,7 @@
 #include "hexoderm/reconstruction/result/uncertainty.h"
 #include "hexoderm/util/units.h"
 #include "widgets/style/palette.h"
+#include "widgets/words/cell_words.h"
 #include "widgets/words/words.h"
 
 #include <QCoreApplication>
@@ -207,6 +208,10 @@ QString linkToolTip(const Reconstruction& reconstruction, const LinkEstimate& li
 }
 
 QString cellToolTip(const Reconstruction& reconstruction, CellId cell) {
+  return cellToolTip(reconstruction, cell, linksOf(reconstruction, cell));
+}
+
+QString cellToolTip(const Reconstruction& reconstruction, CellId cell, LinksOfCell links) {
   const auto [patch, placement] = reconstruction.find(cell);
   if (placement == nullptr) return {};
   QStringList lines;
@@ -228,6 +233,14 @@ QString cellToolTip(const Reconstruction& reconstruction, CellId cell) {
       lines << Words::tr("How well it is known is not stated");
     }
     if (placement->path.size() > 1) lines << pathInWords(placement->path);
+  }
+  if (const auto shape = shapeUncertaintyOf(*placement)) {
+    lines << Words::tr("In the shape known to ±%1, ±%2 (95 %)")
+                 .arg(millimetresInWords(shape->position_m, 1), degreesInWords(shape->orientation_rad));
+  }
+  if (const WorstLinkFigures worst = worstOf(links); worst.quality) {
+    lines << Words::tr("Worst link: %1, residual %2, predicted deviation %3")
+                 .arg(qualityWord(*worst.quality), degreesInWords(worst.residual_rad), degreesInWords(worst.sigma_rad));
   }
   if (placement->accel_offset_g) {
     lines << Words::tr("Accelerometer offset %1 mg").arg(threeNumbers(1e3 * *placement->accel_offset_g, 0));

@@ -20,6 +20,7 @@
 #include <QSettings>
 #include <QSignalBlocker>
 #include <QStyle>
+#include <algorithm>
 #include <array>
 
 namespace hexoderm {
@@ -164,7 +165,9 @@ ConnectDialog::ConnectDialog(const QString& folder, const QString& open_session,
   layout->addWidget(note_, 6, 1, 1, 2);
   layout->addWidget(buttons, 7, 0, 1, 3);
   layout->setColumnStretch(1, 1);
-  resize(660, 330);
+  // In proportion to the text.
+  constexpr int kUsualText_px = 17;
+  resize(QSize(660, 330) * std::max(1.0, fontMetrics().height() / static_cast<double>(kUsualText_px)));
 
   connect(kind_, qOverload<int>(&QComboBox::currentIndexChanged), this, &ConnectDialog::chooseKind);
   connect(address_, &QComboBox::editTextChanged, this, &ConnectDialog::check);

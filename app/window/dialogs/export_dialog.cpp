@@ -1,5 +1,6 @@
 #include "app/window/dialogs/export_dialog.h"
 
+#include "app/window/dialogs/package_list.h"
 #include "app/window/files/session_paths.h"
 #include "app/window/toolkit/deferred_dialog.h"
 #include "app/window/toolkit/file_dialog.h"
@@ -18,8 +19,12 @@
 #include <QLineEdit>
 #include <QListWidget>
 #include <QPushButton>
+#include <QSettings>
 #include <QSignalBlocker>
+#include <QStackedWidget>
 #include <QStyle>
+#include <QTabBar>
+#include <QTextBrowser>
 #include <QVBoxLayout>
 #include <algorithm>
 #include <utility>
@@ -31,7 +36,13 @@ namespace {
 /// In the list of patches, besides their origin cells.
 constexpr uint kAllPlaced = 0;
 
+constexpr int kListWidth = 180;
+
 const QString kCalibrationExtension = QStringLiteral(".calibration.json");
+const QString kZip = QStringLiteral(".zip");
+
+const QString kIsPackage = QStringLiteral("export/is_package");
+const QString kIsZip = QStringLiteral("export/is_zip");
 
 QString toQString(std::string_view text) { return QString::fromUtf8(text.data(), static_cast<int>(text.size())); }
 
@@ -53,8 +64,14 @@ ExportDialog::ExportDialog(std::shared_ptr<const Reconstruction> reconstruction,
                            QWidget* parent)
     : QDialog(parent),
       reconstruction_(std::move(reconstruction)),
+      kinds_(new QTabBar(this)),
+      lists_(new QStackedWidget(this)),
+      contents_(new QStackedWidget(this)),
       formats_(new QListWidget(this)),
+      package_(new PackageList(this)),
       summary_(new QLabel(this)),
+      preview_(new QTextBrowser(this)),
+      container_(new QComboBox(this)),
       path_(named(new QLineEdit(this), "exportPath", tr("File to write"))),
       patch_(new QComboBox(this)),
       note_(new QLabel(this)) {
@@ -66,8 +83,12 @@ ExportDialog::ExportDialog(std::shared_ptr<const Reconstruction> reconstruction,
   setWindowTitle(tr("Export the calibration"));
   setModal(true);
 
-  auto* title = new QLabel(tr("What should the file be?"), this);
-  title->setProperty("headline", true);
+  kinds_->setObjectName(QStringLiteral("exportKinds"));
+  kinds_->setAccessibleName(tr("One file or several"));
+  kinds_->addTab(tr("One &file"));
+  kinds_->addTab(tr("&Package"));
+  kinds_->setExpanding(false);
+  kinds_->setDrawBase(false);
   auto* browse = new QPushButton(tr("Browse…"), this);
   browse->setObjectName(QStringLiteral("exportBrowse"));
   auto* buttons = new QDialogButtonBox(QDialogButtonBox::Cancel, this);
@@ -88,35 +109,75 @@ ExportDialog::ExportDialog(std::shared_ptr<const Reconstruction> reconstruction,
   layout->setContentsMargins(20, 18, 20, 16);
   layout->setHorizontalSpacing(18);
   layout->setVerticalSpacing(12);
-  layout->addWidget(title, 0, 0, 1, 3);
-  layout->addWidget(makeFormatList(), 1, 0, 2, 1);
-  layout->addWidget(summary_, 1, 1, 1, 2, Qt::AlignTop);
+  lists_->addWidget(makeFormatList());
+  lists_->addWidget(package_);
+  lists_->setFixedWidth(kListWidth);
+  summary_->setAlignment(Qt::AlignTop | Qt::AlignLeft);
+  preview_->setObjectName(QStringLiteral("packagePreview"));
+  preview_->setAccessibleName(tr("What each file will hold"));
+  contents_->addWidget(summary_);
+  contents_->addWidget(preview_);
+  layout->addWidget(kinds_, 0, 0, 1, 3);
+  layout->addWidget(lists_, 1, 0, 2, 1);
+  layout->addWidget(contents_, 1, 1, 1, 2);
   auto* choices = new QVBoxLayout;
   choices->addWidget(makePatchRow());
   choices->addWidget(makeOptions());
-  choices->addStretch(1);
   layout->addLayout(choices, 2, 1, 1, 2);
-  layout->addWidget(new QLabel(tr("Write to"), this), 3, 0, Qt::AlignRight | Qt::AlignVCenter);
+  container_->setObjectName(QStringLiteral("exportContainer"));
+  container_->setAccessibleName(tr("Folder or archive"));
+  container_->addItems({tr("Folder"), tr("Zip archive")});
+  auto* where = new QHBoxLayout;
+  where->addStretch(1);
+  where->addWidget(new QLabel(tr("Write to"), this));
+  where->addWidget(container_);
+  layout->addLayout(where, 3, 0);
   layout->addWidget(path_, 3, 1);
   layout->addWidget(browse, 3, 2);
   layout->addWidget(note_, 4, 1, 1, 2);
   layout->addWidget(buttons, 5, 0, 1, 3);
   layout->setColumnStretch(1, 1);
-  layout->setRowStretch(2, 1);
-  resize(680, 430);
+  layout->setRowStretch(1, 1);
+  resize(780, 520);
 
   path_->setText(suggestion + kCalibrationExtension);
   extension_ = kCalibrationExtension;
   connect(buttons, &QDialogButtonBox::accepted, this, &ExportDialog::accept);
   connect(buttons, &QDialogButtonBox::rejected, this, &ExportDialog::reject);
   connect(browse, &QPushButton::clicked, this, &ExportDialog::choosePath);
-  connect(formats_, &QListWidget::currentRowChanged, this, &ExportDialog::chooseFormat);
-  connect(patch_, QOverload<int>::of(&QComboBox::currentIndexChanged), this, &ExportDialog::check);
-  connect(path_, &QLineEdit::textChanged, this, &ExportDialog::check);
   formats_->setCurrentRow(0);
+  connectFields();
+  container_->setCurrentIndex(QSettings().value(kIsZip, false).toBool() ? 1 : 0);
+  kinds_->setCurrentIndex(QSettings().value(kIsPackage, false).toBool() ? 1 : 0);
+  chooseKind();
   path_->setFocus();
   path_->selectAll();
-  check();
+}
+
+void ExportDialog::connectFields() {
+  connect(kinds_, &QTabBar::currentChanged, this, &ExportDialog::chooseKind);
+  connect(container_, QOverload<int>::of(&QComboBox::currentIndexChanged), this, &ExportDialog::chooseContainer);
+  connect(formats_, &QListWidget::currentRowChanged, this, &ExportDialog::chooseFormat);
+  connect(package_, &QListWidget::itemChanged, this, &ExportDialog::chooseFormat);
+  connect(patch_, QOverload<int>::of(&QComboBox::currentIndexChanged), this, &ExportDialog::check);
+  connect(path_, &QLineEdit::textChanged, this, &ExportDialog::check);
+}
+
+bool ExportDialog::isPackage() const { return kinds_->currentIndex() == 1; }
+
+void ExportDialog::chooseKind() {
+  lists_->setCurrentIndex(kinds_->currentIndex());
+  contents_->setCurrentIndex(kinds_->currentIndex());
+  container_->setVisible(isPackage());
+  chooseFormat();
+}
+
+void ExportDialog::chooseContainer() { chooseFormat(); }
+
+std::vector<ExportFormat> ExportDialog::chosenFormats() const {
+  if (isPackage()) return package_->request().formats;
+  const std::optional<ExportFormatDescription> format = formatOfRow(formats_->currentRow());
+  return format ? std::vector{format->format} : std::vector<ExportFormat>{};
 }
 
 QWidget* ExportDialog::makeFormatList() {
@@ -124,7 +185,6 @@ QWidget* ExportDialog::makeFormatList() {
   formats_->setAccessibleName(tr("Format"));
   formats_->addItem(tr("Calibration"));
   for (const ExportFormatDescription& format : exportFormats()) formats_->addItem(toQString(format.name).toUpper());
-  formats_->setFixedWidth(150);
   return formats_;
 }
 
@@ -188,10 +248,12 @@ QWidget* ExportDialog::makeFileField(const ExportOptionDescription& option, QLin
   return field;
 }
 
-void ExportDialog::showOptionsOf(const std::optional<ExportFormatDescription>& format) {
+void ExportDialog::showOptions() {
+  const std::vector<ExportFormat> chosen = chosenFormats();
   for (std::size_t k = 0; k < option_rows_.size(); ++k) {
-    const std::vector<ExportFormat>& formats = exportOptions()[k].formats;
-    const bool shown = format && std::ranges::find(formats, format->format) != formats.end();
+    const bool shown = std::ranges::any_of(exportOptions()[k].formats, [&chosen](ExportFormat format) {
+      return std::ranges::find(chosen, format) != chosen.end();
+    });
     option_rows_[k].label->setVisible(shown);
     option_rows_[k].field->setVisible(shown);
   }
@@ -209,11 +271,14 @@ QWidget* ExportDialog::makePatchRow() {
 }
 
 void ExportDialog::offerPatches() {
-  const std::optional<ExportFormatDescription> format = formatOfRow(formats_->currentRow());
+  const bool has_one_format = !isPackage();
+  const std::optional<ExportFormatDescription> format =
+      has_one_format ? formatOfRow(formats_->currentRow()) : std::nullopt;
   const QSignalBlocker blocker(patch_);
+  const QVariant before = patch_->currentData();
   patch_->clear();
   std::vector<const PatchReconstruction*> patches;
-  if (format && reconstruction_) {
+  if ((format || !chosenFormats().empty()) && reconstruction_) {
     for (const PatchReconstruction& patch : reconstruction_->patches) {
       if (!patch.cells.empty()) patches.push_back(&patch);
     }
@@ -223,6 +288,7 @@ void ExportDialog::offerPatches() {
   const bool has_links =
       format && (format->patches == PatchesInFile::OnLinks || format->patches == PatchesInFile::OnALink);
   if (has_links && !options_.placements.empty()) patch_->addItem(tr("All that are placed on the robot"), kAllPlaced);
+  if (isPackage()) patch_->addItem(tr("As many as each format can hold"), kAllPlaced);
   const auto offerAll = [this] { patch_->addItem(tr("All, each in its own frame")); };
   if (format && format->patches == PatchesInFile::All) offerAll();
   for (const PatchReconstruction* patch : patches) {
@@ -232,6 +298,7 @@ void ExportDialog::offerPatches() {
                     patch->origin.value());
   }
   if (format && format->patches == PatchesInFile::AllIfAsked) offerAll();
+  if (isPackage()) patch_->setCurrentIndex(std::max(0, patch_->findData(before)));
   patch_row_->setVisible(patches.size() > 1);
 }
 
@@ -242,6 +309,7 @@ QString ExportDialog::leftOut() const {
 }
 
 QString ExportDialog::extension() const {
+  if (isPackage()) return container_->currentIndex() == 1 ? kZip : QString();
   const std::optional<ExportFormatDescription> format = formatOfRow(formats_->currentRow());
   return format ? toQString(format->extension) : kCalibrationExtension;
 }
@@ -252,7 +320,7 @@ void ExportDialog::chooseFormat() {
       format ? QStringList({words(format->summary), words(format->not_carried)}).join(QLatin1Char('\n')).trimmed()
              : tr("Hexoderm's own file: everything that is known, to be opened again, compared and exported "
                   "from later."));
-  showOptionsOf(format);
+  showOptions();
   offerPatches();
   // The name stays, the extension follows the format.
   QString path = path_->text();
@@ -277,6 +345,10 @@ void ExportDialog::choosePath() {
 }
 
 void ExportDialog::check() {
+  if (isPackage()) {
+    checkPackage();
+    return;
+  }
   const QFileInfo target(request().path);
   QString problem;
   QString remark;
@@ -310,6 +382,56 @@ void ExportDialog::check() {
   note_->setText(problem.isEmpty() ? remark : problem);
 }
 
+void ExportDialog::checkPackage() {
+  if (extension().isEmpty() && path_->text().endsWith(kZip)) {
+    // A name that was typed says it, too.
+    const QSignalBlocker blocker(container_);
+    container_->setCurrentIndex(1);
+    extension_ = kZip;
+  }
+  const PackageRequest asked = packageRequest();
+  const QFileInfo target(asked.path);
+  QString problem;
+  try {
+    preview_->setHtml(asked.isEmpty() || !reconstruction_
+                          ? QString()
+                          : packageInWords(previewPackage(*reconstruction_, packageContent(asked), asked.options)));
+  } catch (const InvalidArgument& error) {
+    preview_->clear();
+    problem = words(error);
+  }
+  if (asked.isEmpty()) {
+    problem = tr("Tick the files that the package is to hold.");
+  } else if (path_->text().trimmed().isEmpty()) {
+    problem = tr("Say where the package should go.");
+  } else if (!target.absoluteDir().exists()) {
+    problem = tr("There is no folder %1.").arg(QDir::toNativeSeparators(target.absolutePath()));
+  } else if (!extension().isEmpty() && target.isDir()) {
+    problem = tr("%1 is a folder; give the file a name.").arg(QDir::toNativeSeparators(target.filePath()));
+  } else if (extension().isEmpty() && target.exists() && !target.isDir()) {
+    problem = tr("%1 is a file; give the folder another name.").arg(QDir::toNativeSeparators(target.filePath()));
+  }
+  QString remark;
+  const bool replaces = problem.isEmpty() && target.exists();
+  if (replaces) {
+    remark = extension().isEmpty() ? tr("There is a folder of this name; files of the same names in it are replaced.")
+                                   : tr("There is a file of this name; it will be replaced.");
+  }
+  export_->setText(replaces ? tr("Replace") : tr("Export"));
+  export_->setEnabled(problem.isEmpty());
+  export_->setToolTip(problem);
+  note_->setText(problem.isEmpty() ? remark : problem);
+}
+
+PackageRequest ExportDialog::packageRequest() const {
+  PackageRequest asked = package_->request();
+  asked.path = QDir::fromNativeSeparators(path_->text().trimmed());
+  asked.options = options_;
+  const QVariant origin = patch_->currentData();
+  if (origin.isValid() && origin.toUInt() != kAllPlaced) asked.options.patch = CellId(origin.toUInt());
+  return asked;
+}
+
 ExportRequest ExportDialog::request() const {
   ExportRequest request;
   if (const std::optional<ExportFormatDescription> format = formatOfRow(formats_->currentRow())) {
@@ -328,7 +450,14 @@ ExportRequest ExportDialog::request() const {
 void ExportDialog::accept() {
   check();
   if (!export_->isEnabled()) return;
-  emit exportRequested(request());
+  QSettings().setValue(kIsPackage, isPackage());
+  if (isPackage()) {
+    QSettings().setValue(kIsZip, container_->currentIndex() == 1);
+    package_->keepChoice();
+    emit packageRequested(packageRequest());
+  } else {
+    emit exportRequested(request());
+  }
   QDialog::accept();
 }
 

@@ -57,6 +57,8 @@ WindowActions::WindowActions(QWidget* owner, QUndoStack* undo_stack)
       report(make(owner, "actionReport", tr("&Report…"),
                   tr("Write a report with verdict, pictures and tables, as PDF or as a page for the browser"),
                   {QKeySequence(QStringLiteral("Ctrl+Shift+E"))})),
+      report_title(make(owner, "actionReportTitle", tr("&Title of reports…"),
+                        tr("Robot, part, operator and notes, as they stand at the head of reports on this session"))),
       quit(make(owner, "actionQuit", tr("&Quit"), tr("Close the window"), {QKeySequence(QStringLiteral("Ctrl+Q"))})),
       undo(undo_stack->createUndoAction(owner, tr("&Undo"))),
       redo(undo_stack->createRedoAction(owner, tr("&Redo"))),
@@ -69,9 +71,10 @@ WindowActions::WindowActions(QWidget* owner, QUndoStack* undo_stack)
       retake(make(owner, "actionRetake", tr("Take a &pose again"),
                   tr("The next capture takes the place of the pose that keeps the result from being better"))),
       mute_link(make(owner, "actionMuteLink", tr("Set link &aside"),
-                     tr("Keep the picked link out of the solution, as a cable for example"),
+                     tr("Keep the picked link out of the solution, if it is a cable for example"),
                      {QKeySequence(Qt::Key_M)})),
-      capture(make(owner, "actionCapture", tr("Capture &anyway"), tr("Take the next readings as a pose, moved or not"),
+      capture(make(owner, "actionCapture", tr("Capture &now"),
+                   tr("Take the next readings as a pose, whether the part is still or not"),
                    {QKeySequence(Qt::Key_Space)})),
       automatic(make(owner, "actionAutomatic", tr("Capture by itself when &still"),
                      tr("Take a pose as soon as the part is held still after it was moved"),
@@ -84,6 +87,10 @@ WindowActions::WindowActions(QWidget* owner, QUndoStack* undo_stack)
                  tr("The device turns itself from pose to pose until there are enough"), {QKeySequence(Qt::Key_B)})),
       live_mode(make(owner, "actionLiveMode", tr("&Live mode"),
                      tr("Draw the skin from its readings of this moment alone"), {QKeySequence(Qt::Key_L)})),
+      cancel_solving(make(owner, "actionCancelSolving", tr("Stop working it o&ut"),
+                          tr("Stop working out the last change; what is shown stays as it was before"))),
+      solve_again(make(owner, "actionSolveAgain", tr("&Work it out after all"),
+                       tr("Work out the result that was stopped before"))),
       light_cell(make(owner, "actionLightCell", tr("Li&ght the picked cell"),
                       tr("Switch on the light of the picked cell on the skin itself"),
                       {QKeySequence(QStringLiteral("Ctrl+L"))})),
@@ -93,10 +100,18 @@ WindowActions::WindowActions(QWidget* owner, QUndoStack* undo_stack)
                         tr("Pick the cell or link that the most serious finding is about"))),
       find_cell(
           make(owner, "actionFindCell", tr("Find &cell…"), tr("Pick a cell by typing its ID"), {QKeySequence::Find})),
+      worst_cell(make(owner, "actionWorstCell", tr("Worst ce&ll"),
+                      tr("Pick the cell that is known least certainly, and show its figures and its neighbours"),
+                      {QKeySequence(Qt::Key_W)})),
+      figures(make(owner, "actionFigures", tr("F&igures of what is picked"),
+                   tr("Keep a card with all figures of the picked cell or link over the picture, or close it"),
+                   {QKeySequence(Qt::Key_I)})),
       fit(make(owner, "actionFit", tr("&Fit"), tr("Show the whole skin"), {QKeySequence(Qt::Key_F)})),
       front(make(owner, "actionFront", tr("F&ront view"), tr("Look at the patch from the front"))),
       side(make(owner, "actionSide", tr("&Side view"), tr("Look at the patch from its side"))),
       top(make(owner, "actionTop", tr("&Top view"), tr("Look at the patch from above"))),
+      back(make(owner, "actionBack", tr("Bac&k view"), tr("Look at the patch from behind"))),
+      isometric(make(owner, "actionIsometric", tr("&Isometric view"), tr("Look at the patch from between its axes"))),
       screenshot(make(owner, "actionScreenshot", tr("&Picture of the window"), tr("Save a picture of this window"),
                       {QKeySequence(Qt::Key_F12)})),
       next_pane(make(owner, "actionNextPane", tr("&Next part of the window"),
@@ -113,11 +128,19 @@ WindowActions::WindowActions(QWidget* owner, QUndoStack* undo_stack)
       swap_views(make(owner, "actionSwapViews", tr("S&wap graph and 3D view"),
                       tr("The one in the middle goes to the side, and the other way round"),
                       {QKeySequence(Qt::Key_G)})),
+      reset_layout(make(owner, "actionResetLayout", tr("R&eset layout"),
+                        tr("Bring all panels back to where they were at the first start"))),
       copy_report(
           make(owner, "actionCopyReport", tr("&Copy for a bug report"),
                tr("Versions, graphics, what is open and the last lines of the log, with your home folder as ~"))),
       open_log_folder(make(owner, "actionOpenLogFolder", tr("&Open the log's folder"),
                            tr("Show the folder in which the log is kept"))),
+      plot(make(owner, "actionPlot", tr("P&lot of figures"),
+                tr("Any figure of cells or links against any other; what is marked there is marked in all views"),
+                {QKeySequence(Qt::Key_P)})),
+      compare(make(owner, "actionCompare", tr("Before and &after"),
+                   tr("The result of now beside an earlier one, seen from the same side, or with arrows between them"),
+                   {QKeySequence(Qt::Key_C)})),
       recent(new QMenu(tr("Open &recent"), owner)),
       themes(new QActionGroup(owner)) {
   undo->setObjectName(QStringLiteral("actionUndo"));
@@ -131,7 +154,7 @@ WindowActions::WindowActions(QWidget* owner, QUndoStack* undo_stack)
   demo->setIconText(tr("Start the demo skin"));
   // A key that is held must not take a row of poses.
   for (QAction* action : {capture, automatic, skip_pose, turn, robot, live_mode, light_cell, toggle_pose, delete_pose,
-                          recapture, retake, mute_link, screenshot, swap_views}) {
+                          recapture, retake, mute_link, screenshot, swap_views, plot, compare}) {
     action->setAutoRepeat(false);
   }
   for (QAction* action : {automatic, robot, live_mode, light_cell}) action->setCheckable(true);
@@ -155,7 +178,7 @@ void WindowActions::fillMenuBar(QMenuBar* bar, const std::vector<QAction*>& pane
   file->addActions({demo, robot_demo, connect_skin, disconnect_skin, open});
   file->addMenu(recent);
   file->addSeparator();
-  file->addActions({save, save_as, save_calibration, export_to, report});
+  file->addActions({save, save_as, save_calibration, export_to, report, report_title});
   file->addSeparator();
   file->addAction(quit);
 
@@ -174,13 +197,17 @@ void WindowActions::fillMenuBar(QMenuBar* bar, const std::vector<QAction*>& pane
   session->addSeparator();
   session->addActions({live_mode, light_cell});
   session->addSeparator();
+  session->addActions({cancel_solving, solve_again});
+  session->addSeparator();
   QMenu* steps = session->addMenu(tr("&Go to step"));
   for (QAction* step : go_to_step) steps->addAction(step);
 
   QMenu* view = bar->addMenu(tr("&View"));
-  view->addActions({find_cell, show_finding, fit, front, side, top, swap_views});
+  view->addActions({find_cell, worst_cell, figures, show_finding, fit, front, back, side, top, isometric, swap_views,
+                    plot, compare});
   view->addSeparator();
   for (QAction* panel : panels) view->addAction(panel);
+  view->addAction(reset_layout);
   view->addSeparator();
   view->addActions({next_pane, previous_pane});
   view->addSeparator();
@@ -254,9 +281,15 @@ void WindowActions::refreshLink(const SessionController& controller, const std::
   if (no_link.isEmpty() && !picked) no_link = tr("Pick a link in the graph or in the table of links first");
   const bool muted = no_link.isEmpty() && controller.session()->findMutedLink(picked->first, picked->second) != nullptr;
   mute_link->setText(muted ? tr("Take link b&ack") : tr("Set link &aside"));
-  mute_link->setProperty(kPurpose, muted ? tr("Let the picked link into the solution again")
-                                         : tr("Keep the picked link out of the solution, as a cable for example"));
+  mute_link->setProperty(kPurpose, muted
+                                       ? tr("Let the picked link into the solution again")
+                                       : tr("Keep the picked link out of the solution, if it is a cable for example"));
   allow(mute_link, no_link);
+}
+
+void WindowActions::refreshSolving(const SessionController& controller) {
+  allow(cancel_solving, controller.isSolving() ? QString() : tr("Nothing is being worked out"));
+  allow(solve_again, controller.wasCancelled() ? QString() : tr("Nothing was stopped"));
 }
 
 void WindowActions::refreshRetake(const SessionController& controller) {
@@ -304,6 +337,8 @@ void WindowActions::refresh(const SessionController& controller, std::optional<i
     no_result = controller.isEmpty() ? tr("Nothing is open yet") : tr("There is no reconstruction yet");
   } else if (controller.isSolving()) {
     no_result = tr("The reconstruction is being brought up to date");
+  } else if (controller.wasCancelled()) {
+    no_result = tr("Working out the last change was stopped; work it out after all first");
   } else if (!controller.isCurrent()) {
     no_result = tr("The last change could not be reconstructed; undo it first");
   }
@@ -312,6 +347,7 @@ void WindowActions::refresh(const SessionController& controller, std::optional<i
   allow(save_calibration, no_result);
   allow(export_to, no_result);
   allow(report, no_result);
+  allow(report_title, no_result);
 
   QString no_pose = no_session;
   const std::optional<std::size_t> index = pose_row ? controller.sessionIndexOfPoseRow(*pose_row) : std::nullopt;
@@ -322,6 +358,7 @@ void WindowActions::refresh(const SessionController& controller, std::optional<i
   allow(delete_pose, no_pose);
 
   refreshCapture(controller, no_session);
+  refreshSolving(controller);
   refreshDevice(controller, cell);
   QString no_recapture = no_pose;
   if (no_recapture.isEmpty() && !controller.liveSession().isLive()) no_recapture = tr("No skin is connected");
@@ -333,7 +370,10 @@ void WindowActions::refresh(const SessionController& controller, std::optional<i
   allow(show_finding, has_findings ? QString() : tr("There are no findings"));
 
   const QString nothing = controller.reconstruction() ? QString() : tr("There is nothing to look at yet");
-  for (QAction* action : {find_cell, fit, front, side, top}) allow(action, nothing);
+  for (QAction* action : {find_cell, figures, fit, front, back, side, top, isometric, plot, compare})
+    allow(action, nothing);
+  const bool is_stated = controller.reconstruction() && controller.reconstruction()->assessment.position_95_m;
+  allow(worst_cell, nothing.isEmpty() && !is_stated ? tr("How certain the cells are is not known yet") : nothing);
   for (QAction* action : {undo, redo}) {
     const bool can = action->isEnabled();
     const QString tip = can ? action->text().remove(QLatin1Char('&'))

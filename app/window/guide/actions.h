@@ -37,6 +37,7 @@ class WindowActions {
   QAction* save_calibration;
   QAction* export_to;
   QAction* report;
+  QAction* report_title;
   QAction* quit;
   QAction* undo;
   QAction* redo;
@@ -51,14 +52,20 @@ class WindowActions {
   QAction* turn;
   QAction* robot;  ///< can be checked: the device turns itself from pose to pose
   QAction* live_mode;
+  QAction* cancel_solving;
+  QAction* solve_again;  ///< what was given up
   QAction* light_cell;
   QAction* show_next_pose;  ///< shows where to look while holding the part
   QAction* show_finding;    ///< the one that matters most
   QAction* find_cell;
+  QAction* worst_cell;  ///< picks the least certain cell, and shows its figures
+  QAction* figures;     ///< of what is picked, on a card
   QAction* fit;
   QAction* front;
   QAction* side;
   QAction* top;
+  QAction* back;
+  QAction* isometric;
   QAction* screenshot;
   QAction* next_pane;  ///< F6, as Tab within one
   QAction* previous_pane;
@@ -67,8 +74,11 @@ class WindowActions {
   QAction* about;
   QAction* preferences;
   QAction* swap_views;  ///< graph and 3D view
+  QAction* reset_layout;
   QAction* copy_report;
   QAction* open_log_folder;
+  QAction* plot;
+  QAction* compare;
   std::vector<QAction*> go_to_step;  ///< the first is step 1
   QMenu* recent;
   QActionGroup* themes;
@@ -86,6 +96,7 @@ class WindowActions {
  private:
   [[nodiscard]] static QString whyNoSession(const SessionController& controller);
   void refreshCapture(const SessionController& controller, const QString& no_session);
+  void refreshSolving(const SessionController& controller);
   void refreshRetake(const SessionController& controller);
   void refreshDevice(const SessionController& controller, std::optional<CellId> cell);
 };

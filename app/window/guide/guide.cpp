@@ -22,6 +22,7 @@ QAction* bestAction(const SessionController& controller, const WindowActions& ac
   if (controller.isEmpty()) return actions.demo;
   const Reconstruction* result = controller.reconstruction().get();
   if (controller.poseGuide().isRobotOn()) return actions.robot;
+  if (controller.wasCancelled()) return actions.solve_again;
   if (actions.retake->isEnabled()) return actions.retake;
   if (controller.poseGuide().wantsMorePoses())
     return controller.liveSession().canTurn() ? actions.robot : actions.show_next_pose;
@@ -161,7 +162,7 @@ Step checkStep(const SessionController& controller, const WindowActions& actions
     step.state = StepState::Done;
     say(step, Readiness::Ready, Guide::tr("The cells and links are those of the file."));
   }
-  step.what = Guide::tr("Compare the skin graph with the skin in front of you.");
+  step.what = Guide::tr("Compare the skin graph (G makes it large) with the skin in front of you.");
   step.why = Guide::tr(
       "Every cell and every link should be there. What was reported but can't be a skin link is listed "
       "under Findings and kept out.");
@@ -231,7 +232,9 @@ Step reviewStep(const SessionController& controller, const WindowActions& action
   }
   const Finding* finding = worstFinding(*result);
   if (captured) step.state = finding ? StepState::Current : StepState::Done;
-  step.what = words(finding ? finding->message : result->assessment.reason);
+  // The verdict itself stands in the banner, and the cards below say what was found.
+  step.what = finding ? Guide::tr("Look at what was found, the worst first.")
+                      : Guide::tr("Nothing was found that does not fit.");
   if (controller.session()) {
     step.why = Guide::tr(
         "A pose that does not fit can be disabled or deleted in the table of poses, and taken back with "
@@ -327,8 +330,13 @@ QString robotInWords(const SessionController& controller) {
 
 }  // namespace
 
+bool isDeviceLost(const SessionController& controller) {
+  return fellSilent(controller) && !isOver(controller.liveSession().source());
+}
+
 QString describeAwaited(const SessionController& controller) {
   if (controller.reconstruction()) return {};
+  if (controller.wasCancelled()) return Guide::tr("Working out the placements was stopped.");
   if (hasFailed(controller)) return Guide::tr("The placements could not be worked out: see the log.");
   if (controller.session()) {
     const int cells = static_cast<int>(controller.session()->neighbors().size());
@@ -358,11 +366,16 @@ Banner::Content describeStand(const SessionController& controller, const WindowA
         isOver(controller.liveSession().source())
             ? Guide::tr("Nothing more will come from this skin. The poses stay; connect to a skin to take more.")
             : Guide::tr(
-                  "The skin does not send any more. Check its power and its connection: once it sends again, "
-                  "this goes on by itself.");
+                  "The skin does not send any more. Check cable, power and address: once it sends again, this goes on "
+                  "by itself.");
   } else if (controller.poseGuide().isRobotOn()) {
     const auto next = controller.enabledPoses() + 1;
     content.sentence = Guide::tr("%1 is taking pose %2.").arg(robotInWords(controller)).arg(next);
+  } else if (controller.wasCancelled()) {
+    content.tone = Tone::Caution;
+    content.sentence = controller.reconstruction()
+                           ? Guide::tr("Working out the last change was stopped: the result shown is from before it.")
+                           : describeAwaited(controller);
   } else if (const Reconstruction* result = controller.reconstruction().get()) {
     content.tone = toneOf(result->assessment.level);
     content.sentence = words(result->assessment.reason);

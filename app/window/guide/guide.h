@@ -19,6 +19,8 @@ enum class GuideStep { Connect, Check, Capture, Review, Verify, Place, Export };
 Banner::Content describeStand(const SessionController& controller, const WindowActions& actions);
 /// What is going on while there is no result to show, one sentence; empty: there is one, or nothing goes on.
 QString describeAwaited(const SessionController& controller);
+/// A skin that was connected does not send any more, and may again: nothing of it goes on until then.
+bool isDeviceLost(const SessionController& controller);
 /// `check`: of the skin that is shown. The actions know already which of them can be used.
 std::vector<Step> describeSteps(const SessionController& controller, const WindowActions& actions,
                                 const SkinCheck& check);

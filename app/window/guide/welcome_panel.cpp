@@ -35,6 +35,7 @@ WelcomePanel::WelcomePanel(const std::vector<QAction*>& choices, RecentFiles& re
   setWidgetResizable(true);
   setFrameShape(QFrame::NoFrame);
   setFocusPolicy(Qt::NoFocus);
+  setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
   auto* column = new QWidget;
   column->setMaximumWidth(kWidestInCharacters * fontMetrics().averageCharWidth());
   auto* list = new QVBoxLayout(column);
@@ -75,7 +76,15 @@ WelcomePanel::WelcomePanel(const std::vector<QAction*>& choices, RecentFiles& re
   sides->addStretch(1);
   sides->addWidget(column, 100);
   sides->addStretch(1);
+  // It scrolls up and down only: texts are broken where they would be wider.
+  content->setMinimumWidth(1);
   setWidget(content);
+}
+
+void WelcomePanel::resizeEvent(QResizeEvent* event) {
+  QScrollArea::resizeEvent(event);
+  // Beside each button stands what it is for.
+  for (ActionButton* button : findChildren<ActionButton*>()) button->setRoom(viewport()->width() * 45 / 100);
 }
 
 }  // namespace hexoderm

@@ -22,6 +22,9 @@ class WelcomePanel : public QScrollArea {
 
  signals:
   void openWanted(const QString& path);
+
+ protected:
+  void resizeEvent(QResizeEvent* event) override;
 };
 
 }  // namespace hexoderm

@@ -130,7 +130,7 @@ LogView::LogView(const EventLog& log, QWidget* parent)
   severity_->addItem(tr("Errors"));
   text_->setObjectName(QStringLiteral("logText"));
   text_->setAccessibleName(tr("Search the log"));
-  text_->setPlaceholderText(tr("Search the log"));
+  text_->setPlaceholderText(tr("Search"));
   text_->setClearButtonEnabled(true);
   count_->setProperty("muted", true);
   auto* copy = new QPushButton(tr("Copy for a bug report"));

@@ -8,19 +8,26 @@
 #include "app/window/main_window/panels.h"
 #include "app/window/main_window/views.h"
 #include "app/window/presenters/capture_presenter.h"
+#include "app/window/presenters/coloring_presenter.h"
+#include "app/window/presenters/compare_presenter.h"
 #include "app/window/presenters/connection_presenter.h"
+#include "app/window/presenters/export_presenter.h"
 #include "app/window/presenters/file_presenter.h"
+#include "app/window/presenters/finding_presenter.h"
 #include "app/window/presenters/guide_presenter.h"
 #include "app/window/presenters/help_presenter.h"
 #include "app/window/presenters/history_presenter.h"
 #include "app/window/presenters/keyboard.h"
 #include "app/window/presenters/log_presenter.h"
+#include "app/window/presenters/mark_presenter.h"
 #include "app/window/presenters/picked_commands.h"
 #include "app/window/presenters/picture_presenter.h"
 #include "app/window/presenters/place_presenter.h"
+#include "app/window/presenters/plot_presenter.h"
 #include "app/window/presenters/preferences_presenter.h"
 #include "app/window/presenters/result_presenter.h"
 #include "app/window/presenters/review_presenter.h"
+#include "app/window/presenters/speech_presenter.h"
 #include "app/window/presenters/status_presenter.h"
 #include "app/window/presenters/theme_presenter.h"
 #include "app/window/presenters/verify_presenter.h"
@@ -32,15 +39,22 @@
 #include "widgets/capture/capture_panel.h"
 #include "widgets/capture/capture_tone.h"
 #include "widgets/capture/coverage_view.h"
+#include "widgets/capture/instruction_voice.h"
 #include "widgets/capture/live_strip.h"
 #include "widgets/capture/stillness_view.h"
 #include "widgets/controls/banner.h"
 #include "widgets/controls/card_dock.h"
 #include "widgets/controls/check_list.h"
+#include "widgets/controls/elided_label.h"
+#include "widgets/controls/finding_card.h"
 #include "widgets/controls/message_bar.h"
+#include "widgets/controls/notice_stack.h"
 #include "widgets/controls/step_panel.h"
+#include "widgets/controls/view_mark.h"
+#include "widgets/controls/work_notice.h"
 #include "widgets/graph/graph_view.h"
 #include "widgets/patch/patch_view.h"
+#include "widgets/plot/plot_view.h"
 #include "widgets/robot/place_panel.h"
 #include "widgets/robot/robot_view.h"
 #include "widgets/tables/cell_table.h"
@@ -74,6 +88,13 @@ QString droppedFile(const QMimeData* data) {
                                                                         : QString();
 }
 
+/// For a window with a title bar, whose height nobody knows before there is one.
+QSize roomOnScreen(const QWidget& window) {
+  const int title_px = window.fontMetrics().height() * 5 / 2;
+  constexpr int kBorder_px = 2;
+  return window.screen()->availableSize() - QSize(kBorder_px, title_px + kBorder_px);
+}
+
 }  // namespace
 
 /// Each gets the views and the parts of the window that it needs, and those presenters before it that it asks.
@@ -90,28 +111,40 @@ struct MainWindow::Presenters {
         capture({*views.steps, *views.capture_panel, *views.coverage, panels.coverage(), *views.stillness, *views.patch,
                  *views.tone},
                 window.controller_, window.actions_, window.selection_, window.preferences_),
-        review(
-            {*views.steps, *views.check_list, window.views_->tables, *views.residuals, *views.coverage, *views.patch},
-            window.controller_, window.actions_, window.selection_, files, results),
+        review({*views.steps, *views.check_list, window.views_->tables, *views.residuals, *views.coverage, *views.patch,
+                *views.graph},
+               window.controller_, window.actions_, window.selection_, files, results),
+        coloring({*views.steps, *views.patch, *views.graph}, window.controller_, results, window.preferences_,
+                 window.scale_ranges_),
         picked({*views.steps, *views.graph, *views.tables.link_view, *views.messages}, window.controller_,
                window.actions_, window.selection_, review),
+        findings({*views.steps, *views.check_findings, *views.review_findings, *views.finding_card,
+                  *views.tables.findings, *views.tables.finding_view},
+                 window.controller_, window.actions_, window.selection_, review),
         verify({window, *views.verify_panel, *views.patch}, window.controller_, verification, files),
+        exports(window, window.controller_, verification, window.actions_, files),
         place({window, *views.steps, *views.place_panel, *views.robot, panels.middle()}, window.controller_, placing),
+        compare(window, window.controller_, window.actions_, window.selection_, verification, themes),
+        plot({*views.plot, panels.plot(), *views.verify_panel}, window.controller_, window.actions_),
+        marks({*views.work_notice, panels.middleMark(), panels.sideMark()}, window.controller_, window.actions_),
         guide({*views.banner, *views.steps, *views.check_list}, window.controller_, window.actions_),
         status({window, *views.session_name, *views.status, panels.graph(), panels.poses(), *views.detail_tabs},
                window.controller_),
         history({window, *views.welcome, *views.earlier, *views.messages}, {window.recent_, window.unsaved_},
                 window.controller_, window.actions_, files, window.log_),
         preferences({window, *views.messages}, window.controller_, window.actions_, window.preferences_, themes),
+        speech({*views.capture_panel, *views.voice}, window.controller_, window.actions_, window.preferences_,
+               preferences),
         log({window, *views.log, *views.messages}, window.controller_, window.actions_, window.log_),
         help(window, *views.menus, window.controller_, window.actions_),
         view_commands(
             {*views.patch, *views.robot, *views.graph, panels.graph(), *views.steps, panels.steps(), panels.swap()},
             window.actions_),
         // As one reads the window: from the top, and from left to right.
-        keyboard({views.banner, views.messages, views.live_strip, views.steps, panels.centralWidget(), &panels.graph(),
-                  &panels.coverage(), &panels.poses(), &panels.details()},
-                 window.actions_) {}
+        keyboard(
+            {views.banner, views.messages, views.live_strip, views.work_notice, views.steps, panels.centralWidget(),
+             &panels.graph(), &panels.coverage(), &panels.plot(), &panels.poses(), &panels.details()},
+            window.actions_) {}
 
   EventRecorder recorder;
   ResultPresenter results;
@@ -121,15 +154,22 @@ struct MainWindow::Presenters {
   ConnectionPresenter connection;
   CapturePresenter capture;
   ReviewPresenter review;
+  ColoringPresenter coloring;
   PickedCommands picked;
+  FindingPresenter findings;
   Verification verification;
   VerifyPresenter verify;
+  ExportPresenter exports;
   Placing placing;
   PlacePresenter place;
+  ComparePresenter compare;
+  PlotPresenter plot;
+  MarkPresenter marks;
   GuidePresenter guide;
   StatusPresenter status;
   HistoryPresenter history;
   PreferencesPresenter preferences;
+  SpeechPresenter speech;
   LogPresenter log;
   HelpPresenter help;
   ViewCommands view_commands;
@@ -174,8 +214,6 @@ void MainWindow::layOut() {
   auto* work = new QVBoxLayout;
   work->setContentsMargins(8, 8, 8, 8);
   work->setSpacing(8);
-  work->addWidget(views_->messages);
-  work->addWidget(views_->live_strip);
   work->addWidget(panels_, 1);
   auto* centre = new QWidget;
   auto* layout = new QVBoxLayout(centre);
@@ -184,6 +222,10 @@ void MainWindow::layOut() {
   layout->addWidget(views_->banner);
   layout->addLayout(work, 1);
   setCentralWidget(centre);
+  auto* notices = new NoticeStack(centre);
+  notices->add(views_->work_notice);
+  notices->add(views_->live_strip);
+  notices->add(views_->messages);
   setMenuWidget(makeTopBar());
   setStatusBar(views_->status);
 }
@@ -192,7 +234,7 @@ QWidget* MainWindow::makeTopBar() {
   auto* app_name = new QLabel(QStringLiteral("Hexoderm"));
   app_name->setObjectName(QStringLiteral("appName"));
   views_->session_name->setObjectName(QStringLiteral("sessionName"));
-  views_->session_name->setTextFormat(Qt::PlainText);
+  views_->session_name->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
   actions_.fillMenuBar(views_->menus, panels_->toggleActions());
   auto* top_bar = new QFrame;
   top_bar->setObjectName(QStringLiteral("topBar"));
@@ -200,8 +242,8 @@ QWidget* MainWindow::makeTopBar() {
   layout->setContentsMargins(0, 0, 0, 1);  // the line below
   layout->setSpacing(0);
   layout->addWidget(app_name);
-  layout->addWidget(views_->menus, 1);
-  layout->addWidget(views_->session_name);
+  layout->addWidget(views_->menus);
+  layout->addWidget(views_->session_name, 1);
   return top_bar;
 }
 
@@ -212,8 +254,10 @@ void MainWindow::handOutResults() {
   results.add(views_->tables.links);
   results.add(views_->tables.findings);
   results.add(views_->tables.cells);
+  results.add(&presenters_->findings);
   results.addPicture(views_->graph);
   results.addPicture(views_->patch);
+  results.add(views_->plot);
   results.add(views_->residuals);
   results.add(views_->verify_panel);
   results.add(&presenters_->verification);
@@ -234,28 +278,43 @@ void MainWindow::dressViews() {
   themes.add(views_->live_strip);
   themes.add(views_->steps);
   themes.add(views_->check_list);
+  themes.add(views_->check_findings);
+  themes.add(views_->review_findings);
+  themes.add(views_->finding_card);
   themes.add(views_->capture_panel);
   themes.add(views_->coverage);
   themes.add(views_->stillness);
   themes.add(views_->patch);
   themes.add(views_->graph);
+  themes.add(views_->plot);
   themes.add(views_->residuals);
   themes.add(views_->verify_panel);
   themes.add(views_->place_panel);
   themes.add(views_->robot);
+  themes.add(&panels_->middleMark());
+  themes.add(&panels_->sideMark());
 }
 
 void MainWindow::connectRefresh() {
   connect(&controller_, &SessionController::changed, &refresh_, &OncePerTurn::request);
   connect(&controller_.poseGuide(), &PoseGuide::nextPoseChanged, &refresh_, &OncePerTurn::request);
   connect(&presenters_->review, &ReviewPresenter::pickedPoseChanged, &refresh_, &OncePerTurn::request);
+  connect(actions_.reset_layout, &QAction::triggered, panels_, &Panels::reset);
   connect(&refresh_, &OncePerTurn::done, this, &MainWindow::refreshed);
+  connect(&presenters_->review, &ReviewPresenter::findingsWanted, this, [this] {
+    panels_->details().show();
+    panels_->details().raise();
+    views_->detail_tabs->setCurrentIndex(0);
+  });
 }
 
 void MainWindow::refresh() {
   presenters_->picked.refresh();  // the guide asks the actions
   presenters_->guide.refresh();
+  presenters_->speech.refresh();
+  presenters_->findings.refresh();
   presenters_->results.refresh();
+  presenters_->marks.refresh();
   presenters_->place.refresh();
   presenters_->status.refresh();
   presenters_->connection.refresh();
@@ -300,11 +359,8 @@ bool MainWindow::focusNextPrevChild(bool next) {
 
 /// On a screen that is smaller than what the panels need, everything is reached by scrolling.
 void MainWindow::scrollIfScreenIsSmall() {
-  // Messages and the strip of a live skin come and go, and panels need a little more when they are filled.
-  constexpr double kReserve = 1.1;
-  const int strips_px = views_->messages->sizeHint().height() + views_->live_strip->sizeHint().height();
-  const QSize least = kReserve * minimumSizeHint() + QSize(0, strips_px);
-  const QSize room = screen()->availableSize();
+  const QSize least = minimumSizeHint();
+  const QSize room = roomOnScreen(*this);
   if (least.width() <= room.width() && least.height() <= room.height()) return;
   auto* area = new QScrollArea;
   area->setObjectName(QStringLiteral("workArea"));
@@ -317,9 +373,12 @@ void MainWindow::scrollIfScreenIsSmall() {
 
 void MainWindow::restoreLayout() {
   scrollIfScreenIsSmall();
-  resize(QSize(1440, 900).boundedTo(screen()->availableSize()));
+  resize(QSize(1440, 900).boundedTo(roomOnScreen(*this)));
   const QSettings settings;
   restoreGeometry(settings.value(kGeometry).toByteArray());
+  // So that the panels know how much room they have.
+  layout()->activate();
+  centralWidget()->layout()->activate();
   panels_->restore(settings);
 }
 

@@ -10,6 +10,7 @@
 #include "app/window/settings/theme.h"
 #include "app/window/toolkit/once_per_turn.h"
 #include "app/window/toolkit/wheel_guard.h"
+#include "widgets/coloring/scale_ranges.h"
 #include "widgets/controls/selection.h"
 
 #include <QImage>
@@ -89,6 +90,7 @@ class MainWindow : public QMainWindow {
   WheelGuard wheel_guard_;
   SessionController controller_;
   Selection selection_;
+  ScaleRanges scale_ranges_;
   WindowActions actions_;
   EventLog log_;
   Preferences preferences_;

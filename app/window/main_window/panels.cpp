@@ -1,5 +1,6 @@
 #include "app/window/main_window/panels.h"
 
+#include "app/window/guide/guide.h"
 #include "app/window/guide/welcome_panel.h"
 #include "app/window/log/log_view.h"
 #include "app/window/main_window/views.h"
@@ -8,53 +9,107 @@
 #include "widgets/capture/coverage_view.h"
 #include "widgets/capture/stillness_view.h"
 #include "widgets/controls/card_dock.h"
+#include "widgets/controls/finding_card.h"
 #include "widgets/controls/step_panel.h"
+#include "widgets/controls/view_mark.h"
 #include "widgets/graph/graph_view.h"
 #include "widgets/patch/patch_view.h"
+#include "widgets/plot/plot_view.h"
 #include "widgets/robot/robot_view.h"
 #include "widgets/verify/residual_view.h"
+#include "widgets/verify/verify_panel.h"
 
 #include <QFrame>
 #include <QGridLayout>
+#include <QHBoxLayout>
+#include <QScrollArea>
 #include <QSettings>
+#include <QSplitter>
 #include <QStackedWidget>
 #include <QTabBar>
 #include <QTableView>
 #include <QVBoxLayout>
+#include <algorithm>
+#include <utility>
 
 namespace hexoderm {
 namespace {
 
 /// Raised when docks come or go, so that an older layout is not forced onto a newer window.
-constexpr int kLayoutVersion = 2;
+constexpr int kLayoutVersion = 3;
 const QString kState = QStringLiteral("window/state");
+/// So wide that the sentences of the steps can be read, whatever the size of the text.
+constexpr int kStepCharacters = 35;
+/// The graph, the directions and the poses with their most important columns.
+constexpr int kSideCharacters = 32;
+
+/// A table with a card beside it, which is left out where it would leave the table too little room.
+class TableAndCard : public QWidget {
+ public:
+  explicit TableAndCard(QWidget* table, QWidget* card) : card_(card) {
+    auto* row = new QHBoxLayout(this);
+    row->setContentsMargins(0, 0, 0, 0);
+    row->setSpacing(8);
+    constexpr int kTableShare = 3;
+    constexpr int kCardShare = 2;
+    row->addWidget(table, kTableShare);
+    row->addWidget(card, kCardShare);
+  }
+
+ protected:
+  void resizeEvent(QResizeEvent* event) override {
+    constexpr int kLeastCharacters = 64;
+    card_->setVisible(width() >= kLeastCharacters * fontMetrics().averageCharWidth());
+    QWidget::resizeEvent(event);
+  }
+
+ private:
+  QWidget* card_;
+};
 
 }  // namespace
 
 Panels::Panels(const Views& views, QWidget* parent) : QMainWindow(parent) {
+  setObjectName(QStringLiteral("panels"));
   setWindowFlags(Qt::Widget);
   setContextMenuPolicy(Qt::PreventContextMenu);
   setCentralWidget(makeCentre(views));
   setDockOptions(AnimatedDocks | AllowNestedDocks | AllowTabbedDocks);
   setCorner(Qt::BottomLeftCorner, Qt::LeftDockWidgetArea);
   setCorner(Qt::BottomRightCorner, Qt::RightDockWidgetArea);
-  // So wide that the sentences of the steps can be read, whatever the size of the text.
-  constexpr int kStepCharacters = 36;
   views.steps->setMinimumWidth(kStepCharacters * fontMetrics().averageCharWidth());
-  // All columns of the poses, with their headings.
-  constexpr int kPoseCharacters = 56;
-  views.tables.pose_view->setMinimumWidth(kPoseCharacters * fontMetrics().averageCharWidth());
+  views.tables.pose_view->setMinimumWidth(kSideCharacters * fontMetrics().averageCharWidth());
+  // Less than it asks for, where the text is large and the window low.
+  constexpr int kLowGraph_px = 84;
+  views.graph->setMinimumHeight(kLowGraph_px);
   steps_ = new CardDock(tr("Steps"), QStringLiteral("stepsDock"), views.steps, this);
   graph_ = new CardDock(tr("Skin graph"), QStringLiteral("graphDock"), views.graph, this);
   poses_ = new CardDock(tr("Poses"), QStringLiteral("poseDock"), makeTable(views.tables.pose_view, tr("No poses yet.")),
                         this);
   views.coverage->setEmptyHint(tr("No poses yet."));
   coverage_ = new CardDock(tr("Directions seen"), QStringLiteral("coverageDock"), views.coverage, this);
+  plot_ = new CardDock(tr("Plot"), QStringLiteral("plotDock"), views.plot, this);
   swap_ = std::make_unique<ViewSwap>(*views.patch, *views.graph, *graph_);
   // In their order from below.
   connect(swap_.get(), &ViewSwap::swapped, views.robot, &QWidget::raise);
   connect(swap_.get(), &ViewSwap::swapped, views.welcome, &QWidget::raise);
   details_ = makeDetails(views);
+  middle_mark_ = new ViewMark(middle_);
+  middle_mark_->setObjectName(QStringLiteral("middleMark"));
+  side_mark_ = new ViewMark(graph_->widget());
+  side_mark_->setObjectName(QStringLiteral("sideMark"));
+  const auto place_marks = [this] {
+    // Below the buttons over the 3D view, and beside that over the graph.
+    constexpr int kAroundText_px = 30;
+    const int buttons = fontMetrics().height() + kAroundText_px;
+    const bool is_swapped = swap_->isSwapped();
+    middle_mark_->setPlace(is_swapped ? 0 : buttons, is_swapped);
+    side_mark_->setPlace(is_swapped ? buttons : 0, !is_swapped);
+  };
+  connect(swap_.get(), &ViewSwap::swapped, this, place_marks);
+  place_marks();
+  connect(views.steps, &StepPanel::opened, this,
+          [this](int step) { setVerifying(step == static_cast<int>(GuideStep::Verify)); });
   arrange();
 }
 
@@ -62,7 +117,7 @@ Panels::~Panels() = default;
 
 QWidget* Panels::makeCentre(const Views& views) {
   views.patch->setAccessibleName(tr("The patch in three dimensions"));
-  views.patch->setMinimumSize(320, 240);
+  views.patch->setMinimumSize(280, 200);
   middle_ = new QWidget;
   auto* place_layout = new QVBoxLayout(middle_);
   place_layout->setContentsMargins(0, 0, 0, 0);
@@ -81,7 +136,48 @@ QWidget* Panels::makeCentre(const Views& views) {
   auto* layout = new QVBoxLayout(card);
   layout->setContentsMargins(1, 1, 1, 1);
   layout->addWidget(stack);
-  return card;
+  auto* checks_card = new QFrame;
+  checks_card->setProperty("card", true);
+  checks_ = new QScrollArea;
+  checks_->setObjectName(QStringLiteral("checksArea"));
+  checks_->setFrameShape(QFrame::NoFrame);
+  checks_->setFocusPolicy(Qt::NoFocus);  // what is in it takes the focus
+  checks_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  checks_->setWidgetResizable(true);
+  checks_->setWidget(views.verify_panel);
+  auto* checks_layout = new QVBoxLayout(checks_card);
+  checks_layout->setContentsMargins(1, 1, 1, 1);
+  checks_layout->addWidget(checks_);
+  checks_card->hide();
+  centre_ = new QSplitter;
+  centre_->setChildrenCollapsible(false);
+  centre_->setHandleWidth(8);
+  centre_->addWidget(card);
+  centre_->addWidget(checks_card);
+  // The checks have the greater part.
+  centre_->setStretchFactor(0, 9);
+  centre_->setStretchFactor(1, 11);
+  return centre_;
+}
+
+QWidget& Panels::checks() { return *checks_; }
+
+std::vector<CardDock*> Panels::docks() const { return {steps_, graph_, coverage_, plot_, poses_, details_}; }
+
+/// The panels that give way come back as they were.
+void Panels::setVerifying(bool verifying) {
+  if (std::exchange(is_verifying_, verifying) == verifying) return;
+  if (verifying) {
+    before_checks_ = saveState(kLayoutVersion);
+    for (CardDock* dock : {graph_, coverage_, plot_, poses_, details_}) {
+      if (!dock->isFloating()) dock->hide();
+    }
+  } else {
+    restoreState(before_checks_, kLayoutVersion);
+  }
+  centre_->widget(1)->setVisible(verifying);
+  // The greater part is theirs.
+  if (verifying) centre_->setSizes({width() * 9 / 20, width() * 11 / 20});
 }
 
 TableOrHint* Panels::makeTable(QTableView* view, const QString& hint) {
@@ -89,8 +185,29 @@ TableOrHint* Panels::makeTable(QTableView* view, const QString& hint) {
   return tables_.back();
 }
 
+/// The table, and beside it the card of the finding that is picked in it. The step Review has that card, too.
+QWidget* Panels::makeFindings(const Views& views) {
+  auto* room = new QScrollArea;
+  room->setFrameShape(QFrame::NoFrame);
+  room->setFocusPolicy(Qt::NoFocus);
+  room->setWidgetResizable(true);
+  room->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  auto* content = new QWidget;
+  auto* column = new QVBoxLayout(content);
+  column->setContentsMargins(0, 0, 8, 8);
+  column->addWidget(views.finding_card);
+  column->addStretch(1);
+  room->setWidget(content);
+  // Where there is no finding, nothing is seen of it.
+  content->setAutoFillBackground(false);
+  room->viewport()->setAutoFillBackground(false);
+  return new TableAndCard(makeTable(views.tables.finding_view, tr("No findings.")), room);
+}
+
 CardDock* Panels::makeDetails(const Views& views) {
   auto* pages = new QStackedWidget;
+  // The widest page does not keep the column from getting narrower.
+  pages->setMinimumWidth(kSideCharacters * fontMetrics().averageCharWidth());
   QTabBar* tabs = views.detail_tabs;
   const auto add = [pages, tabs](QWidget* page, const QString& title) {
     pages->addWidget(page);
@@ -98,7 +215,7 @@ CardDock* Panels::makeDetails(const Views& views) {
   };
   tabs->setObjectName(QStringLiteral("detailTabs"));
   tabs->setDrawBase(false);
-  add(makeTable(views.tables.finding_view, tr("No findings.")), tr("Findings"));
+  add(makeFindings(views), tr("Findings"));
   add(makeTable(views.tables.link_view, tr("No links yet.")), tr("Links"));
   add(makeTable(views.tables.cell_view, tr("No cells yet.")), tr("Cells"));
   add(views.residuals, tr("Residuals"));
@@ -116,9 +233,38 @@ void Panels::arrange() {
   addDockWidget(Qt::RightDockWidgetArea, coverage_);
   addDockWidget(Qt::RightDockWidgetArea, poses_);
   addDockWidget(Qt::BottomDockWidgetArea, details_);
-  resizeDocks({steps_, graph_}, {286, 420}, Qt::Horizontal);
-  resizeDocks({graph_, coverage_, poses_}, {230, 258, 170}, Qt::Vertical);
-  resizeDocks({details_}, {170}, Qt::Vertical);
+  tabifyDockWidget(coverage_, plot_);
+  plot_->hide();
+  shareRoom();
+}
+
+void Panels::shareRoom() {
+  const int character = fontMetrics().averageCharWidth();
+  const int steps = std::max(kStepCharacters * character + 16, width() / 5);
+  const int side = std::max(kSideCharacters * character + 16, width() * 28 / 100);
+  resizeDocks({steps_, graph_}, {steps, side}, Qt::Horizontal);
+  // Eight poses with their headings, where the graph has room enough all the same.
+  constexpr int kRows = 13;
+  const int small = std::max(0, 700 - height()) / 2;
+  const int poses = std::max(height() / 4, std::min(kRows * (fontMetrics().height() + 8), height() * 39 / 100 - small));
+  const int coverage = height() * 31 / 100;
+  resizeDocks({graph_, coverage_, poses_}, {height() - coverage - poses, coverage, poses}, Qt::Vertical);
+  resizeDocks({details_}, {height() * 39 / 100}, Qt::Vertical);
+}
+
+void Panels::reset() {
+  const bool was_verifying = is_verifying_;
+  setVerifying(false);
+  if (swap_->isSwapped()) swap_->swap();
+  for (CardDock* dock : docks()) {
+    dock->setFloating(false);
+    removeDockWidget(dock);
+  }
+  arrange();
+  for (CardDock* dock : docks()) dock->setVisible(dock != plot_);
+  layout()->activate();
+  shareRoom();
+  setVerifying(was_verifying);
 }
 
 std::vector<QAction*> Panels::toggleActions() const {
@@ -126,8 +272,14 @@ std::vector<QAction*> Panels::toggleActions() const {
           poses_->toggleViewAction(), details_->toggleViewAction()};
 }
 
-void Panels::restore(const QSettings& settings) { restoreState(settings.value(kState).toByteArray(), kLayoutVersion); }
+void Panels::restore(const QSettings& settings) {
+  shareRoom();
+  restoreState(settings.value(kState).toByteArray(), kLayoutVersion);
+}
 
-void Panels::remember(QSettings& settings) const { settings.setValue(kState, saveState(kLayoutVersion)); }
+void Panels::remember(QSettings& settings) {
+  setVerifying(false);
+  settings.setValue(kState, saveState(kLayoutVersion));
+}
 
 }  // namespace hexoderm

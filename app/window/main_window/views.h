@@ -16,12 +16,16 @@ class CheckList;
 class CoverageView;
 class EarlierPanel;
 class EventLog;
+class FindingCard;
+class FindingCards;
 class GraphView;
+class InstructionVoice;
 class LiveStrip;
 class LogView;
 class MessageBar;
 class PatchView;
 class PlacePanel;
+class PlotView;
 class RecentFiles;
 class ResidualView;
 class RobotView;
@@ -33,6 +37,7 @@ class UnsavedSessions;
 class VerifyPanel;
 class WelcomePanel;
 class WindowActions;
+class WorkNotice;
 
 /// Every view of the window. Each belongs to the widget that it is laid out in.
 struct Views {
@@ -50,12 +55,16 @@ struct Views {
   Banner* banner;
   MessageBar* messages;
   LiveStrip* live_strip;
+  WorkNotice* work_notice;
   StatusBar* status;
   QMenuBar* menus;
   QLabel* session_name;
   StepPanel* steps;
   EarlierPanel* earlier;
   CheckList* check_list;
+  FindingCards* check_findings;
+  FindingCards* review_findings;
+  FindingCard* finding_card;
   CapturePanel* capture_panel;
   VerifyPanel* verify_panel;
   PlacePanel* place_panel;
@@ -63,9 +72,11 @@ struct Views {
   PatchView* patch;
   RobotView* robot;
   GraphView* graph;
+  PlotView* plot;
   CoverageView* coverage;
   StillnessView* stillness;
   CaptureTone* tone;
+  InstructionVoice* voice;
   ResultTables tables;
   ResidualView* residuals;
   LogView* log;

@@ -117,7 +117,9 @@ void CapturePresenter::showAdvice() {
   const std::optional<NextPose> next =
       advice && result ? describeNextPose(*advice, *result, current_up_) : std::nullopt;
   views_.panel.setAdvice(next);
+  told_cell_ = next && next->isWanted() ? std::optional(next->target.cell) : std::nullopt;
   PatchMoment moment = views_.patch.moment();
+  moment.told_cell = follows_part_ ? told_cell_ : std::nullopt;
   moment.next_turn = next ? turnAngleInWords(*next).toStdString() : std::string();
   views_.patch.setMoment(moment);
 }
@@ -154,6 +156,7 @@ void CapturePresenter::followPart() {
   moment.readings = isReading() ? readingsOf(preview.means, preview.temperatures) : nullptr;
   moment.up_o = capturing ? current_up_ : std::nullopt;
   const bool shows_next = capturing && controller_.poseGuide().isNextPoseWanted();
+  moment.told_cell = shows_next ? told_cell_ : std::nullopt;
   moment.next_up_o = shows_next ? std::optional(controller_.poseGuide().nextPose()->up) : std::nullopt;
   views_.patch.setMoment(moment);
 }

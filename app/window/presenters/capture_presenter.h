@@ -65,7 +65,8 @@ class CapturePresenter : public QObject {
   std::optional<Eigen::Vector3d> current_up_;  ///< of the part just now, in the frame of the largest patch
   QElapsedTimer advice_age_;
   bool follows_part_ = false;
-  std::uint64_t restarts_ = 0;  ///< of captures, as the recorder last said
+  std::optional<CellId> told_cell_;  ///< the cell that the advice speaks of
+  std::uint64_t restarts_ = 0;       ///< of captures, as the recorder last said
 };
 
 }  // namespace hexoderm

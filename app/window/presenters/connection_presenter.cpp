@@ -31,8 +31,10 @@ ConnectionPresenter::ConnectionPresenter(const Views& views, SessionController& 
     : views_(views), controller_(controller), files_(files), log_(log) {
   connect(actions.connect_skin, &QAction::triggered, this, &ConnectionPresenter::showDialog);
   connect(actions.disconnect_skin, &QAction::triggered, &controller_.liveSession(), &LiveSession::disconnectSource);
-  // While readings come these follow each other quickly, so only what shows them is refreshed.
-  connect(&controller_.liveSession().source(), &LiveSource::holdChanged, this, &ConnectionPresenter::refresh);
+  // While readings come these follow each other quickly, so only what shows them is refreshed, if it is not the same.
+  connect(&controller_.liveSession().source(), &LiveSource::holdChanged, this, [this] {
+    if (controller_.liveSession().source().hold().late_frames != late_frames_shown_) refresh();
+  });
   connect(&controller_.liveSession().source(), &LiveSource::statusChanged, this, &ConnectionPresenter::showOffences);
   connect(&controller_.liveSession(), &LiveSession::captured, this, &ConnectionPresenter::showCaptured);
   connect(&controller_, &SessionController::noticed, this,
@@ -65,6 +67,7 @@ void ConnectionPresenter::showOffences() {
 
 void ConnectionPresenter::refresh() {
   const LiveSource& live = controller_.liveSession().source();
+  late_frames_shown_ = live.hold().late_frames;
   const SourceStatus& status = live.status();
   // While all is well the status bar says it, and the step Capture has a panel that says more.
   const bool is_well = controller_.liveSession().isLive() && status.state == SourceState::Streaming;

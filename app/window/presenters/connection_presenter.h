@@ -2,6 +2,7 @@
 
 #include <QObject>
 #include <QString>
+#include <cstdint>
 
 class QWidget;
 
@@ -45,7 +46,8 @@ class ConnectionPresenter : public QObject {
   SessionController& controller_;
   FilePresenter& files_;
   EventLog& log_;
-  std::size_t offences_shown_ = 0;  ///< of those of the running source
+  std::size_t offences_shown_ = 0;       ///< of those of the running source
+  std::uint64_t late_frames_shown_ = 0;  ///< of the recorder
 };
 
 }  // namespace hexoderm

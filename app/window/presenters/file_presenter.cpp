@@ -1,6 +1,5 @@
 #include "app/window/presenters/file_presenter.h"
 
-#include "app/window/dialogs/export_dialog.h"
 #include "app/window/guide/actions.h"
 #include "app/window/session/session_controller.h"
 #include "app/window/settings/preferences.h"
@@ -10,7 +9,6 @@
 #include "widgets/tables/table_csv.h"
 
 #include <QDesktopServices>
-#include <QDir>
 #include <QFileInfo>
 #include <QMessageBox>
 #include <QUrl>
@@ -34,7 +32,6 @@ FilePresenter::FilePresenter(QWidget& window, SessionController& controller, con
   connect(actions.save, &QAction::triggered, this, [this] { saveSession(false); });
   connect(actions.save_as, &QAction::triggered, this, [this] { saveSession(true); });
   connect(actions.save_calibration, &QAction::triggered, this, &FilePresenter::saveCalibration);
-  connect(actions.export_to, &QAction::triggered, this, &FilePresenter::showExportDialog);
   connect(actions.quit, &QAction::triggered, &window_, &QWidget::close);
   connect(
       &controller_, &SessionController::changed, this,
@@ -149,22 +146,15 @@ void FilePresenter::saveCalibration() {
              });
 }
 
-void FilePresenter::showExportDialog() {
-  auto* dialog = new ExportDialog(controller_.reconstruction(), QDir(lastFolder()).filePath(suggestedName()), &window_);
-  connect(dialog, &ExportDialog::exportRequested, this, [this](const ExportRequest& request) {
-    rememberFolder(request.path);
-    controller_.resultFiles().exportTo(request);
-  });
-  openInTurns(dialog);
+void FilePresenter::showDone(const QString& text, const QString& path, Tone tone) {
+  messages_.showMessage(tone, text, tr("Open folder"), [this, path] { openFolderOf(path); });
 }
 
-void FilePresenter::showDone(const QString& text, const QString& path, Tone tone) {
-  messages_.showMessage(tone, text, tr("Open folder"), [this, path] {
-    const QString folder = QFileInfo(path).absolutePath();
-    if (!QDesktopServices::openUrl(QUrl::fromLocalFile(folder))) {
-      messages_.showMessage(Tone::Caution, tr("No program to show folders was found. The folder is %1.").arg(folder));
-    }
-  });
+void FilePresenter::openFolderOf(const QString& path) {
+  const QString folder = QFileInfo(path).absolutePath();
+  if (!QDesktopServices::openUrl(QUrl::fromLocalFile(folder))) {
+    messages_.showMessage(Tone::Caution, tr("No program to show folders was found. The folder is %1.").arg(folder));
+  }
 }
 
 void FilePresenter::afterAskingToSave(std::function<void()> proceed) {

@@ -40,6 +40,8 @@ class FilePresenter : public QObject {
                   std::function<void(QString)> chosen);
   /// The name of what is open, without folder and extension.
   [[nodiscard]] QString suggestedName() const;
+  /// Shows the folder of a file in the desktop's program for that; says so if there is none.
+  void openFolderOf(const QString& path);
   /// Serves "Save as CSV…" of a table.
   void saveTablesOf(CsvActions* actions);
 
@@ -47,7 +49,6 @@ class FilePresenter : public QObject {
   void askToOpen();
   void saveSession(bool always_ask);
   void saveCalibration();
-  void showExportDialog();
   void showDone(const QString& text, const QString& path, Tone tone = Tone::Good);
   /// What waits for the session to be saved does not happen.
   void forgetPlans();

@@ -2,7 +2,6 @@
 
 #include "app/window/guide/actions.h"
 #include "app/window/presenters/file_presenter.h"
-#include "app/window/report/report_pictures.h"
 #include "app/window/session/session_controller.h"
 #include "app/window/settings/preferences.h"
 #include "app/window/settings/theme.h"
@@ -23,7 +22,6 @@ PicturePresenter::PicturePresenter(const Views& views, SessionController& contro
                                    FilePresenter& files, OncePerTurn& refresh)
     : views_(views), controller_(controller), files_(files), refresh_(refresh) {
   connect(actions.screenshot, &QAction::triggered, this, &PicturePresenter::savePicture);
-  connect(actions.report, &QAction::triggered, this, &PicturePresenter::askForReport);
   connect(&views_.patch, &PatchView::pictureRequested, this, &PicturePresenter::savePatch);
   connect(&views_.graph, &GraphView::pictureWanted, this, &PicturePresenter::saveGraph);
 }
@@ -79,15 +77,6 @@ void PicturePresenter::saveGraph() {
                     [this](const QString& path) {
                       controller_.resultFiles().savePicture(
                           [picture = views_.graph.picture(), path] { return picture.save(path); }, path);
-                    });
-}
-
-void PicturePresenter::askForReport() {
-  files_.askForPath(tr("Write a report"), files_.suggestedName(),
-                    tr("Documents (*.pdf);;Pages for the browser (*.html)"), QStringLiteral(".pdf"),
-                    [this](const QString& path) {
-                      if (!controller_.reconstruction()) return;
-                      controller_.resultFiles().writeReport(takeReportPictures(controller_.reconstruction()), path);
                     });
 }
 

@@ -15,7 +15,7 @@ class RobotView;
 class SessionController;
 class WindowActions;
 
-/// Takes the pictures that the operator saves: of the window, of its views, and those of a report.
+/// Takes the pictures that the operator saves: of the window and of its views.
 class PicturePresenter : public QObject {
   Q_OBJECT
 
@@ -39,7 +39,6 @@ class PicturePresenter : public QObject {
   void savePicture();
   void savePatch();
   void saveGraph();
-  void askForReport();
 
   Views views_;
   SessionController& controller_;

@@ -39,6 +39,7 @@ void PreferencesPresenter::showDialog() {
     dialog->showTheme(choice);
   });
   connect(actions_.themes, &QActionGroup::triggered, dialog, [this, dialog] { dialog->showTheme(themes_.choice()); });
+  emit dialogMade(dialog);
   openInTurns(dialog, Qt::NonModal);
 }
 

@@ -8,6 +8,7 @@ namespace hexoderm {
 
 class MessageBar;
 class Preferences;
+class PreferencesDialog;
 class SessionController;
 class ThemePresenter;
 class WindowActions;
@@ -24,6 +25,9 @@ class PreferencesPresenter : public QObject {
   /// All outlive the presenter.
   PreferencesPresenter(const Views& views, SessionController& controller, const WindowActions& actions,
                        Preferences& preferences, ThemePresenter& themes);
+
+ signals:
+  void dialogMade(hexoderm::PreferencesDialog* dialog);
 
  private:
   void showDialog();

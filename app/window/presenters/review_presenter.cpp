@@ -11,6 +11,7 @@
 #include "widgets/controls/check_list.h"
 #include "widgets/controls/selection.h"
 #include "widgets/controls/step_panel.h"
+#include "widgets/graph/graph_view.h"
 #include "widgets/patch/patch_view.h"
 #include "widgets/tables/cell_table.h"
 #include "widgets/tables/finding_table.h"
@@ -41,17 +42,24 @@ ReviewPresenter::ReviewPresenter(const Views& views, const SessionController& co
   });
   connect(&selection_, &Selection::changed, this, &ReviewPresenter::showPickedLink);
   connect(&selection_, &Selection::changed, this, &ReviewPresenter::showPickedCell);
-  connect(&views_.check_list, &CheckList::cellPicked, &selection_, &Selection::selectCell);
+  connect(&selection_, &Selection::sought, this, &ReviewPresenter::scrollToPicked);
+  connect(&views_.check_list, &CheckList::cellPicked, &selection_, &Selection::seekCell);
   connect(&views_.residuals, &ResidualView::posePicked, this, &ReviewPresenter::pickPose);
   connect(&views_.coverage, &CoverageView::posePicked, this, &ReviewPresenter::pickPose);
+  connectActions(actions);
+}
+
+void ReviewPresenter::connectActions(const WindowActions& actions) {
   connect(actions.show_finding, &QAction::triggered, this, &ReviewPresenter::showWorstFinding);
+  connect(actions.worst_cell, &QAction::triggered, this, &ReviewPresenter::showWorstCell);
+  connect(actions.figures, &QAction::triggered, this, [this] { showFigures(!views_.patch.areFiguresShown()); });
 }
 
 void ReviewPresenter::connectTables() {
   ResultTables& tables = views_.tables;
-  connect(tables.finding_view, &QTableView::clicked, this,
-          [this](const QModelIndex& index) { pickFromFinding(index.row()); });
-  onPicked(tables.finding_view, this, [this](const QModelIndex& picked) { pickFromFinding(picked.row()); });
+  const auto show = [this](const QModelIndex& index) { showFinding(views_.tables.findings->findingAt(index.row())); };
+  connect(tables.finding_view, &QTableView::clicked, this, show);
+  onPicked(tables.finding_view, this, show);
   onPicked(tables.link_view, this, [this](const QModelIndex& picked) {
     const LinkEstimate& link = views_.tables.links->linkAt(sourceRow(picked));
     selection_.selectLink(link.source, link.target);
@@ -59,6 +67,12 @@ void ReviewPresenter::connectTables() {
   onPicked(tables.cell_view, this, [this](const QModelIndex& picked) {
     selection_.selectCell(views_.tables.cells->cellAt(sourceRow(picked)));
   });
+  connect(tables.link_view, &QTableView::doubleClicked, this, [this](const QModelIndex& index) {
+    const LinkEstimate& link = views_.tables.links->linkAt(sourceRow(index));
+    selection_.seekLink(link.source, link.target);
+  });
+  connect(tables.cell_view, &QTableView::doubleClicked, this,
+          [this](const QModelIndex& index) { selection_.seekCell(views_.tables.cells->cellAt(sourceRow(index))); });
   connect(tables.pose_view->selectionModel(), &QItemSelectionModel::selectionChanged, this,
           &ReviewPresenter::showPickedPose);
   onPicked(tables.pose_view, this, [this](const QModelIndex& /*picked*/) { showPickedPose(); });
@@ -111,13 +125,40 @@ void ReviewPresenter::pickPose(PoseId pose) {
   }
 }
 
-void ReviewPresenter::pickFromFinding(int row) {
-  const Finding& finding = views_.tables.findings->findingAt(row);
+void ReviewPresenter::showFinding(const Finding& finding) {
+  if (!finding.poses.empty()) pickPose(finding.poses.front());
   if (finding.cells.size() >= 2 && finding.ports.size() >= 2) {
-    selection_.selectLink({finding.cells[0], finding.ports[0]}, {finding.cells[1], finding.ports[1]});
+    selection_.seekLink({finding.cells[0], finding.ports[0]}, {finding.cells[1], finding.ports[1]});
   } else if (!finding.cells.empty()) {
-    selection_.selectCell(finding.cells.front());
+    selection_.seekCell(finding.cells.front());
   }
+}
+
+/// A row that is picked already may have been scrolled away.
+void ReviewPresenter::scrollToPicked() {
+  for (QTableView* view : {views_.tables.cell_view, views_.tables.link_view}) {
+    const QModelIndexList rows = view->selectionModel()->selectedRows();
+    if (!rows.isEmpty()) view->scrollTo(rows.front());
+  }
+}
+
+/// Where position and orientation are least certain at two cells, the second time shows the other one.
+void ReviewPresenter::showWorstCell() {
+  const Reconstruction* result = controller_.reconstruction().get();
+  const std::vector<CellId> worst = result ? worstCells(*result) : std::vector<CellId>();
+  if (worst.empty()) return;
+  selection_.seekCell(selection_.cell() == worst.front() ? worst.back() : worst.front());
+  showFigures(true);
+  // So that the arrow keys go on to its neighbours.
+  QWidget* const walkable = views_.patch.isVisible() ? static_cast<QWidget*>(&views_.patch) : &views_.graph;
+  walkable->setFocus(Qt::ShortcutFocusReason);
+}
+
+void ReviewPresenter::showFigures(bool shown) {
+  views_.patch.setFiguresShown(shown);
+  // Where there is no 3D view, or another view in its place, the graph has them.
+  const bool is_seen = views_.patch.isVisible() && views_.patch.areFiguresShown();
+  if (shown && !is_seen) views_.graph.showFigures();
 }
 
 void ReviewPresenter::showWorstFinding() {
@@ -127,6 +168,7 @@ void ReviewPresenter::showWorstFinding() {
   for (int row = 0; row < views_.tables.findings->rowCount(); ++row) {
     if (&views_.tables.findings->findingAt(row) == worst) views_.tables.finding_view->selectRow(row);
   }
+  showFinding(*worst);
 }
 
 }  // namespace hexoderm

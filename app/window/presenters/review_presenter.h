@@ -1,6 +1,6 @@
 #pragma once
 
-#include "hexoderm/util/ids.h"
+#include "hexoderm/util/finding.h"
 
 #include <QObject>
 #include <optional>
@@ -10,6 +10,7 @@ namespace hexoderm {
 class CheckList;
 class CoverageView;
 class FilePresenter;
+class GraphView;
 class PatchView;
 class ResidualView;
 class ResultPresenter;
@@ -31,6 +32,7 @@ class ReviewPresenter : public QObject {
     ResidualView& residuals;
     CoverageView& coverage;
     PatchView& patch;
+    GraphView& graph;
   };
   /// All outlive the presenter.
   ReviewPresenter(const Views& views, const SessionController& controller, const WindowActions& actions,
@@ -38,9 +40,14 @@ class ReviewPresenter : public QObject {
 
   /// Its row among the poses of the result that is shown.
   [[nodiscard]] std::optional<int> pickedPoseRow() const;
+  void pickPose(PoseId pose);
+  /// Picks what it is about, and lets the views turn to it.
+  void showFinding(const Finding& finding);
 
  signals:
   void pickedPoseChanged();
+  /// All findings are to be seen.
+  void findingsWanted();
 
  private:
   void connectTables();
@@ -48,9 +55,11 @@ class ReviewPresenter : public QObject {
   void showPickedPose();
   void showPickedLink();
   void showPickedCell();
-  void pickPose(PoseId pose);
-  void pickFromFinding(int row);
+  void connectActions(const WindowActions& actions);
+  void scrollToPicked();
   void showWorstFinding();
+  void showWorstCell();
+  void showFigures(bool shown);
 
   Views views_;
   const SessionController& controller_;

@@ -51,8 +51,9 @@ void StatusPresenter::refreshResult() const {
           ? tr("solved in %1 ms · %2")
                 .arg(figureInWords(1e3 * result->solve_seconds, 1), QString::fromStdString(result->solver))
           : tr("%1, read from the file").arg(QString::fromStdString(result->solver)),
-      tr("A direction counts as defined from a singular value of %1 on")
-          .arg(figureInWords(result->options.class_threshold, 2)));
+      tr("How long the last result took to work out, and by which method: global uses all links and poses at once, "
+         "tree "
+         "goes from cell to cell as in the paper"));
 }
 
 QString StatusPresenter::savedInWords() const {

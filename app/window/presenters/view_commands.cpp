@@ -20,6 +20,8 @@ ViewCommands::ViewCommands(const Views& views, const WindowActions& actions) {
   look(actions.front, PatchView::StandardView::Front);
   look(actions.side, PatchView::StandardView::Side);
   look(actions.top, PatchView::StandardView::Top);
+  look(actions.back, PatchView::StandardView::Back);
+  look(actions.isometric, PatchView::StandardView::Isometric);
   connect(actions.swap_views, &QAction::triggered, &views.swap, &ViewSwap::swap);
   connect(actions.find_cell, &QAction::triggered, this, [views] {
     views.graph_dock.show();

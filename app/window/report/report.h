@@ -1,32 +1,75 @@
 #pragma once
 
+#include "hexoderm/reconstruction/check/calibration_check.h"
+#include "hexoderm/reconstruction/evaluation/evaluation.h"
+#include "hexoderm/reconstruction/evaluation/loop_search.h"
+#include "hexoderm/reconstruction/hold_out.h"
 #include "hexoderm/reconstruction/result/reconstruction.h"
 
 #include <QDateTime>
 #include <QImage>
+#include <QSize>
 #include <QString>
+#include <QStringList>
+#include <functional>
 #include <memory>
+#include <optional>
 #include <vector>
+
+class QPainter;
 
 namespace hexoderm {
 
-/// A picture for the report; a widget's picture must be taken on the GUI thread.
+/// A picture for the report: an image, or what draws one of a size on the thread that writes the report.
 struct ReportPicture {
-  QString title;  ///< under the picture: "Patch from the front"
-  QImage image;
+  QString title;  ///< under the picture: "Skin graph"
+  QImage image{};
+  std::function<void(QPainter& painter)> draw{};
+  QSize size{};  ///< that `draw` fills, in pixels of a screen
+};
+
+/// What stands at the head of a report besides the name of the file, in the operator's words. Empty ones are left out.
+struct ReportTitle {
+  QString robot;
+  QString part;  ///< of the robot, that wears the skin
+  QString made_by;
+  QString notes;
+
+  [[nodiscard]] bool isEmpty() const {
+    return robot.isEmpty() && part.isEmpty() && made_by.isEmpty() && notes.isEmpty();
+  }
+  friend bool operator==(const ReportTitle& a, const ReportTitle& b) {
+    return a.robot == b.robot && a.part == b.part && a.made_by == b.made_by && a.notes == b.notes;
+  }
+};
+
+/// The checks of the step Verify as they stand; absent: it was not made, or is out of date.
+struct VerifyOutcome {
+  std::optional<HoldOutResult> hold_out;
+  std::optional<std::vector<FoundLoop>> loops;
+  std::optional<std::vector<SurfaceEvaluation>> surfaces;
+  QStringList surface_remarks;
+  std::optional<std::vector<Comparison>> comparisons;
+  QString compared_with;
+  std::optional<CalibrationCheck> old_calibration;
+  QString old_calibration_name;
 };
 
 /// Everything that is in a report, so that it can be written on any thread.
 struct ReportContent {
   std::shared_ptr<const Reconstruction> reconstruction;  ///< not null
   QString name;                                          ///< name of the session or calibration
-  std::vector<ReportPicture> pictures;                   ///< null images are left out
+  std::vector<ReportPicture> pictures;                   ///< those that are neither are left out
   QDateTime made_at;
+  ReportTitle title{};
+  VerifyOutcome verify{};
+  bool simulated = false;  ///< stamped on every page
 };
 
-/// The report as one page of HTML, in the language of the window: verdict and what to do next, key figures, pictures,
-/// findings, poses, worst links, then cells, links, options and origins as tables. All that comes from files or devices
-/// is escaped. Only such HTML and CSS as QTextDocument shows, too. Precondition: there is a reconstruction.
+/// The report as one page of HTML, in the language of the window: title, verdict and what it means, key figures,
+/// findings, every patch from four sides in the colours of its uncertainty, links, poses, the checks of the step
+/// Verify, places on the robot, then cells, links, methods and origins as tables. All that comes from files or devices
+/// is escaped. Precondition: there is a reconstruction.
 QString reportHtml(const ReportContent& content);
 
 /// The same report on A4 pages with page numbers. May be called from any thread.

@@ -1,246 +1,260 @@
 #include "app/window/report/report_page.h"
 
+#include "app/window/report/report_patch.h"
+#include "app/window/report/report_plots.h"
+#include "hexoderm/reconstruction/advice/assess.h"
+#include "hexoderm/reconstruction/advice/pose_coverage.h"
+#include "hexoderm/reconstruction/figures/review_summary.h"
 #include "hexoderm/reconstruction/result/uncertainty.h"
 #include "hexoderm/util/units.h"
-#include "widgets/controls/banner.h"
-#include "widgets/style/palette.h"
 #include "widgets/words/formatting.h"
 #include "widgets/words/words.h"
 
 #include <QLocale>
+#include <QPainter>
 #include <algorithm>
 
 namespace hexoderm {
 namespace {
 
 constexpr std::size_t kWorstLinks = 10;
-// As many rows as a person still leafs through; the calibration file and the CSV tables have all.
-constexpr std::size_t kMostRows = 400;
-// Width in the 96ths of an inch of CSS: a little less than the width between the margins of A4.
-constexpr int kPageWidth_px = 640;
+/// Of a skin of many patches the largest are drawn.
+constexpr std::size_t kMostPictured = 4;
 
-QString millimetres(double length_m) { return figureInWords(toMillimetres(length_m), 1); }
+QString millimetresAlone(double length_m) { return figureInWords(toMillimetres(length_m), 1); }
 
-QString utf8(std::string_view text) { return QString::fromUtf8(text.data(), static_cast<int>(text.size())); }
-
-/// QTextDocument knows neither flex nor variables nor max-width; what it does not know it skips.
-QString styles() {
-  const Colors& colors = Colors::of(Theme::Light);
-  QString css = QStringLiteral(
-      "body { font-family: Inter, 'DejaVu Sans', sans-serif; font-size: 9pt; color: @text; }"
-      "h1 { font-size: 20pt; font-weight: 600; margin-top: 0; margin-bottom: 2px; }"
-      "h2 { font-size: 12pt; font-weight: 600; margin-top: 22px; margin-bottom: 6px; }"
-      "p { margin-top: 4px; margin-bottom: 4px; }"
-      ".note { color: @muted; }"
-      ".verdict { font-size: 13pt; font-weight: 600; }"
-      ".big { font-size: 14pt; font-weight: 600; }"
-      ".label { font-size: 8pt; color: @muted; }"
-      ".mono { font-family: 'DejaVu Sans Mono', monospace; font-size: 8pt; }"
-      "th { font-size: 8pt; font-weight: 600; color: @muted; border-bottom: 1px solid @muted; }"
-      "td { border-bottom: 1px solid @border; }"
-      ".plain td { border-bottom: none; }");
-  css.replace(QStringLiteral("@text"), colors.text.name());
-  css.replace(QStringLiteral("@muted"), colors.text_muted.name());
-  css.replace(QStringLiteral("@border"), colors.border.name());
-  return css;
+QString hundredths(std::optional<double> angle_rad) {
+  return angle_rad ? figureInWords(toDegrees(*angle_rad), 2) + QStringLiteral("°") : noValue();
 }
 
-QString paragraphOf(const QString& text, const char* style) {
-  return QStringLiteral("<p class=\"%1\">%2</p>\n").arg(QLatin1String(style), text.toHtmlEscaped());
+QImage fineImage(const ReportPicture& picture) {
+  constexpr double kDots = 3;  // for a pixel of the screen: sharp in print
+  QImage image(picture.size * kDots, QImage::Format_RGB32);
+  image.fill(Qt::white);
+  QPainter painter(&image);
+  painter.setRenderHint(QPainter::Antialiasing);
+  painter.scale(kDots, kDots);
+  picture.draw(painter);
+  return image;
 }
+
+QString countInWords(std::size_t count) { return QLocale().toString(static_cast<qulonglong>(count)); }
 
 }  // namespace
 
-QString ReportPage::html() {
-  html_ = QStringLiteral(
-              "<!DOCTYPE html>\n<html lang=\"%1\"><head><meta charset=\"utf-8\"/><title>%2</title>\n"
-              "<style>%3</style></head>\n<body style=\"max-width: 900px; margin: 24px auto; padding: 0 16px\">\n")
-              .arg(QLocale().name().left(2), tr("Calibration report: %1").arg(content_.name).toHtmlEscaped(), styles());
-  addHead();
+ReportDocument ReportPage::document() {
+  document_ = {};
+  document_.kind = tr("Hexoderm calibration report");
+  document_.name = content_.name;
+  document_.subtitle = tr("%1 · %2").arg(
+      words(sizeInWords(result_)), tr("%1, %2").arg(QLocale().toString(content_.made_at.date(), QLocale::LongFormat),
+                                                    QLocale().toString(content_.made_at.time(), QLocale::ShortFormat)));
+  document_.foot = content_.name + QStringLiteral(" · Hexoderm " HEXODERM_VERSION " · ") +
+                   QLocale().toString(content_.made_at, QLocale::ShortFormat);
+  if (content_.simulated) document_.stamp = tr("SIMULATED: nothing real was measured");
+  addTitle();
   addVerdict();
   addKeyFigures();
-  addPictures();
   addFindings();
+  addShapes();
+  addLinks();
   addPoses();
-  addWorstLinks();
+  addVerify();
+  addPlaces();
   addCells();
   addAllLinks();
   addOptions();
   addOrigins();
-  html_ += QStringLiteral("</body></html>\n");
-  return html_;
+  return std::move(document_);
 }
 
-void ReportPage::heading(const QString& text) { html_ += QStringLiteral("<h2>%1</h2>\n").arg(text.toHtmlEscaped()); }
+void ReportPage::heading(const QString& text, bool large) { document_.blocks.emplace_back(ReportHeading{text, large}); }
 
-void ReportPage::paragraph(const QString& text, const char* style) { html_ += paragraphOf(text, style); }
-
-void ReportPage::table(const std::vector<Column>& columns, const std::vector<QStringList>& rows) {
-  html_ += QStringLiteral(
-      "<table width=\"100%\" cellspacing=\"0\" cellpadding=\"3\" style=\"border-collapse: "
-      "collapse\">\n<thead><tr>");
-  const auto align = [](const Column& column) { return QLatin1String(column.figure ? "right" : "left"); };
-  // A text right behind a figure would touch it.
-  const auto gap = [&columns](std::size_t k) {
-    return QLatin1String(k > 0 && columns[k - 1].figure && !columns[k].figure ? "&#160;&#160;" : "");
-  };
-  for (std::size_t k = 0; k < columns.size(); ++k) {
-    html_ +=
-        QStringLiteral("<th align=\"%1\">%2%3</th>").arg(align(columns[k]), gap(k), columns[k].title.toHtmlEscaped());
-  }
-  html_ += QStringLiteral("</tr></thead>\n<tbody>\n");
-  for (const QStringList& row : rows) {
-    html_ += QStringLiteral("<tr>");
-    for (std::size_t k = 0; k < columns.size(); ++k) {
-      html_ += QStringLiteral("<td align=\"%1\" valign=\"top\">%2%3</td>")
-                   .arg(align(columns[k]), gap(k), row[static_cast<int>(k)].toHtmlEscaped());
-    }
-    html_ += QStringLiteral("</tr>\n");
-  }
-  html_ += QStringLiteral("</tbody></table>\n");
+void ReportPage::paragraph(const QString& text, Tone tone) {
+  document_.blocks.emplace_back(ReportParagraph{text, false, tone});
 }
 
-void ReportPage::pairs(const std::vector<std::pair<QString, QString>>& rows) {
-  html_ += QStringLiteral("<table class=\"plain\" cellspacing=\"0\" cellpadding=\"2\">\n");
-  for (const auto& [name, value] : rows) {
-    html_ += QStringLiteral("<tr><td class=\"note\" valign=\"top\">%1&#160;&#160;</td><td>%2</td></tr>\n")
-                 .arg(name.toHtmlEscaped(), value.toHtmlEscaped());
-  }
-  html_ += QStringLiteral("</table>\n");
+void ReportPage::note(const QString& text) { document_.blocks.emplace_back(ReportParagraph{text, true}); }
+
+void ReportPage::table(std::vector<ReportTable::Column> columns, std::vector<ReportTable::Row> rows,
+                       const QString& note) {
+  document_.blocks.emplace_back(ReportTable{std::move(columns), std::move(rows), note});
 }
 
-void ReportPage::addHead() {
-  paragraph(tr("Hexoderm calibration report"), "label");
-  html_ += QStringLiteral("<h1>%1</h1>\n").arg(content_.name.toHtmlEscaped());
-  paragraph(tr("%1 · %2").arg(words(sizeInWords(result_)), QLocale().toString(content_.made_at, QLocale::LongFormat)));
+void ReportPage::addPicture(std::size_t index, std::vector<ReportDrawing>& drawings) const {
+  if (index >= content_.pictures.size()) return;
+  const ReportPicture& picture = content_.pictures[index];
+  const QSize size = picture.draw ? picture.size : picture.image.size();
+  if (size.isEmpty()) return;
+  drawings.push_back({picture.title, static_cast<double>(size.height()) / size.width(),
+                      [picture](QPainter& painter, const QRectF& area, double) {
+                        const QImage image = picture.draw ? fineImage(picture) : picture.image;
+                        painter.setRenderHint(QPainter::SmoothPixmapTransform);
+                        painter.drawImage(area, image, QRectF(image.rect()));
+                      }});
+}
+
+void ReportPage::addTitle() {
+  const ReportTitle& title = content_.title;
+  for (const auto& [name, value] : {std::pair(tr("Robot"), title.robot), std::pair(tr("Part"), title.part),
+                                    std::pair(tr("Operator"), title.made_by), std::pair(tr("Notes"), title.notes)}) {
+    if (!value.trimmed().isEmpty()) document_.title.emplace_back(name, value.trimmed());
+  }
 }
 
 void ReportPage::addVerdict() {
   const Assessment& verdict = result_.assessment;
-  const QColor color = toneColor(toneOf(verdict.level), Theme::Light);
-  // A bar of the verdict's colour beside its words; QTextDocument has no border on the left alone.
-  html_ += QStringLiteral(
-               "<br/><table class=\"plain\" width=\"100%\" cellspacing=\"0\" cellpadding=\"8\"><tr>"
-               "<td width=\"4\" style=\"background-color: %1; padding: 0\"></td><td>%2%3</td></tr></table>\n")
-               .arg(color.name(), paragraphOf(words(verdict.reason), "verdict"),
-                    verdict.next_action.empty() ? QString()
-                                                : paragraphOf(tr("Next: %1").arg(words(verdict.next_action)), "text"));
+  const QString goal =
+      tr("±%1 mm and ±%2").arg(millimetresAlone(kGoodPosition_m), degreesInWords(kGoodOrientation_rad));
+  QString meaning;
+  if (verdict.isUsable() && verdict.position_95_m && verdict.orientation_95_rad) {
+    meaning = tr("With a probability of 95 %, each measured cell is at most %1 mm and %2 from where this report says, "
+                 "along or about any one axis, seen from the origin cell of its patch.")
+                  .arg(millimetresAlone(*verdict.position_95_m), degreesInWords(verdict.orientation_95_rad));
+    meaning += QLatin1Char(' ');
+    meaning += verdict.level == VerdictLevel::Good
+                   ? tr("A good calibration knows every cell to %1, and this one does.").arg(goal)
+                   : tr("A good calibration knows every cell to %1; this one is coarser, and serves where touch need "
+                        "not be located more finely.")
+                         .arg(goal);
+  } else if (verdict.isUsable()) {
+    meaning =
+        tr("Robot software can use the places of the cells; how exact they are, this calibration does not state.");
+  } else if (verdict.level == VerdictLevel::NotEnough) {
+    meaning =
+        tr("The places of the cells are a first guess: what was measured does not determine them yet. They should "
+           "not be used.");
+  } else {
+    meaning = tr("Something is broken or missing, as the findings say. The places of the cells should not be used.");
+  }
+  document_.blocks.emplace_back(
+      ReportVerdict{toneOf(verdict.level), words(verdict.reason), meaning,
+                    verdict.next_action.empty() ? QString() : tr("Next: %1").arg(words(verdict.next_action))});
 }
 
 void ReportPage::addKeyFigures() {
   const std::size_t used_links = [&] {
     std::size_t count = 0;
     for (const PatchReconstruction& patch : result_.patches) {
-      count += static_cast<std::size_t>(
-          std::count_if(patch.links.begin(), patch.links.end(), [](const LinkEstimate& link) { return link.used; }));
+      count += static_cast<std::size_t>(std::ranges::count_if(patch.links, &LinkEstimate::used));
     }
     return count;
   }();
-  const auto used_poses = static_cast<std::size_t>(
-      std::count_if(result_.poses.begin(), result_.poses.end(), [](const PoseSummary& pose) { return pose.enabled; }));
+  const auto used_poses = static_cast<std::size_t>(std::ranges::count_if(result_.poses, &PoseSummary::enabled));
   const auto share = [](std::size_t part, std::size_t whole) {
-    return part == whole ? QLocale().toString(static_cast<qulonglong>(whole))
-                         : tr("%1 of %2")
-                               .arg(QLocale().toString(static_cast<qulonglong>(part)),
-                                    QLocale().toString(static_cast<qulonglong>(whole)));
+    return part == whole ? countInWords(whole) : tr("%1 of %2").arg(countInWords(part), countInWords(whole));
   };
   const Assessment& verdict = result_.assessment;
-  const std::vector<std::pair<QString, QString>> figures = {
-      {share(result_.cellCount(), result_.cellCount()), tr("cells")},
-      {share(used_links, result_.linkCount()), tr("links used")},
-      {share(result_.patches.size(), result_.patches.size()), tr("patches")},
-      {share(used_poses, result_.poses.size()), tr("poses used")},
-      {verdict.position_95_m ? tr("±%1 mm").arg(millimetres(*verdict.position_95_m)) : noValue(),
-       tr("position, worst cell, 95 %")},
-      {verdict.orientation_95_rad ? tr("±%1").arg(degreesInWords(verdict.orientation_95_rad)) : noValue(),
-       tr("orientation, worst cell, 95 %")}};
-  html_ += QStringLiteral("<br/><table class=\"plain\" width=\"100%\" cellspacing=\"0\" cellpadding=\"4\"><tr>");
-  for (const auto& [figure, label] : figures) {
-    html_ += QStringLiteral("<td valign=\"top\"><span class=\"big\">%1</span><br/><span class=\"label\">%2</span></td>")
-                 .arg(figure.toHtmlEscaped(), label.toHtmlEscaped());
-  }
-  html_ += QStringLiteral("</tr></table>\n");
-}
-
-QString ReportPage::pictureCell(std::size_t index, int width_px, int height_px) const {
-  const ReportPicture& picture = content_.pictures[index];
-  const QSize size = picture.image.size().scaled(width_px, height_px, Qt::KeepAspectRatio);
-  return QStringLiteral(
-             "<td align=\"center\" valign=\"bottom\"><img src=\"%1\" alt=\"%2\" width=\"%3\" height=\"%4\"/>"
-             "<br/><span class=\"label\">%2</span></td>")
-      .arg(source_(picture.image, index), picture.title.toHtmlEscaped(), QString::number(size.width()),
-           QString::number(size.height()));
-}
-
-void ReportPage::addPictures() {
-  std::vector<std::size_t> shown;
-  for (std::size_t k = 0; k < content_.pictures.size(); ++k) {
-    if (!content_.pictures[k].image.isNull()) shown.push_back(k);
-  }
-  if (shown.empty()) return;
-  constexpr std::size_t kInARow = 2;
-  html_ += QStringLiteral("<br/><table class=\"plain\" width=\"100%\" cellspacing=\"0\" cellpadding=\"4\">\n");
-  for (std::size_t k = 0; k < shown.size(); k += kInARow) {
-    html_ += QStringLiteral("<tr>");
-    for (std::size_t n = k; n < std::min(k + kInARow, shown.size()); ++n) {
-      html_ += pictureCell(shown[n], kPageWidth_px / 2 - 12, kPageWidth_px * 3 / 8);
-    }
-    html_ += QStringLiteral("</tr>\n");
-  }
-  html_ += QStringLiteral("</table>\n");
+  document_.blocks.emplace_back(ReportFigures{
+      {{countInWords(result_.cellCount()), tr("cells")},
+       {share(used_links, result_.linkCount()), tr("links used")},
+       {countInWords(result_.patches.size()), result_.patches.size() == 1 ? tr("patch") : tr("patches")},
+       {share(used_poses, result_.poses.size()), tr("poses used")},
+       {verdict.position_95_m ? tr("±%1 mm").arg(millimetresAlone(*verdict.position_95_m)) : noValue(),
+        tr("position, worst cell, 95 %")},
+       {verdict.orientation_95_rad ? tr("±%1").arg(degreesInWords(verdict.orientation_95_rad)) : noValue(),
+        tr("orientation, worst cell, 95 %")}}});
 }
 
 void ReportPage::addFindings() {
-  heading(tr("Findings"));
+  heading(tr("Findings"), true);
   if (result_.findings.empty()) {
     paragraph(tr("None: nothing about topology, links, cells and poses stood out."));
     return;
   }
   std::vector<const Finding*> worst_first;
   for (const Finding& finding : result_.findings) worst_first.push_back(&finding);
-  std::stable_sort(worst_first.begin(), worst_first.end(),
-                   [](const Finding* a, const Finding* b) { return a->severity > b->severity; });
-  std::vector<QStringList> rows;
+  std::ranges::stable_sort(worst_first, [](const Finding* a, const Finding* b) { return a->severity > b->severity; });
+  std::vector<ReportTable::Row> rows;
   for (const Finding* finding : worst_first) {
-    rows.push_back({severityWord(finding->severity), words(finding->message), placeInWords(*finding)});
+    rows.push_back({{severityWord(finding->severity), words(finding->message), placeInWords(*finding)},
+                    finding->severity == Severity::Error});
   }
-  table({{tr("Severity")}, {tr("What")}, {tr("Where")}}, rows);
+  table({{tr("Severity")}, {tr("What")}, {tr("Where")}}, std::move(rows));
 }
 
-void ReportPage::addPoses() {
-  heading(tr("Poses"));
-  if (result_.poses.empty()) {
-    paragraph(tr("No poses were taken."));
-    return;
+void ReportPage::addShapes() {
+  std::vector<std::size_t> largest_first;
+  for (std::size_t k = 0; k < result_.patches.size(); ++k) {
+    if (!result_.patches[k].cells.empty()) largest_first.push_back(k);
   }
-  std::vector<QStringList> rows;
-  for (const PoseSummary& pose : result_.poses) {
-    rows.push_back({QString::number(pose.pose.value()), pose.label.empty() ? noValue() : words(pose.label),
-                    pose.enabled ? tr("used") : tr("disabled"),
-                    QStringLiteral("%1/%2").arg(pose.cells_measured).arg(result_.cellCount()),
-                    pose.noise_g > 0 ? QLocale().toString(1000 * pose.noise_g, 'f', 1) : noValue(),
-                    pose.new_by_rad ? wholeDegreesInWords(*pose.new_by_rad) : noValue(),
-                    degreesInWords(pose.residual_rad)});
+  if (largest_first.empty()) return;
+  std::ranges::stable_sort(largest_first, std::ranges::greater(),
+                           [&](std::size_t k) { return result_.patches[k].cells.size(); });
+  const std::size_t pictured = std::min(largest_first.size(), kMostPictured);
+  heading(tr("Shape and its uncertainty"), true);
+  for (std::size_t k = 0; k < pictured; ++k) addShape(largest_first[k]);
+  if (pictured < largest_first.size()) {
+    note(tr("%1 smaller patches are not drawn.").arg(countInWords(largest_first.size() - pictured)));
   }
-  table({{tr("Pose"), true},
-         {tr("Label")},
-         {tr("State")},
-         {tr("Cells"), true},
-         {tr("Noise mg"), true},
-         {tr("New by"), true},
-         {tr("Residual"), true}},
-        rows);
+}
+
+void ReportPage::addShape(std::size_t index) {
+  const PatchReconstruction& patch = result_.patches[index];
+  if (result_.patches.size() > 1) {
+    heading(patch.cells.size() == 1 ? tr("Patch %1: cell %2 alone").arg(index + 1).arg(patch.origin.value())
+                                    : tr("Patch %1, of cell %2: %3 cells")
+                                          .arg(index + 1)
+                                          .arg(patch.origin.value())
+                                          .arg(countInWords(patch.cells.size())));
+  }
+  const PatchColoring coloring = patchColoring(patch);
+  document_.blocks.emplace_back(ReportDrawings{2, patchDrawings(content_.reconstruction, index, coloring)});
+  QStringList remarks;
+  if (coloring.worst && patch.cells.size() > 1) {
+    const CellPlacement& worst = patch.cells[*coloring.worst];
+    remarks << tr("Thick outline: cell %1, which is known least well (±%2 mm).")
+                   .arg(worst.cell.value())
+                   .arg(figureInWords(*coloring.values[*coloring.worst], 2));
+  }
+  remarks << tr("Ring: cell %1, the origin of the patch's frame, whose axes are at the lower right.")
+                 .arg(patch.origin.value());
+  if (std::ranges::any_of(patch.cells, [](const auto& cell) { return cell.placed_by == PlacedBy::Links; })) {
+    remarks << tr("Hatched: placed through its links, for it has no readings of its own that could be used.");
+  }
+  if (!coloring.worst) remarks << tr("White: this calibration states no uncertainties.");
+  remarks << tr("Grey: seen from behind.");
+  note(remarks.join(QLatin1Char(' ')));
+  if (!coloring.worst || patch.cells.size() == 1) return;
+  HistogramPlot plot{tr("How well the places of the cells are known, and the colours of the pictures above"),
+                     coloring.distribution,
+                     coloring.axis,
+                     tr("cells"),
+                     true,
+                     {{coloring.distribution.median, tr("median")}}};
+  plot.marks.push_back(
+      {toMillimetres(kGoodPosition_m), tr("good: up to %1 mm").arg(millimetresAlone(kGoodPosition_m))});
+  std::ranges::sort(plot.marks, {}, &HistogramPlot::Mark::value);
+  std::vector<ReportDrawing> plots = {histogramDrawing(std::move(plot))};
+  std::vector<double> turns;
+  for (const CellPlacement& cell : patch.cells) {
+    const std::optional<Uncertainty95> stated = coloring.is_of_shape ? shapeUncertaintyOf(cell) : uncertaintyOf(cell);
+    if (stated) turns.push_back(toDegrees(stated->orientation_rad));
+  }
+  constexpr std::size_t kBins = 16;
+  HistogramPlot of_turns{tr("How well the orientations of the cells are known"),
+                         distributionOf(std::move(turns), kBins),
+                         tr("uncertainty of the orientation (95 %), °"),
+                         tr("cells"),
+                         false,
+                         {}};
+  of_turns.marks = {{of_turns.distribution.median, tr("median")},
+                    {toDegrees(kGoodOrientation_rad), tr("good: up to %1").arg(degreesInWords(kGoodOrientation_rad))}};
+  std::ranges::sort(of_turns.marks, {}, &HistogramPlot::Mark::value);
+  plots.push_back(histogramDrawing(std::move(of_turns)));
+  document_.blocks.emplace_back(ReportDrawings{2, std::move(plots)});
 }
 
 void ReportPage::linkTable(const std::vector<const LinkEstimate*>& links) {
-  std::vector<QStringList> rows;
+  std::vector<ReportTable::Row> rows;
   for (const LinkEstimate* link : links) {
     const bool known = link->hasFigures();
     rows.push_back(
-        {shortLinkName(*link), known ? qualityWord(link->quality) : noValue(), degreesInWords(link->knownResidual()),
-         degreesInWords(link->knownSigma()), known ? degreesInWords(link->bend_rad) : noValue(),
-         known ? degreesInWords(link->twist_rad) : noValue(), known ? degreesInWords(link->yaw_rad) : noValue(),
-         link->used ? (link->in_tree ? tr("used, in tree") : tr("used")) : tr("muted: %1").arg(mutedBecause(*link))});
+        {{shortLinkName(*link), known ? qualityWord(link->quality) : noValue(), hundredths(link->knownResidual()),
+          hundredths(link->knownSigma()), known ? degreesInWords(link->bend_rad) : noValue(),
+          known ? degreesInWords(link->twist_rad) : noValue(), known ? degreesInWords(link->yaw_rad) : noValue(),
+          link->used ? (link->in_tree ? tr("used, in tree") : tr("used")) : tr("muted: %1").arg(mutedBecause(*link))},
+         false});
   }
   table({{tr("Link")},
          {tr("Quality")},
@@ -250,10 +264,15 @@ void ReportPage::linkTable(const std::vector<const LinkEstimate*>& links) {
          {tr("Twist"), true},
          {tr("Yaw"), true},
          {tr("State")}},
-        rows);
+        std::move(rows));
 }
 
-void ReportPage::addWorstLinks() {
+void ReportPage::addLinks() {
+  if (result_.linkCount() == 0 && content_.pictures.empty()) return;
+  heading(tr("Links"), true);
+  std::vector<ReportDrawing> graph;
+  addPicture(0, graph);
+  if (!graph.empty()) document_.blocks.emplace_back(ReportDrawings{1, std::move(graph)});
   std::vector<const LinkEstimate*> links;
   for (const PatchReconstruction& patch : result_.patches) {
     for (const LinkEstimate& link : patch.links) {
@@ -261,105 +280,65 @@ void ReportPage::addWorstLinks() {
     }
   }
   if (links.empty()) return;
-  std::stable_sort(links.begin(), links.end(),
-                   [](const LinkEstimate* a, const LinkEstimate* b) { return a->residual_rad > b->residual_rad; });
+  std::vector<double> residuals;
+  std::vector<double> sigmas;
+  for (const LinkEstimate* link : links) {
+    residuals.push_back(toDegrees(*link->knownResidual()));
+    if (link->knownSigma()) sigmas.push_back(toDegrees(*link->knownSigma()));
+  }
+  const auto plotOf = [](const QString& caption, std::vector<double> values, const QString& axis) {
+    constexpr std::size_t kBins = 16;
+    HistogramPlot plot{caption, distributionOf(std::move(values), kBins), axis, tr("links"), false, {}};
+    plot.marks = {{plot.distribution.median, tr("median")}, {plot.distribution.percentile_95, tr("95 %")}};
+    return histogramDrawing(std::move(plot));
+  };
+  std::vector<ReportDrawing> plots = {plotOf(tr("How far the two ends of a link disagree about gravity"),
+                                             std::move(residuals), tr("residual, rms over the poses, °"))};
+  if (!sigmas.empty()) {
+    plots.push_back(plotOf(tr("How exactly the poses determine a link"), std::move(sigmas),
+                           tr("predicted deviation about the worst axis, °")));
+  }
+  document_.blocks.emplace_back(ReportDrawings{2, std::move(plots)});
+  std::ranges::stable_sort(
+      links, [](const LinkEstimate* a, const LinkEstimate* b) { return a->residual_rad > b->residual_rad; });
   links.resize(std::min(links.size(), kWorstLinks));
   heading(tr("Links with the largest residuals"));
   linkTable(links);
 }
 
-void ReportPage::addCells() {
-  heading(tr("Cells"));
-  paragraph(
-      tr("Position of the cell's centre in the frame of its patch's origin cell; ± at 95 %, relative to the "
-         "origin."));
-  std::vector<QStringList> rows;
-  std::size_t left_out = 0;
-  for (const PatchReconstruction& patch : result_.patches) {
-    for (const CellPlacement& cell : patch.cells) {
-      if (rows.size() >= kMostRows) {
-        ++left_out;
-        continue;
-      }
-      const std::optional<Uncertainty95> known = uncertaintyOf(cell);
-      const bool is_origin = patch.origin == cell.cell;
-      rows.push_back({QString::number(cell.cell.value()), QString::number(patch.id.value() + 1),
-                      cell.body_part.empty() ? noValue() : utf8(cell.body_part), millimetres(cell.T_o_u.t.x()),
-                      millimetres(cell.T_o_u.t.y()), millimetres(cell.T_o_u.t.z()),
-                      known && !is_origin ? millimetres(known->position_m) : noValue(),
-                      known && !is_origin ? degreesInWords(known->orientation_rad) : noValue(),
-                      is_origin                             ? tr("origin")
-                      : cell.placed_by == PlacedBy::Samples ? tr("measured")
-                                                            : tr("through its links")});
-    }
+void ReportPage::addPoses() {
+  heading(tr("Poses"), true);
+  if (result_.poses.empty()) {
+    paragraph(tr("No poses were taken."));
+    return;
   }
-  table({{tr("Cell"), true},
-         {tr("Patch"), true},
-         {tr("Body part")},
-         {tr("x mm"), true},
-         {tr("y mm"), true},
-         {tr("z mm"), true},
-         {tr("± mm"), true},
-         {tr("± turn"), true},
-         {tr("Placed")}},
-        rows);
-  if (left_out > 0) {
-    paragraph(tr("%1 more cells are in the calibration file and in the exported tables.").arg(left_out));
+  std::vector<ReportDrawing> drawings = {
+      directionsDrawing(tr("Which way was up in each pose, as the largest patch saw it; rings of 30°, 60° and 90°"),
+                        coverageOf(result_))};
+  ResidualSummary residuals = summariseResiduals(result_);
+  if (!residuals.poses.empty()) {
+    drawings.push_back(boxesDrawing({tr("Residuals of the links in each pose: all, the middle half, the median"),
+                                     std::move(residuals.poses), tr("pose"), tr("residual, °")}));
   }
-}
-
-void ReportPage::addAllLinks() {
-  std::vector<const LinkEstimate*> links;
-  std::size_t left_out = 0;
-  for (const PatchReconstruction& patch : result_.patches) {
-    for (const LinkEstimate& link : patch.links) {
-      if (links.size() < kMostRows) {
-        links.push_back(&link);
-      } else {
-        ++left_out;
-      }
-    }
+  document_.blocks.emplace_back(ReportDrawings{2, std::move(drawings)});
+  std::vector<ReportTable::Row> rows;
+  for (const PoseSummary& pose : result_.poses) {
+    rows.push_back(
+        {{QString::number(pose.pose.value()), pose.label.empty() ? noValue() : words(pose.label),
+          pose.enabled ? tr("used") : tr("disabled"),
+          QStringLiteral("%1/%2").arg(pose.cells_measured).arg(result_.cellCount()),
+          pose.noise_g > 0 ? QLocale().toString(1000 * pose.noise_g, 'f', 1) : noValue(),
+          pose.new_by_rad ? wholeDegreesInWords(*pose.new_by_rad) : noValue(), hundredths(pose.residual_rad)},
+         false});
   }
-  if (links.empty()) return;
-  heading(tr("All links"));
-  linkTable(links);
-  if (left_out > 0) {
-    paragraph(tr("%1 more links are in the calibration file and in the exported tables.").arg(left_out));
-  }
-}
-
-void ReportPage::addOptions() {
-  const SolverOptions& options = result_.options;
-  const QLocale locale;
-  heading(tr("Options of the reconstruction"));
-  QStringList left_out;
-  for (const CellId cell : options.left_out) left_out << QString::number(cell.value());
-  pairs({{tr("Solver"), utf8(result_.solver)},
-         {tr("Gap model"), utf8(gapModelName(options.gap_model))},
-         {tr("Centring"), utf8(centringName(options.centring))},
-         {tr("Support axes"), utf8(supportAxesName(options.support_axes))},
-         {tr("Link weights"), utf8(linkWeightsName(options.weights))},
-         {tr("A direction counts as defined from"), locale.toString(options.class_threshold, 'f', 2)},
-         {tr("Limits of bend, twist, yaw"),
-          tr("%1, %2, %3")
-              .arg(wholeDegreesInWords(options.max_bend_rad), wholeDegreesInWords(options.max_twist_rad),
-                   wholeDegreesInWords(options.max_yaw_rad))},
-         {tr("Limit of misfit"), tr("%1 standard deviations").arg(locale.toString(options.max_misfit, 'f', 1))},
-         {tr("Cells left out"), left_out.isEmpty() ? tr("none") : left_out.join(QStringLiteral(", "))}});
-}
-
-void ReportPage::addOrigins() {
-  heading(tr("Where it comes from"));
-  std::vector<std::pair<QString, QString>> rows = {{tr("Source"), words(result_.source.text)}};
-  if (!result_.source.file.empty()) rows.emplace_back(tr("File"), utf8(result_.source.file));
-  if (!result_.source.sha256.empty()) rows.emplace_back(tr("SHA-256"), utf8(result_.source.sha256));
-  rows.emplace_back(tr("Cell model"), utf8(result_.model->name));
-  rows.emplace_back(tr("Program"), QStringLiteral("Hexoderm " HEXODERM_VERSION));
-  if (result_.solve_seconds > 0) {
-    rows.emplace_back(tr("Solved in"), tr("%1 ms").arg(QLocale().toString(1e3 * result_.solve_seconds, 'f', 1)));
-  }
-  rows.emplace_back(tr("Written"), content_.made_at.toString(Qt::ISODate));
-  pairs(rows);
+  table({{tr("Pose")},
+         {tr("Label")},
+         {tr("State")},
+         {tr("Cells"), true},
+         {tr("Noise mg"), true},
+         {tr("New by"), true},
+         {tr("Residual"), true}},
+        std::move(rows));
 }
 
 }  // namespace hexoderm

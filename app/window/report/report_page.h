@@ -1,56 +1,54 @@
 #pragma once
 
 #include "app/window/report/report.h"
+#include "app/window/report/report_blocks.h"
 
 #include <QCoreApplication>
 #include <QStringList>
-#include <functional>
+#include <utility>
+#include <vector>
 
 namespace hexoderm {
 
-/// Puts together the HTML of a report; see reportHtml(). For browser and QTextDocument alike.
+/// Puts together what a report says; how it is laid out, report_pdf and report_html say.
 class ReportPage {
   Q_DECLARE_TR_FUNCTIONS(hexoderm::ReportPage)
 
  public:
-  using PictureSource = std::function<QString(const QImage& image, std::size_t index)>;
+  explicit ReportPage(const ReportContent& content) : content_(content), result_(*content.reconstruction) {}
 
-  /// `source`: what stands in <img src="">.
-  ReportPage(const ReportContent& content, PictureSource source)
-      : content_(content), result_(*content.reconstruction), source_(std::move(source)) {}
-
-  [[nodiscard]] QString html();
+  [[nodiscard]] ReportDocument document();
+  /// "Page 2 of 5".
+  static QString pageNumber(int page, int pages) { return tr("Page %1 of %2").arg(page).arg(pages); }
+  static QString drawingFor(const QString& caption) { return tr("Picture: %1").arg(caption); }
 
  private:
-  struct Column {
-    QString title;
-    bool figure = false;  ///< aligned to the right
-  };
-
-  void addHead();
+  void addTitle();
   void addVerdict();
   void addKeyFigures();
-  void addPictures();
   void addFindings();
+  void addShapes();
+  void addShape(std::size_t patch);
+  void addLinks();
   void addPoses();
-  void addWorstLinks();
+  void addVerify();
+  void addPlaces();
   void addCells();
   void addAllLinks();
   void addOptions();
   void addOrigins();
 
-  void heading(const QString& text);
-  void paragraph(const QString& text, const char* style = "note");
-  /// Texts are escaped here.
-  void table(const std::vector<Column>& columns, const std::vector<QStringList>& rows);
-  void pairs(const std::vector<std::pair<QString, QString>>& rows);
+  void heading(const QString& text, bool large = false);
+  void paragraph(const QString& text, Tone tone = Tone::Neutral);
+  void note(const QString& text);
+  void table(std::vector<ReportTable::Column> columns, std::vector<ReportTable::Row> rows, const QString& note = {});
   void linkTable(const std::vector<const LinkEstimate*>& links);
-  QString pictureCell(std::size_t index, int width_px, int height_px) const;
+  /// A picture of the content, as a drawing; none if its index is beyond them or its image is null.
+  void addPicture(std::size_t index, std::vector<ReportDrawing>& drawings) const;
 
   const ReportContent& content_;
   const Reconstruction& result_;
-  PictureSource source_;
-  QString html_;
+  ReportDocument document_;
 };
 
 }  // namespace hexoderm

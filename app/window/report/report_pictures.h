@@ -4,9 +4,9 @@
 
 namespace hexoderm {
 
-/// The patch from three sides, the skin graph and the directions of gravity that were seen, drawn for paper (the light
-/// colours, whatever the window has), in views of their own, so that what the operator looks at does not turn. On the
-/// GUI thread. Without OpenGL the patch's pictures are left out.
+/// The pictures that only views can draw: the skin graph, and the directions of gravity that were seen, for paper (the
+/// light colours, whatever the window has), without anything that is there to be pressed. On the GUI thread. The
+/// patches are drawn with the report itself.
 std::vector<ReportPicture> takeReportPictures(const std::shared_ptr<const Reconstruction>& reconstruction);
 
 }  // namespace hexoderm

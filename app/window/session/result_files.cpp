@@ -8,12 +8,19 @@
 #include "hexoderm/util/file.h"
 #include "widgets/words/words.h"
 
-#include <QDateTime>
 #include <QFileInfo>
+#include <QMetaObject>
+#include <exception>
 #include <string_view>
 #include <utility>
 
 namespace hexoderm {
+namespace {
+
+constexpr const char* kReportPdf = "report.pdf";
+constexpr const char* kReportHtml = "report.html";
+
+}  // namespace
 
 void ResultFiles::exportTo(const ExportRequest& request) {
   if (!controller_.reconstruction()) return;
@@ -54,15 +61,59 @@ void ResultFiles::saveTable(const QByteArray& csv, const QString& path) {
       });
 }
 
-void ResultFiles::writeReport(const std::vector<ReportPicture>& pictures, const QString& path) {
-  if (!controller_.reconstruction()) return;
-  const ReportContent content{controller_.reconstruction(), controller_.file().name(), pictures,
-                              QDateTime::currentDateTime()};
+void ResultFiles::writeReport(const ReportContent& content, const QString& path) {
+  if (!content.reconstruction) return;
   work_.startWriting(tr("Writing the report %1").arg(QFileInfo(path).fileName()),
                      [this, content, path]() -> BackgroundWork::Continuation {
                        hexoderm::writeReport(content, path);
                        return [this, path] { emit exported(path, {}); };
                      });
+}
+
+void ResultFiles::exportPackage(const PackageRequest& request, const ReportContent& report) {
+  if (!report.reconstruction) return;
+  package_stop_ = {};
+  const auto tell = [this](const std::string& name, std::size_t done, std::size_t count) {
+    QMetaObject::invokeMethod(
+        &work_,
+        [this, name = QString::fromStdString(name), done = static_cast<int>(done), count = static_cast<int>(count)] {
+          emit packageProgress(name, done, count);
+        },
+        Qt::QueuedConnection);
+  };
+  work_.startWriting(tr("Exporting %1").arg(QFileInfo(request.path).fileName()),
+                     [this, request, report, tell, stop = package_stop_.get_token()]() -> BackgroundWork::Continuation {
+                       try {
+                         PackageContent content = packageContent(request);
+                         for (PackageAttachment& attachment : content.attachments) {
+                           if (stop.stop_requested()) return [this] { emit packageCancelled(); };
+                           tell(attachment.name, 0, 0);
+                           const QByteArray bytes =
+                               attachment.name == kReportPdf ? reportPdf(report) : reportHtml(report).toUtf8();
+                           attachment.bytes = bytes.toStdString();
+                         }
+                         WrittenPackage written = hexoderm::exportPackage(
+                             *report.reconstruction, content, toPath(request.path), request.options, stop, tell);
+                         if (written.entries.empty()) return [this] { emit packageCancelled(); };
+                         return [this, path = request.path, entries = std::move(written.entries)] {
+                           emit packageWritten(path, entries);
+                         };
+                       } catch (const std::exception& error) {
+                         return [this, message = words(error)] { emit packageFailed(message); };
+                       }
+                     });
+}
+
+PackageContent packageContent(const PackageRequest& request) {
+  PackageContent content{request.formats, request.calibration, {}};
+  if (request.report_pdf) {
+    content.attachments.push_back(
+        {kReportPdf, {}, message("report with verdict, pictures, checks and tables, to be sent or printed")});
+  }
+  if (request.report_html) {
+    content.attachments.push_back({kReportHtml, {}, message("the same report for a browser, in one file")});
+  }
+  return content;
 }
 
 }  // namespace hexoderm

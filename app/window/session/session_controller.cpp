@@ -12,10 +12,7 @@ namespace hexoderm {
 SessionController::SessionController(QObject* parent)
     : QObject(parent),
       undo_stack_(this),
-      worker_([this](ReconstructionOutcome outcome) {
-        QMetaObject::invokeMethod(
-            this, [this, outcome = std::move(outcome)] { receive(outcome); }, Qt::QueuedConnection);
-      }),
+      worker_(makeWorker(ReconstructionWorker::startingFromTheLast(progress_))),
       result_files_(*this, work_),
       live_session_(*this),
       pose_guide_(live_session_),
@@ -32,6 +29,16 @@ SessionController::SessionController(QObject* parent)
   connect(&undo_stack_, &QUndoStack::cleanChanged, this, &SessionController::changed);
   connectParts();
 }
+
+std::unique_ptr<ReconstructionWorker> SessionController::makeWorker(ReconstructionWorker::Solve solve) {
+  const auto report = [this](ReconstructionOutcome outcome) {
+    QMetaObject::invokeMethod(
+        this, [this, outcome = std::move(outcome)] { receive(outcome); }, Qt::QueuedConnection);
+  };
+  return std::make_unique<ReconstructionWorker>(report, std::move(solve));
+}
+
+void SessionController::setSolve(ReconstructionWorker::Solve solve) { worker_ = makeWorker(std::move(solve)); }
 
 SessionController::~SessionController() {
   // The stack says so when it is cleared, and by then the worker is gone.
@@ -126,7 +133,7 @@ void SessionController::setLinkMuted(LinkEnd a, LinkEnd b, bool muted) {
 }
 
 void SessionController::closeCurrent() {
-  worker_.cancel();
+  worker_->cancel();
   live_session_.forget();
   live_mode_.cancel();
   file_.close();
@@ -136,7 +143,7 @@ void SessionController::closeCurrent() {
   reconstruction_.reset();
   first_revision_ = submitted_revision_ + 1;
   shown_revision_ = submitted_revision_;
-  needs_solving_ = robot_is_newer_ = false;
+  needs_solving_ = robot_is_newer_ = was_cancelled_ = false;
 }
 
 void SessionController::showSession(std::unique_ptr<Session> session, const QString& name, const QString& path) {
@@ -160,8 +167,8 @@ void SessionController::submit() {
   auto snapshot = std::make_shared<SessionSnapshot>(*session_->snapshot());
   // Sessions count their own revisions from 1; results must be told apart across sessions too.
   snapshot->revision = ++submitted_revision_;
-  robot_is_newer_ = false;
-  worker_.submit(std::move(snapshot), options_);
+  robot_is_newer_ = was_cancelled_ = false;
+  worker_->submit(std::move(snapshot), options_);
   live_session_.noteChange();
   emit changed();
 }
@@ -176,6 +183,21 @@ void SessionController::noteRobot() {
 void SessionController::setSolverOptions(const SolverOptions& options) {
   options_ = options;
   if (session_) submit();
+}
+
+void SessionController::cancelSolving() {
+  if (!isSolving()) return;
+  worker_->cancel();
+  // What still comes of it is not looked at.
+  shown_revision_ = submitted_revision_;
+  was_cancelled_ = true;
+  // The robot would wait for the result.
+  pose_guide_.setRobot(false);
+  emit changed();
+}
+
+void SessionController::solveAgain() {
+  if (session_ && was_cancelled_) submit();
 }
 
 void SessionController::receive(const ReconstructionOutcome& outcome) {

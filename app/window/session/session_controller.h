@@ -48,6 +48,10 @@ class SessionController : public QObject {
   [[nodiscard]] std::size_t enabledPoses() const;
   /// A change of the session has no result yet.
   [[nodiscard]] bool isSolving() const { return session_ && shown_revision_ < submitted_revision_; }
+  /// The operator gave up what was being solved: the result, if there is one, is from before the last change.
+  [[nodiscard]] bool wasCancelled() const { return was_cancelled_; }
+  /// How far what is being solved is.
+  [[nodiscard]] const SolveProgress& progress() const { return *progress_; }
   /// The shown result is that of the session as it is now: no change is being solved, none failed.
   [[nodiscard]] bool isCurrent() const {
     return reconstruction_ && (!session_ || reconstruction_->revision == submitted_revision_);
@@ -59,6 +63,9 @@ class SessionController : public QObject {
 
   /// Place among the session's poses of the first one that should be taken again, as the result's assessment says.
   [[nodiscard]] std::optional<std::size_t> indexToRetake() const;
+
+  /// Solves by `solve` from now on, in place of reconstruct(): for tests of what takes long.
+  void setSolve(ReconstructionWorker::Solve solve);
 
   // For the parts.
 
@@ -76,6 +83,10 @@ class SessionController : public QObject {
   void setLinkMuted(LinkEnd a, LinkEnd b, bool muted);
   /// Solves anew with these.
   void setSolverOptions(const hexoderm::SolverOptions& options);
+  /// Gives up what is being solved. The change stays, and so does the result from before it.
+  void cancelSolving();
+  /// Solves what was given up after all.
+  void solveAgain();
 
  signals:
   /// Anything about the session, or about one of the parts, changed.
@@ -97,6 +108,7 @@ class SessionController : public QObject {
   /// An edit that needs no solving.
   void noteRobot();
   void receive(const ReconstructionOutcome& outcome);
+  [[nodiscard]] std::unique_ptr<ReconstructionWorker> makeWorker(ReconstructionWorker::Solve solve);
   [[nodiscard]] EditedSession edited();
   [[nodiscard]] std::optional<std::size_t> indexOf(PoseId pose) const;
 
@@ -109,9 +121,11 @@ class SessionController : public QObject {
   std::uint64_t shown_revision_ = 0;
   bool needs_solving_ = false;   ///< an edit of the present step does
   bool robot_is_newer_ = false;  ///< than in what is being solved
+  bool was_cancelled_ = false;
+  std::shared_ptr<SolveProgress> progress_ = std::make_shared<SolveProgress>();
 
   // Last, so that their threads have ended before anything they report to goes. The file leaves its end to the work.
-  ReconstructionWorker worker_;
+  std::unique_ptr<ReconstructionWorker> worker_;
   BackgroundWork work_;
   ResultFiles result_files_;
   LiveSession live_session_;

@@ -54,7 +54,49 @@ auto aboutFile(const QString& path, const Work& work) {
 
 }  // namespace
 
-Verification::Verification(QObject* parent) : QObject(parent), worker_(kChecks) {}
+Verification::Verification(QObject* parent) : QObject(parent), worker_(kChecks) { keepOutcome(); }
+
+void Verification::keepOutcome() {
+  connect(this, &Verification::heldOut, this, [this](const HoldOutResult& result) { outcome_.hold_out = result; });
+  connect(this, &Verification::loopsFound, this,
+          [this](const std::vector<FoundLoop>& loops) { outcome_.loops = loops; });
+  connect(this, &Verification::surfacesFitted, this,
+          [this](const std::vector<SurfaceEvaluation>& surfaces, const QStringList& remarks) {
+            outcome_.surfaces = surfaces;
+            outcome_.surface_remarks = remarks;
+          });
+  connect(this, &Verification::compared, this,
+          [this](const std::vector<Comparison>& comparisons, const QString& against) {
+            outcome_.comparisons = comparisons;
+            outcome_.compared_with = against;
+          });
+  connect(this, &Verification::oldCalibrationChecked, this,
+          [this](const CalibrationCheck& check, const QString& calibration) {
+            outcome_.old_calibration = check;
+            outcome_.old_calibration_name = calibration;
+          });
+}
+
+void Verification::forgetOutcome(VerifyCheck check) {
+  switch (check) {
+    case VerifyCheck::HoldOut:
+      outcome_.hold_out.reset();
+      break;
+    case VerifyCheck::Loops:
+      outcome_.loops.reset();
+      break;
+    case VerifyCheck::Surface:
+      outcome_.surfaces.reset();
+      outcome_.surface_remarks.clear();
+      break;
+    case VerifyCheck::Comparison:
+      outcome_.comparisons.reset();
+      break;
+    case VerifyCheck::OldCalibration:
+      outcome_.old_calibration.reset();
+      break;
+  }
+}
 
 void Verification::setReconstruction(std::shared_ptr<const Reconstruction> reconstruction) {
   reconstruction_ = std::move(reconstruction);
@@ -123,6 +165,8 @@ void Verification::dropComparison() {
   cancel(VerifyCheck::Comparison);
 }
 
+QString Verification::referenceName() const { return QFileInfo(reference_.path).fileName(); }
+
 void Verification::compare() {
   if (!reconstruction_ || reference_.path.isEmpty()) return;
   if (reference_.options != reconstruction_->options) reference_.calibration.reset();
@@ -179,6 +223,7 @@ void Verification::cancel(VerifyCheck check) {
   const std::size_t slot = slotOf(check);
   worker_.cancel(slot);
   ++newest_.at(slot);
+  forgetOutcome(check);
   setRunning(check, false);
 }
 
@@ -186,6 +231,7 @@ void Verification::request(VerifyCheck check, Work work) {
   const std::size_t slot = slotOf(check);
   worker_.cancel(slot);
   const std::uint64_t number = ++newest_.at(slot);
+  forgetOutcome(check);
   worker_.submit(
       [this, check, number, work = std::move(work)](const std::stop_token& stop) {
         Announcement announce;

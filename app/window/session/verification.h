@@ -1,5 +1,6 @@
 #pragma once
 
+#include "app/window/report/report.h"
 #include "hexoderm/reconstruction/check/calibration_check.h"
 #include "hexoderm/reconstruction/evaluation/evaluation.h"
 #include "hexoderm/reconstruction/evaluation/loop_search.h"
@@ -39,6 +40,9 @@ class Verification : public QObject {
   /// dropComparison().
   void compareWith(const QString& path);
   void dropComparison();
+  /// What compareWith() has read, from compared() on; null: nothing.
+  [[nodiscard]] const std::shared_ptr<const Reconstruction>& reference() const { return reference_.calibration; }
+  [[nodiscard]] QString referenceName() const;
   /// The session as it is now, whose poses an old calibration is compared with; null: there is none.
   void setToday(std::shared_ptr<const SessionSnapshot> today);
   /// Does this calibration still hold? Compares it, or a session solved as in compareWith(), with the newest `poses`
@@ -46,6 +50,8 @@ class Verification : public QObject {
   void checkOldCalibration(const QString& path, std::optional<std::size_t> poses);
   void dropOldCalibration();
   void cancel(VerifyCheck check);
+  /// The results that are in force, for reports.
+  [[nodiscard]] const VerifyOutcome& outcome() const { return outcome_; }
 
  signals:
   void runningChanged(hexoderm::VerifyCheck check, bool running);
@@ -71,6 +77,8 @@ class Verification : public QObject {
   void compare();
   void checkToday();
   void setRunning(VerifyCheck check, bool running);
+  void keepOutcome();
+  void forgetOutcome(VerifyCheck check);
 
   std::shared_ptr<const Reconstruction> reconstruction_;
   bool wants_surface_ = false;
@@ -80,6 +88,7 @@ class Verification : public QObject {
   Reference old_;        ///< to compare the poses of today with
   std::shared_ptr<const SessionSnapshot> today_;
   std::optional<std::size_t> newest_poses_;
+  VerifyOutcome outcome_;
 
   static constexpr std::size_t kChecks = 5;
   std::array<std::uint64_t, kChecks> newest_{};  ///< request per check; results of older ones are dropped

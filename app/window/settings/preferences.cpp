@@ -23,6 +23,7 @@ const QString kReducedMotion = QStringLiteral("view/reduced_motion");
 const QString kSoftwareOpenGl = QStringLiteral("view/software_opengl");
 const QString kTheme = QStringLiteral("view/theme");
 const QString kTone = QStringLiteral("capture/tone");
+const QString kSpeech = QStringLiteral("capture/speech");
 const QString kDrift = QStringLiteral("capture/drift_limit_deg_s");
 const QString kExcess = QStringLiteral("capture/excess_limit_mg");
 const QString kHold = QStringLiteral("capture/hold_s");
@@ -92,6 +93,14 @@ void Preferences::setTone(bool on) {
   if (on == tone()) return;
   QSettings().setValue(kTone, on);
   emit toneChanged(on);
+}
+
+bool Preferences::speech() const { return QSettings().value(kSpeech, false).toBool(); }
+
+void Preferences::setSpeech(bool on) {
+  if (on == speech()) return;
+  QSettings().setValue(kSpeech, on);
+  emit speechChanged(on);
 }
 
 bool Preferences::reducedMotion() const { return QSettings().value(kReducedMotion, false).toBool(); }
@@ -172,8 +181,11 @@ void Preferences::setRecorderOptions(const PoseRecorderOptions& options) {
 void Preferences::restoreDefaults() {
   const bool tone_before = tone();
   const bool motion_before = reducedMotion();
+  setSpeech(false);
   QSettings settings;
-  for (const QString& key : {kLanguage, kSoftwareOpenGl, kTheme, kFolder, kTone, kReducedMotion}) settings.remove(key);
+  for (const QString& key : {kLanguage, kSoftwareOpenGl, kTheme, kFolder, kTone, kSpeech, kReducedMotion}) {
+    settings.remove(key);
+  }
   setTextFactor(1);
   setSolverOptions({});
   setRecorderOptions({});

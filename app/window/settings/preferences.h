@@ -29,6 +29,9 @@ class Preferences : public QObject {
   void setTextFactor(double factor);
   [[nodiscard]] bool tone() const;
   void setTone(bool on);
+  /// Instructions are spoken; off at first.
+  [[nodiscard]] bool speech() const;
+  void setSpeech(bool on);
   [[nodiscard]] bool reducedMotion() const;
   void setReducedMotion(bool on);
   /// Looked at by prepareSoftwareOpenGl() at the next start.
@@ -52,6 +55,7 @@ class Preferences : public QObject {
   void recorderOptionsChanged(const hexoderm::PoseRecorderOptions& options);
   void textFactorChanged(double factor);
   void toneChanged(bool on);
+  void speechChanged(bool on);
   void reducedMotionChanged(bool on);
   /// The defaults are restored, the theme's too; dialogs show everything again.
   void restored();

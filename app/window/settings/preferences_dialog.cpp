@@ -185,6 +185,15 @@ void PreferencesDialog::fillAppearance(QFormLayout* form) {
 void PreferencesDialog::fillCapture(QFormLayout* form) {
   tone_ = makeSwitch(form, "preferenceTone", tr("&Sound when a pose is captured"),
                      tr("So that you know without looking at the screen."));
+  speech_ = makeSwitch(form, "preferenceSpeech", tr("S&peak instructions"),
+                       tr("For hands and eyes that are on the robot: what to do next is spoken when it changes, in the "
+                          "language of the window."));
+  why_no_speech_ = new QLabel;
+  why_no_speech_->setObjectName(QStringLiteral("preferenceWhyNoSpeech"));
+  why_no_speech_->setWordWrap(true);
+  why_no_speech_->setContentsMargins(0, 0, 0, 8);
+  why_no_speech_->hide();
+  form->addRow(why_no_speech_);
   excess_ = makeNumber(form, "preferenceExcess", tr("Largest s&catter"), 1, 1000, 1, QStringLiteral("mg"),
                        tr("The part counts as still when its cells scatter by less than this beyond their own noise; "
                           "30 mg is a hand that holds it. A robot's arm allows less."));
@@ -207,6 +216,7 @@ void PreferencesDialog::fillCapture(QFormLayout* form) {
   form->addRow(when);
 
   connect(tone_, &QCheckBox::clicked, this, [this](bool on) { preferences_.setTone(on); });
+  connect(speech_, &QCheckBox::clicked, this, [this](bool on) { preferences_.setSpeech(on); });
   for (QDoubleSpinBox* box : {drift_, excess_, hold_}) {
     connect(box, qOverload<double>(&QDoubleSpinBox::valueChanged), this, &PreferencesDialog::takeRecorder);
   }
@@ -286,6 +296,13 @@ void PreferencesDialog::chooseFolder() {
 
 void PreferencesDialog::showTheme(ThemeChoice theme) { theme_->setCurrentIndex(static_cast<int>(theme)); }
 
+void PreferencesDialog::setWhyNoSpeech(const QString& why_not) {
+  why_no_speech_->setText(why_not.isEmpty() ? QString() : tr("Not available: %1").arg(why_not));
+  why_no_speech_->setVisible(!why_not.isEmpty());
+  // What is switched on can be switched off, whatever became of the voice.
+  speech_->setEnabled(why_not.isEmpty() || preferences_.speech());
+}
+
 void PreferencesDialog::showAll() {
   showing_ = true;
   language_->setCurrentIndex(language_->findData(preferences_.language()));
@@ -298,6 +315,7 @@ void PreferencesDialog::showAll() {
   reduced_motion_->setChecked(preferences_.reducedMotion());
   software_opengl_->setChecked(preferences_.softwareOpenGl());
   tone_->setChecked(preferences_.tone());
+  speech_->setChecked(preferences_.speech());
   const PoseRecorderOptions recorder = preferences_.recorderOptions();
   drift_->setValue(toDegrees(recorder.stillness.drift_limit_rad_s));
   excess_->setValue(recorder.stillness.excess_limit_g / kMilliG);

@@ -8,6 +8,7 @@ class QCheckBox;
 class QComboBox;
 class QDoubleSpinBox;
 class QFormLayout;
+class QLabel;
 class QLineEdit;
 class QSpinBox;
 class QTabWidget;
@@ -27,6 +28,8 @@ class PreferencesDialog : public QDialog {
 
   /// It was changed elsewhere.
   void showTheme(ThemeChoice theme);
+  /// Whether instructions can be spoken; a reason: why they can't.
+  void setWhyNoSpeech(const QString& why_not);
 
  signals:
   void themeChosen(hexoderm::ThemeChoice choice);
@@ -55,6 +58,8 @@ class PreferencesDialog : public QDialog {
   QCheckBox* reduced_motion_;
   QCheckBox* software_opengl_;
   QCheckBox* tone_;
+  QCheckBox* speech_;
+  QLabel* why_no_speech_;
   QDoubleSpinBox* drift_;
   QDoubleSpinBox* excess_;
   QDoubleSpinBox* hold_;

@@ -48,6 +48,7 @@ QString panelSheet(const Colors& colors) {
              "QFrame[cardBody=\"true\"] { background: %1; border: 1px solid %2; border-top: 0;"
              " border-bottom-left-radius: 6px; border-bottom-right-radius: 6px; }"
              "QScrollArea#stepPanel, QWidget#stepContent { background: %1; border: 0; }"
+             "QScrollArea#checksArea, QWidget#verifyPanel { background: %1; border: 0; }"
              "QFrame[stepBody=\"true\"] { background: %3; border: 0; }"
              "QLabel[stepWhat=\"true\"] { font-weight: 600; }"
              "QWidget#topBar { background: %1; border-bottom: 1px solid %2; }"

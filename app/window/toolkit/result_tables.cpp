@@ -23,8 +23,13 @@ ResultTables::ResultTables(QObject* owner)
   stretchColumn(pose_view, 1);
   stretchColumn(link_view, links->columnCount() - 1);
   stretchColumn(finding_view, 1);
-  stretchColumn(cell_view, cells->columnCount() - 1);
+  // The angles of a link are what its two cells show as well.
+  leaveOutWhereNarrow(link_view, {LinkTable::kYawColumn, LinkTable::kTwistColumn}, links->columnCount() - 1);
+  // The card beside the table says where, too.
+  leaveOutWhereNarrow(finding_view, {findings->columnCount() - 1}, 1);
   wrapRows(finding_view);
+  // Neither the noise nor what is new says whether a pose fits.
+  leaveOutWhereNarrow(pose_view, {PoseTable::kNoiseColumn, PoseTable::kNewByColumn, PoseTable::kCellsColumn}, 1);
   wrapRows(pose_view);
   for (QTableView* view : {pose_view, link_view, cell_view}) SortedTable::enableIn(view);
 }

@@ -1,21 +1,24 @@
 #include "app/window/toolkit/status_bar.h"
 
+#include "widgets/controls/elided_label.h"
+
 #include <QLabel>
 
 namespace hexoderm {
 namespace {
 
+/// A long address or message ends in dots instead of widening the window.
 QLabel* makePart(const char* object_name) {
-  auto* part = new QLabel;
+  auto* part = new ElidedLabel;
   part->setObjectName(QLatin1String(object_name));
-  part->setTextFormat(Qt::PlainText);
   return part;
 }
 
 void showIn(QLabel* part, const QString& text, const QString& tool_tip) {
-  part->setText(text);
-  part->setToolTip(tool_tip);
-  part->setVisible(!text.isEmpty());
+  // Setting what is there already would lay the bar out anew, and tell whoever listens to tool tips.
+  if (part->text() != text) part->setText(text);
+  if (part->toolTip() != tool_tip) part->setToolTip(tool_tip);
+  if (part->isHidden() != text.isEmpty()) part->setVisible(!text.isEmpty());
 }
 
 }  // namespace

@@ -1,14 +1,78 @@
 #include "app/window/toolkit/table_views.h"
 
+#include <QAbstractItemView>
+#include <QEvent>
 #include <QHeaderView>
+#include <QHelpEvent>
 #include <QLabel>
 #include <QStackedWidget>
 #include <QStyledItemDelegate>
 #include <QTableView>
 #include <QTimer>
+#include <QToolTip>
+#include <algorithm>
+#include <map>
+#include <utility>
 
 namespace hexoderm {
 namespace {
+
+/// Shows the whole of a text that is cut short, above what the model says of it.
+class WholeTextDelegate : public QStyledItemDelegate {
+ public:
+  using QStyledItemDelegate::QStyledItemDelegate;
+  bool helpEvent(QHelpEvent* event, QAbstractItemView* view, const QStyleOptionViewItem& option,
+                 const QModelIndex& index) override {
+    const QString text = index.data(Qt::DisplayRole).toString();
+    const QString tip = index.data(Qt::ToolTipRole).toString();
+    const bool is_cut = !text.isEmpty() && sizeHint(option, index).width() > view->visualRect(index).width();
+    if (event->type() != QEvent::ToolTip || !is_cut || tip == text || tip.startsWith(QLatin1Char('<'))) {
+      return QStyledItemDelegate::helpEvent(event, view, option, index);
+    }
+    QToolTip::showText(event->globalPos(), tip.isEmpty() ? text : text + QStringLiteral("\n\n") + tip,
+                       view->viewport());
+    return true;
+  }
+};
+
+/// Leaves columns out as the table gets narrower, and takes them in again as it gets wider.
+class ColumnChoice : public QObject {
+ public:
+  ColumnChoice(QTableView* view, std::vector<int> columns, int stretched)
+      : QObject(view), view_(view), columns_(std::move(columns)), stretched_(stretched) {
+    view_->viewport()->installEventFilter(this);
+    connect(view_->model(), &QAbstractItemModel::modelReset, this, &ColumnChoice::choose, Qt::QueuedConnection);
+  }
+  bool eventFilter(QObject* /*watched*/, QEvent* event) override {
+    if (event->type() == QEvent::Resize) choose();
+    return false;
+  }
+
+ private:
+  void choose() {
+    constexpr int kLabel = 18;  // characters
+    int needed = kLabel * view_->fontMetrics().averageCharWidth();
+    // A column that is left out has none.
+    const auto width = [this](int column) {
+      const int now = std::max(view_->horizontalHeader()->sectionSizeHint(column), view_->columnWidth(column));
+      if (!view_->isColumnHidden(column)) widths_[column] = now;
+      return widths_[column];
+    };
+    for (int column = 0; column < view_->model()->columnCount(); ++column) {
+      if (column != stretched_) needed += width(column);
+    }
+    for (const int column : columns_) {
+      const bool is_left_out = needed > view_->viewport()->width();
+      if (is_left_out) needed -= width(column);
+      if (view_->isColumnHidden(column) != is_left_out) view_->setColumnHidden(column, is_left_out);
+    }
+  }
+
+  QTableView* view_;
+  std::vector<int> columns_;
+  int stretched_;
+  std::map<int, int> widths_;  ///< of the columns, as they last were
+};
 
 /// Qt asks how high a text is in the whole width of its column, and then draws it beside the style sheet's padding: a
 /// line that fits by a hair would be elided instead of wrapped.
@@ -36,8 +100,11 @@ QTableView* makeTable(QAbstractItemModel* model, const char* object_name, const 
   view->setShowGrid(false);
   view->setWordWrap(false);
   view->setTabKeyNavigation(false);
+  view->setItemDelegate(new WholeTextDelegate(view));
   view->setFrameShape(QFrame::NoFrame);
   view->verticalHeader()->hide();
+  constexpr int kAroundText_px = 9;
+  view->verticalHeader()->setDefaultSectionSize(view->fontMetrics().height() + kAroundText_px);
   view->horizontalHeader()->setHighlightSections(false);
   view->horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
   // Measuring every row of a large skin on each update would take longer than solving it.
@@ -67,6 +134,10 @@ void wrapRows(QTableView* view) {
     if (view->model()->rowCount() <= kManyRows) view->verticalHeader()->resizeSections(QHeaderView::ResizeToContents);
   });
   QObject::connect(view->horizontalHeader(), &QHeaderView::sectionResized, again, [again] { again->start(); });
+}
+
+void leaveOutWhereNarrow(QTableView* view, const std::vector<int>& columns, int stretched) {
+  new ColumnChoice(view, columns, stretched);
 }
 
 TableOrHint::TableOrHint(QTableView* view, const QString& hint) : hint_(hint), label_(new QLabel(hint)) {

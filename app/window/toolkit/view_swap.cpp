@@ -17,9 +17,11 @@ ViewSwap::ViewSwap(QWidget& patch_view, QWidget& graph_view, CardDock& graph_doc
   if (QSettings().value(kSwapped, false).toBool()) exchange();
 }
 
+bool ViewSwap::isSwapped() const { return graph_dock_.isAncestorOf(&patch_view_); }
+
 void ViewSwap::swap() {
   exchange();
-  QSettings().setValue(kSwapped, graph_dock_.isAncestorOf(&patch_view_));
+  QSettings().setValue(kSwapped, isSwapped());
 }
 
 void ViewSwap::exchange() {

@@ -17,6 +17,8 @@ class ViewSwap : public QObject {
   /// Begins as the settings remember it.
   ViewSwap(QWidget& patch_view, QWidget& graph_view, CardDock& graph_dock);
 
+  /// The 3D view is in the panel.
+  [[nodiscard]] bool isSwapped() const;
   /// The settings remember it for the next start.
   void swap();
 

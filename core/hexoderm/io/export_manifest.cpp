@@ -49,6 +49,11 @@ ManifestJson patchesLeftOutOf(const Reconstruction& reconstruction, const Export
 }
 
 ManifestJson fileJson(const Reconstruction& reconstruction, const ManifestFile& file, const ExportOptions& options) {
+  if (file.format == nullptr) {
+    ManifestJson json = {{"file", file.name}, {"format", file.what}, {"sha256", file.sha256}};
+    if (!file.coordinates.empty()) json["coordinates"] = file.coordinates;
+    return json;
+  }
   ManifestJson json = {{"file", file.name},
                        {"format", file.format->name},
                        {"sha256", file.sha256},

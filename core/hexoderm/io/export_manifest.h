@@ -13,8 +13,11 @@ namespace hexoderm {
 struct ManifestFile {
   std::string name;
   std::string sha256;
-  const ExportFormatDescription* format = nullptr;
+  const ExportFormatDescription* format = nullptr;  ///< null: none of the export formats
   ExportSelection selection;
+  // Where there is no format.
+  std::string what{};
+  std::string coordinates{};  ///< in words; empty: it has none
 };
 
 /// manifest.json of a bundle: version of the program, units, inputs and files with their SHA-256, what each file does

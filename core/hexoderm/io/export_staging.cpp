@@ -84,7 +84,8 @@ class Replacements {
 
 }  // namespace
 
-std::vector<fs::path> publishFolder(const fs::path& folder, const std::vector<StagedFile>& files) {
+std::vector<fs::path> publishFolder(const fs::path& folder, const std::vector<StagedFile>& files,
+                                    const std::function<void()>& before_each) {
   const fs::path target = folder.has_filename() ? folder : folder.parent_path();  // "out/" means "out"
   const fs::file_status status = statusOf(target, true);
   const bool there = fs::exists(status);
@@ -99,9 +100,11 @@ std::vector<fs::path> publishFolder(const fs::path& folder, const std::vector<St
   makeFolder(backups, target);
   std::vector<fs::path> paths;
   for (const StagedFile& file : files) {
+    if (before_each) before_each();
     writeAndVerify(file, staged);
     paths.push_back(target / file.name);
   }
+  if (before_each) before_each();
 
   if (there) {
     Replacements replacements(backups);

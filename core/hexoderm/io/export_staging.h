@@ -3,6 +3,7 @@
 #include "hexoderm/util/file.h"
 
 #include <filesystem>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -19,7 +20,10 @@ struct StagedFile {
 /// is left; the rights of files that are replaced stay. A missing folder is made; other files in an existing one are
 /// not touched. Whatever has the name of one of the files and is no file, a link included, is refused. Returns the
 /// paths of the files, in their order. Throws StorageError and what a `verify` throws.
+/// `before_each` is called before every file is written and before the names are given; what it throws ends the work in
+/// the same way.
 std::vector<std::filesystem::path> publishFolder(const std::filesystem::path& folder,
-                                                 const std::vector<StagedFile>& files);
+                                                 const std::vector<StagedFile>& files,
+                                                 const std::function<void()>& before_each = {});
 
 }  // namespace hexoderm

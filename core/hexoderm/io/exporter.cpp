@@ -2,8 +2,8 @@
 
 #include "hexoderm/io/export_csv.h"
 #include "hexoderm/io/export_dot.h"
+#include "hexoderm/io/export_files.h"
 #include "hexoderm/io/export_gltf.h"
-#include "hexoderm/io/export_manifest.h"
 #include "hexoderm/io/export_models.h"
 #include "hexoderm/io/export_obj.h"
 #include "hexoderm/io/export_ply.h"
@@ -18,7 +18,6 @@
 #include "hexoderm/io/export_vtp.h"
 #include "hexoderm/util/error.h"
 #include "hexoderm/util/file.h"
-#include "hexoderm/util/sha256.h"
 
 #include <algorithm>
 #include <array>
@@ -27,8 +26,6 @@
 
 namespace hexoderm {
 namespace {
-
-constexpr std::string_view kBundleStem = "skin";
 
 /// Built at its first use, for a message is no constant expression.
 const std::vector<ExportFormatDescription>& formats() {
@@ -244,57 +241,6 @@ ExportedFile exportedFile(const Reconstruction& reconstruction, const ExportSele
   throw InvalidArgument(message("csv is a folder of several files and can't be written as one: give a folder"));
 }
 
-/// The files of a folder and, as the last one, what they are.
-class Bundle {
- public:
-  Bundle(const Reconstruction& reconstruction, const ExportOptions& options)
-      : reconstruction_(reconstruction), options_(options) {}
-
-  void add(ExportFormat format) {
-    const ExportFormatDescription& description = exportFormatDescription(format);
-    withExported(reconstruction_, format, options_, [&](const Reconstruction& part, const ExportSelection& selection) {
-      requireFinite(part);
-      if (format == ExportFormat::Csv) {
-        for (const CsvTable& table : csvTables(part)) {
-          add({table.file, csvText(table), [table](const std::string& bytes) { verifyCsv(bytes, table); }}, description,
-              selection);
-        }
-        return;
-      }
-      const std::string name = std::string(kBundleStem) + std::string(description.extension);
-      ExportedFile file = exportedFile(part, selection, format, options_, name);
-      add({name, std::move(file.bytes), std::move(file.verify)}, description, selection);
-    });
-  }
-
-  std::vector<std::filesystem::path> publish(const std::filesystem::path& folder) {
-    const std::string text = manifestText(reconstruction_, listed_, options_);
-    files_.push_back(
-        {kManifestFile, text, [text](const std::string& bytes) { verifyManifest(bytes, text, kManifestFile); }});
-    return publishFolder(folder, files_);
-  }
-
- private:
-  void add(StagedFile file, const ExportFormatDescription& description, const ExportSelection& selection) {
-    listed_.push_back({file.name, sha256Hex(file.content), &description, selection});
-    files_.push_back(std::move(file));
-  }
-
-  const Reconstruction& reconstruction_;
-  const ExportOptions& options_;
-  std::vector<StagedFile> files_;
-  std::vector<ManifestFile> listed_;
-};
-
-/// The options with the robot's file among the inputs, if one of the formats reads it.
-ExportOptions withInputs(ExportOptions options, std::span<const ExportFormat> formats) {
-  if (!options.robot_urdf.empty() && std::ranges::find(formats, ExportFormat::RobotUrdf) != formats.end()) {
-    options.inputs.push_back(
-        {"robot", options.robot_urdf.filename().string(), sha256Hex(readFile(options.robot_urdf))});
-  }
-  return options;
-}
-
 }  // namespace
 
 void ExportOptions::validate() const {
@@ -404,18 +350,25 @@ std::vector<std::filesystem::path> exportReconstruction(const Reconstruction& re
       });
 }
 
-std::vector<std::filesystem::path> exportBundle(const Reconstruction& reconstruction,
-                                                std::span<const ExportFormat> formats,
-                                                const std::filesystem::path& folder, const ExportOptions& options) {
-  for (const ExportFormat format : formats) options.validateFor(format);
-  if (folder.empty()) throw InvalidArgument(message("expected the name of a file or folder to export to"));
-  const ExportOptions with_inputs = withInputs(options, formats);
-  Bundle bundle(reconstruction, with_inputs);
-  std::set<ExportFormat> added;
-  for (const ExportFormat format : formats) {
-    if (added.insert(format).second) bundle.add(format);
-  }
-  return bundle.publish(folder);
+FormatFiles formatFiles(const Reconstruction& reconstruction, ExportFormat format, const ExportOptions& options,
+                        const std::string& stem) {
+  const ExportFormatDescription& description = exportFormatDescription(format);
+  return withExported(
+      reconstruction, format, options, [&](const Reconstruction& part, const ExportSelection& selection) {
+        requireFinite(part);
+        FormatFiles made{{}, selection};
+        if (format == ExportFormat::Csv) {
+          for (const CsvTable& table : csvTables(part)) {
+            made.files.push_back(
+                {table.file, csvText(table), [table](const std::string& bytes) { verifyCsv(bytes, table); }});
+          }
+          return made;
+        }
+        const std::string name = stem + std::string(description.extension);
+        ExportedFile file = exportedFile(part, selection, format, options, name);
+        made.files.push_back({name, std::move(file.bytes), std::move(file.verify)});
+        return made;
+      });
 }
 
 std::string exportBytes(const Reconstruction& reconstruction, ExportFormat format, const ExportOptions& options,

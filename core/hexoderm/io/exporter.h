@@ -134,7 +134,8 @@ std::vector<std::filesystem::path> exportReconstruction(const Reconstruction& re
                                                         const ExportOptions& options = {});
 
 /// Several formats, each as "skin" with its extension, and manifest.json with frames in words, units, versions and
-/// hashes, in a folder; all of them or none. Throws as exportReconstruction().
+/// hashes, in a folder or, if its name ends in .zip, in an archive; all of them or none (see exportPackage()). Throws
+/// as exportReconstruction().
 std::vector<std::filesystem::path> exportBundle(const Reconstruction& reconstruction,
                                                 std::span<const ExportFormat> formats,
                                                 const std::filesystem::path& folder, const ExportOptions& options = {});

@@ -10,10 +10,10 @@ namespace hexoderm {
 ReconstructionWorker::ReconstructionWorker(Report report, Solve solve)
     : report_(std::move(report)), solve_(std::move(solve)) {}
 
-ReconstructionWorker::Solve ReconstructionWorker::startingFromTheLast() {
-  return [last = std::shared_ptr<const Reconstruction>()](const SessionSnapshot& snapshot, const SolverOptions& options,
-                                                          const std::stop_token& stop) mutable {
-    auto result = reconstruct(snapshot, options, last.get(), stop);
+ReconstructionWorker::Solve ReconstructionWorker::startingFromTheLast(std::shared_ptr<SolveProgress> progress) {
+  return [progress = std::move(progress), last = std::shared_ptr<const Reconstruction>()](
+             const SessionSnapshot& snapshot, const SolverOptions& options, const std::stop_token& stop) mutable {
+    auto result = reconstruct(snapshot, options, last.get(), stop, progress.get());
     if (result) last = result;
     return result;
   };

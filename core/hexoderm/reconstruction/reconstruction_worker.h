@@ -27,8 +27,9 @@ class ReconstructionWorker {
   /// Null if it ended early because stop was requested.
   using Solve = std::function<std::shared_ptr<const Reconstruction>(const SessionSnapshot&, const SolverOptions&,
                                                                     const std::stop_token& stop)>;
-  /// reconstruct(), each time from where the last one ended: what changed is usually one pose.
-  static Solve startingFromTheLast();
+  /// reconstruct(), each time from where the last one ended: what changed is usually one pose. `progress`: is told how
+  /// far it is; may be null.
+  static Solve startingFromTheLast(std::shared_ptr<SolveProgress> progress = nullptr);
   /// `solve` is what the thread does with a snapshot; whatever it throws becomes the outcome's error.
   explicit ReconstructionWorker(Report report, Solve solve = startingFromTheLast());
 

@@ -40,10 +40,12 @@ std::shared_ptr<Reconstruction> describe(const SolvedSkin& solved) {
 }  // namespace
 
 std::shared_ptr<const Reconstruction> reconstruct(const SessionSnapshot& snapshot, const SolverOptions& options,
-                                                  const Reconstruction* earlier, const std::stop_token& stop) {
+                                                  const Reconstruction* earlier, const std::stop_token& stop,
+                                                  SolveProgress* progress) {
   const auto start = std::chrono::steady_clock::now();
-  const std::unique_ptr<const SolvedSkin> solved = solveSkin(snapshot, options, earlier, stop);
+  const std::unique_ptr<const SolvedSkin> solved = solveSkin(snapshot, options, earlier, stop, progress);
   if (solved == nullptr) return nullptr;
+  if (progress != nullptr) progress->enter(SolveStage::Figures);
   const std::shared_ptr<Reconstruction> result = describe(*solved);
   result->solve_seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   return result;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "hexoderm/reconstruction/result/reconstruction.h"
+#include "hexoderm/reconstruction/solve_progress.h"
 
 #include <memory>
 #include <stop_token>
@@ -15,10 +16,12 @@ namespace hexoderm {
 ///
 /// `stop`: checked before every step that may take seconds; once it is requested, the result is null.
 ///
+/// `progress`: is told what is being done; may be null.
+///
 /// Throws InvalidArgument for options out of range. Everything that can be wrong with a skin or its poses is a finding;
 /// no poses, one pose, an empty skin and a single cell give a result. No value in the result is NaN or infinite.
 std::shared_ptr<const Reconstruction> reconstruct(const SessionSnapshot& snapshot, const SolverOptions& options = {},
                                                   const Reconstruction* earlier = nullptr,
-                                                  const std::stop_token& stop = {});
+                                                  const std::stop_token& stop = {}, SolveProgress* progress = nullptr);
 
 }  // namespace hexoderm

@@ -39,8 +39,9 @@ EarlierPatches earlierPatches(const Reconstruction* earlier) {
 }
 
 Completion refinePatches(SkinLinks& skin, std::vector<PatchSolver>& patches, const EarlierPatches& earlier,
-                         const std::stop_token& stop, std::vector<Finding>& findings) {
+                         const std::stop_token& stop, SolveProgress* progress, std::vector<Finding>& findings) {
   for (PatchSolver& patch : patches) {
+    if (progress != nullptr) progress->enterPatch(static_cast<std::size_t>(&patch - patches.data()), patches.size());
     const auto known = earlier.find(skin.graph().cells()[patch.origin()].id);
     const PatchReconstruction* start = known == earlier.end() ? nullptr : known->second;
     if (patch.refine(start, stop, findings) == Completion::Stopped) return Completion::Stopped;
@@ -51,18 +52,22 @@ Completion refinePatches(SkinLinks& skin, std::vector<PatchSolver>& patches, con
 
 /// The joint estimate of every patch, again from the tree as long as it shows links that are none.
 Completion solveGlobally(SkinLinks& skin, std::span<const double> weights, const EarlierPatches& earlier,
-                         const std::stop_token& stop, std::vector<PatchSolver>& patches,
+                         const std::stop_token& stop, SolveProgress* progress, std::vector<PatchSolver>& patches,
                          std::vector<Finding>& findings) {
-  if (refinePatches(skin, patches, earlier, stop, findings) == Completion::Stopped) return Completion::Stopped;
+  if (refinePatches(skin, patches, earlier, stop, progress, findings) == Completion::Stopped) {
+    return Completion::Stopped;
+  }
   while (muteOpenLinks(skin, patches, findings)) {
     patches = placePatches(skin, weights);
-    if (refinePatches(skin, patches, earlier, stop, findings) == Completion::Stopped) return Completion::Stopped;
+    if (refinePatches(skin, patches, earlier, stop, progress, findings) == Completion::Stopped) {
+      return Completion::Stopped;
+    }
   }
   return Completion::Finished;
 }
 
 /// All patches by the chosen solver, again as long as their attitudes show what is no part of them.
-Completion solve(SkinLinks& skin, const EarlierPatches& earlier, const std::stop_token& stop,
+Completion solve(SkinLinks& skin, const EarlierPatches& earlier, const std::stop_token& stop, SolveProgress* progress,
                  std::vector<double>& weights, std::vector<PatchSolver>& patches, std::vector<Finding>& findings) {
   constexpr int kRounds = 3;  // what a first search leaves is rare; each costs a solve
   for (int round = 0;; ++round) {
@@ -70,9 +75,10 @@ Completion solve(SkinLinks& skin, const EarlierPatches& earlier, const std::stop
     weights = linkWeights(skin);
     patches = placePatches(skin, weights);
     if (skin.options().solver == Solver::Global &&
-        solveGlobally(skin, weights, earlier, stop, patches, findings) == Completion::Stopped) {
+        solveGlobally(skin, weights, earlier, stop, progress, patches, findings) == Completion::Stopped) {
       return Completion::Stopped;
     }
+    if (progress != nullptr) progress->enter(SolveStage::Findings);
     if (round == kRounds || stop.stop_requested() || !isolateAttitudes(skin, patches, findings)) break;
     skin.estimateEdges();
   }
@@ -86,12 +92,14 @@ Completion solve(SkinLinks& skin, const EarlierPatches& earlier, const std::stop
 }  // namespace
 
 std::unique_ptr<const SolvedSkin> solveSkin(const SessionSnapshot& snapshot, const SolverOptions& options,
-                                            const Reconstruction* earlier, const std::stop_token& stop) {
+                                            const Reconstruction* earlier, const std::stop_token& stop,
+                                            SolveProgress* progress) {
   options.validate();
+  if (progress != nullptr) progress->enter(SolveStage::Links);
   auto solved = std::make_unique<SolvedSkin>(snapshot, options);
   if (prepare(solved->skin_, stop, solved->findings_) == Completion::Stopped) return nullptr;
-  if (solve(solved->skin_, earlierPatches(earlier), stop, solved->weights_, solved->patches_, solved->findings_) ==
-      Completion::Stopped) {
+  if (solve(solved->skin_, earlierPatches(earlier), stop, progress, solved->weights_, solved->patches_,
+            solved->findings_) == Completion::Stopped) {
     return nullptr;
   }
   if (stop.stop_requested()) return nullptr;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "hexoderm/reconstruction/patch/patch_solver.h"
+#include "hexoderm/reconstruction/solve_progress.h"
 
 #include <memory>
 #include <span>
@@ -25,7 +26,8 @@ class SolvedSkin {
 
  private:
   friend std::unique_ptr<const SolvedSkin> solveSkin(const SessionSnapshot& snapshot, const SolverOptions& options,
-                                                     const Reconstruction* earlier, const std::stop_token& stop);
+                                                     const Reconstruction* earlier, const std::stop_token& stop,
+                                                     SolveProgress* progress);
 
   std::vector<Finding> findings_;
   SkinLinks skin_;
@@ -35,6 +37,7 @@ class SolvedSkin {
 
 /// The steps of reconstruct() up to the description, with its arguments; null if it was stopped.
 std::unique_ptr<const SolvedSkin> solveSkin(const SessionSnapshot& snapshot, const SolverOptions& options,
-                                            const Reconstruction* earlier = nullptr, const std::stop_token& stop = {});
+                                            const Reconstruction* earlier = nullptr, const std::stop_token& stop = {},
+                                            SolveProgress* progress = nullptr);
 
 }  // namespace hexoderm

@@ -2,6 +2,8 @@
 
 namespace hexoderm {
 
+bool isSimulated(const SourceDescription& source) { return source.text.english().starts_with("Simulated "); }
+
 Session beginSimulatedSession(const SimulatedSkin& skin) {
   Session session(skin.model(), skin.neighbors(), {skin.description(), {}, {}});
   session.setTruth(skin.groundTruth());

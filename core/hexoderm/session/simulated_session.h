@@ -6,6 +6,9 @@
 
 namespace hexoderm {
 
+/// What a simulated skin or robot says of itself begins so, also in files and over a wire: nothing real was measured.
+bool isSimulated(const SourceDescription& source);
+
 /// A session without poses on a simulated skin: its model, neighbours, description and truth.
 Session beginSimulatedSession(const SimulatedSkin& skin);
 

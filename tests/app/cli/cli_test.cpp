@@ -192,6 +192,18 @@ TEST_F(Cli, AVerdictOfNotEnoughEndsWithOneAndStillWrites) {
   EXPECT_EQ(readCalibrationJson(path("one.calibration.json"))->assessment.level, VerdictLevel::NotEnough);
 }
 
+TEST_F(Cli, TheVerdictIsSaidOnce) {
+  run("simulate --poses 4 -o four.session.json");
+  const std::string out = run("solve four.session.json -o four.calibration.json").out;
+  const std::size_t line = out.find("Verdict: ");
+  ASSERT_NE(line, std::string::npos) << out;
+  const std::string verdict = out.substr(line, out.find('\n', line) - line);
+  const bool is_good = verdict.starts_with("Verdict: good, ±");
+  EXPECT_TRUE(is_good || verdict.starts_with("Verdict: usable, ±")) << verdict;
+  EXPECT_EQ(verdict.find("Good"), std::string::npos) << verdict;
+  EXPECT_EQ(verdict.find("Usable"), std::string::npos) << verdict;
+}
+
 TEST_F(Cli, UsageEndsWithTwo) {
   EXPECT_EQ(run("").exit_code, 2);
   EXPECT_EQ(run("frobnicate").exit_code, 2);

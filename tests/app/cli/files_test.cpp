@@ -12,6 +12,7 @@
 #include <sys/sysmacros.h>
 
 #include <algorithm>
+#include <cstdlib>
 #include <fstream>
 
 namespace hexoderm {
@@ -52,6 +53,19 @@ void expectOneLine(const Outcome& outcome, int exit_code) {
   const bool is_plain = std::ranges::all_of(
       outcome.err, [](char c) { return c == '\n' || (static_cast<unsigned char>(c) >= 0x20 && c != '\x7f'); });
   EXPECT_TRUE(is_plain) << "a control character";
+}
+
+TEST_F(CliFiles, AnExportWhoseNameEndsInZipIsAnArchiveThatAnotherProgramReads) {
+  for (const std::string formats : {"ply", "urdf,csv"}) {
+    const Outcome exported = run("export arm.calibration.json --to " + formats + " -o arm.zip");
+    EXPECT_EQ(exported.exit_code, 0) << exported.err;
+    EXPECT_THAT(exported.out, HasSubstr("Written and read back: arm.zip"));
+    const std::string command =
+        "python3 -c \"import sys, zipfile; archive = zipfile.ZipFile(sys.argv[1]); "
+        "sys.exit(archive.testzip() is not None or 'arm/manifest.json' not in archive.namelist())\" '" +
+        path("arm.zip") + "'";
+    EXPECT_EQ(std::system(command.c_str()), 0) << formats;
+  }
 }
 
 TEST_F(CliFiles, DashIsStandardOutput) {

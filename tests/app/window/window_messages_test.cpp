@@ -70,7 +70,7 @@ TEST_F(WindowMessagesTest, WhatShakesIsNamedWithItsValueAndTheLimit) {
       << text("captureWait").toStdString();
   ASSERT_TRUE(waitForRing("Hold still")) << ring().toStdString();
   EXPECT_EQ(controller().session()->poses().size(), 0U);
-  EXPECT_EQ(action("actionCapture")->text().remove('&'), "Capture anyway");
+  EXPECT_EQ(action("actionCapture")->text().remove('&'), "Capture now");
   EXPECT_TRUE(action("actionCapture")->isEnabled());
   keepPicture(window_->picture(), "waits-for-stillness");
 }

@@ -18,6 +18,7 @@
 #include <QDoubleSpinBox>
 #include <QFileInfo>
 #include <QHeaderView>
+#include <QScrollArea>
 #include <QTabBar>
 #include <QToolButton>
 
@@ -84,7 +85,7 @@ TEST_F(WindowVerifyTest, HoldsAPoseOutAndSaysHowWellTheOthersForetellIt) {
   ASSERT_TRUE(inPanel<QPushButton>("holdOutRun")->isEnabled());
   inPanel<QComboBox>("holdOutPose")->setCurrentIndex(2);
   click(inPanel<QPushButton>("holdOutRun"));
-  ASSERT_TRUE(waitForSentence("holdOut", "The other 5 poses foretell pose 3")) << sentence("holdOut").toStdString();
+  ASSERT_TRUE(waitForSentence("holdOut", "The other 5 poses predict pose 3")) << sentence("holdOut").toStdString();
   EXPECT_TRUE(sentence("holdOut").startsWith("As good as stated")) << sentence("holdOut").toStdString();
   auto* table = inPanel<QTableView>("holdOutTable");
   EXPECT_EQ(table->model()->rowCount(), 17);
@@ -107,7 +108,7 @@ TEST_F(WindowVerifyTest, LoopsSurfaceAndTheTrueRadiusAreJudgedAsPosesCome) {
   ASSERT_TRUE(drawn && drawn->radius_m);
   EXPECT_NEAR(*drawn->radius_m, 0.0501, 0.005);
   inPanel<QDoubleSpinBox>("surfaceRadius")->setValue(50.1);
-  ASSERT_TRUE(waitForSentence("surface", "eq. 21"));
+  ASSERT_TRUE(waitForSentence("surface", "off the true one"));
   EXPECT_NEAR(drawn->delta_m.value_or(1), *drawn->radius_m - 0.0501, 1e-12);
 
   // With another pose it is fitted again.
@@ -160,7 +161,7 @@ TEST_F(WindowVerifyTest, ComparesWithAnEarlierCalibrationAndSaysWhatIsWrongWithA
   auto* choose = inPanel<QPushButton>("comparisonChoose");
   ASSERT_TRUE(choose->isEnabled());
   activateWindow();
-  window_->findChild<StepPanel*>()->ensureWidgetVisible(choose);
+  find<QScrollArea>("checksArea")->ensureWidgetVisible(choose);
   QCoreApplication::processEvents();
   click(choose);
   ASSERT_NO_FATAL_FAILURE(typeIntoFileDialog("comparisonDialog", path));
@@ -204,7 +205,7 @@ TEST_F(WindowVerifyTest, AnOldCalibrationIsComparedWithThePosesOfToday) {
   auto* choose = inPanel<QPushButton>("oldCalibrationChoose");
   ASSERT_TRUE(choose->isEnabled());
   activateWindow();
-  window_->findChild<StepPanel*>()->ensureWidgetVisible(choose);
+  find<QScrollArea>("checksArea")->ensureWidgetVisible(choose);
   QCoreApplication::processEvents();
   choose->setFocus();
   QTest::keyClick(choose, Qt::Key_Space);

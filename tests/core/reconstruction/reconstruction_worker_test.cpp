@@ -207,6 +207,19 @@ TEST(ReconstructionWorker, ACancelledReconstructionLeavesNothingAndTheNextIsWhol
   ASSERT_NE(solve(*snapshotOf(2), {}, {}), nullptr);
 }
 
+TEST(ReconstructionWorker, TellsHowFarItIs) {
+  const auto progress = std::make_shared<SolveProgress>();
+  const ReconstructionWorker::Solve solve = ReconstructionWorker::startingFromTheLast(progress);
+  const auto result = solve(*snapshotOf(1), {}, {});
+  ASSERT_NE(result, nullptr);
+  EXPECT_EQ(progress->stage(), SolveStage::Figures) << "the last stage";
+  EXPECT_EQ(progress->patches(), result->patches.size());
+  std::stop_source cancelled;
+  cancelled.request_stop();
+  EXPECT_EQ(solve(*snapshotOf(2), {}, cancelled.get_token()), nullptr);
+  EXPECT_NE(progress->stage(), SolveStage::Figures) << "it began anew, and did not come so far";
+}
+
 TEST(ReconstructionWorker, GoesAwayWithoutEverHavingWorked) {
   Outcomes outcomes;
   { const ReconstructionWorker worker(outcomes.report()); }

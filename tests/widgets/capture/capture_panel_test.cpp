@@ -60,7 +60,7 @@ class CapturePanelTest : public testing::Test {
   HoldRing* ring() { return panel.findChild<HoldRing*>(); }
 
   QAction automatic{QStringLiteral("Capture by itself when still")};
-  QAction capture{QStringLiteral("Capture anyway")};
+  QAction capture{QStringLiteral("Capture now")};
   QAction skip{QStringLiteral("Skip this pose")};
   QAction turn{QStringLiteral("Turn the part for me")};
   CapturePanel panel{{&automatic, &capture, &skip, &turn}};

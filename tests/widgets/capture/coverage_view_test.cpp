@@ -173,8 +173,11 @@ TEST_F(CoverageViewTest, NamesNoOtherCellWhereTheNextPoseGivesWhatIsMissing) {
   EXPECT_TRUE(view.accessibleDescription().contains(
       QStringLiteral("A third direction is missing (value 0.00, needs 0.50); the next pose is one.")))
       << view.accessibleDescription().toStdString();
-  view.setNext(Eigen::Vector3d(1, 1, 0).normalized());  // helps otherwise
-  EXPECT_TRUE(view.accessibleDescription().contains(QStringLiteral("facing the ceiling or the floor")));
+  view.setNext(Eigen::Vector3d(1, 1, 0).normalized());  // helps otherwise: no second instruction beside it
+  EXPECT_TRUE(view.accessibleDescription().contains(
+      QStringLiteral("A third direction is not seen yet: its value is 0.00, of 0.50.")))
+      << view.accessibleDescription().toStdString();
+  EXPECT_FALSE(view.accessibleDescription().contains(QStringLiteral("facing the ceiling or the floor")));
   view.setNext(Eigen::Vector3d::UnitZ());
   view.setNext(std::nullopt);
   EXPECT_TRUE(view.accessibleDescription().contains(QStringLiteral("facing the ceiling or the floor")));

@@ -11,12 +11,14 @@ namespace {
 SceneColors threeSteps() {
   SceneColors colors;
   colors.quality = {{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {1, 1, 0}}};
-  colors.neutral = {0.5, 0.5, 0.5};
-  colors.scale = {{0, 0, 0}, {0.5, 0, 0}, {1, 0, 0}};
+  colors.no_data = {0.5, 0.5, 0.5};
+  colors.scale = {{{0, 0, 0}, {0.5, 0, 0}, {1, 0, 0}}, {0, 0, 0.2}, {1, 1, 1}};
+  colors.signed_scale = {{{0, 1, 0}, {0.5, 0.5, 0.5}, {0, 0, 1}}, {0, 0.2, 0}, {1, 1, 1}};
+  colors.classes = {{0.1, 0.2, 0.3}, {0.4, 0.5, 0.6}};
   return colors;
 }
 
-TEST(CellColors, QuantitiesLieOnScalesWithFixedEnds) {
+TEST(CellColors, QuantitiesLieOnTheirScalesAndWhatIsBeyondIsSeen) {
   Reconstruction demo = demoReconstruction();
   demo.patches[0].cells[0].cov_t_r = Matrix6d::Zero();
   demo.patches[0].cells[1].cov_t_r = Matrix6d::Identity() * 1e-6;  // 1 mm, 0.06 deg
@@ -26,12 +28,32 @@ TEST(CellColors, QuantitiesLieOnScalesWithFixedEnds) {
   EXPECT_EQ(values[0], 0);
   EXPECT_NEAR(values[1].value_or(0), 1.96, 1e-6);
   EXPECT_EQ(values[3], std::nullopt);
-  EXPECT_EQ(colorRange(Coloring::PositionUncertainty, values).high, 6) << "the same for every skin";
-  const std::vector<Rgb> colors = cellColors(Coloring::PositionUncertainty, figures, {}, threeSteps());
+  const auto colored = [&](const ColorRange& range) {
+    return cellColors(Coloring::PositionUncertainty, figures, {}, range, threeSteps());
+  };
+  const std::vector<Rgb> colors = colored({0, 6});
   EXPECT_EQ(colors[0], (Rgb{0, 0, 0}));
   EXPECT_NEAR(colors[1][0], 1.96 / 6, 1e-6);
-  EXPECT_EQ(colors[2], (Rgb{1, 0, 0})) << "beyond the end is the end";
-  EXPECT_EQ(colors[3], threeSteps().neutral) << "nothing is known";
+  EXPECT_EQ(colors[2], (Rgb{1, 1, 1})) << "beyond the end is no end";
+  EXPECT_EQ(colors[3], threeSteps().no_data) << "nothing is known";
+  EXPECT_EQ(colored({1, 6})[0], threeSteps().scale.below);
+  EXPECT_NEAR(colored({0, 1960})[2][0], 1, 1e-3) << "an end is not beyond";
+}
+
+TEST(CellColors, SignedValuesHaveAMapWithAMiddle) {
+  Reconstruction demo = demoReconstruction();
+  for (LinkEstimate& link : demo.patches[0].links) link.bend_rad = 0;
+  demo.patches[0].links[0].bend_rad = -20 * kDegree;  // cells 1 and 2
+  const CellFigures figures = makeCellFigures(demo);
+  const std::vector<Rgb> colors = cellColors(Coloring::Bend, figures, {}, {-20, 20}, threeSteps());
+  EXPECT_NEAR(colors[1][1], 1, 1e-9);
+  EXPECT_NEAR(colors[16][1], 0.5, 1e-9);
+  for (const ColoringRow& row : coloringTable()) {
+    if (!isQuantity(row.coloring)) continue;
+    const bool is_signed = row.coloring == Coloring::Bend || row.coloring == Coloring::Twist ||
+                           row.coloring == Coloring::SurfaceDistance || isReading(row.coloring);
+    EXPECT_EQ(row.center.has_value(), is_signed && row.coloring != Coloring::Temperature) << row.name;
+  }
 }
 
 TEST(CellColors, ReadingsAreThoseOfEachCell) {
@@ -45,9 +67,9 @@ TEST(CellColors, ReadingsAreThoseOfEachCell) {
   EXPECT_EQ(cellValues(Coloring::ReadingZ, figures, readings)[1], -0.8);
   EXPECT_EQ(cellValues(Coloring::ReadingNorm, figures, readings)[1], 1.0);
   EXPECT_EQ(cellValues(Coloring::ReadingNorm, figures, readings)[0], std::nullopt);
-  const std::vector<Rgb> colors = cellColors(Coloring::Temperature, figures, readings, threeSteps());
+  const std::vector<Rgb> colors = cellColors(Coloring::Temperature, figures, readings, {15, 45}, threeSteps());
   EXPECT_NEAR(colors[1][0], 0.5, 1e-9);
-  EXPECT_EQ(colors[0], threeSteps().neutral);
+  EXPECT_EQ(colors[0], threeSteps().no_data);
 }
 
 TEST(CellColors, CategoriesHaveColoursOfTheirOwn) {
@@ -56,10 +78,10 @@ TEST(CellColors, CategoriesHaveColoursOfTheirOwn) {
   demo.patches[0].cells[1].body_part = "arm";
   demo.patches[0].links[0].quality = EdgeQuality::Undefined;
   const CellFigures figures = makeCellFigures(demo);
-  const std::vector<Rgb> by_part = cellColors(Coloring::BodyPart, figures, {}, threeSteps());
+  const std::vector<Rgb> by_part = cellColors(Coloring::BodyPart, figures, {}, {}, threeSteps());
   EXPECT_NE(by_part[0], by_part[1]);
-  EXPECT_EQ(by_part[2], threeSteps().neutral);
-  const std::vector<Rgb> by_class = cellColors(Coloring::LinkQuality, figures, {}, threeSteps());
+  EXPECT_EQ(by_part[2], threeSteps().no_data);
+  const std::vector<Rgb> by_class = cellColors(Coloring::LinkQuality, figures, {}, {}, threeSteps());
   EXPECT_EQ(by_class[0], threeSteps().quality[0]);
   EXPECT_EQ(by_class[2], threeSteps().quality[2]);
   EXPECT_FALSE(isQuantity(Coloring::BodyPart));

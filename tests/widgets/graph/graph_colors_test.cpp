@@ -4,6 +4,8 @@
 #include "tests/support/qt_wait.h"
 #include "tests/widgets/graph/graph_view_fixture.h"
 #include "widgets/coloring/coloring_words.h"
+#include "widgets/coloring/scale_ranges.h"
+#include "widgets/style/color_maps.h"
 
 #include <QAction>
 #include <QClipboard>
@@ -54,25 +56,35 @@ int markedPixels(const QImage& image, const QRect& area) {
   return count;
 }
 
-TEST_F(GraphColorsTest, LinksAreColouredByAFigureOnAnAbsoluteScale) {
+QColor beyond(const ColorMap& map) { return toQColor(map.above); }
+
+TEST_F(GraphColorsTest, LinksAreColouredByAFigureOnAScaleThatShowsWhatLiesBeyondIt) {
   show(withFigures());
-  for (const Coloring coloring : {Coloring::Residual, Coloring::Bend}) {
-    view_.setColoring(coloring);
-    EXPECT_GT(countColor(image(), linkTo9(), 5, viridis(1)), 8) << "beyond the end of the scale";
-    EXPECT_EQ(countColor(image(), linkTo2(), 5, viridis(1)), 0);
-  }
-  view_.setColoring(Coloring::Residual);  // 0.3 of 2 degrees
-  EXPECT_GT(countColor(image(), linkTo2(), 5, viridis(0.15)), 4);
+  view_.setColoring(Coloring::Residual);
+  EXPECT_GT(countColor(image(), linkTo9(), 5, beyond(sequentialMap(Theme::Light))), 8) << "far from all others";
+  EXPECT_EQ(countColor(image(), linkTo2(), 5, beyond(sequentialMap(Theme::Light))), 0);
+  view_.setColoring(Coloring::Bend);
+  EXPECT_GT(countColor(image(), linkTo9(), 5, toQColor(divergingMap(Theme::Light).below)), 8) << "bent the other way";
+  view_.setColoring(Coloring::Residual);
+  ScaleRanges ranges;
+  view_.setScaleRanges(&ranges);
+  ranges.fix(Coloring::Residual, {0, 2});  // 0.3 of 2 degrees: step 3 of 24
+  EXPECT_GT(countColor(image(), linkTo2(), 5, toQColor(onScale(sequentialMap(Theme::Light).steps, 3.0 / 23))), 4);
+  ranges.fix(Coloring::Residual, {0, 100});
+  EXPECT_EQ(countColor(image(), linkTo9(), 5, beyond(sequentialMap(Theme::Light))), 0);
   view_.setColoring(Coloring::LinkQuality);
   EXPECT_GT(countColor(image(), linkTo2(), 5, linkStroke(EdgeQuality::Fully, Theme::Light).color), 8);
 }
 
 TEST_F(GraphColorsTest, CellsAreColouredByTheirUncertaintyAndLinksGoGrey) {
   show(withFigures());
-  for (const Coloring coloring : {Coloring::PositionUncertainty, Coloring::OrientationUncertainty}) {
+  // All others are alike: 0.196 mm on a scale from 0.145 to 0.250, 0.011 degrees on one from 0 to 0.1.
+  for (const auto& [coloring, step] :
+       {std::pair(Coloring::PositionUncertainty, 11), std::pair(Coloring::OrientationUncertainty, 3)}) {
     view_.setColoring(coloring);
-    EXPECT_GT(countColor(image(), cell(9), 12, viridis(1)), 60);
-    EXPECT_GT(countColor(image(), cell(13), 12, viridis(0)), 60);
+    EXPECT_GT(countColor(image(), cell(9), 12, beyond(sequentialMap(Theme::Light))), 60);
+    const Rgb color = onScale(sequentialMap(Theme::Light).steps, step / 23.0);
+    EXPECT_GT(countColor(image(), cell(13), 12, toQColor(color)), 60) << step;
     EXPECT_EQ(countColor(image(), linkTo2(), 5, linkStroke(EdgeQuality::Fully, Theme::Light).color), 0);
   }
   show(sampleX17());  // states no uncertainty
@@ -82,11 +94,11 @@ TEST_F(GraphColorsTest, CellsAreColouredByTheirUncertaintyAndLinksGoGrey) {
 TEST_F(GraphColorsTest, CellsAreColouredByPatchAndByHowTheyWerePlaced) {
   show(sampleTwoPatches());
   view_.setColoring(Coloring::Patch);
-  EXPECT_GT(countColor(image(), cell(2), 12, viridis(0.25)), 60);
-  EXPECT_GT(countColor(image(), cell(23), 12, viridis(0.75)), 60);
+  EXPECT_GT(countColor(image(), cell(2), 12, toQColor(classColors(Theme::Light)[0])), 60);
+  EXPECT_GT(countColor(image(), cell(23), 12, toQColor(classColors(Theme::Light)[1])), 60);
   view_.setColoring(Coloring::PlacedBy);
-  EXPECT_GT(countColor(image(), cell(22), 12, viridis(0.25)), 60) << "placed by its links";
-  EXPECT_GT(countColor(image(), cell(21), 12, viridis(0.75)), 60);
+  EXPECT_GT(countColor(image(), cell(22), 12, toQColor(classColors(Theme::Light)[1])), 60) << "placed by its links";
+  EXPECT_GT(countColor(image(), cell(21), 12, toQColor(classColors(Theme::Light)[0])), 60);
 }
 
 TEST_F(GraphColorsTest, BodyPartsCanBeChosenWhereTheyAreKnown) {
@@ -101,8 +113,8 @@ TEST_F(GraphColorsTest, BodyPartsCanBeChosenWhereTheyAreKnown) {
   EXPECT_TRUE(colorAction("body part")->isEnabled());
   colorAction("body part")->trigger();
   EXPECT_EQ(view_.coloring(), Coloring::BodyPart);
-  EXPECT_GT(countColor(image(), cell(2), 12, viridis(0.25)), 60);
-  EXPECT_GT(countColor(image(), cell(23), 12, viridis(0.75)), 60);
+  EXPECT_GT(countColor(image(), cell(2), 12, toQColor(classColors(Theme::Light)[0])), 60);
+  EXPECT_GT(countColor(image(), cell(23), 12, toQColor(classColors(Theme::Light)[1])), 60);
 }
 
 TEST_F(GraphColorsTest, TheButtonSaysWhatTheColoursShowAndItsMenuChangesIt) {

@@ -10,7 +10,10 @@
 #include "widgets/scene/scene_ghost.h"
 
 #include <gtest/gtest.h>
+#include <vtkCallbackCommand.h>
 #include <vtkCamera.h>
+#include <vtkCommand.h>
+#include <vtkGenericOpenGLRenderWindow.h>
 #include <vtkNew.h>
 #include <QElapsedTimer>
 #include <QTest>
@@ -93,7 +96,7 @@ class PartMotionTest : public testing::Test {
   void drag(const QPoint& by, Qt::KeyboardModifiers keys = {}, int steps = 10) {
     const QPoint from = canvas->rect().center();
     QTest::mousePress(canvas, Qt::LeftButton, keys, from);
-    for (int k = 1; k <= steps; ++k) QTest::mouseMove(canvas, from + by * k / steps);
+    for (int k = 1; k <= steps; ++k) test::dragMouseTo(canvas, from + by * k / steps, Qt::LeftButton, keys);
     QTest::mouseRelease(canvas, Qt::LeftButton, keys, from + by);
   }
   /// Waits for a request, also for one that is still held back, that turns the part so far away from `up`.
@@ -137,6 +140,42 @@ TEST_F(PartMotionTest, TremorDoesNotMoveThePicture) {
   const QImage before = view.screenshot();
   turnTo(Eigen::Vector3d(0.001, 1, 0.0005).normalized());
   EXPECT_EQ(view.screenshot(), before);
+}
+
+/// Counts the pictures that are drawn.
+class PictureCounter {
+ public:
+  explicit PictureCounter(SceneWidget& canvas) {
+    command_->SetClientData(&count_);
+    command_->SetCallback([](vtkObject*, unsigned long, void* count, void*) { ++*static_cast<int*>(count); });
+    canvas.renderWindow()->AddObserver(vtkCommand::StartEvent, command_);
+  }
+  [[nodiscard]] int count() const { return count_; }
+
+ private:
+  int count_ = 0;
+  vtkNew<vtkCallbackCommand> command_;
+};
+
+TEST_F(PartMotionTest, APartThatIsHeldIsNotDrawnAgainAndAgain) {
+  show();
+  std::mt19937 random(3);
+  std::normal_distribution<double> tremor(0, 0.5 * kDegree);
+  const auto hold = [&](int readings) {
+    for (int k = 0; k < readings; ++k) {
+      turnTo(expSO3(Eigen::Vector3d(tremor(random), tremor(random), tremor(random))) * Eigen::Vector3d::UnitY());
+      moment.readings = readingsOf({{CellId(1), {0.01 * k, 0, 1}}});
+      view.setMoment(moment);
+      test::letTurnsPass();
+    }
+  };
+  hold(20);  // until it has come to rest
+  const PictureCounter drawn(*canvas);
+  hold(60);
+  const int at_rest = drawn.count();
+  EXPECT_LT(at_rest, 6);
+  turnTo(Eigen::Vector3d::UnitX());
+  EXPECT_TRUE(test::waitUntil([&] { return drawn.count() > at_rest; })) << "the part was turned";
 }
 
 TEST_F(PartMotionTest, GoingRoundAndBackGivesTheSamePicture) {

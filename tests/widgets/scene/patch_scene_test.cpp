@@ -5,9 +5,6 @@
 #include "hexoderm/util/units.h"
 #include "tests/support/hand_made_skins.h"
 
-#include <vtkBillboardTextActor3D.h>
-#include <vtkPropCollection.h>
-#include <vtkTextProperty.h>
 #include <cmath>
 #include <optional>
 
@@ -176,35 +173,6 @@ TEST_F(PatchSceneTest, NumbersAppearOnFacesThatLookAtTheCameraOnly) {
       ASSERT_EQ(p[0], q[0]);
     }
   }
-}
-
-TEST_F(PatchSceneTest, ANumberWithALittleTooLittleRoomIsWrittenInTheSmallestLetters) {
-  DemoOptions options;
-  options.arm_cells = 0;
-  const Reconstruction single = demoReconstruction(options);
-  scene.setTextVisible(true);
-  scene.setReconstruction(shared(single));
-  scene.showStandardView(PatchScene::View::Front);
-  window->Render();
-  // The size of the number's letters if there is room for `letters_px`; none if it is not shown.
-  const auto fontFor = [&](double letters_px) -> std::optional<int> {
-    vtkCamera* camera = scene.renderer()->GetActiveCamera();
-    const double pixels_at_one_m = 0.5 * kHeight / std::tan(0.5 * camera->GetViewAngle() * kDegree);
-    const Eigen::Vector3d face = single.patches[0].cells[0].T_o_u.t;
-    camera->SetFocalPoint(face.data());
-    camera->SetPosition(face.x(), face.y(), face.z() + 0.52 * single.model->side_m * pixels_at_one_m / letters_px);
-    window->Render();
-    vtkPropCollection* props = scene.renderer()->GetViewProps();
-    props->InitTraversal();
-    while (vtkProp* prop = props->GetNextProp()) {
-      auto* text = vtkBillboardTextActor3D::SafeDownCast(prop);
-      if (text != nullptr && text->GetVisibility() != 0) return text->GetTextProperty()->GetFontSize();
-    }
-    return std::nullopt;
-  };
-  EXPECT_EQ(fontFor(12.5), 12);
-  EXPECT_EQ(fontFor(6), 8);
-  EXPECT_EQ(fontFor(4), std::nullopt);
 }
 
 }  // namespace

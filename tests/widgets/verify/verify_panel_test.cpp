@@ -19,6 +19,7 @@
 #include <QTableView>
 #include <QTest>
 #include <QToolButton>
+#include <set>
 
 namespace hexoderm {
 namespace {
@@ -189,7 +190,7 @@ TEST_F(VerifyPanelTest, HoldOutHasAVerdictAndFiguresThatPick) {
   panel_->setReconstruction(skin());
   panel_->showHoldOut(heldOut(HoldOutAgreement::AsStated, 0.4));
   EXPECT_EQ(sentence("holdOut"),
-            "As good as stated. The other 5 poses foretell pose 3 to 0.40° (rms over 17 cells); 0.50° were expected.");
+            "As good as stated. The other 5 poses predict pose 3 to 0.40° (rms over 17 cells); 0.50° were expected.");
   HoldOutResult coarse = heldOut(HoldOutAgreement::AsStated, 0.4);
   coarse.detectable_rad = 5 * kDegree;
   coarse.coarse = true;
@@ -323,7 +324,7 @@ TEST_F(VerifyPanelTest, ASurfaceThatTheCellsContradictIsNotTickedAlthoughTheyLie
   sphere.better = std::make_shared<const SurfaceEvaluation>(cylinder());
   panel_->showSurfaces({sphere}, {});
   EXPECT_THAT(sentence("surface"), testing::Not(testing::HasSubstr("That is within")));
-  EXPECT_THAT(sentence("surface"), testing::HasSubstr("the cells face 36.80° (rms) away from it"));
+  EXPECT_THAT(sentence("surface"), testing::HasSubstr("the cells are tilted against it by 36.80° (rms)"));
   EXPECT_THAT(sentence("surface"), testing::HasSubstr("Cylinder, radius 50.30 mm, with 1.00°"));
 }
 
@@ -337,8 +338,8 @@ TEST_F(VerifyPanelTest, SurfacesAreJudgedByWhatIsStated) {
   panel_->showSurfaces({surface}, {});
   EXPECT_EQ(sentence("surface"),
             "Cylinder, radius 50.30 mm: 17 cell centres lie within 0.42 mm (rms) of it; the worst is cell 12, 0.90 mm. "
-            "That is within the ±1.20 mm stated for positions (95 %). Against the true radius: Δ = 0.20 mm (eq. 20), ε "
-            "= 0.47 mm (eq. 21).");
+            "That is within the ±1.20 mm stated for positions (95 %). The radius is off the true one by Δ = 0.20 mm, "
+            "and the cells lie ε = 0.47 mm (rms) off the true surface.");
   EXPECT_TRUE(shown.has_value());
   panel_->showFailure(VerifyCheck::Surface, "cylinder fit: the points lie in a plane");
   EXPECT_EQ(sentence("surface"), "cylinder fit: the points lie in a plane");
@@ -402,7 +403,8 @@ TEST_F(VerifyPanelTest, ComparisonSaysWhetherItRepeatsAsStated) {
   EXPECT_EQ(
       sentence("comparison"),
       "Within what was stated for 95 % of cells. Against old.calibration.json, after alignment: 0.50 mm and 0.40° "
-      "rms over 16 cells. Of 16 cells, 16 lie and 16 point within what was stated with 95 %.");
+      "rms over 16 cells. Of 16 cells, 16 have their position and 16 their orientation within what was "
+      "stated with 95 %.");
   for (std::size_t k = 0; k < 3; ++k) comparison.cells[k].position_m *= 10;
   panel_->showComparison({comparison}, "old.calibration.json");
   EXPECT_THAT(sentence("comparison"), testing::StartsWith("Further apart than what was stated"));
@@ -571,7 +573,7 @@ TEST_F(VerifyPanelTest, WhatFailsTakesItsEarlierResultOutOfTheOtherViews) {
   EXPECT_TRUE(comparisons.empty());
 }
 
-TEST_F(VerifyPanelTest, FitsTheColumnOfStepsInBothThemes) {
+TEST_F(VerifyPanelTest, FitsBesideThe3DViewOfASmallWindowInBothThemes) {
   panel_->setReconstruction(skin());
   panel_->showHoldOut(heldOut(HoldOutAgreement::Worse, 0.9));
   panel_->showLoops({loop(false, 0.0034), loop(true, 0.0012)});
@@ -583,9 +585,25 @@ TEST_F(VerifyPanelTest, FitsTheColumnOfStepsInBothThemes) {
   for (const Theme theme : {Theme::Light, Theme::Dark}) {
     setTheme(theme);
     QCoreApplication::processEvents();
-    EXPECT_LE(panel_->minimumSizeHint().width(), 250);
+    EXPECT_LE(panel_->minimumSizeHint().width(), 280);
     keep(theme == Theme::Light ? "verify-panel-light" : "verify-panel-dark");
   }
+}
+
+TEST_F(VerifyPanelTest, HasSeveralColumnsWhereThereIsRoom) {
+  panel_->setReconstruction(skin());
+  const auto columns = [this] {
+    QCoreApplication::processEvents();
+    std::set<int> lefts;
+    for (const char* name : {"holdOut", "loops", "surface", "caliper", "comparison", "oldCalibration"}) {
+      lefts.insert(find<QWidget>(name)->x());
+    }
+    return lefts.size();
+  };
+  EXPECT_EQ(columns(), 1U);
+  scroll_.resize(1500, 640);
+  ASSERT_TRUE(test::waitUntil([this] { return scroll_.width() == 1500; }));
+  EXPECT_GE(columns(), 2U);
 }
 
 }  // namespace

@@ -17,6 +17,17 @@ Uncertainty95 worseOf(const Uncertainty95& a, const Uncertainty95& b) {
   return {std::max(a.position_m, b.position_m), std::max(a.orientation_rad, b.orientation_rad)};
 }
 
+/// The measured cells, or all where none was measured.
+std::vector<const CellPlacement*> countedCells(const PatchReconstruction& patch) {
+  const auto measured = [](const CellPlacement& cell) { return cell.placed_by == PlacedBy::Samples; };
+  const bool any_measured = std::ranges::any_of(patch.cells, measured);
+  std::vector<const CellPlacement*> cells;
+  for (const CellPlacement& cell : patch.cells) {
+    if (!any_measured || measured(cell)) cells.push_back(&cell);
+  }
+  return cells;
+}
+
 Uncertainty95 worstUncertainty(const Reconstruction& r) {
   Uncertainty95 worst;
   for (const PatchReconstruction& patch : r.patches) worst = worseOf(worst, worstUncertainty(patch));
@@ -172,23 +183,18 @@ class Assessor {
   }
 
   void sayReason() {
-    const Message spread = plusMinus(worst_);
+    const Message spread = spreadInWords();
     const Message poses = posesInWords(poses_);
-    // Cells that are placed through their links are not counted in, and are less sure.
-    const bool all_measured = measuredCells(r_) == r_.cellCount();
     switch (result_.level) {
       case VerdictLevel::Good:
-        result_.reason = message("Good: {} at the worst cell (95 %), {}.", spread, poses);
+        result_.reason = message("Good: {}, {}.", spread, poses);
         break;
       case VerdictLevel::Usable:
-        result_.reason = all_measured ? message("Usable: {} at the worst cell (95 %), {}.", spread, poses)
-                                      : message("Usable: {} at the worst measured cell (95 %), {}.", spread, poses);
+        result_.reason = message("Usable: {}, {}.", spread, poses);
         break;
       default:
         result_.reason = poses_ == 0 ? message("Not enough: no pose yet. The shape shown follows from the ports alone.")
-                         : all_measured
-                             ? message("Not enough: {} at the worst cell (95 %), {}.", spread, poses)
-                             : message("Not enough: {} at the worst measured cell (95 %), {}.", spread, poses);
+                                     : message("Not enough: {}, {}.", spread, poses);
     }
     std::vector<Message> sentences = {result_.reason};
     if (result_.limit == Limit::Readings) {
@@ -203,6 +209,16 @@ class Assessor {
     }
     if (finding_ != nullptr && poses_ > 0) sentences.push_back(finding_->message);
     if (sentences.size() > 1) result_.reason = inRow(std::move(sentences));
+  }
+
+  /// "±1.2 mm, ±0.4° (95 %, worst: cell 16)".
+  [[nodiscard]] Message spreadInWords() const {
+    const Message spread = plusMinus(worst_);
+    const std::vector<CellId> cells = worstCells(r_);
+    if (cells.empty()) return message("{} (95 %)", spread);
+    // Cells that are placed through their links are not counted in, and are less sure.
+    return measuredCells(r_) == r_.cellCount() ? message("{} (95 %, worst: {})", spread, cellsInWords(cells))
+                                               : message("{} (95 %, worst measured: {})", spread, cellsInWords(cells));
   }
 
   [[nodiscard]] Message posesToRetake() const {
@@ -266,14 +282,30 @@ const Finding* worstFinding(const Reconstruction& r) {
 }
 
 Uncertainty95 worstUncertainty(const PatchReconstruction& patch) {
-  const auto measured = [](const CellPlacement& cell) { return cell.placed_by == PlacedBy::Samples; };
-  const bool any_measured = std::ranges::any_of(patch.cells, measured);
   Uncertainty95 worst;
-  for (const CellPlacement& cell : patch.cells) {
-    if (any_measured && !measured(cell)) continue;
-    if (const std::optional<Uncertainty95> known = uncertaintyOf(cell)) worst = worseOf(worst, *known);
+  for (const CellPlacement* cell : countedCells(patch)) {
+    if (const std::optional<Uncertainty95> known = uncertaintyOf(*cell)) worst = worseOf(worst, *known);
   }
   return worst;
+}
+
+std::vector<CellId> worstCells(const Reconstruction& r) {
+  const CellPlacement* position = nullptr;
+  const CellPlacement* orientation = nullptr;
+  Uncertainty95 worst;
+  for (const PatchReconstruction& patch : r.patches) {
+    for (const CellPlacement* cell : countedCells(patch)) {
+      const std::optional<Uncertainty95> known = uncertaintyOf(*cell);
+      if (!known) continue;
+      if (known->position_m > worst.position_m) position = cell;
+      if (known->orientation_rad > worst.orientation_rad) orientation = cell;
+      worst = worseOf(worst, *known);
+    }
+  }
+  std::vector<CellId> cells;
+  if (position != nullptr) cells.push_back(position->cell);
+  if (orientation != nullptr && orientation != position) cells.push_back(orientation->cell);
+  return cells;
 }
 
 std::optional<Finding> describeTooFewDirections(const Reconstruction& r) {

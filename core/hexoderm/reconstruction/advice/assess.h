@@ -17,6 +17,10 @@ const Finding* worstFinding(const Reconstruction& reconstruction);
 /// own. Of all cells if none was measured.
 Uncertainty95 worstUncertainty(const PatchReconstruction& patch);
 
+/// The cells that this is the uncertainty of, over all patches: the one whose position is least certain, and where it
+/// is another one, the one whose orientation is. Empty where no uncertainty is stated, or all are zero.
+std::vector<CellId> worstCells(const Reconstruction& reconstruction);
+
 /// What the largest patch would be known to with readings that it has not got.
 struct Forecast {
   Uncertainty95 now;                ///< at the worst measured cell, as for the others

@@ -3,6 +3,7 @@
 #include "hexoderm/reconstruction/result/uncertainty.h"
 
 #include <algorithm>
+#include <cmath>
 #include <set>
 #include <unordered_map>
 
@@ -11,6 +12,10 @@ namespace {
 
 void raise(std::optional<double>& worst, std::optional<double> value) {
   if (value) worst = std::max(worst.value_or(*value), *value);
+}
+
+void raiseSize(std::optional<double>& largest, double value) {
+  if (!largest || std::abs(value) > std::abs(*largest)) largest = value;
 }
 
 void addLinks(const PatchReconstruction& patch, const std::unordered_map<CellId, std::size_t>& index,
@@ -24,6 +29,9 @@ void addLinks(const PatchReconstruction& patch, const std::unordered_map<CellId,
       figures.quality[cell] = std::min(figures.quality[cell].value_or(link.quality), link.quality);
       raise(figures.residual_rad[cell], link.knownResidual());
       raise(figures.sigma_rad[cell], link.knownSigma());
+      raiseSize(figures.bend_rad[cell], link.bend_rad);
+      raiseSize(figures.twist_rad[cell], link.twist_rad);
+      raiseSize(figures.yaw_rad[cell], std::abs(link.yaw_rad));
     }
   }
 }
@@ -59,6 +67,9 @@ CellFigures makeCellFigures(const Reconstruction& reconstruction) {
   figures.quality.resize(count);
   figures.residual_rad.resize(count);
   figures.sigma_rad.resize(count);
+  figures.bend_rad.resize(count);
+  figures.twist_rad.resize(count);
+  figures.yaw_rad.resize(count);
   figures.position_95_m.resize(count);
   figures.orientation_95_rad.resize(count);
   figures.shape_position_95_m.resize(count);

@@ -18,6 +18,11 @@ struct CellFigures {
   std::vector<std::optional<EdgeQuality>> quality;
   std::vector<std::optional<double>> residual_rad;
   std::vector<std::optional<double>> sigma_rad;
+  /// Of the used link at the cell that bends (twists, is turned) most. The sign of a bend and of a twist is that of the
+  /// link; that of a yaw depends on the end that one looks from, so that it is left out.
+  std::vector<std::optional<double>> bend_rad;
+  std::vector<std::optional<double>> twist_rad;
+  std::vector<std::optional<double>> yaw_rad;
   /// See uncertaintyOf().
   std::vector<std::optional<double>> position_95_m;
   std::vector<std::optional<double>> orientation_95_rad;

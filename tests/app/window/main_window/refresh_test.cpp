@@ -2,6 +2,10 @@
 
 #include "app/window/main_window/main_window.h"
 #include "tests/app/window/window_test.h"
+#include "widgets/capture/coverage_view.h"
+#include "widgets/capture/hold_ring.h"
+#include "widgets/patch/patch_view.h"
+#include "widgets/patch/scene_widget.h"
 
 namespace hexoderm {
 namespace {
@@ -58,6 +62,25 @@ TEST_F(RefreshTest, TheWindowIsRefreshedOnceHoweverMuchAnActionChanges) {
   EXPECT_LE(refreshed.count(), 2);
   EXPECT_GE(refreshed.count(), 1);
   EXPECT_GE(changed.count(), 3) << "there was nothing to be brought together";
+}
+
+/// The demo's hand trembles and drifts, twenty times as fast as a person's, and the picture follows what is no tremor.
+TEST_F(RefreshTest, ASkinThatIsHeldStillIsHardlyEverPaintedAnew) {
+  ASSERT_NO_FATAL_FAILURE(takeDemoPoses(2));
+  auto* patch = window_->findChild<PatchView*>();
+  ASSERT_TRUE(waitUntil([&] { return !patch->isAnimating(); }));
+  const PaintCounter scene(patch->findChild<SceneWidget*>());
+  const PaintCounter coverage(window_->findChild<CoverageView*>());
+  const PaintCounter ring(window_->findChild<HoldRing*>());
+  const PaintCounter wait(find<QLabel>("captureWait"));
+  const QSignalSpy previews(&controller().liveSession().source(), &LiveSource::previewChanged);
+  constexpr int kReadings = 120;
+  ASSERT_TRUE(waitUntil([&] { return previews.count() >= kReadings; }));
+  const int most = static_cast<int>(previews.count()) / 2;
+  EXPECT_LT(scene.count(), most);
+  EXPECT_LT(coverage.count(), most);
+  EXPECT_LT(ring.count(), most);
+  EXPECT_LT(wait.count(), most);
 }
 
 TEST_F(RefreshTest, APictureShowsWhatHasJustChanged) {

@@ -1,10 +1,14 @@
 #include "app/window/report/report.h"
+#include "app/window/report/report_page.h"
+#include "app/window/report/report_pdf.h"
 #include "app/window/report/report_pictures.h"
+#include "app/window/report/report_title.h"
 #include "hexoderm/util/error.h"
 #include "hexoderm/util/units.h"
 #include "tests/app/window/window_test.h"
 #include "tests/support/hand_made_skins.h"
 #include "tests/support/temporary_folder.h"
+#include "widgets/verify/verify_words.h"
 #include "widgets/words/words.h"
 
 #include <QPainter>
@@ -13,6 +17,8 @@
 #include <QXmlStreamReader>
 #include <filesystem>
 #include <fstream>
+#include <map>
+#include <set>
 
 namespace hexoderm {
 namespace {
@@ -23,7 +29,7 @@ ReportContent contentOf(const Reconstruction& result) {
   content.name = QStringLiteral("arm <b>left</b> & hand.hexo");
   QImage image(40, 30, QImage::Format_RGB32);
   image.fill(Qt::blue);
-  content.pictures = {{QStringLiteral("Patch, front"), image}, {QStringLiteral("nothing"), QImage()}};
+  content.pictures = {{QStringLiteral("Patch, front"), image, {}, {}}, {QStringLiteral("nothing"), QImage(), {}, {}}};
   content.made_at = QDateTime(QDate(2026, 3, 4), QTime(5, 6, 7));
   return content;
 }
@@ -39,11 +45,27 @@ Reconstruction awkwardResult() {
                                  message("There is no pose yet: the shape shown follows from the ports alone."))};
   result.assessment.level = VerdictLevel::Usable;
   result.assessment.reason =
-      message("Usable: {} at the worst cell (95 %), {}.",
-              message("±{}, ±{}", Millimetres{1.2e-3}, Degrees{0.4 * kDegree}), message("{} poses", 3));
+      message("Usable: {}, {}.",
+              message("{} (95 %, worst: {})", message("±{}, ±{}", Millimetres{1.2e-3}, Degrees{0.4 * kDegree}),
+                      cellsInWords({CellId(3)})),
+              message("{} poses", 3));
   result.assessment.next_action = message("Look at the findings, then export.");
   result.assessment.position_95_m = 0.0012;
   result.assessment.orientation_95_rad = 0.007;
+  return result;
+}
+
+/// A bent X of 17 cells whose uncertainty grows outwards.
+Reconstruction withUncertainty() {
+  Reconstruction result = demoReconstruction();
+  result.assessment = awkwardResult().assessment;
+  for (PatchReconstruction& patch : result.patches) {
+    for (CellPlacement& cell : patch.cells) {
+      const double sigma_m = 1e-4 * static_cast<double>(cell.path.size());
+      cell.cov_t_r = Matrix6d(Matrix6d::Identity() * sigma_m * sigma_m);
+      cell.shape_cov_t_r = *cell.cov_t_r;
+    }
+  }
   return result;
 }
 
@@ -84,15 +106,164 @@ TEST(Report, LetsNothingFromFilesBecomeMarkup) {
   EXPECT_FALSE(html.contains(QStringLiteral("onerror=alert(1)>")));
 }
 
+/// The pictures in a page, by their captions.
+std::map<QString, QByteArray> picturesIn(const QString& html) {
+  std::map<QString, QByteArray> pictures;
+  const QRegularExpression figure(QStringLiteral(
+      "<figure><img src=\"data:image/[a-z+]+;base64,([^\"]+)\" alt=\"[^\"]*\"/><figcaption>([^<]*)</figcaption>"));
+  for (auto found = figure.globalMatch(html); found.hasNext();) {
+    const QRegularExpressionMatch match = found.next();
+    pictures[match.captured(2)] = QByteArray::fromBase64(match.captured(1).toLatin1());
+  }
+  return pictures;
+}
+
 TEST(Report, CarriesItsPicturesAndLeavesOutThoseThatAreNone) {
   const QString html = reportHtml(contentOf(awkwardResult()));
-  EXPECT_EQ(html.count(QStringLiteral("<img ")), 1);
-  const QRegularExpressionMatch match =
-      QRegularExpression(QStringLiteral("src=\"data:image/png;base64,([^\"]+)\"")).match(html);
-  ASSERT_TRUE(match.hasMatch());
-  const QImage image = QImage::fromData(QByteArray::fromBase64(match.captured(1).toLatin1()));
-  EXPECT_EQ(image.size(), QSize(40, 30));
-  EXPECT_EQ(image.pixelColor(5, 5), QColor(Qt::blue));
+  const auto pictures = picturesIn(html);
+  ASSERT_TRUE(pictures.count(QStringLiteral("Patch, front")));
+  EXPECT_FALSE(pictures.count(QStringLiteral("nothing")));
+  EXPECT_EQ(html.count(QStringLiteral("<figcaption>")), html.count(QStringLiteral("<img ")))
+      << "every picture has its words";
+}
+
+TEST(Report, ShowsThePatchFromFourSidesWithScaleBarsAndIds) {
+  const auto pictures = picturesIn(reportHtml(contentOf(withUncertainty())));
+  std::set<QByteArray> different;
+  QString ids;
+  for (const char* side : {"Front", "Right side", "Back", "Left side"}) {
+    ASSERT_TRUE(pictures.count(QLatin1String(side))) << side;
+    const QByteArray& svg = pictures.at(QLatin1String(side));
+    EXPECT_TRUE(svg.contains("<svg")) << side;
+    EXPECT_TRUE(svg.contains(" mm</text>")) << side << " has no scale bar";
+    ids += QString::fromUtf8(svg);
+    different.insert(svg);
+  }
+  EXPECT_EQ(different.size(), 4U);
+  for (int id = 1; id <= 17; ++id) {
+    EXPECT_TRUE(ids.contains(QStringLiteral(">%1</text>").arg(id))) << "no side shows cell " << id;
+  }
+}
+
+TEST(Report, PicturesHaveTheColoursOfTheUncertaintyOfTheShape) {
+  Reconstruction result = withUncertainty();
+  const auto before = picturesIn(reportHtml(contentOf(result)));
+  *result.patches[0].cells[5].shape_cov_t_r *= 4;
+  const auto after = picturesIn(reportHtml(contentOf(result)));
+  EXPECT_NE(before.at(QStringLiteral("Front")), after.at(QStringLiteral("Front")));
+  // What the shape does not depend on leaves them as they are.
+  *result.patches[0].cells[5].cov_t_r *= 4;
+  EXPECT_EQ(picturesIn(reportHtml(contentOf(result))).at(QStringLiteral("Front")), after.at(QStringLiteral("Front")));
+}
+
+TEST(Report, NamesTheCellThatIsKnownLeastWell) {
+  Reconstruction result = withUncertainty();
+  *result.patches[0].cells[5].shape_cov_t_r *= 4;
+  const QString text = textOf(reportHtml(contentOf(result)));
+  EXPECT_TRUE(text.contains(QStringLiteral("Thick outline: cell %1,").arg(result.patches[0].cells[5].cell.value())));
+}
+
+TEST(Report, BeginsWithWhatTheOperatorSaid) {
+  ReportContent content = contentOf(awkwardResult());
+  content.title = {QStringLiteral("Toro <3>"), QStringLiteral("left forearm"), QStringLiteral("A. Meier"),
+                   QStringLiteral("Mould renewed.\nWarm.")};
+  const QString text = textOf(reportHtml(content));
+  const int verdict = text.indexOf(QStringLiteral("Usable: ±1.2 mm"));
+  for (const char* part : {"Toro <3>", "left forearm", "A. Meier", "Mould renewed."}) {
+    const int at = text.indexOf(QLatin1String(part));
+    EXPECT_GE(at, 0) << part;
+    EXPECT_LT(at, verdict) << part;
+  }
+  content.title = {};
+  EXPECT_FALSE(textOf(reportHtml(content)).contains(QStringLiteral("Operator"))) << "empty fields are left out";
+}
+
+TEST(Report, SaysTheVerdictOnceAndWhatItMeans) {
+  const QString text = textOf(reportHtml(contentOf(awkwardResult())));
+  EXPECT_EQ(text.count(QStringLiteral("Usable: ±1.2 mm")), 1);
+  EXPECT_TRUE(text.contains(QStringLiteral("With a probability of 95 %, each measured cell is at most 1.2 mm")));
+}
+
+TEST(Report, SaysWhatWasVerifiedAndWhatWasNot) {
+  ReportContent content = contentOf(withUncertainty());
+  EXPECT_TRUE(
+      textOf(reportHtml(content)).contains(QStringLiteral("Not made for this report: a pose that was held out")));
+  content.verify.loops = std::vector<FoundLoop>();
+  content.verify.surfaces = {checkSurface(content.reconstruction->patches[0], std::nullopt)};
+  const QString text = textOf(reportHtml(content));
+  EXPECT_TRUE(text.contains(loopsInWords({}, 1).text));
+  EXPECT_TRUE(text.contains(surfaceInWords(content.verify.surfaces->front(), 0.0012).text));
+  EXPECT_FALSE(text.contains(QStringLiteral("Not made for this report: a pose that was held out, closed loops")));
+}
+
+TEST(Report, SaysWhereAPatchIsOnTheRobot) {
+  Reconstruction result = withUncertainty();
+  EXPECT_FALSE(textOf(reportHtml(contentOf(result))).contains(QStringLiteral("Place on the robot")));
+  PatchPlacement placement;
+  placement.origin = result.patches[0].origin;
+  placement.link = "forearm <link>";
+  placement.place = PatchOnLink{placement.origin, placement.link, SE3(), std::nullopt};
+  placement.place->T_l_o.t = {0.012, -0.0345, 0.1};
+  result.placements = {placement};
+  const QString text = textOf(reportHtml(contentOf(result)));
+  for (const char* part : {"Place on the robot", "forearm <link>", "12.0", "−34.5", "100.0"}) {
+    EXPECT_TRUE(text.contains(QString::fromUtf8(part))) << part;
+  }
+}
+
+/// The number of pages that a PDF says it has.
+int pagesOf(const QByteArray& pdf) {
+  const int count = pdf.indexOf("/Count ");
+  return count < 0 ? 0 : QString::fromLatin1(pdf.mid(count + 7, 6)).section(QRegularExpression("\\D"), 0, 0).toInt();
+}
+
+/// What is drawn on each page, from the layout itself.
+std::vector<QString> pagesInWords(const ReportContent& content) {
+  std::vector<QString> pages;
+  for (const auto& page : pdfTexts(ReportPage(content).document())) pages.push_back(page.join(QLatin1Char('\n')));
+  return pages;
+}
+
+TEST(Report, OfASimulationSaysSoOnEveryPageAndARealOneOnNone) {
+  Reconstruction result = withUncertainty();
+  for (int k = 0; k < 150; ++k) result.findings.push_back(awkwardResult().findings.front());
+  ReportContent content = contentOf(result);
+  for (const bool simulated : {true, false}) {
+    content.simulated = simulated;
+    const std::vector<QString> pages = pagesInWords(content);
+    ASSERT_GE(pages.size(), 4U);
+    EXPECT_EQ(static_cast<int>(pages.size()), pagesOf(reportPdf(content)));
+    for (const QString& page : pages) EXPECT_EQ(page.contains(QStringLiteral("SIMULATED")), simulated);
+    EXPECT_EQ(textOf(reportHtml(content)).contains(QStringLiteral("SIMULATED")), simulated);
+  }
+}
+
+TEST(Report, NumbersItsPages) {
+  const std::vector<QString> pages = pagesInWords(contentOf(withUncertainty()));
+  for (std::size_t k = 0; k < pages.size(); ++k) {
+    EXPECT_TRUE(pages[k].contains(QStringLiteral("Page %1 of %2").arg(k + 1).arg(pages.size()))) << k;
+  }
+}
+
+TEST(Report, BreaksItsTablesWell) {
+  // Whatever stands above it, no row is alone at either end of a page, and every page has the head of its table.
+  for (int findings = 90; findings < 130; ++findings) {
+    Reconstruction result = awkwardResult();
+    result.findings.clear();
+    for (int k = 0; k < findings; ++k) {
+      result.findings.push_back(makeFinding(FindingCode::NoPoses, message("Finding number {}.", k)));
+    }
+    ReportContent content = contentOf(result);
+    content.pictures.clear();
+    int seen = 0;
+    for (const QString& page : pagesInWords(content)) {
+      const int rows = page.count(QStringLiteral("Finding number "));
+      seen += rows;
+      EXPECT_NE(rows, 1) << "a row is alone, with " << findings << " findings";
+      EXPECT_EQ(page.count(QStringLiteral("Severity")), rows > 0 ? 1 : 0) << page.toStdString();
+    }
+    EXPECT_EQ(seen, findings);
+  }
 }
 
 TEST(Report, IsAPdfOfSeveralPages) {
@@ -100,9 +271,7 @@ TEST(Report, IsAPdfOfSeveralPages) {
   for (int k = 0; k < 60; ++k) result.findings.push_back(result.findings.front());
   const QByteArray pdf = reportPdf(contentOf(result));
   EXPECT_TRUE(pdf.startsWith("%PDF"));
-  const int count = pdf.indexOf("/Count ");
-  ASSERT_GE(count, 0);
-  EXPECT_GE(QString::fromLatin1(pdf.mid(count + 7, 4)).trimmed().section(QLatin1Char('\n'), 0, 0).toInt(), 2);
+  EXPECT_GE(pagesOf(pdf), 2);
 }
 
 TEST(Report, OfASkinWithoutAnythingIsStillAReport) {
@@ -112,12 +281,12 @@ TEST(Report, OfASkinWithoutAnythingIsStillAReport) {
   EXPECT_TRUE(reportPdf(content).startsWith("%PDF"));
 }
 
-TEST(Report, OfALargeSkinListsTheFirstCellsAndSaysHowManyAreMissing) {
+TEST(Report, OfALargeSkinListsTheWorstCellsAndSaysHowManyAreMissing) {
   Reconstruction result = awkwardResult();
   const CellPlacement cell = result.patches[0].cells[0];
   while (result.patches[0].cells.size() < 1000) result.patches[0].cells.push_back(cell);
   const QString text = textOf(reportHtml(contentOf(result)));
-  EXPECT_TRUE(text.contains(QStringLiteral("601 more cells"))) << result.cellCount();
+  EXPECT_TRUE(text.contains(QStringLiteral("901 more cells"))) << result.cellCount();
 }
 
 TEST(Report, IsWrittenWholeOrNotAtAll) {
@@ -138,41 +307,80 @@ TEST(Report, IsWrittenWholeOrNotAtAll) {
 
 class ReportWindow : public WindowTest {};
 
-TEST_F(ReportWindow, WritesAReportWithPicturesFromTheMenu) {
+TEST_F(ReportWindow, IsWrittenFromTheMenuAndAsksOnceForItsTitle) {
   EXPECT_FALSE(action("actionReport")->isEnabled());
   takeDemoPoses(3);
   ASSERT_TRUE(action("actionReport")->isEnabled());
-  for (const char* name : {"demo.html", "demo.pdf"}) {
-    press(Qt::Key_E, Qt::ControlModifier | Qt::ShiftModifier);
-    typeIntoFileDialog("saveDialog", pathTo(QString::fromLatin1(name)));
-    ASSERT_TRUE(waitForMessage(QString::fromLatin1(name))) << message().toStdString();
-    EXPECT_GT(QFileInfo(pathTo(QString::fromLatin1(name))).size(), 20000);
-  }
+  press(Qt::Key_E, Qt::ControlModifier | Qt::ShiftModifier);
+  auto* form = waitForDialog<QDialog>("reportTitleDialog");
+  ASSERT_NE(form, nullptr);
+  EXPECT_FALSE(form->isModal());
+  // By the keyboard alone, from field to field.
+  form->activateWindow();
+  ASSERT_TRUE(waitUntil([&] { return QApplication::focusWidget() == form->findChild<QLineEdit*>("reportRobot"); }));
+  QTest::keyClicks(QApplication::focusWidget(), "Toro 3");
+  QTest::keyClick(QApplication::focusWidget(), Qt::Key_Tab);
+  QTest::keyClicks(QApplication::focusWidget(), "forearm");
+  QTest::keyClick(QApplication::focusWidget(), Qt::Key_Return);
+  typeIntoFileDialog("saveDialog", pathTo(QStringLiteral("demo.html")));
+  ASSERT_TRUE(waitForMessage(QStringLiteral("demo.html"))) << message().toStdString();
+  // It is remembered.
+  press(Qt::Key_E, Qt::ControlModifier | Qt::ShiftModifier);
+  typeIntoFileDialog("saveDialog", pathTo(QStringLiteral("demo.pdf")));
+  ASSERT_TRUE(waitForMessage(QStringLiteral("demo.pdf"))) << message().toStdString();
+  EXPECT_GT(QFileInfo(pathTo(QStringLiteral("demo.pdf"))).size(), 20000);
+
   const QString html = QString::fromStdString(readAll(pathTo(QStringLiteral("demo.html")).toStdString()));
-  EXPECT_GE(html.count(QStringLiteral("data:image/png")), 5);
-  for (const ReportPicture& taken : takeReportPictures(controller().reconstruction())) {
-    EXPECT_GE(taken.image.width(), 500) << taken.title.toStdString();
-    EXPECT_GE(taken.image.height(), 200) << taken.title.toStdString();
-  }
-  QTextDocument page;
-  page.setHtml(html);
-  page.setTextWidth(660);
-  QImage picture((page.size() + QSizeF(60, 60)).toSize(), QImage::Format_RGB32);
-  picture.fill(Qt::white);
-  QPainter painter(&picture);
-  painter.translate(30, 30);
-  page.drawContents(&painter);
+  EXPECT_GE(html.count(QStringLiteral("<figure>")), 6);
+  const QString text = textOf(html);
+  EXPECT_TRUE(text.contains(QStringLiteral("Toro 3")));
+  EXPECT_TRUE(text.contains(QStringLiteral("forearm")));
+  EXPECT_TRUE(text.contains(QStringLiteral("SIMULATED"))) << "the demo skin is";
+  EXPECT_TRUE(text.contains(words(controller().reconstruction()->assessment.reason)));
+  const std::vector<ReportPicture> taken = takeReportPictures(controller().reconstruction());
+  ASSERT_EQ(taken.size(), 1U);
+  QImage graph(taken.front().size, QImage::Format_RGB32);
+  graph.fill(Qt::white);
+  QPainter painter(&graph);
+  taken.front().draw(painter);
   painter.end();
-  keepPicture(picture, QStringLiteral("report"));
-  EXPECT_TRUE(textOf(html).contains(words(controller().reconstruction()->assessment.reason)));
+  keepPicture(graph, QStringLiteral("report-graph"));
+}
+
+TEST_F(ReportWindow, TitleCanBeChangedLater) {
+  takeDemoPoses(1);
+  action("actionReportTitle")->trigger();
+  auto* form = waitForDialog<QDialog>("reportTitleDialog");
+  ASSERT_NE(form, nullptr);
+  form->findChild<QLineEdit*>("reportOperator")->setText(QStringLiteral("A. Meier"));
+  click(form->findChild<QPushButton*>("reportTitleButton"));
+  ASSERT_TRUE(waitUntil([this] { return window_->findChild<QDialog*>("reportTitleDialog") == nullptr; }));
+  action("actionReportTitle")->trigger();
+  form = waitForDialog<QDialog>("reportTitleDialog");
+  ASSERT_NE(form, nullptr);
+  EXPECT_EQ(form->findChild<QLineEdit*>("reportOperator")->text(), QStringLiteral("A. Meier"));
 }
 
 TEST_F(ReportWindow, SaysWhyAReportCanNotBeWritten) {
   takeDemoPoses(1);
   const QString file = writeFile(QStringLiteral("file"), "x");
-  controller().resultFiles().writeReport({}, file + QStringLiteral("/report.pdf"));
+  ReportContent content = contentOf(*controller().reconstruction());
+  controller().resultFiles().writeReport(content, file + QStringLiteral("/report.pdf"));
   ASSERT_TRUE(waitForMessage(QStringLiteral("report.pdf")));
   EXPECT_TRUE(message().contains(QStringLiteral("cannot be written"))) << message().toStdString();
+}
+
+TEST(ReportTitleKept, IsThatOfItsSession) {
+  const ReportTitle first{QStringLiteral("Toro"), QStringLiteral("arm"), QStringLiteral("A"), QStringLiteral("n")};
+  EXPECT_FALSE(keptReportTitle(QStringLiteral("/a/first.hexo")).has_value());
+  keepReportTitle(QStringLiteral("/a/first.hexo"), first);
+  EXPECT_EQ(keptReportTitle(QStringLiteral("/a/first.hexo")), first);
+  EXPECT_FALSE(keptReportTitle(QStringLiteral("/a/second.hexo")).has_value());
+  EXPECT_EQ(proposedReportTitle().robot, QStringLiteral("Toro"));
+  EXPECT_TRUE(proposedReportTitle().notes.isEmpty()) << "notes are about one session";
+  for (int k = 0; k < 250; ++k) keepReportTitle(QStringLiteral("/b/%1.hexo").arg(k), {});
+  EXPECT_FALSE(keptReportTitle(QStringLiteral("/a/first.hexo")).has_value()) << "settings don't grow for ever";
+  EXPECT_TRUE(keptReportTitle(QStringLiteral("/b/249.hexo")).has_value());
 }
 
 }  // namespace

@@ -8,8 +8,10 @@
 namespace hexoderm {
 namespace {
 
+using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
+using ::testing::Not;
 
 Matrix6d covarianceOf(const Uncertainty95& spread) {
   constexpr double kSigmas = 1.96;
@@ -69,13 +71,34 @@ TEST(Assess, APreciseResultWithoutFindingsIsGoodAndAsksForNothing) {
 // A cell that is placed through its links is less sure than what is stated, and the sentence says so.
 TEST(Assess, SaysWhichCellsTheStatedUncertaintyIsOf) {
   Reconstruction result = resultWith(kRough);
-  EXPECT_THAT(assess(result, {}).reason.english(), HasSubstr("±2.0 mm, ±5.0° at the worst cell (95 %)"));
+  EXPECT_THAT(assess(result, {}).reason.english(), HasSubstr("±2.0 mm, ±5.0° (95 %, worst: cell 3)"));
   CellPlacement unmeasured = result.patches[0].cells.back();
   unmeasured.cell = CellId(4);
   unmeasured.placed_by = PlacedBy::Links;
   unmeasured.cov_t_r = covarianceOf(kUseless);
   result.patches[0].cells.push_back(unmeasured);
-  EXPECT_THAT(assess(result, {}).reason.english(), HasSubstr("±2.0 mm, ±5.0° at the worst measured cell (95 %)"));
+  EXPECT_THAT(assess(result, {}).reason.english(), HasSubstr("±2.0 mm, ±5.0° (95 %, worst measured: cell 3)"));
+}
+
+TEST(WorstCells, AreTheLeastCertainInPositionAndInOrientationOfAllPatches) {
+  Reconstruction result = resultWith(kRough);
+  EXPECT_THAT(worstCells(result), ElementsAre(CellId(3)));
+  // The worst position is elsewhere than the worst orientation.
+  result.patches[0].cells[1].cov_t_r = covarianceOf({5 * kMillimetre, 1 * kDegree});
+  EXPECT_THAT(worstCells(result), ElementsAre(CellId(2), CellId(3)));
+  EXPECT_THAT(assess(result, {}).reason.english(), HasSubstr("±5.0 mm, ±5.0° (95 %, worst: cells 2 and 3)"));
+  result.patches.push_back(patchWith(kUseless, 11));
+  EXPECT_THAT(worstCells(result), ElementsAre(CellId(13)));
+  // Measured cells only, as long as a patch has any.
+  result.patches[1].cells[2].placed_by = PlacedBy::Links;
+  EXPECT_THAT(worstCells(result), ElementsAre(CellId(2), CellId(12)));
+}
+
+TEST(WorstCells, AreNoneWhereNoUncertaintyIsStated) {
+  Reconstruction result = resultWith(kRough);
+  for (CellPlacement& cell : result.patches[0].cells) cell.cov_t_r.reset();
+  EXPECT_THAT(worstCells(result), IsEmpty());
+  EXPECT_THAT(assess(result, {}).reason.english(), Not(HasSubstr("worst")));
 }
 
 TEST(Assess, TheNumberOfPosesDoesNotMatter) {

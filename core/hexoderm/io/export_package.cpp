@@ -1,0 +1,273 @@
+#include "hexoderm/io/export_package.h"
+
+#include "hexoderm/io/calibration_json.h"
+#include "hexoderm/io/export_files.h"
+#include "hexoderm/io/export_manifest.h"
+#include "hexoderm/io/export_support.h"
+#include "hexoderm/util/error.h"
+#include "hexoderm/util/file.h"
+#include "hexoderm/util/sha256.h"
+#include "hexoderm/util/text.h"
+#include "hexoderm/util/zip.h"
+
+#include <algorithm>
+#include <set>
+#include <utility>
+
+namespace hexoderm {
+namespace {
+
+constexpr std::string_view kPackageStem = "skin";
+constexpr std::string_view kPackagedCalibration = "skin.calibration.json";
+
+/// Thrown and caught here alone.
+struct PackageStopped {};
+
+Message frameOf(const Reconstruction& reconstruction, const ExportSelection& selection) {
+  if (!selection.mounted.empty()) {
+    std::vector<Message> places;
+    for (const ExportMount& mount : selection.mounted) {
+      places.push_back(
+          mount.placed ? message("The patch of cell {} is in its place on link {}.", mount.patch->origin, mount.link)
+                       : message("The patch of cell {} has its origin at link {}: its place on the robot is not known.",
+                                 mount.patch->origin, mount.link));
+    }
+    return inRow(std::move(places));
+  }
+  if (!selection.frame_link.empty()) return message("Coordinates are in the frame of link {}.", selection.frame_link);
+  const PatchReconstruction* only = selection.patches.size() == 1        ? selection.patches.front()
+                                    : reconstruction.patches.size() == 1 ? &reconstruction.patches.front()
+                                                                         : nullptr;
+  if (only == nullptr) return message("Coordinates of each patch are in the frame of its origin cell.");
+  return message("Coordinates are in the frame of cell {}, the origin of the patch.", only->origin);
+}
+
+Message unitOf(const ExportFormatDescription& format, const ExportOptions& options) {
+  if (format.format == ExportFormat::Stl && options.stl_unit == LengthUnit::Millimetres) {
+    return message("Lengths are in millimetres.");
+  }
+  if (format.format == ExportFormat::Skinware) return message("Lengths are in nanometres.");
+  return message("Lengths are in metres.");
+}
+
+PackageEntry entryOf(const Reconstruction& reconstruction, const ExportFormatDescription& format,
+                     const ExportOptions& options) {
+  const ExportSelection selection = selectForExport(reconstruction, format, options);
+  PackageEntry entry;
+  entry.name = format.format == ExportFormat::Csv ? "cells.csv, links.csv, ..."
+                                                  : std::string(kPackageStem) + std::string(format.extension);
+  entry.what = format.summary;
+  if (format.format != ExportFormat::Dot) {
+    entry.frame = inRow({frameOf(reconstruction, selection), unitOf(format, options)});
+  }
+  entry.not_carried = format.not_carried;
+  entry.left_out = leftOutInWords(patchesLeftOut(reconstruction, format.format, options));
+  return entry;
+}
+
+PackageEntry calibrationEntry() {
+  return {std::string(kPackagedCalibration),
+          message("everything that is known, to be opened, compared and exported from again"),
+          message("Coordinates of each patch are in the frame of its origin cell. Lengths are in metres."),
+          {},
+          {}};
+}
+
+PackageEntry manifestEntry() {
+  return {
+      kManifestFile, message("what each file is, in which frame, with its hash, and what it was made of"), {}, {}, {}};
+}
+
+std::vector<ExportFormat> eachOnce(const std::vector<ExportFormat>& formats) {
+  std::vector<ExportFormat> once;
+  for (const ExportFormat format : formats) {
+    if (std::ranges::find(once, format) == once.end()) once.push_back(format);
+  }
+  return once;
+}
+
+void requireSomething(const PackageContent& content, const ExportOptions& options) {
+  if (content.formats.empty() && !content.calibration && content.attachments.empty()) {
+    throw InvalidArgument(message("a package of nothing: choose a format"));
+  }
+  options.validate();
+  for (const ExportFormat format : content.formats) options.validateFor(format);
+}
+
+/// The options with the robot's file among the inputs, if one of the formats reads it.
+ExportOptions withRobot(ExportOptions options, std::span<const ExportFormat> formats) {
+  if (!options.robot_urdf.empty() && std::ranges::find(formats, ExportFormat::RobotUrdf) != formats.end()) {
+    options.inputs.push_back(
+        {"robot", options.robot_urdf.filename().string(), sha256Hex(readFile(options.robot_urdf))});
+  }
+  return options;
+}
+
+/// Makes the files of a package one after another, and the manifest of what was made.
+class PackageMaker {
+ public:
+  PackageMaker(const Reconstruction& reconstruction, const PackageContent& content, const ExportOptions& options,
+               const std::stop_token& stop, const PackageProgress& progress)
+      : reconstruction_(reconstruction),
+        content_(content),
+        formats_(eachOnce(content.formats)),
+        options_(withRobot(options, formats_)),
+        stop_(stop),
+        progress_(progress),
+        count_(formats_.size() + (content.calibration ? 1 : 0) + content.attachments.size() + 1) {}
+
+  void make() {
+    for (const ExportFormat format : formats_) addFormat(exportFormatDescription(format));
+    if (content_.calibration) addCalibration();
+    for (const PackageAttachment& attachment : content_.attachments) addAttachment(attachment);
+    addManifest();
+  }
+  [[nodiscard]] const std::vector<StagedFile>& files() const { return files_; }
+  [[nodiscard]] std::vector<PackageEntry> entries() { return std::move(entries_); }
+
+  void begin(const std::string& name) {
+    if (stop_.stop_requested()) throw PackageStopped();
+    if (progress_) progress_(name, std::min(done_, count_), count_);
+    ++done_;
+  }
+
+ private:
+  void addFormat(const ExportFormatDescription& format) {
+    const PackageEntry entry = entryOf(reconstruction_, format, options_);
+    begin(entry.name);
+    FormatFiles made = formatFiles(reconstruction_, format.format, options_, std::string(kPackageStem));
+    for (StagedFile& file : made.files) {
+      listed_.push_back({file.name, sha256Hex(file.content), &format, made.selection});
+      add(std::move(file), entry);
+    }
+  }
+
+  void addCalibration() {
+    const PackageEntry entry = calibrationEntry();
+    begin(entry.name);
+    ManifestFile listed{
+        entry.name, {}, nullptr, {}, std::string(kCalibrationFormat), "each patch in the frame of its origin cell"};
+    for (const PatchReconstruction& patch : reconstruction_.patches) listed.selection.patches.push_back(&patch);
+    std::string text = calibrationToJson(reconstruction_);
+    listed.sha256 = sha256Hex(text);
+    listed_.push_back(std::move(listed));
+    add({entry.name, text,
+         [text, name = entry.name, cells = reconstruction_.cellCount()](const std::string& bytes) {
+           requireMeant(bytes == text && parseCalibrationJson(bytes, name)->cellCount() == cells, name,
+                        "expected other values");
+         }},
+        entry);
+  }
+
+  void addAttachment(const PackageAttachment& attachment) {
+    begin(attachment.name);
+    listed_.push_back({attachment.name, sha256Hex(attachment.bytes), nullptr, {}, attachment.what.english(), {}});
+    add({attachment.name, attachment.bytes,
+         [&attachment](const std::string& bytes) {
+           requireMeant(bytes == attachment.bytes, attachment.name, "expected other bytes");
+         }},
+        {attachment.name, attachment.what, {}, {}, {}});
+  }
+
+  void addManifest() {
+    begin(kManifestFile);
+    const std::string text = manifestText(reconstruction_, listed_, options_);
+    add({kManifestFile, text, [text](const std::string& bytes) { verifyManifest(bytes, text, kManifestFile); }},
+        manifestEntry());
+  }
+
+  void add(StagedFile file, PackageEntry entry) {
+    if (!names_.insert(file.name).second) {
+      throw InvalidArgument(message("the package would hold {} twice", file.name));
+    }
+    entry.name = file.name;
+    entry.size = file.content.size();
+    entries_.push_back(std::move(entry));
+    files_.push_back(std::move(file));
+  }
+
+  const Reconstruction& reconstruction_;
+  const PackageContent& content_;
+  std::vector<ExportFormat> formats_;
+  ExportOptions options_;
+  const std::stop_token& stop_;
+  const PackageProgress& progress_;
+  std::size_t count_;
+  std::size_t done_ = 0;
+  std::vector<StagedFile> files_;
+  std::vector<ManifestFile> listed_;
+  std::vector<PackageEntry> entries_;
+  std::set<std::string> names_;
+};
+
+/// Compares every file of an archive with what was meant.
+void verifyArchive(const std::string& bytes, const std::vector<StagedFile>& files, const std::string& folder,
+                   const std::string& archive) {
+  const std::vector<ZipEntry> found = zipEntries(bytes, archive);
+  requireMeant(found.size() == files.size(), archive, "expected other files");
+  for (std::size_t k = 0; k < files.size(); ++k) {
+    requireMeant(found[k].name == folder + files[k].name, archive, "expected the file " + files[k].name);
+    files[k].verify(found[k].content);
+  }
+}
+
+void publishZip(const std::filesystem::path& path, const std::vector<StagedFile>& files, const std::stop_token& stop) {
+  const std::string folder = path.stem().string() + "/";
+  std::vector<ZipEntry> entries;
+  for (const StagedFile& file : files) entries.push_back({folder + file.name, file.content});
+  writeFileAtomically(path, zipBytes(entries), [&](const std::string& bytes) {
+    verifyArchive(bytes, files, folder, path.string());
+    if (stop.stop_requested()) throw PackageStopped();
+  });
+}
+
+}  // namespace
+
+bool isZip(const std::filesystem::path& path) {
+  const std::string extension = path.extension().string();
+  return extension == ".zip" || extension == ".ZIP";
+}
+
+std::vector<PackageEntry> previewPackage(const Reconstruction& reconstruction, const PackageContent& content,
+                                         const ExportOptions& options) {
+  requireSomething(content, options);
+  std::vector<PackageEntry> entries;
+  for (const ExportFormat format : eachOnce(content.formats)) {
+    entries.push_back(entryOf(reconstruction, exportFormatDescription(format), options));
+  }
+  if (content.calibration) entries.push_back(calibrationEntry());
+  for (const PackageAttachment& attachment : content.attachments) {
+    entries.push_back({attachment.name, attachment.what, {}, {}, {}, attachment.bytes.size()});
+  }
+  entries.push_back(manifestEntry());
+  return entries;
+}
+
+WrittenPackage exportPackage(const Reconstruction& reconstruction, const PackageContent& content,
+                             const std::filesystem::path& path, const ExportOptions& options,
+                             const std::stop_token& stop, const PackageProgress& progress) {
+  requireSomething(content, options);
+  if (path.empty()) throw InvalidArgument(message("expected the name of a file or folder to export to"));
+  PackageMaker maker(reconstruction, content, options, stop, progress);
+  try {
+    maker.make();
+    if (isZip(path)) {
+      publishZip(path, maker.files(), stop);
+      return {maker.entries(), {path}};
+    }
+    std::vector<std::filesystem::path> paths = publishFolder(path, maker.files(), [&stop] {
+      if (stop.stop_requested()) throw PackageStopped();
+    });
+    return {maker.entries(), std::move(paths)};
+  } catch (const PackageStopped&) {
+    return {};
+  }
+}
+
+std::vector<std::filesystem::path> exportBundle(const Reconstruction& reconstruction,
+                                                std::span<const ExportFormat> formats,
+                                                const std::filesystem::path& folder, const ExportOptions& options) {
+  return exportPackage(reconstruction, {{formats.begin(), formats.end()}, false, {}}, folder, options).paths;
+}
+
+}  // namespace hexoderm

@@ -1,0 +1,38 @@
+#pragma once
+
+#include <atomic>
+#include <cstddef>
+
+namespace hexoderm {
+
+/// What reconstruct() is doing just now.
+enum class SolveStage {
+  Links,     ///< estimates every link from the readings, and looks for links and readings that can't be right
+  Patches,   ///< places all cells of a patch together
+  Findings,  ///< looks for what does not fit the solved patches
+  Figures,   ///< uncertainties, verdict and advice
+};
+
+/// How far one solve is: written by the thread that solves, read by any other. The members are not of one moment, which
+/// is enough for an operator who watches.
+class SolveProgress {
+ public:
+  void enter(SolveStage stage) { stage_.store(stage, std::memory_order_relaxed); }
+  /// `patch` of `patches` is being solved; the first is 0.
+  void enterPatch(std::size_t patch, std::size_t patches) {
+    patch_.store(patch, std::memory_order_relaxed);
+    patches_.store(patches, std::memory_order_relaxed);
+    enter(SolveStage::Patches);
+  }
+
+  [[nodiscard]] SolveStage stage() const { return stage_.load(std::memory_order_relaxed); }
+  [[nodiscard]] std::size_t patch() const { return patch_.load(std::memory_order_relaxed); }
+  [[nodiscard]] std::size_t patches() const { return patches_.load(std::memory_order_relaxed); }
+
+ private:
+  std::atomic<SolveStage> stage_{SolveStage::Links};
+  std::atomic<std::size_t> patch_{0};
+  std::atomic<std::size_t> patches_{0};
+};
+
+}  // namespace hexoderm

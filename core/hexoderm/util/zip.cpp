@@ -1,0 +1,108 @@
+#include "hexoderm/util/zip.h"
+
+#include "hexoderm/util/error.h"
+
+#include <zip.h>
+#include <memory>
+
+namespace hexoderm {
+namespace {
+
+class ZipFault {
+ public:
+  ZipFault() { zip_error_init(&error_); }
+  ~ZipFault() { zip_error_fini(&error_); }
+  ZipFault(const ZipFault&) = delete;
+  ZipFault& operator=(const ZipFault&) = delete;
+  [[nodiscard]] zip_error_t* get() { return &error_; }
+  [[nodiscard]] std::string words() { return zip_error_strerror(&error_); }
+
+ private:
+  zip_error_t error_{};
+};
+
+struct ZipSourceFree {
+  void operator()(zip_source_t* source) const { zip_source_free(source); }
+};
+struct ZipDiscard {
+  void operator()(zip_t* archive) const { zip_discard(archive); }
+};
+struct ZipFileClose {
+  void operator()(zip_file_t* file) const { zip_fclose(file); }
+};
+using ZipSource = std::unique_ptr<zip_source_t, ZipSourceFree>;
+using ZipArchive = std::unique_ptr<zip_t, ZipDiscard>;
+
+[[noreturn]] void failToZip(const std::string& why) {
+  throw StorageError(message("The zip archive could not be made: {}", why));
+}
+
+std::string bytesOf(zip_source_t* source) {
+  zip_stat_t stat;
+  zip_stat_init(&stat);
+  if (zip_source_stat(source, &stat) != 0 || (stat.valid & ZIP_STAT_SIZE) == 0 || zip_source_open(source) != 0) {
+    failToZip(zip_error_strerror(zip_source_error(source)));
+  }
+  std::string bytes(stat.size, '\0');
+  const zip_int64_t read = zip_source_read(source, bytes.data(), bytes.size());
+  zip_source_close(source);
+  if (read < 0 || static_cast<std::size_t>(read) != bytes.size()) {
+    failToZip(zip_error_strerror(zip_source_error(source)));
+  }
+  return bytes;
+}
+
+}  // namespace
+
+std::string zipBytes(std::span<const ZipEntry> entries) {
+  ZipFault fault;
+  const ZipSource target(zip_source_buffer_create(nullptr, 0, 0, fault.get()));
+  if (!target) failToZip(fault.words());
+  ZipArchive archive(zip_open_from_source(target.get(), ZIP_TRUNCATE, fault.get()));
+  if (!archive) failToZip(fault.words());
+  // The archive frees its source; this keeps it for the bytes.
+  zip_source_keep(target.get());
+  for (const ZipEntry& entry : entries) {
+    zip_source_t* content = zip_source_buffer(archive.get(), entry.content.data(), entry.content.size(), 0);
+    if (content == nullptr || zip_file_add(archive.get(), entry.name.c_str(), content, ZIP_FL_ENC_UTF_8) < 0) {
+      zip_source_free(content);
+      failToZip(zip_strerror(archive.get()));
+    }
+  }
+  if (zip_close(archive.get()) != 0) failToZip(zip_strerror(archive.get()));
+  static_cast<void>(archive.release());  // closing has freed it
+  return bytesOf(target.get());
+}
+
+std::vector<ZipEntry> zipEntries(std::string_view bytes, const std::string& file) {
+  const auto fail = [&file](const std::string& why) {
+    throw FormatError(located(file, message("is no whole zip archive: {}", why)));
+  };
+  if (bytes.empty()) fail("it is empty");  // libzip would begin a new one
+  ZipFault fault;
+  ZipSource source(zip_source_buffer_create(bytes.data(), bytes.size(), 0, fault.get()));
+  if (!source) fail(fault.words());
+  const ZipArchive archive(zip_open_from_source(source.get(), ZIP_RDONLY | ZIP_CHECKCONS, fault.get()));
+  if (!archive) fail(fault.words());
+  static_cast<void>(source.release());  // the archive's now
+  std::vector<ZipEntry> entries;
+  const zip_int64_t count = zip_get_num_entries(archive.get(), 0);
+  for (zip_int64_t k = 0; k < count; ++k) {
+    const auto index = static_cast<zip_uint64_t>(k);
+    zip_stat_t stat;
+    zip_stat_init(&stat);
+    if (zip_stat_index(archive.get(), index, 0, &stat) != 0) fail(zip_strerror(archive.get()));
+    const std::unique_ptr<zip_file_t, ZipFileClose> opened(zip_fopen_index(archive.get(), index, 0));
+    if (!opened) fail(zip_strerror(archive.get()));
+    ZipEntry& entry = entries.emplace_back(ZipEntry{stat.name, std::string(stat.size, '\0')});
+    // One byte more than there is: only a read to the very end compares the checksum.
+    char beyond = 0;
+    if (zip_fread(opened.get(), entry.content.data(), stat.size) != static_cast<zip_int64_t>(stat.size) ||
+        zip_fread(opened.get(), &beyond, 1) != 0) {
+      fail(zip_file_strerror(opened.get()));
+    }
+  }
+  return entries;
+}
+
+}  // namespace hexoderm

@@ -1,0 +1,25 @@
+#pragma once
+
+// Private to core: zip archives in memory (libzip).
+
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace hexoderm {
+
+/// A file in an archive; folders in its name are parted by slashes.
+struct ZipEntry {
+  std::string name;
+  std::string content;
+};
+
+/// The bytes of a zip archive of these files, compressed. Throws StorageError if there is no memory for them.
+std::string zipBytes(std::span<const ZipEntry> entries);
+
+/// The files of an archive in their order, their checksums compared. Throws FormatError, which names `file`, if the
+/// bytes are no whole archive.
+std::vector<ZipEntry> zipEntries(std::string_view bytes, const std::string& file);
+
+}  // namespace hexoderm

@@ -1,0 +1,98 @@
+#include "app/window/presenters/coloring_presenter.h"
+
+#include "app/window/guide/guide.h"
+#include "tests/app/window/presenters/presenter_test.h"
+#include "widgets/controls/step_panel.h"
+#include "widgets/patch/patch_controls.h"
+#include "widgets/patch/patch_legend_view.h"
+#include "widgets/patch/patch_view.h"
+
+#include <QRadioButton>
+#include <QToolButton>
+
+namespace hexoderm {
+namespace {
+
+class ColoringPresenterTest : public PresenterTest {
+ protected:
+  /// A session of the X17 in three poses, all links of which are of one class.
+  void openSession() {
+    const QString path = pathTo("one_class.hexo");
+    window_->openFile(QFile::exists(path) ? path : writeSession(path, 3));
+    ASSERT_TRUE(waitForPoses(3));
+    ASSERT_TRUE(waitUntil([this] { return patch().isUpToDate(); }));
+  }
+  PatchView& patch() { return *window_->findChild<PatchView*>(); }
+  StepPanel& steps() { return *window_->findChild<StepPanel*>(); }
+  void open(GuideStep step) { steps().openStep(static_cast<int>(step)); }
+  void choose(Coloring coloring) { window_->findChild<PatchControls*>()->action(coloring)->trigger(); }
+  PatchLegendView& legend() { return *find<PatchLegendView>("patchLegend"); }
+};
+
+TEST_F(ColoringPresenterTest, ReviewShowsHowWellTheShapeIsKnownOnceTheClassIsTheSameEverywhere) {
+  EXPECT_EQ(patch().coloring(), Coloring::LinkQuality) << "there is no skin yet";
+  ASSERT_NO_FATAL_FAILURE(openSession());
+  ASSERT_EQ(steps().openIndex(), static_cast<int>(GuideStep::Review));
+  EXPECT_EQ(patch().coloring(), Coloring::ShapeUncertainty);
+  open(GuideStep::Capture);
+  EXPECT_EQ(patch().coloring(), Coloring::LinkQuality) << "while poses are taken, classes change";
+  open(GuideStep::Verify);
+  EXPECT_EQ(patch().coloring(), Coloring::ShapeUncertainty);
+}
+
+TEST_F(ColoringPresenterTest, WhatTheOperatorChoosesStands) {
+  ASSERT_NO_FATAL_FAILURE(openSession());
+  choose(Coloring::Residual);
+  open(GuideStep::Capture);
+  open(GuideStep::Review);
+  EXPECT_EQ(patch().coloring(), Coloring::Residual);
+  window_->openFile(writeSession(pathTo("another.hexo"), 4));
+  ASSERT_TRUE(waitForPoses(4));
+  EXPECT_EQ(patch().coloring(), Coloring::Residual);
+}
+
+TEST_F(ColoringPresenterTest, AFixedRangeStaysWithOtherResultsAndStarts) {
+  ASSERT_NO_FATAL_FAILURE(openSession());
+  choose(Coloring::PositionUncertainty);
+  EXPECT_TRUE(legend().accessibleDescription().contains("range fitted"))
+      << qPrintable(legend().accessibleDescription());
+  emit legend().rangeFixed({0, 5});
+  EXPECT_TRUE(legend().accessibleDescription().contains("range fixed"));
+  window_->openFile(writeSession(pathTo("another.hexo"), 4));
+  ASSERT_TRUE(waitForPoses(4));
+  EXPECT_TRUE(legend().accessibleDescription().contains("from 0.00 to 5.00 mm, range fixed"))
+      << qPrintable(legend().accessibleDescription());
+  reopenWindow();
+  ASSERT_NO_FATAL_FAILURE(openSession());
+  choose(Coloring::PositionUncertainty);
+  EXPECT_TRUE(legend().accessibleDescription().contains("from 0.00 to 5.00 mm, range fixed"))
+      << qPrintable(legend().accessibleDescription());
+  emit legend().rangeReleased();
+  reopenWindow();
+  ASSERT_NO_FATAL_FAILURE(openSession());
+  choose(Coloring::PositionUncertainty);
+  EXPECT_TRUE(legend().accessibleDescription().contains("range fitted"));
+}
+
+TEST_F(ColoringPresenterTest, RestoringTheDefaultsFixesNoRange) {
+  ASSERT_NO_FATAL_FAILURE(openSession());
+  choose(Coloring::PositionUncertainty);
+  emit legend().rangeFixed({0, 5});
+  window_->preferences().restoreDefaults();
+  EXPECT_TRUE(legend().accessibleDescription().contains("range fitted"));
+}
+
+TEST_F(ColoringPresenterTest, SettingsThatMakeNoSenseFixNothing) {
+  window_.reset();
+  QSettings().setValue("colours/position_uncertainty", QStringList{"5", "x"});
+  QSettings().setValue("colours/residual", QStringList{"3", "1"});
+  openWindow();
+  ASSERT_NO_FATAL_FAILURE(openSession());
+  for (const Coloring coloring : {Coloring::PositionUncertainty, Coloring::Residual}) {
+    choose(coloring);
+    EXPECT_TRUE(legend().accessibleDescription().contains("range fitted"));
+  }
+}
+
+}  // namespace
+}  // namespace hexoderm

@@ -1,0 +1,235 @@
+// A package by the export dialog: what is said before and after, what is in it, and that a cancelled or failed one
+// leaves nothing.
+
+#include "hexoderm/device/simulation/simulated_skin.h"
+#include "hexoderm/io/calibration_json.h"
+#include "hexoderm/session/session_store.h"
+#include "hexoderm/session/simulated_session.h"
+#include "tests/app/window/window_test.h"
+#include "tests/support/failing_disk.h"
+
+#include <QComboBox>
+#include <QListWidget>
+#include <QProcess>
+#include <QTabBar>
+#include <QTextBrowser>
+#include <QTreeWidget>
+#include <future>
+
+namespace hexoderm {
+namespace {
+
+class WindowPackageTest : public WindowTest {
+ protected:
+  void openCalibrated() {
+    SimulatedSkin skin(builtInCellModel("hex-bma150"), {});
+    writeSessionStore(simulateSession(skin, 4, 20), pathTo("arm.hexo").toStdString());
+    window_->openFile(pathTo("arm.hexo"));
+    ASSERT_TRUE(waitForPoses(4)) << message().toStdString();
+  }
+  QDialog* openDialog() {
+    press(Qt::Key_E, Qt::ControlModifier);
+    return waitForDialog<QDialog>("exportDialog");
+  }
+  static void choosePackage(QDialog* dialog) { dialog->findChild<QTabBar*>("exportKinds")->setCurrentIndex(1); }
+  static void tick(QDialog* dialog, const QStringList& names) {
+    auto* list = dialog->findChild<QListWidget*>("packageFormats");
+    for (int k = 0; k < list->count(); ++k) {
+      list->item(k)->setCheckState(names.contains(list->item(k)->text()) ? Qt::Checked : Qt::Unchecked);
+    }
+  }
+  static QStringList ticked(QDialog* dialog) {
+    QStringList names;
+    const auto* list = dialog->findChild<QListWidget*>("packageFormats");
+    for (int k = 0; k < list->count(); ++k) {
+      if (list->item(k)->checkState() == Qt::Checked) names << list->item(k)->text();
+    }
+    return names;
+  }
+  /// Ticks the files, and starts to write them.
+  void exportPackage(const QStringList& names, const QString& path) {
+    QDialog* dialog = openDialog();
+    ASSERT_NE(dialog, nullptr);
+    choosePackage(dialog);
+    tick(dialog, names);
+    auto* edit = dialog->findChild<QLineEdit*>("exportPath");
+    edit->setFocus();
+    edit->selectAll();
+    QTest::keyClicks(edit, path);
+    auto* button = dialog->findChild<QPushButton*>("exportButton");
+    ASSERT_TRUE(button->isEnabled()) << dialog->findChild<QLabel*>("exportNote")->text().toStdString();
+    click(button);
+    ASSERT_TRUE(waitUntil([this] { return window_->findChild<QDialog*>("exportDialog") == nullptr; }));
+  }
+  void sayNoTitle() {
+    auto* form = waitForDialog<QDialog>("reportTitleDialog");
+    ASSERT_NE(form, nullptr);
+    click(form->findChild<QPushButton*>("reportTitleButton"));
+  }
+  static bool isDone(QDialog* dialog) {
+    return dialog->findChild<QTreeWidget*>("packageFiles")->topLevelItemCount() > 0;
+  }
+  [[nodiscard]] QStringList filesIn(const QString& folder) const {
+    return QDir(pathTo(folder)).entryList(QDir::AllEntries | QDir::Hidden | QDir::NoDotAndDotDot, QDir::Name);
+  }
+};
+
+TEST_F(WindowPackageTest, IsPreviewedWrittenAndListed) {
+  ASSERT_NO_FATAL_FAILURE(openCalibrated());
+  QDialog* dialog = openDialog();
+  ASSERT_NE(dialog, nullptr);
+  choosePackage(dialog);
+  tick(dialog, {"URDF", "Calibration"});
+  const QString preview = dialog->findChild<QTextBrowser*>("packagePreview")->toPlainText();
+  for (const char* part : {"skin.urdf", "its place on the robot is not known", "A URDF holds no uncertainties.",
+                           "skin.calibration.json", "manifest.json"}) {
+    EXPECT_TRUE(preview.contains(QLatin1String(part))) << part << " is not in\n" << preview.toStdString();
+  }
+  QTest::keyClick(dialog, Qt::Key_Escape);
+  ASSERT_TRUE(waitUntil([this] { return window_->findChild<QDialog*>("exportDialog") == nullptr; }));
+
+  ASSERT_NO_FATAL_FAILURE(exportPackage({"Report, PDF", "URDF", "Calibration"}, pathTo("out")));
+  ASSERT_NO_FATAL_FAILURE(sayNoTitle());
+  auto* written = waitForDialog<QDialog>("packageDialog");
+  ASSERT_NE(written, nullptr);
+  ASSERT_TRUE(waitUntil([&] { return isDone(written); }));
+  EXPECT_EQ(written->findChild<QTreeWidget*>("packageFiles")->topLevelItemCount(), 4);
+  const QString sentence = written->findChild<QLabel*>("packageSentence")->text();
+  EXPECT_TRUE(sentence.contains("4 files. Each was read back")) << sentence.toStdString();
+  EXPECT_EQ(filesIn("out"), QStringList({"manifest.json", "report.pdf", "skin.calibration.json", "skin.urdf"}));
+  EXPECT_EQ(readCalibrationJson(pathTo("out/skin.calibration.json").toStdString())->cellCount(), 17U);
+  QFile pdf(pathTo("out/report.pdf"));
+  ASSERT_TRUE(pdf.open(QIODevice::ReadOnly));
+  EXPECT_TRUE(pdf.readAll().startsWith("%PDF"));
+  keepPicture(written->grab().toImage(), "package-written");
+}
+
+TEST_F(WindowPackageTest, IsAnArchiveThatAnotherProgramReads) {
+  ASSERT_NO_FATAL_FAILURE(openCalibrated());
+  ASSERT_NO_FATAL_FAILURE(exportPackage({"Report, HTML", "GLTF"}, pathTo("arm.zip")));
+  ASSERT_NO_FATAL_FAILURE(sayNoTitle());
+  auto* written = waitForDialog<QDialog>("packageDialog");
+  ASSERT_NE(written, nullptr);
+  ASSERT_TRUE(waitUntil([&] { return isDone(written); }));
+  EXPECT_TRUE(written->findChild<QLabel*>("packageSentence")->text().contains("The archive was read back"));
+  QProcess python;
+  python.start("python3", {"-c",
+                           "import sys, zipfile\n"
+                           "archive = zipfile.ZipFile(sys.argv[1])\n"
+                           "assert archive.testzip() is None\n"
+                           "print(' '.join(sorted(archive.namelist())))\n"
+                           "assert archive.read('arm/skin.glb')[:4] == b'glTF'\n"
+                           "assert b'<html' in archive.read('arm/report.html')\n",
+                           pathTo("arm.zip")});
+  ASSERT_TRUE(python.waitForFinished(-1));
+  EXPECT_EQ(python.exitCode(), 0) << python.readAllStandardError().toStdString();
+  EXPECT_EQ(python.readAllStandardOutput().trimmed(), "arm/manifest.json arm/report.html arm/skin.glb");
+}
+
+TEST_F(WindowPackageTest, ThatIsCancelledLeavesNothing) {
+  ASSERT_NO_FATAL_FAILURE(openCalibrated());
+  const QStringList before = filesIn(".");
+  for (const char* name : {"out", "arm.zip"}) {
+    // The thread for files is kept busy until the operator has pressed the button.
+    std::promise<void> pressed;
+    controller().resultFiles().savePicture(
+        [&pressed] {
+          pressed.get_future().wait();
+          return true;
+        },
+        "busy");
+    ASSERT_NO_FATAL_FAILURE(exportPackage({"CSV", "PLY", "URDF"}, pathTo(name)));
+    auto* writing = waitForDialog<QDialog>("packageDialog");
+    ASSERT_NE(writing, nullptr);
+    click(writing->findChild<QPushButton*>("packageCancel"));
+    EXPECT_EQ(writing->findChild<QLabel*>("packageSentence")->text(), "Cancelling …");
+    pressed.set_value();
+    ASSERT_TRUE(waitUntil([this] { return window_->findChild<QDialog*>("packageDialog") == nullptr; }));
+    EXPECT_FALSE(controller().work().isWriting());
+    EXPECT_EQ(filesIn("."), before) << name;
+  }
+}
+
+TEST_F(WindowPackageTest, OnAFullDiskSaysSoAndLeavesNothing) {
+  ASSERT_NO_FATAL_FAILURE(openCalibrated());
+  const QStringList before = filesIn(".");
+  for (const char* name : {"out", "arm.zip"}) {
+    const test::NoFileGrows full;
+    ASSERT_NO_FATAL_FAILURE(exportPackage({"CSV", "PLY"}, pathTo(name)));
+    auto* writing = waitForDialog<QDialog>("packageDialog");
+    ASSERT_NE(writing, nullptr);
+    const auto* sentence = writing->findChild<QLabel*>("packageSentence");
+    ASSERT_TRUE(waitUntil([&] { return sentence->text().startsWith("Nothing was written."); }))
+        << sentence->text().toStdString();
+    QTest::keyClick(writing, Qt::Key_Escape);
+    ASSERT_TRUE(waitUntil([this] { return window_->findChild<QDialog*>("packageDialog") == nullptr; }));
+    EXPECT_EQ(filesIn("."), before) << name;
+  }
+}
+
+TEST_F(WindowPackageTest, IntoAFolderThatTakesNothingSaysSo) {
+  ASSERT_NO_FATAL_FAILURE(openCalibrated());
+  ASSERT_NO_FATAL_FAILURE(exportPackage({"PLY"}, "/proc/out"));
+  auto* writing = waitForDialog<QDialog>("packageDialog");
+  ASSERT_NE(writing, nullptr);
+  ASSERT_TRUE(waitUntil(
+      [&] { return writing->findChild<QLabel*>("packageSentence")->text().startsWith("Nothing was written."); }));
+}
+
+TEST_F(WindowPackageTest, RemembersWhatWasChosen) {
+  ASSERT_NO_FATAL_FAILURE(openCalibrated());
+  ASSERT_NO_FATAL_FAILURE(exportPackage({"PLY", "TF-YAML"}, pathTo("arm.zip")));
+  auto* written = waitForDialog<QDialog>("packageDialog");
+  ASSERT_NE(written, nullptr);
+  ASSERT_TRUE(waitUntil([&] { return isDone(written); }));
+  QTest::keyClick(written, Qt::Key_Escape);
+  ASSERT_TRUE(waitUntil([this] { return window_->findChild<QDialog*>("packageDialog") == nullptr; }));
+  QDialog* dialog = openDialog();
+  ASSERT_NE(dialog, nullptr);
+  EXPECT_EQ(dialog->findChild<QTabBar*>("exportKinds")->currentIndex(), 1);
+  EXPECT_EQ(ticked(dialog), QStringList({"PLY", "TF-YAML"}));
+  EXPECT_EQ(dialog->findChild<QComboBox*>("exportContainer")->currentText(), "Zip archive");
+  EXPECT_TRUE(dialog->findChild<QLineEdit*>("exportPath")->text().endsWith(".zip"));
+  dialog->findChild<QTabBar*>("exportKinds")->setCurrentIndex(0);
+  EXPECT_TRUE(dialog->findChild<QLineEdit*>("exportPath")->text().endsWith(".calibration.json"));
+  click(dialog->findChild<QPushButton*>("exportButton"));
+  ASSERT_TRUE(waitForMessage("Exported to ")) << message().toStdString();
+  dialog = openDialog();
+  ASSERT_NE(dialog, nullptr);
+  EXPECT_EQ(dialog->findChild<QTabBar*>("exportKinds")->currentIndex(), 0);
+}
+
+TEST_F(WindowPackageTest, IsMadeByTheKeyboardAlone) {
+  ASSERT_NO_FATAL_FAILURE(openCalibrated());
+  QDialog* dialog = openDialog();
+  ASSERT_NE(dialog, nullptr);
+  const auto* button = dialog->findChild<QPushButton*>("exportButton");
+  const auto tabTo = [&](const QString& name) {
+    for (int k = 0; k < 40; ++k) {
+      if (QApplication::focusWidget() != nullptr && QApplication::focusWidget()->objectName() == name) return true;
+      QTest::keyClick(QApplication::focusWidget(), Qt::Key_Tab);
+    }
+    return false;
+  };
+  ASSERT_TRUE(tabTo("exportKinds"));
+  QTest::keyClick(QApplication::focusWidget(), Qt::Key_Right);
+  ASSERT_TRUE(tabTo("packageFormats"));
+  tick(dialog, {});
+  EXPECT_FALSE(button->isEnabled()) << "a package of nothing";
+  QTest::keyClick(QApplication::focusWidget(), Qt::Key_End);
+  QTest::keyClick(QApplication::focusWidget(), Qt::Key_Space);
+  EXPECT_EQ(ticked(dialog), QStringList("MJCF"));
+  ASSERT_TRUE(tabTo("exportContainer"));
+  QTest::keyClick(QApplication::focusWidget(), Qt::Key_Down);
+  EXPECT_TRUE(dialog->findChild<QLineEdit*>("exportPath")->text().endsWith("arm.zip"));
+  ASSERT_TRUE(tabTo("packagePreview"));
+  ASSERT_TRUE(tabTo("exportPath"));
+  QTest::keyClick(QApplication::focusWidget(), Qt::Key_Return);
+  auto* written = waitForDialog<QDialog>("packageDialog");
+  ASSERT_NE(written, nullptr);
+  ASSERT_TRUE(waitUntil([&] { return isDone(written); }));
+  EXPECT_TRUE(QFile::exists(pathTo("arm.zip")));
+}
+
+}  // namespace
+}  // namespace hexoderm

@@ -1,0 +1,72 @@
+#include "hexoderm/capture/calm_up.h"
+
+#include <gtest/gtest.h>
+#include <random>
+
+namespace hexoderm {
+namespace {
+
+Eigen::Vector3d turned(double angle_deg) {
+  return expSO3(angle_deg * kDegree * Eigen::Vector3d::UnitX()) * Eigen::Vector3d::UnitZ();
+}
+
+/// How a hand trembles: 0.6 degrees, 1 sigma, about each of two axes, as the readings of a tenth of a second have it.
+class Tremor {
+ public:
+  Eigen::Vector3d about(const Eigen::Vector3d& up) {
+    std::normal_distribution<double> angle(0, 0.6 * kDegree);
+    return expSO3(Eigen::Vector3d(angle(random_), angle(random_), angle(random_))) * up;
+  }
+
+ private:
+  std::mt19937 random_{7};
+};
+
+TEST(CalmUp, APartThatIsHeldStaysWhereItIs) {
+  CalmUp calm;
+  Tremor tremor;
+  Eigen::Vector3d shown = *calm.follow(tremor.about(Eigen::Vector3d::UnitZ()));
+  int moves = 0;
+  for (int k = 0; k < 1000; ++k) {
+    const Eigen::Vector3d next = *calm.follow(tremor.about(Eigen::Vector3d::UnitZ()));
+    moves += next != shown;
+    shown = next;
+  }
+  EXPECT_LT(moves, 50) << "of a thousand readings";
+  EXPECT_LT(angleBetween(shown, Eigen::Vector3d::UnitZ()), CalmUp::kMovesOn_rad + 0.5 * kDegree);
+}
+
+TEST(CalmUp, ALargeMoveIsFollowedAtOnce) {
+  CalmUp calm;
+  Tremor tremor;
+  for (int k = 0; k < 100; ++k) calm.follow(tremor.about(Eigen::Vector3d::UnitZ()));
+  EXPECT_EQ(*calm.follow(turned(30)), turned(30));
+  EXPECT_EQ(*calm.follow(turned(60)), turned(60));
+}
+
+TEST(CalmUp, ASlowTurnIsFollowedAndNotLostInSmallSteps) {
+  CalmUp calm;
+  Tremor tremor;
+  for (int k = 0; k < 100; ++k) calm.follow(tremor.about(Eigen::Vector3d::UnitZ()));
+  // Half a degree a second.
+  std::optional<Eigen::Vector3d> shown;
+  double farthest = 0;
+  for (int k = 0; k < 800; ++k) {
+    const Eigen::Vector3d is = turned(0.025 * k);
+    shown = calm.follow(tremor.about(is));
+    farthest = std::max(farthest, angleBetween(*shown, is));
+  }
+  EXPECT_LT(toDegrees(farthest), 3);
+  EXPECT_LT(toDegrees(angleBetween(*shown, turned(20))), 2);
+}
+
+TEST(CalmUp, WhatIsNotKnownIsNotShownAndBeginsAnew) {
+  CalmUp calm;
+  EXPECT_EQ(calm.follow(std::nullopt), std::nullopt);
+  EXPECT_EQ(*calm.follow(turned(10)), turned(10));
+  EXPECT_EQ(calm.follow(std::nullopt), std::nullopt);
+  EXPECT_EQ(*calm.follow(turned(10.5)), turned(10.5));
+}
+
+}  // namespace
+}  // namespace hexoderm

@@ -1,0 +1,49 @@
+#include "hexoderm/util/finding_advice.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <set>
+#include <string>
+
+namespace hexoderm {
+namespace {
+
+TEST(FindingAdvice, EveryCodeHasItsReasonAndWhatToDo) {
+  ASSERT_EQ(findingAdvice().size(), findingTable().size());
+  for (std::size_t k = 0; k < findingAdvice().size(); ++k) {
+    const FindingAdvice& advice = findingAdvice()[k];
+    const std::string name(findingTable()[k].name);
+    EXPECT_EQ(static_cast<std::size_t>(advice.code), k) << name;
+    EXPECT_EQ(&adviceOn(advice.code), &advice) << name;
+    for (const Message& text : {advice.why, advice.what_to_do}) {
+      ASSERT_FALSE(text.empty()) << name;
+      EXPECT_EQ(text.english().back(), '.') << name;
+      EXPECT_NE(text, findingTable()[k].meaning) << name << " only says it again";
+    }
+    const std::set<FindingRemedy> once(advice.remedies.begin(), advice.remedies.end());
+    EXPECT_EQ(once.size(), advice.remedies.size()) << name;
+  }
+}
+
+TEST(FindingAdvice, WhatIsWrongWithAPoseCanBeDoneAboutThePose) {
+  for (const FindingCode code : {FindingCode::PartMoved, FindingCode::InconsistentPose}) {
+    const std::vector<FindingRemedy>& remedies = adviceOn(code).remedies;
+    EXPECT_EQ(remedies, (std::vector{FindingRemedy::RecapturePose, FindingRemedy::DisablePose}));
+  }
+  for (const FindingCode code : {FindingCode::LinkNotRigid, FindingCode::ImplausibleBend}) {
+    EXPECT_EQ(std::ranges::count(adviceOn(code).remedies, FindingRemedy::MuteLink), 1);
+  }
+}
+
+TEST(FindingAdvice, RemediesHaveWords) {
+  std::set<std::string_view> words;
+  for (const FindingAdvice& advice : findingAdvice()) {
+    for (const FindingRemedy remedy : advice.remedies) words.insert(remedyInWords(remedy));
+  }
+  EXPECT_EQ(words.size(), 5U);
+  EXPECT_FALSE(words.contains(""));
+}
+
+}  // namespace
+}  // namespace hexoderm

@@ -1,0 +1,204 @@
+// The 3D view's menu, its directions to look from, the cut, and pictures that are smoothed as they come.
+#include "tests/support/hand_made_skins.h"
+#include "tests/support/qt_wait.h"
+#include "widgets/controls/selection.h"
+#include "widgets/patch/cut_bar.h"
+#include "widgets/patch/patch_controls.h"
+#include "widgets/patch/patch_view.h"
+#include "widgets/patch/scene_widget.h"
+#include "widgets/scene/scene_corners.h"
+
+#include <gtest/gtest.h>
+#include <vtkRenderWindow.h>
+#include <QAction>
+#include <QApplication>
+#include <QClipboard>
+#include <QContextMenuEvent>
+#include <QMenu>
+#include <QSlider>
+#include <QTest>
+#include <QToolButton>
+
+namespace hexoderm {
+namespace {
+
+class PatchFormTest : public testing::Test {
+ protected:
+  void SetUp() override {
+    view.resize(640, 480);
+    view.show();
+    ASSERT_TRUE(test::waitUntilExposed(view));
+    canvas = view.findChild<SceneWidget*>();
+    ASSERT_NE(canvas, nullptr);
+    view.setReconstruction(std::make_shared<const Reconstruction>(demoReconstruction()));
+    view.showStandardView(PatchView::StandardView::Front);
+    static_cast<void>(view.screenshot());
+  }
+  void TearDown() override {
+    if (QMenu* menu = openMenu()) menu->close();
+  }
+
+  PatchControls& controls() { return *view.findChild<PatchControls*>(); }
+  QMenu* openMenu() { return view.findChild<QMenu*>(QStringLiteral("patchMenu")); }
+  void clickRight(const QPoint& at, const QPoint& to) {
+    QTest::mousePress(canvas, Qt::RightButton, {}, at);
+    if (to != at) test::dragMouseTo(canvas, to, Qt::RightButton);
+    QTest::mouseRelease(canvas, Qt::RightButton, {}, to);
+  }
+  QAction* entry(const QMenu& menu, const char* name) {
+    for (QAction* action : menu.actions()) {
+      if (action->objectName() == QLatin1String(name)) return action;
+    }
+    return nullptr;
+  }
+
+  Selection selection;
+  PatchView view{&selection};
+  SceneWidget* canvas = nullptr;
+};
+
+TEST_F(PatchFormTest, TheRightButtonOpensAMenuForTheCellUnderIt) {
+  clickRight(canvas->rect().center(), canvas->rect().center());
+  QMenu* menu = openMenu();
+  ASSERT_NE(menu, nullptr);
+  QAction* pick = entry(*menu, "actionPickCell");
+  ASSERT_NE(pick, nullptr);
+  EXPECT_TRUE(pick->text().contains(QStringLiteral("1"))) << pick->text().toStdString();
+  pick->trigger();
+  EXPECT_EQ(selection.cell(), CellId(1));
+  ASSERT_NE(entry(*menu, "actionCenterCell"), nullptr);
+  for (const QAction* action :
+       {controls().fitAction(), controls().parallelAction(), controls().cutAction(), controls().measureAction(),
+        controls().pictureAction(), controls().coloringMenu()->menuAction(), controls().showMenu()->menuAction()}) {
+    EXPECT_TRUE(menu->actions().contains(const_cast<QAction*>(action))) << action->text().toStdString();
+  }
+}
+
+TEST_F(PatchFormTest, BesideTheSkinTheMenuIsAboutThePictureAlone) {
+  const QPoint beside(canvas->width() / 2, canvas->height() - 4);
+  clickRight(beside, beside);
+  QMenu* menu = openMenu();
+  ASSERT_NE(menu, nullptr);
+  EXPECT_EQ(entry(*menu, "actionPickCell"), nullptr);
+  EXPECT_TRUE(menu->actions().contains(controls().fitAction()));
+}
+
+TEST_F(PatchFormTest, DraggingWithTheRightButtonZoomsAndOpensNothing) {
+  const QImage before = view.screenshot();
+  const QPoint from = canvas->rect().center();
+  clickRight(from, from + QPoint(0, 60));
+  EXPECT_EQ(openMenu(), nullptr);
+  EXPECT_NE(view.screenshot(), before);
+}
+
+TEST_F(PatchFormTest, TheMenuKeyOpensTheMenuForWhatIsInTheMiddle) {
+  QContextMenuEvent key(QContextMenuEvent::Keyboard, QPoint(3, 3));
+  QApplication::sendEvent(&view, &key);
+  QMenu* menu = openMenu();
+  ASSERT_NE(menu, nullptr);
+  EXPECT_NE(entry(*menu, "actionPickCell"), nullptr);
+}
+
+TEST_F(PatchFormTest, ACellIsBroughtIntoTheMiddleByTheMenu) {
+  const QImage before = view.screenshot();
+  // Some cell that is not in the middle.
+  QPoint beside;
+  for (int x = 40; x < 200 && beside.isNull(); x += 5) {
+    const QPoint at = canvas->rect().center() + QPoint(x, -x / 2);
+    QTest::mousePress(canvas, Qt::LeftButton, {}, at);
+    QTest::mouseRelease(canvas, Qt::LeftButton, {}, at);
+    if (selection.cell() && selection.cell() != CellId(1)) beside = at;
+  }
+  ASSERT_FALSE(beside.isNull());
+  selection.clear();
+  clickRight(beside, beside);
+  ASSERT_NE(openMenu(), nullptr);
+  QAction* center = entry(*openMenu(), "actionCenterCell");
+  ASSERT_NE(center, nullptr);
+  center->trigger();
+  EXPECT_NE(view.screenshot(), before);
+  EXPECT_EQ(selection.cell(), std::nullopt);
+}
+
+TEST_F(PatchFormTest, CopiesThePicture) {
+  clickRight(canvas->rect().center(), canvas->rect().center());
+  ASSERT_NE(openMenu(), nullptr);
+  QAction* copy = entry(*openMenu(), "actionCopyPicture");
+  ASSERT_NE(copy, nullptr);
+  QApplication::clipboard()->clear();
+  copy->trigger();
+  EXPECT_EQ(QApplication::clipboard()->image().size(), canvas->size() * canvas->devicePixelRatioF());
+}
+
+TEST_F(PatchFormTest, EveryDirectionOfTheMenuIsAnotherPicture) {
+  std::vector<QImage> pictures;
+  ASSERT_EQ(controls().viewActions().size(), 5U);
+  for (QAction* look : controls().viewActions()) {
+    EXPECT_FALSE(look->toolTip().isEmpty());
+    look->trigger();
+    const QImage picture = view.screenshot();
+    for (const QImage& other : pictures) EXPECT_NE(picture, other) << look->text().toStdString();
+    pictures.push_back(picture);
+  }
+  view.showStandardView(PatchView::StandardView::Back);
+  EXPECT_EQ(view.screenshot(), pictures[1]);
+  view.showStandardView(PatchView::StandardView::Isometric);
+  EXPECT_EQ(view.screenshot(), pictures[4]);
+}
+
+TEST_F(PatchFormTest, AClickOnAKnobOfTheAxesTurnsThePictureAndPicksNothing) {
+  const QImage front = view.screenshot();
+  // From in front the x axis points to the right of its corner.
+  const QPoint corner(SceneCorners::kLeft + SceneCorners::kSize / 2,
+                      canvas->height() - SceneCorners::kBottom - SceneCorners::kSize / 2);
+  const QPoint knob = corner + QPoint(qRound(0.8 / 1.15 * SceneCorners::kSize / 2), 0);
+  selection.selectCell(CellId(3));
+  QTest::mousePress(canvas, Qt::LeftButton, {}, knob);
+  QTest::mouseRelease(canvas, Qt::LeftButton, {}, knob);
+  EXPECT_EQ(selection.cell(), CellId(3));
+  const QImage side = view.screenshot();
+  EXPECT_NE(side, front);
+  view.showStandardView(PatchView::StandardView::Side);
+  EXPECT_EQ(view.screenshot(), side);
+}
+
+TEST_F(PatchFormTest, TheCutHasASliderThatTheKeysMoveAndThatIsThereOnlyForIt) {
+  auto* bar = view.findChild<CutBar*>();
+  ASSERT_NE(bar, nullptr);
+  EXPECT_FALSE(bar->isVisible());
+  const QImage whole = view.screenshot();
+  controls().cutAction()->trigger();
+  EXPECT_TRUE(bar->isVisible());
+  const QImage half = view.screenshot();
+  EXPECT_NE(half, whole);
+  auto* slider = bar->findChild<QSlider*>();
+  EXPECT_FALSE(slider->accessibleName().isEmpty());
+  for (int k = 0; k < 30; ++k) QTest::keyClick(slider, Qt::Key_Right);
+  EXPECT_NEAR(bar->share(), 0.8, 1e-9);
+  EXPECT_NE(view.screenshot(), half);
+  view.showStandardView(PatchView::StandardView::Side);
+  const QImage from_the_side = view.screenshot();
+  bar->findChild<QToolButton*>()->click();
+  EXPECT_NE(view.screenshot(), from_the_side);
+  controls().cutAction()->trigger();
+  EXPECT_FALSE(bar->isVisible());
+  view.showStandardView(PatchView::StandardView::Front);
+  EXPECT_TRUE(test::waitUntil([&] { return view.screenshot() == whole; })) << "as soon as the buttons stand as before";
+}
+
+TEST_F(PatchFormTest, PicturesAreSmoothedAsTheyComeWithinABudgetAndElseAtRest) {
+  canvas->setSmoothingBudget(1e9);
+  canvas->renderWindow()->Render();
+  const QImage at_once = canvas->picture();
+  EXPECT_TRUE(canvas->isPictureSmoothed());
+  canvas->setSmoothingBudget(0);
+  canvas->renderWindow()->Render();
+  const QImage rough = canvas->picture();
+  EXPECT_FALSE(canvas->isPictureSmoothed());
+  EXPECT_NE(rough, at_once);
+  canvas->smoothPicture();
+  EXPECT_EQ(canvas->picture(), at_once);
+}
+
+}  // namespace
+}  // namespace hexoderm

@@ -1,0 +1,197 @@
+// The legend over the 3D view: its scale, pointed at by mouse and keys, and its range, fixed by a click or typed.
+#include "widgets/patch/patch_legend_view.h"
+
+#include "tests/support/hand_made_skins.h"
+#include "tests/support/qt_wait.h"
+#include "widgets/coloring/scale_ranges.h"
+#include "widgets/controls/selection.h"
+#include "widgets/patch/patch_controls.h"
+#include "widgets/patch/patch_view.h"
+
+#include <gtest/gtest.h>
+#include <QDoubleSpinBox>
+#include <QRadioButton>
+#include <QTest>
+#include <QToolButton>
+
+namespace hexoderm {
+namespace {
+
+class PatchLegendViewTest : public testing::Test {
+ protected:
+  void SetUp() override {
+    view_.setScaleRanges(&ranges_);
+    view_.resize(720, 480);
+    view_.show();
+    ASSERT_TRUE(test::waitUntilExposed(view_));
+    view_.activateWindow();
+    ASSERT_TRUE(test::waitUntilActive(view_));
+    view_.setReconstruction(skin());
+    view_.setColoring(Coloring::PositionUncertainty);
+  }
+  /// Cells known to 0.39 mm and less often more the further out, one to 11.8 mm; and one of which nothing is known.
+  static std::shared_ptr<const Reconstruction> skin() {
+    Reconstruction demo = demoReconstruction();
+    for (CellPlacement& cell : demo.patches[0].cells) {
+      const double sigma_m = 0.0002 * static_cast<double>(cell.path.size());
+      cell.cov_t_r = Matrix6d::Identity() * sigma_m * sigma_m;
+    }
+    demo.patches[0].cells[7].cov_t_r = Matrix6d::Identity() * 36e-6;
+    demo.patches[0].cells[12].cov_t_r = std::nullopt;
+    return std::make_shared<const Reconstruction>(demo);
+  }
+
+  PatchLegendView& legend() { return *view_.findChild<PatchLegendView*>(); }
+  QString said() { return legend().accessibleDescription(); }
+  QToolButton* button() { return legend().findChild<QToolButton*>(QStringLiteral("scaleRange")); }
+  template <class T>
+  T* inPopup(const char* name) {
+    return legend().findChild<T*>(QLatin1String(name));
+  }
+  void key(int key) { QTest::keyClick(&legend(), Qt::Key(key)); }
+  /// In the middle of the bar.
+  QPoint bar() { return {legend().width() / 2, legend().height() - 36}; }
+
+  Selection selection_;
+  ScaleRanges ranges_;
+  PatchView view_{&selection_};
+};
+
+TEST_F(PatchLegendViewTest, SaysRangeUnitGoalAndWhatLiesBeyond) {
+  EXPECT_TRUE(legend().isVisible());
+  EXPECT_TRUE(legend().accessibleName().contains(QStringLiteral("position uncertainty (95 %), mm")));
+  for (const char* part : {"range fitted to what is shown", "more than 2.00 mm: 1 cell", "not known: 1 cell"}) {
+    EXPECT_TRUE(said().contains(QLatin1String(part))) << part << " in " << qPrintable(said());
+  }
+  EXPECT_EQ(button()->text(), QStringLiteral("fitted range ▾"));
+  EXPECT_TRUE(view_.rect().contains(legend().geometry()));
+  EXPECT_TRUE(legend().rect().contains(button()->geometry()));
+}
+
+TEST_F(PatchLegendViewTest, ArrowKeysWalkThroughTheScale) {
+  legend().setFocus();
+  key(Qt::Key_Home);
+  EXPECT_TRUE(said().contains(QRegularExpression(QStringLiteral("^0.35 to 0.42 mm: 1 cell$")))) << qPrintable(said());
+  key(Qt::Key_Left);
+  EXPECT_TRUE(said().startsWith(QStringLiteral("0.35 to"))) << "nothing lies below";
+  key(Qt::Key_Right);
+  EXPECT_TRUE(said().contains(QStringLiteral("0 cells"))) << qPrintable(said());
+  key(Qt::Key_End);
+  EXPECT_EQ(said(), QStringLiteral("more than 2.00 mm: 1 cell"));
+  key(Qt::Key_Right);
+  EXPECT_EQ(said(), QStringLiteral("more than 2.00 mm: 1 cell"));
+  button()->setFocus();
+  EXPECT_TRUE(said().contains(QStringLiteral("coloured by"))) << "left, it says what it is again";
+}
+
+TEST_F(PatchLegendViewTest, TheMouseReadsTheScale) {
+  QMouseEvent move(QEvent::MouseMove, bar(), legend().mapToGlobal(bar()), Qt::NoButton, Qt::NoButton, Qt::NoModifier);
+  const QImage before = legend().grab().toImage();
+  QCoreApplication::sendEvent(&legend(), &move);
+  EXPECT_TRUE(said().contains(QStringLiteral(" mm: "))) << qPrintable(said());
+  EXPECT_NE(legend().grab().toImage(), before);
+  QEvent leave(QEvent::Leave);
+  QCoreApplication::sendEvent(&legend(), &leave);
+  EXPECT_EQ(legend().grab().toImage(), before);
+}
+
+TEST_F(PatchLegendViewTest, AClickOrEnterFixesTheRangeAndTheNextReleasesIt) {
+  const QImage fitted = view_.screenshot();
+  QTest::mouseClick(&legend(), Qt::LeftButton, {}, bar());
+  ASSERT_TRUE(ranges_.fixed(Coloring::PositionUncertainty).has_value());
+  EXPECT_NEAR(ranges_.fixed(Coloring::PositionUncertainty)->high, 1.96, 0.05);
+  EXPECT_EQ(button()->text(), QStringLiteral("fixed range ▾"));
+  EXPECT_NE(view_.screenshot(), fitted) << "the picture says so, too";
+  legend().setFocus();
+  key(Qt::Key_Return);
+  EXPECT_EQ(ranges_.fixed(Coloring::PositionUncertainty), std::nullopt);
+  EXPECT_EQ(view_.screenshot(), fitted);
+}
+
+TEST_F(PatchLegendViewTest, AFixedRangeOutlivesTheResultAndIsThatOfItsColouring) {
+  ranges_.fix(Coloring::PositionUncertainty, {0, 20});
+  EXPECT_TRUE(said().contains(QStringLiteral("from 0.0 to 20.0 mm, range fixed"))) << qPrintable(said());
+  view_.setReconstruction(std::make_shared<const Reconstruction>(demoReconstruction()));
+  EXPECT_TRUE(said().contains(QStringLiteral("from 0.0 to 20.0 mm, range fixed")));
+  view_.setColoring(Coloring::Residual);
+  EXPECT_TRUE(said().contains(QStringLiteral("range fitted")));
+  view_.setColoring(Coloring::PositionUncertainty);
+  EXPECT_TRUE(said().contains(QStringLiteral("range fixed")));
+}
+
+TEST_F(PatchLegendViewTest, ARangeIsChosenOrTypedInThePopup) {
+  QTest::mouseClick(button(), Qt::LeftButton);
+  auto* popup = inPopup<QFrame>("rangePopup");
+  ASSERT_NE(popup, nullptr);
+  ASSERT_TRUE(popup->isVisible());
+  EXPECT_TRUE(inPopup<QRadioButton>("rangeFitted")->isChecked());
+  QTest::mouseClick(inPopup<QRadioButton>("rangeUsual"), Qt::LeftButton, {}, QPoint(8, 8));
+  EXPECT_EQ(ranges_.fixed(Coloring::PositionUncertainty), (ColorRange{0, 6}));
+  auto* high = inPopup<QDoubleSpinBox>("rangeHigh");
+  high->setValue(2.5);
+  EXPECT_EQ(ranges_.fixed(Coloring::PositionUncertainty), (ColorRange{0, 2.5}));
+  EXPECT_TRUE(inPopup<QRadioButton>("rangeTyped")->isChecked());
+  inPopup<QDoubleSpinBox>("rangeLow")->setValue(3);
+  EXPECT_EQ(ranges_.fixed(Coloring::PositionUncertainty), (ColorRange{0, 2.5})) << "that is no range";
+  inPopup<QDoubleSpinBox>("rangeLow")->setValue(1);
+  EXPECT_EQ(ranges_.fixed(Coloring::PositionUncertainty), (ColorRange{1, 2.5}));
+  QTest::mouseClick(inPopup<QRadioButton>("rangeFitted"), Qt::LeftButton, {}, QPoint(8, 8));
+  EXPECT_EQ(ranges_.fixed(Coloring::PositionUncertainty), std::nullopt);
+  QTest::keyClick(popup, Qt::Key_Escape);
+  EXPECT_FALSE(popup->isVisible());
+  EXPECT_TRUE(view_.isVisible()) << "Esc closes the popup alone";
+}
+
+TEST_F(PatchLegendViewTest, PointsAtThePickedCellsValueOrAtTheOneThatIsGiven) {
+  EXPECT_EQ(legend().markedValue(), std::nullopt);
+  selection_.selectCell(CellId(1));
+  EXPECT_NEAR(legend().markedValue().value_or(0), 0.392, 1e-3);
+  view_.setMarkedValue(1.2, QStringLiteral("cell 9: 1.20 mm"));
+  EXPECT_EQ(legend().markedValue(), 1.2);
+  selection_.selectCell(CellId(2));
+  EXPECT_EQ(legend().markedValue(), 1.2) << "what is pointed at comes first";
+  view_.setMarkedValue(std::nullopt);
+  EXPECT_NEAR(legend().markedValue().value_or(0), 0.784, 1e-3);
+  view_.setColoring(Coloring::Patch);
+  EXPECT_EQ(legend().markedValue(), std::nullopt);
+  view_.setColoring(Coloring::PositionUncertainty);
+  selection_.selectCell(CellId(13));
+  EXPECT_EQ(legend().markedValue(), std::nullopt) << "nothing is known of it";
+  selection_.clear();
+  EXPECT_EQ(legend().markedValue(), std::nullopt);
+}
+
+TEST_F(PatchLegendViewTest, ALegendOfClassesIsNoObstacleAndHasNoRange) {
+  view_.setColoring(Coloring::LinkQuality);
+  EXPECT_TRUE(legend().testAttribute(Qt::WA_TransparentForMouseEvents));
+  EXPECT_EQ(legend().focusPolicy(), Qt::NoFocus);
+  EXPECT_FALSE(button()->isVisible());
+  EXPECT_TRUE(legend().isVisible());
+  view_.setReconstruction(nullptr);
+  EXPECT_FALSE(legend().isVisible());
+}
+
+TEST_F(PatchLegendViewTest, SignsOnCellsAreExplainedWhereThereAreAny) {
+  EXPECT_FALSE(said().contains(QStringLiteral("crossed")));
+  Reconstruction faulty = *skin();
+  faulty.patches[0].cells[4].placed_by = PlacedBy::Links;
+  faulty.findings = {makeFinding(FindingCode::TurnedSensor, Message::verbatim("turned"), {CellId(5)})};
+  const int height = legend().height();
+  view_.setReconstruction(std::make_shared<const Reconstruction>(faulty));
+  EXPECT_TRUE(said().contains(QStringLiteral("crossed cells: an error was found in their readings")));
+  EXPECT_TRUE(said().contains(QStringLiteral("hatched cells: placed through their links alone")));
+  EXPECT_FALSE(said().contains(QStringLiteral("triangle")));
+  EXPECT_GT(legend().height(), height);
+}
+
+TEST_F(PatchLegendViewTest, FitsIntoViewsOfAnyWidth) {
+  for (const int width : {320, 430, 640, 1200}) {
+    view_.resize(width, 400);
+    ASSERT_TRUE(test::waitUntil([&] { return view_.width() == width; }));
+    EXPECT_TRUE(view_.rect().contains(legend().geometry())) << width;
+    EXPECT_TRUE(legend().rect().contains(button()->geometry())) << width;
+  }
+}
+
+}  // namespace
+}  // namespace hexoderm

@@ -1,0 +1,31 @@
+#pragma once
+
+#include "widgets/coloring/coloring.h"
+
+#include <QObject>
+#include <map>
+#include <optional>
+
+namespace hexoderm {
+
+/// The ranges of scales that the operator has fixed, shared by all views: what is fixed in one of them is so in all,
+/// and stays so with the next result. The scales of all other colourings are fitted to what is shown.
+class ScaleRanges : public QObject {
+  Q_OBJECT
+
+ public:
+  using QObject::QObject;
+
+  [[nodiscard]] std::optional<ColorRange> fixed(Coloring coloring) const;
+  /// A range that is none (low not below high, or not finite) is not taken.
+  void fix(Coloring coloring, const ColorRange& range);
+  void release(Coloring coloring);
+
+ signals:
+  void changed(hexoderm::Coloring coloring);
+
+ private:
+  std::map<Coloring, ColorRange> fixed_;
+};
+
+}  // namespace hexoderm

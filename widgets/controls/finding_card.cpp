@@ -1,0 +1,202 @@
+#include "widgets/controls/finding_card.h"
+
+#include "widgets/controls/flow_layout.h"
+#include "widgets/words/formatting.h"
+#include "widgets/words/words.h"
+
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QPainter>
+#include <QPushButton>
+#include <QToolButton>
+#include <QVBoxLayout>
+#include <algorithm>
+
+namespace hexoderm {
+namespace {
+
+QLabel* paragraph(QWidget* parent, const char* name) {
+  auto* label = new QLabel(parent);
+  label->setObjectName(QLatin1String(name));
+  label->setWordWrap(true);
+  label->setTextFormat(Qt::PlainText);
+  return label;
+}
+
+}  // namespace
+
+FindingCard::FindingCard(QWidget* parent)
+    : QFrame(parent),
+      severity_(new QLabel(this)),
+      what_(paragraph(this, "findingWhat")),
+      where_(paragraph(this, "findingWhere")),
+      show_(new QPushButton(tr("Show"), this)),
+      fold_(new QToolButton(this)),
+      details_(new QWidget(this)),
+      why_(paragraph(details_, "findingWhy")),
+      todo_(paragraph(details_, "findingToDo")),
+      buttons_(new QWidget(details_)),
+      button_layout_(new FlowLayout(buttons_)) {
+  setObjectName(QStringLiteral("findingCard"));
+  severity_->setObjectName(QStringLiteral("findingSeverity"));
+  where_->setProperty("muted", true);
+  show_->setObjectName(QStringLiteral("findingShow"));
+  show_->setFocusPolicy(Qt::TabFocus);
+  fold_->setObjectName(QStringLiteral("findingFold"));
+  fold_->setCheckable(true);
+  fold_->setProperty("flat", true);
+  fold_->setFocusPolicy(Qt::TabFocus);
+  fold_->setToolButtonStyle(Qt::ToolButtonTextOnly);
+  fold_->setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Ignored);  // as high as the button beside it
+  // A copy: what follows may bring another finding here.
+  connect(show_, &QPushButton::clicked, this, [this] { emit showWanted(Finding(finding_)); });
+  connect(fold_, &QToolButton::toggled, this, &FindingCard::setUnfolded);
+
+  auto* head = new QHBoxLayout;
+  head->setSpacing(6);
+  head->addWidget(severity_);
+  head->addWidget(where_, 1);
+  auto* actions = new QHBoxLayout;
+  actions->setSpacing(6);
+  actions->addWidget(show_);
+  actions->addWidget(fold_);
+  actions->addStretch(1);
+  auto* details = new QVBoxLayout(details_);
+  details->setContentsMargins(0, 2, 0, 0);
+  details->setSpacing(6);
+  details->addWidget(why_);
+  details->addWidget(todo_);
+  details->addWidget(buttons_);
+  button_layout_->setContentsMargins(0, 0, 0, 0);
+  button_layout_->setSpacing(6);
+  auto* layout = new QVBoxLayout(this);
+  layout->setContentsMargins(14, 9, 10, 10);
+  layout->setSpacing(6);
+  layout->addLayout(head);
+  layout->addWidget(what_);
+  layout->addLayout(actions);
+  layout->addWidget(details_);
+  setUnfolded(false);
+}
+
+void FindingCard::setFinding(const Finding& finding, const std::vector<FindingOffer>& offers) {
+  finding_ = finding;
+  const FindingAdvice& advice = adviceOn(finding.code);
+  severity_->setText(severityWord(finding.severity));
+  what_->setText(unbroken(words(finding.message)));
+  const bool is_somewhere = !finding.cells.empty() || !finding.poses.empty();
+  where_->setText(is_somewhere ? placeInWords(finding) : QString());
+  show_->setVisible(is_somewhere);
+  show_->setAccessibleName(tr("Show: %1").arg(what_->text()));
+  why_->setText(tr("Why: %1").arg(words(advice.why)));
+  todo_->setText(tr("What to do: %1").arg(words(advice.what_to_do)));
+  setOffers(offers);
+  setTheme(theme_);
+}
+
+void FindingCard::setOffers(const std::vector<FindingOffer>& offers) {
+  buttons_->setVisible(!offers.empty());
+  if (offers == offers_) return;
+  offers_ = offers;
+  while (QLayoutItem* item = button_layout_->takeAt(0)) {
+    item->widget()->hide();
+    item->widget()->deleteLater();  // it may be the one that was pressed
+    delete item;
+  }
+  for (const FindingOffer& offer : offers) {
+    auto* button = new QPushButton(offer.text, buttons_);
+    button->setObjectName(QStringLiteral("findingRemedy%1").arg(static_cast<int>(offer.remedy)));
+    button->setFocusPolicy(Qt::TabFocus);
+    connect(button, &QPushButton::clicked, this,
+            [this, remedy = offer.remedy] { emit remedyWanted(Finding(finding_), remedy); });
+    button_layout_->addWidget(button);
+    button->show();
+  }
+}
+
+void FindingCard::setUnfolded(bool unfolded) {
+  fold_->setChecked(unfolded);
+  fold_->setText(unfolded ? tr("Less ▴") : tr("Why, and what to do ▾"));
+  fold_->setAccessibleName(unfolded ? tr("Fold the reasons away") : tr("Why, and what to do"));
+  details_->setVisible(unfolded);
+  updateGeometry();
+}
+
+bool FindingCard::isUnfolded() const { return !details_->isHidden(); }
+
+void FindingCard::setTheme(Theme theme) {
+  theme_ = theme;
+  const Colors& colors = Colors::of(theme);
+  QFont bold = font();
+  bold.setBold(true);
+  severity_->setFont(bold);
+  QPalette palette = severity_->palette();
+  palette.setColor(QPalette::WindowText, finding_.severity == Severity::Error     ? colors.bad
+                                         : finding_.severity == Severity::Warning ? colors.caution
+                                                                                  : colors.text_muted);
+  severity_->setPalette(palette);
+  update();
+}
+
+/// A stripe on the left in the colour of the severity, which the word says too.
+void FindingCard::paintEvent(QPaintEvent* /*event*/) {
+  const Colors& colors = Colors::of(theme_);
+  QPainter painter(this);
+  painter.setRenderHint(QPainter::Antialiasing);
+  painter.setPen(QPen(colors.border, 1));
+  painter.setBrush(colors.panel);
+  const QRectF card = QRectF(rect()).adjusted(0.5, 0.5, -0.5, -0.5);
+  painter.drawRoundedRect(card, 6, 6);
+  painter.setPen(Qt::NoPen);
+  painter.setBrush(severity_->palette().color(QPalette::WindowText));
+  painter.drawRoundedRect(QRectF(card.left() + 4, card.top() + 8, 3, card.height() - 16), 1.5, 1.5);
+}
+
+FindingCards::FindingCards(const QString& object_name, QWidget* parent)
+    : QWidget(parent), layout_(new QVBoxLayout(this)), others_(new QPushButton(this)) {
+  setObjectName(object_name);
+  layout_->setContentsMargins(0, 0, 0, 0);
+  layout_->setSpacing(8);
+  others_->setProperty("flat", true);
+  others_->setFocusPolicy(Qt::TabFocus);
+  others_->hide();
+  connect(others_, &QPushButton::clicked, this, &FindingCards::allWanted);
+  layout_->addWidget(others_, 0, Qt::AlignLeft);
+  hide();
+}
+
+void FindingCards::setItems(const std::vector<Item>& items) {
+  constexpr std::size_t kMost = 4;
+  if (items == items_) return;
+  items_ = items;
+  const std::size_t count = std::min(kMost, items.size());
+  while (cards_.size() < count) {
+    auto* card = new FindingCard(this);
+    card->setTheme(theme_);
+    connect(card, &FindingCard::showWanted, this, &FindingCards::showWanted);
+    connect(card, &FindingCard::remedyWanted, this, &FindingCards::remedyWanted);
+    layout_->insertWidget(static_cast<int>(cards_.size()), card);
+    cards_.push_back(card);
+  }
+  std::vector<Finding> shown;
+  for (std::size_t k = 0; k < count; ++k) shown.push_back(items[k].finding);
+  // Somebody may be reading: what is unfolded stays so, as long as the findings are the same.
+  const bool are_others = shown != shown_;
+  shown_ = std::move(shown);
+  for (std::size_t k = 0; k < cards_.size(); ++k) {
+    cards_[k]->setVisible(k < count);
+    if (k >= count) continue;
+    cards_[k]->setFinding(items[k].finding, items[k].offers);
+    if (are_others) cards_[k]->setUnfolded(k == 0);
+  }
+  others_->setText(tr("%1 more under Findings").arg(items.size() - count));
+  others_->setVisible(items.size() > count);
+  setVisible(!items.empty());
+}
+
+void FindingCards::setTheme(Theme theme) {
+  theme_ = theme;
+  for (FindingCard* card : cards_) card->setTheme(theme);
+}
+
+}  // namespace hexoderm
