@@ -168,16 +168,42 @@ std::vector<CardDock*> Panels::docks() const { return {steps_, graph_, coverage_
 void Panels::setVerifying(bool verifying) {
   if (std::exchange(is_verifying_, verifying) == verifying) return;
   if (verifying) {
-    before_checks_ = saveState(kLayoutVersion);
-    for (CardDock* dock : {graph_, coverage_, plot_, poses_, details_}) {
-      if (!dock->isFloating()) dock->hide();
-    }
+    makeRoomForChecks();
   } else {
-    restoreState(before_checks_, kLayoutVersion);
+    giveRoomBack();
   }
   centre_->widget(1)->setVisible(verifying);
   // The greater part is theirs.
   if (verifying) centre_->setSizes({width() * 9 / 20, width() * 11 / 20});
+}
+
+void Panels::makeRoomForChecks() {
+  before_checks_.clear();
+  for (CardDock* dock : {graph_, coverage_, plot_, poses_, details_}) {
+    if (dock->isFloating() || dock->isHidden()) continue;
+    const bool in_front = tabifiedDockWidgets(dock).isEmpty() || !dock->visibleRegion().isEmpty();
+    before_checks_.push_back({dock, dock->size(), in_front});
+  }
+  for (const PutAway& away : before_checks_) away.dock->hide();
+}
+
+/// Not by QMainWindow::restoreState(), which reaches for docks that are being dragged at the moment.
+void Panels::giveRoomBack() {
+  QList<QDockWidget*> docks;
+  QList<int> widths;
+  QList<int> heights;
+  for (const PutAway& away : before_checks_) {
+    if (away.dock->isFloating()) continue;
+    away.dock->show();
+    if (!away.in_front) continue;  // a tab that covers it says how large it is
+    docks << away.dock;
+    widths << away.size.width();
+    heights << away.size.height();
+  }
+  resizeDocks(docks, widths, Qt::Horizontal);
+  resizeDocks(docks, heights, Qt::Vertical);
+  for (QDockWidget* dock : docks) dock->raise();
+  before_checks_.clear();
 }
 
 TableOrHint* Panels::makeTable(QTableView* view, const QString& hint) {

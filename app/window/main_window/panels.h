@@ -1,7 +1,7 @@
 #pragma once
 
-#include <QByteArray>
 #include <QMainWindow>
+#include <QSize>
 #include <memory>
 #include <vector>
 
@@ -54,7 +54,16 @@ class Panels : public QMainWindow {
   void reset();
 
  private:
+  /// A panel that gave its room to the checks.
+  struct PutAway {
+    CardDock* dock;
+    QSize size;
+    bool in_front;  ///< of the tabs in its place
+  };
+
   void setVerifying(bool verifying);
+  void makeRoomForChecks();
+  void giveRoomBack();
   [[nodiscard]] QWidget* makeCentre(const Views& views);
   [[nodiscard]] QWidget* makeFindings(const Views& views);
   [[nodiscard]] CardDock* makeDetails(const Views& views);
@@ -70,7 +79,7 @@ class Panels : public QMainWindow {
   ViewMark* middle_mark_ = nullptr;
   ViewMark* side_mark_ = nullptr;
   bool is_verifying_ = false;
-  QByteArray before_checks_;  ///< where the panels were
+  std::vector<PutAway> before_checks_;
   CardDock* steps_;
   CardDock* graph_;
   CardDock* poses_;
