@@ -1,0 +1,113 @@
+#include "app/cli/command.h"
+
+#include "hexoderm/reconstruction/reconstructor.h"
+#include "hexoderm/util/text.h"
+#include "hexoderm/util/units.h"
+
+#include <algorithm>
+#include <iostream>
+
+namespace hexoderm::cli {
+namespace {
+
+struct InspectOptions {
+  std::string input;
+  std::string cell_model = "hex-bma150";
+  std::string solver = "tree";
+};
+
+std::size_t freePorts(const Reconstruction& r) {
+  std::size_t joined = 0;
+  for (const PatchReconstruction& patch : r.patches) {
+    for (const LinkEstimate& link : patch.links) joined += link.used ? 2 : 0;
+  }
+  return r.cellCount() * r.model->ports.size() - joined;
+}
+
+nlohmann::ordered_json describe(const Reconstruction& r, const std::string& kind) {
+  nlohmann::ordered_json json;
+  json["kind"] = kind;
+  json["cell_model"] = r.model->name;
+  json["cells"] = r.cellCount();
+  json["links"] = r.linkCount();
+  json["free_ports"] = freePorts(r);
+  json["patches"] = nlohmann::ordered_json::array();
+  for (const PatchReconstruction& patch : r.patches) {
+    json["patches"].push_back(
+        {{"id", patch.id.value()}, {"cells", patch.cells.size()}, {"origin", patch.origin.value()}});
+  }
+  json["poses"] = nlohmann::ordered_json::array();
+  for (const PoseSummary& pose : r.poses) {
+    nlohmann::ordered_json entry = {{"id", pose.pose.value()},
+                                    {"label", pose.label.english()},
+                                    {"enabled", pose.enabled},
+                                    {"cells_measured", pose.cells_measured},
+                                    {"noise_mg", pose.noise_g * 1000}};
+    if (pose.new_by_rad) entry["new_by_deg"] = toDegrees(*pose.new_by_rad);
+    if (pose.residual_rad) entry["residual_deg"] = toDegrees(*pose.residual_rad);
+    json["poses"].push_back(std::move(entry));
+  }
+  json["solver"] = r.solver;
+  json["findings"] = cli::toJson(r.findings);
+  json["verdict"] = cli::toJson(r.assessment);
+  return json;
+}
+
+void print(const Reconstruction& r, const std::string& path, const std::string& kind) {
+  std::cout << forTerminal(path) << ": " << kind << " of cell model " << forTerminal(r.model->name) << '\n';
+  if (!r.source.text.empty()) std::cout << "Source: " << forTerminal(r.source.text.english()) << '\n';
+  std::cout << "Skin: " << sizeInWords(r) << ", " << freePorts(r) << " free ports\n";
+  for (const PatchReconstruction& patch : r.patches) {
+    std::cout << "  patch " << patch.id << ": " << patch.cells.size() << (patch.cells.size() == 1 ? " cell" : " cells")
+              << ", origin cell " << patch.origin << '\n';
+  }
+  std::cout << "Poses: " << r.poses.size() << '\n';
+  for (const PoseSummary& pose : r.poses) {
+    std::cout << "  " << pose.pose << (pose.label.empty() ? "" : " \"" + forTerminal(pose.label.english()) + "\"")
+              << (pose.enabled ? "" : " (disabled)") << ": " << pose.cells_measured << " of " << r.cellCount()
+              << " cells, noise " << formatFixed(pose.noise_g * 1000, 1) << " mg";
+    if (pose.new_by_rad) std::cout << ", new by " << degrees(*pose.new_by_rad, 0);
+    if (pose.residual_rad) std::cout << ", residual " << degrees(*pose.residual_rad, 1);
+    std::cout << '\n';
+  }
+  printFindings(r.findings);
+  printVerdict(r.assessment);
+  if (r.solver == solverName(Solver::Tree)) {
+    std::cout << "Judged link by link, along a tree; 'solve' weighs all links and poses together, and finds more.\n";
+  }
+}
+
+int run(const InspectOptions& options, const Common& common) {
+  const OpenedFile opened = openInput(options.input, options.cell_model);
+  const auto* session = std::get_if<Session>(&opened);
+  const std::string kind = session != nullptr ? "session" : "calibration";
+  SolverOptions solver;
+  solver.solver = solverFromName(options.solver);
+  const auto result = session != nullptr ? reconstruct(*session->snapshot(), solver)
+                                         : std::get<std::shared_ptr<const Reconstruction>>(opened);
+  if (common.json) {
+    printJson(describe(*result, kind));
+  } else {
+    print(*result, options.input, kind);
+  }
+  return kDone;
+}
+
+}  // namespace
+
+void addInspect(CLI::App& app, Common& common) {
+  const auto options = std::make_shared<InspectOptions>();
+  CLI::App* command = app.add_subcommand("inspect", "Say what is in a file, what is wrong with it and what to do next");
+  command->add_option("input", options->input, "Session, calibration or TUM XML")->required();
+  command->add_option("--cell-model", options->cell_model, "Of a TUM file: built-in name or JSON file")
+      ->capture_default_str();
+  command
+      ->add_option("--solver", options->solver,
+                   "Of a session: tree, which takes moments; or global, as 'solve' does, to find all that is wrong")
+      ->capture_default_str();
+  common.addTo(*command);
+  command->footer("Example:\n  hexoderm-cli inspect arm.session.json");
+  command->callback([options, &common] { common.exit_code = run(*options, common); });
+}
+
+}  // namespace hexoderm::cli
