@@ -2,8 +2,8 @@
 // to be shown to people who are asked which cell is bad. See blind_test.py.
 
 #include "app/window/main_window/main_window.h"
-#include "app/window/settings/preferences.h"
 #include "app/window/settings/translation.h"
+#include "tests/screenshots/newcomer.h"
 #include "tests/support/color_vision.h"
 #include "widgets/patch/patch_view.h"
 
@@ -12,8 +12,6 @@
 #include <QDir>
 #include <QElapsedTimer>
 #include <QFileInfo>
-#include <QSettings>
-#include <QTemporaryDir>
 #include <QTextStream>
 
 namespace {
@@ -68,12 +66,7 @@ bool waitForResult(MainWindow& window, const QString& path) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  const QTemporaryDir settings;
-  QSettings::setDefaultFormat(QSettings::IniFormat);
-  QSettings::setPath(QSettings::IniFormat, QSettings::UserScope, settings.path());
-  installStyle();
-  QCoreApplication::setOrganizationName(QStringLiteral("Hexoderm"));
-  QCoreApplication::setApplicationName(QStringLiteral("hexoderm"));
+  const Newcomer newcomer;
   QApplication app(argc, argv);
 
   QCommandLineParser parser;

@@ -4,12 +4,11 @@
 #include "app/window/main_window/main_window.h"
 #include "app/window/settings/preferences.h"
 #include "app/window/settings/translation.h"
+#include "tests/screenshots/newcomer.h"
 #include "tests/screenshots/screenshot_tour.h"
 
 #include <QApplication>
 #include <QCommandLineParser>
-#include <QSettings>
-#include <QTemporaryDir>
 #include <QTextStream>
 
 namespace {
@@ -26,16 +25,7 @@ int complain(const QString& message, int code) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  // Settings of its own, so that pictures show what a newcomer sees.
-  const QTemporaryDir settings;
-  QSettings::setDefaultFormat(QSettings::IniFormat);
-  QSettings::setPath(QSettings::IniFormat, QSettings::UserScope, settings.path());
-  installStyle();
-#if QT_VERSION < QT_VERSION_CHECK(6, 0, 0)
-  QCoreApplication::setAttribute(Qt::AA_UseHighDpiPixmaps);
-#endif
-  QCoreApplication::setOrganizationName(QStringLiteral("Hexoderm"));
-  QCoreApplication::setApplicationName(QStringLiteral("hexoderm"));
+  const Newcomer newcomer;
   QApplication app(argc, argv);
 
   QCommandLineParser parser;

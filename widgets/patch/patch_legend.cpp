@@ -82,6 +82,10 @@ void PatchLegend::addClasses() {
                           painter.fillRect(QRectF(x, y - 5, kSample, 10), color);
                         }});
   };
+  if (isQuantity(content_.coloring)) {
+    swatch(QStringLiteral("%1: %2").arg(patchTitle(content_.coloring), notKnownWord()), colors_.no_data);
+    return;
+  }
   if (content_.coloring == Coloring::LinkQuality) {
     for (const EdgeQuality quality : kClasses) {
       classes_.push_back(

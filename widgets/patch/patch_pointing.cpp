@@ -22,10 +22,6 @@ constexpr int kLook_ms = 20;
 constexpr int kGlideFrame_ms = 30;
 constexpr double kGlide_s = 0.4;
 constexpr double kSlack_px = 6;
-/// A number on the face of a smaller cell can't be read.
-constexpr double kReadableSide_px = 20;
-/// Larger skins have no numbers on their cells.
-constexpr std::size_t kMostNumbered = 200;
 constexpr int kCardMargin = 10;
 /// Where more is wrong, the list of findings says it better.
 constexpr std::size_t kMostFound = 6;
@@ -123,11 +119,6 @@ void PatchPointing::setColoring(Coloring coloring) {
   refresh();
 }
 
-void PatchPointing::setIdsShown(bool shown) {
-  ids_shown_ = shown;
-  updateMarks();
-}
-
 void PatchPointing::setOnlyCells(bool only) {
   only_cells_ = only;
   escape_->setEnabled(!only && (return_to_ || figures_shown_));
@@ -155,11 +146,18 @@ void PatchPointing::refresh() {
 
 SceneHit PatchPointing::picked() const { return {selection_->cell(), selection_->link()}; }
 
+Eigen::Vector2d PatchPointing::inScene(const QPoint& position) const {
+  return canvas_->devicePixelRatioF() * Eigen::Vector2d(position.x(), canvas_->height() - 1 - position.y());
+}
+
+std::optional<CellId> PatchPointing::cellAt(const QPoint& position) const {
+  const Eigen::Vector2d pixel = inScene(position);
+  return scene_.pick(pixel.x(), pixel.y());
+}
+
 SceneHit PatchPointing::hitAtPosition(const QPoint& position) {
-  const double ratio = canvas_->devicePixelRatioF();
-  const Eigen::Vector2d pixel(ratio * position.x(), ratio * (canvas_->height() - 1 - position.y()));
-  if (only_cells_) return {scene_.pick(pixel.x(), pixel.y()), std::nullopt};
-  return hitAt(scene_, pixel, kSlack_px * ratio);
+  if (only_cells_) return {cellAt(position), std::nullopt};
+  return hitAt(scene_, inScene(position), kSlack_px * canvas_->devicePixelRatioF());
 }
 
 void PatchPointing::pickAt(const QPoint& position) {
@@ -256,9 +254,9 @@ SceneMark PatchPointing::markOf(const SceneHit& hit) const {
     if (!seen) return mark;
     for (const Eigen::Vector2d& corner : seen->outline) mark.line << toView(corner);
     mark.hidden = !seen->is_seen;
-    const bool is_numbered = ids_shown_ && seen->is_seen && scene_.content()->layout.cells.size() <= kMostNumbered &&
-                             seen->side_px >= kReadableSide_px * canvas_->devicePixelRatioF();
-    if (!is_numbered) mark.tag = QString::number(hit.cell->value());
+    const std::vector<CellId> numbered = scene_.labelledCells();
+    if (!seen->is_seen || std::ranges::find(numbered, *hit.cell) == numbered.end())
+      mark.tag = QString::number(hit.cell->value());
   } else if (hit.link) {
     for (const Eigen::Vector2d& point : seenLink(scene_, hit.link->first, hit.link->second)) {
       mark.line << toView(point);

@@ -39,8 +39,6 @@ class PatchPointing : public QObject {
   void setAnimated(bool animated) { animated_ = animated; }
   /// What the cells' colours stand for: its value stands on the cards.
   void setColoring(Coloring coloring);
-  /// The scene draws the IDs on the cells; where it does not, that of the picked one is written beside it.
-  void setIdsShown(bool shown);
   /// Only cells can be pointed at, as while distances between them are measured.
   void setOnlyCells(bool only);
   /// Kept free for the buttons.
@@ -52,6 +50,8 @@ class PatchPointing : public QObject {
 
   /// Picks what is at a position of the canvas, or nothing.
   void pickAt(const QPoint& position);
+  /// The cell at a position of the canvas.
+  [[nodiscard]] std::optional<CellId> cellAt(const QPoint& position) const;
   /// Moves the camera to what is picked.
   void goToPicked();
   /// Shows the figures of what is picked, whatever that is, until it is closed.
@@ -88,6 +88,8 @@ class PatchPointing : public QObject {
   void goBack();
   void walk(const Eigen::Vector2d& direction);
   [[nodiscard]] SceneHit picked() const;
+  /// The pixel of the scene at a position of the canvas.
+  [[nodiscard]] Eigen::Vector2d inScene(const QPoint& position) const;
   [[nodiscard]] SceneHit hitAtPosition(const QPoint& position);
   [[nodiscard]] Figures figuresOf(const SceneHit& hit) const;
   [[nodiscard]] SceneMark markOf(const SceneHit& hit) const;
@@ -106,7 +108,6 @@ class PatchPointing : public QObject {
   unsigned long observer_ = 0;
 
   Coloring coloring_ = Coloring::LinkQuality;
-  bool ids_shown_ = true;
   bool only_cells_ = false;
   bool figures_shown_ = false;
   bool figures_left_ = false;  ///< where their card is

@@ -8,18 +8,19 @@
 #include "widgets/patch/opengl_info.h"
 #include "widgets/patch/part_motion.h"
 #include "widgets/patch/patch_captions.h"
+#include "widgets/patch/patch_clicks.h"
 #include "widgets/patch/patch_controls.h"
 #include "widgets/patch/patch_legend_view.h"
 #include "widgets/patch/patch_menu.h"
 #include "widgets/patch/patch_pointing.h"
 #include "widgets/patch/patch_words.h"
+#include "widgets/patch/picture_smoothing.h"
+#include "widgets/patch/scene_legend.h"
 #include "widgets/patch/scene_look.h"
 #include "widgets/patch/scene_widget.h"
 #include "widgets/scene/patch_scene.h"
 #include "widgets/scene/scene_builder.h"
 
-#include <vtkCommand.h>
-#include <vtkInteractorObserver.h>
 #include <vtkRenderWindowInteractor.h>
 #include <vtkRenderer.h>
 #include <QAction>
@@ -30,9 +31,7 @@
 #include <QKeyEvent>
 #include <QLocale>
 #include <QMenu>
-#include <QMouseEvent>
 #include <QPainter>
-#include <QTimer>
 #include <algorithm>
 #include <utility>
 
@@ -63,8 +62,10 @@ struct PatchView::Parts : public QObject {
   PatchMoment moment;
 
   const OpenGlInfo opengl = queryOpenGl();
-  SceneWidget* canvas = nullptr;      ///< null without OpenGL
-  std::unique_ptr<PatchScene> scene;  ///< likewise
+  SceneWidget* canvas = nullptr;                ///< null without OpenGL
+  std::unique_ptr<PatchScene> scene;            ///< likewise
+  std::unique_ptr<PictureSmoothing> smoothing;  ///< likewise
+  std::unique_ptr<PatchClicks> clicks;          ///< likewise
   std::unique_ptr<SceneBuilder> builder;
   PartMotion* motion = nullptr;       ///< likewise
   PatchPointing* pointing = nullptr;  ///< likewise
@@ -75,8 +76,6 @@ struct PatchView::Parts : public QObject {
   ScaleRanges* ranges = &own_ranges;
   bool is_marked_elsewhere = false;
   std::vector<std::function<void()>> waiting;  ///< for the picture to be up to date
-  QTimer at_rest;
-  QPoint pressed_at;
   int controls_height = 0;
   QColor background = Colors::of(Theme::Light).scene_bottom;  ///< seen where there is no OpenGL
 
@@ -84,18 +83,10 @@ struct PatchView::Parts : public QObject {
   void buildScene(QGridLayout* layout);
   void buildPointing();
   void connectControls();
-  void smoothWhenAtRest();
-  [[nodiscard]] std::optional<HollowSight> hollowSight() const;
-  void startInteraction() {
-    at_rest.stop();
-    scene->setSmoothed(false);
-  }
-  void endInteraction() { at_rest.start(); }
   void setContent(std::shared_ptr<const SceneContent> content);
   void updateControls();
   void updateCaptions();
   void updateTopMargin();
-  [[nodiscard]] LegendContent legend() const;
   void connectRanges();
   void showFixedRange();
   void markPicked();
@@ -105,11 +96,6 @@ struct PatchView::Parts : public QObject {
   void refresh();
   /// Several changes in one turn of the event loop make one picture.
   void requestRender();
-  /// Where the scene counts its pixels.
-  [[nodiscard]] QPointF inScene(const QPoint& position) const;
-  /// Turns the picture if there is a knob of the axes.
-  bool turnByKnobAt(const QPoint& position);
-  void hoverAt(const QPoint& position);
   /// Opens the menu for the cell at this place of the canvas, if there is one.
   void openMenuAt(const QPoint& position);
   void connectCut();
@@ -155,10 +141,9 @@ void PatchView::Parts::build() {
 void PatchView::Parts::buildPointing() {
   pointing = new PatchPointing(view, canvas, *scene, selection, [this] { requestRender(); });
   pointing->setParent(this);
+  connect(clicks.get(), &PatchClicks::clicked, pointing, &PatchPointing::pickAt);
+  connect(clicks.get(), &PatchClicks::menuWanted, this, &Parts::openMenuAt);
   connect(controls, &PatchControls::coloringChosen, pointing, &PatchPointing::setColoring);
-  connect(controls, &PatchControls::itemToggled, pointing, [this](SceneItem item, bool shown) {
-    if (item == SceneItem::Ids) pointing->setIdsShown(shown);
-  });
   connect(controls, &PatchControls::heightChanged, pointing, &PatchPointing::setTopMargin);
   connect(controls, &PatchControls::viewRequested, pointing, &PatchPointing::forgetReturn);
   // What has the mouse or the keyboard lies above what lets both through.
@@ -176,11 +161,11 @@ void PatchView::Parts::buildScene(QGridLayout* layout) {
   window->GetInteractor()->SetInteractorStyle(makeSceneInteractorStyle());
   scene = std::make_unique<PatchScene>();
   scene->attachTo(window);
-  scene->setSmoothed(!opengl.software);
+  smoothing = std::make_unique<PictureSmoothing>(canvas, *scene, opengl.software);
+  clicks = std::make_unique<PatchClicks>(canvas, *scene, [this] { requestRender(); });
   builder = std::make_unique<SceneBuilder>(
       [this](std::shared_ptr<const SceneContent> content) { setContent(std::move(content)); });
   layout->addWidget(canvas, 0, 0, 2, 1);
-  smoothWhenAtRest();
   controls = new PatchControls(view);
   controls->setRenderer(openGlInWords(opengl));
   layout->addWidget(controls, 0, 0);
@@ -236,42 +221,6 @@ void PatchView::Parts::connectCut() {
   });
 }
 
-/// While the mouse turns the scene, pictures come without the shader that smooths. Without a graphics card, where that
-/// shader takes longer than the drawing, the processor smooths each picture instead, as long as it is quick enough, and
-/// otherwise the picture at rest.
-void PatchView::Parts::smoothWhenAtRest() {
-  constexpr int kRest_ms = 150;
-  constexpr double kSmoothing_ms = 8;  // a quarter of a picture's time at 30 a second
-  if (opengl.software) canvas->setSmoothingBudget(kSmoothing_ms);
-  canvas->setHollows([this] { return hollowSight(); });
-  at_rest.setSingleShot(true);
-  at_rest.setInterval(kRest_ms);
-  connect(&at_rest, &QTimer::timeout, this, [this] {
-    if (opengl.software) {
-      canvas->smoothPicture();
-    } else {
-      scene->setSmoothed(true);
-      if (canvas->isVisible()) canvas->requestRender();
-    }
-  });
-  vtkInteractorObserver* style = canvas->renderWindow()->GetInteractor()->GetInteractorStyle();
-  style->AddObserver(vtkCommand::StartInteractionEvent, this, &Parts::startInteraction);
-  style->AddObserver(vtkCommand::EndInteractionEvent, this, &Parts::endInteraction);
-}
-
-std::optional<HollowSight> PatchView::Parts::hollowSight() const {
-  constexpr double kFull = 0.25;  // share of a cell's side: what stands out by as much is no more part of the surface
-  if (scene->content() == nullptr) return std::nullopt;
-  const PatchScene::Depths depths = scene->depths();
-  HollowSight sight{
-      depths.near_m, depths.far_m, depths.parallel, kFull * scene->content()->reconstruction->model->side_m, {}};
-  const int height = canvas->renderWindow()->GetSize()[1];
-  for (const auto& [left, bottom, right, top] : depths.elsewhere) {
-    sight.elsewhere.emplace_back(left, height - top, right - left, top - bottom);
-  }
-  return sight;
-}
-
 void PatchView::Parts::setContent(std::shared_ptr<const SceneContent> content) {
   scene->setContent(std::move(content));
   updateControls();
@@ -289,29 +238,6 @@ void PatchView::Parts::updateControls() {
     controls->setWhyNot(row.coloring, whyNoColoring(row.coloring, known));
   }
   for (const SceneItem item : kSceneItems) controls->setWhyNot(item, whyNotShown(item, scene->availability(item)));
-}
-
-LegendContent PatchView::Parts::legend() const {
-  LegendContent content;
-  const SceneContent& shown = *scene->content();
-  content.coloring = coloring;
-  content.patches = shown.reconstruction->patches.size();
-  content.some_links = !shown.signs.links.empty();
-  for (const CellSign& sign : shown.signs.cells) {
-    content.some_by_links = content.some_by_links || sign.by_links;
-    content.some_faulty = content.some_faulty || sign.faulty;
-    content.some_doubtful = content.some_doubtful || sign.doubtful;
-  }
-  content.scale = scene->scale();
-  if (content.scale) {
-    content.some_unknown = content.scale->counts.unknown > 0;
-  } else if (coloring == Coloring::LinkQuality) {
-    content.some_unknown = std::ranges::any_of(shown.figures.quality, [](const auto& quality) { return !quality; });
-  } else if (coloring == Coloring::BodyPart) {
-    for (const std::string& name : shown.figures.body_parts) content.body_parts.push_back(QString::fromStdString(name));
-    content.some_unknown = std::ranges::any_of(shown.figures.body_part, [](const auto& part) { return !part; });
-  }
-  return content;
 }
 
 void PatchView::Parts::connectRanges() {
@@ -359,7 +285,7 @@ void PatchView::Parts::updateCaptions() {
                        .arg(QLocale().toString(static_cast<int>(reconstruction->cellCount())));
   } else {
     content.gravity = scene->showsGravity();
-    explained = legend();
+    explained = legendOf(*scene, coloring);
     content.legend = legendInWords(*explained);
     content.notes = notesInWords(scene->notes(), overlays);
     content.message = measure.words();
@@ -394,48 +320,29 @@ void PatchView::Parts::updateMeasure() {
 
 void PatchView::Parts::updateSelection() {
   if (!scene) return;
-  scene->setSelection(selection->cell(), selection->link());
+  const auto link = selection->link();
+  scene->setPicked(link ? std::optional(link->first.cell) : selection->cell());
   refresh();
 }
 
 void PatchView::Parts::requestRender() {
   if (canvas == nullptr || !canvas->isVisible()) return;
-  if (opengl.software) at_rest.start();
+  smoothing->expectRender();
   canvas->requestRender();
 }
 
-QPointF PatchView::Parts::inScene(const QPoint& position) const {
-  return canvas->devicePixelRatioF() * QPointF(position.x(), canvas->height() - 1 - position.y());
-}
-
-bool PatchView::Parts::turnByKnobAt(const QPoint& position) {
-  const QPointF at = inScene(position);
-  const auto wanted = scene->viewAt(at.x(), at.y());
-  if (!wanted) return false;
-  scene->showStandardView(*wanted);
-  requestRender();
-  return true;
-}
-
-void PatchView::Parts::hoverAt(const QPoint& position) {
-  const QPointF at = inScene(position);
-  if (scene->hoverAxes(at.x(), at.y())) requestRender();
-}
-
 void PatchView::Parts::openMenuAt(const QPoint& position) {
-  if (!scene || scene->content() == nullptr) return;
-  const QPointF at = inScene(position);
+  if (scene->content() == nullptr) return;
   auto* menu = new QMenu(view);
   menu->setObjectName(QStringLiteral("patchMenu"));
   menu->setAttribute(Qt::WA_DeleteOnClose);
-  fillPatchMenu(*menu, *controls, scene->pick(at.x(), at.y()),
+  fillPatchMenu(*menu, *controls, pointing->cellAt(position),
                 {[this](CellId cell) { selection->selectCell(cell); }, [this](CellId cell) { view->centerOn(cell); },
                  [this] { view->copyPicture(); }});
   menu->popup(canvas->mapToGlobal(position));
 }
 
 bool PatchView::Parts::eventFilter(QObject*, QEvent* event) {
-  constexpr int kClickSlack = 3;  // pixels that a hand trembles within a click
   switch (event->type()) {
     case QEvent::KeyPress:
     case QEvent::KeyRelease:
@@ -446,24 +353,6 @@ bool PatchView::Parts::eventFilter(QObject*, QEvent* event) {
     case QEvent::ScreenChangeInternal:  // which may be a denser one
       requestRender();
       return false;
-    case QEvent::MouseButtonPress:
-      pressed_at = static_cast<QMouseEvent*>(event)->pos();
-      return false;
-    case QEvent::MouseMove:
-      hoverAt(static_cast<QMouseEvent*>(event)->pos());
-      return false;
-    case QEvent::Leave:
-      hoverAt({-1, -1});
-      return false;
-    case QEvent::ContextMenu:  // comes when the button goes down, and dragging with it zooms
-      return static_cast<QContextMenuEvent*>(event)->reason() == QContextMenuEvent::Mouse;
-    case QEvent::MouseButtonRelease: {
-      const auto* mouse = static_cast<QMouseEvent*>(event);
-      if ((mouse->pos() - pressed_at).manhattanLength() > kClickSlack) return false;
-      if (mouse->button() == Qt::LeftButton && !turnByKnobAt(mouse->pos())) pointing->pickAt(mouse->pos());
-      if (mouse->button() == Qt::RightButton) openMenuAt(mouse->pos());
-      return false;
-    }
     default:
       return false;
   }
@@ -480,7 +369,7 @@ PatchView::~PatchView() {
   delete parts_->motion;
   parts_->builder.reset();
   // Qt sends a leave event to a canvas that is deleted under the mouse.
-  if (parts_->canvas != nullptr) parts_->canvas->removeEventFilter(parts_.get());
+  parts_->clicks.reset();
   // The scene gives its OpenGL objects back while the context is still there.
   parts_->scene.reset();
   delete parts_->canvas;
@@ -623,11 +512,7 @@ void PatchView::waitUntilUpToDate() {
 }
 
 void PatchView::drawNow() {
-  if (parts_->canvas == nullptr) return;
-  parts_->at_rest.stop();
-  parts_->scene->setSmoothed(!parts_->opengl.software);
-  parts_->canvas->renderWindow()->Render();
-  if (parts_->opengl.software) parts_->canvas->smoothPicture();
+  if (parts_->smoothing) parts_->smoothing->drawNow();
 }
 
 QImage PatchView::screenshot() {
@@ -678,23 +563,7 @@ void PatchView::returnToKeptView() {
 void PatchView::showStandardView(StandardView view) {
   if (!parts_->scene) return;
   parts_->pointing->forgetReturn();
-  switch (view) {
-    case StandardView::Front:
-      parts_->scene->showStandardView(PatchScene::View::Front);
-      break;
-    case StandardView::Side:
-      parts_->scene->showStandardView(PatchScene::View::Side);
-      break;
-    case StandardView::Top:
-      parts_->scene->showStandardView(PatchScene::View::Top);
-      break;
-    case StandardView::Back:
-      parts_->scene->showStandardView(PatchScene::View::Back);
-      break;
-    case StandardView::Isometric:
-      parts_->scene->showStandardView(PatchScene::View::Isometric);
-      break;
-  }
+  parts_->scene->showStandardView(view);
   parts_->requestRender();
 }
 

@@ -4,6 +4,7 @@
 #include "widgets/coloring/coloring.h"
 #include "widgets/scene/patch_moment.h"
 #include "widgets/scene/patch_overlays.h"
+#include "widgets/scene/standard_view.h"
 #include "widgets/style/palette.h"
 
 #include <QImage>
@@ -29,7 +30,7 @@ class PatchView : public QWidget {
   Q_OBJECT
 
  public:
-  enum class StandardView { Front, Side, Top, Back, Isometric };
+  using StandardView = hexoderm::StandardView;
   /// Larger skins take longer than a few milliseconds to prepare.
   static constexpr std::size_t kMaxCellsAtOnce = 1500;
 
@@ -91,7 +92,7 @@ class PatchView : public QWidget {
 
  public slots:
   void fit();
-  void showStandardView(hexoderm::PatchView::StandardView view);
+  void showStandardView(hexoderm::StandardView view);
   /// Remembers the direction of view while the picture follows the part; afterwards the whole patch is seen from there
   /// again.
   void keepView();

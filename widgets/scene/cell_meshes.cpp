@@ -23,7 +23,6 @@ constexpr double kPortRadius = 0.075;     // share of the side length
 constexpr double kPortRingWidth = 0.4;    // share of the radius
 constexpr double kOriginRadius = 0.42;    // share of the side length
 constexpr double kOriginRingWidth = 0.1;  // share of the radius
-constexpr double kLinkLift = 0.07;        // share of the side length
 
 using Bytes = std::array<unsigned char, 3>;
 
@@ -168,24 +167,6 @@ vtkSmartPointer<vtkPolyData> makeCellOutlines(const SceneContent& content, std::
       mesh.addLine({first + k + 6, first + next + 6});
       mesh.addLine({first + k, first + k + 6});
     }
-  }
-  return mesh.finish();
-}
-
-vtkSmartPointer<vtkPolyData> makeLinkStroke(const SceneContent& content, LinkEnd a, LinkEnd b) {
-  PolyDataBuilder mesh;
-  const CellModel& model = *content.reconstruction->model;
-  const Eigen::Vector3d lift(0, 0, kLinkLift * model.side_m);
-  const SceneCell* cell_a = content.layout.find(a.cell);
-  const SceneCell* cell_b = content.layout.find(b.cell);
-  const Port* port_a = model.findPort(a.port);
-  const Port* port_b = model.findPort(b.port);
-  if (cell_a && cell_b && port_a && port_b) {
-    mesh.addPoint(cell_a->T_s_u * lift);
-    mesh.addPoint(cell_a->T_s_u * (port_a->vector_m + lift));
-    mesh.addPoint(cell_b->T_s_u * (port_b->vector_m + lift));
-    mesh.addPoint(cell_b->T_s_u * lift);
-    mesh.addLine({0, 1, 2, 3});
   }
   return mesh.finish();
 }

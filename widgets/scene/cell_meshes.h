@@ -36,7 +36,4 @@ vtkSmartPointer<vtkPolyData> makeOriginMarks(const SceneContent& content, const 
 /// The edges of the cells' prisms, a hair outside them. Cells that are not there have none.
 vtkSmartPointer<vtkPolyData> makeCellOutlines(const SceneContent& content, std::initializer_list<CellId> cells);
 
-/// A line from centre to centre through both ports, a little above the front faces. Empty if a cell or port is missing.
-vtkSmartPointer<vtkPolyData> makeLinkStroke(const SceneContent& content, LinkEnd a, LinkEnd b);
-
 }  // namespace hexoderm

@@ -13,7 +13,6 @@
 namespace hexoderm {
 namespace {
 
-constexpr int kWhiteSquare = 4;
 constexpr int kGap = 1;  // between two digits, so that none shows the edge of its neighbour
 
 struct DrawnDigit {
@@ -43,8 +42,8 @@ bool LabelAtlas::setDpi(int dpi) {
   letters->SetColor(1, 1, 1);
   letters->BoldOn();
   std::vector<std::array<DrawnDigit, 10>> drawn(LabelChoice::kFonts.size());
-  int width = kWhiteSquare;
-  int height = kWhiteSquare + kGap;
+  int width = 1;
+  int height = 0;
   for (std::size_t row = 0; row < drawn.size(); ++row) {
     letters->SetFontSize(LabelChoice::kFonts.at(row));
     int row_width = 0;
@@ -72,8 +71,7 @@ bool LabelAtlas::setDpi(int dpi) {
   auto* pixels = static_cast<unsigned char*>(picture_->GetScalarPointer());
   for (int k = 0; k < width * height; ++k) {
     std::fill_n(pixels + 4 * static_cast<std::ptrdiff_t>(k), 3, static_cast<unsigned char>(255));
-    const bool is_white = k % width < kWhiteSquare && k / width < kWhiteSquare;
-    pixels[4 * static_cast<std::ptrdiff_t>(k) + 3] = is_white ? 255 : 0;
+    pixels[4 * static_cast<std::ptrdiff_t>(k) + 3] = 0;
   }
   for (std::size_t row = 0; row < drawn.size(); ++row) {
     for (std::size_t digit = 0; digit < 10; ++digit) {
@@ -92,11 +90,6 @@ bool LabelAtlas::setDpi(int dpi) {
 
 int LabelAtlas::advance(int font_px) const {
   return std::max(1, static_cast<int>(std::lround(LabelChoice::kDigitAdvance * font_px * dpi_ / 72.0)));
-}
-
-std::array<float, 2> LabelAtlas::white() const {
-  const int* size = picture_->GetDimensions();
-  return {0.5F * kWhiteSquare / static_cast<float>(size[0]), 0.5F * kWhiteSquare / static_cast<float>(size[1])};
 }
 
 }  // namespace hexoderm

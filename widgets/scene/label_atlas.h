@@ -26,8 +26,6 @@ class LabelAtlas {
   [[nodiscard]] const Glyph& glyph(int font_px, int digit) const { return glyphs_.at(font_px).at(digit); }
   /// From one digit to the next, in pixels.
   [[nodiscard]] int advance(int font_px) const;
-  /// The middle of a white square, in shares of the picture: for what is filled.
-  [[nodiscard]] std::array<float, 2> white() const;
 
  private:
   int dpi_ = 0;

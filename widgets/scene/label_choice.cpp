@@ -151,21 +151,7 @@ void LabelChoice::findCandidates(const LabelSight& sight, const std::optional<Sc
   std::ranges::stable_sort(candidates_, {}, &Candidate::roundness);
 }
 
-const std::vector<PlacedLabel>& LabelChoice::choosePicked(const LabelSight& sight, std::size_t cell) {
-  constexpr double kLeastLetters = 12;
-  chosen_.clear();
-  if (!content_ || cell >= content_->layout.cells.size()) return chosen_;
-  const SE3& T_s_u = content_->layout.cells[cell].T_s_u;
-  const double scale = sight.scaleAt(sight.depthOf(T_s_u.t));
-  if (scale <= 0) return chosen_;
-  const double wanted = kLetterShare * side_m_ * scale / sight.text_scale;
-  const double facing = std::abs(T_s_u.R.col(2).dot(sight.towardEye(T_s_u.t)));
-  chosen_.push_back(placed(cell, std::max(wanted, kLeastLetters), sight, facing));
-  return chosen_;
-}
-
-const std::vector<PlacedLabel>& LabelChoice::choose(const LabelSight& sight, std::optional<std::size_t> always,
-                                                    const std::optional<SceneCut>& cut) {
+const std::vector<PlacedLabel>& LabelChoice::choose(const LabelSight& sight, const std::optional<SceneCut>& cut) {
   chosen_.clear();
   if (!content_ || content_->layout.cells.empty()) return chosen_;
   TakenRoom taken;
@@ -175,15 +161,10 @@ const std::vector<PlacedLabel>& LabelChoice::choose(const LabelSight& sight, std
     const Eigen::Vector2d half(0.5 * kDigitAdvance * digits * height, 0.4 * height);
     return Eigen::AlignedBox2d(label.at_px - half, label.at_px + half);
   };
-  if (always) {
-    choosePicked(sight, *always);
-    for (const PlacedLabel& label : chosen_) taken.take(roomFor(label));
-  }
   if (!anyCanBeRead(sight)) return chosen_;
   findCandidates(sight, cut);
   for (const Candidate& candidate : candidates_) {
     if (chosen_.size() >= kMost) break;
-    if (always == candidate.label.cell) continue;
     if (taken.take(roomFor(candidate.label))) chosen_.push_back(candidate.label);
   }
   return chosen_;

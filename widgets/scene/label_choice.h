@@ -32,9 +32,6 @@ struct LabelSight {
     return parallel ? pixels_per_m : depth_m > 0 ? pixels_per_m / depth_m : 0;
   }
   [[nodiscard]] double depthOf(const Eigen::Vector3d& p) const { return (eye - p).dot(back); }
-  [[nodiscard]] Eigen::Vector3d towardEye(const Eigen::Vector3d& p) const {
-    return parallel ? back : Eigen::Vector3d((eye - p).normalized());
-  }
   friend bool operator==(const LabelSight&, const LabelSight&) = default;
 };
 
@@ -61,12 +58,8 @@ class LabelChoice {
 
   /// Null: there are no cells.
   void setContent(const std::shared_ptr<const SceneContent>& content);
-  /// `always`: the index of a cell that has its ID in any case; it comes first, has the first room, and may be looked
-  /// at from behind. Cells that a cut removes have none.
-  const std::vector<PlacedLabel>& choose(const LabelSight& sight, std::optional<std::size_t> always,
-                                         const std::optional<SceneCut>& cut);
-  /// That cell's ID alone, in letters that can be read from any distance; empty if it is behind the eye.
-  const std::vector<PlacedLabel>& choosePicked(const LabelSight& sight, std::size_t cell);
+  /// Cells that a cut removes have none.
+  const std::vector<PlacedLabel>& choose(const LabelSight& sight, const std::optional<SceneCut>& cut);
   [[nodiscard]] const SceneContent* content() const { return content_.get(); }
 
  private:

@@ -30,7 +30,6 @@ struct PatchScene::Parts {
   std::shared_ptr<const SceneContent> content;
   SceneColors colors;
   std::optional<CellId> picked_cell;
-  std::optional<std::pair<LinkEnd, LinkEnd>> picked_link;
   std::vector<CellId> brushed;
   PatchMoment moment;
   PatchOverlays overlays;
@@ -46,8 +45,6 @@ struct PatchScene::Parts {
   SceneSkin skin{renderer};
   SceneOverlays drawn_overlays{renderer};
   SceneLabels labels{renderer};
-  vtkNew<vtkActor> selection_actor;
-  vtkNew<vtkPolyDataMapper> selection_mapper;
   vtkNew<vtkActor> brush_actor;
   vtkNew<vtkPolyDataMapper> brush_mapper;
   SceneCorners corners;
@@ -60,7 +57,6 @@ struct PatchScene::Parts {
   void beforeRender();
   void recolor();
   void updateItems();
-  void updateSelection();
   void updateBrushed();
   void updateGravity();
   void updateGhost();
@@ -72,12 +68,7 @@ struct PatchScene::Parts {
 };
 
 PatchScene::Parts::Parts() {
-  selection_actor->SetMapper(selection_mapper);
-  selection_actor->VisibilityOff();
-  renderer->AddActor(selection_actor);
   // An outline lies on the faces and keeps its colour in any light.
-  selection_actor->GetProperty()->LightingOff();
-  selection_actor->GetProperty()->SetLineWidth(3.5F);
   brush_actor->SetMapper(brush_mapper);
   brush_actor->VisibilityOff();
   brush_actor->GetProperty()->LightingOff();
@@ -117,8 +108,7 @@ void PatchScene::Parts::beforeRender() {
   renderer->ResetCameraClippingRange();
   if (!window) return;
   skin.update(around.window[1]);
-  const std::optional<std::size_t> picked = labels.picked();
-  labels.update(around.window, window->GetDPI(), picked && skin.isCovered(*picked));
+  labels.update(around.window, window->GetDPI());
   corners.follow(renderer->GetActiveCamera(), window);
   ghost.follow(renderer->GetActiveCamera(), window);
 }
@@ -152,7 +142,6 @@ std::optional<Eigen::Vector3d> PatchScene::Parts::upShown() const {
 void PatchScene::Parts::recolor() {
   renderer->SetBackground2(colors.background_top.data());
   renderer->SetBackground(colors.background_bottom.data());
-  selection_actor->GetProperty()->SetColor(colors.selection.data());
   corners.setColors(colors);
   ghost.setColors(colors);
   labels.setColors(skin.frontColors(), colors);
@@ -161,7 +150,7 @@ void PatchScene::Parts::recolor() {
 
 void PatchScene::Parts::updateItems() {
   skin.setPortsVisible(shown.at(indexOf(SceneItem::Ports)));
-  labels.setVisible(text_visible && shown.at(indexOf(SceneItem::Ids)), text_visible);
+  labels.setVisible(text_visible && shown.at(indexOf(SceneItem::Ids)));
   corners.setAxesVisible(content && !content->layout.cells.empty() && shown.at(indexOf(SceneItem::Axes)));
   updateGravity();
 }
@@ -187,19 +176,6 @@ void PatchScene::Parts::updateCut() {
   labels.setCut(cut);
 }
 
-void PatchScene::Parts::updateSelection() {
-  labels.setPicked(picked_cell);
-  selection_actor->VisibilityOff();
-  if (!content) return;
-  if (picked_link && content->reconstruction->findLink(picked_link->first, picked_link->second) != nullptr) {
-    selection_mapper->SetInputData(makeLinkStroke(*content, picked_link->first, picked_link->second));
-    selection_actor->VisibilityOn();
-  } else if (picked_cell && content->layout.find(*picked_cell) != nullptr) {
-    selection_mapper->SetInputData(makeCellOutlines(*content, {*picked_cell}));
-    selection_actor->VisibilityOn();
-  }
-}
-
 void PatchScene::Parts::updateBrushed() {
   const bool any = content && !brushed.empty();
   brush_actor->SetVisibility(any);
@@ -211,10 +187,9 @@ void PatchScene::Parts::updateBrushed() {
 const GravityDirection* PatchScene::Parts::gravity() const {
   if (!content || content->layout.cells.empty() || !shown.at(indexOf(SceneItem::Gravity))) return nullptr;
   const Reconstruction* reconstruction = content->reconstruction.get();
-  const std::optional<CellId> picked = picked_link ? std::optional(picked_link->first.cell) : picked_cell;
-  const PatchReconstruction* patch = picked ? reconstruction->find(*picked).patch : nullptr;
+  const PatchReconstruction* patch = picked_cell ? reconstruction->find(*picked_cell).patch : nullptr;
   if (patch == nullptr) patch = largestPatch(*reconstruction);
-  if (patch->gravity.empty() && !picked) {
+  if (patch->gravity.empty() && !picked_cell) {
     const auto found = std::ranges::find_if(reconstruction->patches, [](const auto& p) { return !p.gravity.empty(); });
     if (found == reconstruction->patches.end()) return nullptr;
     patch = &*found;
@@ -250,7 +225,6 @@ void PatchScene::setContent(std::shared_ptr<const SceneContent> content) {
   parts_->labels.setContent(parts_->content);
   parts_->recolor();
   parts_->updateItems();
-  parts_->updateSelection();
   if (parts_->cut_share) parts_->updateCut();
   parts_->showGhostOfLargestPatch();
 }
@@ -317,10 +291,8 @@ Availability PatchScene::availability(SceneItem item) const { return parts_->dra
 
 const SceneNotes& PatchScene::notes() { return parts_->drawn_overlays.notes(); }
 
-void PatchScene::setSelection(std::optional<CellId> cell, std::optional<std::pair<LinkEnd, LinkEnd>> link) {
+void PatchScene::setPicked(std::optional<CellId> cell) {
   parts_->picked_cell = cell;
-  parts_->picked_link = link;
-  parts_->updateSelection();
   parts_->updateGravity();
   parts_->updateGhost();
 }
@@ -414,8 +386,6 @@ std::vector<CellId> PatchScene::labelledCells() const {
   }
   return cells;
 }
-
-bool PatchScene::isPickedBehind() const { return parts_->labels.picked() && parts_->labels.isPickedBehind(); }
 
 void PatchScene::keepView() { parts_->camera.keepView(); }
 

@@ -60,8 +60,9 @@ class PatchScene {
   [[nodiscard]] Availability availability(SceneItem item) const;
   /// Notes on the overlays that are drawn over the cells, with their enlargements.
   [[nodiscard]] const SceneNotes& notes();
-  /// Draws an outline about the cell or a line along the link, if the reconstruction has it.
-  void setSelection(std::optional<CellId> cell, std::optional<std::pair<LinkEnd, LinkEnd>> link);
+  /// The arrow of gravity is that in the frame of this cell's patch; none, or a cell of another skin: of the largest
+  /// patch. What is picked is marked over the picture, so that the scene need not be drawn anew for it.
+  void setPicked(std::optional<CellId> cell);
   /// Marks these cells with a ring on their faces, those of them that the reconstruction has.
   void setBrushed(std::vector<CellId> cells);
   /// The cells between which is measured: one is outlined, two are joined by a line.
@@ -121,10 +122,8 @@ class PatchScene {
   };
   [[nodiscard]] Depths depths() const;
 
-  /// The cells whose IDs the last picture has, the picked one first.
+  /// The cells whose IDs the last picture has.
   [[nodiscard]] std::vector<CellId> labelledCells() const;
-  /// The picked cell's ID was drawn as that of a cell that is not seen from here.
-  [[nodiscard]] bool isPickedBehind() const;
 
   /// The cell at a pixel of the window (origin lower left); none beside the skin.
   [[nodiscard]] std::optional<CellId> pick(double x, double y);

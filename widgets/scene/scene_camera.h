@@ -1,6 +1,7 @@
 #pragma once
 
 #include "widgets/scene/scene_content.h"
+#include "widgets/scene/standard_view.h"
 
 #include <Eigen/Core>
 #include <array>
@@ -18,9 +19,7 @@ namespace hexoderm {
 /// frame, which is the patch's.
 class SceneCamera {
  public:
-  /// Directions to look from: Front from +z (out of the origin cell's skin), Side from +x, Top from +y; Back, OtherSide
-  /// and Bottom from the other ends of these axes; Isometric from between all three.
-  enum class View { Oblique, Front, Side, Top, Back, OtherSide, Bottom, Isometric };
+  using View = StandardView;
 
   /// The window, and what covers it in the scene besides the skin.
   struct Surroundings {

@@ -13,9 +13,7 @@ class vtkRenderer;
 
 namespace hexoderm {
 
-/// The cells' IDs, upright to the viewer, on faces that look at the camera and are large enough to be read; and the ID
-/// of the picked cell on a plate, wherever it is: filled where the cell is seen, and with a dashed edge where it is
-/// seen from behind or covered.
+/// The cells' IDs, upright to the viewer, on faces that look at the camera and are large enough to be read.
 class SceneLabels {
  public:
   explicit SceneLabels(vtkRenderer* renderer);
@@ -26,21 +24,14 @@ class SceneLabels {
   /// Null shows nothing.
   void setContent(const std::shared_ptr<const SceneContent>& content);
   void setColors(const std::vector<Rgb>& front_colors, const SceneColors& colors);
-  /// The picked cell's ID is drawn all the same, unless `with_picked` is false.
-  void setVisible(bool visible, bool with_picked = true);
-  void setPicked(std::optional<CellId> cell);
-  /// The index of the picked cell in the layout, if it is there.
-  [[nodiscard]] std::optional<std::size_t> picked() const;
+  void setVisible(bool visible);
   /// IDs of cells that are cut away are not drawn.
   void setCut(const std::optional<SceneCut>& cut);
-  /// Before each rendering: which are seen, how large, and where. `is_picked_covered`: something lies before the picked
-  /// cell.
-  void update(const std::array<int, 2>& window_size, int dpi, bool is_picked_covered = false);
+  /// Before each rendering: which are seen, how large, and where.
+  void update(const std::array<int, 2>& window_size, int dpi);
 
-  /// Those drawn last; the picked one, if there is one, is the first.
-  [[nodiscard]] std::vector<PlacedLabel> drawn() const;
-  /// The picked cell's ID was drawn as that of a cell that is not seen.
-  [[nodiscard]] bool isPickedBehind() const;
+  /// Those drawn last.
+  [[nodiscard]] const std::vector<PlacedLabel>& drawn() const;
 
  private:
   struct Parts;

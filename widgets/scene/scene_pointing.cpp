@@ -146,7 +146,6 @@ std::optional<SeenCell> seenCell(PatchScene& scene, CellId id) {
   }
   seen.outline = hullOf(std::move(corners));
   seen.center = picture.at(cell->T_s_u.t);
-  seen.side_px = content->reconstruction->model->side_m * picture.pixelsPerMetre(cell->T_s_u.t);
   const bool faces = cell->T_s_u.R.col(2).dot(picture.toward(cell->T_s_u.t)) > kLeastFacing;
   seen.is_seen = faces && scene.pick(seen.center.x(), seen.center.y()) == id;
   return seen;

@@ -31,7 +31,6 @@ SceneHit hitAt(PatchScene& scene, const Eigen::Vector2d& pixel, double slack_px)
 struct SeenCell {
   std::vector<Eigen::Vector2d> outline;  ///< of the whole prism, convex, counter-clockwise
   Eigen::Vector2d center = Eigen::Vector2d::Zero();
-  double side_px = 0;    ///< length of one of its sides, if it looked at the camera
   bool is_seen = false;  ///< its front looks at the camera, and nothing hides its middle
 };
 /// None if the scene does not have it, or it lies behind the camera.

@@ -340,17 +340,4 @@ std::optional<CellId> SceneSkin::pick(double x, double y) const {
   return cell ? std::optional(parts_->content->layout.cells.at(*cell).id) : std::nullopt;
 }
 
-bool SceneSkin::isCovered(std::size_t cell) const {
-  vtkCamera* camera = parts_->renderer->GetActiveCamera();
-  const SE3& T_s_u = parts_->content->layout.cells.at(cell).T_s_u;
-  Eigen::Vector3d eye(camera->GetPosition());
-  if (camera->GetParallelProjection() != 0) {
-    const Eigen::Vector3d back = -Eigen::Vector3d(camera->GetDirectionOfProjection());
-    eye = T_s_u.t + (parts_->content->extent_m + camera->GetDistance()) * back;
-  }
-  // A little beyond the centre, so that the cell itself is met where nothing else is.
-  const auto first = parts_->firstCell(eye, T_s_u.t + 0.02 * (T_s_u.t - eye));
-  return first.has_value() && *first != cell;
-}
-
 }  // namespace hexoderm

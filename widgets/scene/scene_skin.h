@@ -61,8 +61,6 @@ class SceneSkin {
 
   /// The cell at a pixel of the window (origin lower left); none beside the skin.
   [[nodiscard]] std::optional<CellId> pick(double x, double y) const;
-  /// Another cell lies between the camera and this one's centre, `cell` an index in the layout.
-  [[nodiscard]] bool isCovered(std::size_t cell) const;
 
  private:
   struct Parts;

@@ -214,6 +214,7 @@ TableOrHint* Panels::makeTable(QTableView* view, const QString& hint) {
 /// The table, and beside it the card of the finding that is picked in it. The step Review has that card, too.
 QWidget* Panels::makeFindings(const Views& views) {
   auto* room = new QScrollArea;
+  room->setObjectName(QStringLiteral("findingsCard"));
   room->setFrameShape(QFrame::NoFrame);
   room->setFocusPolicy(Qt::NoFocus);
   room->setWidgetResizable(true);

@@ -119,6 +119,33 @@ TEST_F(WindowLayoutTest, VerifyHasTheWidthOfTheWindowWhileItIsOpen) {
   EXPECT_FALSE(find<QWidget>("coverageDock")->isVisible());
 }
 
+TEST_F(WindowLayoutTest, AfterTheChecksTheTabInFrontIsInFrontAgain) {
+  ASSERT_NO_FATAL_FAILURE(takeDemoPoses(2));
+  action("actionPlot")->trigger();
+  auto* plot = find<QDockWidget>("plotDock");
+  auto* coverage = find<QDockWidget>("coverageDock");
+  for (QDockWidget* front : {coverage, plot}) {
+    front->raise();
+    const auto before = places();
+    ASSERT_FALSE(front->visibleRegion().isEmpty());
+    openStep(GuideStep::Verify);
+    test::letTurnsPass();
+    EXPECT_FALSE(front->isVisible());
+    openStep(GuideStep::Review);
+    expectAlike(places(), before);
+    EXPECT_FALSE(front->visibleRegion().isEmpty()) << front->objectName().toStdString();
+  }
+}
+
+TEST_F(WindowLayoutTest, WhereThereIsLittleRoomTheFindingsHaveItAll) {
+  ASSERT_NO_FATAL_FAILURE(takeDemoPoses(1));
+  const auto* card = find<QWidget>("findingsCard");
+  window_->resize(1440, 900);
+  ASSERT_TRUE(waitUntil([&] { return card->isVisible(); }));
+  window_->resize(1024, 768);
+  EXPECT_TRUE(waitUntil([&] { return !card->isVisible(); }));
+}
+
 TEST_F(WindowLayoutTest, ResetLayoutBringsEverythingBackToItsPlace) {
   ASSERT_NO_FATAL_FAILURE(takeDemoPoses(1));
   action("actionResetLayout")->trigger();

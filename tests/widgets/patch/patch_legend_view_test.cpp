@@ -7,6 +7,7 @@
 #include "widgets/controls/selection.h"
 #include "widgets/patch/patch_controls.h"
 #include "widgets/patch/patch_view.h"
+#include "widgets/scene/scene_corners.h"
 
 #include <gtest/gtest.h>
 #include <QDoubleSpinBox>
@@ -66,6 +67,30 @@ TEST_F(PatchLegendViewTest, SaysRangeUnitGoalAndWhatLiesBeyond) {
   EXPECT_EQ(button()->text(), QStringLiteral("fitted range ▾"));
   EXPECT_TRUE(view_.rect().contains(legend().geometry()));
   EXPECT_TRUE(legend().rect().contains(button()->geometry()));
+}
+
+TEST_F(PatchLegendViewTest, WhereNothingIsKnownThereIsNoRange) {
+  ASSERT_TRUE(button()->isVisible());
+  Reconstruction unknown = *skin();
+  for (CellPlacement& cell : unknown.patches[0].cells) cell.cov_t_r = std::nullopt;
+  view_.setReconstruction(std::make_shared<const Reconstruction>(unknown));
+  EXPECT_TRUE(legend().isVisible());
+  EXPECT_FALSE(button()->isVisible());
+  EXPECT_FALSE(said().contains(QStringLiteral("from"))) << qPrintable(said());
+}
+
+TEST_F(PatchLegendViewTest, InANarrowViewTheTitleHasLinesOfItsOwnAndTheAxesTheirPlace) {
+  const int wide = legend().height();
+  view_.resize(400, 400);
+  ASSERT_TRUE(test::waitUntil([&] { return legend().height() > wide; }));
+  EXPECT_LT(legend().width(), 400 - 2 * SceneCorners::kSize);
+  EXPECT_TRUE(view_.rect().contains(legend().geometry()));
+  EXPECT_TRUE(legend().rect().contains(button()->geometry()));
+  EXPECT_GE(button()->geometry().top(), legend().fontMetrics().height()) << "the title stands above it";
+  // Higher than wide: above the axes, as wide as it likes.
+  view_.resize(300, 640);
+  ASSERT_TRUE(test::waitUntil([&] { return legend().width() > 250; }));
+  EXPECT_LT(legend().geometry().bottom(), 640 - SceneCorners::kSize - SceneCorners::kBottom);
 }
 
 TEST_F(PatchLegendViewTest, ArrowKeysWalkThroughTheScale) {

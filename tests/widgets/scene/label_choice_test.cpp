@@ -38,10 +38,9 @@ LabelSight looking(const SceneContent& content, const Eigen::Vector3d& target, c
 
 class LabelChoiceTest : public testing::Test {
  protected:
-  std::vector<CellId> chosen(const LabelSight& sight, std::optional<std::size_t> always = std::nullopt,
-                             const std::optional<SceneCut>& cut = std::nullopt) {
+  std::vector<CellId> chosen(const LabelSight& sight, const std::optional<SceneCut>& cut = std::nullopt) {
     std::vector<CellId> ids;
-    for (const PlacedLabel& label : choice.choose(sight, always, cut)) {
+    for (const PlacedLabel& label : choice.choose(sight, cut)) {
       ids.push_back(choice.content()->layout.cells[label.cell].id);
     }
     return ids;
@@ -65,7 +64,7 @@ TEST_F(LabelChoiceTest, EveryCellOfASmallSkinThatIsLargeEnoughHasItsId) {
 TEST_F(LabelChoiceTest, LettersAreAsLargeAsThereIsRoomInEvenSizes) {
   show(sheetReconstruction(1, 1));
   const auto fontFor = [&](double letters_px) {
-    const auto& labels = choice.choose(looking(*content, middle(), Eigen::Vector3d::UnitZ(), letters_px), {}, {});
+    const auto& labels = choice.choose(looking(*content, middle(), Eigen::Vector3d::UnitZ(), letters_px), {});
     return labels.empty() ? 0 : labels.front().font_px;
   };
   EXPECT_EQ(fontFor(12.5), 12);
@@ -80,7 +79,7 @@ TEST_F(LabelChoiceTest, ALongIdNeedsALargerCell) {
   lonely.first_id = 123456789;
   show(demoReconstruction(lonely));
   EXPECT_TRUE(chosen(looking(*content, middle(), Eigen::Vector3d::UnitZ(), 8)).empty());
-  const auto& labels = choice.choose(looking(*content, middle(), Eigen::Vector3d::UnitZ(), 16), {}, {});
+  const auto& labels = choice.choose(looking(*content, middle(), Eigen::Vector3d::UnitZ(), 16), {});
   ASSERT_EQ(labels.size(), 1U);
   EXPECT_LT(labels.front().font_px, 16);
 }
@@ -103,7 +102,7 @@ TEST_F(LabelChoiceTest, NearCellsOfALargeSkinHaveIdsAndFarOnesHaveNone) {
   const double side_m = content->reconstruction->model->side_m;
   sight.eye = content->layout.cells.back().T_s_u.t + 12 * side_m * sight.back;
   sight.pixels_per_m = 600;
-  const auto& labels = choice.choose(sight, {}, {});
+  const auto& labels = choice.choose(sight, {});
   ASSERT_FALSE(labels.empty());
   EXPECT_LT(labels.size(), 5000U);
   for (const PlacedLabel& label : labels) {
@@ -125,7 +124,7 @@ TEST_F(LabelChoiceTest, WhereTwoWouldCoverEachOtherTheRounderNumberStands) {
 TEST_F(LabelChoiceTest, NoTwoLabelsCoverEachOther) {
   show(cylinderSheet(60, 40));
   for (const double letters_px : {6.0, 9.0, 15.0}) {
-    const auto labels = choice.choose(looking(*content, middle(), Eigen::Vector3d(0.4, 0.3, 1), letters_px), {}, {});
+    const auto labels = choice.choose(looking(*content, middle(), Eigen::Vector3d(0.4, 0.3, 1), letters_px), {});
     ASSERT_GT(labels.size(), 10U);
     for (std::size_t a = 0; a < labels.size(); ++a) {
       for (std::size_t b = 0; b < a; ++b) {
@@ -150,27 +149,12 @@ TEST_F(LabelChoiceTest, ThereAreNoMoreThanABudgetAndRoundNumbersComeFirst) {
   EXPECT_TRUE(std::ranges::all_of(ids, [](CellId id) { return id.value() % 10 == 0; }));
 }
 
-TEST_F(LabelChoiceTest, ThePickedCellHasItsIdWhateverElse) {
-  show(cylinderSheet(60, 40));
-  const LabelSight sight = looking(*content, middle(), Eigen::Vector3d::UnitZ(), 2);
-  for (const std::size_t cell : {std::size_t{0}, std::size_t{77}, content->layout.cells.size() - 1}) {
-    const auto labels = choice.choose(sight, cell, {});
-    ASSERT_EQ(labels.size(), 1U) << "all others are too small";
-    EXPECT_EQ(labels.front().cell, cell);
-    EXPECT_GE(labels.front().font_px, 12);
-  }
-  const auto near = choice.choose(looking(*content, middle(), Eigen::Vector3d::UnitZ(), 14), 1234, {});
-  EXPECT_GT(near.size(), 20U);
-  EXPECT_EQ(near.front().cell, 1234U);
-  EXPECT_EQ(std::ranges::count(near, 1234U, &PlacedLabel::cell), 1);
-}
-
 TEST_F(LabelChoiceTest, WhatACutRemovesHasNoId) {
   show(sheetReconstruction(6, 5));
   SceneCut cut;
   cut.normal = Eigen::Vector3d::UnitX();
   cut.offset_m = middle().x();
-  const auto ids = chosen(looking(*content, middle(), Eigen::Vector3d::UnitZ(), 14), {}, cut);
+  const auto ids = chosen(looking(*content, middle(), Eigen::Vector3d::UnitZ(), 14), cut);
   EXPECT_FALSE(ids.empty());
   EXPECT_LT(ids.size(), 30U);
   for (const CellId id : ids) EXPECT_LE(content->layout.find(id)->T_s_u.t.x(), cut.offset_m) << "cell " << id;

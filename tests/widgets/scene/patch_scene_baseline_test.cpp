@@ -36,10 +36,9 @@ TEST_F(PatchSceneTest, LooksLikeTheBaselineInTheDark) {
   EXPECT_LE(differenceToBaseline(picture(), "patch_scene_dark"), kMaxDifferingShare);
 }
 
-TEST_F(PatchSceneTest, LooksLikeTheBaselineInTheLightWithAPickedCell) {
+TEST_F(PatchSceneTest, LooksLikeTheBaselineInTheLight) {
   scene.setColors(testColors(false));
   scene.setReconstruction(shared(demoReconstruction(mixedQualities())));
-  scene.setSelection(CellId(6), std::nullopt);
   EXPECT_LE(differenceToBaseline(picture(), "patch_scene_light"), kMaxDifferingShare);
 }
 

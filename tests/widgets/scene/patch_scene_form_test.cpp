@@ -82,51 +82,6 @@ TEST_F(PatchSceneFormTest, CellsOfALargeSkinHaveIdsWhereTheyAreNear) {
   EXPECT_TRUE(scene.labelledCells().empty());
 }
 
-TEST_F(PatchSceneFormTest, ThePickedCellHasItsIdFromEverySideAndWhereIdsAreOff) {
-  const Reconstruction skin = cylinderSheet(60, 40);
-  scene.setTextVisible(true);
-  scene.setReconstruction(shared(skin));
-  scene.setShown(SceneItem::Ids, false);
-  scene.showStandardView(View::Front);
-  const auto plain = picture();
-  // One that looks at the viewer and one that looks away.
-  for (const bool away : {false, true}) {
-    const auto& cells = skin.patches[0].cells;
-    const auto facing = [](const CellPlacement& cell) { return cell.T_o_u.R(2, 2); };
-    const CellId cell =
-        (away ? std::ranges::min_element(cells, {}, facing) : std::ranges::max_element(cells, {}, facing))->cell;
-    scene.setSelection(cell, std::nullopt);
-    const auto picked = picture();
-    EXPECT_THAT(scene.labelledCells(), testing::ElementsAre(cell));
-    EXPECT_EQ(scene.isPickedBehind(), away);
-    EXPECT_GT(differingShare(plain, picked), 0.0005);
-  }
-  scene.setSelection(CellId(99999), std::nullopt);
-  window->Render();
-  EXPECT_TRUE(scene.labelledCells().empty());
-  EXPECT_FALSE(scene.isPickedBehind());
-  scene.setSelection(std::nullopt, std::nullopt);
-  EXPECT_EQ(differingShare(plain, picture()), 0);
-}
-
-TEST_F(PatchSceneFormTest, APickedCellThatAnotherOneCoversIsShownAsBehind) {
-  Reconstruction demo = demoReconstruction();
-  demo.patches[0].cells[1].T_o_u = demo.patches[0].cells[0].T_o_u;
-  demo.patches[0].cells[1].T_o_u.t.z() -= 0.02;  // cell 2 hides behind cell 1
-  scene.setTextVisible(true);
-  scene.setReconstruction(shared(demo));
-  scene.showStandardView(View::Front);
-  for (const bool parallel : {false, true}) {
-    scene.setParallel(parallel);
-    scene.setSelection(CellId(2), std::nullopt);
-    window->Render();
-    EXPECT_TRUE(scene.isPickedBehind());
-    scene.setSelection(CellId(1), std::nullopt);
-    window->Render();
-    EXPECT_FALSE(scene.isPickedBehind());
-  }
-}
-
 TEST_F(PatchSceneFormTest, TheBackOfACellDoesNotLookLikeItsFront) {
   // From right in front and right behind, where the light is the same.
   for (const std::uint32_t columns : {5U, 60U}) {  // prisms, and faces alone
@@ -274,24 +229,6 @@ TEST_F(PatchSceneFormTest, ACellIsBroughtIntoTheMiddleWithoutTurning) {
   const auto centred = cameraPosition();
   scene.centerOn(CellId(999));
   EXPECT_EQ(cameraPosition(), centred);
-}
-
-/// The picked cell's plate and the negative control: what stands in it.
-TEST_F(PatchSceneFormTest, ThePlateOfAPickedCellSaysWhichItIs) {
-  Reconstruction demo = demoReconstruction();
-  scene.setTextVisible(true);
-  scene.setShown(SceneItem::Ids, false);
-  scene.setReconstruction(shared(demo));
-  scene.showStandardView(View::Front);
-  scene.setSelection(CellId(1), std::nullopt);
-  const auto one = picture();
-  // The same cell with another ID.
-  DemoOptions other;
-  other.first_id = 8;
-  scene.setReconstruction(shared(demoReconstruction(other)));
-  scene.showStandardView(View::Front);
-  scene.setSelection(CellId(8), std::nullopt);
-  EXPECT_GT(differenceInTheMiddle(one, picture()), 0);
 }
 
 }  // namespace

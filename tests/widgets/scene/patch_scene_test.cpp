@@ -111,19 +111,6 @@ TEST_F(PatchSceneTest, EmptySkinShowsTheBackgroundOnly) {
   EXPECT_EQ(scene.pick(0.5 * kWidth, 0.5 * kHeight), std::nullopt);
 }
 
-TEST_F(PatchSceneTest, SelectionIsOutlinedAndTakenBack) {
-  scene.setReconstruction(shared(demoReconstruction()));
-  const auto plain = picture();
-  scene.setSelection(CellId(3), std::nullopt);
-  EXPECT_GT(differingShare(plain, picture()), 0.001);
-  scene.setSelection(std::nullopt, std::pair(LinkEnd{CellId(1), PortNumber(1)}, LinkEnd{CellId(2), PortNumber(4)}));
-  EXPECT_GT(differingShare(plain, picture()), 0.0005);
-  scene.setSelection(CellId(999), std::nullopt);  // a cell of another skin
-  EXPECT_EQ(differingShare(plain, picture()), 0);
-  scene.setSelection(std::nullopt, std::nullopt);
-  EXPECT_EQ(differingShare(plain, picture()), 0);
-}
-
 TEST_F(PatchSceneTest, GravityArrowFollowsThePose) {
   const Reconstruction demo = demoReconstruction();
   scene.setReconstruction(shared(demo));

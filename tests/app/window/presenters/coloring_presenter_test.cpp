@@ -40,6 +40,16 @@ TEST_F(ColoringPresenterTest, ReviewShowsHowWellTheShapeIsKnownOnceTheClassIsThe
   EXPECT_EQ(patch().coloring(), Coloring::ShapeUncertainty);
 }
 
+TEST_F(ColoringPresenterTest, AMomentThatSaysNothingOfUncertaintyIsColouredByTheLinks) {
+  ASSERT_NO_FATAL_FAILURE(takeDemoPoses(3));
+  open(GuideStep::Verify);
+  ASSERT_EQ(patch().coloring(), Coloring::ShapeUncertainty);
+  window_->controller().liveMode().setOn(true);
+  EXPECT_EQ(patch().coloring(), Coloring::LinkQuality);
+  window_->controller().liveMode().setOn(false);
+  EXPECT_EQ(patch().coloring(), Coloring::ShapeUncertainty);
+}
+
 TEST_F(ColoringPresenterTest, WhatTheOperatorChoosesStands) {
   ASSERT_NO_FATAL_FAILURE(openSession());
   choose(Coloring::Residual);
