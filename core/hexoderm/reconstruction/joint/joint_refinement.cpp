@@ -19,8 +19,8 @@ namespace {
 constexpr std::size_t kCellsOfLargePart = 100;
 /// Angular acceleration that a hand's tremor of 0.05 degrees at 4 to 12 Hz leaves in a mean over 0.1 s, rms per axis.
 constexpr double kTremorAcceleration_rad_s2 = 0.6;
-// With many poses tremor averages out (widenNoise), and the dense part of the equations is small enough without
-// them.
+// With many poses the dense part of the equations is small enough without them: they are found in turn with the rest
+// then (solveWithSwings).
 constexpr std::size_t kMostPosesForAccelerations = 50;
 // Error that a hand's translation leaves in a mean; on a large part, also that of its turning at the middle of a patch.
 constexpr double kForceSigma_g = 0.003;
@@ -39,6 +39,18 @@ GapShare gapShareOf(GapModel model) {
       break;
   }
   return {0.5, 0.5};
+}
+
+/// The spread of angular accelerations per axis, from estimates of them and what is not known of these, weighed against
+/// a usual tremor.
+double accelerationSpread(const std::vector<Eigen::Vector3d>& accelerations,
+                          const std::vector<Eigen::Matrix3d>& covariances) {
+  constexpr double kWeightOfTremor = 10;
+  double squared = kWeightOfTremor * kTremorAcceleration_rad_s2 * kTremorAcceleration_rad_s2;
+  for (std::size_t pose = 0; pose < accelerations.size(); ++pose) {
+    squared += accelerations[pose].squaredNorm() + covariances[pose].trace();
+  }
+  return std::sqrt(squared / (kWeightOfTremor + 3 * static_cast<double>(accelerations.size())));
 }
 
 /// The covariance of any two cells from that of the whole patch.
@@ -195,6 +207,9 @@ void JointRefinement::solve(const std::stop_token& stop) {
   solveWithSpreads(options);
   if (stop.stop_requested()) return;
   fitSensors();
+  if (problem_->poses <= kMostPosesForAccelerations || cells_.size() < 2) return;
+  solveWithSwings(options);
+  if (stop.stop_requested()) return;
   if (widenNoise()) {
     solveWithSpreads(options);
     if (stop.stop_requested()) return;
@@ -223,6 +238,47 @@ void JointRefinement::solveWithSpreads(const JointSolverOptions& options) {
   }
 }
 
+/// With more poses than angular accelerations are estimated for jointly: in turn with all the rest, until they settle.
+void JointRefinement::solveWithSwings(const JointSolverOptions& options) {
+  constexpr int kTurns = 6;
+  constexpr double kSettled = 0.02 * kTremorAcceleration_rad_s2;
+  bool known = swings_.has_value();
+  if (!known) {
+    as_measured_ = problem_->readings;
+    swings_ = PoseSwings::unknown(problem_->poses, problem_->acceleration_sigma);
+  }
+  for (int turn = 0; turn < kTurns; ++turn) {
+    PoseSwings next = findSwings(*problem_, solution_.state, sensors_, *swings_, problem_->acceleration_sigma);
+    if (known && next.distanceTo(*swings_) <= kSettled) return;
+    known = true;
+    swings_ = std::move(next);
+    problem_->acceleration_sigma = accelerationSpread(swings_->acceleration_o, swings_->covariance);
+    solution_.state.acceleration_o = swings_->acceleration_o;
+    for (std::size_t pose = 0; pose < problem_->poses; ++pose) {
+      solution_.state.force_o[pose] += swings_->force_change_o[pose];
+    }
+    freeReadingsFromSwings();
+    solveWithSpreads(options);
+    if (options.stop.stop_requested()) return;
+    fitSensors();
+  }
+}
+
+/// The readings less what the swings add to them, and less certain by what is not known of them.
+void JointRefinement::freeReadingsFromSwings() {
+  for (std::size_t cell = 0; cell < cells_.size(); ++cell) {
+    for (std::size_t k = 0; k < problem_->readings[cell].size(); ++k) {
+      const CellReading& measured = as_measured_[cell][k];
+      const SwingInReading swing =
+          swingInReading(*problem_, solution_.state, cell, sensors_[cell].fit, *swings_, measured.pose);
+      CellReading& reading = problem_->readings[cell][k];
+      reading.y_g = measured.y_g - swing.added_g;
+      reading.variance_g2 =
+          noise_factor_ * (measured.variance_g2 + swing.variance_g2) + noise_per_lever_sq_ * squaredLever(cell);
+    }
+  }
+}
+
 /// In closed loops, the end points of links show whether this mould keeps them together as well as the model says:
 /// strongly curved surfaces do not. The estimate weighs that against the model, as if the model had been seen on so
 /// many axes. It never goes below the model: cells that sit askew in the mould err alike on all their links, which
@@ -244,13 +300,12 @@ double JointRefinement::seenLinkSpread_m() const {
 /// tell a swing from a bend of the skin, the spread stays what it is beforehand, and so does the stated uncertainty: no
 /// model switches on between one pose and the next.
 double JointRefinement::seenAccelerations_rad_s2() const {
-  constexpr double kWeightOfTremor = 10;
   if (!problem_->accelerations) return problem_->acceleration_sigma;
-  double squared = kWeightOfTremor * kTremorAcceleration_rad_s2 * kTremorAcceleration_rad_s2;
+  std::vector<Eigen::Matrix3d> covariances;
   for (std::size_t pose = 0; pose < problem_->poses; ++pose) {
-    squared += solution_.state.acceleration_o[pose].squaredNorm() + solution_.covariance->acceleration(pose).trace();
+    covariances.push_back(solution_.covariance->acceleration(pose));
   }
-  return std::sqrt(squared / (kWeightOfTremor + 3 * static_cast<double>(problem_->poses)));
+  return accelerationSpread(solution_.state.acceleration_o, covariances);
 }
 
 void JointRefinement::fitSensors() {
@@ -265,13 +320,13 @@ double JointRefinement::squaredLever(std::size_t cell) const {
   return (solution_.state.cells[cell].t - solution_.state.middle_o).squaredNorm();
 }
 
-/// With more poses than angular accelerations are estimated for, accelerations leave errors in the readings that grow
-/// with the distance from the middle, and with hundreds of poses any cell would look broken for them. They count as
-/// noise, as large as the readings show: a reading's variance V becomes f V + (2/3) (s l / g)^2, with its cell's lever
-/// l, for accelerations of s per axis; f (at least 1) fits the inner cells, and s the rest of the outer ones. Medians,
-/// because single cells may be broken. True if the variances have grown: the solution is to be found again.
+/// Whatever else a hand does leaves errors in the readings, which grow with the distance from the middle, and with
+/// hundreds of poses any cell would look broken for them. They count as noise, as large as the readings show: a
+/// reading's variance V becomes f V + (2/3) (s l / g)^2, with its cell's lever l, as for accelerations of s per axis; f
+/// (at least 1) fits the inner cells, and s the rest of the outer ones. Medians, because single cells may be broken.
+/// True if the variances have grown: the solution is to be found again.
 bool JointRefinement::widenNoise() {
-  if (problem_->accelerations || problem_->poses <= kMostPosesForAccelerations || noise_is_widened_) return false;
+  if (noise_is_widened_) return false;
   struct Seen {
     double lever_sq = 0;  // m^2
     double variance_g2 = 0;
@@ -301,17 +356,16 @@ bool JointRefinement::widenNoise() {
   }
   const double swing_g2 = median(std::move(swings_g2));
   if (factor <= 1 && swing_g2 <= 0) return false;
-  for (std::size_t cell = 0; cell < cells_.size(); ++cell) {
-    for (CellReading& reading : problem_->readings[cell]) {
-      reading.variance_g2 = std::max(1.0, factor) * reading.variance_g2 + std::max(0.0, swing_g2) * squaredLever(cell);
-    }
-  }
+  noise_factor_ = std::max(1.0, factor);
+  noise_per_lever_sq_ = std::max(0.0, swing_g2);
+  freeReadingsFromSwings();
   noise_is_widened_ = true;
   return true;
 }
 
 void JointRefinement::leaveOut(std::size_t cell) {
   problem_->readings[localOf(cell)].clear();
+  if (swings_) as_measured_[localOf(cell)].clear();
   own_variances_g2_[localOf(cell)].clear();
 }
 
@@ -408,7 +462,7 @@ std::shared_ptr<const PlacementCovariance> JointRefinement::placementCovariance(
 
 std::shared_ptr<const GravityCovariance> JointRefinement::gravityCovariance() const {
   SolvedGravityCovariance::Solve solve;
-  if (!noise_is_widened_) {
+  if (!swings_) {
     solve = [problem = std::shared_ptr<const JointProblem>(problem_), model = *problem_->model, state = solution_.state,
              own_variances_g2 = own_variances_g2_] {
       constexpr double kLeastVariance_g2 = 1e-10;  // of readings that were simulated without noise

@@ -5,6 +5,7 @@
 #include "hexoderm/reconstruction/accelerometer/rigidity.h"
 #include "hexoderm/reconstruction/accelerometer/sensor_evidence.h"
 #include "hexoderm/reconstruction/joint/joint_solver.h"
+#include "hexoderm/reconstruction/joint/pose_swings.h"
 #include "hexoderm/reconstruction/links/gravity_table.h"
 
 #include <memory>
@@ -76,6 +77,8 @@ class JointRefinement {
   [[nodiscard]] std::size_t localOf(std::size_t cell) const;
   [[nodiscard]] CellReading foretold(std::size_t local, std::size_t pose, const JointState& state) const;
   void fitSensors();
+  void solveWithSwings(const JointSolverOptions& options);
+  void freeReadingsFromSwings();
   bool widenNoise();
   [[nodiscard]] double squaredLever(std::size_t cell) const;
   void solveWithSpreads(const JointSolverOptions& options);
@@ -89,6 +92,10 @@ class JointRefinement {
   JointSolution solution_;
   std::vector<SensorState> sensors_;
   bool noise_is_widened_ = false;
+  double noise_factor_ = 1;                            ///< of the variance of every reading
+  double noise_per_lever_sq_ = 0;                      ///< and what is added to it, g^2/m^2
+  std::optional<PoseSwings> swings_;                   ///< of many poses: the problem's readings are freed from them
+  std::vector<std::vector<CellReading>> as_measured_;  ///< the problem's readings before that
   std::vector<std::vector<double>> own_variances_g2_;  ///< of the readings of every cell, without tremor
 };
 
