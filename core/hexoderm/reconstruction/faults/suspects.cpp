@@ -32,9 +32,43 @@ SuspectSearch::SuspectSearch(const CellModel& model, const SkinGraph& graph, con
       readings_(readings),
       edges_(edges),
       options_(options),
-      pair_prior_(pairOf(model.accelerometer)) {
-  verdicts_.reserve(edges.size());
-  for (std::size_t link = 0; link < edges.size(); ++link) verdicts_.push_back(judge(link));
+      pair_prior_(pairOf(model.accelerometer)),
+      verdicts_(edges.size()),
+      tested_(graph.cells().size(), 0),
+      bad_(graph.cells().size(), 0) {
+  for (std::size_t link = 0; link < edges.size(); ++link) {
+    verdicts_[link] = judge(link);
+    count(link, 1);
+  }
+}
+
+void SuspectSearch::update(std::span<const std::size_t> links) {
+  for (const std::size_t link : links) {
+    count(link, -1);
+    verdicts_[link] = judge(link);
+    count(link, 1);
+  }
+}
+
+void SuspectSearch::count(std::size_t index, int by) {
+  const Verdict& verdict = verdicts_[index];
+  if (verdict.tested) tested_links_ += by;
+  if (verdict.tested && !verdict.rigid) moving_links_ += by;
+  for (const std::size_t cell : {graph_.links()[index].source, graph_.links()[index].target}) {
+    if (verdict.tested) tested_[cell] += by;
+    if (verdict.bad()) bad_[cell] += by;
+    if (isAtOdds(cell)) {
+      at_odds_.insert(cell);
+    } else {
+      at_odds_.erase(cell);
+    }
+  }
+}
+
+bool SuspectSearch::isAtOdds(std::size_t cell) const {
+  constexpr double kNearlyAll = 0.74;
+  constexpr int kFewestWitnesses = 2;
+  return bad_[cell] >= kFewestWitnesses && bad_[cell] >= kNearlyAll * tested_[cell];
 }
 
 SuspectSearch::Verdict SuspectSearch::judge(std::size_t link_index) const {
@@ -71,19 +105,17 @@ SuspectSearch::PairReadings SuspectSearch::readingsOf(std::size_t link_index) co
 
 std::optional<std::size_t> SuspectSearch::worstPose() const {
   constexpr std::size_t kFewestPoses = 3;
-  constexpr std::size_t kFewestLinks = 3;
+  constexpr int kFewestLinks = 3;
   constexpr double kNearlyNone = 0.2;
-  std::vector<std::size_t> tested;
-  std::size_t moving = 0;
-  for (std::size_t link = 0; link < verdicts_.size(); ++link) {
-    if (!verdicts_[link].tested) continue;
-    tested.push_back(link);
-    if (!verdicts_[link].rigid) ++moving;
-  }
-  if (table_.enabledPoses().size() < kFewestPoses || tested.size() < kFewestLinks || 2 * moving <= tested.size()) {
+  if (table_.enabledPoses().size() < kFewestPoses || tested_links_ < kFewestLinks ||
+      2 * moving_links_ <= tested_links_) {
     return std::nullopt;
   }
-  std::vector<std::size_t> moving_without(table_.poseCount(), moving);
+  std::vector<std::size_t> tested;
+  for (std::size_t link = 0; link < verdicts_.size(); ++link) {
+    if (verdicts_[link].tested) tested.push_back(link);
+  }
+  std::vector<std::size_t> moving_without(table_.poseCount(), static_cast<std::size_t>(moving_links_));
   for (const std::size_t link : tested) {
     const PairReadings pair = readingsOf(link);
     for (std::size_t k = 0; k < pair.source.size(); ++k) {
@@ -113,31 +145,19 @@ bool SuspectSearch::isClearlyWrong(std::size_t cell) const {
 }
 
 std::optional<std::size_t> SuspectSearch::worstCell(std::span<const std::size_t> but) const {
-  constexpr double kNearlyAll = 0.74;
-  constexpr std::size_t kFewestWitnesses = 2;
-  std::vector<std::size_t> tested(graph_.cells().size(), 0);
-  std::vector<std::size_t> bad(graph_.cells().size(), 0);
-  for (std::size_t link = 0; link < verdicts_.size(); ++link) {
-    for (const std::size_t cell : {graph_.links()[link].source, graph_.links()[link].target}) {
-      if (verdicts_[link].tested) ++tested[cell];
-      if (verdicts_[link].bad()) ++bad[cell];
-    }
-  }
   std::optional<std::size_t> worst;
   double worst_misfit = 0;
-  for (std::size_t cell = 0; cell < graph_.cells().size(); ++cell) {
+  for (const std::size_t cell : at_odds_) {
     if (std::ranges::count(but, cell) > 0) continue;
-    if (bad[cell] < kFewestWitnesses || static_cast<double>(bad[cell]) < kNearlyAll * static_cast<double>(tested[cell]))
-      continue;
     double misfit = 0;
     // Neighbours at odds with others too speak for a joint that runs between all of them.
-    std::size_t unreliable = 0;
+    int unreliable = 0;
     for (const std::size_t link : graph_.linksAt(cell)) {
       if (!verdicts_[link].bad()) continue;
       misfit += std::max(verdicts_[link].misfit, options_.max_misfit);
-      if (bad[graph_.links()[link].other(cell)] > 1) ++unreliable;
+      if (bad_[graph_.links()[link].other(cell)] > 1) ++unreliable;
     }
-    if (2 * unreliable >= bad[cell] || misfit <= worst_misfit) continue;
+    if (2 * unreliable >= bad_[cell] || misfit <= worst_misfit) continue;
     worst = cell;
     worst_misfit = misfit;
   }

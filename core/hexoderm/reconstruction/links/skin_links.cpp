@@ -45,21 +45,36 @@ void SkinLinks::dropPose(std::size_t pose) {
 
 void SkinLinks::estimateEdges() {
   readings_ = SkinReadings(model_, graph_, table_);
-  edges_.clear();
-  pose_residuals_.clear();
-  for (const GraphLink& link : graph_.links()) {
-    const EdgeReadings readings = readings_.readingsOf(link);
-    EdgeRotation edge = estimateEdgeRotation(model_, sourcePort(link), targetPort(link), readings, options_);
-    std::vector<std::optional<double>> residuals(table_.poseCount());
-    if (readings_.measured(link)) {
-      std::size_t k = 0;
-      for (const std::size_t pose : readings_.posesOf(link)) residuals[pose] = edge.pose_residual_rad[k++];
-    } else if (readings.n_g.cols() > 0) {
-      markAsGuessed(edge, link);
-    }
-    edges_.push_back(std::move(edge));
-    pose_residuals_.push_back(std::move(residuals));
+  edges_.assign(graph_.links().size(), {});
+  pose_residuals_.assign(graph_.links().size(), {});
+  for (std::size_t link = 0; link < edges_.size(); ++link) estimateEdge(link);
+}
+
+std::vector<std::size_t> SkinLinks::estimateEdgesAround(std::size_t cell) {
+  std::vector<std::size_t> links;
+  for (const std::size_t changed : readings_.update(model_, graph_, cell)) {
+    const auto& at = graph_.linksAt(changed);
+    links.insert(links.end(), at.begin(), at.end());
   }
+  std::ranges::sort(links);
+  links.erase(std::ranges::unique(links).begin(), links.end());
+  for (const std::size_t link : links) estimateEdge(link);
+  return links;
+}
+
+void SkinLinks::estimateEdge(std::size_t index) {
+  const GraphLink& link = graph_.links()[index];
+  const EdgeReadings readings = readings_.readingsOf(link);
+  EdgeRotation edge = estimateEdgeRotation(model_, sourcePort(link), targetPort(link), readings, options_);
+  std::vector<std::optional<double>> residuals(table_.poseCount());
+  if (readings_.measured(link)) {
+    std::size_t k = 0;
+    for (const std::size_t pose : readings_.posesOf(link)) residuals[pose] = edge.pose_residual_rad[k++];
+  } else if (readings.n_g.cols() > 0) {
+    markAsGuessed(edge, link);
+  }
+  edges_[index] = std::move(edge);
+  pose_residuals_[index] = std::move(residuals);
 }
 
 /// One end does not measure: the rotation is interpolated, and nothing but the elastomer prior speaks for it.

@@ -48,6 +48,8 @@ class SkinLinks {
   void dropPose(std::size_t pose);
   /// The rotation of every link from the readings that are left.
   void estimateEdges();
+  /// The same where dropCell() of this cell is all that happened since, at the cost of the links concerned: those.
+  std::vector<std::size_t> estimateEdgesAround(std::size_t cell);
 
   /// Covariance of a cell's own attitude error, R_true = R exp(e), rad^2 in the cell frame: of its readings, or of its
   /// neighbours' where it has none. `link`: the one that the cell is placed by; of the origin one of its own; kNoIndex
@@ -55,6 +57,7 @@ class SkinLinks {
   [[nodiscard]] Eigen::Matrix3d attitudeCovariance(std::size_t cell, std::size_t link) const;
 
  private:
+  void estimateEdge(std::size_t link);
   void markAsGuessed(EdgeRotation& edge, const GraphLink& link) const;
   [[nodiscard]] Eigen::Matrix3d elastomerPrior(const Port& port) const;
 

@@ -1,6 +1,7 @@
 #include "hexoderm/reconstruction/links/skin_readings.h"
 
 #include <algorithm>
+#include <set>
 
 namespace hexoderm {
 
@@ -8,13 +9,44 @@ SkinReadings::SkinReadings(const CellModel& model, const SkinGraph& graph, const
     : table_(&table), measured_(graph.cells().size(), false), gravity_(graph.cells().size()) {
   std::vector<std::size_t> blind;
   for (std::size_t cell = 0; cell < gravity_.size(); ++cell) {
-    const std::vector<std::size_t> poses = table.usablePoses(cell);
-    measured_[cell] = !poses.empty();
-    gravity_[cell].assign(table.poseCount(), Eigen::Vector3d::Zero());
-    for (const std::size_t pose : poses) gravity_[cell][pose] = table.at(cell, pose).mean_g;
+    readCell(cell);
     if (!measured_[cell]) blind.push_back(cell);
   }
   if (!blind.empty() && !table.enabledPoses().empty()) fillMissing(model, graph, blind);
+}
+
+void SkinReadings::readCell(std::size_t cell) {
+  const std::vector<std::size_t> poses = table_->usablePoses(cell);
+  measured_[cell] = !poses.empty();
+  gravity_[cell].assign(table_->poseCount(), Eigen::Vector3d::Zero());
+  for (const std::size_t pose : poses) gravity_[cell][pose] = table_->at(cell, pose).mean_g;
+}
+
+std::vector<std::size_t> SkinReadings::update(const CellModel& model, const SkinGraph& graph, std::size_t cell) {
+  readCell(cell);
+  if (measured_[cell] || table_->enabledPoses().empty()) return {cell};
+  // What a cell without readings gets from its neighbours depends on no other such cell than those it is joined to by
+  // such cells alone, and on the order among these.
+  const std::vector<std::size_t> blind = blindAround(graph, cell);
+  for (const std::size_t other : blind) readCell(other);
+  fillMissing(model, graph, blind);
+  return blind;
+}
+
+/// The cells without readings that are joined to `cell` by cells without readings, with it, ascending.
+std::vector<std::size_t> SkinReadings::blindAround(const SkinGraph& graph, std::size_t cell) const {
+  std::set<std::size_t> found{cell};
+  std::vector<std::size_t> open{cell};
+  while (!open.empty()) {
+    const std::size_t at = open.back();
+    open.pop_back();
+    for (const std::size_t k : graph.linksAt(at)) {
+      const GraphLink& link = graph.links()[k];
+      const std::size_t other = link.other(at);
+      if (!link.muted() && !measured_[other] && found.insert(other).second) open.push_back(other);
+    }
+  }
+  return {found.begin(), found.end()};
 }
 
 void SkinReadings::fillMissing(const CellModel& model, const SkinGraph& graph, const std::vector<std::size_t>& blind) {

@@ -17,6 +17,10 @@ class SkinReadings {
  public:
   SkinReadings(const CellModel& model, const SkinGraph& graph, const GravityTable& table);
 
+  /// Follows the table after the readings of one cell were taken out of it, as if made anew. The cells whose gravity is
+  /// another one now: this one, and those without readings that hang together with it.
+  std::vector<std::size_t> update(const CellModel& model, const SkinGraph& graph, std::size_t cell);
+
   /// The cell has usable readings of its own.
   [[nodiscard]] bool measured(std::size_t cell) const { return measured_[cell]; }
   [[nodiscard]] bool measured(const GraphLink& link) const { return measured_[link.source] && measured_[link.target]; }
@@ -27,6 +31,8 @@ class SkinReadings {
   [[nodiscard]] EdgeReadings readingsOf(const GraphLink& link) const;
 
  private:
+  void readCell(std::size_t cell);
+  [[nodiscard]] std::vector<std::size_t> blindAround(const SkinGraph& graph, std::size_t cell) const;
   void fillMissing(const CellModel& model, const SkinGraph& graph, const std::vector<std::size_t>& blind);
 
   const GravityTable* table_;
