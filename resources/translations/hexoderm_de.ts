@@ -4879,6 +4879,22 @@ Die Balken sagen, wie sehr sich die gesehenen Richtungen in drei Achsen untersch
         <translation>Begrenzt wird das Ergebnis dadurch, dass {} in {} nicht zu brauchen ist: Die Messwerte fehlen oder taugen nichts.</translation>
     </message>
     <message>
+        <source>The joint estimate of a patch ended before its optimum; placements and stated uncertainties are preliminary.</source>
+        <translation>Die gemeinsame Schätzung eines Hautstücks endete vor ihrem Optimum; Lagen und angegebene Unsicherheiten sind vorläufig.</translation>
+    </message>
+    <message>
+        <source>The estimate goes on in steps as long as they make the shape more probable, and the steps ran out.</source>
+        <translation>Die Schätzung geht in Schritten weiter, solange sie die Form wahrscheinlicher machen, und die Schritte gingen aus.</translation>
+    </message>
+    <message>
+        <source>Take another pose: two alone often leave open where the optimum is. Until then rely on no figure of this patch.</source>
+        <translation>Eine weitere Pose aufnehmen: Zwei allein lassen oft offen, wo das Optimum liegt. Bis dahin ist auf keine Angabe zu diesem Hautstück Verlass.</translation>
+    </message>
+    <message>
+        <source>The joint estimate of the patch of cell {} has not converged after {} steps: a more probable shape is nearby, and the stated uncertainty can&apos;t be relied on. Take another pose.</source>
+        <translation>Die gemeinsame Schätzung des Hautstücks von Zelle {} ist nach {} Schritten nicht konvergiert: Eine wahrscheinlichere Form liegt in der Nähe, und auf die angegebene Unsicherheit ist kein Verlass. Nehmen Sie eine weitere Pose auf.</translation>
+    </message>
+    <message>
         <source>What limits it is how the cells lie in the mould: another pose would hardly help.</source>
         <translation>Begrenzt wird das Ergebnis dadurch, wie die Zellen in der Form liegen: Eine weitere Pose würde kaum helfen.</translation>
     </message>

@@ -1,6 +1,7 @@
 #include "hexoderm/graph/shortest_paths.h"
 
 #include "hexoderm/graph/boost_graph.h"
+#include "hexoderm/graph/origin_search.h"
 
 #include <boost/graph/dijkstra_shortest_paths_no_color_map.hpp>
 
@@ -46,28 +47,38 @@ BoostGraph patchGraph(const SkinGraph& graph, std::span<const double> link_weigh
 class OriginSearch {
  public:
   /// `eligible`: per cell of the patch; at least one is.
-  OriginSearch(BoostGraph graph, std::vector<bool> eligible)
+  OriginSearch(BoostGraph graph, std::vector<bool> eligible, bool has_whole_weights)
       : graph_(std::move(graph)),
+        has_whole_weights_(has_whole_weights),
         count_(boost::num_vertices(graph_)),
         eligible_(std::move(eligible)),
         bound_(count_, 0),
         exact_(count_, false) {}
 
-  std::size_t run() {
+  OriginFound run() {
     spreadLandmarks();
     // On a skin whose cells are all alike (a closed torus), the bounds exclude no cell: there the search ends with the
     // best cell found, after as many runs as an operator still perceives as immediate.
-    constexpr std::size_t kMostRuns = 500;
-    while (landmarks_.size() < std::min(count_, kMostRuns)) {
+    while (landmarks_.size() < std::min(count_, mostRuns())) {
       const std::size_t next = mostPromising();
       if (next == kNoIndex) break;
       evaluate(next);
       cutAt(next);
     }
-    return best_;
+    return {best_, best_sum_, landmarks_.size()};
   }
 
  private:
+  /// With real weights few cells are quite alike, and the bounds need the more landmarks to tell them apart, the more
+  /// cells there are; each run costs as much as all landmarks before it. The work of a large patch grows linearly then.
+  [[nodiscard]] std::size_t mostRuns() const {
+    constexpr std::size_t kMostRuns = 500;
+    constexpr double kMostWork = 5e7;
+    if (has_whole_weights_) return kMostRuns;
+    const auto affordable = static_cast<std::size_t>(std::sqrt(kMostWork / static_cast<double>(count_)));
+    return std::clamp(affordable, kFewestRunsOfOriginSearch, kMostRuns);
+  }
+
   /// Runs Dijkstra from vertex `k`: its exact sum, and one more landmark.
   void evaluate(std::size_t k) {
     std::vector<double> distance = distancesFrom(graph_, k);
@@ -135,6 +146,7 @@ class OriginSearch {
   }
 
   BoostGraph graph_;
+  bool has_whole_weights_;
   std::size_t count_;
   std::vector<bool> eligible_;
   std::vector<std::vector<double>> landmarks_;
@@ -184,13 +196,22 @@ ShortestPaths findShortestPaths(const SkinGraph& graph, std::span<const double> 
   return paths;
 }
 
+OriginFound searchOrigin(const SkinGraph& graph, std::span<const double> link_weights, std::size_t patch,
+                         const std::vector<bool>& eligible) {
+  const std::vector<std::size_t>& cells = graph.patches()[patch];
+  if (cells.size() == 1) return {cells.front(), 0, 0};
+  const bool any = std::ranges::find(eligible, true) != eligible.end();
+  const bool whole = std::ranges::all_of(link_weights, [](double weight) { return weight == std::floor(weight); });
+  OriginFound found =
+      OriginSearch(patchGraph(graph, link_weights, patch), any ? eligible : std::vector(cells.size(), true), whole)
+          .run();
+  found.origin = cells[found.origin];
+  return found;
+}
+
 std::size_t findOrigin(const SkinGraph& graph, std::span<const double> link_weights, std::size_t patch,
                        const std::vector<bool>& eligible) {
-  const std::vector<std::size_t>& cells = graph.patches()[patch];
-  if (cells.size() == 1) return cells.front();
-  const bool any = std::ranges::find(eligible, true) != eligible.end();
-  return cells[OriginSearch(patchGraph(graph, link_weights, patch), any ? eligible : std::vector(cells.size(), true))
-                   .run()];
+  return searchOrigin(graph, link_weights, patch, eligible).origin;
 }
 
 }  // namespace hexoderm

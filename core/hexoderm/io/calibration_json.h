@@ -12,7 +12,7 @@ namespace hexoderm {
 
 /// What stands under `format` and `version`; README.md in this folder says when the version grows.
 inline constexpr std::string_view kCalibrationFormat = "hexoderm-calibration";
-inline constexpr std::uint32_t kCalibrationVersion = 1;
+inline constexpr std::uint32_t kCalibrationVersion = 2;
 
 /// `*.calibration.json` (its keys are in README.md in this folder): complete enough to export, evaluate and draw from
 /// it alone. Throws as for sessions: StorageError, or FormatError naming file, key path and expectation.

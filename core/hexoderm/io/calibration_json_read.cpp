@@ -163,6 +163,18 @@ SensorPlacement readSensor(const JsonReader& json) {
   return sensor;
 }
 
+/// Version 1 has the whole path from the origin to the cell instead.
+std::optional<CellId> readPredecessor(const JsonReader& json) {
+  if (const auto predecessor = json.find("predecessor")) return CellId(predecessor->unsignedInteger());
+  const auto path = json.find("path");
+  if (!path) return std::nullopt;
+  const std::vector<CellId> cells = readIds<CellId>(*path);
+  if (!cells.empty() && cells.back() != CellId(json.at("id").unsignedInteger())) {
+    path->fail(message("cells of this patch, from its origin to this cell"));
+  }
+  return cells.size() > 1 ? std::optional(cells[cells.size() - 2]) : std::nullopt;
+}
+
 CellPlacement readCell(const JsonReader& json) {
   CellPlacement cell;
   cell.cell = CellId(json.at("id").unsignedInteger());
@@ -182,7 +194,7 @@ CellPlacement readCell(const JsonReader& json) {
   if (const auto sigma = json.find("sigma_r_rad")) static_cast<void>(nonNegativeVector(*sigma));
   if (const auto offset = json.find("accel_offset_g")) cell.accel_offset_g = offset->vector3(kMostAcceleration_g);
   if (const auto scale = json.find("accel_scale")) cell.accel_scale = scale->vector3(kMostAcceleration_g);
-  cell.path = readIds<CellId>(json.at("path"));
+  cell.predecessor = readPredecessor(json);
   for (const JsonReader& sensor : json.at("sensors").items()) cell.sensors.push_back(readSensor(sensor));
   return cell;
 }
@@ -317,15 +329,35 @@ class PatchReader {
       if (!patch_of_.contains(patch.links[k].target.cell))
         links[k].at("target").fail(message("a cell of this calibration"));
     }
-    const std::vector<JsonReader> cells = json.at("cells").items();
-    for (std::size_t k = 0; k < cells.size(); ++k) {
-      const std::vector<CellId>& path = patch.cells[k].path;
-      const bool holds = std::ranges::all_of(path, [&](CellId id) { return isIn(id, patch); });
-      if (!holds || (!path.empty() && (path.front() != patch.origin || path.back() != patch.cells[k].cell))) {
-        cells[k].at("path").fail(message("cells of this patch, from its origin to this cell"));
-      }
+    if (const auto stray = cellWithoutWay(patch)) {
+      const JsonReader cell = json.at("cells").items()[*stray];
+      if (const auto path = cell.find("path")) path->fail(message("cells of this patch, from its origin to this cell"));
+      cell.at("predecessor").fail(message("a cell of this patch on a path from its origin, which has none itself"));
     }
     std::ranges::sort(patch.cells, {}, &CellPlacement::cell);
+  }
+
+  /// A cell that has a predecessor, but whose predecessors don't lead to the origin, or that is the origin.
+  [[nodiscard]] static std::optional<std::size_t> cellWithoutWay(const PatchReconstruction& patch) {
+    std::unordered_map<CellId, std::size_t> place;
+    for (std::size_t k = 0; k < patch.cells.size(); ++k) place.emplace(patch.cells[k].cell, k);
+    std::vector<bool> reaches(patch.cells.size(), false);
+    reaches[place.at(patch.origin)] = true;
+    std::vector<std::size_t> way;
+    for (std::size_t k = 0; k < patch.cells.size(); ++k) {
+      if (!patch.cells[k].predecessor) continue;
+      if (patch.cells[k].cell == patch.origin) return k;
+      way.clear();
+      for (std::size_t at = k; !reaches[at];) {
+        const auto& predecessor = patch.cells[at].predecessor;
+        const auto before = predecessor ? place.find(*predecessor) : place.end();
+        if (before == place.end() || way.size() >= patch.cells.size()) return k;
+        way.push_back(at);
+        at = before->second;
+      }
+      for (const std::size_t cell : way) reaches[cell] = true;
+    }
+    return std::nullopt;
   }
 
   [[nodiscard]] bool isIn(CellId cell, const PatchReconstruction& patch) const {

@@ -92,7 +92,7 @@ Json cellJson(const CellPlacement& cell) {
   if (cell.shape_cov_t_r) json["shape_cov_t_r"] = covarianceJson(*cell.shape_cov_t_r);
   if (cell.accel_offset_g) json["accel_offset_g"] = toJson(*cell.accel_offset_g);
   if (cell.accel_scale) json["accel_scale"] = toJson(*cell.accel_scale);
-  json["path"] = idsJson(cell.path);
+  if (cell.predecessor) json["predecessor"] = cell.predecessor->value();
   json["sensors"] = Json::array();
   for (const SensorPlacement& sensor : cell.sensors) {
     json["sensors"].push_back({{"name", sensor.name},

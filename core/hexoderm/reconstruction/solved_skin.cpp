@@ -83,7 +83,10 @@ Completion solve(SkinLinks& skin, const EarlierPatches& earlier, const std::stop
     skin.estimateEdges();
   }
   if (skin.options().solver == Solver::Global) {
-    for (const PatchSolver& patch : patches) nameInconsistentPoses(skin, patch, findings);
+    for (const PatchSolver& patch : patches) {
+      nameInconsistentPoses(skin, patch, findings);
+      nameUnconverged(skin.graph().cells()[patch.origin()].id, patch.joint()->solution(), findings);
+    }
     nameUnlikelySensors(skin, patches, findings);
   }
   return Completion::Finished;

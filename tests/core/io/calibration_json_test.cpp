@@ -103,7 +103,7 @@ void expectSamePlacement(const CellPlacement& a, const CellPlacement& b) {
   }
   EXPECT_EQ(a.accel_offset_g, b.accel_offset_g);
   EXPECT_EQ(a.accel_scale, b.accel_scale);
-  EXPECT_EQ(a.path, b.path);
+  EXPECT_EQ(a.predecessor, b.predecessor);
   ASSERT_EQ(a.sensors.size(), b.sensors.size());
   for (std::size_t k = 0; k < a.sensors.size(); ++k) {
     EXPECT_EQ(a.sensors[k].name, b.sensors[k].name);
@@ -253,9 +253,11 @@ TEST(CalibrationJson, HasTheKeysOfTheFormat) {
   for (const char* key : {"pose", "g_o", "sigma_deg"}) EXPECT_TRUE(patch["gravity"][0].contains(key)) << key;
   const nlohmann::json& cell = patch["cells"][1];
   for (const char* key : {"id", "body_part", "placed_by", "R_o_u", "q_o_u_wxyz", "t_o_u_m", "cov_t_r", "sigma_t_m",
-                          "sigma_r_rad", "path", "sensors", "accel_offset_g", "accel_scale"}) {
+                          "sigma_r_rad", "sensors", "accel_offset_g", "accel_scale"}) {
     EXPECT_TRUE(cell.contains(key)) << key;
   }
+  EXPECT_FALSE(cell.contains("predecessor")) << "the origin";
+  EXPECT_EQ(patch["cells"][0].at("predecessor"), 2);
   for (const char* key : {"name", "t_o_m", "q_o_wxyz"}) EXPECT_TRUE(cell["sensors"][0].contains(key)) << key;
   for (const char* key :
        {"source", "source_port", "target", "target_port", "R_c_n", "quality", "singular_values", "weight",
@@ -287,6 +289,26 @@ TEST(CalibrationJson, StatesUnitsAsItsKeysSay) {
   EXPECT_EQ(nlohmann::json::parse(
                 calibrationToJson(*reconstruct(*Session(*result.model, {}).snapshot())))["options"]["max-bend-deg"],
             60.0);
+}
+
+TEST(CalibrationJson, ReadsTheWholePathsOfVersionOne) {
+  nlohmann::json json = richJson();
+  json["version"] = 1;
+  nlohmann::json& cells = json["patches"][0]["cells"];
+  for (nlohmann::json& cell : cells) {
+    cell.erase("predecessor");
+    cell["path"] = cell["id"] == 2 ? nlohmann::json::array({2}) : nlohmann::json::array({2, cell["id"]});
+  }
+  const auto back = parseCalibrationJson(json.dump(), "old");
+  EXPECT_THAT(back->patches[0].pathTo(CellId(5)), testing::ElementsAre(CellId(2), CellId(5)));
+  EXPECT_THAT(back->patches[0].pathTo(CellId(2)), testing::ElementsAre(CellId(2)));
+
+  cells[0]["path"] = {2, 5};
+  EXPECT_THAT(messageOf<FormatError>([&] { parseCalibrationJson(json.dump(), "old"); }),
+              saysAll("patches[0].cells[0].path: expected cells"));
+  cells[0]["path"] = {99, 1};
+  EXPECT_THAT(messageOf<FormatError>([&] { parseCalibrationJson(json.dump(), "old"); }),
+              saysAll("patches[0].cells[0].path: expected cells"));
 }
 
 TEST(CalibrationJson, LeavesOutWhatIsNotKnown) {
@@ -425,8 +447,14 @@ TEST(CalibrationJson, NamesTheKeyPathOfWhatIsWrong) {
               saysAll("patches[0].cells[1].id: expected each cell once"));
   EXPECT_THAT(calibrationComplaint("/patches/0/cells/1/id", -1),
               saysAll("patches[0].cells[1].id: expected a whole number"));
-  EXPECT_THAT(calibrationComplaint("/patches/0/cells/1/path/0", 99),
-              saysAll("patches[0].cells[1].path: expected cells"));
+  EXPECT_THAT(calibrationComplaint("/patches/0/cells/0/predecessor", 99),
+              saysAll("patches[0].cells[0].predecessor: expected a cell"));
+  EXPECT_THAT(calibrationComplaint("/patches/0/cells/0/predecessor", 1),
+              saysAll("patches[0].cells[0].predecessor: expected a cell"));
+  nlohmann::json origin_with_predecessor = richJson();
+  origin_with_predecessor["patches"][0]["cells"][1]["predecessor"] = 1;
+  EXPECT_THAT(messageOf<FormatError>([&] { parseCalibrationJson(origin_with_predecessor.dump(), "c.json"); }),
+              saysAll("patches[0].cells[1].predecessor: expected a cell"));
   EXPECT_THAT(calibrationComplaint("/patches/0/gravity/0/g_o", {0, 0, 2}),
               saysAll("patches[0].gravity[0].g_o", "unit vector"));
   EXPECT_THAT(calibrationComplaint("/patches/0/links/0/source_port", 9),

@@ -1,5 +1,6 @@
 #include "hexoderm/reconstruction/joint/joint_refinement.h"
 
+#include "hexoderm/reconstruction/joint/cells_first.h"
 #include "hexoderm/reconstruction/joint/patch_evidence.h"
 #include "hexoderm/reconstruction/joint/shape_covariance.h"
 #include "hexoderm/util/error.h"
@@ -19,9 +20,11 @@ namespace {
 constexpr std::size_t kCellsOfLargePart = 100;
 /// Angular acceleration that a hand's tremor of 0.05 degrees at 4 to 12 Hz leaves in a mean over 0.1 s, rms per axis.
 constexpr double kTremorAcceleration_rad_s2 = 0.6;
-// With many poses the dense part of the equations is small enough without them: they are found in turn with the rest
-// then (solveWithSwings).
-constexpr std::size_t kMostPosesForAccelerations = 50;
+// Up to so many poses, or so many multiplications a step, angular accelerations are unknowns of the joint equations. Of
+// more, whose columns would make these too large, they are found in turn with the rest (solveWithSwings): that is a
+// little less exact where cells are many and far from the middle.
+constexpr std::size_t kFewPoses = 50;
+constexpr double kMostWorkForAccelerations = 3e9;
 // Error that a hand's translation leaves in a mean; on a large part, also that of its turning at the middle of a patch.
 constexpr double kForceSigma_g = 0.003;
 constexpr double kForceSigmaOfLargePart_g = 0.03;
@@ -193,7 +196,10 @@ JointRefinement::JointRefinement(const CellModel& model, const SkinGraph& graph,
     problem_->links.push_back({localOf(link.source), localOf(link.target), source.vector_m, target.vector_m,
                                nominalAlignment(source, target)});
   }
-  problem_->accelerations = cells_.size() > 1 && poses_.size() <= kMostPosesForAccelerations;
+  problem_->accelerations = cells_.size() > 1;
+  if (poses_.size() > kFewPoses && workOfCellsFirst(*problem_) > kMostWorkForAccelerations) {
+    problem_->accelerations = false;
+  }
   problem_->acceleration_sigma = kTremorAcceleration_rad_s2;
 }
 
@@ -207,7 +213,7 @@ void JointRefinement::solve(const std::stop_token& stop) {
   solveWithSpreads(options);
   if (stop.stop_requested()) return;
   fitSensors();
-  if (problem_->poses <= kMostPosesForAccelerations || cells_.size() < 2) return;
+  if (problem_->accelerations || cells_.size() < 2) return;
   solveWithSwings(options);
   if (stop.stop_requested()) return;
   if (widenNoise()) {

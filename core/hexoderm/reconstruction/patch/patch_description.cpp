@@ -10,14 +10,6 @@
 namespace hexoderm {
 namespace {
 
-std::vector<CellId> pathTo(const SkinGraph& graph, const ShortestPaths& paths, std::size_t cell) {
-  std::vector<CellId> path;
-  for (std::size_t step = cell; step != kNoIndex; step = paths.predecessor[graph.cells()[step].place])
-    path.push_back(graph.cells()[step].id);
-  std::ranges::reverse(path);
-  return path;
-}
-
 CellPlacement describeCell(const SkinLinks& skin, const PatchSolver& patch, std::size_t cell) {
   const GraphCell& graph_cell = skin.graph().cells()[cell];
   const bool is_measured = skin.readings().measured(cell);
@@ -37,7 +29,9 @@ CellPlacement describeCell(const SkinLinks& skin, const PatchSolver& patch, std:
     placement.T_o_u = placed.T_o_u;
     placement.cov_t_r = placed.covariance;
   }
-  placement.path = pathTo(skin.graph(), patch.paths(), cell);
+  if (const std::size_t before = patch.paths().predecessor[graph_cell.place]; before != kNoIndex) {
+    placement.predecessor = skin.graph().cells()[before].id;
+  }
   for (const CellSensor& sensor : skin.model().sensors) {
     placement.sensors.push_back({sensor.name, sensor.type, placement.T_o_u * sensor.T_u_s});
   }

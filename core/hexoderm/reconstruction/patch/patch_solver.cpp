@@ -188,4 +188,14 @@ void nameInconsistentPoses(const SkinLinks& skin, const PatchSolver& patch, std:
   }
 }
 
+void nameUnconverged(CellId origin, const JointSolution& solution, std::vector<Finding>& findings) {
+  if (solution.termination != JointTermination::StepLimit) return;
+  findings.push_back(makeFinding(
+      FindingCode::NotConverged,
+      message("The joint estimate of the patch of cell {} has not converged after {} steps: a more probable shape is "
+              "nearby, and the stated uncertainty can't be relied on. Take another pose.",
+              origin, solution.iterations),
+      {origin}));
+}
+
 }  // namespace hexoderm
