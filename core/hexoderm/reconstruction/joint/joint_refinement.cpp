@@ -18,10 +18,8 @@ namespace hexoderm {
 namespace {
 
 constexpr std::size_t kCellsOfLargePart = 100;
-/// Angular acceleration that a hand's tremor of 0.05 degrees at 4 to 12 Hz leaves in a mean over 0.1 s, rms per axis.
-constexpr double kTremorAcceleration_rad_s2 = 0.6;
 // Up to so many poses, or so many multiplications a step, angular accelerations are unknowns of the joint equations. Of
-// more, whose columns would make these too large, they are found in turn with the rest (solveWithSwings): that is a
+// more, whose columns would make these too large, they are found in turn with the rest (FreedReadings): that is a
 // little less exact where cells are many and far from the middle.
 constexpr std::size_t kFewPoses = 50;
 constexpr double kMostWorkForAccelerations = 3e9;
@@ -42,18 +40,6 @@ GapShare gapShareOf(GapModel model) {
       break;
   }
   return {0.5, 0.5};
-}
-
-/// The spread of angular accelerations per axis, from estimates of them and what is not known of these, weighed against
-/// a usual tremor.
-double accelerationSpread(const std::vector<Eigen::Vector3d>& accelerations,
-                          const std::vector<Eigen::Matrix3d>& covariances) {
-  constexpr double kWeightOfTremor = 10;
-  double squared = kWeightOfTremor * kTremorAcceleration_rad_s2 * kTremorAcceleration_rad_s2;
-  for (std::size_t pose = 0; pose < accelerations.size(); ++pose) {
-    squared += accelerations[pose].squaredNorm() + covariances[pose].trace();
-  }
-  return std::sqrt(squared / (kWeightOfTremor + 3 * static_cast<double>(accelerations.size())));
 }
 
 /// The covariance of any two cells from that of the whole patch.
@@ -214,13 +200,18 @@ void JointRefinement::solve(const std::stop_token& stop) {
   if (stop.stop_requested()) return;
   fitSensors();
   if (problem_->accelerations || cells_.size() < 2) return;
-  solveWithSwings(options);
-  if (stop.stop_requested()) return;
-  if (widenNoise()) {
+  if (!freed_readings_) freed_readings_.emplace(*problem_);
+  const auto solveAgain = [&] {
     solveWithSpreads(options);
-    if (stop.stop_requested()) return;
-    fitSensors();
+    if (!stop.stop_requested()) fitSensors();
+    return !stop.stop_requested();
+  };
+  constexpr int kTurns = 6;
+  for (int turn = 0; turn < kTurns; ++turn) {
+    if (!freed_readings_->followSwings(*problem_, solution_.state, sensors_)) break;
+    if (!solveAgain()) return;
   }
+  if (freed_readings_->widenNoise(*problem_, solution_.state, sensors_)) solveAgain();
 }
 
 /// Solves with the spread of the links and of the angular accelerations that the data themselves show, weighed against
@@ -241,47 +232,6 @@ void JointRefinement::solveWithSpreads(const JointSolverOptions& options) {
     }
     problem_->link_sigma_m = link_sigma_m;
     problem_->acceleration_sigma = acceleration_sigma;
-  }
-}
-
-/// With more poses than angular accelerations are estimated for jointly: in turn with all the rest, until they settle.
-void JointRefinement::solveWithSwings(const JointSolverOptions& options) {
-  constexpr int kTurns = 6;
-  constexpr double kSettled = 0.02 * kTremorAcceleration_rad_s2;
-  bool known = swings_.has_value();
-  if (!known) {
-    as_measured_ = problem_->readings;
-    swings_ = PoseSwings::unknown(problem_->poses, problem_->acceleration_sigma);
-  }
-  for (int turn = 0; turn < kTurns; ++turn) {
-    PoseSwings next = findSwings(*problem_, solution_.state, sensors_, *swings_, problem_->acceleration_sigma);
-    if (known && next.distanceTo(*swings_) <= kSettled) return;
-    known = true;
-    swings_ = std::move(next);
-    problem_->acceleration_sigma = accelerationSpread(swings_->acceleration_o, swings_->covariance);
-    solution_.state.acceleration_o = swings_->acceleration_o;
-    for (std::size_t pose = 0; pose < problem_->poses; ++pose) {
-      solution_.state.force_o[pose] += swings_->force_change_o[pose];
-    }
-    freeReadingsFromSwings();
-    solveWithSpreads(options);
-    if (options.stop.stop_requested()) return;
-    fitSensors();
-  }
-}
-
-/// The readings less what the swings add to them, and less certain by what is not known of them.
-void JointRefinement::freeReadingsFromSwings() {
-  for (std::size_t cell = 0; cell < cells_.size(); ++cell) {
-    for (std::size_t k = 0; k < problem_->readings[cell].size(); ++k) {
-      const CellReading& measured = as_measured_[cell][k];
-      const SwingInReading swing =
-          swingInReading(*problem_, solution_.state, cell, sensors_[cell].fit, *swings_, measured.pose);
-      CellReading& reading = problem_->readings[cell][k];
-      reading.y_g = measured.y_g - swing.added_g;
-      reading.variance_g2 =
-          noise_factor_ * (measured.variance_g2 + swing.variance_g2) + noise_per_lever_sq_ * squaredLever(cell);
-    }
   }
 }
 
@@ -322,56 +272,9 @@ void JointRefinement::fitSensors() {
   }
 }
 
-double JointRefinement::squaredLever(std::size_t cell) const {
-  return (solution_.state.cells[cell].t - solution_.state.middle_o).squaredNorm();
-}
-
-/// Whatever else a hand does leaves errors in the readings, which grow with the distance from the middle, and with
-/// hundreds of poses any cell would look broken for them. They count as noise, as large as the readings show: a
-/// reading's variance V becomes f V + (2/3) (s l / g)^2, with its cell's lever l, as for accelerations of s per axis; f
-/// (at least 1) fits the inner cells, and s the rest of the outer ones. Medians, because single cells may be broken.
-/// True if the variances have grown: the solution is to be found again.
-bool JointRefinement::widenNoise() {
-  if (noise_is_widened_) return false;
-  struct Seen {
-    double lever_sq = 0;  // m^2
-    double variance_g2 = 0;
-    double residual_g2 = 0;  // mean square, per axis
-  };
-  std::vector<Seen> seen;
-  for (std::size_t cell = 0; cell < cells_.size(); ++cell) {
-    const std::vector<CellReading>& readings = problem_->readings[cell];
-    if (readings.empty()) continue;
-    Seen of_cell{squaredLever(cell)};
-    for (std::size_t k = 0; k < readings.size(); ++k) {
-      of_cell.variance_g2 += readings[k].variance_g2 / static_cast<double>(readings.size());
-      of_cell.residual_g2 += sensors_[cell].fit.residual_g[k].squaredNorm() / static_cast<double>(3 * readings.size());
-    }
-    seen.push_back(of_cell);
-  }
-  if (seen.size() < 2) return false;
-  std::ranges::sort(seen, {}, &Seen::lever_sq);
-  const std::size_t inner = seen.size() / 2;
-  std::vector<double> factors;
-  for (std::size_t k = 0; k < inner; ++k) factors.push_back(seen[k].residual_g2 / seen[k].variance_g2);
-  const double factor = median(std::move(factors));
-  std::vector<double> swings_g2;  // (2/3) (s / g)^2, per m^2
-  for (std::size_t k = inner; k < seen.size(); ++k) {
-    const double excess_g2 = seen[k].residual_g2 - factor * seen[k].variance_g2;
-    swings_g2.push_back(seen[k].lever_sq > 0 ? excess_g2 / seen[k].lever_sq : 0);
-  }
-  const double swing_g2 = median(std::move(swings_g2));
-  if (factor <= 1 && swing_g2 <= 0) return false;
-  noise_factor_ = std::max(1.0, factor);
-  noise_per_lever_sq_ = std::max(0.0, swing_g2);
-  freeReadingsFromSwings();
-  noise_is_widened_ = true;
-  return true;
-}
-
 void JointRefinement::leaveOut(std::size_t cell) {
   problem_->readings[localOf(cell)].clear();
-  if (swings_) as_measured_[localOf(cell)].clear();
+  if (freed_readings_) freed_readings_->leaveOut(localOf(cell));
   own_variances_g2_[localOf(cell)].clear();
 }
 
@@ -468,7 +371,7 @@ std::shared_ptr<const PlacementCovariance> JointRefinement::placementCovariance(
 
 std::shared_ptr<const GravityCovariance> JointRefinement::gravityCovariance() const {
   SolvedGravityCovariance::Solve solve;
-  if (!swings_) {
+  if (!freed_readings_) {
     solve = [problem = std::shared_ptr<const JointProblem>(problem_), model = *problem_->model, state = solution_.state,
              own_variances_g2 = own_variances_g2_] {
       constexpr double kLeastVariance_g2 = 1e-10;  // of readings that were simulated without noise

@@ -4,8 +4,8 @@
 
 #include "hexoderm/reconstruction/accelerometer/rigidity.h"
 #include "hexoderm/reconstruction/accelerometer/sensor_evidence.h"
+#include "hexoderm/reconstruction/joint/freed_readings.h"
 #include "hexoderm/reconstruction/joint/joint_solver.h"
-#include "hexoderm/reconstruction/joint/pose_swings.h"
 #include "hexoderm/reconstruction/links/gravity_table.h"
 
 #include <memory>
@@ -77,10 +77,6 @@ class JointRefinement {
   [[nodiscard]] std::size_t localOf(std::size_t cell) const;
   [[nodiscard]] CellReading foretold(std::size_t local, std::size_t pose, const JointState& state) const;
   void fitSensors();
-  void solveWithSwings(const JointSolverOptions& options);
-  void freeReadingsFromSwings();
-  bool widenNoise();
-  [[nodiscard]] double squaredLever(std::size_t cell) const;
   void solveWithSpreads(const JointSolverOptions& options);
   [[nodiscard]] double seenLinkSpread_m() const;
   [[nodiscard]] double seenAccelerations_rad_s2() const;
@@ -91,11 +87,7 @@ class JointRefinement {
   std::shared_ptr<JointProblem> problem_;
   JointSolution solution_;
   std::vector<SensorState> sensors_;
-  bool noise_is_widened_ = false;
-  double noise_factor_ = 1;                            ///< of the variance of every reading
-  double noise_per_lever_sq_ = 0;                      ///< and what is added to it, g^2/m^2
-  std::optional<PoseSwings> swings_;                   ///< of many poses: the problem's readings are freed from them
-  std::vector<std::vector<CellReading>> as_measured_;  ///< the problem's readings before that
+  std::optional<FreedReadings> freed_readings_;        ///< of many poses
   std::vector<std::vector<double>> own_variances_g2_;  ///< of the readings of every cell, without tremor
 };
 

@@ -20,6 +20,16 @@ Eigen::Matrix3d readingPerForce(const JointProblem& problem, const JointState& s
 
 }  // namespace
 
+double accelerationSpread(const std::vector<Eigen::Vector3d>& accelerations,
+                          const std::vector<Eigen::Matrix3d>& covariances) {
+  constexpr double kWeightOfTremor = 10;
+  double squared = kWeightOfTremor * kTremorAcceleration_rad_s2 * kTremorAcceleration_rad_s2;
+  for (std::size_t pose = 0; pose < accelerations.size(); ++pose) {
+    squared += accelerations[pose].squaredNorm() + covariances[pose].trace();
+  }
+  return std::sqrt(squared / (kWeightOfTremor + 3 * static_cast<double>(accelerations.size())));
+}
+
 PoseSwings PoseSwings::unknown(std::size_t poses, double sigma) {
   return {std::vector<Eigen::Vector3d>(poses, Eigen::Vector3d::Zero()),
           std::vector<Eigen::Matrix3d>(poses, sigma * sigma * Eigen::Matrix3d::Identity()),
