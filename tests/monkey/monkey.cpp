@@ -15,6 +15,7 @@
 #include <QDesktopServices>
 #include <QDialog>
 #include <QDir>
+#include <QDrag>
 #include <QFileDialog>
 #include <QPointer>
 #include <QSettings>
@@ -84,7 +85,7 @@ class Monkey : public QObject {
     if (popup) popup->close();
     if (modal) modal->close();
     // A drag of text lasts until it is dropped or given up, also while a menu or a dialog is open.
-    if (window_.windowHandle()) QTest::keyClick(window_.windowHandle(), Qt::Key_Escape);
+    QDrag::cancel();
   }
 
   /// In file dialogs the monkey chooses no file: it would write anywhere.

@@ -42,7 +42,7 @@ void PictureSmoothing::startInteraction() {
 
 void PictureSmoothing::smoothAtRest() {
   if (by_processor_) {
-    canvas_->smoothPicture();
+    canvas_->smoothPictureBeside();
     return;
   }
   scene_.setSmoothed(true);

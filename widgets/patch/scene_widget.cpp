@@ -13,7 +13,6 @@
 #include <QPainter>
 #include <array>
 #include <utility>
-#include <vector>
 
 namespace hexoderm {
 SceneWidget::SceneWidget(QWidget* parent) : QWidget(parent) {
@@ -47,6 +46,7 @@ SceneWidget::SceneWidget(QWidget* parent) : QWidget(parent) {
   show_soon_.setInterval(1);
   show_soon_.setSingleShot(true);
   connect(&show_soon_, &QTimer::timeout, this, qOverload<>(&QWidget::update));
+  smoother_.setMaxThreadCount(1);
   takeSize();
 }
 
@@ -132,40 +132,68 @@ void SceneWidget::readPicture() {
   picture_ = std::move(upside_down).mirrored();
   picture_.setDevicePixelRatio(devicePixelRatioF());
   is_smoothed_ = false;
+  ++drawn_;
   const double pixels = 1.0 * size[0] * size[1];
   // The first one tells how long it takes.
-  if (smoothing_budget_ms_ > 0 && pixels * smoothing_ms_per_pixel_.value_or(0) <= smoothing_budget_ms_) smoothNow();
+  if (smoothing_budget_ms_ > 0 && pixels * smoothing_ms_per_pixel_.value_or(0) <= smoothing_budget_ms_) {
+    take(smoothed(roughPicture()));
+  }
 }
 
-void SceneWidget::smoothNow() {
-  is_smoothed_ = true;
-  if (picture_.isNull()) return;
+SceneWidget::Rough SceneWidget::roughPicture() {
+  Rough rough{picture_, hollows_ ? hollows_() : std::nullopt, {}};
+  const QSize size = picture_.size();
+  if (!rough.sight || size != QSize(window_->GetSize()[0], window_->GetSize()[1]) || !makeCurrent()) {
+    rough.sight.reset();
+    return rough;
+  }
+  rough.depths.assign(static_cast<std::size_t>(size.width()) * static_cast<std::size_t>(size.height()), 1.0F);
+  window_->GetZbufferData(0, 0, size.width() - 1, size.height() - 1, rough.depths.data());
+  return rough;
+}
+
+SceneWidget::Smoothed SceneWidget::smoothed(const Rough& rough) {
   constexpr double kNanoseconds = 1e-6;  // in milliseconds
-  constexpr double kNewest = 0.3;        // one slow picture, of a busy computer, is not all of them
   QElapsedTimer timer;
   timer.start();
-  shadePicture();
-  picture_ = smoothEdges(picture_);
-  const double pixels = 1.0 * picture_.width() * picture_.height();
-  const double measured = kNanoseconds * static_cast<double>(timer.nsecsElapsed()) / pixels;
-  double& kept = smoothing_ms_per_pixel_ ? *smoothing_ms_per_pixel_ : smoothing_ms_per_pixel_.emplace(measured);
-  kept += kNewest * (measured - kept);
+  QImage picture = rough.picture;
+  if (rough.sight) {
+    picture = shadeHollows(picture, depthPicture(rough.depths, picture.size(), *rough.sight), rough.sight->full_m);
+  }
+  picture = smoothEdges(picture);
+  const double pixels = 1.0 * picture.width() * picture.height();
+  return {std::move(picture), kNanoseconds * static_cast<double>(timer.nsecsElapsed()) / pixels};
 }
 
-void SceneWidget::shadePicture() {
-  const std::optional<HollowSight> sight = hollows_ ? hollows_() : std::nullopt;
-  const QSize size = picture_.size();
-  if (!sight || size != QSize(window_->GetSize()[0], window_->GetSize()[1]) || !makeCurrent()) return;
-  std::vector<float> depths(static_cast<std::size_t>(size.width()) * static_cast<std::size_t>(size.height()), 1.0F);
-  window_->GetZbufferData(0, 0, size.width() - 1, size.height() - 1, depths.data());
-  picture_ = shadeHollows(picture_, depthPicture(depths, size, *sight), sight->full_m);
+void SceneWidget::take(Smoothed result) {
+  constexpr double kNewest = 0.3;  // one slow picture, of a busy computer, is not all of them
+  picture_ = std::move(result.picture);
+  is_smoothed_ = true;
+  double& kept =
+      smoothing_ms_per_pixel_ ? *smoothing_ms_per_pixel_ : smoothing_ms_per_pixel_.emplace(result.ms_per_pixel);
+  kept += kNewest * (result.ms_per_pixel - kept);
 }
 
 void SceneWidget::smoothPicture() {
   readPicture();
-  if (is_smoothed_) return;
-  smoothNow();
+  if (is_smoothed_ || picture_.isNull()) return;
+  take(smoothed(roughPicture()));
   update();
+}
+
+void SceneWidget::smoothPictureBeside() {
+  readPicture();
+  if (is_smoothed_ || picture_.isNull()) return;
+  smoother_.start([this, rough = roughPicture(), drawn = drawn_] {
+    QMetaObject::invokeMethod(
+        this,
+        [this, result = smoothed(rough), drawn] {
+          if (is_newer_drawn_ || is_smoothed_ || drawn != drawn_) return;
+          take(result);
+          update();
+        },
+        Qt::QueuedConnection);
+  });
 }
 
 bool SceneWidget::event(QEvent* event) {

@@ -9,11 +9,14 @@
 #include <QImage>
 #include <QOffscreenSurface>
 #include <QOpenGLContext>
+#include <QThreadPool>
 #include <QTimer>
 #include <QWidget>
+#include <cstdint>
 #include <functional>
 #include <optional>
 #include <utility>
+#include <vector>
 
 namespace hexoderm {
 
@@ -33,8 +36,10 @@ class SceneWidget : public QWidget {
   [[nodiscard]] vtkGenericOpenGLRenderWindow* renderWindow() const { return window_.Get(); }
   /// Draws soon, once for however many requests.
   void requestRender();
-  /// Smooths the edges in the picture that was drawn last, by the processor (see smoothEdges()).
+  /// Smooths the edges in the picture that was drawn last, by the processor (see smoothEdges()): now, or beside
+  /// everything else, and shows it as soon as that is done, unless another one has been drawn by then.
   void smoothPicture();
+  void smoothPictureBeside();
   /// Each picture is smoothed as soon as it is drawn, also while they follow each other, as long as that takes no more
   /// than `budget_ms`, as measured on those before. Where it takes longer, smoothPicture() at rest measures it anew. 0
   /// (at first): only smoothPicture() smooths.
@@ -64,10 +69,20 @@ class SceneWidget : public QWidget {
   void takeSize();
   /// Fetches what was drawn, once for however many drawings.
   void readPicture();
-  /// Darkens the hollows of the picture that was drawn last.
-  void shadePicture();
-  /// Does both now, and measures how long that takes.
-  void smoothNow();
+  /// The picture that was drawn last, with all that smoothing it takes.
+  struct Rough {
+    QImage picture;
+    std::optional<HollowSight> sight;
+    std::vector<float> depths;  ///< with `sight`
+  };
+  [[nodiscard]] Rough roughPicture();
+  /// A picture with darker hollows and smooth edges, and how long that took.
+  struct Smoothed {
+    QImage picture;
+    double ms_per_pixel = 0;
+  };
+  [[nodiscard]] static Smoothed smoothed(const Rough& rough);
+  void take(Smoothed result);
 
   QOffscreenSurface surface_;
   QOpenGLContext context_;
@@ -77,11 +92,13 @@ class SceneWidget : public QWidget {
   QColor background_ = Qt::white;
   bool is_newer_drawn_ = false;
   bool is_smoothed_ = false;
+  std::uint64_t drawn_ = 0;  ///< pictures so far
   std::function<std::optional<HollowSight>()> hollows_;
   double smoothing_budget_ms_ = 0;
   std::optional<double> smoothing_ms_per_pixel_;  ///< as measured
   QTimer render_soon_;
   QTimer show_soon_;
+  QThreadPool smoother_;  ///< last: ends before what it gives its pictures to
 };
 
 }  // namespace hexoderm

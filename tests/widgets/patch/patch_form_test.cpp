@@ -198,6 +198,11 @@ TEST_F(PatchFormTest, PicturesAreSmoothedAsTheyComeWithinABudgetAndElseAtRest) {
   EXPECT_NE(rough, at_once);
   canvas->smoothPicture();
   EXPECT_EQ(canvas->picture(), at_once);
+  canvas->renderWindow()->Render();
+  EXPECT_EQ(canvas->picture(), rough);
+  canvas->smoothPictureBeside();
+  EXPECT_TRUE(test::waitUntil([this] { return canvas->isPictureSmoothed(); }));
+  EXPECT_EQ(canvas->picture(), at_once);
 }
 
 }  // namespace
