@@ -1,5 +1,6 @@
 #include "widgets/patch/scene_widget.h"
 
+#include "hexoderm/util/thread_priority.h"
 #include "widgets/patch/edge_smoothing.h"
 #include "widgets/patch/opengl_info.h"
 
@@ -15,6 +16,16 @@
 #include <utility>
 
 namespace hexoderm {
+namespace {
+
+/// The threads of a pool end and begin when it likes.
+void giveWayOnce() {
+  thread_local bool gives_way = false;
+  if (!std::exchange(gives_way, true)) giveWayToOtherThreads();
+}
+
+}  // namespace
+
 SceneWidget::SceneWidget(QWidget* parent) : QWidget(parent) {
   setMouseTracking(true);
   setAttribute(Qt::WA_OpaquePaintEvent);  // or all that is below would be painted for each picture
@@ -185,6 +196,7 @@ void SceneWidget::smoothPictureBeside() {
   readPicture();
   if (is_smoothed_ || picture_.isNull()) return;
   smoother_.start([this, rough = roughPicture(), drawn = drawn_] {
+    giveWayOnce();
     QMetaObject::invokeMethod(
         this,
         [this, result = smoothed(rough), drawn] {

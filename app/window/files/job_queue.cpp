@@ -1,5 +1,7 @@
 #include "app/window/files/job_queue.h"
 
+#include "hexoderm/util/thread_priority.h"
+
 #include <utility>
 
 namespace hexoderm {
@@ -19,6 +21,7 @@ void JobQueue::push(Queued queued) {
 }
 
 void JobQueue::run(const std::stop_token& stop) {
+  giveWayToOtherThreads();
   for (;;) {
     Queued next;
     {

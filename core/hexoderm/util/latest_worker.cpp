@@ -1,5 +1,7 @@
 #include "hexoderm/util/latest_worker.h"
 
+#include "hexoderm/util/thread_priority.h"
+
 #include <algorithm>
 #include <condition_variable>
 #include <mutex>
@@ -60,7 +62,10 @@ struct LatestWorker::State {
 };
 
 LatestWorker::LatestWorker(std::size_t mailboxes) : state_(std::make_unique<State>(mailboxes)) {
-  state_->thread = std::jthread([state = state_.get()](const std::stop_token& stop) { state->run(stop); });
+  state_->thread = std::jthread([state = state_.get()](const std::stop_token& stop) {
+    giveWayToOtherThreads();
+    state->run(stop);
+  });
 }
 
 LatestWorker::~LatestWorker() {

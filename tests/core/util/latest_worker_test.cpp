@@ -4,6 +4,11 @@
 
 #include <gmock/gmock.h>
 
+#ifdef __linux__
+#include <sys/resource.h>
+#include <unistd.h>
+#endif
+#include <algorithm>
 #include <atomic>
 #include <condition_variable>
 #include <future>
@@ -71,6 +76,19 @@ class HeldJob {
   bool released_ = false;
   bool was_stopped_ = false;
 };
+
+#ifdef __linux__
+TEST(LatestWorker, GivesWayToOtherThreads) {
+  const int here = ::getpriority(PRIO_PROCESS, static_cast<id_t>(::gettid()));
+  std::promise<int> there;
+  LatestWorker worker;
+  worker.submit([&](const std::stop_token&) {
+    there.set_value(::getpriority(PRIO_PROCESS, static_cast<id_t>(::gettid())));
+  });
+  EXPECT_EQ(there.get_future().get(), std::min(here + 5, 19));
+  EXPECT_EQ(::getpriority(PRIO_PROCESS, static_cast<id_t>(::gettid())), here);
+}
+#endif
 
 TEST(LatestWorker, TheNewestJobWinsAndTheRunningOneIsNotStopped) {
   Diary diary;
