@@ -82,9 +82,8 @@ TEST(LatestWorker, GivesWayToOtherThreads) {
   const int here = ::getpriority(PRIO_PROCESS, static_cast<id_t>(::gettid()));
   std::promise<int> there;
   LatestWorker worker;
-  worker.submit([&](const std::stop_token&) {
-    there.set_value(::getpriority(PRIO_PROCESS, static_cast<id_t>(::gettid())));
-  });
+  worker.submit(
+      [&](const std::stop_token&) { there.set_value(::getpriority(PRIO_PROCESS, static_cast<id_t>(::gettid()))); });
   EXPECT_EQ(there.get_future().get(), std::min(here + 5, 19));
   EXPECT_EQ(::getpriority(PRIO_PROCESS, static_cast<id_t>(::gettid())), here);
 }

@@ -60,8 +60,8 @@ void FreedReadings::rewrite(JointProblem& problem, const JointState& state,
       const SwingInReading swing = swingInReading(problem, state, cell, sensors[cell].fit, swings_, measured.pose);
       CellReading& reading = problem.readings[cell][k];
       reading.y_g = measured.y_g - swing.added_g;
-      reading.variance_g2 = noise_factor_ * (measured.variance_g2 + swing.variance_g2) +
-                            noise_per_lever_sq_ * squaredLever(state, cell);
+      reading.variance_g2 =
+          noise_factor_ * (measured.variance_g2 + swing.variance_g2) + noise_per_lever_sq_ * squaredLever(state, cell);
     }
   }
 }
