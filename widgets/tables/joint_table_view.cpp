@@ -7,6 +7,8 @@
 #include <QClipboard>
 #include <QHeaderView>
 #include <QKeyEvent>
+#include <QLineEdit>
+#include <QStyledItemDelegate>
 
 namespace hexoderm {
 namespace {
@@ -18,10 +20,21 @@ bool beginsNumber(const QKeyEvent& event) {
   return !text.isEmpty() && (text.front().isDigit() || QStringLiteral("+-.,").contains(text.front()));
 }
 
+/// What is being typed stays when new figures come meanwhile.
+class TypingDelegate : public QStyledItemDelegate {
+ public:
+  using QStyledItemDelegate::QStyledItemDelegate;
+  void setEditorData(QWidget* editor, const QModelIndex& index) const override {
+    const auto* line = qobject_cast<QLineEdit*>(editor);
+    if (!line || !line->isModified()) QStyledItemDelegate::setEditorData(editor, index);
+  }
+};
+
 }  // namespace
 
 JointTableView::JointTableView(JointTable* table, QWidget* parent) : QTableView(parent), table_(table) {
   setModel(table);
+  setItemDelegate(new TypingDelegate(this));
   setSelectionBehavior(QAbstractItemView::SelectItems);
   setSelectionMode(QAbstractItemView::ContiguousSelection);
   setEditTriggers(QAbstractItemView::AnyKeyPressed | QAbstractItemView::EditKeyPressed |
