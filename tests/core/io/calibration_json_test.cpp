@@ -415,7 +415,7 @@ TEST(CalibrationJson, NamesTheKeyPathOfWhatIsWrong) {
   EXPECT_THAT(calibrationComplaint("/findings/0/code", "mood"), saysAll("findings[0].code"));
   EXPECT_THAT(calibrationComplaint("/verdict/level", "splendid"), saysAll("verdict.level"));
   EXPECT_THAT(calibrationComplaint("/verdict/position_95_mm", -1), saysAll("verdict.position_95_mm", "at least 0"));
-  EXPECT_THAT(calibrationComplaint("/version", 2), saysAll("c.json: version", "version 2", "up to version 1"));
+  EXPECT_THAT(calibrationComplaint("/version", 3), saysAll("c.json: version", "version 3", "up to version 2"));
   EXPECT_THAT(calibrationComplaint("/format", "hexoderm-session"), saysAll("c.json: format"));
 }
 

@@ -85,7 +85,7 @@ Json randomJson(std::mt19937& random, int depth) {
 TEST(JsonWriter, LaysOutAnyDocumentWithoutSeeingItFirst) {
   std::mt19937 random(1);
   std::size_t lines = 0;
-  for (int k = 0; k < 5000; ++k) {
+  for (int k = 0; k < 20'000; ++k) {
     const Json json = randomJson(random, 5);
     const std::string text = laidOut(json) + "\n";
     ASSERT_EQ(written([&](JsonWriter& writer) { writer.value(json); }), text);
