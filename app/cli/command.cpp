@@ -4,7 +4,6 @@
 #include "hexoderm/kinematics/demo_robot.h"
 #include "hexoderm/kinematics/joint_angles_csv.h"
 #include "hexoderm/session/session_joint_angles.h"
-#include "hexoderm/util/file.h"
 #include "hexoderm/util/text.h"
 #include "hexoderm/util/units.h"
 
@@ -49,10 +48,15 @@ Output::~Output() {
 std::string Output::inWords() const { return isStandard() ? "standard output" : name_; }
 
 void Output::write(std::string_view content) const {
-  if (!isStandard()) return writeFileAtomically(name_, content);
+  write([&](const WriteBytes& take) { take(content); });
+}
+
+void Output::write(const ProduceBytes& produce) const {
+  if (!isStandard()) return writeFileAtomically(name_, produce);
+  produce([](std::string_view /*bytes*/) {});  // what can't be produced leaves no half of it
   std::ostream out(standard_);
-  out << content << std::flush;
-  if (!out) throw StorageError("standard output: cannot be written");
+  produce([&](std::string_view bytes) { out << bytes; });
+  if (!out.flush()) throw StorageError("standard output: cannot be written");
 }
 
 void OffenceNotes::show(const std::vector<Offence>& offences) {

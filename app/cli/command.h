@@ -6,6 +6,7 @@
 #include "hexoderm/reconstruction/result/reconstruction.h"
 #include "hexoderm/session/session.h"
 #include "hexoderm/util/error.h"
+#include "hexoderm/util/file.h"
 
 #include <CLI/CLI.hpp>
 
@@ -70,6 +71,7 @@ class Output {
   [[nodiscard]] std::string inWords() const;
   /// Writes a document: as writeFileAtomically(), or to standard output.
   void write(std::string_view content) const;
+  void write(const ProduceBytes& produce) const;
 
  private:
   std::string name_;

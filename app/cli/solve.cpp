@@ -64,7 +64,7 @@ int run(const SolveOptions& options, const Common& common) {
   const auto result = reconstruct(*session.snapshot(), solver);
   if (!options.output.empty()) {
     common.progress("Writing " + output.inWords() + " ...");
-    output.write(calibrationToJson(*result));
+    output.write([&](const WriteBytes& write) { writeCalibrationJson(*result, write); });
   }
   common.endProgress();
   if (common.json) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "hexoderm/reconstruction/result/reconstruction.h"
+#include "hexoderm/util/file.h"
 
 #include <cstdint>
 #include <filesystem>
@@ -19,8 +20,10 @@ inline constexpr std::uint32_t kCalibrationVersion = 2;
 std::shared_ptr<const Reconstruction> readCalibrationJson(const std::filesystem::path& path);
 std::shared_ptr<const Reconstruction> parseCalibrationJson(std::string_view text, const std::string& file);
 
+/// The text, in pieces; as a whole; and as a file, atomically, which throws StorageError. Numbers that are not finite
+/// are InvalidArgument.
+void writeCalibrationJson(const Reconstruction& reconstruction, const WriteBytes& write);
 std::string calibrationToJson(const Reconstruction& reconstruction);
-/// Atomic. Throws StorageError.
 void writeCalibrationJson(const Reconstruction& reconstruction, const std::filesystem::path& path);
 
 }  // namespace hexoderm
