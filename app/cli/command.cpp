@@ -12,9 +12,19 @@
 #include <algorithm>
 #include <cctype>
 #include <iostream>
+#include <new>
+#include <system_error>
 #include <utility>
 
 namespace hexoderm::cli {
+namespace {
+
+template <class Kind>
+bool isA(const std::exception& error) {
+  return dynamic_cast<const Kind*>(&error) != nullptr;
+}
+
+}  // namespace
 
 void Common::addTo(CLI::App& command) {
   command.add_flag("--json", json, "Print the result as JSON on standard output");
@@ -111,6 +121,17 @@ std::map<PoseId, JointAngles> anglesOfPoses(const Session& session, const std::s
 }
 
 int exitCodeOf(const Assessment& verdict) { return verdict.isUsable() ? kDone : kNotGoodEnough; }
+
+std::optional<int> exitCodeOf(const std::exception& error) {
+  if (isA<BadInput>(error)) return kBadInput;
+  if (isA<FormatError>(error)) return kStorage;  // the written file did not read back as intended
+  if (isA<InvalidArgument>(error)) return kUsage;
+  if (isA<DeviceError>(error)) return kDevice;
+  if (isA<StorageError>(error)) return kStorage;
+  if (isA<std::system_error>(error)) return kStorage;  // of std::filesystem, above all
+  if (isA<std::bad_alloc>(error)) return kStorage;
+  return std::nullopt;
+}
 
 void printFindings(const std::vector<Finding>& findings) {
   if (findings.empty()) {

@@ -10,10 +10,12 @@
 
 #include <CLI/CLI.hpp>
 
+#include <exception>
 #include <functional>
 #include <map>
 #include <memory>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <sstream>
 #include <streambuf>
 #include <string>
@@ -133,6 +135,8 @@ RobotModel openRobot(const std::string& robot, const std::vector<std::string>& p
 std::map<PoseId, JointAngles> anglesOfPoses(const Session& session, const std::string& file, const RobotModel& robot);
 
 int exitCodeOf(const Assessment& verdict);
+/// Of an error that ends a command; nothing for what no command should throw.
+std::optional<int> exitCodeOf(const std::exception& error);
 
 /// Findings and verdict as text and as JSON, the same in every command.
 void printFindings(const std::vector<Finding>& findings);

@@ -3446,12 +3446,16 @@ Die Balken sagen, wie sehr sich die gesehenen Richtungen in drei Achsen untersch
         <translation>Hautstück „{}“: erwartet ist sheet:ZEILENxSPALTEN</translation>
     </message>
     <message>
-        <source>patch &quot;{}&quot;: a sheet has 1 to 100000 cells</source>
-        <translation>Hautstück „{}“: Eine Matte hat 1 bis 100000 Zellen</translation>
+        <source>patch &quot;{}&quot;: a sheet has 1 to 1000000 cells</source>
+        <translation>Hautstück „{}“: Eine Matte hat 1 bis 1000000 Zellen</translation>
     </message>
     <message>
         <source>patch &quot;{}&quot; is not known; expected x17, ringN, ringN:closed or sheet:ROWSxCOLS</source>
         <translation>Hautstück „{}“ ist unbekannt; erwartet ist x17, ringN, ringN:closed oder sheet:ZEILENxSPALTEN</translation>
+    </message>
+    <message>
+        <source>patch &quot;{}&quot;: a live skin, or one on a robot, has at most {} cells</source>
+        <translation>Hautstück „{}“: Eine Haut in Betrieb oder auf einem Roboter hat höchstens {} Zellen</translation>
     </message>
     <message>
         <source>simulated skin: there is no cell {} to break; cells are 1 to {}</source>
