@@ -23,6 +23,7 @@ Completion prepare(SkinLinks& skin, const std::stop_token& stop, std::vector<Fin
 
 std::vector<PatchSolver> placePatches(SkinLinks& skin, std::span<const double> weights) {
   std::vector<PatchSolver> patches;
+  patches.reserve(skin.graph().patches().size());
   for (std::size_t patch = 0; patch < skin.graph().patches().size(); ++patch) {
     patches.emplace_back(skin, weights, patch);
   }

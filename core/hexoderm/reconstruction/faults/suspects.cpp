@@ -1,12 +1,14 @@
 #include "hexoderm/reconstruction/faults/suspects.h"
 
-#include "hexoderm/geometry/covariance.h"
 #include "hexoderm/reconstruction/faults/link_plausibility.h"
+#include "hexoderm/reconstruction/links/link_batches.h"
 #include "hexoderm/util/text.h"
 #include "hexoderm/util/units.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <numeric>
 
 namespace hexoderm {
 namespace {
@@ -36,18 +38,16 @@ SuspectSearch::SuspectSearch(const CellModel& model, const SkinGraph& graph, con
       verdicts_(edges.size()),
       tested_(graph.cells().size(), 0),
       bad_(graph.cells().size(), 0) {
-  for (std::size_t link = 0; link < edges.size(); ++link) {
-    verdicts_[link] = judge(link);
-    count(link, 1);
-  }
+  std::vector<std::size_t> all(edges.size());
+  std::iota(all.begin(), all.end(), std::size_t{0});
+  judge(all);
+  for (const std::size_t link : all) count(link, 1);
 }
 
 void SuspectSearch::update(std::span<const std::size_t> links) {
-  for (const std::size_t link : links) {
-    count(link, -1);
-    verdicts_[link] = judge(link);
-    count(link, 1);
-  }
+  for (const std::size_t link : links) count(link, -1);
+  judge(links);
+  for (const std::size_t link : links) count(link, 1);
 }
 
 void SuspectSearch::count(std::size_t index, int by) {
@@ -71,19 +71,49 @@ bool SuspectSearch::isAtOdds(std::size_t cell) const {
   return bad_[cell] >= kFewestWitnesses && bad_[cell] >= kNearlyAll * tested_[cell];
 }
 
-SuspectSearch::Verdict SuspectSearch::judge(std::size_t link_index) const {
+void SuspectSearch::judge(std::span<const std::size_t> links) {
+  std::vector<std::size_t> tested;
+  tested.reserve(links.size());
+  for (const std::size_t link : links) {
+    verdicts_[link] = {};
+    if (!graph_.links()[link].muted() && readings_.measured(graph_.links()[link])) tested.push_back(link);
+  }
+  const RigidityKernelOptions options = rigidityKernelOptions(pair_prior_, model_.accelerometer.T_u_a.R.transpose());
+  std::array<double, 9 * kLanes> R_c_n{};
+  RigidityKernelOutput out{};
+  std::vector<std::size_t> unusual;
+  const auto test = [&](const LinkBatch& batch) {
+    for (int lane = 0; lane < kLanes; ++lane) {
+      const Eigen::Matrix3d& R = edges_[batch.linkIn(lane)].R_c_n;
+      for (int k = 0; k < 9; ++k) R_c_n.at(static_cast<std::size_t>(kLanes * k + lane)) = R(k / 3, k % 3);
+    }
+    (hasFourLanes() ? testRigidityByFour : testRigidityByOne)(
+        options, {batch.poses, batch.c_g.data(), batch.n_g.data(), batch.variance_g2.data(), R_c_n.data()}, out);
+    for (int lane = 0; lane < batch.size; ++lane) {
+      const std::size_t link = batch.linkIn(lane);
+      if (out.usual[lane] == 0) {
+        unusual.push_back(link);
+        continue;
+      }
+      const Misfit misfit{out.chi_squared[lane], 3.0 * batch.poses - 3};
+      verdicts_[link] = judgeBy(link, misfit.deviate());
+    }
+  };
+  const std::vector<std::size_t> others = forBatches(graph_, table_, readings_, tested, test);
+  unusual.insert(unusual.end(), others.begin(), others.end());
+  for (const std::size_t link : unusual) verdicts_[link] = judgeBy(link, readingsOf(link).test.misfit().deviate());
+}
+
+SuspectSearch::Verdict SuspectSearch::judgeBy(std::size_t link_index, double misfit) const {
   Verdict verdict;
   const GraphLink& link = graph_.links()[link_index];
   const EdgeRotation& edge = edges_[link_index];
-  if (link.muted() || !readings_.measured(link)) return verdict;
   verdict.tested = true;
-  const double sigma = largestDeviation(edge.covariance);
-  if (sigma < kJudgeableSigma) {
-    verdict.implausible = judgeLinkAngles(
-        linkAngles(edge.R_c_n, model_.port(link.source_port), model_.port(link.target_port)), graph_.sourceEnd(link),
-        graph_.targetEnd(link), model_, options_, anglesSigma(edge.covariance, model_.port(link.source_port)));
+  if (edge.deviation_rad < kJudgeableSigma) {
+    verdict.implausible = judgeLinkAngles(edge.angles, graph_.sourceEnd(link), graph_.targetEnd(link), model_, options_,
+                                          anglesSigma(edge.covariance, model_.port(link.source_port)));
   }
-  verdict.misfit = readingsOf(link_index).test.misfit().deviate();
+  verdict.misfit = misfit;
   verdict.rigid = verdict.misfit <= options_.max_misfit;
   return verdict;
 }
@@ -193,7 +223,7 @@ std::vector<SuspectSearch::BadLink> SuspectSearch::badLinks(std::span<const std:
 
 bool hasTooFewPoses(const GravityTable& table, std::size_t cell) {
   constexpr std::size_t kFewestToAccuse = 3;
-  return table.usablePoses(cell).size() < kFewestToAccuse;
+  return table.usablePoseCount(cell) < kFewestToAccuse;
 }
 
 Finding describeSuspiciousSensor(const SkinGraph& graph, const GravityTable& table, std::size_t cell) {

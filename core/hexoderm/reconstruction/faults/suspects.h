@@ -46,7 +46,9 @@ class SuspectSearch {
     bool rigid = true;
     [[nodiscard]] bool bad() const { return !implausible.empty() || !rigid; }
   };
-  [[nodiscard]] Verdict judge(std::size_t link) const;
+  /// Fills in the verdicts of these links.
+  void judge(std::span<const std::size_t> links);
+  [[nodiscard]] Verdict judgeBy(std::size_t link, double misfit) const;
   /// Counts a link's verdict, or takes it out again (`by` -1).
   void count(std::size_t link, int by);
   /// Nearly all links of the cell are bad.
