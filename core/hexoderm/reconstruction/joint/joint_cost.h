@@ -5,6 +5,7 @@
 
 #include "hexoderm/reconstruction/accelerometer/accelerometer_fit.h"
 
+#include <memory>
 #include <optional>
 #include <vector>
 
@@ -26,6 +27,8 @@ struct JointLink {
   Eigen::Matrix3d R_nom;  ///< nominal alignment, n to c
 };
 
+struct EliminationPlan;
+
 /// One patch as the joint estimate sees it. The origin cell's frame is the patch frame and does not move.
 struct JointProblem {
   const CellModel* model = nullptr;
@@ -39,6 +42,8 @@ struct JointProblem {
   bool accelerations = false;     ///< every pose has an angular acceleration of its own
   double acceleration_sigma = 3;  ///< of its prior about zero, per axis, rad/s^2
   HuberLoss loss;
+  /// Where it is known; one that is missing, or was made for other links, is made anew for each solution.
+  std::shared_ptr<const EliminationPlan> elimination;
 
   [[nodiscard]] std::size_t cellCount() const { return readings.size(); }
 };
