@@ -4,6 +4,7 @@
 #include "hexoderm/graph/cell_model.h"
 
 #include "hexoderm/reconstruction/accelerometer/accelerometer_fit.h"
+#include "hexoderm/reconstruction/joint/linearize_kernels.h"
 
 #include <memory>
 #include <optional>
@@ -108,8 +109,10 @@ Eigen::Vector3d arcOpening_m(const Eigen::Vector3d& U_c, const Eigen::Vector3d& 
 /// Distance between the end points of a link, less the arc's share; metres.
 double linkOpening_m(const JointProblem& problem, const JointState& state, std::size_t link);
 
-/// jointCost() with its gradient (exact) and its Gauss-Newton matrix (of the eliminated problem: Kaufman's).
-void linearize(const JointProblem& problem, const JointState& state, NormalEquations& equations);
+/// jointCost() with its gradient (exact) and its Gauss-Newton matrix (of the eliminated problem: Kaufman's). `kernels`:
+/// null for cells and links one by one, which is the same but for rounding.
+void linearize(const JointProblem& problem, const JointState& state, NormalEquations& equations,
+               const LinearizeKernels* kernels = &linearizeKernels());
 
 // The parts of linearize() that the readings have no share in, for those who treat the readings in another way.
 
@@ -117,7 +120,8 @@ void linearize(const JointProblem& problem, const JointState& state, NormalEquat
 double priorCost(const JointProblem& problem, const JointState& state);
 /// Adds the cost of all links, their blocks and gradients, and the prior of the gap share, which stands at `share` in
 /// the border; without its cost, which priorCost() has.
-void addLinks(const JointProblem& problem, const JointState& state, Eigen::Index share, NormalEquations& equations);
+void addLinks(const JointProblem& problem, const JointState& state, Eigen::Index share, NormalEquations& equations,
+              const LinearizeKernels* kernels = &linearizeKernels());
 /// Adds the prior of one pose's force.
 void addForcePrior(const JointProblem& problem, const Eigen::Vector3d& force_o, Eigen::Ref<Eigen::Matrix3d> matrix,
                    Eigen::Ref<Eigen::Vector3d> gradient);
