@@ -1,6 +1,7 @@
 #include "hexoderm/reconstruction/joint/joint_refinement.h"
 
 #include "hexoderm/reconstruction/joint/cells_first.h"
+#include "hexoderm/reconstruction/joint/elimination_plan.h"
 #include "hexoderm/reconstruction/joint/patch_evidence.h"
 #include "hexoderm/reconstruction/joint/shape_covariance.h"
 #include "hexoderm/util/error.h"
@@ -182,6 +183,7 @@ JointRefinement::JointRefinement(const CellModel& model, const SkinGraph& graph,
     problem_->links.push_back({localOf(link.source), localOf(link.target), source.vector_m, target.vector_m,
                                nominalAlignment(source, target)});
   }
+  problem_->elimination = planElimination(*problem_);
   problem_->accelerations = cells_.size() > 1;
   if (poses_.size() > kFewPoses && workOfCellsFirst(*problem_) > kMostWorkForAccelerations) {
     problem_->accelerations = false;
