@@ -6846,6 +6846,10 @@ Die Balken sagen, wie sehr sich die gesehenen Richtungen in drei Achsen untersch
         <source>the same report for a browser, in one file</source>
         <translation>derselbe Bericht für einen Browser, in einer Datei</translation>
     </message>
+    <message>
+        <source>a cell of this patch on a path from its origin, which has none itself</source>
+        <translation>eine Zelle dieses Hautstücks auf einem Weg von seinem Ursprung, der selbst keine hat</translation>
+    </message>
 </context>
 <context>
     <name>hexoderm::MessageBar</name>

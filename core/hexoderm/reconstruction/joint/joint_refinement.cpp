@@ -19,10 +19,11 @@ namespace hexoderm {
 namespace {
 
 constexpr std::size_t kCellsOfLargePart = 100;
-// Up to so many poses, or so many multiplications a step, angular accelerations are unknowns of the joint equations. Of
-// more, whose columns would make these too large, they are found in turn with the rest (FreedReadings): that is a
-// little less exact where cells are many and far from the middle.
+// Angular accelerations are unknowns of the joint equations up to so many poses; and of many cells, far from the
+// middle, up to so many multiplications a step. Of more, whose columns would make these too large, they are found in
+// turn with the rest (FreedReadings), which is a little less exact.
 constexpr std::size_t kFewPoses = 50;
+constexpr std::size_t kFewCellsPerPose = 12;
 constexpr double kMostWorkForAccelerations = 3e9;
 // Error that a hand's translation leaves in a mean; on a large part, also that of its turning at the middle of a patch.
 constexpr double kForceSigma_g = 0.003;
@@ -185,7 +186,8 @@ JointRefinement::JointRefinement(const CellModel& model, const SkinGraph& graph,
   }
   problem_->elimination = planElimination(*problem_);
   problem_->accelerations = cells_.size() > 1;
-  if (poses_.size() > kFewPoses && workOfCellsFirst(*problem_) > kMostWorkForAccelerations) {
+  const bool narrow = kFewCellsPerPose * poses_.size() <= cells_.size();
+  if (poses_.size() > kFewPoses && !(narrow && workOfCellsFirst(*problem_) <= kMostWorkForAccelerations)) {
     problem_->accelerations = false;
   }
   problem_->acceleration_sigma = kTremorAcceleration_rad_s2;
