@@ -108,7 +108,9 @@ TEST(PoseAverage, IsThatOfTheFramesThatCameOneByOne) {
   EXPECT_EQ(streamed.label.english(), "on its side");
   ASSERT_EQ(streamed.samples.size(), whole.samples.size());
   for (std::size_t k = 0; k < whole.samples.size(); ++k) {
-    if (k > 0) EXPECT_LT(streamed.samples[k - 1].cell, streamed.samples[k].cell);
+    if (k > 0) {
+      EXPECT_LT(streamed.samples[k - 1].cell, streamed.samples[k].cell);
+    }
     EXPECT_EQ(streamed.samples[k].cell, whole.samples[k].cell);
     EXPECT_EQ(streamed.samples[k].mean_g, whole.samples[k].mean_g);
     EXPECT_EQ(streamed.samples[k].cov_g2, whole.samples[k].cov_g2);
