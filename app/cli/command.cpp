@@ -4,7 +4,6 @@
 #include "hexoderm/kinematics/demo_robot.h"
 #include "hexoderm/kinematics/joint_angles_csv.h"
 #include "hexoderm/session/session_joint_angles.h"
-#include "hexoderm/util/file.h"
 #include "hexoderm/util/text.h"
 #include "hexoderm/util/units.h"
 
@@ -13,9 +12,19 @@
 #include <algorithm>
 #include <cctype>
 #include <iostream>
+#include <new>
+#include <system_error>
 #include <utility>
 
 namespace hexoderm::cli {
+namespace {
+
+template <class Kind>
+bool isA(const std::exception& error) {
+  return dynamic_cast<const Kind*>(&error) != nullptr;
+}
+
+}  // namespace
 
 void Common::addTo(CLI::App& command) {
   command.add_flag("--json", json, "Print the result as JSON on standard output");
@@ -49,10 +58,15 @@ Output::~Output() {
 std::string Output::inWords() const { return isStandard() ? "standard output" : name_; }
 
 void Output::write(std::string_view content) const {
-  if (!isStandard()) return writeFileAtomically(name_, content);
+  write([&](const WriteBytes& take) { take(content); });
+}
+
+void Output::write(const ProduceBytes& produce) const {
+  if (!isStandard()) return writeFileAtomically(name_, produce);
+  produce([](std::string_view /*bytes*/) {});  // what can't be produced leaves no half of it
   std::ostream out(standard_);
-  out << content << std::flush;
-  if (!out) throw StorageError("standard output: cannot be written");
+  produce([&](std::string_view bytes) { out << bytes; });
+  if (!out.flush()) throw StorageError("standard output: cannot be written");
 }
 
 void OffenceNotes::show(const std::vector<Offence>& offences) {
@@ -107,6 +121,17 @@ std::map<PoseId, JointAngles> anglesOfPoses(const Session& session, const std::s
 }
 
 int exitCodeOf(const Assessment& verdict) { return verdict.isUsable() ? kDone : kNotGoodEnough; }
+
+std::optional<int> exitCodeOf(const std::exception& error) {
+  if (isA<BadInput>(error)) return kBadInput;
+  if (isA<FormatError>(error)) return kStorage;  // the written file did not read back as intended
+  if (isA<InvalidArgument>(error)) return kUsage;
+  if (isA<DeviceError>(error)) return kDevice;
+  if (isA<StorageError>(error)) return kStorage;
+  if (isA<std::system_error>(error)) return kStorage;  // of std::filesystem, above all
+  if (isA<std::bad_alloc>(error)) return kStorage;
+  return std::nullopt;
+}
 
 void printFindings(const std::vector<Finding>& findings) {
   if (findings.empty()) {

@@ -6,13 +6,16 @@
 #include "hexoderm/reconstruction/result/reconstruction.h"
 #include "hexoderm/session/session.h"
 #include "hexoderm/util/error.h"
+#include "hexoderm/util/file.h"
 
 #include <CLI/CLI.hpp>
 
+#include <exception>
 #include <functional>
 #include <map>
 #include <memory>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <sstream>
 #include <streambuf>
 #include <string>
@@ -70,6 +73,7 @@ class Output {
   [[nodiscard]] std::string inWords() const;
   /// Writes a document: as writeFileAtomically(), or to standard output.
   void write(std::string_view content) const;
+  void write(const ProduceBytes& produce) const;
 
  private:
   std::string name_;
@@ -131,6 +135,8 @@ RobotModel openRobot(const std::string& robot, const std::vector<std::string>& p
 std::map<PoseId, JointAngles> anglesOfPoses(const Session& session, const std::string& file, const RobotModel& robot);
 
 int exitCodeOf(const Assessment& verdict);
+/// Of an error that ends a command; nothing for what no command should throw.
+std::optional<int> exitCodeOf(const std::exception& error);
 
 /// Findings and verdict as text and as JSON, the same in every command.
 void printFindings(const std::vector<Finding>& findings);

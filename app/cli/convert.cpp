@@ -18,10 +18,14 @@ struct ConvertOptions {
 
 void writeSession(const Session& session, const ConvertOptions& options, const Output& output) {
   if (output.isStandard()) {
-    output.write(sessionToJson(session));
+    output.write([&](const WriteBytes& write) { writeSessionJson(session, write); });
   } else {
     saveSession(session, options.output);
   }
+}
+
+void writeCalibration(const Reconstruction& calibration, const Output& output) {
+  output.write([&](const WriteBytes& write) { writeCalibrationJson(calibration, write); });
 }
 
 int run(const ConvertOptions& options, const Common& common) {
@@ -32,7 +36,7 @@ int run(const ConvertOptions& options, const Common& common) {
                           options.output + "\"");
   }
   if (to_calibration) {
-    output.write(calibrationToJson(*openCalibration(options.input, options.cell_model)));
+    writeCalibration(*openCalibration(options.input, options.cell_model), output);
   } else {
     // To standard output goes what a file is; a session's name makes a session of a TUM file, too.
     const OpenedFile opened =
@@ -45,7 +49,7 @@ int run(const ConvertOptions& options, const Common& common) {
                     options.input + ".");
       }
     } else if (output.isStandard()) {
-      output.write(calibrationToJson(*std::get<std::shared_ptr<const Reconstruction>>(opened)));
+      writeCalibration(*std::get<std::shared_ptr<const Reconstruction>>(opened), output);
     } else {
       throw noSession(options.input);
     }

@@ -13,6 +13,7 @@ namespace {
 struct InspectOptions {
   std::string input;
   std::string cell_model = "hex-bma150";
+  std::string solver = "tree";
 };
 
 std::size_t freePorts(const Reconstruction& r) {
@@ -46,6 +47,7 @@ nlohmann::ordered_json describe(const Reconstruction& r, const std::string& kind
     if (pose.residual_rad) entry["residual_deg"] = toDegrees(*pose.residual_rad);
     json["poses"].push_back(std::move(entry));
   }
+  json["solver"] = r.solver;
   json["findings"] = cli::toJson(r.findings);
   json["verdict"] = cli::toJson(r.assessment);
   return json;
@@ -70,14 +72,19 @@ void print(const Reconstruction& r, const std::string& path, const std::string& 
   }
   printFindings(r.findings);
   printVerdict(r.assessment);
+  if (r.solver == solverName(Solver::Tree)) {
+    std::cout << "Judged link by link, along a tree; 'solve' weighs all links and poses together, and finds more.\n";
+  }
 }
 
 int run(const InspectOptions& options, const Common& common) {
   const OpenedFile opened = openInput(options.input, options.cell_model);
   const auto* session = std::get_if<Session>(&opened);
   const std::string kind = session != nullptr ? "session" : "calibration";
-  const auto result =
-      session != nullptr ? reconstruct(*session->snapshot()) : std::get<std::shared_ptr<const Reconstruction>>(opened);
+  SolverOptions solver;
+  solver.solver = solverFromName(options.solver);
+  const auto result = session != nullptr ? reconstruct(*session->snapshot(), solver)
+                                         : std::get<std::shared_ptr<const Reconstruction>>(opened);
   if (common.json) {
     printJson(describe(*result, kind));
   } else {
@@ -93,6 +100,10 @@ void addInspect(CLI::App& app, Common& common) {
   CLI::App* command = app.add_subcommand("inspect", "Say what is in a file, what is wrong with it and what to do next");
   command->add_option("input", options->input, "Session, calibration or TUM XML")->required();
   command->add_option("--cell-model", options->cell_model, "Of a TUM file: built-in name or JSON file")
+      ->capture_default_str();
+  command
+      ->add_option("--solver", options->solver,
+                   "Of a session: tree, which takes moments; or global, as 'solve' does, to find all that is wrong")
       ->capture_default_str();
   common.addTo(*command);
   command->footer("Example:\n  hexoderm-cli inspect arm.session.json");

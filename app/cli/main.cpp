@@ -4,8 +4,8 @@
 #include "hexoderm/util/text.h"
 
 #include <iostream>
+#include <optional>
 #include <sstream>
-#include <system_error>
 
 namespace {
 
@@ -63,19 +63,9 @@ int main(int argc, char** argv) {
     return common.exit_code;
   } catch (const CLI::ParseError& error) {
     return exitAfterParsing(app, error);
-  } catch (const cli::BadInput& error) {
-    return fail(error, cli::kBadInput);
-  } catch (const FormatError& error) {
-    return fail(error, cli::kStorage);  // the written file did not read back as intended
-  } catch (const InvalidArgument& error) {
-    return fail(error, cli::kUsage);
-  } catch (const DeviceError& error) {
-    return fail(error, cli::kDevice);
-  } catch (const StorageError& error) {
-    return fail(error, cli::kStorage);
-  } catch (const std::system_error& error) {  // of std::filesystem, above all
-    return fail(error, cli::kStorage);
-  } catch (const std::bad_alloc& error) {
-    return fail(error, cli::kStorage);
+  } catch (const std::exception& error) {
+    const std::optional<int> code = cli::exitCodeOf(error);
+    if (!code) throw;
+    return fail(error, *code);
   }
 }

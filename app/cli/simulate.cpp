@@ -152,10 +152,13 @@ int run(const SimulateOptions& options, const Common& common) {
   // Between the last pose and the one before it.
   skin_options.reglued_before = options.poses == 0 ? 0 : options.poses - 1;
 
-  common.progress("Laying the skin ...");
-  SimulatedSkin skin(std::move(model), skin_options);
-  common.progress("Taking poses ...");
-  const Session session = simulateSession(skin, options.poses, options.samples);
+  // The skin goes before the session is written: of a million cells both are large.
+  const Session session = [&] {
+    common.progress("Laying the skin ...");
+    SimulatedSkin skin(std::move(model), skin_options);
+    common.progress("Taking poses ...");
+    return simulateSession(skin, options.poses, options.samples);
+  }();
   common.progress("Writing ...");
   if (output.isStandard()) {
     output.write(sessionToJson(session));
@@ -165,11 +168,11 @@ int run(const SimulateOptions& options, const Common& common) {
   common.endProgress();
   if (common.json) {
     printJson({{"file", options.output},
-               {"description", skin.description().english()},
-               {"cells", skin.truth().size()},
+               {"description", session.source().text.english()},
+               {"cells", session.neighbors().size()},
                {"poses", session.poses().size()}});
   } else {
-    std::cout << skin.description() << ": " << skin.truth().size() << " cells, " << session.poses().size()
+    std::cout << session.source().text << ": " << session.neighbors().size() << " cells, " << session.poses().size()
               << " poses, with truth. Written to " << forTerminal(output.inWords()) << '\n';
   }
   return kDone;
@@ -180,7 +183,9 @@ int run(const SimulateOptions& options, const Common& common) {
 void addSimulate(CLI::App& app, Common& common) {
   const auto options = std::make_shared<SimulateOptions>();
   CLI::App* command = app.add_subcommand("simulate", "Make a session of a simulated skin, with the truth beside it");
-  command->add_option("--patch", options->skin.patch, "x17, ringN, ringN:closed or sheet:ROWSxCOLS")
+  command
+      ->add_option("--patch", options->skin.patch,
+                   "x17, ringN, ringN:closed or sheet:ROWSxCOLS (1,000,000 cells at most)")
       ->capture_default_str();
   command->add_option("--surface", options->skin.surface,
                       "plane, cylinder:r=M, sphere:r=M, cone:r=M,angle=RAD or torus:R=M,r=M "

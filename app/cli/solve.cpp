@@ -1,18 +1,22 @@
 #include "app/cli/command.h"
+#include "app/cli/solve_batch.h"
 
 #include "hexoderm/io/calibration_json.h"
 #include "hexoderm/reconstruction/evaluation/evaluation.h"
 #include "hexoderm/reconstruction/reconstructor.h"
 #include "hexoderm/util/text.h"
 
+#include <algorithm>
 #include <iostream>
+#include <thread>
 
 namespace hexoderm::cli {
 namespace {
 
 struct SolveOptions {
-  std::string input;
+  std::vector<std::string> inputs;
   std::string output;
+  std::size_t jobs = std::max(1U, std::thread::hardware_concurrency());
   std::string solver = "global";
   std::string centring = "auto";
   std::string support_axes = "auto";
@@ -56,15 +60,19 @@ int run(const SolveOptions& options, const Common& common) {
   for (const std::uint32_t id : options.without) solver.left_out.emplace_back(id);
   solver.class_threshold = options.class_threshold;
   solver.validate();
+  if (options.inputs.size() > 1 || options.output.ends_with('/')) {
+    return solveBatch({options.inputs, options.output, std::move(solver), options.jobs}, common);
+  }
   const Output output(options.output, common);
 
-  common.progress("Reading " + options.input + " ...");
-  const Session session = openSession(options.input);
+  const std::string& input = options.inputs.front();
+  common.progress("Reading " + input + " ...");
+  const Session session = openSession(input);
   common.progress("Solving ...");
   const auto result = reconstruct(*session.snapshot(), solver);
   if (!options.output.empty()) {
     common.progress("Writing " + output.inWords() + " ...");
-    output.write(calibrationToJson(*result));
+    output.write([&](const WriteBytes& write) { writeCalibrationJson(*result, write); });
   }
   common.endProgress();
   if (common.json) {
@@ -81,9 +89,10 @@ int run(const SolveOptions& options, const Common& common) {
 void addSolve(CLI::App& app, Common& common) {
   const auto options = std::make_shared<SolveOptions>();
   CLI::App* command = app.add_subcommand("solve", "Find the placement of every cell of a session");
-  command->add_option("input", options->input, "Session (*.hexo or *.session.json)")->required();
+  command->add_option("input", options->inputs, "Session (*.hexo or *.session.json), or many")->required();
   command->add_option("-o,--output", options->output,
-                      "Calibration to write (*.calibration.json; - is standard output)");
+                      "Calibration to write (*.calibration.json; - is standard output); of several sessions, or with "
+                      "a / at its end, the folder for their calibrations");
   command
       ->add_option("--solver", options->solver,
                    "global: all cells, poses and links together; tree: the paper's way, along shortest paths")
@@ -105,12 +114,20 @@ void addSolve(CLI::App& app, Common& common) {
       ->add_option("--class-threshold", options->class_threshold,
                    "Singular value from which a direction counts as defined; 1 is the paper's")
       ->capture_default_str();
+  command
+      ->add_option("-j,--jobs", options->jobs,
+                   "Of many sessions, so many at the same time (default: as the computer has threads)")
+      ->check(CLI::Range(1, 1024));
   common.addTo(*command);
   command->footer(
+      "Many sessions are solved at the same time, each as if it were alone. Each gets a line on standard output, with\n"
+      "--json an object in a line; the exit code is the largest of all.\n"
       "Example:\n  hexoderm-cli solve arm.session.json -o arm.calibration.json\n"
       "With a mould that stretches, and cell 7 placed through its links:\n"
       "  hexoderm-cli solve arm.session.json --gap-model arc --without 7\n"
-      "The paper's own method:\n  hexoderm-cli solve arm.session.json --solver tree --centre off");
+      "The paper's own method:\n  hexoderm-cli solve arm.session.json --solver tree --centre off\n"
+      "All sessions of a folder, arm.session.json to out/arm.calibration.json:\n"
+      "  hexoderm-cli solve *.session.json -o out/");
   command->callback([options, &common] { common.exit_code = run(*options, common); });
 }
 

@@ -3446,12 +3446,16 @@ Die Balken sagen, wie sehr sich die gesehenen Richtungen in drei Achsen untersch
         <translation>Hautstück „{}“: erwartet ist sheet:ZEILENxSPALTEN</translation>
     </message>
     <message>
-        <source>patch &quot;{}&quot;: a sheet has 1 to 100000 cells</source>
-        <translation>Hautstück „{}“: Eine Matte hat 1 bis 100000 Zellen</translation>
+        <source>patch &quot;{}&quot;: a sheet has 1 to 1000000 cells</source>
+        <translation>Hautstück „{}“: Eine Matte hat 1 bis 1000000 Zellen</translation>
     </message>
     <message>
         <source>patch &quot;{}&quot; is not known; expected x17, ringN, ringN:closed or sheet:ROWSxCOLS</source>
         <translation>Hautstück „{}“ ist unbekannt; erwartet ist x17, ringN, ringN:closed oder sheet:ZEILENxSPALTEN</translation>
+    </message>
+    <message>
+        <source>patch &quot;{}&quot;: a live skin, or one on a robot, has at most {} cells</source>
+        <translation>Hautstück „{}“: Eine Haut in Betrieb oder auf einem Roboter hat höchstens {} Zellen</translation>
     </message>
     <message>
         <source>simulated skin: there is no cell {} to break; cells are 1 to {}</source>
@@ -4877,6 +4881,22 @@ Die Balken sagen, wie sehr sich die gesehenen Richtungen in drei Achsen untersch
     <message>
         <source>What limits it is that {} can&apos;t be used in {}: the readings are missing or no good.</source>
         <translation>Begrenzt wird das Ergebnis dadurch, dass {} in {} nicht zu brauchen ist: Die Messwerte fehlen oder taugen nichts.</translation>
+    </message>
+    <message>
+        <source>The joint estimate of a patch ended before its optimum; placements and stated uncertainties are preliminary.</source>
+        <translation>Die gemeinsame Schätzung eines Hautstücks endete vor ihrem Optimum; Lagen und angegebene Unsicherheiten sind vorläufig.</translation>
+    </message>
+    <message>
+        <source>The estimate goes on in steps as long as they make the shape more probable, and the steps ran out.</source>
+        <translation>Die Schätzung geht in Schritten weiter, solange sie die Form wahrscheinlicher machen, und die Schritte gingen aus.</translation>
+    </message>
+    <message>
+        <source>Take another pose: two alone often leave open where the optimum is. Until then rely on no figure of this patch.</source>
+        <translation>Eine weitere Pose aufnehmen: Zwei allein lassen oft offen, wo das Optimum liegt. Bis dahin ist auf keine Angabe zu diesem Hautstück Verlass.</translation>
+    </message>
+    <message>
+        <source>The joint estimate of the patch of cell {} has not converged after {} steps: a more probable shape is nearby, and the stated uncertainty can&apos;t be relied on. Take another pose.</source>
+        <translation>Die gemeinsame Schätzung des Hautstücks von Zelle {} ist nach {} Schritten nicht konvergiert: Eine wahrscheinlichere Form liegt in der Nähe, und auf die angegebene Unsicherheit ist kein Verlass. Nehmen Sie eine weitere Pose auf.</translation>
     </message>
     <message>
         <source>What limits it is how the cells lie in the mould: another pose would hardly help.</source>
@@ -6825,6 +6845,10 @@ Die Balken sagen, wie sehr sich die gesehenen Richtungen in drei Achsen untersch
     <message>
         <source>the same report for a browser, in one file</source>
         <translation>derselbe Bericht für einen Browser, in einer Datei</translation>
+    </message>
+    <message>
+        <source>a cell of this patch on a path from its origin, which has none itself</source>
+        <translation>eine Zelle dieses Hautstücks auf einem Weg von seinem Ursprung, der selbst keine hat</translation>
     </message>
 </context>
 <context>

@@ -7,10 +7,8 @@
 // The statistic to read is the least CPU time of many repetitions: other programs only ever make it longer. Figures and
 // what follows from them are in core/hexoderm/reconstruction/sparse/README.md.
 
-#include "hexoderm/device/simulation/simulated_skin.h"
-#include "hexoderm/reconstruction/patch/patch_solver.h"
 #include "hexoderm/reconstruction/sparse/block_cholesky.h"
-#include "hexoderm/session/simulated_session.h"
+#include "tests/benchmarks/sheet_matrix.h"
 
 #include <benchmark/benchmark.h>
 
@@ -22,71 +20,19 @@
 #include <algorithm>
 #include <map>
 #include <stdexcept>
+#include <utility>
 
 namespace hexoderm {
 namespace {
 
-using Sparse = Eigen::SparseMatrix<double>;
+using Matrix = SheetMatrix;
+using Sparse = SheetMatrix::Sparse;
 
-struct Matrix {
-  std::vector<Matrix6d> diagonal;
-  std::vector<BlockCouple> couples;
-  std::vector<Matrix6d> blocks;  ///< per couple
-  Sparse lower;                  ///< the lower triangle of the same
-};
-
-Sparse lowerTriangle(const Matrix& matrix) {
-  std::vector<Eigen::Triplet<double>> elements;
-  const auto put = [&](std::size_t row_block, std::size_t column_block, const Matrix6d& block) {
-    for (int column = 0; column < 6; ++column) {
-      for (int row = 0; row < 6; ++row) {
-        const int i = static_cast<int>(6 * row_block) + row;
-        const int j = static_cast<int>(6 * column_block) + column;
-        if (i >= j) elements.emplace_back(i, j, block(row, column));
-      }
-    }
-  };
-  for (std::size_t k = 0; k < matrix.diagonal.size(); ++k) put(k, k, matrix.diagonal[k]);
-  for (std::size_t k = 0; k < matrix.couples.size(); ++k) {
-    const BlockCouple& couple = matrix.couples[k];
-    if (couple.row > couple.column) {
-      put(couple.row, couple.column, matrix.blocks[k]);
-    } else {
-      put(couple.column, couple.row, matrix.blocks[k].transpose());
-    }
-  }
-  const auto size = static_cast<Eigen::Index>(6 * matrix.diagonal.size());
-  Sparse lower(size, size);
-  lower.setFromTriplets(elements.begin(), elements.end());
-  return lower;
-}
-
-/// The matrix of a sheet of `rows` rows and one column more, in three poses, at the tree's placements.
 const Matrix& matrixOfSheet(std::int64_t rows, std::int64_t columns) {
   static std::map<std::int64_t, Matrix> known;
-  Matrix& matrix = known[rows];
-  if (!matrix.diagonal.empty()) return matrix;
-  SimulatedSkinOptions simulated;
-  simulated.patch = "sheet:" + std::to_string(rows) + "x" + std::to_string(columns);
-  simulated.surface = "cylinder:r=" + std::to_string(0.25 * static_cast<double>(columns) / 36);
-  SimulatedSkin skin(builtInCellModel("hex-bma150"), simulated);
-  const auto snapshot = simulateSession(skin, 3).snapshot();
-  std::vector<Finding> findings;
-  const SolverOptions options;
-  SkinLinks links(*snapshot, options, findings);
-  links.estimateEdges();
-  const PatchSolver tree(links, linkWeights(links), 0);
-  std::vector<SE3> placements;
-  for (const TreePlacement& placed : tree.treePlacements()) placements.push_back(placed.T_o_u);
-  const JointRefinement joint(links.model(), links.graph(), links.table(), options, tree.cells(), tree.origin(),
-                              placements);
-  NormalEquations equations;
-  linearize(joint.problem(), joint.solution().state, equations);
-  matrix.diagonal = equations.cells;
-  matrix.blocks = equations.links;
-  for (const JointLink& link : joint.problem().links) matrix.couples.push_back({link.c, link.n});
-  matrix.lower = lowerTriangle(matrix);
-  return matrix;
+  const auto [place, is_new] = known.try_emplace(rows);
+  if (is_new) place->second = SheetMatrix::of(SheetProblem(rows, columns));
+  return place->second;
 }
 
 void require(bool is_factorized) {
@@ -94,7 +40,7 @@ void require(bool is_factorized) {
 }
 
 struct Ours {
-  explicit Ours(const Matrix& matrix) : cholesky(matrix.diagonal.size(), matrix.couples) {}
+  explicit Ours(const Matrix& matrix) : cholesky(matrix.pattern()) {}
   void factorize(const Matrix& matrix) { require(cholesky.factorize(matrix.diagonal, matrix.blocks)); }
   Eigen::MatrixXd solve(Eigen::MatrixXd right) const {
     cholesky.solve(right);

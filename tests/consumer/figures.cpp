@@ -61,7 +61,7 @@ void printResult(const SessionSnapshot& snapshot, const SolverOptions& options) 
     print(name, cell.T_o_u);
     if (cell.cov_t_r) print(name + " covariance", *cell.cov_t_r);
     if (cell.accel_offset_g) print(name + " offset", *cell.accel_offset_g);
-    print(name + " path", static_cast<double>(cell.path.size()));
+    print(name + " path", static_cast<double>(patch.pathTo(cell.cell).size()));
     for (const SensorPlacement& sensor : cell.sensors) print(name + " " + sensor.name, sensor.T_o_s);
   }
   for (const LinkEstimate& link : patch.links) {

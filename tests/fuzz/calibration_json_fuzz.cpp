@@ -1,7 +1,8 @@
 // Any text as a *.calibration.json: a calibration of finite numbers, which can be written, read again and exported, or
-// an Error.
+// an Error; the same calibration by the quick reader, or none.
 
 #include "hexoderm/io/calibration_json.h"
+#include "hexoderm/io/calibration_json_read.h"
 #include "hexoderm/io/exporter.h"
 #include "hexoderm/util/error.h"
 
@@ -13,9 +14,11 @@ namespace {
 
 using namespace hexoderm;
 
+constexpr const char* kFile = "fuzz.calibration.json";
+
 std::shared_ptr<const Reconstruction> parsed(std::string_view text) {
   try {
-    return parseCalibrationJson(text, "fuzz.calibration.json");
+    return calibrationFromDocument(text, kFile);
   } catch (const Error& error) {
     fuzz::requireSayable(error);
     return nullptr;
@@ -26,7 +29,11 @@ std::shared_ptr<const Reconstruction> parsed(std::string_view text) {
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   const std::shared_ptr<const Reconstruction> calibration = parsed(fuzz::asText({data, size}));
+  const std::shared_ptr<const Reconstruction> scanned = scanCalibrationJson(fuzz::asText({data, size}), kFile);
+  fuzz::require(!scanned || calibration, "the quick reader to take nothing that the thorough one refuses");
   if (!calibration) return 0;
+  fuzz::require(!scanned || calibrationToJson(*scanned) == calibrationToJson(*calibration),
+                "the same calibration by both readers");
   // The writer refuses every number that is none.
   fuzz::require(parsed(calibrationToJson(*calibration)) != nullptr, "what was written to be read again");
   try {

@@ -31,7 +31,6 @@ inline void addDemoPatch(test::ResultBuilder& builder, const CellModel& model, c
       .gravity(Eigen::Vector3d(0.9, -0.2, 0.3).normalized());
   std::vector<CellPlacement> cells(1 + 4 * options.arm_cells);
   cells[0].cell = CellId(options.first_id);
-  cells[0].path = {cells[0].cell};
   std::vector<LinkEstimate> links;
   for (std::uint32_t arm = 0; arm < 4; ++arm) {
     const Port& out = model.port(PortNumber(arm + 1));
@@ -52,8 +51,7 @@ inline void addDemoPatch(test::ResultBuilder& builder, const CellModel& model, c
       CellPlacement& cell = cells[target];
       cell.cell = CellId(options.first_id + static_cast<std::uint32_t>(target));
       cell.T_o_u = cells[source].T_o_u * linkTransform(link.R_c_n, out, in);
-      cell.path = cells[source].path;
-      cell.path.push_back(cell.cell);
+      cell.predecessor = cells[source].cell;
       link.sigma_rad = (1.0 + step) * kDegree;
       builder.link(cells[source].cell.value(), out.number.value(), cell.cell.value(), in.number.value(), link);
       source = target;
@@ -280,7 +278,7 @@ inline Reconstruction makeTestReconstruction() {
 
   for (PatchReconstruction& patch : result.patches) {
     for (CellPlacement& cell : patch.cells) {
-      cell.path = cell.cell == patch.origin ? std::vector{cell.cell} : std::vector{patch.origin, cell.cell};
+      if (cell.cell != patch.origin) cell.predecessor = patch.origin;
       cell.cov_t_r = Matrix6d::Zero();
     }
   }

@@ -232,7 +232,7 @@ QString cellToolTip(const Reconstruction& reconstruction, CellId cell, LinksOfCe
     } else {
       lines << Words::tr("How well it is known is not stated");
     }
-    if (placement->path.size() > 1) lines << pathInWords(placement->path);
+    if (const auto path = patch->pathTo(cell); path.size() > 1) lines << pathInWords(path);
   }
   if (const auto shape = shapeUncertaintyOf(*placement)) {
     lines << Words::tr("In the shape known to ±%1, ±%2 (95 %)")

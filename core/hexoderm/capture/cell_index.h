@@ -16,16 +16,18 @@ namespace hexoderm {
 class CellIndex {
  public:
   static constexpr std::size_t kNone = std::numeric_limits<std::size_t>::max();
-  /// Larger than any supported skin (100,000 cells). Cells that a broken device invents beyond that get no number.
+  /// Larger than any supported live skin (100,000 cells). Cells that a broken device invents beyond that get no number.
   static constexpr std::size_t kMaxCells = 200'000;
 
-  /// Returns kNone for a new cell beyond kMaxCells.
+  explicit CellIndex(std::size_t most_cells = kMaxCells) : most_cells_(most_cells) {}
+
+  /// Returns kNone for a new cell beyond the most.
   std::size_t of(CellId cell) {
     if (next_ >= ids_.size()) next_ = 0;
     if (next_ < ids_.size() && ids_[next_] == cell) return next_++;
     const auto [place, is_new] = numbers_.try_emplace(cell, ids_.size());
     if (is_new) {
-      if (ids_.size() >= kMaxCells) {
+      if (ids_.size() >= most_cells_) {
         numbers_.erase(place);
         return kNone;
       }
@@ -45,6 +47,7 @@ class CellIndex {
   [[nodiscard]] CellId id(std::size_t index) const { return ids_[index]; }
 
  private:
+  std::size_t most_cells_;
   std::vector<CellId> ids_;
   std::unordered_map<CellId, std::size_t> numbers_;
   std::size_t next_ = 0;

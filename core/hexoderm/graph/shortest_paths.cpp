@@ -1,148 +1,47 @@
 #include "hexoderm/graph/shortest_paths.h"
 
-#include "hexoderm/graph/boost_graph.h"
-
-#include <boost/graph/dijkstra_shortest_paths_no_color_map.hpp>
+#include "hexoderm/graph/patch_ways.h"
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
+#include <cstdint>
 #include <numeric>
+#include <utility>
 
 namespace hexoderm {
 namespace {
 
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
-
 /// Sums of real-valued weights along different paths differ by rounding.
 bool same(double a, double b) { return std::abs(a - b) <= 1e-9 * std::max(1.0, std::abs(a)); }
 
-std::vector<double> distancesFrom(const BoostGraph& graph, std::size_t root) {
-  std::vector<double> distance(boost::num_vertices(graph), kInfinity);
-  boost::dijkstra_shortest_paths_no_color_map(
-      graph, root,
-      boost::weight_map(boost::get(&EdgeProperties::weight, graph))
-          .distance_inf(kInfinity)
-          .distance_map(boost::make_iterator_property_map(distance.begin(), boost::get(boost::vertex_index, graph))));
+template <class Distance>
+std::vector<Distance> distancesFrom(const SkinGraph& graph, std::span<const double> link_weights,
+                                    std::span<const std::size_t> cells, std::size_t root) {
+  std::vector<Distance> distance(cells.size());
+  PatchWays<Distance>(graph, link_weights, cells).findDistances(root, distance);
   return distance;
 }
 
-/// One patch of the skin: vertex k is its k-th cell.
-BoostGraph patchGraph(const SkinGraph& graph, std::span<const double> link_weights, std::size_t patch) {
-  const std::vector<std::size_t>& cells = graph.patches()[patch];
-  BoostGraph boost_graph(cells.size());
-  for (const std::size_t cell : cells) {
-    for (const std::size_t k : graph.linksAt(cell)) {
-      const GraphLink& link = graph.links()[k];
-      if (!link.muted() && link.source == cell) {
-        addLink(link, k, link_weights[k], graph.cells()[cell].place, graph.cells()[link.target].place, boost_graph);
-      }
-    }
-  }
-  return boost_graph;
+/// The cells of a patch in the order of their distances, equally far ones in the order of their IDs, as they come.
+std::vector<std::size_t> nearestFirst(std::span<const std::size_t> cells, std::span<const std::int32_t> distance) {
+  std::vector<std::size_t> next(static_cast<std::size_t>(std::ranges::max(distance)) + 2, 0);
+  for (const std::int32_t d : distance) ++next[static_cast<std::size_t>(d) + 1];
+  std::partial_sum(next.begin(), next.end(), next.begin());
+  std::vector<std::size_t> order(cells.size());
+  for (std::size_t k = 0; k < cells.size(); ++k) order[next[static_cast<std::size_t>(distance[k])]++] = cells[k];
+  return order;
 }
 
-/// Single-source distances from a few cells, and what they prove about the sums of all others.
-class OriginSearch {
- public:
-  /// `eligible`: per cell of the patch; at least one is.
-  OriginSearch(BoostGraph graph, std::vector<bool> eligible)
-      : graph_(std::move(graph)),
-        count_(boost::num_vertices(graph_)),
-        eligible_(std::move(eligible)),
-        bound_(count_, 0),
-        exact_(count_, false) {}
-
-  std::size_t run() {
-    spreadLandmarks();
-    // On a skin whose cells are all alike (a closed torus), the bounds exclude no cell: there the search ends with the
-    // best cell found, after as many runs as an operator still perceives as immediate.
-    constexpr std::size_t kMostRuns = 500;
-    while (landmarks_.size() < std::min(count_, kMostRuns)) {
-      const std::size_t next = mostPromising();
-      if (next == kNoIndex) break;
-      evaluate(next);
-      cutAt(next);
-    }
-    return best_;
-  }
-
- private:
-  /// Runs Dijkstra from vertex `k`: its exact sum, and one more landmark.
-  void evaluate(std::size_t k) {
-    std::vector<double> distance = distancesFrom(graph_, k);
-    const double sum = std::accumulate(distance.begin(), distance.end(), 0.0);
-    landmarks_.push_back(std::move(distance));
-    exact_[k] = true;
-    if (!eligible_[k]) return;
-    const bool tie = same(sum, best_sum_);
-    if (best_ == kNoIndex || (tie ? k < best_ : sum < best_sum_)) {
-      best_ = k;
-      best_sum_ = sum;
-    }
-  }
-
-  /// Each far from those before: ends of the patch, from which distances tell most.
-  void spreadLandmarks() {
-    constexpr std::size_t kLandmarks = 8;
-    std::vector<double> nearest(count_, kInfinity);
-    std::size_t next = 0;
-    for (std::size_t i = 0; i < std::min(kLandmarks, count_) && !exact_[next]; ++i) {
-      evaluate(next);
-      for (std::size_t v = 0; v < count_; ++v) nearest[v] = std::min(nearest[v], landmarks_.back()[v]);
-      next = static_cast<std::size_t>(std::ranges::max_element(nearest) - nearest.begin());
-    }
-    if (best_ != kNoIndex) cutAt(best_);
-  }
-
-  /// With sigma_u = +-1 and landmark L(u) chosen so that sigma_u (d_L(k) - d_L(u)) is largest, the triangle inequality
-  /// gives for every cell v:  sum_u d(v, u) >= sum_u sigma_u (d_L(u)(v) - d_L(u)(u)), which is linear in v's distances
-  /// to the landmarks and tight near k.
-  void cutAt(std::size_t k) {
-    std::vector<double> slope(landmarks_.size(), 0);
-    double constant = 0;
-    for (std::size_t u = 0; u < count_; ++u) {
-      std::size_t chosen = 0;
-      double largest = -1;
-      for (std::size_t l = 0; l < landmarks_.size(); ++l) {
-        const double difference = std::abs(landmarks_[l][k] - landmarks_[l][u]);
-        if (difference > largest) {
-          largest = difference;
-          chosen = l;
-        }
-      }
-      const double sign = landmarks_[chosen][k] >= landmarks_[chosen][u] ? 1 : -1;
-      slope[chosen] += sign;
-      constant -= sign * landmarks_[chosen][u];
-    }
-    std::vector<double> cut(count_, constant);
-    for (std::size_t l = 0; l < landmarks_.size(); ++l) {
-      if (slope[l] == 0) continue;
-      for (std::size_t v = 0; v < count_; ++v) cut[v] += slope[l] * landmarks_[l][v];
-    }
-    for (std::size_t v = 0; v < count_; ++v) bound_[v] = std::max(bound_[v], cut[v]);
-  }
-
-  /// The cell with the smallest bound that may still beat the best one; kNoIndex proves the best one optimal.
-  [[nodiscard]] std::size_t mostPromising() const {
-    std::size_t found = kNoIndex;
-    for (std::size_t v = 0; v < count_; ++v) {
-      if (exact_[v] || !eligible_[v]) continue;
-      const bool may_win = same(bound_[v], best_sum_) ? v < best_ : bound_[v] < best_sum_;
-      if (may_win && (found == kNoIndex || bound_[v] < bound_[found])) found = v;
-    }
-    return found;
-  }
-
-  BoostGraph graph_;
-  std::size_t count_;
-  std::vector<bool> eligible_;
-  std::vector<std::vector<double>> landmarks_;
-  std::vector<double> bound_;
-  std::vector<bool> exact_;
-  std::size_t best_ = kNoIndex;
-  double best_sum_ = kInfinity;
-};
+std::vector<std::size_t> nearestFirst(std::span<const std::size_t> cells, std::span<const double> distance) {
+  std::vector<std::pair<double, std::size_t>> sorted;
+  sorted.reserve(cells.size());
+  for (std::size_t k = 0; k < cells.size(); ++k) sorted.emplace_back(distance[k], cells[k]);
+  std::ranges::sort(sorted);
+  std::vector<std::size_t> order;
+  order.reserve(cells.size());
+  for (const auto& [far, cell] : sorted) order.push_back(cell);
+  return order;
+}
 
 }  // namespace
 
@@ -151,15 +50,21 @@ ShortestPaths findShortestPaths(const SkinGraph& graph, std::span<const double> 
   const std::size_t patch = graph.cells()[root].patch.value();
   ShortestPaths paths;
   paths.root = root;
-  paths.distance = distancesFrom(patchGraph(graph, link_weights, patch), place(root));
-  paths.order = graph.patches()[patch];
-  const std::size_t count = paths.order.size();
+  const std::vector<std::size_t>& cells = graph.patches()[patch];
+  if (hasWholeWeights(graph, link_weights, patch)) {
+    const std::vector<std::int32_t> distance = distancesFrom<std::int32_t>(graph, link_weights, cells, place(root));
+    paths.distance.assign(distance.begin(), distance.end());
+    paths.order = nearestFirst(cells, distance);
+  } else {
+    paths.distance = distancesFrom<double>(graph, link_weights, cells, place(root));
+    paths.order = nearestFirst(cells, paths.distance);
+  }
+  const std::size_t count = cells.size();
   paths.predecessor.assign(count, kNoIndex);
   paths.link.assign(count, kNoIndex);
-  std::ranges::sort(paths.order, {}, [&](std::size_t cell) { return std::pair(paths.distance[place(cell)], cell); });
 
-  // Dijkstra gives the distances. Among equally short paths the choice follows the documented rule, not the heap's
-  // order: fewer links first, then the smallest predecessor (cells are in order of their IDs).
+  // Among equally short paths the choice follows the documented rule, not the queue's order: fewer links first, then
+  // the smallest predecessor (cells are in order of their IDs).
   std::vector<std::size_t> hops(count, 0);
   for (const std::size_t cell : paths.order) {
     if (cell == root) continue;
@@ -182,15 +87,6 @@ ShortestPaths findShortestPaths(const SkinGraph& graph, std::span<const double> 
     }
   }
   return paths;
-}
-
-std::size_t findOrigin(const SkinGraph& graph, std::span<const double> link_weights, std::size_t patch,
-                       const std::vector<bool>& eligible) {
-  const std::vector<std::size_t>& cells = graph.patches()[patch];
-  if (cells.size() == 1) return cells.front();
-  const bool any = std::ranges::find(eligible, true) != eligible.end();
-  return cells[OriginSearch(patchGraph(graph, link_weights, patch), any ? eligible : std::vector(cells.size(), true))
-                   .run()];
 }
 
 }  // namespace hexoderm

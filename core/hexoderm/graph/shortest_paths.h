@@ -20,12 +20,13 @@ struct ShortestPaths {
   std::vector<std::size_t> order;        ///< cells of the patch so that predecessors come first
 };
 
-/// `link_weights`: one positive weight per link of the graph (Dijkstra, by the Boost Graph Library).
+/// `link_weights`: one positive weight per link of the graph (Dijkstra's algorithm).
 ShortestPaths findShortestPaths(const SkinGraph& graph, std::span<const double> link_weights, std::size_t root);
 
 /// The cell of a patch whose shortest paths to all other cells of the patch have the smallest sum (ties: smallest ID).
-/// Exact, but without all pairs: single-source distances of a few landmarks bound every other cell's sum from below by
-/// the triangle inequality, and only cells whose bound does not exceed the best sum are tried.
+/// Exact where weights are small whole numbers, as the paper's are, but without all pairs: single-source distances of a
+/// few landmarks bound every other cell's sum from below by the triangle inequality, and only cells whose bound does
+/// not exceed the best sum are tried. With other weights a large patch gets a cell that is nearly the best.
 ///
 /// `eligible`: per cell of the patch, whether it can be the origin; empty: all can. If no cell of the patch is, all
 /// are.

@@ -1,21 +1,27 @@
 #include "hexoderm/graph/skin_graph.h"
 
-#include "hexoderm/graph/boost_graph.h"
-
-#include <boost/graph/connected_components.hpp>
-
 #include <algorithm>
-#include <map>
-#include <set>
+#include <limits>
+#include <numeric>
+#include <span>
+#include <string>
+#include <tuple>
+#include <utility>
 
 namespace hexoderm {
 namespace {
+
+constexpr std::uint32_t kNoCell = std::numeric_limits<std::uint32_t>::max();
 
 /// A cell's claim about one of its ports.
 struct Claim {
   LinkEnd from;
   CellId to;
   std::optional<PortNumber> to_port;
+  std::size_t from_cell = 0;  ///< indices of the graph's cells
+  std::size_t to_cell = 0;
+  bool disputed = false;                   ///< another claim about the port says otherwise; none of them counts
+  std::optional<std::size_t> joined_with;  ///< the claim of the other side that it made a link with
 };
 
 Message endInWords(LinkEnd end) { return message("cell {} port {}", end.cell, end.port); }
@@ -26,73 +32,112 @@ class ReportSorter {
   ReportSorter(const CellModel& model, std::vector<Finding>& findings) : model_(model), findings_(findings) {}
 
   std::vector<GraphCell> sortCells(const NeighborList& neighbors) {
-    std::vector<GraphCell> cells;
-    for (const CellReport& report : neighbors) {
+    std::vector<std::pair<CellId, std::size_t>> entries;
+    entries.reserve(neighbors.size());
+    for (std::size_t k = 0; k < neighbors.size(); ++k) entries.emplace_back(neighbors[k].id, k);
+    if (!std::ranges::is_sorted(entries)) std::ranges::sort(entries);
+    std::vector<bool> is_repeated(neighbors.size(), false);
+    for (std::size_t k = 1; k < entries.size(); ++k) {
+      is_repeated[entries[k].second] = entries[k].first == entries[k - 1].first;
+    }
+    reports_.reserve(neighbors.size());
+    for (std::size_t k = 0; k < neighbors.size(); ++k) {
+      const CellReport& report = neighbors[k];
       if (report.id.value() == 0) {
         add(FindingCode::ReservedCellId,
             message("A cell carries the ID 0, which means \"no neighbour\"; it is left out."), {report.id});
-      } else if (report.id >= model_.interface_id) {
-        continue;  // an interface: part of the network, not of the skin
-      } else if (!known_.insert(report.id).second) {
+      } else if (isInterface(report.id)) {
+        continue;  // part of the network, not of the skin
+      } else if (is_repeated[k]) {
         add(FindingCode::DuplicateCell,
             message("Cell {} is listed more than once; only the first entry counts.", report.id), {report.id});
       } else {
-        cells.push_back({report.id, report.body_part, PatchId(), 0});
         reports_.push_back(&report);
       }
     }
-    std::ranges::sort(cells, {}, &GraphCell::id);
+    std::vector<GraphCell> cells;
+    cells.reserve(reports_.size());
+    for (const auto& [id, k] : entries) {
+      if (id.value() == 0 || isInterface(id) || is_repeated[k]) continue;
+      cells.push_back({id, neighbors[k].body_part, PatchId(), 0});
+    }
     return cells;
   }
 
-  /// The links that both sides agree on, and muted ones for those that are known but bad.
-  struct EndedLink {
-    LinkEnd a;
-    LinkEnd b;
-    std::optional<FindingCode> muted_by;
-  };
-  std::vector<EndedLink> sortLinks() {
-    collectClaims();
-    for (const auto& [from, claim] : claims_) settle(claim);
-    muteDoubleLinks();
-    std::vector<EndedLink> links;
-    for (const auto& [ends, muted_by] : links_) links.push_back({ends.first, ends.second, muted_by});
-    return links;
+  /// The links that both sides agree on, and muted ones for those that are known but bad, in the order of their ends.
+  /// `graph` has its cells.
+  std::vector<GraphLink> sortLinks(const SkinGraph& graph) {
+    collectClaims(graph);
+    for (const auto& [first, last] : claims_of_) {
+      for (std::size_t k = first; k < last; ++k) {
+        if (!claims_[k].disputed) settle(k);
+      }
+    }
+    const auto ends = [](const GraphLink& link) {
+      return std::tuple(link.source, link.source_port, link.target, link.target_port);
+    };
+    if (!std::ranges::is_sorted(links_, {}, ends)) std::ranges::sort(links_, {}, ends);
+    muteDoubleLinks(graph);
+    return std::move(links_);
   }
 
  private:
+  [[nodiscard]] bool isInterface(CellId id) const { return id >= model_.interface_id; }
+
   void add(FindingCode code, Message words, std::vector<CellId> cells, std::vector<PortNumber> ports = {}) {
     findings_.push_back(makeFinding(code, std::move(words), std::move(cells), std::move(ports)));
   }
 
-  void collectClaims() {
-    std::set<LinkEnd> disputed;
+  /// A report's claims stand together, in the order of their ports.
+  void collectClaims(const SkinGraph& graph) {
+    claims_of_.assign(graph.cells().size(), {0, 0});
+    std::size_t count = 0;
+    for (const CellReport* report : reports_) count += report->neighbors.size();
+    claims_.reserve(count);
+    links_.reserve(count / 2);
     for (const CellReport* report : reports_) {
+      const std::size_t first = claims_.size();
+      const std::size_t cell = graph.indexOf(report->id).value();
       for (const NeighborReport& neighbor : report->neighbors) {
         if (neighbor.cell.value() == 0) continue;
-        const Claim claim{{report->id, neighbor.port}, neighbor.cell, neighbor.cell_port};
-        if (!acceptable(claim)) continue;
-        const auto [known, is_new] = claims_.try_emplace(claim.from, claim);
-        if (is_new) continue;
-        const Claim& first = known->second;
-        if (first.to == claim.to && (first.to_port == claim.to_port || !claim.to_port)) {
-          add(FindingCode::DuplicateLink,
-              message("The neighbour at {} is reported more than once; it counts once.", endInWords(claim.from)),
-              {claim.from.cell, claim.to}, {claim.from.port});
+        Claim claim{{report->id, neighbor.port}, neighbor.cell, neighbor.cell_port, cell, 0, false, std::nullopt};
+        if (!accept(graph, claim)) continue;
+        if (Claim* known = find(first, claims_.size(), claim.from.port)) {
+          compare(*known, claim);
         } else {
-          add(FindingCode::ContradictoryLink,
-              message("Cell {} reports two different neighbours at port {}: cells {} and {}. Neither link is used.",
-                      claim.from.cell, claim.from.port, first.to, claim.to),
-              {claim.from.cell, first.to, claim.to}, {claim.from.port});
-          disputed.insert(claim.from);
+          claims_.push_back(claim);
         }
       }
+      std::ranges::sort(claims_.begin() + static_cast<std::ptrdiff_t>(first), claims_.end(), {}, &Claim::from);
+      claims_of_[cell] = {first, claims_.size()};
     }
-    for (const LinkEnd& end : disputed) claims_.erase(end);
-    disputed_ = std::move(disputed);
   }
 
-  bool acceptable(const Claim& claim) {
+  /// A further claim about a port that there is one about.
+  void compare(Claim& first, const Claim& claim) {
+    if (first.to == claim.to && (first.to_port == claim.to_port || !claim.to_port)) {
+      add(FindingCode::DuplicateLink,
+          message("The neighbour at {} is reported more than once; it counts once.", endInWords(claim.from)),
+          {claim.from.cell, claim.to}, {claim.from.port});
+      return;
+    }
+    add(FindingCode::ContradictoryLink,
+        message("Cell {} reports two different neighbours at port {}: cells {} and {}. Neither link is used.",
+                claim.from.cell, claim.from.port, first.to, claim.to),
+        {claim.from.cell, first.to, claim.to}, {claim.from.port});
+    first.disputed = true;
+  }
+
+  /// Null if there is none; the first and the one after the last claim to look at are given.
+  Claim* find(std::size_t first, std::size_t last, PortNumber port) {
+    for (std::size_t k = first; k < last; ++k) {
+      if (claims_[k].from.port == port) return &claims_[k];
+    }
+    return nullptr;
+  }
+
+  /// Fills in the cell that is claimed; false, with a finding, for a claim that can't be used.
+  bool accept(const SkinGraph& graph, Claim& claim) {
     if (model_.findPort(claim.from.port) == nullptr) {
       add(FindingCode::UnknownPort,
           message("Cell {} reports a neighbour at port {}, but cell model {} has no such port. The link is not used.",
@@ -100,7 +145,7 @@ class ReportSorter {
           {claim.from.cell}, {claim.from.port});
       return false;
     }
-    if (claim.to >= model_.interface_id) {
+    if (isInterface(claim.to)) {
       add(FindingCode::InterfaceLink,
           message("A computer interface (ID {}) is connected at {}.", claim.to, endInWords(claim.from)),
           {claim.from.cell}, {claim.from.port});
@@ -113,7 +158,8 @@ class ReportSorter {
           {claim.from.cell}, {claim.from.port});
       return false;
     }
-    if (!known_.contains(claim.to)) {
+    const std::optional<std::size_t> to_cell = graph.indexOf(claim.to);
+    if (!to_cell) {
       add(FindingCode::UnknownCell,
           message("Cell {} reports cell {} at port {}, but no such cell was found. The link is not used.",
                   claim.from.cell, claim.to, claim.from.port),
@@ -127,30 +173,38 @@ class ReportSorter {
           {claim.to}, {*claim.to_port});
       return false;
     }
+    claim.to_cell = *to_cell;
     return true;
   }
 
-  /// Claims of `cell` that may be the other side of a claim made by `from`.
-  [[nodiscard]] std::vector<LinkEnd> answers(CellId cell, LinkEnd from) const {
-    std::vector<LinkEnd> ends;
-    for (auto it = claims_.lower_bound({cell, PortNumber(0)}); it != claims_.end() && it->first.cell == cell; ++it) {
-      const Claim& claim = it->second;
-      if (claim.to == from.cell && claim.to_port.value_or(from.port) == from.port) ends.push_back(it->first);
+  /// Claims of a cell that may be the other side of a claim made by `from`: how many, and the first.
+  struct Answers {
+    std::size_t count = 0;
+    std::size_t first = 0;
+  };
+  [[nodiscard]] Answers answers(std::size_t cell, LinkEnd from) const {
+    Answers found;
+    const auto [first, last] = claims_of_[cell];
+    for (std::size_t k = first; k < last; ++k) {
+      const Claim& claim = claims_[k];
+      if (claim.disputed || claim.to != from.cell || claim.to_port.value_or(from.port) != from.port) continue;
+      if (found.count++ == 0) found.first = k;
     }
-    return ends;
+    return found;
   }
 
-  void settle(const Claim& claim) {
+  void settle(std::size_t index) {
+    const Claim& claim = claims_[index];
     if (!claim.to_port) {
-      const std::vector<LinkEnd> ends = answers(claim.to, claim.from);
-      if (ends.size() == 1) {
+      const Answers back = answers(claim.to_cell, claim.from);
+      if (back.count == 1) {
         // The other side may fit several of our ports as well; then the link is ambiguous.
-        if (answers(claim.from.cell, ends.front()).size() == 1) {
-          keep(claim.from, ends.front());
+        if (answers(claim.from_cell, claims_[back.first].from).count == 1) {
+          join(index, back.first);
         } else {
           ambiguous(claim);
         }
-      } else if (ends.empty()) {
+      } else if (back.count == 0) {
         add(FindingCode::OneSidedLink,
             message("Cell {} reports cell {} at port {}, but cell {} does not report it back. The link is not used.",
                     claim.from.cell, claim.to, claim.from.port, claim.to),
@@ -161,10 +215,11 @@ class ReportSorter {
       return;
     }
     const LinkEnd to{claim.to, *claim.to_port};
-    const auto answer = claims_.find(to);
-    if (answer == claims_.end()) {
-      mute(claim.from, to, disputed_.contains(to) ? FindingCode::ContradictoryLink : FindingCode::OneSidedLink);
-      if (!disputed_.contains(to)) {
+    const auto [first, last] = claims_of_[claim.to_cell];
+    const Claim* back = find(first, last, to.port);
+    if (back == nullptr || back->disputed) {
+      addLink(claim, to.port, back == nullptr ? FindingCode::OneSidedLink : FindingCode::ContradictoryLink);
+      if (back == nullptr) {
         add(FindingCode::OneSidedLink,
             message("Only cell {} reports the {}; cell {} does not report it back. The link is not used.",
                     claim.from.cell, linkInWords(claim.from, to), to.cell),
@@ -172,17 +227,16 @@ class ReportSorter {
       }
       return;
     }
-    const Claim& back = answer->second;
-    if (back.to == claim.from.cell && back.to_port.value_or(claim.from.port) == claim.from.port) {
-      keep(claim.from, to);
+    if (back->to == claim.from.cell && back->to_port.value_or(claim.from.port) == claim.from.port) {
+      join(index, static_cast<std::size_t>(back - claims_.data()));
       return;
     }
-    mute(claim.from, to, FindingCode::ContradictoryLink);
+    addLink(claim, to.port, FindingCode::ContradictoryLink);
     add(FindingCode::ContradictoryLink,
         message("Cell {} reports {} at its port {}, but that port reports {}. Neither link is used.", claim.from.cell,
                 endInWords(to), claim.from.port,
-                back.to_port ? endInWords({back.to, *back.to_port}) : message("cell {}", back.to)),
-        {claim.from.cell, to.cell, back.to}, {claim.from.port, to.port});
+                back->to_port ? endInWords({back->to, *back->to_port}) : message("cell {}", back->to)),
+        {claim.from.cell, to.cell, back->to}, {claim.from.port, to.port});
   }
 
   void ambiguous(const Claim& claim) {
@@ -193,44 +247,67 @@ class ReportSorter {
         {claim.from.cell, claim.to}, {claim.from.port});
   }
 
-  static std::pair<LinkEnd, LinkEnd> ordered(LinkEnd a, LinkEnd b) { return a < b ? std::pair(a, b) : std::pair(b, a); }
-
-  void keep(LinkEnd a, LinkEnd b) {
-    const auto [entry, is_new] = links_.try_emplace(ordered(a, b), std::nullopt);
-    if (is_new && model_.isForbidden(a.port, b.port)) {
-      entry->second = FindingCode::ForbiddenPortPair;
+  /// A claim and what answers it. Both sides come here; the link is made once.
+  void join(std::size_t index, std::size_t back) {
+    if (claims_[back].joined_with == index) return;
+    claims_[index].joined_with = back;
+    addLink(claims_[index], claims_[back].from.port, std::nullopt);
+    if (GraphLink& link = links_.back(); model_.isForbidden(link.source_port, link.target_port)) {
+      link.muted_by = FindingCode::ForbiddenPortPair;
+      const auto& [a, b] = std::minmax(claims_[index].from, claims_[back].from);
       add(FindingCode::ForbiddenPortPair,
-          message("The {} joins ports that cell model {} forbids to join. It is not used.",
-                  linkInWords(entry->first.first, entry->first.second), model_.name),
-          {entry->first.first.cell, entry->first.second.cell}, {entry->first.first.port, entry->first.second.port});
+          message("The {} joins ports that cell model {} forbids to join. It is not used.", linkInWords(a, b),
+                  model_.name),
+          {a.cell, b.cell}, {a.port, b.port});
     }
   }
 
-  void mute(LinkEnd a, LinkEnd b, FindingCode why) { links_.insert_or_assign(ordered(a, b), why); }
+  /// Cells are in the order of their IDs.
+  void addLink(const Claim& claim, PortNumber to_port, std::optional<FindingCode> muted_by) {
+    if (claim.from_cell < claim.to_cell) {
+      links_.push_back({claim.from_cell, claim.to_cell, claim.from.port, to_port, muted_by});
+    } else {
+      links_.push_back({claim.to_cell, claim.from_cell, to_port, claim.from.port, muted_by});
+    }
+  }
 
   /// Two rigid hexagons share one side at most.
-  void muteDoubleLinks() {
-    std::map<std::pair<CellId, CellId>, std::vector<std::pair<LinkEnd, LinkEnd>>> between;
-    for (const auto& [ends, muted_by] : links_) {
-      if (!muted_by) between[{ends.first.cell, ends.second.cell}].push_back(ends);
+  void muteDoubleLinks(const SkinGraph& graph) {
+    std::vector<std::size_t> used;  // of one source, those to the same target together
+    for (std::size_t first = 0; first < links_.size();) {
+      used.clear();
+      std::size_t last = first;
+      for (; last < links_.size() && links_[last].source == links_[first].source; ++last) {
+        if (!links_[last].muted()) used.push_back(last);
+      }
+      std::ranges::sort(used, {}, [&](std::size_t k) { return std::pair(links_[k].target, k); });
+      for (auto from = used.begin(); from != used.end();) {
+        const auto to =
+            std::find_if(from, used.end(), [&](std::size_t k) { return links_[k].target != links_[*from].target; });
+        if (to - from > 1) muteTogether(graph, {from, to});
+        from = to;
+      }
+      first = last;
     }
-    for (const auto& [cells, doubled] : between) {
-      if (doubled.size() < 2) continue;
-      for (const auto& ends : doubled) links_[ends] = FindingCode::DuplicateLink;
-      add(FindingCode::DuplicateLink,
-          message("Cells {} and {} are joined {} times, which two hexagons can't be. None of these links is used.",
-                  cells.first, cells.second, doubled.size()),
-          {cells.first, cells.second}, {doubled.front().first.port, doubled.front().second.port});
-    }
+  }
+
+  void muteTogether(const SkinGraph& graph, std::span<const std::size_t> doubled) {
+    for (const std::size_t k : doubled) links_[k].muted_by = FindingCode::DuplicateLink;
+    const GraphLink& link = links_[doubled.front()];
+    const CellId source = graph.cells()[link.source].id;
+    const CellId target = graph.cells()[link.target].id;
+    add(FindingCode::DuplicateLink,
+        message("Cells {} and {} are joined {} times, which two hexagons can't be. None of these links is used.",
+                source, target, doubled.size()),
+        {source, target}, {link.source_port, link.target_port});
   }
 
   const CellModel& model_;
   std::vector<Finding>& findings_;
-  std::set<CellId> known_;
   std::vector<const CellReport*> reports_;
-  std::map<LinkEnd, Claim> claims_;
-  std::set<LinkEnd> disputed_;
-  std::map<std::pair<LinkEnd, LinkEnd>, std::optional<FindingCode>> links_;
+  std::vector<Claim> claims_;
+  std::vector<std::pair<std::size_t, std::size_t>> claims_of_;  ///< per cell, the first and the one after the last
+  std::vector<GraphLink> links_;
 };
 
 }  // namespace
@@ -238,33 +315,57 @@ class ReportSorter {
 SkinGraph::SkinGraph(const CellModel& model, const NeighborList& neighbors) {
   ReportSorter sorter(model, findings_);
   cells_ = sorter.sortCells(neighbors);
-  index_of_.reserve(cells_.size());
-  for (std::size_t k = 0; k < cells_.size(); ++k) index_of_.emplace(cells_[k].id, k);
-
-  for (const auto& [a, b, muted_by] : sorter.sortLinks()) {
-    GraphLink link{index_of_.at(a.cell), index_of_.at(b.cell), a.port, b.port, muted_by};
+  indexCells();
+  links_ = sorter.sortLinks(*this);
+  for (GraphLink& link : links_) {
     const std::string& part_a = cells_[link.source].body_part;
     const std::string& part_b = cells_[link.target].body_part;
     if (!link.muted() && part_a != part_b && !part_a.empty() && !part_b.empty()) {
       link.muted_by = FindingCode::BodyPartBoundary;
+      const LinkEnd a = sourceEnd(link);
+      const LinkEnd b = targetEnd(link);
       findings_.push_back(
           makeFinding(FindingCode::BodyPartBoundary,
                       message("The {} joins {} and {}; the patch ends there.", linkInWords(a, b), part_a, part_b),
                       {a.cell, b.cell}, {a.port, b.port}));
     }
-    links_.push_back(link);
   }
-  links_at_.resize(cells_.size());
-  for (std::size_t k = 0; k < links_.size(); ++k) {
-    links_at_[links_[k].source].push_back(k);
-    links_at_[links_[k].target].push_back(k);
-  }
+  indexLinks();
   findPatches();
 }
 
+/// A table by ID, where that is not much longer than the list of cells.
+void SkinGraph::indexCells() {
+  constexpr std::size_t kMostPerCell = 8;
+  constexpr std::size_t kAlways = 4096;
+  if (cells_.empty() || cells_.back().id.value() >= kMostPerCell * cells_.size() + kAlways) return;
+  index_of_.assign(std::size_t{cells_.back().id.value()} + 1, kNoCell);
+  for (std::size_t k = 0; k < cells_.size(); ++k) index_of_[cells_[k].id.value()] = static_cast<std::uint32_t>(k);
+}
+
+void SkinGraph::indexLinks() {
+  first_link_at_.assign(cells_.size() + 1, 0);
+  for (const GraphLink& link : links_) {
+    ++first_link_at_[link.source + 1];
+    ++first_link_at_[link.target + 1];
+  }
+  std::partial_sum(first_link_at_.begin(), first_link_at_.end(), first_link_at_.begin());
+  links_at_.resize(2 * links_.size());
+  std::vector<std::size_t> next(first_link_at_.begin(), first_link_at_.end() - 1);
+  for (std::size_t k = 0; k < links_.size(); ++k) {
+    links_at_[next[links_[k].source]++] = k;
+    links_at_[next[links_[k].target]++] = k;
+  }
+}
+
 std::optional<std::size_t> SkinGraph::indexOf(CellId id) const {
-  const auto found = index_of_.find(id);
-  return found == index_of_.end() ? std::nullopt : std::optional(found->second);
+  if (!index_of_.empty()) {
+    const bool is_known = id.value() < index_of_.size() && index_of_[id.value()] != kNoCell;
+    return is_known ? std::optional<std::size_t>(index_of_[id.value()]) : std::nullopt;
+  }
+  const auto found = std::ranges::lower_bound(cells_, id, {}, &GraphCell::id);
+  if (found == cells_.end() || found->id != id) return std::nullopt;
+  return static_cast<std::size_t>(found - cells_.begin());
 }
 
 std::optional<std::size_t> SkinGraph::indexOf(LinkEnd a, LinkEnd b) const {
@@ -272,7 +373,7 @@ std::optional<std::size_t> SkinGraph::indexOf(LinkEnd a, LinkEnd b) const {
   const LinkEnd& larger = std::max(a, b);
   const auto cell = indexOf(smaller.cell);
   if (!cell) return std::nullopt;
-  for (const std::size_t link : links_at_[*cell]) {
+  for (const std::size_t link : linksAt(*cell)) {
     if (sourceEnd(links_[link]) == smaller && targetEnd(links_[link]) == larger) return link;
   }
   return std::nullopt;
@@ -284,16 +385,36 @@ void SkinGraph::mute(std::span<const std::size_t> links, FindingCode why) {
 }
 
 void SkinGraph::findPatches() {
-  // Every link is there in both directions, so strong and plain components are the same; BGL's plain ones take an
-  // undirected or symmetric graph. Components are numbered by their first vertex, that is by their smallest ID.
-  const BoostGraph graph = makeBoostGraph(cells_, links_);
-  std::vector<std::size_t> component(cells_.size());
-  const std::size_t count = boost::connected_components(graph, component.data());
-  patches_.assign(count, {});
+  // From each cell that no patch has yet, so that patches are numbered by their smallest ID.
+  std::vector<std::uint32_t> patch_of(cells_.size(), kNoCell);
+  std::vector<std::size_t> sizes;
+  std::vector<std::size_t> open;
   for (std::size_t k = 0; k < cells_.size(); ++k) {
-    cells_[k].patch = PatchId(static_cast<std::uint32_t>(component[k]));
-    cells_[k].place = patches_[component[k]].size();
-    patches_[component[k]].push_back(k);
+    if (patch_of[k] != kNoCell) continue;
+    const auto patch = static_cast<std::uint32_t>(sizes.size());
+    sizes.push_back(0);
+    patch_of[k] = patch;
+    open.push_back(k);
+    while (!open.empty()) {
+      const std::size_t cell = open.back();
+      open.pop_back();
+      ++sizes.back();
+      for (const std::size_t index : linksAt(cell)) {
+        const GraphLink& link = links_[index];
+        const std::size_t other = link.other(cell);
+        if (link.muted() || patch_of[other] != kNoCell) continue;
+        patch_of[other] = patch;
+        open.push_back(other);
+      }
+    }
+  }
+  patches_.assign(sizes.size(), {});
+  for (std::size_t patch = 0; patch < sizes.size(); ++patch) patches_[patch].reserve(sizes[patch]);
+  for (std::size_t k = 0; k < cells_.size(); ++k) {
+    std::vector<std::size_t>& patch = patches_[patch_of[k]];
+    cells_[k].patch = PatchId(patch_of[k]);
+    cells_[k].place = patch.size();
+    patch.push_back(k);
   }
 }
 

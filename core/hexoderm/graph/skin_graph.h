@@ -4,9 +4,9 @@
 #include "hexoderm/graph/neighbor_list.h"
 #include "hexoderm/util/finding.h"
 
+#include <cstdint>
 #include <optional>
 #include <span>
-#include <unordered_map>
 #include <vector>
 
 namespace hexoderm {
@@ -47,7 +47,9 @@ class SkinGraph {
   /// Index of the link between two ports, in either order.
   [[nodiscard]] std::optional<std::size_t> indexOf(LinkEnd a, LinkEnd b) const;
   /// Indices of the links at a cell, muted ones included.
-  [[nodiscard]] std::span<const std::size_t> linksAt(std::size_t cell) const { return links_at_[cell]; }
+  [[nodiscard]] std::span<const std::size_t> linksAt(std::size_t cell) const {
+    return std::span(links_at_).subspan(first_link_at_[cell], first_link_at_[cell + 1] - first_link_at_[cell]);
+  }
   [[nodiscard]] LinkEnd sourceEnd(const GraphLink& link) const { return {cells_[link.source].id, link.source_port}; }
   [[nodiscard]] LinkEnd targetEnd(const GraphLink& link) const { return {cells_[link.target].id, link.target_port}; }
 
@@ -59,14 +61,17 @@ class SkinGraph {
   void mute(std::span<const std::size_t> links, FindingCode why);
 
  private:
+  void indexCells();
+  void indexLinks();
   void findPatches();
 
   std::vector<GraphCell> cells_;
   std::vector<GraphLink> links_;
   std::vector<Finding> findings_;
-  std::vector<std::vector<std::size_t>> links_at_;
+  std::vector<std::size_t> links_at_;       ///< of all cells, one after the other
+  std::vector<std::size_t> first_link_at_;  ///< per cell, and the end
   std::vector<std::vector<std::size_t>> patches_;
-  std::unordered_map<CellId, std::size_t> index_of_;
+  std::vector<std::uint32_t> index_of_;  ///< cell by ID; empty where IDs are far apart
 };
 
 /// "link 5 port 2 - 9 port 3", the one way a link is named in texts.

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "hexoderm/reconstruction/result/reconstruction.h"
+#include "hexoderm/util/file.h"
 
 #include <cstdint>
 #include <filesystem>
@@ -12,15 +13,17 @@ namespace hexoderm {
 
 /// What stands under `format` and `version`; README.md in this folder says when the version grows.
 inline constexpr std::string_view kCalibrationFormat = "hexoderm-calibration";
-inline constexpr std::uint32_t kCalibrationVersion = 1;
+inline constexpr std::uint32_t kCalibrationVersion = 2;
 
 /// `*.calibration.json` (its keys are in README.md in this folder): complete enough to export, evaluate and draw from
 /// it alone. Throws as for sessions: StorageError, or FormatError naming file, key path and expectation.
 std::shared_ptr<const Reconstruction> readCalibrationJson(const std::filesystem::path& path);
 std::shared_ptr<const Reconstruction> parseCalibrationJson(std::string_view text, const std::string& file);
 
+/// The text, in pieces; as a whole; and as a file, atomically, which throws StorageError. Numbers that are not finite
+/// are InvalidArgument.
+void writeCalibrationJson(const Reconstruction& reconstruction, const WriteBytes& write);
 std::string calibrationToJson(const Reconstruction& reconstruction);
-/// Atomic. Throws StorageError.
 void writeCalibrationJson(const Reconstruction& reconstruction, const std::filesystem::path& path);
 
 }  // namespace hexoderm

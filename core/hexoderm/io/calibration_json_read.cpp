@@ -1,7 +1,8 @@
-#include "hexoderm/io/calibration_json.h"
+#include "hexoderm/io/calibration_json_read.h"
 
 #include "hexoderm/geometry/covariance.h"
 #include "hexoderm/graph/cell_model_json.h"
+#include "hexoderm/io/calibration_json.h"
 #include "hexoderm/session/session_parts_json.h"
 #include "hexoderm/util/error.h"
 #include "hexoderm/util/file.h"
@@ -92,14 +93,6 @@ void readSolver(const JsonReader& json, Reconstruction& result) {
   }
 }
 
-std::optional<GapShareEstimate> readGapShare(const JsonReader& json) {
-  const auto share = json.find("gap_s");
-  if (!share) return std::nullopt;
-  GapShareEstimate estimate{share->number(), 0};
-  if (const auto sigma = json.find("gap_s_sigma")) estimate.sigma = sigma->nonNegativeNumber();
-  return estimate;
-}
-
 SourceDescription readSource(const JsonReader& json) {
   SourceDescription source;
   if (const auto file = json.find("file")) source.file = file->string();
@@ -134,15 +127,6 @@ std::vector<PoseSummary> posesOfGravity(const std::vector<PatchReconstruction>& 
   return poses;
 }
 
-GravityDirection readGravity(const JsonReader& json) {
-  GravityDirection gravity;
-  gravity.pose = PoseId(json.at("pose").unsignedInteger());
-  gravity.g_o = json.at("g_o").vector3();
-  if (std::abs(gravity.g_o.norm() - 1) > 1e-6) json.at("g_o").fail(message("a unit vector (to 1e-6)"));
-  gravity.sigma_rad = nonNegativeAngle(json.at("sigma_deg"));
-  return gravity;
-}
-
 Matrix6d readCovariance(const JsonReader& json) {
   const std::vector<double> values = json.numbers(21);
   Matrix6d cov_t_r;
@@ -161,6 +145,18 @@ SensorPlacement readSensor(const JsonReader& json) {
   if (const auto type = json.find("type")) sensor.type = type->string();
   sensor.T_o_s = {json.at("q_o_wxyz").unitQuaternion().toRotationMatrix(), json.at("t_o_m").vector3(kMostLength_m)};
   return sensor;
+}
+
+/// Version 1 has the whole path from the origin to the cell instead.
+std::optional<CellId> readPredecessor(const JsonReader& json) {
+  if (const auto predecessor = json.find("predecessor")) return CellId(predecessor->unsignedInteger());
+  const auto path = json.find("path");
+  if (!path) return std::nullopt;
+  const std::vector<CellId> cells = readIds<CellId>(*path);
+  if (!cells.empty() && cells.back() != CellId(json.at("id").unsignedInteger())) {
+    path->fail(message("cells of this patch, from its origin to this cell"));
+  }
+  return cells.size() > 1 ? std::optional(cells[cells.size() - 2]) : std::nullopt;
 }
 
 CellPlacement readCell(const JsonReader& json) {
@@ -182,7 +178,7 @@ CellPlacement readCell(const JsonReader& json) {
   if (const auto sigma = json.find("sigma_r_rad")) static_cast<void>(nonNegativeVector(*sigma));
   if (const auto offset = json.find("accel_offset_g")) cell.accel_offset_g = offset->vector3(kMostAcceleration_g);
   if (const auto scale = json.find("accel_scale")) cell.accel_scale = scale->vector3(kMostAcceleration_g);
-  cell.path = readIds<CellId>(json.at("path"));
+  cell.predecessor = readPredecessor(json);
   for (const JsonReader& sensor : json.at("sensors").items()) cell.sensors.push_back(readSensor(sensor));
   return cell;
 }
@@ -317,13 +313,10 @@ class PatchReader {
       if (!patch_of_.contains(patch.links[k].target.cell))
         links[k].at("target").fail(message("a cell of this calibration"));
     }
-    const std::vector<JsonReader> cells = json.at("cells").items();
-    for (std::size_t k = 0; k < cells.size(); ++k) {
-      const std::vector<CellId>& path = patch.cells[k].path;
-      const bool holds = std::ranges::all_of(path, [&](CellId id) { return isIn(id, patch); });
-      if (!holds || (!path.empty() && (path.front() != patch.origin || path.back() != patch.cells[k].cell))) {
-        cells[k].at("path").fail(message("cells of this patch, from its origin to this cell"));
-      }
+    if (const auto stray = cellWithoutWay(patch)) {
+      const JsonReader cell = json.at("cells").items()[*stray];
+      if (const auto path = cell.find("path")) path->fail(message("cells of this patch, from its origin to this cell"));
+      cell.at("predecessor").fail(message("a cell of this patch on a path from its origin, which has none itself"));
     }
     std::ranges::sort(patch.cells, {}, &CellPlacement::cell);
   }
@@ -343,24 +336,78 @@ class PatchReader {
 
 }  // namespace
 
-std::shared_ptr<const Reconstruction> parseCalibrationJson(std::string_view text, const std::string& file) {
-  const nlohmann::json document = parseJson(text, file);
-  const JsonReader json(document, file);
-  json.requireFormat(kCalibrationFormat, kCalibrationVersion);
+std::optional<GapShareEstimate> readGapShare(const JsonReader& json) {
+  const auto share = json.find("gap_s");
+  if (!share) return std::nullopt;
+  GapShareEstimate estimate{share->number(), 0};
+  if (const auto sigma = json.find("gap_s_sigma")) estimate.sigma = sigma->nonNegativeNumber();
+  return estimate;
+}
 
-  Reconstruction result;
+GravityDirection readGravity(const JsonReader& json) {
+  GravityDirection gravity;
+  gravity.pose = PoseId(json.at("pose").unsignedInteger());
+  gravity.g_o = json.at("g_o").vector3();
+  if (std::abs(gravity.g_o.norm() - 1) > 1e-6) json.at("g_o").fail(message("a unit vector (to 1e-6)"));
+  gravity.sigma_rad = nonNegativeAngle(json.at("sigma_deg"));
+  return gravity;
+}
+
+std::optional<std::size_t> cellWithoutWay(const PatchReconstruction& patch) {
+  std::unordered_map<CellId, std::size_t> place;
+  for (std::size_t k = 0; k < patch.cells.size(); ++k) place.emplace(patch.cells[k].cell, k);
+  std::vector<bool> reaches(patch.cells.size(), false);
+  reaches[place.at(patch.origin)] = true;
+  std::vector<std::size_t> way;
+  for (std::size_t k = 0; k < patch.cells.size(); ++k) {
+    if (!patch.cells[k].predecessor) continue;
+    if (patch.cells[k].cell == patch.origin) return k;
+    way.clear();
+    for (std::size_t at = k; !reaches[at];) {
+      const auto& predecessor = patch.cells[at].predecessor;
+      const auto before = predecessor ? place.find(*predecessor) : place.end();
+      if (before == place.end() || way.size() >= patch.cells.size()) return k;
+      way.push_back(at);
+      at = before->second;
+    }
+    for (const std::size_t cell : way) reaches[cell] = true;
+  }
+  return std::nullopt;
+}
+
+void readCalibrationHead(const JsonReader& json, Reconstruction& result) {
+  json.requireFormat(kCalibrationFormat, kCalibrationVersion);
   if (const auto options = json.find("options")) result.options = readOptions(*options);
   readSolver(json, result);
   if (const auto share = json.find("gap_s")) static_cast<void>(share->number());  // the patches have their own
   if (const auto source = json.find("source")) result.source = readSource(*source);
   result.model = std::make_shared<const CellModel>(readCellModel(json.at("cell_model")));
+}
+
+std::vector<PoseSummary> readPoseTable(const JsonReader& json, const std::vector<PatchReconstruction>& patches) {
+  const auto table = json.find("poses");
+  if (!table) return posesOfGravity(patches);
+  std::vector<PoseSummary> poses;
+  for (const JsonReader& pose : table->items()) poses.push_back(readPose(pose));
+  return poses;
+}
+
+void readCalibrationTail(const JsonReader& json, Reconstruction& result) {
+  for (const JsonReader& finding : json.at("findings").items()) result.findings.push_back(readFinding(finding));
+  result.assessment = readVerdict(json.at("verdict"));
+  if (const auto robot = json.find("robot")) result.robot = readRobot(*robot);
+  if (const auto placements = json.find("placements")) result.placements = readOrigins(*placements, result);
+  result.layout = computeFlatLayout(*result.model, result.patches);
+}
+
+std::shared_ptr<const Reconstruction> calibrationFromDocument(std::string_view text, const std::string& file) {
+  const nlohmann::json document = parseJson(text, file);
+  const JsonReader json(document, file);
+  Reconstruction result;
+  readCalibrationHead(json, result);
   const JsonReader patches = json.at("patches");
   result.patches = PatchReader(*result.model, patches).read();
-  if (const auto poses = json.find("poses")) {
-    for (const JsonReader& pose : poses->items()) result.poses.push_back(readPose(pose));
-  } else {
-    result.poses = posesOfGravity(result.patches);
-  }
+  result.poses = readPoseTable(json, result.patches);
   const std::vector<JsonReader> patch_items = patches.items();
   for (std::size_t p = 0; p < patch_items.size(); ++p) {
     const std::vector<JsonReader> links = patch_items[p].at("links").items();
@@ -368,12 +415,13 @@ std::shared_ptr<const Reconstruction> parseCalibrationJson(std::string_view text
       readPoseResiduals(links[k], result.poses.size(), result.patches[p].links[k]);
     }
   }
-  for (const JsonReader& finding : json.at("findings").items()) result.findings.push_back(readFinding(finding));
-  result.assessment = readVerdict(json.at("verdict"));
-  if (const auto robot = json.find("robot")) result.robot = readRobot(*robot);
-  if (const auto placements = json.find("placements")) result.placements = readOrigins(*placements, result);
-  result.layout = computeFlatLayout(*result.model, result.patches);
+  readCalibrationTail(json, result);
   return std::make_shared<const Reconstruction>(std::move(result));
+}
+
+std::shared_ptr<const Reconstruction> parseCalibrationJson(std::string_view text, const std::string& file) {
+  if (auto calibration = scanCalibrationJson(text, file)) return calibration;
+  return calibrationFromDocument(text, file);
 }
 
 std::shared_ptr<const Reconstruction> readCalibrationJson(const std::filesystem::path& path) {

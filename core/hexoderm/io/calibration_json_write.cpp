@@ -7,7 +7,9 @@
 #include "hexoderm/util/units.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <span>
 
 namespace hexoderm {
 namespace {
@@ -67,87 +69,118 @@ Json poseJson(const PoseSummary& pose) {
   return json;
 }
 
-Json covarianceJson(const Matrix6d& cov_t_r) {
-  Json json = Json::array();
+void writeCovariance(const Matrix6d& cov_t_r, JsonWriter& json) {
+  std::array<double, 21> values{};
+  std::size_t next = 0;
   for (int row = 0; row < 6; ++row) {
-    for (int col = row; col < 6; ++col) json.push_back(cov_t_r(row, col));
+    for (int col = row; col < 6; ++col) values.at(next++) = cov_t_r(row, col);
   }
-  return json;
+  json.value(std::span<const double>(values));
 }
 
-Json cellJson(const CellPlacement& cell) {
-  Json json;
-  json["id"] = cell.cell.value();
-  if (!cell.body_part.empty()) json["body_part"] = cell.body_part;
-  json["placed_by"] = cell.placed_by == PlacedBy::Samples ? "samples" : "links";
-  json["R_o_u"] = toJson(cell.T_o_u.R);
-  json["q_o_u_wxyz"] = quaternionWxyz(cell.T_o_u.R);
-  json["t_o_u_m"] = toJson(cell.T_o_u.t);
+void writeQuaternion(const Eigen::Matrix3d& R, JsonWriter& json) {
+  const std::array<double, 4> wxyz = quaternionWxyz(R);
+  json.value(std::span<const double>(wxyz));
+}
+
+void writeCell(const CellPlacement& cell, JsonWriter& json) {
+  json.beginObject();
+  json.member("id", cell.cell.value());
+  if (!cell.body_part.empty()) json.member("body_part", cell.body_part);
+  json.member("placed_by", cell.placed_by == PlacedBy::Samples ? "samples" : "links");
+  json.member("R_o_u", cell.T_o_u.R);
+  json.key("q_o_u_wxyz");
+  writeQuaternion(cell.T_o_u.R, json);
+  json.member("t_o_u_m", cell.T_o_u.t);
   if (cell.cov_t_r) {
-    json["cov_t_r"] = covarianceJson(*cell.cov_t_r);
+    json.key("cov_t_r");
+    writeCovariance(*cell.cov_t_r, json);
     const Eigen::Matrix<double, 6, 1> sigma = cell.cov_t_r->diagonal().cwiseMax(0).cwiseSqrt();
-    json["sigma_t_m"] = toJson(Eigen::Vector3d(sigma.head<3>()));
-    json["sigma_r_rad"] = toJson(Eigen::Vector3d(sigma.tail<3>()));
+    json.member("sigma_t_m", Eigen::Vector3d(sigma.head<3>()));
+    json.member("sigma_r_rad", Eigen::Vector3d(sigma.tail<3>()));
   }
-  if (cell.shape_cov_t_r) json["shape_cov_t_r"] = covarianceJson(*cell.shape_cov_t_r);
-  if (cell.accel_offset_g) json["accel_offset_g"] = toJson(*cell.accel_offset_g);
-  if (cell.accel_scale) json["accel_scale"] = toJson(*cell.accel_scale);
-  json["path"] = idsJson(cell.path);
-  json["sensors"] = Json::array();
+  if (cell.shape_cov_t_r) {
+    json.key("shape_cov_t_r");
+    writeCovariance(*cell.shape_cov_t_r, json);
+  }
+  if (cell.accel_offset_g) json.member("accel_offset_g", *cell.accel_offset_g);
+  if (cell.accel_scale) json.member("accel_scale", *cell.accel_scale);
+  if (cell.predecessor) json.member("predecessor", cell.predecessor->value());
+  json.key("sensors");
+  json.beginArray();
   for (const SensorPlacement& sensor : cell.sensors) {
-    json["sensors"].push_back({{"name", sensor.name},
-                               {"type", sensor.type},
-                               {"t_o_m", toJson(sensor.T_o_s.t)},
-                               {"q_o_wxyz", quaternionWxyz(sensor.T_o_s.R)}});
+    json.beginObject();
+    json.member("name", sensor.name);
+    json.member("type", sensor.type);
+    json.member("t_o_m", sensor.T_o_s.t);
+    json.key("q_o_wxyz");
+    writeQuaternion(sensor.T_o_s.R, json);
+    json.endObject();
   }
-  return json;
+  json.endArray();
+  json.endObject();
 }
 
-Json linkJson(const LinkEstimate& link) {
-  Json json;
-  json["source"] = link.source.cell.value();
-  json["source_port"] = link.source.port.value();
-  json["target"] = link.target.cell.value();
-  json["target_port"] = link.target.port.value();
-  json["R_c_n"] = toJson(link.R_c_n);
-  json["quality"] = qualityName(link.quality);
-  json["singular_values"] = toJson(link.singular_values);
-  json["weight"] = link.weight;
-  json["residual_deg"] = inDegrees(link.residual_rad);
-  json["sigma_deg"] = inDegrees(link.sigma_rad);
-  json["bend_deg"] = inDegrees(link.bend_rad);
-  json["twist_deg"] = inDegrees(link.twist_rad);
-  json["yaw_deg"] = inDegrees(link.yaw_rad);
-  json["used"] = link.used;
-  if (link.muted_by) json["muted_by"] = codeName(*link.muted_by);
-  json["centred"] = link.centred;
-  json["supported"] = link.supported;
-  json["in_tree"] = link.in_tree;
-  json["pose_residual_deg"] = Json::array();
+void writeLink(const LinkEstimate& link, JsonWriter& json) {
+  json.beginObject();
+  json.member("source", link.source.cell.value());
+  json.member("source_port", link.source.port.value());
+  json.member("target", link.target.cell.value());
+  json.member("target_port", link.target.port.value());
+  json.member("R_c_n", link.R_c_n);
+  json.member("quality", qualityName(link.quality));
+  json.member("singular_values", link.singular_values);
+  json.member("weight", link.weight);
+  json.member("residual_deg", inDegrees(link.residual_rad));
+  json.member("sigma_deg", inDegrees(link.sigma_rad));
+  json.member("bend_deg", inDegrees(link.bend_rad));
+  json.member("twist_deg", inDegrees(link.twist_rad));
+  json.member("yaw_deg", inDegrees(link.yaw_rad));
+  json.member("used", link.used);
+  if (link.muted_by) json.member("muted_by", codeName(*link.muted_by));
+  json.member("centred", link.centred);
+  json.member("supported", link.supported);
+  json.member("in_tree", link.in_tree);
+  json.key("pose_residual_deg");
+  json.beginArray();
   for (const std::optional<double>& residual_rad : link.pose_residual_rad) {
-    json["pose_residual_deg"].push_back(residual_rad ? Json(inDegrees(*residual_rad)) : Json(nullptr));
+    if (residual_rad) {
+      json.value(inDegrees(*residual_rad));
+    } else {
+      json.null();
+    }
   }
-  return json;
+  json.endArray();
+  json.endObject();
 }
 
-Json patchJson(const PatchReconstruction& patch) {
-  Json json;
-  json["id"] = patch.id.value();
-  json["origin"] = patch.origin.value();
+void writePatch(const PatchReconstruction& patch, JsonWriter& json) {
+  json.beginObject();
+  json.member("id", patch.id.value());
+  json.member("origin", patch.origin.value());
   if (patch.gap_share) {
-    json["gap_s"] = patch.gap_share->share;
-    json["gap_s_sigma"] = patch.gap_share->sigma;
+    json.member("gap_s", patch.gap_share->share);
+    json.member("gap_s_sigma", patch.gap_share->sigma);
   }
-  json["gravity"] = Json::array();
+  json.key("gravity");
+  json.beginArray();
   for (const GravityDirection& gravity : patch.gravity) {
-    json["gravity"].push_back(
-        {{"pose", gravity.pose.value()}, {"g_o", toJson(gravity.g_o)}, {"sigma_deg", inDegrees(gravity.sigma_rad)}});
+    json.beginObject();
+    json.member("pose", gravity.pose.value());
+    json.member("g_o", gravity.g_o);
+    json.member("sigma_deg", inDegrees(gravity.sigma_rad));
+    json.endObject();
   }
-  json["cells"] = Json::array();
-  for (const CellPlacement& cell : patch.cells) json["cells"].push_back(cellJson(cell));
-  json["links"] = Json::array();
-  for (const LinkEstimate& link : patch.links) json["links"].push_back(linkJson(link));
-  return json;
+  json.endArray();
+  json.key("cells");
+  json.beginArray();
+  for (const CellPlacement& cell : patch.cells) writeCell(cell, json);
+  json.endArray();
+  json.key("links");
+  json.beginArray();
+  for (const LinkEstimate& link : patch.links) writeLink(link, json);
+  json.endArray();
+  json.endObject();
 }
 
 Json findingJson(const Finding& finding) {
@@ -177,33 +210,47 @@ Json verdictJson(const Assessment& verdict) {
 
 }  // namespace
 
-std::string calibrationToJson(const Reconstruction& reconstruction) {
-  Json json;
-  json["format"] = kCalibrationFormat;
-  json["version"] = kCalibrationVersion;
-  json["solver"] = reconstruction.solver;
+void writeCalibrationJson(const Reconstruction& reconstruction, const WriteBytes& write) {
+  JsonWriter json(write);
+  json.beginObject();
+  json.member("format", kCalibrationFormat);
+  json.member("version", kCalibrationVersion);
+  json.member("solver", reconstruction.solver);
   // The tree lets both extended port vectors of a link end in one point, eq. (3); an imported file doesn't say.
-  if (reconstruction.solver == "tree") json["gap_model"] = gapModelName(GapModel::Pivot);
-  if (reconstruction.solver == "global") json["gap_model"] = gapModelName(reconstruction.options.gap_model);
+  if (reconstruction.solver == "tree") json.member("gap_model", gapModelName(GapModel::Pivot));
+  if (reconstruction.solver == "global") json.member("gap_model", gapModelName(reconstruction.options.gap_model));
   const PatchReconstruction* const largest = largestPatch(reconstruction);
-  if (largest != nullptr && largest->gap_share) json["gap_s"] = largest->gap_share->share;
-  json["options"] = optionsJson(reconstruction.options);
-  json["source"] = sourceJson(reconstruction.source);
-  json["cell_model"] = cellModelJson(*reconstruction.model);
-  json["poses"] = Json::array();
-  for (const PoseSummary& pose : reconstruction.poses) json["poses"].push_back(poseJson(pose));
-  json["patches"] = Json::array();
-  for (const PatchReconstruction& patch : reconstruction.patches) json["patches"].push_back(patchJson(patch));
-  json["findings"] = Json::array();
-  for (const Finding& finding : reconstruction.findings) json["findings"].push_back(findingJson(finding));
-  json["verdict"] = verdictJson(reconstruction.assessment);
-  if (reconstruction.robot) json["robot"] = robotJson(reconstruction.robot);
-  if (!reconstruction.placements.empty()) json["placements"] = placementsJson(reconstruction.placements);
-  return dumpReadable(json);
+  if (largest != nullptr && largest->gap_share) json.member("gap_s", largest->gap_share->share);
+  json.member("options", optionsJson(reconstruction.options));
+  json.member("source", sourceJson(reconstruction.source));
+  json.member("cell_model", cellModelJson(*reconstruction.model));
+  json.key("poses");
+  json.beginArray();
+  for (const PoseSummary& pose : reconstruction.poses) json.value(poseJson(pose));
+  json.endArray();
+  json.key("patches");
+  json.beginArray();
+  for (const PatchReconstruction& patch : reconstruction.patches) writePatch(patch, json);
+  json.endArray();
+  json.key("findings");
+  json.beginArray();
+  for (const Finding& finding : reconstruction.findings) json.value(findingJson(finding));
+  json.endArray();
+  json.member("verdict", verdictJson(reconstruction.assessment));
+  if (reconstruction.robot) json.member("robot", robotJson(reconstruction.robot));
+  if (!reconstruction.placements.empty()) json.member("placements", placementsJson(reconstruction.placements));
+  json.endObject();
+  json.finish();
 }
 
 void writeCalibrationJson(const Reconstruction& reconstruction, const std::filesystem::path& path) {
-  writeFileAtomically(path, calibrationToJson(reconstruction));
+  writeFileAtomically(path, [&](const WriteBytes& write) { writeCalibrationJson(reconstruction, write); });
+}
+
+std::string calibrationToJson(const Reconstruction& reconstruction) {
+  std::string text;
+  writeCalibrationJson(reconstruction, [&](std::string_view piece) { text += piece; });
+  return text;
 }
 
 }  // namespace hexoderm

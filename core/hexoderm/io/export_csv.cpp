@@ -86,7 +86,7 @@ CsvTable cellTable(const Reconstruction& reconstruction) {
                   "accel_scale_x",
                   "accel_scale_y",
                   "accel_scale_z",
-                  "path_from_origin"},
+                  "predecessor"},
                  {}};
   for (const PatchReconstruction& patch : reconstruction.patches) {
     for (const CellPlacement& cell : patch.cells) {
@@ -104,9 +104,7 @@ CsvTable cellTable(const Reconstruction& reconstruction) {
           row.resize(row.size() + 3);
         }
       }
-      std::string path;
-      for (const CellId id : cell.path) path += (path.empty() ? "" : " ") + toString(id);
-      row.push_back(text(path));
+      row.push_back(cell.predecessor ? number(*cell.predecessor) : CsvField());
       table.rows.push_back(std::move(row));
     }
   }

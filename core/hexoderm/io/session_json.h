@@ -1,6 +1,7 @@
 #pragma once
 
 #include "hexoderm/session/session.h"
+#include "hexoderm/util/file.h"
 
 #include <cstdint>
 #include <filesystem>
@@ -20,8 +21,10 @@ inline constexpr std::uint32_t kSessionVersion = 1;
 Session readSessionJson(const std::filesystem::path& path);
 Session parseSessionJson(std::string_view text, const std::string& file);
 
+/// The text, in pieces; as a whole; and as a file, atomically, which throws StorageError. Numbers that are not finite
+/// are InvalidArgument.
+void writeSessionJson(const Session& session, const WriteBytes& write);
 std::string sessionToJson(const Session& session);
-/// Atomic. Throws StorageError.
 void writeSessionJson(const Session& session, const std::filesystem::path& path);
 
 }  // namespace hexoderm

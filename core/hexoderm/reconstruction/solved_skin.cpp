@@ -23,6 +23,7 @@ Completion prepare(SkinLinks& skin, const std::stop_token& stop, std::vector<Fin
 
 std::vector<PatchSolver> placePatches(SkinLinks& skin, std::span<const double> weights) {
   std::vector<PatchSolver> patches;
+  patches.reserve(skin.graph().patches().size());
   for (std::size_t patch = 0; patch < skin.graph().patches().size(); ++patch) {
     patches.emplace_back(skin, weights, patch);
   }
@@ -83,7 +84,10 @@ Completion solve(SkinLinks& skin, const EarlierPatches& earlier, const std::stop
     skin.estimateEdges();
   }
   if (skin.options().solver == Solver::Global) {
-    for (const PatchSolver& patch : patches) nameInconsistentPoses(skin, patch, findings);
+    for (const PatchSolver& patch : patches) {
+      nameInconsistentPoses(skin, patch, findings);
+      nameUnconverged(skin.graph().cells()[patch.origin()].id, patch.joint()->solution(), findings);
+    }
     nameUnlikelySensors(skin, patches, findings);
   }
   return Completion::Finished;

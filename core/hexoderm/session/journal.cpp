@@ -43,6 +43,16 @@ bool haveSameReadings(const PoseCapture& a, const PoseCapture& b) {
   return a.taken_at_ms == b.taken_at_ms && encodeSamples(a.samples) == encodeSamples(b.samples);
 }
 
+/// The text of a document that is too large to be put together first.
+template <class Write>
+std::string textOf(Write write) {
+  std::string text;
+  JsonWriter writer([&](std::string_view piece) { text += piece; });
+  write(writer);
+  writer.finish();
+  return text;
+}
+
 /// Makes the entry a capture; its detail is returned.
 Json sayCapture(const SessionPose& pose, std::size_t place, JournalEntry& entry) {
   const PoseCapture& capture = *pose.capture;
@@ -126,6 +136,7 @@ void JournalState::read(const JournalEntry& entry, const std::string& file) {
 }
 
 void JournalState::apply(const JournalEntry& entry, const std::string& where) {
+  if (applyLarge(entry)) return;
   const nlohmann::json document = parseJson(entry.detail, where);
   const JsonReader json(document, where);
   if (!json.isObject()) json.fail(message("an object"));
@@ -144,6 +155,32 @@ void JournalState::apply(const JournalEntry& entry, const std::string& where) {
     throw FormatError(located(where, message("kind: expected capture, remove, restore, disable, enable, joints, mute, "
                                              "unmute, robot, placement, skin, source, truth or options, found \"{}\"",
                                              entry.kind.substr(0, 40))));
+  }
+}
+
+bool JournalState::applyLarge(const JournalEntry& entry) {
+  if (entry.kind != "skin" && entry.kind != "truth") return false;
+  try {
+    JsonScanner json(entry.detail);
+    if (entry.kind == "truth") {
+      GroundTruth truth = scanTruth(json);
+      json.finish();
+      session_->setTruth(std::move(truth));
+      return true;
+    }
+    SetSkin skin;
+    const auto model = [&] {
+      skin.model = std::make_shared<const CellModel>(readCellModel(JsonReader(json.document(), "cell model")));
+    };
+    json.object(JsonScanner::required("cell_model", model),
+                JsonScanner::required("cells", [&] { skin.neighbors = scanNeighbors(json); }));
+    json.finish();
+    apply(SessionEdit(std::move(skin)), entry.entry);
+    return true;
+  } catch (const JsonScanner::Unusual&) {
+    return false;
+  } catch (const FormatError&) {
+    return false;  // it will be said with its place
   }
 }
 
@@ -225,7 +262,7 @@ JournalEntry JournalState::entryFor(const StoreOperation& operation, std::int64_
     detail["sha256"] = source->source.sha256;
   } else if (const auto* truth = std::get_if<SetTruth>(&operation)) {
     entry.kind = "truth";
-    detail = truthJson(truth->truth);
+    entry.detail = textOf([&](JsonWriter& json) { writeTruth(truth->truth, json); });
   } else if (const auto* options = std::get_if<SetOptions>(&operation)) {
     entry.kind = "options";
     entry.detail = options->json;
@@ -278,8 +315,13 @@ nlohmann::ordered_json JournalState::sayEdit(const SessionEdit& edit, const std:
   } else if (const auto* skin = std::get_if<SetSkin>(&edit)) {
     if (!skin->model) throw InvalidArgument(message("a skin must have a cell model"));
     entry.kind = "skin";
-    detail["cell_model"] = cellModelJson(*skin->model);
-    detail["cells"] = neighborsJson(skin->neighbors);
+    entry.detail = textOf([&](JsonWriter& json) {
+      json.beginObject();
+      json.member("cell_model", cellModelJson(*skin->model));
+      json.key("cells");
+      writeNeighbors(skin->neighbors, json);
+      json.endObject();
+    });
   }
   return detail;
 }

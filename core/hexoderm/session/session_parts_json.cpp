@@ -26,33 +26,12 @@ CellReport readCell(const JsonReader& json) {
   return report;
 }
 
-Json cellJson(const CellReport& report) {
-  Json json;
-  json["id"] = report.id.value();
-  if (!report.body_part.empty()) json["body_part"] = report.body_part;
-  json["ports"] = Json::array();
-  for (const NeighborReport& neighbor : report.neighbors) {
-    Json port;
-    port["port"] = neighbor.port.value();
-    port["cell"] = neighbor.cell.value();
-    if (neighbor.cell_port) port["cell_port"] = neighbor.cell_port->value();
-    json["ports"].push_back(std::move(port));
-  }
-  return json;
-}
-
 }  // namespace
 
 NeighborList readNeighbors(const JsonReader& json) {
   NeighborList neighbors;
   for (const JsonReader& cell : json.items()) neighbors.push_back(readCell(cell));
   return neighbors;
-}
-
-Json neighborsJson(const NeighborList& neighbors) {
-  Json json = Json::array();
-  for (const CellReport& report : neighbors) json.push_back(cellJson(report));
-  return json;
 }
 
 MutedLink readMutedLink(const JsonReader& json) {
@@ -226,16 +205,6 @@ GroundTruth readTruth(const JsonReader& json) {
     truth.cells.push_back({id, {cell.at("R").rotation(), cell.at("t_m").vector3(kMostLength_m)}});
   }
   return truth;
-}
-
-Json truthJson(const GroundTruth& truth) {
-  Json json;
-  json["frame"] = truth.frame;
-  json["cells"] = Json::array();
-  for (const TrueCellPlacement& cell : truth.cells) {
-    json["cells"].push_back({{"id", cell.id.value()}, {"R", toJson(cell.T_b_u.R)}, {"t_m", toJson(cell.T_b_u.t)}});
-  }
-  return json;
 }
 
 }  // namespace hexoderm

@@ -5,12 +5,15 @@
 
 #include "hexoderm/session/session.h"
 #include "hexoderm/util/json_reader.h"
+#include "hexoderm/util/json_scanner.h"
+#include "hexoderm/util/json_writer.h"
 
 namespace hexoderm {
 
 /// An array of cells as reported. Reading throws FormatError with the key path.
 NeighborList readNeighbors(const JsonReader& json);
-nlohmann::ordered_json neighborsJson(const NeighborList& neighbors);
+NeighborList scanNeighbors(JsonScanner& json);
+void writeNeighbors(const NeighborList& neighbors, JsonWriter& json);
 
 /// `source`, `source_port`, `target`, `target_port` as in calibration files, and `why` where there is a reason.
 MutedLink readMutedLink(const JsonReader& json);
@@ -35,7 +38,12 @@ nlohmann::ordered_json placementJson(const PatchPlacement& placement);
 std::vector<PatchPlacement> readPlacements(const JsonReader& json);
 nlohmann::ordered_json placementsJson(const std::vector<PatchPlacement>& placements);
 
+/// As JsonReader::vector3() and rotation().
+Eigen::Vector3d scanVector3(JsonScanner& json, double most);
+Eigen::Matrix3d scanRotation(JsonScanner& json);
+
 GroundTruth readTruth(const JsonReader& json);
-nlohmann::ordered_json truthJson(const GroundTruth& truth);
+GroundTruth scanTruth(JsonScanner& json);
+void writeTruth(const GroundTruth& truth, JsonWriter& json);
 
 }  // namespace hexoderm

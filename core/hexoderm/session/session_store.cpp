@@ -83,39 +83,36 @@ void insert(Database& database, const JournalEntry& entry) {
   row.step();
 }
 
-/// Writes the entries of some operations, in a transaction of the caller's, and appends them to `journal`.
-void write(Database& database, std::span<const StoreOperation> operations, Journal& journal) {
-  const std::int64_t at_ms = nowMs();
-  for (const StoreOperation& operation : operations) {
-    Bytes raw;
-    const AddPose* add = addedPose(operation);
-    if (add != nullptr && add->raw) raw = encodeFrames(*add->raw, journal.state.lsb_g());
-    const JournalEntry entry = journal.state.entryFor(operation, at_ms, raw.empty() ? "" : sha256Of(raw));
-    try {
-      journal.read(entry, "what is to be stored");  // so that nothing is written that can't be read again
-    } catch (const FormatError& error) {
-      throw InvalidArgument(error.message());
-    }
-    insert(database, entry);
-    if (raw.empty()) continue;
-    Statement row(database, "INSERT INTO raw_samples (entry, frames) VALUES (?1, ?2)");
-    row.bind(1, entry.entry).bindBlob(2, raw);
-    row.step();
+/// Writes the entry of an operation, in a transaction of the caller's, and appends it to `journal`.
+void write(Database& database, const StoreOperation& operation, std::int64_t at_ms, Journal& journal) {
+  Bytes raw;
+  const AddPose* add = addedPose(operation);
+  if (add != nullptr && add->raw) raw = encodeFrames(*add->raw, journal.state.lsb_g());
+  const JournalEntry entry = journal.state.entryFor(operation, at_ms, raw.empty() ? "" : sha256Of(raw));
+  try {
+    journal.read(entry, "what is to be stored");  // so that nothing is written that can't be read again
+  } catch (const FormatError& error) {
+    throw InvalidArgument(error.message());
   }
+  insert(database, entry);
+  if (raw.empty()) return;
+  Statement row(database, "INSERT INTO raw_samples (entry, frames) VALUES (?1, ?2)");
+  row.bind(1, entry.entry).bindBlob(2, raw);
+  row.step();
 }
 
-std::vector<StoreOperation> operationsThatMake(const Session& session) {
-  std::vector<StoreOperation> operations;
-  operations.emplace_back(SetSkin{std::make_shared<const CellModel>(session.model()), session.neighbors()});
-  operations.emplace_back(SetSource{session.source()});
-  if (session.truth()) operations.emplace_back(SetTruth{*session.truth()});
-  for (const SessionPose& pose : session.poses()) operations.emplace_back(AddPose{pose});
+/// Calls `visit` with the operations that make a session. One at a time: each may hold a large part of the session.
+template <class Visit>
+void forEachOperationThatMakes(const Session& session, Visit visit) {
+  visit(SetSkin{std::make_shared<const CellModel>(session.model()), session.neighbors()});
+  visit(SetSource{session.source()});
+  if (session.truth()) visit(SetTruth{*session.truth()});
+  for (const SessionPose& pose : session.poses()) visit(AddPose{pose});
   for (const MutedLink& link : session.mutedLinks()) {
-    operations.emplace_back(SetLinkMuted{link.source, link.target, true, link.why});
+    visit(SetLinkMuted{link.source, link.target, true, link.why});
   }
-  if (session.robot()) operations.emplace_back(SetRobot{session.robot()});
-  for (const PatchPlacement& placement : session.placements()) operations.emplace_back(SetPatchPlacement{placement});
-  return operations;
+  if (session.robot()) visit(SetRobot{session.robot()});
+  for (const PatchPlacement& placement : session.placements()) visit(SetPatchPlacement{placement});
 }
 
 [[noreturn]] void failExists(const std::filesystem::path& path) {
@@ -160,7 +157,9 @@ void writeSessionStore(const Session& session, const std::filesystem::path& path
     migrate(database, storeMigrations());
     Transaction transaction(database);
     Journal journal;
-    write(database, operationsThatMake(session), journal);
+    const std::int64_t at_ms = nowMs();
+    forEachOperationThatMakes(session,
+                              [&](const StoreOperation& operation) { write(database, operation, at_ms, journal); });
     transaction.commit();
     database.run("PRAGMA journal_mode=WAL");
   }
@@ -211,7 +210,8 @@ std::uint64_t SessionStore::append(std::span<const StoreOperation> operations) {
   Database& database = state_->file.database;
   Journal after = state_->journal;
   Transaction transaction(database);
-  write(database, operations, after);
+  const std::int64_t at_ms = nowMs();
+  for (const StoreOperation& operation : operations) write(database, operation, at_ms, after);
   transaction.commit();
   state_->journal = std::move(after);
   return revision();

@@ -1,5 +1,7 @@
 #include "hexoderm/session/simulated_session.h"
 
+#include "hexoderm/capture/pose_average.h"
+
 namespace hexoderm {
 
 bool isSimulated(const SourceDescription& source) { return source.text.english().starts_with("Simulated "); }
@@ -17,8 +19,9 @@ Session simulateSession(SimulatedSkin& skin, std::size_t pose_count, std::size_t
     const Message label = id.value() == 1   ? message("standing")
                           : id.value() == 2 ? message("on its side")
                                             : message("pose {}", id);
-    session.addPose(
-        {std::make_shared<const PoseCapture>(averageFrames(skin.record(up, frame_count), id, label)), false});
+    PoseAverage average;
+    skin.record(up, frame_count, [&average](const SampleFrame& frame) { average.add(frame); });
+    session.addPose({std::make_shared<const PoseCapture>(average.pose(id, label)), false});
   }
   return session;
 }

@@ -72,21 +72,38 @@ class BrokenPipeIsAnError {
   bool was_pending_ = false;
 };
 
-void writeInto(const std::filesystem::path& path, std::string_view content) {
+void writeInto(const std::filesystem::path& path, const ProduceBytes& produce) {
   const BrokenPipeIsAnError guard;
   const FileDescriptor device(::open(path.c_str(), O_WRONLY | O_NOCTTY | O_CLOEXEC));
   if (!device.valid()) failToWrite(path, systemReason(errno));
-  writeAll(device.get(), content, path.string());
+  produce([&](std::string_view bytes) { writeAll(device.get(), bytes, path.string()); });
 }
 
-void writeNew(const std::filesystem::path& path, const std::string& name, std::string_view content,
+void writeNew(const std::filesystem::path& path, const std::string& name, const ProduceBytes& produce,
               const VerifyBytes& verify, const std::optional<struct stat>& earlier) {
   TemporaryFile file(path, name);
-  file.write(content);
+  produce([&](std::string_view bytes) { file.write(bytes); });
   if (verify) verify(file.readBack());
   if (!earlier && file.becomeTarget()) return;
   if (earlier) file.keepOwnerAndRights(earlier->st_uid, earlier->st_gid, earlier->st_mode);
   file.replaceTarget();
+}
+
+/// `before_device` is called before the first byte goes where it can't be taken back.
+void writeDocument(const std::filesystem::path& path, const ProduceBytes& produce, const VerifyBytes& verify,
+                   const std::function<void()>& before_device) {
+  const std::optional<struct stat> earlier = statusAt(path);
+  if (!earlier) return writeNew(path, path.string(), produce, verify, earlier);
+  if (S_ISDIR(earlier->st_mode))
+    throw StorageError(located(path.string(), message("is a folder, cannot be written as a file")));
+  if (S_ISFIFO(earlier->st_mode) || S_ISCHR(earlier->st_mode)) {
+    before_device();
+    return writeInto(path, produce);
+  }
+  if (!S_ISREG(earlier->st_mode))
+    throw StorageError(located(path.string(), message("is a disk or a socket, nothing is written to it")));
+  if (::faccessat(AT_FDCWD, path.c_str(), W_OK, AT_EACCESS) != 0) failToWrite(path, systemReason(errno));
+  writeNew(fileItself(path), path.string(), produce, verify, earlier);
 }
 
 }  // namespace
@@ -119,18 +136,15 @@ std::string readFile(const std::filesystem::path& path, std::uintmax_t most) {
 }
 
 void writeFileAtomically(const std::filesystem::path& path, std::string_view content, const VerifyBytes& verify) {
-  const std::optional<struct stat> earlier = statusAt(path);
-  if (!earlier) return writeNew(path, path.string(), content, verify, earlier);
-  if (S_ISDIR(earlier->st_mode))
-    throw StorageError(located(path.string(), message("is a folder, cannot be written as a file")));
-  if (S_ISFIFO(earlier->st_mode) || S_ISCHR(earlier->st_mode)) {
+  const auto verify_content = [&] {
     if (verify) verify(std::string(content));
-    return writeInto(path, content);
-  }
-  if (!S_ISREG(earlier->st_mode))
-    throw StorageError(located(path.string(), message("is a disk or a socket, nothing is written to it")));
-  if (::faccessat(AT_FDCWD, path.c_str(), W_OK, AT_EACCESS) != 0) failToWrite(path, systemReason(errno));
-  writeNew(fileItself(path), path.string(), content, verify, earlier);
+  };
+  writeDocument(
+      path, [&](const WriteBytes& write) { write(content); }, verify, verify_content);
+}
+
+void writeFileAtomically(const std::filesystem::path& path, const ProduceBytes& produce) {
+  writeDocument(path, produce, {}, [&] { produce([](std::string_view /*bytes*/) {}); });
 }
 
 }  // namespace hexoderm

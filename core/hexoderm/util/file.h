@@ -29,4 +29,13 @@ using VerifyBytes = std::function<void(const std::string& bytes)>;
 /// Throws StorageError naming the file and the reason, and what `verify` throws.
 void writeFileAtomically(const std::filesystem::path& path, std::string_view content, const VerifyBytes& verify = {});
 
+/// Takes the next bytes of a document.
+using WriteBytes = std::function<void(std::string_view bytes)>;
+/// Gives all bytes of a document to `write`, in pieces: the same ones whenever it is called.
+using ProduceBytes = std::function<void(const WriteBytes& write)>;
+
+/// The same for a document that is not in memory as a whole. What `produce` throws leaves everything as it was: for a
+/// FIFO or a character device, which could not be taken back, it is called once in vain before anything is written.
+void writeFileAtomically(const std::filesystem::path& path, const ProduceBytes& produce);
+
 }  // namespace hexoderm

@@ -119,8 +119,12 @@ const auto& table() {
       FindingDescription{
           InconsistentPose, "inconsistent-pose", Severity::Warning,
           message("The cells contradict each other in one pose far more than in the others; the part moved.")},
+      FindingDescription{
+          NotConverged, "not-converged", Severity::Warning,
+          message("The joint estimate of a patch ended before its optimum; placements and stated uncertainties are "
+                  "preliminary.")},
   };
-  static_assert(the_table.size() == static_cast<std::size_t>(InconsistentPose) + 1);
+  static_assert(the_table.size() == static_cast<std::size_t>(NotConverged) + 1);
   return the_table;
 }
 

@@ -63,6 +63,8 @@ enum class FindingCode {
   RepeatedPose,
   PartMoved,
   InconsistentPose,
+  // the estimate
+  NotConverged,
 };
 
 struct FindingDescription {

@@ -215,8 +215,14 @@ const auto& adviceTable() {
           message("In the other poses the cells agree: in this one the part moved, or something pressed on the skin."),
           message("Take the pose again and let nothing touch the skin, or disable it."),
           {RecapturePose, DisablePose}},
+      FindingAdvice{NotConverged,
+                    message("The estimate goes on in steps as long as they make the shape more probable, and the steps "
+                            "ran out."),
+                    message("Take another pose: two alone often leave open where the optimum is. Until then rely on no "
+                            "figure of this patch."),
+                    {TakePose}},
   };
-  static_assert(the_table.size() == static_cast<std::size_t>(InconsistentPose) + 1);
+  static_assert(the_table.size() == static_cast<std::size_t>(NotConverged) + 1);
   return the_table;
 }
 

@@ -1,6 +1,7 @@
 #include "hexoderm/util/json_reader.h"
 
 #include "hexoderm/util/error.h"
+#include "hexoderm/util/json_writer.h"
 #include "hexoderm/util/near_match.h"
 #include "hexoderm/util/text.h"
 
@@ -11,6 +12,9 @@
 
 namespace hexoderm {
 namespace {
+
+/// How far the numbers of a rotation may be off.
+constexpr double kOrthogonalTo = 1e-6;
 
 /// A value in a complaint.
 Message inFewWords(const nlohmann::json& value) {
@@ -113,7 +117,8 @@ class PathTracker : public nlohmann::json_sax<nlohmann::json> {
 /// twice, of which readers would take one or the other, and more levels or values than are read.
 class DocumentBuilder final : public PathTracker {
  public:
-  explicit DocumentBuilder(std::size_t most_values) : most_values_(most_values) {}
+  DocumentBuilder(std::size_t most_values, std::size_t levels_above)
+      : most_values_(most_values), levels_above_(levels_above) {}
 
   bool null() override { return add(nullptr) && PathTracker::null(); }
   bool boolean(bool value) override { return add(value) && PathTracker::boolean(value); }
@@ -177,7 +182,7 @@ class DocumentBuilder final : public PathTracker {
   }
 
   bool open(nlohmann::json::value_t kind) {
-    if (open_.size() >= kMostJsonLevels) {
+    if (levels_above_ + open_.size() >= kMostJsonLevels) {
       return refuse(message("is nested too deeply, at most {} levels are read", kMostJsonLevels));
     }
     if (!count()) return false;
@@ -189,6 +194,7 @@ class DocumentBuilder final : public PathTracker {
   std::vector<nlohmann::json*> open_;  ///< what is not closed yet, from outside to inside
   nlohmann::json* member_ = nullptr;   ///< of the innermost object, whose value comes next
   std::size_t most_values_;
+  std::size_t levels_above_;
   std::size_t values_ = 0;
   Message refusal_;
 };
@@ -249,78 +255,11 @@ bool isNotFinite(std::string_view word) {
                                           : message("this is not JSON, expected a JSON value here"))));
 }
 
-bool isFlatArray(const nlohmann::ordered_json& json) {
-  return json.is_array() && std::ranges::none_of(json, [](const auto& item) { return item.is_structured(); });
-}
-
-bool isFlatObject(const nlohmann::ordered_json& json) {
-  return json.is_object() && std::ranges::all_of(json, [](const auto& item) {
-           return !item.is_structured() || item.empty() || isFlatArray(item);
-         });
-}
-
-std::string scalarText(const nlohmann::ordered_json& json) {
-  // Large files are mostly numbers, and dump() sets up a serializer for each.
-  if (json.is_number_unsigned()) return std::to_string(json.get<std::uint64_t>());
-  if (json.is_number_float()) {
-    const double value = json.get<double>();
-    if (!std::isfinite(value)) {
-      throw InvalidArgument(message("a value that is not a finite number can't be written to a file"));
-    }
-    std::string text = formatExact(value);
-    if (text.find_first_of(".e") == std::string::npos) text += ".0";
-    return text;
-  }
-  return json.dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace);
-}
-
-void appendKey(const std::string& key, std::string& out) {
-  out += scalarText(key);
-  out += ": ";
-}
-
-void appendLine(const nlohmann::ordered_json& json, std::string& out) {
-  if (!json.is_structured()) {
-    out += scalarText(json);
-    return;
-  }
-  out += json.is_object() ? '{' : '[';
-  for (auto item = json.begin(); item != json.end(); ++item) {
-    if (item != json.begin()) out += ", ";
-    if (json.is_object()) appendKey(item.key(), out);
-    appendLine(*item, out);
-  }
-  out += json.is_object() ? '}' : ']';
-}
-
-void appendReadable(const nlohmann::ordered_json& json, std::size_t indent, std::string& out) {
-  constexpr std::size_t kWidth = 120;
-  if (!json.is_structured() || json.empty() || isFlatArray(json)) {
-    appendLine(json, out);
-    return;
-  }
-  if (isFlatObject(json)) {
-    const std::size_t begin = out.size();
-    appendLine(json, out);
-    if (indent + out.size() - begin <= kWidth) return;
-    out.resize(begin);
-  }
-  out += json.is_object() ? '{' : '[';
-  for (auto item = json.begin(); item != json.end(); ++item) {
-    out += item == json.begin() ? "\n" : ",\n";
-    out.append(indent + 1, ' ');
-    if (json.is_object()) appendKey(item.key(), out);
-    appendReadable(*item, indent + 1, out);
-  }
-  out += '\n';
-  out.append(indent, ' ');
-  out += json.is_object() ? '}' : ']';
-}
-
 }  // namespace
 
-nlohmann::json parseJson(std::string_view text, const std::string& file, std::size_t most_values) {
-  DocumentBuilder builder(most_values);
+nlohmann::json parseJson(std::string_view text, const std::string& file, std::size_t most_values,
+                         std::size_t levels_above) {
+  DocumentBuilder builder(most_values, levels_above);
   if (nlohmann::json::sax_parse(text, &builder)) return builder.take();
   if (builder.refusal().empty()) throwParseError(text, file, builder);
   throw FormatError(located(file, located(placeOf(builder.path()), builder.refusal())));
@@ -468,19 +407,15 @@ Eigen::Matrix3d JsonReader::matrix3() const {
 }
 
 Eigen::Matrix3d JsonReader::rotation() const {
-  constexpr double kTolerance = 1e-6;
   Eigen::Matrix3d R = matrix3();
-  if (!(R * R.transpose()).isIdentity(kTolerance) || std::abs(R.determinant() - 1) > kTolerance) {
-    fail(message("a rotation matrix (row-major, orthogonal to 1e-6, determinant +1)"));
-  }
+  if (!isRotation(R)) fail(message("a rotation matrix (row-major, orthogonal to 1e-6, determinant +1)"));
   return R;
 }
 
 Eigen::Quaterniond JsonReader::unitQuaternion() const {
-  constexpr double kTolerance = 1e-6;
   const std::vector<double> v = numbers(4);
   const Eigen::Quaterniond q(v[0], v[1], v[2], v[3]);
-  if (!(std::abs(q.norm() - 1) <= kTolerance)) fail(message("a unit quaternion (w, x, y, z)"));
+  if (!isUnitQuaternion(q)) fail(message("a unit quaternion (w, x, y, z)"));
   return q.normalized();
 }
 
@@ -501,8 +436,9 @@ void JsonReader::requireFormat(std::string_view format, std::uint32_t newest) co
 
 std::string dumpReadable(const nlohmann::ordered_json& json) {
   std::string text;
-  appendReadable(json, 0, text);
-  text += '\n';
+  JsonWriter writer([&](std::string_view piece) { text += piece; });
+  writer.value(json);
+  writer.finish();
   return text;
 }
 
@@ -512,11 +448,17 @@ nlohmann::json toJson(const Eigen::Matrix3d& m) {
   return {m(0, 0), m(0, 1), m(0, 2), m(1, 0), m(1, 1), m(1, 2), m(2, 0), m(2, 1), m(2, 2)};
 }
 
-nlohmann::json quaternionWxyz(const Eigen::Matrix3d& R) {
+std::array<double, 4> quaternionWxyz(const Eigen::Matrix3d& R) {
   Eigen::Quaterniond q(R);
   q.normalize();
   if (q.w() < 0) q.coeffs() = -q.coeffs();
   return {q.w(), q.x(), q.y(), q.z()};
 }
+
+bool isRotation(const Eigen::Matrix3d& R) {
+  return (R * R.transpose()).isIdentity(kOrthogonalTo) && std::abs(R.determinant() - 1) <= kOrthogonalTo;
+}
+
+bool isUnitQuaternion(const Eigen::Quaterniond& q) { return std::abs(q.norm() - 1) <= kOrthogonalTo; }
 
 }  // namespace hexoderm

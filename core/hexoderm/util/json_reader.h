@@ -4,6 +4,7 @@
 
 #include <Eigen/Core>
 #include <Eigen/Geometry>
+#include <array>
 #include <cstdint>
 #include <initializer_list>
 #include <memory>
@@ -21,8 +22,10 @@ inline constexpr std::size_t kMostJsonLevels = 100;
 inline constexpr std::size_t kMostJsonValues = 20'000'000;
 
 /// Parses JSON text; `file` is named in errors. Throws FormatError with line, column and key path for what is not JSON,
-/// and with the key path for a key that is there twice and for what is larger than the limits above.
-nlohmann::json parseJson(std::string_view text, const std::string& file, std::size_t most_values = kMostJsonValues);
+/// and with the key path for a key that is there twice and for what is larger than the limits above. Of a text that is
+/// a part of a document, `levels_above` are the levels around it.
+nlohmann::json parseJson(std::string_view text, const std::string& file, std::size_t most_values = kMostJsonValues,
+                         std::size_t levels_above = 0);
 
 /// The text's top-level "format" without parsing the rest; nullopt if there is none before the text ends or stops being
 /// JSON.
@@ -81,12 +84,15 @@ class JsonReader {
   std::string path_;
 };
 
-/// JSON text for files that people read too: arrays of numbers and short objects on one line each, a space of indent a
-/// level, numbers that read back as the same double. Throws InvalidArgument for a number that is not finite.
+/// The text of a document, as JsonWriter writes it. Throws InvalidArgument for a number that is not finite.
 std::string dumpReadable(const nlohmann::ordered_json& json);
 
 nlohmann::json toJson(const Eigen::Vector3d& v);
-nlohmann::json toJson(const Eigen::Matrix3d& m);          ///< row-major
-nlohmann::json quaternionWxyz(const Eigen::Matrix3d& R);  ///< w >= 0
+nlohmann::json toJson(const Eigen::Matrix3d& m);                 ///< row-major
+std::array<double, 4> quaternionWxyz(const Eigen::Matrix3d& R);  ///< w >= 0
+
+/// What rotation() and unitQuaternion() take.
+bool isRotation(const Eigen::Matrix3d& R);
+bool isUnitQuaternion(const Eigen::Quaterniond& q);
 
 }  // namespace hexoderm

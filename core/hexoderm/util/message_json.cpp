@@ -11,6 +11,8 @@ namespace {
 // Messages within messages and lists within lists: core makes four levels of them.
 constexpr int kDeepest = 8;
 constexpr std::uint32_t kMostDecimals = 17;
+/// Behind the key of the English.
+constexpr const char* kMessageKey = "_message";
 
 constexpr std::array<std::pair<Unit, std::string_view>, 4> kUnits = {
     {{Unit::Degrees, "deg"}, {Unit::Millimetres, "mm"}, {Unit::MilliG, "mg"}, {Unit::Seconds, "s"}}};
@@ -34,6 +36,9 @@ nlohmann::ordered_json jsonOf(const MessageArgument::List& items) {
   }
   return json;
 }
+
+/// There is more to it than its English.
+bool hasArguments(const Message& message) { return !message.empty() && !message.isVerbatim(); }
 
 Message readWhole(const JsonReader& json, int depth);
 
@@ -84,12 +89,17 @@ nlohmann::ordered_json toJson(const Message& message) {
 
 void writeMessage(nlohmann::ordered_json& json, const std::string& key, const Message& message) {
   json[key] = message.english();
-  if (!message.empty() && !message.isVerbatim()) json[key + "_message"] = toJson(message);
+  if (hasArguments(message)) json[key + kMessageKey] = toJson(message);
+}
+
+void writeMessage(JsonWriter& writer, const std::string& key, const Message& message) {
+  writer.member(key, message.english());
+  if (hasArguments(message)) writer.member(key + kMessageKey, toJson(message));
 }
 
 Message readMessage(const JsonReader& json, const std::string& key) {
   const std::string english = json.at(key).string();
-  if (const auto whole = json.find(key + "_message")) {
+  if (const auto whole = json.find(key + kMessageKey)) {
     Message read = readWhole(*whole, 0);
     if (read.english() == english) return read;
   }

@@ -1,5 +1,7 @@
 // Ctrl+C ends the programs whatever holds them up: each row of the table holds one up in a way of its own.
 
+#include "hexoderm/io/calibration_json.h"
+
 #include "tests/support/patience.h"
 #include "tests/support/temporary_folder.h"
 
@@ -18,6 +20,7 @@
 
 #include <array>
 #include <chrono>
+#include <filesystem>
 #include <fstream>
 #include <functional>
 #include <stdexcept>
@@ -334,6 +337,29 @@ std::vector<Case> cases() {
          program.interrupt();
          return program.wait();
        }},
+      {"SolveOfManySessionsInTheMiddleOfIt",
+       {kByForce},
+       [](const std::string& folder) {
+         prepare("simulate -o a.session.json", folder);
+         prepare("simulate --patch sheet:30x30 --poses 4 -o b.session.json", folder);
+         std::vector<std::string> words = cli({"solve", "-o", "out"});
+         words.emplace_back("a.session.json");
+         for (int k = 0; k < 50; ++k) words.emplace_back("b.session.json");
+         Started program(std::move(words), folder);
+         program.waitForOutput("out/a.calibration.json");
+         program.interrupt();
+         return program.wait();
+       }},
+      {"SolveOfManySessionsOfWhichNobodyWritesOne",
+       {kByForce},
+       [](const std::string& folder) {
+         const std::string fifo = fifoIn(folder, "in.session.json");
+         prepare("simulate -o a.session.json", folder);
+         Started program(cli({"solve", "a.session.json", fifo, "-o", "out"}), folder);
+         program.waitForOutput("out/a.calibration.json");
+         program.interrupt();
+         return program.wait();
+       }},
       {"ConvertOfAFileThatNobodyWrites",
        {kByForce},
        [](const std::string& folder) {
@@ -401,6 +427,26 @@ TEST(InterruptTwice, EndsAtOnceAndSaysWhatIsKept) {
   program.interrupt();
   program.waitForError("is in the file");
   EXPECT_EQ(program.wait().exit_code, kByForce);
+}
+
+TEST(InterruptOfManySessions, LeavesWhatIsWrittenWhole) {
+  const test::TemporaryFolder folder;
+  const std::string in = folder.path().string();
+  prepare("simulate --patch sheet:10x10 --poses 3 -o a.session.json", in);
+  std::vector<std::string> words = cli({"solve", "-o", "out", "--jobs", "2"});
+  words.insert(words.end(), 1000, "a.session.json");
+  Started program(std::move(words), in);
+  program.waitForOutput("out/a-3.calibration.json");
+  program.interrupt();
+  program.waitForError("nterrupted");  // in order, with how many were solved, or on a busy computer by force
+  EXPECT_EQ(program.wait().exit_code, kByForce);
+  std::size_t written = 0;
+  for (const auto& entry : std::filesystem::directory_iterator(folder.path() / "out")) {
+    EXPECT_NO_THROW(readCalibrationJson(entry.path())) << entry.path();
+    ++written;
+  }
+  EXPECT_GE(written, 3U);
+  EXPECT_LT(written, 1000U);
 }
 
 }  // namespace

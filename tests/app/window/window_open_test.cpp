@@ -190,9 +190,9 @@ const Broken kBroken[] = {
     {"NewerCalibration",
      "b.calibration.json",
      [](WindowOpenTest& t) {
-       return replaced(static_cast<Test&>(t).calibration(), "\"version\": 1", "\"version\": 8");
+       return replaced(static_cast<Test&>(t).calibration(), "\"version\": 2", "\"version\": 8");
      },
-     {"8", "1"}},
+     {"8", "2"}},
     {"TruncatedTum", "b.xml", [](WindowOpenTest&) { return cut(Test::tum()); }, {"line"}},
     {"OtherXml", "b.xml", [](WindowOpenTest&) { return QByteArray("<robot name=\"arm\"/>"); }, {"robot"}},
 };

@@ -1,7 +1,10 @@
 #include "hexoderm/graph/shortest_paths.h"
 
+#include "hexoderm/graph/origin_search.h"
+
 #include <gmock/gmock.h>
 
+#include <cstdlib>
 #include <limits>
 #include <numeric>
 #include <random>
@@ -92,6 +95,28 @@ TEST(Origin, RealWeightsAgreeWithAllPairsToo) {
   std::vector<double> weights(graph.links().size());
   for (double& weight : weights) weight = uniform(random);
   EXPECT_EQ(findOrigin(graph, weights, 0), originByAllPairs(graph, weights, 0));
+}
+
+TEST(Origin, RealWeightsOfALargePatchTakeFewRunsToNearlyTheBest) {
+  for (const unsigned seed : {3U, 104U}) {
+    std::mt19937 random(seed);
+    std::uniform_real_distribution<double> uniform(0.5, 4);
+    const SkinGraph graph(bigModel(), sheet(100, 101));
+    std::vector<double> weights(graph.links().size());
+    for (double& weight : weights) weight = uniform(random);
+    const OriginFound found = searchOrigin(graph, weights, 0);
+    EXPECT_LE(found.runs, 71U) << "seed " << seed;
+    // None of its surroundings is much better.
+    double best = found.sum;
+    for (std::size_t cell = 0; cell < graph.cells().size(); ++cell) {
+      const auto row = static_cast<int>(cell / 101);
+      const auto column = static_cast<int>(cell % 101);
+      if (row % 3 != 0 || column % 3 != 0 || std::abs(row - 50) > 12 || std::abs(column - 50) > 12) continue;
+      const ShortestPaths paths = findShortestPaths(graph, weights, cell);
+      best = std::min(best, std::accumulate(paths.distance.begin(), paths.distance.end(), 0.0));
+    }
+    EXPECT_LE(found.sum, 1.005 * best) << "seed " << seed;
+  }
 }
 
 TEST(Origin, TiesGoToTheSmallestId) {

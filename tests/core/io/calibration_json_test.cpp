@@ -8,6 +8,7 @@
 #include "tests/support/error_matchers.h"
 #include "tests/support/json_mutations.h"
 #include "tests/support/result_builder.h"
+#include "tests/support/rich_calibration.h"
 #include "tests/support/session_matchers.h"
 #include "tests/support/temporary_folder.h"
 
@@ -19,65 +20,9 @@ namespace hexoderm {
 namespace {
 
 using test::messageOf;
+using test::richCalibration;
 using test::saysAll;
 using test::TemporaryFolder;
-
-Matrix6d someCovariance() {
-  Matrix6d A;
-  for (int k = 0; k < 36; ++k) A(k / 6, k % 6) = 1e-3 / (k + 1.7);
-  return A * A.transpose();
-}
-
-/// A solved skin in which every key that a calibration can have occurs.
-Reconstruction richCalibration() {
-  const Session session = readSessionJson(std::filesystem::path(HEXODERM_TEST_DATA) / "three_cells.session.json");
-  Reconstruction result = *reconstruct(*session.snapshot());
-  result.options.centring = Centring::On;
-  result.options.support_axes = SupportAxes::Off;
-  result.options.weights = LinkWeights::Residual;
-  result.options.class_threshold = 0.75;
-  result.options.max_bend_rad = 1.1;
-  result.options.gap_model = GapModel::Arc;
-  result.options.max_misfit = 4.5;
-  result.options.max_opening = 20;
-  result.options.left_out = {CellId(5), CellId(2)};
-  PatchReconstruction& patch = result.patches.at(0);
-  patch.gap_share = {1.0 / 3, 0.123456789};
-  patch.cells.at(1).placed_by = PlacedBy::Links;
-  patch.cells.at(1).cov_t_r = someCovariance();
-  patch.cells.at(1).accel_offset_g = {0.06, -1.0 / 3, 1e-9};
-  patch.cells.at(1).accel_scale = {1.02, 0.98, 2.0 / 3};
-  patch.cells.at(2).cov_t_r.reset();
-  patch.cells.at(2).accel_offset_g.reset();
-  patch.cells.at(2).accel_scale.reset();
-  patch.cells.at(2).sensors.push_back({"force 1", "force", {expSO3({0.1, -0.7, 2}), {0.1, 1.0 / 3, -2e-9}}});
-  LinkEstimate& link = patch.links.at(1);
-  link.used = false;
-  link.muted_by = FindingCode::LinkNotRigid;
-  link.in_tree = false;
-  link.centred = true;
-  link.supported = true;
-  link.quality = EdgeQuality::Over;
-  link.yaw_rad = -0.1234567890123;
-  result.layout = computeFlatLayout(*result.model, result.patches);
-  result.poses.at(0).new_by_rad = 0.9;
-  result.poses.at(0).residual_rad = 0.01;
-  result.findings.push_back(makeFinding(FindingCode::LinkNotRigid, Message::verbatim("Odd."), {CellId(2), CellId(5)},
-                                        {PortNumber(2), PortNumber(3)}, {PoseId(5)}));
-  result.findings.back().severity = Severity::Error;
-  result.assessment = {.level = VerdictLevel::NotEnough,
-                       .reason = Message::verbatim("Because."),
-                       .position_95_m = 0.00123456789,
-                       .orientation_95_rad = 0.0333,
-                       .limit = Limit::Readings,
-                       .limiting_cells = {CellId(2)},
-                       .remedy = Remedy::RetakePoses,
-                       .next_action = Message::verbatim("Do this."),
-                       .retake = {PoseId(5)}};
-  result.robot = RobotDescription{"robots/arm.urdf", "00ff", {{"arm", "/opt/arm"}}};
-  result.placements = {test::placementWithEverything(patch.origin)};
-  return result;
-}
 
 nlohmann::json richJson() { return nlohmann::json::parse(calibrationToJson(richCalibration())); }
 
@@ -103,7 +48,7 @@ void expectSamePlacement(const CellPlacement& a, const CellPlacement& b) {
   }
   EXPECT_EQ(a.accel_offset_g, b.accel_offset_g);
   EXPECT_EQ(a.accel_scale, b.accel_scale);
-  EXPECT_EQ(a.path, b.path);
+  EXPECT_EQ(a.predecessor, b.predecessor);
   ASSERT_EQ(a.sensors.size(), b.sensors.size());
   for (std::size_t k = 0; k < a.sensors.size(); ++k) {
     EXPECT_EQ(a.sensors[k].name, b.sensors[k].name);
@@ -253,9 +198,11 @@ TEST(CalibrationJson, HasTheKeysOfTheFormat) {
   for (const char* key : {"pose", "g_o", "sigma_deg"}) EXPECT_TRUE(patch["gravity"][0].contains(key)) << key;
   const nlohmann::json& cell = patch["cells"][1];
   for (const char* key : {"id", "body_part", "placed_by", "R_o_u", "q_o_u_wxyz", "t_o_u_m", "cov_t_r", "sigma_t_m",
-                          "sigma_r_rad", "path", "sensors", "accel_offset_g", "accel_scale"}) {
+                          "sigma_r_rad", "sensors", "accel_offset_g", "accel_scale"}) {
     EXPECT_TRUE(cell.contains(key)) << key;
   }
+  EXPECT_FALSE(cell.contains("predecessor")) << "the origin";
+  EXPECT_EQ(patch["cells"][0].at("predecessor"), 2);
   for (const char* key : {"name", "t_o_m", "q_o_wxyz"}) EXPECT_TRUE(cell["sensors"][0].contains(key)) << key;
   for (const char* key :
        {"source", "source_port", "target", "target_port", "R_c_n", "quality", "singular_values", "weight",
@@ -275,7 +222,7 @@ TEST(CalibrationJson, StatesUnitsAsItsKeysSay) {
   const nlohmann::json json = richJson();
   const nlohmann::json& cell = json["patches"][0]["cells"][1];
   ASSERT_EQ(cell["cov_t_r"].size(), 21U);
-  const Matrix6d cov = someCovariance();
+  const Matrix6d cov = test::someCovariance();
   EXPECT_EQ(cell["cov_t_r"][1], cov(0, 1));
   EXPECT_EQ(cell["cov_t_r"][6], cov(1, 1));
   EXPECT_EQ(cell["cov_t_r"][20], cov(5, 5));
@@ -287,6 +234,26 @@ TEST(CalibrationJson, StatesUnitsAsItsKeysSay) {
   EXPECT_EQ(nlohmann::json::parse(
                 calibrationToJson(*reconstruct(*Session(*result.model, {}).snapshot())))["options"]["max-bend-deg"],
             60.0);
+}
+
+TEST(CalibrationJson, ReadsTheWholePathsOfVersionOne) {
+  nlohmann::json json = richJson();
+  json["version"] = 1;
+  nlohmann::json& cells = json["patches"][0]["cells"];
+  for (nlohmann::json& cell : cells) {
+    cell.erase("predecessor");
+    cell["path"] = cell["id"] == 2 ? nlohmann::json::array({2}) : nlohmann::json::array({2, cell["id"]});
+  }
+  const auto back = parseCalibrationJson(json.dump(), "old");
+  EXPECT_THAT(back->patches[0].pathTo(CellId(5)), testing::ElementsAre(CellId(2), CellId(5)));
+  EXPECT_THAT(back->patches[0].pathTo(CellId(2)), testing::ElementsAre(CellId(2)));
+
+  cells[0]["path"] = {2, 5};
+  EXPECT_THAT(messageOf<FormatError>([&] { parseCalibrationJson(json.dump(), "old"); }),
+              saysAll("patches[0].cells[0].path: expected cells"));
+  cells[0]["path"] = {99, 1};
+  EXPECT_THAT(messageOf<FormatError>([&] { parseCalibrationJson(json.dump(), "old"); }),
+              saysAll("patches[0].cells[0].path: expected cells"));
 }
 
 TEST(CalibrationJson, LeavesOutWhatIsNotKnown) {
@@ -425,8 +392,14 @@ TEST(CalibrationJson, NamesTheKeyPathOfWhatIsWrong) {
               saysAll("patches[0].cells[1].id: expected each cell once"));
   EXPECT_THAT(calibrationComplaint("/patches/0/cells/1/id", -1),
               saysAll("patches[0].cells[1].id: expected a whole number"));
-  EXPECT_THAT(calibrationComplaint("/patches/0/cells/1/path/0", 99),
-              saysAll("patches[0].cells[1].path: expected cells"));
+  EXPECT_THAT(calibrationComplaint("/patches/0/cells/0/predecessor", 99),
+              saysAll("patches[0].cells[0].predecessor: expected a cell"));
+  EXPECT_THAT(calibrationComplaint("/patches/0/cells/0/predecessor", 1),
+              saysAll("patches[0].cells[0].predecessor: expected a cell"));
+  nlohmann::json origin_with_predecessor = richJson();
+  origin_with_predecessor["patches"][0]["cells"][1]["predecessor"] = 1;
+  EXPECT_THAT(messageOf<FormatError>([&] { parseCalibrationJson(origin_with_predecessor.dump(), "c.json"); }),
+              saysAll("patches[0].cells[1].predecessor: expected a cell"));
   EXPECT_THAT(calibrationComplaint("/patches/0/gravity/0/g_o", {0, 0, 2}),
               saysAll("patches[0].gravity[0].g_o", "unit vector"));
   EXPECT_THAT(calibrationComplaint("/patches/0/links/0/source_port", 9),
@@ -442,7 +415,7 @@ TEST(CalibrationJson, NamesTheKeyPathOfWhatIsWrong) {
   EXPECT_THAT(calibrationComplaint("/findings/0/code", "mood"), saysAll("findings[0].code"));
   EXPECT_THAT(calibrationComplaint("/verdict/level", "splendid"), saysAll("verdict.level"));
   EXPECT_THAT(calibrationComplaint("/verdict/position_95_mm", -1), saysAll("verdict.position_95_mm", "at least 0"));
-  EXPECT_THAT(calibrationComplaint("/version", 2), saysAll("c.json: version", "version 2", "up to version 1"));
+  EXPECT_THAT(calibrationComplaint("/version", 3), saysAll("c.json: version", "version 3", "up to version 2"));
   EXPECT_THAT(calibrationComplaint("/format", "hexoderm-session"), saysAll("c.json: format"));
 }
 

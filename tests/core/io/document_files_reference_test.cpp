@@ -4,8 +4,10 @@
 #include "hexoderm/io/open_file.h"
 #include "hexoderm/io/session_json.h"
 #include "hexoderm/io/tum_xml.h"
+#include "hexoderm/reconstruction/reconstructor.h"
 #include "hexoderm/util/file.h"
 #include "hexoderm/util/units.h"
+#include "tests/support/both_readers.h"
 #include "tests/support/matchers.h"
 
 #include <gtest/gtest.h>
@@ -54,6 +56,20 @@ TEST(ReferenceSessions, AreReadAndComeBackAsTheyWere) {
     ++count;
   }
   EXPECT_GE(count, 5U);
+}
+
+TEST(ReferenceSessions, AreTheSameForBothReaders) {
+  std::size_t count = 0;
+  for (const auto& entry : std::filesystem::recursive_directory_iterator(kReference)) {
+    if (!entry.path().string().ends_with(".session.json")) continue;
+    SCOPED_TRACE(entry.path().string());
+    const std::string text = readFile(entry.path());
+    EXPECT_EQ(test::readSessionBothWays(text), test::TakenBy::Both);
+    const auto result = reconstruct(*parseSessionJson(text, "s.json").snapshot());
+    EXPECT_EQ(test::readCalibrationBothWays(calibrationToJson(*result)), test::TakenBy::Both);
+    ++count;
+  }
+  EXPECT_GE(count, 12U);
 }
 
 TEST(RealTumFile, ObeysEquationThreeWithTheBuiltInModel) {

@@ -78,9 +78,9 @@ TEST_F(ExportCsv, HoldsPlacementsToTheLastBit) {
   const Eigen::Quaterniond q(std::stod(rows[1][8]), std::stod(rows[1][9]), std::stod(rows[1][10]),
                              std::stod(rows[1][11]));
   EXPECT_LT((q.toRotationMatrix() - reconstruction.patches[0].cells[0].T_o_u.R).norm(), 1e-15);
-  EXPECT_EQ(rows[1][12], "0.001");   // sigma_x_m
-  EXPECT_EQ(rows[3][12], "");        // not known
-  EXPECT_EQ(rows[1].back(), "7 3");  // path
+  EXPECT_EQ(rows[1][12], "0.001");  // sigma_x_m
+  EXPECT_EQ(rows[3][12], "");       // not known
+  EXPECT_EQ(rows[1].back(), "7");   // predecessor
 }
 
 TEST_F(ExportCsv, HoldsDeviationsAndSensorErrorsWhereTheyAreKnown) {

@@ -107,8 +107,8 @@ TEST(OpenFile, NamesWhatIsWrongInsideAFile) {
   EXPECT_THAT(complaint("{\"a\": [1, 2"), saysAll("f.dat", "at a[2]", "ends in the middle"));
   EXPECT_THAT(complaint("{\"format\": \"hexoderm-session\", \"version\": 3}"),
               saysAll("f.dat", "version 3", "version 1"));
-  EXPECT_THAT(complaint("{\"format\": \"hexoderm-calibration\", \"version\": 2}"),
-              saysAll("f.dat", "version 2", "version 1"));
+  EXPECT_THAT(complaint("{\"format\": \"hexoderm-calibration\", \"version\": 3}"),
+              saysAll("f.dat", "version 3", "version 2"));
   EXPECT_THAT(complaint("{\"format\": \"hexoderm-session\", \"version\": 1, \"cells\": [NaN]}"),
               saysAll("f.dat: cells[0]", "finite", "NaN"));
 }

@@ -122,7 +122,7 @@ TEST(Reconstructor, ClosedRingIsExactWhereItsCellsObeyTheLinkModel) {
   EXPECT_EQ(in_tree, 7);
   // All cells of a ring are alike: the smallest ID is the origin, and ties go to the smallest predecessor.
   EXPECT_EQ(result->patches.front().origin, CellId(1));
-  EXPECT_THAT(result->patches.front().findCell(CellId(5))->path,
+  EXPECT_THAT(result->patches.front().pathTo(CellId(5)),
               ElementsAre(CellId(1), CellId(2), CellId(3), CellId(4), CellId(5)));
 }
 

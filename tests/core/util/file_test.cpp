@@ -336,5 +336,81 @@ TEST(WriteFileAtomically, KeepsTheOldFileWhenWritingFailsHalfWay) {
   EXPECT_EQ(folder.entryCount(), 1U) << "a temporary file was left behind";
 }
 
+/// Pieces of a document, and how often they were asked for.
+class Pieces {
+ public:
+  explicit Pieces(std::vector<std::string> pieces) : pieces_(std::move(pieces)) {}
+  [[nodiscard]] ProduceBytes produce() {
+    return [this](const WriteBytes& write) {
+      ++calls;
+      for (const std::string& piece : pieces_) {
+        if (piece.empty()) throw InvalidArgument("a piece that can't be produced");
+        write(piece);
+      }
+    };
+  }
+  int calls = 0;
+
+ private:
+  std::vector<std::string> pieces_;
+};
+
+TEST(WriteFileInPieces, WritesNewAndReplacesOldWithItsRights) {
+  const test::TemporaryFolder folder;
+  const auto file = folder.path() / "out.txt";
+  Pieces first({"fi", "r", "st"});
+  writeFileAtomically(file, first.produce());
+  EXPECT_EQ(readFile(file), "first");
+  std::filesystem::permissions(file, std::filesystem::perms(0600));
+  Pieces second({std::string(100'000, 'a'), std::string(100'000, 'b')});
+  writeFileAtomically(file, second.produce());
+  EXPECT_EQ(readFile(file), std::string(100'000, 'a') + std::string(100'000, 'b'));
+  EXPECT_EQ(std::filesystem::status(file).permissions(), std::filesystem::perms(0600));
+  EXPECT_EQ(folder.entryCount(), 1U);
+  EXPECT_EQ(first.calls + second.calls, 2) << "for files once each";
+}
+
+TEST(WriteFileInPieces, LeavesEverythingAsItWasWhereAPieceCannotBeProduced) {
+  const test::TemporaryFolder folder;
+  const auto file = folder.put("out.txt", "old");
+  Pieces broken({"new", ""});
+  EXPECT_THROW(writeFileAtomically(file, broken.produce()), InvalidArgument);
+  EXPECT_THROW(writeFileAtomically(folder.path() / "other.txt", broken.produce()), InvalidArgument);
+  EXPECT_EQ(readFile(file), "old");
+  EXPECT_EQ(folder.entryCount(), 1U);
+}
+
+TEST(WriteFileInPieces, KeepsTheOldFileWhenTheDiskIsFull) {
+  const test::TemporaryFolder folder;
+  const auto file = folder.put("out.txt", "old");
+  Pieces pieces({std::string(4000, 'a'), std::string(4000, 'b')});
+  std::string message;
+  std::string at_once;
+  {
+    const test::NoFileGrows full(6000);
+    message = messageOf<StorageError>([&] { writeFileAtomically(file, pieces.produce()); });
+    at_once = messageOf<StorageError>([&] { writeFileAtomically(file, std::string(8000, 'a')); });
+  }
+  EXPECT_THAT(message, saysAll("out.txt", "cannot be written"));
+  EXPECT_EQ(message, at_once);
+  EXPECT_EQ(readFile(file), "old");
+  EXPECT_EQ(folder.entryCount(), 1U);
+}
+
+TEST(WriteFileInPieces, WritesIntoAFifoWhatCanBeProducedAsAWhole) {
+  const test::TemporaryFolder folder;
+  const auto fifo = folder.path() / "fifo";
+  ASSERT_EQ(::mkfifo(fifo.c_str(), 0600), 0);
+  Pieces broken({"new", ""});
+  EXPECT_THROW(writeFileAtomically(fifo, broken.produce()), InvalidArgument) << "before anybody reads";
+  Pieces pieces({"a", std::string(100'000, 'b'), "c"});
+  std::string received;
+  std::thread reader([&] { received = readFile(fifo); });
+  writeFileAtomically(fifo, pieces.produce());
+  reader.join();
+  EXPECT_EQ(received, "a" + std::string(100'000, 'b') + "c");
+  EXPECT_EQ(pieces.calls, 2);
+}
+
 }  // namespace
 }  // namespace hexoderm

@@ -214,7 +214,7 @@ TEST(DumpReadable, RefusesWhatIsNotFinite) {
 TEST(QuaternionWxyz, HasANonNegativeW) {
   // Three quarters of a turn about z: the same as a quarter backwards.
   const Eigen::Matrix3d R = Eigen::AngleAxisd(4.71238898038469, Eigen::Vector3d::UnitZ()).toRotationMatrix();
-  const auto q = quaternionWxyz(R).get<std::vector<double>>();
+  const std::array<double, 4> q = quaternionWxyz(R);
   EXPECT_NEAR(q[0], 0.70710678118654757, 1e-15);
   EXPECT_NEAR(q[3], -0.70710678118654757, 1e-15);
 }

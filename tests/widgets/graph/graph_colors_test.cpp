@@ -35,7 +35,7 @@ class GraphColorsTest : public GraphViewTest {
     PatchReconstruction& patch = result->patches.front();
     for (CellPlacement& cell : patch.cells) {
       cell.cov_t_r = Matrix6d::Identity() * 1e-8;
-      cell.path = {CellId(1), cell.cell};
+      if (cell.cell != patch.origin) cell.predecessor = patch.origin;
     }
     patch.cells[8].cov_t_r = Matrix6d::Identity() * 1.0;  // cell 9: far beyond every scale
     patch.links[7].residual_rad = 50 * kDegree;           // 5 to 9
@@ -232,7 +232,12 @@ TEST_F(GraphColorsTest, TheToolTipOfACellHasAllItsFigures) {
   placement.T_o_u = {rotationFromRpy({0.1, -0.2, 0.3}), {0.0123, -0.004, 0.00002}};
   placement.accel_offset_g = Eigen::Vector3d(0.061, -0.012, 0);
   placement.accel_scale = Eigen::Vector3d(1.01, 0.98, 1);
-  placement.path = {CellId(1), CellId(5), CellId(9), CellId(13)};
+  const auto comeBefore = [&](std::initializer_list<std::uint32_t> path) {
+    for (auto next = path.begin() + 1; next != path.end(); ++next) {
+      result->patches[0].cells[*next - 1].predecessor = CellId(*(next - 1));
+    }
+  };
+  comeBefore({1, 5, 9, 13});
   placement.body_part = "fore<arm>";
   show(result);
   const std::string text = toolTipAt(cell(13));
@@ -245,8 +250,8 @@ TEST_F(GraphColorsTest, TheToolTipOfACellHasAllItsFigures) {
   QLocale::setDefault(QLocale(QLocale::German, QLocale::Germany));
   EXPECT_THAT(toolTipAt(cell(13)), testing::HasSubstr("12,3; −4,0; 0,0 mm"));
   QLocale::setDefault(QLocale::c());
-  for (std::uint32_t id = 20; id < 40; ++id) placement.path.insert(placement.path.end() - 1, CellId(id));
-  EXPECT_THAT(toolTipAt(cell(13)), testing::HasSubstr("1 → 5 → 9 → 20 → … → 37 → 38 → 39 → 13 (23 links)"));
+  comeBefore({1, 5, 9, 2, 3, 4, 6, 7, 8, 10, 11, 12, 14, 13});
+  EXPECT_THAT(toolTipAt(cell(13)), testing::HasSubstr("1 → 5 → 9 → 2 → … → 11 → 12 → 14 → 13 (13 links)"));
   QToolTip::hideText();
 }
 

@@ -34,7 +34,7 @@ class PatchLegendViewTest : public testing::Test {
   static std::shared_ptr<const Reconstruction> skin() {
     Reconstruction demo = demoReconstruction();
     for (CellPlacement& cell : demo.patches[0].cells) {
-      const double sigma_m = 0.0002 * static_cast<double>(cell.path.size());
+      const double sigma_m = 0.0002 * static_cast<double>(demo.patches[0].pathTo(cell.cell).size());
       cell.cov_t_r = Matrix6d::Identity() * sigma_m * sigma_m;
     }
     demo.patches[0].cells[7].cov_t_r = Matrix6d::Identity() * 36e-6;

@@ -244,8 +244,8 @@ TEST_F(PatchViewTest, ColourModesChangeThePictureAndTheLegend) {
   Reconstruction skin = demoReconstruction();
   for (CellPlacement& cell : skin.patches[0].cells) {
     cell.body_part = cell.cell.value() < 9 ? "forearm" : "upper arm";
-    cell.cov_t_r = Matrix6d::Identity() * 1e-6 * static_cast<double>(cell.path.size() - 1);
-    cell.shape_cov_t_r = Matrix6d::Identity() * 1e-7 * static_cast<double>(cell.path.size());
+    cell.cov_t_r = Matrix6d::Identity() * 1e-6 * static_cast<double>(skin.patches[0].pathTo(cell.cell).size() - 1);
+    cell.shape_cov_t_r = Matrix6d::Identity() * 1e-7 * static_cast<double>(skin.patches[0].pathTo(cell.cell).size());
   }
   view.setReconstruction(std::make_shared<const Reconstruction>(skin));
   moment.readings = readingsOf({{CellId(1), {0.1, 0.2, 0.9}}, {CellId(2), {0.5, -0.6, 0.7}}}, {{CellId(2), 31.5}});

@@ -60,7 +60,7 @@ inline DemoOptions mixedQualities() {
 inline Reconstruction withUncertainties(double factor = 1) {
   Reconstruction demo = demoReconstruction(mixedQualities());
   for (CellPlacement& cell : demo.patches[0].cells) {
-    const double sigma_m = 0.0003 * factor * static_cast<double>(cell.path.size() - 1);
+    const double sigma_m = 0.0003 * factor * static_cast<double>(demo.patches[0].pathTo(cell.cell).size() - 1);
     const Eigen::Vector3d sigmas(0.4 * sigma_m, 0.6 * sigma_m, sigma_m);
     cell.cov_t_r = Matrix6d::Zero();
     cell.cov_t_r->topLeftCorner<3, 3>() = cell.T_o_u.R * sigmas.cwiseAbs2().asDiagonal() * cell.T_o_u.R.transpose();

@@ -12,6 +12,36 @@
 namespace hexoderm {
 namespace {
 
+/// The links at each cell, in the plan's order.
+class LinksOfCells {
+ public:
+  explicit LinksOfCells(const PatchPlan& plan) : links_(plan.links), begin_(plan.cell_count + 1, 0) {
+    for (const PlannedLink& link : links_) {
+      ++begin_[link.source + 1];
+      ++begin_[link.target + 1];
+    }
+    for (std::size_t cell = 0; cell < plan.cell_count; ++cell) begin_[cell + 1] += begin_[cell];
+    std::vector<std::uint32_t> next(begin_.begin(), begin_.end() - 1);
+    numbers_.resize(2 * links_.size());
+    for (std::size_t k = 0; k < links_.size(); ++k) {
+      for (const std::size_t end : {links_[k].source, links_[k].target}) {
+        numbers_[next[end]++] = static_cast<std::uint32_t>(k);
+      }
+    }
+  }
+
+  [[nodiscard]] std::size_t countOf(std::size_t cell) const { return begin_[cell + 1] - begin_[cell]; }
+  [[nodiscard]] PlannedLink leadingAway(std::size_t cell, std::size_t which) const {
+    const PlannedLink& link = links_[numbers_[begin_[cell] + which]];
+    return link.source == cell ? link : reversed(link);
+  }
+
+ private:
+  const std::vector<PlannedLink>& links_;
+  std::vector<std::uint32_t> begin_;    ///< per cell, into numbers_
+  std::vector<std::uint32_t> numbers_;  ///< of links
+};
+
 /// Distance along the geodesic from one centre to the next.
 double linkLength(const PlannedLink& link, LinkLaw law, const Surface& surface, const Eigen::Vector3d& from,
                   const Eigen::Vector3d& direction) {
@@ -107,11 +137,9 @@ void requireClosed(const PatchPlan& plan, const std::vector<SE3>& cells) {
 }  // namespace
 
 std::vector<SE3> layPatch(const PatchPlan& plan, const Surface& surface, LinkLaw law) {
-  std::vector<std::vector<PlannedLink>> links_at(plan.cell_count);  // leading away from the cell
+  const LinksOfCells links_at(plan);
   double reach = 0;
   for (const PlannedLink& link : plan.links) {
-    links_at[link.source].push_back(link);
-    links_at[link.target].push_back(reversed(link));
     reach = std::max({reach, reachOf(link.source_port), reachOf(link.target_port)});
   }
   std::vector<SE3> cells(plan.cell_count);
@@ -127,7 +155,8 @@ std::vector<SE3> layPatch(const PatchPlan& plan, const Surface& surface, LinkLaw
   std::vector<PlannedLink> known;
   for (std::size_t next = 0; next < order.size(); ++next) {
     const std::size_t from = order[next];
-    for (const PlannedLink& link : links_at[from]) {
+    for (std::size_t k = 0; k < links_at.countOf(from); ++k) {
+      const PlannedLink link = links_at.leadingAway(from, k);
       const std::size_t to = link.target;
       if (laid[to]) continue;
       const Eigen::Vector3d direction = cells[from].R.leftCols<2>() * link.source_port.vector_m.head<2>().normalized();
@@ -139,7 +168,8 @@ std::vector<SE3> layPatch(const PatchPlan& plan, const Surface& surface, LinkLaw
       order.push_back(to);
       if (plan.has_loops) {
         known.clear();
-        for (const PlannedLink& other : links_at[to]) {
+        for (std::size_t j = 0; j < links_at.countOf(to); ++j) {
+          const PlannedLink other = links_at.leadingAway(to, j);
           if (laid[other.target]) known.push_back(other);
         }
         relaxation.fitCell(to, known, cells);

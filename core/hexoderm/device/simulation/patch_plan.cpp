@@ -9,7 +9,9 @@
 namespace hexoderm {
 namespace {
 
-constexpr std::size_t kMaxCells = 100'000;
+constexpr std::size_t kMostCellsOfSheet = 1'000'000;
+constexpr std::size_t kMostCellsOfRing = 100'000;
+constexpr std::size_t kMostLiveCells = 100'000;
 constexpr std::size_t kArmCells = 4;
 constexpr std::string_view kClosed = ":closed";
 
@@ -139,7 +141,7 @@ PatchShape parsePatch(const std::string& patch) {
     const bool closed = count.ends_with(kClosed);
     if (closed) count.remove_suffix(kClosed.size());
     const std::size_t cells = parseUnsigned(count, "patch \"" + patch + "\", cells");
-    if (cells < 3 || cells > kMaxCells)
+    if (cells < 3 || cells > kMostCellsOfRing)
       throw InvalidArgument(message("patch \"{}\": a ring has 3 to 100000 cells", patch));
     return {closed ? PatchKind::ClosedRing : PatchKind::Ring, cells, 1};
   }
@@ -149,13 +151,23 @@ PatchShape parsePatch(const std::string& patch) {
     if (sizes.size() != 2) throw InvalidArgument(message("patch \"{}\": expected sheet:ROWSxCOLS", patch));
     const std::size_t rows = parseUnsigned(sizes[0], "patch \"" + patch + "\", rows");
     const std::size_t cols = parseUnsigned(sizes[1], "patch \"" + patch + "\", columns");
-    if (rows == 0 || cols == 0 || rows > kMaxCells || cols > kMaxCells || rows * cols > kMaxCells) {
-      throw InvalidArgument(message("patch \"{}\": a sheet has 1 to 100000 cells", patch));
+    if (rows == 0 || cols == 0 || rows > kMostCellsOfSheet || cols > kMostCellsOfSheet ||
+        rows * cols > kMostCellsOfSheet) {
+      throw InvalidArgument(message("patch \"{}\": a sheet has 1 to 1000000 cells", patch));
     }
     return {PatchKind::Sheet, rows, cols};
   }
   throw InvalidArgument(
       message("patch \"{}\" is not known; expected x17, ringN, ringN:closed or sheet:ROWSxCOLS", patch));
+}
+
+PatchShape parseLivePatch(const std::string& patch) {
+  const PatchShape shape = parsePatch(patch);
+  if (shape.rows * shape.cols > kMostLiveCells) {
+    throw InvalidArgument(
+        message("patch \"{}\": a live skin, or one on a robot, has at most {} cells", patch, kMostLiveCells));
+  }
+  return shape;
 }
 
 PatchPlan planPatch(const std::string& patch, const CellModel& model) {

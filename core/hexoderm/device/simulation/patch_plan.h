@@ -44,9 +44,12 @@ struct PatchShape {
   std::size_t rows = 0;  ///< rows of a sheet; all cells of a ring
   std::size_t cols = 0;
 };
-/// x17 | ringN | ringN:closed | sheet:ROWSxCOLS. Throws InvalidArgument for any other text, a ring of less than 3 cells
-/// and a patch of more than 100,000.
+/// x17 | ringN | ringN:closed | sheet:ROWSxCOLS. Throws InvalidArgument for any other text, a ring of less than 3 or
+/// more than 100,000 cells, and a sheet of more than 1,000,000.
 PatchShape parsePatch(const std::string& patch);
+/// The same for a patch that is live or worn by a robot, of which every reading of every cell is kept for a while.
+/// Throws InvalidArgument for more than 100,000 cells too.
+PatchShape parseLivePatch(const std::string& patch);
 
 /// A patch by its name, made of the model's pairs of opposite ports. Throws as parsePatch(), and InvalidArgument for a
 /// model with too few opposite ports.

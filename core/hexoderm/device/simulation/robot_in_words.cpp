@@ -44,7 +44,7 @@ SimulatedRobotOptions robotOptions(const RobotInWords& words) {
   if (words.ideal && words.base == "motors") {
     throw InvalidArgument(message("base: a robot with its motors on is not ideal"));
   }
-  parsePatch(words.patch);
+  parseLivePatch(words.patch);
   if (!words.surface.empty()) makeSurface(words.surface);
   options.seed = words.seed;
   options.skin.link_law = words.link_law;

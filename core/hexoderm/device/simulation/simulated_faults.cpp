@@ -235,11 +235,13 @@ void WrongDelivery::exchange(const std::vector<CellHealth>& cells, std::vector<C
 }
 
 LinkFaults::LinkFaults(const PatchPlan& plan, const CellModel& model, const SimulatedSkinOptions& options)
-    : links_(plan.allLinks()), reported_(links_), joint_angle_rad_(options.joint_angle_rad), seed_(options.seed) {
+    : reported_(plan.allLinks()), joint_angle_rad_(options.joint_angle_rad), seed_(options.seed) {
+  // The links of the real mould, needed only where one of them is broken.
+  const std::vector<PlannedLink> links = options.link_faults.empty() ? std::vector<PlannedLink>() : reported_;
   std::set<LinkEnd> renamed;
   std::set<std::size_t> cut;
   for (const LinkFault& fault : options.link_faults) {
-    const std::size_t link = findLink(fault.at, links_, plan.cell_count);
+    const std::size_t link = findLink(fault.at, links, plan.cell_count);
     const bool is_new =
         fault.kind == LinkFaultKind::WrongPort ? renamed.insert(fault.at).second : cut.insert(link).second;
     if (!is_new) throw InvalidArgument(message("simulated skin: the link at {} is broken already", inWords(fault.at)));
@@ -248,10 +250,10 @@ LinkFaults::LinkFaults(const PatchPlan& plan, const CellModel& model, const Simu
         reportWrongPort(fault.at, link, model, options.seed);
         break;
       case LinkFaultKind::Joint:
-        joints_.push_back(cutAt(plan, link));
+        joints_.push_back(cutAt(plan, links, link));
         break;
       case LinkFaultKind::Cable:
-        cables_.push_back(cutAt(plan, link));
+        cables_.push_back(cutAt(plan, links, link));
         break;
     }
   }
@@ -303,12 +305,12 @@ void LinkFaults::reportWrongPort(const LinkEnd& at, std::size_t link, const Cell
   (at_source ? wrong.source_port : wrong.target_port) = free[any(random)];
 }
 
-LinkFaults::Cut LinkFaults::cutAt(const PatchPlan& plan, std::size_t link) const {
-  const auto turnedTo = [&](bool target_is_far) { return target_is_far ? links_[link] : reversed(links_[link]); };
-  const std::vector<std::optional<SE3>> held = layFlat(plan.start, linksByCell(links_, link, plan.cell_count));
-  const bool reaches_source = held[links_[link].source].has_value();
+LinkFaults::Cut LinkFaults::cutAt(const PatchPlan& plan, const std::vector<PlannedLink>& links, std::size_t link) {
+  const auto turnedTo = [&](bool target_is_far) { return target_is_far ? links[link] : reversed(links[link]); };
+  const std::vector<std::optional<SE3>> held = layFlat(plan.start, linksByCell(links, link, plan.cell_count));
+  const bool reaches_source = held[links[link].source].has_value();
   Cut cut;
-  if (reaches_source != held[links_[link].target].has_value()) {
+  if (reaches_source != held[links[link].target].has_value()) {
     cut.link = turnedTo(reaches_source);
     for (std::size_t cell = 0; cell < held.size(); ++cell) {
       if (!held[cell]) cut.far_side.push_back(cell);
@@ -316,14 +318,14 @@ LinkFaults::Cut LinkFaults::cutAt(const PatchPlan& plan, std::size_t link) const
     return cut;
   }
   if (plan.closure) {
-    const LinkEnd at{idOf(links_[link].source), links_[link].source_port.number};
+    const LinkEnd at{idOf(links[link].source), links[link].source_port.number};
     throw InvalidArgument(
         message("simulated skin: the link at {} can't be a joint or a cable: the rest of the closed ring holds both "
                 "its sides together",
                 inWords(at)));
   }
   // The link is not all that holds the sides together: both are cut apart along a line through it.
-  const PlannedLink& through = links_[link];
+  const PlannedLink& through = links[link];
   const LinkFrame line = frameOf(through, *held[through.source], *held[through.target]);
   const auto isBehind = [&](std::size_t cell) { return line.along.dot(held[cell]->t - line.middle) > 0; };
   const bool start_is_behind = isBehind(plan.start);

@@ -8,6 +8,7 @@
 
 #include <optional>
 #include <random>
+#include <utility>
 #include <vector>
 
 namespace hexoderm {
@@ -57,8 +58,8 @@ class LinkFaults {
   /// broken in this way.
   LinkFaults(const PatchPlan& plan, const CellModel& model, const SimulatedSkinOptions& options);
 
-  /// The patch's links with the ports that the cells report.
-  [[nodiscard]] const std::vector<PlannedLink>& reportedLinks() const { return reported_; }
+  /// The patch's links with the ports that the cells report. They are as large as a skin, and asked for once.
+  [[nodiscard]] std::vector<PlannedLink> takeReportedLinks() { return std::move(reported_); }
 
   /// Takes the cells behind every cable to where the cable lets them lie.
   void pullCables(std::vector<TrueCell>& cells) const;
@@ -75,10 +76,9 @@ class LinkFaults {
 
   void renumberPorts(const CellModel& model, bool around);
   void reportWrongPort(const LinkEnd& at, std::size_t link, const CellModel& model, std::uint64_t seed);
-  [[nodiscard]] Cut cutAt(const PatchPlan& plan, std::size_t link) const;
+  static Cut cutAt(const PatchPlan& plan, const std::vector<PlannedLink>& links, std::size_t link);
   static std::vector<SE3> composed(const std::vector<Cut>& cuts, const std::vector<SE3>& motions, std::size_t cells);
 
-  std::vector<PlannedLink> links_;  ///< the links of the real mould
   std::vector<PlannedLink> reported_;
   std::vector<Cut> joints_;
   std::vector<Cut> cables_;

@@ -171,6 +171,7 @@ SimulatedRobot::State::State(CellModel cell_model, RobotModel robot_model, Simul
 
 void SimulatedRobot::State::mount(const PatchMount& mount, std::uint64_t seed) {
   const std::size_t link = robot.linkNamed(mount.link);
+  parseLivePatch(mount.patch);
   SimulatedSkinOptions skin_options = options.skin;
   skin_options.patch = mount.patch;
   skin_options.surface = mount.surface;

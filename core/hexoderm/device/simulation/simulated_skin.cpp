@@ -28,6 +28,8 @@ struct SensorChain {
   Eigen::Vector3d position_b;  ///< position of the accelerometer
 };
 
+CellId cellNumbered(std::size_t index) { return CellId(static_cast<std::uint32_t>(index + 1)); }
+
 std::string_view lawName(LinkLaw law) { return law == LinkLaw::Bend ? "bend" : "surface"; }
 
 }  // namespace
@@ -120,7 +122,7 @@ struct SimulatedSkin::State {
 
   Hold hold(const Eigen::Vector3d& up_b);
   Hold hold(const CarriedBody& body);
-  std::vector<SampleFrame> record(Hold holding, std::size_t frame_count);
+  void record(Hold holding, std::size_t frame_count, const FrameSink& take);
   void holdLive(Hold holding);
   /// On a table, unless it is held already.
   void beginLive();
@@ -156,9 +158,9 @@ SimulatedSkin::State::State(CellModel cell_model, SimulatedSkinOptions skin_opti
   const CellId above_all(static_cast<std::uint32_t>(plan.cell_count) + 1);
   model.interface_id = std::max(model.interface_id, above_all);
   loop = plan.loop;
-  const LinkFaults link_faults(plan, model, options);
+  LinkFaults link_faults(plan, model, options);
   neighbors.resize(plan.cell_count);
-  reportNeighbors(link_faults.reportedLinks());
+  reportNeighbors(link_faults.takeReportedLinks());
   drawCells(layPatch(plan, *surface, options.link_law));
   link_faults.pullCables(truth);
   sensors = sensorsOf({});
@@ -171,7 +173,7 @@ SimulatedSkin::State::State(CellModel cell_model, SimulatedSkinOptions skin_opti
 }
 
 void SimulatedSkin::State::reportNeighbors(const std::vector<PlannedLink>& links) {
-  for (std::size_t k = 0; k < neighbors.size(); ++k) neighbors[k].id = CellId(static_cast<std::uint32_t>(k + 1));
+  for (std::size_t k = 0; k < neighbors.size(); ++k) neighbors[k].id = cellNumbered(k);
   for (const PlannedLink& link : links) {
     CellReport& source = neighbors[link.source];
     CellReport& target = neighbors[link.target];
@@ -193,7 +195,7 @@ void SimulatedSkin::State::drawCells(const std::vector<SE3>& placements) {
       std::sqrt(std::pow(accelerometer.offset_sigma_g, 2) - std::pow(accelerometer.shared_offset_sigma_g, 2));
   truth.reserve(placements.size());
   for (std::size_t k = 0; k < placements.size(); ++k) {
-    TrueCell cell{CellId(static_cast<std::uint32_t>(k + 1)), placements[k]};
+    TrueCell cell{cellNumbered(k), placements[k]};
     const Eigen::Vector3d shift = options.position_jitter_m * jitter.nextVector();
     const Eigen::Vector3d sigma(options.tilt_jitter_rad, options.tilt_jitter_rad, options.yaw_jitter_rad);
     const Eigen::Vector3d turn = sigma.cwiseProduct(jitter.nextVector());
@@ -309,9 +311,11 @@ void SimulatedSkin::State::sense(Hold& holding, Noise& noise, SampleFrame& frame
   const std::vector<SensorChain>& chains = holding.is_bent ? bent_sensors : sensors;
   const BodyMotion body = holding.at(static_cast<double>(holding.tick++) / rate_hz());
   frame.samples.reserve(truth.size());
+  bool all_send_their_own = options.whole_skin_faults.empty();
   for (std::size_t c = 0; c < truth.size(); ++c) {
     const SensorChain& sensor = chains[c];
     CellHealth& cell = health[c];
+    all_send_their_own = all_send_their_own && !cell.echoes && !cell.swapped;
     // Drawn also where it is not used: a fault of one cell leaves the others' noise as it was.
     const Eigen::Vector3d unit_noise =
         options.sensor_noise || cell.noisy ? noise.nextVector() : Eigen::Vector3d::Zero();
@@ -327,9 +331,9 @@ void SimulatedSkin::State::sense(Hold& holding, Noise& noise, SampleFrame& frame
     reading += vibration;
     reading = cell.sensed(reading) + cell.noiseFactor() * white_g * unit_noise;
     reading = cell.sent(asOutput(reading));
-    frame.samples.push_back({truth[c].id, reading});
+    frame.samples.push_back({cellNumbered(c), reading});
   }
-  wrong_delivery->apply(health, holding.recording, frame);
+  if (!all_send_their_own) wrong_delivery->apply(health, holding.recording, frame);
 }
 
 SimulatedSkin::State::Hold SimulatedSkin::State::hold(const CarriedBody& body) {
@@ -343,23 +347,34 @@ SimulatedSkin::State::Hold SimulatedSkin::State::hold(const CarriedBody& body) {
           body.motion};
 }
 
-std::vector<SampleFrame> SimulatedSkin::State::record(Hold holding, std::size_t frame_count) {
+void SimulatedSkin::State::record(Hold holding, std::size_t frame_count, const FrameSink& take) {
   NormalSource noise(holding.noise);
-  std::vector<SampleFrame> frames(frame_count);
+  SampleFrame frame;
   for (std::size_t k = 0; k < frame_count; ++k) {
-    frames[k].time_s = clock_s + static_cast<double>(k) / rate_hz();
-    sense(holding, noise, frames[k]);
+    frame.samples.clear();
+    frame.time_s = clock_s + static_cast<double>(k) / rate_hz();
+    sense(holding, noise, frame);
+    take(frame);
   }
   clock_s += static_cast<double>(frame_count) / rate_hz() + kPauseBetweenRecordings_s;
-  return frames;
+}
+
+void SimulatedSkin::record(const Eigen::Vector3d& up_b, std::size_t frame_count, const FrameSink& take) {
+  state_->record(state_->hold(up_b), frame_count, take);
 }
 
 std::vector<SampleFrame> SimulatedSkin::record(const Eigen::Vector3d& up_b, std::size_t frame_count) {
-  return state_->record(state_->hold(up_b), frame_count);
+  std::vector<SampleFrame> frames;
+  frames.reserve(frame_count);
+  record(up_b, frame_count, [&](const SampleFrame& frame) { frames.push_back(frame); });
+  return frames;
 }
 
 std::vector<SampleFrame> SimulatedSkin::record(const CarriedBody& body, std::size_t frame_count) {
-  return state_->record(state_->hold(body), frame_count);
+  std::vector<SampleFrame> frames;
+  frames.reserve(frame_count);
+  state_->record(state_->hold(body), frame_count, [&](const SampleFrame& frame) { frames.push_back(frame); });
+  return frames;
 }
 
 void SimulatedSkin::turnTo(const Eigen::Vector3d& up_b) {

@@ -82,6 +82,9 @@ struct TrueCell {
   Eigen::Matrix3d gain = Eigen::Matrix3d::Identity();  ///< reading = gain * specific force + offset, but for faults
 };
 
+/// Gets the frames of a recording one after the other.
+using FrameSink = std::function<void(const SampleFrame&)>;
+
 /// A skin that exists only here: cells laid on a real surface, with the errors of real sensors and of a person's hands.
 /// Everything it produces follows from its options and seed. It is simulation and says so.
 ///
@@ -126,6 +129,9 @@ class SimulatedSkin final : public SimulatedBody {
   /// Each call draws new hand motion from the seed and the number of calls made so far. Readings are in the cell frame.
   /// Throws InvalidArgument if `up_b` is zero or not finite.
   std::vector<SampleFrame> record(const Eigen::Vector3d& up_b, std::size_t frame_count = 100);
+
+  /// The same for a large skin: each frame is given to `take` and then forgotten.
+  void record(const Eigen::Vector3d& up_b, std::size_t frame_count, const FrameSink& take);
 
   /// The same of a body that something else holds and moves, without a hand or joint of the skin's own.
   std::vector<SampleFrame> record(const CarriedBody& body, std::size_t frame_count = 100);

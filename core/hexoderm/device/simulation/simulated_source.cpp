@@ -224,6 +224,7 @@ SimulatedAddress parseAddress(const std::string& address) {
 }
 
 std::unique_ptr<SimulatedBody> makeBody(const SimulatedSkinOptions& skin) {
+  parseLivePatch(skin.patch);
   return std::make_unique<SimulatedSkin>(builtInCellModel("hex-bma150"), skin);
 }
 std::unique_ptr<SimulatedBody> makeBody(const RobotInWords& robot) {
@@ -232,7 +233,7 @@ std::unique_ptr<SimulatedBody> makeBody(const RobotInWords& robot) {
 
 /// Throws as makeBody() does for what is wrong with the words themselves.
 void checkBody(const SimulatedSkinOptions& skin) {
-  parsePatch(skin.patch);
+  parseLivePatch(skin.patch);
   if (!skin.surface.empty()) makeSurface(skin.surface);
 }
 void checkBody(const RobotInWords& robot) { robotOptions(robot); }

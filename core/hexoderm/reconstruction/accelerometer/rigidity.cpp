@@ -172,6 +172,16 @@ Misfit testRigidity(const AccelerometerPrior& prior, std::span<const CellReading
   return test.misfit();
 }
 
+RigidityKernelOptions rigidityKernelOptions(const AccelerometerPrior& prior, const Eigen::Matrix3d& R_a_u) {
+  RigidityKernelOptions options{};
+  for (int axis = 0; axis < 3; ++axis) {
+    for (int k = 0; k < 4; ++k) options.precision[4 * axis + k] = prior.precision(axis)[k];
+    for (int k = 0; k < 3; ++k) options.R_a_u[3 * axis + k] = R_a_u(axis, k);
+  }
+  options.least_information = kLeastInformation;
+  return options;
+}
+
 Accelerometer pairOf(const Accelerometer& accelerometer) {
   // The neighbour's gains act in its own, turned axes: a part of its scale errors appears as cross-axis sensitivity.
   // The shares are those of a turn of 60 degrees about z, the commonest in a hexagonal skin.

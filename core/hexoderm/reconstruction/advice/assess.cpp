@@ -1,5 +1,6 @@
 #include "hexoderm/reconstruction/advice/assess.h"
 
+#include "hexoderm/geometry/covariance.h"
 #include "hexoderm/util/units.h"
 
 #include <algorithm>
@@ -26,6 +27,19 @@ std::vector<const CellPlacement*> countedCells(const PatchReconstruction& patch)
     if (!any_measured || measured(cell)) cells.push_back(&cell);
   }
   return cells;
+}
+
+/// Whether the cell can be less certain than `worst`: no eigenvalue is larger than the root of the sum of squares. That
+/// is seen much faster than how certain it is.
+bool mayBeWorse(const CellPlacement& cell, const Uncertainty95& worst) {
+  if (!cell.cov_t_r) return false;
+  constexpr double kRounding = 1 + 1e-6;
+  const auto may = [](const Eigen::Matrix3d& covariance, double largest) {
+    const double deviation = largest / kSigmasFor95Percent;
+    return covariance.norm() * kRounding > deviation * deviation;
+  };
+  return may(cell.cov_t_r->topLeftCorner<3, 3>(), worst.position_m) ||
+         may(cell.cov_t_r->bottomRightCorner<3, 3>(), worst.orientation_rad);
 }
 
 Uncertainty95 worstUncertainty(const Reconstruction& r) {
@@ -284,6 +298,7 @@ const Finding* worstFinding(const Reconstruction& r) {
 Uncertainty95 worstUncertainty(const PatchReconstruction& patch) {
   Uncertainty95 worst;
   for (const CellPlacement* cell : countedCells(patch)) {
+    if (!mayBeWorse(*cell, worst)) continue;
     if (const std::optional<Uncertainty95> known = uncertaintyOf(*cell)) worst = worseOf(worst, *known);
   }
   return worst;
@@ -295,6 +310,7 @@ std::vector<CellId> worstCells(const Reconstruction& r) {
   Uncertainty95 worst;
   for (const PatchReconstruction& patch : r.patches) {
     for (const CellPlacement* cell : countedCells(patch)) {
+      if (!mayBeWorse(*cell, worst)) continue;
       const std::optional<Uncertainty95> known = uncertaintyOf(*cell);
       if (!known) continue;
       if (known->position_m > worst.position_m) position = cell;

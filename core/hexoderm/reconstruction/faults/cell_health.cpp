@@ -6,11 +6,11 @@
 #include "hexoderm/util/units.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
 #include <map>
 #include <optional>
+#include <utility>
 
 namespace hexoderm {
 namespace {
@@ -77,20 +77,37 @@ class Judge {
     constexpr double kByChance = 1e-4;
     std::map<std::vector<std::size_t>, std::vector<std::size_t>> poses_of;  // per group of cells
     for (const std::size_t pose : table_.enabledPoses()) {
-      std::map<std::array<double, 3>, std::vector<std::size_t>> cells_by_reading;
-      for (std::size_t cell = 0; cell < table_.cellCount(); ++cell) {
-        const GravityTable::Entry& entry = table_.at(cell, pose);
-        if (!entry.usable) continue;
-        const Eigen::Vector3d& y = entry.mean_g;
-        cells_by_reading[{y.x(), y.y(), y.z()}].push_back(cell);
-      }
-      for (const auto& [reading, cells] : cells_by_reading) {
-        if (cells.size() >= 2) poses_of[cells].push_back(pose);
-      }
+      for (const std::vector<std::size_t>& cells : cellsThatReadAlike(pose)) poses_of[cells].push_back(pose);
     }
     for (const auto& [cells, poses] : poses_of) {
       if (chanceOfSameReadings(cells.front(), poses) < kByChance) describeIdentical(cells, poses);
     }
+  }
+
+  /// Groups of at least two cells, each in the order of the cells.
+  [[nodiscard]] std::vector<std::vector<std::size_t>> cellsThatReadAlike(std::size_t pose) const {
+    std::vector<std::pair<double, std::size_t>> by_x;
+    by_x.reserve(table_.cellCount());
+    for (std::size_t cell = 0; cell < table_.cellCount(); ++cell) {
+      if (table_.at(cell, pose).usable) by_x.emplace_back(table_.at(cell, pose).mean_g.x(), cell);
+    }
+    std::ranges::sort(by_x);
+    std::vector<std::vector<std::size_t>> groups;
+    for (auto from = by_x.begin(); from != by_x.end();) {
+      const auto to = std::find_if(from, by_x.end(), [&](const auto& entry) { return entry.first != from->first; });
+      if (to - from > 1) {
+        std::map<std::pair<double, double>, std::vector<std::size_t>> alike;
+        for (auto k = from; k != to; ++k) {
+          const Eigen::Vector3d& y_g = table_.at(k->second, pose).mean_g;
+          alike[{y_g.y(), y_g.z()}].push_back(k->second);
+        }
+        for (auto& [reading, cells] : alike) {
+          if (cells.size() > 1) groups.push_back(std::move(cells));
+        }
+      }
+      from = to;
+    }
+    return groups;
   }
 
   /// How many pairs of this skin's cells are to be expected to share all digits with each other in so many poses.
@@ -149,8 +166,8 @@ class Judge {
     constexpr double kChanging_g = 0.3;
     constexpr std::size_t kFewestPoses = 3;
     const Accelerometer& a = snapshot_.model->accelerometer;
+    if (table_.usablePoseCount(cell) < kFewestPoses) return;
     const std::vector<std::size_t> poses = table_.usablePoses(cell);
-    if (poses.size() < kFewestPoses) return;
     Eigen::Vector3d lowest = Eigen::Vector3d::Constant(std::numeric_limits<double>::infinity());
     Eigen::Vector3d highest = -lowest;
     double shortest_g = std::numeric_limits<double>::infinity();
@@ -269,10 +286,16 @@ class Judge {
 
   /// The largest angle between a cell's reading in its first usable pose and in any other one.
   [[nodiscard]] double turned(std::size_t cell) const {
-    const std::vector<std::size_t> poses = table_.usablePoses(cell);
+    const GravityTable::Entry* first = nullptr;
     double largest = 0;
-    for (const std::size_t pose : poses) {
-      largest = std::max(largest, angleBetween(table_.at(cell, poses.front()).mean_g, table_.at(cell, pose).mean_g));
+    for (const std::size_t pose : table_.enabledPoses()) {
+      const GravityTable::Entry& entry = table_.at(cell, pose);
+      if (!entry.usable) continue;
+      if (first == nullptr) {
+        first = &entry;
+      } else {
+        largest = std::max(largest, angleBetween(first->mean_g, entry.mean_g));
+      }
     }
     return largest;
   }
@@ -280,20 +303,23 @@ class Judge {
   void findStuck() {
     for (const std::vector<std::size_t>& patch : graph_.patches()) {
       std::vector<double> angles;
+      std::vector<std::pair<std::size_t, double>> turns;
       for (const std::size_t cell : patch) {
-        if (table_.usablePoses(cell).size() >= 2) angles.push_back(turned(cell));
+        if (table_.usablePoseCount(cell) < 2) continue;
+        turns.emplace_back(cell, turned(cell));
+        angles.push_back(turns.back().second);
       }
       const double usual = median(angles);
       if (usual < kMovedAngle) continue;
-      for (const std::size_t cell : patch) {
+      for (const auto& [cell, angle] : turns) {
+        if (angle >= kStuckAngle) continue;
         const std::vector<std::size_t> poses = table_.usablePoses(cell);
-        if (poses.size() < 2 || turned(cell) >= kStuckAngle) continue;
         for (const std::size_t pose : poses) table_.at(cell, pose).usable = false;
         findings_.push_back(makeFinding(
             FindingCode::StuckSensor,
             message("Cell {} reads the same direction in all poses (within {} degrees) while the other cells turn by "
                     "{} degrees: its accelerometer is stuck. The cell is placed through its links.",
-                    id(cell), Number{toDegrees(turned(cell)), 1}, Number{toDegrees(usual), 0}),
+                    id(cell), Number{toDegrees(angle), 1}, Number{toDegrees(usual), 0}),
             {id(cell)}, {}, poseIds(poses)));
       }
     }

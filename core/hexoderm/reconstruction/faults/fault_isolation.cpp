@@ -4,6 +4,7 @@
 #include "hexoderm/util/error.h"
 
 #include <map>
+#include <memory>
 #include <optional>
 #include <string>
 #include <utility>
@@ -64,24 +65,30 @@ void leaveOutCells(SkinLinks& skin, std::vector<Finding>& findings) {
 
 Completion isolateSuspects(SkinLinks& skin, const std::stop_token& stop, std::vector<Finding>& findings) {
   std::vector<std::size_t> suspicious;
+  const auto searchAll = [&skin] {
+    return std::make_unique<SuspectSearch>(skin.model(), skin.graph(), skin.table(), skin.readings(), skin.edges(),
+                                           skin.options());
+  };
+  std::unique_ptr<SuspectSearch> search = searchAll();
   while (!stop.stop_requested()) {
-    const SuspectSearch search(skin.model(), skin.graph(), skin.table(), skin.readings(), skin.edges(), skin.options());
-    if (const auto pose = search.worstPose()) {
+    if (const auto pose = search->worstPose()) {
       findings.push_back(describeInconsistentPose(skin.poseId(*pose)));
       skin.dropPose(*pose);
-    } else if (const auto cell = search.worstCell(suspicious)) {
-      if (hasTooFewPoses(skin.table(), *cell) && !search.isClearlyWrong(*cell)) {
+      skin.estimateEdges();
+      search = searchAll();
+    } else if (const auto cell = search->worstCell(suspicious)) {
+      if (hasTooFewPoses(skin.table(), *cell) && !search->isClearlyWrong(*cell)) {
         findings.push_back(describeSuspiciousSensor(skin.graph(), skin.table(), *cell));
         suspicious.push_back(*cell);
         continue;
       }
       findings.push_back(describeBadSensor(skin.graph(), skin.table(), skin.snapshot(), *cell, false));
       skin.dropCell(*cell);
+      search->update(skin.estimateEdgesAround(*cell));
     } else {
-      muteLinks(skin, search.badLinks(suspicious), findings);
+      muteLinks(skin, search->badLinks(suspicious), findings);
       return Completion::Finished;
     }
-    skin.estimateEdges();
   }
   return Completion::Stopped;
 }

@@ -1,12 +1,14 @@
 #include "hexoderm/reconstruction/faults/suspects.h"
 
-#include "hexoderm/geometry/covariance.h"
 #include "hexoderm/reconstruction/faults/link_plausibility.h"
+#include "hexoderm/reconstruction/links/link_batches.h"
 #include "hexoderm/util/text.h"
 #include "hexoderm/util/units.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <numeric>
 
 namespace hexoderm {
 namespace {
@@ -32,24 +34,86 @@ SuspectSearch::SuspectSearch(const CellModel& model, const SkinGraph& graph, con
       readings_(readings),
       edges_(edges),
       options_(options),
-      pair_prior_(pairOf(model.accelerometer)) {
-  verdicts_.reserve(edges.size());
-  for (std::size_t link = 0; link < edges.size(); ++link) verdicts_.push_back(judge(link));
+      pair_prior_(pairOf(model.accelerometer)),
+      verdicts_(edges.size()),
+      tested_(graph.cells().size(), 0),
+      bad_(graph.cells().size(), 0) {
+  std::vector<std::size_t> all(edges.size());
+  std::iota(all.begin(), all.end(), std::size_t{0});
+  judge(all);
+  for (const std::size_t link : all) count(link, 1);
 }
 
-SuspectSearch::Verdict SuspectSearch::judge(std::size_t link_index) const {
+void SuspectSearch::update(std::span<const std::size_t> links) {
+  for (const std::size_t link : links) count(link, -1);
+  judge(links);
+  for (const std::size_t link : links) count(link, 1);
+}
+
+void SuspectSearch::count(std::size_t index, int by) {
+  const Verdict& verdict = verdicts_[index];
+  if (verdict.tested) tested_links_ += by;
+  if (verdict.tested && !verdict.rigid) moving_links_ += by;
+  for (const std::size_t cell : {graph_.links()[index].source, graph_.links()[index].target}) {
+    if (verdict.tested) tested_[cell] += by;
+    if (verdict.bad()) bad_[cell] += by;
+    if (isAtOdds(cell)) {
+      at_odds_.insert(cell);
+    } else {
+      at_odds_.erase(cell);
+    }
+  }
+}
+
+bool SuspectSearch::isAtOdds(std::size_t cell) const {
+  constexpr double kNearlyAll = 0.74;
+  constexpr int kFewestWitnesses = 2;
+  return bad_[cell] >= kFewestWitnesses && bad_[cell] >= kNearlyAll * tested_[cell];
+}
+
+void SuspectSearch::judge(std::span<const std::size_t> links) {
+  std::vector<std::size_t> tested;
+  tested.reserve(links.size());
+  for (const std::size_t link : links) {
+    verdicts_[link] = {};
+    if (!graph_.links()[link].muted() && readings_.measured(graph_.links()[link])) tested.push_back(link);
+  }
+  const RigidityKernelOptions options = rigidityKernelOptions(pair_prior_, model_.accelerometer.T_u_a.R.transpose());
+  std::array<double, 9 * kLanes> R_c_n{};
+  RigidityKernelOutput out{};
+  std::vector<std::size_t> unusual;
+  const auto test = [&](const LinkBatch& batch) {
+    for (int lane = 0; lane < kLanes; ++lane) {
+      const Eigen::Matrix3d& R = edges_[batch.linkIn(lane)].R_c_n;
+      for (int k = 0; k < 9; ++k) R_c_n.at(static_cast<std::size_t>(kLanes * k + lane)) = R(k / 3, k % 3);
+    }
+    (hasFourLanes() ? testRigidityByFour : testRigidityByOne)(
+        options, {batch.poses, batch.c_g.data(), batch.n_g.data(), batch.variance_g2.data(), R_c_n.data()}, out);
+    for (int lane = 0; lane < batch.size; ++lane) {
+      const std::size_t link = batch.linkIn(lane);
+      if (out.usual[lane] == 0) {
+        unusual.push_back(link);
+        continue;
+      }
+      const Misfit misfit{out.chi_squared[lane], 3.0 * batch.poses - 3};
+      verdicts_[link] = judgeBy(link, misfit.deviate());
+    }
+  };
+  const std::vector<std::size_t> others = forBatches(graph_, table_, readings_, tested, test);
+  unusual.insert(unusual.end(), others.begin(), others.end());
+  for (const std::size_t link : unusual) verdicts_[link] = judgeBy(link, readingsOf(link).test.misfit().deviate());
+}
+
+SuspectSearch::Verdict SuspectSearch::judgeBy(std::size_t link_index, double misfit) const {
   Verdict verdict;
   const GraphLink& link = graph_.links()[link_index];
   const EdgeRotation& edge = edges_[link_index];
-  if (link.muted() || !readings_.measured(link)) return verdict;
   verdict.tested = true;
-  const double sigma = largestDeviation(edge.covariance);
-  if (sigma < kJudgeableSigma) {
-    verdict.implausible = judgeLinkAngles(
-        linkAngles(edge.R_c_n, model_.port(link.source_port), model_.port(link.target_port)), graph_.sourceEnd(link),
-        graph_.targetEnd(link), model_, options_, anglesSigma(edge.covariance, model_.port(link.source_port)));
+  if (edge.deviation_rad < kJudgeableSigma) {
+    verdict.implausible = judgeLinkAngles(edge.angles, graph_.sourceEnd(link), graph_.targetEnd(link), model_, options_,
+                                          anglesSigma(edge.covariance, model_.port(link.source_port)));
   }
-  verdict.misfit = readingsOf(link_index).test.misfit().deviate();
+  verdict.misfit = misfit;
   verdict.rigid = verdict.misfit <= options_.max_misfit;
   return verdict;
 }
@@ -71,19 +135,17 @@ SuspectSearch::PairReadings SuspectSearch::readingsOf(std::size_t link_index) co
 
 std::optional<std::size_t> SuspectSearch::worstPose() const {
   constexpr std::size_t kFewestPoses = 3;
-  constexpr std::size_t kFewestLinks = 3;
+  constexpr int kFewestLinks = 3;
   constexpr double kNearlyNone = 0.2;
-  std::vector<std::size_t> tested;
-  std::size_t moving = 0;
-  for (std::size_t link = 0; link < verdicts_.size(); ++link) {
-    if (!verdicts_[link].tested) continue;
-    tested.push_back(link);
-    if (!verdicts_[link].rigid) ++moving;
-  }
-  if (table_.enabledPoses().size() < kFewestPoses || tested.size() < kFewestLinks || 2 * moving <= tested.size()) {
+  if (table_.enabledPoses().size() < kFewestPoses || tested_links_ < kFewestLinks ||
+      2 * moving_links_ <= tested_links_) {
     return std::nullopt;
   }
-  std::vector<std::size_t> moving_without(table_.poseCount(), moving);
+  std::vector<std::size_t> tested;
+  for (std::size_t link = 0; link < verdicts_.size(); ++link) {
+    if (verdicts_[link].tested) tested.push_back(link);
+  }
+  std::vector<std::size_t> moving_without(table_.poseCount(), static_cast<std::size_t>(moving_links_));
   for (const std::size_t link : tested) {
     const PairReadings pair = readingsOf(link);
     for (std::size_t k = 0; k < pair.source.size(); ++k) {
@@ -113,31 +175,19 @@ bool SuspectSearch::isClearlyWrong(std::size_t cell) const {
 }
 
 std::optional<std::size_t> SuspectSearch::worstCell(std::span<const std::size_t> but) const {
-  constexpr double kNearlyAll = 0.74;
-  constexpr std::size_t kFewestWitnesses = 2;
-  std::vector<std::size_t> tested(graph_.cells().size(), 0);
-  std::vector<std::size_t> bad(graph_.cells().size(), 0);
-  for (std::size_t link = 0; link < verdicts_.size(); ++link) {
-    for (const std::size_t cell : {graph_.links()[link].source, graph_.links()[link].target}) {
-      if (verdicts_[link].tested) ++tested[cell];
-      if (verdicts_[link].bad()) ++bad[cell];
-    }
-  }
   std::optional<std::size_t> worst;
   double worst_misfit = 0;
-  for (std::size_t cell = 0; cell < graph_.cells().size(); ++cell) {
+  for (const std::size_t cell : at_odds_) {
     if (std::ranges::count(but, cell) > 0) continue;
-    if (bad[cell] < kFewestWitnesses || static_cast<double>(bad[cell]) < kNearlyAll * static_cast<double>(tested[cell]))
-      continue;
     double misfit = 0;
     // Neighbours at odds with others too speak for a joint that runs between all of them.
-    std::size_t unreliable = 0;
+    int unreliable = 0;
     for (const std::size_t link : graph_.linksAt(cell)) {
       if (!verdicts_[link].bad()) continue;
       misfit += std::max(verdicts_[link].misfit, options_.max_misfit);
-      if (bad[graph_.links()[link].other(cell)] > 1) ++unreliable;
+      if (bad_[graph_.links()[link].other(cell)] > 1) ++unreliable;
     }
-    if (2 * unreliable >= bad[cell] || misfit <= worst_misfit) continue;
+    if (2 * unreliable >= bad_[cell] || misfit <= worst_misfit) continue;
     worst = cell;
     worst_misfit = misfit;
   }
@@ -173,7 +223,7 @@ std::vector<SuspectSearch::BadLink> SuspectSearch::badLinks(std::span<const std:
 
 bool hasTooFewPoses(const GravityTable& table, std::size_t cell) {
   constexpr std::size_t kFewestToAccuse = 3;
-  return table.usablePoses(cell).size() < kFewestToAccuse;
+  return table.usablePoseCount(cell) < kFewestToAccuse;
 }
 
 Finding describeSuspiciousSensor(const SkinGraph& graph, const GravityTable& table, std::size_t cell) {

@@ -4,6 +4,7 @@
 #include "hexoderm/reconstruction/links/edge_rotation.h"
 #include "hexoderm/reconstruction/links/skin_readings.h"
 
+#include <set>
 #include <span>
 #include <vector>
 
@@ -16,6 +17,9 @@ class SuspectSearch {
  public:
   SuspectSearch(const CellModel& model, const SkinGraph& graph, const GravityTable& table, const SkinReadings& readings,
                 const std::vector<EdgeRotation>& edges, const SolverOptions& options);
+
+  /// Judges these links anew: their readings or rotations are other ones now.
+  void update(std::span<const std::size_t> links);
 
   /// The pose without which nearly all links are rigid, where with it most are not: the part moved while it was
   /// sampled.
@@ -42,7 +46,13 @@ class SuspectSearch {
     bool rigid = true;
     [[nodiscard]] bool bad() const { return !implausible.empty() || !rigid; }
   };
-  [[nodiscard]] Verdict judge(std::size_t link) const;
+  /// Fills in the verdicts of these links.
+  void judge(std::span<const std::size_t> links);
+  [[nodiscard]] Verdict judgeBy(std::size_t link, double misfit) const;
+  /// Counts a link's verdict, or takes it out again (`by` -1).
+  void count(std::size_t link, int by);
+  /// Nearly all links of the cell are bad.
+  [[nodiscard]] bool isAtOdds(std::size_t cell) const;
   /// What the source reads beside what it would if it turned with the target, in all poses of both.
   struct PairReadings {
     std::vector<CellReading> source;
@@ -59,6 +69,11 @@ class SuspectSearch {
   const SolverOptions& options_;
   AccelerometerPrior pair_prior_;  ///< errors of two cells, seen from one of them
   std::vector<Verdict> verdicts_;  ///< per link
+  int tested_links_ = 0;
+  int moving_links_ = 0;
+  std::vector<int> tested_;        ///< links of every cell
+  std::vector<int> bad_;           ///< the same
+  std::set<std::size_t> at_odds_;  ///< cells; few, so that asking for the worst does not go through all
 };
 
 /// By so many times the limit must a cell with too few poses be beyond it to be called wrong.

@@ -36,24 +36,31 @@ void addLinks(const PatchReconstruction& patch, const std::unordered_map<CellId,
   }
 }
 
-/// The way to a cell is the way to the cell before it and one step more: short paths first, each of them is looked at
-/// once.
+/// The way to a cell is the way to the cell before it and one step more: back to a cell whose way is known, and from
+/// there outwards.
 void addPathLengths(const PatchReconstruction& patch, std::size_t first,
                     const std::unordered_map<CellId, std::size_t>& index, CellFigures& figures) {
-  std::vector<std::size_t> order(patch.cells.size());
-  for (std::size_t k = 0; k < order.size(); ++k) order[k] = k;
-  std::ranges::stable_sort(order, {}, [&](std::size_t k) { return patch.cells[k].path.size(); });
-  for (const std::size_t k : order) {
-    const CellPlacement& cell = patch.cells[k];
-    if (cell.path.empty()) continue;
-    if (cell.path.size() == 1) {
-      figures.path_length_m[first + k] = 0;
-      continue;
+  const auto has_predecessor = [](const CellPlacement& cell) { return cell.predecessor.has_value(); };
+  const auto origin = index.find(patch.origin);
+  if (origin == index.end() || (patch.cells.size() > 1 && std::ranges::none_of(patch.cells, has_predecessor))) return;
+  figures.path_length_m[origin->second] = 0;
+  std::vector<std::size_t> ahead;
+  for (std::size_t k = 0; k < patch.cells.size(); ++k) {
+    ahead.clear();
+    std::size_t at = first + k;
+    while (!figures.path_length_m[at] && ahead.size() < patch.cells.size()) {
+      const auto& predecessor = patch.cells[at - first].predecessor;
+      const auto before = predecessor ? index.find(*predecessor) : index.end();
+      if (before == index.end()) break;
+      ahead.push_back(at);
+      at = before->second;
     }
-    const auto found = index.find(cell.path[cell.path.size() - 2]);
-    if (found == index.end() || !figures.path_length_m[found->second]) continue;
-    const CellPlacement& before = patch.cells[found->second - first];
-    figures.path_length_m[first + k] = *figures.path_length_m[found->second] + (cell.T_o_u.t - before.T_o_u.t).norm();
+    if (!figures.path_length_m[at]) continue;
+    for (; !ahead.empty(); ahead.pop_back()) {
+      const Eigen::Vector3d step = patch.cells[ahead.back() - first].T_o_u.t - patch.cells[at - first].T_o_u.t;
+      figures.path_length_m[ahead.back()] = *figures.path_length_m[at] + step.norm();
+      at = ahead.back();
+    }
   }
 }
 

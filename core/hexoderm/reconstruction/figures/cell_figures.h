@@ -29,7 +29,7 @@ struct CellFigures {
   /// See shapeUncertaintyOf().
   std::vector<std::optional<double>> shape_position_95_m;
   std::vector<std::optional<double>> shape_orientation_95_rad;
-  /// From the origin from centre to centre along CellPlacement::path; absent where that is empty.
+  /// From the origin from centre to centre along the shortest path; absent where that is not known.
   std::vector<std::optional<double>> path_length_m;
   /// Names of the body parts in ascending order, the empty one left out; then the index of each cell's.
   std::vector<std::string> body_parts;

@@ -1,95 +1,75 @@
 #include "hexoderm/reconstruction/joint/cells_first.h"
 
+#include "hexoderm/reconstruction/joint/elimination_plan.h"
 #include "hexoderm/reconstruction/sparse/block_cholesky.h"
 
 #include <Eigen/Cholesky>
-#include <map>
 #include <mutex>
+#include <span>
 #include <utility>
 
 namespace hexoderm {
 namespace {
 
-/// The block of the sparse matrix that a link adds to: two links may join the same two cells.
-struct CouplePlan {
-  std::vector<BlockCholesky::Couple> couples;
-  struct Place {
-    std::size_t couple = 0;
-    bool transposed = false;
-  };
-  std::vector<Place> of_link;
-
-  explicit CouplePlan(const JointProblem& problem) {
-    std::map<std::pair<std::size_t, std::size_t>, std::size_t> known;
-    for (const JointLink& link : problem.links) {
-      const auto key = std::minmax(link.c, link.n);
-      const auto [place, is_new] = known.emplace(key, couples.size());
-      if (is_new) couples.push_back({key.first, key.second});
-      of_link.push_back({place->second, link.c != key.first});
-    }
-  }
-};
-
 /// The sparse block of the cells with its dense border: A x + E y = a, E^T x + F y = f.
 class BorderedFactor {
  public:
-  explicit BorderedFactor(const JointProblem& problem) : plan_(problem), factor_(problem.cellCount(), plan_.couples) {}
+  explicit BorderedFactor(const JointProblem& problem) : plan_(planOf(problem)), factor_(plan_->pattern) {}
 
   /// With the diagonal raised by `damping` times itself.
   bool factorize(const NormalEquations& equations, double damping) {
-    std::vector<Matrix6d> diagonal = equations.cells;
+    std::span<const Matrix6d> diagonal = equations.cells;
     if (damping > 0) {
-      for (Matrix6d& block : diagonal) block.diagonal() *= 1 + damping;
+      raised_ = equations.cells;
+      for (Matrix6d& block : raised_) block.diagonal() *= 1 + damping;
+      diagonal = raised_;
     }
-    std::vector<Matrix6d> couples(plan_.couples.size(), Matrix6d::Zero());
-    for (std::size_t k = 0; k < equations.links.size(); ++k) {
-      const CouplePlan::Place place = plan_.of_link[k];
-      if (place.transposed) {
-        couples[place.couple] += equations.links[k].transpose();
-      } else {
-        couples[place.couple] += equations.links[k];
-      }
-    }
-    if (!factor_.factorize(diagonal, couples)) return false;
-    lower_border_ = equations.border_cells;
+    if (!factor_.factorize(diagonal, plan_->couplesOf(equations.links, couples_))) return false;
+    lower_border_ = factor_.ordered(equations.border_cells);
     factor_.solveLower(lower_border_);
     Eigen::MatrixXd schur = equations.border;
     schur.diagonal() *= 1 + damping;
     if (schur.size() == 0) return true;  // neither a pose nor a gap share to estimate
-    schur.selfadjointView<Eigen::Lower>().rankUpdate(lower_border_.transpose(), -1);
+    schur.triangularView<Eigen::Lower>() -= lower_border_.gram();
     schur_.compute(schur);
     return schur_.info() == Eigen::Success;
   }
 
   /// The step that takes the gradient away.
   void solve(const NormalEquations& equations, Eigen::VectorXd& cells, Eigen::VectorXd& border) const {
-    Eigen::MatrixXd right = -equations.gradient_cells;
+    RightSides right = factor_.ordered(-equations.gradient_cells);
     factor_.solveLower(right);
-    border = -equations.gradient_border - lower_border_.transpose() * right.col(0);
+    border = -equations.gradient_border - lower_border_.matrix().transpose() * right.matrix().col(0);
     if (border.size() > 0) schur_.solveInPlace(border);
-    right.col(0) -= lower_border_ * border;
+    right.matrix().col(0) -= lower_border_.matrix() * border;
     factor_.solveUpper(right);
-    cells = right.col(0);
+    cells = factor_.inOwnOrder(right).matrix().col(0);
   }
 
   /// A^-1 E S^-T, with S S^T = F - E^T A^-1 E: the border's part of the cells' covariance is its outer product.
-  [[nodiscard]] Eigen::MatrixXd borderRoot() const {
-    Eigen::MatrixXd root = lower_border_;
-    if (root.cols() == 0) return root;
-    schur_.matrixU().solveInPlace<Eigen::OnTheRight>(root);
+  [[nodiscard]] RightSides borderRoot() const {
+    RightSides root = lower_border_;
+    auto matrix = root.matrix();
+    if (matrix.cols() > 0) schur_.matrixU().solveInPlace<Eigen::OnTheRight>(matrix);
     factor_.solveUpper(root);
-    return root;
+    return factor_.inOwnOrder(root);
   }
 
-  [[nodiscard]] const CouplePlan& plan() const { return plan_; }
+  [[nodiscard]] const EliminationPlan& plan() const { return *plan_; }
   [[nodiscard]] const BlockCholesky& cells() const { return factor_; }
   [[nodiscard]] const Eigen::LLT<Eigen::MatrixXd>& schur() const { return schur_; }
 
  private:
-  CouplePlan plan_;
+  static std::shared_ptr<const EliminationPlan> planOf(const JointProblem& problem) {
+    return problem.elimination && problem.elimination->fits(problem) ? problem.elimination : planElimination(problem);
+  }
+
+  std::shared_ptr<const EliminationPlan> plan_;
   BlockCholesky factor_;
-  Eigen::MatrixXd lower_border_;  // L^-1 E, with L L^T = A
+  RightSides lower_border_;  // L^-1 E, with L L^T = A
   Eigen::LLT<Eigen::MatrixXd> schur_;
+  std::vector<Matrix6d> raised_;
+  std::vector<Matrix6d> couples_;
 };
 
 class CellsFirstInverse : public JointInverse {
@@ -111,7 +91,7 @@ class CellsFirstInverse : public JointInverse {
     Eigen::MatrixXd unit = Eigen::MatrixXd::Zero(static_cast<Eigen::Index>(6 * factor_->cells().size()), 6);
     unit.middleRows<6>(static_cast<Eigen::Index>(6 * b)).setIdentity();
     factor_->cells().solve(unit);
-    return unit.middleRows<6>(static_cast<Eigen::Index>(6 * a)) + borderPart(parts().border_root, a, b);
+    return unit.middleRows<6>(static_cast<Eigen::Index>(6 * a)) + parts().border_root.product(a, b);
   }
 
   [[nodiscard]] Eigen::MatrixXd timesCells(const Eigen::MatrixXd& B) const override {
@@ -120,9 +100,10 @@ class CellsFirstInverse : public JointInverse {
       return rows.middleRows<6>(static_cast<Eigen::Index>(6 * origin_));
     };
     origin_rows(product).setZero();
-    const Eigen::MatrixXd by_border = parts().border_root.transpose() * product;
+    const auto border_root = parts().border_root.matrix();
+    const Eigen::MatrixXd by_border = border_root.transpose() * product;
     factor_->cells().solve(product);
-    product.noalias() += parts().border_root * by_border;
+    product.noalias() += border_root * by_border;
     origin_rows(product).setZero();
     return product;
   }
@@ -144,15 +125,10 @@ class CellsFirstInverse : public JointInverse {
 
  private:
   struct Parts {
-    Eigen::MatrixXd border_root;
+    RightSides border_root;
     std::vector<Matrix6d> cells;
     std::vector<Matrix6d> links;
   };
-
-  static Matrix6d borderPart(const Eigen::MatrixXd& border_root, std::size_t a, std::size_t b) {
-    return border_root.middleRows<6>(static_cast<Eigen::Index>(6 * a)) *
-           border_root.middleRows<6>(static_cast<Eigen::Index>(6 * b)).transpose();
-  }
 
   /// Computed when somebody asks: of several solutions in a row only the last one's cells are looked at.
   const Eigen::MatrixXd& border() const {
@@ -170,19 +146,22 @@ class CellsFirstInverse : public JointInverse {
   [[nodiscard]] Parts compute() const {
     Parts parts;
     parts.border_root = factor_->borderRoot();
-    const BlockCholesky::SelectedInverse inverse = factor_->cells().selectedInverse();
-    parts.cells.assign(factor_->cells().size(), Matrix6d::Zero());
+    BlockCholesky::SelectedInverse inverse = factor_->cells().selectedInverse();
+    parts.cells = std::move(inverse.diagonal);
     for (std::size_t cell = 0; cell < parts.cells.size(); ++cell) {
-      if (cell == origin_) continue;
-      const Matrix6d sum = inverse.diagonal[cell] + borderPart(parts.border_root, cell, cell);
+      const Matrix6d sum = parts.cells[cell] + parts.border_root.product(cell, cell);
       parts.cells[cell] = (sum + sum.transpose()) / 2;
     }
-    parts.links.assign(link_ends_.size(), Matrix6d::Zero());
+    parts.cells[origin_].setZero();
+    parts.links.resize(link_ends_.size());
     for (std::size_t k = 0; k < link_ends_.size(); ++k) {
       const auto& [c, n] = link_ends_[k];
-      if (c == origin_ || n == origin_) continue;
-      const CouplePlan::Place place = factor_->plan().of_link[k];
-      parts.links[k] = borderPart(parts.border_root, c, n);
+      if (c == origin_ || n == origin_) {
+        parts.links[k].setZero();
+        continue;
+      }
+      const EliminationPlan::Place place = factor_->plan().of_link[k];
+      parts.links[k] = parts.border_root.product(c, n);
       if (place.transposed) {
         parts.links[k] += inverse.couples[place.couple].transpose();
       } else {

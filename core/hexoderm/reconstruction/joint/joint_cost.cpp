@@ -1,5 +1,6 @@
 #include "hexoderm/reconstruction/joint/joint_cost.h"
 
+#include "hexoderm/reconstruction/joint/linearize_lanes.h"
 #include "hexoderm/util/units.h"
 
 #include <algorithm>
@@ -367,9 +368,16 @@ double linkOpening_m(const JointProblem& problem, const JointState& state, std::
   return residual.closure.norm() * problem.link_sigma_m;
 }
 
-void addLinks(const JointProblem& problem, const JointState& state, Eigen::Index share, NormalEquations& equations) {
+void addLinks(const JointProblem& problem, const JointState& state, Eigen::Index share, NormalEquations& equations,
+              const LinearizeKernels* kernels) {
   LinkResidual residual;
-  for (std::size_t k = 0; k < problem.links.size(); ++k) addLink(problem, state, k, share, residual, equations);
+  if (kernels == nullptr) {
+    for (std::size_t k = 0; k < problem.links.size(); ++k) addLink(problem, state, k, share, residual, equations);
+  } else {
+    for (const std::size_t k : linearizeLinksInLanes(*kernels, problem, state, share, equations)) {
+      addLink(problem, state, k, share, residual, equations);
+    }
+  }
   if (!problem.gap.sigma) return;
   const double precision = 1 / (*problem.gap.sigma * *problem.gap.sigma);
   equations.border(share, share) += precision;
@@ -387,7 +395,8 @@ void addForcePrior(const JointProblem& problem, const Eigen::Vector3d& force_o, 
   gradient += precision * (norm - 1) * up;
 }
 
-void linearize(const JointProblem& problem, const JointState& state, NormalEquations& equations) {
+void linearize(const JointProblem& problem, const JointState& state, NormalEquations& equations,
+               const LinearizeKernels* kernels) {
   const BorderLayout layout(problem);
   const auto rows = static_cast<Eigen::Index>(6 * problem.cellCount());
   equations.cells.assign(problem.cellCount(), Matrix6d::Zero());
@@ -406,9 +415,13 @@ void linearize(const JointProblem& problem, const JointState& state, NormalEquat
   }
 
   CellLinearizer cells(problem, state, equations);
-  for (std::size_t cell = 0; cell < problem.cellCount(); ++cell) cells.add(cell);
+  if (kernels == nullptr) {
+    for (std::size_t cell = 0; cell < problem.cellCount(); ++cell) cells.add(cell);
+  } else {
+    for (const std::size_t cell : linearizeCellsInLanes(*kernels, problem, state, equations)) cells.add(cell);
+  }
   cells.finish();
-  addLinks(problem, state, layout.gapShare(), equations);
+  addLinks(problem, state, layout.gapShare(), equations, kernels);
   if (problem.accelerations) {
     const double precision = 1 / (problem.acceleration_sigma * problem.acceleration_sigma);
     for (std::size_t pose = 0; pose < problem.poses; ++pose) {

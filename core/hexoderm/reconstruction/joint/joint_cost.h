@@ -4,7 +4,9 @@
 #include "hexoderm/graph/cell_model.h"
 
 #include "hexoderm/reconstruction/accelerometer/accelerometer_fit.h"
+#include "hexoderm/reconstruction/joint/linearize_kernels.h"
 
+#include <memory>
 #include <optional>
 #include <vector>
 
@@ -26,6 +28,8 @@ struct JointLink {
   Eigen::Matrix3d R_nom;  ///< nominal alignment, n to c
 };
 
+struct EliminationPlan;
+
 /// One patch as the joint estimate sees it. The origin cell's frame is the patch frame and does not move.
 struct JointProblem {
   const CellModel* model = nullptr;
@@ -39,6 +43,8 @@ struct JointProblem {
   bool accelerations = false;     ///< every pose has an angular acceleration of its own
   double acceleration_sigma = 3;  ///< of its prior about zero, per axis, rad/s^2
   HuberLoss loss;
+  /// Where it is known; one that is missing, or was made for other links, is made anew for each solution.
+  std::shared_ptr<const EliminationPlan> elimination;
 
   [[nodiscard]] std::size_t cellCount() const { return readings.size(); }
 };
@@ -103,8 +109,10 @@ Eigen::Vector3d arcOpening_m(const Eigen::Vector3d& U_c, const Eigen::Vector3d& 
 /// Distance between the end points of a link, less the arc's share; metres.
 double linkOpening_m(const JointProblem& problem, const JointState& state, std::size_t link);
 
-/// jointCost() with its gradient (exact) and its Gauss-Newton matrix (of the eliminated problem: Kaufman's).
-void linearize(const JointProblem& problem, const JointState& state, NormalEquations& equations);
+/// jointCost() with its gradient (exact) and its Gauss-Newton matrix (of the eliminated problem: Kaufman's). `kernels`:
+/// null for cells and links one by one, which is the same but for rounding.
+void linearize(const JointProblem& problem, const JointState& state, NormalEquations& equations,
+               const LinearizeKernels* kernels = &linearizeKernels());
 
 // The parts of linearize() that the readings have no share in, for those who treat the readings in another way.
 
@@ -112,7 +120,8 @@ void linearize(const JointProblem& problem, const JointState& state, NormalEquat
 double priorCost(const JointProblem& problem, const JointState& state);
 /// Adds the cost of all links, their blocks and gradients, and the prior of the gap share, which stands at `share` in
 /// the border; without its cost, which priorCost() has.
-void addLinks(const JointProblem& problem, const JointState& state, Eigen::Index share, NormalEquations& equations);
+void addLinks(const JointProblem& problem, const JointState& state, Eigen::Index share, NormalEquations& equations,
+              const LinearizeKernels* kernels = &linearizeKernels());
 /// Adds the prior of one pose's force.
 void addForcePrior(const JointProblem& problem, const Eigen::Vector3d& force_o, Eigen::Ref<Eigen::Matrix3d> matrix,
                    Eigen::Ref<Eigen::Vector3d> gradient);

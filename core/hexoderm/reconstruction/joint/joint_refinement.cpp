@@ -1,5 +1,7 @@
 #include "hexoderm/reconstruction/joint/joint_refinement.h"
 
+#include "hexoderm/reconstruction/joint/cells_first.h"
+#include "hexoderm/reconstruction/joint/elimination_plan.h"
 #include "hexoderm/reconstruction/joint/patch_evidence.h"
 #include "hexoderm/reconstruction/joint/shape_covariance.h"
 #include "hexoderm/util/error.h"
@@ -17,11 +19,12 @@ namespace hexoderm {
 namespace {
 
 constexpr std::size_t kCellsOfLargePart = 100;
-/// Angular acceleration that a hand's tremor of 0.05 degrees at 4 to 12 Hz leaves in a mean over 0.1 s, rms per axis.
-constexpr double kTremorAcceleration_rad_s2 = 0.6;
-// With many poses tremor averages out (widenNoise), and the dense part of the equations is small enough without
-// them.
-constexpr std::size_t kMostPosesForAccelerations = 50;
+// Angular accelerations are unknowns of the joint equations up to so many poses; and of many cells, far from the
+// middle, up to so many multiplications a step. Of more, whose columns would make these too large, they are found in
+// turn with the rest (FreedReadings), which is a little less exact.
+constexpr std::size_t kFewPoses = 50;
+constexpr std::size_t kFewCellsPerPose = 12;
+constexpr double kMostWorkForAccelerations = 3e9;
 // Error that a hand's translation leaves in a mean; on a large part, also that of its turning at the middle of a patch.
 constexpr double kForceSigma_g = 0.003;
 constexpr double kForceSigmaOfLargePart_g = 0.03;
@@ -181,7 +184,12 @@ JointRefinement::JointRefinement(const CellModel& model, const SkinGraph& graph,
     problem_->links.push_back({localOf(link.source), localOf(link.target), source.vector_m, target.vector_m,
                                nominalAlignment(source, target)});
   }
-  problem_->accelerations = cells_.size() > 1 && poses_.size() <= kMostPosesForAccelerations;
+  problem_->elimination = planElimination(*problem_);
+  problem_->accelerations = cells_.size() > 1;
+  const bool narrow = kFewCellsPerPose * poses_.size() <= cells_.size();
+  if (poses_.size() > kFewPoses && !(narrow && workOfCellsFirst(*problem_) <= kMostWorkForAccelerations)) {
+    problem_->accelerations = false;
+  }
   problem_->acceleration_sigma = kTremorAcceleration_rad_s2;
 }
 
@@ -195,11 +203,19 @@ void JointRefinement::solve(const std::stop_token& stop) {
   solveWithSpreads(options);
   if (stop.stop_requested()) return;
   fitSensors();
-  if (widenNoise()) {
+  if (problem_->accelerations || cells_.size() < 2) return;
+  if (!freed_readings_) freed_readings_.emplace(*problem_);
+  const auto solveAgain = [&] {
     solveWithSpreads(options);
-    if (stop.stop_requested()) return;
-    fitSensors();
+    if (!stop.stop_requested()) fitSensors();
+    return !stop.stop_requested();
+  };
+  constexpr int kTurns = 6;
+  for (int turn = 0; turn < kTurns; ++turn) {
+    if (!freed_readings_->followSwings(*problem_, solution_.state, sensors_)) break;
+    if (!solveAgain()) return;
   }
+  if (freed_readings_->widenNoise(*problem_, solution_.state, sensors_)) solveAgain();
 }
 
 /// Solves with the spread of the links and of the angular accelerations that the data themselves show, weighed against
@@ -244,13 +260,12 @@ double JointRefinement::seenLinkSpread_m() const {
 /// tell a swing from a bend of the skin, the spread stays what it is beforehand, and so does the stated uncertainty: no
 /// model switches on between one pose and the next.
 double JointRefinement::seenAccelerations_rad_s2() const {
-  constexpr double kWeightOfTremor = 10;
   if (!problem_->accelerations) return problem_->acceleration_sigma;
-  double squared = kWeightOfTremor * kTremorAcceleration_rad_s2 * kTremorAcceleration_rad_s2;
+  std::vector<Eigen::Matrix3d> covariances;
   for (std::size_t pose = 0; pose < problem_->poses; ++pose) {
-    squared += solution_.state.acceleration_o[pose].squaredNorm() + solution_.covariance->acceleration(pose).trace();
+    covariances.push_back(solution_.covariance->acceleration(pose));
   }
-  return std::sqrt(squared / (kWeightOfTremor + 3 * static_cast<double>(problem_->poses)));
+  return accelerationSpread(solution_.state.acceleration_o, covariances);
 }
 
 void JointRefinement::fitSensors() {
@@ -261,57 +276,9 @@ void JointRefinement::fitSensors() {
   }
 }
 
-double JointRefinement::squaredLever(std::size_t cell) const {
-  return (solution_.state.cells[cell].t - solution_.state.middle_o).squaredNorm();
-}
-
-/// With more poses than angular accelerations are estimated for, accelerations leave errors in the readings that grow
-/// with the distance from the middle, and with hundreds of poses any cell would look broken for them. They count as
-/// noise, as large as the readings show: a reading's variance V becomes f V + (2/3) (s l / g)^2, with its cell's lever
-/// l, for accelerations of s per axis; f (at least 1) fits the inner cells, and s the rest of the outer ones. Medians,
-/// because single cells may be broken. True if the variances have grown: the solution is to be found again.
-bool JointRefinement::widenNoise() {
-  if (problem_->accelerations || problem_->poses <= kMostPosesForAccelerations || noise_is_widened_) return false;
-  struct Seen {
-    double lever_sq = 0;  // m^2
-    double variance_g2 = 0;
-    double residual_g2 = 0;  // mean square, per axis
-  };
-  std::vector<Seen> seen;
-  for (std::size_t cell = 0; cell < cells_.size(); ++cell) {
-    const std::vector<CellReading>& readings = problem_->readings[cell];
-    if (readings.empty()) continue;
-    Seen of_cell{squaredLever(cell)};
-    for (std::size_t k = 0; k < readings.size(); ++k) {
-      of_cell.variance_g2 += readings[k].variance_g2 / static_cast<double>(readings.size());
-      of_cell.residual_g2 += sensors_[cell].fit.residual_g[k].squaredNorm() / static_cast<double>(3 * readings.size());
-    }
-    seen.push_back(of_cell);
-  }
-  if (seen.size() < 2) return false;
-  std::ranges::sort(seen, {}, &Seen::lever_sq);
-  const std::size_t inner = seen.size() / 2;
-  std::vector<double> factors;
-  for (std::size_t k = 0; k < inner; ++k) factors.push_back(seen[k].residual_g2 / seen[k].variance_g2);
-  const double factor = median(std::move(factors));
-  std::vector<double> swings_g2;  // (2/3) (s / g)^2, per m^2
-  for (std::size_t k = inner; k < seen.size(); ++k) {
-    const double excess_g2 = seen[k].residual_g2 - factor * seen[k].variance_g2;
-    swings_g2.push_back(seen[k].lever_sq > 0 ? excess_g2 / seen[k].lever_sq : 0);
-  }
-  const double swing_g2 = median(std::move(swings_g2));
-  if (factor <= 1 && swing_g2 <= 0) return false;
-  for (std::size_t cell = 0; cell < cells_.size(); ++cell) {
-    for (CellReading& reading : problem_->readings[cell]) {
-      reading.variance_g2 = std::max(1.0, factor) * reading.variance_g2 + std::max(0.0, swing_g2) * squaredLever(cell);
-    }
-  }
-  noise_is_widened_ = true;
-  return true;
-}
-
 void JointRefinement::leaveOut(std::size_t cell) {
   problem_->readings[localOf(cell)].clear();
+  if (freed_readings_) freed_readings_->leaveOut(localOf(cell));
   own_variances_g2_[localOf(cell)].clear();
 }
 
@@ -408,7 +375,7 @@ std::shared_ptr<const PlacementCovariance> JointRefinement::placementCovariance(
 
 std::shared_ptr<const GravityCovariance> JointRefinement::gravityCovariance() const {
   SolvedGravityCovariance::Solve solve;
-  if (!noise_is_widened_) {
+  if (!freed_readings_) {
     solve = [problem = std::shared_ptr<const JointProblem>(problem_), model = *problem_->model, state = solution_.state,
              own_variances_g2 = own_variances_g2_] {
       constexpr double kLeastVariance_g2 = 1e-10;  // of readings that were simulated without noise

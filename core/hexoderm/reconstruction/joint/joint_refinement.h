@@ -4,6 +4,7 @@
 
 #include "hexoderm/reconstruction/accelerometer/rigidity.h"
 #include "hexoderm/reconstruction/accelerometer/sensor_evidence.h"
+#include "hexoderm/reconstruction/joint/freed_readings.h"
 #include "hexoderm/reconstruction/joint/joint_solver.h"
 #include "hexoderm/reconstruction/links/gravity_table.h"
 
@@ -76,8 +77,6 @@ class JointRefinement {
   [[nodiscard]] std::size_t localOf(std::size_t cell) const;
   [[nodiscard]] CellReading foretold(std::size_t local, std::size_t pose, const JointState& state) const;
   void fitSensors();
-  bool widenNoise();
-  [[nodiscard]] double squaredLever(std::size_t cell) const;
   void solveWithSpreads(const JointSolverOptions& options);
   [[nodiscard]] double seenLinkSpread_m() const;
   [[nodiscard]] double seenAccelerations_rad_s2() const;
@@ -88,7 +87,7 @@ class JointRefinement {
   std::shared_ptr<JointProblem> problem_;
   JointSolution solution_;
   std::vector<SensorState> sensors_;
-  bool noise_is_widened_ = false;
+  std::optional<FreedReadings> freed_readings_;        ///< of many poses
   std::vector<std::vector<double>> own_variances_g2_;  ///< of the readings of every cell, without tremor
 };
 

@@ -3,6 +3,7 @@
 #include "hexoderm/reconstruction/joint/cells_first.h"
 #include "hexoderm/reconstruction/joint/poses_first.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <utility>
@@ -14,6 +15,16 @@ std::unique_ptr<JointSystem> makeSystem(const JointProblem& problem, std::option
   return order.value_or(cheaperOrder(problem)) == JointOrder::CellsFirst ? makeCellsFirst(problem)
                                                                          : makePosesFirst(problem);
 }
+
+/// By how much less the cost need not be. The cost is the logarithm of a probability: a hundredth of it moves the
+/// estimate by a tenth of its standard deviation at most, in one direction of all. Of a small cost it is a share.
+double negligible(double cost) {
+  constexpr double kNats = 0.01;
+  constexpr double kShare = 1e-6;
+  return std::min(kNats, kShare * cost);
+}
+/// A refused step that promised no more than so many times that has shown that the valley is crooked at its bottom.
+constexpr double kTimesNegligible = 10;
 
 }  // namespace
 
@@ -31,10 +42,14 @@ JointOrder cheaperOrder(const JointProblem& problem) {
 
 /// The steps of solveJointly.
 struct JointSolver {
-  static JointState startingPoint(const JointProblem& problem, const JointState& initial,
-                                  const JointSolverOptions& options);
-  static JointSolution descend(const JointProblem& problem, const JointState& initial,
-                               const JointSolverOptions& options);
+  enum class Refusal {
+    Damps,  ///< a step that does not lower the cost is tried again, damped
+    Ends,   ///< ... ends the descent where it stands, if the step promised much
+  };
+  /// False: ended by a refusal, without covariance.
+  static bool descend(const JointProblem& problem, Refusal refusal, const JointSolverOptions& options,
+                      JointSolution& solution);
+  static JointSolution solve(const JointProblem& problem, const JointState& initial, const JointSolverOptions& options);
 };
 
 JointCovariance::JointCovariance(const JointProblem& problem, const NormalEquations& equations)
@@ -51,16 +66,14 @@ Eigen::Matrix3d JointCovariance::forces(std::size_t a, std::size_t b) const { re
 Eigen::Matrix3d JointCovariance::acceleration(std::size_t pose) const { return inverse_->acceleration(pose); }
 double JointCovariance::gapShareSigma() const { return std::sqrt(inverse_->gapShareVariance()); }
 
-JointSolution JointSolver::descend(const JointProblem& problem, const JointState& initial,
-                                   const JointSolverOptions& options) {
+bool JointSolver::descend(const JointProblem& problem, Refusal refusal, const JointSolverOptions& options,
+                          JointSolution& solution) {
   // Below this the cost is rounding: residuals of a millionth of a standard deviation.
   constexpr double kNoCost = 1e-14;
   constexpr double kFirstDamping = 1e-4;
   constexpr double kLargestDamping = 1e12;
   constexpr double kLittle = 1e-3;
 
-  JointSolution solution;
-  solution.state = initial;
   const std::unique_ptr<JointSystem> system = makeSystem(problem, options.order);
   solution.cost = system->linearize(solution.state);
   system->accept();
@@ -68,9 +81,11 @@ JointSolution JointSolver::descend(const JointProblem& problem, const JointState
   Eigen::VectorXd cells;
   Eigen::VectorXd border;
   double damping = 0;
+  double promised_undamped = std::numeric_limits<double>::infinity();
   bool factor_is_at_optimum = false;
   bool settled = false;  // the last step changed so little that its matrix still serves
-  while (solution.iterations < options.max_iterations) {
+  bool crooked = false;  // steps that promise hardly anything have been refused
+  for (int iteration = 0; iteration < options.max_iterations; ++iteration) {
     if (options.stop.stop_requested()) {
       solution.termination = JointTermination::Stopped;
       break;
@@ -79,10 +94,12 @@ JointSolution JointSolver::descend(const JointProblem& problem, const JointState
     bool lowered = false;
     if (settled || system->factorize(damping)) {
       const double promised = system->step(cells, border);
+      if (damping == 0) promised_undamped = promised;
       JointState next = moved(problem, solution.state, cells, border);
+      const double little = crooked ? negligible(solution.cost) : 0;
       // Damped steps promise little even far from the optimum. The last undamped one is too small to be looked at
       // again.
-      if (damping == 0 && promised <= options.cost_tolerance * solution.cost + kNoCost) {
+      if (damping == 0 && promised <= std::max(options.cost_tolerance * solution.cost + kNoCost, little)) {
         solution.state = std::move(next);
         solution.cost -= promised;
         solution.termination = JointTermination::Converged;
@@ -96,10 +113,14 @@ JointSolution JointSolver::descend(const JointProblem& problem, const JointState
         solution.state = std::move(next);
         system->accept();
         solution.cost = next_cost;
+      } else if (damping == 0) {
+        if (refusal == Refusal::Ends && !(promised <= kLittle * solution.cost)) return false;
+        crooked = crooked || promised <= kTimesNegligible * negligible(solution.cost);
       }
     }
     if (damping > kLargestDamping) {
-      solution.termination = JointTermination::Converged;
+      // No way leads down: the cost's rounding hides the rest, unless the model promised more than that.
+      if (promised_undamped <= negligible(solution.cost) + kNoCost) solution.termination = JointTermination::Converged;
       break;
     }
     if (!lowered) {
@@ -108,30 +129,47 @@ JointSolution JointSolver::descend(const JointProblem& problem, const JointState
       damping = damping > 2 * kFirstDamping ? damping / 5 : 0;
     }
   }
-  if (!options.covariance || solution.termination == JointTermination::Stopped) return solution;
+  if (!options.covariance || solution.termination == JointTermination::Stopped) return true;
   if (!factor_is_at_optimum) factorizeWithLeastDamping([&](double least) { return system->factorize(least); });
   solution.covariance.reset(new JointCovariance(system->inverse()));
-  return solution;
+  return true;
 }
 
 /// If links are open by far more than they allow, as a tree leaves its loops, stiff links would have to be bent round
-/// to close them. Soft ones, with the readings, first turn the cells to agree with gravity.
-JointState JointSolver::startingPoint(const JointProblem& problem, const JointState& initial,
-                                      const JointSolverOptions& options) {
+/// to close them. Soft ones, with the readings, first turn the cells to agree with gravity. Where two poses leave turns
+/// that only the links hold, that is not enough: stiff links refuse the first large step, and damped ones creep along a
+/// crooked valley, or end beside the optimum. Links that stiffen by and by, with a quadratic loss up to the last,
+/// leave a state from which the steps are few.
+JointSolution JointSolver::solve(const JointProblem& problem, const JointState& initial,
+                                 const JointSolverOptions& options) {
   constexpr double kOpen = 6;  // mean square, in link sigmas; 3 is what closed links have
-  constexpr double kSofter = 10;
+  constexpr double kSoftest = 10;
+  constexpr double kStiffening[] = {3, 1};
   JointProblem soft = problem;
   soft.loss.threshold = std::numeric_limits<double>::infinity();
-  if (closureCost(soft, initial) <= kOpen * static_cast<double>(problem.links.size())) return initial;
-  soft.link_sigma_m *= kSofter;
-  JointSolverOptions roughly = options;
-  roughly.cost_tolerance = 1e-2;
-  roughly.covariance = false;
-  return descend(soft, initial, roughly).state;
+  JointSolution solution;
+  solution.state = initial;
+  const bool open = closureCost(soft, initial) > kOpen * static_cast<double>(problem.links.size());
+  const auto descendSoftly = [&](double times, JointSolution& from) {
+    JointSolverOptions roughly = options;
+    roughly.cost_tolerance = 1e-2;
+    roughly.covariance = false;
+    soft.link_sigma_m = times * problem.link_sigma_m;
+    descend(soft, Refusal::Damps, roughly, from);
+  };
+  if (open) descendSoftly(kSoftest, solution);
+  if (descend(problem, open ? Refusal::Ends : Refusal::Damps, options, solution)) return solution;
+  JointSolution staged = solution;
+  for (const double times : kStiffening) descendSoftly(times, staged);
+  solution.iterations = staged.iterations;
+  // With gross errors among the readings a quadratic loss may lead away.
+  if (jointCost(problem, staged.state) < solution.cost) solution.state = std::move(staged.state);
+  descend(problem, Refusal::Damps, options, solution);
+  return solution;
 }
 
 JointSolution solveJointly(const JointProblem& problem, const JointState& initial, const JointSolverOptions& options) {
-  return JointSolver::descend(problem, JointSolver::startingPoint(problem, initial, options), options);
+  return JointSolver::solve(problem, initial, options);
 }
 
 }  // namespace hexoderm

@@ -17,8 +17,9 @@ enum class JointOrder {
 JointOrder cheaperOrder(const JointProblem& problem);
 
 struct JointSolverOptions {
-  int max_iterations = 100;
-  /// A step that promises to lower the cost by less than this share of it is the last.
+  int max_iterations = 100;  ///< of every stage
+  /// A step that promises to lower the cost by less than this share of it is the last. Where steps that promise less
+  /// than a tenth of a nat, and 1e-5 of the cost, raise it, the last is one that promises less than a tenth of that.
   double cost_tolerance = 1e-8;
   bool covariance = true;           ///< compute JointSolution::covariance
   std::optional<JointOrder> order;  ///< absent: cheaperOrder()
@@ -27,7 +28,11 @@ struct JointSolverOptions {
 
 class JointInverse;  // joint_system.h
 
-enum class JointTermination { Converged, Stopped, StepLimit };
+enum class JointTermination {
+  Converged,
+  Stopped,
+  StepLimit,  ///< not converged: there is a lower cost nearby
+};
 
 /// The inverse of the information matrix at the optimum: how uncertain every unknown is, and how they depend on each
 /// other. Keeps the factor, so that the covariance of any two cells can still be asked for. The rest is computed when
@@ -67,14 +72,14 @@ class JointCovariance {
 struct JointSolution {
   JointState state;
   double cost = 0;
-  int iterations = 0;
+  int iterations = 0;  ///< steps of all stages, refused ones too
   JointTermination termination = JointTermination::Converged;
   std::shared_ptr<const JointCovariance> covariance;  ///< null if it was not asked for or is not due
 };
 
 /// Levenberg-Marquardt on jointCost from `initial`: plain Gauss-Newton steps while they lower the cost, damped ones
-/// where they don't; first with softer links where they are far from closed. Every step solves one linear system, in
-/// the order of `options`.
+/// where they don't; first with softer links where they are far from closed, which stiffen in stages if that is not
+/// enough. Every step solves one linear system, in the order of `options`.
 JointSolution solveJointly(const JointProblem& problem, const JointState& initial,
                            const JointSolverOptions& options = {});
 

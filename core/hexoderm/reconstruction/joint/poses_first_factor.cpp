@@ -1,5 +1,6 @@
 #include "hexoderm/reconstruction/joint/poses_first_factor.h"
 
+#include <algorithm>
 #include <utility>
 
 namespace hexoderm::poses_first {
@@ -189,36 +190,62 @@ void Factor::findShared() {
   }
 }
 
-MatrixXd Factor::reducedInformation() const {
-  Eigen::Matrix<double, kShared, kShared> middle = Eigen::Matrix<double, kShared, kShared>::Zero();
-  MatrixXd mixed = MatrixXd::Zero(kSensor * parts(), kShared);
-  MatrixXd S = MatrixXd::Zero(kSensor * parts(), kSensor * parts());
-  std::vector<Eigen::Vector4d> r;  // of the deviating readings, times their excess
-  for (std::size_t pose = 0; pose < equations_->phi.size(); ++pose) {
-    const Eigen::Matrix<double, kShared, 3> phi = sharedOf(pose);
-    const Eigen::Matrix<double, kShared, 3> phi_H = phi.lazyProduct(pose_inverse_[pose]);
-    middle.noalias() += phi_H.lazyProduct(phi.transpose());
-    const std::vector<Deviation>& deviating = equations_->readings[pose].deviating;
-    r.clear();
-    for (const Deviation& deviation : deviating) {
-      r.emplace_back(deviation.excess * (equations_->measured[deviation.part].T * equations_->phi[pose]));
-      mixed.middleRows<kSensor>(kSensor * static_cast<Index>(deviation.part)).noalias() +=
-          deviationOf(deviation, pose).lazyProduct(phi_H.transpose());
+void Factor::subtractDeviations(MatrixXd& S) const {
+  // A square of S that fast memory holds takes what all poses have for it, before the next.
+  constexpr std::size_t kCellsOfSquare = 8;
+  const auto cells = static_cast<std::size_t>(parts());
+  const std::size_t poses = equations_->phi.size();
+  std::vector<std::vector<Eigen::Vector4d>> r(poses);  // of the deviating readings, times their excess
+  for (std::size_t pose = 0; pose < poses; ++pose) {
+    for (const Deviation& deviation : equations_->readings[pose].deviating) {
+      r[pose].emplace_back(deviation.excess * (equations_->measured[deviation.part].T * equations_->phi[pose]));
     }
-    // D_a H^-1 D_b^T = (r_a r_b^T) x (G_a H^-1 G_b^T)
-    for (std::size_t b = 0; b < deviating.size(); ++b) {
-      const Eigen::Matrix3d H_G = pose_inverse_[pose] * equations_->measured[deviating[b].part].G.transpose();
-      for (std::size_t a = b; a < deviating.size(); ++a) {
-        const Eigen::Matrix3d forces = equations_->measured[deviating[a].part].G * H_G;
-        const Eigen::Matrix4d rows = r[a] * r[b].transpose();
-        auto block = S.block<kSensor, kSensor>(kSensor * static_cast<Index>(deviating[a].part),
-                                               kSensor * static_cast<Index>(deviating[b].part));
-        for (int j = 0; j < 3; ++j) {
-          for (int i = 0; i < 3; ++i) block.block<4, 4>(4 * i, 4 * j) -= forces(i, j) * rows;
+  }
+  // Of a pose those of a square's rows or columns; a pose's deviations are in the order of the cells.
+  const auto within = [&](const std::vector<Deviation>& deviating, std::size_t from) {
+    const auto first = std::ranges::lower_bound(deviating, from, {}, &Deviation::part);
+    const auto last = std::ranges::lower_bound(first, deviating.end(), from + kCellsOfSquare, {}, &Deviation::part);
+    return std::pair(static_cast<std::size_t>(first - deviating.begin()),
+                     static_cast<std::size_t>(last - deviating.begin()));
+  };
+  for (std::size_t columns = 0; columns < cells; columns += kCellsOfSquare) {
+    for (std::size_t rows = columns; rows < cells; rows += kCellsOfSquare) {
+      for (std::size_t pose = 0; pose < poses; ++pose) {
+        const std::vector<Deviation>& deviating = equations_->readings[pose].deviating;
+        const auto [first_a, last_a] = within(deviating, rows);
+        const auto [first_b, last_b] = within(deviating, columns);
+        for (std::size_t b = first_b; b < last_b; ++b) {
+          const Eigen::Matrix3d H_G = pose_inverse_[pose] * equations_->measured[deviating[b].part].G.transpose();
+          for (std::size_t a = std::max(b, first_a); a < last_a; ++a) {
+            // D_a H^-1 D_b^T = (r_a r_b^T) x (G_a H^-1 G_b^T)
+            const Eigen::Matrix3d forces = equations_->measured[deviating[a].part].G * H_G;
+            const Eigen::Matrix4d couple = r[pose][a] * r[pose][b].transpose();
+            auto block = S.block<kSensor, kSensor>(kSensor * static_cast<Index>(deviating[a].part),
+                                                   kSensor * static_cast<Index>(deviating[b].part));
+            for (int j = 0; j < 3; ++j) {
+              for (int i = 0; i < 3; ++i) block.block<4, 4>(4 * i, 4 * j) -= forces(i, j) * couple;
+            }
+          }
         }
       }
     }
   }
+}
+
+MatrixXd Factor::reducedInformation() const {
+  Eigen::Matrix<double, kShared, kShared> middle = Eigen::Matrix<double, kShared, kShared>::Zero();
+  MatrixXd mixed = MatrixXd::Zero(kSensor * parts(), kShared);
+  MatrixXd S = MatrixXd::Zero(kSensor * parts(), kSensor * parts());
+  for (std::size_t pose = 0; pose < equations_->phi.size(); ++pose) {
+    const Eigen::Matrix<double, kShared, 3> phi = sharedOf(pose);
+    const Eigen::Matrix<double, kShared, 3> phi_H = phi.lazyProduct(pose_inverse_[pose]);
+    middle.noalias() += phi_H.lazyProduct(phi.transpose());
+    for (const Deviation& deviation : equations_->readings[pose].deviating) {
+      mixed.middleRows<kSensor>(kSensor * static_cast<Index>(deviation.part)).noalias() +=
+          deviationOf(deviation, pose).lazyProduct(phi_H.transpose());
+    }
+  }
+  subtractDeviations(S);
   // B M B^T + B Y^T + Y B^T in one product, M: middle, Y: mixed.
   MatrixXd left(shared_.rows(), 2 * kShared);
   MatrixXd right(shared_.rows(), 2 * kShared);

@@ -64,6 +64,8 @@ class Factor {
   void invertPoses(double damping);
   /// B: what all poses have in common, columns phi x I.
   void findShared();
+  /// Takes the products of the deviating readings' D_p off the lower triangle of S.
+  void subtractDeviations(Eigen::MatrixXd& S) const;
   /// S, both triangles.
   [[nodiscard]] Eigen::MatrixXd reducedInformation() const;
   [[nodiscard]] Eigen::MatrixXd timesK(const Eigen::MatrixXd& left) const;

@@ -2,6 +2,7 @@
 
 #include "hexoderm/geometry/covariance.h"
 #include "hexoderm/geometry/procrustes.h"
+#include "hexoderm/reconstruction/links/edge_batches.h"
 #include "hexoderm/util/units.h"
 
 #include <Eigen/Eigenvalues>
@@ -180,6 +181,21 @@ double paperWeight(EdgeQuality quality) {
   return 1;
 }
 
+EdgeKernelOptions edgeKernelOptions(const CellModel& model, const SolverOptions& options) {
+  const Accelerometer& a = model.accelerometer;
+  EdgeKernelOptions kernel;
+  kernel.offset_variance_g2 = a.offset_sigma_g * a.offset_sigma_g;
+  kernel.scale_variance = a.scale_sigma * a.scale_sigma;
+  kernel.cross_axis_variance = a.cross_axis_sigma * a.cross_axis_sigma;
+  kernel.support = kUnsupportedInformation;
+  kernel.prior_variance = kUniformSigma * kUniformSigma;
+  kernel.shortest_g = kShortestCentred_g;
+  kernel.least_variance_g2 = kLeastVariance_g2;
+  kernel.centre = options.centring != Centring::Off;
+  kernel.always_centre = options.centring == Centring::On;
+  return kernel;
+}
+
 EdgeRotation estimateEdgeRotation(const CellModel& model, const Port& source, const Port& target,
                                   const EdgeReadings& readings, const SolverOptions& options) {
   const Eigen::Index poses = readings.n_g.cols();
@@ -199,6 +215,8 @@ EdgeRotation estimateEdgeRotation(const CellModel& model, const Port& source, co
   if (needsSupport(edge, options.support_axes, quality, model)) edge = solve(true);
   edge.singular_values = plain.singular_values;
   edge.quality = quality;
+  edge.deviation_rad = largestDeviation(edge.covariance);
+  edge.angles = linkAngles(edge.R_c_n, source, target);
   solver.addResiduals(edge);
   return edge;
 }

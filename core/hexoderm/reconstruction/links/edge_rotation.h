@@ -24,9 +24,11 @@ struct EdgeRotation {
   Eigen::Matrix3d covariance =
       Eigen::Matrix3d::Zero();  ///< covariance of the left error d, R_true = exp(d) R, source frame, rad^2
   Eigen::Matrix3d prior_part = Eigen::Matrix3d::Zero();  ///< share of `covariance` that the elastomer prior stands for
+  double deviation_rad = 0;                              ///< about the worst axis, by `covariance`
+  LinkAngles angles;                                     ///< of R_c_n
   double residual_rad = 0;
-  double expected_residual_rad = 0;  ///< residual expected from noise and the sensors' priors
-  std::vector<double> pose_residual_rad;
+  double expected_residual_rad = 0;       ///< residual expected from noise and the sensors' priors
+  std::vector<double> pose_residual_rad;  ///< filled by estimateEdgeRotation() only; SkinLinks keeps those of all links
 };
 
 /// Class of an edge from its singular values in descending order, eq. (17) with the given threshold.

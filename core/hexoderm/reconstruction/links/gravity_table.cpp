@@ -118,4 +118,9 @@ std::vector<std::size_t> GravityTable::usablePoses(std::size_t cell) const {
   return poses;
 }
 
+std::size_t GravityTable::usablePoseCount(std::size_t cell) const {
+  return static_cast<std::size_t>(
+      std::ranges::count_if(enabled_, [&](std::size_t pose) { return at(cell, pose).usable; }));
+}
+
 }  // namespace hexoderm

@@ -40,6 +40,7 @@ class GravityTable {
   [[nodiscard]] Entry& at(std::size_t cell, std::size_t pose) { return entries_[cell * poses_ + pose]; }
   /// Enabled poses in which the cell has a usable reading.
   [[nodiscard]] std::vector<std::size_t> usablePoses(std::size_t cell) const;
+  [[nodiscard]] std::size_t usablePoseCount(std::size_t cell) const;
 
  private:
   std::size_t cells_;

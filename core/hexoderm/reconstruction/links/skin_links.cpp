@@ -1,11 +1,13 @@
 #include "hexoderm/reconstruction/links/skin_links.h"
 
+#include "hexoderm/geometry/covariance.h"
 #include "hexoderm/graph/shortest_paths.h"
-#include "hexoderm/reconstruction/result/uncertainty.h"
+#include "hexoderm/reconstruction/links/edge_batches.h"
 #include "hexoderm/util/units.h"
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 namespace hexoderm {
 namespace {
@@ -20,7 +22,7 @@ double weightOf(const EdgeRotation& edge, LinkWeights weights) {
   if (weights == LinkWeights::Paper) return paperWeight(edge.quality);
   // In degrees, so that it reads like the figures beside it; never so small that a path of many links costs nothing.
   constexpr double kLeast = 0.1;
-  return std::max(kLeast, toDegrees(std::hypot(rotationSigma(edge.covariance), edge.residual_rad)));
+  return std::max(kLeast, toDegrees(std::hypot(std::min(kPi, edge.deviation_rad), edge.residual_rad)));
 }
 
 }  // namespace
@@ -45,21 +47,44 @@ void SkinLinks::dropPose(std::size_t pose) {
 
 void SkinLinks::estimateEdges() {
   readings_ = SkinReadings(model_, graph_, table_);
-  edges_.clear();
-  pose_residuals_.clear();
-  for (const GraphLink& link : graph_.links()) {
-    const EdgeReadings readings = readings_.readingsOf(link);
-    EdgeRotation edge = estimateEdgeRotation(model_, sourcePort(link), targetPort(link), readings, options_);
-    std::vector<std::optional<double>> residuals(table_.poseCount());
-    if (readings_.measured(link)) {
-      std::size_t k = 0;
-      for (const std::size_t pose : readings_.posesOf(link)) residuals[pose] = edge.pose_residual_rad[k++];
-    } else if (readings.n_g.cols() > 0) {
-      markAsGuessed(edge, link);
-    }
-    edges_.push_back(std::move(edge));
-    pose_residuals_.push_back(std::move(residuals));
+  edges_.assign(graph_.links().size(), {});
+  pose_residuals_.assign(edges_.size() * table_.poseCount(), std::nullopt);
+  std::vector<std::size_t> all(edges_.size());
+  std::iota(all.begin(), all.end(), std::size_t{0});
+  estimate(all);
+}
+
+std::vector<std::size_t> SkinLinks::estimateEdgesAround(std::size_t cell) {
+  std::vector<std::size_t> links;
+  for (const std::size_t changed : readings_.update(model_, graph_, cell)) {
+    const auto& at = graph_.linksAt(changed);
+    links.insert(links.end(), at.begin(), at.end());
   }
+  std::ranges::sort(links);
+  links.erase(std::ranges::unique(links).begin(), links.end());
+  estimate(links);
+  return links;
+}
+
+void SkinLinks::estimate(std::span<const std::size_t> links) {
+  EdgeBatches batches(model_, graph_, table_, readings_, options_);
+  for (const std::size_t link : batches.estimate(links, edges_, pose_residuals_)) estimateCarefully(link);
+}
+
+void SkinLinks::estimateCarefully(std::size_t index) {
+  const GraphLink& link = graph_.links()[index];
+  const EdgeReadings readings = readings_.readingsOf(link);
+  EdgeRotation edge = estimateEdgeRotation(model_, sourcePort(link), targetPort(link), readings, options_);
+  const auto residuals = std::span(pose_residuals_).subspan(index * table_.poseCount(), table_.poseCount());
+  std::ranges::fill(residuals, std::nullopt);
+  if (readings_.measured(link)) {
+    std::size_t k = 0;
+    for (const std::size_t pose : readings_.posesOf(link)) residuals[pose] = edge.pose_residual_rad[k++];
+  } else if (readings.n_g.cols() > 0) {
+    markAsGuessed(edge, link);
+  }
+  edge.pose_residual_rad = {};
+  edges_[index] = std::move(edge);
 }
 
 /// One end does not measure: the rotation is interpolated, and nothing but the elastomer prior speaks for it.
@@ -70,6 +95,7 @@ void SkinLinks::markAsGuessed(EdgeRotation& edge, const GraphLink& link) const {
   edge.expected_residual_rad = 0;
   edge.prior_part.setZero();  // it is the blind cell that may lie otherwise, not what comes after it
   edge.covariance = elastomerPrior(sourcePort(link));
+  edge.deviation_rad = largestDeviation(edge.covariance);
 }
 
 /// How far a link may bend, twist and yaw, as a covariance in the frame of the cell that the port belongs to.

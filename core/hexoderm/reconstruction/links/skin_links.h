@@ -33,8 +33,9 @@ class SkinLinks {
   [[nodiscard]] const SkinReadings& readings() const { return readings_; }
   [[nodiscard]] const std::vector<EdgeRotation>& edges() const { return edges_; }  ///< per link
   /// Residual angle of a link, rad, per pose of the snapshot; absent where an end has no reading of its own.
-  [[nodiscard]] const std::vector<std::optional<double>>& poseResiduals(std::size_t link) const {
-    return pose_residuals_[link];
+  [[nodiscard]] std::vector<std::optional<double>> poseResiduals(std::size_t link) const {
+    const auto first = pose_residuals_.begin() + static_cast<std::ptrdiff_t>(link * table_.poseCount());
+    return {first, first + static_cast<std::ptrdiff_t>(table_.poseCount())};
   }
   [[nodiscard]] PoseId poseId(std::size_t pose) const;
   [[nodiscard]] const Port& sourcePort(const GraphLink& link) const { return model_.port(link.source_port); }
@@ -48,13 +49,20 @@ class SkinLinks {
   void dropPose(std::size_t pose);
   /// The rotation of every link from the readings that are left.
   void estimateEdges();
+  /// The same where dropCell() of this cell is all that happened since, at the cost of the links concerned: those.
+  std::vector<std::size_t> estimateEdgesAround(std::size_t cell);
 
   /// Covariance of a cell's own attitude error, R_true = R exp(e), rad^2 in the cell frame: of its readings, or of its
   /// neighbours' where it has none. `link`: the one that the cell is placed by; of the origin one of its own; kNoIndex
   /// if it has none.
   [[nodiscard]] Eigen::Matrix3d attitudeCovariance(std::size_t cell, std::size_t link) const;
+  /// The same of many cells: `links[k]` is the one of `cells[k]`.
+  [[nodiscard]] std::vector<Eigen::Matrix3d> attitudeCovariances(std::span<const std::size_t> cells,
+                                                                 std::span<const std::size_t> links) const;
 
  private:
+  void estimate(std::span<const std::size_t> links);
+  void estimateCarefully(std::size_t link);
   void markAsGuessed(EdgeRotation& edge, const GraphLink& link) const;
   [[nodiscard]] Eigen::Matrix3d elastomerPrior(const Port& port) const;
 
@@ -65,7 +73,7 @@ class SkinLinks {
   GravityTable table_;
   SkinReadings readings_;
   std::vector<EdgeRotation> edges_;
-  std::vector<std::vector<std::optional<double>>> pose_residuals_;  ///< per link and pose
+  std::vector<std::optional<double>> pose_residuals_;  ///< per link and pose
 };
 
 /// Cost of each link on a shortest path, by SolverOptions::weights.

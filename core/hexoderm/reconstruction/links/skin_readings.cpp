@@ -1,20 +1,58 @@
 #include "hexoderm/reconstruction/links/skin_readings.h"
 
 #include <algorithm>
+#include <set>
 
 namespace hexoderm {
 
 SkinReadings::SkinReadings(const CellModel& model, const SkinGraph& graph, const GravityTable& table)
-    : table_(&table), measured_(graph.cells().size(), false), gravity_(graph.cells().size()) {
+    : table_(&table),
+      measured_(graph.cells().size(), false),
+      gravity_(graph.cells().size() * table.poseCount(), Eigen::Vector3d::Zero()) {
   std::vector<std::size_t> blind;
-  for (std::size_t cell = 0; cell < gravity_.size(); ++cell) {
-    const std::vector<std::size_t> poses = table.usablePoses(cell);
-    measured_[cell] = !poses.empty();
-    gravity_[cell].assign(table.poseCount(), Eigen::Vector3d::Zero());
-    for (const std::size_t pose : poses) gravity_[cell][pose] = table.at(cell, pose).mean_g;
+  for (std::size_t cell = 0; cell < measured_.size(); ++cell) {
+    readCell(cell);
     if (!measured_[cell]) blind.push_back(cell);
   }
   if (!blind.empty() && !table.enabledPoses().empty()) fillMissing(model, graph, blind);
+}
+
+void SkinReadings::readCell(std::size_t cell) {
+  measured_[cell] = false;
+  for (std::size_t pose = 0; pose < table_->poseCount(); ++pose) gravityAt(cell, pose).setZero();
+  for (const std::size_t pose : table_->enabledPoses()) {
+    const GravityTable::Entry& entry = table_->at(cell, pose);
+    if (!entry.usable) continue;
+    measured_[cell] = true;
+    gravityAt(cell, pose) = entry.mean_g;
+  }
+}
+
+std::vector<std::size_t> SkinReadings::update(const CellModel& model, const SkinGraph& graph, std::size_t cell) {
+  readCell(cell);
+  if (measured_[cell] || table_->enabledPoses().empty()) return {cell};
+  // What a cell without readings gets from its neighbours depends on no other such cell than those it is joined to by
+  // such cells alone, and on the order among these.
+  const std::vector<std::size_t> blind = blindAround(graph, cell);
+  for (const std::size_t other : blind) readCell(other);
+  fillMissing(model, graph, blind);
+  return blind;
+}
+
+/// The cells without readings that are joined to `cell` by cells without readings, with it, ascending.
+std::vector<std::size_t> SkinReadings::blindAround(const SkinGraph& graph, std::size_t cell) const {
+  std::set<std::size_t> found{cell};
+  std::vector<std::size_t> open{cell};
+  while (!open.empty()) {
+    const std::size_t at = open.back();
+    open.pop_back();
+    for (const std::size_t k : graph.linksAt(at)) {
+      const GraphLink& link = graph.links()[k];
+      const std::size_t other = link.other(at);
+      if (!link.muted() && !measured_[other] && found.insert(other).second) open.push_back(other);
+    }
+  }
+  return {found.begin(), found.end()};
 }
 
 void SkinReadings::fillMissing(const CellModel& model, const SkinGraph& graph, const std::vector<std::size_t>& blind) {
@@ -27,27 +65,30 @@ void SkinReadings::fillMissing(const CellModel& model, const SkinGraph& graph, c
         for (const std::size_t link_index : graph.linksAt(cell)) {
           const GraphLink& link = graph.links()[link_index];
           if (link.muted()) continue;
-          const Eigen::Vector3d& g = gravity_[link.other(cell)][pose];
+          const Eigen::Vector3d& g = gravityOf(link.other(cell), pose);
           if (g.isZero()) continue;
           Eigen::Matrix3d R_nom = nominalAlignment(model.port(link.source_port), model.port(link.target_port));
           if (link.source != cell) R_nom.transposeInPlace();
           sum += R_nom * g.normalized();
         }
-        if (sum.norm() > 1e-6) gravity_[cell][pose] = sum.normalized();
+        if (sum.norm() > 1e-6) gravityAt(cell, pose) = sum.normalized();
       }
     }
   }
 }
 
 bool SkinReadings::interpolated(std::size_t cell) const {
-  return !measured_[cell] && std::ranges::any_of(gravity_[cell], [](const Eigen::Vector3d& g) { return !g.isZero(); });
+  if (measured_[cell]) return false;
+  const auto first = gravity_.begin() + static_cast<std::ptrdiff_t>(cell * table_->poseCount());
+  return std::any_of(first, first + static_cast<std::ptrdiff_t>(table_->poseCount()),
+                     [](const Eigen::Vector3d& g) { return !g.isZero(); });
 }
 
 std::vector<std::size_t> SkinReadings::posesOf(const GraphLink& link) const {
   std::vector<std::size_t> poses;
   poses.reserve(table_->enabledPoses().size());
   for (const std::size_t pose : table_->enabledPoses()) {
-    if (!gravity_[link.source][pose].isZero() && !gravity_[link.target][pose].isZero()) poses.push_back(pose);
+    if (inBoth(link, pose)) poses.push_back(pose);
   }
   return poses;
 }
@@ -61,8 +102,8 @@ EdgeReadings SkinReadings::readingsOf(const GraphLink& link) const {
   readings.variance_g2.reserve(poses.size());
   for (Eigen::Index k = 0; k < count; ++k) {
     const std::size_t pose = poses[static_cast<std::size_t>(k)];
-    readings.c_g.col(k) = gravity_[link.source][pose];
-    readings.n_g.col(k) = gravity_[link.target][pose];
+    readings.c_g.col(k) = gravityOf(link.source, pose);
+    readings.n_g.col(k) = gravityOf(link.target, pose);
     readings.variance_g2.push_back(table_->at(link.source, pose).variance_g2 +
                                    table_->at(link.target, pose).variance_g2);
   }

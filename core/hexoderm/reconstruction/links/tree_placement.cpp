@@ -10,10 +10,29 @@ namespace {
 struct Carried {
   Eigen::Vector3d b = Eigen::Vector3d::Zero();
   Eigen::Vector3d first = Eigen::Vector3d::Zero();
+  Eigen::Matrix3d own = Eigen::Matrix3d::Zero();           ///< covariance of e_n
   Eigen::Matrix3d u_covariance = Eigen::Matrix3d::Zero();  ///< of u_n, from the cells strictly between origin and n
-  Matrix6d prior_covariance = Matrix6d::Zero();            ///< of (tau_n, kappa_n)
+  Eigen::Matrix3d tau = Eigen::Matrix3d::Zero();           ///< covariance of tau_n,
+  Eigen::Matrix3d tau_kappa = Eigen::Matrix3d::Zero();     ///< of tau_n with kappa_n,
+  Eigen::Matrix3d kappa = Eigen::Matrix3d::Zero();         ///< and of kappa_n
   double links = 0;
 };
+
+/// [w]x M.
+Eigen::Matrix3d crossed(const Eigen::Vector3d& w, const Eigen::Matrix3d& M) {
+  Eigen::Matrix3d product;
+  for (int k = 0; k < 3; ++k) product.col(k) = w.cross(M.col(k));
+  return product;
+}
+
+/// [w]x M [w]x^T, for a symmetric M.
+Eigen::Matrix3d crossedTwice(const Eigen::Vector3d& w, const Eigen::Matrix3d& M) {
+  return crossed(w, crossed(w, M).transpose());
+}
+
+Eigen::Matrix3d rotated(const Eigen::Matrix3d& R, const Eigen::Matrix3d& covariance) {
+  return R * covariance * R.transpose();
+}
 
 }  // namespace
 
@@ -32,7 +51,7 @@ std::vector<TreePlacement> placeAlongTree(const SkinGraph& graph, const CellMode
     const std::size_t c = place(paths.predecessor[n]);
     const GraphLink& link = graph.links()[paths.link[n]];
     const EdgeRotation& edge = edges[paths.link[n]];
-    const bool forward = place(link.source) == c;
+    const bool forward = link.target == cell;
     const Port& port_c = model.port(forward ? link.source_port : link.target_port);
     const Port& port_n = model.port(forward ? link.target_port : link.source_port);
     // The reverse edge is exactly the transpose, never estimated twice.
@@ -48,37 +67,31 @@ std::vector<TreePlacement> placeAlongTree(const SkinGraph& graph, const CellMode
     now.b = T_o_n.R * port_n.vector_m;
     now.first = c == origin ? a : before.first;
     now.links = before.links + 1;
-    if (c != origin) {
-      const Eigen::Matrix3d lever = skew(a - before.b);
-      const Eigen::Matrix3d own = T_o_c.R * attitude_covariance[c] * T_o_c.R.transpose();
-      now.u_covariance = before.u_covariance + lever * own * lever.transpose();
-    }
-    // kappa_n = kappa_c + k;  tau_n = tau_c + kappa_c x (a - b) - k x b.
-    Matrix6d F = Matrix6d::Identity();
-    F.topRightCorner<3, 3>() = -skew(a - now.b);
-    Eigen::Matrix<double, 6, 3> G;
-    G << skew(now.b), Eigen::Matrix3d::Identity();
-    const Eigen::Matrix3d R_o_source = placements[place(link.source)].T_o_u.R;
-    const Eigen::Matrix3d prior = R_o_source * edge.prior_part * R_o_source.transpose();
-    now.prior_covariance = F * before.prior_covariance * F.transpose() + G * prior * G.transpose();
+    now.own = rotated(T_o_n.R, attitude_covariance[n]);
+    if (c != origin) now.u_covariance = before.u_covariance + crossedTwice(a - before.b, before.own);
 
-    const Eigen::Matrix3d own = T_o_n.R * attitude_covariance[n] * T_o_n.R.transpose();
-    const Eigen::Matrix3d lever_n = skew(now.b);                // -e_n x b_n = [b]x e_n
-    const Eigen::Matrix3d lever_o = skew(T_o_n.t - now.first);  // -e_o x (t - f) = [t - f]x e_o
-    const double link_variance = now.links * model.link_sigma_m * model.link_sigma_m;
-    Matrix6d left = now.prior_covariance;
-    left.topLeftCorner<3, 3>() += now.u_covariance + lever_n * own * lever_n.transpose() +
-                                  lever_o * origin_covariance * lever_o.transpose() +
-                                  link_variance * Eigen::Matrix3d::Identity();
-    left.topRightCorner<3, 3>() += lever_n * own - lever_o * origin_covariance;
-    left.bottomLeftCorner<3, 3>() = left.topRightCorner<3, 3>().transpose().eval();
-    left.bottomRightCorner<3, 3>() += own + origin_covariance;
+    // kappa_n = kappa_c + k;  tau_n = tau_c + kappa_c x (a - b) - k x b.
+    const Eigen::Vector3d x = now.b - a;
+    const Eigen::Matrix3d prior = rotated(forward ? T_o_c.R : T_o_n.R, edge.prior_part);
+    const Eigen::Matrix3d mixed = crossed(x, before.tau_kappa.transpose());
+    now.kappa = before.kappa + prior;
+    now.tau_kappa = before.tau_kappa + crossed(x, before.kappa) + crossed(now.b, prior);
+    now.tau = before.tau + mixed + mixed.transpose() + crossedTwice(x, before.kappa) + crossedTwice(now.b, prior);
+
+    const Eigen::Vector3d lever_o = T_o_n.t - now.first;  // -e_o x (t - f) = [t - f]x e_o, and so with -e_n x b_n
+    Eigen::Matrix3d position =
+        now.tau + now.u_covariance + crossedTwice(now.b, now.own) + crossedTwice(lever_o, origin_covariance);
+    position.diagonal().array() += now.links * model.link_sigma_m * model.link_sigma_m;
+    const Eigen::Matrix3d mixed_left = now.tau_kappa + crossed(now.b, now.own) - crossed(lever_o, origin_covariance);
+    const Eigen::Matrix3d rotation = now.kappa + now.own + origin_covariance;
 
     // The error was a left one in the patch frame; the file's is a right one in the cell frame.
-    Matrix6d to_right = Matrix6d::Identity();
-    to_right.bottomRightCorner<3, 3>() = T_o_n.R.transpose();
-    const Matrix6d covariance = to_right * left * to_right.transpose();
-    placements[n].covariance = (covariance + covariance.transpose()) / 2;
+    Matrix6d& covariance = placements[n].covariance;
+    const Eigen::Matrix3d rotation_right = rotated(T_o_n.R.transpose(), rotation);
+    covariance.topLeftCorner<3, 3>() = (position + position.transpose()) / 2;
+    covariance.topRightCorner<3, 3>() = mixed_left * T_o_n.R;
+    covariance.bottomLeftCorner<3, 3>() = covariance.topRightCorner<3, 3>().transpose();
+    covariance.bottomRightCorner<3, 3>() = (rotation_right + rotation_right.transpose()) / 2;
   }
   return placements;
 }

@@ -10,14 +10,6 @@
 namespace hexoderm {
 namespace {
 
-std::vector<CellId> pathTo(const SkinGraph& graph, const ShortestPaths& paths, std::size_t cell) {
-  std::vector<CellId> path;
-  for (std::size_t step = cell; step != kNoIndex; step = paths.predecessor[graph.cells()[step].place])
-    path.push_back(graph.cells()[step].id);
-  std::ranges::reverse(path);
-  return path;
-}
-
 CellPlacement describeCell(const SkinLinks& skin, const PatchSolver& patch, std::size_t cell) {
   const GraphCell& graph_cell = skin.graph().cells()[cell];
   const bool is_measured = skin.readings().measured(cell);
@@ -37,7 +29,10 @@ CellPlacement describeCell(const SkinLinks& skin, const PatchSolver& patch, std:
     placement.T_o_u = placed.T_o_u;
     placement.cov_t_r = placed.covariance;
   }
-  placement.path = pathTo(skin.graph(), patch.paths(), cell);
+  if (const std::size_t before = patch.paths().predecessor[graph_cell.place]; before != kNoIndex) {
+    placement.predecessor = skin.graph().cells()[before].id;
+  }
+  placement.sensors.reserve(skin.model().sensors.size());
   for (const CellSensor& sensor : skin.model().sensors) {
     placement.sensors.push_back({sensor.name, sensor.type, placement.T_o_u * sensor.T_u_s});
   }
@@ -65,6 +60,7 @@ std::vector<GravityDirection> treeGravity(const SkinLinks& skin, const PatchSolv
   std::vector<GravityDirection> directions;
   for (const std::size_t pose : skin.table().enabledPoses()) {
     std::vector<Eigen::Vector3d> seen;
+    seen.reserve(patch.cells().size());
     for (const std::size_t cell : patch.cells()) {
       const GravityTable::Entry& entry = skin.table().at(cell, pose);
       const SE3& T_o_u = patch.treePlacements()[skin.graph().cells()[cell].place].T_o_u;
@@ -124,15 +120,18 @@ LinkEstimate describeLink(const SkinLinks& skin, const PatchSolver& patch, std::
   estimate.singular_values = edge.singular_values;
   estimate.weight = weight;
   estimate.residual_rad = edge.residual_rad;
-  estimate.sigma_rad = rotationSigma(edge.covariance);
+  estimate.sigma_rad = std::min(kPi, edge.deviation_rad);
   estimate.centred = edge.centred;
   estimate.supported = edge.supported;
   estimate.used = !link.muted();
   estimate.in_tree = !link.muted() && isInTree(skin.graph(), patch.paths(), index);
   estimate.muted_by = link.muted_by;
   estimate.pose_residual_rad = skin.poseResiduals(index);
-  if (patch.joint() != nullptr && !link.muted()) estimateJointly(skin, *patch.joint(), index, estimate);
-  const LinkAngles angles = linkAngles(estimate.R_c_n, skin.sourcePort(link), skin.targetPort(link));
+  LinkAngles angles = edge.angles;
+  if (patch.joint() != nullptr && !link.muted()) {
+    estimateJointly(skin, *patch.joint(), index, estimate);
+    angles = linkAngles(estimate.R_c_n, skin.sourcePort(link), skin.targetPort(link));
+  }
   estimate.bend_rad = angles.bend_rad;
   estimate.twist_rad = angles.twist_rad;
   estimate.yaw_rad = angles.yaw_rad;
@@ -144,6 +143,7 @@ PatchReconstruction describePatch(const SkinLinks& skin, const PatchSolver& patc
   PatchReconstruction result;
   result.id = PatchId(static_cast<std::uint32_t>(patch.patch()));
   result.origin = skin.graph().cells()[patch.origin()].id;
+  result.cells.reserve(patch.cells().size());
   for (const std::size_t cell : patch.cells()) result.cells.push_back(describeCell(skin, patch, cell));
   if (const JointRefinement* joint = patch.joint()) {
     const JointSolution& solution = joint->solution();
@@ -164,7 +164,11 @@ PatchReconstruction describePatch(const SkinLinks& skin, const PatchSolver& patc
 std::vector<PatchReconstruction> describePatches(const SkinLinks& skin, std::span<const PatchSolver> patches,
                                                  std::span<const double> weights) {
   std::vector<PatchReconstruction> result;
+  result.reserve(patches.size());
   for (const PatchSolver& patch : patches) result.push_back(describePatch(skin, patch));
+  std::vector<std::size_t> links(patches.size(), 0);
+  for (const GraphLink& link : skin.graph().links()) ++links[skin.graph().cells()[link.source].patch.value()];
+  for (std::size_t patch = 0; patch < links.size(); ++patch) result[patch].links.reserve(links[patch]);
   for (std::size_t k = 0; k < skin.edges().size(); ++k) {
     const std::uint32_t patch = skin.graph().cells()[skin.graph().links()[k].source].patch.value();
     result[patch].links.push_back(describeLink(skin, patches[patch], k, weights[k]));

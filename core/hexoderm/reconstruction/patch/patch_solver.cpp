@@ -13,23 +13,17 @@ namespace {
 /// The covariance of every cell's own attitude error, per cell of the patch.
 std::vector<Eigen::Matrix3d> attitudeCovariances(const SkinLinks& skin, const ShortestPaths& paths) {
   const auto place = [&skin](std::size_t cell) { return skin.graph().cells()[cell].place; };
-  std::vector<Eigen::Matrix3d> attitude(paths.order.size());
-  std::size_t first_link = kNoIndex;
-  for (const std::size_t cell : paths.order) {
-    if (cell == paths.root) continue;
-    const std::size_t link = paths.link[place(cell)];
-    if (first_link == kNoIndex) first_link = link;
-    attitude[place(cell)] = skin.attitudeCovariance(cell, link);
-  }
-  attitude[place(paths.root)] = skin.attitudeCovariance(paths.root, first_link);
-  return attitude;
+  std::vector<std::size_t> links = paths.link;
+  if (paths.order.size() > 1) links[place(paths.root)] = paths.link[place(paths.order[1])];
+  return skin.attitudeCovariances(skin.graph().patches()[skin.graph().cells()[paths.root].patch.value()], links);
 }
 
 /// Per cell of a patch. Everything is placed relative to the origin, so it must be a cell that measures, in at least as
 /// many poses as half of the patch does.
 std::vector<bool> eligibleOrigins(const SkinLinks& skin, const std::vector<std::size_t>& cells) {
   std::vector<double> counts;
-  for (const std::size_t cell : cells) counts.push_back(static_cast<double>(skin.table().usablePoses(cell).size()));
+  counts.reserve(cells.size());
+  for (const std::size_t cell : cells) counts.push_back(static_cast<double>(skin.table().usablePoseCount(cell)));
   std::vector<double> measured = counts;
   std::erase(measured, 0);
   std::vector<bool> eligible(cells.size(), false);
@@ -186,6 +180,16 @@ void nameInconsistentPoses(const SkinLinks& skin, const PatchSolver& patch, std:
                             id, Number{misfits[k], 0}, Number{usual, 1}),
                     {}, {}, {id}));
   }
+}
+
+void nameUnconverged(CellId origin, const JointSolution& solution, std::vector<Finding>& findings) {
+  if (solution.termination != JointTermination::StepLimit) return;
+  findings.push_back(makeFinding(
+      FindingCode::NotConverged,
+      message("The joint estimate of the patch of cell {} has not converged after {} steps: a more probable shape is "
+              "nearby, and the stated uncertainty can't be relied on. Take another pose.",
+              origin, solution.iterations),
+      {origin}));
 }
 
 }  // namespace hexoderm

@@ -71,4 +71,7 @@ class PatchSolver {
 /// moved while it was sampled.
 void nameInconsistentPoses(const SkinLinks& skin, const PatchSolver& patch, std::vector<Finding>& findings);
 
+/// Says it where the joint estimate of the patch with this origin ended before its optimum.
+void nameUnconverged(CellId origin, const JointSolution& solution, std::vector<Finding>& findings);
+
 }  // namespace hexoderm

@@ -36,6 +36,18 @@ const CellPlacement* PatchReconstruction::findCell(CellId cell_id) const {
   return found != cells.end() && found->cell == cell_id ? &*found : nullptr;
 }
 
+std::vector<CellId> PatchReconstruction::pathTo(CellId cell_id) const {
+  std::vector<CellId> path{cell_id};
+  while (path.back() != origin) {
+    const CellPlacement* cell = findCell(path.back());
+    const bool goes_on = cell != nullptr && cell->predecessor && path.size() < cells.size();
+    if (!goes_on) return {};
+    path.push_back(*cell->predecessor);
+  }
+  std::ranges::reverse(path);
+  return path;
+}
+
 std::size_t Reconstruction::cellCount() const {
   std::size_t count = 0;
   for (const PatchReconstruction& patch : patches) count += patch.cells.size();

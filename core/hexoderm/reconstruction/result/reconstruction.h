@@ -81,7 +81,8 @@ struct CellPlacement {
   /// global solver for measured cells.
   std::optional<Eigen::Vector3d> accel_offset_g;
   std::optional<Eigen::Vector3d> accel_scale;
-  std::vector<CellId> path;  ///< from the origin to this cell, both included; empty if imported
+  /// The cell before it on the shortest path from the origin. Absent for the origin itself, and if imported.
+  std::optional<CellId> predecessor;
   std::vector<SensorPlacement> sensors;
 };
 
@@ -119,6 +120,8 @@ struct PatchReconstruction {
   std::shared_ptr<const GravityCovariance> gravity_covariance;
 
   [[nodiscard]] const CellPlacement* findCell(CellId cell_id) const;
+  /// The cells of the shortest path from the origin to this cell, both included; empty where it is not known.
+  [[nodiscard]] std::vector<CellId> pathTo(CellId cell_id) const;
 };
 
 /// A row of the table of poses.

@@ -1,13 +1,39 @@
 #pragma once
 
 #include "hexoderm/geometry/se3.h"
+#include "hexoderm/reconstruction/sparse/front_kernels.h"
 #include "hexoderm/reconstruction/sparse/supernodes.h"
 
 #include <cstddef>
+#include <memory>
 #include <span>
 #include <vector>
 
 namespace hexoderm {
+
+/// Right-hand sides as a factor takes them: row by row.
+class RightSides {
+ public:
+  using RowMajor = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+  using View = Eigen::Map<RowMajor, 0, Eigen::OuterStride<>>;
+  using ConstView = Eigen::Map<const RowMajor, 0, Eigen::OuterStride<>>;
+
+  RightSides() = default;
+  RightSides(Eigen::Index rows, Eigen::Index columns);
+  [[nodiscard]] View matrix() { return {numbers_.data(), rows_, columns_, Eigen::OuterStride<>(width_)}; }
+  [[nodiscard]] ConstView matrix() const { return {numbers_.data(), rows_, columns_, Eigen::OuterStride<>(width_)}; }
+  /// Of six rows each, from 6 a and 6 b on, the first times the second's transpose.
+  [[nodiscard]] Matrix6d product(std::size_t a, std::size_t b, const FrontKernels& kernels = frontKernels()) const;
+  /// This matrix's transpose times itself; its lower triangle.
+  [[nodiscard]] Eigen::MatrixXd gram(const FrontKernels& kernels = frontKernels()) const;
+
+ private:
+  friend class BlockCholesky;
+  Eigen::Index rows_ = 0;
+  Eigen::Index columns_ = 0;
+  Eigen::Index width_ = 0;       ///< of a row with what fills it up
+  std::vector<double> numbers_;  ///< some more than the rows need, for kernels that read ahead
+};
 
 /// A = L L^T for a sparse symmetric positive definite matrix of 6 x 6 blocks, one block row per cell, its solutions and
 /// those blocks of its inverse that stand where A has blocks. For graphs like a skin's, where cells are coupled with a
@@ -30,11 +56,12 @@ class BlockCholesky {
   };
 
   /// Everything that depends on the pattern alone. Couples: row != column, each unordered pair at most once.
-  BlockCholesky(std::size_t size, const std::vector<Couple>& couples);
+  BlockCholesky(std::size_t size, const std::vector<Couple>& couples, const FrontKernels& kernels = frontKernels());
+  BlockCholesky(std::shared_ptr<const SupernodalPattern> pattern, const FrontKernels& kernels = frontKernels());
 
   /// Block rows.
-  [[nodiscard]] std::size_t size() const { return pattern_.order.size(); }
-  /// Numbers that the factor is stored as.
+  [[nodiscard]] std::size_t size() const { return pattern_->order.size(); }
+  /// Numbers that the factor consists of.
   [[nodiscard]] std::size_t factorEntries() const { return factor_entries_; }
 
   /// Factorises the matrix with the blocks `diagonal`, of which only the lower triangles are read, and per couple the
@@ -46,30 +73,31 @@ class BlockCholesky {
 
   /// Replaces B, 6 size() x m, by A^-1 B. Many columns in one call are cheaper than one by one.
   void solve(Eigen::MatrixXd& B) const;
-  /// The two halves of solve(): B becomes L^-1 B, its rows in the order of elimination, and from there L^-T B, its rows
-  /// in their own order again. So A^-1 = (L^-1)^T (L^-1) in products of solveLower()'s results.
-  void solveLower(Eigen::MatrixXd& B) const;
-  void solveUpper(Eigen::MatrixXd& B) const;
+  /// The two halves of solve(), L^-1 B and from there L^-T B, on rows in the order of elimination. So A^-1 = (L^-1)^T
+  /// (L^-1) in products of solveLower()'s results.
+  [[nodiscard]] RightSides ordered(const Eigen::MatrixXd& B) const;
+  void solveLower(RightSides& B) const;
+  void solveUpper(RightSides& B) const;
+  /// Rows in their own order again.
+  [[nodiscard]] RightSides inOwnOrder(const RightSides& B) const;
 
   /// About twice the work of factorize(); needs memory for the dense fronts on one way up the elimination tree.
   [[nodiscard]] SelectedInverse selectedInverse() const;
 
  private:
-  using Panel = Eigen::Map<Eigen::MatrixXd>;
-  using ConstPanel = Eigen::Map<const Eigen::MatrixXd>;
+  const double* panel(std::size_t supernode) const { return factor_.data() + panel_begin_[supernode]; }
+  void assemble(std::size_t supernode, std::span<const Matrix6d> diagonal, std::span<const Matrix6d> couples);
+  void gather(std::size_t supernode, const double* parent_front, double* front) const;
 
-  Panel panel(std::size_t supernode);
-  [[nodiscard]] ConstPanel panel(std::size_t supernode) const;
-  template <int Columns>
-  void substituteForward(Eigen::Ref<Eigen::Matrix<double, Eigen::Dynamic, Columns>> X) const;
-  template <int Columns>
-  void substituteBack(Eigen::Ref<Eigen::Matrix<double, Eigen::Dynamic, Columns>> X) const;
-
-  SupernodalPattern pattern_;
-  std::size_t couple_count_ = 0;
+  std::shared_ptr<const SupernodalPattern> pattern_;
+  const FrontKernels& kernels_;
   std::vector<std::size_t> panel_begin_;  ///< per supernode, in factor_
   std::size_t factor_entries_ = 0;
-  Eigen::VectorXd factor_;  ///< per supernode (pivots + rows) x pivots blocks by columns; above the diagonal anything
+  std::size_t most_rows_ = 0;  ///< below the pivots of a supernode, in numbers
+  std::size_t most_updates_ = 0;
+  std::vector<double>
+      factor_;  ///< per supernode a panel of (pivots + rows) x pivots blocks; above the diagonal anything
+  std::vector<double> updates_;  ///< a stack: what eliminated supernodes leave to their parents' fronts
   bool factorized_ = false;
 };
 

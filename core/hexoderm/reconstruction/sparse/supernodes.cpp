@@ -142,6 +142,7 @@ SupernodalPattern analysePattern(std::size_t size, const std::vector<BlockCouple
   for (std::size_t s = 0; s < lasts.size(); ++s) number[lasts[s]] = s;
 
   SupernodalPattern pattern;
+  pattern.couples = couples.size();
   pattern.supernodes.resize(lasts.size());
   Indices node_parent(lasts.size(), kNone);
   for (std::size_t v = 0; v < size; ++v) ++pattern.supernodes[number[last[v]]].pivots;

@@ -30,7 +30,8 @@ struct Supernode {
 /// Symbolic Cholesky factorisation of a symmetric matrix of blocks.
 struct SupernodalPattern {
   std::vector<std::size_t> order;     ///< row of the matrix by place in the elimination order
-  std::vector<Supernode> supernodes;  ///< children before their parents
+  std::vector<Supernode> supernodes;  ///< children before their parents, and whole subtrees one after the other
+  std::size_t couples = 0;            ///< in the matrix
 };
 
 /// Takes the elimination order that makes less work; couples as in BlockCholesky. Deterministic.

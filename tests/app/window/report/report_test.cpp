@@ -61,7 +61,7 @@ Reconstruction withUncertainty() {
   result.assessment = awkwardResult().assessment;
   for (PatchReconstruction& patch : result.patches) {
     for (CellPlacement& cell : patch.cells) {
-      const double sigma_m = 1e-4 * static_cast<double>(cell.path.size());
+      const double sigma_m = 1e-4 * static_cast<double>(patch.pathTo(cell.cell).size());
       cell.cov_t_r = Matrix6d(Matrix6d::Identity() * sigma_m * sigma_m);
       cell.shape_cov_t_r = *cell.cov_t_r;
     }

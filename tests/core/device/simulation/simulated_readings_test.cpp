@@ -139,6 +139,28 @@ TEST(SimulatedReadings, ComeAtTheModelsRateOnARunningClock) {
   EXPECT_TRUE(skin.record(kUp, 0).empty());
 }
 
+TEST(SimulatedReadings, FramesOneByOneAreThoseThatAreKept) {
+  SimulatedSkinOptions options;
+  options.faults = {{SkinFault::Stuck, CellId(3)}, {SkinFault::Swapped, CellId(5)}, {SkinFault::NoSamples, CellId(9)}};
+  SimulatedSkin keeps(kModel, options);
+  SimulatedSkin forgets(kModel, options);
+  for (const Eigen::Vector3d& up : keeps.upDirections(3)) {
+    const std::vector<SampleFrame> kept = keeps.record(up, 20);
+    std::size_t next = 0;
+    forgets.record(up, 20, [&](const SampleFrame& frame) {
+      ASSERT_LT(next, kept.size());
+      EXPECT_EQ(frame.time_s, kept[next].time_s);
+      ASSERT_EQ(frame.samples.size(), 16U);
+      for (std::size_t k = 0; k < frame.samples.size(); ++k) {
+        EXPECT_EQ(frame.samples[k].cell, kept[next].samples[k].cell);
+        EXPECT_EQ(frame.samples[k].acceleration_g, kept[next].samples[k].acceleration_g);
+      }
+      ++next;
+    });
+    EXPECT_EQ(next, 20U);
+  }
+}
+
 /// The direction that pointed up while frames were recorded, as the cells of a skin without sensor errors saw it.
 Eigen::Vector3d meanUpSeen(const SimulatedSkin& skin, const std::vector<SampleFrame>& frames) {
   Eigen::Vector3d sum = Eigen::Vector3d::Zero();

@@ -42,7 +42,7 @@ TEST(OpenSkinSource, SaysWhatItExpected) {
       {"sim:", "is not known; expected x17"},
       {"sim:ring2", "3 to 100000"},
       {"sim:sheet:10", "sheet:ROWSxCOLS"},
-      {"sim:sheet:1000x1000", "1 to 100000"},
+      {"sim:sheet:1000x1000", "at most 100000 cells"},
       {"sim:x17?surface=cube:r=1", "cube"},
       {"sim:x17?speed=0", "above 0"},
       {"sim:x17?seed=-1", "seed"},

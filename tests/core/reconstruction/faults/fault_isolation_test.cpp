@@ -1,5 +1,8 @@
 #include "hexoderm/reconstruction/faults/fault_isolation.h"
 
+#include "hexoderm/device/simulation/simulated_skin.h"
+#include "hexoderm/reconstruction/faults/suspects.h"
+#include "hexoderm/session/simulated_session.h"
 #include "hexoderm/util/error.h"
 #include "tests/support/changed_session.h"
 #include "tests/support/error_matchers.h"
@@ -49,6 +52,69 @@ TEST_F(FaultIsolation, ACellThatContradictsItsNeighboursIsDroppedInsteadOfItsLin
   EXPECT_THAT(findings_, ElementsAre(Field(&Finding::cells, ElementsAre(CellId(3)))));
   EXPECT_FALSE(links.readings().measured(*links.graph().indexOf(CellId(3))));
   for (const GraphLink& link : links.graph().links()) EXPECT_FALSE(link.muted());
+}
+
+/// As isolateSuspects() chooses cells, but with everything estimated and judged anew after each: what it must agree
+/// with.
+std::vector<std::size_t> cellsDroppedTheLongWay(SkinLinks& skin) {
+  std::vector<std::size_t> dropped;
+  while (true) {
+    const SuspectSearch search(skin.model(), skin.graph(), skin.table(), skin.readings(), skin.edges(), skin.options());
+    if (search.worstPose()) return dropped;
+    const auto cell = search.worstCell();
+    if (!cell) return dropped;
+    dropped.push_back(*cell);
+    skin.dropCell(*cell);
+    skin.estimateEdges();
+  }
+}
+
+void expectSameEdges(const SkinLinks& a, const SkinLinks& b) {
+  ASSERT_EQ(a.edges().size(), b.edges().size());
+  for (std::size_t link = 0; link < a.edges().size(); ++link) {
+    EXPECT_EQ(a.edges()[link].R_c_n, b.edges()[link].R_c_n) << link;
+    EXPECT_EQ(a.edges()[link].covariance, b.edges()[link].covariance) << link;
+    EXPECT_EQ(a.edges()[link].quality, b.edges()[link].quality) << link;
+    EXPECT_EQ(a.poseResiduals(link), b.poseResiduals(link)) << link;
+  }
+}
+
+TEST(FaultIsolationOfManyCells, IsTheSameToTheLastBitAndCostsNoMoreThanTheLinksConcerned) {
+  for (const std::uint64_t seed : {3U, 104U, 105U}) {
+    SimulatedSkinOptions options;
+    options.patch = "sheet:12x13";
+    options.surface = "cylinder:r=0.1";
+    options.seed = seed;
+    // Some stand beside each other, so that what a cell without readings is guessed to read depends on others.
+    for (const std::uint32_t id : {20U, 21U, 34U, 47U, 60U, 90U, 103U, 120U, 140U}) {
+      options.faults.push_back({SkinFault::WrongGain, CellId(id)});
+    }
+    SimulatedSkin skin(builtInCellModel("hex-bma150"), options);
+    const auto snapshot = simulateSession(skin, 4).snapshot();
+    const SolverOptions solver;
+    std::vector<Finding> findings;
+    SkinLinks all(*snapshot, solver, findings);
+    SkinLinks around(*snapshot, solver, findings);
+    all.estimateEdges();
+    around.estimateEdges();
+    const std::vector<std::size_t> dropped = cellsDroppedTheLongWay(all);
+    EXPECT_GE(dropped.size(), 3U) << "seed " << seed;
+
+    SuspectSearch search(around.model(), around.graph(), around.table(), around.readings(), around.edges(), solver);
+    std::vector<std::size_t> chosen;
+    std::size_t judged = 0;
+    while (const auto cell = search.worstCell()) {
+      chosen.push_back(*cell);
+      around.dropCell(*cell);
+      const std::vector<std::size_t> links = around.estimateEdgesAround(*cell);
+      judged += links.size();
+      search.update(links);
+    }
+    EXPECT_EQ(chosen, dropped) << "seed " << seed;
+    expectSameEdges(around, all);
+    EXPECT_LE(judged, 4 * dropped.size() * dropped.size()) << "at most all links of those dropped so far, each time";
+    EXPECT_LT(judged, 8 * dropped.size()) << "seed " << seed << ": hardly more than their own";
+  }
 }
 
 TEST_F(FaultIsolation, LeavesAtOnceWhenItIsStopped) {

@@ -44,7 +44,7 @@ TEST(CellFigures, WhatNobodyComputedIsAbsent) {
 
   Reconstruction imported = demoReconstruction();
   for (LinkEstimate& link : imported.patches[0].links) link.residual_rad = link.sigma_rad = 0;
-  for (CellPlacement& cell : imported.patches[0].cells) cell.path.clear();
+  for (CellPlacement& cell : imported.patches[0].cells) cell.predecessor.reset();
   const CellFigures figures = makeCellFigures(imported);
   EXPECT_EQ(figures.residual_rad[0], std::nullopt);
   EXPECT_EQ(figures.sigma_rad[0], std::nullopt);
@@ -70,7 +70,7 @@ TEST(CellFigures, PathLengthIsSummedFromCentreToCentre) {
   const CellFigures figures = makeCellFigures(demo);
   ASSERT_EQ(figures.cells.size(), 17U);
   for (std::size_t k = 0; k < figures.cells.size(); ++k) {
-    const std::vector<CellId>& path = demo.patches[0].cells[k].path;
+    const std::vector<CellId> path = demo.patches[0].pathTo(demo.patches[0].cells[k].cell);
     double expected = 0;
     for (std::size_t step = 1; step < path.size(); ++step) {
       expected += (demo.find(path[step]).cell->T_o_u.t - demo.find(path[step - 1]).cell->T_o_u.t).norm();

@@ -44,8 +44,10 @@ TEST_F(PatchSolverTest, PlacesCellsAlongTheTreeAtOnce) {
   for (const CellPlacement& cell : described[0].cells) {
     EXPECT_THAT(cell.T_o_u.R, RotationNear(truthOf(described[0], cell.cell).R, 1e-9)) << cell.cell;
     EXPECT_LT((cell.T_o_u.t - truthOf(described[0], cell.cell).t).norm(), 1e-9) << cell.cell;
-    EXPECT_EQ(cell.path.front(), described[0].origin);
-    EXPECT_EQ(cell.path.back(), cell.cell);
+    const std::vector<CellId> path = described[0].pathTo(cell.cell);
+    ASSERT_FALSE(path.empty()) << cell.cell;
+    EXPECT_EQ(path.front(), described[0].origin);
+    EXPECT_EQ(path.back(), cell.cell);
   }
   EXPECT_THAT(described[0].gravity, SizeIs(3));
   EXPECT_FALSE(described[0].gap_share);
@@ -84,6 +86,21 @@ TEST_F(PatchSolverTest, SolvesOnlyItsOwnCells) {
   const PatchSolver small(links_, weights_, 1);
   EXPECT_THAT(small.cells(), ::testing::ElementsAre(*links_.graph().indexOf(CellId(5))));
   EXPECT_EQ(small.origin(), small.cells().front());
+}
+
+TEST(PatchSolver, AnEstimateThatHasNotConvergedIsAFinding) {
+  std::vector<Finding> findings;
+  JointSolution solution;
+  nameUnconverged(CellId(7), solution, findings);
+  EXPECT_TRUE(findings.empty());
+  solution.termination = JointTermination::StepLimit;
+  solution.iterations = 100;
+  nameUnconverged(CellId(7), solution, findings);
+  ASSERT_EQ(findings.size(), 1U);
+  EXPECT_EQ(findings[0].code, FindingCode::NotConverged);
+  EXPECT_EQ(findings[0].severity, Severity::Warning) << "no such result is called good";
+  EXPECT_EQ(findings[0].cells, std::vector<CellId>{CellId(7)});
+  EXPECT_NE(findings[0].message.english().find("100 steps"), std::string::npos);
 }
 
 }  // namespace

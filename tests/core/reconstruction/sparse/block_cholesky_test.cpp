@@ -217,11 +217,15 @@ TEST(BlockCholesky, HalvesOfASolutionGiveProductsWithTheInverse) {
   ASSERT_TRUE(cholesky.factorize(system.diagonal, system.couples));
   const Eigen::MatrixXd B = someColumns(system, 5);
   const Eigen::MatrixXd solution = system.dense().llt().solve(B);
-  Eigen::MatrixXd half = B;
+  RightSides half = cholesky.ordered(B);
   cholesky.solveLower(half);
-  EXPECT_THAT(Eigen::MatrixXd(half.transpose() * half), MatrixNear(Eigen::MatrixXd(B.transpose() * solution), 1e-9));
+  const Eigen::MatrixXd product = half.matrix().transpose() * half.matrix();
+  EXPECT_THAT(product, MatrixNear(Eigen::MatrixXd(B.transpose() * solution), 1e-9));
+  const Eigen::MatrixXd gram = half.gram();
+  EXPECT_THAT(Eigen::MatrixXd(gram.triangularView<Eigen::Lower>()),
+              MatrixNear(Eigen::MatrixXd(product.triangularView<Eigen::Lower>()), 1e-13));
   cholesky.solveUpper(half);
-  EXPECT_THAT(half, MatrixNear(solution, 1e-9));
+  EXPECT_THAT(Eigen::MatrixXd(cholesky.inOwnOrder(half).matrix()), MatrixNear(solution, 1e-9));
 }
 
 TEST(BlockCholesky, ReadsOnlyTheLowerTrianglesOfTheDiagonal) {
@@ -319,6 +323,73 @@ TEST(BlockCholesky, DissectsWideSheetsWithLessWorkThanMinimumDegree) {
   // With minimum degree alone the factor has 8.5 million entries.
   const Graph graph = shuffled(lattice(100, 100), 9);
   EXPECT_LT(BlockCholesky(graph.size, graph.couples).factorEntries(), 8'200'000U);
+}
+
+/// Largest difference in units of the larger matrix's largest element.
+double differenceOf(const Eigen::MatrixXd& a, const Eigen::MatrixXd& b) {
+  return (a - b).cwiseAbs().maxCoeff() / std::max(a.cwiseAbs().maxCoeff(), b.cwiseAbs().maxCoeff());
+}
+
+TEST(BlockCholesky, KernelsWithVectorInstructionsGiveTheSame) {
+  const FrontKernels* const vector = vectorFrontKernels();
+  const FrontKernels& others = vector != nullptr ? *vector : portableFrontKernels();
+  // The last has fronts of more than 400 rows.
+  for (const Graph& graph : {chain(9), lattice(9, 8), lattice(12, 9, true), randomGraph(150, 900, 3)}) {
+    SCOPED_TRACE(graph.name);
+    const System system(shuffled(graph, 12), 5);
+    BlockCholesky portable(graph.size, system.graph.couples, portableFrontKernels());
+    BlockCholesky fast(graph.size, system.graph.couples, others);
+    ASSERT_TRUE(portable.factorize(system.diagonal, system.couples));
+    ASSERT_TRUE(fast.factorize(system.diagonal, system.couples));
+    for (const Eigen::Index count : {1, 6, 19, 61}) {
+      const Eigen::MatrixXd B = someColumns(system, count);
+      RightSides x = portable.ordered(B);
+      RightSides y = fast.ordered(B);
+      portable.solveLower(x);
+      fast.solveLower(y);
+      EXPECT_LT(differenceOf(x.matrix(), y.matrix()), 1e-12) << count;
+      EXPECT_LT(differenceOf(x.gram(portableFrontKernels()).triangularView<Eigen::Lower>(),
+                             y.gram(others).triangularView<Eigen::Lower>()),
+                1e-12)
+          << count;
+      portable.solveUpper(x);
+      fast.solveUpper(y);
+      EXPECT_LT(differenceOf(x.matrix(), y.matrix()), 1e-12) << count;
+    }
+    const BlockCholesky::SelectedInverse a = portable.selectedInverse();
+    const BlockCholesky::SelectedInverse b = fast.selectedInverse();
+    for (std::size_t k = 0; k < graph.size; ++k) EXPECT_LT(differenceOf(a.diagonal[k], b.diagonal[k]), 1e-12) << k;
+    for (std::size_t k = 0; k < a.couples.size(); ++k) EXPECT_LT(differenceOf(a.couples[k], b.couples[k]), 1e-11) << k;
+  }
+}
+
+TEST(BlockCholesky, WidePanelsAreRight) {
+  // One supernode of 75 cells, and a ring about it.
+  Graph graph = ring(200);
+  for (std::size_t a = 0; a < 75; ++a) {
+    for (std::size_t b = a + 1; b < 75; ++b) {
+      if (b != a + 1) graph.couples.push_back({a, b});
+    }
+  }
+  const System system(shuffled(graph, 6), 9);
+  for (const FrontKernels* kernels : {&portableFrontKernels(), &frontKernels()}) {
+    BlockCholesky cholesky(graph.size, system.graph.couples, *kernels);
+    ASSERT_TRUE(cholesky.factorize(system.diagonal, system.couples));
+    const Eigen::MatrixXd A = system.dense();
+    const Eigen::MatrixXd Z = A.llt().solve(Eigen::MatrixXd::Identity(A.rows(), A.cols()));
+    const BlockCholesky::SelectedInverse inverse = cholesky.selectedInverse();
+    for (std::size_t k = 0; k < graph.size; ++k) {
+      EXPECT_THAT(inverse.diagonal[k], MatrixNear(Matrix6d(Z.block<6, 6>(6 * k, 6 * k)), 1e-10));
+    }
+    for (std::size_t k = 0; k < system.couples.size(); ++k) {
+      const BlockCouple& c = system.graph.couples[k];
+      EXPECT_THAT(inverse.couples[k], MatrixNear(Matrix6d(Z.block<6, 6>(6 * c.row, 6 * c.column)), 1e-8));
+    }
+    const Eigen::MatrixXd B = someColumns(system, 7);
+    Eigen::MatrixXd X = B;
+    cholesky.solve(X);
+    EXPECT_THAT(system.times(X), MatrixNear(B, 1e-12));
+  }
 }
 
 TEST(BlockCholesky, LongChainsTakeLinearMemory) {

@@ -1,0 +1,300 @@
+#include "app/cli/solve_batch.h"
+
+#include "hexoderm/io/calibration_json.h"
+#include "hexoderm/util/interrupt.h"
+#include "hexoderm/util/text.h"
+
+#include <algorithm>
+#include <chrono>
+#include <condition_variable>
+#include <iostream>
+#include <map>
+#include <mutex>
+#include <optional>
+#include <set>
+#include <stop_token>
+#include <thread>
+#include <utility>
+
+namespace hexoderm::cli {
+namespace {
+
+constexpr std::string_view kCalibrationEnding = ".calibration.json";
+constexpr auto kLookForInterruptEvery = std::chrono::milliseconds(50);
+constexpr const char* kLastWordsOfBatch = "hexoderm-cli: interrupted; every calibration that was written is whole\n";
+/// Calibrations as text may wait for the line of a slow session before them: so many for each job.
+constexpr std::size_t kMostWaitingTexts = 4;
+
+/// NAME of NAME.session.json.
+std::string sessionName(const std::filesystem::path& input) {
+  const std::string file = input.filename().string();
+  for (const std::string_view ending : {".session.json", ".hexo", ".json"}) {
+    if (file.size() > ending.size() && file.ends_with(ending)) return file.substr(0, file.size() - ending.size());
+  }
+  return file;
+}
+
+/// The folder of each input below the one that all have in common.
+std::vector<std::filesystem::path> foldersOf(const std::vector<std::string>& inputs) {
+  std::vector<std::filesystem::path> folders;
+  for (const std::string& input : inputs) {
+    folders.push_back(std::filesystem::absolute(input).lexically_normal().parent_path());
+  }
+  std::filesystem::path common = folders.front();
+  for (const std::filesystem::path& folder : folders) {
+    const auto [end, other] = std::mismatch(common.begin(), common.end(), folder.begin(), folder.end());
+    std::filesystem::path same;
+    for (auto part = common.begin(); part != end; ++part) same /= *part;
+    common = same;
+  }
+  for (std::filesystem::path& folder : folders) folder = folder.lexically_relative(common);
+  return folders;
+}
+
+/// JSON laid out in lines as one line: within a text there is no line break.
+std::string inOneLine(std::string_view json) {
+  std::string line;
+  line.reserve(json.size());
+  for (std::size_t begin = 0; begin < json.size();) {
+    const std::size_t end = std::min(json.find('\n', begin), json.size());
+    begin = std::min(json.find_first_not_of(' ', begin), end);
+    line += json.substr(begin, end - begin);
+    begin = end + 1;
+  }
+  return line;
+}
+
+/// What came of a session.
+struct EndedSession {
+  int exit_code = kDone;
+  std::string line{};   ///< of standard output; empty: none
+  std::string error{};  ///< with the session's name in front; empty: none
+};
+
+std::string lineOf(const std::string& input, const Reconstruction& result, const std::filesystem::path& written) {
+  std::string verdict(verdictName(result.assessment.level));
+  std::ranges::replace(verdict, '_', ' ');
+  const std::size_t poses = result.poses.size();
+  std::string line = input + ": " + verdict + ". " + sizeInWords(result).english() + ", " + std::to_string(poses) +
+                     (poses == 1 ? " pose" : " poses") + ", solved in " + formatFixed(result.solve_seconds * 1000, 1) +
+                     " ms (" + result.solver + ")";
+  if (!written.empty()) line += ". Written to " + written.string();
+  return line;
+}
+
+std::string jsonLineOf(const std::string& input, const std::filesystem::path& written, const EndedSession& ended,
+                       std::string_view calibration) {
+  nlohmann::ordered_json json = {{"session", input}, {"file", nullptr}, {"exit_code", ended.exit_code}};
+  if (!written.empty()) json["file"] = written.string();
+  json["error"] = ended.error.empty() ? nlohmann::ordered_json(nullptr) : nlohmann::ordered_json(ended.error);
+  std::string line = json.dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace);
+  line.pop_back();
+  return line + ",\"calibration\":" + (calibration.empty() ? "null" : inOneLine(calibration)) + "}";
+}
+
+/// Threads that take up the sessions in their order, each of them one at a time.
+class BatchThreads {
+ public:
+  BatchThreads(const SolveBatch& batch, std::vector<std::filesystem::path> files, bool json)
+      : batch_(batch), files_(std::move(files)), json_(json), ended_(batch.inputs.size()) {
+    const std::size_t jobs = std::min(batch.jobs, batch.inputs.size());
+    ahead_ = json ? kMostWaitingTexts * jobs : batch.inputs.size();
+    for (std::size_t k = 0; k < jobs; ++k) threads_.emplace_back([this] { work(); });
+  }
+  ~BatchThreads() { stop_.request_stop(); }
+  BatchThreads(const BatchThreads&) = delete;
+  BatchThreads& operator=(const BatchThreads&) = delete;
+
+  /// Waits for a session, which is then let go; nothing if the user wants the program to end.
+  std::optional<EndedSession> waitFor(std::size_t session) {
+    std::unique_lock lock(mutex_);
+    const auto has_ended = [&] { return ended_[session].has_value(); };
+    do {
+      if (isInterrupted()) return std::nullopt;
+    } while (!changed_.wait_for(lock, kLookForInterruptEvery, has_ended));
+    shown_ = session + 1;
+    changed_.notify_all();
+    return std::exchange(ended_[session], std::nullopt);
+  }
+
+  /// Nothing new begins from now on.
+  void requestStop() { stop_.request_stop(); }
+  void waitUntilStopped() { threads_.clear(); }
+  /// A session that has ended and was not let go yet.
+  std::optional<EndedSession> takeEnded(std::size_t session) {
+    const std::lock_guard lock(mutex_);
+    return std::exchange(ended_[session], std::nullopt);
+  }
+
+ private:
+  void work() {
+    while (const std::optional<std::size_t> session = takeUp()) {
+      std::optional<EndedSession> ended = solve(*session);
+      const std::lock_guard lock(mutex_);
+      ended_[*session] = std::move(ended);
+      changed_.notify_all();
+    }
+  }
+
+  std::optional<std::size_t> takeUp() {
+    std::unique_lock lock(mutex_);
+    const auto may_go_on = [&] { return next_ == ended_.size() || next_ < shown_ + ahead_; };
+    changed_.wait(lock, stop_.get_token(), may_go_on);
+    if (stop_.stop_requested() || next_ == ended_.size()) return std::nullopt;
+    return next_++;
+  }
+
+  /// Nothing if it was stopped.
+  std::optional<EndedSession> solve(std::size_t number) const {
+    const std::string& input = batch_.inputs[number];
+    EndedSession ended;
+    try {
+      const auto result = reconstruct(*openSession(input).snapshot(), batch_.solver, nullptr, stop_.get_token());
+      if (result == nullptr) return std::nullopt;
+      const std::filesystem::path written = files_.empty() ? std::filesystem::path() : files_[number];
+      if (!written.empty()) writeCalibrationJson(*result, written);
+      ended.exit_code = exitCodeOf(result->assessment);
+      ended.line =
+          json_ ? jsonLineOf(input, written, ended, calibrationToJson(*result)) : lineOf(input, *result, written);
+    } catch (const std::exception& error) {
+      const std::optional<int> code = exitCodeOf(error);
+      if (!code) throw;
+      ended.exit_code = *code;
+      ended.error = error.what();
+      if (!ended.error.starts_with(input)) ended.error = input + ": " + ended.error;
+      if (json_) ended.line = jsonLineOf(input, {}, ended, {});
+    }
+    return ended;
+  }
+
+  const SolveBatch& batch_;
+  const std::vector<std::filesystem::path> files_;  ///< empty: none is written
+  const bool json_;
+  std::size_t ahead_ = 0;  ///< so many may be taken up before the first of them is let go
+
+  std::mutex mutex_;
+  std::condition_variable_any changed_;
+  std::vector<std::optional<EndedSession>> ended_;
+  std::size_t next_ = 0;   ///< to be taken up
+  std::size_t shown_ = 0;  ///< all before it were let go
+  std::stop_source stop_;
+  std::vector<std::jthread> threads_;  // last: they use all of the above
+};
+
+/// Prints what came of the sessions, and counts.
+class BatchReport {
+ public:
+  explicit BatchReport(const Common& common) : common_(common) {}
+
+  void add(const EndedSession& ended) {
+    common_.endProgress();
+    ++count_;
+    exit_code_ = std::max(exit_code_, ended.exit_code);
+    if (!ended.error.empty()) {
+      std::cerr << "hexoderm-cli: " << forTerminal(ended.error) << '\n';
+      ++failed_;
+    } else if (ended.exit_code != kDone) {
+      ++not_good_enough_;
+    }
+    // Each line at once, for whoever waits for it at the end of a pipe.
+    if (!ended.line.empty()) std::cout << forTerminal(ended.line) << '\n' << std::flush;
+  }
+
+  [[nodiscard]] std::size_t count() const { return count_; }
+  [[nodiscard]] int exitCode() const { return exit_code_; }
+  [[nodiscard]] std::string inWords() const {
+    return std::to_string(count_) + (count_ == 1 ? " session: " : " sessions: ") +
+           std::to_string(count_ - not_good_enough_ - failed_) + " good or usable, " +
+           std::to_string(not_good_enough_) + " not enough or failed, " + std::to_string(failed_) + " with an error";
+  }
+
+ private:
+  const Common& common_;
+  std::size_t count_ = 0;
+  std::size_t not_good_enough_ = 0;
+  std::size_t failed_ = 0;
+  int exit_code_ = kDone;
+};
+
+void makeFolders(const std::vector<std::filesystem::path>& files) {
+  std::set<std::filesystem::path> folders;
+  for (const std::filesystem::path& file : files) folders.insert(file.parent_path());
+  for (const std::filesystem::path& folder : folders) std::filesystem::create_directories(folder);
+}
+
+void requireFolder(const std::string& name) {
+  if (name == kStandardOutput) {
+    throw InvalidArgument(
+        "-o -: several calibrations are several files, which standard output can't be: give a "
+        "folder, or take --json, which prints one in a line");
+  }
+  if (std::filesystem::is_directory(name)) return;
+  if (name.ends_with(".json") || std::filesystem::exists(name)) {
+    throw InvalidArgument("-o: expected a folder for the calibrations of several sessions, found \"" + name + "\"");
+  }
+}
+
+}  // namespace
+
+std::vector<std::filesystem::path> calibrationsOf(const std::vector<std::string>& inputs,
+                                                  const std::filesystem::path& folder) {
+  std::vector<std::string> names;
+  for (const std::string& input : inputs) names.push_back(sessionName(input));
+  const bool are_different = std::set(names.begin(), names.end()).size() == names.size();
+  const std::vector<std::filesystem::path> folders =
+      are_different ? std::vector<std::filesystem::path>(inputs.size()) : foldersOf(inputs);
+  std::vector<std::filesystem::path> files;
+  std::set<std::filesystem::path> taken;
+  std::map<std::filesystem::path, std::size_t> last_number;  // of the files that would have this name
+  for (std::size_t k = 0; k < inputs.size(); ++k) {
+    const std::filesystem::path without_ending = (folder / folders[k] / names[k]).lexically_normal();
+    std::size_t& number = last_number[without_ending];
+    std::filesystem::path file;
+    do {
+      file = without_ending;
+      if (++number > 1) file += "-" + std::to_string(number);
+      file += kCalibrationEnding;
+    } while (!taken.insert(file).second);
+    files.push_back(file);
+  }
+  return files;
+}
+
+int solveBatch(const SolveBatch& batch, const Common& common) {
+  std::vector<std::filesystem::path> files;
+  if (!batch.folder.empty()) {
+    requireFolder(batch.folder);
+    files = calibrationsOf(batch.inputs, batch.folder);
+    makeFolders(files);
+  }
+  endOnInterrupt(kLastWordsOfBatch);
+  BatchThreads threads(batch, std::move(files), common.json);
+  BatchReport report(common);
+  const std::size_t count = batch.inputs.size();
+  const auto next = [&](std::size_t session) {
+    common.progress("Solved " + std::to_string(session) + " of " + std::to_string(count) + " sessions ...");
+    const std::optional<EndedSession> ended = threads.waitFor(session);
+    if (ended) report.add(*ended);
+    return ended.has_value();
+  };
+  std::size_t session = 0;
+  while (session < count && next(session)) ++session;
+  common.endProgress();
+  if (session == count) {
+    if (!common.json) std::cout << report.inWords() << '\n';
+    return report.exitCode();
+  }
+  threads.requestStop();
+  // What has ended is said before those that are under way are waited for, which may be in vain.
+  for (const bool is_last_time : {false, true}) {
+    if (is_last_time) threads.waitUntilStopped();
+    for (std::size_t k = session; k < count; ++k) {
+      if (const std::optional<EndedSession> ended = threads.takeEnded(k)) report.add(*ended);
+    }
+  }
+  common.note("Interrupted: " + std::to_string(report.count()) + " of " + std::to_string(count) +
+              " sessions were solved");
+  return kEndedByForce;
+}
+
+}  // namespace hexoderm::cli

@@ -1,0 +1,261 @@
+#include "hexoderm/graph/origin_search.h"
+
+#include "hexoderm/graph/patch_ways.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <numeric>
+#include <type_traits>
+
+namespace hexoderm {
+namespace {
+
+constexpr double kInfiniteSum = std::numeric_limits<double>::infinity();
+
+/// Sums of real-valued distances differ by rounding.
+bool isSameSum(double a, double b) { return std::abs(a - b) <= 1e-9 * std::max(1.0, std::abs(a)); }
+
+/// Neighbours stand near each other, which is most of what makes a search of a large patch fast.
+std::vector<std::size_t> breadthFirst(const SkinGraph& graph, std::size_t patch) {
+  const std::vector<std::size_t>& cells = graph.patches()[patch];
+  std::vector<std::size_t> order{cells.front()};
+  order.reserve(cells.size());
+  std::vector<bool> seen(cells.size(), false);
+  seen[0] = true;
+  for (std::size_t k = 0; k < order.size(); ++k) {  // grows on the way
+    for (const std::size_t index : graph.linksAt(order[k])) {
+      const GraphLink& link = graph.links()[index];
+      const std::size_t other = link.other(order[k]);
+      if (link.muted() || seen[graph.cells()[other].place]) continue;
+      seen[graph.cells()[other].place] = true;
+      order.push_back(other);
+    }
+  }
+  return order;
+}
+
+/// Single-source distances from a few cells, and what they say about the sums of all others.
+template <class Distance>
+class OriginSearch {
+ public:
+  /// `order`: of the patch's cells, and whether each can be the origin; at least one can.
+  OriginSearch(const SkinGraph& graph, std::span<const double> link_weights, std::vector<std::size_t> order,
+               std::vector<bool> eligible)
+      : ways_(graph, link_weights, order),
+        cells_(std::move(order)),
+        count_(cells_.size()),
+        eligible_(std::move(eligible)),
+        tried_(count_, false) {}
+
+  /// For whole weights. Distances of a few landmarks bound every other cell's sum from below by the triangle
+  /// inequality.
+  OriginFound runByBounds() {
+    constexpr std::size_t kMostRuns = 500;
+    constexpr std::size_t kEasyRuns = 20;
+    constexpr std::size_t kMostLandmarks = 64;
+    spreadLandmarks(kBoundingLandmarks);
+    bound_.assign(count_, 0);
+    // The most central cell by the landmarks: bounds are tight near it, and it is hard to beat.
+    if (const std::size_t central = nearestToLandmarks(); central != kNoIndex) evaluate(central);
+    if (best_ != kNoIndex) cutAt(best_);
+    // On a skin whose cells are all alike (a closed torus), the bounds exclude no cell: there the search ends with the
+    // best cell found, after as many runs as an operator still perceives as immediate.
+    while (runs_ < std::min(count_, kMostRuns)) {
+      const std::size_t next = mostPromising();
+      if (next == kNoIndex) break;
+      evaluate(next);
+      // Few landmarks make fast cuts and are mostly enough; where they are not, bounds have to become tighter.
+      if (runs_ > kEasyRuns && landmarks_.size() < kMostLandmarks) landmarks_.push_back(distance_);
+      cutAt(next);
+    }
+    return found();
+  }
+
+  /// For real weights. The sum of a cell's distances is about that to the landmarks, each counted for the cells that
+  /// are nearest to it.
+  OriginFound runBySample() {
+    const std::size_t most = mostRuns();
+    if (count_ <= most) {
+      for (std::size_t v = 0; v < count_; ++v) evaluate(v);
+      return found();
+    }
+    spreadLandmarks(most / 2);
+    while (runs_ < most) {
+      const std::size_t next = nearestToLandmarks();
+      if (next == kNoIndex) break;
+      evaluate(next);
+    }
+    return found();
+  }
+
+ private:
+  static constexpr std::size_t kBoundingLandmarks = 8;
+
+  [[nodiscard]] OriginFound found() const { return {cells_[best_], best_sum_, runs_}; }
+
+  [[nodiscard]] std::size_t mostRuns() const {
+    constexpr double kMostWork = 5e7;
+    const auto affordable = static_cast<std::size_t>(std::sqrt(kMostWork / static_cast<double>(count_)));
+    return std::clamp<std::size_t>(affordable, 64, 500);
+  }
+
+  /// The exact sum of vertex `v`, whose distances are in distance_ then.
+  void evaluate(std::size_t v) {
+    distance_.resize(count_);
+    ways_.findDistances(v, distance_);
+    ++runs_;
+    tried_[v] = true;
+    if (!eligible_[v]) return;
+    double sum = 0;
+    for (const Distance distance : distance_) sum += static_cast<double>(distance);
+    const bool is_tie = isSameSum(sum, best_sum_);
+    if (best_ == kNoIndex || (is_tie ? cells_[v] < cells_[best_] : sum < best_sum_)) {
+      best_ = v;
+      best_sum_ = sum;
+    }
+  }
+
+  /// Each far from those before: first the ends of the patch, from which distances tell most, then evenly.
+  void spreadLandmarks(std::size_t most) {
+    std::vector<Distance> nearest(count_, PatchWays<Distance>::kFar);
+    nearest_landmark_.assign(count_, 0);
+    std::size_t next = 0;
+    for (std::size_t l = 0; l < std::min(most, count_) && !tried_[next]; ++l) {
+      evaluate(next);
+      landmarks_.push_back(distance_);
+      Distance farthest = 0;
+      for (std::size_t v = 0; v < count_; ++v) {
+        if (distance_[v] < nearest[v]) {
+          nearest[v] = distance_[v];
+          nearest_landmark_[v] = static_cast<std::uint32_t>(l);
+        }
+        if (nearest[v] > farthest) {
+          farthest = nearest[v];
+          next = v;
+        }
+      }
+    }
+    estimated_sum_.assign(count_, 0);
+    std::vector<double> cells_at(landmarks_.size(), 0);
+    for (const std::uint32_t l : nearest_landmark_) ++cells_at[l];
+    for (std::size_t l = 0; l < landmarks_.size(); ++l) {
+      for (std::size_t v = 0; v < count_; ++v) {
+        estimated_sum_[v] += cells_at[l] * static_cast<double>(landmarks_[l][v]);
+      }
+    }
+  }
+
+  /// Of the cells not tried yet; kNoIndex if there is none.
+  [[nodiscard]] std::size_t nearestToLandmarks() const {
+    std::size_t nearest = kNoIndex;
+    for (std::size_t v = 0; v < count_; ++v) {
+      if (tried_[v] || !eligible_[v]) continue;
+      if (nearest == kNoIndex || estimated_sum_[v] < estimated_sum_[nearest]) nearest = v;
+    }
+    return nearest;
+  }
+
+  /// With sigma_u = +-1 and landmark L(u) chosen so that sigma_u (d_L(k) - d_L(u)) is largest, the triangle inequality
+  /// gives for every cell v:  sum_u d(v, u) >= sum_u sigma_u (d_L(u)(v) - d_L(u)(u)), which is linear in v's distances
+  /// to the landmarks and tight near k. `k`, whose distances are in distance_, is a landmark too.
+  void cutAt(std::size_t k) {
+    const std::size_t landmarks = landmarks_.size() + 1;
+    const auto distancesOf = [&](std::size_t l) {
+      return l < landmarks_.size() ? landmarks_[l].data() : distance_.data();
+    };
+    std::vector<double> slope(landmarks, 0);
+    double constant = 0;
+    // In blocks that the fastest memory holds.
+    std::array<Distance, kBlock> largest{};
+    std::array<Index, kBlock> chosen{};
+    for (std::size_t from = 0; from < count_; from += kBlock) {
+      const std::size_t size = std::min(kBlock, count_ - from);
+      largest.fill(-1);
+      for (std::size_t l = 0; l < landmarks; ++l) {
+        const Distance* distance = distancesOf(l) + from;
+        const Distance at_k = distancesOf(l)[k];
+        for (std::size_t u = 0; u < size; ++u) {
+          const Distance difference = at_k > distance[u] ? at_k - distance[u] : distance[u] - at_k;
+          chosen[u] = difference > largest[u] ? static_cast<Index>(l) : chosen[u];
+          largest[u] = std::max(largest[u], difference);
+        }
+      }
+      for (std::size_t u = 0; u < size; ++u) {
+        const auto l = static_cast<std::size_t>(chosen[u]);
+        const Distance distance = distancesOf(l)[from + u];
+        const double sign = distancesOf(l)[k] >= distance ? 1 : -1;
+        slope[l] += sign;
+        constant -= sign * static_cast<double>(distance);
+      }
+    }
+    std::array<double, kBlock> cut{};
+    for (std::size_t from = 0; from < count_; from += kBlock) {
+      const std::size_t size = std::min(kBlock, count_ - from);
+      cut.fill(constant);
+      for (std::size_t l = 0; l < landmarks; ++l) {
+        const Distance* distance = distancesOf(l) + from;
+        const double factor = slope[l];
+        if (factor == 0) continue;
+        for (std::size_t v = 0; v < size; ++v) cut[v] += factor * static_cast<double>(distance[v]);
+      }
+      for (std::size_t v = 0; v < size; ++v) bound_[from + v] = std::max(bound_[from + v], cut[v]);
+    }
+  }
+
+  /// The cell with the smallest bound that may still beat the best one; kNoIndex proves the best one optimal.
+  [[nodiscard]] std::size_t mostPromising() const {
+    std::size_t found = kNoIndex;
+    for (std::size_t v = 0; v < count_; ++v) {
+      if (tried_[v] || !eligible_[v] || (found != kNoIndex && bound_[v] >= bound_[found])) continue;
+      const bool may_win =
+          best_ == kNoIndex || (isSameSum(bound_[v], best_sum_) ? cells_[v] < cells_[best_] : bound_[v] < best_sum_);
+      if (may_win) found = v;
+    }
+    return found;
+  }
+
+  static constexpr std::size_t kBlock = 1024;
+  using Index = std::conditional_t<std::is_integral_v<Distance>, std::int32_t, std::int64_t>;  // as wide as a distance
+
+  PatchWays<Distance> ways_;
+  std::vector<std::size_t> cells_;  ///< per vertex
+  std::size_t count_;
+  std::vector<bool> eligible_;
+  std::vector<bool> tried_;
+  std::vector<Distance> distance_;  ///< from the vertex tried last
+  std::vector<std::vector<Distance>> landmarks_;
+  std::vector<std::uint32_t> nearest_landmark_;
+  std::vector<double> estimated_sum_;
+  std::vector<double> bound_;
+  std::size_t runs_ = 0;
+  std::size_t best_ = kNoIndex;
+  double best_sum_ = kInfiniteSum;
+};
+
+}  // namespace
+
+OriginFound searchOrigin(const SkinGraph& graph, std::span<const double> link_weights, std::size_t patch,
+                         const std::vector<bool>& eligible) {
+  const std::vector<std::size_t>& cells = graph.patches()[patch];
+  if (cells.size() == 1) return {cells.front(), 0, 0};
+  std::vector<std::size_t> order = breadthFirst(graph, patch);
+  const bool any = std::ranges::find(eligible, true) != eligible.end();
+  std::vector<bool> can_be(cells.size(), true);
+  if (any) {
+    for (std::size_t v = 0; v < order.size(); ++v) can_be[v] = eligible[graph.cells()[order[v]].place];
+  }
+  if (hasWholeWeights(graph, link_weights, patch)) {
+    return OriginSearch<std::int32_t>(graph, link_weights, std::move(order), std::move(can_be)).runByBounds();
+  }
+  return OriginSearch<double>(graph, link_weights, std::move(order), std::move(can_be)).runBySample();
+}
+
+std::size_t findOrigin(const SkinGraph& graph, std::span<const double> link_weights, std::size_t patch,
+                       const std::vector<bool>& eligible) {
+  return searchOrigin(graph, link_weights, patch, eligible).origin;
+}
+
+}  // namespace hexoderm

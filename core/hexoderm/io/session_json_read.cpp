@@ -1,0 +1,215 @@
+#include "hexoderm/io/session_json_read.h"
+
+#include "hexoderm/device/diagnosis/plausibility.h"
+#include "hexoderm/geometry/covariance.h"
+#include "hexoderm/graph/cell_model_json.h"
+#include "hexoderm/io/session_json.h"
+#include "hexoderm/session/session_parts_json.h"
+#include "hexoderm/util/error.h"
+#include "hexoderm/util/limits.h"
+#include "hexoderm/util/median.h"
+#include "hexoderm/util/message_json.h"
+#include "hexoderm/util/sha256.h"
+
+#include <algorithm>
+#include <array>
+#include <filesystem>
+#include <span>
+
+namespace hexoderm {
+namespace {
+
+CellModel readModel(const JsonReader& json) {
+  if (json.isObject()) return readCellModel(json);
+  if (!json.isString()) json.fail(message("the name of a built-in cell model, or a cell model as an object"));
+  const std::string name = json.string();
+  const std::vector<std::string> known = builtInCellModelNames();
+  if (std::ranges::find(known, name) == known.end()) {
+    std::string names;
+    for (const std::string& other : known) names += " " + other;
+    json.fail(message("a built-in cell model (there are:{}) or a cell model as an object", names));
+  }
+  return builtInCellModel(name);
+}
+
+/// Of xx, xy, xz, yy, yz, zz.
+Eigen::Matrix3d symmetricOf(std::span<const double> v) {
+  Eigen::Matrix3d matrix;
+  matrix << v[0], v[1], v[2], v[1], v[3], v[4], v[2], v[4], v[5];
+  return matrix;
+}
+
+Eigen::Matrix3d readSampleCovariance(const JsonReader& json) {
+  const std::vector<double> v = json.numbers(6, kMostVariance_g2);
+  if (v[0] < 0 || v[3] < 0 || v[5] < 0) json.fail(message("variances (xx, yy, zz) of at least 0"));
+  const Eigen::Matrix3d cov_g2 = symmetricOf(v);
+  if (!isCovariance(cov_g2)) json.fail(message("a covariance (positive semidefinite)"));
+  return cov_g2;
+}
+
+Eigen::Matrix3d scanSampleCovariance(JsonScanner& json) {
+  std::array<double, 6> v{};
+  json.numbers(v);
+  const Eigen::Matrix3d cov_g2 = symmetricOf(v);
+  if (!isWithin(cov_g2, kMostVariance_g2) || (cov_g2.diagonal().array() < 0).any() || !isCovariance(cov_g2)) {
+    throw JsonScanner::Unusual();
+  }
+  return cov_g2;
+}
+
+std::vector<GravitySample> readSamples(const JsonReader& json) {
+  std::vector<GravitySample> samples;
+  for (const JsonReader& item : json.items()) {
+    GravitySample sample;
+    sample.cell = CellId(item.at("cell").unsignedInteger());
+    sample.mean_g = item.at("mean_g").vector3(kMostAcceleration_g);
+    if (const auto cov = item.find("cov_g2")) sample.cov_g2 = readSampleCovariance(*cov);
+    if (const auto count = item.find("count")) sample.count = count->unsignedInteger();
+    if (const auto temperature = item.find("temperature_c")) sample.temperature_c = temperature->number();
+    samples.push_back(sample);
+  }
+  return samples;
+}
+
+/// `usual`: how many there will be, as a rule.
+std::vector<GravitySample> scanSamples(JsonScanner& json, std::size_t usual) {
+  std::vector<GravitySample> samples;
+  samples.reserve(usual);
+  json.beginArray();
+  while (json.nextItem()) {
+    GravitySample& sample = samples.emplace_back();
+    json.object(JsonScanner::required("cell", [&] { sample.cell = CellId(json.unsignedInteger()); }),
+                JsonScanner::required("mean_g", [&] { sample.mean_g = scanVector3(json, kMostAcceleration_g); }),
+                JsonScanner::optional("cov_g2", [&] { sample.cov_g2 = scanSampleCovariance(json); }),
+                JsonScanner::optional("count", [&] { sample.count = json.unsignedInteger(); }),
+                JsonScanner::optional("temperature_c", [&] { sample.temperature_c = json.number(); }));
+  }
+  samples.shrink_to_fit();
+  return samples;
+}
+
+/// The pose with the samples that `take_samples` returns.
+template <class TakeSamples>
+SessionPose readSessionPose(const JsonReader& json, TakeSamples take_samples) {
+  PoseCapture capture;
+  // One below the largest number, so that there is always an ID for the next pose.
+  capture.id = PoseId(json.at("id").unsignedInteger(0, UINT32_MAX - 1));
+  if (json.find("label")) capture.label = readMessage(json, "label");
+  if (const auto taken = json.find("taken_at_ms")) capture.taken_at_ms = taken->integer();
+  capture.samples = take_samples();
+  const auto disabled = json.find("disabled");
+  const auto why = json.find("why_disabled");
+  const auto joints = json.find("joint_angles");
+  return {std::make_shared<const PoseCapture>(std::move(capture)), disabled && disabled->boolean(),
+          why ? why->string() : std::string(), joints ? readJointAngles(*joints) : JointAngles()};
+}
+
+/// Somebody's program wrote another unit: no reading would count, and nothing would say why. Throws FormatError.
+void requireG(const Session& session, const std::string& file) {
+  std::vector<double> norms;
+  std::optional<std::size_t> first;
+  for (std::size_t pose = 0; pose < session.poses().size(); ++pose) {
+    for (const GravitySample& sample : session.poses()[pose].capture->samples) norms.push_back(sample.mean_g.norm());
+    if (!first && !norms.empty()) first = pose;
+  }
+  if (!first) return;
+  const std::string place = "poses[" + std::to_string(*first) + "].samples[0].mean_g";
+  const std::optional<Offence> offence = offenceOfNorm(median(norms), session.model().accelerometer, place.c_str());
+  if (offence && offence->kind == OffenceKind::AccelerationUnit) throw FormatError(located(file, offence->reason));
+}
+
+SessionPose scanPose(JsonScanner& json, const std::string& file, std::size_t usual_samples) {
+  nlohmann::json rest = nlohmann::json::object();
+  std::vector<GravitySample> samples;
+  json.objectWith([&](std::string_view key) { json.keep(key, rest); },
+                  JsonScanner::required("samples", [&] { samples = scanSamples(json, usual_samples); }));
+  return readSessionPose(JsonReader(rest, file), [&] { return std::move(samples); });
+}
+
+std::vector<SessionPose> scanPoses(JsonScanner& json, const std::string& file) {
+  std::vector<SessionPose> poses;
+  json.beginArray();
+  while (json.nextItem()) {
+    const std::size_t before = poses.empty() ? 0 : poses.back().capture->samples.size();
+    poses.push_back(scanPose(json, file, before));
+  }
+  return poses;
+}
+
+/// What stands in a file in front of cells and poses.
+struct SessionHead {
+  SourceDescription source;
+  CellModel model;
+};
+
+SessionHead readHead(const JsonReader& json, std::string_view text, const std::string& file) {
+  json.requireFormat(kSessionFormat, kSessionVersion);
+  SourceDescription source{{}, std::filesystem::path(file).filename().string(), sha256Hex(text)};
+  if (json.find("description")) source.text = readMessage(json, "description");
+  return {std::move(source), readModel(json.at("cell_model"))};
+}
+
+/// What stands behind them, but for the truth.
+void readTail(const JsonReader& json, const std::string& file, Session& session) {
+  requireG(session, file);
+  if (const auto muted = json.find("muted_links")) {
+    for (const JsonReader& item : muted->items()) {
+      const MutedLink link = readMutedLink(item);
+      if (session.findMutedLink(link.source, link.target) != nullptr) item.fail(message("each link once"));
+      session.setLinkMuted(link.source, link.target, true, link.why);
+    }
+  }
+  if (const auto robot = json.find("robot")) session.setRobot(readRobot(*robot));
+  if (const auto placements = json.find("placements")) {
+    for (PatchPlacement& placement : readPlacements(*placements)) session.setPlacement(std::move(placement));
+  }
+}
+
+Session scanSession(JsonScanner& json, std::string_view text, const std::string& file) {
+  nlohmann::json rest = nlohmann::json::object();
+  NeighborList cells;
+  std::vector<SessionPose> poses;
+  std::optional<GroundTruth> truth;
+  json.objectWith([&](std::string_view key) { json.keep(key, rest); },
+                  JsonScanner::required("cells", [&] { cells = scanNeighbors(json); }),
+                  JsonScanner::required("poses", [&] { poses = scanPoses(json, file); }),
+                  JsonScanner::optional("truth", [&] { truth = scanTruth(json); }));
+  json.finish();
+
+  const JsonReader reader(rest, file);
+  SessionHead head = readHead(reader, text, file);
+  Session session(std::move(head.model), std::move(cells), std::move(head.source));
+  for (SessionPose& pose : poses) session.addPose(std::move(pose));
+  readTail(reader, file, session);
+  if (truth) session.setTruth(std::move(*truth));
+  return session;
+}
+
+}  // namespace
+
+std::optional<Session> scanSessionJson(std::string_view text, const std::string& file) {
+  try {
+    JsonScanner json(text);
+    return scanSession(json, text, file);
+  } catch (const JsonScanner::Unusual&) {
+    return std::nullopt;
+  } catch (const Error&) {
+    return std::nullopt;  // the thorough reader says it with its place
+  }
+}
+
+Session sessionFromDocument(std::string_view text, const std::string& file) {
+  const nlohmann::json document = parseJson(text, file);
+  const JsonReader json(document, file);
+  SessionHead head = readHead(json, text, file);
+  NeighborList neighbors = readNeighbors(json.at("cells"));
+  Session session(std::move(head.model), std::move(neighbors), std::move(head.source));
+  for (const JsonReader& pose : json.at("poses").items()) {
+    session.addPose(readSessionPose(pose, [&] { return readSamples(pose.at("samples")); }));
+  }
+  readTail(json, file, session);
+  if (const auto truth = json.find("truth")) session.setTruth(readTruth(*truth));
+  return session;
+}
+
+}  // namespace hexoderm

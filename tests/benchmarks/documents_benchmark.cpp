@@ -1,0 +1,133 @@
+// Reading and writing sessions and calibrations: CPU time beside nlohmann's documents alone (and simdjson's, where that
+// is installed), and memory. All of a line is measured in one run, on the same text; the ratios are what counts.
+//
+//     documents_benchmark [CELLS...]     about so many cells each; 1260, 10000 and 100000 if none is said
+
+#include "hexoderm/device/simulation/simulated_skin.h"
+#include "hexoderm/io/calibration_json.h"
+#include "hexoderm/io/calibration_json_read.h"
+#include "hexoderm/io/session_json.h"
+#include "hexoderm/io/session_json_read.h"
+#include "hexoderm/reconstruction/reconstructor.h"
+#include "hexoderm/session/simulated_session.h"
+#include "hexoderm/util/sha256.h"
+#include "tests/support/peak_memory.h"
+
+#ifdef HEXODERM_HAS_SIMDJSON
+#include <simdjson.h>
+#endif
+#include <malloc.h>
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <ctime>
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace hexoderm {
+namespace {
+
+double cpuSeconds() {
+  struct timespec now {};
+  ::clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &now);
+  return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
+}
+
+/// Least CPU time of several runs, with the time that it takes to free what was made.
+double leastSeconds(const std::function<void()>& work) {
+  constexpr double kEnough_s = 3;
+  double least_s = HUGE_VAL;
+  double total_s = 0;
+  for (int run = 0; run < 15 && (run < 3 || total_s < kEnough_s); ++run) {
+    const double began_s = cpuSeconds();
+    work();
+    const double took_s = cpuSeconds() - began_s;
+    least_s = std::min(least_s, took_s);
+    total_s += took_s;
+  }
+  return least_s;
+}
+
+/// One kind of work on a text of so many bytes.
+struct Work {
+  const char* name;
+  std::function<void()> run;
+};
+
+/// The works of a text, each with its speed relative to the last one.
+void show(const char* title, std::size_t bytes, const std::vector<Work>& works) {
+  const double megabytes = static_cast<double>(bytes) * 1e-6;
+  std::printf("%s, %.1f MB\n", title, megabytes);
+  std::vector<double> seconds;
+  for (const Work& work : works) seconds.push_back(leastSeconds(work.run));
+  ::malloc_trim(0);  // what the runs have freed would be there for the processes that are measured
+  const double idle_MB = test::peakMemory_MB([] {});
+  for (std::size_t k = 0; k < works.size(); ++k) {
+    std::printf("  %-34s %9.1f ms %7.0f MB/s %6.2f x %8.0f MB\n", works[k].name, 1e3 * seconds[k],
+                megabytes / seconds[k], seconds.back() / seconds[k], test::peakMemory_MB(works[k].run) - idle_MB);
+  }
+}
+
+void measure(std::size_t cells) {
+  const auto rows = static_cast<std::size_t>(std::lround(std::sqrt(static_cast<double>(cells))));
+  SimulatedSkinOptions options;
+  options.patch = "sheet:" + std::to_string(rows) + "x" + std::to_string(rows);
+  options.surface = "cylinder:r=" + std::to_string(0.25 * std::sqrt(static_cast<double>(cells) / 1260));
+  SimulatedSkin skin(builtInCellModel("hex-bma150"), options);
+  const Session session = simulateSession(skin, 3);
+  SolverOptions solver;
+  solver.solver = Solver::Tree;
+  const auto calibration = reconstruct(*session.snapshot(), solver);
+  std::printf("%zu cells, 3 poses\n", calibration->cellCount());
+
+  const auto nowhere = [](std::string_view /*piece*/) {};
+  const std::string session_text = sessionToJson(session);
+  const std::string calibration_text = calibrationToJson(*calibration);
+  for (const auto& [title, text, read_quickly, read_thoroughly] :
+       {std::tuple<const char*, const std::string&, std::function<void()>, std::function<void()>>(
+            "reading a session", session_text,
+            [&] {
+              if (!scanSessionJson(session_text, "s.session.json")) throw std::runtime_error("not read quickly");
+            },
+            [&] { sessionFromDocument(session_text, "s.session.json"); }),
+        {"reading a calibration", calibration_text,
+         [&] {
+           if (!scanCalibrationJson(calibration_text, "c.json")) throw std::runtime_error("not read quickly");
+         },
+         [&] { calibrationFromDocument(calibration_text, "c.json"); }}}) {
+    const std::string& json = text;
+    [[maybe_unused]] std::size_t kept_size = 0;
+    std::vector<Work> works = {{"read, quick", read_quickly}, {"read, thorough", read_thoroughly}};
+    works.push_back({"SHA-256 alone", [&] { sha256Hex(json); }});
+#ifdef HEXODERM_HAS_SIMDJSON
+    works.push_back({"simdjson, document alone", [&] {
+                       simdjson::dom::parser parser;
+                       if (parser.parse(json).error() != simdjson::SUCCESS) throw std::runtime_error("simdjson");
+                     }});
+#endif
+    works.push_back({"nlohmann, document alone", [&] { kept_size = nlohmann::json::parse(json).size(); }});
+    show(title, json.size(), works);
+  }
+  const auto session_document = nlohmann::ordered_json::parse(session_text);
+  show("writing a session", session_text.size(),
+       {{"written", [&] { writeSessionJson(session, nowhere); }},
+        {"nlohmann, of a document that is there", [&] { static_cast<void>(session_document.dump(1)); }}});
+  const auto calibration_document = nlohmann::ordered_json::parse(calibration_text);
+  show("writing a calibration", calibration_text.size(),
+       {{"written", [&] { writeCalibrationJson(*calibration, nowhere); }},
+        {"nlohmann, of a document that is there", [&] { static_cast<void>(calibration_document.dump(1)); }}});
+}
+
+}  // namespace
+}  // namespace hexoderm
+
+int main(int argc, char** argv) {
+  std::vector<std::size_t> sizes;
+  for (int k = 1; k < argc; ++k) sizes.push_back(std::stoul(argv[k]));
+  if (sizes.empty()) sizes = {1260, 10'000, 100'000};
+  for (const std::size_t cells : sizes) hexoderm::measure(cells);
+  return 0;
+}

@@ -1,0 +1,127 @@
+// The way from the tree's placements to the joint optimum where two poses leave turns that only the links hold: it
+// takes few steps, and ends at the optimum.
+
+#include "hexoderm/reconstruction/joint/joint_refinement.h"
+#include "hexoderm/reconstruction/patch/patch_solver.h"
+#include "hexoderm/session/simulated_session.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace hexoderm {
+namespace {
+
+// With assertions and sanitizers dense algebra takes a hundred times as long.
+#ifdef NDEBUG
+constexpr int kSide = 35;
+constexpr std::uint64_t kSeeds[] = {2, 5, 6, 101, 102};
+#else
+constexpr int kSide = 12;
+constexpr std::uint64_t kSeeds[] = {2, 101};
+#endif
+
+/// A skin on a cylinder as its joint estimate finds it: the problem, and the tree's placements to start from.
+class TreeStart {
+ public:
+  TreeStart(int side, std::size_t poses, std::uint64_t seed) {
+    SimulatedSkinOptions skin_options;
+    skin_options.patch = "sheet:" + std::to_string(side) + "x" + std::to_string(side + 1);
+    // Of every size the same part of the way around.
+    skin_options.surface = "cylinder:r=" + std::to_string(0.25 * side / 35);
+    skin_options.seed = seed;
+    SimulatedSkin skin(builtInCellModel("hex-bma150"), skin_options);
+    snapshot_ = simulateSession(skin, poses).snapshot();
+    for (const TrueCell& cell : skin.truth()) T_b_u_.push_back(cell.T_b_u);
+    links_ = std::make_unique<SkinLinks>(*snapshot_, options_, findings_);
+    links_->estimateEdges();
+    weights_ = linkWeights(*links_);
+    const PatchSolver patch(*links_, weights_, 0);
+    std::vector<SE3> placements;
+    for (const TreePlacement& placement : patch.treePlacements()) placements.push_back(placement.T_o_u);
+    refinement_ = std::make_unique<JointRefinement>(links_->model(), links_->graph(), links_->table(), options_,
+                                                    patch.cells(), patch.origin(), placements);
+  }
+
+  [[nodiscard]] const JointProblem& problem() const { return refinement_->problem(); }
+  [[nodiscard]] const JointState& state() const { return refinement_->solution().state; }
+  /// The same with the true placements.
+  [[nodiscard]] JointState truth() const {
+    JointState truth = state();
+    for (std::size_t k = 0; k < truth.cells.size(); ++k) {
+      truth.cells[k] = T_b_u_[problem().origin].inverse() * T_b_u_[k];
+    }
+    return truth;
+  }
+
+ private:
+  SolverOptions options_;
+  std::vector<Finding> findings_;
+  std::shared_ptr<const SessionSnapshot> snapshot_;
+  std::vector<SE3> T_b_u_;
+  std::unique_ptr<SkinLinks> links_;
+  std::vector<double> weights_;
+  std::unique_ptr<JointRefinement> refinement_;
+};
+
+/// The cost where a strict solve from the true placements ends, which close the links: no stages are needed.
+double strictCost(const TreeStart& start) {
+  JointSolverOptions strict;
+  strict.cost_tolerance = 1e-12;
+  strict.max_iterations = 300;
+  strict.covariance = false;
+  return solveJointly(start.problem(), start.truth(), strict).cost;
+}
+
+TEST(JointStages, TwoPosesOfALargeSkinTakeFewStepsToTheOptimum) {
+  for (const std::uint64_t seed : kSeeds) {
+    const TreeStart start(kSide, 2, seed);
+    JointSolverOptions options;
+    options.covariance = false;
+    const JointSolution solution = solveJointly(start.problem(), start.state(), options);
+    EXPECT_EQ(solution.termination, JointTermination::Converged) << "seed " << seed;
+    EXPECT_LE(solution.iterations, 20) << "seed " << seed;
+    EXPECT_LE(solution.cost, strictCost(start) * (1 + 1e-6)) << "seed " << seed;
+  }
+}
+
+TEST(JointStages, ThreePosesTakeNoMoreStepsThanTheyDid) {
+  for (const std::uint64_t seed : kSeeds) {
+    const TreeStart start(kSide, 3, seed);
+    JointSolverOptions options;
+    options.covariance = false;
+    const JointSolution solution = solveJointly(start.problem(), start.state(), options);
+    EXPECT_EQ(solution.termination, JointTermination::Converged) << "seed " << seed;
+    EXPECT_LE(solution.iterations, 14) << "seed " << seed;
+    EXPECT_LE(solution.cost, strictCost(start) * (1 + 1e-6)) << "seed " << seed;
+  }
+}
+
+TEST(JointStages, GrossErrorsDoNotLeadTheStagesAway) {
+  const TreeStart start(kSide, 2, 101);
+  JointProblem problem = start.problem();
+  for (std::size_t cell = 7; cell < problem.cellCount(); cell += 50) problem.readings[cell][1].y_g *= -1;
+  JointSolverOptions options;
+  options.covariance = false;
+  const JointSolution solution = solveJointly(problem, start.state(), options);
+  options.max_iterations = 300;
+  const double reference = solveJointly(problem, start.truth(), options).cost;
+  EXPECT_EQ(solution.termination, JointTermination::Converged);
+  EXPECT_LE(solution.cost, reference * (1 + 1e-6));
+}
+
+TEST(JointStages, WhatHasNotConvergedSaysSo) {
+  const TreeStart start(12, 2, 2);
+  JointSolverOptions options;
+  options.max_iterations = 1;
+  const JointSolution solution = solveJointly(start.problem(), start.state(), options);
+  EXPECT_EQ(solution.termination, JointTermination::StepLimit);
+  ASSERT_NE(solution.covariance, nullptr);
+  EXPECT_TRUE(std::isfinite(solution.cost));
+}
+
+}  // namespace
+}  // namespace hexoderm

@@ -1,0 +1,248 @@
+// Edges and attitudes several at a time against those one by one, with vector instructions and without.
+
+#include "hexoderm/reconstruction/links/edge_batches.h"
+
+#include "hexoderm/device/simulation/simulated_skin.h"
+#include "hexoderm/graph/shortest_paths.h"
+#include "hexoderm/reconstruction/links/skin_links.h"
+#include "hexoderm/session/simulated_session.h"
+
+#include <gmock/gmock.h>
+
+#include <numeric>
+
+namespace hexoderm {
+namespace {
+
+struct Kernels {
+  const char* name;
+  EdgeBatches::Kernel kernel;
+};
+
+std::vector<Kernels> kernels() {
+  std::vector<Kernels> all = {{"one", estimateEdgesByOne}};
+  if (hasFourLanes()) all.push_back({"four", estimateEdgesByFour});
+  return all;
+}
+
+/// A skin on a cylinder with all errors of its sensors and of the hand.
+class Sheet {
+ public:
+  explicit Sheet(std::size_t poses, SolverOptions options = {}, std::uint64_t seed = 5) : options_(std::move(options)) {
+    SimulatedSkinOptions skin;
+    skin.patch = "sheet:9x10";
+    skin.surface = "cylinder:r=0.1";
+    skin.seed = seed;
+    SimulatedSkin simulated(builtInCellModel("hex-bma150"), skin);
+    snapshot_ = simulateSession(simulated, poses, 20).snapshot();
+    links_ = std::make_unique<SkinLinks>(*snapshot_, options_, findings_);
+  }
+
+  [[nodiscard]] SkinLinks& links() { return *links_; }
+  [[nodiscard]] const SolverOptions& options() const { return options_; }
+  [[nodiscard]] std::vector<std::size_t> all() const {
+    std::vector<std::size_t> all(links_->graph().links().size());
+    std::iota(all.begin(), all.end(), std::size_t{0});
+    return all;
+  }
+
+  struct Result {
+    std::vector<EdgeRotation> edges;
+    std::vector<std::optional<double>> residuals;
+    std::vector<std::size_t> unusual;
+  };
+  [[nodiscard]] Result estimate(EdgeBatches::Kernel kernel, std::span<const std::size_t> of) {
+    const SkinReadings readings(links_->model(), links_->graph(), links_->table());
+    Result result;
+    result.edges.resize(links_->graph().links().size());
+    result.residuals.resize(result.edges.size() * links_->table().poseCount());
+    result.unusual = EdgeBatches(links_->model(), links_->graph(), links_->table(), readings, options_, kernel)
+                         .estimate(of, result.edges, result.residuals);
+    return result;
+  }
+  [[nodiscard]] EdgeRotation carefully(std::size_t index) const {
+    const SkinReadings readings(links_->model(), links_->graph(), links_->table());
+    const GraphLink& link = links_->graph().links()[index];
+    return estimateEdgeRotation(links_->model(), links_->sourcePort(link), links_->targetPort(link),
+                                readings.readingsOf(link), options_);
+  }
+
+ private:
+  SolverOptions options_;
+  std::shared_ptr<const SessionSnapshot> snapshot_;
+  std::vector<Finding> findings_;
+  std::unique_ptr<SkinLinks> links_;
+};
+
+void expectSame(const EdgeRotation& a, const EdgeRotation& b, double tolerance) {
+  EXPECT_LT((a.R_c_n - b.R_c_n).norm(), tolerance);
+  EXPECT_LT((a.singular_values - b.singular_values).norm(), tolerance);
+  EXPECT_LT((a.covariance - b.covariance).norm(), tolerance * b.covariance.norm());
+  EXPECT_LT((a.prior_part - b.prior_part).norm(), tolerance * b.prior_part.norm());
+  EXPECT_EQ(a.quality, b.quality);
+  EXPECT_EQ(a.centred, b.centred);
+  EXPECT_EQ(a.supported, b.supported);
+  EXPECT_NEAR(a.residual_rad, b.residual_rad, tolerance);
+  EXPECT_NEAR(a.expected_residual_rad, b.expected_residual_rad, tolerance);
+  EXPECT_NEAR(a.deviation_rad, b.deviation_rad, 1e-7 * b.deviation_rad);  // its closed form is no better
+  EXPECT_NEAR(a.angles.twist_rad, b.angles.twist_rad, tolerance);
+  EXPECT_NEAR(a.angles.bend_rad, b.angles.bend_rad, tolerance);
+  EXPECT_NEAR(a.angles.yaw_rad, b.angles.yaw_rad, tolerance);
+}
+
+TEST(EdgeBatches, AgreeWithEdgesOneByOne) {
+  constexpr double kTolerance = 1e-12;
+  for (const Centring centring : {Centring::Auto, Centring::On, Centring::Off}) {
+    for (const std::size_t poses : {2U, 3U, 4U, 7U}) {
+      SolverOptions options;
+      options.centring = centring;
+      Sheet sheet(poses, options);
+      for (const auto& [name, kernel] : kernels()) {
+        SCOPED_TRACE(testing::Message() << name << ", " << poses << " poses");
+        const Sheet::Result result = sheet.estimate(kernel, sheet.all());
+        EXPECT_LT(result.unusual.size(), sheet.all().size() / 10);
+        for (const std::size_t link : sheet.all()) {
+          if (std::ranges::binary_search(result.unusual, link)) continue;
+          const EdgeRotation expected = sheet.carefully(link);
+          expectSame(result.edges[link], expected, kTolerance);
+          for (std::size_t pose = 0; pose < poses; ++pose) {
+            EXPECT_NEAR(result.residuals[link * poses + pose].value(), expected.pose_residual_rad[pose], kTolerance);
+          }
+        }
+      }
+    }
+  }
+}
+
+TEST(EdgeBatches, AgreeWithAndWithoutVectorInstructions) {
+  if (!hasFourLanes()) return;  // there is nothing to compare
+  Sheet sheet(3);
+  const Sheet::Result one = sheet.estimate(estimateEdgesByOne, sheet.all());
+  const Sheet::Result four = sheet.estimate(estimateEdgesByFour, sheet.all());
+  EXPECT_EQ(one.unusual, four.unusual);
+  for (const std::size_t link : sheet.all()) expectSame(four.edges[link], one.edges[link], 1e-12);
+}
+
+/// Nothing about a link depends on those that happen to stand beside it.
+TEST(EdgeBatches, ALinkByItselfIsTheSameToTheLastBit) {
+  Sheet sheet(3);
+  for (const auto& [name, kernel] : kernels()) {
+    const Sheet::Result together = sheet.estimate(kernel, sheet.all());
+    for (const std::size_t link : {0U, 5U, 77U}) {
+      const std::size_t alone[] = {link};
+      const Sheet::Result result = sheet.estimate(kernel, alone);
+      EXPECT_EQ(result.edges[link].R_c_n, together.edges[link].R_c_n) << name;
+      EXPECT_EQ(result.edges[link].covariance, together.edges[link].covariance) << name;
+      EXPECT_EQ(result.edges[link].residual_rad, together.edges[link].residual_rad) << name;
+    }
+  }
+}
+
+TEST(EdgeBatches, MissingReadingsMakeBatchesOfTheirOwn) {
+  Sheet sheet(4);
+  for (std::size_t cell = 0; cell < sheet.links().table().cellCount(); cell += 7) {
+    sheet.links().table().at(cell, cell % 4).usable = false;
+  }
+  for (const auto& [name, kernel] : kernels()) {
+    const Sheet::Result result = sheet.estimate(kernel, sheet.all());
+    for (const std::size_t link : sheet.all()) {
+      if (std::ranges::binary_search(result.unusual, link)) continue;
+      SCOPED_TRACE(name);
+      expectSame(result.edges[link], sheet.carefully(link), 1e-12);
+      const GraphLink& graph_link = sheet.links().graph().links()[link];
+      for (std::size_t pose = 0; pose < 4; ++pose) {
+        const bool is_usable = sheet.links().table().at(graph_link.source, pose).usable &&
+                               sheet.links().table().at(graph_link.target, pose).usable;
+        EXPECT_EQ(result.residuals[4 * link + pose].has_value(), is_usable);
+      }
+    }
+  }
+}
+
+/// One direction, opposite ones, mirrored readings, no reading at all, a reading that is nearly none: all are left to
+/// the careful way, and their neighbours in the batch are not.
+TEST(EdgeBatches, DegenerateLinksAreLeftToTheCarefulWay) {
+  Sheet sheet(3);
+  SkinLinks& links = sheet.links();
+  const auto set = [&](std::size_t link, std::size_t pose, const Eigen::Vector3d& c, const Eigen::Vector3d& n) {
+    links.table().at(links.graph().links()[link].source, pose).mean_g = c;
+    links.table().at(links.graph().links()[link].target, pose).mean_g = n;
+  };
+  const Eigen::Vector3d z = Eigen::Vector3d::UnitZ();
+  const std::size_t same = 0;
+  const std::size_t opposite = 60;
+  const std::size_t mirrored = 110;
+  const std::size_t tiny = 150;
+  for (std::size_t pose = 0; pose < 3; ++pose) {
+    set(same, pose, z, z);
+    set(opposite, pose, pose == 1 ? -z : z, pose == 1 ? -z : z);
+    const Eigen::Vector3d axis = Eigen::Vector3d::Unit(static_cast<Eigen::Index>(pose));
+    set(mirrored, pose, axis, -axis);
+    set(tiny, pose, 1e-9 * axis, axis);
+  }
+  for (const auto& [name, kernel] : kernels()) {
+    const Sheet::Result result = sheet.estimate(kernel, sheet.all());
+    for (const std::size_t link : {same, opposite, mirrored, tiny}) {
+      EXPECT_TRUE(std::ranges::binary_search(result.unusual, link)) << name << ", link " << link;
+    }
+    EXPECT_LT(result.unusual.size(), sheet.all().size() / 2);
+    for (const std::size_t link : sheet.all()) {
+      if (!std::ranges::binary_search(result.unusual, link)) {
+        expectSame(result.edges[link], sheet.carefully(link), 1e-11);
+      }
+    }
+  }
+  links.estimateEdges();
+  for (const EdgeRotation& edge : links.edges()) {
+    EXPECT_TRUE(edge.R_c_n.allFinite() && edge.covariance.allFinite());
+  }
+}
+
+TEST(EdgeBatches, SupportAxesAreLeftToTheCarefulWay) {
+  SolverOptions options;
+  options.support_axes = SupportAxes::On;
+  Sheet sheet(3, options);
+  EXPECT_EQ(sheet.estimate(EdgeBatches::fastest(), sheet.all()).unusual, sheet.all());
+}
+
+TEST(AttitudeBatches, AgreeWithAttitudesOneByOne) {
+  for (const Centring centring : {Centring::Auto, Centring::On}) {
+    SolverOptions options;
+    options.centring = centring;
+    Sheet sheet(4, options);
+    SkinLinks& links = sheet.links();
+    links.table().at(11, 2).usable = false;
+    links.dropCell(30);
+    links.estimateEdges();
+    std::vector<std::size_t> cells;
+    std::vector<std::size_t> of;
+    for (std::size_t cell = 0; cell < links.graph().cells().size(); ++cell) {
+      cells.push_back(cell);
+      of.push_back(cell == 3 ? kNoIndex : links.graph().linksAt(cell).front());
+    }
+    const std::vector<Eigen::Matrix3d> found = links.attitudeCovariances(cells, of);
+    ASSERT_EQ(found.size(), cells.size());
+    for (std::size_t k = 0; k < cells.size(); ++k) {
+      const Eigen::Matrix3d expected = links.attitudeCovariance(cells[k], of[k]);
+      EXPECT_LT((found[k] - expected).norm(), 1e-12 * expected.norm()) << k;
+    }
+  }
+}
+
+TEST(AttitudeBatches, AgreeWithAndWithoutVectorInstructions) {
+  if (!hasFourLanes()) return;  // there is nothing to compare
+  const double g_g[] = {0.1, 0.2, 0.9,  0.3, 0.9, -0.2, 0.1, 0.5, 0.9, 0.1,  0.1, 0.4,
+                        0.8, 0.1, -0.1, 0.9, 0.3, 0.1,  1.1, 0.2, 0.1, -0.9, 0.2, 0.8};
+  const double variance_g2[] = {1e-5, 2e-5, 1e-5, 3e-5, 1e-5, 1e-5, 2e-5, 1e-5};
+  const EdgeKernelOptions options = edgeKernelOptions(builtInCellModel("hex-bma150"), {});
+  AttitudeKernelOutput one{};
+  AttitudeKernelOutput four{};
+  estimateAttitudesByOne(options, {2, g_g, variance_g2, false}, one);
+  estimateAttitudesByFour(options, {2, g_g, variance_g2, false}, four);
+  for (int k = 0; k < 6 * kLanes; ++k)
+    EXPECT_NEAR(four.covariance[k], one.covariance[k], 1e-12 * std::abs(one.covariance[k % kLanes]));
+  for (int k = 0; k < kLanes; ++k) EXPECT_EQ(four.usual[k], one.usual[k]);
+}
+
+}  // namespace
+}  // namespace hexoderm
