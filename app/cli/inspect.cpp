@@ -13,7 +13,7 @@ namespace {
 struct InspectOptions {
   std::string input;
   std::string cell_model = "hex-bma150";
-  std::string solver = "tree";
+  std::string solver = "global";
 };
 
 std::size_t freePorts(const Reconstruction& r) {
@@ -73,7 +73,9 @@ void print(const Reconstruction& r, const std::string& path, const std::string& 
   printFindings(r.findings);
   printVerdict(r.assessment);
   if (r.solver == solverName(Solver::Tree)) {
-    std::cout << "Judged link by link, along a tree; 'solve' weighs all links and poses together, and finds more.\n";
+    std::cout
+        << "Judged link by link, along a tree. Weighing all links and poses together (--solver global) finds more, "
+           "and its uncertainty is another.\n";
   }
 }
 
@@ -103,7 +105,7 @@ void addInspect(CLI::App& app, Common& common) {
       ->capture_default_str();
   command
       ->add_option("--solver", options->solver,
-                   "Of a session: tree, which takes moments; or global, as 'solve' does, to find all that is wrong")
+                   "Of a session: global, as 'solve' does; or tree, which is quicker and finds less")
       ->capture_default_str();
   common.addTo(*command);
   command->footer("Example:\n  hexoderm-cli inspect arm.session.json");

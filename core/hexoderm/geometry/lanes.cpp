@@ -1,14 +1,9 @@
 #include "hexoderm/geometry/lanes.h"
 
+#include "hexoderm/util/vector_instructions.h"
+
 namespace hexoderm {
 
-bool hasFourLanes() {
-#ifdef __x86_64__
-  static const bool kHas = __builtin_cpu_supports("avx2") != 0 && __builtin_cpu_supports("fma") != 0;
-  return kHas;
-#else
-  return false;
-#endif
-}
+bool hasFourLanes() { return hasVectorInstructions(); }
 
 }  // namespace hexoderm

@@ -45,6 +45,22 @@ TEST_F(Cli, WholeWayFromASimulatedSkinToAnExport) {
   EXPECT_THAT(run("inspect arm.calibration.json").out, HasSubstr("calibration"));
 }
 
+TEST_F(Cli, InspectSaysWhatSolveSaysUnlessItIsAskedToBeQuick) {
+  run("simulate --patch ring8:closed --poses 6 -o ring.session.json");
+  const auto verdictOf = [this](const std::string& command) {
+    return nlohmann::json::parse(run(command + " ring.session.json --json").out).at("verdict");
+  };
+  const auto inspected = verdictOf("inspect");
+  const auto solved = verdictOf("solve");
+  const auto quick = verdictOf("inspect --solver tree");
+  for (const char* key : {"level", "position_95_mm", "orientation_95_deg"}) {
+    EXPECT_EQ(inspected.at(key), solved.at(key)) << key;
+  }
+  EXPECT_NE(quick.at("position_95_mm"), solved.at("position_95_mm"));
+  EXPECT_THAT(run("inspect --solver tree ring.session.json").out, HasSubstr("--solver global"));
+  EXPECT_THAT(run("inspect ring.session.json").out, Not(HasSubstr("--solver global")));
+}
+
 TEST_F(Cli, SensorsOfASessionBecomeACellModelForTheNext) {
   EXPECT_EQ(run("simulate --poses 6 --seed 4 --offset-sigma 20 -o arm.session.json").exit_code, 0);
   const Outcome text = run("sensors arm.session.json -o chip.json");
