@@ -68,9 +68,9 @@ QString panelSheet(const Colors& colors) {
            colors.text_muted.name(), colors.accent.name(), colors.accent_text.name());
 }
 
-/// Styles all widgets again: the visible ones of the window in front at once, those of each other window in a turn of
-/// the event loop of their own, and each window is painted in the turn after; the rest, which is most, in turns that
-/// nobody notices, or when it is shown.
+/// Styles all widgets again: the visible ones of the window in front at first, then those of each other window, in as
+/// many turns of the event loop as that takes, and each window is painted in the turn after its last; the rest, which
+/// is most, in turns that nobody notices, or when it is shown.
 class Wardrobe : public QObject {
  public:
   static Wardrobe& instance() {
@@ -83,6 +83,7 @@ class Wardrobe : public QObject {
   void dressAll(bool resizes) {
     resizes_ = resizes_ || resizes;
     hidden_.clear();
+    shown_.clear();
     for (QWidget* top : QApplication::topLevelWidgets()) {
       if (top->isVisible()) {
         letWait(top);
@@ -90,7 +91,7 @@ class Wardrobe : public QObject {
         hidden_.emplace_back(top);
       }
     }
-    dressNextWindow();
+    dressSomeShown();
     qApp->installEventFilter(this);
     soon_.start();
   }
@@ -124,13 +125,23 @@ class Wardrobe : public QObject {
     windows_.insert(window == QApplication::activeWindow() ? windows_.end() : windows_.begin(), window);
   }
 
-  bool dressNextWindow() {
-    if (windows_.empty()) return false;
-    const QPointer<QWidget> window = windows_.back();
-    windows_.pop_back();
-    if (!window) return true;
-    dressShown(window);
-    dressed_.emplace_back(window);
+  /// A part of the window whose turn it is; false if there is none.
+  bool dressSomeShown() {
+    constexpr qint64 kTurn_ms = 25;
+    if (shown_.empty()) {
+      if (windows_.empty()) return false;
+      window_ = windows_.back();
+      windows_.pop_back();
+      shown_.push_back(window_);
+    }
+    QElapsedTimer turn;
+    turn.start();
+    while (!shown_.empty() && turn.elapsed() < kTurn_ms) {
+      const QPointer<QWidget> widget = shown_.back();
+      shown_.pop_back();
+      if (widget) dressAlone(widget, shown_);
+    }
+    if (shown_.empty() && window_) dressed_.push_back(window_);
     return true;
   }
 
@@ -143,7 +154,7 @@ class Wardrobe : public QObject {
   }
 
   /// False when every window that is shown is dressed and may be painted.
-  bool takeTurn() { return letDressedBePainted() || dressNextWindow(); }
+  bool takeTurn() { return letDressedBePainted() || dressSomeShown(); }
 
   void dress(QWidget* widget) const {
     widget->style()->polish(widget);
@@ -158,14 +169,24 @@ class Wardrobe : public QObject {
     return widget->findChildren<QWidget*>(QString(), Qt::FindDirectChildrenOnly);
   }
 
-  void dressShown(QWidget* widget) {
+  /// Not what is inside of it: that is for the next.
+  void dressAlone(QWidget* widget, std::vector<QPointer<QWidget>>& next) {
     if (!widget->isVisible()) {
       hidden_.emplace_back(widget);
       return;
     }
     dress(widget);
     for (QWidget* inner : inside(widget)) {
-      if (!inner->isWindow() || !inner->isVisible()) dressShown(inner);
+      if (!inner->isWindow() || !inner->isVisible()) next.emplace_back(inner);
+    }
+  }
+
+  void dressShown(QWidget* window) {
+    std::vector<QPointer<QWidget>> shown = {window};
+    while (!shown.empty()) {
+      const QPointer<QWidget> widget = shown.back();
+      shown.pop_back();
+      if (widget) dressAlone(widget, shown);
     }
   }
 
@@ -194,6 +215,8 @@ class Wardrobe : public QObject {
 
   QTimer soon_;
   std::vector<QPointer<QWidget>> windows_;  ///< shown, and waiting for their turns
+  QPointer<QWidget> window_;                ///< the one whose turn it is
+  std::vector<QPointer<QWidget>> shown_;    ///< of its widgets those that wait
   std::vector<QPointer<QWidget>> dressed_;  ///< and waiting to be painted
   std::vector<QPointer<QWidget>> hidden_;
   bool resizes_ = false;

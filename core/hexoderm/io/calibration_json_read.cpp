@@ -425,7 +425,7 @@ std::shared_ptr<const Reconstruction> parseCalibrationJson(std::string_view text
 }
 
 std::shared_ptr<const Reconstruction> readCalibrationJson(const std::filesystem::path& path) {
-  return parseCalibrationJson(readFile(path), path.string());
+  return parseCalibrationJson(readFile(path, kMostSkinBytes), path.string());
 }
 
 }  // namespace hexoderm

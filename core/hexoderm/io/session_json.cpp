@@ -67,7 +67,9 @@ Session parseSessionJson(std::string_view text, const std::string& file) {
   return sessionFromDocument(text, file);
 }
 
-Session readSessionJson(const std::filesystem::path& path) { return parseSessionJson(readFile(path), path.string()); }
+Session readSessionJson(const std::filesystem::path& path) {
+  return parseSessionJson(readFile(path, kMostSkinBytes), path.string());
+}
 
 void writeSessionJson(const Session& session, const WriteBytes& write) {
   JsonWriter json(write);

@@ -8,8 +8,10 @@
 
 namespace hexoderm {
 
-/// The most that is read of a document: 256 MB, a session of a million readings with their covariances.
+/// The most that is read of a document.
 inline constexpr std::uintmax_t kMostFileBytes = 256'000'000;
+/// The most that is read of a session or a calibration: a calibration of 100,000 cells has a third of it.
+inline constexpr std::uintmax_t kMostSkinBytes = 1'000'000'000;
 
 /// The whole file as bytes, opened and read once: a pipe will do. Throws StorageError naming the file if it is missing,
 /// a folder or unreadable, FormatError if it has more than `most` bytes or does not end.

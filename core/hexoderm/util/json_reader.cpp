@@ -1,6 +1,7 @@
 #include "hexoderm/util/json_reader.h"
 
 #include "hexoderm/util/error.h"
+#include "hexoderm/util/file.h"
 #include "hexoderm/util/json_writer.h"
 #include "hexoderm/util/near_match.h"
 #include "hexoderm/util/text.h"
@@ -259,6 +260,12 @@ bool isNotFinite(std::string_view word) {
 
 nlohmann::json parseJson(std::string_view text, const std::string& file, std::size_t most_values,
                          std::size_t levels_above) {
+  if (text.size() > kMostFileBytes) {
+    throw FormatError(
+        located(file, message("something in it is wrong or unusual; what it is, is looked for in files of "
+                              "up to {} MB only",
+                              kMostFileBytes / 1'000'000)));
+  }
   DocumentBuilder builder(most_values, levels_above);
   if (nlohmann::json::sax_parse(text, &builder)) return builder.take();
   if (builder.refusal().empty()) throwParseError(text, file, builder);

@@ -203,7 +203,7 @@ void JsonScanner::keep(std::string_view key, nlohmann::json& object) {
 
 void JsonScanner::finish() {
   skipSpace();
-  if (at_ != end_ || values_ > kMostJsonValues) throw Unusual();
+  if (at_ != end_ || values_ > kMostScannedValues) throw Unusual();
 }
 
 }  // namespace hexoderm

@@ -72,7 +72,7 @@ class JsonScanner {
   /// The same as a new member of an object.
   void keep(std::string_view key, nlohmann::json& object);
 
-  /// Nothing may follow, and there may not have been more than kMostJsonValues.
+  /// Nothing may follow, and there may not have been more than kMostScannedValues.
   void finish();
 
  private:

@@ -4,8 +4,8 @@
 
 #include <Eigen/Cholesky>
 #include <algorithm>
+#include <array>
 #include <cmath>
-#include <limits>
 
 namespace hexoderm {
 
@@ -42,49 +42,97 @@ constexpr double kLeastInformation =
 using Matrix6 = Eigen::Matrix<double, 6, 6>;
 using Vector6 = Eigen::Matrix<double, 6, 1>;
 
-/// Gradient and information of half the misfit to a small turn e of the cell in all poses and a further one from the
-/// reading `split` on. R_a_o becomes exp(-e) R_a_o, so v becomes v + v x e.
-void linearizeTurns(const AccelerometerFit& fit, std::span<const Eigen::Vector3d> v_g, std::size_t split,
-                    Vector6& gradient, Matrix6& information) {
-  gradient.setZero();
-  information.setZero();
-  std::array<Eigen::Matrix<double, 4, 6>, 3> mixed;
-  for (auto& block : mixed) block.setZero();
-  for (std::size_t k = 0; k < v_g.size(); ++k) {
-    const Eigen::Vector4d row(1, v_g[k].x(), v_g[k].y(), v_g[k].z());
-    Eigen::Matrix<double, 3, 6> J = Eigen::Matrix<double, 3, 6>::Zero();  // of the residual
-    J.leftCols<3>() = -fit.gain * skew(v_g[k]);
-    if (k >= split) J.rightCols<3>() = J.leftCols<3>();
-    gradient.noalias() += fit.precision[k] * J.transpose() * fit.residual_g[k];
-    information.noalias() += fit.precision[k] * J.transpose() * J;
-    for (int axis = 0; axis < 3; ++axis) {
-      mixed[static_cast<std::size_t>(axis)].noalias() += fit.precision[k] * row * J.row(axis);
-    }
+/// The most probable errors of a sensor, and what a small turn e of its cell changes beyond them. R_a_o becomes
+/// exp(-e) R_a_o, so v becomes v + v x e, and the residual of axis i changes by r^T J_i e.
+struct SensorAndTurn {
+  Eigen::Matrix<double, 4, 3> errors;                  ///< (b_i, D_i), one axis in a column
+  std::array<Eigen::LLT<Eigen::Matrix4d>, 3> factors;  ///< of the information about them
+  Eigen::Matrix3d gain;
+  std::array<Eigen::Matrix<double, 4, 3>, 3> J;
+  Eigen::Vector3d gradient;     ///< of half the misfit
+  Eigen::Matrix3d information;  ///< the errors eliminated
+};
+
+/// Sum of r e^T / V, with the residuals e.
+Eigen::Matrix<double, 4, 3> residualsOf(const ReadingSums& sums, const Eigen::Matrix<double, 4, 3>& errors) {
+  return sums.mixed - sums.rows * errors;
+}
+
+Eigen::Vector3d gradientOf(const ReadingSums& sums, const SensorAndTurn& solved) {
+  const Eigen::Matrix3d pull = residualsOf(sums, solved.errors).bottomRows<3>() * solved.gain;
+  return {pull(1, 2) - pull(2, 1), pull(2, 0) - pull(0, 2), pull(0, 1) - pull(1, 0)};
+}
+
+SensorAndTurn solveSensorAndTurn(const AccelerometerPrior& prior, const ReadingSums& sums) {
+  SensorAndTurn solved;
+  for (int axis = 0; axis < 3; ++axis) {
+    Eigen::LLT<Eigen::Matrix4d>& factor = solved.factors[static_cast<std::size_t>(axis)];
+    Eigen::Matrix4d with_prior = sums.rows;
+    with_prior.diagonal() += prior.precision(axis);
+    factor.compute(with_prior);
+    solved.errors.col(axis) = factor.solve(sums.mixed.col(axis));
   }
+  solved.gain = Eigen::Matrix3d::Identity() + solved.errors.bottomRows<3>().transpose();
+  solved.gradient = gradientOf(sums, solved);
+  solved.information.setZero();
   for (std::size_t axis = 0; axis < 3; ++axis) {
-    const Eigen::Matrix<double, 4, 6> root = fit.covariance_root[axis].transpose() * mixed[axis];
-    information.noalias() -= root.transpose() * root;
+    Eigen::Matrix<double, 4, 3>& J = solved.J[axis];
+    J.setZero();
+    J.bottomRows<3>() = skew(solved.gain.row(static_cast<Eigen::Index>(axis)).transpose());
+    const Eigen::Matrix<double, 4, 3> weighted = sums.rows * J;
+    solved.information += J.transpose() * weighted - weighted.transpose() * solved.factors[axis].solve(weighted);
   }
+  return solved;
+}
+
+/// Information about a turn e in all poses and a further one in those that `after` has the sums of.
+Matrix6 informationAboutTwoTurns(const ReadingSums& all, const ReadingSums& after, const SensorAndTurn& solved) {
+  Matrix6 information = Matrix6::Zero();
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    const Eigen::Matrix<double, 4, 3>& J = solved.J[axis];
+    Eigen::Matrix<double, 4, 6> weighted;
+    weighted << all.rows * J, after.rows * J;
+    information.topRows<3>() += J.transpose() * weighted;
+    information.bottomRightCorner<3, 3>() += J.transpose() * weighted.rightCols<3>();
+    information -= weighted.transpose() * solved.factors[axis].solve(weighted);
+  }
+  // Only its upper right was summed up.
+  information.bottomLeftCorner<3, 3>() = information.topRightCorner<3, 3>().transpose();
   information.diagonal().array() += kLeastInformation;
+  return information;
 }
 
 }  // namespace
 
+void ReadingSums::add(const CellReading& reading, const Eigen::Vector3d& v_g, double sign) {
+  const double precision = sign / reading.variance_g2;
+  const Eigen::Vector4d row(1, v_g.x(), v_g.y(), v_g.z());
+  const Eigen::Vector3d error = reading.y_g - v_g;
+  readings += sign;
+  rows.noalias() += precision * row * row.transpose();
+  mixed.noalias() += precision * row * error.transpose();
+  errors += precision * error.squaredNorm();
+}
+
 TurnBetweenPoses findTurn(const AccelerometerPrior& prior, std::span<const CellReading> readings,
                           std::span<const Eigen::Vector3d> v_g, const AttitudePrior& attitude) {
   TurnBetweenPoses best;
-  AccelerometerFit fit;
-  fitAccelerometer(prior, readings, v_g, HuberLoss{std::numeric_limits<double>::infinity()}, fit);
+  ReadingSums all;
+  for (std::size_t k = 0; k < readings.size(); ++k) all.add(readings[k], v_g[k]);
+  const SensorAndTurn solved = solveSensorAndTurn(prior, all);
+  Vector6 gradient;
+  gradient.head<3>() = solved.gradient - attitude.weighted;
+  const Eigen::Matrix3d rigid =
+      solved.information + attitude.information + kLeastInformation * Eigen::Matrix3d::Identity();
+  const double without = gradient.head<3>().dot(rigid.ldlt().solve(gradient.head<3>()));
+  ReadingSums after = all;
   for (std::size_t split = 1; split < readings.size(); ++split) {
-    Vector6 gradient;
-    Matrix6 information;
-    linearizeTurns(fit, v_g, split, gradient, information);
-    gradient.head<3>() -= attitude.weighted;
+    after.add(readings[split - 1], v_g[split - 1], -1);
+    gradient.tail<3>() = gradientOf(after, solved);
+    Matrix6 information = informationAboutTwoTurns(all, after, solved);
     information.topLeftCorner<3, 3>() += attitude.information;
-    const Eigen::Vector3d rigid = gradient.head<3>();
     const Vector6 step = -information.ldlt().solve(gradient);
     const double with = -gradient.dot(step);
-    const double without = rigid.dot(information.topLeftCorner<3, 3>().ldlt().solve(rigid));
     // One pose shows two of three angles.
     const bool one_side_is_single = split == 1 || split + 1 == readings.size();
     const Misfit gain{std::max(0.0, with - without), one_side_is_single ? 2.0 : 3.0};
@@ -101,17 +149,18 @@ OwnAttitude findAttitude(const AccelerometerPrior& prior, std::span<const CellRe
   constexpr double kLargestStep = 0.5;
   OwnAttitude own;
   own.R = R_start;
-  AccelerometerFit& fit = own.sensor;
-  std::vector<Eigen::Vector3d> v_g(readings.size());
   for (int k = 0; k < kSteps; ++k) {
-    for (std::size_t reading = 0; reading < readings.size(); ++reading) v_g[reading] = own.R.transpose() * f_o[reading];
-    fitAccelerometer(prior, readings, v_g, HuberLoss{std::numeric_limits<double>::infinity()}, fit);
-    Vector6 gradient;
-    Matrix6 information;
-    linearizeTurns(fit, v_g, readings.size(), gradient, information);
-    own.information = attitudeInformation(fit, v_g);
+    ReadingSums sums;
+    for (std::size_t reading = 0; reading < readings.size(); ++reading) {
+      sums.add(readings[reading], own.R.transpose() * f_o[reading]);
+    }
+    const SensorAndTurn solved = solveSensorAndTurn(prior, sums);
+    own.information = solved.information;
+    own.offset_g = solved.errors.row(0).transpose();
+    own.gain = solved.gain;
     // v + v x e is the force in a cell that is turned by e.
-    Eigen::Vector3d step = information.topLeftCorner<3, 3>().ldlt().solve(gradient.head<3>());
+    const Eigen::Matrix3d finite = solved.information + kLeastInformation * Eigen::Matrix3d::Identity();
+    Eigen::Vector3d step = finite.ldlt().solve(solved.gradient);
     if (step.norm() > kLargestStep) step *= kLargestStep / step.norm();
     own.R *= expSO3(-step);
     if (step.norm() < kConverged) break;
@@ -119,49 +168,15 @@ OwnAttitude findAttitude(const AccelerometerPrior& prior, std::span<const CellRe
   return own;
 }
 
-void RigidityTest::add(const CellReading& reading, const Eigen::Vector3d& v_g) { count(reading, v_g, 1); }
-void RigidityTest::remove(const CellReading& reading, const Eigen::Vector3d& v_g) { count(reading, v_g, -1); }
-
-void RigidityTest::count(const CellReading& reading, const Eigen::Vector3d& v_g, double sign) {
-  const double precision = sign / reading.variance_g2;
-  const Eigen::Vector4d row(1, v_g.x(), v_g.y(), v_g.z());
-  const Eigen::Vector3d error = reading.y_g - v_g;
-  readings_ += sign;
-  rows_.noalias() += precision * row * row.transpose();
-  mixed_.noalias() += precision * row * error.transpose();
-  errors_ += precision * error.squaredNorm();
-}
-
 Misfit RigidityTest::misfit() const {
   Misfit misfit;
-  if (readings_ < 2) return misfit;
-  // The sensor's errors (b_i, D_i), one axis in a column, and what a turn of the cell changes beyond them.
-  Eigen::Matrix<double, 4, 3> errors;
-  std::array<Eigen::LLT<Eigen::Matrix4d>, 3> factors;
-  for (int axis = 0; axis < 3; ++axis) {
-    Eigen::LLT<Eigen::Matrix4d>& factor = factors[static_cast<std::size_t>(axis)];
-    Eigen::Matrix4d with_prior = rows_;
-    with_prior.diagonal() += prior_.precision(axis);
-    factor.compute(with_prior);
-    errors.col(axis) = factor.solve(mixed_.col(axis));
-  }
-  const double twice_cost = errors_ - errors.cwiseProduct(mixed_).sum();
-  const Eigen::Matrix3d gain = Eigen::Matrix3d::Identity() + errors.bottomRows<3>().transpose();
-  const Eigen::Matrix<double, 4, 3> left = mixed_ - rows_ * errors;  // sum of w r e^T, e: residuals
-  const Eigen::Matrix3d pull = left.bottomRows<3>() * gain;
-  const Eigen::Vector3d gradient(pull(2, 1) - pull(1, 2), pull(0, 2) - pull(2, 0), pull(1, 0) - pull(0, 1));
-  Eigen::Matrix3d information = Eigen::Matrix3d::Zero();
-  for (int axis = 0; axis < 3; ++axis) {
-    // d residual / d turn = r^T J.
-    Eigen::Matrix<double, 4, 3> J = Eigen::Matrix<double, 4, 3>::Zero();
-    J.bottomRows<3>() = skew(gain.row(axis).transpose());
-    const Eigen::Matrix<double, 4, 3> weighted = rows_ * J;
-    information +=
-        J.transpose() * weighted - weighted.transpose() * factors[static_cast<std::size_t>(axis)].solve(weighted);
-  }
-  information.diagonal().array() += kLeastInformation;
-  misfit.chi_squared = std::max(0.0, twice_cost - gradient.dot(information.ldlt().solve(gradient)));
-  misfit.degrees = 3 * readings_ - 3;
+  if (sums_.readings < 2) return misfit;
+  SensorAndTurn solved = solveSensorAndTurn(prior_, sums_);
+  const double twice_cost = sums_.errors - solved.errors.cwiseProduct(sums_.mixed).sum();
+  solved.information.diagonal().array() += kLeastInformation;
+  misfit.chi_squared =
+      std::max(0.0, twice_cost - solved.gradient.dot(solved.information.ldlt().solve(solved.gradient)));
+  misfit.degrees = 3 * sums_.readings - 3;
   return misfit;
 }
 
@@ -177,6 +192,15 @@ RigidityKernelOptions rigidityKernelOptions(const AccelerometerPrior& prior, con
   for (int axis = 0; axis < 3; ++axis) {
     for (int k = 0; k < 4; ++k) options.precision[4 * axis + k] = prior.precision(axis)[k];
     for (int k = 0; k < 3; ++k) options.R_a_u[3 * axis + k] = R_a_u(axis, k);
+  }
+  options.least_information = kLeastInformation;
+  return options;
+}
+
+AttitudeKernelOptions attitudeKernelOptions(const AccelerometerPrior& prior) {
+  AttitudeKernelOptions options{};
+  for (int axis = 0; axis < 3; ++axis) {
+    for (int k = 0; k < 4; ++k) options.precision[4 * axis + k] = prior.precision(axis)[k];
   }
   options.least_information = kLeastInformation;
   return options;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "hexoderm/reconstruction/accelerometer/accelerometer_fit.h"
+#include "hexoderm/reconstruction/accelerometer/attitude_kernel.h"
 #include "hexoderm/reconstruction/accelerometer/rigidity_kernel.h"
 
 #include <span>
@@ -17,6 +18,18 @@ struct Misfit {
   [[nodiscard]] double deviate() const;
 };
 
+/// Sums over readings y of specific forces v (accelerometer axes), with r = (1, v) and the readings' variances V: all
+/// that the errors of a sensor and a small turn of its cell follow from.
+struct ReadingSums {
+  double readings = 0;
+  Eigen::Matrix4d rows = Eigen::Matrix4d::Zero();                           ///< of r r^T / V
+  Eigen::Matrix<double, 4, 3> mixed = Eigen::Matrix<double, 4, 3>::Zero();  ///< of r (y - v)^T / V
+  double errors = 0;                                                        ///< of |y - v|^2 / V
+
+  /// `sign` -1 takes the reading away again.
+  void add(const CellReading& reading, const Eigen::Vector3d& v_g, double sign = 1);
+};
+
 /// Do a cell's readings move as one rigid body with the specific forces `v_g` (accelerometer axes)? The misfit that is
 /// left when the cell may turn freely, and its offset, gains and cross-axis sensitivity are whatever fits best under
 /// their priors. Losses are quadratic. One Gauss-Newton step from the given attitude: good to a few degrees from the
@@ -24,18 +37,13 @@ struct Misfit {
 class RigidityTest {
  public:
   explicit RigidityTest(const AccelerometerPrior& prior) : prior_(prior) {}
-  void add(const CellReading& reading, const Eigen::Vector3d& v_g);
-  void remove(const CellReading& reading, const Eigen::Vector3d& v_g);
+  void add(const CellReading& reading, const Eigen::Vector3d& v_g) { sums_.add(reading, v_g); }
+  void remove(const CellReading& reading, const Eigen::Vector3d& v_g) { sums_.add(reading, v_g, -1); }
   [[nodiscard]] Misfit misfit() const;  ///< none of fewer than two readings
 
  private:
-  void count(const CellReading& reading, const Eigen::Vector3d& v_g, double sign);
-
   AccelerometerPrior prior_;
-  double readings_ = 0;
-  Eigen::Matrix4d rows_ = Eigen::Matrix4d::Zero();                           ///< sum of r r^T / V, r = (1, v)
-  Eigen::Matrix<double, 4, 3> mixed_ = Eigen::Matrix<double, 4, 3>::Zero();  ///< sum of r (y - v)^T / V
-  double errors_ = 0;                                                        ///< sum of |y - v|^2 / V
+  ReadingSums sums_;
 };
 
 /// The same for all readings at once.
@@ -66,7 +74,8 @@ TurnBetweenPoses findTurn(const AccelerometerPrior& prior, std::span<const CellR
 struct OwnAttitude {
   Eigen::Matrix3d R = Eigen::Matrix3d::Identity();        ///< accelerometer to patch
   Eigen::Matrix3d information = Eigen::Matrix3d::Zero();  ///< of the error e in R_true = R exp(e), rad^-2
-  AccelerometerFit sensor;
+  Eigen::Vector3d offset_g = Eigen::Vector3d::Zero();     ///< of the sensor, as in AccelerometerFit
+  Eigen::Matrix3d gain = Eigen::Matrix3d::Identity();
 };
 
 /// The attitude at which the readings of the specific forces `f_o` (patch frame, per reading) are most probable,
@@ -82,6 +91,8 @@ Eigen::Matrix3d attitudeInformation(const AccelerometerFit& fit, std::span<const
 
 /// The same for kernels, of links whose readings are in the cells' frames (rigidity_kernel.h).
 RigidityKernelOptions rigidityKernelOptions(const AccelerometerPrior& prior, const Eigen::Matrix3d& R_a_u);
+/// findAttitude() for kernels (attitude_kernel.h).
+AttitudeKernelOptions attitudeKernelOptions(const AccelerometerPrior& prior);
 
 /// The errors of two cells' accelerometers together, as one accelerometer's prior: for testing a cell's readings
 /// against its neighbour's, turned by their relative rotation.

@@ -1,5 +1,6 @@
 #include "hexoderm/reconstruction/faults/attitude_search.h"
 
+#include "hexoderm/reconstruction/joint/pose_swings.h"
 #include "hexoderm/util/units.h"
 
 #include <Eigen/Cholesky>
@@ -107,20 +108,188 @@ double scatterOf(const SeenLink& link, int axis, double scatter, const Eigen::Ve
   return share * share * (clipped + row.dot(covariance_of_shape * row)) + share * link.variance[axis];
 }
 
+/// One pose's force and swing, by least squares over the cells that read it.
+class SwingFit {
+ public:
+  void add(const Eigen::Vector3d& f_o, const Eigen::Vector3d& t_o) {
+    count_ += 1;
+    force_ += f_o;
+    squares_ += f_o.squaredNorm();
+    place_ += t_o;
+    places_ += t_o * t_o.transpose();
+    turning_ += t_o.cross(f_o);
+  }
+
+  /// Returns by how much that changes what a usual cell reads, g. Leaves `force` as it was where the cells agree on
+  /// nothing.
+  double find(PatchForce& force) const {
+    constexpr double kLeastAgreed = 0.5;  // g, as a sum
+    constexpr int kRounds = 4;
+    if (count_ == 0 || force_.norm() <= kLeastAgreed) return 0;
+    const Eigen::Vector3d mean = force_ / count_;
+    const Eigen::Vector3d middle = place_ / count_;
+    // f(t) = mean + swing x (t - middle), the swing with a usual tremor as its prior, and an error of every f whose
+    // variance is what is left.
+    const Eigen::Matrix3d about_middle = places_ - count_ * middle * middle.transpose();
+    const Eigen::Matrix3d levers = about_middle.trace() * Eigen::Matrix3d::Identity() - about_middle;
+    const Eigen::Vector3d turning = turning_ - middle.cross(force_);
+    const double squares = squares_ - count_ * mean.squaredNorm();
+    const PatchForce before = force;
+    double left = squares;
+    for (int round = 0; round < kRounds; ++round) {
+      const double variance = std::max(kLeastVariance, left / (3 * count_));
+      Eigen::Matrix3d information = levers;
+      information.diagonal().array() += variance * std::pow(kStandardGravity / kTremorAcceleration_rad_s2, 2);
+      force.swing_o = information.ldlt().solve(turning);
+      left = squares + force.swing_o.dot(levers * force.swing_o - 2 * turning);
+    }
+    force.at_origin_o = mean.normalized() - force.swing_o.cross(middle);
+    const Eigen::Vector3d turned = force.swing_o - before.swing_o;
+    return (force.at_origin_o - before.at_origin_o + turned.cross(middle)).norm() +
+           turned.norm() * std::sqrt(about_middle.trace() / count_);
+  }
+
+ private:
+  static constexpr double kLeastVariance = 1e-12;  // g^2: without noise too the algebra is finite
+  double count_ = 0;
+  double squares_ = 0;
+  Eigen::Vector3d force_ = Eigen::Vector3d::Zero();
+  Eigen::Vector3d place_ = Eigen::Vector3d::Zero();
+  Eigen::Matrix3d places_ = Eigen::Matrix3d::Zero();
+  Eigen::Vector3d turning_ = Eigen::Vector3d::Zero();
+};
+
+/// Anderson's acceleration of x = g(x): the next x is what the last few, each with its g, say together.
+class Acceleration {
+ public:
+  Eigen::VectorXd next(const Eigen::VectorXd& x, const Eigen::VectorXd& g) {
+    constexpr std::size_t kMemory = 5;
+    const Eigen::VectorXd off = g - x;
+    if (last_off_.size() == off.size()) {
+      g_changes_.push_back(g - last_g_);
+      off_changes_.push_back(off - last_off_);
+      if (g_changes_.size() > kMemory) {
+        g_changes_.erase(g_changes_.begin());
+        off_changes_.erase(off_changes_.begin());
+      }
+    }
+    last_g_ = g;
+    last_off_ = off;
+    if (g_changes_.empty()) return g;
+    const auto count = static_cast<Eigen::Index>(g_changes_.size());
+    Eigen::MatrixXd changes(off.size(), count);
+    for (Eigen::Index k = 0; k < count; ++k) changes.col(k) = off_changes_[static_cast<std::size_t>(k)];
+    const Eigen::VectorXd shares = changes.colPivHouseholderQr().solve(off);
+    Eigen::VectorXd next = g;
+    for (Eigen::Index k = 0; k < count; ++k) next -= shares[k] * g_changes_[static_cast<std::size_t>(k)];
+    return next;
+  }
+
+ private:
+  Eigen::VectorXd last_g_;
+  Eigen::VectorXd last_off_;
+  std::vector<Eigen::VectorXd> g_changes_;
+  std::vector<Eigen::VectorXd> off_changes_;
+};
+
+/// All forces in one column, swings as what they change over a tenth of a metre.
+Eigen::VectorXd packed(std::span<const PatchForce> forces) {
+  constexpr double kLever_m = 0.1;
+  Eigen::VectorXd all(static_cast<Eigen::Index>(6 * forces.size()));
+  for (std::size_t k = 0; k < forces.size(); ++k) {
+    all.segment<6>(static_cast<Eigen::Index>(6 * k)) << forces[k].at_origin_o, kLever_m * forces[k].swing_o;
+  }
+  return all;
+}
+void unpack(const Eigen::VectorXd& all, std::span<PatchForce> forces) {
+  constexpr double kLever_m = 0.1;
+  for (std::size_t k = 0; k < forces.size(); ++k) {
+    forces[k].at_origin_o = all.segment<3>(static_cast<Eigen::Index>(6 * k));
+    forces[k].swing_o = all.segment<3>(static_cast<Eigen::Index>(6 * k + 3)) / kLever_m;
+  }
+}
+
+/// Up to kLanes cells side by side, for the kernel that finds their own attitudes.
+class OwnAttitudeBatch {
+ public:
+  OwnAttitudeBatch(const AccelerometerPrior& prior, std::size_t poses, int most_steps)
+      : options_(attitudeKernelOptions(prior)),
+        poses_(poses),
+        f_o_(3 * kLanes * poses, 0),
+        y_g_(3 * kLanes * poses, 0),
+        precision_(kLanes * poses, 0),
+        R_start_(9 * kLanes, 0) {
+    options_.most_steps = most_steps;
+  }
+
+  void put(std::size_t lane, std::span<const CellReading> readings, std::span<const Eigen::Vector3d> f_o,
+           const Eigen::Matrix3d& R_start) {
+    for (std::size_t pose = 0; pose < poses_; ++pose) precision_[kLanes * pose + lane] = 0;
+    for (std::size_t k = 0; k < readings.size(); ++k) {
+      const std::size_t pose = readings[k].pose;
+      precision_[kLanes * pose + lane] = 1 / readings[k].variance_g2;
+      for (std::size_t axis = 0; axis < 3; ++axis) {
+        const std::size_t at = kLanes * (3 * pose + axis) + lane;
+        f_o_[at] = f_o[k][static_cast<Eigen::Index>(axis)];
+        y_g_[at] = readings[k].y_g[static_cast<Eigen::Index>(axis)];
+      }
+    }
+    for (std::size_t k = 0; k < 9; ++k) {
+      R_start_[kLanes * k + lane] = R_start(static_cast<Eigen::Index>(k / 3), static_cast<Eigen::Index>(k % 3));
+    }
+  }
+
+  /// Lanes that nothing was put into do again what they did before.
+  void run() {
+    const OwnAttitudeKernelInput in{static_cast<int>(poses_), f_o_.data(), y_g_.data(), precision_.data(),
+                                    R_start_.data()};
+    (hasFourLanes() ? findAttitudesByFour : findAttitudesByOne)(options_, in, out_);
+  }
+
+  /// Nothing for a cell that needs a more careful look.
+  [[nodiscard]] std::optional<OwnAttitude> found(std::size_t lane) const {
+    if (out_.usual[lane] == 0) return std::nullopt;
+    const auto at = [lane](const double* values, std::size_t k) { return values[kLanes * k + lane]; };
+    OwnAttitude own;
+    for (std::size_t k = 0; k < 9; ++k) {
+      const auto row = static_cast<Eigen::Index>(k / 3);
+      const auto column = static_cast<Eigen::Index>(k % 3);
+      own.R(row, column) = at(out_.R, k);
+      own.gain(row, column) = at(out_.gain, k);
+    }
+    for (std::size_t k = 0; k < 3; ++k) own.offset_g[static_cast<Eigen::Index>(k)] = at(out_.offset_g, k);
+    const auto information = [&](std::size_t k) { return at(out_.information, k); };
+    own.information << information(0), information(1), information(2), information(1), information(3), information(4),
+        information(2), information(4), information(5);
+    return own;
+  }
+
+ private:
+  AttitudeKernelOptions options_;
+  std::size_t poses_;
+  std::vector<double> f_o_;
+  std::vector<double> y_g_;
+  std::vector<double> precision_;
+  std::vector<double> R_start_;
+  OwnAttitudeKernelOutput out_{};
+};
+
 }  // namespace
 
 AttitudeSearch::AttitudeSearch(const SkinLinks& skin, std::span<const std::size_t> cells,
                                std::vector<PatchForce> forces, std::span<const SE3> placements, bool forces_are_rough)
     : skin_(skin), cells_(cells.begin(), cells.end()), own_(cells_.size()), at_(cells_.size()) {
-  constexpr int kRounds = 10;
+  constexpr int kMostSteps = 15;
   for (std::size_t place = 0; place < cells_.size(); ++place) own_[place].R_o_u = placements[place].R;
-  for (int round = 0; forces_are_rough && round < kRounds; ++round) {
-    findOwnAttitudes(forces, placements);
-    refine(forces);
+  takeReadings(forces);
+  if (forces_are_rough) settle(forces, placements);
+  findOwnAttitudes(forces, placements, kMostSteps);
+  for (Own& own : own_) {
+    if (own.known) own.covariance = own.information.inverse();
   }
-  findOwnAttitudes(forces, placements);
   measuring_ = static_cast<double>(std::ranges::count_if(own_, &Own::known));
   findJoints();
+  findLimits();
   sigma_ = {skin.model().twist_sigma_rad, skin.model().bend_sigma_rad, skin.model().yaw_sigma_rad};
 }
 
@@ -128,44 +297,87 @@ std::size_t AttitudeSearch::placeOf(std::size_t cell) const {
   return static_cast<std::size_t>(std::ranges::lower_bound(cells_, cell) - cells_.begin());
 }
 
-void AttitudeSearch::findOwnAttitudes(std::span<const PatchForce> forces, std::span<const SE3> placements) {
-  const AccelerometerPrior prior(skin_.model().accelerometer);
-  const Eigen::Matrix3d& R_u_a = skin_.model().accelerometer.T_u_a.R;
-  for (std::size_t place = 0; place < cells_.size(); ++place) {
-    Own& own = own_[place];
-    own.readings.clear();
-    own.f_o.clear();
-    own.poses.clear();
-    for (const PatchForce& force : forces) {
-      const GravityTable::Entry& entry = skin_.table().at(cells_[place], force.pose);
-      if (!entry.usable) continue;
-      own.readings.push_back({own.readings.size(), R_u_a.transpose() * entry.mean_g, entry.variance_g2});
-      own.f_o.emplace_back(force.at_origin_o + force.swing_o.cross(placements[place].t));
-      own.poses.push_back(force.pose);
-    }
-    if (own.readings.empty()) continue;
-    const OwnAttitude found = findAttitude(prior, own.readings, own.f_o, own.R_o_u * R_u_a);
-    const Eigen::Matrix3d information = found.information + Eigen::Matrix3d::Identity() / kUnknownVariance;
-    own.known = true;
-    own.R_o_u = found.R * R_u_a.transpose();
-    own.covariance = R_u_a * information.inverse() * R_u_a.transpose();
-    own.sensor = found.sensor;
+/// Forces and own attitudes in turn, until they agree.
+void AttitudeSearch::settle(std::vector<PatchForce>& forces, std::span<const SE3> placements) {
+  constexpr int kRounds = 60;
+  constexpr int kSteps = 2;  // of each attitude; the next round goes on
+  Acceleration acceleration;
+  for (int round = 0; round < kRounds; ++round) {
+    const Eigen::VectorXd before = packed(forces);
+    findOwnAttitudes(forces, placements, kSteps);
+    if (refine(forces, placements)) return;
+    unpack(acceleration.next(before, packed(forces)), forces);
   }
 }
 
-/// Every force as the mean of what the cells, freed from the errors of their sensors, read.
-void AttitudeSearch::refine(std::vector<PatchForce>& forces) const {
+void AttitudeSearch::takeReadings(std::span<const PatchForce> forces) {
   const Eigen::Matrix3d& R_u_a = skin_.model().accelerometer.T_u_a.R;
-  for (PatchForce& force : forces) {
-    Eigen::Vector3d sum = Eigen::Vector3d::Zero();
-    for (const Own& own : own_) {
-      const auto at = std::ranges::find(own.poses, force.pose);
-      if (!own.known || at == own.poses.end()) continue;
-      const Eigen::Vector3d& y_g = own.readings[static_cast<std::size_t>(at - own.poses.begin())].y_g;
-      sum += own.R_o_u * R_u_a * own.sensor.gain.inverse() * (y_g - own.sensor.offset_g);
+  for (const PatchForce& force : forces) poses_.push_back(force.pose);
+  for (std::size_t place = 0; place < cells_.size(); ++place) {
+    Own& own = own_[place];
+    for (std::size_t k = 0; k < poses_.size(); ++k) {
+      const GravityTable::Entry& entry = skin_.table().at(cells_[place], poses_[k]);
+      if (entry.usable) own.readings.push_back({k, R_u_a.transpose() * entry.mean_g, entry.variance_g2});
     }
-    if (sum.norm() > 0.5) force.at_origin_o = sum.normalized();
+    own.f_o.resize(own.readings.size());
+    own.known = !own.readings.empty();
   }
+}
+
+void AttitudeSearch::findOwnAttitudes(std::span<const PatchForce> forces, std::span<const SE3> placements,
+                                      int most_steps) {
+  const AccelerometerPrior prior(skin_.model().accelerometer);
+  const Eigen::Matrix3d& R_u_a = skin_.model().accelerometer.T_u_a.R;
+  OwnAttitudeBatch batch(prior, forces.size(), most_steps);
+  std::vector<std::size_t> places;  // in the batch
+  const auto run = [&] {
+    batch.run();
+    for (std::size_t lane = 0; lane < places.size(); ++lane) {
+      Own& own = own_[places[lane]];
+      const std::optional<OwnAttitude> found = batch.found(lane);
+      setOwn(own, found ? *found : findAttitude(prior, own.readings, own.f_o, own.R_o_u * R_u_a));
+    }
+    places.clear();
+  };
+  for (std::size_t place = 0; place < cells_.size(); ++place) {
+    Own& own = own_[place];
+    if (!own.known) continue;
+    for (std::size_t k = 0; k < own.readings.size(); ++k) {
+      const PatchForce& force = forces[own.readings[k].pose];
+      own.f_o[k] = force.at_origin_o + force.swing_o.cross(placements[place].t);
+    }
+    batch.put(places.size(), own.readings, own.f_o, own.R_o_u * R_u_a);
+    places.push_back(place);
+    if (places.size() == kLanes) run();
+  }
+  run();
+}
+
+void AttitudeSearch::setOwn(Own& own, const OwnAttitude& found) const {
+  const Eigen::Matrix3d& R_u_a = skin_.model().accelerometer.T_u_a.R;
+  own.R_o_u = found.R * R_u_a.transpose();
+  own.information = R_u_a * (found.information + Eigen::Matrix3d::Identity() / kUnknownVariance) * R_u_a.transpose();
+  own.offset_g = found.offset_g;
+  own.gain = found.gain;
+}
+
+/// Every force as most cells, freed from the errors of their sensors, read it, and how it changes over the patch where
+/// a hand swings it meanwhile. Returns whether that was known before.
+bool AttitudeSearch::refine(std::vector<PatchForce>& forces, std::span<const SE3> placements) const {
+  const Eigen::Matrix3d& R_u_a = skin_.model().accelerometer.T_u_a.R;
+  std::vector<SwingFit> fits(forces.size());
+  for (std::size_t place = 0; place < own_.size(); ++place) {
+    const Own& own = own_[place];
+    if (!own.known) continue;
+    const Eigen::Matrix3d freed = own.R_o_u * R_u_a * own.gain.inverse();
+    for (const CellReading& reading : own.readings) {
+      fits[reading.pose].add(freed * (reading.y_g - own.offset_g), placements[place].t);
+    }
+  }
+  constexpr double kSettled_g = 3e-4;  // far below what any attitude is known to
+  double most_g = 0;
+  for (std::size_t k = 0; k < forces.size(); ++k) most_g = std::max(most_g, fits[k].find(forces[k]));
+  return most_g <= kSettled_g;
 }
 
 /// Headings of the cells' x axes in the sheet laid flat, from one of them.
@@ -204,7 +416,9 @@ void AttitudeSearch::findJoints() {
       joint.R_nom = nominalAlignment(skin_.sourcePort(link), skin_.targetPort(link));
       const Eigen::Vector3d u = skin_.sourcePort(link).vector_m.normalized();
       joint.axes << u, Eigen::Vector3d::UnitZ().cross(u), Eigen::Vector3d::UnitZ();
-      joint.heading_rad = heading[place] + headingOf(skin_.sourcePort(link));
+      const double heading_rad = heading[place] + headingOf(skin_.sourcePort(link));
+      joint.twist_row = twistRow(heading_rad);
+      joint.bend_row = bendRow(heading_rad);
       at_[joint.source].push_back(joints_.size());
       at_[joint.target].push_back(joints_.size());
       joints_.push_back(joint);
@@ -227,14 +441,17 @@ Eigen::Matrix3d AttitudeSearch::measured(const Joint& joint, const Own& source, 
   return joint.axes.transpose() * (source.covariance + R_c_n * target.covariance * R_c_n.transpose()) * joint.axes;
 }
 
-Eigen::Vector3d AttitudeSearch::expectedOf(const Joint& joint) const {
-  return {twistRow(joint.heading_rad).dot(shape_.parameters), bendRow(joint.heading_rad).dot(shape_.parameters), 0};
+void AttitudeSearch::expect(const Shape& shape) {
+  for (Joint& joint : joints_) {
+    joint.expected = {joint.twist_row.dot(shape.parameters), joint.bend_row.dot(shape.parameters), 0};
+    joint.R_c_n = expSO3(joint.axes * joint.expected) * joint.R_nom;
+  }
 }
 
 Eigen::Matrix3d AttitudeSearch::scatter() const { return sigma_.cwiseAbs2().asDiagonal(); }
 
 double AttitudeSearch::squaredMisfit(const Joint& joint, const Own& source, const Own& target) const {
-  const Eigen::Vector3d off = anglesOf(joint, source, target) - expectedOf(joint);
+  const Eigen::Vector3d off = anglesOf(joint, source, target) - joint.expected;
   const Eigen::Matrix3d covariance = scatter() + measured(joint, source, target);
   return off.dot(covariance.ldlt().solve(off));
 }
@@ -246,6 +463,7 @@ double AttitudeSearch::squaredMisfit(const Joint& joint, const Own& source, cons
 /// show poorly says little about it in this way, and leaves it to the model.
 AttitudeSearch::Shape AttitudeSearch::fitShape(bool with_antisymmetric) {
   constexpr int kRounds = 30;
+  constexpr double kSettled_rad = 1e-6;  // far below any scatter
   const CellModel& model = skin_.model();
   const Eigen::Vector3d model_sigma(model.twist_sigma_rad, model.bend_sigma_rad, model.yaw_sigma_rad);
   sigma_ = model_sigma;
@@ -257,7 +475,7 @@ AttitudeSearch::Shape AttitudeSearch::fitShape(bool with_antisymmetric) {
     const Own& target = own_[joint.target];
     links.push_back({anglesOf(joint, source, target),
                      measured(joint, source, target).diagonal(),
-                     {twistRow(joint.heading_rad), bendRow(joint.heading_rad), Eigen::Vector4d::Zero()}});
+                     {joint.twist_row, joint.bend_row, Eigen::Vector4d::Zero()}});
   }
   for (int round = 0; round < kRounds; ++round) {
     Eigen::Matrix4d normal = Eigen::Matrix4d::Identity() / (kCurvatureSigma * kCurvatureSigma);
@@ -274,7 +492,8 @@ AttitudeSearch::Shape AttitudeSearch::fitShape(bool with_antisymmetric) {
       }
     }
     const Eigen::LDLT<Eigen::Matrix4d> factor(normal);
-    shape.parameters = factor.solve(right);
+    const Eigen::Vector4d parameters_before = std::exchange(shape.parameters, factor.solve(right));
+    const Eigen::Vector3d sigma_before = sigma_;
     const Eigen::Matrix4d covariance = factor.solve(Eigen::Matrix4d::Identity());
     shape.antisymmetric_sigma = std::sqrt(covariance(3, 3));
     for (int axis = 0; axis < 3; ++axis) {
@@ -285,6 +504,7 @@ AttitudeSearch::Shape AttitudeSearch::fitShape(bool with_antisymmetric) {
       const double after = sum / (weight_of_model + static_cast<double>(links.size()));
       sigma_[axis] = axis == 2 ? std::max(model_sigma[axis], std::sqrt(after)) : std::sqrt(after);
     }
+    if ((shape.parameters - parameters_before).norm() + (sigma_ - sigma_before).norm() < kSettled_rad) break;
   }
   return shape;
 }
@@ -314,7 +534,7 @@ void AttitudeSearch::Belief::operator+=(const Belief& other) {
 
 AttitudeSearch::Belief AttitudeSearch::ownBelief(std::size_t place) const {
   Belief own;
-  if (own_[place].known) own.information = own_[place].covariance.inverse();
+  if (own_[place].known) own.information = own_[place].information;
   return own;
 }
 
@@ -336,7 +556,7 @@ AttitudeSearch::Belief AttitudeSearch::along(const Joint& joint, bool to_source)
   Belief of_far = ownBelief(far);
   of_far += beliefBeside(far, &joint);
   const Eigen::Matrix3d covariance_far = of_far.covariance();
-  const Eigen::Matrix3d R_c_n = expSO3(joint.axes * expectedOf(joint)) * joint.R_nom;
+  const Eigen::Matrix3d& R_c_n = joint.R_c_n;
   const Eigen::Matrix3d R_far_near = to_source ? Eigen::Matrix3d(R_c_n.transpose()) : R_c_n;
   const Eigen::Matrix3d elastomer = joint.axes * scatter() * joint.axes.transpose();
   const Eigen::Matrix3d of_link = to_source ? elastomer : Eigen::Matrix3d(R_c_n.transpose() * elastomer * R_c_n);
@@ -366,16 +586,6 @@ void AttitudeSearch::passBeliefs() {
 /// The options' misfit stands for all limits here: 1 for its default.
 double AttitudeSearch::strictness() const { return skin_.options().max_misfit / SolverOptions{}.max_misfit; }
 
-/// Deviations that a yaw, of whichever sign, and any other test may reach by chance.
-double AttitudeSearch::yawLimit() const {
-  return strictness() *
-         deviateExceededOnceIn(2 * kPatchesPerFalseYaw * static_cast<double>(joints_.size() + cells_.size()));
-}
-double AttitudeSearch::otherLimit() const {
-  return strictness() *
-         deviateExceededOnceIn(2 * kPatchesPerOtherAlarm * static_cast<double>(2 * joints_.size() + cells_.size()));
-}
-
 /// The angle of a link that is furthest beyond its limit.
 std::optional<AttitudeSuspect> AttitudeSearch::judgeLink(const Joint& joint) const {
   constexpr std::array kCodes = {FindingCode::ImplausibleTwist, FindingCode::ImplausibleBend,
@@ -391,10 +601,10 @@ std::optional<AttitudeSuspect> AttitudeSearch::judgeLink(const Joint& joint) con
   };
   const Own source = withoutThis(joint.source);
   const Own target = withoutThis(joint.target);
-  const Eigen::Vector3d expected = expectedOf(joint);
+  const Eigen::Vector3d& expected = joint.expected;
   const Turns turns =
       likeliestTurns(anglesOf(joint, source, target) - expected, scatter() + measured(joint, source, target));
-  const Eigen::Vector3d limits = turns.sigma.cwiseProduct(Eigen::Vector3d(otherLimit(), otherLimit(), yawLimit()));
+  const Eigen::Vector3d limits = turns.sigma.cwiseProduct(Eigen::Vector3d(other_limit_, other_limit_, yaw_limit_));
   Eigen::Index worst = 0;
   if (turns.angle.cwiseQuotient(limits).cwiseAbs().maxCoeff(&worst) <= 1) return std::nullopt;
   AttitudeSuspect suspect{AttitudeSuspect::Kind::Link};
@@ -433,9 +643,9 @@ std::optional<AttitudeSuspect> AttitudeSearch::judgeCell(std::size_t place) cons
   const Eigen::Vector3d turn = of_links * links.weighted;
   const Eigen::Matrix3d covariance = of_links + ownScatter(place) + own_[place].covariance;
   const double squared = turn.dot(covariance.ldlt().solve(turn));
-  const bool is_turned = Misfit{squared, 3}.deviate() > otherLimit();
+  const bool is_turned = Misfit{squared, 3}.deviate() > other_limit_;
   const Turns turns = likeliestTurns(turn, covariance);
-  const bool is_yawed = std::abs(turns.angle.z()) > yawLimit() * turns.sigma.z();
+  const bool is_yawed = std::abs(turns.angle.z()) > yaw_limit_ * turns.sigma.z();
   if (!is_turned && !is_yawed) return std::nullopt;
   AttitudeSuspect suspect{AttitudeSuspect::Kind::Cell};
   suspect.cell = cells_[place];
@@ -467,7 +677,7 @@ std::optional<AttitudeSuspect> AttitudeSearch::judgeMotion(std::size_t place) co
   AttitudeSuspect suspect{AttitudeSuspect::Kind::Moved};
   suspect.cell = cells_[place];
   suspect.angle_rad = turn.angle_rad;
-  suspect.pose = own.poses[turn.first_after];
+  suspect.pose = poses_[own.readings[turn.first_after].pose];
   suspect.evidence = turn.gain.chi_squared / 2 - kCostOfAngle * turn.gain.degrees;
   return suspect;
 }
@@ -488,7 +698,7 @@ double AttitudeSearch::pairMisfit(const Joint& joint, const Own& source, const O
   };
   addBeside(joint.source, source, 0);
   addBeside(joint.target, target, 3);
-  const Eigen::Matrix3d R_c_n = expSO3(joint.axes * expectedOf(joint)) * joint.R_nom;
+  const Eigen::Matrix3d& R_c_n = joint.R_c_n;
   const Eigen::Vector3d off = logSO3(source.R_o_u.transpose() * target.R_o_u * R_c_n.transpose());
   Eigen::Matrix<double, 3, 6> J;  // of the link's angle, off - e_source + R_c_n e_target
   J << -Eigen::Matrix3d::Identity(), R_c_n;
@@ -503,11 +713,39 @@ double AttitudeSearch::pairMisfit(const Joint& joint, const Own& source, const O
   return mean.dot(covariance.ldlt().solve(mean));
 }
 
-/// By how much two neighbours fit their links better with each other's readings: the logarithm of the likelihood ratio.
-double AttitudeSearch::gainOfSwap(const Joint& joint) const {
+/// No less than pairMisfit() of the cells' own readings: what it would be if the links' errors were none.
+double AttitudeSearch::mostPairMisfit(const Joint& joint) const {
+  const auto beside = [&](std::size_t place) {
+    const Belief belief = beliefBeside(place, &joint);
+    const Eigen::Vector3d turn = belief.covariance() * belief.weighted;
+    return turn.dot(belief.information * turn);
+  };
   const Own& source = own_[joint.source];
   const Own& target = own_[joint.target];
-  return (pairMisfit(joint, source, target) - pairMisfit(joint, target, source)) / 2;
+  const Eigen::Matrix3d& R_c_n = joint.R_c_n;
+  const Eigen::Vector3d off = logSO3(source.R_o_u.transpose() * target.R_o_u * R_c_n.transpose());
+  const Eigen::Vector3d deviations = (joint.axes.transpose() * off).cwiseQuotient(sigma_);
+  return deviations.squaredNorm() + beside(joint.source) + beside(joint.target);
+}
+
+/// By how much two neighbours fit their links better with each other's readings: the logarithm of the likelihood ratio.
+/// Nothing if that can't be more than `limit`.
+std::optional<double> AttitudeSearch::gainOfSwap(const Joint& joint, double limit) const {
+  // With each other's readings the misfit is 0 at least.
+  if (mostPairMisfit(joint) <= 2 * limit) return std::nullopt;
+  const Own& source = own_[joint.source];
+  const Own& target = own_[joint.target];
+  const double as_it_is = pairMisfit(joint, source, target);
+  if (as_it_is <= 2 * limit) return std::nullopt;
+  const double gain = (as_it_is - pairMisfit(joint, target, source)) / 2;
+  return gain > limit ? std::optional(gain) : std::nullopt;
+}
+
+void AttitudeSearch::findLimits() {
+  const auto joints = static_cast<double>(joints_.size());
+  const auto cells = static_cast<double>(cells_.size());
+  yaw_limit_ = strictness() * deviateExceededOnceIn(2 * kPatchesPerFalseYaw * (joints + cells));
+  other_limit_ = strictness() * deviateExceededOnceIn(2 * kPatchesPerOtherAlarm * (2 * joints + cells));
 }
 
 std::vector<AttitudeSuspect> AttitudeSearch::candidates() {
@@ -518,11 +756,11 @@ std::vector<AttitudeSuspect> AttitudeSearch::candidates() {
   for (const Joint& joint : joints_) {
     if (!tested(joint)) continue;
     if (const auto suspect = judgeLink(joint)) found.push_back(*suspect);
-    if (const double gain = gainOfSwap(joint); gain > swap_limit) {
+    if (const std::optional<double> gain = gainOfSwap(joint, swap_limit)) {
       AttitudeSuspect suspect{AttitudeSuspect::Kind::Swapped};
       suspect.cell = cells_[joint.source];
       suspect.other = cells_[joint.target];
-      suspect.evidence = gain;
+      suspect.evidence = *gain;
       found.push_back(suspect);
     }
   }
@@ -572,7 +810,7 @@ bool isOfTheSame(const AttitudeSuspect& a, const AttitudeSuspect& b) {
 std::vector<AttitudeSuspect> AttitudeSearch::suspects() {
   if (std::ranges::none_of(joints_, [this](const Joint& joint) { return tested(joint); })) return {};
   if (const auto patch = judgePatch()) return {*patch};
-  shape_ = fitShape(false);
+  expect(fitShape(false));
   std::vector<AttitudeSuspect> named;
   for (;;) {
     // What is beside a clearer fault may be its work and waits for the next round.

@@ -68,12 +68,13 @@ class AttitudeSearch {
  private:
   struct Own {
     bool known = false;
-    Eigen::Matrix3d R_o_u = Eigen::Matrix3d::Identity();   ///< where it is not known, the estimate's
-    Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();  ///< cell frame
-    std::vector<CellReading> readings;
-    std::vector<Eigen::Vector3d> f_o;  ///< per reading
-    std::vector<std::size_t> poses;    ///< per reading
-    AccelerometerFit sensor;
+    Eigen::Matrix3d R_o_u = Eigen::Matrix3d::Identity();    ///< where it is not known, the estimate's
+    Eigen::Matrix3d information = Eigen::Matrix3d::Zero();  ///< of its error, cell frame, where it is known
+    Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();
+    Eigen::Vector3d offset_g = Eigen::Vector3d::Zero();  ///< of its sensor, as in OwnAttitude
+    Eigen::Matrix3d gain = Eigen::Matrix3d::Identity();
+    std::vector<CellReading> readings;  ///< their poses are indices of forces
+    std::vector<Eigen::Vector3d> f_o;   ///< per reading
   };
   /// What is known of the error e of a cell's own attitude, R_true = R exp(e): information and information times mean.
   struct Belief {
@@ -89,9 +90,13 @@ class AttitudeSearch {
     std::size_t target = 0;
     Eigen::Matrix3d R_nom = Eigen::Matrix3d::Identity();
     Eigen::Matrix3d axes = Eigen::Matrix3d::Identity();  ///< twist, bend, yaw in the source's frame
-    double heading_rad = 0;                              ///< of the link in the sheet laid flat
-    bool open = true;                                    ///< not explained yet
-    Belief to_source;                                    ///< what the target's side says about the source
+    // Of the link's heading in the sheet laid flat: what (S_xx, S_yy, S_xy, antisymmetric part) make of its angles.
+    Eigen::Vector4d twist_row = Eigen::Vector4d::Zero();
+    Eigen::Vector4d bend_row = Eigen::Vector4d::Zero();
+    Eigen::Vector3d expected = Eigen::Vector3d::Zero();   ///< twist, bend and yaw by the shape
+    Eigen::Matrix3d R_c_n = Eigen::Matrix3d::Identity();  ///< at these
+    bool open = true;                                     ///< not explained yet
+    Belief to_source;                                     ///< what the target's side says about the source
     Belief to_target;
   };
   struct Shape {
@@ -100,8 +105,11 @@ class AttitudeSearch {
   };
 
   [[nodiscard]] std::size_t placeOf(std::size_t cell) const;
-  void findOwnAttitudes(std::span<const PatchForce> forces, std::span<const SE3> placements);
-  void refine(std::vector<PatchForce>& forces) const;
+  void settle(std::vector<PatchForce>& forces, std::span<const SE3> placements);
+  void takeReadings(std::span<const PatchForce> forces);
+  void findOwnAttitudes(std::span<const PatchForce> forces, std::span<const SE3> placements, int most_steps);
+  void setOwn(Own& own, const OwnAttitude& found) const;
+  bool refine(std::vector<PatchForce>& forces, std::span<const SE3> placements) const;
   [[nodiscard]] std::vector<double> headings() const;
   [[nodiscard]] double strictness() const;
   void findJoints();
@@ -112,7 +120,7 @@ class AttitudeSearch {
   [[nodiscard]] Belief along(const Joint& joint, bool to_source) const;
   void passBeliefs();
   [[nodiscard]] Eigen::Matrix3d measured(const Joint& joint, const Own& source, const Own& target) const;
-  [[nodiscard]] Eigen::Vector3d expectedOf(const Joint& joint) const;
+  void expect(const Shape& shape);
   [[nodiscard]] Eigen::Matrix3d scatter() const;
   [[nodiscard]] double squaredMisfit(const Joint& joint, const Own& source, const Own& target) const;
   [[nodiscard]] std::optional<AttitudeSuspect> judgePatch();
@@ -120,10 +128,10 @@ class AttitudeSearch {
   [[nodiscard]] std::optional<AttitudeSuspect> judgeLink(const Joint& joint) const;
   [[nodiscard]] std::optional<AttitudeSuspect> judgeCell(std::size_t place) const;
   [[nodiscard]] std::optional<AttitudeSuspect> judgeMotion(std::size_t place) const;
-  [[nodiscard]] double yawLimit() const;
-  [[nodiscard]] double otherLimit() const;
+  void findLimits();
   [[nodiscard]] Eigen::Matrix3d ownScatter(std::size_t place) const;
-  [[nodiscard]] double gainOfSwap(const Joint& joint) const;
+  [[nodiscard]] std::optional<double> gainOfSwap(const Joint& joint, double limit) const;
+  [[nodiscard]] double mostPairMisfit(const Joint& joint) const;
   [[nodiscard]] double pairMisfit(const Joint& joint, const Own& source, const Own& target) const;
   /// Places in the patch of the cells that a suspicion is about.
   [[nodiscard]] std::vector<std::size_t> placesOf(const AttitudeSuspect& suspect) const;
@@ -133,10 +141,13 @@ class AttitudeSearch {
   const SkinLinks& skin_;
   std::vector<std::size_t> cells_;  ///< of the graph
   std::vector<Own> own_;            ///< per cell of the patch
+  std::vector<std::size_t> poses_;  ///< of the snapshot, per force
   double measuring_ = 0;            ///< cells that the forces are of
   std::vector<Joint> joints_;
   std::vector<std::vector<std::size_t>> at_;  ///< per cell of the patch, indices into joints_
-  Shape shape_;
+  // Deviations that a yaw, of whichever sign, and any other test may reach by chance.
+  double yaw_limit_ = 0;
+  double other_limit_ = 0;
   Eigen::Vector3d sigma_ = Eigen::Vector3d::Zero();  ///< scatter of twist, bend and yaw beyond the shape
 };
 

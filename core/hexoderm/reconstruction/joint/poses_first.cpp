@@ -31,7 +31,7 @@ class PosesFirstInverse : public JointInverse {
   }
   [[nodiscard]] Eigen::Matrix3d force(std::size_t pose) const override { return parts().forces[pose]; }
   [[nodiscard]] Eigen::Matrix3d forces(std::size_t a, std::size_t b) const override {
-    return factor_->forces(parts().force_spread, a, b);
+    return a == b ? force(a) : factor_->forces(parts().C, a, b);
   }
   [[nodiscard]] Eigen::Matrix3d acceleration(std::size_t) const override {
     throw std::logic_error("no acceleration was estimated");
@@ -46,7 +46,7 @@ class PosesFirstInverse : public JointInverse {
     MatrixXd rest;
     std::vector<Matrix6d> cells;
     std::vector<Matrix6d> links;
-    poses_first::Factor::ForceSpread force_spread;
+    MatrixXd C;  ///< of the sensors' and turns' errors
     std::vector<Eigen::Matrix3d> forces;
   };
 
@@ -70,10 +70,8 @@ class PosesFirstInverse : public JointInverse {
     }
     for (const poses_first::LinkEnds& link : factor_->links())
       parts.links.push_back(blockOf(parts.rest, link.c, link.n));
-    parts.force_spread = factor_->forceSpread();
-    for (std::size_t pose = 0; pose < factor_->poseCount(); ++pose) {
-      parts.forces.push_back(factor_->forces(parts.force_spread, pose, pose));
-    }
+    parts.C = factor_->sensorCovariance();
+    parts.forces = factor_->forceOfEachPose(parts.C);
     return parts;
   }
 
@@ -117,13 +115,13 @@ std::unique_ptr<JointSystem> makePosesFirst(const JointProblem& problem) {
 
 double workOfPosesFirst(const JointProblem& problem) {
   // Two dense matrices are factorised, of twelve errors of a sensor and of six unknowns of a cell, and the first one
-  // takes out the turns. A pose costs what its deviating readings cost in pairs: far from the optimum, nearly all.
+  // takes out the turns. A pose costs 60 for every pair of cells.
   const auto cells = static_cast<double>(problem.cellCount());
   const double sensors = 12 * cells;
   const double rest = 6 * cells + 1;
-  constexpr double kPerPair = 200;
-  return sensors * sensors * sensors / 6 + sensors * sensors * (3 * cells + 24) / 2 + rest * rest * rest / 6 +
-         kPerPair * cells * cells * static_cast<double>(problem.poses);
+  constexpr double kPerPair = 60;
+  return sensors * sensors * sensors / 6 + sensors * sensors * 3 * cells / 2 + rest * rest * rest / 6 +
+         kPerPair * cells * cells / 2 * static_cast<double>(problem.poses);
 }
 
 }  // namespace hexoderm

@@ -14,10 +14,9 @@ namespace hexoderm {
 /// turn of the cell is a change of its gain. With r = (1, v) and G = d residual / d force, both of one cell and pose,
 /// the pose couples t_c with the force by U = -w (r x G), w the reading's precision and x the Kronecker product, and
 /// taking out the force leaves the information S = diag_c(sum_p w I x r r^T) - sum_p U_p H_p^-1 U_p^T about all t_c,
-/// H_p being the force's own. Since r = T (1, f_p), with T and G of the cell alone, cells that read with the same
-/// precision in all poses have U_p = B (phi_p x I) with phi_p = (1, f_p), and their sum over the poses is
-/// B (sum_p phi phi^T x H_p^-1) B^T, of rank 12 however many poses there are. What single readings deviate from that
-/// (they are missing, or beyond the loss's threshold) is added reading by reading.
+/// H_p being the force's own. Since r = T (1, f_p), with T and G of the cell alone, the pair of cells a and b has in
+/// the sum (T_a x G_a) [sum_p w_ap w_bp (phi_p phi_p^T x H_p^-1)] (T_b x G_b)^T with phi_p = (1, f_p): the sums of all
+/// pairs are products of matrices, 60 numbers a pose.
 std::unique_ptr<JointSystem> makePosesFirst(const JointProblem& problem);
 
 /// About how many multiplications a step takes.

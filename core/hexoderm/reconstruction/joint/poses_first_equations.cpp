@@ -6,13 +6,6 @@ namespace hexoderm::poses_first {
 
 using Eigen::Index;
 
-/// (r x G) of one reading.
-SensorByForce coupling(const Eigen::Vector4d& r, const Eigen::Matrix3d& G) {
-  SensorByForce product;
-  for (int axis = 0; axis < 3; ++axis) product.middleRows<4>(4 * axis).noalias() = r * G.row(axis);
-  return product;
-}
-
 namespace {
 
 class Linearizer {
@@ -37,8 +30,10 @@ class Linearizer {
     equations_.diagonal_poses.setZero(equations_.gradient_poses.size());
     equations_.diagonal_cells.setZero(equations_.rest.gradient_cells.size());
     equations_.measured.clear();
+    const auto measured =
+        std::ranges::count_if(problem_.readings, [](const auto& readings) { return !readings.empty(); });
+    equations_.precision.setZero(measured, static_cast<Index>(problem_.poses));
     for (std::size_t cell = 0; cell < problem_.cellCount(); ++cell) add(cell);
-    findDeviating();
     for (std::size_t pose = 0; pose < problem_.poses; ++pose) {
       equations_.diagonal_poses.segment<3>(static_cast<Index>(3 * pose)) +=
           equations_.pose_information[pose].diagonal();
@@ -71,6 +66,7 @@ class Linearizer {
     const AccelerometerFit& fit = sensor_.fit;
     equations_.rest.cost += fit.cost;
 
+    const auto part = static_cast<Index>(equations_.measured.size());
     MeasuredCell& measured = equations_.measured.emplace_back();
     const Eigen::Matrix3d R_a_o = R_a_u_ * state_.cells[cell].R.transpose();
     measured.cell = cell;
@@ -83,7 +79,6 @@ class Linearizer {
       measured.K.middleRows<3>(4 * axis + 1) = -skew(fit.gain.row(axis).transpose()) * R_a_u_;
     }
     measured.information.setZero();
-    measured.precision.assign(problem_.poses, 0.0);
 
     Eigen::Vector3d turning = Eigen::Vector3d::Zero();
     for (std::size_t k = 0; k < readings.size(); ++k) {
@@ -91,7 +86,7 @@ class Linearizer {
       const double precision = fit.precision[k];
       const Eigen::Vector3d weighted = precision * fit.residual_g[k];
       const Eigen::Vector4d r = measured.T * equations_.phi[pose];
-      measured.precision[pose] = precision;
+      equations_.precision(part, static_cast<Index>(pose)) = precision;
       measured.information.noalias() += precision * r * r.transpose();
       turning += sensor_.v_g[k].cross(fit.gain.transpose() * weighted);
       equations_.pose_information[pose].noalias() += precision * measured.G.transpose() * measured.G;
@@ -113,24 +108,6 @@ class Linearizer {
             (K.cwiseProduct(mixed) - root.cwiseProduct(root)).colwise().sum().transpose();
       }
     }
-    sorted_ = measured.precision;
-    const auto middle = sorted_.begin() + static_cast<std::ptrdiff_t>(sorted_.size() / 2);
-    std::ranges::nth_element(sorted_, middle);
-    measured.usual_precision = *middle;
-  }
-
-  void findDeviating() {
-    const std::vector<MeasuredCell>& measured = equations_.measured;
-    equations_.readings.assign(problem_.poses, {});
-    for (std::size_t pose = 0; pose < problem_.poses; ++pose) {
-      PoseReadings& readings = equations_.readings[pose];
-      const auto deviates = [pose](const MeasuredCell& cell) { return cell.precision[pose] != cell.usual_precision; };
-      readings.usual = 2 * std::ranges::count_if(measured, deviates) < std::ssize(measured);
-      for (std::size_t part = 0; part < measured.size(); ++part) {
-        const double excess = measured[part].precision[pose] - (readings.usual ? measured[part].usual_precision : 0);
-        if (excess != 0) readings.deviating.push_back({part, excess});
-      }
-    }
   }
 
   const JointProblem& problem_;
@@ -139,7 +116,6 @@ class Linearizer {
   AccelerometerPrior prior_;
   Eigen::Matrix3d R_a_u_;
   SensorState sensor_;
-  std::vector<double> sorted_;
 };
 
 }  // namespace

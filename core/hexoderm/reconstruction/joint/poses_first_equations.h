@@ -12,40 +12,22 @@ inline constexpr Eigen::Index kSensor = 12;  // offset and gains of an accelerom
 
 using SensorByForce = Eigen::Matrix<double, kSensor, 3>;
 
-/// A reading whose precision is not its cell's usual one; absent readings have a precision of 0.
-struct Deviation {
-  std::size_t part = 0;
-  double excess = 0;  ///< precision less the usual one
-};
-
-struct PoseReadings {
-  /// Most cells read with their usual precision. Where few do, differences from it would lose their digits: nothing is
-  /// usual then.
-  bool usual = true;
-  std::vector<Deviation> deviating;
-};
-
 /// A cell with readings.
 struct MeasuredCell {
   std::size_t cell = 0;
-  bool moves = true;              ///< false for the origin
-  Eigen::Matrix3d G;              ///< d residual / d force
-  Eigen::Matrix4d T;              ///< r = T (1, f)
-  SensorByForce K;                ///< change of (b, D) that makes up for a turn of the cell
-  Eigen::Matrix4d information;    ///< sum of w r r^T
-  double usual_precision = 0;     ///< the median over all poses
-  std::vector<double> precision;  ///< per pose, 0 without a reading
+  bool moves = true;            ///< false for the origin
+  Eigen::Matrix3d G;            ///< d residual / d force
+  Eigen::Matrix4d T;            ///< r = T (1, f)
+  SensorByForce K;              ///< change of (b, D) that makes up for a turn of the cell
+  Eigen::Matrix4d information;  ///< sum of w r r^T
 };
-
-/// (r x G) of one reading.
-SensorByForce coupling(const Eigen::Vector4d& r, const Eigen::Matrix3d& G);
 
 /// The second-order model: links and the gap share as in NormalEquations, readings by their parts.
 struct Equations {
   NormalEquations rest;  ///< of the border nothing but the gap share; its gradients are complete
   std::vector<MeasuredCell> measured;
+  Eigen::MatrixXd precision;                      ///< w, per measured cell and pose; 0 without a reading
   std::vector<Eigen::Vector4d> phi;               ///< per pose
-  std::vector<PoseReadings> readings;             ///< per pose
   std::vector<Eigen::Matrix3d> pose_information;  ///< H_p
   Eigen::VectorXd gradient_poses;
   // Diagonals of the matrix after the sensors' elimination, of which damping adds a share.

@@ -1,6 +1,6 @@
 #include "hexoderm/reconstruction/joint/poses_first_factor.h"
 
-#include <algorithm>
+#include <array>
 #include <utility>
 
 namespace hexoderm::poses_first {
@@ -8,6 +8,85 @@ namespace hexoderm::poses_first {
 using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
+
+namespace {
+
+// phi phi^T x H, both symmetric: entry 6 k + l is the k-th of phi phi^T's upper half times the l-th of H's.
+constexpr Index kCouple = 60;
+using Couple = Eigen::Matrix<double, kCouple, 1>;
+using SensorBySensor = Eigen::Matrix<double, kSensor, kSensor>;
+
+/// Runs over the upper half of a symmetric matrix, row by row.
+template <int Size, typename Visit>
+void forUpperHalf(Visit visit) {
+  Index at = 0;
+  for (Index i = 0; i < Size; ++i) {
+    for (Index j = i; j < Size; ++j, ++at) visit(at, i, j);
+  }
+}
+
+Couple coupleOf(const Eigen::Vector4d& phi, const Eigen::Matrix3d& H) {
+  Couple couple;
+  forUpperHalf<4>([&](Index k, Index m, Index n) {
+    forUpperHalf<3>([&](Index l, Index u, Index v) { couple[6 * k + l] = phi[m] * phi[n] * H(u, v); });
+  });
+  return couple;
+}
+
+/// (T_a x G_a) couple (T_b x G_b)^T, in the order of t: per axis of the sensor its offset and gains.
+SensorBySensor unfoldCouple(const MeasuredCell& a, const Couple& couple, const MeasuredCell& b) {
+  std::array<Eigen::Matrix4d, 9> turned;  // per axes of two forces; T_a couple T_b^T
+  forUpperHalf<3>([&](Index l, Index u, Index v) {
+    Eigen::Matrix4d of_phi;
+    forUpperHalf<4>([&](Index k, Index m, Index n) { of_phi(m, n) = of_phi(n, m) = couple[6 * k + l]; });
+    const Eigen::Matrix4d product = a.T * of_phi * b.T.transpose();
+    turned[static_cast<std::size_t>(3 * u + v)] = turned[static_cast<std::size_t>(3 * v + u)] = product;
+  });
+  SensorBySensor unfolded = SensorBySensor::Zero();
+  for (Index u = 0; u < 3; ++u) {
+    for (Index j = 0; j < 3; ++j) {
+      Eigen::Matrix4d by_G = Eigen::Matrix4d::Zero();
+      for (Index v = 0; v < 3; ++v) by_G += b.G(j, v) * turned[static_cast<std::size_t>(3 * u + v)];
+      for (Index i = 0; i < 3; ++i) unfolded.block<4, 4>(4 * i, 4 * j) += a.G(i, u) * by_G;
+    }
+  }
+  return unfolded;
+}
+
+/// Q = (T_a x G_a)^T C (T_b x G_b) with its transposed, as far as a couple's product with it shows it.
+Couple foldCouple(const MeasuredCell& a, const SensorBySensor& C, const MeasuredCell& b) {
+  std::array<Eigen::Matrix4d, 9> of_forces;
+  of_forces.fill(Eigen::Matrix4d::Zero());
+  for (Index i = 0; i < 3; ++i) {
+    for (Index v = 0; v < 3; ++v) {
+      Eigen::Matrix4d by_G = Eigen::Matrix4d::Zero();
+      for (Index j = 0; j < 3; ++j) by_G += b.G(j, v) * C.block<4, 4>(4 * i, 4 * j);
+      for (Index u = 0; u < 3; ++u) of_forces[static_cast<std::size_t>(3 * u + v)] += a.G(i, u) * by_G;
+    }
+  }
+  Couple folded;
+  forUpperHalf<3>([&](Index l, Index u, Index v) {
+    // Of the transposed Q, the element of v and u.
+    const Eigen::Matrix4d both =
+        a.T.transpose() *
+        (of_forces[static_cast<std::size_t>(3 * u + v)] + of_forces[static_cast<std::size_t>(3 * v + u)]) * b.T;
+    forUpperHalf<4>(
+        [&](Index k, Index m, Index n) { folded[6 * k + l] = (both(m, n) + both(n, m)) / (m == n ? 2 : 1); });
+  });
+  return folded;
+}
+
+/// (phi x I)^T folded (phi x I).
+Eigen::Matrix3d contractWith(const Eigen::Vector4d& phi, const Couple& folded) {
+  Eigen::Matrix3d contracted = Eigen::Matrix3d::Zero();
+  forUpperHalf<4>([&](Index k, Index m, Index n) {
+    forUpperHalf<3>([&](Index l, Index u, Index v) { contracted(u, v) += phi[m] * phi[n] * folded[6 * k + l]; });
+  });
+  contracted.triangularView<Eigen::StrictlyLower>() = contracted.transpose();
+  return contracted;
+}
+
+}  // namespace
 
 Factor::Factor(const JointProblem& problem)
     : origin_(problem.origin), cells_(problem.cellCount()), estimates_gap_share_(problem.gap.sigma.has_value()) {
@@ -20,7 +99,6 @@ bool Factor::factorize(std::shared_ptr<const Equations> equations, double dampin
   equations_ = std::move(equations);
   findMoving();
   invertPoses(damping);
-  findShared();
   MatrixXd S = reducedInformation();
   const MatrixXd SK = timesK(S);
   const MatrixXd KSK = transposedKTimes(SK);
@@ -46,14 +124,18 @@ bool Factor::factorize(std::shared_ptr<const Equations> equations, double dampin
 double Factor::step(const Equations& at, VectorXd& cells, VectorXd& border) const {
   // Taking out the forces moves a part of their gradient over to t: r = -sum_p U_p H_p^-1 g_p.
   const std::size_t poses = equations_->phi.size();
-  VectorXd moved_to_t = VectorXd::Zero(kSensor * parts());
+  MatrixXd push(12, static_cast<Index>(poses));  // phi_p x H_p^-1 g_p, as a matrix of 4 x 3
   for (std::size_t pose = 0; pose < poses; ++pose) {
-    const Eigen::Vector3d push = pose_inverse_[pose] * at.gradient_poses.segment<3>(static_cast<Index>(3 * pose));
-    for (Index part = 0; part < parts(); ++part) {
-      const double precision = equations_->measured[static_cast<std::size_t>(part)].precision[pose];
-      if (precision == 0) continue;
-      moved_to_t.segment<kSensor>(kSensor * part) += precision * (couplingOf(part, pose) * push);
-    }
+    const Eigen::Vector3d g = pose_inverse_[pose] * at.gradient_poses.segment<3>(static_cast<Index>(3 * pose));
+    const Eigen::Matrix<double, 4, 3> couple = equations_->phi[pose] * g.transpose();
+    push.col(static_cast<Index>(pose)) = couple.reshaped();
+  }
+  const MatrixXd pushed = push * equations_->precision.transpose();
+  VectorXd moved_to_t(kSensor * parts());
+  for (Index part = 0; part < parts(); ++part) {
+    const Eigen::Matrix<double, 4, 3> in_cell =
+        measured(part).T * pushed.col(part).reshaped(4, 3) * measured(part).G.transpose();
+    moved_to_t.segment<kSensor>(kSensor * part) = in_cell.reshaped();
   }
   VectorXd e = -moved_to_t;
   sensors_.matrixL().solveInPlace(e);
@@ -78,21 +160,26 @@ double Factor::step(const Equations& at, VectorXd& cells, VectorXd& border) cons
   cells = x.head(6 * static_cast<Index>(cells_));
   border.resize(static_cast<Index>(3 * poses) + at.rest.gradient_border.size());
   border.tail(at.rest.gradient_border.size()) = x.tail(at.rest.gradient_border.size());
+  // U_p^T e is linear in phi_p.
+  MatrixXd pulled(12, parts());
+  for (Index part = 0; part < parts(); ++part) {
+    const Eigen::Matrix<double, 4, 3> of_cell =
+        measured(part).T.transpose() * e.segment<kSensor>(kSensor * part).reshaped(4, 3) * measured(part).G;
+    pulled.col(part) = of_cell.reshaped();
+  }
+  const MatrixXd pull = pulled * equations_->precision;
   for (std::size_t pose = 0; pose < poses; ++pose) {
-    Eigen::Vector3d gradient = at.gradient_poses.segment<3>(static_cast<Index>(3 * pose));
-    for (Index part = 0; part < parts(); ++part) {
-      const double precision = equations_->measured[static_cast<std::size_t>(part)].precision[pose];
-      if (precision == 0) continue;
-      gradient -= precision * (couplingOf(part, pose).transpose() * e.segment<kSensor>(kSensor * part));
-    }
-    border.segment<3>(static_cast<Index>(3 * pose)) = -pose_inverse_[pose] * gradient;
+    const auto column = static_cast<Index>(pose);
+    const Eigen::Vector3d gradient =
+        at.gradient_poses.segment<3>(3 * column) - pull.col(column).reshaped(4, 3).transpose() * equations_->phi[pose];
+    border.segment<3>(3 * column) = -pose_inverse_[pose] * gradient;
   }
   return -(at.rest.gradient_cells.dot(cells) + at.gradient_poses.dot(border.head(at.gradient_poses.size())) +
            at.rest.gradient_border.dot(border.tail(at.rest.gradient_border.size()))) /
          2;
 }
 
-Factor::ForceSpread Factor::forceSpread() const {
+MatrixXd Factor::sensorCovariance() const {
   MatrixXd across = MatrixXd::Zero(rest_.rows(), kSensor * parts());
   for (std::size_t k = 0; k < moving_.size(); ++k) {
     across.block<3, kSensor>(turnOf(moving_[k]), kSensor * static_cast<Index>(moving_[k])) =
@@ -105,61 +192,55 @@ Factor::ForceSpread Factor::forceSpread() const {
     across.middleRows<3>(turnOf(moving_[k])) -= of_turns.middleRows<3>(static_cast<Index>(3 * k));
   }
   rest_.matrixL().solveInPlace(across);
-  ForceSpread spread;
-  spread.C = MatrixXd::Zero(root.cols(), root.cols());
-  spread.C.selfadjointView<Eigen::Lower>().rankUpdate(root.transpose());
-  spread.C.selfadjointView<Eigen::Lower>().rankUpdate(across.transpose());
-  spread.C.triangularView<Eigen::StrictlyUpper>() = spread.C.transpose();
-  spread.CB = spread.C * shared_;
-  spread.BCB = shared_.transpose() * spread.CB;
-  return spread;
+  MatrixXd C = MatrixXd::Zero(root.cols(), root.cols());
+  C.selfadjointView<Eigen::Lower>().rankUpdate(root.transpose());
+  C.selfadjointView<Eigen::Lower>().rankUpdate(across.transpose());
+  C.triangularView<Eigen::StrictlyUpper>() = C.transpose();
+  return C;
 }
 
-Eigen::Matrix3d Factor::forces(const ForceSpread& spread, std::size_t p, std::size_t q) const {
-  const Eigen::Matrix<double, kShared, 3> phi_p = sharedOf(p);
-  const Eigen::Matrix<double, kShared, 3> phi_q = sharedOf(q);
-  Eigen::Matrix3d seen = phi_p.transpose() * spread.BCB * phi_q;
-  const std::vector<Deviation>& deviating_p = equations_->readings[p].deviating;
-  const std::vector<Deviation>& deviating_q = equations_->readings[q].deviating;
-  std::vector<SensorByForce> D_q;
-  for (const Deviation& deviation : deviating_q) D_q.push_back(deviationOf(deviation, q));
-  for (std::size_t b = 0; b < deviating_q.size(); ++b) {
-    const Index at_b = kSensor * static_cast<Index>(deviating_q[b].part);
-    seen += phi_p.transpose() * spread.CB.middleRows<kSensor>(at_b).transpose() * D_q[b];
-  }
-  for (const Deviation& deviation : deviating_p) {
-    const SensorByForce D_p = deviationOf(deviation, p);
-    const Index at_a = kSensor * static_cast<Index>(deviation.part);
-    seen += D_p.transpose() * spread.CB.middleRows<kSensor>(at_a) * phi_q;
-    SensorByForce CD = SensorByForce::Zero();
-    for (std::size_t b = 0; b < deviating_q.size(); ++b) {
-      const Index at_b = kSensor * static_cast<Index>(deviating_q[b].part);
-      CD.noalias() += spread.C.block<kSensor, kSensor>(at_a, at_b).lazyProduct(D_q[b]);
+std::vector<Eigen::Matrix3d> Factor::forceOfEachPose(const MatrixXd& C) const {
+  // U_p^T C U_p = sum_ab w_ap w_bp (phi_p x I)^T Q_ab (phi_p x I), with Q_ab = (T_a x G_a)^T C_ab (T_b x G_b).
+  MatrixXd seen = MatrixXd::Zero(kCouple, static_cast<Index>(pose_inverse_.size()));
+  for (Index b = 0; b < parts(); ++b) {
+    MatrixXd Q(kCouple, parts() - b);
+    for (Index a = b; a < parts(); ++a) {
+      Q.col(a - b) = foldCouple(measured(a), C.block<kSensor, kSensor>(kSensor * a, kSensor * b), measured(b));
+      // The pair the other way round is the transposed.
+      if (a == b) Q.col(0) /= 2;
     }
-    seen += D_p.transpose() * CD;
+    seen.noalias() += Q * precisionsOfPairs(b);
   }
-  Eigen::Matrix3d covariance = pose_inverse_[p] * seen * pose_inverse_[q];
-  if (p == q) covariance = (pose_inverse_[p] + (covariance + covariance.transpose()) / 2).eval();
-  return covariance;
+  std::vector<Eigen::Matrix3d> forces;
+  for (std::size_t pose = 0; pose < pose_inverse_.size(); ++pose) {
+    const Eigen::Matrix3d of_t = contractWith(equations_->phi[pose], seen.col(static_cast<Index>(pose)));
+    forces.emplace_back(pose_inverse_[pose] + pose_inverse_[pose] * of_t * pose_inverse_[pose]);
+  }
+  return forces;
+}
+
+Eigen::Matrix3d Factor::forces(const MatrixXd& C, std::size_t p, std::size_t q) const {
+  return pose_inverse_[p] * (couplingOf(p).transpose() * (C * couplingOf(q))) * pose_inverse_[q];
 }
 
 Index Factor::turnOf(std::size_t part) const { return static_cast<Index>(6 * equations_->measured[part].cell + 3); }
 
-SensorByForce Factor::couplingOf(Index part, std::size_t pose) const {
-  const MeasuredCell& measured = equations_->measured[static_cast<std::size_t>(part)];
-  return coupling(measured.T * equations_->phi[pose], measured.G);
-}
-
-SensorByForce Factor::deviationOf(const Deviation& deviation, std::size_t pose) const {
-  return -deviation.excess * couplingOf(static_cast<Index>(deviation.part), pose);
-}
-
-Eigen::Matrix<double, kShared, 3> Factor::sharedOf(std::size_t pose) const {
-  Eigen::Matrix<double, kShared, 3> product = Eigen::Matrix<double, kShared, 3>::Zero();
-  for (int k = 0; k < 4 && equations_->readings[pose].usual; ++k) {
-    product.middleRows<3>(3 * k) = equations_->phi[pose][k] * Eigen::Matrix3d::Identity();
+MatrixXd Factor::couplingOf(std::size_t pose) const {
+  MatrixXd U(kSensor * parts(), 3);
+  for (Index part = 0; part < parts(); ++part) {
+    const Eigen::Vector4d wr =
+        -equations_->precision(part, static_cast<Index>(pose)) * (measured(part).T * equations_->phi[pose]);
+    for (int axis = 0; axis < 3; ++axis) {
+      U.middleRows<4>(kSensor * part + 4 * axis).noalias() = wr * measured(part).G.row(axis);
+    }
   }
-  return product;
+  return U;
+}
+
+/// w_ap w_bp of the cells from b on, per pose.
+MatrixXd Factor::precisionsOfPairs(Index b) const {
+  const MatrixXd& w = equations_->precision;
+  return w.bottomRows(w.rows() - b).array().rowwise() * w.row(b).array();
 }
 
 void Factor::findMoving() {
@@ -179,83 +260,20 @@ void Factor::invertPoses(double damping) {
   }
 }
 
-void Factor::findShared() {
-  shared_.resize(kSensor * parts(), kShared);
-  for (Index part = 0; part < parts(); ++part) {
-    const MeasuredCell& measured = equations_->measured[static_cast<std::size_t>(part)];
-    for (int k = 0; k < 4; ++k) {
-      shared_.block<kSensor, 3>(kSensor * part, 3 * k) =
-          -measured.usual_precision * coupling(measured.T.col(k), measured.G);
-    }
-  }
-}
-
-void Factor::subtractDeviations(MatrixXd& S) const {
-  // A square of S that fast memory holds takes what all poses have for it, before the next.
-  constexpr std::size_t kCellsOfSquare = 8;
-  const auto cells = static_cast<std::size_t>(parts());
-  const std::size_t poses = equations_->phi.size();
-  std::vector<std::vector<Eigen::Vector4d>> r(poses);  // of the deviating readings, times their excess
-  for (std::size_t pose = 0; pose < poses; ++pose) {
-    for (const Deviation& deviation : equations_->readings[pose].deviating) {
-      r[pose].emplace_back(deviation.excess * (equations_->measured[deviation.part].T * equations_->phi[pose]));
-    }
-  }
-  // Of a pose those of a square's rows or columns; a pose's deviations are in the order of the cells.
-  const auto within = [&](const std::vector<Deviation>& deviating, std::size_t from) {
-    const auto first = std::ranges::lower_bound(deviating, from, {}, &Deviation::part);
-    const auto last = std::ranges::lower_bound(first, deviating.end(), from + kCellsOfSquare, {}, &Deviation::part);
-    return std::pair(static_cast<std::size_t>(first - deviating.begin()),
-                     static_cast<std::size_t>(last - deviating.begin()));
-  };
-  for (std::size_t columns = 0; columns < cells; columns += kCellsOfSquare) {
-    for (std::size_t rows = columns; rows < cells; rows += kCellsOfSquare) {
-      for (std::size_t pose = 0; pose < poses; ++pose) {
-        const std::vector<Deviation>& deviating = equations_->readings[pose].deviating;
-        const auto [first_a, last_a] = within(deviating, rows);
-        const auto [first_b, last_b] = within(deviating, columns);
-        for (std::size_t b = first_b; b < last_b; ++b) {
-          const Eigen::Matrix3d H_G = pose_inverse_[pose] * equations_->measured[deviating[b].part].G.transpose();
-          for (std::size_t a = std::max(b, first_a); a < last_a; ++a) {
-            // D_a H^-1 D_b^T = (r_a r_b^T) x (G_a H^-1 G_b^T)
-            const Eigen::Matrix3d forces = equations_->measured[deviating[a].part].G * H_G;
-            const Eigen::Matrix4d couple = r[pose][a] * r[pose][b].transpose();
-            auto block = S.block<kSensor, kSensor>(kSensor * static_cast<Index>(deviating[a].part),
-                                                   kSensor * static_cast<Index>(deviating[b].part));
-            for (int j = 0; j < 3; ++j) {
-              for (int i = 0; i < 3; ++i) block.block<4, 4>(4 * i, 4 * j) -= forces(i, j) * couple;
-            }
-          }
-        }
-      }
-    }
-  }
-}
-
 MatrixXd Factor::reducedInformation() const {
-  Eigen::Matrix<double, kShared, kShared> middle = Eigen::Matrix<double, kShared, kShared>::Zero();
-  MatrixXd mixed = MatrixXd::Zero(kSensor * parts(), kShared);
-  MatrixXd S = MatrixXd::Zero(kSensor * parts(), kSensor * parts());
-  for (std::size_t pose = 0; pose < equations_->phi.size(); ++pose) {
-    const Eigen::Matrix<double, kShared, 3> phi = sharedOf(pose);
-    const Eigen::Matrix<double, kShared, 3> phi_H = phi.lazyProduct(pose_inverse_[pose]);
-    middle.noalias() += phi_H.lazyProduct(phi.transpose());
-    for (const Deviation& deviation : equations_->readings[pose].deviating) {
-      mixed.middleRows<kSensor>(kSensor * static_cast<Index>(deviation.part)).noalias() +=
-          deviationOf(deviation, pose).lazyProduct(phi_H.transpose());
-    }
+  MatrixXd couples(static_cast<Index>(pose_inverse_.size()), kCouple);
+  for (std::size_t pose = 0; pose < pose_inverse_.size(); ++pose) {
+    couples.row(static_cast<Index>(pose)) = coupleOf(equations_->phi[pose], pose_inverse_[pose]).transpose();
   }
-  subtractDeviations(S);
-  // B M B^T + B Y^T + Y B^T in one product, M: middle, Y: mixed.
-  MatrixXd left(shared_.rows(), 2 * kShared);
-  MatrixXd right(shared_.rows(), 2 * kShared);
-  left << shared_ * middle / 2 + mixed, shared_;
-  right << shared_, shared_ * middle / 2 + mixed;
-  S.triangularView<Eigen::Lower>() -= left * right.transpose();
-  for (Index part = 0; part < parts(); ++part) {
+  MatrixXd S = MatrixXd::Zero(kSensor * parts(), kSensor * parts());
+  for (Index b = 0; b < parts(); ++b) {
+    const MatrixXd sums = precisionsOfPairs(b) * couples;
+    for (Index a = b; a < parts(); ++a) {
+      S.block<kSensor, kSensor>(kSensor * a, kSensor * b) =
+          -unfoldCouple(measured(a), sums.row(a - b).transpose(), measured(b));
+    }
     for (int axis = 0; axis < 3; ++axis) {
-      S.block<4, 4>(kSensor * part + 4 * axis, kSensor * part + 4 * axis) +=
-          equations_->measured[static_cast<std::size_t>(part)].information;
+      S.block<4, 4>(kSensor * b + 4 * axis, kSensor * b + 4 * axis) += measured(b).information;
     }
   }
   S.triangularView<Eigen::StrictlyUpper>() = S.transpose();

@@ -8,8 +8,6 @@
 
 namespace hexoderm::poses_first {
 
-inline constexpr Eigen::Index kShared = 12;  // phi x I
-
 using SensorVector = Eigen::Matrix<double, kSensor, 1>;
 
 /// The cells of a link; the factor keeps them, since it outlives the problem.
@@ -33,17 +31,12 @@ class Factor {
     return rest_.solve(Eigen::MatrixXd::Identity(rest_.rows(), rest_.rows()));
   }
 
-  /// What the sensors' and turns' errors do to forces: the covariance C of t, C B and B^T C B.
-  struct ForceSpread {
-    Eigen::MatrixXd C;
-    Eigen::MatrixXd CB;
-    Eigen::Matrix<double, kShared, kShared, Eigen::DontAlign> BCB;
-  };
-  [[nodiscard]] ForceSpread forceSpread() const;
-  /// Cross-covariance of the forces of two poses: H_p^-1 U_p^T C U_q H_q^-1, and H_p^-1 on top where they are one.
-  /// U_p = B phi_p + D_p, D_p being that of the deviating readings.
-  [[nodiscard]] Eigen::Matrix3d forces(const ForceSpread& spread, std::size_t p, std::size_t q) const;
-  [[nodiscard]] std::size_t poseCount() const { return equations_->phi.size(); }
+  /// Covariance C of t.
+  [[nodiscard]] Eigen::MatrixXd sensorCovariance() const;
+  /// Covariance of the force of every pose: H_p^-1 + H_p^-1 U_p^T C U_p H_p^-1.
+  [[nodiscard]] std::vector<Eigen::Matrix3d> forceOfEachPose(const Eigen::MatrixXd& C) const;
+  /// Cross-covariance of the forces of two poses: H_p^-1 U_p^T C U_q H_q^-1.
+  [[nodiscard]] Eigen::Matrix3d forces(const Eigen::MatrixXd& C, std::size_t p, std::size_t q) const;
 
   [[nodiscard]] std::size_t origin() const { return origin_; }
   [[nodiscard]] std::size_t cellCount() const { return cells_; }
@@ -52,20 +45,16 @@ class Factor {
 
  private:
   [[nodiscard]] Eigen::Index parts() const { return static_cast<Eigen::Index>(equations_->measured.size()); }
+  [[nodiscard]] const MeasuredCell& measured(Eigen::Index part) const {
+    return equations_->measured[static_cast<std::size_t>(part)];
+  }
   [[nodiscard]] Eigen::Index turnOf(std::size_t part) const;
-  /// r x G, the negative of U for a precision of 1.
-  [[nodiscard]] SensorByForce couplingOf(Eigen::Index part, std::size_t pose) const;
-  /// What a reading adds to U beyond its cell's usual precision.
-  [[nodiscard]] SensorByForce deviationOf(const Deviation& deviation, std::size_t pose) const;
-  /// phi x I; zero for a pose in which nothing is usual.
-  [[nodiscard]] Eigen::Matrix<double, kShared, 3> sharedOf(std::size_t pose) const;
+  /// U_p of a pose.
+  [[nodiscard]] Eigen::MatrixXd couplingOf(std::size_t pose) const;
+  [[nodiscard]] Eigen::MatrixXd precisionsOfPairs(Eigen::Index b) const;
 
   void findMoving();
   void invertPoses(double damping);
-  /// B: what all poses have in common, columns phi x I.
-  void findShared();
-  /// Takes the products of the deviating readings' D_p off the lower triangle of S.
-  void subtractDeviations(Eigen::MatrixXd& S) const;
   /// S, both triangles.
   [[nodiscard]] Eigen::MatrixXd reducedInformation() const;
   [[nodiscard]] Eigen::MatrixXd timesK(const Eigen::MatrixXd& left) const;
@@ -81,10 +70,9 @@ class Factor {
   std::shared_ptr<const Equations> equations_;  ///< those that are factorised
   std::vector<std::size_t> moving_;             ///< places in equations_->measured
   std::vector<Eigen::Matrix3d> pose_inverse_;   ///< H_p^-1
-  Eigen::MatrixXd shared_;
-  Eigen::LLT<Eigen::MatrixXd> sensors_;  ///< of S + P
-  Eigen::MatrixXd lower_;                ///< L^-1 S K
-  Eigen::LLT<Eigen::MatrixXd> rest_;     ///< of turns, positions and the gap share, sensors taken out
+  Eigen::LLT<Eigen::MatrixXd> sensors_;         ///< of S + P
+  Eigen::MatrixXd lower_;                       ///< L^-1 S K
+  Eigen::LLT<Eigen::MatrixXd> rest_;            ///< of turns, positions and the gap share, sensors taken out
 };
 
 }  // namespace hexoderm::poses_first
