@@ -6850,6 +6850,10 @@ Die Balken sagen, wie sehr sich die gesehenen Richtungen in drei Achsen untersch
         <source>a cell of this patch on a path from its origin, which has none itself</source>
         <translation>eine Zelle dieses Hautstücks auf einem Weg von seinem Ursprung, der selbst keine hat</translation>
     </message>
+    <message>
+        <source>something in it is wrong or unusual; what it is, is looked for in files of up to {} MB only</source>
+        <translation>etwas darin ist falsch oder ungewöhnlich; was es ist, wird nur in Dateien bis {} MB gesucht</translation>
+    </message>
 </context>
 <context>
     <name>hexoderm::MessageBar</name>
