@@ -12,6 +12,7 @@
 #include <algorithm>
 #include <cctype>
 #include <iostream>
+#include <map>
 #include <new>
 #include <system_error>
 #include <utility>
@@ -139,9 +140,17 @@ void printFindings(const std::vector<Finding>& findings) {
     return;
   }
   std::cout << "Findings: " << findings.size() << '\n';
+  // Of hundreds of a kind nobody reads more than the first; among them another kind would be overlooked.
+  constexpr std::size_t kMostOfAKind = 20;
+  std::map<FindingCode, std::size_t> counts;
   for (const Finding& finding : findings) {
+    if (++counts[finding.code] > kMostOfAKind) continue;
     std::cout << "  " << severityName(finding.severity) << "  " << codeName(finding.code) << ": "
               << forTerminal(finding.message.english()) << '\n';
+  }
+  for (const auto& [code, count] : counts) {
+    if (count <= kMostOfAKind) continue;
+    std::cout << "  and " << count - kMostOfAKind << " more of " << codeName(code) << "; --json lists all\n";
   }
 }
 

@@ -15,6 +15,7 @@
 #include <filesystem>
 #include <fstream>
 #include <map>
+#include <sstream>
 
 namespace hexoderm {
 namespace {
@@ -206,6 +207,21 @@ TEST_F(Cli, AVerdictOfNotEnoughEndsWithOneAndStillWrites) {
   run("simulate --poses 1 -o one.session.json");
   EXPECT_EQ(run("solve one.session.json -o one.calibration.json").exit_code, 1);
   EXPECT_EQ(readCalibrationJson(path("one.calibration.json"))->assessment.level, VerdictLevel::NotEnough);
+}
+
+TEST_F(Cli, OfManyFindingsOfAKindTheFirstAreSaidAndTheOthersCounted) {
+  run("simulate --poses 90 -o arm.session.json");
+  const Outcome solved = run("solve arm.session.json -o arm.calibration.json");
+  std::istringstream lines(solved.out);
+  int said = 0;
+  for (std::string line; std::getline(lines, line);) said += line.starts_with("  info  repeated-pose: ") ? 1 : 0;
+  EXPECT_EQ(said, 20);
+  const auto json = nlohmann::json::parse(run("inspect arm.calibration.json --json").out);
+  const auto repeated = std::ranges::count_if(json.at("findings"), [](const nlohmann::json& finding) {
+    return finding.at("code") == "repeated-pose";
+  });
+  EXPECT_GT(repeated, 20);
+  EXPECT_THAT(solved.out, HasSubstr("  and " + std::to_string(repeated - 20) + " more of repeated-pose; --json"));
 }
 
 TEST_F(Cli, TheVerdictIsSaidOnce) {
