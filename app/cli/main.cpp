@@ -1,6 +1,7 @@
 #include "app/cli/command.h"
 
 #include "hexoderm/util/error.h"
+#include "hexoderm/util/freed_memory.h"
 #include "hexoderm/util/text.h"
 
 #include <iostream>
@@ -29,6 +30,7 @@ int exitAfterParsing(const CLI::App& app, const CLI::ParseError& error) {
 
 int main(int argc, char** argv) {
   using namespace hexoderm;
+  keepFreedMemory();
   cli::Common common;
   CLI::App app("Finds where every cell of a robot's artificial skin is", "hexoderm-cli");
   app.set_version_flag("--version", "hexoderm-cli " HEXODERM_VERSION);

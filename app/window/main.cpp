@@ -1,6 +1,7 @@
 #include "app/window/main_window/main_window.h"
 #include "app/window/settings/preferences.h"
 #include "app/window/settings/translation.h"
+#include "hexoderm/util/freed_memory.h"
 
 #include <QApplication>
 #include <QCommandLineParser>
@@ -183,6 +184,7 @@ std::unique_ptr<QApplication> connectToDisplay(int& argc, char** argv) {
 }  // namespace
 
 int main(int argc, char** argv) {
+  keepFreedMemory();
   QCoreApplication::setOrganizationName(QStringLiteral("Hexoderm"));
   QCoreApplication::setApplicationName(QStringLiteral("hexoderm"));
   QCoreApplication::setApplicationVersion(QStringLiteral(HEXODERM_VERSION));

@@ -7,6 +7,7 @@
 #include "hexoderm/reconstruction/reconstructor.h"
 #include "hexoderm/reconstruction/solved_skin.h"
 #include "hexoderm/session/simulated_session.h"
+#include "hexoderm/util/freed_memory.h"
 #include "hexoderm/util/text.h"
 
 #ifdef HEXODERM_HAS_CERES
@@ -155,6 +156,7 @@ void compare(std::size_t cells, double yardstick_ms) {
 
 int main(int argc, char** argv) {
   using namespace hexoderm;
+  keepFreedMemory();  // as the programs do
   std::vector<std::size_t> sizes;
   for (int k = 1; k < argc; ++k) sizes.push_back(parseUnsigned(argv[k], "cells"));
   if (sizes.empty()) sizes = {1260, 10'000};
