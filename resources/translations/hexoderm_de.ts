@@ -6854,6 +6854,11 @@ Die Balken sagen, wie sehr sich die gesehenen Richtungen in drei Achsen untersch
         <source>something in it is wrong or unusual; what it is, is looked for in files of up to {} MB only</source>
         <translation>etwas darin ist falsch oder ungewöhnlich; was es ist, wird nur in Dateien bis {} MB gesucht</translation>
     </message>
+    <message>
+        <source>{} and {} others</source>
+        <comment>the end of a long list</comment>
+        <translation>{} und {} weitere</translation>
+    </message>
 </context>
 <context>
     <name>hexoderm::MessageBar</name>

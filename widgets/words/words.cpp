@@ -1,6 +1,7 @@
 #include "widgets/words/words.h"
 
 #include "hexoderm/util/error.h"
+#include "hexoderm/util/said_items.h"
 
 #include <QCoreApplication>
 #include <QLocale>
@@ -21,7 +22,8 @@ QString wordsOf(const Quantity& quantity) {
 }
 QString wordsOf(const MessageArgument::List& items) {
   QString text;
-  for (std::size_t k = 0; k < items.size(); ++k) {
+  const std::size_t said = saidOf(items.size());
+  for (std::size_t k = 0; k < said; ++k) {
     const QString item = std::visit([](const auto& held) { return wordsOf(held); }, items[k].value);
     if (k == 0) {
       text = item;
@@ -34,7 +36,10 @@ QString wordsOf(const MessageArgument::List& items) {
       text = QString::fromStdString(fillTemplate(last.toStdString(), both));
     }
   }
-  return text;
+  if (said == items.size()) return text;
+  const QString others = QCoreApplication::translate("hexoderm::Message", "{} and {} others", "the end of a long list");
+  const std::vector<std::string> both = {text.toStdString(), std::to_string(items.size() - said)};
+  return QString::fromStdString(fillTemplate(others.toStdString(), both));
 }
 
 /// Messages in a row ("{}, {}") have nothing to translate but themselves.

@@ -1,5 +1,6 @@
 #include "hexoderm/util/message.h"
 
+#include "hexoderm/util/said_items.h"
 #include "hexoderm/util/text.h"
 #include "hexoderm/util/units.h"
 
@@ -24,10 +25,12 @@ std::string englishOf(const Quantity& quantity) {
 }
 std::string englishOf(const MessageArgument::List& items) {
   std::string text;
-  for (std::size_t k = 0; k < items.size(); ++k) {
+  const std::size_t said = saidOf(items.size());
+  for (std::size_t k = 0; k < said; ++k) {
     if (k > 0) text += k + 1 == items.size() ? " and " : ", ";
     text += items[k].english();
   }
+  if (said < items.size()) text += " and " + std::to_string(items.size() - said) + " others";
   return text;
 }
 

@@ -63,6 +63,17 @@ TEST(Message, ListsItems) {
   EXPECT_EQ(listed({CellId(1), CellId(2)}), "cells 1 and 2");
 }
 
+TEST(Message, OfALongListTheFirstItemsAreSaidAndAllAreKept) {
+  std::vector<CellId> cells;
+  for (std::uint32_t id = 1; id <= 24; ++id) cells.emplace_back(id);
+  EXPECT_THAT(message("{}", cells).english(), ::testing::EndsWith("22, 23 and 24"));
+  for (std::uint32_t id = 25; id <= 400; ++id) cells.emplace_back(id);
+  const Message many = message("{}", cells);
+  EXPECT_THAT(many.english(), ::testing::StartsWith("1, 2, 3"));
+  EXPECT_THAT(many.english(), ::testing::EndsWith("18, 19, 20 and 380 others"));
+  EXPECT_EQ(std::get<MessageArgument::List>(many.arguments().front().value).size(), 400U);
+}
+
 TEST(Template, HasAPlaceholderForEachArgument) {
   EXPECT_TRUE(isTemplate("", 0));
   EXPECT_TRUE(isTemplate("{} {}", 2));
