@@ -217,9 +217,8 @@ TEST_F(Cli, OfManyFindingsOfAKindTheFirstAreSaidAndTheOthersCounted) {
   for (std::string line; std::getline(lines, line);) said += line.starts_with("  info  repeated-pose: ") ? 1 : 0;
   EXPECT_EQ(said, 20);
   const auto json = nlohmann::json::parse(run("inspect arm.calibration.json --json").out);
-  const auto repeated = std::ranges::count_if(json.at("findings"), [](const nlohmann::json& finding) {
-    return finding.at("code") == "repeated-pose";
-  });
+  const auto repeated = std::ranges::count_if(
+      json.at("findings"), [](const nlohmann::json& finding) { return finding.at("code") == "repeated-pose"; });
   EXPECT_GT(repeated, 20);
   EXPECT_THAT(solved.out, HasSubstr("  and " + std::to_string(repeated - 20) + " more of repeated-pose; --json"));
 }

@@ -143,13 +143,12 @@ TurnBetweenPoses findTurn(const AccelerometerPrior& prior, std::span<const CellR
 }
 
 OwnAttitude findAttitude(const AccelerometerPrior& prior, std::span<const CellReading> readings,
-                         std::span<const Eigen::Vector3d> f_o, const Eigen::Matrix3d& R_start) {
-  constexpr int kSteps = 15;
+                         std::span<const Eigen::Vector3d> f_o, const Eigen::Matrix3d& R_start, int most_steps) {
   constexpr double kConverged = 1e-7;
   constexpr double kLargestStep = 0.5;
   OwnAttitude own;
   own.R = R_start;
-  for (int k = 0; k < kSteps; ++k) {
+  for (int k = 0; k < most_steps; ++k) {
     ReadingSums sums;
     for (std::size_t reading = 0; reading < readings.size(); ++reading) {
       sums.add(readings[reading], own.R.transpose() * f_o[reading]);

@@ -1,6 +1,7 @@
 #pragma once
 
-#include "hexoderm/reconstruction/accelerometer/rigidity.h"
+#include "hexoderm/reconstruction/faults/own_attitudes.h"
+#include "hexoderm/reconstruction/faults/patch_shape.h"
 #include "hexoderm/reconstruction/links/skin_links.h"
 
 #include <Eigen/Core>
@@ -9,13 +10,6 @@
 #include <vector>
 
 namespace hexoderm {
-
-/// The specific forces of one pose on a patch, in its frame.
-struct PatchForce {
-  std::size_t pose = 0;  ///< of the snapshot
-  Eigen::Vector3d at_origin_o = Eigen::Vector3d::Zero();
-  Eigen::Vector3d swing_o = Eigen::Vector3d::Zero();  ///< force(x) = at_origin + swing x x
-};
 
 /// What does not fit about a patch's attitudes, as far as readings and links together show it.
 struct AttitudeSuspect {
@@ -66,16 +60,6 @@ class AttitudeSearch {
   [[nodiscard]] std::vector<AttitudeSuspect> suspects();
 
  private:
-  struct Own {
-    bool known = false;
-    Eigen::Matrix3d R_o_u = Eigen::Matrix3d::Identity();    ///< where it is not known, the estimate's
-    Eigen::Matrix3d information = Eigen::Matrix3d::Zero();  ///< of its error, cell frame, where it is known
-    Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();
-    Eigen::Vector3d offset_g = Eigen::Vector3d::Zero();  ///< of its sensor, as in OwnAttitude
-    Eigen::Matrix3d gain = Eigen::Matrix3d::Identity();
-    std::vector<CellReading> readings;  ///< their poses are indices of forces
-    std::vector<Eigen::Vector3d> f_o;   ///< per reading
-  };
   /// What is known of the error e of a cell's own attitude, R_true = R exp(e): information and information times mean.
   struct Belief {
     Eigen::Matrix3d information = Eigen::Matrix3d::Zero();
@@ -89,41 +73,29 @@ class AttitudeSearch {
     std::size_t source = 0;
     std::size_t target = 0;
     Eigen::Matrix3d R_nom = Eigen::Matrix3d::Identity();
-    Eigen::Matrix3d axes = Eigen::Matrix3d::Identity();  ///< twist, bend, yaw in the source's frame
-    // Of the link's heading in the sheet laid flat: what (S_xx, S_yy, S_xy, antisymmetric part) make of its angles.
-    Eigen::Vector4d twist_row = Eigen::Vector4d::Zero();
-    Eigen::Vector4d bend_row = Eigen::Vector4d::Zero();
+    Eigen::Matrix3d axes = Eigen::Matrix3d::Identity();   ///< twist, bend, yaw in the source's frame
+    double heading_rad = 0;                               ///< of the link in the sheet laid flat
     Eigen::Vector3d expected = Eigen::Vector3d::Zero();   ///< twist, bend and yaw by the shape
     Eigen::Matrix3d R_c_n = Eigen::Matrix3d::Identity();  ///< at these
     bool open = true;                                     ///< not explained yet
     Belief to_source;                                     ///< what the target's side says about the source
     Belief to_target;
   };
-  struct Shape {
-    Eigen::Vector4d parameters = Eigen::Vector4d::Zero();  ///< S_xx, S_yy, S_xy, antisymmetric part
-    double antisymmetric_sigma = 0;
-  };
-
   [[nodiscard]] std::size_t placeOf(std::size_t cell) const;
-  void settle(std::vector<PatchForce>& forces, std::span<const SE3> placements);
-  void takeReadings(std::span<const PatchForce> forces);
-  void findOwnAttitudes(std::span<const PatchForce> forces, std::span<const SE3> placements, int most_steps);
-  void setOwn(Own& own, const OwnAttitude& found) const;
-  bool refine(std::vector<PatchForce>& forces, std::span<const SE3> placements) const;
   [[nodiscard]] std::vector<double> headings() const;
   [[nodiscard]] double strictness() const;
   void findJoints();
-  [[nodiscard]] Shape fitShape(bool with_antisymmetric);
-  [[nodiscard]] Eigen::Vector3d anglesOf(const Joint& joint, const Own& source, const Own& target) const;
+  [[nodiscard]] std::vector<SeenLink> seenLinks() const;
+  [[nodiscard]] Eigen::Vector3d anglesOf(const Joint& joint, const OwnCell& source, const OwnCell& target) const;
   [[nodiscard]] Belief ownBelief(std::size_t place) const;
   [[nodiscard]] Belief beliefBeside(std::size_t place, const Joint* but) const;
   [[nodiscard]] Belief along(const Joint& joint, bool to_source) const;
   void passBeliefs();
-  [[nodiscard]] Eigen::Matrix3d measured(const Joint& joint, const Own& source, const Own& target) const;
-  void expect(const Shape& shape);
+  [[nodiscard]] Eigen::Matrix3d measured(const Joint& joint, const OwnCell& source, const OwnCell& target) const;
+  void expect(const PatchShape& shape);
   [[nodiscard]] Eigen::Matrix3d scatter() const;
-  [[nodiscard]] double squaredMisfit(const Joint& joint, const Own& source, const Own& target) const;
-  [[nodiscard]] std::optional<AttitudeSuspect> judgePatch();
+  [[nodiscard]] double squaredMisfit(const Joint& joint, const OwnCell& source, const OwnCell& target) const;
+  [[nodiscard]] std::optional<AttitudeSuspect> judgePatch(std::span<const SeenLink> links) const;
   [[nodiscard]] std::vector<AttitudeSuspect> candidates();
   [[nodiscard]] std::optional<AttitudeSuspect> judgeLink(const Joint& joint) const;
   [[nodiscard]] std::optional<AttitudeSuspect> judgeCell(std::size_t place) const;
@@ -132,7 +104,7 @@ class AttitudeSearch {
   [[nodiscard]] Eigen::Matrix3d ownScatter(std::size_t place) const;
   [[nodiscard]] std::optional<double> gainOfSwap(const Joint& joint, double limit) const;
   [[nodiscard]] double mostPairMisfit(const Joint& joint) const;
-  [[nodiscard]] double pairMisfit(const Joint& joint, const Own& source, const Own& target) const;
+  [[nodiscard]] double pairMisfit(const Joint& joint, const OwnCell& source, const OwnCell& target) const;
   /// Places in the patch of the cells that a suspicion is about.
   [[nodiscard]] std::vector<std::size_t> placesOf(const AttitudeSuspect& suspect) const;
   void explain(const AttitudeSuspect& suspect);
@@ -140,7 +112,7 @@ class AttitudeSearch {
 
   const SkinLinks& skin_;
   std::vector<std::size_t> cells_;  ///< of the graph
-  std::vector<Own> own_;            ///< per cell of the patch
+  std::vector<OwnCell> own_;        ///< per cell of the patch
   std::vector<std::size_t> poses_;  ///< of the snapshot, per force
   double measuring_ = 0;            ///< cells that the forces are of
   std::vector<Joint> joints_;

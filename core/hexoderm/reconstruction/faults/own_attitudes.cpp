@@ -1,0 +1,294 @@
+#include "hexoderm/reconstruction/faults/own_attitudes.h"
+
+#include "hexoderm/reconstruction/joint/pose_swings.h"
+#include "hexoderm/util/units.h"
+
+#include <Eigen/Cholesky>
+#include <Eigen/LU>
+#include <Eigen/QR>
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <utility>
+
+namespace hexoderm {
+namespace {
+
+/// One pose's force and swing, by least squares over the cells that read it.
+class SwingFit {
+ public:
+  void add(const Eigen::Vector3d& f_o, const Eigen::Vector3d& t_o) {
+    count_ += 1;
+    force_ += f_o;
+    squares_ += f_o.squaredNorm();
+    place_ += t_o;
+    places_ += t_o * t_o.transpose();
+    turning_ += t_o.cross(f_o);
+  }
+
+  /// Returns by how much that changes what a usual cell reads, g. Leaves `force` as it was where the cells agree on
+  /// nothing.
+  double find(PatchForce& force) const {
+    constexpr double kLeastAgreed = 0.5;  // g, as a sum
+    constexpr int kRounds = 4;
+    if (count_ == 0 || force_.norm() <= kLeastAgreed) return 0;
+    const Eigen::Vector3d mean = force_ / count_;
+    const Eigen::Vector3d middle = place_ / count_;
+    // f(t) = mean + swing x (t - middle), the swing with a usual tremor as its prior, and an error of every f whose
+    // variance is what is left.
+    const Eigen::Matrix3d about_middle = places_ - count_ * middle * middle.transpose();
+    const Eigen::Matrix3d levers = about_middle.trace() * Eigen::Matrix3d::Identity() - about_middle;
+    const Eigen::Vector3d turning = turning_ - middle.cross(force_);
+    const double squares = squares_ - count_ * mean.squaredNorm();
+    const PatchForce before = force;
+    double left = squares;
+    for (int round = 0; round < kRounds; ++round) {
+      const double variance = std::max(kLeastVariance, left / (3 * count_));
+      Eigen::Matrix3d information = levers;
+      information.diagonal().array() += variance * std::pow(kStandardGravity / kTremorAcceleration_rad_s2, 2);
+      force.swing_o = information.ldlt().solve(turning);
+      left = squares + force.swing_o.dot(levers * force.swing_o - 2 * turning);
+    }
+    force.at_origin_o = mean.normalized() - force.swing_o.cross(middle);
+    const Eigen::Vector3d turned = force.swing_o - before.swing_o;
+    return (force.at_origin_o - before.at_origin_o + turned.cross(middle)).norm() +
+           turned.norm() * std::sqrt(about_middle.trace() / count_);
+  }
+
+ private:
+  static constexpr double kLeastVariance = 1e-12;  // g^2: without noise too the algebra is finite
+  double count_ = 0;
+  double squares_ = 0;
+  Eigen::Vector3d force_ = Eigen::Vector3d::Zero();
+  Eigen::Vector3d place_ = Eigen::Vector3d::Zero();
+  Eigen::Matrix3d places_ = Eigen::Matrix3d::Zero();
+  Eigen::Vector3d turning_ = Eigen::Vector3d::Zero();
+};
+
+/// Anderson's acceleration of x = g(x): the next x is what the last few, each with its g, say together.
+class Acceleration {
+ public:
+  Eigen::VectorXd next(const Eigen::VectorXd& x, const Eigen::VectorXd& g) {
+    constexpr std::size_t kMemory = 5;
+    const Eigen::VectorXd off = g - x;
+    if (last_off_.size() == off.size()) {
+      g_changes_.push_back(g - last_g_);
+      off_changes_.push_back(off - last_off_);
+      if (g_changes_.size() > kMemory) {
+        g_changes_.erase(g_changes_.begin());
+        off_changes_.erase(off_changes_.begin());
+      }
+    }
+    last_g_ = g;
+    last_off_ = off;
+    if (g_changes_.empty()) return g;
+    const auto count = static_cast<Eigen::Index>(g_changes_.size());
+    Eigen::MatrixXd changes(off.size(), count);
+    for (Eigen::Index k = 0; k < count; ++k) changes.col(k) = off_changes_[static_cast<std::size_t>(k)];
+    const Eigen::VectorXd shares = changes.colPivHouseholderQr().solve(off);
+    Eigen::VectorXd next = g;
+    for (Eigen::Index k = 0; k < count; ++k) next -= shares[k] * g_changes_[static_cast<std::size_t>(k)];
+    return next;
+  }
+
+ private:
+  Eigen::VectorXd last_g_;
+  Eigen::VectorXd last_off_;
+  std::vector<Eigen::VectorXd> g_changes_;
+  std::vector<Eigen::VectorXd> off_changes_;
+};
+
+/// All forces in one column, swings as what they change over a tenth of a metre.
+Eigen::VectorXd packed(std::span<const PatchForce> forces) {
+  constexpr double kLever_m = 0.1;
+  Eigen::VectorXd all(static_cast<Eigen::Index>(6 * forces.size()));
+  for (std::size_t k = 0; k < forces.size(); ++k) {
+    all.segment<6>(static_cast<Eigen::Index>(6 * k)) << forces[k].at_origin_o, kLever_m * forces[k].swing_o;
+  }
+  return all;
+}
+void unpack(const Eigen::VectorXd& all, std::span<PatchForce> forces) {
+  constexpr double kLever_m = 0.1;
+  for (std::size_t k = 0; k < forces.size(); ++k) {
+    forces[k].at_origin_o = all.segment<3>(static_cast<Eigen::Index>(6 * k));
+    forces[k].swing_o = all.segment<3>(static_cast<Eigen::Index>(6 * k + 3)) / kLever_m;
+  }
+}
+
+/// Up to kLanes cells side by side, for the kernel that finds their own attitudes.
+class OwnAttitudeBatch {
+ public:
+  OwnAttitudeBatch(const AccelerometerPrior& prior, std::size_t poses, int most_steps)
+      : options_(attitudeKernelOptions(prior)),
+        poses_(poses),
+        f_o_(3 * kLanes * poses, 0),
+        y_g_(3 * kLanes * poses, 0),
+        precision_(kLanes * poses, 0),
+        R_start_(9 * kLanes, 0) {
+    options_.most_steps = most_steps;
+  }
+
+  void put(std::size_t lane, std::span<const CellReading> readings, std::span<const Eigen::Vector3d> f_o,
+           const Eigen::Matrix3d& R_start) {
+    for (std::size_t pose = 0; pose < poses_; ++pose) precision_[kLanes * pose + lane] = 0;
+    for (std::size_t k = 0; k < readings.size(); ++k) {
+      const std::size_t pose = readings[k].pose;
+      precision_[kLanes * pose + lane] = 1 / readings[k].variance_g2;
+      for (std::size_t axis = 0; axis < 3; ++axis) {
+        const std::size_t at = kLanes * (3 * pose + axis) + lane;
+        f_o_[at] = f_o[k][static_cast<Eigen::Index>(axis)];
+        y_g_[at] = readings[k].y_g[static_cast<Eigen::Index>(axis)];
+      }
+    }
+    for (std::size_t k = 0; k < 9; ++k) {
+      R_start_[kLanes * k + lane] = R_start(static_cast<Eigen::Index>(k / 3), static_cast<Eigen::Index>(k % 3));
+    }
+  }
+
+  /// Lanes that nothing was put into do again what they did before.
+  void run() {
+    const OwnAttitudeKernelInput in{static_cast<int>(poses_), f_o_.data(), y_g_.data(), precision_.data(),
+                                    R_start_.data()};
+    (hasFourLanes() ? findAttitudesByFour : findAttitudesByOne)(options_, in, out_);
+  }
+
+  /// Nothing for a cell that needs a more careful look.
+  [[nodiscard]] std::optional<OwnAttitude> found(std::size_t lane) const {
+    if (out_.usual[lane] == 0) return std::nullopt;
+    const auto at = [lane](const double* values, std::size_t k) { return values[kLanes * k + lane]; };
+    OwnAttitude own;
+    for (std::size_t k = 0; k < 9; ++k) {
+      const auto row = static_cast<Eigen::Index>(k / 3);
+      const auto column = static_cast<Eigen::Index>(k % 3);
+      own.R(row, column) = at(out_.R, k);
+      own.gain(row, column) = at(out_.gain, k);
+    }
+    for (std::size_t k = 0; k < 3; ++k) own.offset_g[static_cast<Eigen::Index>(k)] = at(out_.offset_g, k);
+    const auto information = [&](std::size_t k) { return at(out_.information, k); };
+    own.information << information(0), information(1), information(2), information(1), information(3), information(4),
+        information(2), information(4), information(5);
+    return own;
+  }
+
+ private:
+  AttitudeKernelOptions options_;
+  std::size_t poses_;
+  std::vector<double> f_o_;
+  std::vector<double> y_g_;
+  std::vector<double> precision_;
+  std::vector<double> R_start_;
+  OwnAttitudeKernelOutput out_{};
+};
+
+class Finder {
+ public:
+  Finder(const SkinLinks& skin, std::span<const std::size_t> cells, std::vector<PatchForce> forces,
+         std::span<const SE3> placements)
+      : R_u_a_(skin.model().accelerometer.T_u_a.R),
+        prior_(skin.model().accelerometer),
+        forces_(std::move(forces)),
+        placements_(placements),
+        own_(cells.size()) {
+    for (std::size_t place = 0; place < cells.size(); ++place) {
+      OwnCell& own = own_[place];
+      own.R_o_u = placements[place].R;
+      for (std::size_t k = 0; k < forces_.size(); ++k) {
+        const GravityTable::Entry& entry = skin.table().at(cells[place], forces_[k].pose);
+        if (entry.usable) own.readings.push_back({k, R_u_a_.transpose() * entry.mean_g, entry.variance_g2});
+      }
+      own.f_o.resize(own.readings.size());
+      own.known = !own.readings.empty();
+    }
+  }
+
+  /// Forces and own attitudes in turn, until they agree.
+  void settle() {
+    constexpr int kRounds = 60;
+    constexpr int kSteps = 2;  // of each attitude; the next round goes on
+    Acceleration acceleration;
+    for (int round = 0; round < kRounds; ++round) {
+      const Eigen::VectorXd before = packed(forces_);
+      findAttitudes(kSteps);
+      if (refineForces()) return;
+      unpack(acceleration.next(before, packed(forces_)), forces_);
+    }
+  }
+
+  std::vector<OwnCell> run() {
+    findAttitudes(kMostAttitudeSteps);
+    for (OwnCell& own : own_) {
+      if (own.known) own.covariance = own.information.inverse();
+    }
+    return std::move(own_);
+  }
+
+ private:
+  void findAttitudes(int most_steps) {
+    OwnAttitudeBatch batch(prior_, forces_.size(), most_steps);
+    std::vector<std::size_t> places;  // in the batch
+    const auto run = [&] {
+      batch.run();
+      for (std::size_t lane = 0; lane < places.size(); ++lane) {
+        OwnCell& own = own_[places[lane]];
+        const std::optional<OwnAttitude> found = batch.found(lane);
+        take(found ? *found : findAttitude(prior_, own.readings, own.f_o, own.R_o_u * R_u_a_, most_steps), own);
+      }
+      places.clear();
+    };
+    for (std::size_t place = 0; place < own_.size(); ++place) {
+      OwnCell& own = own_[place];
+      if (!own.known) continue;
+      for (std::size_t k = 0; k < own.readings.size(); ++k) {
+        const PatchForce& force = forces_[own.readings[k].pose];
+        own.f_o[k] = force.at_origin_o + force.swing_o.cross(placements_[place].t);
+      }
+      batch.put(places.size(), own.readings, own.f_o, own.R_o_u * R_u_a_);
+      places.push_back(place);
+      if (places.size() == kLanes) run();
+    }
+    run();
+  }
+
+  void take(const OwnAttitude& found, OwnCell& own) const {
+    own.R_o_u = found.R * R_u_a_.transpose();
+    own.information =
+        R_u_a_ * (found.information + Eigen::Matrix3d::Identity() / kUnknownVariance) * R_u_a_.transpose();
+    own.offset_g = found.offset_g;
+    own.gain = found.gain;
+  }
+
+  /// Every force as most cells, freed from the errors of their sensors, read it. Returns whether that was known before.
+  bool refineForces() {
+    constexpr double kSettled_g = 3e-4;  // far below what any attitude is known to
+    std::vector<SwingFit> fits(forces_.size());
+    for (std::size_t place = 0; place < own_.size(); ++place) {
+      const OwnCell& own = own_[place];
+      if (!own.known) continue;
+      const Eigen::Matrix3d freed = own.R_o_u * R_u_a_ * own.gain.inverse();
+      for (const CellReading& reading : own.readings) {
+        fits[reading.pose].add(freed * (reading.y_g - own.offset_g), placements_[place].t);
+      }
+    }
+    double most_g = 0;
+    for (std::size_t k = 0; k < forces_.size(); ++k) most_g = std::max(most_g, fits[k].find(forces_[k]));
+    return most_g <= kSettled_g;
+  }
+
+  Eigen::Matrix3d R_u_a_;
+  AccelerometerPrior prior_;
+  std::vector<PatchForce> forces_;
+  std::span<const SE3> placements_;
+  std::vector<OwnCell> own_;
+};
+
+}  // namespace
+
+std::vector<OwnCell> findOwnAttitudes(const SkinLinks& skin, std::span<const std::size_t> cells,
+                                      std::vector<PatchForce> forces, std::span<const SE3> placements,
+                                      bool forces_are_rough) {
+  Finder finder(skin, cells, std::move(forces), placements);
+  if (forces_are_rough) finder.settle();
+  return finder.run();
+}
+
+}  // namespace hexoderm
