@@ -120,7 +120,7 @@ void measure(int rows, int columns, double svd_ms) {
   skin_options.surface = "cylinder:r=" + std::to_string(0.25 * std::sqrt(cells / 1260));
   skin_options.seed = 3;
   SimulatedSkin simulated(builtInCellModel("hex-bma150"), skin_options);
-  const auto snapshot = simulateSession(simulated, 3, 10).snapshot();
+  const auto snapshot = simulateSession(simulated, 3).snapshot();
   SolverOptions options;
   options.solver = Solver::Tree;
   const Table table(static_cast<std::size_t>(cells), svd_ms);

@@ -55,6 +55,13 @@ class BorderedFactor {
     return factor_.inOwnOrder(root);
   }
 
+  /// Gives back the memory that only another factorize() would need.
+  void releaseWorkspace() {
+    factor_.releaseWorkspace();
+    raised_ = {};
+    couples_ = {};
+  }
+
   [[nodiscard]] const EliminationPlan& plan() const { return *plan_; }
   [[nodiscard]] const BlockCholesky& cells() const { return factor_; }
   [[nodiscard]] const Eigen::LLT<Eigen::MatrixXd>& schur() const { return schur_; }
@@ -198,6 +205,7 @@ class CellsFirst : public JointSystem {
     return -(equations_.gradient_cells.dot(cells) + equations_.gradient_border.dot(border)) / 2;
   }
   std::unique_ptr<const JointInverse> inverse() override {
+    factor_->releaseWorkspace();
     return std::make_unique<CellsFirstInverse>(problem_, std::move(factor_));
   }
 
@@ -217,6 +225,7 @@ std::unique_ptr<JointSystem> makeCellsFirst(const JointProblem& problem) {
 std::unique_ptr<const JointInverse> invertCellsFirst(const JointProblem& problem, const NormalEquations& equations) {
   auto factor = std::make_unique<BorderedFactor>(problem);
   factorizeWithLeastDamping([&](double damping) { return factor->factorize(equations, damping); });
+  factor->releaseWorkspace();
   return std::make_unique<CellsFirstInverse>(problem, std::move(factor));
 }
 

@@ -224,6 +224,7 @@ void JointRefinement::solveWithSpreads(const JointSolverOptions& options) {
   constexpr int kRounds = 3;
   constexpr double kSettled = 0.05;
   for (int round = 0;; ++round) {
+    solution_.covariance.reset();  // of the round before: a factor less in memory
     solution_ = solveJointly(*problem_, solution_.state, options);
     if (round == kRounds || solution_.termination == JointTermination::Stopped) return;
     const double link_sigma_m = seenLinkSpread_m();

@@ -68,6 +68,8 @@ class BlockCholesky {
   /// block (row, column); (column, row) is its transpose. False, and no factor: not positive definite or not finite. A
   /// matrix that is singular but for rounding may pass.
   bool factorize(std::span<const Matrix6d> diagonal, std::span<const Matrix6d> couples);
+  /// Gives back the memory that factorize() worked in, which it keeps for the next time.
+  void releaseWorkspace() { updates_ = {}; }
   /// The last factorize() succeeded; what follows needs that.
   [[nodiscard]] bool factorized() const { return factorized_; }
 
