@@ -1,10 +1,12 @@
 // The documents say what the code says.
 
 #include "hexoderm/device/offence.h"
+#include "hexoderm/device/skinwire/messages.h"
 #include "hexoderm/io/calibration_json.h"
 #include "hexoderm/io/placements_json.h"
 #include "hexoderm/io/robot_truth_json.h"
 #include "hexoderm/io/session_json.h"
+#include "hexoderm/session/store_version.h"
 #include "hexoderm/util/file.h"
 #include "hexoderm/util/finding.h"
 #include "hexoderm/util/finding_advice.h"
@@ -330,6 +332,25 @@ TEST(Documentation, SchemasHaveTheNamesAndVersionsOfTheCode) {
   expectVersion("session", kSessionFormat, kSessionVersion);
   expectVersion("placements", kPlacementsFormat, kPlacementsVersion);
   expectVersion("robot_truth", kRobotTruthFormat, kRobotTruthVersion);
+}
+
+TEST(Documentation, ChangelogAndCitationHaveTheVersionsOfTheCode) {
+  const std::filesystem::path root = HEXODERM_SOURCE_DIR;
+  const std::string changes = readFile(root / "CHANGELOG.md");
+  std::smatch newest;
+  ASSERT_TRUE(std::regex_search(changes, newest, std::regex(R"(\n## (\d\S*\d)\b)")));
+  EXPECT_EQ(newest[1], HEXODERM_VERSION);
+  EXPECT_THAT(readFile(root / ".github" / "CITATION.cff"), testing::HasSubstr("\nversion: " HEXODERM_VERSION "\n"));
+
+  const auto expectVersion = [&](const std::string& what, const std::string& version) {
+    EXPECT_THAT(changes, testing::HasSubstr("\n| " + what + " | " + version + " | "));
+  };
+  expectVersion("`*.session.json`", std::to_string(kSessionVersion));
+  expectVersion("`*.calibration.json`", std::to_string(kCalibrationVersion));
+  expectVersion("`*.placements.json`", std::to_string(kPlacementsVersion));
+  expectVersion("`*.truth.json`", std::to_string(kRobotTruthVersion));
+  expectVersion("`*.hexo`", std::to_string(kStoreVersion));
+  expectVersion("SkinWire", std::to_string(skinwire::kMajor) + "." + std::to_string(skinwire::kMinor));
 }
 
 }  // namespace
