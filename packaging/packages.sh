@@ -24,6 +24,7 @@ core_packages=(
   nlohmann-json3-dev
   protobuf-compiler
   python3 # kill tests and an example sender
+  python3-jsonschema # holds files to the schemas of their formats in tests
   python3-yaml # reads exports back in tests, as do the next four
   assimp-utils
   libmujoco-dev

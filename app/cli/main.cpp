@@ -1,4 +1,5 @@
 #include "app/cli/command.h"
+#include "app/cli/version.h"
 
 #include "hexoderm/util/error.h"
 #include "hexoderm/util/freed_memory.h"
@@ -33,7 +34,7 @@ int main(int argc, char** argv) {
   keepFreedMemory();
   cli::Common common;
   CLI::App app("Finds where every cell of a robot's artificial skin is", "hexoderm-cli");
-  app.set_version_flag("--version", "hexoderm-cli " HEXODERM_VERSION);
+  app.set_version_flag("--version", cli::versionText, "Display version, commit, formats and libraries, and exit");
   app.require_subcommand(1);
   app.footer(
       "Exit codes: 0 done; 1 the verdict is not_enough or failed (the output is still written), check found changes,\n"

@@ -1,8 +1,12 @@
 // The documents say what the code says.
 
 #include "hexoderm/device/offence.h"
+#include "hexoderm/device/skinwire/messages.h"
 #include "hexoderm/io/calibration_json.h"
+#include "hexoderm/io/placements_json.h"
+#include "hexoderm/io/robot_truth_json.h"
 #include "hexoderm/io/session_json.h"
+#include "hexoderm/session/store_version.h"
 #include "hexoderm/util/file.h"
 #include "hexoderm/util/finding.h"
 #include "hexoderm/util/finding_advice.h"
@@ -11,11 +15,16 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <cctype>
+#include <cstdint>
 #include <filesystem>
+#include <memory>
 #include <nlohmann/json.hpp>
 #include <regex>
 #include <set>
+#include <stdexcept>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace hexoderm {
@@ -79,7 +88,9 @@ TEST(Documentation, OffencesTableHasEveryKindInTheOrderOfTheCode) {
   EXPECT_EQ(found, expected);
 }
 
-std::string ioReadme() { return readFile(std::filesystem::path(HEXODERM_SOURCE_DIR) / "core/hexoderm/io/README.md"); }
+std::string formatsPage() {
+  return readFile(std::filesystem::path(HEXODERM_SOURCE_DIR) / "resources/formats/README.md");
+}
 
 /// Keys by their path in a document, "patches.cells.id": those of an array's items are below the array.
 using KeyPaths = std::set<std::string>;
@@ -87,78 +98,88 @@ using KeyPaths = std::set<std::string>;
 std::string below(const std::string& path, const std::string& key) { return path.empty() ? key : path + "." + key; }
 
 struct DocumentedKeys {
-  KeyPaths all;
-  KeyPaths required;  ///< neither optional nor part of something optional
+  KeyPaths written;  ///< by this program, at least in some documents
+  KeyPaths always;   ///< in all documents: neither optional nor part of something optional
 
   void add(const std::string& path, bool optional) {
-    all.insert(path);
+    written.insert(path);
     const std::size_t dot = path.rfind('.');
-    const bool in_optional = dot != std::string::npos && !required.contains(path.substr(0, dot));
-    if (!optional && !in_optional) required.insert(path);
+    const bool in_optional = dot != std::string::npos && !always.contains(path.substr(0, dot));
+    if (!optional && !in_optional) always.insert(path);
   }
 };
 
-/// Keys of an object as the documents write it, `{"id", "ports": [{"port", "cell_port"?}]}`, below `path`.
-void addObject(const std::string& object, const std::string& path, DocumentedKeys& keys) {
-  std::vector<std::string> stack;  // of the objects that are open
-  std::string latest = path;
-  static const std::regex kKey(R"re([{,]\s*"(\w+)"(\?)?)re");
-  for (std::size_t at = 0; at < object.size(); ++at) {
-    if (object[at] == '}') stack.pop_back();
-    if (object[at] == '{') stack.push_back(latest);
-    std::smatch match;
-    const auto here = object.begin() + static_cast<std::ptrdiff_t>(at);
-    if (!std::regex_search(here, object.end(), match, kKey, std::regex_constants::match_continuous)) continue;
-    latest = below(stack.back(), match[1]);
-    keys.add(latest, match[2].matched);
+constexpr const char* kMessageSuffix = "_message";
+
+/// The heading of the page that a link of a table leads to, "[cell model](#cell-model)". Empty: there is none.
+std::string linkedHeading(const std::string& value) {
+  static const std::regex kLink(R"(\]\(#([\w-]+)\))");
+  std::smatch link;
+  if (!std::regex_search(value, link, kLink)) return "";
+  for (const std::string& line : split(formatsPage(), '\n')) {
+    if (!line.starts_with("#")) continue;
+    std::string anchor;
+    for (const char c : trimmed(line.substr(line.find(' ')))) {
+      anchor += c == ' ' ? '-' : static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+    }
+    if (anchor == link[1]) return line;
+  }
+  ADD_FAILURE() << "no heading is linked by " << value;
+  return "";
+}
+
+/// Adds the keys of the table after `heading`, and of the parts that stand in them, below `path`.
+void addTable(const std::string& heading, const std::string& path, DocumentedKeys& keys) {
+  for (const std::vector<std::string>& row : tableAfter(formatsPage(), heading)) {
+    ASSERT_EQ(row.size(), 5U) << heading;
+    const std::string key = below(path, std::regex_replace(row[0], std::regex(R"(`|\[\])"), ""));
+    if (row[3] == "read") continue;
+    keys.add(key, row[3] != "yes" && row[3] != "written");
+    const std::string part = linkedHeading(row[1]);
+    if (!part.empty() && !key.ends_with(kMessageSuffix)) addTable(part, key, keys);
   }
 }
 
-/// Keys of the table after `heading`: one or several keys or a path in the first column, and perhaps the object that
-/// stands there in the second.
 DocumentedKeys documentedKeys(const std::string& heading) {
-  static const std::regex kKey(R"(`([\w.\[\]]+)`(\?)?)");
-  static const std::regex kObject(R"(`(\{[^`]*\})`)");
   DocumentedKeys keys;
-  for (const std::vector<std::string>& row : tableAfter(ioReadme(), heading)) {
-    std::string path;
-    for (std::sregex_iterator key(row.at(0).begin(), row.at(0).end(), kKey), end; key != end; ++key) {
-      path = std::regex_replace((*key)[1].str(), std::regex(R"(\[\])"), "");
-      if (!keys.all.contains(path)) keys.add(path, (*key)[2].matched);
-    }
-    std::smatch object;
-    if (std::regex_search(row.at(1), object, kObject)) addObject(object[1], path, keys);
-  }
+  addTable(heading, "", keys);
   return keys;
 }
 
-struct WrittenKeys {
-  KeyPaths keys;
-  std::set<std::string> messages;  ///< keys with a message behind them
-};
-
-/// What the document describes elsewhere, the cell model and the solver's options, is looked at no further.
-void collect(const nlohmann::json& json, const std::string& path, WrittenKeys& written) {
-  if (path == "cell_model" || path == "options") return;
+/// Within messages nothing is looked at: they differ from text to text.
+void collect(const nlohmann::json& json, const std::string& path, KeyPaths& written) {
   if (json.is_array()) {
     for (const nlohmann::json& item : json) collect(item, path, written);
   }
-  if (!json.is_object()) return;
-  const std::string suffix = "_message";
+  if (!json.is_object() || path.ends_with(kMessageSuffix)) return;
   for (const auto& [key, value] : json.items()) {
-    if (key.ends_with(suffix)) {
-      written.messages.insert(key.substr(0, key.size() - suffix.size()));
-      continue;
-    }
-    written.keys.insert(below(path, key));
+    written.insert(below(path, key));
     collect(value, below(path, key), written);
   }
 }
 
-WrittenKeys writtenKeys(const std::string& document) {
-  WrittenKeys written;
+KeyPaths writtenKeys(const std::string& document) {
+  KeyPaths written;
   collect(nlohmann::json::parse(document), "", written);
   return written;
+}
+
+/// With every key that a cell model can have.
+CellModel fullModel() {
+  CellModel model = builtInCellModel("hex-bma150");
+  model.name = "own";
+  model.forbidden_port_pairs = {{PortNumber(1), PortNumber(1)}};
+  model.accelerometer.shared_offset_sigma_g = 0.01;
+  model.accelerometer.T_u_a.R = expSO3({0.1, 0.2, 0.3});
+  model.sensors = {{"thermometer", "temperature", model.accelerometer.T_u_a}};
+  return model;
+}
+
+/// With the keys alone that every cell model has, written as an object.
+CellModel bareModel() {
+  CellModel model = builtInCellModel("hex-bma150");
+  model.name = "own";
+  return model;
 }
 
 /// With every key that a placement can have.
@@ -177,6 +198,8 @@ PatchPlacement fullPlacement() {
 Reconstruction fullCalibration() {
   Reconstruction result = makeTestReconstruction();
   result.solver = "global";
+  result.options.left_out = {CellId(3)};
+  result.model = std::make_shared<const CellModel>(fullModel());
   result.source.text = message("Cell {}", 1);
   result.poses.at(0).label = message("Pose {}", 1);
   PatchReconstruction& patch = result.patches.at(0);
@@ -199,6 +222,7 @@ Reconstruction fullCalibration() {
 Reconstruction bareCalibration() {
   Reconstruction result = test::ResultBuilder().build();
   result.solver = "imported";
+  result.model = std::make_shared<const CellModel>(bareModel());
   result.poses.resize(1);
   PatchReconstruction patch;
   patch.gravity.resize(1);
@@ -211,27 +235,15 @@ Reconstruction bareCalibration() {
 }
 
 TEST(Documentation, KeysOfACalibrationAreThoseThatAreWritten) {
-  const DocumentedKeys documented = documentedKeys("## Calibration, `*.calibration.json`");
-  const WrittenKeys full = writtenKeys(calibrationToJson(fullCalibration()));
-  EXPECT_THAT(full.keys, testing::ContainerEq(documented.all));
-  EXPECT_THAT(writtenKeys(calibrationToJson(bareCalibration())).keys, testing::ContainerEq(documented.required));
-
-  std::smatch sentence;
-  const std::string readme = ioReadme();
-  ASSERT_TRUE(std::regex_search(readme, sentence, std::regex(R"(\n(`.*`) are English; where Hexoderm made them)")));
-  std::set<std::string> messages;
-  const std::string names = sentence[1];
-  static const std::regex kName("`(\\w+)`");
-  for (std::sregex_iterator name(names.begin(), names.end(), kName), end; name != end; ++name) {
-    messages.insert((*name)[1]);
-  }
-  EXPECT_EQ(full.messages, messages);
+  const DocumentedKeys documented = documentedKeys("## Calibration");
+  EXPECT_THAT(writtenKeys(calibrationToJson(fullCalibration())), testing::ContainerEq(documented.written));
+  EXPECT_THAT(writtenKeys(calibrationToJson(bareCalibration())), testing::ContainerEq(documented.always));
 }
 
 /// With every key that a session can have.
 Session fullSession() {
   const CellReport cell = {CellId(1), "arm", {{PortNumber(1), CellId(2), PortNumber(3)}}};
-  Session session(builtInCellModel("hex-bma150"), {cell}, {message("Cell {}", 1), {}, {}});
+  Session session(fullModel(), {cell}, {message("Cell {}", 1), {}, {}});
   PoseCapture pose;
   pose.label = message("Pose {}", 1);
   pose.taken_at_ms = 1;
@@ -250,7 +262,7 @@ Session fullSession() {
 
 /// One of everything that a session always has, without whatever may be missing.
 Session bareSession() {
-  Session session(builtInCellModel("hex-bma150"), {{CellId(1), "", {{PortNumber(1), CellId(2), std::nullopt}}}});
+  Session session(bareModel(), {{CellId(1), "", {{PortNumber(1), CellId(2), std::nullopt}}}});
   PoseCapture pose;
   pose.samples.resize(1);
   session.addPose({std::make_shared<const PoseCapture>(pose)});
@@ -258,9 +270,87 @@ Session bareSession() {
 }
 
 TEST(Documentation, KeysOfASessionAreThoseThatAreWritten) {
-  const DocumentedKeys documented = documentedKeys("## Session, `*.session.json`");
-  EXPECT_THAT(writtenKeys(sessionToJson(fullSession())).keys, testing::ContainerEq(documented.all));
-  EXPECT_THAT(writtenKeys(sessionToJson(bareSession())).keys, testing::ContainerEq(documented.required));
+  const DocumentedKeys documented = documentedKeys("## Session");
+  EXPECT_THAT(writtenKeys(sessionToJson(fullSession())), testing::ContainerEq(documented.written));
+  EXPECT_THAT(writtenKeys(sessionToJson(bareSession())), testing::ContainerEq(documented.always));
+}
+
+TEST(Documentation, KeysOfPlacementsAreThoseThatAreWritten) {
+  const DocumentedKeys documented = documentedKeys("## Placements");
+  PatchOnLink place{CellId(1), "forearm", {}, Matrix6d(Matrix6d::Identity())};
+  EXPECT_THAT(writtenKeys(placementsToJson({place})), testing::ContainerEq(documented.written));
+  place.cov_t_r.reset();
+  EXPECT_THAT(writtenKeys(placementsToJson({place})), testing::ContainerEq(documented.always));
+}
+
+nlohmann::json schemaOf(const std::string& document) {
+  return nlohmann::json::parse(
+      readFile(std::filesystem::path(HEXODERM_SOURCE_DIR) / "resources/formats" / (document + ".schema.json")));
+}
+
+/// The names of an enumeration as in files, in its order.
+template <class Enum>
+nlohmann::json namesOf(std::string_view (*name)(Enum)) {
+  nlohmann::json names = nlohmann::json::array();
+  try {
+    for (int value = 0;; ++value) names.push_back(name(static_cast<Enum>(value)));
+  } catch (const std::out_of_range&) {
+    return names;
+  }
+}
+
+TEST(Documentation, SchemasHaveTheNamesAndVersionsOfTheCode) {
+  const nlohmann::json calibration = schemaOf("calibration");
+  nlohmann::json codes = nlohmann::json::array();
+  for (const FindingDescription& entry : findingTable()) codes.push_back(entry.name);
+  EXPECT_EQ(calibration["$defs"]["finding_code"]["enum"], codes);
+
+  const nlohmann::json& keys = calibration["properties"];
+  EXPECT_EQ(keys["findings"]["items"]["properties"]["severity"]["enum"], namesOf(severityName));
+  const nlohmann::json& verdict = keys["verdict"]["properties"];
+  EXPECT_EQ(verdict["level"]["enum"], namesOf(verdictName));
+  EXPECT_EQ(verdict["limit"]["enum"], namesOf(limitName));
+  EXPECT_EQ(verdict["remedy"]["enum"], namesOf(remedyName));
+  EXPECT_EQ(calibration["$defs"]["link"]["properties"]["quality"]["enum"], namesOf(qualityName));
+  nlohmann::json solvers = namesOf(solverName);
+  solvers.push_back("imported");
+  EXPECT_EQ(keys["solver"]["enum"], solvers);
+  EXPECT_EQ(calibration["allOf"][0]["then"]["properties"]["gap_model"]["enum"], namesOf(gapModelName));
+  const nlohmann::json& options = keys["options"]["properties"];
+  EXPECT_EQ(options["centre"]["enum"], namesOf(centringName));
+  EXPECT_EQ(options["support-axes"]["enum"], namesOf(supportAxesName));
+  EXPECT_EQ(options["weights"]["enum"], namesOf(linkWeightsName));
+
+  EXPECT_EQ(keys["format"]["const"], kCalibrationFormat);
+  ASSERT_EQ(keys["version"]["enum"].size(), kCalibrationVersion);
+  EXPECT_EQ(keys["version"]["enum"].back(), kCalibrationVersion);
+  const auto expectVersion = [](const std::string& document, std::string_view format, std::uint32_t version) {
+    const nlohmann::json schema = schemaOf(document);
+    EXPECT_EQ(schema["properties"]["format"]["const"], format);
+    EXPECT_EQ(schema["properties"]["version"]["const"], version) << document;
+  };
+  expectVersion("session", kSessionFormat, kSessionVersion);
+  expectVersion("placements", kPlacementsFormat, kPlacementsVersion);
+  expectVersion("robot_truth", kRobotTruthFormat, kRobotTruthVersion);
+}
+
+TEST(Documentation, ChangelogAndCitationHaveTheVersionsOfTheCode) {
+  const std::filesystem::path root = HEXODERM_SOURCE_DIR;
+  const std::string changes = readFile(root / "CHANGELOG.md");
+  std::smatch newest;
+  ASSERT_TRUE(std::regex_search(changes, newest, std::regex(R"(\n## (\d\S*\d)\b)")));
+  EXPECT_EQ(newest[1], HEXODERM_VERSION);
+  EXPECT_THAT(readFile(root / ".github" / "CITATION.cff"), testing::HasSubstr("\nversion: " HEXODERM_VERSION "\n"));
+
+  const auto expectVersion = [&](const std::string& what, const std::string& version) {
+    EXPECT_THAT(changes, testing::HasSubstr("\n| " + what + " | " + version + " | "));
+  };
+  expectVersion("`*.session.json`", std::to_string(kSessionVersion));
+  expectVersion("`*.calibration.json`", std::to_string(kCalibrationVersion));
+  expectVersion("`*.placements.json`", std::to_string(kPlacementsVersion));
+  expectVersion("`*.truth.json`", std::to_string(kRobotTruthVersion));
+  expectVersion("`*.hexo`", std::to_string(kStoreVersion));
+  expectVersion("SkinWire", std::to_string(skinwire::kMajor) + "." + std::to_string(skinwire::kMinor));
 }
 
 }  // namespace

@@ -13,6 +13,7 @@ import re
 import sys
 
 SKIPPED = {"build", "out"}
+SHOWN = {".github"}  # names with a dot in front that are looked at all the same
 TEXTS = {".h", ".cpp", ".in", ".c", ".py", ".sh", ".md", ".cmake", ".txt", ".proto", ".json", ".html", ".qrc"}
 
 # The word is put together so that a search for it finds nothing but the licence.
@@ -28,7 +29,7 @@ def texts(root):
     """All texts, as paths from the root."""
     for path in sorted(root.rglob("*")):
         relative = path.relative_to(root)
-        if relative.parts[0] in SKIPPED or any(part.startswith(".") for part in relative.parts):
+        if relative.parts[0] in SKIPPED or any(part.startswith(".") and part not in SHOWN for part in relative.parts):
             continue
         if path.suffix in TEXTS and path.is_file():
             yield relative

@@ -2,7 +2,7 @@
 # Fails unless the top level of the project holds exactly what it should: these names, names with a dot in front, and
 # what .gitignore leaves out of the project. Usage: top_level.sh ROOT
 set -euo pipefail
-expected="CMakeLists.txt CMakePresets.json LICENSE README.md app core packaging resources tests widgets"
+expected="CHANGELOG.md CMakeLists.txt CMakePresets.json LICENSE README.md app core packaging resources tests widgets"
 ignored="build out CMakeUserPresets.json compile_commands.json"
 
 cd "$1"

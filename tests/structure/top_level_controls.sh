@@ -15,7 +15,7 @@ expect() {
 }
 
 mkdir "$tree"/{app,core,packaging,resources,tests,widgets,build,.ci}
-touch "$tree"/{CMakeLists.txt,CMakePresets.json,LICENSE,README.md,.gitignore}
+touch "$tree"/{CHANGELOG.md,CMakeLists.txt,CMakePresets.json,LICENSE,README.md,.gitignore}
 bash "$check" "$tree"
 
 touch "$tree/notes.txt"

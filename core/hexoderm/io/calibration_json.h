@@ -15,8 +15,8 @@ namespace hexoderm {
 inline constexpr std::string_view kCalibrationFormat = "hexoderm-calibration";
 inline constexpr std::uint32_t kCalibrationVersion = 2;
 
-/// `*.calibration.json` (its keys are in README.md in this folder): complete enough to export, evaluate and draw from
-/// it alone. Throws as for sessions: StorageError, or FormatError naming file, key path and expectation.
+/// `*.calibration.json` (its keys are in resources/formats/README.md): complete enough to export, evaluate and draw
+/// from it alone. Throws as for sessions: StorageError, or FormatError naming file, key path and expectation.
 std::shared_ptr<const Reconstruction> readCalibrationJson(const std::filesystem::path& path);
 std::shared_ptr<const Reconstruction> parseCalibrationJson(std::string_view text, const std::string& file);
 

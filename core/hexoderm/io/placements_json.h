@@ -12,8 +12,8 @@ namespace hexoderm {
 inline constexpr const char* kPlacementsFormat = "hexoderm-placements";
 inline constexpr int kPlacementsVersion = 1;
 
-/// Where patches are on the links of a robot, as JSON (README.md in this folder has the keys). Throws InvalidArgument
-/// for numbers that are not finite.
+/// Where patches are on the links of a robot, as JSON (resources/formats/README.md has the keys). Throws
+/// InvalidArgument for numbers that are not finite.
 std::string placementsToJson(const std::vector<PatchOnLink>& placements);
 
 /// Throw FormatError naming file, key and expectation, readPlacementsJson() also StorageError.

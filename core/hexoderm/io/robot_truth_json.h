@@ -10,7 +10,7 @@ inline constexpr const char* kRobotTruthFormat = "hexoderm-robot-truth";
 inline constexpr int kRobotTruthVersion = 1;
 
 /// What is known only of simulated robots, as JSON: where every patch is on its link, the errors of the joints, and how
-/// the robot stood in each pose (README.md in this folder has the keys).
+/// the robot stood in each pose (resources/formats/README.md has the keys).
 std::string robotTruthToJson(const SimulatedRobot& robot, const SimulatedRobotSession& simulated);
 
 }  // namespace hexoderm

@@ -14,9 +14,9 @@ namespace hexoderm {
 inline constexpr std::string_view kSessionFormat = "hexoderm-session";
 inline constexpr std::uint32_t kSessionVersion = 1;
 
-/// `*.session.json` (its keys are in README.md in this folder). Keys that the reader does not know are ignored. Numbers
-/// come back as the same doubles. Reading throws StorageError (missing, unreadable) or FormatError naming file, key
-/// path and expectation, also where the readings are not in g but in m/s^2, mg or LSB, as far as their norm tells;
+/// `*.session.json` (its keys are in resources/formats/README.md). Keys that the reader does not know are ignored.
+/// Numbers come back as the same doubles. Reading throws StorageError (missing, unreadable) or FormatError naming file,
+/// key path and expectation, also where the readings are not in g but in m/s^2, mg or LSB, as far as their norm tells;
 /// nothing is changed by a failed read. The topology is taken as reported: SkinGraph finds its contradictions.
 Session readSessionJson(const std::filesystem::path& path);
 Session parseSessionJson(std::string_view text, const std::string& file);

@@ -19,8 +19,8 @@ struct JointAnglesRow {
   std::optional<double> time_s;  ///< seconds since 1970, UTC
   JointAngles angles;
 };
-/// Joint angles of a robot for the poses of a session (README.md in this folder has the file). Rows in the order of the
-/// file; poses differ, times ascend.
+/// Joint angles of a robot for the poses of a session (resources/formats/README.md has the file). Rows in the order of
+/// the file; poses differ, times ascend.
 struct JointAnglesTable {
   std::vector<JointAnglesRow> rows;
   /// The angles in a pose. Of a table by time those of the row nearest to `taken_at_ms` (milliseconds since 1970,

@@ -1,5 +1,7 @@
 #include "hexoderm/session/store_schema.h"
 
+#include "hexoderm/session/store_version.h"
+
 #include <array>
 #include <string>
 #include <vector>
@@ -42,6 +44,7 @@ constexpr const char* kVersion3 = "";
 constexpr const char* kVersion4 = "";
 
 constexpr std::array kMigrations = {kVersion1, kVersion2, kVersion3, kVersion4};
+static_assert(kMigrations.size() == kStoreVersion);
 
 /// Reading a schema of a few entries takes a few hundred; a database can be made so that it takes for ever.
 constexpr int kMostWorkOnSchema = 1'000'000;

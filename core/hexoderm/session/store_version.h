@@ -1,0 +1,8 @@
+#pragma once
+
+namespace hexoderm {
+
+/// The newest version of a *.hexo, which is written; README.md in this folder says what each has.
+inline constexpr int kStoreVersion = 4;
+
+}  // namespace hexoderm
