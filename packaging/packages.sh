@@ -30,6 +30,8 @@ core_packages=(
   libmujoco-dev
   libsdformat-dev
   liburdfdom-tools
+  gcc-arm-none-eabi # the example firmware of a skin, and a board to run it on, in a test
+  qemu-system-arm
   zlib1g-dev # named in the CMake files of libassimp-dev, which does not bring it
 )
 

@@ -2,20 +2,24 @@
 # Builds the fuzz targets with clang's libFuzzer and sanitizers and runs each, one after the other, beginning with its
 # corpus. Prints what crashed, with the input's path, and fails; or says how long each was clean.
 # New inputs are kept in build/fuzz/found/TARGET, where the next run goes on; crashes in build/fuzz/crashes.
-# Usage: tests/fuzz/fuzz.sh [--minutes N] [TARGET...]      default: 10 minutes each of skinwire session_json calibration_json hexo tum_xml
+# Usage: tests/fuzz/fuzz.sh [--minutes N] [TARGET...]      default: 10 minutes each of all of them
 set -euo pipefail
 cd "$(dirname "$0")/../.."
+all=(skinwire skinwire_device session_json calibration_json hexo tum_xml urdf joint_angles_csv)
 minutes=10
 targets=()
 while [ $# -gt 0 ]; do
   case "$1" in
     --minutes) minutes="${2:?--minutes needs a number}"; shift 2 ;;
-    skinwire|session_json|calibration_json|hexo|tum_xml) targets+=("$1"); shift ;;
-    *) echo "usage: $0 [--minutes N] [skinwire] [session_json] [calibration_json] [hexo] [tum_xml]" >&2; exit 2 ;;
+    *)
+      [[ " ${all[*]} " != *" $1 "* ]] || { targets+=("$1"); shift; continue; }
+      echo "usage: $0 [--minutes N] [TARGET...]; targets: ${all[*]}" >&2
+      exit 2
+      ;;
   esac
 done
 [[ "$minutes" =~ ^[0-9]+$ && "$minutes" -gt 0 ]] || { echo "--minutes: expected a whole number above 0" >&2; exit 2; }
-[ ${#targets[@]} -gt 0 ] || targets=(skinwire session_json calibration_json hexo tum_xml)
+[ ${#targets[@]} -gt 0 ] || targets=("${all[@]}")
 command -v clang++ >/dev/null || { echo "clang++ is missing: packaging/setup.sh --developer" >&2; exit 1; }
 
 cmake --preset fuzz >/dev/null

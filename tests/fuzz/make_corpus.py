@@ -45,6 +45,30 @@ def skinwire():
     put("skinwire", "detected_lines", bytes([DETECTED, 255]) + all_lines)
 
 
+def cobs(body):
+    blocks = b"".join(bytes([len(block) + 1]) + block for block in body.split(b"\0"))
+    return blocks + b"\0"
+
+
+def skinwire_device():
+    """Commands, as a host sends them; no body has 254 bytes without a zero."""
+    bodies = [bytes.fromhex(p.read_text()) for p in sorted((DATA / "skinwire").glob("command_*.hex"))]
+    length, datagram, buffer_size = 1, 2, 64
+    put("skinwire_device", "cobs", bytes([0, buffer_size]) + b"\0garbage\0" + b"".join(map(cobs, bodies)))
+    put("skinwire_device", "small_buffer", bytes([0, 8]) + b"".join(map(cobs, bodies)))
+    put("skinwire_device", "length", bytes([length, buffer_size]) +
+        b"".join(struct.pack("<I", len(body)) + body for body in bodies))
+    put("skinwire_device", "datagram", bytes([datagram, 0]) + bodies[-1])
+    payloads = b"".join(struct.pack("<BH", body[1], len(body) - 6) + body[2:-4] for body in bodies)
+    for name, framing in (("cobs", 0), ("length", length)):
+        put("skinwire_device", "bodies_" + name, bytes([framing | GOOD_BODIES, buffer_size]) + payloads)
+    # Two requests, one of them in two pieces; fields that are not known; a group.
+    odd = [bytes.fromhex(text) for text in ("08 07 1a 02 08 05 12 09 09 00 00 00 00 00 40 7f 40", "1a 02 08 05 08 07 1a 04 10 09 18 80 01",
+                                            "08 07 78 96 01 4a 02 01 02", "08 07 73 74 2a 00")]
+    put("skinwire_device", "bodies_odd", bytes([GOOD_BODIES, buffer_size]) +
+        b"".join(struct.pack("<BH", 5, len(payload)) + payload for payload in odd))
+
+
 def documents():
     put("session_json", "three_cells", (DATA / "three_cells.session.json").read_bytes())
     put("tum_xml", "two_patches", (DATA / "two_patches.tum.xml").read_bytes())
@@ -168,6 +192,7 @@ def robots():
 
 
 skinwire()
+skinwire_device()
 documents()
 robots()
 hostile_documents()

@@ -8,7 +8,14 @@
 #include "widgets/capture/capture_panel.h"
 #include "widgets/capture/instruction_voice.h"
 
+#include <QTimer>
+
 namespace hexoderm {
+namespace {
+
+constexpr int kOpened_ms = 300;
+
+}  // namespace
 
 SpeechPresenter::SpeechPresenter(const Views& views, const SessionController& controller, const WindowActions& actions,
                                  const Preferences& preferences, const PreferencesPresenter& dialogs)
@@ -17,7 +24,8 @@ SpeechPresenter::SpeechPresenter(const Views& views, const SessionController& co
   connect(&preferences, &Preferences::speechChanged, &views_.voice, &InstructionVoice::setEnabled);
   connect(&dialogs, &PreferencesPresenter::dialogMade, this, [this](PreferencesDialog* dialog) {
     connect(&views_.voice, &InstructionVoice::lookedFor, dialog, &PreferencesDialog::setWhyNoSpeech);
-    views_.voice.lookForVoice();
+    // Once the dialog is there: an engine may load much, and start a server first.
+    QTimer::singleShot(kOpened_ms, this, [this] { views_.voice.lookForVoice(); });
   });
   views_.voice.setEnabled(preferences.speech());
 }

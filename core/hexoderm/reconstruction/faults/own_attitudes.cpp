@@ -1,6 +1,5 @@
 #include "hexoderm/reconstruction/faults/own_attitudes.h"
 
-#include "hexoderm/reconstruction/joint/pose_swings.h"
 #include "hexoderm/util/units.h"
 
 #include <Eigen/Cholesky>

@@ -1,5 +1,6 @@
 #include "hexoderm/reconstruction/joint/freed_readings.h"
 
+#include "hexoderm/reconstruction/links/gravity_table.h"
 #include "hexoderm/util/median.h"
 
 #include <algorithm>

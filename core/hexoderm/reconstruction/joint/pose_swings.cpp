@@ -1,5 +1,6 @@
 #include "hexoderm/reconstruction/joint/pose_swings.h"
 
+#include "hexoderm/reconstruction/links/gravity_table.h"
 #include "hexoderm/util/units.h"
 
 #include <Eigen/Cholesky>

@@ -7,9 +7,6 @@
 
 namespace hexoderm {
 
-/// Angular acceleration that a hand's tremor of 0.05 degrees at 4 to 12 Hz leaves in a mean over 0.1 s, rms per axis.
-inline constexpr double kTremorAcceleration_rad_s2 = 0.6;
-
 /// The spread of angular accelerations per axis, rad/s^2, from estimates of them and what is not known of these,
 /// weighed against a usual tremor.
 double accelerationSpread(const std::vector<Eigen::Vector3d>& accelerations,

@@ -2,6 +2,7 @@
 
 #include "hexoderm/device/sources/stdin_source.h"
 #include "hexoderm/device/sources/wire_source.h"
+#include "hexoderm/graph/cell_model.h"
 #include "hexoderm/util/file.h"
 #include "tests/core/device/skinwire/collecting_listener.h"
 
@@ -118,13 +119,27 @@ TEST(ExampleSender, InPythonIsASkinOnStandardOutput) {
   expectDeviceOnStdin({"python3", kFolder + "/examples/sender.py"}, 3);
 }
 
+/// The first piece of a page in this language.
+std::string exampleIn(const std::string& page, const std::string& language) {
+  const std::string text = readFile(kFolder + "/" + page);
+  const std::string fence = "```" + language + "\n";
+  const std::size_t begin = text.find(fence);
+  if (begin == std::string::npos) throw std::runtime_error("no " + language + " in " + page);
+  return text.substr(begin + fence.size(), text.find("```", begin + fence.size()) - begin - fence.size());
+}
+
 TEST(ExampleSender, TheScriptInTheReadmeIsASkin) {
-  const std::string readme = readFile(kFolder + "/README.md");
-  const std::string fence = "```python\n";
-  const std::size_t begin = readme.find(fence) + fence.size();
-  ASSERT_GE(begin, fence.size());
-  const std::string script = readme.substr(begin, readme.find("```", begin) - begin);
-  expectDeviceOnStdin({"python3", "-c", script}, 2);
+  expectDeviceOnStdin({"python3", "-c", exampleIn("README.md", "python")}, 2);
+}
+
+TEST(ExampleCell, TheCellModelOnThePageIsOne) {
+  std::string text = exampleIn("build_a_cell.md", "json");
+  EXPECT_EQ(cellModelFromJson(text, "page").accelerometer.lsb_g, 0.001);
+  const std::string upright = "[1, 0, 0, 0]";
+  ASSERT_NE(text.find(upright), std::string::npos);
+  text.replace(text.find(upright), upright.size(), "[0.70710678, 0, 0, 0.70710678]");
+  const Eigen::Vector3d x_u = cellModelFromJson(text, "page").accelerometer.T_u_a.R * Eigen::Vector3d::UnitX();
+  EXPECT_NEAR(x_u.y(), 1, 1e-9);
 }
 
 }  // namespace

@@ -1,5 +1,5 @@
-/* A skin of two cells on TCP in binary SkinWire 1, in C99 without any library: the few protobuf fields are written by
- * hand, as firmware would.
+/* A skin of two cells on TCP in binary SkinWire 1, in C99 with skinwire.h and no library. firmware/ is the same on a
+ * serial port, for a microcontroller.
  *
  *   cc -std=c99 -o sender sender.c
  *   ./sender PORT [SECONDS]        PORT 0 takes any free port; which one is printed
@@ -8,7 +8,6 @@
 #include <arpa/inet.h>
 #include <netinet/in.h>
 #include <signal.h>
-#include <stdint.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -17,58 +16,9 @@
 #include <time.h>
 #include <unistd.h>
 
-enum { TYPE_HELLO = 1, TYPE_TOPOLOGY = 2, TYPE_SAMPLES = 3, TYPE_COMMAND = 5, TYPE_ACK = 6 };
-enum { MAJOR = 1, MAX_BODY = 1 << 20, TICKS = 10, PERIOD_US = 1000 };
+#include "../skinwire.h"
 
-/* ---- bytes that grow to the right; all messages here are short */
-
-typedef struct {
-  uint8_t bytes[1024];
-  size_t size;
-} buffer;
-
-static void put_byte(buffer* b, uint8_t byte) {
-  if (b->size == sizeof b->bytes) abort();
-  b->bytes[b->size++] = byte;
-}
-
-/* ---- protobuf: a varint is 7 bits a byte, lowest first, the top bit says that more follow */
-
-static void put_varint(buffer* b, uint64_t value) {
-  for (; value >= 0x80; value >>= 7) put_byte(b, (uint8_t)(value | 0x80));
-  put_byte(b, (uint8_t)value);
-}
-
-static void put_number(buffer* b, unsigned field, uint64_t value) {
-  put_varint(b, field << 3 | 0);
-  put_varint(b, value);
-}
-
-static void put_bytes(buffer* b, unsigned field, const void* bytes, size_t size) {
-  put_varint(b, field << 3 | 2);
-  put_varint(b, size);
-  for (size_t k = 0; k < size; ++k) put_byte(b, ((const uint8_t*)bytes)[k]);
-}
-
-static void put_text(buffer* b, unsigned field, const char* text) { put_bytes(b, field, text, strlen(text)); }
-
-/* sint32: 0, -1, 1, -2 ... become 0, 1, 2, 3 ... */
-static void put_signed(buffer* b, int32_t value) { put_varint(b, (uint32_t)value << 1 ^ (value < 0 ? 0xFFFFFFFFu : 0u)); }
-
-/* ---- frames: length, then major, type, payload, CRC-32C */
-
-static uint32_t crc32c(const uint8_t* bytes, size_t size) {
-  uint32_t crc = 0xFFFFFFFFu;
-  for (size_t k = 0; k < size; ++k) {
-    crc ^= bytes[k];
-    for (int bit = 0; bit < 8; ++bit) crc = crc >> 1 ^ (crc & 1 ? 0x82F63B78u : 0u);
-  }
-  return ~crc;
-}
-
-static void put_u32(buffer* b, uint32_t value) {
-  for (int k = 0; k < 4; ++k) put_byte(b, (uint8_t)(value >> 8 * k));
-}
+enum { TICKS = 10, PERIOD_US = 1000, CELLS = 2 };
 
 static int send_all(int connection, const uint8_t* bytes, size_t size) {
   while (size > 0) {
@@ -80,112 +30,64 @@ static int send_all(int connection, const uint8_t* bytes, size_t size) {
   return 1;
 }
 
-/* False once the host is gone. */
-static int send_message(int connection, uint8_t type, const buffer* payload) {
-  buffer frame = {.size = 0};
-  put_u32(&frame, (uint32_t)(1 + 1 + payload->size + 4));
-  put_byte(&frame, MAJOR);
-  put_byte(&frame, type);
-  for (size_t k = 0; k < payload->size; ++k) put_byte(&frame, payload->bytes[k]);
-  put_u32(&frame, crc32c(frame.bytes + 4, frame.size - 4));
-  return send_all(connection, frame.bytes, frame.size);
+/* ---- what the skin says; each is false once the host is gone */
+
+static int send_frame(int connection, const skinwire_frame* frame) {
+  return frame->size > 0 && send_all(connection, frame->bytes, frame->size);
 }
 
-/* ---- what the skin says */
-
-static int send_hello(int connection) {
-  buffer hello = {.size = 0};
-  put_text(&hello, 2, "two cells in C");
-  put_text(&hello, 3, "hex-bma150");
-  put_number(&hello, 4, 1); /* can_light_cells */
-  put_number(&hello, 7, (uint64_t)time(NULL) & 0xFFFFFFFFu); /* stream */
-  return send_message(connection, TYPE_HELLO, &hello);
+static int send_hello(int connection, skinwire_frame* frame) {
+  skinwire_hello hello = {0};
+  hello.device = "two cells in C";
+  hello.cell_model = "hex-bma150";
+  hello.can_light_cells = true;
+  hello.stream = (uint32_t)time(NULL);
+  skinwire_put_hello(frame, &hello);
+  return send_frame(connection, frame);
 }
 
-static void put_cell(buffer* topology, unsigned id, unsigned port, unsigned neighbor, unsigned neighbor_port) {
-  buffer link = {.size = 0};
-  put_number(&link, 1, port);
-  put_number(&link, 2, neighbor);
-  put_number(&link, 3, neighbor_port);
-  buffer cell = {.size = 0};
-  put_number(&cell, 1, id);
-  put_bytes(&cell, 3, link.bytes, link.size);
-  put_bytes(topology, 4, cell.bytes, cell.size);
-}
-
-static int send_topology(int connection) {
-  buffer topology = {.size = 0};
-  put_number(&topology, 1, 1); /* id */
-  put_cell(&topology, 1, 2, 2, 3);
-  put_cell(&topology, 2, 3, 1, 2);
-  return send_message(connection, TYPE_TOPOLOGY, &topology);
+static int send_topology(int connection, skinwire_frame* frame) {
+  static const skinwire_port of_1 = {2, 2, 3}, of_2 = {3, 1, 2}; /* port, the cell there, and its port */
+  static const skinwire_cell cells[CELLS] = {{1, NULL, &of_1, 1}, {2, NULL, &of_2, 1}};
+  skinwire_topology topology = {0};
+  topology.id = 1;
+  topology.cells = cells;
+  topology.cell_count = CELLS;
+  skinwire_put_topology(frame, &topology);
+  return send_frame(connection, frame);
 }
 
 /* TICKS ticks of both cells, lying flat: 0, 0, 1 g and a little noise, in LSB of 1/256 g. */
-static int send_samples(int connection, uint64_t sequence, uint64_t time_us) {
-  const uint8_t cells[] = {1, 2}; /* packed varints; both are below 128 */
-  buffer raw = {.size = 0};
-  for (int value = 0; value < TICKS * 2 * 3; ++value) put_signed(&raw, (value % 3 == 2 ? 256 : 0) + rand() % 5 - 2);
-  buffer samples = {.size = 0};
-  put_number(&samples, 1, sequence);
-  put_number(&samples, 2, time_us);
-  put_number(&samples, 3, PERIOD_US);
-  put_bytes(&samples, 4, cells, sizeof cells);
-  put_bytes(&samples, 5, raw.bytes, raw.size);
-  return send_message(connection, TYPE_SAMPLES, &samples);
+static int send_samples(int connection, skinwire_frame* frame, uint64_t sequence, uint64_t time_us) {
+  static const uint32_t cells[CELLS] = {1, 2};
+  int16_t raw[TICKS * CELLS * 3];
+  for (int value = 0; value < TICKS * CELLS * 3; ++value) {
+    raw[value] = (int16_t)((value % 3 == 2 ? 256 : 0) + rand() % 5 - 2);
+  }
+  skinwire_samples samples = {0};
+  samples.has_sequence = true;
+  samples.sequence = sequence;
+  samples.time_us = time_us;
+  samples.period_us = PERIOD_US;
+  samples.cells = cells;
+  samples.cell_count = CELLS;
+  samples.tick_count = TICKS;
+  samples.raw_lsb = raw;
+  skinwire_put_samples(frame, &samples);
+  return send_frame(connection, frame);
 }
 
-/* ---- what the host asks */
-
-static int read_varint(const uint8_t** at, const uint8_t* end, uint64_t* value) {
-  *value = 0;
-  for (unsigned shift = 0; *at < end && shift < 64; shift += 7) {
-    const uint8_t byte = *(*at)++;
-    *value |= (uint64_t)(byte & 0x7F) << shift;
-    if (byte < 0x80) return 1;
-  }
-  return 0;
+static int answer(int connection, skinwire_frame* frame, const skinwire_command* command) {
+  if (command->request == SKINWIRE_DESCRIBE) return send_hello(connection, frame) && send_topology(connection, frame);
+  skinwire_ack ack = {0};
+  ack.command = command->number;
+  ack.done = command->request == SKINWIRE_SET_LED;
+  if (!ack.done) ack.text = "this example can only light its cells";
+  skinwire_put_ack(frame, &ack);
+  return send_frame(connection, frame);
 }
 
-static int answer_command(int connection, const uint8_t* payload, size_t size) {
-  const uint8_t* at = payload;
-  const uint8_t* end = payload + size;
-  uint64_t number = 0, request = 0, key = 0, value = 0;
-  while (at < end && read_varint(&at, end, &key) && read_varint(&at, end, &value)) {
-    if (key >> 3 == 1) number = value;
-    if ((key & 7) == 2) { /* a request: value is its length */
-      if (value > (uint64_t)(end - at)) return 1;
-      request = key >> 3;
-      at += value;
-    }
-  }
-  if (request == 6) return send_hello(connection) && send_topology(connection); /* Describe */
-  buffer ack = {.size = 0};
-  put_number(&ack, 1, number);
-  if (request == 3) { /* SetLed */
-    put_number(&ack, 2, 1);
-  } else {
-    put_text(&ack, 3, "this example can only light its cells");
-  }
-  return send_message(connection, TYPE_ACK, &ack);
-}
-
-/* Frames that have come whole are answered and taken out of `input`. False for a broken one. */
-static int answer_commands(int connection, buffer* input) {
-  while (input->size >= 4) {
-    const uint8_t* b = input->bytes;
-    const uint32_t length = b[0] | (uint32_t)b[1] << 8 | (uint32_t)b[2] << 16 | (uint32_t)b[3] << 24;
-    if (length < 6 || length > sizeof input->bytes - 4) return 0; /* commands are short */
-    if (input->size < 4 + length) return 1;
-    const uint8_t* crc = b + 4 + length - 4;
-    const uint32_t sent = crc[0] | (uint32_t)crc[1] << 8 | (uint32_t)crc[2] << 16 | (uint32_t)crc[3] << 24;
-    if (sent != crc32c(b + 4, length - 4)) return 0;
-    if (b[4] == MAJOR && b[5] == TYPE_COMMAND && !answer_command(connection, b + 6, length - 6)) return 0;
-    input->size -= 4 + length;
-    memmove(input->bytes, input->bytes + 4 + length, input->size);
-  }
-  return 1;
-}
+/* ---- the connection */
 
 static double now_s(void) {
   struct timespec now;
@@ -204,17 +106,24 @@ static int has_input(int descriptor, double wait_s) {
 }
 
 static void stream(int connection, double end_s) {
-  if (!send_hello(connection) || !send_topology(connection)) return;
-  buffer input = {.size = 0};
+  uint8_t output[SKINWIRE_FRAME_SIZE(SKINWIRE_RAW_BODY(CELLS, TICKS))]; /* Hello is shorter */
+  uint8_t input[SKINWIRE_COMMAND_SIZE];
+  uint8_t received[256];
+  skinwire_frame frame = skinwire_frame_in(output, sizeof output, SKINWIRE_LENGTH);
+  skinwire_receiver receiver = skinwire_receiver_in(input, sizeof input, SKINWIRE_LENGTH);
+  skinwire_command command;
+  if (!send_hello(connection, &frame) || !send_topology(connection, &frame)) return;
   const double start_s = now_s();
   for (uint64_t batch = 0; now_s() < end_s; ++batch) {
-    if (!send_samples(connection, batch * TICKS * 2, batch * TICKS * PERIOD_US)) return;
+    if (!send_samples(connection, &frame, batch * TICKS * CELLS, batch * TICKS * PERIOD_US)) return;
     const double next_s = start_s + 1e-6 * (double)((batch + 1) * TICKS * PERIOD_US);
     while (has_input(connection, next_s - now_s())) {
-      const ssize_t count = recv(connection, input.bytes + input.size, sizeof input.bytes - input.size, 0);
+      const ssize_t count = recv(connection, received, sizeof received, 0);
       if (count <= 0) return;
-      input.size += (size_t)count;
-      if (!answer_commands(connection, &input)) return;
+      for (ssize_t k = 0; k < count; ++k) {
+        const skinwire_event event = skinwire_receive(&receiver, received[k], &command);
+        if (event == SKINWIRE_LOST || (event == SKINWIRE_COMMAND && !answer(connection, &frame, &command))) return;
+      }
     }
   }
 }
