@@ -209,7 +209,7 @@ TEST(JsonScanner, HasTheLimitsOfTheThoroughReader) {
   EXPECT_FALSE(is_taken("{\"x\": " + std::string(1'000'000, '[')));
 }
 
-TEST(JsonScanner, CountsValuesToTheLimitOfTheThoroughReader) {
+TEST(JsonScanner, CountsValuesToALimit) {
   const auto is_taken = [](std::size_t numbers) {
     std::string text(2 * numbers + 1, '0');
     for (std::size_t k = 0; k < text.size(); k += 2) text[k] = ',';
@@ -223,8 +223,8 @@ TEST(JsonScanner, CountsValuesToTheLimitOfTheThoroughReader) {
                    })
         .has_value();
   };
-  EXPECT_TRUE(is_taken(kMostJsonValues - 1)) << "with the array itself";
-  EXPECT_FALSE(is_taken(kMostJsonValues));
+  EXPECT_TRUE(is_taken(kMostScannedValues - 1)) << "with the array itself";
+  EXPECT_FALSE(is_taken(kMostScannedValues));
 }
 
 }  // namespace
