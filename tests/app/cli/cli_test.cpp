@@ -210,7 +210,7 @@ TEST_F(Cli, AVerdictOfNotEnoughEndsWithOneAndStillWrites) {
 }
 
 TEST_F(Cli, OfManyFindingsOfAKindTheFirstAreSaidAndTheOthersCounted) {
-  run("simulate --poses 90 -o arm.session.json");
+  run("simulate --poses 250 -o arm.session.json");
   const Outcome solved = run("solve arm.session.json -o arm.calibration.json");
   std::istringstream lines(solved.out);
   int said = 0;
