@@ -145,6 +145,7 @@ TEST_F(Microcontroller, IsCapturedAndSolved) {
   const Outcome evaluate = run("evaluate arm.calibration.json --against truth.session.json --json");
   ASSERT_EQ(evaluate.exit_code, 0) << evaluate.err;
   const auto against = nlohmann::json::parse(evaluate.out).at("against").at(0);
+  EXPECT_EQ(against.at("cells").size(), std::size_t{SKIN_CELLS});
   // On an idle computer 0.14 to 0.17 degrees and 0.23 mm, in every run; on a busy one the poses are taken elsewhere in
   // time.
   EXPECT_LT(against.at("orientation_rms_deg").get<double>(), 0.7) << against;

@@ -578,6 +578,47 @@ TEST(DeviceSide, ReadsWhatALaterVersionMaySend) {
   EXPECT_EQ(eventOf(commandOf({0x22, 2, 0x08, 1}), command), SKINWIRE_BROKEN) << "a turn to nowhere";
 }
 
+TEST(DeviceSide, TakesTheLastOfSeveralRequestsAsProtobufDoes) {
+  // Up is (0, 0, 1) in the frame of cell 9.
+  Bytes turn = {0x22, 28, 0x08, 9, 0x12, 24};
+  turn.resize(turn.size() + 22, 0);
+  turn.insert(turn.end(), {0xF0, 0x3F});
+  const Bytes light = {0x1A, 2, 0x08, 5};
+  const Bytes more_light = {0x1A, 2, 0x10, 100};
+  const auto expectAsTheLibrary = [](const std::vector<Bytes>& pieces) {
+    Bytes payload = {0x08, 7};
+    for (const Bytes& piece : pieces) payload.insert(payload.end(), piece.begin(), piece.end());
+    const Bytes body = commandOf(payload);
+    const Decoded decoded = decodeBody(body);
+    ASSERT_EQ(decoded.outcome, DecodeOutcome::Understood) << decoded.reason();
+    skinwire_command command{};
+    ASSERT_EQ(eventOf(body, command), SKINWIRE_COMMAND);
+    expectSame(command, std::get<Command>(decoded.message));
+  };
+  expectAsTheLibrary({light, more_light});
+  expectAsTheLibrary({turn, light});
+  expectAsTheLibrary({turn, light, turn});
+  expectAsTheLibrary({light, turn, more_light});
+  expectAsTheLibrary({{0x32, 2, 0x08, 3}, light, {0x32, 0}});
+}
+
+TEST(DeviceSide, BelievesNoLengthThatReachesBeyondTheBody) {
+  // With each number the CRC behind the payload is another one, and now and then looks like the field that is missing.
+  for (std::uint8_t number = 1; number < 128; ++number) {
+    for (const Bytes& request : {Bytes{0x32, 0, 0x08, 3}, Bytes{0x1A, 0, 0x08, 5}, Bytes{0x2A, 0}, Bytes{0x4A, 0}}) {
+      for (const std::size_t too_much : {1, 2, 3, 4, 5, 100}) {
+        Bytes payload = {0x08, number};
+        payload.insert(payload.end(), request.begin(), request.end());
+        payload.at(3) = static_cast<std::uint8_t>(request.size() - 2 + too_much);
+        skinwire_command command{};
+        ASSERT_EQ(eventOf(commandOf(payload), command), SKINWIRE_BROKEN) << testing::PrintToString(payload);
+        payload.at(3) = static_cast<std::uint8_t>(request.size() - 2);
+        ASSERT_EQ(eventOf(commandOf(payload), command), SKINWIRE_COMMAND);
+      }
+    }
+  }
+}
+
 TEST(DeviceSide, FindsTheNextCommandAfterGarbage) {
   RandomMessages random(6);
   const Bytes good = encodeFrame(Framing::Cobs, Command{77, SetLed{3, 1, 2, 3}});
