@@ -62,9 +62,6 @@ run_stage() {
       # What these count over many seeds runs the same code as the tests beside them.
       local counts='StatedDeviationAgrees|ErrsAsMuchAsExpectedInTheMedian|LieWithinTheirRangesAsOften|KnownSigmasLie'
       counts+='|SeveralSkinsNarrow|UncertaintyAndDetectionAreCounted|AccuracyTableIsWhole'
-      # With assertions these take a smaller skin than their limits were measured on. There one takes up to 16 steps instead
-      # of 14, in any build, and the other does not converge: still open.
-      counts+='|JointStages\.(ThreePosesTakeNoMoreStepsThanTheyDid|GrossErrorsDoNotLeadTheStagesAway)'
       # The house's rules are looked at in the stages before.
       select=(--exclude-regex "$counts|^structure\.")
       ;;

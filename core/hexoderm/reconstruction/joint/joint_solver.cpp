@@ -139,7 +139,7 @@ bool JointSolver::descend(const JointProblem& problem, Refusal refusal, const Jo
 /// to close them. Soft ones, with the readings, first turn the cells to agree with gravity. Where two poses leave turns
 /// that only the links hold, that is not enough: stiff links refuse the first large step, and damped ones creep along a
 /// crooked valley, or end beside the optimum. Links that stiffen by and by, with a quadratic loss up to the last,
-/// leave a state from which the steps are few.
+/// leave a state from which the steps are few. The same goes for links that looked closed and refuse all the same.
 JointSolution JointSolver::solve(const JointProblem& problem, const JointState& initial,
                                  const JointSolverOptions& options) {
   constexpr double kOpen = 6;  // mean square, in link sigmas; 3 is what closed links have
@@ -158,8 +158,9 @@ JointSolution JointSolver::solve(const JointProblem& problem, const JointState& 
     descend(soft, Refusal::Damps, roughly, from);
   };
   if (open) descendSoftly(kSoftest, solution);
-  if (descend(problem, open ? Refusal::Ends : Refusal::Damps, options, solution)) return solution;
+  if (descend(problem, Refusal::Ends, options, solution)) return solution;
   JointSolution staged = solution;
+  if (!open) descendSoftly(kSoftest, staged);
   for (const double times : kStiffening) descendSoftly(times, staged);
   solution.iterations = staged.iterations;
   // With gross errors among the readings a quadratic loss may lead away.

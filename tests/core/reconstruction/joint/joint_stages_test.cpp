@@ -88,16 +88,22 @@ TEST(JointStages, TwoPosesOfALargeSkinTakeFewStepsToTheOptimum) {
   }
 }
 
-TEST(JointStages, ThreePosesTakeNoMoreStepsThanTheyDid) {
-  for (const std::uint64_t seed : kSeeds) {
-    const TreeStart start(kSide, 3, seed);
-    JointSolverOptions options;
-    options.covariance = false;
-    const JointSolution solution = solveJointly(start.problem(), start.state(), options);
-    EXPECT_EQ(solution.termination, JointTermination::Converged) << "seed " << seed;
-    EXPECT_LE(solution.iterations, 14) << "seed " << seed;
-    EXPECT_LE(solution.cost, strictCost(start) * (1 + 1e-6)) << "seed " << seed;
-  }
+void threePosesTakeFewSteps(int side, std::uint64_t seed) {
+  const TreeStart start(side, 3, seed);
+  JointSolverOptions options;
+  options.covariance = false;
+  const JointSolution solution = solveJointly(start.problem(), start.state(), options);
+  EXPECT_EQ(solution.termination, JointTermination::Converged) << "seed " << seed;
+  EXPECT_LE(solution.iterations, 10) << "seed " << seed;
+  EXPECT_LE(solution.cost, strictCost(start) * (1 + 1e-6)) << "seed " << seed;
+}
+
+TEST(JointStages, ThreePosesTakeFewSteps) {
+  for (const std::uint64_t seed : kSeeds) threePosesTakeFewSteps(kSide, seed);
+}
+
+TEST(JointStages, LinksThatLookClosedAndRefuseTheFirstStepTakeFewStepsToo) {
+  for (const std::uint64_t seed : {5, 6, 7}) threePosesTakeFewSteps(12, seed);
 }
 
 TEST(JointStages, GrossErrorsDoNotLeadTheStagesAway) {
@@ -106,8 +112,9 @@ TEST(JointStages, GrossErrorsDoNotLeadTheStagesAway) {
   for (std::size_t cell = 7; cell < problem.cellCount(); cell += 50) problem.readings[cell][1].y_g *= -1;
   JointSolverOptions options;
   options.covariance = false;
-  const JointSolution solution = solveJointly(problem, start.state(), options);
+  // Readings that are wrong, but not yet freed, leave a long valley to the last digits: what counts is where it ends.
   options.max_iterations = 300;
+  const JointSolution solution = solveJointly(problem, start.state(), options);
   const double reference = solveJointly(problem, start.truth(), options).cost;
   EXPECT_EQ(solution.termination, JointTermination::Converged);
   EXPECT_LE(solution.cost, reference * (1 + 1e-6));
