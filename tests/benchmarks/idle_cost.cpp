@@ -3,8 +3,7 @@
 // taken first. CPU time is that of the process, thread by thread, as Linux counts it. The command is in README.md.
 
 #include "app/window/main_window/main_window.h"
-#include "app/window/settings/preferences.h"
-#include "app/window/settings/theme.h"
+#include "tests/benchmarks/window_application.h"
 #include "tests/support/qt_wait.h"
 #include "widgets/patch/scene_widget.h"
 
@@ -13,20 +12,14 @@
 #include <vtkCommand.h>
 #include <vtkNew.h>
 #include <QAction>
-#include <QApplication>
 #include <QCommandLineParser>
 #include <QDir>
 #include <QElapsedTimer>
-#include <QEventLoop>
 #include <QFile>
 #include <QProcess>
 #include <QRegularExpression>
-#include <QSettings>
-#include <QStandardPaths>
 #include <QTabBar>
-#include <QTemporaryDir>
 #include <QTextStream>
-#include <QTimer>
 #include <map>
 
 namespace hexoderm {
@@ -35,12 +28,6 @@ namespace {
 QTextStream& out() {
   static QTextStream stream(stdout);
   return stream;
-}
-
-void letPass(double seconds) {
-  QEventLoop loop;
-  QTimer::singleShot(static_cast<int>(1000 * seconds), &loop, &QEventLoop::quit);
-  loop.exec();
 }
 
 /// User and system time of what a "stat" of /proc is about, in seconds, and its name.
@@ -94,8 +81,8 @@ bool takePoses(MainWindow& window) {
   constexpr std::size_t kPoses = 3;
   controller.poseGuide().letRobotTake(kPoses);
   if (!test::waitUntil([&] { return !controller.poseGuide().isRobotOn() && isIdle(); })) return false;
-  constexpr double kGhostTurns_s = 10;  // three times, and then it rests
-  letPass(kGhostTurns_s);
+  constexpr int kGhostTurns_ms = 10000;  // three times, and then it rests
+  letPass(kGhostTurns_ms);
   return controller.session() && controller.session()->poses().size() >= kPoses;
 }
 
@@ -141,7 +128,7 @@ int measure(const QString& emulator_program, double seconds, bool shows_stillnes
   if (shows_stillness) {
     auto* tabs = window.findChild<QTabBar*>(QStringLiteral("detailTabs"));
     tabs->setCurrentIndex(tabs->count() - 1);
-    letPass(1);
+    letPass(1000);
   }
   int pictures = 0;
   const vtkNew<vtkCallbackCommand> count;
@@ -155,7 +142,7 @@ int measure(const QString& emulator_program, double seconds, bool shows_stillnes
   clock.start();
   const auto before = timesOfThreads();
   const double emulator_before = timeIn(of_emulator).second;
-  letPass(seconds);
+  letPass(static_cast<int>(1000 * seconds));
   const double passed = static_cast<double>(clock.elapsed()) / 1000;
   report(before, passed, tally, pictures);
   if (!is_demo) {
@@ -172,16 +159,7 @@ int measure(const QString& emulator_program, double seconds, bool shows_stillnes
 }  // namespace hexoderm
 
 int main(int argc, char** argv) {
-  const QTemporaryDir home;
-  qputenv("HOME", QFile::encodeName(home.path()));
-  hexoderm::installStyle();
-  const QApplication application(argc, argv);
-  QCoreApplication::setOrganizationName(QStringLiteral("HexodermBenchmarks"));
-  QCoreApplication::setApplicationName(QStringLiteral("idle_cost"));
-  QStandardPaths::setTestModeEnabled(true);
-  QSettings::setDefaultFormat(QSettings::IniFormat);
-  QSettings::setPath(QSettings::IniFormat, QSettings::UserScope, home.path());
-  hexoderm::applyTextFactor(1);
+  const hexoderm::WindowApplication window(argc, argv, "idle_cost");
   QCommandLineParser parser;
   parser.addHelpOption();
   const QCommandLineOption seconds(QStringLiteral("seconds"), QStringLiteral("Measure for so long."),
@@ -190,7 +168,7 @@ int main(int argc, char** argv) {
   const QCommandLineOption demo(QStringLiteral("demo"),
                                 QStringLiteral("The demo skin, whose simulation is in the window's process."));
   parser.addOptions({seconds, stillness, demo});
-  parser.process(application);
+  parser.process(window.application());
   return hexoderm::measure(QStringLiteral(HEXODERM_EMULATOR), parser.value(seconds).toDouble(), parser.isSet(stillness),
                            parser.isSet(demo));
 }

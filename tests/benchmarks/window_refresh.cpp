@@ -3,11 +3,11 @@
 // until the 3D view has drawn the new result, on the clock and as CPU time of all threads. The command is in README.md.
 
 #include "app/window/main_window/main_window.h"
-#include "app/window/settings/theme.h"
 #include "hexoderm/device/simulation/simulated_skin.h"
 #include "hexoderm/session/session_store.h"
 #include "hexoderm/session/simulated_session.h"
 #include "hexoderm/util/freed_memory.h"
+#include "tests/benchmarks/window_application.h"
 #include "tests/support/qt_wait.h"
 #include "widgets/patch/scene_widget.h"
 
@@ -15,16 +15,9 @@
 #include <vtkCallbackCommand.h>
 #include <vtkCommand.h>
 #include <vtkNew.h>
-#include <QApplication>
 #include <QCommandLineParser>
 #include <QElapsedTimer>
-#include <QEventLoop>
-#include <QFile>
-#include <QSettings>
-#include <QStandardPaths>
-#include <QTemporaryDir>
 #include <QTextStream>
-#include <QTimer>
 #include <algorithm>
 #include <vector>
 
@@ -41,12 +34,6 @@ double medianOf(std::vector<double> values) {
   const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
   std::nth_element(values.begin(), middle, values.end());
   return *middle;
-}
-
-void letPass(int ms) {
-  QEventLoop loop;
-  QTimer::singleShot(ms, &loop, &QEventLoop::quit);
-  loop.exec();
 }
 
 /// What one new mean took, in ms.
@@ -167,16 +154,7 @@ int measure(const QString& folder, int rows, int columns, int times) {
 
 int main(int argc, char** argv) {
   hexoderm::keepFreedMemory();  // as the program does
-  const QTemporaryDir home;
-  qputenv("HOME", QFile::encodeName(home.path()));
-  hexoderm::installStyle();
-  const QApplication application(argc, argv);
-  QCoreApplication::setOrganizationName(QStringLiteral("HexodermBenchmarks"));
-  QCoreApplication::setApplicationName(QStringLiteral("window_refresh"));
-  QStandardPaths::setTestModeEnabled(true);
-  QSettings::setDefaultFormat(QSettings::IniFormat);
-  QSettings::setPath(QSettings::IniFormat, QSettings::UserScope, home.path());
-  hexoderm::applyTextFactor(1);
+  const hexoderm::WindowApplication window(argc, argv, "window_refresh");
   QCommandLineParser parser;
   parser.addHelpOption();
   const QCommandLineOption rows(QStringLiteral("rows"), QStringLiteral("Rows of the sheet."), QStringLiteral("N"),
@@ -186,7 +164,7 @@ int main(int argc, char** argv) {
   const QCommandLineOption times(QStringLiteral("times"), QStringLiteral("So many new means."), QStringLiteral("N"),
                                  QStringLiteral("25"));
   parser.addOptions({rows, columns, times});
-  parser.process(application);
-  return hexoderm::measure(home.path(), parser.value(rows).toInt(), parser.value(columns).toInt(),
+  parser.process(window.application());
+  return hexoderm::measure(window.home(), parser.value(rows).toInt(), parser.value(columns).toInt(),
                            parser.value(times).toInt());
 }

@@ -31,7 +31,7 @@ void PictureSmoothing::expectRender() {
 void PictureSmoothing::drawNow() {
   at_rest_.stop();
   scene_.setSmoothed(!by_processor_);
-  canvas_->renderWindow()->Render();
+  canvas_->drawNow();
   if (by_processor_) canvas_->smoothPicture();
 }
 

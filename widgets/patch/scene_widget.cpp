@@ -56,7 +56,7 @@ SceneWidget::SceneWidget(QWidget* parent) : QWidget(parent) {
   // Nor is it shown in the turn that has drawn it.
   show_soon_.setInterval(1);
   show_soon_.setSingleShot(true);
-  connect(&show_soon_, &QTimer::timeout, this, qOverload<>(&QWidget::update));
+  connect(&show_soon_, &QTimer::timeout, this, &SceneWidget::showWhenDrawn);
   smoother_.setMaxThreadCount(1);
   takeSize();
 }
@@ -66,6 +66,7 @@ SceneWidget::~SceneWidget() {
   window_->GetInteractor()->RemoveAllObservers();
   window_->Finalize();
   window_->RemoveAllObservers();
+  context_.extraFunctions()->glDeleteSync(std::exchange(drawing_, nullptr));
   context_.doneCurrent();
 }
 
@@ -92,6 +93,9 @@ void SceneWidget::answerWindow(vtkObject* /*window*/, unsigned long event, void*
       break;
     default:
       is_newer_drawn_ = true;
+      context_.extraFunctions()->glDeleteSync(drawing_);
+      drawing_ = context_.extraFunctions()->glFenceSync(GL_SYNC_GPU_COMMANDS_COMPLETE, 0);
+      context_.functions()->glFlush();
       show_soon_.start();
   }
 }
@@ -126,6 +130,26 @@ QImage SceneWidget::picture() {
     readPicture();
   }
   return picture_;
+}
+
+void SceneWidget::drawNow() {
+  window_->Render();
+  readPicture();
+}
+
+bool SceneWidget::isDrawn() {
+  return drawing_ == nullptr || !makeCurrent() ||
+         context_.extraFunctions()->glClientWaitSync(drawing_, 0, 0) != GL_TIMEOUT_EXPIRED;
+}
+
+void SceneWidget::showWhenDrawn() {
+  if (!isVisible()) return;  // fetched when it is painted
+  if (isDrawn()) {
+    readPicture();
+    update();
+  } else {
+    show_soon_.start();
+  }
 }
 
 void SceneWidget::readPicture() {
@@ -215,7 +239,8 @@ bool SceneWidget::event(QEvent* event) {
 }
 
 void SceneWidget::paintEvent(QPaintEvent* /*event*/) {
-  readPicture();
+  // What is still being drawn is shown when it is: nobody waits for it, least of all the rest of a window.
+  if (picture_.isNull() || !show_soon_.isActive()) readPicture();
   QPainter painter(this);
   const QSizeF shown = QSizeF(picture_.size()) / devicePixelRatioF();
   if (shown != size()) painter.fillRect(rect(), background_);

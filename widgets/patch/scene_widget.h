@@ -9,6 +9,7 @@
 #include <QImage>
 #include <QOffscreenSurface>
 #include <QOpenGLContext>
+#include <QOpenGLExtraFunctions>
 #include <QThreadPool>
 #include <QTimer>
 #include <QWidget>
@@ -36,6 +37,8 @@ class SceneWidget : public QWidget {
   [[nodiscard]] vtkGenericOpenGLRenderWindow* renderWindow() const { return window_.Get(); }
   /// Draws soon, once for however many requests.
   void requestRender();
+  /// Draws at once and waits for it: the next painting shows it.
+  void drawNow();
   /// Smooths the edges in the picture that was drawn last, by the processor (see smoothEdges()): now, or beside
   /// everything else, and shows it as soon as that is done, unless another one has been drawn by then.
   void smoothPicture();
@@ -67,7 +70,10 @@ class SceneWidget : public QWidget {
   /// Answers the questions that VTK asks its window's owner, by setting `answer`, and handles the end of a drawing.
   void answerWindow(vtkObject* window, unsigned long event, void* answer);
   void takeSize();
-  /// Fetches what was drawn, once for however many drawings.
+  /// Whether all that OpenGL was told to draw is drawn: it does so beside the window's thread.
+  [[nodiscard]] bool isDrawn();
+  void showWhenDrawn();
+  /// Fetches what was drawn, once for however many drawings. Waits until it is drawn.
   void readPicture();
   /// The picture that was drawn last, with all that smoothing it takes.
   struct Rough {
@@ -91,6 +97,7 @@ class SceneWidget : public QWidget {
   QImage picture_;
   QColor background_ = Qt::white;
   bool is_newer_drawn_ = false;
+  GLsync drawing_ = nullptr;  ///< reached when what was drawn last is complete
   bool is_smoothed_ = false;
   std::uint64_t drawn_ = 0;  ///< pictures so far
   std::function<std::optional<HollowSight>()> hollows_;

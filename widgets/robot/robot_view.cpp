@@ -102,7 +102,7 @@ void RobotView::requestRender() {
 }
 
 void RobotView::drawNow() {
-  if (canDraw()) parts_->canvas->renderWindow()->Render();
+  if (canDraw()) parts_->canvas->drawNow();
 }
 
 QImage RobotView::screenshot() {

@@ -54,13 +54,28 @@ void PicturePresenter::savePicture() {
   const QDir folder(QDir(pictures).exists() ? pictures : lastFolder());
   const QString stamp = QDateTime::currentDateTime().toString(QStringLiteral("yyyyMMdd-HHmmss-zzz"));
   const QString path = folder.filePath(QStringLiteral("hexoderm-%1.png").arg(stamp));
-  views_.patch.whenUpToDate([this, path] {
-    // In two turns, because both take their time without a graphics card. A pause of 0 would be none: what is posted
-    // comes before everything that waits.
+  views_.patch.whenUpToDate([this, path] { drawAndSave(path); });
+}
+
+/// In turns of their own, because a theme, drawing and the picture all take their time without a graphics card. A pause
+/// of 0 would be none: what is posted comes before everything that waits.
+void PicturePresenter::drawAndSave(const QString& path) {
+  afterTheme([this, path] {
     settle();
     views_.patch.drawNow();
-    QTimer::singleShot(1, this, [this, path] { controller_.resultFiles().saveImage(pictureAsDrawn(), path); });
+    QTimer::singleShot(1, this, [this, path] {
+      afterTheme([this, path] { controller_.resultFiles().saveImage(pictureAsDrawn(), path); });
+    });
   });
+}
+
+void PicturePresenter::afterTheme(std::function<void()> work) {
+  if (isThemeFinished()) {
+    work();
+  } else {
+    constexpr int kTurn_ms = 10;
+    QTimer::singleShot(kTurn_ms, this, [this, work = std::move(work)] { afterTheme(work); });
+  }
 }
 
 void PicturePresenter::savePatch() {

@@ -2,6 +2,7 @@
 
 #include <QImage>
 #include <QObject>
+#include <functional>
 
 class QWidget;
 
@@ -37,6 +38,9 @@ class PicturePresenter : public QObject {
   void settle();
   QImage pictureAsDrawn();
   void savePicture();
+  void drawAndSave(const QString& path);
+  /// Does it when every window that is shown wears the chosen theme.
+  void afterTheme(std::function<void()> work);
   void savePatch();
   void saveGraph();
 

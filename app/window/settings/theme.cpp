@@ -96,6 +96,8 @@ class Wardrobe : public QObject {
     soon_.start();
   }
 
+  [[nodiscard]] bool isShownFinished() const { return windows_.empty() && shown_.empty() && dressed_.empty(); }
+
   void finishShown() {
     while (takeTurn()) {
     }
@@ -286,6 +288,8 @@ void applyTheme(Theme theme) {
   const bool resizes = withoutColors(before) != withoutColors(sheet);
   Wardrobe::instance().dressAll(resizes);
 }
+
+bool isThemeFinished() { return Wardrobe::instance().isShownFinished(); }
 
 void finishTheme() { Wardrobe::instance().finishShown(); }
 

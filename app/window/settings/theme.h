@@ -25,6 +25,8 @@ void installStyle();
 /// Gives the whole application the palette and style sheet of a theme. Windows that are shown are painted with it in
 /// the next turns of the event loop, as they were until then.
 void applyTheme(Theme theme);
+/// Whether every window that is shown can be painted with it.
+bool isThemeFinished();
 /// Every window that is shown can be painted with it now: for pictures.
 void finishTheme();
 
