@@ -51,13 +51,16 @@ struct Case {
   std::string surface{};
   double offset_sigma_g = 0.06;
   double prior_factor = 1;  ///< the model's prior of offsets over the true one
+  Solver solver = Solver::Global;
+  std::size_t samples = 100;  ///< that a hand is held still for
 };
 
 std::string nameOf(const Case& c) {
   return c.patch + (c.surface.empty() ? "" : " on " + c.surface) + ", " + std::to_string(c.poses) + " poses, law " +
          (c.law == LinkLaw::Bend ? "bend" : "surface") + ", offsets " +
          std::to_string(static_cast<int>(std::lround(1000 * c.offset_sigma_g))) + " mg, prior x " +
-         std::to_string(c.prior_factor).substr(0, 3);
+         std::to_string(c.prior_factor).substr(0, 3) + ", " + std::string(solverName(c.solver)) + ", " +
+         std::to_string(c.samples) + " samples";
 }
 
 /// Mean over seeds.
@@ -75,10 +78,12 @@ Nees meanNees(const Case& c) {
     options.link_law = c.law;
     options.seed = static_cast<std::uint64_t>(seed);
     SimulatedSkin skin(real, options);
-    const Session simulated = simulateSession(skin, c.poses);
+    const Session simulated = simulateSession(skin, c.poses, c.samples);
     Session session(believed, simulated.neighbors());
     for (const SessionPose& pose : simulated.poses()) session.addPose(pose);
-    const Nees nees = neesOf(*reconstruct(*session.snapshot()), skin.truth());
+    SolverOptions solver_options;
+    solver_options.solver = c.solver;
+    const Nees nees = neesOf(*reconstruct(*session.snapshot(), solver_options), skin.truth());
     mean.position += nees.position / seeds;
     mean.orientation += nees.orientation / seeds;
   }
@@ -162,6 +167,18 @@ TEST(StatedUncertainty, SurvivesAPriorThatIsWrongByAFactorOfTwo) {
         expectNees({patch, 3, 200, LinkLaw::Bend, "", offset_g, factor}, 0.3, 4);
       }
     }
+  }
+}
+
+TEST(StatedUncertainty, OfTheTreeKnowsThatAHandTurnsThePart) {
+  for (const std::size_t samples : {10U, 30U, 100U}) {
+    expectNees({.patch = "sheet:10x12",
+                .poses = 4,
+                .seeds = 20,
+                .surface = "cylinder:r=0.1",
+                .solver = Solver::Tree,
+                .samples = samples},
+               0.5, 1.5);
   }
 }
 

@@ -64,11 +64,9 @@ double headingOf(const Port& port) { return std::atan2(port.vector_m.y(), port.v
 
 }  // namespace
 
-AttitudeSearch::AttitudeSearch(const SkinLinks& skin, std::span<const std::size_t> cells,
-                               std::vector<PatchForce> forces, std::span<const SE3> placements, bool forces_are_rough)
-    : skin_(skin), cells_(cells.begin(), cells.end()), at_(cells_.size()) {
-  for (const PatchForce& force : forces) poses_.push_back(force.pose);
-  own_ = findOwnAttitudes(skin, cells_, std::move(forces), placements, forces_are_rough);
+AttitudeSearch::AttitudeSearch(const SkinLinks& skin, std::span<const std::size_t> cells, OwnAttitudes own)
+    : skin_(skin), cells_(cells.begin(), cells.end()), own_(std::move(own.cells)), at_(cells_.size()) {
+  for (const PatchForce& force : own.forces) poses_.push_back(force.pose);
   measuring_ = static_cast<double>(std::ranges::count_if(own_, &OwnCell::known));
   findJoints();
   findLimits();

@@ -51,10 +51,8 @@ struct AttitudeSuspect {
 /// whole is tested by the part of S that no surface has, its antisymmetric one: a constant twist.
 class AttitudeSearch {
  public:
-  /// `cells`: of the patch, ascending. `placements`: per entry of `cells`, where the search for its own attitude
-  /// starts. `forces_are_rough`: they are of sensors as they read, and are estimated again with the sensors' errors.
-  AttitudeSearch(const SkinLinks& skin, std::span<const std::size_t> cells, std::vector<PatchForce> forces,
-                 std::span<const SE3> placements, bool forces_are_rough);
+  /// `cells`: of the patch, ascending. `own`: of these.
+  AttitudeSearch(const SkinLinks& skin, std::span<const std::size_t> cells, OwnAttitudes own);
 
   /// The most probable faults, the clearest first; what one explains isn't reported again.
   [[nodiscard]] std::vector<AttitudeSuspect> suspects();

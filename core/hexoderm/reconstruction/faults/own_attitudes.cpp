@@ -46,6 +46,7 @@ class SwingFit {
       Eigen::Matrix3d information = levers;
       information.diagonal().array() += variance * std::pow(kStandardGravity / kTremorAcceleration_rad_s2, 2);
       force.swing_o = information.ldlt().solve(turning);
+      force.swing_covariance_o = variance * information.inverse();
       left = squares + force.swing_o.dot(levers * force.swing_o - 2 * turning);
     }
     force.at_origin_o = mean.normalized() - force.swing_o.cross(middle);
@@ -213,12 +214,12 @@ class Finder {
     }
   }
 
-  std::vector<OwnCell> run() {
+  OwnAttitudes run() {
     findAttitudes(kMostAttitudeSteps);
     for (OwnCell& own : own_) {
       if (own.known) own.covariance = own.information.inverse();
     }
-    return std::move(own_);
+    return {std::move(own_), std::move(forces_)};
   }
 
  private:
@@ -282,9 +283,8 @@ class Finder {
 
 }  // namespace
 
-std::vector<OwnCell> findOwnAttitudes(const SkinLinks& skin, std::span<const std::size_t> cells,
-                                      std::vector<PatchForce> forces, std::span<const SE3> placements,
-                                      bool forces_are_rough) {
+OwnAttitudes findOwnAttitudes(const SkinLinks& skin, std::span<const std::size_t> cells, std::vector<PatchForce> forces,
+                              std::span<const SE3> placements, bool forces_are_rough) {
   Finder finder(skin, cells, std::move(forces), placements);
   if (forces_are_rough) finder.settle();
   return finder.run();

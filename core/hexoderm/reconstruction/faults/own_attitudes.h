@@ -20,6 +20,8 @@ struct PatchForce {
   std::size_t pose = 0;  ///< of the snapshot
   Eigen::Vector3d at_origin_o = Eigen::Vector3d::Zero();
   Eigen::Vector3d swing_o = Eigen::Vector3d::Zero();  ///< force(x) = at_origin + swing x x
+  /// Of the swing, g^2/m^2, where it was found by findOwnAttitudes().
+  Eigen::Matrix3d swing_covariance_o = Eigen::Matrix3d::Zero();
 };
 
 /// A cell as its own readings have it.
@@ -34,12 +36,16 @@ struct OwnCell {
   std::vector<Eigen::Vector3d> f_o;   ///< per reading
 };
 
+struct OwnAttitudes {
+  std::vector<OwnCell> cells;
+  std::vector<PatchForce> forces;
+};
+
 /// The attitude of every cell in `cells` (of the graph) at which its readings are most probable, errors of its sensor
 /// granted (findAttitude(), several at a time). `placements`: per cell, where it lies and where the search starts.
 /// `forces_are_rough`: they are of sensors as they read, held still. Then each pose's force, and how a hand swings the
 /// part meanwhile, are found in turn with the attitudes: far from the middle cells read another force than near it.
-std::vector<OwnCell> findOwnAttitudes(const SkinLinks& skin, std::span<const std::size_t> cells,
-                                      std::vector<PatchForce> forces, std::span<const SE3> placements,
-                                      bool forces_are_rough);
+OwnAttitudes findOwnAttitudes(const SkinLinks& skin, std::span<const std::size_t> cells, std::vector<PatchForce> forces,
+                              std::span<const SE3> placements, bool forces_are_rough);
 
 }  // namespace hexoderm

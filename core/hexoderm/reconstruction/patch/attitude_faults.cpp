@@ -5,6 +5,7 @@
 #include "hexoderm/reconstruction/faults/suspects.h"
 #include "hexoderm/util/units.h"
 
+#include <Eigen/Cholesky>
 #include <algorithm>
 #include <cmath>
 #include <map>
@@ -47,6 +48,27 @@ std::vector<PatchForce> forcesOn(const SkinLinks& skin, const PatchSolver& patch
   return forces;
 }
 
+/// Takes out of the readings what a hand that turned the part added to them, cell by cell, where that is beyond doubt:
+/// the tree takes every pose's force as the same for all cells. Returns whether there was any.
+bool freeFromSwings(GravityTable& table, std::span<const std::size_t> cells, std::span<const SE3> placements,
+                    const OwnAttitudes& own) {
+  constexpr double kBeyondDoubt = 30;  // chi-squared of three degrees of freedom: one in a million still poses
+  bool any = false;
+  for (const PatchForce& force : own.forces) {
+    const Eigen::LDLT<Eigen::Matrix3d> covariance(force.swing_covariance_o);
+    if (!covariance.isPositive() || !(force.swing_o.dot(covariance.solve(force.swing_o)) > kBeyondDoubt)) continue;
+    any = true;
+    for (std::size_t place = 0; place < cells.size(); ++place) {
+      GravityTable::Entry& entry = table.at(cells[place], force.pose);
+      if (!entry.usable) continue;
+      const Eigen::Matrix3d lever = skew(placements[place].t);
+      entry.mean_g -= own.cells[place].R_o_u.transpose() * force.swing_o.cross(placements[place].t);
+      entry.variance_g2 += (lever * force.swing_covariance_o * lever.transpose()).trace() / 3;
+    }
+  }
+  return any;
+}
+
 class Isolation {
  public:
   Isolation(SkinLinks& skin, std::vector<Finding>& findings) : skin_(skin), findings_(findings) {}
@@ -54,8 +76,12 @@ class Isolation {
   bool isolate(const PatchSolver& patch) {
     if (patch.cells().size() < 2) return false;
     const std::vector<SE3> placements = placementsOf(patch);
-    AttitudeSearch search(skin_, patch.cells(), forcesOn(skin_, patch, placements), placements,
-                          patch.joint() == nullptr);
+    const bool is_tree = patch.joint() == nullptr;
+    OwnAttitudes own =
+        findOwnAttitudes(skin_, patch.cells(), forcesOn(skin_, patch, placements), placements, is_tree);
+    // Everything follows from the readings, so nothing else is looked for before.
+    if (is_tree && freeFromSwings(skin_.table(), patch.cells(), placements, own)) return true;
+    AttitudeSearch search(skin_, patch.cells(), std::move(own));
     bool changed = false;
     for (const AttitudeSuspect& suspect : search.suspects()) changed = takeOut(patch, suspect) || changed;
     for (const auto& [code, links] : links_) skin_.mute(links, code);
