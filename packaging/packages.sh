@@ -6,6 +6,7 @@ core_packages=(
   cmake
   ninja-build
   ccache
+  doxygen # the library's reference, and a test that all of it is documented
   libassimp-dev
   libboost-graph-dev
   libceres-dev # test oracle; the library does not use it
@@ -21,6 +22,7 @@ core_packages=(
   libssl-dev
   liburdfdom-dev
   libzip-dev
+  pkg-config # another program is built with it, in a test
   nlohmann-json3-dev
   protobuf-compiler
   python3 # kill tests and an example sender
@@ -48,6 +50,10 @@ gui_packages=(
   libvtk9-dev
   libvtk9-qt-dev
   qtbase5-dev
+  appstream # holds what desktops are told of the window to their rules, as do the next three
+  desktop-file-utils
+  libglib2.0-bin
+  shared-mime-info
   dbus-daemon # a session bus for the test of the desktop's theme
   fonts-dejavu-core
   fonts-inter
@@ -64,4 +70,12 @@ developer_packages=(
   clang-tidy
   libsuitesparse-dev # CHOLMOD, for tests/benchmarks/cholesky_benchmark
   libclang-rt-14-dev # sanitizers and libFuzzer of clang, for tests/fuzz
+)
+
+# Only for making Debian packages and trying them: deb.sh and deb_test.sh.
+debian_packages=(
+  debootstrap
+  dpkg-dev
+  file
+  lintian
 )

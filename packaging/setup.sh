@@ -1,19 +1,22 @@
 #!/bin/bash
 # Installs the Debian packages that are missing; does nothing, quickly, if none is.
-# Usage: packaging/setup.sh [--core] [--developer]
+# Usage: packaging/setup.sh [--core] [--developer] [--debian]
 #   --core       only what library and command line need: neither Qt nor VTK
 #   --developer  also clang, clang-tidy and clang-format
+#   --debian     also what makes Debian packages and tries them
 set -euo pipefail
 source "$(dirname "${BASH_SOURCE[0]}")/packages.sh"
 
 gui=yes
 developer=no
+debian=no
 for argument in "$@"; do
   case "$argument" in
     --core) gui=no ;;
     --developer) developer=yes ;;
+    --debian) debian=yes ;;
     *)
-      sed -n '2,5s/^# //p' "${BASH_SOURCE[0]}" >&2
+      sed -n '2,6s/^# //p' "${BASH_SOURCE[0]}" >&2
       exit 2
       ;;
   esac
@@ -21,6 +24,7 @@ done
 wanted=("${core_packages[@]}")
 [ "$gui" = no ] || wanted+=("${gui_packages[@]}")
 [ "$developer" = no ] || wanted+=("${developer_packages[@]}")
+[ "$debian" = no ] || wanted+=("${debian_packages[@]}")
 
 if ! command -v dpkg-query >/dev/null; then
   echo "setup: this is not Debian, so nothing is installed. Hexoderm needs what these packages hold: ${wanted[*]}" >&2

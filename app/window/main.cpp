@@ -5,6 +5,7 @@
 
 #include <QApplication>
 #include <QCommandLineParser>
+#include <QIcon>
 #include <QLocale>
 #include <QTextStream>
 #include <QTimer>
@@ -199,6 +200,9 @@ int main(int argc, char** argv) {
   QGuiApplication::setHighDpiScaleFactorRoundingPolicy(Qt::HighDpiScaleFactorRoundingPolicy::PassThrough);
 #endif
   const std::unique_ptr<QApplication> app = connectToDisplay(argc, argv);
+  // The name by which a desktop finds the icon of a window under Wayland, where a window brings none.
+  QGuiApplication::setDesktopFileName(QStringLiteral("hexoderm"));
+  QApplication::setWindowIcon(QIcon(QStringLiteral(":/hexoderm/icons/hexoderm.svg")));
   installTranslations(*app, languageFromArguments(QCoreApplication::arguments()));
 
   Arguments arguments;

@@ -18,5 +18,9 @@ while IFS=: read -r header include; do
   included="$(sed -E 's/.*"(.*)".*/\1/' <<<"$include")"
   [ -f "$included" ] || { echo "$header includes \"$included\", which is not installed"; failed=1; }
 done < <(grep -roE '#include "[^"]*"' hexoderm)
+while read -r header; do
+  [ "$header" = hexoderm/hexoderm.h ] || grep -qxF "#include \"$header\"" hexoderm/hexoderm.h ||
+    { echo "hexoderm/hexoderm.h does not include $header"; failed=1; }
+done < <(find hexoderm -name '*.h')
 [ "$(find hexoderm -name '*.h' | wc -l)" -gt 0 ] || { echo "no headers are installed"; failed=1; }
 exit $failed

@@ -17,9 +17,9 @@ import sys
 
 # The halls; a name such as main.cpp stands for the files with that stem at the root of the hall.
 HALLS = {
-    "": "core < widgets < app < tests",
+    "": "core < {widgets, resources} < app < tests",
     "core/hexoderm": "util < geometry < graph < kinematics < device < capture < session < reconstruction < robot"
-                     " < io < course",
+                     " < io < course < hexoderm",
     "core/hexoderm/device": "{sample_frame, ground_truth, offence} < skin_source < diagnosis < {skinwire, simulation}"
                             " < {emulation, sources}",
     "core/hexoderm/reconstruction": "result < {links, sparse, accelerometer} < {joint, faults, advice} < {patch, evaluation, check}"

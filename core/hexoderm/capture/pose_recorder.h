@@ -12,6 +12,7 @@
 
 namespace hexoderm {
 
+/// How a PoseRecorder takes poses.
 struct PoseRecorderOptions {
   StillnessOptions stillness;
   /// Samples per cell and pose. 0: 100, or what a cell delivers in collect_s if that is less, at least 10; its rate is
@@ -50,6 +51,7 @@ struct CapturedPose {
   JointAngles joint_angles{};
 };
 
+/// What a PoseRecorder is doing.
 enum class HoldPhase {
   Watching,    ///< waits until the part is still
   Collecting,  ///< takes samples; a motion starts it over
@@ -80,10 +82,10 @@ struct SkinPreview {
 class PoseRecorderListener {
  public:
   virtual ~PoseRecorderListener() = default;
-  virtual void onPoseCaptured(CapturedPose captured) = 0;
+  virtual void onPoseCaptured(CapturedPose captured) = 0;  ///< a pose is complete
   /// Each is called at most 20 times per second of device time.
   virtual void onHold(const HoldStatus& status) = 0;
-  virtual void onPreview(SkinPreview preview) = 0;
+  virtual void onPreview(SkinPreview preview) = 0;  ///< the newest readings, for the operator
 };
 
 /// Turns a stream of frames into poses (step 8 of the paper's Algorithm 1): when the part is still and
@@ -119,7 +121,7 @@ class PoseRecorder {
   /// Handles SkinListener::onJoints.
   void addJoints(const JointReport& joints);
 
-  void setAutomatic(bool automatic);
+  void setAutomatic(bool automatic);  ///< PoseRecorderOptions::automatic, from now on
   /// "Capture anyway": takes the next samples whatever moves.
   void captureNow();
   /// Gives up the capture under way, if any.

@@ -33,6 +33,7 @@ struct StillnessOptions {
   void validate() const;
 };
 
+/// How a cell differs from the others while the part is held.
 enum class OddCellKind {
   Dead,      ///< reads no gravity; value: norm of the mean, g
   Stuck,     ///< repeated one reading while the part moved
@@ -63,7 +64,7 @@ enum class Blocker {
 };
 /// "none", "waiting", "not_moved", "turning", "shaking", "cell_turning": for files and machines.
 std::string_view blockerName(Blocker blocker);
-std::string_view oddCellName(OddCellKind kind);
+std::string_view oddCellName(OddCellKind kind);  ///< the kind in words without spaces, for files
 
 /// The detector's judgement, with the numbers behind it.
 struct Stillness {

@@ -61,7 +61,7 @@ class StillnessDetector {
   /// What was new in the frame that was added last: without the readings that the device had sent before.
   [[nodiscard]] const SampleFrame& newIn(const SampleFrame& frame) const;
 
-  [[nodiscard]] const Stillness& stillness() const;
+  [[nodiscard]] const Stillness& stillness() const;  ///< the state after the last frame
 
   /// The pose was captured: the next one needs a move of more than rearm_angle_rad from these readings.
   void disarm(const PoseCapture& pose);

@@ -15,6 +15,7 @@ enum class TraceState {
   Collecting,  ///< samples are being taken
 };
 
+/// A place on the trace.
 struct TracePoint {
   double time_s = 0;
   /// Difference of the shown cell's reading from its mean over the last second, accelerometer's axes; absent where the
@@ -23,11 +24,13 @@ struct TracePoint {
   TraceState state = TraceState::Moving;
 };
 
+/// What is marked on the trace.
 enum class TraceEventKind {
   Captured,
   ArmedAgain,  ///< moved enough since the last capture
   StartsOver,  ///< a motion discarded what was being collected
 };
+/// A mark on the trace.
 struct TraceEvent {
   double time_s = 0;
   TraceEventKind kind{};
@@ -42,8 +45,8 @@ struct TraceEvent {
 /// thread.
 class StillnessTrace {
  public:
-  static constexpr double kSpan_s = 10;
-  static constexpr std::size_t kMaxKeptCells = 1000;
+  static constexpr double kSpan_s = 10;               ///< the length of the trace
+  static constexpr std::size_t kMaxKeptCells = 1000;  ///< the cells of the largest skin of which all are kept
 
   /// Adds a PoseRecorder's state and preview, at most 20 times per second. Where device time goes back, the trace
   /// starts over. Times that are not finite are ignored.
@@ -52,14 +55,14 @@ class StillnessTrace {
   void addCaptured(PoseId pose, double time_s);
   /// Picks a cell; none: the cell that decides.
   void pick(std::optional<CellId> cell);
-  void clear();
+  void clear();  ///< forgets all points and events
 
-  [[nodiscard]] const std::deque<TracePoint>& points() const { return points_; }
-  [[nodiscard]] const std::deque<TraceEvent>& events() const { return events_; }
+  [[nodiscard]] const std::deque<TracePoint>& points() const { return points_; }  ///< the oldest first
+  [[nodiscard]] const std::deque<TraceEvent>& events() const { return events_; }  ///< the oldest first
   /// ID 0 as long as no cell has decided anything.
   [[nodiscard]] CellId cell() const { return picked_.value_or(decisive_); }
-  [[nodiscard]] bool isPicked() const { return picked_.has_value(); }
-  [[nodiscard]] double limit_g() const { return limit_g_; }
+  [[nodiscard]] bool isPicked() const { return picked_.has_value(); }  ///< a cell was picked, whose trace it is
+  [[nodiscard]] double limit_g() const { return limit_g_; }            ///< motion above it is no stillness
   /// Device time of the last point; 0 without any.
   [[nodiscard]] double now_s() const { return points_.empty() ? 0 : points_.back().time_s; }
 

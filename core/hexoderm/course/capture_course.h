@@ -69,9 +69,11 @@ struct TurnRefused {
 /// There are enough poses, see CaptureCourse::isFinished().
 struct CourseFinished {};
 
+/// Everything that a course tells its owner.
 using CourseEvent = std::variant<PoseTaken, PoseKept, PoseLost, FileRefused, SkinChanged, AdviceWanted, AdviceChanged,
                                  TurnRefused, CourseFinished>;
 
+/// The answer to an AdviceQuestion.
 struct AdviceAnswer {
   std::uint64_t number = 0;  ///< number of the question
   PoseAdvice advice;
@@ -93,9 +95,10 @@ class CaptureOwner {
   virtual std::uint32_t send(const SkinCommand& command) = 0;
   /// SessionRecorder::retry().
   virtual void retryWriting() = 0;
-  virtual void onCourseEvent(const CourseEvent& event) = 0;
+  virtual void onCourseEvent(const CourseEvent& event) = 0;  ///< something happened, for the owner to show or to answer
 };
 
+/// When a course ends, and how it treats its file.
 struct CaptureCourseOptions {
   std::size_t poses = 0;  ///< poses of the session that are enough; 0: as the result's assessment says
   bool keep_raw = false;  ///< gives the frames of a pose to the file too
@@ -124,7 +127,7 @@ struct CaptureCourseOptions {
 /// functions when something happened; one with a loop of its own does so from there and calls tick() meanwhile.
 class CaptureCourse {
  public:
-  using Clock = std::chrono::steady_clock;
+  using Clock = std::chrono::steady_clock;  ///< the clock of all times that a course is given
   /// A device that refused so often is not asked any more.
   static constexpr std::size_t kMostRefusals = 10;
   /// A device that turns itself is stopped after so many poses, whatever the assessment still hopes for: a result that
@@ -148,7 +151,7 @@ class CaptureCourse {
   void end();
   /// Another session is opened, or none: nothing of the last one is told any more.
   void forget();
-  [[nodiscard]] bool isOn() const { return session_ != nullptr; }
+  [[nodiscard]] bool isOn() const { return session_ != nullptr; }  ///< a skin is connected, and a session begun
 
   /// Adds a pose that was recorded to the session, or puts it in the place of the one that is recaptured. Ignored if no
   /// more are wanted.
@@ -169,7 +172,7 @@ class CaptureCourse {
   /// The session changed: the result is not current any more.
   void noteChange();
 
-  void setAdvice(const AdviceAnswer& answer);
+  void setAdvice(const AdviceAnswer& answer);  ///< the answer to AdviceWanted; one to an earlier question is dropped
   /// The pose that would help most; none before the first result, or without a skin.
   [[nodiscard]] const std::optional<PoseAdvice>& nextPose() const { return next_pose_; }
   /// Following that advice would help: not for the first pose, which may be any, nor where there are enough.
@@ -179,7 +182,8 @@ class CaptureCourse {
 
   /// The next capture takes the place of this pose. A device that turns itself is asked to turn there.
   void recapture(PoseId pose);
-  void cancelRecapture() { recapturing_.reset(); }
+  void cancelRecapture() { recapturing_.reset(); }  ///< the next capture is a new pose again
+  /// The pose whose place the next capture takes.
   [[nodiscard]] std::optional<PoseId> recapturing() const { return recapturing_; }
 
   /// The device can be asked to turn itself.
@@ -187,7 +191,7 @@ class CaptureCourse {
   /// The device turns itself from pose to pose until the session has `poses`, or with 0 until there are enough, as the
   /// options or the assessment say. Ignored if it can't.
   void setRobot(bool on, std::size_t poses = 0);
-  [[nodiscard]] bool isRobotOn() const { return robot_; }
+  [[nodiscard]] bool isRobotOn() const { return robot_; }  ///< the device turns itself from pose to pose
   /// Asks the device to turn to the next pose. While the advice of the latest pose is still to come, as soon as it
   /// does.
   void turnToNextPose();

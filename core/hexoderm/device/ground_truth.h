@@ -13,6 +13,7 @@ struct TrueCellPlacement {
   CellId id;
   SE3 T_b_u;
 };
+/// Where the cells of a simulated skin really are.
 struct GroundTruth {
   std::string frame = "body";
   std::vector<TrueCellPlacement> cells;

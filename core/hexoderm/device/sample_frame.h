@@ -22,6 +22,7 @@ struct CellMean {
   std::uint32_t count = 0;      ///< samples averaged, at least 1
 };
 
+/// A temperature that a cell measured.
 struct CellTemperature {
   CellId cell;
   double temperature_c = 0;

@@ -87,7 +87,7 @@ struct TurnTo {
 };
 /// Explore the neighbours again; a new topology follows.
 struct ExploreAgain {};
-using SkinCommand = std::variant<SetRate, SetLed, TurnTo, ExploreAgain>;
+using SkinCommand = std::variant<SetRate, SetLed, TurnTo, ExploreAgain>;  ///< what a host can ask of a device
 
 /// Answer to a command.
 struct CommandOutcome {
@@ -110,6 +110,7 @@ class SkinListener {
   virtual void onFrame(const SampleFrame& frame) = 0;
   /// On every change of state or text, and about twice a second while counters change.
   virtual void onStatus(const SourceStatus& status) = 0;
+  /// The device's answer to a command, or that none came.
   virtual void onCommandOutcome(const CommandOutcome& outcome) = 0;
   /// Whenever the device says so, in its place among the frames. Not every device does.
   virtual void onDeviceStatus(const DeviceStatus& /*status*/) {}

@@ -27,6 +27,7 @@ class Surface {
   [[nodiscard]] virtual SE3 middle() const = 0;
   /// The nearest point of the surface, for points near it.
   [[nodiscard]] virtual Eigen::Vector3d project(const Eigen::Vector3d& x) const = 0;
+  /// The unit normal, outwards, where x is or above it.
   [[nodiscard]] virtual Eigen::Vector3d normal(const Eigen::Vector3d& x) const = 0;
   /// Weingarten map W: moving by dx along the surface turns the normal by dn = W dx. Symmetric, W n = 0; convex
   /// directions have positive curvature u^T W u.

@@ -14,12 +14,14 @@ struct PlaneFit {
   std::vector<double> distance_m;
 };
 
+/// The sphere that fits points best.
 struct SphereFit {
   Eigen::Vector3d center;
   double radius_m = 0;
   std::vector<double> distance_m;
 };
 
+/// The cylinder that fits points best.
 struct CylinderFit {
   Eigen::Vector3d point;  ///< on the axis, the foot of the points' centroid
   Eigen::Vector3d axis;   ///< unit
@@ -50,6 +52,6 @@ CylinderFit fitCylinder(std::span<const Eigen::Vector3d> points_m);
 /// cones and cylinders along many axes. Points of a cylinder give a half angle near 0.
 ConeFit fitCone(std::span<const Eigen::Vector3d> points_m);
 
-double rms(std::span<const double> values);
+double rms(std::span<const double> values);  ///< the root of the mean square
 
 }  // namespace hexoderm

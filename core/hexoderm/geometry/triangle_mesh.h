@@ -14,16 +14,16 @@ struct TriangleMesh {
   std::vector<Eigen::Vector3d> points;
   std::vector<std::array<std::uint32_t, 3>> triangles;  ///< indices of points
 
-  [[nodiscard]] bool empty() const { return triangles.empty(); }
+  [[nodiscard]] bool empty() const { return triangles.empty(); }  ///< there is no triangle
 };
 
 /// The box along the axes that holds a mesh. For a mesh without points both corners are zero.
 struct BoundingBox {
   Eigen::Vector3d low = Eigen::Vector3d::Zero();
   Eigen::Vector3d high = Eigen::Vector3d::Zero();
-  [[nodiscard]] Eigen::Vector3d size() const { return high - low; }
+  [[nodiscard]] Eigen::Vector3d size() const { return high - low; }  ///< the lengths of its edges
 };
-BoundingBox boundingBox(const TriangleMesh& mesh);
+BoundingBox boundingBox(const TriangleMesh& mesh);  ///< the smallest box that holds all points of a mesh
 
 /// Maps all points by T_a_b, from frame b to frame a.
 TriangleMesh transformed(TriangleMesh mesh, const SE3& T_a_b);

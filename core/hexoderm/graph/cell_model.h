@@ -19,6 +19,7 @@ struct Port {
   Eigen::Vector3d vector_m;
 };
 
+/// The accelerometer of a cell, as its data sheet has it.
 struct Accelerometer {
   double range_g = 2.0;
   double lsb_g = 0.004;
@@ -64,7 +65,7 @@ struct CellModel {
   [[nodiscard]] const Port* findPort(PortNumber number) const;
   /// Throws InvalidArgument if the model has no such port.
   [[nodiscard]] const Port& port(PortNumber number) const;
-  [[nodiscard]] bool isForbidden(PortNumber a, PortNumber b) const;
+  [[nodiscard]] bool isForbidden(PortNumber a, PortNumber b) const;  ///< the two ports can't be joined
   /// Length of the longest extended port vector, metres.
   [[nodiscard]] double reach_m() const;
   /// The six corners of the front face in the cell frame, counter-clockwise seen from +z, metres.
@@ -83,6 +84,7 @@ struct LinkAngles {
   double bend_rad = 0;
   double yaw_rad = 0;
 };
+/// The angles of the link between two ports, from the rotation of its cells.
 LinkAngles linkAngles(const Eigen::Matrix3d& R_c_n, const Port& source, const Port& target);
 
 /// T_c_n of two joined cells from their relative rotation, eq. (3): t_c_n = p_c - R_c_n p_n.
@@ -90,11 +92,11 @@ SE3 linkTransform(const Eigen::Matrix3d& R_c_n, const Port& source, const Port& 
 
 /// The built-in model of the given name ("hex-bma150"). Throws InvalidArgument listing the names there are.
 CellModel builtInCellModel(std::string_view name);
-std::vector<std::string> builtInCellModelNames();
+std::vector<std::string> builtInCellModelNames();  ///< the names that builtInCellModel() knows
 
 /// JSON text of a model, and back. `file` is named in errors (FormatError with the key path).
 CellModel cellModelFromJson(std::string_view text, const std::string& file);
-std::string cellModelToJson(const CellModel& model);
+std::string cellModelToJson(const CellModel& model);  ///< the model as a document that parseCellModel() reads
 
 /// A built-in name, or the path of a JSON file.
 CellModel loadCellModel(const std::string& name_or_path);

@@ -16,6 +16,7 @@ struct NeighborReport {
   friend bool operator==(const NeighborReport&, const NeighborReport&) = default;
 };
 
+/// What a cell found at its ports.
 struct CellReport {
   CellId id;
   std::string body_part;  ///< empty if not known

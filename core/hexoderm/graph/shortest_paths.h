@@ -7,7 +7,7 @@
 
 namespace hexoderm {
 
-inline constexpr std::size_t kNoIndex = static_cast<std::size_t>(-1);
+inline constexpr std::size_t kNoIndex = static_cast<std::size_t>(-1);  ///< there is none
 
 /// Shortest paths from one cell along links that are not muted. Among equally short paths the one with fewer links is
 /// taken, then the one whose predecessor has the smallest ID. It is as large as the root's patch: a skin may fall apart

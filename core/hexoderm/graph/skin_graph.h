@@ -28,7 +28,8 @@ struct GraphLink {
   PortNumber target_port;
   std::optional<FindingCode> muted_by;
 
-  [[nodiscard]] bool muted() const { return muted_by.has_value(); }
+  [[nodiscard]] bool muted() const { return muted_by.has_value(); }  ///< the link is set aside, and not used
+  /// The index of the cell at the other end.
   [[nodiscard]] std::size_t other(std::size_t cell) const { return cell == source ? target : source; }
 };
 
@@ -40,17 +41,21 @@ class SkinGraph {
   /// Never throws for a bad topology; its faults are findings.
   SkinGraph(const CellModel& model, const NeighborList& neighbors);
 
-  [[nodiscard]] const std::vector<GraphCell>& cells() const { return cells_; }
+  [[nodiscard]] const std::vector<GraphCell>& cells() const { return cells_; }  ///< all cells, by their index
+  /// All links that can be used or are muted.
   [[nodiscard]] const std::vector<GraphLink>& links() const { return links_; }
+  /// What is wrong with the neighbours that cells report.
   [[nodiscard]] const std::vector<Finding>& findings() const { return findings_; }
-  [[nodiscard]] std::optional<std::size_t> indexOf(CellId id) const;
+  [[nodiscard]] std::optional<std::size_t> indexOf(CellId id) const;  ///< nothing for a cell that is not in the graph
   /// Index of the link between two ports, in either order.
   [[nodiscard]] std::optional<std::size_t> indexOf(LinkEnd a, LinkEnd b) const;
   /// Indices of the links at a cell, muted ones included.
   [[nodiscard]] std::span<const std::size_t> linksAt(std::size_t cell) const {
     return std::span(links_at_).subspan(first_link_at_[cell], first_link_at_[cell + 1] - first_link_at_[cell]);
   }
+  /// The cell and port that the link leaves.
   [[nodiscard]] LinkEnd sourceEnd(const GraphLink& link) const { return {cells_[link.source].id, link.source_port}; }
+  /// The cell and port that the link leads to.
   [[nodiscard]] LinkEnd targetEnd(const GraphLink& link) const { return {cells_[link.target].id, link.target_port}; }
 
   /// Connected components over the links that are not muted, numbered in the order of their smallest cell ID; the cells

@@ -19,6 +19,7 @@ struct PackageAttachment {
   Message what;
 };
 
+/// What goes into a package of several formats.
 struct PackageContent {
   std::vector<ExportFormat> formats;
   bool calibration = false;  ///< Hexoderm's own file too, from which the others can be made again
@@ -46,6 +47,7 @@ bool isZip(const std::filesystem::path& path);
 /// Called on the thread that writes: the file that is being made, and how many are done, of how many.
 using PackageProgress = std::function<void(const std::string& name, std::size_t done, std::size_t count)>;
 
+/// What was written of a package.
 struct WrittenPackage {
   std::vector<PackageEntry> entries;
   std::vector<std::filesystem::path> paths;  ///< of a folder its files, else the archive

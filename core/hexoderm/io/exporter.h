@@ -12,6 +12,7 @@
 
 namespace hexoderm {
 
+/// Everything that a calibration can be exported as.
 enum class ExportFormat {
   Csv,
   Dot,
@@ -31,6 +32,7 @@ enum class ExportFormat {
   Sdf,
   Mjcf,
 };
+/// The unit of lengths in a file.
 enum class LengthUnit { Millimetres, Metres };
 
 /// What a format can hold of a skin of several patches. How they lie to each other is not known, so that what has one
@@ -75,9 +77,10 @@ struct ExportOptions {
 
   /// Throw InvalidArgument naming the option; validateFor() also if an option is missing that the format needs.
   void validate() const;
-  void validateFor(ExportFormat format) const;
+  void validateFor(ExportFormat format) const;  ///< the same, and throws if an option is missing that the format needs
 };
 
+/// A format, for help and dialogs.
 struct ExportFormatDescription {
   ExportFormat format;
   std::string_view name;       ///< the name on the command line
@@ -86,14 +89,17 @@ struct ExportFormatDescription {
   PatchesInFile patches = PatchesInFile::One;
   Message not_carried;  ///< what a calibration holds and the format can't, for a line before it is written
 };
+/// All formats, in the order in which they are listed to people.
 std::span<const ExportFormatDescription> exportFormats();
-const ExportFormatDescription& exportFormatDescription(ExportFormat format);
+const ExportFormatDescription& exportFormatDescription(ExportFormat format);  ///< the description of a format
 /// Throws InvalidArgument listing the formats there are.
 ExportFormat exportFormatFromName(std::string_view name);
 
 /// An option of single formats as a value, so that a command line and a dialog offer all of them without knowing any.
 struct ExportOptionDescription {
+  /// What a dialog shows for it.
   enum class Kind { Text, Choice, File };
+  /// One of the values that can be chosen.
   struct Choice {
     std::string_view value;
     Message label;
@@ -107,7 +113,7 @@ struct ExportOptionDescription {
   std::string (*get)(const ExportOptions& options);
   void (*set)(ExportOptions& options, const std::string& value);  ///< of a choice one of its values
 };
-std::span<const ExportOptionDescription> exportOptions();
+std::span<const ExportOptionDescription> exportOptions();  ///< all options of single formats
 
 /// A patch that an export leaves out.
 struct PatchLeftOut {

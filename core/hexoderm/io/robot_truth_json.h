@@ -6,8 +6,8 @@
 
 namespace hexoderm {
 
-inline constexpr const char* kRobotTruthFormat = "hexoderm-robot-truth";
-inline constexpr int kRobotTruthVersion = 1;
+inline constexpr const char* kRobotTruthFormat = "hexoderm-robot-truth";  ///< what stands under `format`
+inline constexpr int kRobotTruthVersion = 1;                              ///< what stands under `version`
 
 /// What is known only of simulated robots, as JSON: where every patch is on its link, the errors of the joints, and how
 /// the robot stood in each pose (resources/formats/README.md has the keys).

@@ -11,6 +11,7 @@ namespace hexoderm {
 
 /// TUM SkinConfig XML: what a skin configuration of the closest tool holds.
 struct TumSkinConfig {
+  /// A cell of a SkinConfig.
   struct Cell {
     CellReport report;  ///< ID and neighbours; the file names no port of the other side
     std::uint32_t patch = 0;
@@ -25,6 +26,7 @@ struct TumSkinConfig {
 /// Throws StorageError, or FormatError naming the file, the element and what was expected. Positions are at most 1000 m
 /// along each axis.
 TumSkinConfig readTumXml(const std::filesystem::path& path);
+/// The same of a text; `file` is named in errors.
 TumSkinConfig parseTumXml(std::string_view text, const std::string& file);
 
 /// The topology alone, as a session without poses.

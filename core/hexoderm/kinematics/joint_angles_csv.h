@@ -29,6 +29,7 @@ struct JointAnglesTable {
                                               double within_s = 1) const;
 };
 
+/// How a table of joint angles is read.
 struct JointAnglesCsvOptions {
   /// Free joints of the robot that have no column stand at 0; otherwise that is an error, which names them.
   bool missing_are_zero = false;
@@ -39,6 +40,7 @@ struct JointAnglesCsvOptions {
 /// twice, times that go back.
 JointAnglesTable readJointAnglesCsv(const std::filesystem::path& path, const RobotModel& robot,
                                     JointAnglesCsvOptions options = {});
+/// The same of a text; `file` is named in errors.
 JointAnglesTable parseJointAnglesCsv(std::string_view text, const std::string& file, const RobotModel& robot,
                                      JointAnglesCsvOptions options = {});
 

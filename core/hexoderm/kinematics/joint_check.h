@@ -34,7 +34,7 @@ struct JointDoubts {
   /// Said where the angles make sense only as degrees: read as rad, most joints that turn are outside their limits by
   /// more than their whole range (without limits, by more than six turns), and as degrees none is outside.
   std::optional<Message> probably_degrees;
-  [[nodiscard]] bool empty() const { return beyond_limits.empty() && !probably_degrees; }
+  [[nodiscard]] bool empty() const { return beyond_limits.empty() && !probably_degrees; }  ///< there is no doubt
 };
 
 /// Looks at the angles of several poses together. Joints that the robot does not have are ignored.

@@ -17,8 +17,10 @@
 
 namespace hexoderm {
 
+/// How a joint moves.
 enum class JointType { Fixed, Revolute, Continuous, Prismatic };
 
+/// How far a joint moves.
 struct JointLimits {
   double lower = 0;  ///< rad; prismatic: m
   double upper = 0;
@@ -29,6 +31,7 @@ struct JointMimic {
   double multiplier = 1;
   double offset = 0;
 };
+/// A joint of a robot, as its URDF has it.
 struct RobotJoint {
   std::string name;
   JointType type = JointType::Fixed;
@@ -43,6 +46,7 @@ struct RobotJoint {
   [[nodiscard]] bool isFree() const { return type != JointType::Fixed && !mimic; }
 };
 
+/// A box around the origin of its frame.
 struct BoxShape {
   Eigen::Vector3d size_m;
 };
@@ -51,9 +55,11 @@ struct CylinderShape {
   double radius_m = 0;
   double length_m = 0;
 };
+/// A sphere around the origin of its frame.
 struct SphereShape {
   double radius_m = 0;
 };
+/// A mesh in a file.
 struct MeshShape {
   std::string file;  ///< as the URDF has it: package://..., file://... or a path
   Eigen::Vector3d scale = Eigen::Vector3d::Ones();
@@ -63,6 +69,7 @@ struct LinkShape {
   SE3 T_l_shape;
   std::variant<BoxShape, CylinderShape, SphereShape, MeshShape> shape;
 };
+/// A link of a robot, as its URDF has it.
 struct RobotLink {
   std::string name;
   std::optional<std::size_t> joint;  ///< that carries the link, index in RobotModel::joints(); none for the root
@@ -100,21 +107,23 @@ class RobotModel {
   /// The same of a text; `file` is named in errors, and meshes are looked for from its folder.
   static RobotModel parse(std::string_view urdf, const std::filesystem::path& file, PackageFolders packages = {});
 
-  [[nodiscard]] const std::string& name() const;
-  [[nodiscard]] const std::filesystem::path& file() const;
+  [[nodiscard]] const std::string& name() const;            ///< the robot's own name
+  [[nodiscard]] const std::filesystem::path& file() const;  ///< the URDF that it was read from
   /// SHA-256 of the URDF's bytes, in hexadecimal digits.
   [[nodiscard]] const std::string& sha256() const;
   [[nodiscard]] const std::vector<RobotLink>& links() const;    ///< in the order of the file
   [[nodiscard]] const std::vector<RobotJoint>& joints() const;  ///< in the order of the file
-  [[nodiscard]] std::size_t rootLink() const;
+  [[nodiscard]] std::size_t rootLink() const;                   ///< the index of the link that no joint moves
   /// What was taken otherwise than the file says; empty for most robots.
   [[nodiscard]] const std::vector<Message>& notes() const;
 
   /// Index of a link or joint. Throw InvalidArgument naming the file, and the name that may have been meant.
   [[nodiscard]] std::size_t linkNamed(std::string_view name) const;
+  /// The index of a joint; throws InvalidArgument naming those there are.
   [[nodiscard]] std::size_t jointNamed(std::string_view name) const;
   /// nullopt if there is none of the name.
   [[nodiscard]] std::optional<std::size_t> findLink(std::string_view name) const;
+  /// The index of a joint; nothing if there is none of this name.
   [[nodiscard]] std::optional<std::size_t> findJoint(std::string_view name) const;
 
   /// T_w_l of every link, by index. A free joint that is not named stands at 0; a joint that mimics another follows it

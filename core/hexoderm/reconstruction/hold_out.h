@@ -8,6 +8,7 @@
 
 namespace hexoderm {
 
+/// What became of a pose that was held out.
 enum class HoldOutOutcome {
   Evaluated,
   TooFewPoses,       ///< fewer than three other poses: offsets and attitudes can't be told apart
@@ -21,11 +22,13 @@ enum class HoldOutAgreement { AsStated, Worse, FarWorse };
 /// Poses besides the one that is held out: offsets and attitudes can't be told apart with fewer.
 inline constexpr std::size_t kFewestOtherPoses = 3;
 
+/// How well the other poses foretell a cell's reading.
 struct HoldOutCell {
   CellId cell;
   double error_rad = 0;
   double expected_rad = 0;  ///< root of the expected square of the error
 };
+/// How well the other poses foretell a link.
 struct HoldOutLink {
   LinkEnd source;
   LinkEnd target;

@@ -17,7 +17,7 @@ enum class SolveStage {
 /// is enough for an operator who watches.
 class SolveProgress {
  public:
-  void enter(SolveStage stage) { stage_.store(stage, std::memory_order_relaxed); }
+  void enter(SolveStage stage) { stage_.store(stage, std::memory_order_relaxed); }  ///< a stage begins
   /// `patch` of `patches` is being solved; the first is 0.
   void enterPatch(std::size_t patch, std::size_t patches) {
     patch_.store(patch, std::memory_order_relaxed);
@@ -25,8 +25,11 @@ class SolveProgress {
     enter(SolveStage::Patches);
   }
 
+  /// The stage that is being done.
   [[nodiscard]] SolveStage stage() const { return stage_.load(std::memory_order_relaxed); }
+  /// The number of the patch that is being solved.
   [[nodiscard]] std::size_t patch() const { return patch_.load(std::memory_order_relaxed); }
+  /// The number of patches there are.
   [[nodiscard]] std::size_t patches() const { return patches_.load(std::memory_order_relaxed); }
 
  private:

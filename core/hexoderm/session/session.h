@@ -56,13 +56,14 @@ struct SessionSnapshot {
 /// The session while it is worked on: owned by one thread; every change makes a new revision.
 class Session {
  public:
-  Session(CellModel model, NeighborList neighbors, SourceDescription source = {});
+  Session(CellModel model, NeighborList neighbors, SourceDescription source = {});  ///< a session without poses
 
-  [[nodiscard]] const CellModel& model() const { return *model_; }
-  [[nodiscard]] const NeighborList& neighbors() const { return *neighbors_; }
+  [[nodiscard]] const CellModel& model() const { return *model_; }             ///< the kind of its cells
+  [[nodiscard]] const NeighborList& neighbors() const { return *neighbors_; }  ///< the links that cells report
+  /// All poses, in their order, disabled ones too.
   [[nodiscard]] const std::vector<SessionPose>& poses() const { return poses_; }
-  [[nodiscard]] const SourceDescription& source() const { return source_; }
-  [[nodiscard]] const std::shared_ptr<const GroundTruth>& truth() const { return truth_; }
+  [[nodiscard]] const SourceDescription& source() const { return source_; }  ///< where the session is from
+  [[nodiscard]] const std::shared_ptr<const GroundTruth>& truth() const { return truth_; }  ///< null: it is not known
   /// The muted links, in ascending order of their ends.
   [[nodiscard]] const std::vector<MutedLink>& mutedLinks() const { return muted_links_; }
   /// Null if the link between these ports, in either order, is not set aside.
@@ -73,12 +74,12 @@ class Session {
   [[nodiscard]] const std::vector<PatchPlacement>& placements() const { return placements_; }
   /// Null if nothing was decided under this origin cell.
   [[nodiscard]] const PatchPlacement* findPlacement(CellId origin) const;
-  [[nodiscard]] std::uint64_t revision() const { return revision_; }
+  [[nodiscard]] std::uint64_t revision() const { return revision_; }  ///< counts the changes of the session
 
   /// The device describes itself again: poses, source and truth stay.
   void setSkin(CellModel model, NeighborList neighbors);
-  void setTruth(GroundTruth truth);
-  void setSource(SourceDescription source);
+  void setTruth(GroundTruth truth);          ///< of a simulated skin
+  void setSource(SourceDescription source);  ///< see source()
 
   /// The ID a next pose should carry: one more than the largest ever used here.
   [[nodiscard]] PoseId nextPoseId() const;
@@ -101,6 +102,7 @@ class Session {
   /// an origin, nor in the topology. Throws InvalidArgument for one that makes no sense.
   void setPlacement(PatchPlacement placement);
 
+  /// The session as it is now, for other threads.
   [[nodiscard]] std::shared_ptr<const SessionSnapshot> snapshot() const;
 
  private:

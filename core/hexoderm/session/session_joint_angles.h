@@ -13,6 +13,7 @@ struct JointAnglesForSession {
   std::vector<SetJointAngles> edits;   ///< for each pose that the table has, in the session's order
   std::vector<PoseId> without_angles;  ///< poses of the session that it does not have, disabled ones too
 };
+/// The rows of a table, by the poses that they belong to.
 JointAnglesForSession jointAnglesFor(const Session& session, const JointAnglesTable& table);
 /// Why a table has nothing for any pose of a session, with the numbers or times of both; empty where it has something.
 Message whyNoPoseHasAngles(const Session& session, const JointAnglesTable& table);

@@ -29,10 +29,10 @@ struct StoreOutcome {
 /// once for every attempt that failed. All functions can be called from any thread and return at once.
 class SessionRecorder {
  public:
-  using Acknowledge = std::function<void(const StoreOutcome&)>;
-  using Open = std::function<SessionStore()>;
+  using Acknowledge = std::function<void(const StoreOutcome&)>;  ///< is given the fate of an operation
+  using Open = std::function<SessionStore()>;                    ///< makes the store, on the recorder's thread
 
-  explicit SessionRecorder(SessionStore store);
+  explicit SessionRecorder(SessionStore store);  ///< takes a store over
   /// Opens the store on the recorder's thread; what is appended meanwhile waits for it.
   SessionRecorder(Open open, Acknowledge opened);
   /// Tries once more to write the waiting operations, closes the store and joins the thread. This may wait for the

@@ -84,8 +84,8 @@ class SessionStore {
   [[nodiscard]] std::int64_t editedAtMs() const;
   /// Text of a JSON object; "{}" if none were set.
   [[nodiscard]] const std::string& options() const;
-  [[nodiscard]] std::vector<JournalLine> history() const;
-  [[nodiscard]] const std::filesystem::path& path() const;
+  [[nodiscard]] std::vector<JournalLine> history() const;   ///< all entries, the first one first
+  [[nodiscard]] const std::filesystem::path& path() const;  ///< the file
 
  private:
   struct State;

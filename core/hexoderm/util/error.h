@@ -15,9 +15,10 @@ namespace hexoderm {
 /// field are values (`Finding`), not errors.
 class Error : public std::runtime_error {
  public:
-  explicit Error(Message message);
+  explicit Error(Message message);  ///< a text that is translated where it is shown
   /// A text that is not translated: for mistakes of a caller, and for the words of others.
   explicit Error(const std::string& verbatim) : Error(Message::verbatim(verbatim)) {}
+  /// What is wrong, where, and what was expected.
   [[nodiscard]] const Message& message() const noexcept { return *message_; }
 
  private:

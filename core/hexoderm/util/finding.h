@@ -11,6 +11,7 @@
 
 namespace hexoderm {
 
+/// How much a finding matters.
 enum class Severity { Info, Warning, Error };
 
 /// Everything the program can find wrong or worth knowing about a skin, its topology and its poses. The names in files
@@ -67,6 +68,7 @@ enum class FindingCode {
   NotConverged,
 };
 
+/// A kind of finding, for documents and help.
 struct FindingDescription {
   FindingCode code;
   std::string_view name;  ///< as written in files, for example "one-sided-link"
@@ -76,10 +78,10 @@ struct FindingDescription {
 
 /// One entry per code, in the order of the enumeration.
 std::span<const FindingDescription> findingTable();
-std::string_view codeName(FindingCode code);
-std::optional<FindingCode> codeFromName(std::string_view name);
-std::string_view severityName(Severity severity);
-std::optional<Severity> severityFromName(std::string_view name);
+std::string_view codeName(FindingCode code);                      ///< the code's name in files
+std::optional<FindingCode> codeFromName(std::string_view name);   ///< nothing for a name that is none
+std::string_view severityName(Severity severity);                 ///< the severity's name in files
+std::optional<Severity> severityFromName(std::string_view name);  ///< nothing for a name that is none
 
 /// Something the operator or engineer should know, in words, with the cells, ports and poses it is about.
 /// `ports[i]` belongs to `cells[i]` where ports are given.

@@ -28,7 +28,7 @@ struct FindingAdvice {
 
 /// One entry per code, in the order of the enumeration. It is the table in `core/hexoderm/util/README.md`.
 std::span<const FindingAdvice> findingAdvice();
-const FindingAdvice& adviceOn(FindingCode code);
+const FindingAdvice& adviceOn(FindingCode code);  ///< the advice on a kind of finding
 
 /// "take the pose again", for that table.
 std::string_view remedyInWords(FindingRemedy remedy);

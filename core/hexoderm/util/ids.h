@@ -14,10 +14,10 @@ template <class Tag>
 class StrongId {
  public:
   constexpr StrongId() = default;
-  constexpr explicit StrongId(std::uint32_t value) : value_(value) {}
-  [[nodiscard]] constexpr std::uint32_t value() const { return value_; }
+  constexpr explicit StrongId(std::uint32_t value) : value_(value) {}     ///< the ID with this number
+  [[nodiscard]] constexpr std::uint32_t value() const { return value_; }  ///< the number of the ID
   friend constexpr auto operator<=>(StrongId, StrongId) = default;
-  friend std::ostream& operator<<(std::ostream& out, StrongId id) { return out << id.value_; }
+  friend std::ostream& operator<<(std::ostream& out, StrongId id) { return out << id.value_; }  ///< writes the number
 
  private:
   std::uint32_t value_ = 0;
@@ -28,6 +28,7 @@ using PoseId = StrongId<struct PoseIdTag>;          ///< a held orientation of t
 using PatchId = StrongId<struct PatchIdTag>;        ///< 0, 1, ... in the order of the patches' smallest cell
 using PortNumber = StrongId<struct PortNumberTag>;  ///< as the cell model numbers its ports
 
+/// The number as text.
 template <class Tag>
 std::string toString(StrongId<Tag> id) {
   return std::to_string(id.value());
@@ -42,7 +43,9 @@ struct LinkEnd {
 
 }  // namespace hexoderm
 
+/// That of its number.
 template <class Tag>
 struct std::hash<hexoderm::StrongId<Tag>> {
+  /// That of the number.
   std::size_t operator()(hexoderm::StrongId<Tag> id) const noexcept { return std::hash<std::uint32_t>{}(id.value()); }
 };

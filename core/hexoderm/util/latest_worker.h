@@ -19,7 +19,7 @@ class LatestWorker {
   /// `stop` is requested by cancel() and by the destructor; a job that takes long should check it.
   using Job = std::function<void(const std::stop_token& stop)>;
 
-  explicit LatestWorker(std::size_t mailboxes = 1);
+  explicit LatestWorker(std::size_t mailboxes = 1);  ///< with so many mailboxes, each of which keeps the newest job
   /// Stops the running job, drops those that wait and joins the thread.
   ~LatestWorker();
   LatestWorker(const LatestWorker&) = delete;

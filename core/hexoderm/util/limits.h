@@ -6,9 +6,9 @@
 /// squares, sums and quotients stay finite wherever they are used.
 namespace hexoderm {
 
-inline constexpr double kMostAcceleration_g = 1e6;
-inline constexpr double kMostVariance_g2 = 1e13;  ///< of readings within kMostAcceleration_g, with room for rounding
-inline constexpr double kMostLength_m = 1e6;
+inline constexpr double kMostAcceleration_g = 1e6;  ///< of a reading, and of its mean
+inline constexpr double kMostVariance_g2 = 1e13;    ///< of readings within kMostAcceleration_g, with room for rounding
+inline constexpr double kMostLength_m = 1e6;        ///< of a place, and of a distance
 
 /// Every element is a number, and at most `most` in magnitude.
 template <class Derived>

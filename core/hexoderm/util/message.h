@@ -18,7 +18,7 @@ namespace hexoderm {
 
 /// A number with a fixed count of decimals; without one, the shortest text that reads back as the same double.
 struct Number {
-  static constexpr int kExact = -1;
+  static constexpr int kExact = -1;  ///< as many decimals as tell the double
   double value = 0;
   int decimals = kExact;
 };
@@ -43,6 +43,7 @@ struct Seconds {
   int decimals = 1;
 };
 
+/// The unit in which people read a figure.
 enum class Unit { None, Degrees, Millimetres, MilliG, Seconds };
 
 /// The text that follows a figure, its blank included: " mm", "°".
@@ -71,15 +72,17 @@ class Message {
   /// A text that is never translated: a name, or the words of a library or an operator.
   static Message verbatim(std::string text);
 
+  /// The template, with its placeholders.
   [[nodiscard]] const std::string& englishTemplate() const { return template_; }
+  /// One for each placeholder.
   [[nodiscard]] const std::vector<MessageArgument>& arguments() const { return arguments_; }
-  [[nodiscard]] bool empty() const { return template_.empty(); }
-  [[nodiscard]] bool isVerbatim() const;
+  [[nodiscard]] bool empty() const { return template_.empty(); }  ///< it says nothing
+  [[nodiscard]] bool isVerbatim() const;                          ///< it is never translated
   /// The template with its arguments, numbers with a decimal point. Throws std::logic_error if they don't match.
   [[nodiscard]] std::string english() const;
 
-  friend bool operator==(const Message& a, const Message& b);
-  friend std::ostream& operator<<(std::ostream& out, const Message& message);
+  friend bool operator==(const Message& a, const Message& b);                  ///< the same template and arguments
+  friend std::ostream& operator<<(std::ostream& out, const Message& message);  ///< writes english()
 
  private:
   std::string template_;
@@ -88,29 +91,33 @@ class Message {
 
 /// One argument: an ID or a count, a figure, a verbatim text, a list ("1, 2 and 3"), or a message of its own.
 struct MessageArgument {
-  using List = std::vector<MessageArgument>;
+  using List = std::vector<MessageArgument>;  ///< items of a list
 
+  /// A count.
   template <std::integral Count>
   requires(!std::same_as<Count, bool> && !std::same_as<Count, char>) MessageArgument(Count count)
       : value(static_cast<std::int64_t>(count)) {}
+  /// An ID.
   template <class Tag>
   MessageArgument(StrongId<Tag> id) : value(static_cast<std::int64_t>(id.value())) {}
-  MessageArgument(Quantity quantity) : value(quantity) {}
-  MessageArgument(Number number);
-  MessageArgument(Degrees angle);
-  MessageArgument(Millimetres length);
-  MessageArgument(MilliG acceleration);
-  MessageArgument(Seconds time);
-  MessageArgument(std::string text) : value(std::move(text)) {}
-  MessageArgument(std::string_view text) : value(std::string(text)) {}
-  MessageArgument(const char* text) : value(std::string(text)) {}
-  MessageArgument(Message message) : value(std::move(message)) {}
-  MessageArgument(List items) : value(std::move(items)) {}
+  MessageArgument(Quantity quantity) : value(quantity) {}               ///< a figure
+  MessageArgument(Number number);                                       ///< a number
+  MessageArgument(Degrees angle);                                       ///< an angle
+  MessageArgument(Millimetres length);                                  ///< a length
+  MessageArgument(MilliG acceleration);                                 ///< an acceleration
+  MessageArgument(Seconds time);                                        ///< a time
+  MessageArgument(std::string text) : value(std::move(text)) {}         ///< a text as it is
+  MessageArgument(std::string_view text) : value(std::string(text)) {}  ///< a text as it is
+  MessageArgument(const char* text) : value(std::string(text)) {}       ///< a text as it is
+  MessageArgument(Message message) : value(std::move(message)) {}       ///< a message within the message
+  MessageArgument(List items) : value(std::move(items)) {}              ///< a list
+  /// A list.
   template <class Item>
   requires(!std::same_as<Item, MessageArgument>) MessageArgument(const std::vector<Item>& items)
       : value(List(items.begin(), items.end())) {}
 
-  [[nodiscard]] std::string english() const;
+  [[nodiscard]] std::string english() const;  ///< the argument as it stands in a message
+  /// The same argument.
   friend bool operator==(const MessageArgument& a, const MessageArgument& b) { return a.value == b.value; }
 
   std::variant<std::int64_t, Quantity, std::string, List, Message> value;
@@ -150,6 +157,7 @@ std::string fillTemplate(const std::string& text, std::span<const std::string> a
 /// A literal template; one whose placeholders are not as many as the arguments does not compile.
 template <class... Arguments>
 struct LiteralTemplate {
+  /// A literal with as many placeholders as arguments, which the compiler checks.
   consteval LiteralTemplate(const char* english_text) : english(english_text) {  // NOLINT(*-explicit-*)
     if (!isTemplate(english_text, sizeof...(Arguments))) throw "each argument needs one placeholder";
   }

@@ -14,10 +14,10 @@ namespace hexoderm {
 /// SHA-256 (FIPS 180-4) of bytes that come in pieces. Throws Error where OpenSSL does not have it.
 class Sha256 {
  public:
-  using Digest = std::array<std::uint8_t, 32>;
+  using Digest = std::array<std::uint8_t, 32>;  ///< the 32 bytes of the sum
 
   Sha256();
-  void add(const void* data, std::size_t size);
+  void add(const void* data, std::size_t size);  ///< these bytes follow those before
   /// The digest of everything added; nothing may be added afterwards.
   [[nodiscard]] Digest finish();
 

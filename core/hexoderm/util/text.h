@@ -20,9 +20,10 @@ double parseNumber(std::string_view text, std::string_view what);
 unsigned parseUnsigned(std::string_view text, std::string_view what);
 
 /// The beginning of a text or of bytes that somebody sent, safe for a terminal and a log: one line of printable ASCII,
-/// all else as \n, \r, \t or \xNN, at most `most` characters and then "...".
+/// all else as `\n`, `\r`, `\t` or `\xNN`, at most `most` characters and then "...".
 std::string excerptOf(std::string_view bytes, std::size_t most = 80);
 
+/// The parts between separators, empty ones too.
 std::vector<std::string> split(std::string_view text, char separator);
 
 /// A text of at most `most` bytes: its beginning and its end around "..." if it is longer. Never cuts a UTF-8
@@ -31,7 +32,7 @@ std::string shortened(std::string_view text, std::size_t most);
 
 /// A text of others, a name or a file's content, as part of one line on a terminal: control characters, which could
 /// move the cursor or hide what was said, marks that turn the direction of writing, and bytes that are not UTF-8 become
-/// escapes (\n, \u001b, \xff).
+/// escapes (`\n`, `\u001b`, `\xff`).
 std::string forTerminal(std::string_view text);
 
 /// "1, 2 and 3" of items that have a `toString`.

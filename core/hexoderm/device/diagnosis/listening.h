@@ -56,7 +56,7 @@ class Listening final : public SkinListener {
   void onStatus(const SourceStatus& status) override { status_ = status; }
   void onCommandOutcome(const CommandOutcome& /*outcome*/) override {}
 
-  [[nodiscard]] ListeningReport report() const;
+  [[nodiscard]] ListeningReport report() const;  ///< what was found until now
 
  private:
   struct Cell {

@@ -13,6 +13,7 @@
 
 namespace hexoderm {
 
+/// How an emulated device sends.
 struct EmulatedDeviceOptions {
   double rate_hz = 0;          ///< rate of the samples; 0: the cell model's
   std::uint32_t means_of = 0;  ///< samples that a cell averages by itself; 0: every sample is sent
@@ -35,7 +36,7 @@ struct EmulatedDeviceOptions {
 /// says where its joints stand as JointReporting has it.
 class EmulatedDevice {
  public:
-  using Messages = std::vector<skinwire::Message>;
+  using Messages = std::vector<skinwire::Message>;  ///< what the device sends, in order
 
   /// Throws InvalidArgument as exploreNetwork, firstFreePorts and the options' validate() do, and if the names of the
   /// joints don't fit into a message.
@@ -59,21 +60,25 @@ class EmulatedDevice {
 
   /// Length of a tick, s: 1 / the cell model's rate, whatever part of the ticks is sent.
   [[nodiscard]] double tick_s() const { return 1 / body_->rate_hz(); }
+  /// Device time since it started.
   [[nodiscard]] double time_s() const { return static_cast<double>(ticks_) * tick_s(); }
-  [[nodiscard]] const SimulatedBody& body() const { return *body_; }
+  [[nodiscard]] const SimulatedBody& body() const { return *body_; }  ///< what wears the skin
+  /// Its cells are still looking for their neighbours.
   [[nodiscard]] bool isExploring() const { return ticks_ < explored_at_; }
   /// The last one that was begun.
   [[nodiscard]] const Exploration& exploration() const { return exploration_; }
-  [[nodiscard]] skinwire::Hello hello() const;
-  [[nodiscard]] skinwire::Status status() const;
+  [[nodiscard]] skinwire::Hello hello() const;    ///< its description of itself
+  [[nodiscard]] skinwire::Status status() const;  ///< its report about itself
+  /// Samples of each cell per second.
   [[nodiscard]] double rate_hz() const { return 1 / (tick_s() * static_cast<double>(divider_)); }
   /// Red, green, blue; black without a command. Throws InvalidArgument if there is no such cell.
   [[nodiscard]] std::array<std::uint8_t, 3> led(CellId cell) const;
 
   // Faults and motions while it runs. All throw InvalidArgument for what is not there.
+  /// Turns the body until this direction points up, as a command would.
   void turnTo(const Eigen::Vector3d& up_b, Messages& out);
-  void turnToNextPose(Messages& out);
-  void breakCell(const CellFault& fault);
+  void turnToNextPose(Messages& out);      ///< turns the body to the next pose of its own choice
+  void breakCell(const CellFault& fault);  ///< a cell fails from now on
   /// Mends the cell's sensor at once, and its part in the network from the next exploration on.
   void mendCell(CellId cell);
   /// The mould is another one: the device starts over, with its clock and its numbering, and explores.
@@ -82,10 +87,10 @@ class EmulatedDevice {
   bool mendLink(const LinkEnd& at, Messages& out);
   /// From the next exploration on.
   void breakPort(const PortFault& fault);
-  bool mendPort(const LinkEnd& at);
+  bool mendPort(const LinkEnd& at);  ///< the port works again; false: it had no fault
   /// It answers no neighbour: from the next exploration on.
   void breakController(CellId cell);
-  void exploreAgain(Messages& out);
+  void exploreAgain(Messages& out);  ///< the cells explore their neighbours again
 
  private:
   struct Turn {

@@ -17,6 +17,7 @@ enum class PortFaultKind {
   Cut,   ///< both
 };
 
+/// A port that fails while neighbours are explored.
 struct PortFault {
   PortFaultKind kind{};
   LinkEnd at;

@@ -10,7 +10,8 @@ namespace hexoderm {
 
 /// Names of the simulator's faults, for the command line, in the order in which they are listed.
 std::span<const std::pair<std::string_view, SkinFault>> skinFaultNames();
-std::span<const std::pair<std::string_view, LinkFaultKind>> linkFaultNames();
+std::span<const std::pair<std::string_view, LinkFaultKind>> linkFaultNames();  ///< the same of faults of links
+/// The same of faults of all cells at once.
 std::span<const std::pair<std::string_view, WholeSkinFault>> wholeSkinFaultNames();
 
 }  // namespace hexoderm

@@ -24,11 +24,11 @@ class SimulatedBody {
  public:
   virtual ~SimulatedBody() = default;
 
-  [[nodiscard]] virtual const CellModel& model() const = 0;
+  [[nodiscard]] virtual const CellModel& model() const = 0;  ///< the kind of its cells
   /// Cells have the IDs 1, 2, ... in this order.
   [[nodiscard]] virtual const NeighborList& neighbors() const = 0;
-  [[nodiscard]] virtual GroundTruth groundTruth() const = 0;
-  [[nodiscard]] virtual Message description() const = 0;
+  [[nodiscard]] virtual GroundTruth groundTruth() const = 0;  ///< where its cells really are
+  [[nodiscard]] virtual Message description() const = 0;      ///< what it is, in words
   /// Readings a second and cell: the clock's ticks.
   [[nodiscard]] virtual double rate_hz() const = 0;
 
@@ -54,10 +54,10 @@ class SimulatedBody {
   /// Breaks a cell's sensor from the next tick on, or mends all that is broken about it. Throw InvalidArgument if there
   /// is no such cell.
   virtual void breakCell(const CellFault& fault) = 0;
-  virtual void mendCell(CellId cell) = 0;
+  virtual void mendCell(CellId cell) = 0;  ///< the cell works as before its faults
   /// What was broken from the beginning.
   [[nodiscard]] virtual std::vector<CellFault> cellFaults() const = 0;
-  [[nodiscard]] virtual std::vector<LinkFault> linkFaults() const = 0;
+  [[nodiscard]] virtual std::vector<LinkFault> linkFaults() const = 0;  ///< the faults of links that it has now
   /// The same body as at its beginning, with these links broken and all sensors whole. Throws InvalidArgument for links
   /// that are not there or can't be broken so.
   [[nodiscard]] virtual std::unique_ptr<SimulatedBody> withLinkFaults(std::vector<LinkFault> faults) const = 0;

@@ -30,6 +30,7 @@ enum class BaseHold {
   Hand,   ///< a person, who turns the whole robot anew in every pose, and trembles
 };
 
+/// A robot, its patches, and what holds it.
 struct SimulatedRobotOptions {
   std::vector<PatchMount> mounts;
   std::uint64_t seed = 1;
@@ -79,10 +80,10 @@ class SimulatedRobot final : public SimulatedBody {
   SimulatedRobot& operator=(SimulatedRobot&&) noexcept;
 
   [[nodiscard]] const CellModel& model() const override;
-  [[nodiscard]] const RobotModel& robot() const;
-  [[nodiscard]] const SimulatedRobotOptions& options() const;
-  [[nodiscard]] const NeighborList& neighbors() const override;  ///< body parts are not told
-  [[nodiscard]] const std::vector<MountedPatch>& patches() const;
+  [[nodiscard]] const RobotModel& robot() const;                   ///< the robot that wears the skin
+  [[nodiscard]] const SimulatedRobotOptions& options() const;      ///< the options it was made with
+  [[nodiscard]] const NeighborList& neighbors() const override;    ///< body parts are not told
+  [[nodiscard]] const std::vector<MountedPatch>& patches() const;  ///< the patches, each with its place on a link
   /// True angle minus reported one of every free joint, rad; 0 for those that slide.
   [[nodiscard]] const JointAngles& zeroOffsets() const;
   /// The placement of every cell in the frame of the link that it is on.

@@ -21,6 +21,7 @@ enum class LinkLaw {
   Surface,  ///< neighbouring centres one pitch (2 e) apart along the surface
 };
 
+/// A skin, its errors and how it is held.
 struct SimulatedSkinOptions {
   std::string patch = "x17";  ///< x17 | ringN | ringN:closed | sheet:ROWSxCOLS
   std::string surface;        ///< plane | cylinder:r=M | sphere:r=M | cone:r=M,angle=RAD | torus:R=M,r=M
@@ -75,6 +76,7 @@ struct CarriedBody {
   Eigen::Vector3d hand_b = Eigen::Vector3d::Zero();
 };
 
+/// A cell as it really is.
 struct TrueCell {
   CellId id;
   SE3 T_b_u;  ///< from the cell frame to the body frame
@@ -112,7 +114,7 @@ class SimulatedSkin final : public SimulatedBody {
   /// The given options, with the default surface's description filled in.
   [[nodiscard]] const SimulatedSkinOptions& options() const;
   [[nodiscard]] const NeighborList& neighbors() const override;
-  [[nodiscard]] const std::vector<TrueCell>& truth() const;
+  [[nodiscard]] const std::vector<TrueCell>& truth() const;  ///< all cells as they really are
   /// The part of the truth that is about places.
   [[nodiscard]] GroundTruth groundTruth() const override;
   /// "Simulated x17 on cylinder:r=0.0501, link law bend, seed 1".

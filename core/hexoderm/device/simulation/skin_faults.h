@@ -28,6 +28,7 @@ struct CellFault {
   CellId cell;
 };
 
+/// What can be wrong with a link.
 enum class LinkFaultKind {
   /// Both cells report the link at another of the cell's ports, which is free; drawn from the seed. Only measurements
   /// can tell.

@@ -9,8 +9,8 @@
 
 namespace hexoderm::skinwire {
 
-using Bytes = std::vector<std::uint8_t>;
-using ByteView = std::span<const std::uint8_t>;
+using Bytes = std::vector<std::uint8_t>;         ///< bytes on the wire
+using ByteView = std::span<const std::uint8_t>;  ///< bytes on the wire of somebody else's
 
 /// Why a body or line gave no message.
 enum class DecodeOutcome {
@@ -20,6 +20,7 @@ enum class DecodeOutcome {
   UnknownType,  ///< whole, but of a type that this version does not know: to be skipped
 };
 
+/// What was read of a body.
 struct Decoded {
   DecodeOutcome outcome = DecodeOutcome::Broken;
   Message message{};        ///< valid if outcome is Understood

@@ -22,7 +22,7 @@ class TopologyAssembler {
   /// The whole topology with the part that completes it, else nullopt. A part of another topology (id or number of
   /// parts) drops what was gathered of the one before, and so does one that would make it larger than kMaxCells.
   std::optional<NeighborList> add(Topology part);
-  void clear();
+  void clear();  ///< forgets what it was told
 
  private:
   std::uint32_t id_ = 0;

@@ -18,7 +18,7 @@ enum class Framing {
 /// A message as it goes out on a stream: everything between two frames is in it.
 Bytes encodeFrame(Framing framing, const Message& message);
 
-Bytes encodeCobs(ByteView bytes);
+Bytes encodeCobs(ByteView bytes);  ///< the bytes without a zero in them (COBS), without the zero that ends a frame
 /// nullopt if the bytes, without the final 0x00, are no COBS coding.
 std::optional<Bytes> decodeCobs(ByteView bytes);
 

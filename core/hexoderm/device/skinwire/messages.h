@@ -15,8 +15,8 @@
 /// are the same here. README.md in this folder documents framing and rules.
 namespace hexoderm::skinwire {
 
-inline constexpr std::uint8_t kMajor = 1;
-inline constexpr std::uint32_t kMinor = 1;
+inline constexpr std::uint8_t kMajor = 1;   ///< a device with another one is refused
+inline constexpr std::uint32_t kMinor = 1;  ///< the newest version whose messages and fields are known here
 
 /// Longest body of a frame (and longest line), bytes. A frame that claims to be longer is broken.
 inline constexpr std::size_t kMaxBody = 1U << 20U;
@@ -29,6 +29,7 @@ inline constexpr std::size_t kMaxCells = 1'000'000;
 /// Largest time: beyond it a double of microseconds is not exact.
 inline constexpr std::uint64_t kMaxTime_us = std::uint64_t{1} << 53U;
 
+/// The device's description of itself.
 struct Hello {
   std::uint32_t minor = kMinor;
   std::string device{};
@@ -68,6 +69,7 @@ struct Samples {
   [[nodiscard]] std::size_t ticks() const;
 };
 
+/// The device's report about itself.
 struct Status {
   std::string text{};
   bool exploring = false;
@@ -76,15 +78,18 @@ struct Status {
   friend bool operator==(const Status&, const Status&) = default;
 };
 
+/// Command: send so many samples a second.
 struct SetRate {
   double rate_hz = 0;
   friend bool operator==(const SetRate&, const SetRate&) = default;
 };
+/// Command: light a cell.
 struct SetLed {
   std::uint32_t cell = 0;
   std::uint8_t red = 0, green = 0, blue = 0;
   friend bool operator==(const SetLed&, const SetLed&) = default;
 };
+/// Command: turn the part, and hold it.
 struct TurnTo {
   std::uint32_t cell = 0;
   Eigen::Vector3d up_u = Eigen::Vector3d::UnitZ();  ///< unit, cell frame
@@ -93,6 +98,7 @@ struct TurnTo {
 struct ExploreAgain {
   friend bool operator==(const ExploreAgain&, const ExploreAgain&) = default;
 };
+/// Command: describe yourself.
 struct Describe {
   std::optional<std::uint32_t> known_topology{};
   friend bool operator==(const Describe&, const Describe&) = default;
@@ -100,12 +106,14 @@ struct Describe {
 /// monostate: a request that this version does not know.
 using Request = std::variant<std::monostate, SetRate, SetLed, TurnTo, ExploreAgain, Describe>;
 
+/// What the host asks of the device.
 struct Command {
   std::uint32_t number = 0;
   Request request{};
   friend bool operator==(const Command&, const Command&) = default;
 };
 
+/// The device's answer to a command.
 struct Ack {
   std::uint32_t command = 0;
   bool done = false;
@@ -127,9 +135,9 @@ using Message = std::variant<Hello, Topology, Samples, Status, Command, Ack, Joi
 
 /// The fault of a message beyond its syntax; empty if there is none.
 struct Complaint {
-  OffenceKind kind{};          ///< WrongLength or WrongValue
-  hexoderm::Message reason{};  ///< the field and what is expected there
-  [[nodiscard]] bool empty() const { return reason.empty(); }
+  OffenceKind kind{};                                          ///< WrongLength or WrongValue
+  hexoderm::Message reason{};                                  ///< the field and what is expected there
+  [[nodiscard]] bool empty() const { return reason.empty(); }  ///< nothing is wrong
 };
 
 /// Looks for numbers that are not finite, lengths that don't fit together, times, counts, IDs and texts out of range.

@@ -45,6 +45,7 @@ class StreamRecorder final : public SkinListener {
   std::unique_ptr<Impl> impl_;
 };
 
+/// What a recording says of the body that was captured.
 struct RecordedBody {
   std::chrono::microseconds arrived{};  ///< since the recording began; never goes back
   std::vector<std::uint8_t> body;       ///< not yet checked
@@ -78,6 +79,7 @@ struct ReplayOptions {
 /// Plays a recording. It takes no commands; at its end it is Ended.
 class ReplaySource final : public SkinSource {
  public:
+  /// Plays a recording of a StreamRecorder.
   explicit ReplaySource(std::filesystem::path path, ReplayOptions options = {});
   ~ReplaySource() override;
   ReplaySource(const ReplaySource&) = delete;

@@ -8,6 +8,7 @@
 
 namespace hexoderm {
 
+/// How patient a host is with its device.
 struct WireOptions {
   std::chrono::milliseconds first_retry{250};  ///< wait before the first new try; doubles with each that fails
   std::chrono::milliseconds longest_retry{5000};

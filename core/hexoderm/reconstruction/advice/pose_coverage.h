@@ -34,6 +34,7 @@ double discRadius(double angle_rad);
 
 /// The direction that a cell's front faces.
 enum class Facing { Ceiling, Floor, Wall };
+/// Which way the front of a cell faces.
 struct CellFacing {
   CellId cell;
   Facing facing = Facing::Ceiling;
@@ -62,6 +63,7 @@ struct MissingDirection {
   double value = 0;
 };
 
+/// The directions of gravity that the poses have seen.
 struct PoseCoverage {
   std::vector<SeenDirection> seen;                            ///< in the order of the poses
   std::vector<PoseId> unplaced;                               ///< poses whose direction is not known

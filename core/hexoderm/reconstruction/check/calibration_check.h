@@ -22,6 +22,7 @@ enum class CellChange {
 };
 std::string_view cellChangeName(CellChange change);  ///< "none", "turned", "drifted", "turned_or_drifted", ...
 
+/// What became of a cell since it was calibrated.
 struct CheckedCell {
   CellId cell;
   CellChange change = CellChange::NotTold;
@@ -46,6 +47,7 @@ struct CheckedCell {
   std::optional<double> noticed_turn_rad;
 };
 
+/// An old calibration, compared with new poses.
 struct CalibrationCheck {
   std::vector<PoseId> poses;       ///< that were compared
   std::vector<CheckedCell> cells;  ///< all of the calibration, in ascending order
@@ -55,7 +57,7 @@ struct CalibrationCheck {
   bool changed = false;            ///< something is not as calibrated; which cell may not be known
   bool compared = false;           ///< something could be told of a cell
 
-  [[nodiscard]] std::size_t count(CellChange change) const;
+  [[nodiscard]] std::size_t count(CellChange change) const;  ///< the number of cells with this change
 };
 
 /// By so many standard deviations, as a normal deviate, a cell misses before it is called changed.

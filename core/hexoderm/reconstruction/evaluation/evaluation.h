@@ -11,10 +11,11 @@
 
 namespace hexoderm {
 
+/// A surface that can be fitted to a patch.
 enum class SurfaceKind { Plane, Sphere, Cylinder, Cone };
 /// Throws InvalidArgument listing the kinds there are.
 SurfaceKind surfaceKindFromName(std::string_view name);
-std::string_view surfaceKindName(SurfaceKind kind);
+std::string_view surfaceKindName(SurfaceKind kind);  ///< the surface's name, in files and on the command line
 
 /// A surface through the centres of a patch's cells, in the patch frame, with the paper's metrics where the true radius
 /// is known: Delta = r_est - r_real, eq. (20); epsilon = sqrt(1/U sum (d_u + Delta)^2), eq. (21).
@@ -124,6 +125,7 @@ struct CellDifference {
   std::optional<double> sigma_t_m;  ///< stated: root of the trace of the position covariance
   std::optional<double> sigma_r_rad;
 };
+/// A cell, compared with where it is elsewhere.
 struct Comparison {
   PatchId patch;
   SE3 T_ref_o;  ///< the positions' best fit
@@ -143,6 +145,7 @@ struct WithinStated {
   [[nodiscard]] bool holds() const;
 };
 bool isWithinStated(double difference, std::optional<double> sigma);  ///< false where nothing is stated
+/// The number of cells whose errors lie within what is stated.
 WithinStated countWithinStated(const std::vector<Comparison>& comparisons);
 
 /// All cells of several comparisons together; none: zeros. A patch that shares a single cell with the reference fits it
@@ -153,6 +156,7 @@ struct ComparisonSummary {
   double orientation_rms_rad = 0;
   WithinStated within;
 };
+/// Means and largest values of all cells.
 ComparisonSummary summariseComparisons(const std::vector<Comparison>& comparisons);
 
 /// Beyond three times what it is expected to be, or is on the whole: worth a look.
@@ -160,6 +164,7 @@ bool isRemarkable(double error, double expected);
 
 /// One comparison for each patch that shares a cell with the reference.
 std::vector<Comparison> compareToTruth(const Reconstruction& reconstruction, const GroundTruth& truth);
+/// Cell by cell, of patches that both have.
 std::vector<Comparison> compareToReconstruction(const Reconstruction& reconstruction, const Reconstruction& reference);
 
 /// The link points' gap in the truth: what a perfect estimate of an open ring would show.

@@ -6,6 +6,7 @@
 
 namespace hexoderm {
 
+/// Which loops are looked for.
 struct LoopSearchOptions {
   /// Link points of free ports that are no further apart face each other; absent: half a pitch, the longest port
   /// vector, because a whole one leaves room for a cell.

@@ -11,14 +11,14 @@ namespace hexoderm {
 
 // The links of a cell, to its neighbours: used ones, muted ones, and those into other patches.
 
-using LinksOfCell = std::span<const LinkEstimate* const>;
+using LinksOfCell = std::span<const LinkEstimate* const>;  ///< all links that a cell has
 
 /// The links of every cell of a reconstruction, which must outlive this. Made in O(n) for cells and links, so that a
 /// view that is asked about one cell after the other need not look through all links each time.
 class CellLinks {
  public:
   CellLinks() = default;
-  explicit CellLinks(const Reconstruction& reconstruction);
+  explicit CellLinks(const Reconstruction& reconstruction);  ///< the reconstruction must outlive it
 
   /// In ascending order of the cell's own ports. `index`: of the cell in order of patch and ID, as in CellFigures.
   [[nodiscard]] LinksOfCell of(std::size_t index) const;
@@ -43,6 +43,6 @@ struct WorstLinkFigures {
   std::optional<double> residual_rad;
   std::optional<double> sigma_rad;
 };
-WorstLinkFigures worstOf(LinksOfCell links);
+WorstLinkFigures worstOf(LinksOfCell links);  ///< the figures of the worst link of a cell
 
 }  // namespace hexoderm

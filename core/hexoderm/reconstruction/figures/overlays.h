@@ -19,6 +19,7 @@ struct AlignedCell {
   CellId cell;
   SE3 T_o_u;
 };
+/// The true cells, moved to where they fit the reconstructed ones best.
 std::vector<AlignedCell> alignTruth(const Reconstruction& reconstruction, const GroundTruth& truth);
 
 /// The placement of a cell in the reference of a comparison, and its placement now.

@@ -13,6 +13,7 @@ namespace hexoderm {
 /// (front, back, six sides) wound so that normals point outwards. Metres.
 struct PatchMesh {
   std::vector<Eigen::Vector3d> points;
+  /// A face of the mesh.
   struct Polygon {
     std::vector<std::uint32_t> points;
     std::uint32_t cell = 0;  ///< index into `cells`
@@ -24,6 +25,7 @@ struct PatchMesh {
 /// The points of PatchMesh alone, and of large skins only the six front corners a cell: what is drawn many times a
 /// second needs no polygons of its own. Metres, in the frame of each cell's patch.
 enum class CellCorners { Prism, Front };
+/// The corners of all cells, patch by patch.
 std::vector<Eigen::Vector3d> cellCorners(const Reconstruction& reconstruction, CellCorners corners);
 /// The twelve points of one cell in the frame that T leads to from the cell frame, m.
 std::array<Eigen::Vector3d, 12> prismCorners(const CellModel& model, const SE3& T);

@@ -12,6 +12,7 @@ namespace hexoderm {
 /// it is the longest one. From the front most faces are seen. Rows are right, up and towards the viewer, in the patch's
 /// frame: x_view = R_v_o x_o.
 struct PatchSides {
+  /// A side of a patch that is looked at from above.
   enum Side { Front, Right, Back, Left };
   std::array<Eigen::Matrix3d, 4> R_v_o;
 };

@@ -52,11 +52,12 @@ struct RatioBin {
   double upper = 0;
   std::size_t count = 0;
 };
+/// The residuals of all links.
 struct ResidualSummary {
   std::vector<PoseResiduals> poses;  ///< those that any link has a residual in
   std::vector<RankedLink> links;     ///< measured ones, largest residual first
   std::vector<RatioBin> ratios;      ///< from 0 on, equally wide; empty if nothing is predicted
 };
-ResidualSummary summariseResiduals(const Reconstruction& reconstruction);
+ResidualSummary summariseResiduals(const Reconstruction& reconstruction);  ///< the residuals of a reconstruction
 
 }  // namespace hexoderm

@@ -13,10 +13,11 @@ struct CellSign {
   bool faulty = false;    ///< an error was found in its readings
   bool doubtful = false;  ///< a warning about its readings, and no error
 
-  [[nodiscard]] bool any() const { return by_links || faulty || doubtful; }
+  [[nodiscard]] bool any() const { return by_links || faulty || doubtful; }  ///< the cell has a sign at all
   friend bool operator==(const CellSign&, const CellSign&) = default;
 };
 
+/// The signs of all cells.
 struct SkinSigns {
   std::vector<CellSign> cells;                     ///< in order of patch and ID, as in CellFigures
   std::vector<std::pair<LinkEnd, LinkEnd>> links;  ///< that a warning or an error is about, each once

@@ -17,6 +17,7 @@ struct ValueRange {
   friend bool operator==(const ValueRange&, const ValueRange&) = default;
 };
 
+/// How a range is chosen for values.
 struct ValueRangeOptions {
   /// The scale is at least this wide, so that values that hardly differ don't look as if they did; positive.
   double least_span = 1;
@@ -39,7 +40,7 @@ struct ValueTicks {
   std::vector<double> values;
   int decimals = 0;  ///< that it takes to write them
 };
-ValueTicks roundTicks(const ValueRange& range, std::size_t most);
+ValueTicks roundTicks(const ValueRange& range, std::size_t most);  ///< round values within the range, at most so many
 
 /// Number of values in each of equally wide bins from end to end. A value at the upper end lies in the last bin.
 struct ValueHistogram {

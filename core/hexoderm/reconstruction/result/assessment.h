@@ -9,9 +9,10 @@
 
 namespace hexoderm {
 
+/// How good a calibration is.
 enum class VerdictLevel { Good, Usable, NotEnough, Failed };
-std::string_view verdictName(VerdictLevel level);  ///< "good", "usable", "not_enough", "failed"
-std::optional<VerdictLevel> verdictFromName(std::string_view name);
+std::string_view verdictName(VerdictLevel level);                    ///< "good", "usable", "not_enough", "failed"
+std::optional<VerdictLevel> verdictFromName(std::string_view name);  ///< nothing for a name that is none
 
 /// What keeps a result from being better than it is.
 enum class Limit {
@@ -24,8 +25,8 @@ enum class Limit {
   Patches,     ///< no link joins the patches
   Findings,    ///< something is broken or contradictory
 };
-std::string_view limitName(Limit limit);  ///< "nothing", "no_skin", "no_pose", ..., as in files
-std::optional<Limit> limitFromName(std::string_view name);
+std::string_view limitName(Limit limit);                    ///< "nothing", "no_skin", "no_pose", ..., as in files
+std::optional<Limit> limitFromName(std::string_view name);  ///< nothing for a name that is none
 
 /// What helps most, next.
 enum class Remedy {
@@ -35,7 +36,7 @@ enum class Remedy {
   RetakePoses  ///< poses again in which cells have no usable reading (Assessment::retake)
 };
 std::string_view remedyName(Remedy remedy);  ///< "nothing", "check_skin", "take_pose", "retake_poses", as in files
-std::optional<Remedy> remedyFromName(std::string_view name);
+std::optional<Remedy> remedyFromName(std::string_view name);  ///< nothing for a name that is none
 
 /// The one answer to: how well is the skin known, what limits that, and what helps next? Computed once for a result
 /// (assess()), and held by calibration files. Banner, steps, panels, command line, report, exit code and a robot's rule

@@ -12,7 +12,7 @@ namespace hexoderm {
 /// What the colours stand on; files are drawn on a light one.
 enum class Background { Light, Dark };
 
-std::uint32_t qualityColor(EdgeQuality quality, Background background);
+std::uint32_t qualityColor(EdgeQuality quality, Background background);  ///< the colour of a quality as 0xRRGGBB
 
 /// Grey: a link that is not used, and a cell without a link that is.
 std::uint32_t unusedColor(Background background);

@@ -20,8 +20,8 @@ namespace hexoderm {
 
 /// How well an edge's rotation is determined by the poses, eq. (17).
 enum class EdgeQuality { Undefined, Partially, Fully, Over };
-std::string_view qualityName(EdgeQuality quality);  ///< "un", "partially", "fully", "over", as in files
-std::optional<EdgeQuality> qualityFromName(std::string_view name);
+std::string_view qualityName(EdgeQuality quality);                  ///< "un", "partially", "fully", "over", as in files
+std::optional<EdgeQuality> qualityFromName(std::string_view name);  ///< nothing for a name that is none
 
 /// All that is known of one link. One entry stands for both directed edges: the reverse rotation is the transpose.
 struct LinkEstimate {
@@ -49,13 +49,15 @@ struct LinkEstimate {
   /// `residual_rad` and `sigma_rad`, absent where none was computed (links that no pose measured; files that don't
   /// state them).
   [[nodiscard]] std::optional<double> knownResidual() const;
-  [[nodiscard]] std::optional<double> knownSigma() const;
+  [[nodiscard]] std::optional<double> knownSigma() const;  ///< 1 sigma of the link's rotation where it is known, rad
   /// It was measured or solved, so that its angles mean something.
   [[nodiscard]] bool hasFigures() const;
 };
 
+/// How a cell's placement was found: by its own readings, or by its links alone.
 enum class PlacedBy { Samples, Links };
 
+/// Where a sensor is.
 struct SensorPlacement {
   std::string name;
   std::string type;
@@ -108,6 +110,7 @@ struct GapShareEstimate {
   double sigma = 0;  ///< 0 where it was given
 };
 
+/// Cells that are joined by links, in a frame of their own.
 struct PatchReconstruction {
   PatchId id;
   CellId origin;
@@ -119,7 +122,7 @@ struct PatchReconstruction {
   std::shared_ptr<const PlacementCovariance> covariance;
   std::shared_ptr<const GravityCovariance> gravity_covariance;
 
-  [[nodiscard]] const CellPlacement* findCell(CellId cell_id) const;
+  [[nodiscard]] const CellPlacement* findCell(CellId cell_id) const;  ///< null: the cell is not in this patch
   /// The cells of the shortest path from the origin to this cell, both included; empty where it is not known.
   [[nodiscard]] std::vector<CellId> pathTo(CellId cell_id) const;
 };
@@ -149,6 +152,7 @@ struct FlatLink {
   Vector2d to = Vector2d::Zero();
   bool cut = false;
 };
+/// The skin laid flat, for drawing it as a graph.
 struct FlatLayout {
   std::vector<FlatCell> cells;
   std::vector<FlatLink> links;
@@ -170,14 +174,14 @@ struct Reconstruction {
   std::optional<RobotDescription> robot;   ///< that wears the skin, where it was said
   std::vector<PatchPlacement> placements;  ///< on the robot, at most one for each patch, by its origin cell
 
-  [[nodiscard]] std::size_t cellCount() const;
-  [[nodiscard]] std::size_t linkCount() const;
+  [[nodiscard]] std::size_t cellCount() const;  ///< the cells of all patches
+  [[nodiscard]] std::size_t linkCount() const;  ///< the links of all patches
   /// Patch and placement of a cell; null if there is none.
   struct Located {
     const PatchReconstruction* patch = nullptr;
     const CellPlacement* cell = nullptr;
   };
-  [[nodiscard]] Located find(CellId id) const;
+  [[nodiscard]] Located find(CellId id) const;  ///< the cell, and the patch that it is in; null if there is none
   [[nodiscard]] const LinkEstimate* findLink(LinkEnd a, LinkEnd b) const;  ///< in either order
 };
 

@@ -8,6 +8,7 @@
 
 namespace hexoderm {
 
+/// The way in which a session is solved.
 enum class Solver {
   Global,  ///< all cells, poses and links together, with the sensors' errors
   Tree,    ///< the paper's way, along shortest paths
@@ -15,12 +16,15 @@ enum class Solver {
 /// Behaviour of a mould when it is bent. Pivot: nothing stretches, and both extended port vectors end in one point.
 /// Arc: the pitch is kept along the arc. Fit: the data tell the position between the two.
 enum class GapModel { Fit, Arc, Pivot };
-enum class Centring { Auto, On, Off };  ///< subtract each cell's mean vector before the SVD
+/// Subtract each cell's mean vector before the SVD.
+enum class Centring { Auto, On, Off };
 /// Append the gap's axes, scaled to 10 %, to the data; Auto: of edges that the poses leave more uncertain than the
 /// elastomer does.
 enum class SupportAxes { Auto, On, Off };
-enum class LinkWeights { Paper, Residual };  ///< 3, 2, 1, 1 by class, or by predicted deviation and residual
+/// 3, 2, 1, 1 by class, or by predicted deviation and residual.
+enum class LinkWeights { Paper, Residual };
 
+/// How a session is solved; the defaults suit every skin.
 struct SolverOptions {
   Solver solver = Solver::Global;
   GapModel gap_model = GapModel::Fit;  ///< of the global solver; the tree always uses Pivot
@@ -50,16 +54,16 @@ struct SolverOptions {
   friend bool operator==(const SolverOptions&, const SolverOptions&) = default;
 };
 
-std::string_view solverName(Solver solver);
-std::string_view gapModelName(GapModel gap_model);
-std::string_view centringName(Centring centring);
-std::string_view supportAxesName(SupportAxes support_axes);
-std::string_view linkWeightsName(LinkWeights weights);
+std::string_view solverName(Solver solver);                  ///< the name of a choice, in files and on the command line
+std::string_view gapModelName(GapModel gap_model);           ///< likewise
+std::string_view centringName(Centring centring);            ///< likewise
+std::string_view supportAxesName(SupportAxes support_axes);  ///< likewise
+std::string_view linkWeightsName(LinkWeights weights);       ///< likewise
 /// Throw InvalidArgument listing the names there are.
 Solver solverFromName(std::string_view name);
-GapModel gapModelFromName(std::string_view name);
-Centring centringFromName(std::string_view name);
-SupportAxes supportAxesFromName(std::string_view name);
-LinkWeights linkWeightsFromName(std::string_view name);
+GapModel gapModelFromName(std::string_view name);        ///< throws as solverFromName()
+Centring centringFromName(std::string_view name);        ///< throws as solverFromName()
+SupportAxes supportAxesFromName(std::string_view name);  ///< throws as solverFromName()
+LinkWeights linkWeightsFromName(std::string_view name);  ///< throws as solverFromName()
 
 }  // namespace hexoderm

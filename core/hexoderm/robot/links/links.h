@@ -11,6 +11,7 @@
 
 namespace hexoderm {
 
+/// What is known beforehand about robot and skin.
 struct LinksOptions {
   /// The direction that points up in the frame w of the robot's base, which stands still in all poses. Need not be
   /// unit.
@@ -116,9 +117,11 @@ struct RobotEstimate {
   std::vector<JointResidual> residuals;
   /// Of all unknowns together, row by row: e of each patch (PatchTurn::covariance), then the zeros, then up_w.
   std::vector<double> covariance;
+  /// The number of values that are estimated.
   [[nodiscard]] std::size_t unknowns() const { return 3 * patches.size() + zeros.size() + 3; }
 };
 
+/// On which links the patches are.
 struct LinksResult {
   std::vector<PatchLinks> patches;     ///< in the order of the reconstruction; those that were compared
   std::vector<PatchId> not_compared;   ///< saw gravity in no pose whose joint angles are known

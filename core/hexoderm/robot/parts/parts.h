@@ -17,6 +17,7 @@ enum class Movement {
 };
 std::string_view movementName(Movement movement);  ///< "together", "apart", "cant_tell"
 
+/// What counts as moving together.
 struct PartsOptions {
   /// Probability with which any of the tests calls something apart that isn't.
   double false_alarm = 1e-3;
@@ -84,6 +85,7 @@ struct PartRelation {
   std::optional<Hinge> hinge;  ///< where they are apart
 };
 
+/// Which patches move together, and how.
 struct PartsResult {
   std::vector<Part> parts;  ///< the one with the most cells first
   std::vector<PatchPair> pairs;

@@ -49,6 +49,7 @@ struct PlaceTask {
   std::vector<KnownDistance> distances;
 };
 
+/// What a patch is placed by.
 struct PlaceOptions {
   double surface_sigma_m = 0.001;  ///< how far a cell's back lies off the mesh, 1 sigma
   double normal_sigma_rad = 0;     ///< how far its z is off the normal, an axis; set by the constructor to 3 degrees
@@ -66,6 +67,7 @@ struct PlaceOptions {
 
 /// A way in which a patch can be moved without lying worse.
 struct FreeDirection {
+  /// The way in which it can be moved.
   enum class Kind { Slide, Turn, Screw };
   Kind kind = Kind::Slide;
   /// The motion as a twist in the link's frame: x moves by shift_m + turn_rad x x. Scaled to move the cells by 1 m,
@@ -100,6 +102,7 @@ struct CellOnLink {
   std::optional<double> above_m;  ///< how far its back is above the mesh, less the gap
 };
 
+/// A patch where it fits.
 struct PlacedPatch {
   PatchOnLink place;              ///< cov_t_r is always stated
   std::vector<CellOnLink> cells;  ///< of PatchToPlace
@@ -117,6 +120,7 @@ struct PlaceCandidate {
   bool by_hand = false;  ///< of the place at which patches were put by hand; given even where it does not fit
 };
 
+/// What can be said about the place.
 enum class PlaceVerdict {
   Placed,    ///< one place fits, and no direction is free
   Open,      ///< one place fits, and the patch can be moved along it
@@ -126,6 +130,7 @@ enum class PlaceVerdict {
 };
 std::string_view placeVerdictName(PlaceVerdict verdict);  ///< "placed", "open", "several", "none_fits", "too_large"
 
+/// All places that fit, the best first.
 struct PlaceResult {
   PlaceVerdict verdict = PlaceVerdict::NoneFits;
   std::vector<PlaceCandidate> candidates;  ///< the best first

@@ -1,0 +1,70 @@
+#pragma once
+
+#include "hexoderm/capture/pose_recorder.h"
+#include "hexoderm/reconstruction/result/reconstruction.h"
+#include "hexoderm/session/session.h"
+#include "hexoderm/util/message.h"
+
+#include <cstddef>
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <stop_token>
+#include <string>
+
+namespace hexoderm {
+
+/// What is captured, and where it is kept.
+struct LiveCaptureOptions {
+  std::string source;                 ///< as openSkinSource() has it
+  std::filesystem::path file{};       ///< *.hexo, a new file; empty: the session is kept in memory
+  std::filesystem::path record_to{};  ///< what the device sends, for replay:FILE; empty: it is not kept
+  std::size_t poses = 0;              ///< so many are enough; 0: as the verdict on the result says
+  bool automatic = false;             ///< the device is asked to turn itself, to where each pose helps most
+  bool keep_raw = false;              ///< keeps every sample of the poses in the file too
+  double timeout_s = 30;              ///< to wait for a device to describe itself; with `automatic` also for each pose
+};
+
+/// The state of a live capture. Copies share what is large.
+struct LiveCaptureState {
+  std::optional<Session> session{};                ///< since a skin described itself
+  std::shared_ptr<const Reconstruction> result{};  ///< of all poses; null before the first
+  Message status{};                                ///< what is waited for, one line
+  Message advice{};                                ///< the pose that would help most; empty: none is known
+  std::optional<Eigen::Vector3d> up{};             ///< the same: what to turn up, unit, frame of the largest patch
+};
+
+/// A live capture with a loop of its own: a CaptureCourse with its source, its session, the file that keeps it, and the
+/// solver, for programs that have no event loop. Poses are taken from it one by one:
+///
+///     LiveCapture capture({.source = "tcp://localhost:7700", .file = "arm.hexo"});
+///     while (capture.next()) use(*capture.state().result);
+///
+/// Threads of its own only queue what happened; it is dealt with by next(). Any thread may call any function; next(),
+/// turnToNextPose() and close() wait for each other.
+class LiveCapture {
+ public:
+  /// Connects. Throws as openSkinSource() and SkinSource::start(), InvalidArgument for a name that does not end in
+  /// .hexo, and StorageError for a file that exists.
+  explicit LiveCapture(LiveCaptureOptions options);
+  /// Ends the capture as close() does, and throws nothing.
+  ~LiveCapture();
+  LiveCapture(const LiveCapture&) = delete;
+  LiveCapture& operator=(const LiveCapture&) = delete;
+
+  /// Waits for the next pose that counts as captured, and solves all poses; nullopt if there are enough, the stream is
+  /// over, or `stop` or close() was called. Throws DeviceError or StorageError; what was captured stays.
+  std::optional<CapturedPose> next(const std::stop_token& stop = {});
+  /// Asks the device to turn to the pose that would help most. Throws InvalidArgument if it can't turn.
+  void turnToNextPose();
+  /// Ends the capture and waits until all poses are on disk. Throws StorageError if one is not. Idempotent.
+  void close();
+  /// The state after the last call of next().
+  [[nodiscard]] LiveCaptureState state() const;
+
+ private:
+  class Run;
+  std::unique_ptr<Run> run_;
+};
+
+}  // namespace hexoderm
