@@ -32,6 +32,11 @@ core_packages=(
   liburdfdom-tools
   gcc-arm-none-eabi # the example firmware of a skin, and a board to run it on, in a test
   qemu-system-arm
+  pybind11-dev # the Python module, as do the next two
+  python3-dev
+  python3-numpy
+  mypy # holds the module's types to the module in tests
+  python3-matplotlib # the picture at the end of an example
   zlib1g-dev # named in the CMake files of libassimp-dev, which does not bring it
 )
 

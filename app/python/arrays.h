@@ -14,10 +14,10 @@
 
 namespace hexoderm::python {
 
+/// As arguments they take whatever NumPy makes such an array of without loss: a list, but no fraction for a whole
+/// number.
 using Doubles = pybind11::array_t<double, pybind11::array::c_style>;
 using Numbers = pybind11::array_t<std::int64_t, pybind11::array::c_style>;
-/// As arguments: whatever NumPy makes such an array of.
-using DoublesGiven = pybind11::array_t<double, pybind11::array::c_style | pybind11::array::forcecast>;
 
 /// A new array of this shape, filled with NaN: "not known".
 Doubles unknowns(std::initializer_list<std::size_t> shape);

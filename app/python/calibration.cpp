@@ -62,7 +62,8 @@ void bindComparison(py::module_& module) {
       .def_property_readonly("patch", [](const Comparison& self) { return self.patch.value(); })
       .def_property_readonly("cells",
                              [](const Comparison& self) {
-                               return numbersOf(self.cells, [](const CellDifference& cell) { return cell.cell.value(); });
+                               return numbersOf(self.cells,
+                                                [](const CellDifference& cell) { return cell.cell.value(); });
                              })
       .def_property_readonly(
           "positions",
@@ -90,14 +91,18 @@ void bindComparison(py::module_& module) {
 
 void bindCalibration(py::module_& module) {
   bindComparison(module);
-  py::class_<Calibration>(module, "Calibration", "Where every cell is: the result of solve(), or of a file. Never changes.")
+  py::class_<Calibration>(module, "Calibration",
+                          "Where every cell is: the result of solve(), or of a file. Never changes.")
       .def_static(
           "from_json",
-          [](const std::string& text, const std::string& file) { return Calibration{parseCalibrationJson(text, file)}; },
+          [](const std::string& text, const std::string& file) {
+            return Calibration{parseCalibrationJson(text, file)};
+          },
           py::arg("text"), py::arg("file") = "text", py::call_guard<py::gil_scoped_release>(),
           "Reads the text of a *.calibration.json; errors name `file`.")
-      .def("to_json", [](const Calibration& self) { return calibrationToJson(*self.result); },
-           py::call_guard<py::gil_scoped_release>())
+      .def(
+          "to_json", [](const Calibration& self) { return calibrationToJson(*self.result); },
+          py::call_guard<py::gil_scoped_release>())
       .def(
           "write",
           [](const Calibration& self, const std::filesystem::path& path) { writeCalibrationJson(*self.result, path); },
@@ -108,15 +113,18 @@ void bindCalibration(py::module_& module) {
       .def_property_readonly("findings", [](const Calibration& self) { return self.result->findings; })
       .def_property_readonly("verdict", [](const Calibration& self) { return self.result->assessment; })
       .def_property_readonly("cell_model", [](const Calibration& self) { return *self.result->model; })
-      .def_property_readonly("solver", [](const Calibration& self) { return self.result->solver; },
-                             "global, tree or imported.")
+      .def_property_readonly(
+          "solver", [](const Calibration& self) { return self.result->solver; }, "global, tree or imported.")
       .def_property_readonly("options", &optionsOf, "What solve() was given.")
-      .def_property_readonly("description", [](const Calibration& self) { return self.result->source.text.english(); },
-                             "Where the session comes from, in words.")
-      .def_property_readonly("solve_seconds", [](const Calibration& self) { return self.result->solve_seconds; },
-                             "How long it took; 0 where it was read from a file.")
+      .def_property_readonly(
+          "description", [](const Calibration& self) { return self.result->source.text.english(); },
+          "Where the session comes from, in words.")
+      .def_property_readonly(
+          "solve_seconds", [](const Calibration& self) { return self.result->solve_seconds; },
+          "How long it took; 0 where it was read from a file.")
       .def("compare", &compareToCalibration, py::arg("other"),
-           "Cell by cell with another calibration, or with the truth of a session: one for each patch that has a cell in\n"
+           "Cell by cell with another calibration, or with the truth of a session: one for each patch that has a cell "
+           "in\n"
            "common with it.")
       .def("compare", &compareToSession, py::arg("other"))
       .def("__repr__", [](const Calibration& self) {

@@ -73,13 +73,16 @@ void bindCapture(py::module_& module) {
            py::arg("output") = py::none(), py::arg("keep_raw") = false, py::arg("record") = py::none(),
            py::arg("timeout") = LiveCaptureOptions().timeout_s,
            ("Connects to a skin; the options are those of `hexoderm-cli capture`.\n\n"
-            "source: " + sourcesInWords() + ".\n"
+            "source: " +
+            sourcesInWords() +
+            ".\n"
             "poses: end after so many; 0: at the stream's end, with auto when they are good.\n"
             "auto: the device turns itself, to where each pose helps most.\n"
             "output: a new *.hexo in which nothing captured is ever lost; without one the session is in memory alone.\n"
             "keep_raw: keep every sample of the poses in that file too.\n"
             "record: write all that the device sends to this file, for replay:FILE.\n"
-            "timeout: seconds to wait for a device to describe itself; with auto also for each pose.").c_str())
+            "timeout: seconds to wait for a device to describe itself; with auto also for each pose.")
+               .c_str())
       .def("__iter__", [](py::object self) { return self; })
       .def("__next__", &next)
       .def("__enter__", [](py::object self) { return self; })
@@ -87,8 +90,9 @@ void bindCapture(py::module_& module) {
       .def("close", &close, "Ends the capture and waits until all poses are on disk.")
       .def("turn_to_next_pose", &LiveCapture::turnToNextPose, py::call_guard<py::gil_scoped_release>(),
            "Asks a device that can to turn to the pose that would help most.")
-      .def_property_readonly("session", [](const LiveCapture& self) { return self.shown().session; },
-                             "A copy of the session as it is; None before a skin described itself.")
+      .def_property_readonly(
+          "session", [](const LiveCapture& self) { return self.shown().session; },
+          "A copy of the session as it is; None before a skin described itself.")
       .def_property_readonly(
           "calibration",
           [](const LiveCapture& self) {
@@ -96,10 +100,12 @@ void bindCapture(py::module_& module) {
             return result ? std::optional(Calibration{result}) : std::nullopt;
           },
           "The result of all poses so far; None before the first.")
-      .def_property_readonly("status", [](const LiveCapture& self) { return self.shown().status.english(); },
-                             "What is waited for, in words.")
-      .def_property_readonly("advice", [](const LiveCapture& self) { return self.shown().advice.english(); },
-                             "The pose that would help most, in words; empty where none is known.")
+      .def_property_readonly(
+          "status", [](const LiveCapture& self) { return self.shown().status.english(); },
+          "What is waited for, in words.")
+      .def_property_readonly(
+          "advice", [](const LiveCapture& self) { return self.shown().advice.english(); },
+          "The pose that would help most, in words; empty where none is known.")
       .def_property_readonly(
           "advised_up",
           [](const LiveCapture& self) {

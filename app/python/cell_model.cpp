@@ -37,10 +37,12 @@ void bindCellModel(py::module_& module) {
       .def("to_json", &cellModelToJson)
       .def_readonly("name", &CellModel::name)
       .def_readonly("thickness_m", &CellModel::thickness_m)
-      .def_property_readonly("ports", &portsOf,
-                             "By the port's number, the vector in the cell frame from the centre to half-way across the gap, m.")
-      .def_property_readonly("outline", &outlineOf,
-                             "(6, 3): the corners of the front face in the cell frame, m, counter-clockwise from outside.")
+      .def_property_readonly(
+          "ports", &portsOf,
+          "By the port's number, the vector in the cell frame from the centre to half-way across the gap, m.")
+      .def_property_readonly(
+          "outline", &outlineOf,
+          "(6, 3): the corners of the front face in the cell frame, m, counter-clockwise from outside.")
       .def("__repr__", [](const CellModel& model) { return "<CellModel " + model.name + ">"; });
   module.def("built_in_cell_models", &builtInCellModelNames, "The names that CellModel.load() knows.");
 }

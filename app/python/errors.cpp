@@ -61,14 +61,14 @@ void bindErrors(py::module_& module) {
   const py::handle exception = PyExc_Exception;
   const py::handle value_error = PyExc_ValueError;
   const py::handle os_error = PyExc_OSError;
-  exceptions.error =
-      addException(module, "Error", "Base of what Hexoderm raises; the text says what is wrong, where, and what was expected.",
-                   py::make_tuple(exception));
+  exceptions.error = addException(
+      module, "Error", "Base of what Hexoderm raises; the text says what is wrong, where, and what was expected.",
+      py::make_tuple(exception));
   const py::handle error = exceptions.error;
   exceptions.invalid_argument = addException(module, "InvalidArgument", "An argument or option is out of its range.",
                                              py::make_tuple(error, value_error));
-  exceptions.format_error = addException(module, "FormatError", "A file is not what its format says.",
-                                         py::make_tuple(error, value_error));
+  exceptions.format_error =
+      addException(module, "FormatError", "A file is not what its format says.", py::make_tuple(error, value_error));
   exceptions.storage_error =
       addException(module, "StorageError", "Reading or writing failed: missing, not permitted, full.",
                    py::make_tuple(error, os_error));

@@ -1,8 +1,8 @@
 #include "app/python/arrays.h"
 #include "app/python/bindings.h"
 
-#include "hexoderm/io/exporter.h"
 #include "hexoderm/io/export_package.h"
+#include "hexoderm/io/exporter.h"
 #include "hexoderm/reconstruction/result/patch_placements.h"
 #include "hexoderm/util/error.h"
 
@@ -50,8 +50,7 @@ void setOption(ExportOptions& options, const std::string& given, const std::stri
   throw InvalidArgument(given + ": is no option of an export, expected one of " + names);
 }
 
-PatchOnLink placeFrom(std::uint32_t origin, const std::string& link, const DoublesGiven& position,
-                      const DoublesGiven& rotation) {
+PatchOnLink placeFrom(std::uint32_t origin, const std::string& link, const Doubles& position, const Doubles& rotation) {
   requireShape(position, {3}, "position");
   requireShape(rotation, {3, 3}, "rotation");
   PatchOnLink place;
@@ -114,9 +113,10 @@ std::map<std::string, std::string> optionsInWords() {
 
 void bindExports(py::module_& module) {
   py::class_<PatchOnLink>(module, "PatchOnLink", "Where a patch is on a link of a robot.")
-      .def(py::init(&placeFrom), py::arg("origin"), py::arg("link"), py::arg("position"), py::arg("rotation"),
-           "origin: the patch's origin cell. position (3,), m, and rotation (3, 3) map from the patch's frame into the\n"
-           "link's: x_link = rotation @ x_patch + position.")
+      .def(
+          py::init(&placeFrom), py::arg("origin"), py::arg("link"), py::arg("position"), py::arg("rotation"),
+          "origin: the patch's origin cell. position (3,), m, and rotation (3, 3) map from the patch's frame into the\n"
+          "link's: x_link = rotation @ x_patch + position.")
       .def_property_readonly("origin", [](const PatchOnLink& self) { return self.origin.value(); })
       .def_readonly("link", &PatchOnLink::link)
       .def_property_readonly("position", [](const PatchOnLink& self) { return arrayOf(self.T_l_o.t); })
@@ -128,19 +128,20 @@ void bindExports(py::module_& module) {
       .def_readonly("files", &Exported::files)
       .def_readonly("remarks", &Exported::remarks,
                     "In words, the patches that are left out, and what the format can't hold.")
-      .def("__repr__", [](const Exported& self) { return "<Exported: " + std::to_string(self.files.size()) + " files>"; });
+      .def("__repr__",
+           [](const Exported& self) { return "<Exported: " + std::to_string(self.files.size()) + " files>"; });
 
   py::class_<Calibration> calibration = module.attr("Calibration");
-  calibration.def("export", &exportTo, py::arg("to"), py::arg("path"), py::kw_only(), py::arg("patch") = py::none(),
-                  py::arg("all_patches") = false, py::arg("placements") = std::vector<PatchOnLink>(),
-                  py::arg("in_link") = "",
-                  "Writes it in a form that other software reads; the file is read back and compared.\n\n"
-                  "to: a name of export_formats(), or several for a folder, or with the ending .zip an archive, of all of\n"
-                  "them with a manifest.json.\n"
-                  "patch: a cell whose patch is written. all_patches: every patch to a vtp file too.\n"
-                  "placements: where patches are on links of a robot; without any those that the calibration holds.\n"
-                  "in_link: coordinates in the frame of this link.\n"
-                  "Other options are those of export_options().");
+  calibration.def(
+      "export", &exportTo, py::arg("to"), py::arg("path"), py::kw_only(), py::arg("patch") = py::none(),
+      py::arg("all_patches") = false, py::arg("placements") = std::vector<PatchOnLink>(), py::arg("in_link") = "",
+      "Writes it in a form that other software reads; the file is read back and compared.\n\n"
+      "to: a name of export_formats(), or several for a folder, or with the ending .zip an archive, of all of\n"
+      "them with a manifest.json.\n"
+      "patch: a cell whose patch is written. all_patches: every patch to a vtp file too.\n"
+      "placements: where patches are on links of a robot; without any those that the calibration holds.\n"
+      "in_link: coordinates in the frame of this link.\n"
+      "Other options are those of export_options().");
   module.def("export_formats", &formatsInWords, "What Calibration.export() can write: names and a line about each.");
   module.def("export_options", &optionsInWords, "Options of single formats: names and a line about each.");
 }

@@ -44,7 +44,9 @@ void requireNewSession(const std::string& output) {
 }  // namespace
 
 LiveCapture::LiveCapture(LiveCaptureOptions options)
-    : options_(std::move(options)), recorder_(*this, recorderOptions(options_)), course_(*this, courseOptions(options_)) {
+    : options_(std::move(options)),
+      recorder_(*this, recorderOptions(options_)),
+      course_(*this, courseOptions(options_)) {
   if (!(options_.timeout_s > 0)) throw InvalidArgument("timeout: expected seconds above 0");
   requireNewSession(options_.output);
   source_ = openSkinSource(options_.source);

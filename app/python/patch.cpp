@@ -12,7 +12,9 @@ namespace {
 
 namespace py = pybind11;
 
-std::pair<std::uint32_t, std::uint32_t> numbersOfEnd(const LinkEnd& end) { return {end.cell.value(), end.port.value()}; }
+std::pair<std::uint32_t, std::uint32_t> numbersOfEnd(const LinkEnd& end) {
+  return {end.cell.value(), end.port.value()};
+}
 
 const PlacementCovariance& covarianceOf(const PatchOf& self) {
   const auto& covariance = self.patch().covariance;
@@ -46,13 +48,17 @@ std::vector<SensorPlacement> sensorsOf(const PatchOf& self, std::uint32_t cell) 
 
 void bindLink(py::module_& module) {
   py::class_<LinkEstimate>(module, "Link", "All that is known of one link between two cells.")
-      .def_property_readonly("source", [](const LinkEstimate& link) { return numbersOfEnd(link.source); },
-                             "(cell, port), the smaller of both ends.")
-      .def_property_readonly("target", [](const LinkEstimate& link) { return numbersOfEnd(link.target); }, "(cell, port).")
-      .def_property_readonly("rotation", [](const LinkEstimate& link) { return arrayOf(link.R_c_n); },
-                             "(3, 3): from the frame of the target's cell to that of the source's.")
-      .def_property_readonly("quality", [](const LinkEstimate& link) { return qualityName(link.quality); },
-                             "How well the poses determine the rotation: un, partially, fully or over.")
+      .def_property_readonly(
+          "source", [](const LinkEstimate& link) { return numbersOfEnd(link.source); },
+          "(cell, port), the smaller of both ends.")
+      .def_property_readonly(
+          "target", [](const LinkEstimate& link) { return numbersOfEnd(link.target); }, "(cell, port).")
+      .def_property_readonly(
+          "rotation", [](const LinkEstimate& link) { return arrayOf(link.R_c_n); },
+          "(3, 3): from the frame of the target's cell to that of the source's.")
+      .def_property_readonly(
+          "quality", [](const LinkEstimate& link) { return qualityName(link.quality); },
+          "How well the poses determine the rotation: un, partially, fully or over.")
       .def_property_readonly("residual_rad", &LinkEstimate::knownResidual,
                              "Angle between both cells' readings, rms over the poses; None where it is not known.")
       .def_property_readonly("sigma_rad", &LinkEstimate::knownSigma,
@@ -69,7 +75,8 @@ void bindLink(py::module_& module) {
           },
           "The code of the finding that it is muted by; None if there is none.")
       .def("__repr__", [](const LinkEstimate& link) {
-        return "<Link " + hexoderm::inWords(link.source).english() + " to " + hexoderm::inWords(link.target).english() + ">";
+        return "<Link " + hexoderm::inWords(link.source).english() + " to " + hexoderm::inWords(link.target).english() +
+               ">";
       });
 }
 
@@ -77,9 +84,11 @@ void bindSensor(py::module_& module) {
   py::class_<SensorPlacement>(module, "Sensor", "A sensor of a cell, placed in its patch's frame.")
       .def_readonly("name", &SensorPlacement::name)
       .def_readonly("type", &SensorPlacement::type)
-      .def_property_readonly("position", [](const SensorPlacement& sensor) { return arrayOf(sensor.T_o_s.t); }, "(3,), m.")
-      .def_property_readonly("rotation", [](const SensorPlacement& sensor) { return arrayOf(sensor.T_o_s.R); },
-                             "(3, 3): from the sensor's axes to the patch's.")
+      .def_property_readonly(
+          "position", [](const SensorPlacement& sensor) { return arrayOf(sensor.T_o_s.t); }, "(3,), m.")
+      .def_property_readonly(
+          "rotation", [](const SensorPlacement& sensor) { return arrayOf(sensor.T_o_s.R); },
+          "(3, 3): from the sensor's axes to the patch's.")
       .def("__repr__", [](const SensorPlacement& sensor) { return "<Sensor " + sensor.name + ">"; });
 }
 
@@ -89,11 +98,13 @@ void bindPatch(py::module_& module) {
   bindLink(module);
   bindSensor(module);
   const auto cells = [](const PatchOf& self) -> const std::vector<CellPlacement>& { return self.patch().cells; };
-  py::class_<PatchOf>(module, "Patch",
-                      "Cells that are joined by links. All arrays are in the order of `cells`, and in the patch's frame,\n"
-                      "which is that of the origin cell.")
+  py::class_<PatchOf>(
+      module, "Patch",
+      "Cells that are joined by links. All arrays are in the order of `cells`, and in the patch's frame,\n"
+      "which is that of the origin cell.")
       .def_property_readonly("id", [](const PatchOf& self) { return self.patch().id.value(); })
-      .def_property_readonly("origin", [](const PatchOf& self) { return self.patch().origin.value(); }, "The origin cell.")
+      .def_property_readonly(
+          "origin", [](const PatchOf& self) { return self.patch().origin.value(); }, "The origin cell.")
       .def_property_readonly(
           "cells",
           [cells](const PatchOf& self) {
@@ -149,7 +160,8 @@ void bindPatch(py::module_& module) {
       .def_property_readonly(
           "gravity",
           [](const PatchOf& self) {
-            return stacked(self.patch().gravity, [](const GravityDirection& gravity) { return std::optional(gravity.g_o); });
+            return stacked(self.patch().gravity,
+                           [](const GravityDirection& gravity) { return std::optional(gravity.g_o); });
           },
           "(poses, 3): unit vectors that point up, in the order of `gravity_poses`.")
       .def_property_readonly("gravity_poses",
@@ -159,15 +171,17 @@ void bindPatch(py::module_& module) {
                              })
       .def_property_readonly("links", [](const PatchOf& self) { return self.patch().links; })
       .def("sensors", &sensorsOf, py::arg("cell"), "The sensors of a cell.")
-      .def("covariance", &covariance, py::arg("a"), py::arg("b"),
-           "(6, 6): covariance of the placement of cell b in a's frame, position (m, frame of a) before rotation (rad,\n"
-           "right-multiplied error in the frame of b). Of a fresh result of the global solver only.")
-      .def("covariance_together", &covarianceTogether, py::arg("a"), py::arg("b"),
-           "(6, 6): covariance between the errors of two cells as `covariances` states them of each; rows a, columns b.")
+      .def(
+          "covariance", &covariance, py::arg("a"), py::arg("b"),
+          "(6, 6): covariance of the placement of cell b in a's frame, position (m, frame of a) before rotation (rad,\n"
+          "right-multiplied error in the frame of b). Of a fresh result of the global solver only.")
+      .def(
+          "covariance_together", &covarianceTogether, py::arg("a"), py::arg("b"),
+          "(6, 6): covariance between the errors of two cells as `covariances` states them of each; rows a, columns b.")
       .def("__len__", [cells](const PatchOf& self) { return cells(self).size(); })
       .def("__repr__", [cells](const PatchOf& self) {
-        return "<Patch " + toString(self.patch().id) + ": " + std::to_string(cells(self).size()) + " cells, origin cell " +
-               toString(self.patch().origin) + ">";
+        return "<Patch " + toString(self.patch().id) + ": " + std::to_string(cells(self).size()) +
+               " cells, origin cell " + toString(self.patch().origin) + ">";
       });
 }
 

@@ -24,8 +24,8 @@ auto withoutLock(const Session& session, const Work& work) {
   return work(copy);
 }
 
-void addPose(Session& session, const DoublesGiven& readings, const std::optional<DoublesGiven>& covariances,
-             const std::optional<CountsGiven>& counts, const std::string& label,
+void addPose(Session& session, const Doubles& readings, const std::optional<Doubles>& covariances,
+             const std::optional<Numbers>& counts, const std::string& label,
              const std::map<std::string, double>& joint_angles) {
   PoseArrays arrays;
   arrays.readings = readings;
@@ -49,7 +49,8 @@ LinkEnd endFrom(const std::pair<std::uint32_t, std::uint32_t>& end) {
 }
 
 void bindPose(py::module_& module) {
-  py::class_<SessionPose>(module, "Pose", "A pose of a session: gravity as every cell saw it while the part was held still.")
+  py::class_<SessionPose>(module, "Pose",
+                          "A pose of a session: gravity as every cell saw it while the part was held still.")
       .def_property_readonly("id", [](const SessionPose& pose) { return pose.capture->id.value(); })
       .def_property_readonly("label", [](const SessionPose& pose) { return pose.capture->label.english(); })
       .def_readonly("disabled", &SessionPose::disabled)
@@ -63,13 +64,15 @@ void bindPose(py::module_& module) {
       .def_property_readonly(
           "readings",
           [](const SessionPose& pose) {
-            return stacked(pose.capture->samples, [](const GravitySample& sample) { return std::optional(sample.mean_g); });
+            return stacked(pose.capture->samples,
+                           [](const GravitySample& sample) { return std::optional(sample.mean_g); });
           },
           "(N, 3): mean readings, g, along the axes of each accelerometer.")
       .def_property_readonly(
           "covariances",
           [](const SessionPose& pose) {
-            return stacked(pose.capture->samples, [](const GravitySample& sample) { return std::optional(sample.cov_g2); });
+            return stacked(pose.capture->samples,
+                           [](const GravitySample& sample) { return std::optional(sample.cov_g2); });
           },
           "(N, 3, 3): covariances of the means, g^2; zero where they are not known.")
       .def_property_readonly(
@@ -78,8 +81,9 @@ void bindPose(py::module_& module) {
             return numbersOf(pose.capture->samples, [](const GravitySample& sample) { return sample.count; });
           },
           "(N,): samples averaged; 0 where it is not known.")
-      .def_property_readonly("taken_at_ms", [](const SessionPose& pose) { return pose.capture->taken_at_ms; },
-                             "Milliseconds since 1970, UTC; None where it is not known.")
+      .def_property_readonly(
+          "taken_at_ms", [](const SessionPose& pose) { return pose.capture->taken_at_ms; },
+          "Milliseconds since 1970, UTC; None where it is not known.")
       .def_property_readonly(
           "joint_angles",
           [](const SessionPose& pose) {
@@ -88,7 +92,8 @@ void bindPose(py::module_& module) {
           },
           "Where the robot's joints stood, rad (prismatic: m); empty where it is not known.")
       .def("__repr__", [](const SessionPose& pose) {
-        return "<Pose " + toString(pose.capture->id) + ": " + std::to_string(pose.capture->samples.size()) + " readings>";
+        return "<Pose " + toString(pose.capture->id) + ": " + std::to_string(pose.capture->samples.size()) +
+               " readings>";
       });
 }
 
@@ -96,23 +101,24 @@ std::string inWords(const Session& session) {
   const auto counted = [](std::size_t count, const std::string& what) {
     return std::to_string(count) + " " + what + (count == 1 ? "" : "s");
   };
-  return "<Session: " + counted(session.neighbors().size(), "cell") + ", " + counted(session.poses().size(), "pose") + ">";
+  return "<Session: " + counted(session.neighbors().size(), "cell") + ", " + counted(session.poses().size(), "pose") +
+         ">";
 }
 
 }  // namespace
 
 void bindSession(py::module_& module) {
   bindPose(module);
-  py::class_<Session> session(
-      module, "Session", "What was measured: cells with their links, poses, and what was decided about them.");
+  py::class_<Session> session(module, "Session",
+                              "What was measured: cells with their links, poses, and what was decided about them.");
   bindSessionArrays(session);
   session
       .def_static(
-          "from_json",
-          [](const std::string& text, const std::string& file) { return parseSessionJson(text, file); },
+          "from_json", [](const std::string& text, const std::string& file) { return parseSessionJson(text, file); },
           py::arg("text"), py::arg("file") = "text", py::call_guard<py::gil_scoped_release>(),
           "Reads the text of a *.session.json; errors name `file`.")
-      .def("to_json", [](const Session& self) { return withoutLock(self, [](const Session& s) { return sessionToJson(s); }); })
+      .def("to_json",
+           [](const Session& self) { return withoutLock(self, [](const Session& s) { return sessionToJson(s); }); })
       .def(
           "write",
           [](const Session& self, const std::filesystem::path& path) {
@@ -120,30 +126,34 @@ void bindSession(py::module_& module) {
           },
           py::arg("path"),
           "Writes a *.session.json, which replaces what is there, or a new *.hexo. Either whole or not at all.")
-      .def("copy", [](const Session& self) { return self; }, "A session of its own; nothing is shared.")
+      .def(
+          "copy", [](const Session& self) { return self; }, "A session of its own; nothing is shared.")
       .def_property_readonly("cell_model", [](const Session& self) { return self.model(); })
-      .def_property_readonly("description", [](const Session& self) { return self.source().text.english(); },
-                             "Where it comes from, in words.")
+      .def_property_readonly(
+          "description", [](const Session& self) { return self.source().text.english(); },
+          "Where it comes from, in words.")
       .def_property_readonly("poses", &Session::poses)
       .def("add_pose", &addPose, py::arg("readings"), py::kw_only(), py::arg("covariances") = py::none(),
-           py::arg("counts") = py::none(), py::arg("label") = "", py::arg("joint_angles") = std::map<std::string, double>(),
+           py::arg("counts") = py::none(), py::arg("label") = "",
+           py::arg("joint_angles") = std::map<std::string, double>(),
            "Adds a pose: `readings` (cells, 3) in the order of `cells`, as in from_arrays().")
-      .def("remove_pose", [](Session& self, std::size_t index) { self.removePose(index); }, py::arg("index"))
+      .def(
+          "remove_pose", [](Session& self, std::size_t index) { self.removePose(index); }, py::arg("index"))
       .def("set_pose_disabled", &setPoseDisabled, py::arg("index"), py::arg("disabled"), py::arg("why") = "",
            "A disabled pose stays in the session and is not used.")
       .def(
           "set_link_muted",
           [](Session& self, const std::pair<std::uint32_t, std::uint32_t>& a,
-             const std::pair<std::uint32_t, std::uint32_t>& b, bool muted, const std::string& why) {
-            self.setLinkMuted(endFrom(a), endFrom(b), muted, why);
-          },
+             const std::pair<std::uint32_t, std::uint32_t>& b, bool muted,
+             const std::string& why) { self.setLinkMuted(endFrom(a), endFrom(b), muted, why); },
           py::arg("a"), py::arg("b"), py::arg("muted"), py::arg("why") = "",
           "Sets the link between two (cell, port) aside, because it is a cable for example, or takes it back.")
       .def("__repr__", &inWords);
 
-  module.def("read_session", [](const std::filesystem::path& path) { return openSession(path); }, py::arg("path"),
-             py::call_guard<py::gil_scoped_release>(),
-             "Reads a session: *.session.json or *.hexo, told apart by their content.");
+  module.def(
+      "read_session", [](const std::filesystem::path& path) { return openSession(path); }, py::arg("path"),
+      py::call_guard<py::gil_scoped_release>(),
+      "Reads a session: *.session.json or *.hexo, told apart by their content.");
 }
 
 }  // namespace hexoderm::python

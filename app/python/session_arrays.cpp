@@ -30,7 +30,7 @@ std::uint32_t idFrom(std::int64_t value, const char* what) {
 }
 
 /// Both cells report the link, as after an exploration.
-NeighborList neighborsFrom(const CountsGiven& cells, const CountsGiven& links, const std::vector<std::string>& parts) {
+NeighborList neighborsFrom(const Numbers& cells, const Numbers& links, const std::vector<std::string>& parts) {
   requireShape(cells, {-1}, "cells");
   requireShape(links, {-1, 4}, "links");
   NeighborList neighbors;
@@ -43,8 +43,8 @@ NeighborList neighborsFrom(const CountsGiven& cells, const CountsGiven& links, c
     neighbors.push_back({CellId(idFrom(id, "cells")), "", {}});
   }
   if (!parts.empty() && parts.size() != neighbors.size()) {
-    throw InvalidArgument("body_parts: expected one for each of " + std::to_string(neighbors.size()) + " cells, found " +
-                          std::to_string(parts.size()));
+    throw InvalidArgument("body_parts: expected one for each of " + std::to_string(neighbors.size()) +
+                          " cells, found " + std::to_string(parts.size()));
   }
   for (std::size_t k = 0; k < parts.size(); ++k) neighbors[k].body_part = parts[k];
   for (py::ssize_t k = 0; k < links.shape(0); ++k) {
@@ -64,8 +64,8 @@ NeighborList neighborsFrom(const CountsGiven& cells, const CountsGiven& links, c
   return neighbors;
 }
 
-CountsGiven countedFromOne(py::ssize_t count) {
-  CountsGiven cells(count);
+Numbers countedFromOne(py::ssize_t count) {
+  Numbers cells(count);
   for (py::ssize_t k = 0; k < count; ++k) cells.mutable_data()[k] = k + 1;
   return cells;
 }
@@ -83,8 +83,8 @@ void requirePoses(const std::optional<Array>& array, py::ssize_t poses, const ch
   throw InvalidArgument(std::string(what) + ": expected one for each of the " + std::to_string(poses) + " poses");
 }
 
-Session fromArrays(const DoublesGiven& readings, const CountsGiven& links, const std::optional<CountsGiven>& cells,
-                   const std::optional<DoublesGiven>& covariances, const std::optional<CountsGiven>& counts,
+Session fromArrays(const Doubles& readings, const Numbers& links, const std::optional<Numbers>& cells,
+                   const std::optional<Doubles>& covariances, const std::optional<Numbers>& counts,
                    const std::vector<std::string>& labels, const std::vector<std::string>& body_parts,
                    const ModelOrName& cell_model, const std::string& description) {
   requireShape(readings, {-1, cells ? cells->size() : -1, 3}, "readings");
@@ -94,7 +94,8 @@ Session fromArrays(const DoublesGiven& readings, const CountsGiven& links, const
   if (!labels.empty() && labels.size() != static_cast<std::size_t>(poses)) {
     throw InvalidArgument("labels: expected one for each of the " + std::to_string(poses) + " poses");
   }
-  Session session(modelFrom(cell_model), neighborsFrom(cells ? *cells : countedFromOne(readings.shape(1)), links, body_parts),
+  Session session(modelFrom(cell_model),
+                  neighborsFrom(cells ? *cells : countedFromOne(readings.shape(1)), links, body_parts),
                   {Message::verbatim(description), "", ""});
   for (py::ssize_t k = 0; k < poses; ++k) {
     PoseArrays pose;
@@ -197,20 +198,21 @@ void checkAsFile(const Session& session) { static_cast<void>(parseSessionJson(se
 
 void bindSessionArrays(py::class_<Session>& session) {
   session
-      .def_static("from_arrays", &fromArrays, py::arg("readings"), py::arg("links"), py::kw_only(),
-                  py::arg("cells") = py::none(), py::arg("covariances") = py::none(), py::arg("counts") = py::none(),
-                  py::arg("labels") = std::vector<std::string>(), py::arg("body_parts") = std::vector<std::string>(),
-                  py::arg("cell_model") = "hex-bma150", py::arg("description") = "",
-                  "A session of arrays.\n\n"
-                  "readings: (poses, cells, 3), mean readings in g along the axes of each accelerometer, +1 g on the axis\n"
-                  "that points up; NaN where a cell has none.\n"
-                  "links: (links, 4), each once: cell, port, cell, port.\n"
-                  "cells: (cells,), their IDs; 1, 2, ... without it.\n"
-                  "covariances: (poses, cells, 3, 3) of the means, g^2; zero: not known.\n"
-                  "counts: (poses, cells), samples averaged; 0: not known.\n"
-                  "labels: a name for each pose. body_parts: one for each cell.\n"
-                  "cell_model: a CellModel, a built-in name, or a JSON file.\n\n"
-                  "What is wrong with the numbers is said as for a file of the name \"arrays\".")
+      .def_static(
+          "from_arrays", &fromArrays, py::arg("readings"), py::arg("links"), py::kw_only(),
+          py::arg("cells") = py::none(), py::arg("covariances") = py::none(), py::arg("counts") = py::none(),
+          py::arg("labels") = std::vector<std::string>(), py::arg("body_parts") = std::vector<std::string>(),
+          py::arg("cell_model") = "hex-bma150", py::arg("description") = "",
+          "A session of arrays.\n\n"
+          "readings: (poses, cells, 3), mean readings in g along the axes of each accelerometer, +1 g on the axis\n"
+          "that points up; NaN where a cell has none.\n"
+          "links: (links, 4), each once: cell, port, cell, port.\n"
+          "cells: (cells,), their IDs; 1, 2, ... without it.\n"
+          "covariances: (poses, cells, 3, 3) of the means, g^2; zero: not known.\n"
+          "counts: (poses, cells), samples averaged; 0: not known.\n"
+          "labels: a name for each pose. body_parts: one for each cell.\n"
+          "cell_model: a CellModel, a built-in name, or a JSON file.\n\n"
+          "What is wrong with the numbers is said as for a file of the name \"arrays\".")
       .def_property_readonly(
           "cells",
           [](const Session& self) {
@@ -220,7 +222,8 @@ void bindSessionArrays(py::class_<Session>& session) {
       .def_property_readonly("links", &linksOf,
                              "(links, 4): cell, port, cell, port; a port that the skin does not report is -1.")
       .def_property_readonly("readings", &readingsOf, "(poses, cells, 3), g; NaN where a cell has no reading.")
-      .def_property_readonly("covariances", &covariancesOf, "(poses, cells, 3, 3), g^2; NaN where a cell has no reading.")
+      .def_property_readonly("covariances", &covariancesOf,
+                             "(poses, cells, 3, 3), g^2; NaN where a cell has no reading.")
       .def_property_readonly("counts", &countsOf, "(poses, cells); 0 where it is not known.")
       .def_property_readonly("truth", &truthOf,
                              "Of a simulated skin, where its cells are in truth: cells (N,), positions (N, 3), m, and\n"

@@ -11,13 +11,11 @@
 
 namespace hexoderm::python {
 
-using CountsGiven = pybind11::array_t<std::int64_t, pybind11::array::c_style | pybind11::array::forcecast>;
-
 /// A pose as arrays, in the order of the session's cells.
 struct PoseArrays {
-  DoublesGiven readings;                    ///< (cells, 3); NaN: no reading
-  std::optional<DoublesGiven> covariances;  ///< (cells, 3, 3)
-  std::optional<CountsGiven> counts;        ///< (cells,)
+  Doubles readings;                    ///< (cells, 3); NaN: no reading
+  std::optional<Doubles> covariances;  ///< (cells, 3, 3)
+  std::optional<Numbers> counts;       ///< (cells,)
   std::string label;
   JointAngles joint_angles;
 };

@@ -86,15 +86,16 @@ void bindSimulate(py::module_& module) {
              "offset_sigma_g: of the accelerometers; the cell model's without it.\n"
              "motion: what turns the part, hand or robot. ideal: no errors, no noise, no hand.\n"
              "faults: KIND:CELL, KIND:CELL:PORT or KIND, as hexoderm-cli simulate --help lists them.");
-  module.def("simulate_robot", &simulateRobot, py::kw_only(), py::arg("robot") = "demo", py::arg("poses") = 8,
-             py::arg("samples") = 100, py::arg("mounts") = std::vector<std::string>(),
-             py::arg("packages") = std::vector<std::string>(), py::arg("base") = "fixed", py::arg("patch") = "x17",
-             py::arg("surface") = "", py::arg("seed") = 1, py::arg("link_law") = "bend",
-             py::arg("cell_model") = "hex-bma150", py::arg("ideal") = false, py::call_guard<py::gil_scoped_release>(),
-             "A session of a simulated robot that wears patches on its links; every pose has the joint angles that the\n"
-             "robot reports.\n\n"
-             "robot: demo, or a URDF. mounts: LINK:X,Y,Z or LINK:X,Y,Z,ROLL,PITCH,YAW, m and rad. packages:\n"
-             "NAME=FOLDER of meshes. base: fixed, motors or hand.");
+  module.def(
+      "simulate_robot", &simulateRobot, py::kw_only(), py::arg("robot") = "demo", py::arg("poses") = 8,
+      py::arg("samples") = 100, py::arg("mounts") = std::vector<std::string>(),
+      py::arg("packages") = std::vector<std::string>(), py::arg("base") = "fixed", py::arg("patch") = "x17",
+      py::arg("surface") = "", py::arg("seed") = 1, py::arg("link_law") = "bend", py::arg("cell_model") = "hex-bma150",
+      py::arg("ideal") = false, py::call_guard<py::gil_scoped_release>(),
+      "A session of a simulated robot that wears patches on its links; every pose has the joint angles that the\n"
+      "robot reports.\n\n"
+      "robot: demo, or a URDF. mounts: LINK:X,Y,Z or LINK:X,Y,Z,ROLL,PITCH,YAW, m and rad. packages:\n"
+      "NAME=FOLDER of meshes. base: fixed, motors or hand.");
 }
 
 }  // namespace hexoderm::python

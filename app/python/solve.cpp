@@ -25,32 +25,33 @@ Calibration solve(const Session& session, const std::string& solver, const std::
   options.validate();
   const std::shared_ptr<const SessionSnapshot> snapshot = session.snapshot();
   const std::shared_ptr<const Reconstruction> start = earlier != nullptr ? earlier->result : nullptr;
-  return {interruptible([&](const std::stop_token& stop) { return reconstruct(*snapshot, options, start.get(), stop); })};
+  return {
+      interruptible([&](const std::stop_token& stop) { return reconstruct(*snapshot, options, start.get(), stop); })};
 }
 
 }  // namespace
 
 void bindSolve(py::module_& module) {
   const SolverOptions usual;
-  module.def("solve", &solve, py::arg("session"), py::kw_only(),
-             py::arg("solver") = std::string(solverName(usual.solver)),
-             py::arg("centre") = std::string(centringName(usual.centring)),
-             py::arg("support_axes") = std::string(supportAxesName(usual.support_axes)),
-             py::arg("weights") = std::string(linkWeightsName(usual.weights)),
-             py::arg("gap_model") = std::string(gapModelName(usual.gap_model)),
-             py::arg("without") = std::vector<std::uint32_t>(), py::arg("class_threshold") = usual.class_threshold,
-             py::arg("earlier") = py::none(),
-             "Finds the placement of every cell; the options are those of `hexoderm-cli solve`.\n\n"
-             "solver: global, all cells, poses and links together; tree, the paper's way, along shortest paths.\n"
-             "centre: subtract each cell's mean reading: auto, on or off.\n"
-             "support_axes: support weakly defined edges by the gap's axes: auto, on or off.\n"
-             "weights: what makes a path short: paper or residual.\n"
-             "gap_model: what the mould does when it is bent: fit, arc (the pitch stays) or pivot (nothing stretches).\n"
-             "without: cells whose readings are left out.\n"
-             "class_threshold: singular value from which a direction counts as defined; 1 is the paper's.\n"
-             "earlier: a result of the same skin from which the global solver starts, which may be quicker.\n\n"
-             "Other threads go on meanwhile, and Ctrl+C ends it. Whatever is wrong with the skin or its poses is a\n"
-             "finding of the result and no exception.");
+  module.def(
+      "solve", &solve, py::arg("session"), py::kw_only(), py::arg("solver") = std::string(solverName(usual.solver)),
+      py::arg("centre") = std::string(centringName(usual.centring)),
+      py::arg("support_axes") = std::string(supportAxesName(usual.support_axes)),
+      py::arg("weights") = std::string(linkWeightsName(usual.weights)),
+      py::arg("gap_model") = std::string(gapModelName(usual.gap_model)),
+      py::arg("without") = std::vector<std::uint32_t>(), py::arg("class_threshold") = usual.class_threshold,
+      py::arg("earlier") = py::none(),
+      "Finds the placement of every cell; the options are those of `hexoderm-cli solve`.\n\n"
+      "solver: global, all cells, poses and links together; tree, the paper's way, along shortest paths.\n"
+      "centre: subtract each cell's mean reading: auto, on or off.\n"
+      "support_axes: support weakly defined edges by the gap's axes: auto, on or off.\n"
+      "weights: what makes a path short: paper or residual.\n"
+      "gap_model: what the mould does when it is bent: fit, arc (the pitch stays) or pivot (nothing stretches).\n"
+      "without: cells whose readings are left out.\n"
+      "class_threshold: singular value from which a direction counts as defined; 1 is the paper's.\n"
+      "earlier: a result of the same skin from which the global solver starts, which may be quicker.\n\n"
+      "Other threads go on meanwhile, and Ctrl+C ends it. Whatever is wrong with the skin or its poses is a\n"
+      "finding of the result and no exception.");
 }
 
 }  // namespace hexoderm::python

@@ -2,7 +2,7 @@
 
 import os
 from types import TracebackType
-from typing import Any, Iterator, Mapping, Sequence, final, overload
+from typing import Any, Iterator, Mapping, Sequence
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray

@@ -86,7 +86,8 @@ std::shared_ptr<const Reconstruction> openCalibration(const std::filesystem::pat
                                                       const CellModel& model_for_tum) {
   OpenedFile opened = openFile(path, model_for_tum);
   if (auto* calibration = std::get_if<std::shared_ptr<const Reconstruction>>(&opened)) return std::move(*calibration);
-  throw FormatError(path.string() + ": this is a session, expected a calibration; \"hexoderm-cli solve\" makes one of it");
+  throw FormatError(path.string() +
+                    ": this is a session, expected a calibration; \"hexoderm-cli solve\" makes one of it");
 }
 
 FormatError noSession(const std::filesystem::path& path) {
