@@ -44,6 +44,14 @@ Doubles arrayOf(const Matrix6d& matrix) {
   return array;
 }
 
+Numbers wholeNumbers(const pybind11::object& given, const char* what) {
+  const auto array = pybind11::array::ensure(given);
+  if (!array) throw pybind11::error_already_set();
+  const char kind = array.dtype().kind();
+  if (kind == 'i' || kind == 'u' || array.size() == 0) return Numbers::ensure(array.attr("astype")("int64"));
+  throw InvalidArgument(std::string(what) + ": expected whole numbers");
+}
+
 void requireShape(const pybind11::array& array, const std::vector<pybind11::ssize_t>& shape, const char* what) {
   const std::vector<pybind11::ssize_t> found(array.shape(), array.shape() + array.ndim());
   const auto fits = [](pybind11::ssize_t size, pybind11::ssize_t wanted) { return wanted < 0 || size == wanted; };

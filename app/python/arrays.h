@@ -14,9 +14,9 @@
 
 namespace hexoderm::python {
 
-/// As arguments they take whatever NumPy makes such an array of without loss: a list, but no fraction for a whole
-/// number.
+/// As an argument it takes whatever NumPy makes such an array of: a list, for example.
 using Doubles = pybind11::array_t<double, pybind11::array::c_style>;
+/// Not as an argument: NumPy would cut the fractions of a list off, see wholeNumbers().
 using Numbers = pybind11::array_t<std::int64_t, pybind11::array::c_style>;
 
 /// A new array of this shape, filled with NaN: "not known".
@@ -66,6 +66,9 @@ std::vector<std::uint32_t> valuesOf(const Ids& ids) {
   for (const auto& id : ids) values.push_back(id.value());
   return values;
 }
+
+/// Of whatever NumPy makes an array of. Throws InvalidArgument naming `what` if these are no whole numbers.
+Numbers wholeNumbers(const pybind11::object& given, const char* what);
 
 /// Throws InvalidArgument naming `what` unless the array has this shape; a negative length stands for any.
 void requireShape(const pybind11::array& array, const std::vector<pybind11::ssize_t>& shape, const char* what);

@@ -25,12 +25,12 @@ auto withoutLock(const Session& session, const Work& work) {
 }
 
 void addPose(Session& session, const Doubles& readings, const std::optional<Doubles>& covariances,
-             const std::optional<Numbers>& counts, const std::string& label,
+             const std::optional<py::object>& counts, const std::string& label,
              const std::map<std::string, double>& joint_angles) {
   PoseArrays arrays;
   arrays.readings = readings;
   arrays.covariances = covariances;
-  arrays.counts = counts;
+  if (counts) arrays.counts = wholeNumbers(*counts, "counts");
   arrays.label = label;
   for (const auto& [joint, position] : joint_angles) arrays.joint_angles.positions[joint] = position;
   const SessionPose pose = poseFrom(session, arrays);

@@ -83,10 +83,17 @@ void requirePoses(const std::optional<Array>& array, py::ssize_t poses, const ch
   throw InvalidArgument(std::string(what) + ": expected one for each of the " + std::to_string(poses) + " poses");
 }
 
-Session fromArrays(const Doubles& readings, const Numbers& links, const std::optional<Numbers>& cells,
-                   const std::optional<Doubles>& covariances, const std::optional<Numbers>& counts,
+std::optional<Numbers> wholeNumbersIfGiven(const std::optional<py::object>& given, const char* what) {
+  return given ? std::optional(wholeNumbers(*given, what)) : std::nullopt;
+}
+
+Session fromArrays(const Doubles& readings, const py::object& links_given, const std::optional<py::object>& cells_given,
+                   const std::optional<Doubles>& covariances, const std::optional<py::object>& counts_given,
                    const std::vector<std::string>& labels, const std::vector<std::string>& body_parts,
                    const ModelOrName& cell_model, const std::string& description) {
+  const Numbers links = wholeNumbers(links_given, "links");
+  const std::optional<Numbers> cells = wholeNumbersIfGiven(cells_given, "cells");
+  const std::optional<Numbers> counts = wholeNumbersIfGiven(counts_given, "counts");
   requireShape(readings, {-1, cells ? cells->size() : -1, 3}, "readings");
   const py::ssize_t poses = readings.shape(0);
   requirePoses(covariances, poses, "covariances");

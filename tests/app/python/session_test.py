@@ -79,8 +79,9 @@ class Arrays(unittest.TestCase):
         half[0, 1, 1] = np.nan
         with self.assertRaises(hexoderm.Error):
             hexoderm.Session.from_arrays(half, links)
-        with self.assertRaises(TypeError):  # no whole numbers
-            hexoderm.Session.from_arrays(readings, [[1.5, 2, 2, 3]])
+        for links in ([[1.5, 2, 2, 3]], np.array([[1.5, 2, 2, 3]]), [["a", "b", "c", "d"]]):
+            with self.assertRaisesRegex(hexoderm.InvalidArgument, "links: expected whole numbers"):
+                hexoderm.Session.from_arrays(readings, links)
 
 
 class Files(InFolder):
