@@ -40,6 +40,15 @@ core_packages=(
   zlib1g-dev # named in the CMake files of libassimp-dev, which does not bring it
 )
 
+# hexoderm-ros and its tests: ROS 1 with its master and bags.
+ros_packages=(
+  python3-geometry-msgs
+  python3-rosbag
+  python3-sensor-msgs
+  python3-tf2-ros
+  ros-core
+)
+
 # The window and its tests. VTK's CMake files ask for everything VTK was built with; its packages bring all of that.
 gui_packages=(
   libqt5svg5-dev

@@ -1,25 +1,29 @@
 #!/bin/bash
 # Installs the Debian packages that are missing; does nothing, quickly, if none is.
-# Usage: packaging/setup.sh [--core] [--developer]
+# Usage: packaging/setup.sh [--core] [--ros] [--developer]
 #   --core       only what library and command line need: neither Qt nor VTK
+#   --ros        also ROS 1, for hexoderm-ros
 #   --developer  also clang, clang-tidy and clang-format
 set -euo pipefail
 source "$(dirname "${BASH_SOURCE[0]}")/packages.sh"
 
 gui=yes
+ros=no
 developer=no
 for argument in "$@"; do
   case "$argument" in
     --core) gui=no ;;
+    --ros) ros=yes ;;
     --developer) developer=yes ;;
     *)
-      sed -n '2,5s/^# //p' "${BASH_SOURCE[0]}" >&2
+      sed -n '2,6s/^# //p' "${BASH_SOURCE[0]}" >&2
       exit 2
       ;;
   esac
 done
 wanted=("${core_packages[@]}")
 [ "$gui" = no ] || wanted+=("${gui_packages[@]}")
+[ "$ros" = no ] || wanted+=("${ros_packages[@]}")
 [ "$developer" = no ] || wanted+=("${developer_packages[@]}")
 
 if ! command -v dpkg-query >/dev/null; then

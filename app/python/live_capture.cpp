@@ -176,6 +176,7 @@ void LiveCapture::show() {
   const std::lock_guard lock(mutex_);
   shown_.session = session_;
   shown_.result = result_;
+  shown_.can_turn = course_.canTurn();
   shown_.up_o.reset();
   shown_.advice = {};
   if (!course_.nextPose() || !result_) return;
@@ -260,9 +261,8 @@ void LiveCapture::close() {
 }
 
 void LiveCapture::turnToNextPose() {
-  const std::lock_guard turn(turn_);
-  if (!course_.canTurn()) throw InvalidArgument(options_.source + ": this device does not turn by itself");
-  course_.turnToNextPose();
+  if (!shown().can_turn) throw InvalidArgument(options_.source + ": this device does not turn by itself");
+  push([this] { course_.turnToNextPose(); });
 }
 
 LiveCapture::Shown LiveCapture::shown() const {

@@ -38,6 +38,7 @@ class LiveCapture final : CaptureOwner, SkinListener, PoseRecorderListener {
   struct Shown {
     std::optional<Session> session;                ///< once a skin described itself
     std::shared_ptr<const Reconstruction> result;  ///< of all poses; null before the first
+    bool can_turn = false;                         ///< the device answers turnToNextPose()
     Message status;                                ///< what is waited for
     Message advice;                                ///< the pose that would help most; empty: none is known
     std::optional<Eigen::Vector3d> up_o;           ///< the same: what to turn up, frame of the largest patch
@@ -53,7 +54,7 @@ class LiveCapture final : CaptureOwner, SkinListener, PoseRecorderListener {
   std::optional<CapturedPose> next(const std::stop_token& stop);
   /// Ends the capture and waits until all poses are on disk. Throws StorageError if one is not.
   void close();
-  /// Asks the device to turn to the pose that would help most. Throws InvalidArgument if it can't.
+  /// Asks the device to turn to the pose that would help most, in next(). Throws InvalidArgument if it can't.
   void turnToNextPose();
   [[nodiscard]] Shown shown() const;
 

@@ -1,8 +1,11 @@
 #!/usr/bin/env python3
 """Live captures: from a simulated skin, over a wire and from a recording."""
 
+import os
 import re
+import signal
 import subprocess
+import sys
 import threading
 import time
 import unittest
@@ -107,9 +110,31 @@ class Captures(InFolder):
             self.assertTrue(waiting.is_alive())
             self.assertIn("Turn the part", capture.status)
             self.assertEqual(len(capture.session.poses), 1)
+            capture.turn_to_next_pose()
+            deadline = time.monotonic() + 30
+            while len(capture.session.poses) < 2 and time.monotonic() < deadline:
+                time.sleep(0.05)
+            self.assertEqual(len(capture.session.poses), 2)
             capture.close()
             waiting.join(10)
             self.assertFalse(waiting.is_alive())
+
+    def test_an_interrupt_ends_the_wait(self):
+        program = """
+import hexoderm
+capture = hexoderm.Capture("sim:x17")
+print(next(capture).id, flush=True)
+try:
+    next(capture)
+except KeyboardInterrupt:
+    capture.close()
+    print("interrupted,", len(capture.session.poses), "pose")
+"""
+        with subprocess.Popen([sys.executable, "-c", program], stdout=subprocess.PIPE, text=True) as process:
+            self.assertEqual(process.stdout.readline(), "1\n")
+            time.sleep(0.3)
+            os.kill(process.pid, signal.SIGINT)
+            self.assertEqual(process.stdout.read(), "interrupted, 1 pose\n")
 
 
 if __name__ == "__main__":
