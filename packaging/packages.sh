@@ -34,7 +34,21 @@ core_packages=(
   liburdfdom-tools
   gcc-arm-none-eabi # the example firmware of a skin, and a board to run it on, in a test
   qemu-system-arm
+  pybind11-dev # the Python module, as do the next two
+  python3-dev
+  python3-numpy
+  mypy # holds the module's types to the module in tests
+  python3-matplotlib # the picture at the end of an example
   zlib1g-dev # named in the CMake files of libassimp-dev, which does not bring it
+)
+
+# hexoderm-ros and its tests: ROS 1 with its master and bags.
+ros_packages=(
+  python3-geometry-msgs
+  python3-rosbag
+  python3-sensor-msgs
+  python3-tf2-ros
+  ros-core
 )
 
 # The window and its tests. VTK's CMake files ask for everything VTK was built with; its packages bring all of that.

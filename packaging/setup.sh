@@ -1,28 +1,32 @@
 #!/bin/bash
 # Installs the Debian packages that are missing; does nothing, quickly, if none is.
-# Usage: packaging/setup.sh [--core] [--developer] [--debian]
+# Usage: packaging/setup.sh [--core] [--ros] [--developer] [--debian]
 #   --core       only what library and command line need: neither Qt nor VTK
+#   --ros        also ROS 1, for hexoderm-ros
 #   --developer  also clang, clang-tidy and clang-format
 #   --debian     also what makes Debian packages and tries them
 set -euo pipefail
 source "$(dirname "${BASH_SOURCE[0]}")/packages.sh"
 
 gui=yes
+ros=no
 developer=no
 debian=no
 for argument in "$@"; do
   case "$argument" in
     --core) gui=no ;;
+    --ros) ros=yes ;;
     --developer) developer=yes ;;
     --debian) debian=yes ;;
     *)
-      sed -n '2,6s/^# //p' "${BASH_SOURCE[0]}" >&2
+      sed -n '2,7s/^# //p' "${BASH_SOURCE[0]}" >&2
       exit 2
       ;;
   esac
 done
 wanted=("${core_packages[@]}")
 [ "$gui" = no ] || wanted+=("${gui_packages[@]}")
+[ "$ros" = no ] || wanted+=("${ros_packages[@]}")
 [ "$developer" = no ] || wanted+=("${developer_packages[@]}")
 [ "$debian" = no ] || wanted+=("${debian_packages[@]}")
 

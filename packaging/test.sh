@@ -28,7 +28,7 @@ for stage in "${stages[@]}"; do
   esac
 done
 
-"$root/packaging/setup.sh"
+"$root/packaging/setup.sh" --ros
 cd "$root"
 
 # Tests must neither read nor change what the user has set.
@@ -55,7 +55,7 @@ run_stage() {
       select=(--exclude-regex "$by_others")
       ;;
     core)
-      targets=(--target hexoderm-cli hexoderm-emulator hexoderm_shared hexoderm_help)
+      targets=(--target hexoderm-cli hexoderm-emulator hexoderm_python hexoderm_shared hexoderm_help)
       select=(--tests-regex "$by_others|links_no_gui$")
       ;;
     asan)

@@ -84,19 +84,14 @@ OpenedFile openInput(const std::string& path, const std::string& cell_model, Tum
 }
 
 Session openSession(const std::string& path) {
-  OpenedFile opened = openInput(path);
-  if (auto* session = std::get_if<Session>(&opened)) return std::move(*session);
-  throw noSession(path);
+  return asInput([&] { return hexoderm::openSession(path); });
 }
 
-BadInput noSession(const std::string& path) {
-  return BadInput(path + ": this is a calibration, expected a session (*.hexo or *.session.json)");
-}
+BadInput noSession(const std::string& path) { return BadInput(hexoderm::noSession(path).what()); }
 
 std::shared_ptr<const Reconstruction> openCalibration(const std::string& path, const std::string& cell_model) {
-  OpenedFile opened = openInput(path, cell_model);
-  if (auto* calibration = std::get_if<std::shared_ptr<const Reconstruction>>(&opened)) return std::move(*calibration);
-  throw BadInput(path + ": this is a session, expected a calibration; \"hexoderm-cli solve\" makes one of it");
+  const CellModel model = asInput([&] { return loadCellModel(cell_model); });
+  return asInput([&] { return hexoderm::openCalibration(path, model); });
 }
 
 RobotModel openRobot(const std::string& robot, const std::vector<std::string>& packages) {

@@ -33,41 +33,6 @@ struct SimulateOptions {
   std::string output;
 };
 
-template <class Kinds>
-std::string namesOf(const Kinds& kinds) {
-  std::string names;
-  for (std::size_t k = 0; k < kinds.size(); ++k) {
-    names += std::string(k == 0 ? "" : k + 1 == kinds.size() ? " or " : ", ") + std::string(kinds[k].first);
-  }
-  return names;
-}
-
-std::string faultSyntax() {
-  return "KIND:CELL with KIND " + namesOf(skinFaultNames()) + ", or KIND:CELL:PORT with KIND " +
-         namesOf(linkFaultNames()) + ", or KIND alone, of the whole skin: " + namesOf(wholeSkinFaultNames());
-}
-
-void addFault(const std::string& text, SimulatedSkinOptions& skin) {
-  const std::vector<std::string> parts = split(text, ':');
-  const auto number = [&](std::size_t part) { return parseUnsigned(parts[part], "--fault " + text); };
-  for (const auto& [name, kind] : skinFaultNames()) {
-    if (parts.size() != 2 || parts[0] != name) continue;
-    skin.faults.push_back({kind, CellId(number(1))});
-    return;
-  }
-  for (const auto& [name, kind] : wholeSkinFaultNames()) {
-    if (parts.size() != 1 || parts[0] != name) continue;
-    skin.whole_skin_faults.push_back(kind);
-    return;
-  }
-  for (const auto& [name, kind] : linkFaultNames()) {
-    if (parts.size() != 3 || parts[0] != name) continue;
-    skin.link_faults.push_back({kind, {CellId(number(1)), PortNumber(number(2))}});
-    return;
-  }
-  throw InvalidArgument("--fault: expected " + faultSyntax() + ", found \"" + text + "\"");
-}
-
 SimulatedRobot robotOf(CellModel model, const SimulateOptions& options) {
   RobotInWords words = options.robot_words;
   words.robot = options.robot;
@@ -148,7 +113,7 @@ int run(const SimulateOptions& options, const Common& common) {
   skin_options.surface = options.skin.surface;
   skin_options.seed = options.skin.seed;
   skin_options.link_law = options.link_law == "surface" ? LinkLaw::Surface : LinkLaw::Bend;
-  for (const std::string& fault : options.faults) addFault(fault, skin_options);
+  for (const std::string& fault : options.faults) addFault(fault, "--fault", skin_options);
   // Between the last pose and the one before it.
   skin_options.reglued_before = options.poses == 0 ? 0 : options.poses - 1;
 

@@ -24,8 +24,10 @@ gui='Q[A-Z][A-Za-z]*[>"/]|Qt[A-Z5-9]|vtk'
 forbid "core has neither Qt nor VTK" "$gui" core
 forbid "the command line has neither Qt nor VTK" "$gui" app/cli
 forbid "the emulator has neither Qt nor VTK" "$gui" app/emulator
+forbid "the Python module has neither Qt nor VTK" "$gui" app/python
 forbid "widgets show what core computed" 'ceres/|sqlite3|boost/|google/protobuf|nlohmann/|pugixml|assimp/|zip\.h|urdf|kdl' widgets
 forbid "headers of core carry no third-party types but Eigen's" \
   'ceres/|sqlite3|google/protobuf|pugixml|assimp/|openssl/|CLI/|fmt/|zip\.h|urdf_|kdl|console_bridge' $(find core -name '*.h')
+forbid "only the Python module knows Python" 'pybind11|Python\.h|numpy' core widgets app/cli app/emulator app/window
 
 [ -z "$violations" ] || { printf '%s' "$violations"; exit 1; }

@@ -5,7 +5,7 @@ check="$(dirname "${BASH_SOURCE[0]}")/libraries.sh"
 tree="$(mktemp -d)"
 trap 'rm -rf "$tree"' EXIT
 
-mkdir -p "$tree"/core/hexoderm/{graph,io,reconstruction/result} "$tree"/{widgets/style,app/cli,app/emulator,app/window}
+mkdir -p "$tree"/core/hexoderm/{graph,io,reconstruction/result} "$tree"/{widgets/style,app/cli,app/emulator,app/python,app/window}
 cat >"$tree/core/hexoderm/graph/skin.cpp" <<'CODE'
 #include "hexoderm/graph/skin.h"
 #include <boost/graph/adjacency_list.hpp>
@@ -16,6 +16,7 @@ echo '#include <Eigen/Core>' >"$tree/core/hexoderm/graph/skin.h"
 echo '#include <QWidget>' >"$tree/widgets/style/view.cpp"
 echo '#include <QApplication>' >"$tree/app/window/main.cpp"
 echo '#include "hexoderm/io/open_file.h"' >"$tree/app/cli/main.cpp"
+echo '#include <pybind11/pybind11.h>' >"$tree/app/python/module.cpp"
 
 if ! bash "$check" "$tree"; then
   echo "A proper tree was refused"
@@ -48,6 +49,9 @@ widgets/b.cpp <boost/graph/adjacency_list.hpp>
 app/cli/a.cpp <QCoreApplication>
 app/cli/b.cpp <vtkNew.h>
 app/emulator/a.cpp <QSocketNotifier>
+app/python/a.cpp <QObject>
+app/cli/c.cpp <pybind11/stl.h>
+core/hexoderm/io/f.cpp <Python.h>
 VIOLATIONS
 
 rm -r "$tree/app/cli"

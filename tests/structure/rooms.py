@@ -27,7 +27,7 @@ HALLS = {
                                     " sensor_statistics}",
     "core/hexoderm/robot": "parts < links < place",
     "widgets": "style < words < {controls, coloring} < {tables, capture, graph, plot, scene} < {verify, patch} < robot",
-    "app": "{cli, emulator, window}",
+    "app": "{cli, emulator, python, window}",
     "app/window": "{files, toolkit} < {settings, report} < session < {guide, dialogs, log} < presenters < main_window"
                   " < main",
 }

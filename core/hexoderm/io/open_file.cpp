@@ -11,6 +11,7 @@
 #include <array>
 #include <fstream>
 #include <system_error>
+#include <utility>
 
 namespace hexoderm {
 namespace {
@@ -73,6 +74,24 @@ OpenedFile openFile(const std::filesystem::path& path, const CellModel& model_fo
   if (!format) static_cast<void>(parseJson(text, file));  // a text that is not even JSON is reported first
   throw FormatError(located(file, located("format", format ? message("{}, found \"{}\"", expected(), *format)
                                                            : message("{}, but there is none", expected()))));
+}
+
+Session openSession(const std::filesystem::path& path) {
+  OpenedFile opened = openFile(path, builtInCellModel("hex-bma150"));
+  if (auto* session = std::get_if<Session>(&opened)) return std::move(*session);
+  throw noSession(path);
+}
+
+std::shared_ptr<const Reconstruction> openCalibration(const std::filesystem::path& path,
+                                                      const CellModel& model_for_tum) {
+  OpenedFile opened = openFile(path, model_for_tum);
+  if (auto* calibration = std::get_if<std::shared_ptr<const Reconstruction>>(&opened)) return std::move(*calibration);
+  throw FormatError(path.string() +
+                    ": this is a session, expected a calibration; \"hexoderm-cli solve\" makes one of it");
+}
+
+FormatError noSession(const std::filesystem::path& path) {
+  return FormatError(path.string() + ": this is a calibration, expected a session (*.hexo or *.session.json)");
 }
 
 bool isSessionFileName(const std::filesystem::path& path) {

@@ -2,6 +2,7 @@
 
 #include "hexoderm/reconstruction/result/reconstruction.h"
 #include "hexoderm/session/session.h"
+#include "hexoderm/util/error.h"
 
 #include <filesystem>
 #include <memory>
@@ -19,6 +20,13 @@ enum class TumAs { Calibration, Session };
 /// SkinConfig XML. Changes nothing. What is no regular file, such as a pipe, is opened and read once, to the limit of
 /// readFile(). Throws StorageError or FormatError.
 OpenedFile openFile(const std::filesystem::path& path, const CellModel& model_for_tum, TumAs tum = TumAs::Calibration);
+
+/// openFile() for a session: FormatError for a calibration, and the other way round.
+Session openSession(const std::filesystem::path& path);
+std::shared_ptr<const Reconstruction> openCalibration(const std::filesystem::path& path,
+                                                      const CellModel& model_for_tum);
+/// What openSession() throws for a calibration.
+FormatError noSession(const std::filesystem::path& path);
 
 /// Whether a name is that of a session: *.hexo or *.session.json.
 bool isSessionFileName(const std::filesystem::path& path);

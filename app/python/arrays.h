@@ -1,0 +1,76 @@
+#pragma once
+
+#include "hexoderm/geometry/se3.h"
+#include "hexoderm/util/ids.h"
+
+#include <pybind11/numpy.h>
+
+#include <Eigen/Core>
+#include <cstdint>
+#include <initializer_list>
+#include <limits>
+#include <optional>
+#include <vector>
+
+namespace hexoderm::python {
+
+/// As an argument it takes whatever NumPy makes such an array of: a list, for example.
+using Doubles = pybind11::array_t<double, pybind11::array::c_style>;
+/// Not as an argument: NumPy would cut the fractions of a list off, see wholeNumbers().
+using Numbers = pybind11::array_t<std::int64_t, pybind11::array::c_style>;
+
+/// A new array of this shape, filled with NaN: "not known".
+Doubles unknowns(std::initializer_list<std::size_t> shape);
+
+/// Row by row, as NumPy has it.
+template <class Matrix>
+void copyTo(double* out, const Matrix& values) {
+  for (Eigen::Index row = 0; row < values.rows(); ++row) {
+    for (Eigen::Index column = 0; column < values.cols(); ++column) *out++ = values(row, column);
+  }
+}
+
+Doubles arrayOf(const Eigen::Vector3d& vector);
+Doubles arrayOf(const Eigen::Matrix3d& matrix);
+Doubles arrayOf(const Matrix6d& matrix);
+
+/// (N, 3) or (N, n, n): what `get` says of each item, an optional vector or matrix. NaN where it says nothing.
+template <class Items, class Get>
+Doubles stacked(const Items& items, const Get& get) {
+  using Matrix = typename decltype(get(*items.begin()))::value_type;
+  constexpr std::size_t kRows = Matrix::RowsAtCompileTime;
+  constexpr std::size_t kColumns = Matrix::ColsAtCompileTime;
+  Doubles array = kColumns == 1 ? unknowns({items.size(), kRows}) : unknowns({items.size(), kRows, kColumns});
+  double* out = array.mutable_data();
+  for (const auto& item : items) {
+    if (const std::optional<Matrix> values = get(item)) copyTo(out, *values);
+    out += kRows * kColumns;
+  }
+  return array;
+}
+
+/// What `get` says of each item: whole numbers.
+template <class Items, class Get>
+Numbers numbersOf(const Items& items, const Get& get) {
+  Numbers array(static_cast<pybind11::ssize_t>(items.size()));
+  std::int64_t* out = array.mutable_data();
+  for (const auto& item : items) *out++ = static_cast<std::int64_t>(get(item));
+  return array;
+}
+
+/// The numbers of IDs, as a list of Python.
+template <class Ids>
+std::vector<std::uint32_t> valuesOf(const Ids& ids) {
+  std::vector<std::uint32_t> values;
+  values.reserve(ids.size());
+  for (const auto& id : ids) values.push_back(id.value());
+  return values;
+}
+
+/// Of whatever NumPy makes an array of. Throws InvalidArgument naming `what` if these are no whole numbers.
+Numbers wholeNumbers(const pybind11::object& given, const char* what);
+
+/// Throws InvalidArgument naming `what` unless the array has this shape; a negative length stands for any.
+void requireShape(const pybind11::array& array, const std::vector<pybind11::ssize_t>& shape, const char* what);
+
+}  // namespace hexoderm::python

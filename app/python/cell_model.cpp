@@ -1,0 +1,50 @@
+#include "app/python/arrays.h"
+#include "app/python/bindings.h"
+
+#include "hexoderm/graph/cell_model.h"
+
+#include <pybind11/stl.h>
+
+namespace hexoderm::python {
+namespace {
+
+namespace py = pybind11;
+
+py::dict portsOf(const CellModel& model) {
+  py::dict ports;
+  for (const Port& port : model.ports) ports[py::int_(port.number.value())] = arrayOf(port.vector_m);
+  return ports;
+}
+
+Doubles outlineOf(const CellModel& model) {
+  return stacked(model.outline(), [](const Eigen::Vector3d& corner) { return std::optional(corner); });
+}
+
+}  // namespace
+
+CellModel modelFrom(const ModelOrName& model) {
+  if (const auto* name = std::get_if<std::string>(&model)) return loadCellModel(*name);
+  return std::get<CellModel>(model);
+}
+
+void bindCellModel(py::module_& module) {
+  py::class_<CellModel>(module, "CellModel", "A kind of cell: all that is known of it before anything is measured.")
+      .def_static("load", &loadCellModel, py::arg("name_or_path"),
+                  "A built-in model by its name (\"hex-bma150\"), or one from a JSON file.")
+      .def_static(
+          "from_json", [](const std::string& text, const std::string& file) { return cellModelFromJson(text, file); },
+          py::arg("text"), py::arg("file") = "text", "Reads JSON text; errors name `file`.")
+      .def("to_json", &cellModelToJson)
+      .def_readonly("name", &CellModel::name)
+      .def_readonly("thickness_m", &CellModel::thickness_m)
+      .def_property_readonly(
+          "ports", &portsOf,
+          "By the port's number, the vector in the cell frame from the centre to half-way across the gap, m.")
+      .def_property_readonly(
+          "outline", &outlineOf,
+          "(6, 3): the corners of the front face in the cell frame, m, counter-clockwise from outside.")
+      .def("__repr__", [](const CellModel& model) { return "<CellModel " + model.name + ">"; });
+  module.def("built_in_cell_models", &builtInCellModelNames, "The names that CellModel.load() knows.");
+}
+
+}  // namespace hexoderm::python

@@ -1,0 +1,149 @@
+#include "app/python/arrays.h"
+#include "app/python/bindings.h"
+
+#include "hexoderm/io/export_package.h"
+#include "hexoderm/io/exporter.h"
+#include "hexoderm/reconstruction/result/patch_placements.h"
+#include "hexoderm/util/error.h"
+
+#include <pybind11/stl.h>
+#include <pybind11/stl/filesystem.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <map>
+
+namespace hexoderm::python {
+namespace {
+
+namespace py = pybind11;
+
+/// What was written, and what is not in it.
+struct Exported {
+  std::vector<std::filesystem::path> files;
+  std::vector<std::string> remarks;
+};
+
+void addOnce(std::vector<std::string>& sentences, const std::string& sentence) {
+  const bool is_new = std::ranges::find(sentences, sentence) == sentences.end();
+  if (!sentence.empty() && is_new) sentences.push_back(sentence);
+}
+
+/// The names are those of the command line, with underscores.
+void setOption(ExportOptions& options, const std::string& given, const std::string& value) {
+  std::string name = given;
+  std::ranges::replace(name, '_', '-');
+  std::string names;
+  for (const ExportOptionDescription& option : exportOptions()) {
+    names += (names.empty() ? "" : ", ") + std::string(option.name);
+    if (option.name != name) continue;
+    const auto is_value = [&](const auto& choice) { return choice.value == value; };
+    if (!option.choices.empty() && std::ranges::none_of(option.choices, is_value)) {
+      std::string values;
+      for (const auto& choice : option.choices) values += (values.empty() ? "" : ", ") + std::string(choice.value);
+      throw InvalidArgument(given + ": expected one of " + values + ", found \"" + value + "\"");
+    }
+    option.set(options, value);
+    return;
+  }
+  std::ranges::replace(names, '-', '_');
+  throw InvalidArgument(given + ": is no option of an export, expected one of " + names);
+}
+
+PatchOnLink placeFrom(std::uint32_t origin, const std::string& link, const Doubles& position, const Doubles& rotation) {
+  requireShape(position, {3}, "position");
+  requireShape(rotation, {3, 3}, "rotation");
+  PatchOnLink place;
+  place.origin = CellId(origin);
+  place.link = link;
+  place.T_l_o.t = Eigen::Map<const Eigen::Vector3d>(position.data());
+  place.T_l_o.R = Eigen::Map<const Eigen::Matrix<double, 3, 3, Eigen::RowMajor>>(rotation.data());
+  return place;
+}
+
+Exported exportTo(const Calibration& self, const std::variant<std::string, std::vector<std::string>>& to,
+                  const std::filesystem::path& path, std::optional<std::uint32_t> patch, bool all_patches,
+                  const std::vector<PatchOnLink>& placements, const std::string& in_link, const py::kwargs& others) {
+  const auto* name = std::get_if<std::string>(&to);
+  const std::vector<std::string> names = name != nullptr ? std::vector{*name} : std::get<std::vector<std::string>>(to);
+  if (names.empty()) throw InvalidArgument("to: expected a format, found none");
+  std::vector<ExportFormat> formats;
+  for (const std::string& each : names) formats.push_back(exportFormatFromName(each));
+  ExportOptions options;
+  for (const auto& [option, value] : others) setOption(options, py::cast<std::string>(option), py::str(value));
+  if (patch) options.patch = CellId(*patch);
+  options.all_patches = all_patches;
+  options.in_link = in_link;
+  options.placements = placements.empty() ? placedPatches(*self.result) : placements;
+  for (const ExportFormat format : formats) options.validateFor(format);
+
+  const py::gil_scoped_release released;
+  Exported exported;
+  for (const ExportFormat format : formats) {
+    addOnce(exported.remarks, leftOutInWords(patchesLeftOut(*self.result, format, options)).english());
+  }
+  for (const ExportFormat format : formats) {
+    addOnce(exported.remarks, exportFormatDescription(format).not_carried.english());
+  }
+  const bool is_folder = formats.size() > 1 || formats.front() == ExportFormat::Csv || isZip(path);
+  exported.files = is_folder ? exportBundle(*self.result, formats, path, options)
+                             : exportReconstruction(*self.result, formats.front(), path, options);
+  return exported;
+}
+
+std::map<std::string, std::string> formatsInWords() {
+  std::map<std::string, std::string> formats;
+  for (const ExportFormatDescription& format : exportFormats()) {
+    formats.emplace(format.name, format.summary.english());
+  }
+  return formats;
+}
+
+std::map<std::string, std::string> optionsInWords() {
+  std::map<std::string, std::string> options;
+  for (const ExportOptionDescription& option : exportOptions()) {
+    std::string name(option.name);
+    std::ranges::replace(name, '-', '_');
+    options.emplace(name, option.help.english());
+  }
+  return options;
+}
+
+}  // namespace
+
+void bindExports(py::module_& module) {
+  py::class_<PatchOnLink>(module, "PatchOnLink", "Where a patch is on a link of a robot.")
+      .def(
+          py::init(&placeFrom), py::arg("origin"), py::arg("link"), py::arg("position"), py::arg("rotation"),
+          "origin: the patch's origin cell. position (3,), m, and rotation (3, 3) map from the patch's frame into the\n"
+          "link's: x_link = rotation @ x_patch + position.")
+      .def_property_readonly("origin", [](const PatchOnLink& self) { return self.origin.value(); })
+      .def_readonly("link", &PatchOnLink::link)
+      .def_property_readonly("position", [](const PatchOnLink& self) { return arrayOf(self.T_l_o.t); })
+      .def_property_readonly("rotation", [](const PatchOnLink& self) { return arrayOf(self.T_l_o.R); })
+      .def("__repr__", [](const PatchOnLink& self) {
+        return "<PatchOnLink: patch of cell " + toString(self.origin) + " on " + self.link + ">";
+      });
+  py::class_<Exported>(module, "Exported", "What an export wrote and read back.")
+      .def_readonly("files", &Exported::files)
+      .def_readonly("remarks", &Exported::remarks,
+                    "In words, the patches that are left out, and what the format can't hold.")
+      .def("__repr__",
+           [](const Exported& self) { return "<Exported: " + std::to_string(self.files.size()) + " files>"; });
+
+  py::class_<Calibration> calibration = module.attr("Calibration");
+  calibration.def(
+      "export", &exportTo, py::arg("to"), py::arg("path"), py::kw_only(), py::arg("patch") = py::none(),
+      py::arg("all_patches") = false, py::arg("placements") = std::vector<PatchOnLink>(), py::arg("in_link") = "",
+      "Writes it in a form that other software reads; the file is read back and compared.\n\n"
+      "to: a name of export_formats(), or several for a folder, or with the ending .zip an archive, of all of\n"
+      "them with a manifest.json.\n"
+      "patch: a cell whose patch is written. all_patches: every patch to a vtp file too.\n"
+      "placements: where patches are on links of a robot; without any those that the calibration holds.\n"
+      "in_link: coordinates in the frame of this link.\n"
+      "Other options are those of export_options().");
+  module.def("export_formats", &formatsInWords, "What Calibration.export() can write: names and a line about each.");
+  module.def("export_options", &optionsInWords, "Options of single formats: names and a line about each.");
+}
+
+}  // namespace hexoderm::python

@@ -1,0 +1,38 @@
+"""Finds where every cell of a robot's artificial skin is.
+
+Lengths are in metres, angles in radians, accelerations in g, unless a name ends otherwise. Frames are right-handed. The
+frame of a cell has its origin at the centre of the hexagon's front face and z out of the skin; the frame of a patch is
+that of its origin cell. A position t and a rotation R map into the frame that is named: x_patch = R @ x_cell + t. How
+several patches lie to each other is not known, so each has arrays of its own.
+"""
+
+from ._core import (
+    Calibration as Calibration,
+    Capture as Capture,
+    CellModel as CellModel,
+    Comparison as Comparison,
+    DeviceError as DeviceError,
+    Error as Error,
+    Exported as Exported,
+    Finding as Finding,
+    FormatError as FormatError,
+    InvalidArgument as InvalidArgument,
+    Link as Link,
+    Patch as Patch,
+    PatchOnLink as PatchOnLink,
+    Pose as Pose,
+    Sensor as Sensor,
+    Session as Session,
+    StorageError as StorageError,
+    Verdict as Verdict,
+    __version__ as __version__,
+    built_in_cell_models as built_in_cell_models,
+    export_formats as export_formats,
+    export_options as export_options,
+    read as read,
+    read_calibration as read_calibration,
+    read_session as read_session,
+    simulate as simulate,
+    simulate_robot as simulate_robot,
+    solve as solve,
+)

@@ -1,0 +1,70 @@
+#include "app/python/arrays.h"
+#include "app/python/bindings.h"
+
+#include "hexoderm/reconstruction/result/assessment.h"
+#include "hexoderm/util/finding.h"
+
+#include <pybind11/stl.h>
+
+namespace hexoderm::python {
+namespace {
+
+namespace py = pybind11;
+
+std::string inWords(const Finding& finding) {
+  return std::string(severityName(finding.severity)) + "  " + std::string(codeName(finding.code)) + ": " +
+         finding.message.english();
+}
+
+void bindFinding(py::module_& module) {
+  py::class_<Finding>(module, "Finding", "Something to know about a skin, its links or its poses.")
+      .def_property_readonly(
+          "code", [](const Finding& finding) { return codeName(finding.code); },
+          "Its name in files, for example \"one-sided-link\".")
+      .def_property_readonly(
+          "severity", [](const Finding& finding) { return severityName(finding.severity); }, "info, warning or error.")
+      .def_property_readonly("text", [](const Finding& finding) { return finding.message.english(); })
+      .def_property_readonly("cells", [](const Finding& finding) { return valuesOf(finding.cells); })
+      .def_property_readonly(
+          "ports", [](const Finding& finding) { return valuesOf(finding.ports); },
+          "Where there are any, one for each of `cells`.")
+      .def_property_readonly("poses", [](const Finding& finding) { return valuesOf(finding.poses); })
+      .def("__str__", &inWords)
+      .def("__repr__", [](const Finding& finding) { return "<Finding " + inWords(finding) + ">"; });
+}
+
+}  // namespace
+
+void bindJudgement(py::module_& module) {
+  bindFinding(module);
+  py::class_<Assessment>(module, "Verdict", "How well the skin is known, what limits that, and what helps next.")
+      .def_property_readonly(
+          "level", [](const Assessment& verdict) { return verdictName(verdict.level); },
+          "good, usable, not_enough or failed.")
+      .def_property_readonly("is_usable", &Assessment::isUsable, "The level is good or usable.")
+      .def_property_readonly("reason", [](const Assessment& verdict) { return verdict.reason.english(); })
+      .def_readonly("position_95_m", &Assessment::position_95_m,
+                    "At the worst measured cell, relative to its origin, with 95 %; None where it is not known.")
+      .def_readonly("orientation_95_rad", &Assessment::orientation_95_rad, "The same of its orientation.")
+      .def_property_readonly(
+          "limit", [](const Assessment& verdict) { return limitName(verdict.limit); },
+          "What keeps it from being better: nothing, no_skin, no_pose, directions, readings, mould,\n"
+          "patches or findings.")
+      .def_property_readonly("limiting_cells",
+                             [](const Assessment& verdict) { return valuesOf(verdict.limiting_cells); })
+      .def_property_readonly(
+          "remedy", [](const Assessment& verdict) { return remedyName(verdict.remedy); },
+          "What helps most: nothing, check_skin, take_pose or retake_poses.")
+      .def_property_readonly(
+          "retake", [](const Assessment& verdict) { return valuesOf(verdict.retake); }, "The poses to take again.")
+      .def_property_readonly("next_action", [](const Assessment& verdict) { return verdict.next_action.english(); })
+      .def("__str__",
+           [](const Assessment& verdict) {
+             return std::string(verdictName(verdict.level)) + ": " + verdict.reason.english();
+           })
+      .def("__repr__", [](const Assessment& verdict) {
+        return "<Verdict " + std::string(verdictName(verdict.level)) + ": " + verdict.reason.english() + ">";
+      });
+}
+
+}  // namespace hexoderm::python

@@ -1,0 +1,188 @@
+#include "app/python/arrays.h"
+#include "app/python/bindings.h"
+
+#include "hexoderm/util/error.h"
+
+#include <pybind11/stl.h>
+
+#include <utility>
+
+namespace hexoderm::python {
+namespace {
+
+namespace py = pybind11;
+
+std::pair<std::uint32_t, std::uint32_t> numbersOfEnd(const LinkEnd& end) {
+  return {end.cell.value(), end.port.value()};
+}
+
+const PlacementCovariance& covarianceOf(const PatchOf& self) {
+  const auto& covariance = self.patch().covariance;
+  if (covariance) return *covariance;
+  throw InvalidArgument("the covariance of two cells is known of a fresh result of the global solver only");
+}
+
+Doubles covariance(const PatchOf& self, std::uint32_t a, std::uint32_t b) {
+  const PlacementCovariance& known = covarianceOf(self);
+  const Matrix6d values = [&] {
+    const py::gil_scoped_release released;
+    return known.relative(CellId(a), CellId(b));
+  }();
+  return arrayOf(values);
+}
+
+Doubles covarianceTogether(const PatchOf& self, std::uint32_t a, std::uint32_t b) {
+  const PlacementCovariance& known = covarianceOf(self);
+  const Matrix6d values = [&] {
+    const py::gil_scoped_release released;
+    return known.together(CellId(a), CellId(b));
+  }();
+  return arrayOf(values);
+}
+
+std::vector<SensorPlacement> sensorsOf(const PatchOf& self, std::uint32_t cell) {
+  const CellPlacement* placed = self.patch().findCell(CellId(cell));
+  if (placed == nullptr) throw InvalidArgument("no cell " + std::to_string(cell) + " is in the patch");
+  return placed->sensors;
+}
+
+void bindLink(py::module_& module) {
+  py::class_<LinkEstimate>(module, "Link", "All that is known of one link between two cells.")
+      .def_property_readonly(
+          "source", [](const LinkEstimate& link) { return numbersOfEnd(link.source); },
+          "(cell, port), the smaller of both ends.")
+      .def_property_readonly(
+          "target", [](const LinkEstimate& link) { return numbersOfEnd(link.target); }, "(cell, port).")
+      .def_property_readonly(
+          "rotation", [](const LinkEstimate& link) { return arrayOf(link.R_c_n); },
+          "(3, 3): from the frame of the target's cell to that of the source's.")
+      .def_property_readonly(
+          "quality", [](const LinkEstimate& link) { return qualityName(link.quality); },
+          "How well the poses determine the rotation: un, partially, fully or over.")
+      .def_property_readonly("residual_rad", &LinkEstimate::knownResidual,
+                             "Angle between both cells' readings, rms over the poses; None where it is not known.")
+      .def_property_readonly("sigma_rad", &LinkEstimate::knownSigma,
+                             "Predicted standard deviation about the worst axis; None where it is not known.")
+      .def_readonly("bend_rad", &LinkEstimate::bend_rad)
+      .def_readonly("twist_rad", &LinkEstimate::twist_rad)
+      .def_readonly("yaw_rad", &LinkEstimate::yaw_rad)
+      .def_readonly("used", &LinkEstimate::used, "It is part of the solution; a muted one is not.")
+      .def_readonly("in_tree", &LinkEstimate::in_tree, "It is on the shortest-path tree.")
+      .def_property_readonly(
+          "muted_by",
+          [](const LinkEstimate& link) {
+            return link.muted_by ? std::optional(std::string(codeName(*link.muted_by))) : std::nullopt;
+          },
+          "The code of the finding that it is muted by; None if there is none.")
+      .def("__repr__", [](const LinkEstimate& link) {
+        return "<Link " + hexoderm::inWords(link.source).english() + " to " + hexoderm::inWords(link.target).english() +
+               ">";
+      });
+}
+
+void bindSensor(py::module_& module) {
+  py::class_<SensorPlacement>(module, "Sensor", "A sensor of a cell, placed in its patch's frame.")
+      .def_readonly("name", &SensorPlacement::name)
+      .def_readonly("type", &SensorPlacement::type)
+      .def_property_readonly(
+          "position", [](const SensorPlacement& sensor) { return arrayOf(sensor.T_o_s.t); }, "(3,), m.")
+      .def_property_readonly(
+          "rotation", [](const SensorPlacement& sensor) { return arrayOf(sensor.T_o_s.R); },
+          "(3, 3): from the sensor's axes to the patch's.")
+      .def("__repr__", [](const SensorPlacement& sensor) { return "<Sensor " + sensor.name + ">"; });
+}
+
+}  // namespace
+
+void bindPatch(py::module_& module) {
+  bindLink(module);
+  bindSensor(module);
+  const auto cells = [](const PatchOf& self) -> const std::vector<CellPlacement>& { return self.patch().cells; };
+  py::class_<PatchOf>(
+      module, "Patch",
+      "Cells that are joined by links. All arrays are in the order of `cells`, and in the patch's frame,\n"
+      "which is that of the origin cell.")
+      .def_property_readonly("id", [](const PatchOf& self) { return self.patch().id.value(); })
+      .def_property_readonly(
+          "origin", [](const PatchOf& self) { return self.patch().origin.value(); }, "The origin cell.")
+      .def_property_readonly(
+          "cells",
+          [cells](const PatchOf& self) {
+            return numbersOf(cells(self), [](const CellPlacement& cell) { return cell.cell.value(); });
+          },
+          "(N,): the cells' IDs, ascending.")
+      .def_property_readonly(
+          "positions",
+          [cells](const PatchOf& self) {
+            return stacked(cells(self), [](const CellPlacement& cell) { return std::optional(cell.T_o_u.t); });
+          },
+          "(N, 3): the centres of the cells' front faces, m.")
+      .def_property_readonly(
+          "rotations",
+          [cells](const PatchOf& self) {
+            return stacked(cells(self), [](const CellPlacement& cell) { return std::optional(cell.T_o_u.R); });
+          },
+          "(N, 3, 3): from each cell's frame to the patch's; the last column is where the cell faces.")
+      .def_property_readonly(
+          "covariances",
+          [cells](const PatchOf& self) {
+            return stacked(cells(self), [](const CellPlacement& cell) { return cell.cov_t_r; });
+          },
+          "(N, 6, 6), relative to the origin: position (m, patch frame) before rotation (rad, right-multiplied error\n"
+          "in the cell frame, R_true = R exp(e)). Zero for the origin; NaN where it is not stated.")
+      .def_property_readonly(
+          "shape_covariances",
+          [cells](const PatchOf& self) {
+            return stacked(cells(self), [](const CellPlacement& cell) { return cell.shape_cov_t_r; });
+          },
+          "(N, 6, 6), likewise, relative to the patch as a whole: it does not depend on which cell is the origin.")
+      .def_property_readonly(
+          "measured",
+          [cells](const PatchOf& self) {
+            py::array_t<bool> array(static_cast<py::ssize_t>(cells(self).size()));
+            bool* out = array.mutable_data();
+            for (const CellPlacement& cell : cells(self)) *out++ = cell.placed_by == PlacedBy::Samples;
+            return array;
+          },
+          "(N,): placed by readings of its own; else by its links alone.")
+      .def_property_readonly(
+          "offsets",
+          [cells](const PatchOf& self) {
+            return stacked(cells(self), [](const CellPlacement& cell) { return cell.accel_offset_g; });
+          },
+          "(N, 3): estimated offsets of the accelerometers, g, along their axes; NaN where there are none.")
+      .def_property_readonly(
+          "scales",
+          [cells](const PatchOf& self) {
+            return stacked(cells(self), [](const CellPlacement& cell) { return cell.accel_scale; });
+          },
+          "(N, 3): their scales, reading = scale * force + offset; NaN where there are none.")
+      .def_property_readonly(
+          "gravity",
+          [](const PatchOf& self) {
+            return stacked(self.patch().gravity,
+                           [](const GravityDirection& gravity) { return std::optional(gravity.g_o); });
+          },
+          "(poses, 3): unit vectors that point up, in the order of `gravity_poses`.")
+      .def_property_readonly("gravity_poses",
+                             [](const PatchOf& self) {
+                               return numbersOf(self.patch().gravity,
+                                                [](const GravityDirection& gravity) { return gravity.pose.value(); });
+                             })
+      .def_property_readonly("links", [](const PatchOf& self) { return self.patch().links; })
+      .def("sensors", &sensorsOf, py::arg("cell"), "The sensors of a cell.")
+      .def(
+          "covariance", &covariance, py::arg("a"), py::arg("b"),
+          "(6, 6): covariance of the placement of cell b in a's frame, position (m, frame of a) before rotation (rad,\n"
+          "right-multiplied error in the frame of b). Of a fresh result of the global solver only.")
+      .def(
+          "covariance_together", &covarianceTogether, py::arg("a"), py::arg("b"),
+          "(6, 6): covariance between the errors of two cells as `covariances` states them of each; rows a, columns b.")
+      .def("__len__", [cells](const PatchOf& self) { return cells(self).size(); })
+      .def("__repr__", [cells](const PatchOf& self) {
+        return "<Patch " + toString(self.patch().id) + ": " + std::to_string(cells(self).size()) +
+               " cells, origin cell " + toString(self.patch().origin) + ">";
+      });
+}
+
+}  // namespace hexoderm::python

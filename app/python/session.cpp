@@ -1,0 +1,159 @@
+#include "app/python/arrays.h"
+#include "app/python/bindings.h"
+#include "app/python/session_arrays.h"
+
+#include "hexoderm/io/open_file.h"
+#include "hexoderm/io/session_json.h"
+#include "hexoderm/session/session.h"
+
+#include <pybind11/stl.h>
+#include <pybind11/stl/filesystem.h>
+
+#include <filesystem>
+
+namespace hexoderm::python {
+namespace {
+
+namespace py = pybind11;
+
+/// Runs what takes a while on a copy, which another thread of Python can't change meanwhile.
+template <class Work>
+auto withoutLock(const Session& session, const Work& work) {
+  const Session copy = session;  // poses are shared
+  const py::gil_scoped_release released;
+  return work(copy);
+}
+
+void addPose(Session& session, const Doubles& readings, const std::optional<Doubles>& covariances,
+             const std::optional<py::object>& counts, const std::string& label,
+             const std::map<std::string, double>& joint_angles) {
+  PoseArrays arrays;
+  arrays.readings = readings;
+  arrays.covariances = covariances;
+  if (counts) arrays.counts = wholeNumbers(*counts, "counts");
+  arrays.label = label;
+  for (const auto& [joint, position] : joint_angles) arrays.joint_angles.positions[joint] = position;
+  const SessionPose pose = poseFrom(session, arrays);
+  Session with_pose = session;
+  with_pose.addPose(pose);
+  checkAsFile(with_pose);
+  session = std::move(with_pose);
+}
+
+void setPoseDisabled(Session& session, std::size_t index, bool disabled, const std::string& why) {
+  session.setPoseDisabled(index, disabled, why);
+}
+
+LinkEnd endFrom(const std::pair<std::uint32_t, std::uint32_t>& end) {
+  return {CellId(end.first), PortNumber(end.second)};
+}
+
+void bindPose(py::module_& module) {
+  py::class_<SessionPose>(module, "Pose",
+                          "A pose of a session: gravity as every cell saw it while the part was held still.")
+      .def_property_readonly("id", [](const SessionPose& pose) { return pose.capture->id.value(); })
+      .def_property_readonly("label", [](const SessionPose& pose) { return pose.capture->label.english(); })
+      .def_readonly("disabled", &SessionPose::disabled)
+      .def_readonly("why_disabled", &SessionPose::why_disabled)
+      .def_property_readonly(
+          "cells",
+          [](const SessionPose& pose) {
+            return numbersOf(pose.capture->samples, [](const GravitySample& sample) { return sample.cell.value(); });
+          },
+          "(N,): the cells that have a reading.")
+      .def_property_readonly(
+          "readings",
+          [](const SessionPose& pose) {
+            return stacked(pose.capture->samples,
+                           [](const GravitySample& sample) { return std::optional(sample.mean_g); });
+          },
+          "(N, 3): mean readings, g, along the axes of each accelerometer.")
+      .def_property_readonly(
+          "covariances",
+          [](const SessionPose& pose) {
+            return stacked(pose.capture->samples,
+                           [](const GravitySample& sample) { return std::optional(sample.cov_g2); });
+          },
+          "(N, 3, 3): covariances of the means, g^2; zero where they are not known.")
+      .def_property_readonly(
+          "counts",
+          [](const SessionPose& pose) {
+            return numbersOf(pose.capture->samples, [](const GravitySample& sample) { return sample.count; });
+          },
+          "(N,): samples averaged; 0 where it is not known.")
+      .def_property_readonly(
+          "taken_at_ms", [](const SessionPose& pose) { return pose.capture->taken_at_ms; },
+          "Milliseconds since 1970, UTC; None where it is not known.")
+      .def_property_readonly(
+          "joint_angles",
+          [](const SessionPose& pose) {
+            const auto& positions = pose.joint_angles.positions;
+            return std::map<std::string, double>(positions.begin(), positions.end());
+          },
+          "Where the robot's joints stood, rad (prismatic: m); empty where it is not known.")
+      .def("__repr__", [](const SessionPose& pose) {
+        return "<Pose " + toString(pose.capture->id) + ": " + std::to_string(pose.capture->samples.size()) +
+               " readings>";
+      });
+}
+
+std::string inWords(const Session& session) {
+  const auto counted = [](std::size_t count, const std::string& what) {
+    return std::to_string(count) + " " + what + (count == 1 ? "" : "s");
+  };
+  return "<Session: " + counted(session.neighbors().size(), "cell") + ", " + counted(session.poses().size(), "pose") +
+         ">";
+}
+
+}  // namespace
+
+void bindSession(py::module_& module) {
+  bindPose(module);
+  py::class_<Session> session(module, "Session",
+                              "What was measured: cells with their links, poses, and what was decided about them.");
+  bindSessionArrays(session);
+  session
+      .def_static(
+          "from_json", [](const std::string& text, const std::string& file) { return parseSessionJson(text, file); },
+          py::arg("text"), py::arg("file") = "text", py::call_guard<py::gil_scoped_release>(),
+          "Reads the text of a *.session.json; errors name `file`.")
+      .def("to_json",
+           [](const Session& self) { return withoutLock(self, [](const Session& s) { return sessionToJson(s); }); })
+      .def(
+          "write",
+          [](const Session& self, const std::filesystem::path& path) {
+            withoutLock(self, [&](const Session& s) { saveSession(s, path); });
+          },
+          py::arg("path"),
+          "Writes a *.session.json, which replaces what is there, or a new *.hexo. Either whole or not at all.")
+      .def(
+          "copy", [](const Session& self) { return self; }, "A session of its own; nothing is shared.")
+      .def_property_readonly("cell_model", [](const Session& self) { return self.model(); })
+      .def_property_readonly(
+          "description", [](const Session& self) { return self.source().text.english(); },
+          "Where it comes from, in words.")
+      .def_property_readonly("poses", &Session::poses)
+      .def("add_pose", &addPose, py::arg("readings"), py::kw_only(), py::arg("covariances") = py::none(),
+           py::arg("counts") = py::none(), py::arg("label") = "",
+           py::arg("joint_angles") = std::map<std::string, double>(),
+           "Adds a pose: `readings` (cells, 3) in the order of `cells`, as in from_arrays().")
+      .def(
+          "remove_pose", [](Session& self, std::size_t index) { self.removePose(index); }, py::arg("index"))
+      .def("set_pose_disabled", &setPoseDisabled, py::arg("index"), py::arg("disabled"), py::arg("why") = "",
+           "A disabled pose stays in the session and is not used.")
+      .def(
+          "set_link_muted",
+          [](Session& self, const std::pair<std::uint32_t, std::uint32_t>& a,
+             const std::pair<std::uint32_t, std::uint32_t>& b, bool muted,
+             const std::string& why) { self.setLinkMuted(endFrom(a), endFrom(b), muted, why); },
+          py::arg("a"), py::arg("b"), py::arg("muted"), py::arg("why") = "",
+          "Sets the link between two (cell, port) aside, because it is a cable for example, or takes it back.")
+      .def("__repr__", &inWords);
+
+  module.def(
+      "read_session", [](const std::filesystem::path& path) { return openSession(path); }, py::arg("path"),
+      py::call_guard<py::gil_scoped_release>(),
+      "Reads a session: *.session.json or *.hexo, told apart by their content.");
+}
+
+}  // namespace hexoderm::python

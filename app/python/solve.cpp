@@ -1,0 +1,57 @@
+#include "app/python/bindings.h"
+#include "app/python/interruptible.h"
+
+#include "hexoderm/reconstruction/reconstructor.h"
+#include "hexoderm/session/session.h"
+
+#include <pybind11/stl.h>
+
+namespace hexoderm::python {
+namespace {
+
+namespace py = pybind11;
+
+Calibration solve(const Session& session, const std::string& solver, const std::string& centre,
+                  const std::string& support_axes, const std::string& weights, const std::string& gap_model,
+                  const std::vector<std::uint32_t>& without, double class_threshold, const Calibration* earlier) {
+  SolverOptions options;
+  options.solver = solverFromName(solver);
+  options.centring = centringFromName(centre);
+  options.support_axes = supportAxesFromName(support_axes);
+  options.weights = linkWeightsFromName(weights);
+  options.gap_model = gapModelFromName(gap_model);
+  for (const std::uint32_t id : without) options.left_out.emplace_back(id);
+  options.class_threshold = class_threshold;
+  options.validate();
+  const std::shared_ptr<const SessionSnapshot> snapshot = session.snapshot();
+  const std::shared_ptr<const Reconstruction> start = earlier != nullptr ? earlier->result : nullptr;
+  return {
+      interruptible([&](const std::stop_token& stop) { return reconstruct(*snapshot, options, start.get(), stop); })};
+}
+
+}  // namespace
+
+void bindSolve(py::module_& module) {
+  const SolverOptions usual;
+  module.def(
+      "solve", &solve, py::arg("session"), py::kw_only(), py::arg("solver") = std::string(solverName(usual.solver)),
+      py::arg("centre") = std::string(centringName(usual.centring)),
+      py::arg("support_axes") = std::string(supportAxesName(usual.support_axes)),
+      py::arg("weights") = std::string(linkWeightsName(usual.weights)),
+      py::arg("gap_model") = std::string(gapModelName(usual.gap_model)),
+      py::arg("without") = std::vector<std::uint32_t>(), py::arg("class_threshold") = usual.class_threshold,
+      py::arg("earlier") = py::none(),
+      "Finds the placement of every cell; the options are those of `hexoderm-cli solve`.\n\n"
+      "solver: global, all cells, poses and links together; tree, the paper's way, along shortest paths.\n"
+      "centre: subtract each cell's mean reading: auto, on or off.\n"
+      "support_axes: support weakly defined edges by the gap's axes: auto, on or off.\n"
+      "weights: what makes a path short: paper or residual.\n"
+      "gap_model: what the mould does when it is bent: fit, arc (the pitch stays) or pivot (nothing stretches).\n"
+      "without: cells whose readings are left out.\n"
+      "class_threshold: singular value from which a direction counts as defined; 1 is the paper's.\n"
+      "earlier: a result of the same skin from which the global solver starts, which may be quicker.\n\n"
+      "Other threads go on meanwhile, and Ctrl+C ends it. Whatever is wrong with the skin or its poses is a\n"
+      "finding of the result and no exception.");
+}
+
+}  // namespace hexoderm::python

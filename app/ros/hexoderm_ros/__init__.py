@@ -1,0 +1,1 @@
+"""Between ROS and Hexoderm: readings of ROS topics as a skin that speaks SkinWire, and calibrated frames for TF."""

@@ -1,0 +1,5 @@
+import sys
+
+from hexoderm_ros.main import main
+
+sys.exit(main())

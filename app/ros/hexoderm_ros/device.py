@@ -1,0 +1,130 @@
+"""A device on TCP that speaks SkinWire in lines of JSON: what Hexoderm connects to as tcp://HOST:PORT."""
+
+import json
+import random
+import select
+import socket
+import threading
+import time
+
+from hexoderm_ros.stream import Stream
+
+MOST_WAITING_BYTES = 1 << 20  # for a host that takes nothing; samples beyond are dropped
+IDLE_S = 0.3  # when nothing comes any more, what is held is sent
+STATUS_EVERY_S = 0.5
+
+
+class Device:
+    """Serves one host at a time on a thread of its own; add() can be called from any thread and never waits."""
+
+    def __init__(self, skin, port, address="127.0.0.1"):
+        self._skin = skin
+        self._lock = threading.Lock()
+        self._stream = Stream(random.randrange(1, 2**31))
+        self._waiting = bytearray()
+        self._host = None
+        self._heard = bytearray()
+        self._dropped = 0
+        self._came_s = self._said_s = time.monotonic()
+        self._server = socket.create_server((address, port))
+        self.port = self._server.getsockname()[1]
+        self._over = threading.Event()
+        self._thread = threading.Thread(target=self._serve, daemon=True)
+        self._thread.start()
+
+    def add(self, readings):
+        with self._lock:
+            self._came_s = time.monotonic()
+            for reading in readings:
+                if self._stream.add(reading):
+                    self._say_what_it_is()
+
+    def counts(self):
+        with self._lock:
+            return {"sent": self._stream.sequence, "late": self._stream.late, "repeated": self._stream.repeated,
+                    "dropped": self._dropped}
+
+    def close(self):
+        self._over.set()
+        self._thread.join()
+        self._server.close()
+        if self._host is not None:
+            self._host.close()
+
+    def _say(self, message):
+        if self._host is not None:
+            self._waiting += json.dumps(message).encode() + b"\n"
+
+    def _say_what_it_is(self):
+        self._say({"hello": {"minor": 1, "device": self._skin.device, "cell_model": self._skin.cell_model,
+                             "stream": self._stream.number}})
+        self._say({"topology": {"id": 1, "cells": list(self._skin.cells)}})
+
+    def _say_samples(self):
+        is_idle = time.monotonic() - self._came_s > IDLE_S
+        for message in self._stream.take(everything=is_idle):
+            self._said_s = time.monotonic()
+            if len(self._waiting) < MOST_WAITING_BYTES:
+                self._say(message)
+            else:
+                self._dropped += len(message["samples"]["cells"])
+        if time.monotonic() - self._said_s > STATUS_EVERY_S:
+            self._said_s = time.monotonic()
+            self._say({"status": {"text": "no readings come on the topics", "samples_sent": self._stream.sequence,
+                                  "samples_dropped": self._dropped}})
+
+    def _serve(self):
+        while not self._over.is_set():
+            with self._lock:
+                self._say_samples()
+                sockets = [each for each in (self._server if self._host is None else None, self._host) if each is not None]
+                writing = [self._host] if self._host is not None and self._waiting else []
+            readable, writable, _ = select.select(sockets, writing, [], 0.02)
+            with self._lock:
+                try:
+                    if self._server in readable:
+                        self._welcome()
+                    if self._host in readable:
+                        self._hear()
+                    if self._host in writable:
+                        del self._waiting[: self._host.send(self._waiting)]
+                except BlockingIOError:
+                    pass
+                except ConnectionError:
+                    self._part()
+
+    def _welcome(self):
+        self._host, _ = self._server.accept()
+        self._host.setblocking(False)
+        self._waiting.clear()
+        self._heard.clear()
+        self._say_what_it_is()
+
+    def _part(self):
+        self._host.close()
+        self._host = None
+        self._waiting.clear()
+
+    def _hear(self):
+        data = self._host.recv(65536)
+        if not data:
+            raise ConnectionResetError
+        self._heard += data
+        *lines, self._heard = self._heard.split(b"\n")
+        for line in lines:
+            self._answer(line)
+        if len(self._heard) > MOST_WAITING_BYTES:
+            raise ConnectionResetError  # this is no host
+
+    def _answer(self, line):
+        try:
+            command = json.loads(line).get("command")
+        except (ValueError, AttributeError):
+            return
+        if not isinstance(command, dict):
+            return
+        if "describe" in command:
+            self._say_what_it_is()
+            return
+        self._say({"ack": {"command": command.get("number", 0), "done": False,
+                           "text": "hexoderm-ros passes readings on, and nothing back"}})

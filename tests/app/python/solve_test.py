@@ -1,0 +1,155 @@
+#!/usr/bin/env python3
+"""Solutions: what they hold, and that Python goes on while they are made."""
+
+import os
+import signal
+import subprocess
+import sys
+import threading
+import time
+import unittest
+
+import hexoderm
+import numpy as np
+
+
+class Solutions(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        cls.session = hexoderm.simulate(poses=4, seed=2, surface="cylinder:r=0.0501")
+        cls.calibration = hexoderm.solve(cls.session)
+        cls.patch = cls.calibration.patches[0]
+
+    def test_placements_are_near_the_truth(self):
+        cells, positions, rotations = self.session.truth
+        self.assertEqual(cells.tolist(), self.patch.cells.tolist())
+        at = cells.tolist().index(self.patch.origin)
+        # Into the frame of the origin cell.
+        expected = (positions - positions[at]) @ rotations[at]
+        np.testing.assert_allclose(self.patch.positions, expected, atol=0.005)
+        np.testing.assert_allclose(self.patch.rotations, rotations[at].T @ rotations, atol=0.1)
+        comparison = self.calibration.compare(self.session)[0]
+        self.assertLess(comparison.position_rms_m, 0.002)
+        self.assertLess(comparison.position_rms_m, np.linalg.norm(self.patch.positions - expected) + 1e-9)
+        self.assertEqual(comparison.orientations.shape, (17,))
+        self.assertLess(self.calibration.compare(self.calibration)[0].position_rms_m, 1e-12)
+
+    def test_rotations_are_rotations(self):
+        products = self.patch.rotations @ self.patch.rotations.transpose(0, 2, 1)
+        np.testing.assert_allclose(products, np.tile(np.eye(3), (17, 1, 1)), atol=1e-12)
+        np.testing.assert_allclose(np.linalg.det(self.patch.rotations), 1, atol=1e-12)
+
+    def test_covariances_of_any_two_cells(self):
+        origin, other = self.patch.origin, int(self.patch.cells[7])
+        np.testing.assert_allclose(self.patch.covariance(origin, other), self.patch.covariances[7], rtol=1e-6,
+                                   atol=1e-15)
+        np.testing.assert_allclose(self.patch.covariance_together(other, other), self.patch.covariances[7], rtol=1e-6,
+                                   atol=1e-15)
+        self.assertEqual(self.patch.covariance(other, other).tolist(), np.zeros((6, 6)).tolist())
+        # Neighbours are known better than the ends of the patch.
+        link = self.patch.links[0]
+        near = self.patch.covariance(link.source[0], link.target[0])
+        far = self.patch.covariance(6, 17)
+        self.assertTrue((np.linalg.eigvalsh(near) > 0).all())
+        self.assertLess(np.trace(near[:3, :3]), np.trace(far[:3, :3]))
+
+    def test_a_calibration_of_a_file_has_no_covariances_of_two_cells(self):
+        patch = hexoderm.Calibration.from_json(self.calibration.to_json()).patches[0]
+        with self.assertRaisesRegex(hexoderm.InvalidArgument, "of a fresh result"):
+            patch.covariance(1, 2)
+
+    def test_a_patch_outlives_its_calibration(self):
+        patch = hexoderm.solve(self.session).patches[0]
+        self.assertEqual(patch.positions.shape, (17, 3))
+        self.assertEqual(patch.sensors(1)[0].name, "accelerometer")
+
+    def test_links_poses_and_sensors(self):
+        self.assertEqual(len(self.patch.links), 16)
+        self.assertEqual({link.quality for link in self.patch.links}, {"over"})
+        self.assertTrue(all(link.used and link.muted_by is None for link in self.patch.links))
+        self.assertEqual(self.patch.gravity_poses.tolist(), [1, 2, 3, 4])
+        np.testing.assert_allclose(np.linalg.norm(self.patch.gravity, axis=1), 1)
+        self.assertEqual(self.patch.offsets.shape, (17, 3))
+        self.assertTrue(self.patch.measured.all())
+
+    def test_findings_and_verdict(self):
+        self.assertEqual((self.calibration.verdict.level, self.calibration.findings), ("good", []))
+        calibration = hexoderm.solve(hexoderm.simulate(poses=3, faults=["dead:5"]))
+        found = next(finding for finding in calibration.findings if finding.code == "dead-sensor")
+        self.assertEqual((found.cells, found.severity), ([5], "error"))
+        self.assertIn("dead-sensor", str(found))
+        self.assertFalse(calibration.patches[0].measured[4])
+        self.assertTrue(np.isnan(calibration.patches[0].offsets[4]).all())
+        without = hexoderm.solve(hexoderm.simulate(poses=0)).verdict
+        self.assertEqual((without.level, without.limit, without.remedy), ("not_enough", "no_pose", "take_pose"))
+        self.assertFalse(without.is_usable)
+        self.assertGreater(without.position_95_m, 0.05)
+        nothing = hexoderm.solve(hexoderm.Session.from_arrays(np.zeros((0, 0, 3)), np.zeros((0, 4), int)))
+        self.assertEqual((nothing.patches, nothing.verdict.limit, nothing.verdict.position_95_m), ([], "no_skin", None))
+
+    def test_options_are_kept(self):
+        options = hexoderm.solve(self.session, solver="tree", centre="off", without=[3]).options
+        self.assertEqual((options["solver"], options["centre"], options["without"]), ("tree", "off", [3]))
+
+    def test_an_earlier_result_may_be_given(self):
+        again = hexoderm.solve(self.session, earlier=self.calibration)
+        np.testing.assert_allclose(again.patches[0].positions, self.patch.positions, atol=1e-6)
+
+
+class Threads(unittest.TestCase):
+    def test_other_threads_go_on(self):
+        session = hexoderm.simulate(patch="sheet:40x40", poses=6)
+        ticks = []
+        over = threading.Event()
+
+        def tick():
+            while not over.wait(0.001):
+                ticks.append(time.monotonic())
+
+        ticker = threading.Thread(target=tick)
+        ticker.start()
+        begin = time.monotonic()
+        hexoderm.solve(session)
+        end = time.monotonic()
+        over.set()
+        ticker.join()
+        meanwhile = sum(begin < tick < end for tick in ticks)
+        # Held, the lock would leave a tick at the beginning and one at the end.
+        self.assertGreater(meanwhile, 10, f"in {end - begin:.3f} s")
+
+    def test_two_threads_solve_at_the_same_time(self):
+        sessions = [hexoderm.simulate(poses=4, seed=seed) for seed in range(8)]
+        expected = [hexoderm.solve(session).to_json() for session in sessions]
+        found = [None] * len(sessions)
+
+        def solve(k):
+            for _ in range(5):
+                found[k] = hexoderm.solve(sessions[k]).to_json()
+
+        threads = [threading.Thread(target=solve, args=(k,)) for k in range(len(sessions))]
+        for thread in threads:
+            thread.start()
+        for thread in threads:
+            thread.join()
+        self.assertEqual(found, expected)
+
+    def test_an_interrupt_ends_a_long_solution(self):
+        program = """
+import hexoderm, sys
+session = hexoderm.simulate(patch="sheet:150x150", poses=6)
+print("solving", flush=True)
+try:
+    hexoderm.solve(session)
+except KeyboardInterrupt:
+    print("interrupted")
+print(hexoderm.solve(hexoderm.simulate(poses=3)).verdict.level)
+"""
+        with subprocess.Popen([sys.executable, "-c", program], stdout=subprocess.PIPE, text=True) as process:
+            self.assertEqual(process.stdout.readline(), "solving\n")
+            time.sleep(0.3)
+            os.kill(process.pid, signal.SIGINT)
+            self.assertEqual(process.stdout.read(), "interrupted\ngood\n")
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,79 @@
+#!/usr/bin/env python3
+"""What hexoderm-ros sends is a skin to the command line: captured, and without an offence. No ROS is needed for it."""
+
+import json
+import socket
+import subprocess
+import threading
+import time
+import unittest
+
+from hexoderm_ros.device import Device
+from hexoderm_ros.readings import of_imu
+from hexoderm_ros.skin import skin_from
+from program import CLI, InFolder, description, held_and_turned, imu, run
+
+FASTER = 5  # than time; poses are told apart by the readings' own times
+
+
+class Devices(InFolder):
+    def setUp(self):
+        super().setUp()
+        self.session = self.simulate("--poses", 3, "--patch", "ring5")
+        self.device = Device(skin_from(description(self.session)), 0)
+        self.addCleanup(self.device.close)
+        self.over = threading.Event()
+        self.addCleanup(self.over.set)
+
+    def play(self):
+        begin = time.monotonic()
+        for time_s, cells in held_and_turned(self.session):
+            while time.monotonic() - begin < time_s / FASTER:
+                time.sleep(0.001)
+            for cell, vector in cells.items():
+                self.device.add(of_imu(imu(1000 + time_s, vector), cell, 0))
+            if self.over.is_set():
+                return
+
+    def test_a_calibration(self):
+        player = threading.Thread(target=self.play)
+        capture = subprocess.Popen([CLI, "capture", "--source", f"tcp://localhost:{self.device.port}", "--poses", "3", "-o",
+                                    self.folder / "live.hexo", "--json"], stdout=subprocess.PIPE, text=True)
+        time.sleep(0.5)
+        player.start()
+        said = json.loads(capture.communicate(timeout=60)[0])
+        player.join()
+        self.assertEqual((said["poses"], said["offences"], said["lost_samples"], said["rejected_messages"]), (3, [], 0, 0))
+        self.assertEqual(said["device"], "skin of the test")
+        run("solve", self.folder / "live.hexo", "-o", self.folder / "c.json")
+        errors = json.loads(run("evaluate", self.folder / "c.json", "--against", self.folder / "true.session.json", "--json"))
+        self.assertLess(errors["against"][0]["position_rms_mm"], 5)
+
+    def test_a_host_that_takes_nothing_does_not_hold_anything_up(self):
+        with socket.create_connection(("localhost", self.device.port)):
+            begin = time.monotonic()
+            for k in range(60_000):
+                self.device.add(of_imu(imu(1000 + k * 0.02, (0, 0, 1)), 1, 0))
+            self.assertLess(time.monotonic() - begin, 30)
+            deadline = time.monotonic() + 30
+            while self.device.counts()["dropped"] == 0 and time.monotonic() < deadline:
+                time.sleep(0.05)
+        self.assertGreater(self.device.counts()["dropped"], 0)
+        # The next host is welcome.
+        with socket.create_connection(("localhost", self.device.port)) as host:
+            self.assertIn("hello", json.loads(host.makefile().readline()))
+
+    def test_commands_are_answered(self):
+        with socket.create_connection(("localhost", self.device.port)) as host:
+            lines = host.makefile()
+            self.assertIn("hello", json.loads(lines.readline()))
+            self.assertEqual(len(json.loads(lines.readline())["topology"]["cells"]), 5)
+            host.sendall(b'{"command":{"number":4,"set_led":{"cell":1,"red":255}}}\nno line\n{"command":{"describe":{}}}\n')
+            found = [json.loads(lines.readline()) for _ in range(3)]
+        ack = next(each["ack"] for each in found if "ack" in each)
+        self.assertEqual((ack["command"], ack["done"]), (4, False))
+        self.assertTrue(any("hello" in each for each in found))
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,70 @@
+"""The command line, a session with its truth as readings over time, and messages as those of ROS."""
+
+import json
+import math
+import os
+import pathlib
+import subprocess
+import tempfile
+import unittest
+from types import SimpleNamespace
+
+CLI = os.environ["HEXODERM_CLI"]
+RATE_HZ = 50
+GRAVITY = 9.80665
+
+
+def run(*arguments):
+    result = subprocess.run([CLI, *map(str, arguments)], capture_output=True, text=True, timeout=300)
+    if result.returncode not in (0, 1):
+        raise AssertionError(result.stderr)
+    return result.stdout
+
+
+class InFolder(unittest.TestCase):
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.folder = pathlib.Path(folder.name)
+
+    def simulate(self, *arguments):
+        """A session with truth, as the document."""
+        file = self.folder / "true.session.json"
+        run("simulate", *arguments, "-o", file)
+        return json.loads(file.read_text())
+
+
+def held_and_turned(session, hold_s=4.0, turn_s=1.5):
+    """(time in s, {cell: g}) of a part that is held in each pose of a session and turned in between."""
+    poses = [{sample["cell"]: sample["mean_g"] for sample in pose["samples"]} for pose in session["poses"]]
+    tick = 0
+    for k, pose in enumerate(poses):
+        for _ in range(int(hold_s * RATE_HZ)):
+            # The last digit of a sensor: readings that never change are those of a broken one.
+            yield tick / RATE_HZ, {cell: [value + 0.004 * ((tick * 7 + cell + axis) % 3 - 1) for axis, value in
+                                          enumerate(vector)] for cell, vector in pose.items()}
+            tick += 1
+        for step in range(int(turn_s * RATE_HZ) if k + 1 < len(poses) else 0):
+            share = (step + 1) / (turn_s * RATE_HZ + 1)
+            turned = {}
+            for cell, vector in pose.items():
+                between = [(1 - share) * a + share * b for a, b in zip(vector, poses[k + 1][cell])]
+                length = math.hypot(*between) or 1
+                turned[cell] = [value / length for value in between]
+            yield tick / RATE_HZ, turned
+            tick += 1
+
+
+def description(session, **others):
+    """A description of the skin for hexoderm-ros, with a topic for each cell."""
+    return {"device": "skin of the test", "cells": [{**cell, "imu": f"/imu/cell{cell['id']}"} for cell in session["cells"]],
+            **others}
+
+
+def imu(time_s, vector_g, seconds="secs", nanoseconds="nsecs", covariance=0.0):
+    """As a sensor_msgs/Imu of ROS 1, or with sec and nanosec of ROS 2."""
+    whole = int(time_s)
+    stamp = SimpleNamespace(**{seconds: whole, nanoseconds: round((time_s - whole) * 1e9)})
+    x, y, z = (value * GRAVITY for value in vector_g)
+    return SimpleNamespace(header=SimpleNamespace(stamp=stamp), linear_acceleration=SimpleNamespace(x=x, y=y, z=z),
+                           linear_acceleration_covariance=[covariance] + [0.0] * 8)

@@ -1,0 +1,113 @@
+#!/usr/bin/env python3
+"""The node of ROS 2 against a stand-in of rclpy: what it subscribes to and publishes. It was never run with ROS 2."""
+
+import sys
+import unittest
+from types import ModuleType, SimpleNamespace
+
+from program import imu
+
+
+def module(name, **members):
+    made = sys.modules[name] = ModuleType(name)
+    made.__dict__.update(members)
+    return made
+
+
+class Clock:
+    def now(self):
+        return SimpleNamespace(nanoseconds=7_000_000, to_msg=lambda: "now")
+
+
+class Node:
+    def __init__(self, name):
+        self.name = name
+        self.subscriptions = {}
+
+    def get_clock(self):
+        return Clock()
+
+    def create_subscription(self, kind, topic, callback, qos):
+        assert qos == "sensor data"
+        self.subscriptions[topic] = (kind, callback)
+
+    def destroy_node(self):
+        nodes.remove(self)
+
+
+nodes = []
+spinning = []
+
+
+def create_node(name):
+    nodes.append(Node(name))
+    return nodes[-1]
+
+
+def spin(node):
+    spinning.append(node)
+    during[0](node)
+
+
+during = [lambda node: None]
+sent = []
+
+
+def stamped():
+    return SimpleNamespace(header=SimpleNamespace(stamp=None, frame_id=""), child_frame_id="",
+                           transform=SimpleNamespace(translation=SimpleNamespace(), rotation=SimpleNamespace()))
+
+
+module("rclpy", init=lambda: None, create_node=create_node, spin=spin, try_shutdown=lambda: None)
+module("rclpy.qos", qos_profile_sensor_data="sensor data")
+module("sensor_msgs").msg = module("sensor_msgs.msg", Imu="Imu")
+module("geometry_msgs").msg = module("geometry_msgs.msg", TransformStamped=stamped)
+module("tf2_ros", StaticTransformBroadcaster=lambda node: SimpleNamespace(sendTransform=sent.extend))
+module("rosidl_runtime_py")
+module("rosidl_runtime_py.utilities", get_message=lambda name: "class of " + name)
+
+from hexoderm_ros import ros2  # noqa: E402
+from hexoderm_ros.skin import SkinError, skin_from  # noqa: E402
+from hexoderm_ros.transforms import Transform  # noqa: E402
+
+CELLS = [{"id": 1, "imu": "/a"}, {"id": 2, "imu": "/b"}, {"id": 3}]
+
+
+class Ros2(unittest.TestCase):
+    def pass_on(self, document, then):
+        readings = []
+        during[0] = then
+        ros2.pass_on(skin_from(document), SimpleNamespace(add=readings.extend))
+        self.assertEqual(nodes, [])
+        return readings
+
+    def test_each_topic_is_that_of_its_cell(self):
+        def then(node):
+            self.assertEqual({topic: kind for topic, (kind, _) in node.subscriptions.items()}, {"/a": "Imu", "/b": "Imu"})
+            node.subscriptions["/b"][1](imu(2, (0, 0, 1), "sec", "nanosec"))
+            node.subscriptions["/a"][1](imu(0, (0, 1, 0), "sec", "nanosec"))
+
+        found = self.pass_on({"cells": CELLS}, then)
+        self.assertEqual([(each.time_us, each.cell) for each in found], [(2_000_000, 2), (7_000, 1)])
+
+    def test_cell_data(self):
+        def then(node):
+            kind, take = node.subscriptions["/cells"]
+            self.assertEqual(kind, "class of skin/msg/Cells")
+            take(SimpleNamespace(data=[SimpleNamespace(cellId=3, acc=[0, 0, 1])]))
+
+        found = self.pass_on({"cells": CELLS, "cell_data": {"topic": "/cells", "type": "skin/msg/Cells"}}, then)
+        self.assertEqual([(each.time_us, each.cell) for each in found], [(7_000, 3)])
+        with self.assertRaisesRegex(SkinError, "ROS 2 needs its type"):
+            ros2.pass_on(skin_from({"cells": CELLS, "cell_data": {"topic": "/cells"}}), None)
+
+    def test_transforms(self):
+        during[0] = lambda node: None
+        ros2.publish([Transform("base", "cell", (1, 2, 3), (0, 0, 0, 1))])
+        self.assertEqual(len(sent), 1)
+        self.assertEqual((sent[0].header.frame_id, sent[0].child_frame_id, sent[0].header.stamp), ("base", "cell", "now"))
+        self.assertEqual((sent[0].transform.translation.z, sent[0].transform.rotation.w), (3, 1))
+
+
+if __name__ == "__main__":
+    unittest.main()

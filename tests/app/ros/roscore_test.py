@@ -1,0 +1,164 @@
+#!/usr/bin/env python3
+"""ROS 1 as it is: a master, bags that are played, hexoderm-ros between them and hexoderm-cli, and TF that is looked up."""
+
+import contextlib
+import json
+import os
+import re
+import signal
+import socket
+import subprocess
+import sys
+import time
+import unittest
+
+from program import CLI, GRAVITY, InFolder, description, held_and_turned, run
+
+
+def free_port():
+    with socket.create_server(("localhost", 0)) as server:
+        return server.getsockname()[1]
+
+
+# Before rospy is imported. Nothing of the user's own ROS is touched.
+os.environ.update(ROS_MASTER_URI=f"http://localhost:{free_port()}", ROS_HOSTNAME="localhost")
+os.environ.pop("ROS_IP", None)
+
+import genpy  # noqa: E402
+import genpy.dynamic  # noqa: E402
+import rosbag  # noqa: E402
+import rosgraph  # noqa: E402
+import rospy  # noqa: E402
+import sensor_msgs.msg  # noqa: E402
+import tf2_ros  # noqa: E402
+
+DEFINITION = """Cell[] data
+================================================================================
+MSG: test_skin/Cell
+int32 cellId
+float32[] acc
+"""
+
+
+class Ros1(InFolder):
+    def setUp(self):
+        super().setUp()
+        os.environ.update(ROS_HOME=str(self.folder / "ros"), ROS_LOG_DIR=str(self.folder / "ros/log"))
+        port = os.environ["ROS_MASTER_URI"].rpartition(":")[2]
+        self.start("roscore", "-p", port)
+        master = rosgraph.Master("/test")
+        deadline = time.monotonic() + 60
+        while not (master.is_online() and self.is_there(master, "/rosout")):
+            self.assertLess(time.monotonic(), deadline, "roscore does not answer")
+            time.sleep(0.1)
+
+    @staticmethod
+    def is_there(master, node):
+        with contextlib.suppress(Exception):
+            return bool(master.lookupNode(node))
+        return False
+
+    def start(self, *command, **how):
+        process = subprocess.Popen([*map(str, command)], stdout=how.pop("stdout", subprocess.DEVNULL),
+                                   stderr=how.pop("stderr", subprocess.DEVNULL), text=True, **how)
+        self.addCleanup(self.end, process)
+        return process
+
+    @staticmethod
+    def end(process):
+        if process.poll() is None:
+            process.send_signal(signal.SIGINT)
+            try:
+                process.wait(20)
+            except subprocess.TimeoutExpired:
+                process.kill()
+                process.wait()
+        for stream in (process.stdout, process.stderr):
+            if stream is not None:
+                stream.close()
+
+    def start_adapter(self, document):
+        (self.folder / "skin.json").write_text(json.dumps(document))
+        adapter = self.start(sys.executable, "-m", "hexoderm_ros", "skin", self.folder / "skin.json", "--port", "0",
+                             stderr=subprocess.PIPE)
+        line = adapter.stderr.readline()
+        self.assertRegex(line, r"hexoderm-ros: \d+ cells on tcp://127.0.0.1:\d+")
+        return adapter, re.search(r"tcp://\S+", line)[0]
+
+    def wait_for_subscribers(self, topics):
+        master = rosgraph.Master("/test")
+        deadline = time.monotonic() + 30
+        while True:
+            subscribed = {topic for topic, _ in master.getSystemState()[1]}
+            if topics <= subscribed:
+                return
+            self.assertLess(time.monotonic(), deadline, f"nobody subscribes {topics - subscribed}")
+            time.sleep(0.1)
+
+    def capture_while_played(self, address, bag, topics, rate=4):
+        self.wait_for_subscribers(topics)
+        capture = self.start(CLI, "capture", "--source", address, "--poses", "3", "-o", self.folder / "live.hexo", "--json",
+                             "--quiet", stdout=subprocess.PIPE)
+        time.sleep(1)
+        self.start("rosbag", "play", "--quiet", "--delay", "1", "--rate", rate, bag)
+        said = json.loads(capture.communicate(timeout=120)[0])
+        self.assertEqual((said["poses"], said["offences"], said["rejected_messages"]), (3, [], 0))
+        run("solve", self.folder / "live.hexo", "-o", self.folder / "c.json")
+        errors = json.loads(run("evaluate", self.folder / "c.json", "--against", self.folder / "true.session.json", "--json"))
+        self.assertLess(errors["against"][0]["position_rms_mm"], 5)
+
+    def test_a_bag_of_imus_becomes_a_calibration(self):
+        session = self.simulate("--poses", 3, "--patch", "ring5")
+        with rosbag.Bag(str(self.folder / "imu.bag"), "w") as bag:
+            for time_s, cells in held_and_turned(session):
+                stamp = genpy.Time.from_sec(1000 + time_s)
+                for cell, vector in cells.items():
+                    message = sensor_msgs.msg.Imu()
+                    message.header.stamp = stamp
+                    acceleration = message.linear_acceleration
+                    acceleration.x, acceleration.y, acceleration.z = (value * GRAVITY for value in vector)
+                    bag.write(f"/imu/cell{cell}", message, stamp)
+        adapter, address = self.start_adapter(description(session))
+        self.capture_while_played(address, self.folder / "imu.bag", {f"/imu/cell{k}" for k in range(1, 6)})
+        adapter.send_signal(signal.SIGINT)
+        adapter.wait(20)
+        self.assertRegex(adapter.stderr.read(), r"hexoderm-ros: \d+ sent, 0 late, 0 repeated, 0 dropped")
+
+    def test_a_bag_of_cell_data_becomes_a_calibration(self):
+        types = genpy.dynamic.generate_dynamic("test_skin/Cells", DEFINITION)
+        session = self.simulate("--poses", 3, "--patch", "ring5")
+        with rosbag.Bag(str(self.folder / "cells.bag"), "w") as bag:
+            for time_s, cells in held_and_turned(session):
+                message = types["test_skin/Cells"]()
+                message.data = [types["test_skin/Cell"](cell, vector) for cell, vector in cells.items()]
+                bag.write("/skin/cells", message, genpy.Time.from_sec(1000 + time_s))
+        document = {"cells": session["cells"], "cell_data": {"topic": "/skin/cells"}}
+        _, address = self.start_adapter(document)
+        # The messages have no time of their own: it is that at which they come.
+        self.capture_while_played(address, self.folder / "cells.bag", {"/skin/cells"}, rate=1)
+
+    def test_transforms_are_published(self):
+        self.simulate("--poses", 3)
+        run("solve", self.folder / "true.session.json", "-o", self.folder / "c.json")
+        run("export", self.folder / "c.json", "--to", "tf-yaml", "--place", "forearm:0.02,0,0.1,0,1.57,0", "-o",
+            self.folder / "tf.yaml")
+        self.start(sys.executable, "-m", "hexoderm_ros", "transforms", self.folder / "tf.yaml")
+        rospy.init_node("test", anonymous=True, disable_signals=True)
+        buffer = tf2_ros.Buffer()
+        listener = tf2_ros.TransformListener(buffer)
+        patch = json.loads((self.folder / "c.json").read_text())["patches"][0]
+        for cell in patch["cells"]:
+            found = buffer.lookup_transform("skin_patch0", f"skin_cell{cell['id']}", rospy.Time(0),
+                                            rospy.Duration(20)).transform
+            for name, value in zip("xyz", cell["t_o_u_m"]):
+                self.assertAlmostEqual(getattr(found.translation, name), value, 12)
+            quaternion = [getattr(found.rotation, name) for name in "wxyz"]
+            dot = sum(a * b for a, b in zip(quaternion, cell["q_o_u_wxyz"]))
+            self.assertAlmostEqual(abs(dot), 1, 12)
+        placed = buffer.lookup_transform("forearm", "skin_patch0", rospy.Time(0), rospy.Duration(20)).transform
+        self.assertAlmostEqual(placed.translation.z, 0.1)
+        listener.unregister()
+
+
+if __name__ == "__main__":
+    unittest.main(warnings="ignore")  # rospy leaves sockets open
