@@ -6,7 +6,6 @@ core_packages=(
   cmake
   ninja-build
   ccache
-  doxygen # the library's reference, and a test that all of it is documented
   libassimp-dev
   libboost-graph-dev
   libceres-dev # test oracle; the library does not use it
@@ -26,20 +25,30 @@ core_packages=(
   nlohmann-json3-dev
   protobuf-compiler
   python3 # kill tests and an example sender
-  python3-jsonschema # holds files to the schemas of their formats in tests
-  python3-yaml # reads exports back in tests, as do the next four
-  assimp-utils
+  pybind11-dev # the Python module, as are the next two
+  python3-dev
+  python3-numpy
+  zlib1g-dev # named in the CMake files of libassimp-dev, which does not bring it
+)
+
+# Only for the tests: other programs that read what Hexoderm writes, and rules that its pages and desktop files follow.
+test_packages=(
+  appstream # holds what desktops are told of the window to their rules, as do the next three
+  desktop-file-utils
+  libglib2.0-bin
+  shared-mime-info
+  assimp-utils # reads exports back, as do the next four
   libmujoco-dev
   libsdformat-dev
   liburdfdom-tools
-  gcc-arm-none-eabi # the example firmware of a skin, and a board to run it on, in a test
+  python3-yaml
+  dbus-daemon # a session bus for the test of the desktop's theme
+  doxygen # all of the library's reference is documented
+  gcc-arm-none-eabi # the example firmware of a skin, and a board to run it on
   qemu-system-arm
-  pybind11-dev # the Python module, as do the next two
-  python3-dev
-  python3-numpy
-  mypy # holds the module's types to the module in tests
+  mypy # holds the Python module's types to the module
+  python3-jsonschema # holds files to the schemas of their formats
   python3-matplotlib # the picture at the end of an example
-  zlib1g-dev # named in the CMake files of libassimp-dev, which does not bring it
 )
 
 # hexoderm-ros and its tests: ROS 1 with its master and bags.
@@ -64,11 +73,6 @@ gui_packages=(
   libvtk9-dev
   libvtk9-qt-dev
   qtbase5-dev
-  appstream # holds what desktops are told of the window to their rules, as do the next three
-  desktop-file-utils
-  libglib2.0-bin
-  shared-mime-info
-  dbus-daemon # a session bus for the test of the desktop's theme
   fonts-dejavu-core
   fonts-inter
   libgl1-mesa-dri

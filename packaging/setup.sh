@@ -1,31 +1,38 @@
 #!/bin/bash
 # Installs the Debian packages that are missing; does nothing, quickly, if none is.
-# Usage: packaging/setup.sh [--core] [--ros] [--developer] [--debian]
+# Usage: packaging/setup.sh [--core] [--tests] [--ros] [--developer] [--debian]
 #   --core       only what library and command line need: neither Qt nor VTK
+#   --tests      also the other programs that the tests run
 #   --ros        also ROS 1, for hexoderm-ros
-#   --developer  also clang, clang-tidy and clang-format
+#   --developer  the same, and clang, clang-tidy and clang-format
 #   --debian     also what makes Debian packages and tries them
 set -euo pipefail
 source "$(dirname "${BASH_SOURCE[0]}")/packages.sh"
 
 gui=yes
+tests=no
 ros=no
 developer=no
 debian=no
 for argument in "$@"; do
   case "$argument" in
     --core) gui=no ;;
+    --tests) tests=yes ;;
     --ros) ros=yes ;;
-    --developer) developer=yes ;;
+    --developer)
+      developer=yes
+      tests=yes
+      ;;
     --debian) debian=yes ;;
     *)
-      sed -n '2,7s/^# //p' "${BASH_SOURCE[0]}" >&2
+      sed -n '2,8s/^# //p' "${BASH_SOURCE[0]}" >&2
       exit 2
       ;;
   esac
 done
 wanted=("${core_packages[@]}")
 [ "$gui" = no ] || wanted+=("${gui_packages[@]}")
+[ "$tests" = no ] || wanted+=("${test_packages[@]}")
 [ "$ros" = no ] || wanted+=("${ros_packages[@]}")
 [ "$developer" = no ] || wanted+=("${developer_packages[@]}")
 [ "$debian" = no ] || wanted+=("${debian_packages[@]}")

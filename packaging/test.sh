@@ -28,7 +28,7 @@ for stage in "${stages[@]}"; do
   esac
 done
 
-"$root/packaging/setup.sh" --ros
+"$root/packaging/setup.sh" --tests --ros
 cd "$root"
 
 # Tests must neither read nor change what the user has set.

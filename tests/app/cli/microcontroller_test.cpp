@@ -119,7 +119,7 @@ class Microcontroller : public Cli {
  protected:
   void SetUp() override {
     if (std::string(HEXODERM_FIRMWARE).empty() || std::string(HEXODERM_QEMU).empty()) {
-      GTEST_SKIP() << "arm-none-eabi-gcc or qemu-system-arm is not installed: packaging/setup.sh installs them";
+      GTEST_SKIP() << "arm-none-eabi-gcc or qemu-system-arm is not installed: packaging/setup.sh --tests installs them";
     }
   }
 };

@@ -136,7 +136,7 @@ TEST_F(ExportRobotUrdf, IsFoundGoodByCheckUrdf) {
     options_.link_per_cell = link_per_cell;
     exported();
     const auto check = test::runProgram("check_urdf " + in("with_skin.urdf").string());
-    ASSERT_TRUE(check) << "there is no check_urdf: packaging/setup.sh installs it";
+    ASSERT_TRUE(check) << "there is no check_urdf: packaging/setup.sh --tests installs it";
     EXPECT_EQ(check->exit_code, 0) << check->out;
     EXPECT_THAT(check->out, AllOf(HasSubstr("Successfully Parsed XML"), HasSubstr("skin_patch0")));
   }

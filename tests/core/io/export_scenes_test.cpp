@@ -58,7 +58,7 @@ TEST_F(ExportScenes, ObjHoldsThePrismsForAssimp) {
   exportReconstruction(makeTestReconstruction(), ExportFormat::Obj, in("skin.obj"));
   EXPECT_THAT(read(in("skin.obj")), AllOf(HasSubstr("# metres, in the frame of cell 7"), HasSubstr("o cell_12\n")));
   const auto info = test::runProgram("assimp info " + in("skin.obj").string());
-  ASSERT_TRUE(info) << "there is no assimp: packaging/setup.sh installs it";
+  ASSERT_TRUE(info) << "there is no assimp: packaging/setup.sh --tests installs it";
   EXPECT_EQ(info->exit_code, 0) << info->out;
   EXPECT_THAT(info->out, AllOf(HasSubstr("Meshes:             3"), HasSubstr("cell_12")));
   expectSamePoints(pointsByAssimp("skin.obj"), makePatchMesh(onePatch()).points);
@@ -67,7 +67,7 @@ TEST_F(ExportScenes, ObjHoldsThePrismsForAssimp) {
 TEST_F(ExportScenes, GltfHoldsThePrismsUprightForAssimp) {
   exportReconstruction(makeTestReconstruction(), ExportFormat::Gltf, in("skin.glb"));
   const auto info = test::runProgram("assimp info " + in("skin.glb").string());
-  ASSERT_TRUE(info) << "there is no assimp: packaging/setup.sh installs it";
+  ASSERT_TRUE(info) << "there is no assimp: packaging/setup.sh --tests installs it";
   EXPECT_EQ(info->exit_code, 0) << info->out;
   EXPECT_THAT(info->out, HasSubstr("cell_12"));
   std::vector<Eigen::Vector3d> meant;
