@@ -5,15 +5,17 @@
 #include <utility>
 
 namespace hexoderm {
+namespace {
 
-GraphSheet::GraphSheet(QWidget* view, std::function<void(QPainter&)> draw) : view_(view), draw_(std::move(draw)) {
-  draw_soon_.setInterval(1);
-  draw_soon_.setSingleShot(true);
-  connect(&draw_soon_, &QTimer::timeout, this, [this] {
-    currentPicture();
-    view_->update();
-  });
-}
+constexpr int kDrawAfter_ms = 1;  // 0 may be in the turn in which the window is painted
+
+}  // namespace
+
+GraphSheet::GraphSheet(QWidget* view, std::function<void(QPainter&)> draw)
+    : view_(view), draw_(std::move(draw)), draw_soon_(kDrawAfter_ms, [this] {
+        currentPicture();
+        view_->update();
+      }) {}
 
 void GraphSheet::invalidate(bool takes_long) {
   is_current_ = false;

@@ -1,8 +1,9 @@
 #pragma once
 
+#include "widgets/controls/heavy_turn.h"
+
 #include <QObject>
 #include <QPixmap>
-#include <QTimer>
 #include <functional>
 
 class QPainter;
@@ -32,7 +33,7 @@ class GraphSheet : public QObject {
   std::function<void(QPainter&)> draw_;
   QPixmap picture_;
   bool is_current_ = false;
-  QTimer draw_soon_;
+  HeavyTurn draw_soon_;
 };
 
 }  // namespace hexoderm

@@ -18,6 +18,12 @@
 namespace hexoderm {
 namespace {
 
+/// Not in the very next turn of the event loop: the window may be painted in that, and then whoever has clicked
+/// meanwhile would wait for both.
+constexpr int kRenderAfter_ms = 10;
+/// Nor is it shown in the turn that has drawn it.
+constexpr int kShowAfter_ms = 1;
+
 /// The threads of a pool end and begin when it likes.
 void giveWayOnce() {
   thread_local bool gives_way = false;
@@ -26,7 +32,10 @@ void giveWayOnce() {
 
 }  // namespace
 
-SceneWidget::SceneWidget(QWidget* parent) : QWidget(parent) {
+SceneWidget::SceneWidget(QWidget* parent)
+    : QWidget(parent),
+      render_soon_(kRenderAfter_ms, [this] { window_->Render(); }),
+      show_soon_(kShowAfter_ms, [this] { showWhenDrawn(); }) {
   setMouseTracking(true);
   setAttribute(Qt::WA_OpaquePaintEvent);  // or all that is below would be painted for each picture
   context_.setFormat(sceneSurfaceFormat());
@@ -46,17 +55,6 @@ SceneWidget::SceneWidget(QWidget* parent) : QWidget(parent) {
   interactor->Initialize();
   interactor->EnableRenderOff();  // several moves of the mouse in one turn of the event loop are one drawing
   interactor->AddObserver(vtkCommand::RenderEvent, this, &SceneWidget::requestRender);
-  // Not in the very next turn of the event loop: the window may be painted in that, and then whoever has clicked
-  // meanwhile would wait for both.
-  constexpr int kSoon_ms = 10;
-  render_soon_.setInterval(kSoon_ms);
-  render_soon_.setTimerType(Qt::PreciseTimer);
-  render_soon_.setSingleShot(true);
-  connect(&render_soon_, &QTimer::timeout, this, [this] { window_->Render(); });
-  // Nor is it shown in the turn that has drawn it.
-  show_soon_.setInterval(1);
-  show_soon_.setSingleShot(true);
-  connect(&show_soon_, &QTimer::timeout, this, &SceneWidget::showWhenDrawn);
   smoother_.setMaxThreadCount(1);
   takeSize();
 }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "widgets/controls/heavy_turn.h"
 #include "widgets/patch/hollow_shading.h"
 
 #include <QVTKInteractorAdapter.h>
@@ -11,7 +12,6 @@
 #include <QOpenGLContext>
 #include <QOpenGLExtraFunctions>
 #include <QThreadPool>
-#include <QTimer>
 #include <QWidget>
 #include <cstdint>
 #include <functional>
@@ -103,8 +103,8 @@ class SceneWidget : public QWidget {
   std::function<std::optional<HollowSight>()> hollows_;
   double smoothing_budget_ms_ = 0;
   std::optional<double> smoothing_ms_per_pixel_;  ///< as measured
-  QTimer render_soon_;
-  QTimer show_soon_;
+  HeavyTurn render_soon_;
+  HeavyTurn show_soon_;
   QThreadPool smoother_;  ///< last: ends before what it gives its pictures to
 };
 

@@ -1,6 +1,7 @@
 #include "widgets/robot/robot_view.h"
 
 #include "hexoderm/util/units.h"
+#include "widgets/controls/heavy_turn.h"
 #include "widgets/patch/opengl_info.h"
 #include "widgets/patch/scene_look.h"
 #include "widgets/patch/scene_widget.h"
@@ -67,6 +68,7 @@ void RobotView::setPicture(const RobotPicture& picture) {
   if (!parts_ && picture.bodies) build();
   if (!parts_ || !parts_->scene) return;
   parts_->scene->setPicture(picture);
+  HeavyTurn::note();
   requestRender();
 }
 

@@ -1,5 +1,7 @@
 #include "app/window/toolkit/once_per_turn.h"
 
+#include "widgets/controls/heavy_turn.h"
+
 #include <utility>
 
 namespace hexoderm {
@@ -14,6 +16,7 @@ void OncePerTurn::request() {
 void OncePerTurn::finish() {
   if (!std::exchange(requested_, false)) return;
   work_();
+  HeavyTurn::note();
   emit done();
 }
 

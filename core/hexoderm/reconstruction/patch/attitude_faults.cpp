@@ -77,8 +77,7 @@ class Isolation {
     if (patch.cells().size() < 2) return false;
     const std::vector<SE3> placements = placementsOf(patch);
     const bool is_tree = patch.joint() == nullptr;
-    OwnAttitudes own =
-        findOwnAttitudes(skin_, patch.cells(), forcesOn(skin_, patch, placements), placements, is_tree);
+    OwnAttitudes own = findOwnAttitudes(skin_, patch.cells(), forcesOn(skin_, patch, placements), placements, is_tree);
     // Everything follows from the readings, so nothing else is looked for before.
     if (is_tree && freeFromSwings(skin_.table(), patch.cells(), placements, own)) return true;
     AttitudeSearch search(skin_, patch.cells(), std::move(own));
