@@ -2,6 +2,7 @@
 
 #include "app/window/guide/guide.h"
 #include "app/window/session/session_controller.h"
+#include "widgets/controls/heavy_turn.h"
 
 #include <utility>
 
@@ -27,6 +28,7 @@ void ResultPresenter::handOut(const Result& result) {
   for (const Receiver& receiver : receivers_) {
     if (!receiver.is_picture || !controller_.liveMode().isOn()) receiver.set(result);
   }
+  HeavyTurn::note();
   emit handedOut();
 }
 
