@@ -10,7 +10,7 @@ namespace hexoderm {
 namespace {
 
 constexpr int kPadding = 6;
-constexpr int kMargin = 12;  // at the sides
+constexpr int kSideMargin = 12;  // at the sides
 
 /// A ground that keeps what stands on it readable over any cell.
 void paintPlate(QPainter& painter, const QRect& place, QColor ground) {
@@ -61,7 +61,7 @@ void PatchCaptions::setTopMargin(int pixels) {
 
 int PatchCaptions::notesBottom() const {
   if (content_.notes.isEmpty() || !content_.hint.isEmpty()) return 0;
-  const int room = width() - 2 * (kMargin + kPadding);
+  const int room = width() - 2 * (kSideMargin + kPadding);
   int bottom = top_margin_;
   for (const QString& note : content_.notes) {
     bottom += kPadding + fontMetrics().boundingRect(QRect(0, 0, room, height()), Qt::TextWordWrap, note).height();
@@ -100,7 +100,7 @@ void PatchCaptions::paint(QPainter& painter, const QSize& area) const {
 /// Below the buttons on the left.
 void PatchCaptions::paintNotes(QPainter& painter, const QSize& area) const {
   const Colors& colors = Colors::of(theme_);
-  const QRect room(kMargin + kPadding, top_margin_ + kPadding, area.width() - 2 * (kMargin + kPadding),
+  const QRect room(kSideMargin + kPadding, top_margin_ + kPadding, area.width() - 2 * (kSideMargin + kPadding),
                    area.height() - top_margin_);
   int top = room.top();
   const auto write = [&](const QString& text, const QColor& color, bool emphasised) {
