@@ -111,6 +111,10 @@ if(Python IN_LIST components)
   list(APPEND CPACK_COMPONENTS_ALL Python)
   hexoderm_package(Python python3-hexoderm python "calibration of artificial skin on robots - Python module"
     "This package has the module for Python.")
-  set(CPACK_DEBIAN_PYTHON_PACKAGE_DEPENDS "hexoderm-data (= ${version}), python3, python3-numpy")
+  # A compiled module is for the minor version of Python that it was made with.
+  execute_process(COMMAND "${HEXODERM_PYTHON_EXECUTABLE}" -c
+    "import sys; v = sys.version_info; print(f'python3 (>= {v[0]}.{v[1]}~), python3 (<< {v[0]}.{v[1] + 1}~)')"
+    OUTPUT_VARIABLE for_python OUTPUT_STRIP_TRAILING_WHITESPACE COMMAND_ERROR_IS_FATAL ANY)
+  set(CPACK_DEBIAN_PYTHON_PACKAGE_DEPENDS "hexoderm-data (= ${version}), ${for_python}, python3-numpy")
 endif()
 include(CPack)

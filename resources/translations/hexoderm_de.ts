@@ -6859,6 +6859,30 @@ Die Balken sagen, wie sehr sich die gesehenen Richtungen in drei Achsen untersch
         <comment>the end of a long list</comment>
         <translation>{} und {} weitere</translation>
     </message>
+    <message>
+        <source>expected a name that ends in .hexo, found &quot;{}&quot;</source>
+        <translation>erwartet wird ein Name, der auf .hexo endet, gefunden wurde „{}“</translation>
+    </message>
+    <message>
+        <source>exists already; a capture never replaces a session</source>
+        <translation>gibt es schon; eine Aufnahme ersetzt nie eine Sitzung</translation>
+    </message>
+    <message>
+        <source>this device does not turn by itself</source>
+        <translation>dieses Gerät dreht sich nicht selbst</translation>
+    </message>
+    <message>
+        <source>refused to turn {} times, the last time: {}</source>
+        <translation>hat sich {}-mal geweigert, sich zu drehen, zuletzt: {}</translation>
+    </message>
+    <message>
+        <source>nothing for {}. {}</source>
+        <translation>nichts seit {}. {}</translation>
+    </message>
+    <message>
+        <source>ended before a skin described itself. {}</source>
+        <translation>endete, bevor sich eine Haut beschrieb. {}</translation>
+    </message>
 </context>
 <context>
     <name>hexoderm::MessageBar</name>
