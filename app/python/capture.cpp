@@ -101,7 +101,8 @@ void bindCapture(py::module_& module) {
           "The result of all poses so far; None before the first.")
       .def_property_readonly(
           "remarks", [](const LiveCapture& self) { return self.shown().remarks; },
-          "What was odd about the pose that came last, in words: cells that were silent or restless, an earlier pose that\n"
+          "What was odd about the pose that came last, in words: cells that were silent or restless, an earlier pose "
+          "that\n"
           "it repeats.")
       .def_property_readonly(
           "status", [](const LiveCapture& self) { return self.shown().status.english(); },

@@ -112,10 +112,10 @@ class LiveCapture final : CaptureOwner, SkinListener, PoseRecorderListener {
   CaptureCourse course_;
   std::shared_ptr<const Reconstruction> result_;
   std::deque<Kept> kept_;  ///< not given out yet
-  bool has_news_ = false;          ///< poses that are not in the result
+  bool has_news_ = false;  ///< poses that are not in the result
   bool made_progress_ = false;
   bool is_ended_ = false;
-  Message lost_;     ///< why a pose is not on disk and never will be
+  Message lost_;         ///< why a pose is not on disk and never will be
   std::string refused_;  ///< why the device does not turn any more
 };
 
