@@ -30,10 +30,9 @@ std::unique_ptr<LiveCapture> start(const std::string& source, std::size_t poses,
 }
 
 SessionPose next(LiveCapture& self) {
-  const std::optional<CapturedPose> captured =
-      interruptible([&](const std::stop_token& stop) { return self.next(stop); });
-  if (!captured) throw py::stop_iteration();
-  return {captured->pose, false, {}, captured->joint_angles};
+  const auto kept = interruptible([&](const std::stop_token& stop) { return self.next(stop); });
+  if (!kept) throw py::stop_iteration();
+  return {kept->captured.pose, false, {}, kept->captured.joint_angles};
 }
 
 void close(LiveCapture& self) {
@@ -100,6 +99,11 @@ void bindCapture(py::module_& module) {
             return result ? std::optional(Calibration{result}) : std::nullopt;
           },
           "The result of all poses so far; None before the first.")
+      .def_property_readonly(
+          "remarks", [](const LiveCapture& self) { return self.shown().remarks; },
+          "What was odd about the pose that came last, in words: cells that were silent or restless, an earlier pose "
+          "that\n"
+          "it repeats.")
       .def_property_readonly(
           "status", [](const LiveCapture& self) { return self.shown().status.english(); },
           "What is waited for, in words.")

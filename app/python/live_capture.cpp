@@ -5,6 +5,7 @@
 #include "hexoderm/reconstruction/reconstructor.h"
 #include "hexoderm/util/error.h"
 #include "hexoderm/util/text.h"
+#include "hexoderm/util/units.h"
 
 #include <chrono>
 #include <filesystem>
@@ -28,6 +29,19 @@ CaptureCourseOptions courseOptions(const LiveCaptureOptions& options) {
   course.retry_every = std::chrono::seconds(1);
   course.give_up_after = std::chrono::seconds(10);
   return course;
+}
+
+std::vector<std::string> remarksOn(const PoseKept& kept) {
+  const CapturedPose& captured = kept.captured;
+  std::vector<std::string> remarks;
+  if (!captured.silent_cells.empty()) remarks.push_back("silent " + listInWords(captured.silent_cells));
+  if (captured.repeats) {
+    remarks.push_back("it repeats pose " + toString(*captured.repeats) + " (" +
+                      formatFixed(toDegrees(captured.repeat_angle_rad), 1) + "°)");
+  }
+  for (const OddCell& odd : captured.odd_cells) remarks.push_back(describe(odd).english());
+  if (!kept.without_raw.empty()) remarks.push_back("kept without its raw samples: " + kept.without_raw.english());
+  return remarks;
 }
 
 /// Before anything is connected. The file itself is made once a skin described itself.
@@ -131,7 +145,7 @@ void LiveCapture::retryWriting() {
 
 void LiveCapture::onCourseEvent(const CourseEvent& event) {
   if (const auto* kept = std::get_if<PoseKept>(&event)) {
-    kept_.push_back(kept->captured);
+    kept_.push_back({kept->captured, remarksOn(*kept)});
     has_news_ = true;
   } else if (const auto* pose = std::get_if<PoseLost>(&event)) {
     lost_ = pose->why;
@@ -141,23 +155,22 @@ void LiveCapture::onCourseEvent(const CourseEvent& event) {
     if (wanted->question.seen == result_ && !course_.isFinished()) course_.setAdvice(adviseOn(wanted->question));
   } else if (const auto* turn = std::get_if<TurnRefused>(&event)) {
     if (turn->gave_up) {
-      refused_ = message("refused to turn {} times, the last time: {}", turn->times, turn->why);
+      refused_ = source_->address() + ": refused to turn " + std::to_string(turn->times) +
+                 " times, the last time: " + turn->why.english();
     }
   }
 }
 
 bool LiveCapture::handleOne(std::chrono::milliseconds patience) {
   std::function<void()> event;
-  SourceState state{};
   {
     std::unique_lock lock(mutex_);
     if (arrived_.wait_for(lock, patience, [this] { return !events_.empty(); })) {
       event = std::move(events_.front());
       events_.pop_front();
     }
-    state = status_.state;
   }
-  course_.setSending(state == SourceState::Streaming);
+  course_.setSending(status().state == SourceState::Streaming);
   if (!event) return false;
   event();
   made_progress_ = true;
@@ -184,13 +197,18 @@ void LiveCapture::show() {
   shown_.advice = adviceInWords(*course_.nextPose(), *result_);
 }
 
+SourceStatus LiveCapture::status() const {
+  const std::lock_guard lock(mutex_);
+  return status_;
+}
+
 Message LiveCapture::whyNothingComes() const {
   const std::lock_guard lock(mutex_);
   if (!session_ && !status_.offences.empty()) return inWords(status_.offences.front());
   return session_ ? hold_.message : status_.message;
 }
 
-std::optional<CapturedPose> LiveCapture::next(const std::stop_token& stop) {
+std::optional<LiveCapture::Kept> LiveCapture::next(const std::stop_token& stop) {
   const std::lock_guard turn(turn_);
   constexpr std::chrono::milliseconds kLookEvery(50);
   const auto patience = std::chrono::duration<double>(options_.timeout_s);
@@ -201,23 +219,22 @@ std::optional<CapturedPose> LiveCapture::next(const std::stop_token& stop) {
       if (has_news_ && course_.waiting() == 0) solve(stop);
       show();
       if (!kept_.empty() && !has_news_) {
-        CapturedPose pose = std::move(kept_.front());
+        Kept kept = std::move(kept_.front());
         kept_.pop_front();
-        return pose;
+        const std::lock_guard lock(mutex_);
+        shown_.remarks = kept.remarks;
+        return kept;
       }
       if (stop.stop_requested()) break;
       if (isOver()) return end(), std::nullopt;
       const bool is_event = handleOne(kLookEvery);
       if (std::exchange(made_progress_, false) || course_.isFileRefused()) last_progress = Clock::now();
       course_.tick();
-      const SourceStatus status = [this] {
-        const std::lock_guard lock(mutex_);
-        return status_;
-      }();
-      if (!is_event && !has_news_ && status.state == SourceState::Ended && course_.waiting() == 0) {
+      const SourceStatus source = status();
+      if (!is_event && !has_news_ && source.state == SourceState::Ended && course_.waiting() == 0) {
         return end(), std::nullopt;
       }
-      if (status.state == SourceState::Incompatible) throw DeviceError(located(source_->address(), status.message));
+      if (source.state == SourceState::Incompatible) throw DeviceError(located(source_->address(), source.message));
       if (Clock::now() - last_progress > patience && (!session_ || options_.automatic)) {
         throw DeviceError(source_->address() + ": nothing for " + formatFixed(options_.timeout_s, 0) + " s. " +
                           whyNothingComes().english());
@@ -243,14 +260,10 @@ void LiveCapture::end() {
   show();
   if (recording_) recording_->finish();
   if (!lost_.empty()) throw StorageError(lost_);
-  if (!refused_.empty()) throw DeviceError(located(source_->address(), refused_));
+  if (!refused_.empty()) throw DeviceError(refused_);
   if (!session_ && !is_closing_) {
-    const SourceStatus status = [this] {
-      const std::lock_guard lock(mutex_);
-      return status_;
-    }();
     throw DeviceError(options_.source + ": ended before a skin described itself" +
-                      (status.offences.empty() ? "" : ". " + whyNothingComes().english()));
+                      (status().offences.empty() ? "" : ". " + whyNothingComes().english()));
   }
 }
 

@@ -41,6 +41,7 @@ class LiveCapture final : CaptureOwner, SkinListener, PoseRecorderListener {
     bool can_turn = false;                         ///< the device answers turnToNextPose()
     Message status;                                ///< what is waited for
     Message advice;                                ///< the pose that would help most; empty: none is known
+    std::vector<std::string> remarks;              ///< of the pose that was given out last
     std::optional<Eigen::Vector3d> up_o;           ///< the same: what to turn up, frame of the largest patch
   };
 
@@ -49,9 +50,14 @@ class LiveCapture final : CaptureOwner, SkinListener, PoseRecorderListener {
   explicit LiveCapture(LiveCaptureOptions options);
   ~LiveCapture() override;
 
-  /// The next pose that counts as captured, with the result of all poses; nullopt if there are enough, the stream is
+  /// A pose that counts as captured, and what was odd about it, in words.
+  struct Kept {
+    CapturedPose captured;  ///< without its frames
+    std::vector<std::string> remarks;
+  };
+  /// The next one, with the result of all poses; nullopt if there are enough, the stream is
   /// over, or `stop` or close() was called. Throws DeviceError or StorageError; what was captured stays.
-  std::optional<CapturedPose> next(const std::stop_token& stop);
+  std::optional<Kept> next(const std::stop_token& stop);
   /// Ends the capture and waits until all poses are on disk. Throws StorageError if one is not.
   void close();
   /// Asks the device to turn to the pose that would help most, in next(). Throws InvalidArgument if it can't.
@@ -83,6 +89,7 @@ class LiveCapture final : CaptureOwner, SkinListener, PoseRecorderListener {
   void solve(const std::stop_token& stop);
   void show();
   void end();
+  [[nodiscard]] SourceStatus status() const;
   [[nodiscard]] Message whyNothingComes() const;
   [[nodiscard]] bool isOver() const { return course_.isFinished() || !lost_.empty() || !refused_.empty(); }
 
@@ -104,12 +111,12 @@ class LiveCapture final : CaptureOwner, SkinListener, PoseRecorderListener {
   std::unique_ptr<SessionRecorder> store_;
   CaptureCourse course_;
   std::shared_ptr<const Reconstruction> result_;
-  std::deque<CapturedPose> kept_;  ///< not given out yet
-  bool has_news_ = false;          ///< poses that are not in the result
+  std::deque<Kept> kept_;  ///< not given out yet
+  bool has_news_ = false;  ///< poses that are not in the result
   bool made_progress_ = false;
   bool is_ended_ = false;
-  Message lost_;     ///< why a pose is not on disk and never will be
-  Message refused_;  ///< why the device does not turn any more
+  Message lost_;         ///< why a pose is not on disk and never will be
+  std::string refused_;  ///< why the device does not turn any more
 };
 
 }  // namespace hexoderm::python

@@ -22,7 +22,8 @@ picture = sys.argv[1] if len(sys.argv) > 1 else "skin.png"
 # hexoderm.Capture("tcp://HOST:PORT"), and arrays of your own hexoderm.Session.from_arrays(readings, links).
 session = hexoderm.simulate(patch="x17", surface="cylinder:r=0.0501", poses=4, seed=1)
 print(session.description)
-print(f"readings {session.readings.shape}: poses, cells, axes; of 1 g, in the median {np.median(np.linalg.norm(session.readings, axis=2)):.3f}")
+norms_g = np.linalg.norm(session.readings, axis=2)
+print(f"readings {session.readings.shape}: poses, cells, axes; norm {np.median(norms_g):.3f} g in the median")
 
 # %% One pose after the other: what each adds.
 poses = range(1, len(session.poses) + 1)
@@ -43,13 +44,14 @@ for finding in calibration.findings:
     print(finding)
 comparison = calibration.compare(session)[0]
 error_mm = 1000 * np.linalg.norm(comparison.positions, axis=1)
-print(f"against the truth: {comparison.position_rms_m * 1000:.2f} mm, {np.degrees(comparison.orientation_rms_rad):.2f}° rms")
+orientation_deg = np.degrees(comparison.orientation_rms_rad)
+print(f"against the truth: {comparison.position_rms_m * 1000:.2f} mm, {orientation_deg:.2f}° rms")
 
 # %% How two cells lie to each other, and how well that is known.
 first, last = int(patch.cells[0]), int(patch.cells[-1])
 distance = np.linalg.norm(patch.positions[-1] - patch.positions[0])
 deviation = np.sqrt(np.linalg.eigvalsh(patch.covariance(first, last)[:3, :3])[-1])
-print(f"cells {first} and {last}: {distance * 1000:.1f} mm apart, 1 sigma along the worst axis {deviation * 1000:.2f} mm")
+print(f"cells {first} and {last}: {distance * 1000:.1f} mm apart, 1 sigma {deviation * 1000:.2f} mm on the worst axis")
 
 # %% The picture: the cells where they are, coloured by how well that is known, and what the poses brought.
 figure = plt.figure(figsize=(11, 5))
@@ -60,7 +62,8 @@ axes.add_collection3d(Poly3DCollection(outlines * 1000, facecolors=colors, edgec
 for cell, (x, y, z) in zip(patch.cells, patch.positions * 1000):
     axes.text(x, y, z, str(cell), fontsize=7, ha="center")
 low, high = outlines.min(axis=(0, 1)) * 1000, outlines.max(axis=(0, 1)) * 1000
-axes.set(xlim=(low[0], high[0]), ylim=(low[1], high[1]), zlim=(low[2], high[2]), xlabel="x, mm", ylabel="y, mm", zlabel="z, mm")
+axes.set(xlim=(low[0], high[0]), ylim=(low[1], high[1]), zlim=(low[2], high[2]))
+axes.set(xlabel="x, mm", ylabel="y, mm", zlabel="z, mm")
 axes.set_box_aspect(high - low)
 axes.set_title(f"17 cells in the frame of cell {patch.origin}")
 shades = plt.cm.ScalarMappable(plt.Normalize(0, sigma_mm.max()), "viridis")

@@ -6,5 +6,5 @@ cd "$1/tests"
 failed=0
 while read -r file; do
   grep -qwF "$(basename "$file")" "$(dirname "$file")/CMakeLists.txt" || { echo "tests/$file is not registered"; failed=1; }
-done < <(find . -name '*_test.cpp' -printf '%P\n' | sort)
+done < <(find . '(' -name '*_test.cpp' -o -name '*_test.py' ')' -printf '%P\n' | sort)
 exit $failed

@@ -77,7 +77,7 @@ class Device:
         while not self._over.is_set():
             with self._lock:
                 self._say_samples()
-                sockets = [each for each in (self._server if self._host is None else None, self._host) if each is not None]
+                sockets = [self._server if self._host is None else self._host]
                 writing = [self._host] if self._host is not None and self._waiting else []
             readable, writable, _ = select.select(sockets, writing, [], 0.02)
             with self._lock:

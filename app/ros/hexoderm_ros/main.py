@@ -23,7 +23,7 @@ def _ros(version):
 def _arguments(arguments):
     parser = argparse.ArgumentParser(prog="hexoderm-ros", description=__doc__)
     commands = parser.add_subparsers(dest="command", required=True)
-    skin = commands.add_parser("skin", help="pass readings of topics on to Hexoderm, which connects to tcp://localhost:PORT")
+    skin = commands.add_parser("skin", help="pass readings of topics on to Hexoderm, at tcp://localhost:PORT")
     skin.add_argument("skin", help="description of the skin (JSON)")
     skin.add_argument("--port", type=int, default=7700, help="TCP port; 0: any that is free (default: 7700)")
     skin.add_argument("--address", default="127.0.0.1", help="whom it listens to: 0.0.0.0 for other computers too "
@@ -31,7 +31,7 @@ def _arguments(arguments):
     transforms = commands.add_parser("transforms", help="publish frames as static transforms")
     transforms.add_argument("transforms", help="file of hexoderm-cli export --to tf-yaml")
     for command in (skin, transforms):
-        command.add_argument("--ros", type=int, choices=(1, 2), help="version of ROS (default: the one that is installed)")
+        command.add_argument("--ros", type=int, choices=(1, 2), help="version of ROS (default: that which is there)")
     return parser.parse_args(arguments)
 
 
@@ -47,7 +47,8 @@ def main(arguments=None):
             return 0
         skin = read_skin(options.skin)
         device = Device(skin, options.port, options.address)
-        print(f"hexoderm-ros: {len(skin.cells)} cells on tcp://{options.address}:{device.port}", file=sys.stderr, flush=True)
+        address = f"tcp://{options.address}:{device.port}"
+        print(f"hexoderm-ros: {len(skin.cells)} cells on {address}", file=sys.stderr, flush=True)
         try:
             _ros(options.ros).pass_on(skin, device)
         finally:

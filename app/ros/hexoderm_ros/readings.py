@@ -28,7 +28,7 @@ def _is_finite(vector):
 
 
 def of_imu(message, cell, now_us):
-    """The reading of a sensor_msgs/Imu, or none. At rest it has +9.8 m/s^2 on the axis that points up, as a cell has +1 g."""
+    """The reading of a sensor_msgs/Imu, or none. At rest it has +9.8 m/s^2 on the axis that points up, a cell +1 g."""
     if message.linear_acceleration_covariance[0] == -1:  # by its definition: there is no acceleration
         return []
     acceleration = message.linear_acceleration
@@ -43,8 +43,9 @@ def of_cell_data(message, names, cells, now_us):
     for entry in getattr(message, names.array, [message]):
         cell = getattr(entry, names.cell)
         acceleration = getattr(entry, names.acceleration)
-        vector = tuple(float(value) for value in
-                       ((acceleration.x, acceleration.y, acceleration.z) if hasattr(acceleration, "x") else acceleration))
+        if hasattr(acceleration, "x"):
+            acceleration = (acceleration.x, acceleration.y, acceleration.z)
+        vector = tuple(map(float, acceleration))
         if cell in cells and len(vector) == 3 and _is_finite(vector):
             readings.append(Reading(_stamp_of(entry, at_us), cell, vector))
     return readings

@@ -39,8 +39,10 @@ def pass_on(skin, device):
     rospy.init_node("hexoderm_ros", anonymous=True)
 
     def subscribe_imu(topic, cell):
-        rospy.Subscriber(topic, sensor_msgs.msg.Imu, lambda message: device.add(readings.of_imu(message, cell, _now_us())),
-                         queue_size=QUEUE, tcp_nodelay=True)
+        def take(message):
+            device.add(readings.of_imu(message, cell, _now_us()))
+
+        rospy.Subscriber(topic, sensor_msgs.msg.Imu, take, queue_size=QUEUE, tcp_nodelay=True)
 
     def subscribe_cell_data(names):
         def take(message):

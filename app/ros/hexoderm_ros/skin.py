@@ -1,4 +1,4 @@
-"""The description of a skin whose readings are on ROS topics: its cells, their links, and which topic has which cell."""
+"""The description of a skin whose readings are on ROS topics: its cells, their links, and the topic of each cell."""
 
 import json
 import pathlib

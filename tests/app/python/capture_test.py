@@ -25,7 +25,7 @@ class Captures(InFolder):
                 self.assertEqual(len(capture.session.poses), len(ids))
                 np.testing.assert_array_equal(capture.session.poses[-1].readings, pose.readings)
                 self.assertEqual(len(capture.calibration.patches[0].gravity), len(ids))
-            self.assertEqual(capture.calibration.verdict.level, "good")
+            self.assertEqual((capture.calibration.verdict.level, capture.remarks), ("good", []))
         self.assertEqual(ids, [1, 2, 3, 4])
         self.assertEqual(len(capture.session.poses), 4)
         # The result is that of the session.
@@ -71,18 +71,24 @@ class Captures(InFolder):
         self.assertGreaterEqual(len(replayed), 3)
         np.testing.assert_array_equal(replayed[:3], live)
 
-    def test_a_device_over_tcp(self):
-        emulator = subprocess.Popen([EMULATOR, "--tcp", "0", "--patch", "x17"], stdin=subprocess.PIPE,
-                                    stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True)
-        self.addCleanup(emulator.stdout.close)
-        self.addCleanup(emulator.stdin.close)
-        self.addCleanup(emulator.wait)
-        self.addCleanup(emulator.kill)
-        address = re.search(r"tcp://\S+:\d+", self.wait_for_line(emulator, "tcp://"))[0]
-        with hexoderm.Capture(address, poses=2, auto=True, timeout=60) as capture:
-            poses = list(capture)
-        self.assertEqual([pose.id for pose in poses], [1, 2])
-        self.assertEqual(capture.session.cells.size, 17)
+    def test_a_device_on_a_wire(self):
+        for kind in ("tcp", "udp"):
+            with self.subTest(kind=kind):
+                emulator = subprocess.Popen([EMULATOR, f"--{kind}", "0", "--patch", "x17"], stdin=subprocess.PIPE,
+                                            stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True)
+                self.addCleanup(emulator.stdout.close)
+                self.addCleanup(emulator.stdin.close)
+                self.addCleanup(emulator.wait)
+                self.addCleanup(emulator.kill)
+                emulator.stdin.write("break no-samples 5\n")
+                emulator.stdin.flush()
+                address = re.search(rf"{kind}://\S+:\d+", self.wait_for_line(emulator, f"{kind}://"))[0]
+                with hexoderm.Capture(address, poses=2, auto=True, timeout=60) as capture:
+                    poses = list(capture)
+                self.assertEqual([pose.id for pose in poses], [1, 2])
+                self.assertEqual(capture.session.cells.size, 17)
+                self.assertEqual(poses[0].cells.size, 16)
+                self.assertEqual(capture.remarks, ["silent 5"])
 
     def wait_for_line(self, process, text):
         for line in process.stdout:

@@ -93,7 +93,8 @@ class Errors(InFolder):
 
         new = self.folder / "new.hexo"
         for source in ("teapot:1", "sim:cube", "tcp://localhost", "udp://:0"):
-            self.expect_same(hexoderm.InvalidArgument, lambda: capture(source), "capture", "--source", source, "-o", new)
+            self.expect_same(hexoderm.InvalidArgument, lambda: capture(source),
+                             "capture", "--source", source, "-o", new)
         self.expect_same(hexoderm.StorageError, lambda: capture("replay:/none"),
                          "capture", "--source", "replay:/none", "-o", new)
         self.expect_same(hexoderm.StorageError, lambda: capture("sim:x17", output=self.hexo),

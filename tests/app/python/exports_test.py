@@ -8,8 +8,8 @@ import numpy as np
 from program import InFolder
 
 # Formats that need nothing else, and are one file.
-FORMATS = ("dot", "ply", "stl", "vtp", "urdf", "tf-ros1", "tf-ros2", "tf-yaml", "tum", "icub", "skinware", "obj", "gltf",
-           "sdf", "mjcf")
+FORMATS = ("dot", "ply", "stl", "vtp", "urdf", "tf-ros1", "tf-ros2", "tf-yaml", "tum", "icub", "skinware", "obj",
+           "gltf", "sdf", "mjcf")
 
 
 class Exports(InFolder):

@@ -4,6 +4,7 @@
 import json
 import socket
 import subprocess
+import subprocess
 import threading
 import time
 import unittest
@@ -37,17 +38,17 @@ class Devices(InFolder):
 
     def test_a_calibration(self):
         player = threading.Thread(target=self.play)
-        capture = subprocess.Popen([CLI, "capture", "--source", f"tcp://localhost:{self.device.port}", "--poses", "3", "-o",
-                                    self.folder / "live.hexo", "--json"], stdout=subprocess.PIPE, text=True)
+        capture = subprocess.Popen([CLI, "capture", "--source", f"tcp://localhost:{self.device.port}", "--poses", "3",
+                                    "-o", self.folder / "live.hexo", "--json"], stdout=subprocess.PIPE, text=True)
         time.sleep(0.5)
         player.start()
         said = json.loads(capture.communicate(timeout=60)[0])
         player.join()
-        self.assertEqual((said["poses"], said["offences"], said["lost_samples"], said["rejected_messages"]), (3, [], 0, 0))
+        self.assertEqual((said["poses"], said["offences"]), (3, []))
+        self.assertEqual((said["lost_samples"], said["rejected_messages"]), (0, 0))
         self.assertEqual(said["device"], "skin of the test")
         run("solve", self.folder / "live.hexo", "-o", self.folder / "c.json")
-        errors = json.loads(run("evaluate", self.folder / "c.json", "--against", self.folder / "true.session.json", "--json"))
-        self.assertLess(errors["against"][0]["position_rms_mm"], 5)
+        self.assertLess(self.position_rms_mm(self.folder / "c.json"), 5)
 
     def test_a_host_that_takes_nothing_does_not_hold_anything_up(self):
         with socket.create_connection(("localhost", self.device.port)):
@@ -68,7 +69,8 @@ class Devices(InFolder):
             lines = host.makefile()
             self.assertIn("hello", json.loads(lines.readline()))
             self.assertEqual(len(json.loads(lines.readline())["topology"]["cells"]), 5)
-            host.sendall(b'{"command":{"number":4,"set_led":{"cell":1,"red":255}}}\nno line\n{"command":{"describe":{}}}\n')
+            host.sendall(b'{"command":{"number":4,"set_led":{"cell":1,"red":255}}}\nno line\n'
+                         b'{"command":{"describe":{}}}\n')
             found = [json.loads(lines.readline()) for _ in range(3)]
         ack = next(each["ack"] for each in found if "ack" in each)
         self.assertEqual((ack["command"], ack["done"]), (4, False))

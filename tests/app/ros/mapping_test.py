@@ -105,9 +105,11 @@ class Descriptions(InFolder):
             ('cells: expected a list, found null', {}),
             ('cells[0].id: expected a whole number from 1, found "x"', {"cells": [{"id": "x"}]}),
             ("cells[1].id: cell 1 is named twice", {"cells": [{"id": 1}, {"id": 1}]}),
-            ("cells[1].imu: /a is that of cell 1 already", {"cells": [{"id": 1, "imu": "/a"}, {"id": 2, "imu": "/a"}]}),
+            ("cells[1].imu: /a is that of cell 1 already",
+             {"cells": [{"id": 1, "imu": "/a"}, {"id": 2, "imu": "/a"}]}),
             ('skin: expected an "imu" of some cell, or "cell_data"; there is no topic', {"cells": [{"id": 1}]}),
-            ("cells[0].ports[0].port: expected a whole number from 0, found null", {"cells": [{"id": 1, "ports": [{}]}]}),
+            ("cells[0].ports[0].port: expected a whole number from 0, found null",
+             {"cells": [{"id": 1, "ports": [{}]}]}),
             ("cell_data: topics is not known, expected topic, array, cell, acceleration or type",
              {"cells": [], "cell_data": {"topics": "/a"}}),
         ]:

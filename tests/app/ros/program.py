@@ -33,6 +33,11 @@ class InFolder(unittest.TestCase):
         run("simulate", *arguments, "-o", file)
         return json.loads(file.read_text())
 
+    def position_rms_mm(self, calibration):
+        """Against the truth of that session."""
+        said = run("evaluate", calibration, "--against", self.folder / "true.session.json", "--json")
+        return json.loads(said)["against"][0]["position_rms_mm"]
+
 
 def held_and_turned(session, hold_s=4.0, turn_s=1.5):
     """(time in s, {cell: g}) of a part that is held in each pose of a session and turned in between."""
@@ -57,8 +62,8 @@ def held_and_turned(session, hold_s=4.0, turn_s=1.5):
 
 def description(session, **others):
     """A description of the skin for hexoderm-ros, with a topic for each cell."""
-    return {"device": "skin of the test", "cells": [{**cell, "imu": f"/imu/cell{cell['id']}"} for cell in session["cells"]],
-            **others}
+    cells = [{**cell, "imu": f"/imu/cell{cell['id']}"} for cell in session["cells"]]
+    return {"device": "skin of the test", "cells": cells, **others}
 
 
 def imu(time_s, vector_g, seconds="secs", nanoseconds="nsecs", covariance=0.0):
