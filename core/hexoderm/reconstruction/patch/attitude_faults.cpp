@@ -53,20 +53,30 @@ std::vector<PatchForce> forcesOn(const SkinLinks& skin, const PatchSolver& patch
 bool freeFromSwings(GravityTable& table, std::span<const std::size_t> cells, std::span<const SE3> placements,
                     const OwnAttitudes& own) {
   constexpr double kBeyondDoubt = 30;  // chi-squared of three degrees of freedom: one in a million still poses
-  bool any = false;
+  std::vector<const PatchForce*> swung;
+  double across_squared = 0;  // of swings, across the force
   for (const PatchForce& force : own.forces) {
     const Eigen::LDLT<Eigen::Matrix3d> covariance(force.swing_covariance_o);
     if (!covariance.isPositive() || !(force.swing_o.dot(covariance.solve(force.swing_o)) > kBeyondDoubt)) continue;
-    any = true;
+    swung.push_back(&force);
+    across_squared += force.swing_o.cross(force.at_origin_o).squaredNorm() / 2;
+  }
+  for (const PatchForce* force : swung) {
     for (std::size_t place = 0; place < cells.size(); ++place) {
-      GravityTable::Entry& entry = table.at(cells[place], force.pose);
+      GravityTable::Entry& entry = table.at(cells[place], force->pose);
       if (!entry.usable) continue;
-      const Eigen::Matrix3d lever = skew(placements[place].t);
-      entry.mean_g -= own.cells[place].R_o_u.transpose() * force.swing_o.cross(placements[place].t);
-      entry.variance_g2 += (lever * force.swing_covariance_o * lever.transpose()).trace() / 3;
+      const Eigen::Vector3d& t_o = placements[place].t;
+      entry.mean_g -= own.cells[place].R_o_u.transpose() * force->swing_o.cross(t_o);
+      // How a hand turned the part about the force itself can't be told from a skin that is twisted: cells that are
+      // turned about the way from the origin read the same. It is as large as across the force.
+      const double along_squared = across_squared / static_cast<double>(swung.size());
+      const Eigen::Matrix3d lever = skew(t_o);
+      entry.variance_g2 += ((lever * force->swing_covariance_o * lever.transpose()).trace() +
+                            along_squared * force->at_origin_o.cross(t_o).squaredNorm()) /
+                           3;
     }
   }
-  return any;
+  return !swung.empty();
 }
 
 class Isolation {
