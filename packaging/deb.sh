@@ -11,7 +11,7 @@ fi
 
 "$root/packaging/setup.sh" --debian
 cd "$root"
-# The same sources give the same packages: what has a date has that of the commit.
+# What has a date in the packages has that of the commit.
 SOURCE_DATE_EPOCH="${SOURCE_DATE_EPOCH:-$(git log -1 --format=%ct 2>/dev/null || stat -c %Y CHANGELOG.md)}"
 export SOURCE_DATE_EPOCH
 

@@ -81,8 +81,11 @@ use_demo_robot() {
     hexoderm-cli links robot.session.json --robot demo || [ $? -eq 1 ]'
 }
 use_emulator() {
-  inside 'cd /root/work; exec 3< <(sleep 60 | exec hexoderm-emulator --tcp 0 --speed 20)
-    read -r _ _ address <&3
+  inside 'cd /root/work; hexoderm-emulator --tcp 0 --speed 20 </dev/null >emulator.txt &
+    emulator=$!
+    trap "kill $emulator" EXIT
+    until [ -s emulator.txt ]; do sleep 0.1; done
+    read -r _ _ address <emulator.txt
     hexoderm-cli capture --source "$address" --auto --poses 3 -o wire.hexo'
 }
 open_window() {
