@@ -21,8 +21,9 @@ enum class TumAs { Calibration, Session };
 /// readFile(). Throws StorageError or FormatError.
 OpenedFile openFile(const std::filesystem::path& path, const CellModel& model_for_tum, TumAs tum = TumAs::Calibration);
 
-/// openFile() for a session: FormatError for a calibration, and the other way round.
+/// openFile() for a session: FormatError for a calibration.
 Session openSession(const std::filesystem::path& path);
+/// openFile() for a calibration: FormatError for a session.
 std::shared_ptr<const Reconstruction> openCalibration(const std::filesystem::path& path,
                                                       const CellModel& model_for_tum);
 /// What openSession() throws for a calibration.

@@ -87,14 +87,21 @@ class Isolation {
     if (patch.cells().size() < 2) return false;
     const std::vector<SE3> placements = placementsOf(patch);
     const bool is_tree = patch.joint() == nullptr;
-    OwnAttitudes own = findOwnAttitudes(skin_, patch.cells(), forcesOn(skin_, patch, placements), placements, is_tree);
-    // Everything follows from the readings, so nothing else is looked for before.
-    if (is_tree && freeFromSwings(skin_.table(), patch.cells(), placements, own)) return true;
-    AttitudeSearch search(skin_, patch.cells(), std::move(own));
+    const OwnAttitudes own =
+        findOwnAttitudes(skin_, patch.cells(), forcesOn(skin_, patch, placements), placements, is_tree);
+    AttitudeSearch search(skin_, patch.cells(), own);
     bool changed = false;
-    for (const AttitudeSuspect& suspect : search.suspects()) changed = takeOut(patch, suspect) || changed;
+    bool fits_model = true;
+    for (const AttitudeSuspect& suspect : search.suspects()) {
+      fits_model = fits_model && suspect.kind != AttitudeSuspect::Kind::Patch;
+      changed = takeOut(patch, suspect) || changed;
+    }
     for (const auto& [code, links] : links_) skin_.mute(links, code);
     links_.clear();
+    // What is no part of the skin must not tell how it was turned. The paper's own way takes readings as they are.
+    if (is_tree && !changed && fits_model && skin_.options().centring != Centring::Off) {
+      changed = freeFromSwings(skin_.table(), patch.cells(), placements, own);
+    }
     return changed;
   }
 
