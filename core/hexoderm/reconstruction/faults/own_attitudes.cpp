@@ -16,8 +16,9 @@ namespace {
 /// One pose's force and swing, by least squares over the cells that read it.
 class SwingFit {
  public:
-  void add(const Eigen::Vector3d& f_o, const Eigen::Vector3d& t_o) {
+  void add(const Eigen::Vector3d& f_o, const Eigen::Vector3d& t_o, double variance_g2) {
     count_ += 1;
+    variances_ += variance_g2;
     force_ += f_o;
     squares_ += f_o.squaredNorm();
     place_ += t_o;
@@ -46,7 +47,8 @@ class SwingFit {
       Eigen::Matrix3d information = levers;
       information.diagonal().array() += variance * std::pow(kStandardGravity / kTremorAcceleration_rad_s2, 2);
       force.swing_o = information.ldlt().solve(turning);
-      force.swing_covariance_o = variance * information.inverse();
+      // With few poses own attitudes and sensors fit what they read too well.
+      force.swing_covariance_o = std::max(variance, variances_ / count_) * information.inverse();
       left = squares + force.swing_o.dot(levers * force.swing_o - 2 * turning);
     }
     force.at_origin_o = mean.normalized() - force.swing_o.cross(middle);
@@ -59,6 +61,7 @@ class SwingFit {
   static constexpr double kLeastVariance = 1e-12;  // g^2: without noise too the algebra is finite
   double count_ = 0;
   double squares_ = 0;
+  double variances_ = 0;
   Eigen::Vector3d force_ = Eigen::Vector3d::Zero();
   Eigen::Vector3d place_ = Eigen::Vector3d::Zero();
   Eigen::Matrix3d places_ = Eigen::Matrix3d::Zero();
@@ -266,7 +269,7 @@ class Finder {
       if (!own.known) continue;
       const Eigen::Matrix3d freed = own.R_o_u * R_u_a_ * own.gain.inverse();
       for (const CellReading& reading : own.readings) {
-        fits[reading.pose].add(freed * (reading.y_g - own.offset_g), placements_[place].t);
+        fits[reading.pose].add(freed * (reading.y_g - own.offset_g), placements_[place].t, reading.variance_g2);
       }
     }
     double most_g = 0;
