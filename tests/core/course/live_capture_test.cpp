@@ -131,16 +131,16 @@ TEST(LiveCapture, SaysThatNoSkinDescribedItself) {
 
 TEST(LiveCapture, ADeviceThatDoesNotTurnCanNotBeAsked) {
   LiveCaptureOptions options;
-  options.source = "sim:x17?speed=max&motion=hand";
+  options.source = "sim:x17?speed=max&motion=robot";  // it moves, but not when it is asked to
   options.poses = 1;
-  LiveCapture by_hand(options);
-  EXPECT_TRUE(by_hand.next());
-  EXPECT_FALSE(by_hand.state().can_turn);
-  EXPECT_EQ(messageOf<InvalidArgument>([&] { by_hand.turnToNextPose(); }),
+  LiveCapture unasked(options);
+  EXPECT_TRUE(unasked.next());
+  EXPECT_FALSE(unasked.state().can_turn);
+  EXPECT_EQ(messageOf<InvalidArgument>([&] { unasked.turnToNextPose(); }),
             options.source + ": this device does not turn by itself");
   options.automatic = true;
-  LiveCapture by_itself(options);
-  EXPECT_THAT(messageOf<DeviceError>([&] { by_itself.next(); }), saysAll(options.source, "auto needs", "can't"));
+  LiveCapture automatic(options);
+  EXPECT_THAT(messageOf<DeviceError>([&] { automatic.next(); }), saysAll(options.source, "auto needs", "can't"));
   options = {};
   options.source = "stdin";
   LiveCapture waits(options);
