@@ -1,14 +1,23 @@
 #include "app/python/arrays.h"
 #include "app/python/bindings.h"
 #include "app/python/interruptible.h"
-#include "app/python/live_capture.h"
 
+#include "hexoderm/course/live_capture.h"
 #include "hexoderm/device/sources/open_source.h"
+#include "hexoderm/util/error.h"
+#include "hexoderm/util/text.h"
+#include "hexoderm/util/units.h"
 
 #include <pybind11/stl.h>
 #include <pybind11/stl/filesystem.h>
 
+#include <cstddef>
 #include <filesystem>
+#include <memory>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
 
 namespace hexoderm::python {
 namespace {
@@ -18,21 +27,39 @@ namespace py = pybind11;
 std::unique_ptr<LiveCapture> start(const std::string& source, std::size_t poses, bool automatic,
                                    const std::optional<std::filesystem::path>& output, bool keep_raw,
                                    const std::optional<std::filesystem::path>& record, double timeout) {
+  // LiveCapture refuses them too, by their names in C++.
+  if (!(timeout > 0)) throw InvalidArgument("timeout: expected seconds above 0");
+  if (output && !output->empty() && !output->string().ends_with(".hexo")) {
+    throw InvalidArgument("output: expected a name that ends in .hexo, found \"" + output->string() + "\"");
+  }
   LiveCaptureOptions options;
   options.source = source;
   options.poses = poses;
   options.automatic = automatic;
-  if (output) options.output = output->string();
+  if (output) options.file = *output;
   options.keep_raw = keep_raw;
-  if (record) options.recording = record->string();
+  if (record) options.record_to = *record;
   options.timeout_s = timeout;
   return std::make_unique<LiveCapture>(std::move(options));
 }
 
 SessionPose next(LiveCapture& self) {
-  const auto kept = interruptible([&](const std::stop_token& stop) { return self.next(stop); });
-  if (!kept) throw py::stop_iteration();
-  return {kept->captured.pose, false, {}, kept->captured.joint_angles};
+  const auto captured = interruptible([&](const std::stop_token& stop) { return self.next(stop); });
+  if (!captured) throw py::stop_iteration();
+  return {captured->pose, false, {}, captured->joint_angles};
+}
+
+std::vector<std::string> remarksOn(const PoseKept& kept) {
+  const CapturedPose& captured = kept.captured;
+  std::vector<std::string> remarks;
+  if (!captured.silent_cells.empty()) remarks.push_back("silent " + listInWords(captured.silent_cells));
+  if (captured.repeats) {
+    remarks.push_back("it repeats pose " + toString(*captured.repeats) + " (" +
+                      formatFixed(toDegrees(captured.repeat_angle_rad), 1) + "°)");
+  }
+  for (const OddCell& odd : captured.odd_cells) remarks.push_back(describe(odd).english());
+  if (!kept.without_raw.empty()) remarks.push_back("kept without its raw samples: " + kept.without_raw.english());
+  return remarks;
 }
 
 void close(LiveCapture& self) {
@@ -90,30 +117,34 @@ void bindCapture(py::module_& module) {
       .def("turn_to_next_pose", &LiveCapture::turnToNextPose, py::call_guard<py::gil_scoped_release>(),
            "Asks a device that can to turn to the pose that would help most.")
       .def_property_readonly(
-          "session", [](const LiveCapture& self) { return self.shown().session; },
+          "session", [](const LiveCapture& self) { return self.state().session; },
           "A copy of the session as it is; None before a skin described itself.")
       .def_property_readonly(
           "calibration",
           [](const LiveCapture& self) {
-            const auto result = self.shown().result;
+            const auto result = self.state().result;
             return result ? std::optional(Calibration{result}) : std::nullopt;
           },
           "The result of all poses so far; None before the first.")
       .def_property_readonly(
-          "remarks", [](const LiveCapture& self) { return self.shown().remarks; },
+          "remarks",
+          [](const LiveCapture& self) {
+            const auto last = self.state().last;
+            return last ? remarksOn(*last) : std::vector<std::string>();
+          },
           "What was odd about the pose that came last, in words: cells that were silent or restless, an earlier pose "
           "that\n"
           "it repeats.")
       .def_property_readonly(
-          "status", [](const LiveCapture& self) { return self.shown().status.english(); },
+          "status", [](const LiveCapture& self) { return self.state().status.english(); },
           "What is waited for, in words.")
       .def_property_readonly(
-          "advice", [](const LiveCapture& self) { return self.shown().advice.english(); },
+          "advice", [](const LiveCapture& self) { return self.state().advice.english(); },
           "The pose that would help most, in words; empty where none is known.")
       .def_property_readonly(
           "advised_up",
           [](const LiveCapture& self) {
-            const auto up = self.shown().up_o;
+            const auto up = self.state().up;
             return up ? std::optional(arrayOf(*up)) : std::nullopt;
           },
           "The same: what to turn up, a unit vector in the frame of the largest patch; None where none is known.");

@@ -6872,6 +6872,10 @@ Die Balken sagen, wie sehr sich die gesehenen Richtungen in drei Achsen untersch
         <translation>dieses Gerät dreht sich nicht selbst</translation>
     </message>
     <message>
+        <source>auto needs a device that turns by itself, and this one can&apos;t</source>
+        <translation>die Automatik braucht ein Gerät, das sich selbst dreht, und dieses kann es nicht</translation>
+    </message>
+    <message>
         <source>refused to turn {} times, the last time: {}</source>
         <translation>hat sich {}-mal geweigert, sich zu drehen, zuletzt: {}</translation>
     </message>
@@ -6880,8 +6884,8 @@ Die Balken sagen, wie sehr sich die gesehenen Richtungen in drei Achsen untersch
         <translation>nichts seit {}. {}</translation>
     </message>
     <message>
-        <source>ended before a skin described itself. {}</source>
-        <translation>endete, bevor sich eine Haut beschrieb. {}</translation>
+        <source>ended before a skin described itself</source>
+        <translation>endete, bevor sich eine Haut beschrieb</translation>
     </message>
 </context>
 <context>

@@ -1,6 +1,5 @@
 #include "hexoderm/course/live_capture.h"
 
-#include "hexoderm/course/capture_course.h"
 #include "hexoderm/device/sources/open_source.h"
 #include "hexoderm/device/sources/recording.h"
 #include "hexoderm/reconstruction/reconstructor.h"
@@ -38,7 +37,7 @@ CaptureCourseOptions courseOptions(const LiveCaptureOptions& options) {
 /// Before anything is connected. The file itself is made once a skin described itself.
 void requireNewSession(const std::filesystem::path& file) {
   if (file.empty()) return;
-  if (file.extension() != ".hexo") {
+  if (!file.string().ends_with(".hexo")) {
     throw InvalidArgument(message("expected a name that ends in .hexo, found \"{}\"", file.string()));
   }
   if (std::filesystem::exists(std::filesystem::symlink_status(file))) {
@@ -78,9 +77,10 @@ class LiveCapture::Run final : public CaptureOwner, public SkinListener, public 
         if (has_news_ && course_.waiting() == 0) solve(stop);
         show();
         if (!kept_.empty() && !has_news_) {
-          CapturedPose pose = std::move(kept_.front());
+          const std::lock_guard lock(mutex_);
+          state_.last = std::move(kept_.front());
           kept_.pop_front();
-          return pose;
+          return state_.last->captured;
         }
         if (course_.isFinished() || !lost_.empty() || !refused_.empty()) {
           end();
@@ -105,11 +105,10 @@ class LiveCapture::Run final : public CaptureOwner, public SkinListener, public 
   }
 
   void turnToNextPose() {
-    const std::lock_guard turn(turn_);
-    if (!course_.canTurn()) {
-      throw InvalidArgument(located(source_->address(), message("this device does not turn by itself")));
+    if (!state().can_turn) {
+      throw InvalidArgument(located(options_.source, message("this device does not turn by itself")));
     }
-    course_.turnToNextPose();
+    push([this] { course_.turnToNextPose(); });
   }
 
   [[nodiscard]] LiveCaptureState state() const {
@@ -153,7 +152,8 @@ class LiveCapture::Run final : public CaptureOwner, public SkinListener, public 
   // On the thread of next():
   void begin(const SkinDescription& skin) {
     if (options_.automatic && !skin.can_turn) {
-      throw DeviceError(located(source_->address(), message("this device does not turn by itself")));
+      throw DeviceError(
+          located(source_->address(), message("auto needs a device that turns by itself, and this one can't")));
     }
     session_ = CaptureCourse::sessionOf(skin, source_->address());
     if (!options_.file.empty()) {
@@ -191,7 +191,7 @@ class LiveCapture::Run final : public CaptureOwner, public SkinListener, public 
   }
   void onCourseEvent(const CourseEvent& event) override {
     if (const auto* kept = std::get_if<PoseKept>(&event)) {
-      kept_.push_back(kept->captured);
+      kept_.push_back(*kept);
       has_news_ = true;
     } else if (const auto* pose = std::get_if<PoseLost>(&event)) {
       lost_ = pose->why;
@@ -248,6 +248,7 @@ class LiveCapture::Run final : public CaptureOwner, public SkinListener, public 
     const std::lock_guard lock(mutex_);
     state_.session = session_;
     state_.result = result_;
+    state_.can_turn = course_.canTurn();
     state_.up.reset();
     state_.advice = {};
     if (!course_.nextPose() || !result_) return;
@@ -278,8 +279,10 @@ class LiveCapture::Run final : public CaptureOwner, public SkinListener, public 
     if (!lost_.empty()) throw StorageError(lost_);
     if (!refused_.empty()) throw DeviceError(located(source_->address(), refused_));
     if (!session_ && !is_closing_) {
-      throw DeviceError(
-          located(source_->address(), message("ended before a skin described itself. {}", whyNothingComes())));
+      const bool is_wrong = !sourceStatus().offences.empty();
+      throw DeviceError(located(
+          options_.source,
+          inRow({message("ended before a skin described itself"), is_wrong ? whyNothingComes() : Message()}, ". ")));
     }
   }
 
@@ -301,8 +304,8 @@ class LiveCapture::Run final : public CaptureOwner, public SkinListener, public 
   std::unique_ptr<SessionRecorder> store_;
   CaptureCourse course_;
   std::shared_ptr<const Reconstruction> result_;
-  std::deque<CapturedPose> kept_;  ///< not given out yet
-  bool has_news_ = false;          ///< poses that are not in the result
+  std::deque<PoseKept> kept_;  ///< not given out yet
+  bool has_news_ = false;      ///< poses that are not in the result
   bool is_ended_ = false;
   Clock::time_point last_progress_{};
   Message lost_;     ///< why a pose is not on disk and never will be

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "hexoderm/capture/pose_recorder.h"
+#include "hexoderm/course/capture_course.h"
 #include "hexoderm/reconstruction/result/reconstruction.h"
 #include "hexoderm/session/session.h"
 #include "hexoderm/util/message.h"
@@ -29,6 +30,8 @@ struct LiveCaptureOptions {
 struct LiveCaptureState {
   std::optional<Session> session{};                ///< since a skin described itself
   std::shared_ptr<const Reconstruction> result{};  ///< of all poses; null before the first
+  std::optional<PoseKept> last{};                  ///< the pose that next() gave last, and what was odd about it
+  bool can_turn = false;                           ///< the device can be asked to, see turnToNextPose()
   Message status{};                                ///< what is waited for, one line
   Message advice{};                                ///< the pose that would help most; empty: none is known
   std::optional<Eigen::Vector3d> up{};             ///< the same: what to turn up, unit, frame of the largest patch
@@ -40,8 +43,8 @@ struct LiveCaptureState {
 ///     LiveCapture capture({.source = "tcp://localhost:7700", .file = "arm.hexo"});
 ///     while (capture.next()) use(*capture.state().result);
 ///
-/// Threads of its own only queue what happened; it is dealt with by next(). Any thread may call any function; next(),
-/// turnToNextPose() and close() wait for each other.
+/// Threads of its own only queue what happened; it is dealt with by next(). Any thread may call any function; next()
+/// and close() wait for each other.
 class LiveCapture {
  public:
   /// Connects. Throws as openSkinSource() and SkinSource::start(), InvalidArgument for a name that does not end in
@@ -55,11 +58,13 @@ class LiveCapture {
   /// Waits for the next pose that counts as captured, and solves all poses; nullopt if there are enough, the stream is
   /// over, or `stop` or close() was called. Throws DeviceError or StorageError; what was captured stays.
   std::optional<CapturedPose> next(const std::stop_token& stop = {});
-  /// Asks the device to turn to the pose that would help most. Throws InvalidArgument if it can't turn.
+  /// Asks the device to turn to the pose that would help most. It is next() that does so, the call that waits in
+  /// another thread or else the next one. Throws InvalidArgument if the device can't turn, or did not describe itself
+  /// yet.
   void turnToNextPose();
   /// Ends the capture and waits until all poses are on disk. Throws StorageError if one is not. Idempotent.
   void close();
-  /// The state after the last call of next().
+  /// The state as next() saw it last, also while another thread waits there.
   [[nodiscard]] LiveCaptureState state() const;
 
  private:

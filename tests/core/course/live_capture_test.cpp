@@ -41,10 +41,15 @@ std::vector<PoseId> posesOf(LiveCapture& capture) {
 
 TEST(LiveCapture, GivesEachPoseWithTheResultOfAll) {
   LiveCapture capture(fourPoses());
+  EXPECT_FALSE(capture.state().last);
   std::size_t poses = 0;
   while (const auto pose = capture.next()) {
     const LiveCaptureState state = capture.state();
     ++poses;
+    ASSERT_TRUE(state.last);
+    EXPECT_EQ(state.last->captured.pose, pose->pose);
+    EXPECT_EQ(state.last->where, KeptIn::Memory);
+    EXPECT_TRUE(state.can_turn);
     EXPECT_EQ(pose->pose->id, PoseId(static_cast<std::uint32_t>(poses)));
     ASSERT_TRUE(state.session);
     EXPECT_THAT(state.session->poses(), SizeIs(poses));
@@ -77,6 +82,7 @@ TEST(LiveCapture, KeepsThePosesInItsFileAndWhatTheDeviceSentInARecording) {
     LiveCapture capture(options);
     while (capture.next()) {
       ++in_file;
+      EXPECT_EQ(capture.state().last->where, KeptIn::File);
       const auto opened = openFile(options.file, builtInCellModel("hex-bma150"));
       EXPECT_THAT(std::get<Session>(opened).poses(), SizeIs(testing::Ge(in_file)));
     }
@@ -115,15 +121,48 @@ TEST(LiveCapture, SaysWhyNothingComes) {
   EXPECT_FALSE(capture.next());
 }
 
+TEST(LiveCapture, SaysThatNoSkinDescribedItself) {
+  const test::TemporaryFolder folder;
+  LiveCaptureOptions options;
+  options.source = "replay:" + folder.put("stream", "SKINREC1").string() + "?speed=max";
+  LiveCapture capture(options);
+  EXPECT_EQ(messageOf<DeviceError>([&] { capture.next(); }), options.source + ": ended before a skin described itself");
+}
+
 TEST(LiveCapture, ADeviceThatDoesNotTurnCanNotBeAsked) {
   LiveCaptureOptions options;
-  options.source = "sim:x17?speed=max&motion=hand";
+  options.source = "sim:x17?speed=max&motion=robot";  // it moves, but not when it is asked to
   options.poses = 1;
-  LiveCapture turns(options);
-  EXPECT_TRUE(turns.next());
+  LiveCapture unasked(options);
+  EXPECT_TRUE(unasked.next());
+  EXPECT_FALSE(unasked.state().can_turn);
+  EXPECT_EQ(messageOf<InvalidArgument>([&] { unasked.turnToNextPose(); }),
+            options.source + ": this device does not turn by itself");
+  options.automatic = true;
+  LiveCapture automatic(options);
+  EXPECT_THAT(messageOf<DeviceError>([&] { automatic.next(); }), saysAll(options.source, "auto needs", "can't"));
+  options = {};
   options.source = "stdin";
   LiveCapture waits(options);
-  EXPECT_THAT(messageOf<InvalidArgument>([&] { waits.turnToNextPose(); }), saysAll("does not turn"));
+  EXPECT_THAT(messageOf<InvalidArgument>([&] { waits.turnToNextPose(); }), saysAll("stdin", "does not turn"));
+}
+
+TEST(LiveCapture, IsAskedToTurnWhileAnotherThreadWaits) {
+  LiveCaptureOptions options;
+  options.source = kSkin;  // it turns only when it is asked to
+  options.poses = 2;
+  LiveCapture capture(options);
+  auto waiting = std::async(std::launch::async, [&] { return posesOf(capture); });
+  const auto deadline = std::chrono::steady_clock::now() + std::chrono::seconds(60);
+  while (!capture.state().last && std::chrono::steady_clock::now() < deadline) {
+    std::this_thread::sleep_for(std::chrono::milliseconds(10));
+  }
+  ASSERT_TRUE(capture.state().last);
+  EXPECT_EQ(waiting.wait_for(std::chrono::milliseconds(300)), std::future_status::timeout);
+  capture.turnToNextPose();
+  EXPECT_EQ(waiting.wait_for(std::chrono::seconds(60)), std::future_status::ready);
+  capture.close();
+  EXPECT_THAT(waiting.get(), ElementsAre(PoseId(1), PoseId(2)));
 }
 
 TEST(LiveCapture, StopsWhenItIsToldAndGoesOn) {
