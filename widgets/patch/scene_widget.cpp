@@ -79,6 +79,8 @@ void SceneWidget::answerWindow(vtkObject* /*window*/, unsigned long event, void*
   switch (event) {
     case vtkCommand::StartEvent:  // whoever draws, draws all that was asked for
       render_soon_.stop();
+      // VTK would copy what it has drawn for a screen, and wait for that to be drawn.
+      window_->SetSwapBuffers(static_cast<vtkTypeBool>(isMultisampled()));
       break;
     case vtkCommand::WindowMakeCurrentEvent:
       makeCurrent();
@@ -135,6 +137,8 @@ void SceneWidget::drawNow() {
   readPicture();
 }
 
+bool SceneWidget::isMultisampled() const { return window_->GetMultiSamples() > 1; }
+
 bool SceneWidget::isDrawn() {
   return drawing_ == nullptr || !makeCurrent() ||
          context_.extraFunctions()->glClientWaitSync(drawing_, 0, 0) != GL_TIMEOUT_EXPIRED;
@@ -152,7 +156,8 @@ void SceneWidget::showWhenDrawn() {
 
 void SceneWidget::readPicture() {
   if (!std::exchange(is_newer_drawn_, false) || !makeCurrent()) return;
-  vtkOpenGLFramebufferObject* drawn = window_->GetDisplayFramebuffer();
+  vtkOpenGLFramebufferObject* drawn =
+      isMultisampled() ? window_->GetDisplayFramebuffer() : window_->GetRenderFramebuffer();
   std::array<int, 2> size{};
   drawn->GetLastSize(size[0], size[1]);
   QImage upside_down(size[0], size[1], QImage::Format_RGB32);

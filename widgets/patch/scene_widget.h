@@ -70,6 +70,7 @@ class SceneWidget : public QWidget {
   /// Answers the questions that VTK asks its window's owner, by setting `answer`, and handles the end of a drawing.
   void answerWindow(vtkObject* window, unsigned long event, void* answer);
   void takeSize();
+  [[nodiscard]] bool isMultisampled() const;
   /// Whether all that OpenGL was told to draw is drawn: it does so beside the window's thread.
   [[nodiscard]] bool isDrawn();
   void showWhenDrawn();
