@@ -1,6 +1,6 @@
 #!/bin/bash
-# Makes Debian packages of the programs, the library, the Python module and hexoderm-ros in out/deb, and has lintian look at
-# them.
+# Makes Debian packages of the programs, the library, the Python module and hexoderm-ros in out/deb, and has
+# lintian look at them.
 # Usage: packaging/deb.sh
 # DEBFULLNAME and DEBEMAIL name who answers for the packages.
 set -euo pipefail

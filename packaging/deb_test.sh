@@ -2,7 +2,7 @@
 # Installs the packages of deb.sh in an empty Debian, uses them there, and removes them: nothing is left. Needs root.
 # Usage: packaging/deb_test.sh [--keep]
 #   --keep  leaves the Debian in build/clean-root, for a look at it
-# The commands of the README's section on packages are run as they stand there, in an empty folder beside the packages. Each
+# The commands of the README's section on packages are run as they stand there, in the folder with the packages. Each
 # step says what it took; the last line is "N passed, M failed".
 set -euo pipefail
 source "$(dirname "${BASH_SOURCE[0]}")/environment.sh"

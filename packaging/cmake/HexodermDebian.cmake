@@ -107,8 +107,8 @@ set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_SHLIBDEPS OFF)
 
 set(CPACK_COMPONENTS_ALL Runtime Data Library Development)
 get_cmake_property(components COMPONENTS)
-# hexoderm_python_package(COMPONENT NAME): what Python makes of the files is compiled when the package is installed, and goes
-# with it.
+# hexoderm_python_package(COMPONENT NAME): Python compiles the files when the package is installed, and what it
+# makes of them goes with the package.
 function(hexoderm_python_package component name)
   file(CONFIGURE OUTPUT "${made}/${name}/postinst" @ONLY CONTENT [[
 #!/bin/sh
