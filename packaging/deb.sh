@@ -1,11 +1,12 @@
 #!/bin/bash
-# Makes Debian packages of the programs, the library and its development files in out/deb, and has lintian look at them.
+# Makes Debian packages of the programs, the library, the Python module and hexoderm-ros in out/deb, and has
+# lintian look at them.
 # Usage: packaging/deb.sh
 # DEBFULLNAME and DEBEMAIL name who answers for the packages.
 set -euo pipefail
 source "$(dirname "${BASH_SOURCE[0]}")/environment.sh"
 if [ $# -gt 0 ]; then
-  sed -n '2,4s/^# //p' "${BASH_SOURCE[0]}" >&2
+  sed -n '2,5s/^# //p' "${BASH_SOURCE[0]}" >&2
   exit 2
 fi
 
@@ -17,8 +18,10 @@ export SOURCE_DATE_EPOCH
 
 maintainer=()
 [ -z "${DEBEMAIL:-}" ] || maintainer=(-D "HEXODERM_MAINTAINER=${DEBFULLNAME:-The Hexoderm authors} <$DEBEMAIL>")
-cmake --preset release -D "CMAKE_INSTALL_LIBDIR=lib/$(dpkg-architecture -qDEB_HOST_MULTIARCH)" "${maintainer[@]}" >/dev/null
-targets=(hexoderm-cli hexoderm-emulator hexoderm hexoderm_shared hexoderm_help hexoderm_api)
+# hexoderm-ros needs ROS where it is used, not here.
+cmake --preset release -D "CMAKE_INSTALL_LIBDIR=lib/$(dpkg-architecture -qDEB_HOST_MULTIARCH)" \
+  -D HEXODERM_PYTHON=ON -D HEXODERM_ROS=ON "${maintainer[@]}" >/dev/null
+targets=(hexoderm-cli hexoderm-emulator hexoderm hexoderm_python hexoderm_shared hexoderm_help hexoderm_api)
 cmake --build --preset release --parallel "$jobs" --target "${targets[@]}"
 
 rm -rf out/deb

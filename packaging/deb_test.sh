@@ -2,7 +2,8 @@
 # Installs the packages of deb.sh in an empty Debian, uses them there, and removes them: nothing is left. Needs root.
 # Usage: packaging/deb_test.sh [--keep]
 #   --keep  leaves the Debian in build/clean-root, for a look at it
-# Each step says what it took; the last line is "N passed, M failed".
+# The commands of the README's section on packages are run as they stand there, in the folder with the packages. Each
+# step says what it took; the last line is "N passed, M failed".
 set -euo pipefail
 source "$(dirname "${BASH_SOURCE[0]}")/environment.sh"
 
@@ -11,7 +12,7 @@ if [ "${1:-}" != --in-namespace ]; then
   case "${1:-}" in
     "" | --keep) ;;
     *)
-      sed -n '2,5s/^# //p' "${BASH_SOURCE[0]}" >&2
+      sed -n '2,6s/^# //p' "${BASH_SOURCE[0]}" >&2
       exit 2
       ;;
   esac
@@ -54,7 +55,16 @@ inside() {
 }
 # Of all that is installed, without what apt keeps of its own.
 megabytes() { du -sxm --exclude="$clean/var/cache" --exclude="$clean/var/lib/apt" "$clean" | cut -f1; }
-install() { inside "apt-get install --yes --no-install-recommends $*"; }
+install() { inside "apt-get install --no-install-recommends $*"; }
+# The lines below a comment of the README: those that install ("install"), or the others ("use").
+typed() {
+  local commands choose=(grep)
+  [ "$2" = install ] || choose+=(-v)
+  commands="$(awk -v what="# $1" '/^(# |```|$)/ { on = index($0, what) == 1; next } on' "$root/README.md" |
+    "${choose[@]}" '^apt-get install')" || { echo "README.md has no commands to $2 \"$1\""; return 1; }
+  echo "$commands"
+  inside "cd /packages; $commands"
+}
 
 empty_debian() {
   rm -rf --one-file-system "$clean"
@@ -64,6 +74,7 @@ empty_debian() {
   cp /etc/resolv.conf "$clean/etc/"
   mkdir "$clean/packages"
   cp "$packages"/*.deb "$clean/packages"
+  echo 'APT::Get::Assume-Yes "true";' >"$clean/etc/apt/apt.conf.d/90nobody-answers"
 }
 rm_all() { [ "${1:-}" = --keep ] || { umount -R "$clean/dev" "$clean/proc" && rm -rf --one-file-system "$clean"; }; }
 
@@ -88,11 +99,13 @@ use_emulator() {
     read -r _ _ address <emulator.txt
     hexoderm-cli capture --source "$address" --auto --poses 3 -o wire.hexo'
 }
-open_window() {
-  inside 'cd /root/work; export QT_QPA_PLATFORM=xcb LIBGL_ALWAYS_SOFTWARE=1
-    xvfb-run -a -s "-screen 0 1600x1000x24" hexoderm --demo --poses 3 --screenshot window.png
-    [ "$(stat -c %s window.png)" -gt 50000 ]'
+use_programs() { typed "The programs" use && grep -q '<robot' "$clean/packages/live.urdf"; }
+# A picture, and not an empty one.
+is_picture() {
+  [[ "$(file -b "$1")" =~ ^"PNG image data, "([0-9]+)" x "([0-9]+) ]] || { file "$1"; return 1; }
+  [ "${BASH_REMATCH[1]}" -ge 600 ] && [ "${BASH_REMATCH[2]}" -ge 400 ] && [ "$(stat -c %s "$1")" -gt 50000 ]
 }
+use_window() { typed "The window without a display" use && is_picture "$clean/packages/demo.png"; }
 # A session is known by what is in it, whatever it is called, and another database is none.
 know_sessions() {
   inside 'cd /root/work; cp live.hexo nameless
@@ -121,10 +134,33 @@ use_library() {
     cmake --build build
     $run"
 }
-use_python() { inside 'python3 -c "import hexoderm; print(hexoderm.__file__)"'; }
+use_example() { rm -f "$clean/packages/live.urdf" && typed "$1" use && grep -q '<robot' "$clean/packages/live.urdf"; }
+use_python() { typed "A notebook's script" use && is_picture "$clean/packages/skin.png"; }
+use_firmware() {
+  local code=0 board="$clean/tmp/firmware/pid"
+  typed "A skin's firmware" use || code=$?
+  [ ! -e "$board" ] || kill "$(cat "$board")" || true  # where a command before the last one failed
+  [ "$code" -eq 0 ] && inside "hexoderm-cli inspect /packages/cells.calibration.json --json" | grep -q '"cells": 7'
+}
+# What is calibrated comes out of ROS.
+use_ros() {
+  inside 'cd /root/work; export ROS_IP=127.0.0.1 ROS_MASTER_URI=http://127.0.0.1:11377
+    hexoderm-cli export arm.calibration.json --to tf-yaml --place forearm:0.02,0,0.1,0,1.57,0 -o arm.tf.yaml
+    rosmaster -p 11377 &
+    master=$!
+    hexoderm-ros transforms arm.tf.yaml &
+    trap "kill $master $!" EXIT
+    cat >frames.py <<END
+import rospy, tf2_msgs.msg
+rospy.init_node("frames")
+print(len(rospy.wait_for_message("/tf_static", tf2_msgs.msg.TFMessage, 60).transforms), "frames")
+END
+    python3 frames.py | tee frames.txt
+    [ "$(cat frames.txt)" = "$(grep -c child_frame_id arm.tf.yaml) frames" ]'
+}
 remove_all() {
   inside 'dpkg-query -W -f "\${Package}\n" "*hexoderm*" | xargs apt-get purge --yes
-    rm -rf /root /packages
+    rm -rf /root /packages /tmp/firmware
     ! find / -xdev -iname "*hexoderm*" -not -path "/proc/*" -not -path "/dev/*" | grep .
     ! grep -rIl hexoderm /usr/share/mime /usr/share/applications /etc/ld.so.cache /var/lib/dpkg/status /etc | grep .'
 }
@@ -132,22 +168,32 @@ remove_all() {
 step "an empty Debian ($VERSION_CODENAME)" empty_debian
 step "lists of its packages" inside "apt-get update"
 before="$(megabytes)"
-step "window, command line and emulator installed, with all that they need" install "/packages/hexoderm_*.deb /packages/hexoderm-data_*.deb"
+step "the programs installed, with all that they need" typed "The programs" install
 echo "          $(($(megabytes) - before)) MB more on the disk than the $before MB of an empty Debian"
+step "the demo skin captured, solved and exported" use_programs
 step "a skin simulated, solved, exported and captured on the command line" use_command_line
 step "the demo robot found" use_demo_robot
 step "the emulated device captured over TCP" use_emulator
 step "man pages and completion" help_is_installed
-step "what a desktop has installed, and a virtual display" install xvfb xauth desktop-file-utils libglib2.0-bin shared-mime-info
-step "the window shows the demo" open_window
+step "a virtual display installed" typed "The window without a display" install
+step "the window shows the demo" use_window
+step "what a desktop has installed" install desktop-file-utils libglib2.0-bin shared-mime-info
 step "sessions known by their contents" know_sessions
-step "library, development files and a compiler installed" install "/packages/lib*.deb g++ cmake ninja-build pkg-config"
-step "another program compiled with the library, and run" use_library ""
-step "the same with -mavx2" use_library -mavx2
-if ls "$packages"/python3-hexoderm_*.deb >/dev/null 2>&1; then
-  step "the Python module installed" install "/packages/python3-*.deb"
-  step "the Python module used" use_python
+step "the Python module installed, and Matplotlib" typed "A notebook's script" install
+step "a notebook's script run, to its picture" use_python
+step "a compiler for microcontrollers and an emulated board installed" typed "A skin's firmware" install
+step "the example firmware compiled, and captured from the board" use_firmware
+step "hexoderm-ros installed, and a master of ROS" install "/packages/hexoderm-ros_*.deb python3-rosmaster"
+step "a calibration published as frames of TF" use_ros
+step "library, development files and a compiler installed" typed "A C++ program" install
+step "the example compiled with the library, and run" use_example "A C++ program"
+if grep -qw avx2 /proc/cpuinfo; then
+  step "the same with -mavx2" use_example "The same with -mavx2"
+else
+  echo "          not run with -mavx2: the processor lacks it"
 fi
+step "another program with all headers compiled, and run" use_library ""
+step "the same with -mavx2" use_library -mavx2
 step "all removed, and nothing left" remove_all
 rm_all "$@"
 echo "$passed passed, $failed failed"

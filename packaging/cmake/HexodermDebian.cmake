@@ -107,14 +107,48 @@ set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_SHLIBDEPS OFF)
 
 set(CPACK_COMPONENTS_ALL Runtime Data Library Development)
 get_cmake_property(components COMPONENTS)
+# hexoderm_python_package(COMPONENT NAME): Python compiles the files when the package is installed, and what it
+# makes of them goes with the package.
+function(hexoderm_python_package component name)
+  file(CONFIGURE OUTPUT "${made}/${name}/postinst" @ONLY CONTENT [[
+#!/bin/sh
+set -e
+if [ "$1" = configure ] && command -v py3compile >/dev/null; then
+  py3compile -p @name@
+fi
+]])
+  file(CONFIGURE OUTPUT "${made}/${name}/prerm" @ONLY CONTENT [[
+#!/bin/sh
+set -e
+if command -v py3clean >/dev/null; then
+  py3clean -p @name@
+fi
+]])
+  string(TOUPPER "${component}" COMPONENT)
+  set(CPACK_DEBIAN_${COMPONENT}_PACKAGE_CONTROL_EXTRA "${made}/${name}/postinst;${made}/${name}/prerm" PARENT_SCOPE)
+endfunction()
+
 if(Python IN_LIST components)
   list(APPEND CPACK_COMPONENTS_ALL Python)
   hexoderm_package(Python python3-hexoderm python "calibration of artificial skin on robots - Python module"
-    "This package has the module for Python.")
+    "This package has the module for Python, and an example that ends in a\npicture.")
+  hexoderm_python_package(Python python3-hexoderm)
   # A compiled module is for the minor version of Python that it was made with.
   execute_process(COMMAND "${HEXODERM_PYTHON_EXECUTABLE}" -c
     "import sys; v = sys.version_info; print(f'python3 (>= {v[0]}.{v[1]}~), python3 (<< {v[0]}.{v[1] + 1}~)')"
     OUTPUT_VARIABLE for_python OUTPUT_STRIP_TRAILING_WHITESPACE COMMAND_ERROR_IS_FATAL ANY)
   set(CPACK_DEBIAN_PYTHON_PACKAGE_DEPENDS "hexoderm-data (= ${version}), ${for_python}, python3-numpy")
+  set(CPACK_DEBIAN_PYTHON_PACKAGE_SUGGESTS "python3-matplotlib")
+endif()
+if(Ros IN_LIST components)
+  list(APPEND CPACK_COMPONENTS_ALL Ros)
+  hexoderm_package(Ros hexoderm-ros science "calibration of artificial skin on robots - adapter for ROS"
+    "This package passes readings of ROS topics on to Hexoderm, and publishes a\ncalibration as frames of TF.")
+  hexoderm_python_package(Ros hexoderm-ros)
+  set(CPACK_DEBIAN_ROS_PACKAGE_ARCHITECTURE all)
+  set(CPACK_DEBIAN_ROS_PACKAGE_SHLIBDEPS OFF)
+  set(CPACK_DEBIAN_ROS_PACKAGE_DEPENDS "python3 (>= 3.9), python3-genpy, python3-geometry-msgs, python3-rospy, \
+python3-sensor-msgs, python3-tf2-ros, python3-yaml")
+  set(CPACK_DEBIAN_ROS_PACKAGE_SUGGESTS "hexoderm, ros-core")
 endif()
 include(CPack)
