@@ -118,9 +118,8 @@ Session trueSkin() {
 class Microcontroller : public Cli {
  protected:
   void SetUp() override {
-    if (std::string(HEXODERM_FIRMWARE).empty() || std::string(HEXODERM_QEMU).empty()) {
-      GTEST_SKIP() << "arm-none-eabi-gcc or qemu-system-arm is not installed: packaging/setup.sh --tests installs them";
-    }
+    ASSERT_FALSE(std::string(HEXODERM_FIRMWARE).empty() || std::string(HEXODERM_QEMU).empty())
+        << "there is no arm-none-eabi-gcc or no qemu-system-arm: packaging/setup.sh --tests installs them";
   }
 };
 
