@@ -130,7 +130,7 @@ use_library() {
   rm -rf "$clean/root/consumer"
   cp -r "$root/tests/consumer" "$clean/root/consumer"
   inside "cd /root/consumer
-    cmake -G Ninja -D CMAKE_BUILD_TYPE=Release -D CMAKE_CXX_FLAGS='$flags' -B build
+    cmake -D CMAKE_BUILD_TYPE=Release -D CMAKE_CXX_FLAGS='$flags' -B build
     cmake --build build
     $run"
 }
