@@ -4,7 +4,10 @@
 #include "hexoderm/kinematics/joint_check.h"
 #include "hexoderm/robot/links/explanations.h"
 #include "hexoderm/robot/links/link_test.h"
+#include "hexoderm/robot/links/link_words.h"
+#include "hexoderm/robot/links/robot_estimate.h"
 #include "hexoderm/robot/links/robot_fit.h"
+#include "hexoderm/robot/links/usable_poses.h"
 #include "hexoderm/robot/parts/compared_poses.h"
 #include "hexoderm/robot/parts/hand_share.h"
 #include "hexoderm/util/error.h"
@@ -22,12 +25,6 @@ namespace {
 constexpr double kPriorsInTest = 4;
 /// A turn that is known to less is called open.
 constexpr double kOpenTurn_rad = 0.35;
-/// A zero whose variance the poses make smaller by this factor is called shown.
-constexpr double kShownShare = 0.5;
-/// Sigmas, and sigmas of the prior, at which a zero or a tilt is worth saying.
-constexpr double kNoteworthy = 3;
-
-bool turnsLinks(const RobotJoint& joint) { return joint.isFree() && joint.type != JointType::Prismatic; }
 
 double worstAcross(const GravitySeen& seen, std::size_t k) {
   const auto at = static_cast<Eigen::Index>(2 * k);
@@ -35,12 +32,6 @@ double worstAcross(const GravitySeen& seen, std::size_t k) {
   padded.topLeftCorner<2, 2>() = seen.covariance.block<2, 2>(at, at);
   return largestDeviation(padded);
 }
-
-/// The poses that can be compared, and what joints and links have to be left out.
-struct UsableAngles {
-  std::vector<PoseId> poses;  ///< ascending
-  std::set<std::size_t> unknown_joints;
-};
 
 class LinksFinder {
  public:
@@ -88,7 +79,8 @@ class LinksFinder {
       }
       seeing.push_back(&patch);
     }
-    const UsableAngles usable = usableAngles(posesOf(seeing));
+    UsablePoses usable = usablePoses(posesOf(seeing), robot_, angles_);
+    result_.findings = std::move(usable.findings);
     result_.poses = differentPoses(seeing, usable.poses, options_.most_poses);
     for (const PoseId pose : result_.poses) {
       compared_angles_.push_back(angles_.at(pose));
@@ -114,53 +106,6 @@ class LinksFinder {
                     kPriorsInTest * options_.tilt_sigma_rad};
     test_.least_probable = options_.false_alarm / std::max(1.0, static_cast<double>(patches_.size()));
     test_.parts = partsToTest(usable.unknown_joints);
-  }
-
-  /// Joints that fewer than half of the poses name are not known; poses that lack one of the others are left out.
-  UsableAngles usableAngles(const std::vector<PoseId>& seen) {
-    std::vector<PoseId> with_angles;
-    std::vector<PoseId> without;
-    for (const PoseId pose : seen) {
-      const auto found = angles_.find(pose);
-      const bool has = found != angles_.end() && !found->second.positions.empty();
-      (has ? with_angles : without).push_back(pose);
-    }
-    if (!without.empty() && !with_angles.empty()) {
-      result_.findings.push_back(
-          message("No joint angles are known of these poses, which are not compared: {}.", without));
-    }
-    const std::vector<RobotJoint>& joints = robot_.joints();
-    UsableAngles usable;
-    std::vector<std::string> unknown;
-    for (std::size_t joint = 0; joint < joints.size(); ++joint) {
-      if (!turnsLinks(joints[joint])) continue;
-      const auto named = std::ranges::count_if(with_angles, [&](PoseId pose) { return names(pose, joint); });
-      if (2 * static_cast<std::size_t>(named) >= with_angles.size()) continue;
-      usable.unknown_joints.insert(joint);
-      unknown.push_back(joints[joint].name);
-    }
-    if (!with_angles.empty() && !unknown.empty()) {
-      result_.findings.push_back(
-          message("The angles of these joints are not known, and links beyond them are not compared: {}.", unknown));
-    }
-    for (const PoseId pose : with_angles) {
-      std::vector<std::string> missing;
-      for (std::size_t joint = 0; joint < joints.size(); ++joint) {
-        if (turnsLinks(joints[joint]) && !usable.unknown_joints.contains(joint) && !names(pose, joint)) {
-          missing.push_back(joints[joint].name);
-        }
-      }
-      if (missing.empty()) {
-        usable.poses.push_back(pose);
-      } else {
-        result_.findings.push_back(
-            message("Pose {} is not compared, because it lacks the angles of these joints: {}.", pose, missing));
-      }
-    }
-    return usable;
-  }
-  [[nodiscard]] bool names(PoseId pose, std::size_t joint) const {
-    return angles_.at(pose).positions.contains(robot_.joints()[joint].name);
   }
 
   void addDoubts() {
@@ -257,13 +202,13 @@ class LinksFinder {
     };
     const double hand_share = meanHandShare([&](double share) { return fitWith(share).log_evidence; });
     const RobotFit fit = fitWith(hand_share);
-    RobotEstimate& estimate = result_.robot.emplace();
+    std::vector<PatchId> patches;
     for (std::size_t k = 0; k < placed.size(); ++k) {
       const auto at = static_cast<Eigen::Index>(3 * k);
-      estimate.patches.push_back(whose[k]->patch->id);
+      patches.push_back(whose[k]->patch->id);
       whose[k]->turn = {robot_.links()[placed[k].link].name, fit.R_l_o[k], fit.covariance.block<3, 3>(at, at)};
     }
-    describeEstimate(fit, estimate);
+    result_.robot = estimateOf(fit, std::move(patches), result_.poses, robot_, options_);
     addResidualsOf(fit);
   }
 
@@ -276,43 +221,13 @@ class LinksFinder {
     }
   }
 
-  void describeEstimate(const RobotFit& fit, RobotEstimate& estimate) const {
-    const auto zero_at = static_cast<Eigen::Index>(3 * estimate.patches.size());
-    for (std::size_t j = 0; j < fit.joints.size(); ++j) {
-      JointZero& zero = estimate.zeros.emplace_back();
-      const auto at = zero_at + static_cast<Eigen::Index>(j);
-      zero.joint = robot_.joints()[fit.joints[j]].name;
-      if (!options_.joint_zeros) continue;
-      zero.zero_rad = fit.zeros[j];
-      zero.prior_sigma_rad = fit.zero_sigma_rad;
-      zero.sigma_rad = std::sqrt(std::max(0.0, fit.covariance(at, at)));
-      zero.shown = fit.covariance(at, at) < kShownShare * fit.zero_sigma_rad * fit.zero_sigma_rad;
-    }
-    estimate.up_w = fit.up_w;
-    estimate.up_covariance = fit.covariance.bottomRightCorner<3, 3>();
-    estimate.tilt_rad = angleBetween(fit.up_w, up_w_);
-    estimate.tilt_sigma_rad = largestDeviation(estimate.up_covariance);
-    estimate.chi_squared = fit.misfit.chi_squared;
-    estimate.freedom = fit.misfit.freedom;
-    estimate.probability = fit.misfit.probability();
-    for (const RobotFit::PoseTurn& turn : fit.pose_turns) {
-      estimate.residuals.push_back(
-          {result_.poses[turn.place], robot_.joints()[turn.joint].name, turn.turn_rad, turn.sigma_rad});
-    }
-    for (Eigen::Index row = 0; row < fit.covariance.rows(); ++row) {
-      for (Eigen::Index column = 0; column < fit.covariance.cols(); ++column) {
-        estimate.covariance.push_back(fit.covariance(row, column));
-      }
-    }
-  }
-
   void addResidualsOf(const RobotFit& fit) {
     std::vector<double> zeros(robot_.joints().size(), 0.0);
     for (std::size_t j = 0; j < fit.joints.size(); ++j) zeros[fit.joints[j]] = fit.zeros[j];
     fitted_.emplace(robot_, compared_angles_, fit.up_w, zeros);
   }
 
-  // --- in words and numbers
+  // --- each patch
 
   void describeAll() {
     const LinkGravity gravity(robot_, compared_angles_, up_w_);
@@ -326,13 +241,13 @@ class LinksFinder {
       for (const TestedGroup& group : compared.groups) {
         if (group.fits) patch.candidates.push_back(candidateOf(compared, group, gravity));
       }
-      if (patch.candidates.empty() || contradictsChoice(compared)) {
+      if (patch.candidates.empty() || (compared.chosen && !groupWith(compared, *compared.link)->fits)) {
         patch.nearest = candidateOf(compared, compared.groups.front(), gravity);
       }
       addOdds(compared, patch);
       findOpenAxis(patch);
       addResiduals(compared, patch);
-      say(compared, patch);
+      putIntoWords(patch, robot_);
     }
   }
 
@@ -342,9 +257,6 @@ class LinksFinder {
       if (std::ranges::find(group.links, part, &TestedLink::link) != group.links.end()) return &group;
     }
     return nullptr;
-  }
-  [[nodiscard]] bool contradictsChoice(const Compared& compared) const {
-    return compared.chosen && !groupWith(compared, *compared.link)->fits;
   }
 
   [[nodiscard]] LinkCandidate candidateOf(const Compared& compared, const TestedGroup& group,
@@ -419,118 +331,15 @@ class LinksFinder {
     }
   }
 
-  static std::vector<std::string> namesOf(const LinkCandidate& candidate) {
-    std::vector<std::string> names;
-    for (const PatchTurn& turn : candidate.links) names.push_back(turn.link);
-    return names;
-  }
-
-  void say(const Compared& compared, PatchLinks& patch) const {
-    std::vector<Message> why = {sayLink(compared, patch)};
-    std::vector<Message> next = {sayWhatTellsLinks(compared, patch)};
-    if (patch.open_axis_l) {
-      why.push_back(message(
-          "How it is turned there about one axis is not determined: gravity came along one line in all poses."));
-      if (patch.placed || isOnePart(patch)) next.push_back(sayWhatTellsTurn(patch));
-    }
-    patch.why = inRow(std::move(why));
-    patch.what_would_tell = inRow(std::move(next));
-  }
-
-  /// Whether one candidate is left, whose links turn as one.
-  [[nodiscard]] bool isOnePart(const PatchLinks& patch) const {
-    return patch.candidates.size() == 1 && jointsBetween(patch.candidates.front()).empty();
-  }
-
-  [[nodiscard]] Message sayWhatTellsTurn(const PatchLinks& patch) const {
-    const std::string& link = patch.placed ? patch.placed->link : patch.candidates.front().links.front().link;
-    return robot_.freeJointsTo(robot_.linkNamed(link)).empty()
-               ? message("No joint moves link {}: only tipping the whole robot over would show it.", link)
-               : message("Take poses in which link {} is tipped over by about 90 degrees.", link);
-  }
-
-  [[nodiscard]] Message sayLink(const Compared& compared, const PatchLinks& patch) const {
-    if (compared.chosen) {
-      const std::string& link = patch.placed->link;
-      if (contradictsChoice(compared)) {
-        return message(
-            "The patch of cell {} was put on link {}, which doesn't fit: what the patch saw of gravity is not what "
-            "that "
-            "link would see.",
-            patch.origin, link);
-      }
-      return patch.candidates.size() == 1 && patch.candidates.front().links.size() == 1
-                 ? message("The patch of cell {} was put on link {}, the only one that fits.", patch.origin, link)
-                 : message("The patch of cell {} was put on link {}, which fits.", patch.origin, link);
-    }
-    if (patch.candidates.empty()) {
-      const LinkCandidate& nearest = *patch.nearest;
-      return message(
-          "The patch of cell {} fits no link: link {} comes nearest, with a chi-squared of {} at {} degrees of "
-          "freedom.",
-          patch.origin, nearest.links.front().link, Number{nearest.chi_squared, 1}, nearest.freedom);
-    }
-    const LinkCandidate& first = patch.candidates.front();
-    if (patch.poses < 2) {
-      return message("On which link the patch of cell {} is can't be told from one pose, which any link fits.",
-                     patch.origin);
-    }
-    if (patch.candidates.size() > 1) {
-      std::vector<std::string> names;
-      for (const LinkCandidate& candidate : patch.candidates) {
-        for (const std::string& name : namesOf(candidate)) names.push_back(name);
-      }
-      return message("The patch of cell {} fits several links, the best first: {}.", patch.origin, names);
-    }
-    if (first.links.size() == 1) {
-      return message("The patch of cell {} is on link {}: no other link fits.", patch.origin, first.links.front().link);
-    }
-    return jointsBetween(first).empty()
-               ? message("The patch of cell {} is on one of these links, which turn as one: {}.", patch.origin,
-                         namesOf(first))
-               : message("The patch of cell {} is on one of these links, which these poses can't tell apart: {}.",
-                         patch.origin, namesOf(first));
-  }
-
-  /// The joints between the links of a candidate.
-  [[nodiscard]] std::vector<std::string> jointsBetween(const LinkCandidate& candidate) const {
-    std::vector<std::string> joints;
-    for (const PatchTurn& turn : candidate.links) {
-      const std::size_t link = robot_.linkNamed(turn.link);
-      const std::size_t part = robot_.partOf(link);
-      const std::optional<std::size_t> joint = robot_.links()[part].joint;
-      if (part != link || !joint || robot_.joints()[*joint].type == JointType::Prismatic) continue;
-      const std::size_t carrier = robot_.partOf(robot_.joints()[*joint].parent);
-      const bool within = std::ranges::any_of(candidate.links, [&](const PatchTurn& other) {
-        return robot_.partOf(robot_.linkNamed(other.link)) == carrier;
-      });
-      if (within) joints.push_back(robot_.joints()[*joint].name);
-    }
-    return joints;
-  }
-
-  [[nodiscard]] Message sayWhatTellsLinks(const Compared& compared, const PatchLinks& patch) const {
-    if (compared.chosen || patch.candidates.empty()) return {};
-    if (patch.candidates.size() > 1) {
-      return message(
-          "Take more poses, in which the joints that carry these links stand in other angles and the links in new "
-          "directions.");
-    }
-    const std::vector<std::string> joints = jointsBetween(patch.candidates.front());
-    if (joints.empty()) return {};
-    return message("Move these joints by 30 degrees or more from pose to pose, with their axes level: {}.", joints);
-  }
-
   // --- findings
 
   void explainMisfits() {
     std::vector<const SeenByPatch*> without_link;
     std::vector<const Compared*> largest;
     for (std::size_t k = 0; k < patches_.size(); ++k) {
-      if (result_.patches[k].candidates.empty()) largest.push_back(&patches_[k]);
-      if (result_.patches[k].candidates.empty() || contradictsChoice(patches_[k])) {
-        result_.findings.push_back(result_.patches[k].why);
-      }
+      const PatchLinks& patch = result_.patches[k];
+      if (patch.candidates.empty()) largest.push_back(&patches_[k]);
+      if (patch.candidates.empty() || contradictsChoice(patch)) result_.findings.push_back(patch.why);
     }
     std::ranges::stable_sort(
         largest, [](const Compared* a, const Compared* b) { return a->patch->cells.size() > b->patch->cells.size(); });
@@ -546,49 +355,18 @@ class LinksFinder {
                     "are those of another robot."));
       }
     }
-    if (result_.robot) addFindingsOf(*result_.robot);
-  }
-
-  void addFindingsOf(const RobotEstimate& estimate) {
-    for (const JointZero& zero : estimate.zeros) {
-      const double size = std::abs(zero.zero_rad);
-      if (!zero.shown || size < kNoteworthy * zero.sigma_rad || size < kNoteworthy * options_.zero_sigma_rad) continue;
-      result_.findings.push_back(message(
-          "The zero of joint {} seems to be off: {} has to be added to the angle that it reports (1 sigma: {}).",
-          zero.joint, Degrees{zero.zero_rad}, Degrees{zero.sigma_rad}));
-    }
-    if (estimate.tilt_rad > kNoteworthy * std::max(estimate.tilt_sigma_rad, options_.tilt_sigma_rad)) {
-      result_.findings.push_back(message("The robot's base seems to be tilted by {} (1 sigma: {}).",
-                                         Degrees{estimate.tilt_rad}, Degrees{estimate.tilt_sigma_rad}));
-    }
-    if (estimate.probability < options_.false_alarm) {
-      result_.findings.push_back(message(
-          "Taken together, the patches fit the joint angles badly: a chi-squared of {} at {} degrees of freedom.",
-          Number{estimate.chi_squared, 1}, estimate.freedom));
-    }
+    if (!result_.robot) return;
+    for (Message& finding : findingsOf(*result_.robot, options_)) result_.findings.push_back(std::move(finding));
   }
 
   void summarise() {
     if (angles_.empty()) {
       result_.summary = message("No pose has joint angles: on which links the patches are can't be told.");
-      return;
-    }
-    if (patches_.empty()) {
+    } else if (patches_.empty()) {
       result_.summary = message(
           "No pose has both readings and the angles of the joints: on which links the patches are can't be told.");
-      return;
-    }
-    const auto placed = std::ranges::count_if(result_.patches, [](const PatchLinks& patch) { return !!patch.placed; });
-    const auto none = std::ranges::count_if(
-        result_.patches, [](const PatchLinks& patch) { return patch.candidates.empty() && !patch.placed; });
-    if (result_.patches.size() == 1) {
-      result_.summary = result_.patches.front().why;
-    } else if (static_cast<std::size_t>(placed) == result_.patches.size()) {
-      result_.summary = message("Each of {} patches is on a link that is known.", placed);
     } else {
-      result_.summary = message(
-          "Of {} patches {} are on a link that is known; of {} these poses leave open which it is, and {} fit none.",
-          result_.patches.size(), placed, static_cast<std::ptrdiff_t>(result_.patches.size()) - placed - none, none);
+      result_.summary = summaryOf(result_.patches);
     }
   }
 
