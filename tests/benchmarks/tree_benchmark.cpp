@@ -181,7 +181,7 @@ void measure(int rows, int columns, double svd_ms) {
   // Last, for it takes out of the skin what it finds.
   table.row("attitudes searched for faults", least_ms([&] {
               std::vector<Finding> found_faults;
-              static_cast<void>(isolateAttitudes(skin, patches, found_faults));
+              static_cast<void>(AttitudeIsolation(skin).isolate(patches, found_faults));
             }));
 }
 

@@ -71,6 +71,7 @@ Completion solveGlobally(SkinLinks& skin, std::span<const double> weights, const
 Completion solve(SkinLinks& skin, const EarlierPatches& earlier, const std::stop_token& stop, SolveProgress* progress,
                  std::vector<double>& weights, std::vector<PatchSolver>& patches, std::vector<Finding>& findings) {
   constexpr int kRounds = 3;  // what a first search leaves is rare; each costs a solve
+  AttitudeIsolation attitudes(skin);
   for (int round = 0;; ++round) {
     // The paths of every round of the global solver are found with the same weights.
     weights = linkWeights(skin);
@@ -80,7 +81,7 @@ Completion solve(SkinLinks& skin, const EarlierPatches& earlier, const std::stop
       return Completion::Stopped;
     }
     if (progress != nullptr) progress->enter(SolveStage::Findings);
-    if (round == kRounds || stop.stop_requested() || !isolateAttitudes(skin, patches, findings)) break;
+    if (round == kRounds || stop.stop_requested() || !attitudes.isolate(patches, findings)) break;
     skin.estimateEdges();
   }
   if (skin.options().solver == Solver::Global) {

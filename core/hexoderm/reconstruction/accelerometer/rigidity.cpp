@@ -85,6 +85,10 @@ SensorAndTurn solveSensorAndTurn(const AccelerometerPrior& prior, const ReadingS
   return solved;
 }
 
+double twiceCost(const ReadingSums& sums, const SensorAndTurn& solved) {
+  return sums.errors - solved.errors.cwiseProduct(sums.mixed).sum();
+}
+
 /// Information about a turn e in all poses and a further one in those that `after` has the sums of.
 Matrix6 informationAboutTwoTurns(const ReadingSums& all, const ReadingSums& after, const SensorAndTurn& solved) {
   Matrix6 information = Matrix6::Zero();
@@ -115,11 +119,15 @@ void ReadingSums::add(const CellReading& reading, const Eigen::Vector3d& v_g, do
 }
 
 TurnBetweenPoses findTurn(const AccelerometerPrior& prior, std::span<const CellReading> readings,
-                          std::span<const Eigen::Vector3d> v_g, const AttitudePrior& attitude) {
+                          std::span<const Eigen::Vector3d> v_g, const AttitudePrior& attitude, double least_gain) {
   TurnBetweenPoses best;
   ReadingSums all;
   for (std::size_t k = 0; k < readings.size(); ++k) all.add(readings[k], v_g[k]);
   const SensorAndTurn solved = solveSensorAndTurn(prior, all);
+  // Turns can't explain more than is left unexplained, of the readings and of what others say.
+  const double unexplained =
+      twiceCost(all, solved) + attitude.weighted.dot(attitude.information.ldlt().solve(attitude.weighted));
+  if (unexplained < least_gain) return best;
   Vector6 gradient;
   gradient.head<3>() = solved.gradient - attitude.weighted;
   const Eigen::Matrix3d rigid =
@@ -171,7 +179,7 @@ Misfit RigidityTest::misfit() const {
   Misfit misfit;
   if (sums_.readings < 2) return misfit;
   SensorAndTurn solved = solveSensorAndTurn(prior_, sums_);
-  const double twice_cost = sums_.errors - solved.errors.cwiseProduct(sums_.mixed).sum();
+  const double twice_cost = twiceCost(sums_, solved);
   solved.information.diagonal().array() += kLeastInformation;
   misfit.chi_squared =
       std::max(0.0, twice_cost - solved.gradient.dot(solved.information.ldlt().solve(solved.gradient)));

@@ -66,9 +66,11 @@ struct AttitudePrior {
 
 /// The turn between two poses that explains the readings best, with all that testRigidity() grants as well and the
 /// attitude before the turn as likely as `attitude` has it. Readings are in the order in which they were taken; two at
-/// least. To first order in the turn.
+/// least. To first order in the turn. `least_gain`: a chi-squared; where no turn can gain as much, TurnBetweenPoses's
+/// first_after may be 0, and nothing is looked for.
 TurnBetweenPoses findTurn(const AccelerometerPrior& prior, std::span<const CellReading> readings,
-                          std::span<const Eigen::Vector3d> v_g, const AttitudePrior& attitude = {});
+                          std::span<const Eigen::Vector3d> v_g, const AttitudePrior& attitude = {},
+                          double least_gain = 0);
 
 /// A cell's attitude as its own readings have it.
 struct OwnAttitude {

@@ -321,12 +321,16 @@ std::optional<AttitudeSuspect> AttitudeSearch::judgeMotion(std::size_t place) co
   const Eigen::Matrix3d information = (of_links + ownScatter(place)).inverse();
   const AttitudePrior attitude{R_u_a.transpose() * information * R_u_a,
                                R_u_a.transpose() * information * of_links * links.weighted};
-  TurnBetweenPoses turn = findTurn(AccelerometerPrior(skin_.model().accelerometer), own.readings, v_g, attitude);
-  // The forces are what all cells agree on, and the cell's own share in them hides as much of its turn.
-  turn.gain.chi_squared *= measuring_ / std::max(1.0, measuring_ - 1);
   const auto tests = static_cast<double>(cells_.size() * (own.readings.size() - 1));
-  const double limit =
-      strictness() * strictness() * chiSquaredExceededOnceIn(kPatchesPerFalseMotion * tests, turn.gain.degrees);
+  const auto limitOf = [&](double degrees) {
+    return strictness() * strictness() * chiSquaredExceededOnceIn(kPatchesPerFalseMotion * tests, degrees);
+  };
+  // The forces are what all cells agree on, and the cell's own share in them hides as much of its turn.
+  const double hidden = measuring_ / std::max(1.0, measuring_ - 1);
+  TurnBetweenPoses turn =
+      findTurn(AccelerometerPrior(skin_.model().accelerometer), own.readings, v_g, attitude, limitOf(2) / hidden);
+  turn.gain.chi_squared *= hidden;
+  const double limit = limitOf(turn.gain.degrees);
   if (!(turn.angle_rad >= kLeastTurn && turn.gain.chi_squared > limit)) return std::nullopt;
   AttitudeSuspect suspect{AttitudeSuspect::Kind::Moved};
   suspect.cell = cells_[place];

@@ -79,29 +79,17 @@ bool freeFromSwings(GravityTable& table, std::span<const std::size_t> cells, std
   return !swung.empty();
 }
 
-class Isolation {
+/// What the suspects of a patch ask for.
+class Faults {
  public:
-  Isolation(SkinLinks& skin, std::vector<Finding>& findings) : skin_(skin), findings_(findings) {}
+  Faults(SkinLinks& skin, std::vector<Finding>& findings) : skin_(skin), findings_(findings) {}
 
-  bool isolate(const PatchSolver& patch) {
-    if (patch.cells().size() < 2) return false;
-    const std::vector<SE3> placements = placementsOf(patch);
-    const bool is_tree = patch.joint() == nullptr;
-    const OwnAttitudes own =
-        findOwnAttitudes(skin_, patch.cells(), forcesOn(skin_, patch, placements), placements, is_tree);
-    AttitudeSearch search(skin_, patch.cells(), own);
+  /// Returns whether anything was taken out.
+  bool takeOut(const PatchSolver& patch, std::span<const AttitudeSuspect> suspects) {
     bool changed = false;
-    bool fits_model = true;
-    for (const AttitudeSuspect& suspect : search.suspects()) {
-      fits_model = fits_model && suspect.kind != AttitudeSuspect::Kind::Patch;
-      changed = takeOut(patch, suspect) || changed;
-    }
+    for (const AttitudeSuspect& suspect : suspects) changed = takeOut(patch, suspect) || changed;
     for (const auto& [code, links] : links_) skin_.mute(links, code);
     links_.clear();
-    // What is no part of the skin must not tell how it was turned. The paper's own way takes readings as they are.
-    if (is_tree && !changed && fits_model && skin_.options().centring != Centring::Off) {
-      changed = freeFromSwings(skin_.table(), patch.cells(), placements, own);
-    }
     return changed;
   }
 
@@ -174,11 +162,33 @@ class Isolation {
 
 }  // namespace
 
-bool isolateAttitudes(SkinLinks& skin, std::span<const PatchSolver> patches, std::vector<Finding>& findings) {
-  Isolation isolation(skin, findings);
-  bool changed = false;
-  for (const PatchSolver& patch : patches) changed = isolation.isolate(patch) || changed;
-  return changed;
+bool AttitudeIsolation::isolate(std::span<const PatchSolver> patches, std::vector<Finding>& findings) {
+  Faults faults(skin_, findings);
+  bool found_faults = false;
+  bool freed = false;
+  for (const PatchSolver& patch : patches) {
+    const bool is_tree = patch.joint() == nullptr;
+    if (patch.cells().size() < 2 || (searched_ && !is_tree)) continue;
+    const std::vector<SE3> placements = placementsOf(patch);
+    const OwnAttitudes own =
+        findOwnAttitudes(skin_, patch.cells(), forcesOn(skin_, patch, placements), placements, is_tree);
+    bool changed = false;
+    if (!searched_) {
+      const std::vector<AttitudeSuspect> suspects = AttitudeSearch(skin_, patch.cells(), own).suspects();
+      const auto fits_no_surface = [](const AttitudeSuspect& suspect) {
+        return suspect.kind == AttitudeSuspect::Kind::Patch;
+      };
+      if (std::ranges::any_of(suspects, fits_no_surface)) contradicting_.insert(patch.cells().front());
+      changed = faults.takeOut(patch, suspects);
+      found_faults = found_faults || changed;
+    }
+    // What is no part of the skin must not tell how it was turned. The paper's own way takes readings as they are.
+    if (!is_tree || changed || contradicting_.contains(patch.cells().front())) continue;
+    if (skin_.options().centring == Centring::Off) continue;
+    freed = freeFromSwings(skin_.table(), patch.cells(), placements, own) || freed;
+  }
+  searched_ = !found_faults;
+  return found_faults || freed;
 }
 
 }  // namespace hexoderm
