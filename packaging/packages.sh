@@ -19,6 +19,7 @@ core_packages=(
   libpugixml-dev
   libsqlite3-dev
   libssl-dev
+  libsuitesparse-dev # an elimination order; benchmarks compare with its factor
   liburdfdom-dev
   libzip-dev
   pkg-config # another program is built with it, in a test
@@ -86,7 +87,6 @@ developer_packages=(
   clang
   clang-format
   clang-tidy
-  libsuitesparse-dev # CHOLMOD, for tests/benchmarks/cholesky_benchmark
   libclang-rt-14-dev # sanitizers and libFuzzer of clang, for tests/fuzz
 )
 

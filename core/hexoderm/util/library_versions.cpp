@@ -1,5 +1,6 @@
 #include "hexoderm/util/library_versions.h"
 
+#include <amd.h>
 #include <openssl/crypto.h>
 #include <sqlite3.h>
 #include <zip.h>
@@ -26,7 +27,8 @@ std::string dotted(std::initializer_list<unsigned int> parts) {
 }  // namespace
 
 std::vector<LibraryVersion> libraryVersions() {
-  return {{"Assimp", dotted({aiGetVersionMajor(), aiGetVersionMinor(), aiGetVersionPatch()})},
+  return {{"AMD", dotted({AMD_MAIN_VERSION, AMD_SUB_VERSION, AMD_SUBSUB_VERSION})},
+          {"Assimp", dotted({aiGetVersionMajor(), aiGetVersionMinor(), aiGetVersionPatch()})},
           {"Boost", dotted({BOOST_VERSION / 100'000, BOOST_VERSION / 100 % 1'000, BOOST_VERSION % 100})},
           {"Eigen", dotted({EIGEN_WORLD_VERSION, EIGEN_MAJOR_VERSION, EIGEN_MINOR_VERSION})},
           {"fmt", dotted({FMT_VERSION / 10'000, FMT_VERSION / 100 % 100, FMT_VERSION % 100})},

@@ -6,15 +6,21 @@
 #include <Eigen/Cholesky>
 #include <mutex>
 #include <span>
+#include <stdexcept>
 #include <utility>
 
 namespace hexoderm {
 namespace {
 
+std::shared_ptr<const EliminationPlan> planOf(const JointProblem& problem) {
+  return problem.elimination && problem.elimination->fits(problem) ? problem.elimination : planElimination(problem);
+}
+
 /// The sparse block of the cells with its dense border: A x + E y = a, E^T x + F y = f.
 class BorderedFactor {
  public:
-  explicit BorderedFactor(const JointProblem& problem) : plan_(planOf(problem)), factor_(plan_->pattern) {}
+  explicit BorderedFactor(std::shared_ptr<const EliminationPlan> plan)
+      : plan_(std::move(plan)), factor_(plan_->pattern) {}
 
   /// With the diagonal raised by `damping` times itself.
   bool factorize(const NormalEquations& equations, double damping) {
@@ -37,13 +43,13 @@ class BorderedFactor {
 
   /// The step that takes the gradient away.
   void solve(const NormalEquations& equations, Eigen::VectorXd& cells, Eigen::VectorXd& border) const {
-    RightSides right = factor_.ordered(-equations.gradient_cells);
+    Eigen::VectorXd right = factor_.orderedVector(-equations.gradient_cells);
     factor_.solveLower(right);
-    border = -equations.gradient_border - lower_border_.matrix().transpose() * right.matrix().col(0);
+    border = -equations.gradient_border - lower_border_.matrix().transpose() * right;
     if (border.size() > 0) schur_.solveInPlace(border);
-    right.matrix().col(0) -= lower_border_.matrix() * border;
+    right -= lower_border_.matrix() * border;
     factor_.solveUpper(right);
-    cells = factor_.inOwnOrder(right).matrix().col(0);
+    cells = factor_.vectorInOwnOrder(right);
   }
 
   /// A^-1 E S^-T, with S S^T = F - E^T A^-1 E: the border's part of the cells' covariance is its outer product.
@@ -62,15 +68,11 @@ class BorderedFactor {
     couples_ = {};
   }
 
-  [[nodiscard]] const EliminationPlan& plan() const { return *plan_; }
+  [[nodiscard]] const std::shared_ptr<const EliminationPlan>& plan() const { return plan_; }
   [[nodiscard]] const BlockCholesky& cells() const { return factor_; }
   [[nodiscard]] const Eigen::LLT<Eigen::MatrixXd>& schur() const { return schur_; }
 
  private:
-  static std::shared_ptr<const EliminationPlan> planOf(const JointProblem& problem) {
-    return problem.elimination && problem.elimination->fits(problem) ? problem.elimination : planElimination(problem);
-  }
-
   std::shared_ptr<const EliminationPlan> plan_;
   BlockCholesky factor_;
   RightSides lower_border_;  // L^-1 E, with L L^T = A
@@ -79,13 +81,22 @@ class BorderedFactor {
   std::vector<Matrix6d> couples_;
 };
 
+/// Where and how a factor was made, to make it once more.
+struct FactorOrigin {
+  JointState state;
+  double damping = 0;
+};
+
 class CellsFirstInverse : public JointInverse {
  public:
-  CellsFirstInverse(const JointProblem& problem, std::unique_ptr<const BorderedFactor> factor)
+  CellsFirstInverse(const JointProblem& problem, std::shared_ptr<const BorderedFactor> factor, FactorOrigin made)
       : origin_(problem.origin),
+        cells_(problem.cellCount()),
         layout_(problem),
         estimates_gap_share_(problem.gap.sigma.has_value()),
         link_ends_(problem.links.size()),
+        plan_(factor->plan()),
+        made_(std::move(made)),
         factor_(std::move(factor)) {
     for (std::size_t k = 0; k < link_ends_.size(); ++k) link_ends_[k] = {problem.links[k].c, problem.links[k].n};
   }
@@ -95,9 +106,9 @@ class CellsFirstInverse : public JointInverse {
 
   [[nodiscard]] Matrix6d between(std::size_t a, std::size_t b) const override {
     if (a == origin_ || b == origin_) return Matrix6d::Zero();
-    Eigen::MatrixXd unit = Eigen::MatrixXd::Zero(static_cast<Eigen::Index>(6 * factor_->cells().size()), 6);
+    Eigen::MatrixXd unit = Eigen::MatrixXd::Zero(static_cast<Eigen::Index>(6 * cells_), 6);
     unit.middleRows<6>(static_cast<Eigen::Index>(6 * b)).setIdentity();
-    factor_->cells().solve(unit);
+    factor()->cells().solve(unit);
     return unit.middleRows<6>(static_cast<Eigen::Index>(6 * a)) + parts().border_root.product(a, b);
   }
 
@@ -109,7 +120,7 @@ class CellsFirstInverse : public JointInverse {
     origin_rows(product).setZero();
     const auto border_root = parts().border_root.matrix();
     const Eigen::MatrixXd by_border = border_root.transpose() * product;
-    factor_->cells().solve(product);
+    factor()->cells().solve(product);
     product.noalias() += border_root * by_border;
     origin_rows(product).setZero();
     return product;
@@ -130,6 +141,14 @@ class CellsFirstInverse : public JointInverse {
     return estimates_gap_share_ ? border()(layout_.gapShare(), layout_.gapShare()) : 0;
   }
 
+  void keepProblemInstead(std::shared_ptr<const JointProblem> problem) const override {
+    border();
+    parts();
+    const std::lock_guard lock(factor_mutex_);
+    problem_ = std::move(problem);
+    factor_.reset();
+  }
+
  private:
   struct Parts {
     RightSides border_root;
@@ -137,11 +156,24 @@ class CellsFirstInverse : public JointInverse {
     std::vector<Matrix6d> links;
   };
 
+  [[nodiscard]] std::shared_ptr<const BorderedFactor> factor() const {
+    const std::lock_guard lock(factor_mutex_);
+    if (factor_ == nullptr) {
+      NormalEquations equations;
+      linearize(*problem_, made_.state, equations);
+      auto again = std::make_shared<BorderedFactor>(plan_);
+      if (!again->factorize(equations, made_.damping)) throw std::logic_error("a factor that was made can't be made");
+      again->releaseWorkspace();
+      factor_ = std::move(again);
+    }
+    return factor_;
+  }
+
   /// Computed when somebody asks: of several solutions in a row only the last one's cells are looked at.
   const Eigen::MatrixXd& border() const {
     std::call_once(border_computed_, [this] {
       if (layout_.size() > 0)
-        border_ = factor_->schur().solve(Eigen::MatrixXd::Identity(layout_.size(), layout_.size()));
+        border_ = factor()->schur().solve(Eigen::MatrixXd::Identity(layout_.size(), layout_.size()));
     });
     return border_;
   }
@@ -151,9 +183,10 @@ class CellsFirstInverse : public JointInverse {
   }
 
   [[nodiscard]] Parts compute() const {
+    const std::shared_ptr<const BorderedFactor> known = factor();
     Parts parts;
-    parts.border_root = factor_->borderRoot();
-    BlockCholesky::SelectedInverse inverse = factor_->cells().selectedInverse();
+    BlockCholesky::SelectedInverse inverse = known->cells().selectedInverse();  // first: it needs most memory meanwhile
+    parts.border_root = known->borderRoot();
     parts.cells = std::move(inverse.diagonal);
     for (std::size_t cell = 0; cell < parts.cells.size(); ++cell) {
       const Matrix6d sum = parts.cells[cell] + parts.border_root.product(cell, cell);
@@ -167,7 +200,7 @@ class CellsFirstInverse : public JointInverse {
         parts.links[k].setZero();
         continue;
       }
-      const EliminationPlan::Place place = factor_->plan().of_link[k];
+      const EliminationPlan::Place place = plan_->of_link[k];
       parts.links[k] = parts.border_root.product(c, n);
       if (place.transposed) {
         parts.links[k] += inverse.couples[place.couple].transpose();
@@ -179,10 +212,15 @@ class CellsFirstInverse : public JointInverse {
   }
 
   std::size_t origin_;
+  std::size_t cells_;
   BorderLayout layout_;
   bool estimates_gap_share_;
   std::vector<std::pair<std::size_t, std::size_t>> link_ends_;
-  std::unique_ptr<const BorderedFactor> factor_;
+  std::shared_ptr<const EliminationPlan> plan_;
+  FactorOrigin made_;
+  mutable std::mutex factor_mutex_;
+  mutable std::shared_ptr<const JointProblem> problem_;   ///< where there may be no factor
+  mutable std::shared_ptr<const BorderedFactor> factor_;  ///< null: to be made from the problem
   mutable std::once_flag computed_;
   mutable Parts parts_;
   mutable std::once_flag border_computed_;
@@ -191,42 +229,57 @@ class CellsFirstInverse : public JointInverse {
 
 class CellsFirst : public JointSystem {
  public:
-  explicit CellsFirst(const JointProblem& problem)
-      : problem_(problem), factor_(std::make_unique<BorderedFactor>(problem)) {}
-
-  double linearize(const JointState& candidate) override {
-    hexoderm::linearize(problem_, candidate, next_);
+  double linearize(const JointProblem& problem, const JointState& candidate) override {
+    problem_ = &problem;
+    hexoderm::linearize(problem, candidate, next_);
+    next_state_ = candidate;
     return next_.cost;
   }
-  void accept() override { std::swap(equations_, next_); }
-  bool factorize(double damping) override { return factor_->factorize(equations_, damping); }
+  void accept() override {
+    std::swap(equations_, next_);
+    std::swap(state_, next_state_);
+  }
+  bool factorize(double damping) override {
+    if (factor_ == nullptr) {
+      factor_ = std::make_shared<BorderedFactor>(planOf(*problem_));
+    } else if (factor_.use_count() > 1) {
+      factor_ = std::make_shared<BorderedFactor>(factor_->plan());
+    }
+    made_ = {state_, damping};
+    return factor_->factorize(equations_, damping);
+  }
   double step(Eigen::VectorXd& cells, Eigen::VectorXd& border) const override {
     factor_->solve(equations_, cells, border);
     return -(equations_.gradient_cells.dot(cells) + equations_.gradient_border.dot(border)) / 2;
   }
-  std::unique_ptr<const JointInverse> inverse() override {
-    factor_->releaseWorkspace();
-    return std::make_unique<CellsFirstInverse>(problem_, std::move(factor_));
+  std::shared_ptr<const JointInverse> inverse() override {
+    return std::make_shared<CellsFirstInverse>(*problem_, factor_, made_);
+  }
+  void releaseWorkspace() override {
+    if (factor_ != nullptr) factor_->releaseWorkspace();
+    next_ = {};
+    equations_ = {};
   }
 
  private:
-  const JointProblem& problem_;
-  std::unique_ptr<BorderedFactor> factor_;
+  const JointProblem* problem_ = nullptr;  ///< the latest
+  std::shared_ptr<BorderedFactor> factor_;
+  FactorOrigin made_;
   NormalEquations equations_;
   NormalEquations next_;
+  JointState state_;  ///< of the equations
+  JointState next_state_;
 };
 
 }  // namespace
 
-std::unique_ptr<JointSystem> makeCellsFirst(const JointProblem& problem) {
-  return std::make_unique<CellsFirst>(problem);
-}
+std::unique_ptr<JointSystem> makeCellsFirst() { return std::make_unique<CellsFirst>(); }
 
-std::unique_ptr<const JointInverse> invertCellsFirst(const JointProblem& problem, const NormalEquations& equations) {
-  auto factor = std::make_unique<BorderedFactor>(problem);
+std::shared_ptr<const JointInverse> invertCellsFirst(const JointProblem& problem, const NormalEquations& equations) {
+  auto factor = std::make_shared<BorderedFactor>(planOf(problem));
   factorizeWithLeastDamping([&](double damping) { return factor->factorize(equations, damping); });
   factor->releaseWorkspace();
-  return std::make_unique<CellsFirstInverse>(problem, std::move(factor));
+  return std::make_shared<CellsFirstInverse>(problem, std::move(factor), FactorOrigin{});
 }
 
 double workOfCellsFirst(const JointProblem& problem) {

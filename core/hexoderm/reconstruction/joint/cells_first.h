@@ -7,11 +7,11 @@
 namespace hexoderm {
 
 /// Sensors and cells are eliminated first: a sparse matrix with 6 x 6 blocks for the cells, and a dense one of all
-/// poses' unknowns and the gap share. For skins of any size in few poses. The problem must outlive it.
-std::unique_ptr<JointSystem> makeCellsFirst(const JointProblem& problem);
+/// poses' unknowns and the gap share. For skins of any size in few poses.
+std::unique_ptr<JointSystem> makeCellsFirst();
 
 /// The inverse of given equations. Throws std::runtime_error if they are not positive definite, which priors prevent.
-std::unique_ptr<const JointInverse> invertCellsFirst(const JointProblem& problem, const NormalEquations& equations);
+std::shared_ptr<const JointInverse> invertCellsFirst(const JointProblem& problem, const NormalEquations& equations);
 
 /// About how many multiplications a step takes.
 double workOfCellsFirst(const JointProblem& problem);

@@ -122,21 +122,12 @@ class SolvedGravityCovariance : public GravityCovariance {
   mutable std::shared_ptr<const GravityCovariance> without_tremor_;
 };
 
-std::vector<Matrix6d> covariancesOf(const JointProblem& problem, const JointState& state) {
-  NormalEquations equations;
-  linearize(problem, state, equations);
-  const JointCovariance covariance(problem, equations);
-  std::vector<Matrix6d> cells;
-  for (std::size_t cell = 0; cell < problem.cellCount(); ++cell) cells.push_back(covariance.cell(cell));
-  return cells;
-}
-
 }  // namespace
 
 JointRefinement::JointRefinement(const CellModel& model, const SkinGraph& graph, const GravityTable& table,
                                  const SolverOptions& options, const std::vector<std::size_t>& cells,
                                  std::size_t origin, const std::vector<SE3>& placements)
-    : cells_(cells), problem_(std::make_shared<JointProblem>()) {
+    : cells_(cells), problem_(std::make_shared<JointProblem>()), solver_(std::make_unique<JointSolver>()) {
   problem_->model = &model;
   problem_->gap = gapShareOf(options.gap_model);
   problem_->link_sigma_m = model.link_sigma_m;
@@ -198,6 +189,11 @@ std::size_t JointRefinement::localOf(std::size_t cell) const {
 }
 
 void JointRefinement::solve(const std::stop_token& stop) {
+  solveWithFreedReadings(stop);
+  solver_->releaseWorkspace();  // there may be many patches
+}
+
+void JointRefinement::solveWithFreedReadings(const std::stop_token& stop) {
   JointSolverOptions options;
   options.stop = stop;
   solveWithSpreads(options);
@@ -224,8 +220,8 @@ void JointRefinement::solveWithSpreads(const JointSolverOptions& options) {
   constexpr int kRounds = 3;
   constexpr double kSettled = 0.05;
   for (int round = 0;; ++round) {
-    solution_.covariance.reset();  // of the round before: a factor less in memory
-    solution_ = solveJointly(*problem_, solution_.state, options);
+    solution_.covariance.reset();  // of the round before: its factor's memory serves the next
+    solution_ = solver_->solve(*problem_, solution_.state, options);
     if (round == kRounds || solution_.termination == JointTermination::Stopped) return;
     const double link_sigma_m = seenLinkSpread_m();
     const double acceleration_sigma = seenAccelerations_rad_s2();
@@ -344,6 +340,14 @@ CellReading JointRefinement::foretold(std::size_t local, std::size_t pose, const
   return {pose, fit.gain * v_g + fit.offset_g, median(std::move(variances))};
 }
 
+std::vector<Matrix6d> JointRefinement::covariancesOf(const JointProblem& problem, const JointState& state) const {
+  const std::shared_ptr<const JointCovariance> covariance = solver_->covarianceAt(problem, state);
+  std::vector<Matrix6d> cells;
+  cells.reserve(problem.cellCount());
+  for (std::size_t cell = 0; cell < problem.cellCount(); ++cell) cells.push_back(covariance->cell(cell));
+  return cells;
+}
+
 std::vector<Matrix6d> JointRefinement::covariancesWithPose(const Eigen::Vector3d& up_o) const {
   JointProblem with = *problem_;
   JointState state = solution_.state;
@@ -371,6 +375,7 @@ std::vector<Matrix6d> JointRefinement::covariancesWithAllReadings() const {
 std::shared_ptr<const PlacementCovariance> JointRefinement::placementCovariance(const SkinGraph& graph) const {
   std::vector<CellId> ids;
   for (const std::size_t cell : cells_) ids.push_back(graph.cells()[cell].id);
+  solution_.covariance->keepProblemInstead(problem_);
   return std::make_shared<SolvedCovariance>(std::move(ids), solution_.state.cells, solution_.covariance);
 }
 

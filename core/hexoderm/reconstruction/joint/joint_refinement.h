@@ -57,6 +57,8 @@ class JointRefinement {
   /// lack them there. Costs about as much as a step of the solver with its covariance.
   [[nodiscard]] std::vector<Matrix6d> covariancesWithPose(const Eigen::Vector3d& up_o) const;
   [[nodiscard]] std::vector<Matrix6d> covariancesWithAllReadings() const;
+  /// What is asked for of two cells at a time takes memory for the problem, and for its factor only from the first
+  /// question on.
   [[nodiscard]] std::shared_ptr<const PlacementCovariance> placementCovariance(const SkinGraph& graph) const;
   [[nodiscard]] std::shared_ptr<const GravityCovariance> gravityCovariance() const;  ///< poses as in poses()
   [[nodiscard]] const AccelerometerFit& sensorOf(std::size_t cell) const;
@@ -77,7 +79,9 @@ class JointRefinement {
   [[nodiscard]] std::size_t localOf(std::size_t cell) const;
   [[nodiscard]] CellReading foretold(std::size_t local, std::size_t pose, const JointState& state) const;
   void fitSensors();
+  void solveWithFreedReadings(const std::stop_token& stop);
   void solveWithSpreads(const JointSolverOptions& options);
+  [[nodiscard]] std::vector<Matrix6d> covariancesOf(const JointProblem& problem, const JointState& state) const;
   [[nodiscard]] double seenLinkSpread_m() const;
   [[nodiscard]] double seenAccelerations_rad_s2() const;
 
@@ -85,6 +89,7 @@ class JointRefinement {
   std::vector<std::size_t> links_;  ///< the same for links
   std::vector<std::size_t> poses_;
   std::shared_ptr<JointProblem> problem_;
+  std::unique_ptr<JointSolver> solver_;
   JointSolution solution_;
   std::vector<SensorState> sensors_;
   std::optional<FreedReadings> freed_readings_;        ///< of many poses

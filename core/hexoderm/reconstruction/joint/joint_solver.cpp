@@ -11,11 +11,6 @@
 namespace hexoderm {
 namespace {
 
-std::unique_ptr<JointSystem> makeSystem(const JointProblem& problem, std::optional<JointOrder> order) {
-  return order.value_or(cheaperOrder(problem)) == JointOrder::CellsFirst ? makeCellsFirst(problem)
-                                                                         : makePosesFirst(problem);
-}
-
 /// By how much less the cost need not be. The cost is the logarithm of a probability: a hundredth of it moves the
 /// estimate by a tenth of its standard deviation at most, in one direction of all. Of a small cost it is a share.
 double negligible(double cost) {
@@ -40,21 +35,9 @@ JointOrder cheaperOrder(const JointProblem& problem) {
   return workOfPosesFirst(problem) < workOfCellsFirst(problem) ? JointOrder::PosesFirst : JointOrder::CellsFirst;
 }
 
-/// The steps of solveJointly.
-struct JointSolver {
-  enum class Refusal {
-    Damps,  ///< a step that does not lower the cost is tried again, damped
-    Ends,   ///< ... ends the descent where it stands, if the step promised much
-  };
-  /// False: ended by a refusal, without covariance.
-  static bool descend(const JointProblem& problem, Refusal refusal, const JointSolverOptions& options,
-                      JointSolution& solution);
-  static JointSolution solve(const JointProblem& problem, const JointState& initial, const JointSolverOptions& options);
-};
-
 JointCovariance::JointCovariance(const JointProblem& problem, const NormalEquations& equations)
     : inverse_(invertCellsFirst(problem, equations)) {}
-JointCovariance::JointCovariance(std::unique_ptr<const JointInverse> inverse) : inverse_(std::move(inverse)) {}
+JointCovariance::JointCovariance(std::shared_ptr<const JointInverse> inverse) : inverse_(std::move(inverse)) {}
 JointCovariance::~JointCovariance() = default;
 
 const Matrix6d& JointCovariance::cell(std::size_t cell) const { return inverse_->cell(cell); }
@@ -65,6 +48,33 @@ Eigen::Matrix3d JointCovariance::force(std::size_t pose) const { return inverse_
 Eigen::Matrix3d JointCovariance::forces(std::size_t a, std::size_t b) const { return inverse_->forces(a, b); }
 Eigen::Matrix3d JointCovariance::acceleration(std::size_t pose) const { return inverse_->acceleration(pose); }
 double JointCovariance::gapShareSigma() const { return std::sqrt(inverse_->gapShareVariance()); }
+void JointCovariance::keepProblemInstead(std::shared_ptr<const JointProblem> problem) const {
+  inverse_->keepProblemInstead(std::move(problem));
+}
+
+JointSolver::JointSolver() = default;
+JointSolver::~JointSolver() = default;
+
+JointSystem& JointSolver::systemFor(JointOrder order) {
+  if (system_ == nullptr || order_ != order) {
+    system_ = order == JointOrder::CellsFirst ? makeCellsFirst() : makePosesFirst();
+    order_ = order;
+  }
+  return *system_;
+}
+
+void JointSolver::releaseWorkspace() {
+  if (system_ != nullptr) system_->releaseWorkspace();
+}
+
+std::shared_ptr<const JointCovariance> JointSolver::covarianceAt(const JointProblem& problem, const JointState& state) {
+  JointSystem& system = systemFor(JointOrder::CellsFirst);
+  system.linearize(problem, state);
+  system.accept();
+  factorizeWithLeastDamping([&](double least) { return system.factorize(least); });
+  system.releaseWorkspace();
+  return std::make_shared<const JointCovariance>(system.inverse());
+}
 
 bool JointSolver::descend(const JointProblem& problem, Refusal refusal, const JointSolverOptions& options,
                           JointSolution& solution) {
@@ -74,8 +84,8 @@ bool JointSolver::descend(const JointProblem& problem, Refusal refusal, const Jo
   constexpr double kLargestDamping = 1e12;
   constexpr double kLittle = 1e-3;
 
-  const std::unique_ptr<JointSystem> system = makeSystem(problem, options.order);
-  solution.cost = system->linearize(solution.state);
+  JointSystem* const system = &systemFor(options.order ? *options.order : cheaperOrder(problem));
+  solution.cost = system->linearize(problem, solution.state);
   system->accept();
   solution.termination = JointTermination::StepLimit;
   Eigen::VectorXd cells;
@@ -106,7 +116,7 @@ bool JointSolver::descend(const JointProblem& problem, Refusal refusal, const Jo
         factor_is_at_optimum = true;
         break;
       }
-      const double next_cost = system->linearize(next);
+      const double next_cost = system->linearize(problem, next);
       lowered = next_cost <= solution.cost;  // false for NaN
       settled = lowered && damping == 0 && solution.cost - next_cost <= kLittle * solution.cost;
       if (lowered) {
@@ -131,7 +141,7 @@ bool JointSolver::descend(const JointProblem& problem, Refusal refusal, const Jo
   }
   if (!options.covariance || solution.termination == JointTermination::Stopped) return true;
   if (!factor_is_at_optimum) factorizeWithLeastDamping([&](double least) { return system->factorize(least); });
-  solution.covariance.reset(new JointCovariance(system->inverse()));
+  solution.covariance = std::make_shared<const JointCovariance>(system->inverse());
   return true;
 }
 
@@ -170,7 +180,7 @@ JointSolution JointSolver::solve(const JointProblem& problem, const JointState& 
 }
 
 JointSolution solveJointly(const JointProblem& problem, const JointState& initial, const JointSolverOptions& options) {
-  return JointSolver::solve(problem, initial, options);
+  return JointSolver().solve(problem, initial, options);
 }
 
 }  // namespace hexoderm

@@ -27,6 +27,7 @@ struct JointSolverOptions {
 };
 
 class JointInverse;  // joint_system.h
+class JointSystem;
 
 enum class JointTermination {
   Converged,
@@ -41,6 +42,7 @@ class JointCovariance {
  public:
   /// `equations` at the optimum. Throws std::runtime_error if they are not positive definite, which priors prevent.
   JointCovariance(const JointProblem& problem, const NormalEquations& equations);
+  explicit JointCovariance(std::shared_ptr<const JointInverse> inverse);
   ~JointCovariance();
   JointCovariance(const JointCovariance&) = delete;
   JointCovariance& operator=(const JointCovariance&) = delete;
@@ -63,10 +65,13 @@ class JointCovariance {
   [[nodiscard]] Eigen::Matrix3d acceleration(std::size_t pose) const;
   [[nodiscard]] double gapShareSigma() const;  ///< 0 if it is not estimated
 
+  /// Computes what is to be asked for often, and gives back the factor, which is most of the memory: between() and
+  /// timesCells() make it once more from the problem, the same to the last bit, when they are first called. `problem`:
+  /// that of the solution, which must not change any more.
+  void keepProblemInstead(std::shared_ptr<const JointProblem> problem) const;
+
  private:
-  friend struct JointSolver;
-  explicit JointCovariance(std::unique_ptr<const JointInverse> inverse);
-  std::unique_ptr<const JointInverse> inverse_;
+  std::shared_ptr<const JointInverse> inverse_;
 };
 
 struct JointSolution {
@@ -77,9 +82,39 @@ struct JointSolution {
   std::shared_ptr<const JointCovariance> covariance;  ///< null if it was not asked for or is not due
 };
 
-/// Levenberg-Marquardt on jointCost from `initial`: plain Gauss-Newton steps while they lower the cost, damped ones
-/// where they don't; first with softer links where they are far from closed, which stiffen in stages if that is not
-/// enough. Every step solves one linear system, in the order of `options`.
+/// Solves one problem after another with the same cells and links, and keeps its memory from one to the next. Memory
+/// that a covariance still has is not taken from it.
+class JointSolver {
+ public:
+  JointSolver();
+  ~JointSolver();
+  JointSolver(const JointSolver&) = delete;
+  JointSolver& operator=(const JointSolver&) = delete;
+
+  /// Levenberg-Marquardt on jointCost from `initial`: plain Gauss-Newton steps while they lower the cost, damped ones
+  /// where they don't; first with softer links where they are far from closed, which stiffen in stages if that is not
+  /// enough. Every step solves one linear system.
+  JointSolution solve(const JointProblem& problem, const JointState& initial, const JointSolverOptions& options = {});
+  /// At a given state, without a step. Throws std::runtime_error as JointCovariance does.
+  std::shared_ptr<const JointCovariance> covarianceAt(const JointProblem& problem, const JointState& state);
+  /// Gives back the memory that only further solutions would need.
+  void releaseWorkspace();
+
+ private:
+  enum class Refusal {
+    Damps,  ///< a step that does not lower the cost is tried again, damped
+    Ends,   ///< ... ends the descent where it stands, if the step promised much
+  };
+  /// False: ended by a refusal, without covariance.
+  bool descend(const JointProblem& problem, Refusal refusal, const JointSolverOptions& options,
+               JointSolution& solution);
+  JointSystem& systemFor(JointOrder order);
+
+  JointOrder order_{};  ///< of the system
+  std::unique_ptr<JointSystem> system_;
+};
+
+/// One solution by a JointSolver of its own.
 JointSolution solveJointly(const JointProblem& problem, const JointState& initial,
                            const JointSolverOptions& options = {});
 

@@ -25,11 +25,14 @@ class JointInverse {
   [[nodiscard]] virtual Eigen::Matrix3d forces(std::size_t a, std::size_t b) const = 0;
   [[nodiscard]] virtual Eigen::Matrix3d acceleration(std::size_t pose) const = 0;  ///< where they are estimated
   [[nodiscard]] virtual double gapShareVariance() const = 0;                       ///< 0 if it is not estimated
+  /// See JointCovariance::keepProblemInstead().
+  virtual void keepProblemInstead(std::shared_ptr<const JointProblem> /*problem*/) const {}
 };
 
 /// The second-order model of jointCost() about a state (Gauss-Newton), factorised in one order of its unknowns or
 /// another: which one costs less is a matter of how many cells and poses there are, and nothing but rounding depends on
-/// it.
+/// it. Serves all problems with the same cells, links and model of accelerometers, one after the other, and keeps its
+/// memory between them.
 class JointSystem {
  public:
   JointSystem() = default;
@@ -38,15 +41,17 @@ class JointSystem {
   JointSystem& operator=(const JointSystem&) = delete;
 
   /// Models the cost about a candidate for the next state; the cost there, which may be NaN.
-  virtual double linearize(const JointState& candidate) = 0;
+  virtual double linearize(const JointProblem& problem, const JointState& candidate) = 0;
   /// From now on the candidate's model counts.
   virtual void accept() = 0;
   /// With the diagonal raised by `damping` times itself. False, and no factor: not positive definite.
   virtual bool factorize(double damping) = 0;
   /// The step that takes the gradient away, by the latest factor. Returns by how much it promises to lower the cost.
   virtual double step(Eigen::VectorXd& cells, Eigen::VectorXd& border) const = 0;
-  /// From the latest factor, which it takes over: there is none afterwards.
-  virtual std::unique_ptr<const JointInverse> inverse() = 0;
+  /// From the latest factor. While somebody keeps it, the next one is made in other memory.
+  virtual std::shared_ptr<const JointInverse> inverse() = 0;
+  /// Gives back the memory that only further solutions would need.
+  virtual void releaseWorkspace() = 0;
 };
 
 /// Factorises the information matrix at an optimum with as little damping as it takes. Priors keep the matrix positive

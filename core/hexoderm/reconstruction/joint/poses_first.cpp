@@ -16,7 +16,7 @@ using Eigen::VectorXd;
 
 class PosesFirstInverse : public JointInverse {
  public:
-  explicit PosesFirstInverse(std::unique_ptr<const poses_first::Factor> factor)
+  explicit PosesFirstInverse(std::shared_ptr<const poses_first::Factor> factor)
       : origin_(factor->origin()), estimates_gap_share_(factor->estimatesGapShare()), factor_(std::move(factor)) {}
 
   [[nodiscard]] const Matrix6d& cell(std::size_t cell) const override { return parts().cells[cell]; }
@@ -78,40 +78,35 @@ class PosesFirstInverse : public JointInverse {
   std::size_t origin_;
   bool estimates_gap_share_;
   mutable std::once_flag computed_;
-  std::unique_ptr<const poses_first::Factor> factor_;
+  std::shared_ptr<const poses_first::Factor> factor_;
   mutable Parts parts_;
 };
 
 class PosesFirst : public JointSystem {
  public:
-  explicit PosesFirst(const JointProblem& problem)
-      : problem_(problem), factor_(std::make_unique<poses_first::Factor>(problem)) {
+  double linearize(const JointProblem& problem, const JointState& candidate) override {
     assert(!problem.accelerations);
-  }
-
-  double linearize(const JointState& candidate) override {
-    next_ = std::make_shared<const poses_first::Equations>(poses_first::linearize(problem_, candidate));
+    if (factor_ == nullptr) factor_ = std::make_shared<poses_first::Factor>(problem);
+    next_ = std::make_shared<const poses_first::Equations>(poses_first::linearize(problem, candidate));
     return next_->rest.cost;
   }
   void accept() override { equations_ = std::move(next_); }
   bool factorize(double damping) override { return factor_->factorize(equations_, damping); }
   double step(VectorXd& cells, VectorXd& border) const override { return factor_->step(*equations_, cells, border); }
-  std::unique_ptr<const JointInverse> inverse() override {
-    return std::make_unique<PosesFirstInverse>(std::move(factor_));
+  std::shared_ptr<const JointInverse> inverse() override {
+    return std::make_shared<PosesFirstInverse>(std::exchange(factor_, nullptr));
   }
+  void releaseWorkspace() override {}
 
  private:
-  const JointProblem& problem_;
-  std::unique_ptr<poses_first::Factor> factor_;
+  std::shared_ptr<poses_first::Factor> factor_;
   std::shared_ptr<const poses_first::Equations> equations_;
   std::shared_ptr<const poses_first::Equations> next_;
 };
 
 }  // namespace
 
-std::unique_ptr<JointSystem> makePosesFirst(const JointProblem& problem) {
-  return std::make_unique<PosesFirst>(problem);
-}
+std::unique_ptr<JointSystem> makePosesFirst() { return std::make_unique<PosesFirst>(); }
 
 double workOfPosesFirst(const JointProblem& problem) {
   // Two dense matrices are factorised, of twelve errors of a sensor and of six unknowns of a cell, and the first one

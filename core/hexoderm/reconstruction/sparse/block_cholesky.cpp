@@ -9,6 +9,7 @@ namespace {
 
 using Eigen::Index;
 using Eigen::MatrixXd;
+using Eigen::VectorXd;
 
 constexpr Index kBlock = 6;
 
@@ -201,6 +202,43 @@ void BlockCholesky::solveUpper(RightSides& B) const {
     const Supernode& node = pattern_->supernodes[s];
     kernels_.substituteBack(panel(s), panelStride(node), pivotsOf(node), node.first, node.rows.data(), node.rows.size(),
                             B.numbers_.data(), B.width_, workspace.data());
+  }
+}
+
+VectorXd BlockCholesky::orderedVector(const VectorXd& b) const {
+  assert(b.size() == numbersIn(size()));
+  VectorXd rows(b.size());
+  for (std::size_t k = 0; k < size(); ++k) {
+    rows.segment<kBlock>(numbersIn(k)) = b.segment<kBlock>(numbersIn(pattern_->order[k]));
+  }
+  return rows;
+}
+
+VectorXd BlockCholesky::vectorInOwnOrder(const VectorXd& b) const {
+  VectorXd rows(b.size());
+  for (std::size_t k = 0; k < size(); ++k) {
+    rows.segment<kBlock>(numbersIn(pattern_->order[k])) = b.segment<kBlock>(numbersIn(k));
+  }
+  return rows;
+}
+
+void BlockCholesky::solveLower(VectorXd& b) const {
+  assert(factorized_ && b.size() == numbersIn(size()));
+  std::vector<double> workspace(most_rows_);
+  for (std::size_t s = 0; s < pattern_->supernodes.size(); ++s) {
+    const Supernode& node = pattern_->supernodes[s];
+    kernels_.substituteVectorForward(panel(s), panelStride(node), pivotsOf(node), node.first, node.rows.data(),
+                                     node.rows.size(), b.data(), workspace.data());
+  }
+}
+
+void BlockCholesky::solveUpper(VectorXd& b) const {
+  assert(factorized_ && b.size() == numbersIn(size()));
+  std::vector<double> workspace(most_rows_);
+  for (std::size_t s = pattern_->supernodes.size(); s-- > 0;) {
+    const Supernode& node = pattern_->supernodes[s];
+    kernels_.substituteVectorBack(panel(s), panelStride(node), pivotsOf(node), node.first, node.rows.data(),
+                                  node.rows.size(), b.data(), workspace.data());
   }
 }
 

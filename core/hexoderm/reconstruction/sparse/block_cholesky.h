@@ -80,6 +80,11 @@ class BlockCholesky {
   [[nodiscard]] RightSides ordered(const Eigen::MatrixXd& B) const;
   void solveLower(RightSides& B) const;
   void solveUpper(RightSides& B) const;
+  /// The same for one right-hand side, which takes no more time than it takes to read the factor.
+  [[nodiscard]] Eigen::VectorXd orderedVector(const Eigen::VectorXd& b) const;
+  void solveLower(Eigen::VectorXd& b) const;
+  void solveUpper(Eigen::VectorXd& b) const;
+  [[nodiscard]] Eigen::VectorXd vectorInOwnOrder(const Eigen::VectorXd& b) const;
   /// Rows in their own order again.
   [[nodiscard]] RightSides inOwnOrder(const RightSides& B) const;
 

@@ -1,11 +1,12 @@
 #include "hexoderm/reconstruction/sparse/elimination_order.h"
 
-#include <Eigen/OrderingMethods>
-#include <Eigen/SparseCore>
+#include <amd.h>
+
 #include <algorithm>
 #include <array>
 #include <iterator>
 #include <limits>
+#include <new>
 #include <numeric>
 #include <utility>
 
@@ -122,20 +123,31 @@ class Dissection {
 
 }  // namespace
 
-Indices minimumDegreeOrder(std::size_t size, const std::vector<BlockCouple>& couples) {
-  if (size == 0) return {};
-  std::vector<Eigen::Triplet<double, int>> triplets;
-  triplets.reserve(size + couples.size());
-  // Rows without a diagonal element would be left for the end.
-  for (std::size_t k = 0; k < size; ++k) triplets.emplace_back(static_cast<int>(k), static_cast<int>(k), 1.0);
+Indices minimumDegreeOrder(std::size_t size, const std::vector<BlockCouple>& couples, Numbering numbering) {
+  const auto count = static_cast<int>(size);
+  const auto renumbered = [&](std::size_t row) {
+    return numbering == Numbering::Forwards ? static_cast<int>(row) : count - 1 - static_cast<int>(row);
+  };
+  std::vector<std::vector<int>> neighbours(size);
   for (const BlockCouple& couple : couples) {
-    triplets.emplace_back(static_cast<int>(couple.row), static_cast<int>(couple.column), 1.0);
+    neighbours[static_cast<std::size_t>(renumbered(couple.row))].push_back(renumbered(couple.column));
+    neighbours[static_cast<std::size_t>(renumbered(couple.column))].push_back(renumbered(couple.row));
   }
-  Eigen::SparseMatrix<double, Eigen::ColMajor, int> graph(static_cast<int>(size), static_cast<int>(size));
-  graph.setFromTriplets(triplets.begin(), triplets.end());
-  Eigen::PermutationMatrix<Eigen::Dynamic, Eigen::Dynamic, int> permutation;
-  Eigen::AMDOrdering<int>()(graph, permutation);
-  return {permutation.indices().begin(), permutation.indices().end()};
+  std::vector<int> begin = {0};
+  std::vector<int> rows;
+  for (std::vector<int>& of_column : neighbours) {
+    std::ranges::sort(of_column);
+    rows.insert(rows.end(), of_column.begin(), of_column.end());
+    begin.push_back(static_cast<int>(rows.size()));
+  }
+  rows.reserve(1);  // a null pointer would be refused
+  std::vector<int> permutation(std::max<std::size_t>(1, size));
+  if (amd_order(count, begin.data(), rows.data(), permutation.data(), nullptr, nullptr) < AMD_OK) {
+    throw std::bad_alloc();  // all that can go wrong with such a graph
+  }
+  Indices order(size);
+  for (std::size_t k = 0; k < size; ++k) order[k] = static_cast<std::size_t>(renumbered(permutation[k]));
+  return order;
 }
 
 Indices dissectionOrder(std::size_t size, const std::vector<BlockCouple>& couples) {

@@ -14,12 +14,18 @@ struct BlockCouple {
 // Orders in which to eliminate the rows of a symmetric matrix so that its Cholesky factor stays sparse. Both return a
 // permutation: result[k] is the row that is eliminated as the k-th. Both are deterministic, for any graph.
 
-/// Approximate minimum degree (Eigen's): best for small and for thin, ragged graphs.
-std::vector<std::size_t> minimumDegreeOrder(std::size_t size, const std::vector<BlockCouple>& couples);
+/// Of equal rows the order takes one by its number, so that the same graph numbered otherwise gives another order;
+/// which is the better one can only be tried.
+enum class Numbering { Forwards, Backwards };
 
-/// Nested dissection by the levels of breadth-first searches: half the work of minimum degree for sheets of 100,000
-/// cells. George and Liu, "An automatic nested dissection algorithm for irregular finite element problems", SIAM J.
-/// Numer. Anal. 15, 1978; the level is chosen by its size and balance.
+/// Approximate minimum degree (AMD of SuiteSparse). Amestoy, Davis and Duff, "Algorithm 837: AMD, an approximate
+/// minimum degree ordering algorithm", ACM TOMS 30, 2004.
+std::vector<std::size_t> minimumDegreeOrder(std::size_t size, const std::vector<BlockCouple>& couples,
+                                            Numbering numbering = Numbering::Forwards);
+
+/// Nested dissection by the levels of breadth-first searches: better for some large sheets, where minimum degree
+/// depends much on how cells are numbered. George and Liu, "An automatic nested dissection algorithm for irregular
+/// finite element problems", SIAM J. Numer. Anal. 15, 1978; the level is chosen by its size and balance.
 std::vector<std::size_t> dissectionOrder(std::size_t size, const std::vector<BlockCouple>& couples);
 
 }  // namespace hexoderm

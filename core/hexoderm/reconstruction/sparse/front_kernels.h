@@ -30,6 +30,11 @@ struct FrontKernels {
                             std::size_t count, double* x, Size width);
   void (*substituteBack)(const double* panel, Size ld, Size pivots, std::size_t first, const std::size_t* places,
                          std::size_t count, double* x, Size width, double* workspace);
+  /// The same for one right-hand side whose numbers stand side by side; `workspace`: 6 `count` numbers.
+  void (*substituteVectorForward)(const double* panel, Size ld, Size pivots, std::size_t first,
+                                  const std::size_t* places, std::size_t count, double* x, double* workspace);
+  void (*substituteVectorBack)(const double* panel, Size ld, Size pivots, std::size_t first, const std::size_t* places,
+                               std::size_t count, double* x, double* workspace);
   /// C (6 x 6) -= A B^T, with A and B of six rows, row by row, `width` numbers each.
   void (*subtractRows)(double* c, const double* a, const double* b, Size width);
 

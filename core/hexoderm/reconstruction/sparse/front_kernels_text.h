@@ -371,10 +371,14 @@ void substituteForward(const double* panel, Size ld, Size pivots, std::size_t fi
     subtractColumns<true>(own + j * width, width, own, width, {panel + j, ld, 1}, width, j);
     divide<true>(own + j * width, width, width, triangleAt(panel + j * ld + j, ld));
   }
-  for (std::size_t k = 0; k < count; ++k) {
-    double* row = x + kBlock * static_cast<Size>(places[k]) * width;
-    subtractColumns<true>(row, width, own, width, {panel + pivots + kBlock * static_cast<Size>(k), ld, 1}, width,
-                          pivots);
+  double packed[kDeep * kBlock];
+  for (Size begin = 0; begin < pivots; begin += kDeep) {
+    const Size deep = pivots - begin < kDeep ? pivots - begin : kDeep;
+    for (std::size_t k = 0; k < count; ++k) {
+      double* row = x + kBlock * static_cast<Size>(places[k]) * width;
+      packColumns(packed, {panel + begin * ld + pivots + kBlock * static_cast<Size>(k), ld, 1}, deep);
+      subtractColumns<true>(row, width, own + begin * width, width, {packed, kBlock, 1}, width, deep);
+    }
   }
 }
 
@@ -398,11 +402,92 @@ void substituteBack(const double* panel, Size ld, Size pivots, std::size_t first
   }
 }
 
+/// y -= A x for six columns of `rows` numbers.
+inline void subtractSixColumns(double* y, const double* a, Size lda, const double* x, Size rows) {
+  Lanes factor[kBlock];
+  HEXODERM_UNROLL
+  for (Size j = 0; j < kBlock; ++j) factor[j] = all(x[j]);
+  Size i = 0;
+  for (; i + kLanes <= rows; i += kLanes) {
+    Lanes sum = load(a + i) * factor[0];
+    HEXODERM_UNROLL
+    for (Size j = 1; j < kBlock; ++j) sum += load(a + j * lda + i) * factor[j];
+    store(y + i, load(y + i) - sum);
+  }
+  for (; i < rows; ++i) {
+    double sum = 0;
+    for (Size j = 0; j < kBlock; ++j) sum += a[j * lda + i] * x[j];
+    y[i] -= sum;
+  }
+}
+
+/// x -= A^T y for six columns of `rows` numbers.
+inline void subtractSixProducts(double* x, const double* a, Size lda, const double* y, Size rows) {
+  Lanes sum[kBlock] = {};
+  Size i = 0;
+  for (; i + kLanes <= rows; i += kLanes) {
+    const Lanes numbers = load(y + i);
+    HEXODERM_UNROLL
+    for (Size j = 0; j < kBlock; ++j) sum[j] += load(a + j * lda + i) * numbers;
+  }
+  for (Size j = 0; j < kBlock; ++j) {
+    double total = sumOf(sum[j]);
+    for (Size rest = i; rest < rows; ++rest) total += a[j * lda + rest] * y[rest];
+    x[j] -= total;
+  }
+}
+
+void substituteVectorForward(const double* panel, Size ld, Size pivots, std::size_t first, const std::size_t* places,
+                             std::size_t count, double* x, double* workspace) {
+  double* own = x + kBlock * static_cast<Size>(first);
+  const Size rows = kBlock * static_cast<Size>(count);
+  for (Size i = 0; i < rows; ++i) workspace[i] = 0;
+  for (Size j = 0; j < pivots; j += kBlock) {
+    const Triangle triangle = triangleAt(panel + j * ld + j, ld);
+    for (Size k = 0; k < kBlock; ++k) {
+      for (Size earlier = 0; earlier < k; ++earlier) own[j + k] -= triangle.l[k][earlier] * own[j + earlier];
+      own[j + k] *= triangle.inverse[k];
+    }
+    subtractSixColumns(own + j + kBlock, panel + j * ld + j + kBlock, ld, own + j, pivots - j - kBlock);
+    subtractSixColumns(workspace, panel + j * ld + pivots, ld, own + j, rows);
+  }
+  for (std::size_t k = 0; k < count; ++k) {
+    double* row = x + kBlock * static_cast<Size>(places[k]);
+    for (Size i = 0; i < kBlock; ++i) row[i] += workspace[kBlock * static_cast<Size>(k) + i];
+  }
+}
+
+void substituteVectorBack(const double* panel, Size ld, Size pivots, std::size_t first, const std::size_t* places,
+                          std::size_t count, double* x, double* workspace) {
+  double* own = x + kBlock * static_cast<Size>(first);
+  const Size rows = kBlock * static_cast<Size>(count);
+  for (std::size_t k = 0; k < count; ++k) {
+    const double* row = x + kBlock * static_cast<Size>(places[k]);
+    for (Size i = 0; i < kBlock; ++i) workspace[kBlock * static_cast<Size>(k) + i] = row[i];
+  }
+  for (Size j = pivots - kBlock; j >= 0; j -= kBlock) {
+    subtractSixProducts(own + j, panel + j * ld + pivots, ld, workspace, rows);
+    subtractSixProducts(own + j, panel + j * ld + j + kBlock, ld, own + j + kBlock, pivots - j - kBlock);
+    const Triangle triangle = triangleAt(panel + j * ld + j, ld);
+    for (Size k = kBlock - 1; k >= 0; --k) {
+      for (Size later = k + 1; later < kBlock; ++later) own[j + k] -= triangle.l[later][k] * own[j + later];
+      own[j + k] *= triangle.inverse[k];
+    }
+  }
+}
+
 void subtractRows(double* c, const double* a, const double* b, Size width) {
   for (Size j = 0; j < kBlock; j += 2) subtractInnerTile(c + j * kBlock, kBlock, a, width, b + j * width, width, width);
 }
 
-constexpr FrontKernels kKernels{factorize, subtractOuter, invert, substituteForward, substituteBack, subtractRows};
+constexpr FrontKernels kKernels{factorize,
+                                subtractOuter,
+                                invert,
+                                substituteForward,
+                                substituteBack,
+                                substituteVectorForward,
+                                substituteVectorBack,
+                                subtractRows};
 
 }  // namespace
 }  // namespace hexoderm

@@ -127,8 +127,12 @@ SupernodalPattern analysePattern(std::size_t size, const std::vector<BlockCouple
     return couple.row != couple.column && couple.row < size && couple.column < size;
   }));
   ColumnPattern columns = columnPattern(minimumDegreeOrder(size, couples), couples);
-  ColumnPattern dissected = columnPattern(dissectionOrder(size, couples), couples);
-  if (dissected.products < columns.products) columns = std::move(dissected);
+  const auto tryOrder = [&](Indices order) {
+    ColumnPattern other = columnPattern(std::move(order), couples);
+    if (other.products < columns.products) columns = std::move(other);
+  };
+  tryOrder(minimumDegreeOrder(size, couples, Numbering::Backwards));
+  tryOrder(dissectionOrder(size, couples));
   const Indices& parent = columns.parent;
 
   // Supernodes, named by their last column until they are in their own order.

@@ -445,8 +445,8 @@ TEST(JointOrder, EveryStepIsTheSameInBothOrders) {
         const JointCase example = mixedCase(patch, poses, gap);
         const JointState start = perturbed(example.problem, example.truth, 0.02, 0.0005, 4);
         const JointState next = perturbed(example.problem, start, 0.001, 0.0001, 5);
-        const auto cells_first = makeCellsFirst(example.problem);
-        const auto poses_first = makePosesFirst(example.problem);
+        const auto cells_first = makeCellsFirst();
+        const auto poses_first = makePosesFirst();
         const std::string what =
             std::string(patch) + ", " + std::to_string(poses) + " poses, " + nameOf(gap) + ", damping ";
         for (const double damping : {0.0, 1e-2, 1e3}) {
@@ -455,11 +455,11 @@ TEST(JointOrder, EveryStepIsTheSameInBothOrders) {
           double promised[2] = {};
           int order = 0;
           for (JointSystem* system : {cells_first.get(), poses_first.get()}) {
-            system->linearize(start);
+            system->linearize(example.problem, start);
             system->accept();
             ASSERT_TRUE(system->factorize(damping)) << what << damping;
             // With the matrix of one state and the gradient of another, as when a step hardly changes the matrix.
-            system->linearize(next);
+            system->linearize(example.problem, next);
             system->accept();
             promised[order] = system->step(cells[order], border[order]);
             ++order;

@@ -180,8 +180,9 @@ TEST_P(BlockCholeskyGraphs, InvertsOnThePattern) {
 
 TEST_P(BlockCholeskyGraphs, EliminationOrdersNameEachRowOnce) {
   const Graph& graph = system_.graph;
-  for (std::vector<std::size_t> order :
-       {minimumDegreeOrder(graph.size, graph.couples), dissectionOrder(graph.size, graph.couples)}) {
+  for (std::vector<std::size_t> order : {minimumDegreeOrder(graph.size, graph.couples),
+                                         minimumDegreeOrder(graph.size, graph.couples, Numbering::Backwards),
+                                         dissectionOrder(graph.size, graph.couples)}) {
     ASSERT_EQ(order.size(), graph.size);
     std::sort(order.begin(), order.end());
     for (std::size_t k = 0; k < order.size(); ++k) EXPECT_EQ(order[k], k);
@@ -209,6 +210,28 @@ TEST(BlockCholesky, SolvesVectorsAndColumnsOfALargerMatrix) {
   Eigen::MatrixXd X = B;
   cholesky.solve(X);
   EXPECT_THAT(X, MatrixNear(expected, 1e-9));
+}
+
+TEST_P(BlockCholeskyGraphs, OneVectorIsSolvedAsAColumnIs) {
+  for (const FrontKernels* kernels : {&portableFrontKernels(), vectorFrontKernels()}) {
+    if (kernels == nullptr) continue;
+    BlockCholesky cholesky(system_.graph.size, system_.graph.couples, *kernels);
+    ASSERT_TRUE(cholesky.factorize(system_.diagonal, system_.couples));
+    const Eigen::MatrixXd B = someColumns(system_, 2);
+    const Eigen::VectorXd b = B.col(0);
+    RightSides columns = cholesky.ordered(B);
+    Eigen::VectorXd vector = cholesky.orderedVector(b);
+    EXPECT_EQ(vector, Eigen::VectorXd(columns.matrix().col(0)));
+    cholesky.solveLower(columns);
+    cholesky.solveLower(vector);
+    EXPECT_THAT(vector, MatrixNear(Eigen::VectorXd(columns.matrix().col(0)), 1e-12));
+    cholesky.solveUpper(columns);
+    cholesky.solveUpper(vector);
+    EXPECT_THAT(vector, MatrixNear(Eigen::VectorXd(columns.matrix().col(0)), 1e-12));
+    Eigen::MatrixXd solved = B;
+    cholesky.solve(solved);
+    EXPECT_THAT(cholesky.vectorInOwnOrder(vector), MatrixNear(Eigen::VectorXd(solved.col(0)), 1e-12));
+  }
 }
 
 TEST(BlockCholesky, HalvesOfASolutionGiveProductsWithTheInverse) {
