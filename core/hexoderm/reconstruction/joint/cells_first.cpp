@@ -142,6 +142,7 @@ class CellsFirstInverse : public JointInverse {
   }
 
   void keepProblemInstead(std::shared_ptr<const JointProblem> problem) const override {
+    if (made_.state.cells.empty()) return;  // of equations that came from elsewhere
     border();
     parts();
     const std::lock_guard lock(factor_mutex_);
