@@ -16,89 +16,18 @@
 #include "hexoderm/reconstruction/patch/patch_solver.h"
 #include "hexoderm/reconstruction/reconstructor.h"
 #include "hexoderm/session/simulated_session.h"
-
-#include <Eigen/SVD>
-#include <boost/graph/adjacency_list.hpp>
-#include <boost/graph/dijkstra_shortest_paths_no_color_map.hpp>
+#include "tests/benchmarks/boost_all_pairs.h"
+#include "tests/benchmarks/cpu_time.h"
 
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
-#include <ctime>
-#include <functional>
-#include <limits>
 #include <numeric>
-#include <random>
 #include <string>
 
 namespace hexoderm {
 namespace {
-
-double cpuTime_ms() { return 1e3 * static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
-
-/// The least of at least three runs, and of as many as 400 ms allow up to 40. `prepare` is not timed.
-double least_ms(
-    const std::function<void()>& work, const std::function<void()>& prepare = [] {}) {
-  constexpr double kLongEnough_ms = 400;
-  double least = std::numeric_limits<double>::infinity();
-  double all = 0;
-  for (int run = 0; run < 3 || (run < 40 && all < kLongEnough_ms); ++run) {
-    prepare();
-    const double before = cpuTime_ms();
-    work();
-    const double took = cpuTime_ms() - before;
-    least = std::min(least, took);
-    all += took;
-  }
-  return least;
-}
-
-/// What all other figures are compared with.
-double jacobiSvd_ms() {
-  std::mt19937 random(1);
-  std::normal_distribution<double> normal;
-  std::vector<Eigen::Matrix3d> matrices(100'000);
-  for (Eigen::Matrix3d& matrix : matrices) matrix = Eigen::Matrix3d::NullaryExpr([&] { return normal(random); });
-  double sum = 0;
-  const double took = least_ms([&] {
-    for (const Eigen::Matrix3d& matrix : matrices) {
-      const Eigen::JacobiSVD<Eigen::Matrix3d> svd(matrix, Eigen::ComputeFullU | Eigen::ComputeFullV);
-      sum += svd.matrixU()(0, 0) + svd.matrixV()(0, 0);
-    }
-  });
-  if (sum == 0) std::puts("");  // so that nothing is left out as unused
-  return took;
-}
-
-/// All pairs by the Boost Graph Library: from every vertex of a small skin, and from some of a large one, times how
-/// many there are.
-double boostAllPairs_ms(const SkinGraph& skin, const std::vector<double>& weights) {
-  using Property = boost::property<boost::edge_weight_t, double>;
-  using Graph = boost::adjacency_list<boost::vecS, boost::vecS, boost::directedS, boost::no_property, Property>;
-  Graph graph(skin.cells().size());
-  for (std::size_t k = 0; k < skin.links().size(); ++k) {
-    const GraphLink& link = skin.links()[k];
-    if (link.muted()) continue;
-    boost::add_edge(link.source, link.target, Property(weights[k]), graph);
-    boost::add_edge(link.target, link.source, Property(weights[k]), graph);
-  }
-  const std::size_t cells = skin.cells().size();
-  const std::size_t step = std::max<std::size_t>(1, cells / 1000);
-  std::vector<double> distance(cells);
-  double sum = 0;
-  std::size_t sources = 0;
-  const double before = cpuTime_ms();
-  for (std::size_t source = 0; source < cells; source += step, ++sources) {
-    boost::dijkstra_shortest_paths_no_color_map(graph, source,
-                                                boost::distance_map(boost::make_iterator_property_map(
-                                                    distance.begin(), boost::get(boost::vertex_index, graph))));
-    sum += distance.back();
-  }
-  const double took = cpuTime_ms() - before;
-  if (sum == 0) std::puts("");
-  return took * static_cast<double>(cells) / static_cast<double>(sources);
-}
 
 class Table {
  public:
@@ -190,7 +119,7 @@ void measure(int rows, int columns, double svd_ms) {
 
 int main(int argc, char** argv) {
   const double most = argc > 1 ? std::atof(argv[1]) : 1e6;
-  const double svd_ms = hexoderm::jacobiSvd_ms();
+  const double svd_ms = hexoderm::yardstick_ms();
   std::printf("100,000 JacobiSVD<Matrix3d>: %.1f ms of CPU time; %d numbers at a time\n", svd_ms,
               hexoderm::hasFourLanes() ? 4 : 1);
   if (most >= 1260) hexoderm::measure(35, 36, svd_ms);
