@@ -64,8 +64,8 @@ class BorderedFactor {
   /// Gives back the memory that only another factorize() would need.
   void releaseWorkspace() {
     factor_.releaseWorkspace();
-    raised_ = {};
-    couples_ = {};
+    raised_ = std::vector<Matrix6d>();  // "= {}" would keep the memory
+    couples_ = std::vector<Matrix6d>();
   }
 
   [[nodiscard]] const std::shared_ptr<const EliminationPlan>& plan() const { return plan_; }

@@ -69,7 +69,7 @@ class BlockCholesky {
   /// matrix that is singular but for rounding may pass.
   bool factorize(std::span<const Matrix6d> diagonal, std::span<const Matrix6d> couples);
   /// Gives back the memory that factorize() worked in, which it keeps for the next time.
-  void releaseWorkspace() { updates_ = {}; }
+  void releaseWorkspace() { updates_ = std::vector<double>(); }
   /// The last factorize() succeeded; what follows needs that.
   [[nodiscard]] bool factorized() const { return factorized_; }
 
