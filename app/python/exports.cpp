@@ -1,5 +1,6 @@
 #include "app/python/arrays.h"
 #include "app/python/bindings.h"
+#include "app/python/unlocked.h"
 
 #include "hexoderm/io/export_package.h"
 #include "hexoderm/io/exporter.h"
@@ -77,7 +78,7 @@ Exported exportTo(const Calibration& self, const std::variant<std::string, std::
   options.placements = placements.empty() ? placedPatches(*self.result) : placements;
   for (const ExportFormat format : formats) options.validateFor(format);
 
-  const py::gil_scoped_release released;
+  const Unlocked unlocked;
   Exported exported;
   for (const ExportFormat format : formats) {
     addOnce(exported.remarks, leftOutInWords(patchesLeftOut(*self.result, format, options)).english());

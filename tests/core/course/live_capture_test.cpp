@@ -144,7 +144,7 @@ TEST(LiveCapture, ADeviceThatDoesNotTurnCanNotBeAsked) {
   options = {};
   options.source = "stdin";
   LiveCapture waits(options);
-  EXPECT_THAT(messageOf<InvalidArgument>([&] { waits.turnToNextPose(); }), saysAll("stdin", "does not turn"));
+  EXPECT_THAT(messageOf<InvalidArgument>([&] { waits.turnToNextPose(); }), saysAll("stdin", "no skin has described itself yet"));
 }
 
 TEST(LiveCapture, IsAskedToTurnWhileAnotherThreadWaits) {
