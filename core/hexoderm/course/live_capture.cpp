@@ -107,7 +107,7 @@ class LiveCapture::Run final : public CaptureOwner, public SkinListener, public 
   void turnToNextPose() {
     if (!state().session) {
       throw InvalidArgument(located(
-          options_.source, message("no skin has described itself yet, which is noticed where the next pose is waited for")));
+          options_.source, message("no skin has described itself yet; that is noticed while the next pose is waited for")));
     }
     if (!state().can_turn) {
       throw InvalidArgument(located(options_.source, message("this device does not turn by itself")));
