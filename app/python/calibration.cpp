@@ -72,9 +72,11 @@ std::variant<Session, Calibration> read(const std::filesystem::path& path, const
 }
 
 void bindComparison(py::module_& module) {
-  py::class_<Comparison>(module, "Comparison", "A patch beside a reference, after the positions' best fit: the rotation and shift that bring\n"
-                         "its cells as near to the reference's as can be. Orientations have the one rotation taken off\n"
-                         "that fits all of them best.")
+  py::class_<Comparison>(
+      module, "Comparison",
+      "A patch beside a reference, after the positions' best fit: the rotation and shift that bring\n"
+      "its cells as near to the reference's as can be. Orientations have the one rotation taken off\n"
+      "that fits all of them best.")
       .def_property_readonly(
           "patch", [](const Comparison& self) { return self.patch.value(); }, "The patch's ID.")
       .def_property_readonly(
@@ -98,10 +100,8 @@ void bindComparison(py::module_& module) {
             return array;
           },
           "(N,): the angle between both orientations, from 0 on, rad.")
-      .def_readonly("position_rms_m", &Comparison::position_rms_m,
-                    "Root mean square of the lengths of `positions`, m.")
-      .def_readonly("orientation_rms_rad", &Comparison::orientation_rms_rad,
-                    "Root mean square of `orientations`, rad.")
+      .def_readonly("position_rms_m", &Comparison::position_rms_m, "Root mean square of the lengths of `positions`, m.")
+      .def_readonly("orientation_rms_rad", &Comparison::orientation_rms_rad, "Root mean square of `orientations`, rad.")
       .def("__repr__", [](const Comparison& self) {
         return "<Comparison of patch " + toString(self.patch) + ": " + std::to_string(self.cells.size()) + " cells>";
       });
@@ -122,7 +122,7 @@ void bindCalibration(py::module_& module) {
           "Reads the text of a *.calibration.json; errors name `file`.")
       .def(
           "to_json", [](const Calibration& self) { return calibrationToJson(*self.result); },
-          py::call_guard<Unlocked>())
+          py::call_guard<Unlocked>(), "The text of a *.calibration.json.")
       .def(
           "write",
           [](const Calibration& self, const std::filesystem::path& path) { writeCalibrationJson(*self.result, path); },
@@ -130,17 +130,22 @@ void bindCalibration(py::module_& module) {
           "Writes a *.calibration.json, which replaces what is there. Either whole or not at all.")
       .def_property_readonly("patches", &patchesOf, "In the order of their smallest cells.")
       .def("patch", &patchOf, py::arg("cell"), "The patch that holds a cell.")
-      .def_property_readonly("findings", [](const Calibration& self) { return self.result->findings; })
-      .def_property_readonly("verdict", [](const Calibration& self) { return self.result->assessment; })
-      .def_property_readonly("cell_model", [](const Calibration& self) { return *self.result->model; })
+      .def_property_readonly(
+          "findings", [](const Calibration& self) { return self.result->findings; },
+          "What is wrong with the skin, its links or poses, or worth knowing.")
+      .def_property_readonly(
+          "verdict", [](const Calibration& self) { return self.result->assessment; },
+          "How well the skin is known, and what helps next.")
+      .def_property_readonly(
+          "cell_model", [](const Calibration& self) { return *self.result->model; }, "The kind of its cells.")
       .def_property_readonly(
           "advice",
           [](const Calibration& self) {
             const auto advice = adviceOf(self);
             return advice ? adviceInWords(*advice, *self.result).english() : std::string();
           },
-          "The pose that would help most next, in words; empty before the first, which may be any. Whether another one\n"
-          "is needed says verdict.remedy.")
+          "The pose that would help most next, in words; empty before the first, which may be any. Whether another\n"
+          "one is needed says verdict.remedy.")
       .def_property_readonly(
           "advised_up",
           [](const Calibration& self) {
@@ -158,9 +163,8 @@ void bindCalibration(py::module_& module) {
           "solve_seconds", [](const Calibration& self) { return self.result->solve_seconds; },
           "How long it took; 0 where it was read from a file.")
       .def("compare", &compareToCalibration, py::arg("other"),
-           "Cell by cell with another calibration, or with the truth of a session: one for each patch that has a cell "
-           "in\n"
-           "common with it.")
+           "Cell by cell with another calibration, or with the truth of a session: one for each patch that has a cell\n"
+           "in common with it.")
       .def("compare", &compareToSession, py::arg("other"),
            "The session's truth is that of the simulator, or what from_arrays() was given.")
       .def("__repr__", [](const Calibration& self) {

@@ -92,11 +92,10 @@ void bindCapture(py::module_& module) {
       module, "Capture",
       "A live capture: an iterator over its poses, each as soon as it counts as captured. While it is waited for the\n"
       "next one, Python's other threads go on, and Ctrl+C ends the wait.\n\n"
-      "Poses are taken while somebody waits for the next one, by a for loop or next(), in any thread. Before the first\n"
-      "time nothing of what the device sends is looked at: session, calibration and advice are None or empty.");
+      "Poses are taken while somebody waits for the next one, by a for loop or next(), in any thread. Before the\n"
+      "first time nothing of what the device sends is looked at: session, calibration and advice are None or empty.");
   capture
-      .def(py::init(&start),
-           py::arg("source"), py::kw_only(), py::arg("poses") = 0, py::arg("auto") = false,
+      .def(py::init(&start), py::arg("source"), py::kw_only(), py::arg("poses") = 0, py::arg("auto") = false,
            py::arg("output") = py::none(), py::arg("keep_raw") = false, py::arg("record") = py::none(),
            py::arg("timeout") = LiveCaptureOptions().timeout_s,
            ("Connects to a skin; the options are those of `hexoderm-cli capture`.\n\n"
@@ -116,9 +115,9 @@ void bindCapture(py::module_& module) {
       .def("__exit__", [](LiveCapture& self, const py::args& /*error*/) { close(self); })
       .def("close", &close, "Ends the capture and waits until all poses are on disk.")
       .def("turn_to_next_pose", &LiveCapture::turnToNextPose, py::call_guard<Unlocked>(),
-           "Asks a device that can to turn to the pose that would help most. It is asked by the call that waits for the "
-           "next\n"
-           "pose, in another thread or afterwards. InvalidArgument if it can't turn, or no skin described itself yet.")
+           "Asks a device that can to turn to the pose that would help most. It is the call that waits for the next\n"
+           "pose that asks it, in another thread or afterwards. InvalidArgument if it can't turn, or no skin\n"
+           "described itself yet.")
       .def_property_readonly(
           "session", [](const LiveCapture& self) { return self.state().session; },
           "A copy of the session as it is; None before a skin described itself, which is noticed by next().")
@@ -135,9 +134,8 @@ void bindCapture(py::module_& module) {
             const auto last = self.state().last;
             return last ? remarksOn(*last) : std::vector<std::string>();
           },
-          "What was odd about the pose that came last, in words: cells that were silent or restless, an earlier pose "
-          "that\n"
-          "it repeats.")
+          "What was odd about the pose that came last, in words: cells that were silent or restless, an earlier pose\n"
+          "that it repeats.")
       .def_property_readonly(
           "status", [](const LiveCapture& self) { return self.state().status.english(); },
           "What is waited for, in words: of the connection until a skin described itself, then of the part.")

@@ -34,9 +34,9 @@ CellModel modelFrom(const Given<ModelOrName>& cell_model) {
 
 void bindCellModel(py::module_& module) {
   py::class_<CellModel>(module, "CellModel", "A kind of cell: all that is known of it before anything is measured.")
-      .def_static("load", [](const std::filesystem::path& name_or_path) { return loadCellModel(name_or_path.string()); },
-          py::arg("name_or_path"),
-                  "A built-in model by its name (\"hex-bma150\"), or one from a JSON file.")
+      .def_static(
+          "load", [](const std::filesystem::path& name_or_path) { return loadCellModel(name_or_path.string()); },
+          py::arg("name_or_path"), "A built-in model by its name (\"hex-bma150\"), or one from a JSON file.")
       .def_static(
           "from_json", [](const std::string& text, const std::string& file) { return cellModelFromJson(text, file); },
           py::arg("text"), py::arg("file") = "text", "Reads JSON text; errors name `file`.")

@@ -30,7 +30,8 @@ class Given {
   explicit Given(pybind11::object object) : object_(std::move(object)) {}
   /// Throws TypeError naming the argument.
   [[nodiscard]] decltype(auto) as(const char* name, const std::string& expected = expectedOf<T>()) const {
-    constexpr bool kIsOfPython = std::is_base_of_v<pybind11::detail::type_caster_generic, pybind11::detail::make_caster<T>>;
+    constexpr bool kIsOfPython =
+        std::is_base_of_v<pybind11::detail::type_caster_generic, pybind11::detail::make_caster<T>>;
     pybind11::detail::make_caster<T> caster;
     if ((kIsOfPython && object_.is_none()) || !caster.load(object_, true)) failFor(name, expected, object_);
     // A reference to what Python holds, or else a copy of what the caster does.

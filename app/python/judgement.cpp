@@ -26,12 +26,14 @@ void bindFinding(py::module_& module) {
       .def_property_readonly(
           "text", [](const Finding& finding) { return finding.message.english(); }, "What is wrong, in words.")
       .def_property_readonly(
-          "cells", [](const Finding& finding) { return valuesOf(finding.cells); }, "The IDs of the cells that it is about.")
+          "cells", [](const Finding& finding) { return valuesOf(finding.cells); },
+          "The IDs of the cells that it is about.")
       .def_property_readonly(
           "ports", [](const Finding& finding) { return valuesOf(finding.ports); },
           "Where there are any, one for each of `cells`.")
       .def_property_readonly(
-          "poses", [](const Finding& finding) { return valuesOf(finding.poses); }, "The IDs of the poses that it is about.")
+          "poses", [](const Finding& finding) { return valuesOf(finding.poses); },
+          "The IDs of the poses that it is about.")
       .def("__str__", &inWords)
       .def("__repr__", [](const Finding& finding) { return "<Finding " + inWords(finding) + ">"; });
 }
@@ -46,7 +48,8 @@ void bindJudgement(py::module_& module) {
           "good, usable, not_enough or failed.")
       .def_property_readonly("is_usable", &Assessment::isUsable, "The level is good or usable.")
       .def_property_readonly(
-          "reason", [](const Assessment& verdict) { return verdict.reason.english(); }, "Why it is this level, in words.")
+          "reason", [](const Assessment& verdict) { return verdict.reason.english(); },
+          "Why it is this level, in words.")
       .def_readonly("position_95_m", &Assessment::position_95_m,
                     "At the worst measured cell, relative to its origin, with 95 %, m: 1.96 times the root of the\n"
                     "largest eigenvalue of its covariance. None where it is not known.")
@@ -62,7 +65,8 @@ void bindJudgement(py::module_& module) {
           "remedy", [](const Assessment& verdict) { return remedyName(verdict.remedy); },
           "What helps most: nothing, check_skin, take_pose or retake_poses.")
       .def_property_readonly(
-          "retake", [](const Assessment& verdict) { return valuesOf(verdict.retake); }, "The IDs of the poses to take again.")
+          "retake", [](const Assessment& verdict) { return valuesOf(verdict.retake); },
+          "The IDs of the poses to take again.")
       .def_property_readonly(
           "next_action", [](const Assessment& verdict) { return verdict.next_action.english(); },
           "The remedy in words. Calibration.advised_up has the next pose as a direction.")

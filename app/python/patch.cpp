@@ -143,8 +143,8 @@ void bindPatch(py::module_& module) {
           [cells](const PatchOf& self) {
             return stacked(cells(self), [](const CellPlacement& cell) { return cell.shape_cov_t_r; });
           },
-          "(N, 6, 6), likewise, relative to the patch as a whole: it does not depend on which cell is the origin. Of the\n"
-          "global solver; NaN from the tree.")
+          "(N, 6, 6), likewise, relative to the patch as a whole: it does not depend on which cell is the origin. Of\n"
+          "the global solver; NaN from the tree.")
       .def_property_readonly(
           "measured",
           [cells](const PatchOf& self) {

@@ -170,18 +170,16 @@ void bindSession(py::module_& module) {
           "remove_pose", [](Session& self, std::size_t index) { self.removePose(index); }, py::arg("index"),
           "Removes session.poses[index]: the place from 0 on, not the pose's ID.")
       .def("set_pose_disabled", &setPoseDisabled, py::arg("index"), py::arg("disabled"), py::arg("why") = "",
-           "Disables session.poses[index], or enables it again: the place from 0 on, not the pose's ID. A disabled pose\n"
-           "stays in the session and is not used.")
-      .def(
-          "set_link_muted", &setLinkMuted, py::arg("a"), py::arg("b"), py::arg("muted"), py::arg("why") = "",
-          "Sets the link between two (cell, port) aside, because it is a cable for example, or takes it back.\n"
-          "InvalidArgument if there is no such link.")
+           "Disables session.poses[index], or enables it again: the place from 0 on, not the pose's ID. A disabled\n"
+           "pose stays in the session and is not used.")
+      .def("set_link_muted", &setLinkMuted, py::arg("a"), py::arg("b"), py::arg("muted"), py::arg("why") = "",
+           "Sets the link between two (cell, port) aside, because it is a cable for example, or takes it back.\n"
+           "InvalidArgument if there is no such link.")
       .def("__repr__", &inWords);
 
   module.def(
       "read_session", [](const std::filesystem::path& path) { return openSession(path); }, py::arg("path"),
-      py::call_guard<Unlocked>(),
-      "Reads a session: *.session.json or *.hexo, told apart by their content.");
+      py::call_guard<Unlocked>(), "Reads a session: *.session.json or *.hexo, told apart by their content.");
 }
 
 }  // namespace hexoderm::python

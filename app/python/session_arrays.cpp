@@ -26,7 +26,8 @@ Eigen::Matrix3d matrixAt(const double* values) {
 
 void requireReading(const Eigen::Vector3d& mean_g, const std::string& place) {
   if (mean_g.allFinite()) return;
-  throw InvalidArgument(place + ": expected three finite numbers, or NaN for all three where the cell has no reading, " +
+  throw InvalidArgument(place +
+                        ": expected three finite numbers, or NaN for all three where the cell has no reading, " +
                         "found " + std::string(py::repr(arrayOf(mean_g).attr("tolist")())));
 }
 
@@ -65,10 +66,8 @@ std::optional<Numbers> wholeNumbersIfGiven(const std::optional<py::object>& give
 constexpr const char* kNumbers = "an array of numbers";
 
 Session fromArrays(const Given<Doubles>& readings_given, const py::object& links_given,
-                   const std::optional<py::object>& cells_given,
-                   const Given<std::optional<Doubles>>& covariances_given,
-                   const std::optional<py::object>& counts_given,
-                   const Given<std::vector<std::string>>& labels_given,
+                   const std::optional<py::object>& cells_given, const Given<std::optional<Doubles>>& covariances_given,
+                   const std::optional<py::object>& counts_given, const Given<std::vector<std::string>>& labels_given,
                    const Given<std::vector<std::string>>& parts_given, const Given<ModelOrName>& cell_model,
                    const Given<std::string>& description, const std::optional<py::object>& truth) {
   const Doubles readings = readings_given.as("readings", kNumbers);
@@ -186,8 +185,8 @@ void bindSessionArrays(py::class_<Session>& session) {
           "counts: (poses, cells), samples averaged; 0: not known.\n"
           "labels: a name for each pose. body_parts: one for each cell.\n"
           "cell_model: a CellModel, a built-in name, or a JSON file.\n"
-          "truth: (cells, positions, rotations) where they are known otherwise, as Session.truth has them, in any frame;\n"
-          "for Calibration.compare().\n\n"
+          "truth: (cells, positions, rotations) where they are known otherwise, as Session.truth has them, in any\n"
+          "frame; for Calibration.compare().\n\n"
           "What is wrong with the numbers is said by array and place, or as for a file of the name \"arrays\".")
       .def_property_readonly(
           "cells",
@@ -201,11 +200,11 @@ void bindSessionArrays(py::class_<Session>& session) {
       .def_property_readonly("covariances", &covariancesOf,
                              "(poses, cells, 3, 3), g^2; NaN where a cell has no reading.")
       .def_property_readonly("counts", &countsOf, "(poses, cells); 0 where it is not known.")
-      .def_property_readonly("truth", &truthOf,
-                             "Of a simulated skin, or as from_arrays() was given it, where its cells are in truth: cells "
-                             "(N,),\n"
-                             "positions (N, 3), m, and rotations (N, 3, 3), from each cell's frame to the body's. None\n"
-                             "where it is not known.");
+      .def_property_readonly(
+          "truth", &truthOf,
+          "Of a simulated skin, or as from_arrays() was given it, where its cells are in truth: cells\n"
+          "(N,), positions (N, 3), m, and rotations (N, 3, 3), from each cell's frame to the body's. None\n"
+          "where it is not known.");
   explainMisfits(session, "from_arrays");
 }
 

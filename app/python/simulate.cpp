@@ -94,20 +94,21 @@ Session simulateRobot(const Text& robot, const Count& poses, const Count& sample
 }  // namespace
 
 void bindSimulate(py::module_& module) {
-  module.def("simulate", &simulate, py::kw_only(), py::arg("patch") = "x17", py::arg("surface") = "",
-             py::arg("poses") = 2, py::arg("samples") = 100, py::arg("seed") = 1, py::arg("link_law") = "bend",
-             py::arg("cell_model") = "hex-bma150", py::arg("offset_sigma_g") = py::none(), py::arg("motion") = "hand",
-             py::arg("ideal") = false, py::arg("faults") = std::vector<std::string>(),
-             "A session of a simulated skin, with its truth; as `hexoderm-cli simulate` makes it.\n\n"
-             "patch: x17, ringN, ringN:closed or sheet:ROWSxCOLS.\n"
-             "surface: plane, cylinder:r=M, sphere:r=M, cone:r=M,angle=RAD or torus:R=M,r=M; what suits the patch\n"
-             "without it.\n"
-             "samples: averaged in a pose.\n"
-             "link_law: how the mould lets neighbours lie: bend, only the gap between two rigid cells bends, as an arc\n"
-             "that keeps its length; surface, neighbouring centres keep their distance along the surface.\n"
-             "offset_sigma_g: of the accelerometers; the cell model's without it.\n"
-             "motion: what turns the part, hand or robot. ideal: no errors, no noise, no hand.\n"
-             "faults: KIND:CELL, KIND:CELL:PORT or KIND, as hexoderm-cli simulate --help lists them.");
+  module.def(
+      "simulate", &simulate, py::kw_only(), py::arg("patch") = "x17", py::arg("surface") = "", py::arg("poses") = 2,
+      py::arg("samples") = 100, py::arg("seed") = 1, py::arg("link_law") = "bend", py::arg("cell_model") = "hex-bma150",
+      py::arg("offset_sigma_g") = py::none(), py::arg("motion") = "hand", py::arg("ideal") = false,
+      py::arg("faults") = std::vector<std::string>(),
+      "A session of a simulated skin, with its truth; as `hexoderm-cli simulate` makes it.\n\n"
+      "patch: x17, ringN, ringN:closed or sheet:ROWSxCOLS.\n"
+      "surface: plane, cylinder:r=M, sphere:r=M, cone:r=M,angle=RAD or torus:R=M,r=M; what suits the patch\n"
+      "without it.\n"
+      "samples: averaged in a pose.\n"
+      "link_law: how the mould lets neighbours lie: bend, only the gap between two rigid cells bends, as an arc\n"
+      "that keeps its length; surface, neighbouring centres keep their distance along the surface.\n"
+      "offset_sigma_g: of the accelerometers; the cell model's without it.\n"
+      "motion: what turns the part, hand or robot. ideal: no errors, no noise, no hand.\n"
+      "faults: KIND:CELL, KIND:CELL:PORT or KIND, as hexoderm-cli simulate --help lists them.");
   explainMisfits(module, "simulate");
   module.def(
       "simulate_robot", &simulateRobot, py::kw_only(), py::arg("robot") = "demo", py::arg("poses") = 8,

@@ -99,10 +99,11 @@ void CellModel::validate() const {
                     Number{kMostCellLength_m}));
     const double reach = port.vector_m.head<2>().norm();
     const double expected = reachTowards(*this, headingOf(port));
-    require(std::abs(reach - expected) <= kPortMayMissBy * expected,
-            message("port {}: vector_m ends {} from the centre, but side_m and gap_m put the middle of the gap at {} in "
-                    "that direction",
-                    port.number, Millimetres{reach, 1}, Millimetres{expected, 1}));
+    require(
+        std::abs(reach - expected) <= kPortMayMissBy * expected,
+        message("port {}: vector_m ends {} from the centre, but side_m and gap_m put the middle of the gap at {} in "
+                "that direction",
+                port.number, Millimetres{reach, 1}, Millimetres{expected, 1}));
   }
   for (const auto& [a, b] : forbidden_port_pairs) {
     require(findPort(a) != nullptr && findPort(b) != nullptr, message("forbidden_port_pairs names an unknown port"));

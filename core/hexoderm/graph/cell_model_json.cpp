@@ -186,8 +186,8 @@ CellModel loadCellModel(const std::string& name_or_path) {
   if (std::ranges::find(names, name_or_path) != names.end()) return builtInCellModel(name_or_path);
   std::error_code unknown;
   if (!std::filesystem::exists(name_or_path, unknown) && !unknown) {
-    throw StorageError(located(
-        name_or_path, message("there is no such file, nor such a built-in cell model; built in: {}", names)));
+    throw StorageError(
+        located(name_or_path, message("there is no such file, nor such a built-in cell model; built in: {}", names)));
   }
   return cellModelFromJson(readFile(name_or_path), name_or_path);
 }

@@ -130,7 +130,8 @@ std::string manifestText(const Reconstruction& reconstruction, std::span<const M
       {"units", {{"length", "m"}, {"angle", "rad"}}},
       {"conventions",
        "x_frame = R x_cell + t_m, R row-major; cov_t_r is the upper triangle of the covariance, position "
-       "in the frame, then rotation, its error right-multiplied in the cell's frame; units are those of this document, and columns of a CSV file end in theirs"}};
+       "in the frame, then rotation, its error right-multiplied in the cell's frame; units are those of this document, "
+       "and columns of a CSV file end in theirs"}};
   json["cell_model"] = reconstruction.model->name;
   json["inputs"] = inputsJson(reconstruction, options);
   ManifestJson list = ManifestJson::array();

@@ -58,7 +58,7 @@ TEST(LiveCapture, GivesEachPoseWithTheResultOfAll) {
     // The last one needs no further pose, and what was advised before it is over.
     ASSERT_EQ(state.up.has_value(), poses < 4);
     EXPECT_EQ(state.advice.empty(), poses == 4);
-    if (state.up) EXPECT_NEAR(state.up->norm(), 1, 1e-9);
+    EXPECT_NEAR(state.up.value_or(Eigen::Vector3d::UnitX()).norm(), 1, 1e-9);
   }
   EXPECT_EQ(poses, 4U);
   EXPECT_FALSE(capture.next());  // and stays so
@@ -145,7 +145,8 @@ TEST(LiveCapture, ADeviceThatDoesNotTurnCanNotBeAsked) {
   options = {};
   options.source = "stdin";
   LiveCapture waits(options);
-  EXPECT_THAT(messageOf<InvalidArgument>([&] { waits.turnToNextPose(); }), saysAll("stdin", "no skin has described itself yet"));
+  EXPECT_THAT(messageOf<InvalidArgument>([&] { waits.turnToNextPose(); }),
+              saysAll("stdin", "no skin has described itself yet"));
 }
 
 TEST(LiveCapture, IsAskedToTurnWhileAnotherThreadWaits) {

@@ -164,7 +164,8 @@ TEST(CellModelJson, RefusesLengthsThatNoCellHas) {
 TEST(CellModelJson, RefusesPortsThatAreNotWhereTheSideIs) {
   EXPECT_THAT(complaintWith("\"side_m\": 0.01502", "\"side_m\": 0.021"),
               saysAll("port 1: vector_m ends 13.9 mm from the centre", "the middle of the gap at 19.1 mm"));
-  EXPECT_THAT(complaintWith("[0.012, -0.007, 0.0]", "[0.5, 0, 0]"), saysAll("port 2: vector_m ends 500.0 mm", "15.9 mm"))
+  EXPECT_THAT(complaintWith("[0.012, -0.007, 0.0]", "[0.5, 0, 0]"),
+              saysAll("port 2: vector_m ends 500.0 mm", "15.9 mm"))
       << "in the direction of a corner";
   // Turned as a whole it is the same cell.
   CellModel turned = hex();
@@ -183,7 +184,8 @@ TEST(CellModelJson, SaysTheLengthOfAQuaternionThatIsNone) {
 }
 
 TEST(CellModelJson, NamesTheBuiltInOnesWhereANameIsNoFile) {
-  EXPECT_THAT(messageOf<StorageError>([] { loadCellModel("hex20"); }), saysAll("hex20: there is no such file", "hex-bma150"));
+  EXPECT_THAT(messageOf<StorageError>([] { loadCellModel("hex20"); }),
+              saysAll("hex20: there is no such file", "hex-bma150"));
 }
 
 TEST(CellModelJson, StatesTheErrorsOfItsChip) {
