@@ -61,7 +61,7 @@ class Arguments(unittest.TestCase):
     def test_what_fits_is_taken(self):
         self.assertEqual(len(hexoderm.simulate(poses=np.int64(3)).poses), 3)
         self.assertEqual(hexoderm.solve(self.session, without=np.array([3])).options["without"], [3])
-        self.assertRaises(hexoderm.StorageError, hexoderm.Session.from_arrays, [], [], cell_model=pathlib.Path("none"))
+        self.assertRaises(hexoderm.StorageError, hexoderm.simulate, cell_model=pathlib.Path("none"))
 
 
 if __name__ == "__main__":

@@ -69,7 +69,7 @@ class Errors(InFolder):
         self.expect_same(hexoderm.StorageError, lambda: hexoderm.simulate(cell_model="square"),
                          "simulate", "--cell-model", "square", "-o", out)
         with self.assertRaisesRegex(hexoderm.StorageError, "square: there is no such file, .*built in: hex-bma150"):
-            hexoderm.Session.from_arrays([], [], cell_model="square")
+            hexoderm.simulate(cell_model="square")
         # The same words but for what the option is called.
         _, _, error = run("simulate", "--fault", "dead", "-o", out)
         with self.assertRaises(hexoderm.InvalidArgument) as raised:

@@ -178,7 +178,7 @@ TEST(CellModelJson, RefusesPortsThatAreNotWhereTheSideIs) {
 }
 
 TEST(CellModelJson, SaysTheLengthOfAQuaternionThatIsNone) {
-  const std::string q = "\"q_u_wxyz\": [1, 0, 0, 0]";
+  const std::string q = "\"q_u_wxyz\": [1.0, 0.0, 0.0, 0.0]";
   EXPECT_THAT(complaintWith(q, "\"q_u_wxyz\": [0.99, 0, 0, 0]"),
               saysAll("accelerometer.q_u_wxyz: expected a unit quaternion", "the length of this one is 0.9900000"));
 }
