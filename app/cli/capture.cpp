@@ -71,8 +71,8 @@ class Capture final : public CaptureOwner {
       if (!event && status_.state == SourceState::Ended) break;
       if (status_.state == SourceState::Incompatible) throw DeviceError(located(source_.address(), status_.message));
       if (Clock::now() - last_progress > patience && (!session_ || options_.automatic)) {
-        throw DeviceError(source_.address() + ": nothing for " + formatFixed(options_.timeout_s, 0) + " s. " +
-                          whyNothingComes());
+        throw DeviceError(source_.address() + ": nothing for " + formatFixed(options_.timeout_s, 0) +
+                          " s, so this gives up. Its last state: " + whyNothingComes());
       }
     }
   }

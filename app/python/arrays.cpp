@@ -3,19 +3,28 @@
 #include "hexoderm/util/error.h"
 
 #include <algorithm>
+#include <cmath>
 #include <string>
 
 namespace hexoderm::python {
 namespace {
 
-template <class Sizes>
-std::string shapeInWords(const Sizes& sizes) {
-  std::string words = "(";
-  std::size_t count = 0;
-  for (const pybind11::ssize_t size : sizes) {
-    words += (count++ == 0 ? "" : ", ") + (size < 0 ? std::string("any") : std::to_string(size));
-  }
-  return words + (count == 1 ? ",)" : ")");
+std::string axisInWords(const Axis& axis) {
+  if (axis.name == nullptr) return std::to_string(*axis.length);
+  return axis.name + (axis.length ? "=" + std::to_string(*axis.length) : std::string());
+}
+
+std::string shapeInWords(const std::vector<Axis>& shape) {
+  std::string words;
+  for (const Axis& axis : shape) words += (words.empty() ? "" : ", ") + axisInWords(axis);
+  return "(" + words + (shape.size() == 1 ? ",)" : ")");
+}
+
+/// Exact: no fraction is cut off, and nothing is wrapped around.
+bool areWhole(const Doubles& values) {
+  constexpr double kMost = 1e15;
+  return std::all_of(values.data(), values.data() + values.size(),
+                     [](double value) { return std::abs(value) <= kMost && value == std::floor(value); });
 }
 
 }  // namespace
@@ -48,16 +57,21 @@ Numbers wholeNumbers(const pybind11::object& given, const char* what) {
   const auto array = pybind11::array::ensure(given);
   if (!array) throw pybind11::error_already_set();
   const char kind = array.dtype().kind();
-  if (kind == 'i' || kind == 'u' || array.size() == 0) return Numbers::ensure(array.attr("astype")("int64"));
+  // Numbers that a text file held, as numpy.loadtxt() has them, are floating.
+  const bool is_whole = kind == 'f' && areWhole(Doubles::ensure(array));
+  if (kind == 'i' || kind == 'u' || is_whole || array.size() == 0) {
+    return Numbers::ensure(array.attr("astype")("int64"));
+  }
   throw InvalidArgument(std::string(what) + ": expected whole numbers");
 }
 
-void requireShape(const pybind11::array& array, const std::vector<pybind11::ssize_t>& shape, const char* what) {
+void requireShape(const pybind11::array& array, const std::vector<Axis>& shape, const char* what,
+                  const std::string& advice) {
   const std::vector<pybind11::ssize_t> found(array.shape(), array.shape() + array.ndim());
-  const auto fits = [](pybind11::ssize_t size, pybind11::ssize_t wanted) { return wanted < 0 || size == wanted; };
+  const auto fits = [](pybind11::ssize_t size, const Axis& axis) { return !axis.length || size == *axis.length; };
   if (std::ranges::equal(found, shape, fits)) return;
   throw InvalidArgument(std::string(what) + ": expected the shape " + shapeInWords(shape) + ", found " +
-                        shapeInWords(found));
+                        shapeInWords(std::vector<Axis>(found.begin(), found.end())) + advice);
 }
 
 }  // namespace hexoderm::python

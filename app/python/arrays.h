@@ -10,6 +10,7 @@
 #include <initializer_list>
 #include <limits>
 #include <optional>
+#include <string>
 #include <vector>
 
 namespace hexoderm::python {
@@ -70,7 +71,17 @@ std::vector<std::uint32_t> valuesOf(const Ids& ids) {
 /// Of whatever NumPy makes an array of. Throws InvalidArgument naming `what` if these are no whole numbers.
 Numbers wholeNumbers(const pybind11::object& given, const char* what);
 
-/// Throws InvalidArgument naming `what` unless the array has this shape; a negative length stands for any.
-void requireShape(const pybind11::array& array, const std::vector<pybind11::ssize_t>& shape, const char* what);
+/// An axis of an array as errors say it: "cells", "cells=17" or "3".
+struct Axis {
+  Axis(pybind11::ssize_t fixed) : length(fixed) {}
+  /// Without a length, of any.
+  Axis(const char* axis, std::optional<pybind11::ssize_t> known = std::nullopt) : name(axis), length(known) {}
+
+  const char* name = nullptr;
+  std::optional<pybind11::ssize_t> length;
+};
+/// Throws InvalidArgument naming `what` unless the array has this shape; `advice` ends the sentence.
+void requireShape(const pybind11::array& array, const std::vector<Axis>& shape, const char* what,
+                  const std::string& advice = {});
 
 }  // namespace hexoderm::python

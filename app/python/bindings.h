@@ -1,11 +1,14 @@
 #pragma once
 
+#include "app/python/given.h"
+
 #include "hexoderm/graph/cell_model.h"
 #include "hexoderm/reconstruction/result/reconstruction.h"
 
 #include <pybind11/pybind11.h>
 
 #include <cstddef>
+#include <filesystem>
 #include <memory>
 #include <string>
 #include <variant>
@@ -25,8 +28,9 @@ struct PatchOf {
 };
 
 /// A cell model by itself, or as a built-in name or a file.
-using ModelOrName = std::variant<CellModel, std::string>;
-CellModel modelFrom(const ModelOrName& model);
+using ModelOrName = std::variant<CellModel, std::string, std::filesystem::path>;
+/// Of the argument cell_model. Throws TypeError naming it.
+CellModel modelFrom(const Given<ModelOrName>& cell_model);
 
 /// Each adds its part to the module. Types are added before what names them, so that help() has their Python names.
 void bindErrors(pybind11::module_& module);

@@ -1,8 +1,10 @@
 #include "app/python/arrays.h"
 #include "app/python/bindings.h"
+#include "app/python/unlocked.h"
 
 #include "hexoderm/io/calibration_json.h"
 #include "hexoderm/io/open_file.h"
+#include "hexoderm/reconstruction/advice/pose_advisor.h"
 #include "hexoderm/reconstruction/evaluation/evaluation.h"
 #include "hexoderm/util/error.h"
 
@@ -41,6 +43,16 @@ py::dict optionsOf(const Calibration& self) {
   return dict;
 }
 
+/// The pose that would help most next; none without a pose so far, for the first may be any.
+std::optional<PoseAdvice> adviceOf(const Calibration& self) {
+  const Unlocked unlocked;
+  const PatchReconstruction* patch = largestPatch(*self.result);
+  if (patch == nullptr || patch->gravity.empty()) return std::nullopt;
+  std::vector<Eigen::Vector3d> seen_o;
+  for (const GravityDirection& gravity : patch->gravity) seen_o.push_back(gravity.g_o);
+  return adviseNextPose(*self.result->model, seen_o);
+}
+
 std::vector<Comparison> compareToSession(const Calibration& self, const Session& session) {
   if (!session.truth()) throw InvalidArgument("this session holds no truth to compare with");
   return compareToTruth(*self.result, *session.truth());
@@ -51,26 +63,34 @@ std::vector<Comparison> compareToCalibration(const Calibration& self, const Cali
 }
 
 /// Named after what the file holds, as the core tells it apart.
-std::variant<Session, Calibration> read(const std::filesystem::path& path, const ModelOrName& cell_model) {
-  OpenedFile opened = openFile(path, modelFrom(cell_model));
+std::variant<Session, Calibration> read(const std::filesystem::path& path, const Given<ModelOrName>& cell_model) {
+  const CellModel model = modelFrom(cell_model);
+  const Unlocked unlocked;
+  OpenedFile opened = openFile(path, model);
   if (auto* session = std::get_if<Session>(&opened)) return std::move(*session);
   return Calibration{std::get<std::shared_ptr<const Reconstruction>>(opened)};
 }
 
 void bindComparison(py::module_& module) {
-  py::class_<Comparison>(module, "Comparison", "A patch beside a reference, after the positions' best fit.")
-      .def_property_readonly("patch", [](const Comparison& self) { return self.patch.value(); })
-      .def_property_readonly("cells",
-                             [](const Comparison& self) {
-                               return numbersOf(self.cells,
-                                                [](const CellDifference& cell) { return cell.cell.value(); });
-                             })
+  py::class_<Comparison>(
+      module, "Comparison",
+      "A patch beside a reference, after the positions' best fit: the rotation and shift that bring\n"
+      "its cells as near to the reference's as can be. Orientations have the one rotation taken off\n"
+      "that fits all of them best.")
+      .def_property_readonly(
+          "patch", [](const Comparison& self) { return self.patch.value(); }, "The patch's ID.")
+      .def_property_readonly(
+          "cells",
+          [](const Comparison& self) {
+            return numbersOf(self.cells, [](const CellDifference& cell) { return cell.cell.value(); });
+          },
+          "(N,): the IDs of the cells that both have.")
       .def_property_readonly(
           "positions",
           [](const Comparison& self) {
             return stacked(self.cells, [](const CellDifference& cell) { return std::optional(cell.position_m); });
           },
-          "(N, 3): differences, m.")
+          "(N, 3): the reference's position less the fitted one of this patch, in the frame of the reference, m.")
       .def_property_readonly(
           "orientations",
           [](const Comparison& self) {
@@ -79,9 +99,9 @@ void bindComparison(py::module_& module) {
             for (const CellDifference& cell : self.cells) *out++ = cell.orientation_rad;
             return array;
           },
-          "(N,): angles, rad.")
-      .def_readonly("position_rms_m", &Comparison::position_rms_m)
-      .def_readonly("orientation_rms_rad", &Comparison::orientation_rms_rad)
+          "(N,): the angle between both orientations, from 0 on, rad.")
+      .def_readonly("position_rms_m", &Comparison::position_rms_m, "Root mean square of the lengths of `positions`, m.")
+      .def_readonly("orientation_rms_rad", &Comparison::orientation_rms_rad, "Root mean square of `orientations`, rad.")
       .def("__repr__", [](const Comparison& self) {
         return "<Comparison of patch " + toString(self.patch) + ": " + std::to_string(self.cells.size()) + " cells>";
       });
@@ -98,21 +118,41 @@ void bindCalibration(py::module_& module) {
           [](const std::string& text, const std::string& file) {
             return Calibration{parseCalibrationJson(text, file)};
           },
-          py::arg("text"), py::arg("file") = "text", py::call_guard<py::gil_scoped_release>(),
+          py::arg("text"), py::arg("file") = "text", py::call_guard<Unlocked>(),
           "Reads the text of a *.calibration.json; errors name `file`.")
       .def(
           "to_json", [](const Calibration& self) { return calibrationToJson(*self.result); },
-          py::call_guard<py::gil_scoped_release>())
+          py::call_guard<Unlocked>(), "The text of a *.calibration.json.")
       .def(
           "write",
           [](const Calibration& self, const std::filesystem::path& path) { writeCalibrationJson(*self.result, path); },
-          py::arg("path"), py::call_guard<py::gil_scoped_release>(),
+          py::arg("path"), py::call_guard<Unlocked>(),
           "Writes a *.calibration.json, which replaces what is there. Either whole or not at all.")
       .def_property_readonly("patches", &patchesOf, "In the order of their smallest cells.")
       .def("patch", &patchOf, py::arg("cell"), "The patch that holds a cell.")
-      .def_property_readonly("findings", [](const Calibration& self) { return self.result->findings; })
-      .def_property_readonly("verdict", [](const Calibration& self) { return self.result->assessment; })
-      .def_property_readonly("cell_model", [](const Calibration& self) { return *self.result->model; })
+      .def_property_readonly(
+          "findings", [](const Calibration& self) { return self.result->findings; },
+          "What is wrong with the skin, its links or poses, or worth knowing.")
+      .def_property_readonly(
+          "verdict", [](const Calibration& self) { return self.result->assessment; },
+          "How well the skin is known, and what helps next.")
+      .def_property_readonly(
+          "cell_model", [](const Calibration& self) { return *self.result->model; }, "The kind of its cells.")
+      .def_property_readonly(
+          "advice",
+          [](const Calibration& self) {
+            const auto advice = adviceOf(self);
+            return advice ? adviceInWords(*advice, *self.result).english() : std::string();
+          },
+          "The pose that would help most next, in words; empty before the first, which may be any. Whether another\n"
+          "one is needed says verdict.remedy.")
+      .def_property_readonly(
+          "advised_up",
+          [](const Calibration& self) {
+            const auto advice = adviceOf(self);
+            return advice ? std::optional(arrayOf(advice->up)) : std::nullopt;
+          },
+          "The same: what to turn up, a unit vector in the frame of the largest patch; None before the first pose.")
       .def_property_readonly(
           "solver", [](const Calibration& self) { return self.result->solver; }, "global, tree or imported.")
       .def_property_readonly("options", &optionsOf, "What solve() was given.")
@@ -123,10 +163,10 @@ void bindCalibration(py::module_& module) {
           "solve_seconds", [](const Calibration& self) { return self.result->solve_seconds; },
           "How long it took; 0 where it was read from a file.")
       .def("compare", &compareToCalibration, py::arg("other"),
-           "Cell by cell with another calibration, or with the truth of a session: one for each patch that has a cell "
-           "in\n"
-           "common with it.")
-      .def("compare", &compareToSession, py::arg("other"))
+           "Cell by cell with another calibration, or with the truth of a session: one for each patch that has a cell\n"
+           "in common with it.")
+      .def("compare", &compareToSession, py::arg("other"),
+           "The session's truth is that of the simulator, or what from_arrays() was given.")
       .def("__repr__", [](const Calibration& self) {
         return "<Calibration: " + sizeInWords(*self.result).english() + ", " +
                std::string(verdictName(self.result->assessment.level)) + ">";
@@ -134,13 +174,14 @@ void bindCalibration(py::module_& module) {
 
   module.def(
       "read_calibration",
-      [](const std::filesystem::path& path, const ModelOrName& cell_model) {
-        return Calibration{openCalibration(path, modelFrom(cell_model))};
+      [](const std::filesystem::path& path, const Given<ModelOrName>& cell_model) {
+        const CellModel model = modelFrom(cell_model);
+        const Unlocked unlocked;
+        return Calibration{openCalibration(path, model)};
       },
-      py::arg("path"), py::arg("cell_model") = "hex-bma150", py::call_guard<py::gil_scoped_release>(),
+      py::arg("path"), py::arg("cell_model") = "hex-bma150",
       "Reads a *.calibration.json, or a TUM SkinConfig XML, whose cells are of the given model.");
   module.def("read", &read, py::arg("path"), py::arg("cell_model") = "hex-bma150",
-             py::call_guard<py::gil_scoped_release>(),
              "Reads any file of Hexoderm, told apart by its content: a Session or a Calibration.");
 }
 

@@ -1,6 +1,7 @@
 #include "app/python/arrays.h"
 #include "app/python/bindings.h"
 #include "app/python/interruptible.h"
+#include "app/python/unlocked.h"
 
 #include "hexoderm/course/live_capture.h"
 #include "hexoderm/device/sources/open_source.h"
@@ -24,23 +25,34 @@ namespace {
 
 namespace py = pybind11;
 
-std::unique_ptr<LiveCapture> start(const std::string& source, std::size_t poses, bool automatic,
-                                   const std::optional<std::filesystem::path>& output, bool keep_raw,
-                                   const std::optional<std::filesystem::path>& record, double timeout) {
-  // LiveCapture refuses them too, by their names in C++.
-  if (!(timeout > 0)) throw InvalidArgument("timeout: expected seconds above 0");
-  if (output && !output->empty() && !output->string().ends_with(".hexo")) {
-    throw InvalidArgument("output: expected a name that ends in .hexo, found \"" + output->string() + "\"");
+using File = Given<std::optional<std::filesystem::path>>;
+/// Deleted without the interpreter's lock: it waits for the device and the disk.
+struct DeleteWithoutLock {
+  void operator()(LiveCapture* capture) const {
+    const Unlocked unlocked;
+    delete capture;
   }
+};
+using CapturePointer = std::unique_ptr<LiveCapture, DeleteWithoutLock>;
+
+CapturePointer start(const Given<std::string>& source, const Given<std::size_t>& poses, const Given<bool>& automatic,
+                     const File& output, const Given<bool>& keep_raw, const File& record,
+                     const Given<double>& timeout) {
   LiveCaptureOptions options;
-  options.source = source;
-  options.poses = poses;
-  options.automatic = automatic;
-  if (output) options.file = *output;
-  options.keep_raw = keep_raw;
-  if (record) options.record_to = *record;
-  options.timeout_s = timeout;
-  return std::make_unique<LiveCapture>(std::move(options));
+  options.source = source.as("source");
+  options.poses = poses.as("poses");
+  options.automatic = automatic.as("auto");
+  options.file = output.as("output", "a path").value_or(std::filesystem::path());
+  options.keep_raw = keep_raw.as("keep_raw");
+  options.record_to = record.as("record", "a path").value_or(std::filesystem::path());
+  options.timeout_s = timeout.as("timeout");
+  // LiveCapture refuses them too, by their names in C++.
+  if (!(options.timeout_s > 0)) throw InvalidArgument("timeout: expected seconds above 0");
+  if (!options.file.empty() && !options.file.string().ends_with(".hexo")) {
+    throw InvalidArgument("output: expected a name that ends in .hexo, found \"" + options.file.string() + "\"");
+  }
+  const Unlocked unlocked;
+  return CapturePointer(std::make_unique<LiveCapture>(std::move(options)).release());
 }
 
 SessionPose next(LiveCapture& self) {
@@ -63,17 +75,9 @@ std::vector<std::string> remarksOn(const PoseKept& kept) {
 }
 
 void close(LiveCapture& self) {
-  const py::gil_scoped_release released;
+  const Unlocked unlocked;
   self.close();
 }
-
-/// Deleted without the interpreter's lock: it waits for the device and the disk.
-struct DeleteWithoutLock {
-  void operator()(LiveCapture* capture) const {
-    const py::gil_scoped_release released;
-    delete capture;
-  }
-};
 
 std::string sourcesInWords() {
   std::string kinds;
@@ -84,18 +88,14 @@ std::string sourcesInWords() {
 }  // namespace
 
 void bindCapture(py::module_& module) {
-  py::class_<LiveCapture, std::unique_ptr<LiveCapture, DeleteWithoutLock>>(
+  py::class_<LiveCapture, CapturePointer> capture(
       module, "Capture",
       "A live capture: an iterator over its poses, each as soon as it counts as captured. While it is waited for the\n"
-      "next one, Python's other threads go on, and Ctrl+C ends the wait.")
-      .def(py::init([](const std::string& source, std::size_t poses, bool automatic,
-                       const std::optional<std::filesystem::path>& output, bool keep_raw,
-                       const std::optional<std::filesystem::path>& record, double timeout) {
-             const py::gil_scoped_release released;
-             return std::unique_ptr<LiveCapture, DeleteWithoutLock>(
-                 start(source, poses, automatic, output, keep_raw, record, timeout).release());
-           }),
-           py::arg("source"), py::kw_only(), py::arg("poses") = 0, py::arg("auto") = false,
+      "next one, Python's other threads go on, and Ctrl+C ends the wait.\n\n"
+      "Poses are taken while somebody waits for the next one, by a for loop or next(), in any thread. Before the\n"
+      "first time nothing of what the device sends is looked at: session, calibration and advice are None or empty.");
+  capture
+      .def(py::init(&start), py::arg("source"), py::kw_only(), py::arg("poses") = 0, py::arg("auto") = false,
            py::arg("output") = py::none(), py::arg("keep_raw") = false, py::arg("record") = py::none(),
            py::arg("timeout") = LiveCaptureOptions().timeout_s,
            ("Connects to a skin; the options are those of `hexoderm-cli capture`.\n\n"
@@ -114,11 +114,13 @@ void bindCapture(py::module_& module) {
       .def("__enter__", [](py::object self) { return self; })
       .def("__exit__", [](LiveCapture& self, const py::args& /*error*/) { close(self); })
       .def("close", &close, "Ends the capture and waits until all poses are on disk.")
-      .def("turn_to_next_pose", &LiveCapture::turnToNextPose, py::call_guard<py::gil_scoped_release>(),
-           "Asks a device that can to turn to the pose that would help most.")
+      .def("turn_to_next_pose", &LiveCapture::turnToNextPose, py::call_guard<Unlocked>(),
+           "Asks a device that can to turn to the pose that would help most. It is the call that waits for the next\n"
+           "pose that asks it, in another thread or afterwards. InvalidArgument if it can't turn, or no skin\n"
+           "described itself yet.")
       .def_property_readonly(
           "session", [](const LiveCapture& self) { return self.state().session; },
-          "A copy of the session as it is; None before a skin described itself.")
+          "A copy of the session as it is; None before a skin described itself, which is noticed by next().")
       .def_property_readonly(
           "calibration",
           [](const LiveCapture& self) {
@@ -132,15 +134,14 @@ void bindCapture(py::module_& module) {
             const auto last = self.state().last;
             return last ? remarksOn(*last) : std::vector<std::string>();
           },
-          "What was odd about the pose that came last, in words: cells that were silent or restless, an earlier pose "
-          "that\n"
-          "it repeats.")
+          "What was odd about the pose that came last, in words: cells that were silent or restless, an earlier pose\n"
+          "that it repeats.")
       .def_property_readonly(
           "status", [](const LiveCapture& self) { return self.state().status.english(); },
-          "What is waited for, in words.")
+          "What is waited for, in words: of the connection until a skin described itself, then of the part.")
       .def_property_readonly(
           "advice", [](const LiveCapture& self) { return self.state().advice.english(); },
-          "The pose that would help most, in words; empty where none is known.")
+          "The pose that would help most, in words; empty where none is known, or where there are enough.")
       .def_property_readonly(
           "advised_up",
           [](const LiveCapture& self) {
@@ -148,6 +149,7 @@ void bindCapture(py::module_& module) {
             return up ? std::optional(arrayOf(*up)) : std::nullopt;
           },
           "The same: what to turn up, a unit vector in the frame of the largest patch; None where none is known.");
+  explainMisfits(capture, "__init__");
 }
 
 }  // namespace hexoderm::python

@@ -4,6 +4,7 @@
 #include "hexoderm/graph/cell_model.h"
 
 #include <pybind11/stl.h>
+#include <pybind11/stl/filesystem.h>
 
 namespace hexoderm::python {
 namespace {
@@ -22,21 +23,26 @@ Doubles outlineOf(const CellModel& model) {
 
 }  // namespace
 
-CellModel modelFrom(const ModelOrName& model) {
+CellModel modelFrom(const Given<ModelOrName>& cell_model) {
+  const char* const expected =
+      "a CellModel, a built-in name or the path of a JSON file (CellModel.from_json() reads JSON text)";
+  const ModelOrName model = cell_model.as("cell_model", expected);
   if (const auto* name = std::get_if<std::string>(&model)) return loadCellModel(*name);
+  if (const auto* path = std::get_if<std::filesystem::path>(&model)) return loadCellModel(path->string());
   return std::get<CellModel>(model);
 }
 
 void bindCellModel(py::module_& module) {
   py::class_<CellModel>(module, "CellModel", "A kind of cell: all that is known of it before anything is measured.")
-      .def_static("load", &loadCellModel, py::arg("name_or_path"),
-                  "A built-in model by its name (\"hex-bma150\"), or one from a JSON file.")
+      .def_static(
+          "load", [](const std::filesystem::path& name_or_path) { return loadCellModel(name_or_path.string()); },
+          py::arg("name_or_path"), "A built-in model by its name (\"hex-bma150\"), or one from a JSON file.")
       .def_static(
           "from_json", [](const std::string& text, const std::string& file) { return cellModelFromJson(text, file); },
           py::arg("text"), py::arg("file") = "text", "Reads JSON text; errors name `file`.")
-      .def("to_json", &cellModelToJson)
-      .def_readonly("name", &CellModel::name)
-      .def_readonly("thickness_m", &CellModel::thickness_m)
+      .def("to_json", &cellModelToJson, "The model as JSON text, whose keys are on the page of the formats.")
+      .def_readonly("name", &CellModel::name, "The name of the kind of cell.")
+      .def_readonly("thickness_m", &CellModel::thickness_m, "From the front face to the back, m.")
       .def_property_readonly(
           "ports", &portsOf,
           "By the port's number, the vector in the cell frame from the centre to half-way across the gap, m.")

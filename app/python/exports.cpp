@@ -1,5 +1,6 @@
 #include "app/python/arrays.h"
 #include "app/python/bindings.h"
+#include "app/python/unlocked.h"
 
 #include "hexoderm/io/export_package.h"
 #include "hexoderm/io/exporter.h"
@@ -29,14 +30,34 @@ void addOnce(std::vector<std::string>& sentences, const std::string& sentence) {
   if (!sentence.empty() && is_new) sentences.push_back(sentence);
 }
 
+std::string namesOf(const std::vector<ExportFormat>& formats) {
+  std::string names;
+  for (const ExportFormat format : formats) {
+    names += (names.empty() ? "" : ", ") + std::string(exportFormatDescription(format).name);
+  }
+  return names;
+}
+
+/// Without one, the option would silently change nothing.
+void requireOneThatHas(const ExportOptionDescription& option, const std::vector<ExportFormat>& formats,
+                       const std::string& given) {
+  const auto has_it = [&](ExportFormat format) {
+    return std::ranges::find(option.formats, format) != option.formats.end();
+  };
+  if (std::ranges::any_of(formats, has_it)) return;
+  throw InvalidArgument(given + ": is an option of " + namesOf(option.formats) + ", found " + namesOf(formats));
+}
+
 /// The names are those of the command line, with underscores.
-void setOption(ExportOptions& options, const std::string& given, const std::string& value) {
+void setOption(ExportOptions& options, const std::vector<ExportFormat>& formats, const std::string& given,
+               const std::string& value) {
   std::string name = given;
   std::ranges::replace(name, '_', '-');
   std::string names;
   for (const ExportOptionDescription& option : exportOptions()) {
     names += (names.empty() ? "" : ", ") + std::string(option.name);
     if (option.name != name) continue;
+    requireOneThatHas(option, formats, given);
     const auto is_value = [&](const auto& choice) { return choice.value == value; };
     if (!option.choices.empty() && std::ranges::none_of(option.choices, is_value)) {
       std::string values;
@@ -70,14 +91,19 @@ Exported exportTo(const Calibration& self, const std::variant<std::string, std::
   std::vector<ExportFormat> formats;
   for (const std::string& each : names) formats.push_back(exportFormatFromName(each));
   ExportOptions options;
-  for (const auto& [option, value] : others) setOption(options, py::cast<std::string>(option), py::str(value));
+  for (const auto& [option, value] : others) setOption(options, formats, py::cast<std::string>(option), py::str(value));
   if (patch) options.patch = CellId(*patch);
   options.all_patches = all_patches;
   options.in_link = in_link;
   options.placements = placements.empty() ? placedPatches(*self.result) : placements;
   for (const ExportFormat format : formats) options.validateFor(format);
+  const bool is_folder = formats.size() > 1 || formats.front() == ExportFormat::Csv || isZip(path);
+  if (is_folder && path.extension() == ".csv") {
+    throw InvalidArgument("path: expected a folder, or an archive that ends in .zip, for several files; found \"" +
+                          path.string() + "\"");
+  }
 
-  const py::gil_scoped_release released;
+  const Unlocked unlocked;
   Exported exported;
   for (const ExportFormat format : formats) {
     addOnce(exported.remarks, leftOutInWords(patchesLeftOut(*self.result, format, options)).english());
@@ -85,7 +111,6 @@ Exported exportTo(const Calibration& self, const std::variant<std::string, std::
   for (const ExportFormat format : formats) {
     addOnce(exported.remarks, exportFormatDescription(format).not_carried.english());
   }
-  const bool is_folder = formats.size() > 1 || formats.front() == ExportFormat::Csv || isZip(path);
   exported.files = is_folder ? exportBundle(*self.result, formats, path, options)
                              : exportReconstruction(*self.result, formats.front(), path, options);
   return exported;
@@ -117,15 +142,19 @@ void bindExports(py::module_& module) {
           py::init(&placeFrom), py::arg("origin"), py::arg("link"), py::arg("position"), py::arg("rotation"),
           "origin: the patch's origin cell. position (3,), m, and rotation (3, 3) map from the patch's frame into the\n"
           "link's: x_link = rotation @ x_patch + position.")
-      .def_property_readonly("origin", [](const PatchOnLink& self) { return self.origin.value(); })
-      .def_readonly("link", &PatchOnLink::link)
-      .def_property_readonly("position", [](const PatchOnLink& self) { return arrayOf(self.T_l_o.t); })
-      .def_property_readonly("rotation", [](const PatchOnLink& self) { return arrayOf(self.T_l_o.R); })
+      .def_property_readonly(
+          "origin", [](const PatchOnLink& self) { return self.origin.value(); }, "The patch's origin cell.")
+      .def_readonly("link", &PatchOnLink::link, "The link's name in the URDF.")
+      .def_property_readonly(
+          "position", [](const PatchOnLink& self) { return arrayOf(self.T_l_o.t); }, "(3,), m, in the link's frame.")
+      .def_property_readonly(
+          "rotation", [](const PatchOnLink& self) { return arrayOf(self.T_l_o.R); },
+          "(3, 3): from the patch's frame to the link's.")
       .def("__repr__", [](const PatchOnLink& self) {
         return "<PatchOnLink: patch of cell " + toString(self.origin) + " on " + self.link + ">";
       });
   py::class_<Exported>(module, "Exported", "What an export wrote and read back.")
-      .def_readonly("files", &Exported::files)
+      .def_readonly("files", &Exported::files, "The paths that were written.")
       .def_readonly("remarks", &Exported::remarks,
                     "In words, the patches that are left out, and what the format can't hold.")
       .def("__repr__",
@@ -136,8 +165,8 @@ void bindExports(py::module_& module) {
       "export", &exportTo, py::arg("to"), py::arg("path"), py::kw_only(), py::arg("patch") = py::none(),
       py::arg("all_patches") = false, py::arg("placements") = std::vector<PatchOnLink>(), py::arg("in_link") = "",
       "Writes it in a form that other software reads; the file is read back and compared.\n\n"
-      "to: a name of export_formats(), or several for a folder, or with the ending .zip an archive, of all of\n"
-      "them with a manifest.json.\n"
+      "to: a name of export_formats(); csv, or several, make a folder, or with the ending .zip an archive, with a\n"
+      "manifest.json.\n"
       "patch: a cell whose patch is written. all_patches: every patch to a vtp file too.\n"
       "placements: where patches are on links of a robot; without any those that the calibration holds.\n"
       "in_link: coordinates in the frame of this link.\n"

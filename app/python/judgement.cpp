@@ -23,12 +23,17 @@ void bindFinding(py::module_& module) {
           "Its name in files, for example \"one-sided-link\".")
       .def_property_readonly(
           "severity", [](const Finding& finding) { return severityName(finding.severity); }, "info, warning or error.")
-      .def_property_readonly("text", [](const Finding& finding) { return finding.message.english(); })
-      .def_property_readonly("cells", [](const Finding& finding) { return valuesOf(finding.cells); })
+      .def_property_readonly(
+          "text", [](const Finding& finding) { return finding.message.english(); }, "What is wrong, in words.")
+      .def_property_readonly(
+          "cells", [](const Finding& finding) { return valuesOf(finding.cells); },
+          "The IDs of the cells that it is about.")
       .def_property_readonly(
           "ports", [](const Finding& finding) { return valuesOf(finding.ports); },
           "Where there are any, one for each of `cells`.")
-      .def_property_readonly("poses", [](const Finding& finding) { return valuesOf(finding.poses); })
+      .def_property_readonly(
+          "poses", [](const Finding& finding) { return valuesOf(finding.poses); },
+          "The IDs of the poses that it is about.")
       .def("__str__", &inWords)
       .def("__repr__", [](const Finding& finding) { return "<Finding " + inWords(finding) + ">"; });
 }
@@ -42,22 +47,29 @@ void bindJudgement(py::module_& module) {
           "level", [](const Assessment& verdict) { return verdictName(verdict.level); },
           "good, usable, not_enough or failed.")
       .def_property_readonly("is_usable", &Assessment::isUsable, "The level is good or usable.")
-      .def_property_readonly("reason", [](const Assessment& verdict) { return verdict.reason.english(); })
+      .def_property_readonly(
+          "reason", [](const Assessment& verdict) { return verdict.reason.english(); },
+          "Why it is this level, in words.")
       .def_readonly("position_95_m", &Assessment::position_95_m,
-                    "At the worst measured cell, relative to its origin, with 95 %; None where it is not known.")
-      .def_readonly("orientation_95_rad", &Assessment::orientation_95_rad, "The same of its orientation.")
+                    "At the worst measured cell, relative to its origin, with 95 %, m: 1.96 times the root of the\n"
+                    "largest eigenvalue of its covariance. None where it is not known.")
+      .def_readonly("orientation_95_rad", &Assessment::orientation_95_rad, "The same of its orientation, rad.")
       .def_property_readonly(
           "limit", [](const Assessment& verdict) { return limitName(verdict.limit); },
           "What keeps it from being better: nothing, no_skin, no_pose, directions, readings, mould,\n"
           "patches or findings.")
-      .def_property_readonly("limiting_cells",
-                             [](const Assessment& verdict) { return valuesOf(verdict.limiting_cells); })
+      .def_property_readonly(
+          "limiting_cells", [](const Assessment& verdict) { return valuesOf(verdict.limiting_cells); },
+          "Where readings are the limit, the IDs of the cells that lack some.")
       .def_property_readonly(
           "remedy", [](const Assessment& verdict) { return remedyName(verdict.remedy); },
           "What helps most: nothing, check_skin, take_pose or retake_poses.")
       .def_property_readonly(
-          "retake", [](const Assessment& verdict) { return valuesOf(verdict.retake); }, "The poses to take again.")
-      .def_property_readonly("next_action", [](const Assessment& verdict) { return verdict.next_action.english(); })
+          "retake", [](const Assessment& verdict) { return valuesOf(verdict.retake); },
+          "The IDs of the poses to take again.")
+      .def_property_readonly(
+          "next_action", [](const Assessment& verdict) { return verdict.next_action.english(); },
+          "The remedy in words. Calibration.advised_up has the next pose as a direction.")
       .def("__str__",
            [](const Assessment& verdict) {
              return std::string(verdictName(verdict.level)) + ": " + verdict.reason.english();

@@ -1,5 +1,6 @@
 #include "app/python/arrays.h"
 #include "app/python/bindings.h"
+#include "app/python/unlocked.h"
 
 #include "hexoderm/util/error.h"
 
@@ -25,7 +26,7 @@ const PlacementCovariance& covarianceOf(const PatchOf& self) {
 Doubles covariance(const PatchOf& self, std::uint32_t a, std::uint32_t b) {
   const PlacementCovariance& known = covarianceOf(self);
   const Matrix6d values = [&] {
-    const py::gil_scoped_release released;
+    const Unlocked unlocked;
     return known.relative(CellId(a), CellId(b));
   }();
   return arrayOf(values);
@@ -34,7 +35,7 @@ Doubles covariance(const PatchOf& self, std::uint32_t a, std::uint32_t b) {
 Doubles covarianceTogether(const PatchOf& self, std::uint32_t a, std::uint32_t b) {
   const PlacementCovariance& known = covarianceOf(self);
   const Matrix6d values = [&] {
-    const py::gil_scoped_release released;
+    const Unlocked unlocked;
     return known.together(CellId(a), CellId(b));
   }();
   return arrayOf(values);
@@ -63,9 +64,15 @@ void bindLink(py::module_& module) {
                              "Angle between both cells' readings, rms over the poses; None where it is not known.")
       .def_property_readonly("sigma_rad", &LinkEstimate::knownSigma,
                              "Predicted standard deviation about the worst axis; None where it is not known.")
-      .def_readonly("bend_rad", &LinkEstimate::bend_rad)
-      .def_readonly("twist_rad", &LinkEstimate::twist_rad)
-      .def_readonly("yaw_rad", &LinkEstimate::yaw_rad)
+      .def_readonly("bend_rad", &LinkEstimate::bend_rad,
+                    "Of the target against how it would lie flat beside the source: about the axis across the link in\n"
+                    "the surface. Positive where the two faces turn away from each other, as on the outside of a part\n"
+                    "that is convex. The same from both ends.")
+      .def_readonly("twist_rad", &LinkEstimate::twist_rad,
+                    "About the axis along the link, from the source outwards: positive as a right-handed screw, from\n"
+                    "both ends. Small on most parts.")
+      .def_readonly("yaw_rad", &LinkEstimate::yaw_rad,
+                    "About the source's z: positive counter-clockwise, seen from outside. Nearly 0.")
       .def_readonly("used", &LinkEstimate::used, "It is part of the solution; a muted one is not.")
       .def_readonly("in_tree", &LinkEstimate::in_tree, "It is on the shortest-path tree.")
       .def_property_readonly(
@@ -82,8 +89,8 @@ void bindLink(py::module_& module) {
 
 void bindSensor(py::module_& module) {
   py::class_<SensorPlacement>(module, "Sensor", "A sensor of a cell, placed in its patch's frame.")
-      .def_readonly("name", &SensorPlacement::name)
-      .def_readonly("type", &SensorPlacement::type)
+      .def_readonly("name", &SensorPlacement::name, "As in the cell model.")
+      .def_readonly("type", &SensorPlacement::type, "As in the cell model, for example temperature.")
       .def_property_readonly(
           "position", [](const SensorPlacement& sensor) { return arrayOf(sensor.T_o_s.t); }, "(3,), m.")
       .def_property_readonly(
@@ -102,7 +109,8 @@ void bindPatch(py::module_& module) {
       module, "Patch",
       "Cells that are joined by links. All arrays are in the order of `cells`, and in the patch's frame,\n"
       "which is that of the origin cell.")
-      .def_property_readonly("id", [](const PatchOf& self) { return self.patch().id.value(); })
+      .def_property_readonly(
+          "id", [](const PatchOf& self) { return self.patch().id.value(); }, "A number from 0 on.")
       .def_property_readonly(
           "origin", [](const PatchOf& self) { return self.patch().origin.value(); }, "The origin cell.")
       .def_property_readonly(
@@ -135,7 +143,8 @@ void bindPatch(py::module_& module) {
           [cells](const PatchOf& self) {
             return stacked(cells(self), [](const CellPlacement& cell) { return cell.shape_cov_t_r; });
           },
-          "(N, 6, 6), likewise, relative to the patch as a whole: it does not depend on which cell is the origin.")
+          "(N, 6, 6), likewise, relative to the patch as a whole: it does not depend on which cell is the origin. Of\n"
+          "the global solver; NaN from the tree.")
       .def_property_readonly(
           "measured",
           [cells](const PatchOf& self) {
@@ -164,12 +173,15 @@ void bindPatch(py::module_& module) {
                            [](const GravityDirection& gravity) { return std::optional(gravity.g_o); });
           },
           "(poses, 3): unit vectors that point up, in the order of `gravity_poses`.")
-      .def_property_readonly("gravity_poses",
-                             [](const PatchOf& self) {
-                               return numbersOf(self.patch().gravity,
-                                                [](const GravityDirection& gravity) { return gravity.pose.value(); });
-                             })
-      .def_property_readonly("links", [](const PatchOf& self) { return self.patch().links; })
+      .def_property_readonly(
+          "gravity_poses",
+          [](const PatchOf& self) {
+            return numbersOf(self.patch().gravity,
+                             [](const GravityDirection& gravity) { return gravity.pose.value(); });
+          },
+          "(poses,): the IDs of the poses.")
+      .def_property_readonly(
+          "links", [](const PatchOf& self) { return self.patch().links; }, "All links of its cells, muted ones too.")
       .def("sensors", &sensorsOf, py::arg("cell"), "The sensors of a cell.")
       .def(
           "covariance", &covariance, py::arg("a"), py::arg("b"),

@@ -1,15 +1,19 @@
 #include "app/python/arrays.h"
 #include "app/python/bindings.h"
 #include "app/python/session_arrays.h"
+#include "app/python/unlocked.h"
 
 #include "hexoderm/io/open_file.h"
 #include "hexoderm/io/session_json.h"
 #include "hexoderm/session/session.h"
+#include "hexoderm/util/error.h"
 
 #include <pybind11/stl.h>
 #include <pybind11/stl/filesystem.h>
 
+#include <algorithm>
 #include <filesystem>
+#include <utility>
 
 namespace hexoderm::python {
 namespace {
@@ -20,7 +24,7 @@ namespace py = pybind11;
 template <class Work>
 auto withoutLock(const Session& session, const Work& work) {
   const Session copy = session;  // poses are shared
-  const py::gil_scoped_release released;
+  const Unlocked unlocked;
   return work(copy);
 }
 
@@ -48,13 +52,35 @@ LinkEnd endFrom(const std::pair<std::uint32_t, std::uint32_t>& end) {
   return {CellId(end.first), PortNumber(end.second)};
 }
 
+bool reports(const Session& session, LinkEnd from, LinkEnd to) {
+  const auto cell = std::ranges::find(session.neighbors(), from.cell, &CellReport::id);
+  return cell != session.neighbors().end() && std::ranges::any_of(cell->neighbors, [&](const NeighborReport& link) {
+           return link.port == from.port && link.cell == to.cell && link.cell_port.value_or(to.port) == to.port;
+         });
+}
+
+void setLinkMuted(Session& session, const std::pair<std::uint32_t, std::uint32_t>& a,
+                  const std::pair<std::uint32_t, std::uint32_t>& b, bool muted, const std::string& why) {
+  const LinkEnd from = endFrom(a);
+  const LinkEnd to = endFrom(b);
+  // A slip of the pen would mute nothing, and nobody would notice.
+  if (muted && !reports(session, from, to) && !reports(session, to, from)) {
+    throw InvalidArgument("no link of the session joins " + hexoderm::inWords(from).english() + " and " +
+                          hexoderm::inWords(to).english());
+  }
+  session.setLinkMuted(from, to, muted, why);
+}
+
 void bindPose(py::module_& module) {
   py::class_<SessionPose>(module, "Pose",
                           "A pose of a session: gravity as every cell saw it while the part was held still.")
-      .def_property_readonly("id", [](const SessionPose& pose) { return pose.capture->id.value(); })
-      .def_property_readonly("label", [](const SessionPose& pose) { return pose.capture->label.english(); })
-      .def_readonly("disabled", &SessionPose::disabled)
-      .def_readonly("why_disabled", &SessionPose::why_disabled)
+      .def_property_readonly(
+          "id", [](const SessionPose& pose) { return pose.capture->id.value(); },
+          "From 1 on, and kept when other poses are removed: not its place in Session.poses.")
+      .def_property_readonly(
+          "label", [](const SessionPose& pose) { return pose.capture->label.english(); }, "Its name, for people.")
+      .def_readonly("disabled", &SessionPose::disabled, "It is not used.")
+      .def_readonly("why_disabled", &SessionPose::why_disabled, "The words of whoever disabled it.")
       .def_property_readonly(
           "cells",
           [](const SessionPose& pose) {
@@ -115,10 +141,12 @@ void bindSession(py::module_& module) {
   session
       .def_static(
           "from_json", [](const std::string& text, const std::string& file) { return parseSessionJson(text, file); },
-          py::arg("text"), py::arg("file") = "text", py::call_guard<py::gil_scoped_release>(),
+          py::arg("text"), py::arg("file") = "text", py::call_guard<Unlocked>(),
           "Reads the text of a *.session.json; errors name `file`.")
-      .def("to_json",
-           [](const Session& self) { return withoutLock(self, [](const Session& s) { return sessionToJson(s); }); })
+      .def(
+          "to_json",
+          [](const Session& self) { return withoutLock(self, [](const Session& s) { return sessionToJson(s); }); },
+          "The text of a *.session.json.")
       .def(
           "write",
           [](const Session& self, const std::filesystem::path& path) {
@@ -128,32 +156,30 @@ void bindSession(py::module_& module) {
           "Writes a *.session.json, which replaces what is there, or a new *.hexo. Either whole or not at all.")
       .def(
           "copy", [](const Session& self) { return self; }, "A session of its own; nothing is shared.")
-      .def_property_readonly("cell_model", [](const Session& self) { return self.model(); })
+      .def_property_readonly(
+          "cell_model", [](const Session& self) { return self.model(); }, "The kind of its cells.")
       .def_property_readonly(
           "description", [](const Session& self) { return self.source().text.english(); },
           "Where it comes from, in words.")
-      .def_property_readonly("poses", &Session::poses)
+      .def_property_readonly("poses", &Session::poses, "A list, in the order in which they were added.")
       .def("add_pose", &addPose, py::arg("readings"), py::kw_only(), py::arg("covariances") = py::none(),
            py::arg("counts") = py::none(), py::arg("label") = "",
            py::arg("joint_angles") = std::map<std::string, double>(),
            "Adds a pose: `readings` (cells, 3) in the order of `cells`, as in from_arrays().")
       .def(
-          "remove_pose", [](Session& self, std::size_t index) { self.removePose(index); }, py::arg("index"))
+          "remove_pose", [](Session& self, std::size_t index) { self.removePose(index); }, py::arg("index"),
+          "Removes session.poses[index]: the place from 0 on, not the pose's ID.")
       .def("set_pose_disabled", &setPoseDisabled, py::arg("index"), py::arg("disabled"), py::arg("why") = "",
-           "A disabled pose stays in the session and is not used.")
-      .def(
-          "set_link_muted",
-          [](Session& self, const std::pair<std::uint32_t, std::uint32_t>& a,
-             const std::pair<std::uint32_t, std::uint32_t>& b, bool muted,
-             const std::string& why) { self.setLinkMuted(endFrom(a), endFrom(b), muted, why); },
-          py::arg("a"), py::arg("b"), py::arg("muted"), py::arg("why") = "",
-          "Sets the link between two (cell, port) aside, because it is a cable for example, or takes it back.")
+           "Disables session.poses[index], or enables it again: the place from 0 on, not the pose's ID. A disabled\n"
+           "pose stays in the session and is not used.")
+      .def("set_link_muted", &setLinkMuted, py::arg("a"), py::arg("b"), py::arg("muted"), py::arg("why") = "",
+           "Sets the link between two (cell, port) aside, because it is a cable for example, or takes it back.\n"
+           "InvalidArgument if there is no such link.")
       .def("__repr__", &inWords);
 
   module.def(
       "read_session", [](const std::filesystem::path& path) { return openSession(path); }, py::arg("path"),
-      py::call_guard<py::gil_scoped_release>(),
-      "Reads a session: *.session.json or *.hexo, told apart by their content.");
+      py::call_guard<Unlocked>(), "Reads a session: *.session.json or *.hexo, told apart by their content.");
 }
 
 }  // namespace hexoderm::python

@@ -1,16 +1,17 @@
 #include "app/python/session_arrays.h"
 
 #include "app/python/bindings.h"
+#include "app/python/given.h"
+#include "app/python/skin_arrays.h"
 
+#include "hexoderm/geometry/covariance.h"
 #include "hexoderm/io/session_json.h"
 #include "hexoderm/util/error.h"
 
 #include <pybind11/stl.h>
 
 #include <algorithm>
-#include <cmath>
 #include <map>
-#include <set>
 
 namespace hexoderm::python {
 namespace {
@@ -23,45 +24,26 @@ Eigen::Matrix3d matrixAt(const double* values) {
   return Eigen::Map<const Eigen::Matrix<double, 3, 3, Eigen::RowMajor>>(values);
 }
 
-std::uint32_t idFrom(std::int64_t value, const char* what) {
-  if (value >= 0 && value <= UINT32_MAX) return static_cast<std::uint32_t>(value);
-  throw InvalidArgument(std::string(what) + ": expected a whole number from 0 to 4294967295, found " +
-                        std::to_string(value));
+void requireReading(const Eigen::Vector3d& mean_g, const std::string& place) {
+  if (mean_g.allFinite()) return;
+  throw InvalidArgument(place +
+                        ": expected three finite numbers, or NaN for all three where the cell has no reading, " +
+                        "found " + std::string(py::repr(arrayOf(mean_g).attr("tolist")())));
 }
 
-/// Both cells report the link, as after an exploration.
-NeighborList neighborsFrom(const Numbers& cells, const Numbers& links, const std::vector<std::string>& parts) {
-  requireShape(cells, {-1}, "cells");
-  requireShape(links, {-1, 4}, "links");
-  NeighborList neighbors;
-  std::map<std::int64_t, std::size_t> index;
-  for (py::ssize_t k = 0; k < cells.size(); ++k) {
-    const std::int64_t id = cells.data()[k];
-    if (!index.emplace(id, neighbors.size()).second) {
-      throw InvalidArgument("cells: cell " + std::to_string(id) + " is named twice");
-    }
-    neighbors.push_back({CellId(idFrom(id, "cells")), "", {}});
+void requireCovariance(const Eigen::Matrix3d& cov_g2, const std::string& place) {
+  constexpr double kSymmetricTo = 1e-6;
+  const char* wrong = nullptr;
+  if (!cov_g2.allFinite()) {
+    wrong = "finite numbers, or zeros where it is not known";
+  } else if (cov_g2.diagonal().minCoeff() < 0) {
+    wrong = "variances of at least 0 on the diagonal";
+  } else if (!cov_g2.isApprox(cov_g2.transpose(), kSymmetricTo)) {
+    wrong = "a symmetric matrix";
+  } else if (!isCovariance(cov_g2)) {
+    wrong = "a positive semidefinite matrix";
   }
-  if (!parts.empty() && parts.size() != neighbors.size()) {
-    throw InvalidArgument("body_parts: expected one for each of " + std::to_string(neighbors.size()) +
-                          " cells, found " + std::to_string(parts.size()));
-  }
-  for (std::size_t k = 0; k < parts.size(); ++k) neighbors[k].body_part = parts[k];
-  for (py::ssize_t k = 0; k < links.shape(0); ++k) {
-    const std::int64_t* const link = links.data(k, 0);
-    for (const auto& [from, to] : {std::pair(0, 2), std::pair(2, 0)}) {
-      const auto found = index.find(link[from]);
-      if (found == index.end()) {
-        throw InvalidArgument("links: row " + std::to_string(k) + " names cell " + std::to_string(link[from]) +
-                              ", which is not among the cells");
-      }
-      neighbors[found->second].neighbors.push_back({PortNumber(idFrom(link[from + 1], "links")),
-                                                    CellId(idFrom(link[to], "links")),
-                                                    PortNumber(idFrom(link[to + 1], "links"))});
-    }
-  }
-  for (CellReport& cell : neighbors) std::ranges::stable_sort(cell.neighbors, {}, &NeighborReport::port);
-  return neighbors;
+  if (wrong != nullptr) throw InvalidArgument(place + ": expected " + wrong);
 }
 
 Numbers countedFromOne(py::ssize_t count) {
@@ -77,62 +59,50 @@ Array poseOf(const Array& all, py::ssize_t pose) {
   return one.template cast<Array>();
 }
 
-template <class Array>
-void requirePoses(const std::optional<Array>& array, py::ssize_t poses, const char* what) {
-  if (!array || (array->ndim() > 0 && array->shape(0) == poses)) return;
-  throw InvalidArgument(std::string(what) + ": expected one for each of the " + std::to_string(poses) + " poses");
-}
-
 std::optional<Numbers> wholeNumbersIfGiven(const std::optional<py::object>& given, const char* what) {
   return given ? std::optional(wholeNumbers(*given, what)) : std::nullopt;
 }
 
-Session fromArrays(const Doubles& readings, const py::object& links_given, const std::optional<py::object>& cells_given,
-                   const std::optional<Doubles>& covariances, const std::optional<py::object>& counts_given,
-                   const std::vector<std::string>& labels, const std::vector<std::string>& body_parts,
-                   const ModelOrName& cell_model, const std::string& description) {
+constexpr const char* kNumbers = "an array of numbers";
+
+Session fromArrays(const Given<Doubles>& readings_given, const py::object& links_given,
+                   const std::optional<py::object>& cells_given, const Given<std::optional<Doubles>>& covariances_given,
+                   const std::optional<py::object>& counts_given, const Given<std::vector<std::string>>& labels_given,
+                   const Given<std::vector<std::string>>& parts_given, const Given<ModelOrName>& cell_model,
+                   const Given<std::string>& description, const std::optional<py::object>& truth) {
+  const Doubles readings = readings_given.as("readings", kNumbers);
+  const std::optional<Doubles> covariances = covariances_given.as("covariances", kNumbers);
+  const std::vector<std::string> labels = labels_given.as("labels", "a list of texts");
+  const std::vector<std::string> body_parts = parts_given.as("body_parts", "a list of texts");
   const Numbers links = wholeNumbers(links_given, "links");
   const std::optional<Numbers> cells = wholeNumbersIfGiven(cells_given, "cells");
   const std::optional<Numbers> counts = wholeNumbersIfGiven(counts_given, "counts");
-  requireShape(readings, {-1, cells ? cells->size() : -1, 3}, "readings");
+  requireShape(readings, {"poses", cells ? Axis("cells", cells->size()) : Axis("cells"), 3}, "readings",
+               readings.ndim() == 4 ? "; average the samples of each pose first" : "");
   const py::ssize_t poses = readings.shape(0);
-  requirePoses(covariances, poses, "covariances");
-  requirePoses(counts, poses, "counts");
+  const Axis each_pose("poses", poses);
+  const Axis each_cell("cells", readings.shape(1));
+  if (covariances) requireShape(*covariances, {each_pose, each_cell, 3, 3}, "covariances");
+  if (counts) requireShape(*counts, {each_pose, each_cell}, "counts");
   if (!labels.empty() && labels.size() != static_cast<std::size_t>(poses)) {
-    throw InvalidArgument("labels: expected one for each of the " + std::to_string(poses) + " poses");
+    throw InvalidArgument("labels: expected one for each of the " + std::to_string(poses) + " poses, found " +
+                          std::to_string(labels.size()));
   }
   Session session(modelFrom(cell_model),
                   neighborsFrom(cells ? *cells : countedFromOne(readings.shape(1)), links, body_parts),
-                  {Message::verbatim(description), "", ""});
+                  {Message::verbatim(description.as("description")), "", ""});
   for (py::ssize_t k = 0; k < poses; ++k) {
     PoseArrays pose;
+    pose.index = static_cast<std::size_t>(k);
     pose.readings = poseOf(readings, k);
     if (covariances) pose.covariances = poseOf(*covariances, k);
     if (counts) pose.counts = poseOf(*counts, k);
     if (!labels.empty()) pose.label = labels[static_cast<std::size_t>(k)];
     session.addPose(poseFrom(session, pose));
   }
+  if (truth) session.setTruth(truthFrom(*truth, session.neighbors()));
   checkAsFile(session);
   return session;
-}
-
-/// Each link once, from the end that reports it first; -1 for a port that was not reported.
-Numbers linksOf(const Session& session) {
-  std::vector<std::array<std::int64_t, 4>> rows;
-  std::set<std::array<std::int64_t, 4>> known;
-  for (const CellReport& cell : session.neighbors()) {
-    for (const NeighborReport& link : cell.neighbors) {
-      if (link.cell == CellId()) continue;
-      const std::int64_t other = link.cell_port ? static_cast<std::int64_t>(link.cell_port->value()) : -1;
-      const std::array<std::int64_t, 4> row = {cell.id.value(), link.port.value(), link.cell.value(), other};
-      if (known.contains({row[2], row[3], row[0], row[1]})) continue;
-      if (known.insert(row).second) rows.push_back(row);
-    }
-  }
-  Numbers array({static_cast<py::ssize_t>(rows.size()), py::ssize_t{4}});
-  std::int64_t* out = array.mutable_data();
-  for (const auto& row : rows) out = std::ranges::copy(row, out).out;
-  return array;
 }
 
 /// What `get` says of the sample of each pose and cell, in the order of poses and cells.
@@ -170,31 +140,27 @@ Numbers countsOf(const Session& session) {
   return array;
 }
 
-/// (cells,) and the placements, in the frame of the truth; None where it is not known.
-py::object truthOf(const Session& session) {
-  if (!session.truth()) return py::none();
-  const auto& cells = session.truth()->cells;
-  return py::make_tuple(numbersOf(cells, [](const TrueCellPlacement& cell) { return cell.id.value(); }),
-                        stacked(cells, [](const TrueCellPlacement& cell) { return std::optional(cell.T_b_u.t); }),
-                        stacked(cells, [](const TrueCellPlacement& cell) { return std::optional(cell.T_b_u.R); }));
-}
-
 }  // namespace
 
 SessionPose poseFrom(const Session& session, const PoseArrays& arrays) {
   const auto cells = static_cast<py::ssize_t>(session.neighbors().size());
-  requireShape(arrays.readings, {cells, 3}, "readings");
-  if (arrays.covariances) requireShape(*arrays.covariances, {cells, 3, 3}, "covariances");
-  if (arrays.counts) requireShape(*arrays.counts, {cells}, "counts");
+  const Axis each("cells", cells);
+  requireShape(arrays.readings, {each, 3}, "readings");
+  if (arrays.covariances) requireShape(*arrays.covariances, {each, 3, 3}, "covariances");
+  if (arrays.counts) requireShape(*arrays.counts, {each}, "counts");
   PoseCapture capture;
   capture.id = session.nextPoseId();
   capture.label = Message::verbatim(arrays.label);
   for (py::ssize_t k = 0; k < cells; ++k) {
+    const std::string place =
+        "[" + (arrays.index ? std::to_string(*arrays.index) + ", " : std::string()) + std::to_string(k) + "]";
     GravitySample sample;
     sample.cell = session.neighbors()[static_cast<std::size_t>(k)].id;
     sample.mean_g = Eigen::Map<const Eigen::Vector3d>(arrays.readings.data(k, 0));
     if (sample.mean_g.array().isNaN().all()) continue;
+    requireReading(sample.mean_g, "readings" + place);
     if (arrays.covariances) sample.cov_g2 = matrixAt(arrays.covariances->data(k, 0, 0));
+    requireCovariance(sample.cov_g2, "covariances" + place);
     if (arrays.counts) sample.count = idFrom(arrays.counts->data()[k], "counts");
     capture.samples.push_back(sample);
   }
@@ -209,7 +175,7 @@ void bindSessionArrays(py::class_<Session>& session) {
           "from_arrays", &fromArrays, py::arg("readings"), py::arg("links"), py::kw_only(),
           py::arg("cells") = py::none(), py::arg("covariances") = py::none(), py::arg("counts") = py::none(),
           py::arg("labels") = std::vector<std::string>(), py::arg("body_parts") = std::vector<std::string>(),
-          py::arg("cell_model") = "hex-bma150", py::arg("description") = "",
+          py::arg("cell_model") = "hex-bma150", py::arg("description") = "", py::arg("truth") = py::none(),
           "A session of arrays.\n\n"
           "readings: (poses, cells, 3), mean readings in g along the axes of each accelerometer, +1 g on the axis\n"
           "that points up; NaN where a cell has none.\n"
@@ -218,8 +184,10 @@ void bindSessionArrays(py::class_<Session>& session) {
           "covariances: (poses, cells, 3, 3) of the means, g^2; zero: not known.\n"
           "counts: (poses, cells), samples averaged; 0: not known.\n"
           "labels: a name for each pose. body_parts: one for each cell.\n"
-          "cell_model: a CellModel, a built-in name, or a JSON file.\n\n"
-          "What is wrong with the numbers is said as for a file of the name \"arrays\".")
+          "cell_model: a CellModel, a built-in name, or a JSON file.\n"
+          "truth: (cells, positions, rotations) where they are known otherwise, as Session.truth has them, in any\n"
+          "frame; for Calibration.compare().\n\n"
+          "What is wrong with the numbers is said by array and place, or as for a file of the name \"arrays\".")
       .def_property_readonly(
           "cells",
           [](const Session& self) {
@@ -232,9 +200,12 @@ void bindSessionArrays(py::class_<Session>& session) {
       .def_property_readonly("covariances", &covariancesOf,
                              "(poses, cells, 3, 3), g^2; NaN where a cell has no reading.")
       .def_property_readonly("counts", &countsOf, "(poses, cells); 0 where it is not known.")
-      .def_property_readonly("truth", &truthOf,
-                             "Of a simulated skin, where its cells are in truth: cells (N,), positions (N, 3), m, and\n"
-                             "rotations (N, 3, 3), from each cell's frame to the body's. None where it is not known.");
+      .def_property_readonly(
+          "truth", &truthOf,
+          "Of a simulated skin, or as from_arrays() was given it, where its cells are in truth: cells\n"
+          "(N,), positions (N, 3), m, and rotations (N, 3, 3), from each cell's frame to the body's. None\n"
+          "where it is not known.");
+  explainMisfits(session, "from_arrays");
 }
 
 }  // namespace hexoderm::python

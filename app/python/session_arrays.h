@@ -6,6 +6,7 @@
 
 #include <pybind11/pybind11.h>
 
+#include <cstddef>
 #include <optional>
 #include <string>
 
@@ -13,6 +14,7 @@ namespace hexoderm::python {
 
 /// A pose as arrays, in the order of the session's cells.
 struct PoseArrays {
+  std::optional<std::size_t> index;    ///< its place in arrays of several poses, for errors
   Doubles readings;                    ///< (cells, 3); NaN: no reading
   std::optional<Doubles> covariances;  ///< (cells, 3, 3)
   std::optional<Numbers> counts;       ///< (cells,)

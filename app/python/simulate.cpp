@@ -1,4 +1,6 @@
 #include "app/python/bindings.h"
+#include "app/python/given.h"
+#include "app/python/unlocked.h"
 
 #include "hexoderm/device/simulation/fault_names.h"
 #include "hexoderm/device/simulation/robot_in_words.h"
@@ -7,6 +9,7 @@
 #include "hexoderm/util/error.h"
 
 #include <pybind11/stl.h>
+#include <pybind11/stl/filesystem.h>
 
 namespace hexoderm::python {
 namespace {
@@ -31,71 +34,94 @@ void requireSamples(std::size_t samples) {
   if (samples == 0) throw InvalidArgument("samples: expected at least 1, found 0");
 }
 
-Session simulate(const std::string& patch, const std::string& surface, std::size_t poses, std::size_t samples,
-                 std::uint64_t seed, const std::string& link_law, const ModelOrName& cell_model,
-                 std::optional<double> offset_sigma_g, const std::string& motion, bool ideal,
-                 const std::vector<std::string>& faults) {
-  requireSamples(samples);
-  CellModel model = modelFrom(cell_model);
-  if (offset_sigma_g) model.accelerometer.offset_sigma_g = *offset_sigma_g;
-  model.validate();
-  SimulatedSkinOptions options = optionsFor(motion, ideal);
-  options.patch = patch;
-  options.surface = surface;
-  options.seed = seed;
-  options.link_law = linkLawFromName(link_law);
-  for (const std::string& fault : faults) addFault(fault, "faults", options);
-  // Between the last pose and the one before it.
-  options.reglued_before = poses == 0 ? 0 : poses - 1;
-  SimulatedSkin skin(std::move(model), options);
-  return simulateSession(skin, poses, samples);
+using Text = Given<std::string>;
+using Texts = Given<std::vector<std::string>>;
+using Count = Given<std::size_t>;
+constexpr const char* kTexts = "a list of texts";
+
+std::vector<std::string> textsOf(const Texts& texts, const char* name) {
+  // A text by itself would be taken letter by letter.
+  if (py::isinstance<py::str>(texts.object())) failFor(name, kTexts, texts.object());
+  return texts.as(name, kTexts);
 }
 
-Session simulateRobot(const std::string& robot, std::size_t poses, std::size_t samples,
-                      const std::vector<std::string>& mounts, const std::vector<std::string>& packages,
-                      const std::string& base, const std::string& patch, const std::string& surface, std::uint64_t seed,
-                      const std::string& link_law, const ModelOrName& cell_model, bool ideal) {
-  requireSamples(samples);
+Session simulate(const Text& patch, const Text& surface, const Count& poses, const Count& samples,
+                 const Given<std::uint64_t>& seed, const Text& link_law, const Given<ModelOrName>& cell_model,
+                 const Given<std::optional<double>>& offset_sigma_g, const Text& motion, const Given<bool>& ideal,
+                 const Texts& faults) {
+  const std::size_t pose_count = poses.as("poses");
+  const std::size_t sample_count = samples.as("samples");
+  requireSamples(sample_count);
+  CellModel model = modelFrom(cell_model);
+  if (const auto sigma = offset_sigma_g.as("offset_sigma_g", "a number")) model.accelerometer.offset_sigma_g = *sigma;
+  model.validate();
+  SimulatedSkinOptions options = optionsFor(motion.as("motion"), ideal.as("ideal"));
+  options.patch = patch.as("patch");
+  options.surface = surface.as("surface");
+  options.seed = seed.as("seed");
+  options.link_law = linkLawFromName(link_law.as("link_law"));
+  for (const std::string& fault : textsOf(faults, "faults")) addFault(fault, "faults", options);
+  // Between the last pose and the one before it.
+  options.reglued_before = pose_count == 0 ? 0 : pose_count - 1;
+  const Unlocked unlocked;
+  SimulatedSkin skin(std::move(model), options);
+  return simulateSession(skin, pose_count, sample_count);
+}
+
+Session simulateRobot(const Text& robot, const Count& poses, const Count& samples, const Texts& mounts,
+                      const Texts& packages, const Text& base, const Text& patch, const Text& surface,
+                      const Given<std::uint64_t>& seed, const Text& link_law, const Given<ModelOrName>& cell_model,
+                      const Given<bool>& ideal) {
+  const std::size_t pose_count = poses.as("poses");
+  const std::size_t sample_count = samples.as("samples");
+  requireSamples(sample_count);
   RobotInWords words;
-  words.robot = robot;
-  words.packages = packages;
-  words.mounts = mounts;
-  words.base = base;
-  words.patch = patch;
-  words.surface = surface;
-  words.seed = seed;
-  words.link_law = linkLawFromName(link_law);
-  words.ideal = ideal;
-  SimulatedRobot simulated = makeRobot(modelFrom(cell_model), words);
-  return simulateRobotSession(simulated, poses, samples).session;
+  words.robot = robot.as("robot");
+  words.packages = textsOf(packages, "packages");
+  words.mounts = textsOf(mounts, "mounts");
+  words.base = base.as("base");
+  words.patch = patch.as("patch");
+  words.surface = surface.as("surface");
+  words.seed = seed.as("seed");
+  words.link_law = linkLawFromName(link_law.as("link_law"));
+  words.ideal = ideal.as("ideal");
+  CellModel model = modelFrom(cell_model);
+  const Unlocked unlocked;
+  SimulatedRobot simulated = makeRobot(std::move(model), words);
+  return simulateRobotSession(simulated, pose_count, sample_count).session;
 }
 
 }  // namespace
 
 void bindSimulate(py::module_& module) {
-  module.def("simulate", &simulate, py::kw_only(), py::arg("patch") = "x17", py::arg("surface") = "",
-             py::arg("poses") = 2, py::arg("samples") = 100, py::arg("seed") = 1, py::arg("link_law") = "bend",
-             py::arg("cell_model") = "hex-bma150", py::arg("offset_sigma_g") = py::none(), py::arg("motion") = "hand",
-             py::arg("ideal") = false, py::arg("faults") = std::vector<std::string>(),
-             py::call_guard<py::gil_scoped_release>(),
-             "A session of a simulated skin, with its truth; as `hexoderm-cli simulate` makes it.\n\n"
-             "patch: x17, ringN, ringN:closed or sheet:ROWSxCOLS.\n"
-             "surface: plane, cylinder:r=M, sphere:r=M, cone:r=M,angle=RAD or torus:R=M,r=M; what suits the patch\n"
-             "without it.\n"
-             "samples: averaged in a pose. link_law: how the mould lets neighbours lie, bend or surface.\n"
-             "offset_sigma_g: of the accelerometers; the cell model's without it.\n"
-             "motion: what turns the part, hand or robot. ideal: no errors, no noise, no hand.\n"
-             "faults: KIND:CELL, KIND:CELL:PORT or KIND, as hexoderm-cli simulate --help lists them.");
+  module.def(
+      "simulate", &simulate, py::kw_only(), py::arg("patch") = "x17", py::arg("surface") = "", py::arg("poses") = 2,
+      py::arg("samples") = 100, py::arg("seed") = 1, py::arg("link_law") = "bend", py::arg("cell_model") = "hex-bma150",
+      py::arg("offset_sigma_g") = py::none(), py::arg("motion") = "hand", py::arg("ideal") = false,
+      py::arg("faults") = std::vector<std::string>(),
+      "A session of a simulated skin, with its truth; as `hexoderm-cli simulate` makes it.\n\n"
+      "patch: x17, ringN, ringN:closed or sheet:ROWSxCOLS.\n"
+      "surface: plane, cylinder:r=M, sphere:r=M, cone:r=M,angle=RAD or torus:R=M,r=M; what suits the patch\n"
+      "without it.\n"
+      "samples: averaged in a pose.\n"
+      "link_law: how the mould lets neighbours lie: bend, only the gap between two rigid cells bends, as an arc\n"
+      "that keeps its length; surface, neighbouring centres keep their distance along the surface.\n"
+      "offset_sigma_g: of the accelerometers; the cell model's without it.\n"
+      "motion: what turns the part, hand or robot. ideal: no errors, no noise, no hand.\n"
+      "faults: KIND:CELL, KIND:CELL:PORT or KIND, as hexoderm-cli simulate --help lists them.");
+  explainMisfits(module, "simulate");
   module.def(
       "simulate_robot", &simulateRobot, py::kw_only(), py::arg("robot") = "demo", py::arg("poses") = 8,
       py::arg("samples") = 100, py::arg("mounts") = std::vector<std::string>(),
       py::arg("packages") = std::vector<std::string>(), py::arg("base") = "fixed", py::arg("patch") = "x17",
       py::arg("surface") = "", py::arg("seed") = 1, py::arg("link_law") = "bend", py::arg("cell_model") = "hex-bma150",
-      py::arg("ideal") = false, py::call_guard<py::gil_scoped_release>(),
+      py::arg("ideal") = false,
       "A session of a simulated robot that wears patches on its links; every pose has the joint angles that the\n"
       "robot reports.\n\n"
       "robot: demo, or a URDF. mounts: LINK:X,Y,Z or LINK:X,Y,Z,ROLL,PITCH,YAW, m and rad. packages:\n"
-      "NAME=FOLDER of meshes. base: fixed, motors or hand.");
+      "NAME=FOLDER of meshes. base: fixed, motors or hand. The others as of\n"
+      "simulate().");
+  explainMisfits(module, "simulate_robot");
 }
 
 }  // namespace hexoderm::python

@@ -1,4 +1,5 @@
 #include "app/python/bindings.h"
+#include "app/python/given.h"
 #include "app/python/interruptible.h"
 
 #include "hexoderm/reconstruction/reconstructor.h"
@@ -11,20 +12,23 @@ namespace {
 
 namespace py = pybind11;
 
-Calibration solve(const Session& session, const std::string& solver, const std::string& centre,
-                  const std::string& support_axes, const std::string& weights, const std::string& gap_model,
-                  const std::vector<std::uint32_t>& without, double class_threshold, const Calibration* earlier) {
+Calibration solve(const Given<Session>& session, const Given<std::string>& solver, const Given<std::string>& centre,
+                  const Given<std::string>& support_axes, const Given<std::string>& weights,
+                  const Given<std::string>& gap_model, const Given<std::vector<std::uint32_t>>& without,
+                  const Given<double>& class_threshold, const Given<Calibration>& earlier) {
+  const Session& measured = session.as("session", "a Session, as read_session() reads it from a file");
   SolverOptions options;
-  options.solver = solverFromName(solver);
-  options.centring = centringFromName(centre);
-  options.support_axes = supportAxesFromName(support_axes);
-  options.weights = linkWeightsFromName(weights);
-  options.gap_model = gapModelFromName(gap_model);
-  for (const std::uint32_t id : without) options.left_out.emplace_back(id);
-  options.class_threshold = class_threshold;
+  options.solver = solverFromName(solver.as("solver"));
+  options.centring = centringFromName(centre.as("centre", "auto, on or off"));
+  options.support_axes = supportAxesFromName(support_axes.as("support_axes", "auto, on or off"));
+  options.weights = linkWeightsFromName(weights.as("weights"));
+  options.gap_model = gapModelFromName(gap_model.as("gap_model"));
+  for (const std::uint32_t id : without.as("without", "a list of cells' IDs")) options.left_out.emplace_back(id);
+  options.class_threshold = class_threshold.as("class_threshold");
   options.validate();
-  const std::shared_ptr<const SessionSnapshot> snapshot = session.snapshot();
-  const std::shared_ptr<const Reconstruction> start = earlier != nullptr ? earlier->result : nullptr;
+  const std::shared_ptr<const SessionSnapshot> snapshot = measured.snapshot();
+  const std::shared_ptr<const Reconstruction> start =
+      earlier.object().is_none() ? nullptr : earlier.as("earlier", "a Calibration").result;
   return {
       interruptible([&](const std::stop_token& stop) { return reconstruct(*snapshot, options, start.get(), stop); })};
 }
@@ -46,12 +50,16 @@ void bindSolve(py::module_& module) {
       "centre: subtract each cell's mean reading: auto, on or off.\n"
       "support_axes: support weakly defined edges by the gap's axes: auto, on or off.\n"
       "weights: what makes a path short: paper or residual.\n"
-      "gap_model: what the mould does when it is bent: fit, arc (the pitch stays) or pivot (nothing stretches).\n"
+      "gap_model: what the mould does when it is bent: arc (the pitch stays), pivot (nothing stretches, and two port\n"
+      "vectors end in one point), or fit, which finds what lies between. The tree always takes pivot. A ring or tube\n"
+      "that bends alike everywhere does not tell it: there fit states a large uncertainty, and who knows the mould\n"
+      "says so.\n"
       "without: cells whose readings are left out.\n"
       "class_threshold: singular value from which a direction counts as defined; 1 is the paper's.\n"
       "earlier: a result of the same skin from which the global solver starts, which may be quicker.\n\n"
       "Other threads go on meanwhile, and Ctrl+C ends it. Whatever is wrong with the skin or its poses is a\n"
       "finding of the result and no exception.");
+  explainMisfits(module, "solve");
 }
 
 }  // namespace hexoderm::python

@@ -2714,10 +2714,6 @@ Die Balken sagen, wie sehr sich die gesehenen Richtungen in drei Achsen untersch
         <translation>nach dem Schreiben zurückgelesen, enthält sie nicht, was geschrieben werden sollte: {}</translation>
     </message>
     <message>
-        <source>folder of tables: cells, sensors, links, poses, residuals</source>
-        <translation>Ordner mit Tabellen: Zellen, Sensoren, Verbindungen, Posen, Restfehler</translation>
-    </message>
-    <message>
         <source>skin graph for Graphviz, with ports and quality</source>
         <translation>Hautgraph für Graphviz, mit Ports und Güte</translation>
     </message>
@@ -4296,10 +4292,6 @@ Die Balken sagen, wie sehr sich die gesehenen Richtungen in drei Achsen untersch
     <message>
         <source>a rotation matrix (row-major, orthogonal to 1e-6, determinant +1)</source>
         <translation>eine Drehmatrix (zeilenweise, auf 1e-6 orthogonal, Determinante +1)</translation>
-    </message>
-    <message>
-        <source>a unit quaternion (w, x, y, z)</source>
-        <translation>ein Einheitsquaternion (w, x, y, z)</translation>
     </message>
     <message>
         <source>expected &quot;{}&quot;, found {}</source>
@@ -6880,12 +6872,36 @@ Die Balken sagen, wie sehr sich die gesehenen Richtungen in drei Achsen untersch
         <translation>hat sich {}-mal geweigert, sich zu drehen, zuletzt: {}</translation>
     </message>
     <message>
-        <source>nothing for {}. {}</source>
-        <translation>nichts seit {}. {}</translation>
-    </message>
-    <message>
         <source>ended before a skin described itself</source>
         <translation>endete, bevor sich eine Haut beschrieb</translation>
+    </message>
+    <message>
+        <source>no skin has described itself yet; that is noticed while the next pose is waited for</source>
+        <translation>noch keine Haut hat sich beschrieben; bemerkt wird das, während auf die nächste Pose gewartet wird</translation>
+    </message>
+    <message>
+        <source>nothing for {}, so this gives up. Its last state: {}</source>
+        <translation>nichts seit {}, daher wird aufgegeben. Der letzte Stand: {}</translation>
+    </message>
+    <message>
+        <source>port {}: vector_m ends {} from the centre, but side_m and gap_m put the middle of the gap at {} in that direction</source>
+        <translation>Port {}: vector_m endet {} von der Mitte, aber nach side_m und gap_m liegt die Mitte des Spalts in dieser Richtung bei {}</translation>
+    </message>
+    <message>
+        <source>a length in metres, from {} to {}</source>
+        <translation>eine Länge in Metern, von {} bis {}</translation>
+    </message>
+    <message>
+        <source>there is no such file, nor such a built-in cell model; built in: {}</source>
+        <translation>es gibt weder eine solche Datei noch ein solches eingebautes Zellmodell; eingebaut: {}</translation>
+    </message>
+    <message>
+        <source>folder of tables: cells, sensors, links, poses, residuals, covariances</source>
+        <translation>Ordner mit Tabellen: Zellen, Sensoren, Verbindungen, Posen, Abweichungen, Kovarianzen</translation>
+    </message>
+    <message>
+        <source>a unit quaternion (w, x, y, z); the length of this one is {}</source>
+        <translation>ein Einheitsquaternion (w, x, y, z); die Länge von diesem ist {}</translation>
     </message>
 </context>
 <context>

@@ -22,7 +22,7 @@ class DeviceError(Error, OSError): ...
 
 class CellModel:
     @staticmethod
-    def load(name_or_path: str) -> CellModel: ...
+    def load(name_or_path: _Path) -> CellModel: ...
     @staticmethod
     def from_json(text: str, file: str = ...) -> CellModel: ...
     def to_json(self) -> str: ...
@@ -70,8 +70,9 @@ class Session:
         counts: ArrayLike | None = ...,
         labels: Sequence[str] = ...,
         body_parts: Sequence[str] = ...,
-        cell_model: CellModel | str = ...,
+        cell_model: CellModel | _Path = ...,
         description: str = ...,
+        truth: tuple[ArrayLike, ArrayLike, ArrayLike] | None = ...,
     ) -> Session: ...
     @staticmethod
     def from_json(text: str, file: str = ...) -> Session: ...
@@ -118,7 +119,7 @@ def simulate(
     samples: int = ...,
     seed: int = ...,
     link_law: str = ...,
-    cell_model: CellModel | str = ...,
+    cell_model: CellModel | _Path = ...,
     offset_sigma_g: float | None = ...,
     motion: str = ...,
     ideal: bool = ...,
@@ -136,7 +137,7 @@ def simulate_robot(
     surface: str = ...,
     seed: int = ...,
     link_law: str = ...,
-    cell_model: CellModel | str = ...,
+    cell_model: CellModel | _Path = ...,
     ideal: bool = ...,
 ) -> Session: ...
 
@@ -288,6 +289,10 @@ class Calibration:
     @property
     def verdict(self) -> Verdict: ...
     @property
+    def advice(self) -> str: ...
+    @property
+    def advised_up(self) -> _Floats | None: ...
+    @property
     def cell_model(self) -> CellModel: ...
     @property
     def solver(self) -> str: ...
@@ -310,8 +315,8 @@ class Calibration:
         **options: str,
     ) -> Exported: ...
 
-def read_calibration(path: _Path, cell_model: CellModel | str = ...) -> Calibration: ...
-def read(path: _Path, cell_model: CellModel | str = ...) -> Session | Calibration: ...
+def read_calibration(path: _Path, cell_model: CellModel | _Path = ...) -> Calibration: ...
+def read(path: _Path, cell_model: CellModel | _Path = ...) -> Session | Calibration: ...
 def solve(
     session: Session,
     *,

@@ -105,6 +105,11 @@ class LiveCapture::Run final : public CaptureOwner, public SkinListener, public 
   }
 
   void turnToNextPose() {
+    if (!state().session) {
+      throw InvalidArgument(
+          located(options_.source,
+                  message("no skin has described itself yet; that is noticed while the next pose is waited for")));
+    }
     if (!state().can_turn) {
       throw InvalidArgument(located(options_.source, message("this device does not turn by itself")));
     }
@@ -231,8 +236,8 @@ class LiveCapture::Run final : public CaptureOwner, public SkinListener, public 
     if (status.state == SourceState::Incompatible) throw DeviceError(located(source_->address(), status.message));
     if (Clock::now() - last_progress_ > std::chrono::duration<double>(options_.timeout_s) &&
         (!session_ || options_.automatic)) {
-      throw DeviceError(located(source_->address(),
-                                message("nothing for {}. {}", Seconds{options_.timeout_s, 0}, whyNothingComes())));
+      throw DeviceError(located(source_->address(), message("nothing for {}, so this gives up. Its last state: {}",
+                                                            Seconds{options_.timeout_s, 0}, whyNothingComes())));
     }
   }
 
@@ -251,7 +256,8 @@ class LiveCapture::Run final : public CaptureOwner, public SkinListener, public 
     state_.can_turn = course_.canTurn();
     state_.up.reset();
     state_.advice = {};
-    if (!course_.nextPose() || !result_) return;
+    // What was advised before the last pose helps nobody any more.
+    if (!course_.nextPose() || !result_ || course_.isFinished()) return;
     state_.up = course_.nextPose()->up;
     state_.advice = adviceInWords(*course_.nextPose(), *result_);
   }

@@ -21,6 +21,16 @@ constexpr double kYawSigma = 2 * kDegree;
 /// model is exactly the same when it is opened again.
 const std::string kExactRotation = "R_u";
 
+/// validate() refuses what is longer too, but does not know the place in the file.
+double readLength(const JsonReader& json, double least_m) {
+  constexpr double kMost_m = 1;
+  const double length_m = json.nonNegativeNumber();
+  if (length_m < least_m || length_m > kMost_m) {
+    json.fail(message("a length in metres, from {} to {}", Number{least_m}, Number{kMost_m}));
+  }
+  return length_m;
+}
+
 SE3 readPlacement(const JsonReader& json, const std::string& t_key, const std::string& q_key) {
   SE3 T;
   if (const auto t = json.find(t_key)) T.t = t->vector3();
@@ -67,9 +77,10 @@ CellModel readCellModel(const JsonReader& json) {
                     "yaw_sigma_rad"});
   CellModel model;
   model.name = json.at("name").string();
-  model.side_m = json.at("side_m").positiveNumber();
-  model.thickness_m = json.at("thickness_m").nonNegativeNumber();
-  model.gap_m = json.at("gap_m").nonNegativeNumber();
+  constexpr double kLeastSide_m = 1e-3;
+  model.side_m = readLength(json.at("side_m"), kLeastSide_m);
+  model.thickness_m = readLength(json.at("thickness_m"), 0);
+  model.gap_m = readLength(json.at("gap_m"), 0);
   for (const JsonReader& port : json.at("ports").items()) {
     port.requireKeys({"port", "vector_m"});
     model.ports.push_back({PortNumber(port.at("port").unsignedInteger(1)), port.at("vector_m").vector3()});
@@ -173,6 +184,11 @@ std::vector<std::string> builtInCellModelNames() {
 CellModel loadCellModel(const std::string& name_or_path) {
   const std::vector<std::string> names = builtInCellModelNames();
   if (std::ranges::find(names, name_or_path) != names.end()) return builtInCellModel(name_or_path);
+  std::error_code unknown;
+  if (!std::filesystem::exists(name_or_path, unknown) && !unknown) {
+    throw StorageError(
+        located(name_or_path, message("there is no such file, nor such a built-in cell model; built in: {}", names)));
+  }
   return cellModelFromJson(readFile(name_or_path), name_or_path);
 }
 

@@ -18,7 +18,12 @@ std::string dumped(const ManifestJson& json) {
   return json.dump(2, ' ', false, ManifestJson::error_handler_t::replace) + "\n";
 }
 
-ManifestJson lengthUnitOf(const ExportFormatDescription& format, const ExportOptions& options) {
+/// Tables of angles and numbers, which are in no frame: of links and of what they leave over in each pose.
+bool isWithoutPlaces(const ManifestFile& file) { return file.name == "links.csv" || file.name == "residuals.csv"; }
+
+ManifestJson lengthUnitOf(const ManifestFile& file, const ExportOptions& options) {
+  const ExportFormatDescription& format = *file.format;
+  if (isWithoutPlaces(file) || file.name == "poses.csv") return nullptr;
   if (format.format == ExportFormat::Stl && options.stl_unit == LengthUnit::Millimetres) return "mm";
   if (format.format == ExportFormat::Skinware) return "nm";
   if (format.format == ExportFormat::Dot) return nullptr;
@@ -57,8 +62,8 @@ ManifestJson fileJson(const Reconstruction& reconstruction, const ManifestFile& 
   ManifestJson json = {{"file", file.name},
                        {"format", file.format->name},
                        {"sha256", file.sha256},
-                       {"length_unit", lengthUnitOf(*file.format, options)},
-                       {"coordinates", coordinatesInWords(reconstruction, file)}};
+                       {"length_unit", lengthUnitOf(file, options)}};
+  if (!isWithoutPlaces(file)) json["coordinates"] = coordinatesInWords(reconstruction, file);
   if (!file.format->not_carried.empty()) json["not_carried"] = file.format->not_carried.english();
   json["patches_left_out"] = patchesLeftOutOf(reconstruction, file.selection);
   const auto taxels = [&] { return taxelMap(*reconstruction.model, file.selection.mounted, options); };
@@ -125,7 +130,8 @@ std::string manifestText(const Reconstruction& reconstruction, std::span<const M
       {"units", {{"length", "m"}, {"angle", "rad"}}},
       {"conventions",
        "x_frame = R x_cell + t_m, R row-major; cov_t_r is the upper triangle of the covariance, position "
-       "in the frame, then rotation, its error right-multiplied in the cell's frame"}};
+       "in the frame, then rotation, its error right-multiplied in the cell's frame; units are those of this document, "
+       "and columns of a CSV file end in theirs"}};
   json["cell_model"] = reconstruction.model->name;
   json["inputs"] = inputsJson(reconstruction, options);
   ManifestJson list = ManifestJson::array();

@@ -33,7 +33,7 @@ const std::vector<ExportFormatDescription>& formats() {
       {ExportFormat::Csv,
        "csv",
        "",
-       message("folder of tables: cells, sensors, links, poses, residuals"),
+       message("folder of tables: cells, sensors, links, poses, residuals, covariances"),
        PatchesInFile::All,
        {}},
       {ExportFormat::Dot, "dot", ".dot", message("skin graph for Graphviz, with ports and quality"), PatchesInFile::All,

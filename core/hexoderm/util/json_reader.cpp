@@ -422,7 +422,10 @@ Eigen::Matrix3d JsonReader::rotation() const {
 Eigen::Quaterniond JsonReader::unitQuaternion() const {
   const std::vector<double> v = numbers(4);
   const Eigen::Quaterniond q(v[0], v[1], v[2], v[3]);
-  if (!isUnitQuaternion(q)) fail(message("a unit quaternion (w, x, y, z)"));
+  if (!isUnitQuaternion(q)) {
+    constexpr int kDecimals = 7;  // it has to be 1 within a millionth
+    fail(message("a unit quaternion (w, x, y, z); the length of this one is {}", Number{q.norm(), kDecimals}));
+  }
   return q.normalized();
 }
 

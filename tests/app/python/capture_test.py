@@ -26,6 +26,8 @@ class Captures(InFolder):
                 np.testing.assert_array_equal(capture.session.poses[-1].readings, pose.readings)
                 self.assertEqual(len(capture.calibration.patches[0].gravity), len(ids))
             self.assertEqual((capture.calibration.verdict.level, capture.remarks), ("good", []))
+            # What was advised before the last pose is over.
+            self.assertEqual((capture.advice, capture.advised_up), ("", None))
         self.assertEqual(ids, [1, 2, 3, 4])
         self.assertEqual(len(capture.session.poses), 4)
         # The result is that of the session.
@@ -61,6 +63,13 @@ class Captures(InFolder):
             second = next(capture)
         cosines = np.sum(first.readings * second.readings, axis=1)
         self.assertLess(np.median(cosines), 0.7)
+
+    def test_nothing_is_read_before_the_first_pose_is_waited_for(self):
+        with hexoderm.Capture("sim:x17?speed=max", poses=1) as capture:
+            time.sleep(0.3)
+            self.assertEqual((capture.session, capture.calibration, capture.advice), (None, None, ""))
+            with self.assertRaisesRegex(hexoderm.InvalidArgument, "no skin has described itself yet"):
+                capture.turn_to_next_pose()
 
     def test_a_recording_gives_the_same_poses(self):
         recording = self.folder / "stream"
@@ -98,7 +107,7 @@ class Captures(InFolder):
 
     def test_nothing_comes(self):
         with hexoderm.Capture("tcp://localhost:1", timeout=0.5) as capture:
-            with self.assertRaisesRegex(hexoderm.DeviceError, r"tcp://localhost:1: nothing for 0 s\. "):
+            with self.assertRaisesRegex(hexoderm.DeviceError, r"tcp://localhost:1: nothing for 0 s, so this gives up\. "):
                 next(capture)
             with self.assertRaises(StopIteration):
                 next(capture)
@@ -141,6 +150,29 @@ except KeyboardInterrupt:
             time.sleep(0.3)
             os.kill(process.pid, signal.SIGINT)
             self.assertEqual(process.stdout.read(), "interrupted, 1 pose\n")
+
+    def test_a_daemon_thread_that_is_left_behind_ends_nothing(self):
+        # Python takes its lock away from such threads while they wait for it, wherever they are.
+        program = """
+import hexoderm, threading, time
+capture = hexoderm.Capture("sim:x17")
+session = hexoderm.simulate(poses=3)
+calibration = hexoderm.solve(session)
+
+
+def over_and_over(work):
+    while True:
+        work()
+
+
+for work in (lambda: next(capture), lambda: hexoderm.solve(session), calibration.to_json, session.to_json):
+    threading.Thread(target=over_and_over, args=(work,), daemon=True).start()
+threading.Thread(target=lambda: (time.sleep(0.3), capture.close()), daemon=True).start()
+time.sleep(0.3)
+"""
+        for _ in range(5):
+            result = subprocess.run([sys.executable, "-c", program], capture_output=True, text=True)
+            self.assertEqual((result.returncode, result.stderr), (0, ""))
 
 
 if __name__ == "__main__":

@@ -68,6 +68,8 @@ class Errors(InFolder):
                                  "simulate", *arguments, "-o", out)
         self.expect_same(hexoderm.StorageError, lambda: hexoderm.simulate(cell_model="square"),
                          "simulate", "--cell-model", "square", "-o", out)
+        with self.assertRaisesRegex(hexoderm.StorageError, "square: there is no such file, .*built in: hex-bma150"):
+            hexoderm.simulate(cell_model="square")
         # The same words but for what the option is called.
         _, _, error = run("simulate", "--fault", "dead", "-o", out)
         with self.assertRaises(hexoderm.InvalidArgument) as raised:

@@ -1,6 +1,9 @@
 #!/usr/bin/env python3
 """Exports are those of the command line."""
 
+import os
+import pathlib
+import re
 import unittest
 
 import hexoderm
@@ -44,6 +47,33 @@ class Exports(InFolder):
             calibration.export("stl", self.folder / "x.stl", stl_unit="inch")
         with self.assertRaisesRegex(hexoderm.InvalidArgument, "colour: is no option of an export, expected one of "):
             calibration.export("stl", self.folder / "x.stl", colour="red")
+
+    def test_an_option_of_another_format_is_refused(self):
+        with self.assertRaisesRegex(hexoderm.InvalidArgument, "stl_unit: is an option of stl, found urdf, ply"):
+            self.calibration.export(["urdf", "ply"], self.folder / "x", stl_unit="m")
+        self.calibration.export(["urdf", "stl"], self.folder / "x", stl_unit="m")
+
+    def test_tables_are_a_folder(self):
+        with self.assertRaisesRegex(hexoderm.InvalidArgument, "path: expected a folder, or an archive"):
+            self.calibration.export("csv", self.folder / "cells.csv")
+        self.assertFalse((self.folder / "cells.csv").exists())
+
+    def test_every_column_of_the_tables_is_on_the_page_of_the_formats(self):
+        page = (pathlib.Path(os.environ["HEXODERM_SOURCE_DIR"]) / "resources/formats/README.md").read_text("utf-8")
+        documented = {}
+        for names, files in re.findall(r"^\| ((?:`\w+`(?:, )?)+) \| ((?:`\w+\.csv`(?:, )?)+) \|", page, re.MULTILINE):
+            for file in re.findall(r"`(\w+\.csv)`", files):
+                documented.setdefault(file, set()).update(re.findall(r"`(\w+)`", names))
+        tables = [file for file in self.calibration.export("csv", self.folder / "tables").files if file.suffix == ".csv"]
+        self.assertEqual(set(documented), {file.name for file in tables})
+        self.assertIn("covariances", hexoderm.export_formats()["csv"])
+        for file in tables:
+            columns = set(file.read_text().split("\n", 1)[0].split(","))
+            self.assertLessEqual(documented[file.name], columns, file.name)
+            # Those that there are many of, of which one stands for the others.
+            others = {name for name in columns - documented[file.name]
+                      if not re.fullmatch(r"pose\d+_deg|cov_r?[xyz]_r?[xyz]_(m2|m_rad|rad2)", name)}
+            self.assertEqual(others, set(), file.name)
 
     def test_several_formats(self):
         exported = self.calibration.export(["urdf", "csv"], self.folder / "all")

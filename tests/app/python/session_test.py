@@ -1,6 +1,8 @@
 #!/usr/bin/env python3
 """Sessions: as arrays, as files, and changed."""
 
+import pathlib
+import tempfile
 import unittest
 
 import hexoderm
@@ -50,19 +52,37 @@ class Arrays(unittest.TestCase):
         self.assertIn('"hand"', session.to_json())
         self.assertIsNone(session.truth)
 
+    def test_a_truth_that_is_given_is_compared_with(self):
+        session = hexoderm.simulate(poses=3)
+        cells, positions, rotations = session.truth
+        again = as_arrays(session, truth=(cells[::-1], positions[::-1], rotations[::-1]))
+        calibration = hexoderm.solve(session)
+        np.testing.assert_allclose(calibration.compare(again)[0].positions, calibration.compare(session)[0].positions,
+                                   atol=1e-12)
+        for truth, words in (((cells[:2], positions[:3], rotations[:2]), r"truth\[1\]: expected the shape \(cells=2, 3\)"),
+                             (([99], positions[:1], rotations[:1]), r"truth\[0\]\[0\]: expected each cell"),
+                             (([1], positions[:1], 2 * rotations[:1]), r"truth\[2\]\[0\]: expected a rotation"),
+                             (([1], [[0, np.inf, 0]], rotations[:1]), r"truth\[1\]\[0\]: expected finite")):
+            with self.assertRaisesRegex(hexoderm.InvalidArgument, words):
+                as_arrays(session, truth=truth)
+
     def test_arrays_that_do_not_fit_are_refused(self):
         readings, links = np.tile([0, 0, 1.0], (2, 3, 1)), [[1, 2, 2, 3], [2, 2, 3, 3]]
         good = hexoderm.Session.from_arrays(readings, links)
         self.assertEqual(len(good.poses), 2)
         for words, arguments, others in [
-            ("readings: expected the shape (any, any, 3), found (2, 9)", (readings.reshape(2, 9), links), {}),
-            ("links: expected the shape (any, 4), found (2,)", (readings, [1, 2]), {}),
+            ("readings: expected the shape (poses, cells, 3), found (2, 9)", (readings.reshape(2, 9), links), {}),
+            ("links: expected the shape (links, 4), found (2,)", (readings, [1, 2]), {}),
             ("links: row 1 names cell 4, which is not among the cells", (readings, [links[0], [2, 2, 4, 3]]), {}),
             ("cells: cell 1 is named twice", (readings, links), dict(cells=[1, 1, 3])),
-            ("counts: expected the shape (3,), found (2,)", (readings, links), dict(counts=[[1, 2], [1, 2]])),
-            ("covariances: expected one for each of the 2 poses", (readings, links),
-             dict(covariances=np.zeros((1, 3, 3, 3)))),
-            ("labels: expected one for each of the 2 poses", (readings, links), dict(labels=["a"])),
+            ("counts: expected the shape (poses=2, cells=3), found (2, 2)", (readings, links),
+             dict(counts=[[1, 2], [1, 2]])),
+            ("counts: expected the shape (poses=2, cells=3), found ()", (readings, links), dict(counts=200)),
+            ("covariances: expected the shape (poses=2, cells=3, 3, 3), found (2, 3, 3)", (readings, links),
+             dict(covariances=np.zeros((2, 3, 3)))),
+            ("readings: expected the shape (poses, cells, 3), found (2, 5, 3, 3); average the samples of each pose first",
+             (np.zeros((2, 5, 3, 3)), links), {}),
+            ("labels: expected one for each of the 2 poses, found 1", (readings, links), dict(labels=["a"])),
             ("body_parts: expected one for each of 3 cells, found 1", (readings, links), dict(body_parts=["a"])),
         ]:
             with self.assertRaises(hexoderm.InvalidArgument) as raised:
@@ -73,13 +93,30 @@ class Arrays(unittest.TestCase):
         readings, links = np.tile([0, 0, 1.0], (1, 2, 1)), [[1, 2, 2, 3]]
         with self.assertRaisesRegex(hexoderm.FormatError, r"are these m/s2\? Expected g"):
             hexoderm.Session.from_arrays(readings * 9.81, links)
-        with self.assertRaisesRegex(hexoderm.FormatError, r"arrays: poses\[0\].samples\[1\].cov"):
-            hexoderm.Session.from_arrays(readings, links, covariances=[[np.zeros((3, 3)), -np.eye(3)]])
-        half = readings.copy()
-        half[0, 1, 1] = np.nan
-        with self.assertRaises(hexoderm.Error):
-            hexoderm.Session.from_arrays(half, links)
-        for links in ([[1.5, 2, 2, 3]], np.array([[1.5, 2, 2, 3]]), [["a", "b", "c", "d"]]):
+
+    def test_numbers_that_make_no_sense_are_named_by_array_and_place(self):
+        readings, links = np.tile([0, 0, 1.0], (2, 2, 1)), [[1, 2, 2, 3]]
+        for bad in (np.nan, np.inf):
+            half = readings.copy()
+            half[1, 0, 1] = bad
+            with self.assertRaisesRegex(hexoderm.InvalidArgument, r"readings\[1, 0\]: .* NaN for all three"):
+                hexoderm.Session.from_arrays(half, links)
+        good = hexoderm.Session.from_arrays(readings, links)
+        for bad, words in ((-np.eye(3), "variances of at least 0"), (np.full((3, 3), np.nan), "finite numbers"),
+                           ([[1, 0.5, 0], [0, 1, 0], [0, 0, 1]], "symmetric"),
+                           ([[1, 2, 0], [2, 1, 0], [0, 0, 1]], "semidefinite")):
+            covariances = np.zeros((2, 2, 3, 3))
+            covariances[1, 0] = bad
+            with self.assertRaisesRegex(hexoderm.InvalidArgument, rf"covariances\[1, 0\]: expected.*{words}"):
+                hexoderm.Session.from_arrays(readings, links, covariances=covariances)
+            with self.assertRaisesRegex(hexoderm.InvalidArgument, rf"covariances\[0\]: expected.*{words}"):
+                good.add_pose(readings[0], covariances=covariances[1])
+
+    def test_whole_numbers(self):
+        readings = np.tile([0, 0, 1.0], (1, 2, 1))
+        floating = hexoderm.Session.from_arrays(readings, np.array([[1.0, 2.0, 2.0, 3.0]]), counts=[[100.0, 100.0]])
+        self.assertEqual((floating.links.tolist(), floating.counts.tolist()), ([[1, 2, 2, 3]], [[100, 100]]))
+        for links in ([[np.nan, 2, 2, 3]], [[1e300, 2, 2, 3]], [[1.5, 2, 2, 3]], np.array([[1.5, 2, 2, 3]]), [["a", "b", "c", "d"]]):
             with self.assertRaisesRegex(hexoderm.InvalidArgument, "links: expected whole numbers"):
                 hexoderm.Session.from_arrays(readings, links)
 
@@ -124,7 +161,7 @@ class Changes(unittest.TestCase):
                                       hexoderm.solve(whole).patches[0].positions)
         with self.assertRaises(hexoderm.InvalidArgument):
             session.remove_pose(9)
-        with self.assertRaises(hexoderm.FormatError):
+        with self.assertRaises(hexoderm.InvalidArgument):
             session.add_pose(whole.readings[3], covariances=-whole.covariances[3])
         self.assertEqual(len(session.poses), 4)
 
@@ -145,12 +182,19 @@ class Changes(unittest.TestCase):
         self.assertEqual(len(hexoderm.solve(session).patches), 2)
         session.set_link_muted((cell, port), (other, other_port), False)
         self.assertEqual(len(hexoderm.solve(session).patches), 1)
+        with self.assertRaisesRegex(hexoderm.InvalidArgument, "no link of the session joins cell 1, port 1 and cell 1"):
+            session.set_link_muted((1, 1), (17, 3), True)
 
     def test_cell_models(self):
         model = hexoderm.CellModel.load("hex-bma150")
         self.assertIn(model.name, hexoderm.built_in_cell_models())
         self.assertEqual(sorted(model.ports), [1, 2, 3, 4])
         self.assertEqual(model.outline.shape, (6, 3))
+        with tempfile.TemporaryDirectory() as folder:
+            path = pathlib.Path(folder) / "model.json"
+            path.write_text(model.to_json())
+            self.assertEqual(hexoderm.CellModel.load(path).name, model.name)
+            self.assertEqual(hexoderm.simulate(cell_model=path).cell_model.name, model.name)
         own = hexoderm.CellModel.from_json(model.to_json().replace('"hex-bma150"', '"own"'))
         self.assertEqual(hexoderm.simulate(cell_model=own).cell_model.name, "own")
 

@@ -1,6 +1,7 @@
 #!/usr/bin/env python3
 """Solutions: what they hold, and that Python goes on while they are made."""
 
+import json
 import os
 import signal
 import subprocess
@@ -52,6 +53,46 @@ class Solutions(unittest.TestCase):
         far = self.patch.covariance(6, 17)
         self.assertTrue((np.linalg.eigvalsh(near) > 0).all())
         self.assertLess(np.trace(near[:3, :3]), np.trace(far[:3, :3]))
+
+    def test_the_verdict_is_that_of_the_worst_cell(self):
+        each = 1.96 * np.sqrt(np.linalg.eigvalsh(self.patch.covariances[:, :3, :3])[:, -1])
+        self.assertAlmostEqual(self.calibration.verdict.position_95_m, each.max(), places=12)
+
+    def test_a_comparison_is_reference_less_fitted_patch(self):
+        _, reference, _ = self.session.truth
+        found = self.patch.positions
+        u, _, vt = np.linalg.svd((found - found.mean(axis=0)).T @ (reference - reference.mean(axis=0)))
+        turn = vt.T @ np.diag([1, 1, np.linalg.det(vt.T @ u.T)]) @ u.T
+        fitted = (found - found.mean(axis=0)) @ turn.T + reference.mean(axis=0)
+        np.testing.assert_allclose(self.calibration.compare(self.session)[0].positions, reference - fitted, atol=1e-12)
+
+    def test_the_next_pose_is_a_direction_and_words(self):
+        first = hexoderm.solve(hexoderm.simulate(poses=1))
+        self.assertEqual(first.verdict.remedy, "take_pose")
+        self.assertTrue(first.verdict.next_action.startswith(first.advice), first.verdict.next_action)
+        self.assertAlmostEqual(np.linalg.norm(first.advised_up), 1)
+        self.assertLess(abs(first.advised_up @ first.patches[0].gravity[0]), 0.9)
+        none = hexoderm.solve(hexoderm.simulate(poses=0))
+        self.assertEqual((none.advice, none.advised_up), ("", None))
+
+    def test_the_tree_states_no_covariance_of_the_shape(self):
+        tree = hexoderm.solve(self.session, solver="tree", gap_model="arc")
+        self.assertTrue(np.isnan(tree.patches[0].shape_covariances).all())
+        self.assertFalse(np.isnan(tree.patches[0].covariances).any())
+        self.assertEqual(json.loads(tree.to_json())["gap_model"], "pivot")
+
+    def test_a_mean_is_no_better_than_a_hands_tremor(self):
+        def of(covariances):
+            session = hexoderm.Session.from_arrays(self.session.readings, self.session.links, covariances=covariances,
+                                                   counts=self.session.counts)
+            calibration = hexoderm.solve(session)
+            noise = [pose["noise_g"] for pose in json.loads(calibration.to_json())["poses"]]
+            return calibration.verdict.position_95_m, min(noise)
+
+        usual, exact, rough = (of(self.session.covariances * factor) for factor in (1, 0.01, 1e4))
+        self.assertAlmostEqual(usual[0], exact[0], places=6)
+        self.assertGreater(rough[0], 2 * usual[0])
+        self.assertGreaterEqual(exact[1], 0.003)
 
     def test_a_calibration_of_a_file_has_no_covariances_of_two_cells(self):
         patch = hexoderm.Calibration.from_json(self.calibration.to_json()).patches[0]
@@ -149,6 +190,58 @@ print(hexoderm.solve(hexoderm.simulate(poses=3)).verdict.level)
             time.sleep(0.3)
             os.kill(process.pid, signal.SIGINT)
             self.assertEqual(process.stdout.read(), "interrupted\ngood\n")
+
+
+def turned_by(degrees):
+    """The cell model with its chip turned about z."""
+    model = json.loads(hexoderm.CellModel.load("hex-bma150").to_json())
+    half = np.radians(degrees) / 2
+    model["accelerometer"]["q_u_wxyz"] = [np.cos(half), 0, 0, np.sin(half)]
+    return hexoderm.CellModel.from_json(json.dumps(model))
+
+
+class WrongAxes(unittest.TestCase):
+    """What the documents say of a chip that is turned otherwise than in the cell model."""
+
+    def solved(self, degrees, **skin):
+        session = hexoderm.simulate(poses=4, cell_model=turned_by(90), **skin)
+        seen = hexoderm.Session.from_arrays(session.readings, session.links, covariances=session.covariances,
+                                            counts=session.counts, cell_model=turned_by(degrees), truth=session.truth)
+        calibration = hexoderm.solve(seen)
+        links = calibration.patches[0].links
+        bends, twists = (np.degrees([getattr(link, name) for link in links]) for name in ("bend_rad", "twist_rad"))
+        return calibration, bends, twists, calibration.compare(seen)[0].position_rms_m
+
+    CURVED = (dict(patch="sheet:5x5", surface="cylinder:r=0.06"), dict(patch="sheet:5x5", surface="sphere:r=0.08"),
+              dict(patch="ring9"), dict())
+
+    def test_bends_are_positive_on_a_convex_part(self):
+        for skin in self.CURVED:
+            with self.subTest(**skin):
+                calibration, bends, twists, error = self.solved(90, **skin)
+                self.assertEqual(calibration.findings, [])
+                self.assertGreater(bends.min(), 10)
+                self.assertLess(abs(twists.mean()), 2)
+                self.assertLess(error, 0.005)
+
+    def test_half_a_turn_makes_them_negative_and_is_not_found(self):
+        for skin in self.CURVED[:2] + self.CURVED[3:]:
+            with self.subTest(**skin):
+                calibration, bends, _, error = self.solved(-90, **skin)
+                self.assertEqual((calibration.verdict.level, calibration.findings), ("good", []))
+                self.assertLess(bends.max(), -10)
+                self.assertGreater(error, 0.01)
+
+    def test_a_quarter_turn_makes_links_twist_and_is_not_found_on_chains_and_strips(self):
+        for skin in (dict(patch="ring9"), dict(patch="sheet:1x8", surface="cylinder:r=0.06")):
+            with self.subTest(**skin):
+                calibration, bends, twists, error = self.solved(0, **skin)
+                self.assertEqual((calibration.verdict.level, calibration.findings), ("good", []))
+                self.assertGreater(twists.min(), 10)
+                self.assertLess(abs(bends.mean()), 2)
+                self.assertGreater(error, 0.01)
+        calibration, _, _, _ = self.solved(0, **self.CURVED[0])
+        self.assertIn("contradicts-model", [finding.code for finding in calibration.findings])
 
 
 if __name__ == "__main__":

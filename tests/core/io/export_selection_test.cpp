@@ -152,6 +152,12 @@ TEST_F(ExportSelections, ABundleSaysWhatItsFilesAre) {
               ElementsAre("r_forearm", "r_hand"));
   EXPECT_THAT(files.at("skin.tf.yaml").at("coordinates").get<std::string>(),
               HasSubstr("the patch of cell 20 placed on link r_hand"));
+  EXPECT_EQ(files.at("cells.csv").at("length_unit"), "m");
+  EXPECT_TRUE(files.at("cells.csv").contains("coordinates"));
+  for (const char* angles : {"links.csv", "residuals.csv"}) {
+    EXPECT_TRUE(files.at(angles).at("length_unit").is_null()) << angles;
+    EXPECT_FALSE(files.at(angles).contains("coordinates")) << angles;
+  }
   std::vector<std::string> words;
   for (const auto& frame : manifest.at("frames")) words.push_back(frame.at("words"));
   EXPECT_THAT(words, Contains("maps points of cell 7 into link r_forearm"));
