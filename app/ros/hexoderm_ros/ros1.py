@@ -1,5 +1,7 @@
 """The node of ROS 1 (rospy)."""
 
+import signal
+import threading
 import time
 
 import genpy.dynamic
@@ -38,16 +40,28 @@ class _OfAnyType:
         self._callback(message)
 
 
-def _begin(name):
-    """Waits for the master. KeyboardInterrupt: the user did not want to."""
+def _wait_for_master(name):
+    """Until it is there, or until Ctrl+C: KeyboardInterrupt."""
     try:
         master = rosgraph.Master("/" + name)
     except ValueError as error:
         raise UsageError(f"ROS_MASTER_URI: {error}") from error
+    # is_online() would swallow the exception of Ctrl+C; and a script has what it puts behind it ignore the signal.
+    ended = threading.Event()
+    signal.signal(signal.SIGINT, lambda *_: ended.set())
     if not master.is_online():
         say(f"no ROS master at {master.master_uri}; waiting (is roscore running? ROS_MASTER_URI says where it is)")
-        while not master.is_online():
-            time.sleep(ASK_EVERY_S)
+        while not ended.wait(ASK_EVERY_S) and not master.is_online():
+            pass
+    signal.signal(signal.SIGINT, signal.default_int_handler)
+    if ended.is_set():
+        raise KeyboardInterrupt
+    return master
+
+
+def _begin(name):
+    """The master, with a node of that name. KeyboardInterrupt: the user ended it."""
+    master = _wait_for_master(name)
     try:
         rospy.init_node(name, anonymous=True)
     except rospy.exceptions.ROSInitException:

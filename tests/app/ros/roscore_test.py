@@ -94,7 +94,7 @@ class Ros1(InFolder):
     def start_adapter(self, document):
         adapter = self.begin_adapter(document)
         line = adapter.stderr.readline()
-        self.assertRegex(line, r"hexoderm-ros: \d+ cells on tcp://127.0.0.1:\d+")
+        self.assertRegex(line, r"hexoderm-ros: \d+ cells? on tcp://127.0.0.1:\d+")
         return adapter, re.search(r"tcp://\S+", line)[0]
 
     def wait_for_subscribers(self, topics):
@@ -194,18 +194,16 @@ class Ros1(InFolder):
         self.assertRegex(said, r"left out: \d+ readings of a frame_id that no cell has\n")
         self.assertLess(len(said.splitlines()), 8, said)
 
-    def test_topics_that_bring_nothing_are_named(self):
+    def test_a_topic_that_stops_and_comes_back_is_named(self):
         rospy.init_node("test", anonymous=True, disable_signals=True)
-        adapter, _ = self.start_adapter({"cells": [{"id": k, "imu": f"/imu{k}"} for k in (1, 2, 3)]})
+        adapter, _ = self.start_adapter({"cells": [{"id": 1, "imu": "/imu1"}]})
         end = self.publish("/imu1", sensor_msgs.msg.Imu, self.imu)
-        self.publish("/imu3", std_msgs.msg.String, std_msgs.msg.String)
-        time.sleep(5)
+        time.sleep(1)
         end()
         self.wait_for_line(adapter, "nothing any more on /imu1 (cell 1); nobody publishes it")
-        end = self.publish("/imu1", sensor_msgs.msg.Imu, self.imu)
+        self.publish("/imu1", sensor_msgs.msg.Imu, self.imu)
         self.wait_for_line(adapter, "messages come on /imu1 (cell 1)")
-        said = self.end_adapter(adapter)
-        self.assertNotIn("nothing", said)  # what was said is not said again
+        self.assertNotIn("nothing", self.end_adapter(adapter))  # what was said is not said again
 
     def test_why_nothing_comes(self):
         rospy.init_node("test", anonymous=True, disable_signals=True)
