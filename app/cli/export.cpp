@@ -237,6 +237,7 @@ void addExport(CLI::App& app, Common& common) {
       ->excludes(patch);
   common.addTo(*command);
   command->footer(
+      "Where --robot is given, the names of links are those of the robot, with every format.\n"
       "Examples:\n  hexoderm-cli export arm.calibration.json --to urdf -o arm.urdf\n"
       "  hexoderm-cli export arm.calibration.json --to robot-urdf --robot robot.urdf "
       "--place r_forearm:0.02,0,0.1,0,1.5708,0 -o robot_with_skin.urdf");
