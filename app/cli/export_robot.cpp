@@ -49,8 +49,7 @@ std::string joinedWithoutAPlace(const std::vector<ExportFormat>& formats, const 
 }
 
 bool isOfTheRobot(const Error& error, const ExportOptions& options) {
-  return !options.robot_urdf.empty() &&
-         std::string_view(error.what()).starts_with(options.robot_urdf.string() + ": ");
+  return !options.robot_urdf.empty() && std::string_view(error.what()).starts_with(options.robot_urdf.string() + ": ");
 }
 
 }  // namespace hexoderm::cli
