@@ -17,6 +17,10 @@ STATUS_EVERY_S = 0.5
 MOST_IN_LINE = 8  # hosts that wait for the one that is connected
 
 
+def _as_lines(messages):
+    return b"".join(json.dumps(message).encode() + b"\n" for message in messages)
+
+
 class Device:
     """Serves one host at a time on a thread of its own, and tells others that they have to wait; add() can be called from
     any thread and never waits."""
@@ -27,7 +31,7 @@ class Device:
         self._stream = Stream(random.randrange(1, 2**31))
         self._waiting = bytearray()
         self._host = None
-        self._in_line = []  # sockets
+        self._in_line = {}  # sockets of those who wait, and what they have not taken yet
         self._heard = bytearray()
         self._dropped = 0
         self._came_s = self._said_s = time.monotonic()
@@ -59,12 +63,16 @@ class Device:
 
     def _say(self, message):
         if self._host is not None:
-            self._waiting += json.dumps(message).encode() + b"\n"
+            self._waiting += _as_lines([message])
+
+    def _what_it_is(self):
+        return [{"hello": {"minor": 1, "device": self._skin.device, "cell_model": self._skin.cell_model,
+                           "stream": self._stream.number}},
+                {"topology": {"id": 1, "cells": list(self._skin.cells)}}]
 
     def _say_what_it_is(self):
-        self._say({"hello": {"minor": 1, "device": self._skin.device, "cell_model": self._skin.cell_model,
-                             "stream": self._stream.number}})
-        self._say({"topology": {"id": 1, "cells": list(self._skin.cells)}})
+        for message in self._what_it_is():
+            self._say(message)
 
     def _say_samples(self, messages):
         for message in messages:
@@ -98,7 +106,7 @@ class Device:
                         del self._waiting[: self._host.send(self._waiting)]
                 except BlockingIOError:
                     pass
-                except ConnectionError:
+                except OSError:
                     self._part()
                 self._keep_in_line(readable)
                 if self._server in readable:
@@ -111,16 +119,17 @@ class Device:
         host, (address, *_) = self._server.accept()
         host.setblocking(False)
         if self._host is None:
-            self._connect(host)
+            self._connect(host, b"")
         elif len(self._in_line) < MOST_IN_LINE:
-            self._in_line.append(host)
+            # It knows what it waits for: a device that does not describe itself would seem to be broken.
+            self._in_line[host] = bytearray(_as_lines(self._what_it_is()))
             say(f"{address} waits: {self._address_of_host()} is connected, and readings go to one host at a time")
         else:
             host.close()
 
-    def _connect(self, host):
+    def _connect(self, host, begun):
         self._host = host
-        self._waiting.clear()
+        self._waiting[:] = begun
         self._heard.clear()
         self._say_what_it_is()
 
@@ -129,7 +138,8 @@ class Device:
         self._host = None
         self._waiting.clear()
         if self._in_line:
-            self._connect(self._in_line.pop(0))
+            host = next(iter(self._in_line))
+            self._connect(host, self._in_line.pop(host))
 
     def _address_of_host(self):
         with contextlib.suppress(OSError):
@@ -139,21 +149,25 @@ class Device:
     def _keep_in_line(self, readable):
         """Commands of those who wait are not looked at, only whether they are still there."""
         for host in [each for each in self._in_line if each in readable]:
-            with contextlib.suppress(BlockingIOError):
-                try:
-                    if host.recv(65536):
-                        continue
-                except ConnectionError:
-                    pass
-                self._in_line.remove(host)
-                host.close()
+            try:
+                if host.recv(65536):
+                    continue
+            except BlockingIOError:
+                continue
+            except OSError:
+                pass
+            del self._in_line[host]
+            host.close()
+
+    def _who_is_connected(self):
+        return {"status": {"text": f"{self._address_of_host()} is connected already, and readings go to one host at a time"}}
 
     def _tell_who_is_in_line(self):
-        text = f"{self._address_of_host()} is connected already, and readings go to one host at a time"
-        line = json.dumps({"status": {"text": text}}).encode() + b"\n"
-        for host in self._in_line:
+        for host, waiting in self._in_line.items():
+            if not waiting:
+                waiting += _as_lines([self._who_is_connected()])
             with contextlib.suppress(OSError):  # that it is gone is heard
-                host.send(line)
+                del waiting[: host.send(waiting)]
 
     def _hear(self):
         data = self._host.recv(65536)
