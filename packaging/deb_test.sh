@@ -123,6 +123,13 @@ help_is_installed() {
     . /usr/share/bash-completion/completions/hexoderm-cli
     COMP_WORDS=(hexoderm-cli sol); COMP_CWORD=1; _hexoderm_cli; [ "${COMPREPLY[*]}" = solve ]'
 }
+ros_help_is_installed() {
+  inside 'zcat /usr/share/man/man1/hexoderm-ros-skin.1.gz | grep -q "^\.SH OPTIONS"
+    . /usr/share/bash-completion/completions/hexoderm-ros
+    COMP_WORDS=(hexoderm-ros tr); COMP_CWORD=1; _hexoderm_ros; [ "${COMPREPLY[*]}" = transforms ]
+    grep -q cell_data /usr/share/doc/hexoderm-ros/README.md
+    grep -q imu /usr/share/doc/hexoderm-ros/examples/skin.json'
+}
 # Compiled with other instructions than the library, too; these are run where the processor has them.
 use_library() {
   local flags="$1" run=build/consumer
@@ -142,21 +149,12 @@ use_firmware() {
   [ ! -e "$board" ] || kill "$(cat "$board")" || true  # where a command before the last one failed
   [ "$code" -eq 0 ] && inside "hexoderm-cli inspect /packages/cells.calibration.json --json" | grep -q '"cells": 7'
 }
-# What is calibrated comes out of ROS.
+# What is calibrated comes out of ROS, each frame of it.
 use_ros() {
-  inside 'cd /root/work; export ROS_IP=127.0.0.1 ROS_MASTER_URI=http://127.0.0.1:11377
-    hexoderm-cli export arm.calibration.json --to tf-yaml --place forearm:0.02,0,0.1,0,1.57,0 -o arm.tf.yaml
-    rosmaster -p 11377 &
-    master=$!
-    hexoderm-ros transforms arm.tf.yaml &
-    trap "kill $master $!" EXIT
-    cat >frames.py <<END
-import rospy, tf2_msgs.msg
-rospy.init_node("frames")
-print(len(rospy.wait_for_message("/tf_static", tf2_msgs.msg.TFMessage, 60).transforms), "frames")
-END
-    python3 frames.py | tee frames.txt
-    [ "$(cat frames.txt)" = "$(grep -c child_frame_id arm.tf.yaml) frames" ]'
+  local frames
+  typed "Frames in ROS 1" use
+  frames="$(grep -c child_frame_id "$clean/packages/live.tf.yaml")"
+  [ "$frames" -gt 1 ] && [ "$(grep -c child_frame_id "$clean/packages/frames.txt")" = "$frames" ]
 }
 remove_all() {
   inside 'dpkg-query -W -f "\${Package}\n" "*hexoderm*" | xargs apt-get purge --yes
@@ -183,7 +181,8 @@ step "the Python module installed, and Matplotlib" typed "A notebook's script" i
 step "a notebook's script run, to its picture" use_python
 step "a compiler for microcontrollers and an emulated board installed" typed "A skin's firmware" install
 step "the example firmware compiled, and captured from the board" use_firmware
-step "hexoderm-ros installed, and a master of ROS" install "/packages/hexoderm-ros_*.deb python3-rosmaster"
+step "hexoderm-ros installed, and a master of ROS" typed "Frames in ROS 1" install
+step "its man pages, completion and example" ros_help_is_installed
 step "a calibration published as frames of TF" use_ros
 step "library, development files and a compiler installed" typed "A C++ program" install
 step "the example compiled with the library, and run" use_example "A C++ program"

@@ -68,6 +68,7 @@ class Capture final : public CaptureOwner {
       if (event) std::visit([this](const auto& what) { handle(what); }, *event);
       if (std::exchange(made_progress_, false) || course_.isFileRefused()) last_progress = Clock::now();
       course_.tick();
+      sayThatNoReadingsCome();
       if (!event && status_.state == SourceState::Ended) break;
       if (status_.state == SourceState::Incompatible) throw DeviceError(located(source_.address(), status_.message));
       if (Clock::now() - last_progress > patience && (!session_ || options_.automatic)) {
@@ -194,7 +195,17 @@ class Capture final : public CaptureOwner {
     course_.setSending(status.state == SourceState::Streaming);
   }
 
+  /// What the device says of it is in the state's text. Where it is not connected, that has been said.
+  void sayThatNoReadingsCome() {
+    if (!session_ || status_.state != SourceState::Streaming) return readings_wait_.begin(Clock::now());
+    const std::optional<double> waited_s = readings_wait_.toBeSaid(Clock::now());
+    if (!waited_s) return;
+    common_.endProgress();
+    common_.note("No readings for " + formatFixed(*waited_s, 0) + " s. " + status_.message.english());
+  }
+
   void handle(const HoldStatus& hold) {
+    readings_wait_.begin(Clock::now());
     hold_ = hold;
     common_.progress(hold.message.english());
   }
@@ -260,6 +271,7 @@ class Capture final : public CaptureOwner {
   std::string device_;
   SourceStatus status_;
   HoldStatus hold_;
+  ReadingsWait readings_wait_;
   std::shared_ptr<const Reconstruction> result_;
   bool is_unsolved_ = false;
   bool has_news_ = false;  ///< poses that are not in the result

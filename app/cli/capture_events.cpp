@@ -5,6 +5,18 @@
 
 namespace hexoderm::cli {
 
+void ReadingsWait::begin(Clock::time_point now) {
+  since_ = now;
+  say_after_ = kFirst;
+}
+
+std::optional<double> ReadingsWait::toBeSaid(Clock::time_point now) {
+  const Clock::duration waited = now - since_;
+  if (waited < say_after_) return std::nullopt;
+  say_after_ = 2 * waited;
+  return std::chrono::duration<double>(waited).count();
+}
+
 std::optional<CaptureEvent> CaptureEvents::next(std::chrono::milliseconds patience) {
   std::unique_lock lock(mutex_);
   if (!arrived_.wait_for(lock, patience, [this] { return !events_.empty(); })) return std::nullopt;

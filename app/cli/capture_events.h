@@ -24,6 +24,21 @@ struct LongWait {
   double duration_s = 0;
   Message why;
 };
+/// How long a device that is connected has sent no readings, which is said after 3 s and then ever more rarely.
+class ReadingsWait {
+ public:
+  using Clock = std::chrono::steady_clock;
+
+  /// A reading, or anything else that the wait begins anew with.
+  void begin(Clock::time_point now);
+  /// Seconds, where it is time to say so.
+  std::optional<double> toBeSaid(Clock::time_point now);
+
+ private:
+  static constexpr std::chrono::seconds kFirst{3};
+  Clock::time_point since_ = Clock::now();
+  Clock::duration say_after_ = kFirst;
+};
 using CaptureEvent =
     std::variant<SkinDescription, CapturedPose, SourceStatus, CommandOutcome, HoldStatus, LongWait, Stored>;
 

@@ -1,4 +1,5 @@
 #include "app/cli/command.h"
+#include "app/cli/export_robot.h"
 
 #include "hexoderm/io/export_package.h"
 #include "hexoderm/io/placements_json.h"
@@ -108,6 +109,9 @@ int run(ExportCommandOptions command, bool one_patch, const Common& common) {
   ExportOptions& options = command.options;
   for (const ExportOptionDescription& option : exportOptions()) option.set(options, command.values.at(option.name));
   if (one_patch) options.patch = CellId(command.patch_of_cell);
+  if (options.robot_urdf.empty() && std::ranges::find(formats, ExportFormat::RobotUrdf) != formats.end()) {
+    throw InvalidArgument("--to robot-urdf: expected --robot FILE too, the URDF of the robot that gets the skin");
+  }
   for (const ExportFormat format : formats) options.validateFor(format);
   const Output output(command.output, common);
   const bool is_zip = !output.isStandard() && isZip(command.output);
@@ -124,6 +128,7 @@ int run(ExportCommandOptions command, bool one_patch, const Common& common) {
     options.placements.push_back(placementFrom(text, *calibration, options));
   }
   if (options.placements.empty()) options.placements = placedPatches(*calibration);
+  requireLinksOfTheRobot(formats, options);
   if (is_folder) options.inputs = inputFile(command.input);
 
   std::vector<PatchLeftOut> left_out;
@@ -139,6 +144,7 @@ int run(ExportCommandOptions command, bool one_patch, const Common& common) {
       if (std::ranges::find(left_out, patch.patch, &PatchLeftOut::patch) == left_out.end()) left_out.push_back(patch);
     }
   }
+  if (const std::string remark = joinedWithoutAPlace(formats, options); !remark.empty()) addOnce(remarks, remark);
   const std::vector<std::string> not_carried = notCarried(formats);
   for (const std::string& sentence : not_carried) addOnce(remarks, sentence);
   const auto sayWhatIsMissing = [&] {
@@ -147,13 +153,16 @@ int run(ExportCommandOptions command, bool one_patch, const Common& common) {
 
   common.progress("Writing " + output.inWords() + " ...");
   if (output.isStandard()) {
-    output.write(exportBytes(*calibration, formats.front(), options, output.inWords()));
+    output.write(withRobotAsInput(
+        options, [&] { return exportBytes(*calibration, formats.front(), options, output.inWords()); }));
     common.endProgress();
     sayWhatIsMissing();
     return kDone;
   }
-  const auto files = is_folder ? exportBundle(*calibration, formats, command.output, options)
-                               : exportReconstruction(*calibration, formats.front(), command.output, options);
+  const auto files = withRobotAsInput(options, [&] {
+    return is_folder ? exportBundle(*calibration, formats, command.output, options)
+                     : exportReconstruction(*calibration, formats.front(), command.output, options);
+  });
   common.endProgress();
   if (common.json) {
     auto names = nlohmann::ordered_json::array();
@@ -228,6 +237,7 @@ void addExport(CLI::App& app, Common& common) {
       ->excludes(patch);
   common.addTo(*command);
   command->footer(
+      "Where --robot is given, the names of links are those of the robot, with every format.\n"
       "Examples:\n  hexoderm-cli export arm.calibration.json --to urdf -o arm.urdf\n"
       "  hexoderm-cli export arm.calibration.json --to robot-urdf --robot robot.urdf "
       "--place r_forearm:0.02,0,0.1,0,1.5708,0 -o robot_with_skin.urdf");

@@ -74,7 +74,7 @@ def footer_lines(lines):
         if not line:
             result.append(".PP")
         else:
-            result.append(escaped(line.strip() if is_literal else line))
+            result.append(escaped(line.removeprefix("  ") if is_literal else line))
             if not is_literal and line.endswith((":", ".", ";")):
                 result.append(".br")
     return result + ([".fi\n.RE"] if literal else [])
@@ -101,7 +101,7 @@ def page(helped, all_helps, version):
     if helped.footer:
         lines += [".SH NOTES"] + footer_lines(helped.footer)
     others = ["-".join(other.words) for other in all_helps if other is not helped]
-    programs = [name for name in ("hexoderm", "hexoderm-cli", "hexoderm-emulator") if name != title]
+    programs = [name for name in ("hexoderm", "hexoderm-cli", "hexoderm-emulator", "hexoderm-ros") if name != title]
     see = [name for name in dict.fromkeys(programs + others) if name != title]
     lines += [".SH SEE ALSO", ",\n".join(f"{bold(name)}(1)" for name in see)]
     return "\n".join(lines) + "\n"

@@ -1,5 +1,6 @@
 """A device on TCP that speaks SkinWire in lines of JSON: what Hexoderm connects to as tcp://HOST:PORT."""
 
+import contextlib
 import json
 import random
 import select
@@ -8,14 +9,21 @@ import threading
 import time
 
 from hexoderm_ros.stream import Stream
+from hexoderm_ros.watch import say
 
 MOST_WAITING_BYTES = 1 << 20  # for a host that takes nothing; samples beyond are dropped
 IDLE_S = 0.3  # when nothing comes any more, what is held is sent
 STATUS_EVERY_S = 0.5
+MOST_IN_LINE = 8  # hosts that wait for the one that is connected
+
+
+def _as_lines(messages):
+    return b"".join(json.dumps(message).encode() + b"\n" for message in messages)
 
 
 class Device:
-    """Serves one host at a time on a thread of its own; add() can be called from any thread and never waits."""
+    """Serves one host at a time on a thread of its own, and tells others that they have to wait; add() can be called from
+    any thread and never waits."""
 
     def __init__(self, skin, port, address="127.0.0.1"):
         self._skin = skin
@@ -23,6 +31,7 @@ class Device:
         self._stream = Stream(random.randrange(1, 2**31))
         self._waiting = bytearray()
         self._host = None
+        self._in_line = {}  # sockets of those who wait, and what they have not taken yet
         self._heard = bytearray()
         self._dropped = 0
         self._came_s = self._said_s = time.monotonic()
@@ -37,66 +46,90 @@ class Device:
             self._came_s = time.monotonic()
             for reading in readings:
                 if self._stream.add(reading):
+                    self._say_samples(self._stream.ended)
                     self._say_what_it_is()
 
     def counts(self):
         with self._lock:
-            return {"sent": self._stream.sequence, "late": self._stream.late, "repeated": self._stream.repeated,
+            return {"sent": self._stream.sent, "late": self._stream.late, "repeated": self._stream.repeated,
                     "dropped": self._dropped}
 
     def close(self):
         self._over.set()
         self._thread.join()
         self._server.close()
-        if self._host is not None:
-            self._host.close()
+        for host in filter(None, [self._host, *self._in_line]):
+            host.close()
 
     def _say(self, message):
         if self._host is not None:
-            self._waiting += json.dumps(message).encode() + b"\n"
+            self._waiting += _as_lines([message])
+
+    def _what_it_is(self):
+        return [{"hello": {"minor": 1, "device": self._skin.device, "cell_model": self._skin.cell_model,
+                           "stream": self._stream.number}},
+                {"topology": {"id": 1, "cells": list(self._skin.cells)}}]
 
     def _say_what_it_is(self):
-        self._say({"hello": {"minor": 1, "device": self._skin.device, "cell_model": self._skin.cell_model,
-                             "stream": self._stream.number}})
-        self._say({"topology": {"id": 1, "cells": list(self._skin.cells)}})
+        for message in self._what_it_is():
+            self._say(message)
 
-    def _say_samples(self):
-        is_idle = time.monotonic() - self._came_s > IDLE_S
-        for message in self._stream.take(everything=is_idle):
+    def _say_samples(self, messages):
+        for message in messages:
             self._said_s = time.monotonic()
             if len(self._waiting) < MOST_WAITING_BYTES:
                 self._say(message)
             else:
                 self._dropped += len(message["samples"]["cells"])
+
+    def _say_what_is_due(self):
+        is_idle = time.monotonic() - self._came_s > IDLE_S
+        self._say_samples(self._stream.take(everything=is_idle))
         if time.monotonic() - self._said_s > STATUS_EVERY_S:
             self._said_s = time.monotonic()
             self._say({"status": {"text": "no readings come on the topics", "samples_sent": self._stream.sequence,
                                   "samples_dropped": self._dropped}})
 
     def _serve(self):
+        told_s = 0
         while not self._over.is_set():
             with self._lock:
-                self._say_samples()
-                sockets = [self._server if self._host is None else self._host]
+                self._say_what_is_due()
+                sockets = [self._server, *filter(None, [self._host, *self._in_line])]
                 writing = [self._host] if self._host is not None and self._waiting else []
             readable, writable, _ = select.select(sockets, writing, [], 0.02)
             with self._lock:
                 try:
-                    if self._server in readable:
-                        self._welcome()
                     if self._host in readable:
                         self._hear()
                     if self._host in writable:
                         del self._waiting[: self._host.send(self._waiting)]
                 except BlockingIOError:
                     pass
-                except ConnectionError:
+                except OSError:
                     self._part()
+                self._keep_in_line(readable)
+                if self._server in readable:
+                    self._welcome()
+                if self._in_line and time.monotonic() - told_s > STATUS_EVERY_S:
+                    told_s = time.monotonic()
+                    self._tell_who_is_in_line()
 
     def _welcome(self):
-        self._host, _ = self._server.accept()
-        self._host.setblocking(False)
-        self._waiting.clear()
+        host, (address, *_) = self._server.accept()
+        host.setblocking(False)
+        if self._host is None:
+            self._connect(host, b"")
+        elif len(self._in_line) < MOST_IN_LINE:
+            # It knows what it waits for: a device that does not describe itself would seem to be broken.
+            self._in_line[host] = bytearray(_as_lines(self._what_it_is()))
+            say(f"{address} waits: {self._address_of_host()} is connected, and readings go to one host at a time")
+        else:
+            host.close()
+
+    def _connect(self, host, begun):
+        self._host = host
+        self._waiting[:] = begun
         self._heard.clear()
         self._say_what_it_is()
 
@@ -104,6 +137,37 @@ class Device:
         self._host.close()
         self._host = None
         self._waiting.clear()
+        if self._in_line:
+            host = next(iter(self._in_line))
+            self._connect(host, self._in_line.pop(host))
+
+    def _address_of_host(self):
+        with contextlib.suppress(OSError):
+            return self._host.getpeername()[0]
+        return "another host"
+
+    def _keep_in_line(self, readable):
+        """Commands of those who wait are not looked at, only whether they are still there."""
+        for host in [each for each in self._in_line if each in readable]:
+            try:
+                if host.recv(65536):
+                    continue
+            except BlockingIOError:
+                continue
+            except OSError:
+                pass
+            del self._in_line[host]
+            host.close()
+
+    def _who_is_connected(self):
+        return {"status": {"text": f"{self._address_of_host()} is connected already, and readings go to one host at a time"}}
+
+    def _tell_who_is_in_line(self):
+        for host, waiting in self._in_line.items():
+            if not waiting:
+                waiting += _as_lines([self._who_is_connected()])
+            with contextlib.suppress(OSError):  # that it is gone is heard
+                del waiting[: host.send(waiting)]
 
     def _hear(self):
         data = self._host.recv(65536)

@@ -1,16 +1,22 @@
 """The node of ROS 1 (rospy)."""
 
+import signal
+import threading
 import time
 
 import genpy.dynamic
 import geometry_msgs.msg
+import rosgraph
 import rospy
 import sensor_msgs.msg
 import tf2_ros
 
 from hexoderm_ros import readings
+from hexoderm_ros.errors import UsageError
+from hexoderm_ros.watch import NOBODY, SENDS_NOTHING, say, watching
 
 QUEUE = 1000  # messages of a topic, while others are dealt with
+ASK_EVERY_S = 0.5
 
 
 def _now_us():
@@ -34,32 +40,79 @@ class _OfAnyType:
         self._callback(message)
 
 
-def pass_on(skin, device):
+def _wait_for_master(name):
+    """Until it is there, or until Ctrl+C: KeyboardInterrupt."""
+    try:
+        master = rosgraph.Master("/" + name)
+    except ValueError as error:
+        raise UsageError(f"ROS_MASTER_URI: {error}") from error
+    # is_online() would swallow the exception of Ctrl+C; and a script has what it puts behind it ignore the signal.
+    ended = threading.Event()
+    signal.signal(signal.SIGINT, lambda *_: ended.set())
+    if not master.is_online():
+        say(f"no ROS master at {master.master_uri}; waiting (is roscore running? ROS_MASTER_URI says where it is)")
+        while not ended.wait(ASK_EVERY_S) and not master.is_online():
+            pass
+    signal.signal(signal.SIGINT, signal.default_int_handler)
+    if ended.is_set():
+        raise KeyboardInterrupt
+    return master
+
+
+def _begin(name):
+    """The master, with a node of that name. KeyboardInterrupt: the user ended it."""
+    master = _wait_for_master(name)
+    try:
+        rospy.init_node(name, anonymous=True)
+    except rospy.exceptions.ROSInitException:
+        if not rospy.is_shutdown():
+            raise
+        raise KeyboardInterrupt from None
+    return master
+
+
+def _why_nothing_comes(master, imus):
+    """For a Watch: why nothing comes on a topic, by what the master knows."""
+    wanted = {rospy.resolve_name(topic) for topic in imus}
+
+    def why(topic):
+        name = rospy.resolve_name(topic)
+        try:
+            publishers = {each for each, nodes in master.getSystemState()[0] if nodes}
+            kind = dict(master.getTopicTypes()).get(name)
+        except (OSError, rosgraph.MasterException):
+            return ("the ROS master does not answer",) * 2
+        if name not in publishers:
+            return NOBODY
+        if name in wanted and kind != sensor_msgs.msg.Imu._type:
+            return (f"its type is {kind}, and not {sensor_msgs.msg.Imu._type}",) * 2
+        return SENDS_NOTHING
+
+    return why
+
+
+def pass_on(skin, intake, watch, say_ready):
     """Passes the readings of the topics on until ROS ends."""
-    rospy.init_node("hexoderm_ros", anonymous=True)
+    master = _begin("hexoderm_ros")
+    say_ready()
 
-    def subscribe_imu(topic, cell):
-        def take(message):
-            device.add(readings.of_imu(message, cell, _now_us()))
+    def subscribe(topic, kind, callback):
+        rospy.Subscriber(topic, kind, callback, queue_size=QUEUE, tcp_nodelay=True)
 
-        rospy.Subscriber(topic, sensor_msgs.msg.Imu, take, queue_size=QUEUE, tcp_nodelay=True)
+    def with_time(take):
+        return lambda message: take(message, _now_us())
 
-    def subscribe_cell_data(names):
-        def take(message):
-            device.add(readings.of_cell_data(message, names, skin.ids, _now_us()))
-
-        rospy.Subscriber(names.topic, rospy.AnyMsg, _OfAnyType(take), queue_size=QUEUE, tcp_nodelay=True)
-
-    for topic, cell in skin.imus.items():
-        subscribe_imu(topic, cell)
+    for topic in skin.imus:
+        subscribe(topic, sensor_msgs.msg.Imu, with_time(intake.imu(topic)))
     for names in skin.cell_data:
-        subscribe_cell_data(names)
-    rospy.spin()
+        subscribe(names.topic, rospy.AnyMsg, _OfAnyType(with_time(intake.cell_data(names))))
+    with watching(watch, _why_nothing_comes(master, skin.imus)):
+        rospy.spin()
 
 
-def publish(transforms):
+def publish(transforms, say_ready):
     """Publishes static transforms until ROS ends."""
-    rospy.init_node("hexoderm_transforms", anonymous=True)
+    _begin("hexoderm_transforms")
     messages = []
     for transform in transforms:
         message = geometry_msgs.msg.TransformStamped()
@@ -69,4 +122,5 @@ def publish(transforms):
         message.transform.rotation = geometry_msgs.msg.Quaternion(*transform.rotation)
         messages.append(message)
     tf2_ros.StaticTransformBroadcaster().sendTransform(messages)
+    say_ready()
     rospy.spin()

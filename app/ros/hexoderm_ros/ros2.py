@@ -1,5 +1,6 @@
 """The node of ROS 2 (rclpy). Debian 12 has no ROS 2: this file was run against a stand-in of rclpy only."""
 
+import contextlib
 import time
 
 import geometry_msgs.msg
@@ -8,17 +9,20 @@ import sensor_msgs.msg
 import tf2_ros
 from rclpy.qos import qos_profile_sensor_data
 
-from hexoderm_ros import readings
 from hexoderm_ros.skin import SkinError
+from hexoderm_ros.watch import NOBODY, SENDS_NOTHING, watching
+
+IMU = "sensor_msgs/msg/Imu"
 
 
 def _now_us(node):
     return node.get_clock().now().nanoseconds // 1000 or int(time.time() * 1e6)
 
 
-def _spin(node):
+def _spin(node, during=contextlib.nullcontext()):
     try:
-        rclpy.spin(node)
+        with during:
+            rclpy.spin(node)
     except KeyboardInterrupt:
         pass
     finally:
@@ -26,7 +30,30 @@ def _spin(node):
         rclpy.try_shutdown()
 
 
-def pass_on(skin, device):
+def _message_type(names):
+    from rosidl_runtime_py.utilities import get_message
+
+    try:
+        return get_message(names.type)
+    except (AttributeError, ImportError, ValueError) as error:
+        raise SkinError(f'cell_data of {names.topic}: the type "{names.type}" is not there: {error}') from error
+
+
+def _why_nothing_comes(node, wanted):
+    """For a Watch: why nothing comes on a topic, of which `wanted` has the type."""
+
+    def why(topic):
+        kinds = [publisher.topic_type for publisher in node.get_publishers_info_by_topic(topic)]
+        if not kinds:
+            return NOBODY
+        if wanted[topic] not in kinds:
+            return (f"its type is {kinds[0]}, and not {wanted[topic]}",) * 2
+        return SENDS_NOTHING
+
+    return why
+
+
+def pass_on(skin, intake, watch, say_ready):
     """Passes the readings of the topics on until ROS ends."""
     for names in skin.cell_data:
         if not names.type:
@@ -34,27 +61,21 @@ def pass_on(skin, device):
     rclpy.init()
     node = rclpy.create_node("hexoderm_ros")
 
-    def subscribe_imu(topic, cell):
-        node.create_subscription(sensor_msgs.msg.Imu, topic,
-                                 lambda message: device.add(readings.of_imu(message, cell, _now_us(node))),
-                                 qos_profile_sensor_data)
+    def subscribe(topic, kind, take):
+        # Best effort, which takes what either kind of publisher sends.
+        node.create_subscription(kind, topic, lambda message: take(message, _now_us(node)), qos_profile_sensor_data)
 
-    def subscribe_cell_data(names):
-        from rosidl_runtime_py.utilities import get_message
-
-        node.create_subscription(
-            get_message(names.type), names.topic,
-            lambda message: device.add(readings.of_cell_data(message, names, skin.ids, _now_us(node))),
-            qos_profile_sensor_data)
-
-    for topic, cell in skin.imus.items():
-        subscribe_imu(topic, cell)
+    wanted = dict.fromkeys(skin.imus, IMU)
+    for topic in skin.imus:
+        subscribe(topic, sensor_msgs.msg.Imu, intake.imu(topic))
     for names in skin.cell_data:
-        subscribe_cell_data(names)
-    _spin(node)
+        wanted[names.topic] = names.type
+        subscribe(names.topic, _message_type(names), intake.cell_data(names))
+    say_ready()
+    _spin(node, watching(watch, _why_nothing_comes(node, wanted)))
 
 
-def publish(transforms):
+def publish(transforms, say_ready):
     """Publishes static transforms until ROS ends."""
     rclpy.init()
     node = rclpy.create_node("hexoderm_transforms")
@@ -69,4 +90,5 @@ def publish(transforms):
         messages.append(message)
     broadcaster = tf2_ros.StaticTransformBroadcaster(node)
     broadcaster.sendTransform(messages)
+    say_ready()
     _spin(node)

@@ -13,8 +13,10 @@ class Stream:
 
     def __init__(self, number=1):
         self.number = number  # of the stream, for Hello
+        self.sent = 0  # over all beginnings, as the next two
         self.late = 0
         self.repeated = 0
+        self.ended = []
         self._begin()
 
     def _begin(self):
@@ -25,13 +27,14 @@ class Stream:
         self.sequence = 0
 
     def add(self, reading):
-        """True if the stream began anew."""
+        """True if the stream began anew; `ended` then has the last messages of the one before."""
         if self._sent_us is not None and reading.time_us <= self._sent_us:
-            self.late += 1
             if self._late_from_us is None or reading.time_us < self._late_from_us:
                 self._late_from_us = reading.time_us
             if reading.time_us - self._late_from_us < self.RESTART_US:
+                self.late += 1
                 return False
+            self.ended = self.take(everything=True)
             self.number += 1
             self._begin()
             self.add(reading)
@@ -54,5 +57,6 @@ class Stream:
             messages.append({"samples": {"sequence": self.sequence, "time_us": at_us, "cells": list(readings),
                                          "acceleration_g": [value for each in readings.values() for value in each]}})
             self.sequence += len(readings)
+            self.sent += len(readings)
             self._sent_us = at_us
         return messages

@@ -96,6 +96,24 @@ TEST_F(CliCapture, SaysWhyNothingWasCaptured) {
   EXPECT_TRUE(hold.at("odd_cells").empty());
 }
 
+TEST_F(CliCapture, SaysThatADeviceSendsNoReadings) {
+  const std::string silent =
+      "python3 -c '"
+      "import json, time\n"
+      "print(json.dumps({\"hello\": {\"device\": \"test\", \"cell_model\": \"hex-bma150\"}}))\n"
+      "print(json.dumps({\"topology\": {\"id\": 1, \"cells\": [{\"id\": 1, \"ports\": []}]}}))\n"
+      "for k in range(10):\n"
+      "    print(json.dumps({\"status\": {\"text\": \"the topics are empty\"}}), flush=True)\n"
+      "    time.sleep(0.5)\n"
+      "' | ";
+  const Outcome outcome = run("capture --source stdin -o silent.hexo", silent);
+  EXPECT_EQ(outcome.exit_code, 1) << outcome.err;
+  // Once in five seconds, and without a terminal too.
+  EXPECT_THAT(outcome.err, HasSubstr("No readings for 3 s. stdin: connected to test: the topics are empty"));
+  EXPECT_EQ(outcome.err.find("No readings"), outcome.err.rfind("No readings")) << outcome.err;
+  EXPECT_THAT(outcome.out, HasSubstr("No pose was captured: no readings came."));
+}
+
 TEST_F(CliCapture, SaysNothingOfThatWhereAPoseWasCaptured) {
   const Outcome outcome = run("capture --source stdin --json -o held.hexo", sender(0));
   const auto json = nlohmann::json::parse(outcome.out);

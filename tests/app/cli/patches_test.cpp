@@ -160,7 +160,37 @@ TEST_F(CliPatches, SeveralFormatsAreAFolderWithAManifest) {
   EXPECT_EQ(run("export arm.calibration.json --to urdf,nothing -o out").exit_code, 2);
   const Outcome no_robot = run("export arm.calibration.json --to robot-urdf -o r.urdf");
   EXPECT_EQ(no_robot.exit_code, 2);
-  EXPECT_THAT(no_robot.err, HasSubstr("robot: expected the URDF"));
+  EXPECT_THAT(no_robot.err, HasSubstr("--to robot-urdf: expected --robot FILE too"));
+}
+
+TEST_F(CliPatches, LinksAreThoseOfTheRobotWhereverItIsGiven) {
+  writeFileAtomically(path("robot.urdf"), "<robot name=\"r\">\n  <link name=\"forearm\"/>\n</robot>\n");
+  const std::string command = "export arm.calibration.json --robot robot.urdf -o out.file --to ";
+  for (const std::string format : {"tf-yaml", "robot-urdf", "ply"}) {
+    const Outcome wrong = run(command + format + " --place forarm:0,0,0,0,0,0");
+    EXPECT_EQ(wrong.exit_code, 2) << format;
+    EXPECT_THAT(wrong.err, HasSubstr("--place: robot.urdf: the robot has no link forarm; did you mean forearm?"));
+  }
+  EXPECT_THAT(run(command + "tf-yaml").err, HasSubstr("--parent: robot.urdf: the robot has no link base_link"));
+  EXPECT_EQ(run(command + "ply").exit_code, 0) << "it has no link";
+  EXPECT_EQ(run(command + "tf-yaml --place forearm:0,0,0,0,0,0").exit_code, 0);
+  const Outcome none = run("export arm.calibration.json --robot none.urdf -o out.file --to tf-yaml");
+  EXPECT_EQ(none.exit_code, 3);
+  EXPECT_THAT(none.err, HasSubstr("--robot none.urdf: cannot be read"));
+}
+
+TEST_F(CliPatches, ARobotThatHasTheSkinAlreadyIsBadInputAndAJoinWithoutAPlaceIsSaid) {
+  writeFileAtomically(path("robot.urdf"), "<robot name=\"r\">\n  <link name=\"base_link\"/>\n</robot>\n");
+  const Outcome once = run("export arm.calibration.json --to robot-urdf --robot robot.urdf -o once.urdf");
+  EXPECT_EQ(once.exit_code, 0) << once.err;
+  EXPECT_THAT(once.err, HasSubstr("it is joined to base_link without any offset. --place LINK:"));
+  const std::string place = " --place base_link:0,0,0,0,0,0 ";
+  EXPECT_THAT(run("export arm.calibration.json --to robot-urdf --robot robot.urdf -o placed.urdf" + place).err,
+              Not(HasSubstr("without any offset")));
+  const Outcome twice = run("export arm.calibration.json --to robot-urdf --robot once.urdf -o twice.urdf" + place);
+  EXPECT_EQ(twice.exit_code, 3);
+  EXPECT_THAT(twice.err, HasSubstr("--robot once.urdf: already has a link skin_patch"));
+  EXPECT_FALSE(exists("twice.urdf"));
 }
 
 TEST_F(CliPatches, EvaluateGivesFiguresOfEachPatchByItselfAndNoneBetweenThem) {

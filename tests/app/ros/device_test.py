@@ -2,17 +2,16 @@
 """What hexoderm-ros sends is a skin to the command line: captured, and without an offence. No ROS is needed for it."""
 
 import json
+import signal
 import socket
-import subprocess
 import subprocess
 import threading
 import time
 import unittest
 
 from hexoderm_ros.device import Device
-from hexoderm_ros.readings import of_imu
 from hexoderm_ros.skin import skin_from
-from program import CLI, InFolder, description, held_and_turned, imu, run
+from program import CLI, InFolder, description, held_and_turned, reading, run
 
 FASTER = 5  # than time; poses are told apart by the readings' own times
 
@@ -32,7 +31,7 @@ class Devices(InFolder):
             while time.monotonic() - begin < time_s / FASTER:
                 time.sleep(0.001)
             for cell, vector in cells.items():
-                self.device.add(of_imu(imu(1000 + time_s, vector), cell, 0))
+                self.device.add(reading(1000 + time_s, cell, vector))
             if self.over.is_set():
                 return
 
@@ -54,7 +53,7 @@ class Devices(InFolder):
         with socket.create_connection(("localhost", self.device.port)):
             begin = time.monotonic()
             for k in range(60_000):
-                self.device.add(of_imu(imu(1000 + k * 0.02, (0, 0, 1)), 1, 0))
+                self.device.add(reading(1000 + k * 0.02, 1))
             self.assertLess(time.monotonic() - begin, 30)
             deadline = time.monotonic() + 30
             while self.device.counts()["dropped"] == 0 and time.monotonic() < deadline:
@@ -63,6 +62,31 @@ class Devices(InFolder):
         # The next host is welcome.
         with socket.create_connection(("localhost", self.device.port)) as host:
             self.assertIn("hello", json.loads(host.makefile().readline()))
+
+    def test_a_second_host_is_told_to_wait_and_then_connected(self):
+        address = ("localhost", self.device.port)
+        with socket.create_connection(address) as first, socket.create_connection(address) as second:
+            lines = second.makefile()
+            self.assertIn("hello", json.loads(lines.readline()))
+            self.assertIn("topology", json.loads(lines.readline()))
+            self.assertIn("127.0.0.1 is connected already", json.loads(lines.readline())["status"]["text"])
+            with socket.create_connection(address):
+                pass  # one that does not wait is forgotten
+            first.close()
+            while "hello" not in (message := json.loads(lines.readline())):  # which comes again
+                self.assertIn("is connected already", message["status"]["text"])
+            self.assertIn("topology", json.loads(lines.readline()))
+
+    def test_the_command_line_says_that_another_host_is_connected(self):
+        address = f"tcp://localhost:{self.device.port}"
+        with socket.create_connection(("localhost", self.device.port)):
+            capture = subprocess.Popen([CLI, "capture", "--source", address, "-o", self.folder / "live.hexo"],
+                                       stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True)
+            time.sleep(4.5)
+            capture.send_signal(signal.SIGINT)
+            said = capture.communicate(timeout=60)[1]
+        self.assertRegex(said, "No readings for 3 s. .*127.0.0.1 is connected already")
+        self.assertNotIn("wrong", said)
 
     def test_commands_are_answered(self):
         with socket.create_connection(("localhost", self.device.port)) as host:

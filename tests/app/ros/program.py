@@ -9,6 +9,8 @@ import tempfile
 import unittest
 from types import SimpleNamespace
 
+from hexoderm_ros.readings import Reading
+
 CLI = os.environ["HEXODERM_CLI"]
 RATE_HZ = 50
 GRAVITY = 9.80665
@@ -39,6 +41,11 @@ class InFolder(unittest.TestCase):
         return json.loads(said)["against"][0]["position_rms_mm"]
 
 
+def reading(time_s, cell, vector_g=(0, 0, 1)):
+    """In a list, as those of a message."""
+    return [Reading(round(time_s * 1e6), cell, tuple(vector_g))]
+
+
 def held_and_turned(session, hold_s=4.0, turn_s=1.5):
     """(time in s, {cell: g}) of a part that is held in each pose of a session and turned in between."""
     poses = [{sample["cell"]: sample["mean_g"] for sample in pose["samples"]} for pose in session["poses"]]
@@ -66,10 +73,11 @@ def description(session, **others):
     return {"device": "skin of the test", "cells": cells, **others}
 
 
-def imu(time_s, vector_g, seconds="secs", nanoseconds="nsecs", covariance=0.0):
+def imu(time_s, vector_g, seconds="secs", nanoseconds="nsecs", covariance=0.0, frame=""):
     """As a sensor_msgs/Imu of ROS 1, or with sec and nanosec of ROS 2."""
     whole = int(time_s)
     stamp = SimpleNamespace(**{seconds: whole, nanoseconds: round((time_s - whole) * 1e9)})
     x, y, z = (value * GRAVITY for value in vector_g)
-    return SimpleNamespace(header=SimpleNamespace(stamp=stamp), linear_acceleration=SimpleNamespace(x=x, y=y, z=z),
+    return SimpleNamespace(header=SimpleNamespace(stamp=stamp, frame_id=frame),
+                           linear_acceleration=SimpleNamespace(x=x, y=y, z=z),
                            linear_acceleration_covariance=[covariance] + [0.0] * 8)

@@ -31,11 +31,15 @@ class Node:
         assert qos == "sensor data"
         self.subscriptions[topic] = (kind, callback)
 
+    def get_publishers_info_by_topic(self, topic):
+        return [SimpleNamespace(topic_type=kind) for kind in published.get(topic, [])]
+
     def destroy_node(self):
         nodes.remove(self)
 
 
 nodes = []
+published = {}
 spinning = []
 
 
@@ -67,24 +71,30 @@ module("rosidl_runtime_py")
 module("rosidl_runtime_py.utilities", get_message=lambda name: "class of " + name)
 
 from hexoderm_ros import ros2  # noqa: E402
+from hexoderm_ros.intake import Intake  # noqa: E402
 from hexoderm_ros.skin import SkinError, skin_from  # noqa: E402
 from hexoderm_ros.transforms import Transform  # noqa: E402
+from hexoderm_ros.watch import Watch  # noqa: E402
 
-CELLS = [{"id": 1, "imu": "/a"}, {"id": 2, "imu": "/b"}, {"id": 3}]
+CELLS = [{"id": 1, "imu": "/a"}, {"id": 2, "imu": "/b"}, {"id": 3, "imu": "/c"}]
 
 
 class Ros2(unittest.TestCase):
     def pass_on(self, document, then):
         readings = []
         during[0] = then
-        ros2.pass_on(skin_from(document), SimpleNamespace(add=readings.extend))
+        skin = skin_from(document)
+        watch = Watch(skin)
+        ready = []
+        ros2.pass_on(skin, Intake(skin, SimpleNamespace(add=readings.extend), watch), watch, lambda: ready.append(1))
+        self.assertEqual(ready, [1])
         self.assertEqual(nodes, [])
         return readings
 
     def test_each_topic_is_that_of_its_cell(self):
         def then(node):
             kinds = {topic: kind for topic, (kind, _) in node.subscriptions.items()}
-            self.assertEqual(kinds, {"/a": "Imu", "/b": "Imu"})
+            self.assertEqual(kinds, {"/a": "Imu", "/b": "Imu", "/c": "Imu"})
             node.subscriptions["/b"][1](imu(2, (0, 0, 1), "sec", "nanosec"))
             node.subscriptions["/a"][1](imu(0, (0, 1, 0), "sec", "nanosec"))
 
@@ -100,11 +110,18 @@ class Ros2(unittest.TestCase):
         found = self.pass_on({"cells": CELLS, "cell_data": {"topic": "/cells", "type": "skin/msg/Cells"}}, then)
         self.assertEqual([(each.time_us, each.cell) for each in found], [(7_000, 3)])
         with self.assertRaisesRegex(SkinError, "ROS 2 needs its type"):
-            ros2.pass_on(skin_from({"cells": CELLS, "cell_data": {"topic": "/cells"}}), None)
+            ros2.pass_on(skin_from({"cells": CELLS, "cell_data": {"topic": "/cells"}}), None, None, None)
+
+    def test_why_nothing_comes(self):
+        published.update({"/b": ["std_msgs/msg/String"], "/c": ["sensor_msgs/msg/Imu"]})
+        why = ros2._why_nothing_comes(Node("n"), dict.fromkeys(("/a", "/b", "/c"), ros2.IMU))
+        self.assertEqual([why(topic)[0] for topic in ("/a", "/b", "/c")],
+                         ["nobody publishes it", "its type is std_msgs/msg/String, and not sensor_msgs/msg/Imu",
+                          "its publisher sends nothing"])
 
     def test_transforms(self):
         during[0] = lambda node: None
-        ros2.publish([Transform("base", "cell", (1, 2, 3), (0, 0, 0, 1))])
+        ros2.publish([Transform("base", "cell", (1, 2, 3), (0, 0, 0, 1))], lambda: None)
         self.assertEqual(len(sent), 1)
         self.assertEqual((sent[0].header.frame_id, sent[0].child_frame_id), ("base", "cell"))
         self.assertEqual(sent[0].header.stamp, "now")

@@ -9,6 +9,7 @@ import signal
 import socket
 import subprocess
 import sys
+import threading
 import time
 import unittest
 
@@ -30,6 +31,7 @@ import rosbag  # noqa: E402
 import rosgraph  # noqa: E402
 import rospy  # noqa: E402
 import sensor_msgs.msg  # noqa: E402
+import std_msgs.msg  # noqa: E402
 import tf2_ros  # noqa: E402
 
 DEFINITION = """Cell[] data
@@ -77,12 +79,22 @@ class Ros1(InFolder):
             if stream is not None:
                 stream.close()
 
-    def start_adapter(self, document):
+    def begin_adapter(self, document, **how):
         (self.folder / "skin.json").write_text(json.dumps(document))
-        adapter = self.start(sys.executable, "-m", "hexoderm_ros", "skin", self.folder / "skin.json", "--port", "0",
-                             stderr=subprocess.PIPE)
+        return self.start(sys.executable, "-m", "hexoderm_ros", "skin", self.folder / "skin.json", "--port", "0",
+                          stderr=subprocess.PIPE, **how)
+
+    def end_adapter(self, adapter):
+        """What it said until then."""
+        adapter.send_signal(signal.SIGINT)
+        said = adapter.communicate(timeout=20)[1]
+        self.assertEqual(adapter.returncode, 0, said)
+        return said
+
+    def start_adapter(self, document):
+        adapter = self.begin_adapter(document)
         line = adapter.stderr.readline()
-        self.assertRegex(line, r"hexoderm-ros: \d+ cells on tcp://127.0.0.1:\d+")
+        self.assertRegex(line, r"hexoderm-ros: \d+ cells? on tcp://127.0.0.1:\d+")
         return adapter, re.search(r"tcp://\S+", line)[0]
 
     def wait_for_subscribers(self, topics):
@@ -119,9 +131,7 @@ class Ros1(InFolder):
                     bag.write(f"/imu/cell{cell}", message, stamp)
         adapter, address = self.start_adapter(description(session))
         self.capture_while_played(address, self.folder / "imu.bag", {f"/imu/cell{k}" for k in range(1, 6)})
-        adapter.send_signal(signal.SIGINT)
-        adapter.wait(20)
-        self.assertRegex(adapter.stderr.read(), r"hexoderm-ros: \d+ sent, 0 late, 0 repeated, 0 dropped")
+        self.assertRegex(self.end_adapter(adapter), r"hexoderm-ros: \d+ sent, 0 late, 0 repeated, 0 dropped")
 
     def test_a_bag_of_cell_data_becomes_a_calibration(self):
         types = genpy.dynamic.generate_dynamic("test_skin/Cells", DEFINITION)
@@ -135,6 +145,98 @@ class Ros1(InFolder):
         _, address = self.start_adapter(document)
         # The messages have no time of their own: it is that at which they come.
         self.capture_while_played(address, self.folder / "cells.bag", {"/skin/cells"}, rate=1)
+
+    def publish(self, topic, kind, make, rate_hz=50):
+        """Publishes until the test is over: make() makes a message."""
+        over = threading.Event()
+        publisher = rospy.Publisher(topic, kind, queue_size=10)
+
+        def run():
+            while not over.wait(1 / rate_hz):
+                publisher.publish(make())
+
+        thread = threading.Thread(target=run)
+        thread.start()
+
+        def end():
+            over.set()
+            thread.join()
+            publisher.unregister()
+
+        self.addCleanup(end)
+        return end
+
+    @staticmethod
+    def imu(frame="", ahead_s=0.0):
+        message = sensor_msgs.msg.Imu()
+        message.header.frame_id = frame
+        message.header.stamp = rospy.Time.from_sec(time.time() + ahead_s)
+        message.linear_acceleration.z = GRAVITY
+        return message
+
+    def wait_for_line(self, adapter, expected):
+        while True:
+            line = adapter.stderr.readline()
+            self.assertTrue(line, f"{expected} was not said")
+            if expected in line:
+                return
+
+    def test_cells_on_one_topic_and_one_whose_clock_is_another(self):
+        rospy.init_node("test", anonymous=True, disable_signals=True)
+        adapter, _ = self.start_adapter({"cells": [{"id": k, "imu": "/imu", "frame_id": f"cell_{k}"} for k in (1, 2, 3, 4)]})
+        for k, ahead_s in ((1, 0), (2, 0), (3, 3600), (5, 0)):
+            self.publish("/imu", sensor_msgs.msg.Imu, lambda k=k, ahead_s=ahead_s: self.imu(f"cell_{k}", ahead_s))
+        time.sleep(6)
+        said = self.end_adapter(adapter)
+        self.assertIn('/imu: left out are readings of a frame_id that no cell has ("cell_5")\n', said)
+        self.assertIn("the stamps of cell 3 are 3600 s ahead of the others", said)
+        self.assertIn("no readings of cell 4, though messages come on /imu\n", said)
+        self.assertRegex(said, r"left out: \d+ readings of a frame_id that no cell has\n")
+        self.assertLess(len(said.splitlines()), 8, said)
+
+    def test_a_topic_that_stops_and_comes_back_is_named(self):
+        rospy.init_node("test", anonymous=True, disable_signals=True)
+        adapter, _ = self.start_adapter({"cells": [{"id": 1, "imu": "/imu1"}]})
+        end = self.publish("/imu1", sensor_msgs.msg.Imu, self.imu)
+        time.sleep(1)
+        end()
+        self.wait_for_line(adapter, "nothing any more on /imu1 (cell 1); nobody publishes it")
+        self.publish("/imu1", sensor_msgs.msg.Imu, self.imu)
+        self.wait_for_line(adapter, "messages come on /imu1 (cell 1)")
+        self.assertNotIn("nothing", self.end_adapter(adapter))  # what was said is not said again
+
+    def test_why_nothing_comes(self):
+        rospy.init_node("test", anonymous=True, disable_signals=True)
+        adapter, _ = self.start_adapter({"cells": [{"id": k, "imu": f"/imu{k}"} for k in (1, 2, 3)]})
+        self.publish("/imu3", std_msgs.msg.String, std_msgs.msg.String)
+        silent = rospy.Publisher("/imu2", sensor_msgs.msg.Imu, queue_size=1)
+        self.addCleanup(silent.unregister)
+        time.sleep(5)
+        said = self.end_adapter(adapter)
+        for line in ("nothing on /imu1 (cell 1); nobody publishes it\n", "nothing on /imu2 (cell 2); its publisher sends nothing\n",
+                     "nothing on /imu3 (cell 3); its type is std_msgs/String, and not sensor_msgs/Imu\n"):
+            self.assertEqual(said.count(line), 1, said)
+
+    def test_a_wrong_name_of_a_field_is_said_once(self):
+        types = genpy.dynamic.generate_dynamic("test_skin/Cells", DEFINITION)
+        rospy.init_node("test", anonymous=True, disable_signals=True)
+        adapter, _ = self.start_adapter({"cells": [{"id": 1}], "cell_data": {"topic": "/skin/cells", "array": "dat"}})
+        self.publish("/skin/cells", types["test_skin/Cells"], types["test_skin/Cells"])
+        time.sleep(2)
+        said = self.end_adapter(adapter)
+        self.assertEqual(said.count('cell_data /skin/cells: test_skin/Cells has no field "dat"; it has data\n'), 1, said)
+        self.assertNotIn("Traceback", said)
+
+    def test_without_a_master_it_waits(self):
+        there = dict(os.environ, ROS_MASTER_URI=f"http://localhost:{free_port()}")
+        adapter = self.begin_adapter({"cells": [{"id": 1, "imu": "/imu"}]}, env=there)
+        self.assertIn(f"no ROS master at {there['ROS_MASTER_URI']}; waiting (is roscore running?", adapter.stderr.readline())
+        self.assertEqual(self.end_adapter(adapter), "hexoderm-ros: 0 sent, 0 late, 0 repeated, 0 dropped\n")
+        adapter = self.begin_adapter({"cells": [{"id": 1, "imu": "/imu"}]}, env=there)
+        self.wait_for_line(adapter, "no ROS master")
+        self.start("roscore", "-p", there["ROS_MASTER_URI"].rpartition(":")[2])
+        self.assertRegex(adapter.stderr.readline(), "1 cell on tcp://")
+        self.end_adapter(adapter)
 
     def test_transforms_are_published(self):
         self.simulate("--poses", 3)
