@@ -130,6 +130,8 @@ GraphMarks GraphView::marks() const { return {button_->marksTree(), scene_->hasM
 
 GraphPicture GraphView::picture() const { return {scene_, paint_, camera_, style(), marks(), fit_.legendArea()}; }
 
+void GraphView::drawNow() { static_cast<void>(sheet_.currentPicture()); }
+
 void GraphView::copyPicture() { QApplication::clipboard()->setPixmap(sheet_.currentPicture()); }
 
 GraphHit GraphView::picked() const { return pickedIn(*scene_, *selection_); }

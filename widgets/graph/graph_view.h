@@ -55,6 +55,9 @@ class GraphView : public QWidget {
   [[nodiscard]] std::optional<QPoint> positionOf(CellId cell) const;
   [[nodiscard]] std::optional<QPoint> positionOf(LinkEnd source, LinkEnd target) const;
 
+  /// Draws what has changed at once, which takes a while for a large skin and else waits for its turn: for pictures of
+  /// the window.
+  void drawNow();
   /// The graph as it is seen now; another thread may write it.
   [[nodiscard]] GraphPicture picture() const;
 

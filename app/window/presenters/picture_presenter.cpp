@@ -36,8 +36,9 @@ void PicturePresenter::settle() {
 }
 
 QImage PicturePresenter::picture() {
-  // The 3D view draws when there is time; until then a picture of the window would show its last state.
+  // Large views draw when there is time; until then a picture of the window would show their last state.
   settle();
+  views_.graph.drawNow();
   views_.patch.waitUntilUpToDate();
   views_.patch.drawNow();
   if (views_.robot.isVisible()) views_.robot.drawNow();
@@ -60,11 +61,15 @@ void PicturePresenter::savePicture() {
 /// In turns of their own, because a theme, drawing and the picture all take their time without a graphics card. A pause
 /// of 0 would be none: what is posted comes before everything that waits.
 void PicturePresenter::drawAndSave(const QString& path) {
+  constexpr int kNextTurn_ms = 1;
   afterTheme([this, path] {
     settle();
-    views_.patch.drawNow();
-    QTimer::singleShot(1, this, [this, path] {
-      afterTheme([this, path] { controller_.resultFiles().saveImage(pictureAsDrawn(), path); });
+    views_.graph.drawNow();
+    QTimer::singleShot(kNextTurn_ms, this, [this, path] {
+      views_.patch.drawNow();
+      QTimer::singleShot(kNextTurn_ms, this, [this, path] {
+        afterTheme([this, path] { controller_.resultFiles().saveImage(pictureAsDrawn(), path); });
+      });
     });
   });
 }
