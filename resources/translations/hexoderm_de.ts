@@ -3742,10 +3742,6 @@ Die Balken sagen, wie sehr sich die gesehenen Richtungen in drei Achsen untersch
         <translation>„global“, „tree“ oder „imported“</translation>
     </message>
     <message>
-        <source>&quot;pivot&quot;, which is what the tree solver has</source>
-        <translation>„pivot“, wie es der Baumlöser hat</translation>
-    </message>
-    <message>
         <source>a unit vector (to 1e-6)</source>
         <translation>ein Einheitsvektor (auf 1e-6 genau)</translation>
     </message>
@@ -6882,10 +6878,6 @@ Die Balken sagen, wie sehr sich die gesehenen Richtungen in drei Achsen untersch
     <message>
         <source>nothing for {}, so this gives up. Its last state: {}</source>
         <translation>nichts seit {}, daher wird aufgegeben. Der letzte Stand: {}</translation>
-    </message>
-    <message>
-        <source>port {}: vector_m ends {} from the centre, but side_m and gap_m put the middle of the gap at {} in that direction</source>
-        <translation>Port {}: vector_m endet {} von der Mitte, aber nach side_m und gap_m liegt die Mitte des Spalts in dieser Richtung bei {}</translation>
     </message>
     <message>
         <source>a length in metres, from {} to {}</source>

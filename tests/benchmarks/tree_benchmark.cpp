@@ -91,7 +91,8 @@ void measure(int rows, int columns, double svd_ms) {
   table.row("attitudes",
             least_ms([&] { attitudes = skin.attitudeCovariances(skin.graph().patches().front(), paths.link); }));
   table.row("placements", least_ms([&] {
-              static_cast<void>(placeAlongTree(skin.graph(), skin.model(), paths, skin.edges(), attitudes));
+              static_cast<void>(placeAlongTree(skin.graph(), skin.model(), paths, skin.edges(), attitudes,
+                                               gapShareOf(options.gap_model)));
             }));
   std::vector<PatchSolver> patches;
   patches.emplace_back(skin, weights, 0);

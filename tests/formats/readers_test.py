@@ -28,7 +28,7 @@ PROBES = (None, True, -1, 0, 1.5, 1e300, "", "?", [], [0], {}, [[]], [None], [{}
 BEYOND = re.compile(
     r"(^|[.\]_])(R|R_o_u|R_c_n|R_u|q_u_wxyz|q_o_u_wxyz|q_o_wxyz|cov_t_r|shape_cov_t_r|cov_g2|g_o|template|arguments"
     r"|predecessor|path|origin|origin_cell|from_cell|to_cell|source|source_port|target|target_port"
-    r"|pose_residual_deg|(ports\[\]\.)?vector_m|side_m|gap_m|forbidden_port_pairs|(shared_)?offset_sigma_g)$"
+    r"|pose_residual_deg|(ports\[\]\.)?vector_m|forbidden_port_pairs|(shared_)?offset_sigma_g)$"
     r"|^(cell_model\.)?ports(\[\]\.port)?$|^patches(\[\]\.(id|cells\[\]\.id|cells|links))?$|^poses$")
 
 # Optional keys that another one of a document relies on: each link's residuals are one for each of the poses.

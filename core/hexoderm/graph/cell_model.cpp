@@ -22,16 +22,6 @@ constexpr double kMostCellLength_m = 1;
 /// Direction of a port in the surface: ports lie in the cell's plane but for what a model's vector says.
 Eigen::Vector3d outwardDirection(const Port& port) { return port.vector_m.normalized(); }
 
-/// How far a port may end from where side and gap put it, as a share of that: what is drawn and exported by the side
-/// would not be what is placed by the ports.
-constexpr double kPortMayMissBy = 0.25;
-
-/// From the centre to the outline in a direction of the surface, and on through half the gap.
-double reachTowards(const CellModel& model, double heading_rad) {
-  const double from_middle_of_side = std::remainder(heading_rad - model.side_angle_rad - kPi / 6, kPi / 3);
-  return std::sqrt(0.75) * model.side_m / std::cos(from_middle_of_side) + model.gap_m / 2;
-}
-
 double headingOf(const Port& port) { return std::atan2(port.vector_m.y(), port.vector_m.x()); }
 
 }  // namespace
@@ -97,13 +87,6 @@ void CellModel::validate() const {
     require(isWithin(port.vector_m, kMostCellLength_m) && port.vector_m.head<2>().norm() > 1e-9,
             message("port {}: vector_m must point out of the cell's side, by at most {} m", port.number,
                     Number{kMostCellLength_m}));
-    const double reach = port.vector_m.head<2>().norm();
-    const double expected = reachTowards(*this, headingOf(port));
-    require(
-        std::abs(reach - expected) <= kPortMayMissBy * expected,
-        message("port {}: vector_m ends {} from the centre, but side_m and gap_m put the middle of the gap at {} in "
-                "that direction",
-                port.number, Millimetres{reach, 1}, Millimetres{expected, 1}));
   }
   for (const auto& [a, b] : forbidden_port_pairs) {
     require(findPort(a) != nullptr && findPort(b) != nullptr, message("forbidden_port_pairs names an unknown port"));

@@ -84,13 +84,7 @@ void readSolver(const JsonReader& json, Reconstruction& result) {
   }
   if (result.solver != "global" && result.solver != "tree") name.fail(message("\"global\", \"tree\" or \"imported\""));
   result.options.solver = option(name, solverFromName);
-  if (!gap_model) return;
-  const GapModel model = option(*gap_model, gapModelFromName);
-  if (result.options.solver == Solver::Global) {
-    result.options.gap_model = model;
-  } else if (model != GapModel::Pivot) {
-    gap_model->fail(message("\"pivot\", which is what the tree solver has"));
-  }
+  if (gap_model) result.options.gap_model = option(*gap_model, gapModelFromName);
 }
 
 SourceDescription readSource(const JsonReader& json) {

@@ -216,9 +216,8 @@ void writeCalibrationJson(const Reconstruction& reconstruction, const WriteBytes
   json.member("format", kCalibrationFormat);
   json.member("version", kCalibrationVersion);
   json.member("solver", reconstruction.solver);
-  // The tree lets both extended port vectors of a link end in one point, eq. (3); an imported file doesn't say.
-  if (reconstruction.solver == "tree") json.member("gap_model", gapModelName(GapModel::Pivot));
-  if (reconstruction.solver == "global") json.member("gap_model", gapModelName(reconstruction.options.gap_model));
+  const bool is_imported = reconstruction.solver != "tree" && reconstruction.solver != "global";
+  if (!is_imported) json.member("gap_model", gapModelName(reconstruction.options.gap_model));
   const PatchReconstruction* const largest = largestPatch(reconstruction);
   if (largest != nullptr && largest->gap_share) json.member("gap_s", largest->gap_share->share);
   json.member("options", optionsJson(reconstruction.options));

@@ -79,12 +79,17 @@ class Errors(InFolder):
     def test_exports(self):
         calibration = hexoderm.read_calibration(self.calibration)
         out = self.folder / "x"
-        for to, given in [("pdf", {}), ("urdf", dict(model_name="")), ("robot-urdf", {}), ("urdf", dict(patch=99)),
+        for to, given in [("pdf", {}), ("urdf", dict(model_name="")), ("urdf", dict(patch=99)),
                           ("urdf", dict(in_link="arm"))]:
             with self.subTest(to=to, given=given):
                 arguments = [each for name, value in given.items() for each in ("--" + name.replace("_", "-"), value)]
                 self.expect_same(hexoderm.InvalidArgument, lambda: calibration.export(to, out, **given),
                                  "export", self.calibration, "--to", to, "-o", out, *arguments)
+        # What is lacking is an argument here and an option there.
+        with self.assertRaisesRegex(hexoderm.InvalidArgument, "^robot: expected the URDF of the robot that gets the"):
+            calibration.export("robot-urdf", out)
+        _, _, error = run("export", self.calibration, "--to", "robot-urdf", "-o", out)
+        self.assertIn("expected --robot FILE too, the URDF of the robot that gets the skin", error)
         self.expect_same(hexoderm.StorageError, lambda: calibration.export("urdf", self.folder / "no/x"),
                          "export", self.calibration, "--to", "urdf", "-o", self.folder / "no/x")
 

@@ -79,7 +79,13 @@ class Solutions(unittest.TestCase):
         tree = hexoderm.solve(self.session, solver="tree", gap_model="arc")
         self.assertTrue(np.isnan(tree.patches[0].shape_covariances).all())
         self.assertFalse(np.isnan(tree.patches[0].covariances).any())
-        self.assertEqual(json.loads(tree.to_json())["gap_model"], "pivot")
+        self.assertEqual(json.loads(tree.to_json())["gap_model"], "arc")
+
+    def test_the_tree_states_what_the_mould_leaves_open(self):
+        def stated(gap_model):
+            return hexoderm.solve(self.session, solver="tree", gap_model=gap_model).verdict.position_95_m
+        self.assertLess(stated("pivot"), stated("fit"))
+        self.assertLess(stated("fit"), stated("arc"))
 
     def test_a_mean_is_no_better_than_a_hands_tremor(self):
         def of(covariances):

@@ -161,22 +161,6 @@ TEST(CellModelJson, RefusesLengthsThatNoCellHas) {
   EXPECT_THAT(complaintWith("[0.012, -0.007, 0.0]", "[12, -7, 0]"), saysAll("port 2: vector_m", "at most 1 m"));
 }
 
-TEST(CellModelJson, RefusesPortsThatAreNotWhereTheSideIs) {
-  EXPECT_THAT(complaintWith("\"side_m\": 0.01502", "\"side_m\": 0.021"),
-              saysAll("port 1: vector_m ends 13.9 mm from the centre", "the middle of the gap at 19.1 mm"));
-  EXPECT_THAT(complaintWith("[0.012, -0.007, 0.0]", "[0.5, 0, 0]"),
-              saysAll("port 2: vector_m ends 500.0 mm", "15.9 mm"))
-      << "in the direction of a corner";
-  // Turned as a whole it is the same cell.
-  CellModel turned = hex();
-  turned.side_angle_rad = 100.5;
-  const Eigen::AngleAxisd turn(turned.side_angle_rad, Eigen::Vector3d::UnitZ());
-  for (Port& port : turned.ports) port.vector_m = turn * port.vector_m;
-  EXPECT_NO_THROW(turned.validate());
-  for (Port& port : turned.ports) port.vector_m *= 1.3;
-  EXPECT_THROW(turned.validate(), InvalidArgument);
-}
-
 TEST(CellModelJson, SaysTheLengthOfAQuaternionThatIsNone) {
   const std::string q = "\"q_u_wxyz\": [1.0, 0.0, 0.0, 0.0]";
   EXPECT_THAT(complaintWith(q, "\"q_u_wxyz\": [0.99, 0, 0, 0]"),

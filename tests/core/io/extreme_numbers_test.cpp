@@ -182,9 +182,6 @@ class ExtremeExports : public ExportTest {};
 TEST_F(ExtremeExports, AllFormatsHoldThem) {
   json document = sessionDocument();
   document["poses"][0]["samples"][1]["mean_g"] = {kMostAcceleration_g, -kMostAcceleration_g, 0};
-  for (const char* key : {"side_m", "gap_m"}) {
-    document["cell_model"][key] = document["cell_model"][key].get<double>() * 50;
-  }
   for (json& port : document["cell_model"]["ports"]) {
     port["vector_m"] = {port["vector_m"][0].get<double>() * 50, port["vector_m"][1].get<double>() * 50, 0};
   }

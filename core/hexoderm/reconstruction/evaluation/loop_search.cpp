@@ -2,7 +2,7 @@
 
 #include "hexoderm/util/error.h"
 
-#include "hexoderm/reconstruction/joint/joint_cost.h"
+#include "hexoderm/reconstruction/links/gap_share.h"
 
 #include <algorithm>
 #include <cmath>

@@ -11,34 +11,6 @@ namespace {
 
 using Matrix3x6d = Eigen::Matrix<double, 3, 6>;
 
-/// The share of the arc in a link's closure, k = (2/3) e a^2 m, with its derivatives to the outward directions U_c and
-/// U_n in the patch frame. a: half the angle between U_c and -U_n; m = unit(U_c - U_n).
-struct ArcShift {
-  Eigen::Vector3d k;
-  Eigen::Matrix3d dk_dUc;
-  Eigen::Matrix3d dk_dUn;
-};
-ArcShift arcShift(const Eigen::Vector3d& U_c, const Eigen::Vector3d& U_n, double e, bool derivatives) {
-  // A link folded back onto itself has no arc; short of that the formula holds.
-  constexpr double kFolded = 1e-3;
-  const Eigen::Vector3d w = U_c - U_n;
-  const double length = std::max(w.norm(), kFolded);
-  const Eigen::Vector3d m = w / length;
-  const double a = std::atan2((U_c + U_n).norm(), length);
-  const double factor = 2.0 / 3.0 * e;
-  ArcShift shift;
-  shift.k = factor * a * a * m;
-  if (derivatives) {
-    // a^2 as a function of q = U_c . U_n = -cos 2a.
-    const double sine = std::sin(2 * a);
-    const double slope = sine > 1e-9 ? a / sine : 0.5;
-    const Eigen::Matrix3d turn = a * a / length * (Eigen::Matrix3d::Identity() - m * m.transpose());
-    shift.dk_dUc = factor * (slope * m * U_n.transpose() + turn);
-    shift.dk_dUn = factor * (slope * m * U_c.transpose() - turn);
-  }
-  return shift;
-}
-
 /// Inverse of the left Jacobian of SO(3): log(exp(d) exp(w)) = w + J d to first order.
 Eigen::Matrix3d inverseLeftJacobian(const Eigen::Vector3d& w) {
   const double angle = w.norm();
@@ -356,10 +328,6 @@ double closureCost(const JointProblem& problem, const JointState& state) {
     cost += problem.loss.cost(residual.closure.squaredNorm());
   }
   return cost;
-}
-
-Eigen::Vector3d arcOpening_m(const Eigen::Vector3d& U_c, const Eigen::Vector3d& U_n, double e_m) {
-  return arcShift(U_c, U_n, e_m, false).k;
 }
 
 double linkOpening_m(const JointProblem& problem, const JointState& state, std::size_t link) {

@@ -5,19 +5,13 @@
 
 #include "hexoderm/reconstruction/accelerometer/accelerometer_fit.h"
 #include "hexoderm/reconstruction/joint/linearize_kernels.h"
+#include "hexoderm/reconstruction/links/gap_share.h"
 
 #include <memory>
 #include <optional>
 #include <vector>
 
 namespace hexoderm {
-
-/// Position between `pivot` (0) and `arc` (1) of the mould's behaviour when it is bent (gap share, in
-/// core/hexoderm/reconstruction/README.md): fixed, or to be estimated from a prior.
-struct GapShare {
-  double mean = 0.5;
-  std::optional<double> sigma;  ///< absent: fixed
-};
 
 /// A link of one patch, ends as indices into its cells.
 struct JointLink {
@@ -101,10 +95,6 @@ Eigen::Vector3d specificForce(const JointProblem& problem, const JointState& sta
 
 /// Squared distances of all links' end points in units of link_sigma, losses applied.
 double closureCost(const JointProblem& problem, const JointState& state);
-
-/// The arc's contribution to a link's opening, k = (2/3) e a^2 m above, for outward directions in one frame (unit);
-/// metres.
-Eigen::Vector3d arcOpening_m(const Eigen::Vector3d& U_c, const Eigen::Vector3d& U_n, double e_m);
 
 /// Distance between the end points of a link, less the arc's share; metres.
 double linkOpening_m(const JointProblem& problem, const JointState& state, std::size_t link);

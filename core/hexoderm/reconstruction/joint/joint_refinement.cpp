@@ -32,18 +32,6 @@ constexpr double kForceSigmaOfLargePart_g = 0.03;
 // tremor's angular acceleration, acts at arms of 0.15 m.
 constexpr double kForceSigmaOfSeveralPatches_g = 0.01;
 
-GapShare gapShareOf(GapModel model) {
-  switch (model) {
-    case GapModel::Pivot:
-      return {0, std::nullopt};
-    case GapModel::Arc:
-      return {1, std::nullopt};
-    case GapModel::Fit:
-      break;
-  }
-  return {0.5, 0.5};
-}
-
 /// The covariance of any two cells from that of the whole patch.
 class SolvedCovariance : public PlacementCovariance {
  public:

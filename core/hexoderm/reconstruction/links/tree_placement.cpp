@@ -16,6 +16,7 @@ struct Carried {
   Eigen::Matrix3d tau_kappa = Eigen::Matrix3d::Zero();     ///< of tau_n with kappa_n,
   Eigen::Matrix3d kappa = Eigen::Matrix3d::Zero();         ///< and of kappa_n
   double links = 0;
+  Eigen::Vector3d arcs_m = Eigen::Vector3d::Zero();  ///< how far t_n moves if the mould bends in arcs
 };
 
 /// [w]x M.
@@ -38,12 +39,14 @@ Eigen::Matrix3d rotated(const Eigen::Matrix3d& R, const Eigen::Matrix3d& covaria
 
 std::vector<TreePlacement> placeAlongTree(const SkinGraph& graph, const CellModel& model, const ShortestPaths& paths,
                                           const std::vector<EdgeRotation>& edges,
-                                          const std::vector<Eigen::Matrix3d>& attitude_covariance) {
+                                          const std::vector<Eigen::Matrix3d>& attitude_covariance,
+                                          const GapShare& gap) {
   const auto place = [&graph](std::size_t cell) { return graph.cells()[cell].place; };
   std::vector<TreePlacement> placements(paths.order.size());
   std::vector<Carried> carried(paths.order.size());
   const std::size_t origin = place(paths.root);
   const Eigen::Matrix3d origin_covariance = attitude_covariance[origin];
+  const double mean_square_share = gap.mean * gap.mean + gap.sigma.value_or(0) * gap.sigma.value_or(0);
 
   for (const std::size_t cell : paths.order) {
     if (cell == paths.root) continue;
@@ -82,6 +85,11 @@ std::vector<TreePlacement> placeAlongTree(const SkinGraph& graph, const CellMode
     Eigen::Matrix3d position =
         now.tau + now.u_covariance + crossedTwice(now.b, now.own) + crossedTwice(lever_o, origin_covariance);
     position.diagonal().array() += now.links * model.link_sigma_m * model.link_sigma_m;
+    if (mean_square_share > 0) {
+      const double e_m = (port_c.vector_m.norm() + port_n.vector_m.norm()) / 2;
+      now.arcs_m = before.arcs_m + arcOpening_m(a.normalized(), now.b.normalized(), e_m);
+      position += mean_square_share * now.arcs_m * now.arcs_m.transpose();
+    }
     const Eigen::Matrix3d mixed_left = now.tau_kappa + crossed(now.b, now.own) - crossed(lever_o, origin_covariance);
     const Eigen::Matrix3d rotation = now.kappa + now.own + origin_covariance;
 

@@ -54,7 +54,8 @@ PatchSolver::PatchSolver(SkinLinks& skin, std::span<const double> weights, std::
 void PatchSolver::placeAlongPaths() {
   const SkinGraph& graph = skin_.graph();
   paths_ = findShortestPaths(graph, weights_, findOrigin(graph, weights_, patch_, eligibleOrigins(skin_, cells_)));
-  placements_ = placeAlongTree(graph, skin_.model(), paths_, skin_.edges(), attitudeCovariances(skin_, paths_));
+  placements_ = placeAlongTree(graph, skin_.model(), paths_, skin_.edges(), attitudeCovariances(skin_, paths_),
+                               gapShareOf(skin_.options().gap_model));
 }
 
 std::unique_ptr<JointRefinement> PatchSolver::jointFrom(const PatchReconstruction* earlier) const {

@@ -40,7 +40,7 @@ TEST(TreePlacement, CovarianceIsThatOfAllErrorsCarriedToTheCell) {
   std::vector<Eigen::Matrix3d> attitude;
   for (std::size_t cell = 0; cell < 5; ++cell) attitude.push_back(drawCovariance(0.05));
   const ShortestPaths paths = findShortestPaths(graph, weights, 1);
-  const std::vector<TreePlacement> placed = placeAlongTree(graph, model, paths, edges, attitude);
+  const std::vector<TreePlacement> placed = placeAlongTree(graph, model, paths, edges, attitude, {0.5, 0.7});
 
   EXPECT_TRUE(placed[1].covariance.isZero());
   for (const std::size_t cell : {0U, 2U, 3U, 4U}) {
@@ -81,6 +81,14 @@ TEST(TreePlacement, CovarianceIsThatOfAllErrorsCarriedToTheCell) {
     }
     left.topLeftCorner<3, 3>() +=
         static_cast<double>(path.size() - 1) * model.link_sigma_m * model.link_sigma_m * Eigen::Matrix3d::Identity();
+    // All links open by the same share of their arcs, of which 0.5 +- 0.7 is known.
+    Eigen::Vector3d arcs_m = Eigen::Vector3d::Zero();
+    for (std::size_t k = 1; k < path.size(); ++k) {
+      const auto [at_c, at_n] = portsOf(k);
+      arcs_m += arcOpening_m(at_c.normalized(), at_n.normalized(), (at_c.norm() + at_n.norm()) / 2);
+    }
+    ASSERT_GT(arcs_m.norm(), 1e-6);
+    left.topLeftCorner<3, 3>() += (0.5 * 0.5 + 0.7 * 0.7) * arcs_m * arcs_m.transpose();
     Matrix6d to_right = Matrix6d::Identity();
     to_right.bottomRightCorner<3, 3>() = T_o_n.R.transpose();
     const Matrix6d expected = to_right * left * to_right.transpose();
