@@ -113,6 +113,9 @@ struct GapShareEstimate {
 /// Cells that are joined by links, in a frame of their own.
 struct PatchReconstruction {
   PatchId id;
+  /// The cell nearest to all others (findOrigin()); may change with poses. Relative to a cell of your own:
+  /// T_o_a.inverse()
+  /// * T_o_b, with covariance->relative(a, b).
   CellId origin;
   std::vector<GravityDirection> gravity;
   std::vector<CellPlacement> cells;           ///< in ascending order of ID
