@@ -7,9 +7,7 @@
 #include <cmath>
 
 namespace hexoderm {
-namespace {
 
-/// The fault of a sample; says nothing if there is none.
 Message problemOf(const GravitySample& sample) {
   if (!isWithin(sample.mean_g, kMostAcceleration_g)) return message("the mean must be finite and at most 1e6 g");
   if (!isWithin(sample.cov_g2, kMostVariance_g2)) return message("the covariance must be finite and at most 1e13 g^2");
@@ -18,8 +16,6 @@ Message problemOf(const GravitySample& sample) {
   if (sample.temperature_c && !std::isfinite(*sample.temperature_c)) return message("the temperature must be finite");
   return {};
 }
-
-}  // namespace
 
 void requireStorable(const GravitySample& sample) {
   if (const Message problem = problemOf(sample); !problem.empty()) {
