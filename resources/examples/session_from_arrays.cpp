@@ -3,6 +3,7 @@
 // compared; with a skin's, fill `links` and `readings_g`, and leave the solver's options as they are.
 #include <hexoderm/hexoderm.h>
 
+#include <iomanip>
 #include <iostream>
 #include <map>
 #include <vector>
@@ -71,6 +72,7 @@ int main() try {
   options.gap_model = GapModel::Pivot;  // made up by linkTransform(); the default suits a skin
   const auto result = reconstruct(*session.snapshot(), options);
   std::cout << result->assessment.reason << '\n' << result->assessment.next_action << '\n';
+  std::cout << std::fixed << std::setprecision(3);
   const SE3 T_o_1 = result->find(CellId(1)).cell->T_o_u;
   for (const CellPlacement& cell : result->patches.front().cells) {
     const SE3 T_1_u = T_o_1.inverse() * cell.T_o_u;

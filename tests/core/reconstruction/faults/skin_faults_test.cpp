@@ -138,7 +138,7 @@ TEST_P(BadCell, NotANumberIsNoReading) {
     if (sample.cell == kBad) sample.mean_g.y() = std::numeric_limits<double>::quiet_NaN();
   });
   expectPlacedThroughLinks(session, FindingCode::NoSamples);
-  EXPECT_EQ(findFinding(*solve(session), FindingCode::NoSamples)->text.english(),
+  EXPECT_EQ(findFinding(*solve(session), FindingCode::NoSamples)->message.english(),
             "The readings of cell 3 are no finite numbers; it is placed through its links.");
 }
 
@@ -148,7 +148,7 @@ TEST_P(BadCell, NotANumberInOnePoseIsNamedWithIt) {
   }));
   const Finding* finding = findFinding(*result, FindingCode::MissingSamples);
   ASSERT_NE(finding, nullptr);
-  EXPECT_EQ(finding->text.english(),
+  EXPECT_EQ(finding->message.english(),
             "The reading of cell 3 is no finite number in pose 2; it is placed from the other poses.");
   EXPECT_THAT(finding->poses, ElementsAre(PoseId(2)));
 }
@@ -162,7 +162,7 @@ TEST_P(SkinFaults, ACellWithoutReadingsAndLinksIsNotSaidToBePlacedThroughThem) {
     const auto result = solve(session);
     const Finding* finding = findFinding(*result, FindingCode::NoSamples);
     ASSERT_NE(finding, nullptr);
-    EXPECT_EQ(finding->text.english(),
+    EXPECT_EQ(finding->message.english(),
               is_sent ? "The readings of cell 1 are no finite numbers, and no link joins it to another cell."
                       : "Cell 1 delivered no reading in any pose, and no link joins it to another cell.");
   }
