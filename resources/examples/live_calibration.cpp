@@ -13,7 +13,8 @@ int main(int argc, char** argv) try {
   hexoderm::LiveCapture capture(options);
   while (const auto pose = capture.next()) {
     const auto state = capture.state();
-    std::cout << "Pose " << pose->pose->id << ": " << state.result->assessment.reason << '\n' << state.advice << '\n';
+    std::cout << "Pose " << pose->pose->id << ": " << state.result->assessment.reason << '\n'
+              << state.result->assessment.next_action << '\n';
   }
   const auto result = capture.state().result;
   hexoderm::writeCalibrationJson(*result, "live.calibration.json");

@@ -6895,6 +6895,34 @@ Die Balken sagen, wie sehr sich die gesehenen Richtungen in drei Achsen untersch
         <source>a unit quaternion (w, x, y, z); the length of this one is {}</source>
         <translation>ein Einheitsquaternion (w, x, y, z); die Länge von diesem ist {}</translation>
     </message>
+    <message>
+        <source>There are enough poses.</source>
+        <translation>Es sind genug Posen.</translation>
+    </message>
+    <message>
+        <source>The capture is over.</source>
+        <translation>Die Aufnahme ist zu Ende.</translation>
+    </message>
+    <message>
+        <source>{} must be a rotation</source>
+        <translation>{} muss eine Drehung sein</translation>
+    </message>
+    <message>
+        <source>The reading of cell {} is no finite number {}; it is placed from the other poses.</source>
+        <translation>Der Messwert von Zelle {} ist {} keine endliche Zahl; sie wird aus den anderen Posen verortet.</translation>
+    </message>
+    <message>
+        <source>The readings of cell {} are no finite numbers; it is placed through its links.</source>
+        <translation>Die Messwerte von Zelle {} sind keine endlichen Zahlen; sie wird über ihre Verbindungen verortet.</translation>
+    </message>
+    <message>
+        <source>The readings of cell {} are no finite numbers, and no link joins it to another cell.</source>
+        <translation>Die Messwerte von Zelle {} sind keine endlichen Zahlen, und keine Verbindung führt zu einer anderen Zelle.</translation>
+    </message>
+    <message>
+        <source>Cell {} delivered no reading in any pose, and no link joins it to another cell.</source>
+        <translation>Zelle {} hat in keiner Pose einen Messwert geliefert, und keine Verbindung führt zu einer anderen Zelle.</translation>
+    </message>
 </context>
 <context>
     <name>hexoderm::MessageBar</name>

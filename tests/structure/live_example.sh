@@ -1,6 +1,6 @@
 #!/bin/bash
-# Builds the example of a live calibration with an installed library, and runs it: with the simulated skin that turns itself,
-# and with an emulated device on a wire that somebody turns. Usage: live_example.sh CMAKE PREFIX ROOT HEXODERM_CLI EMULATOR
+# Builds the examples with an installed library, and runs them: a session of arrays, and a live calibration with the simulated
+# skin that turns itself and with an emulated device on a wire that somebody turns. Usage: live_example.sh CMAKE PREFIX ROOT HEXODERM_CLI EMULATOR
 set -euo pipefail
 cmake="$1"
 prefix="$2"
@@ -40,6 +40,22 @@ wait "$calibration"
 echo quit >&"$turn"
 [ "$(grep -c '^Pose ' said.txt)" = 4 ] || { echo "4 poses were expected"; cat said.txt; exit 1; }
 expect_calibration
+
+# What was made up comes back.
+build/session_from_arrays | tee said.txt
+[ "$(grep -cE '^Cell [123]: .* off by 0\.0[0-9]{2} mm$' said.txt)" = 3 ] || { echo "three cells where they are were expected"; exit 1; }
+"$cli" inspect arrays.session.json --json >said.json
+grep -q '"cells": 3' said.json || { cat said.json; exit 1; }
+
+# A component that there is not is named.
+mkdir other
+cat >other/CMakeLists.txt <<'END'
+cmake_minimum_required(VERSION 3.22)
+project(Other LANGUAGES CXX)
+find_package(Hexoderm 0.1 REQUIRED COMPONENTS core window)
+END
+! "$cmake" -G Ninja -D "CMAKE_PREFIX_PATH=$prefix" -S other -B other/build >said.txt 2>&1 || exit 1
+grep -q 'Hexoderm has no component "window"' said.txt || { cat said.txt; exit 1; }
 
 # A device that is not there, and a source that is none.
 ! build/live_calibration nonsense://x 2>said.txt || exit 1

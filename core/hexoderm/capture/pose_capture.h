@@ -16,9 +16,10 @@ namespace hexoderm {
 struct GravitySample {
   CellId cell;
   Eigen::Vector3d mean_g = Eigen::Vector3d::Zero();  ///< accelerometer's axes; not normalised
-  Eigen::Matrix3d cov_g2 = Eigen::Matrix3d::Zero();  ///< covariance of the mean; zero: not known
-  std::uint32_t count = 0;                           ///< samples averaged; 0: not known
-  std::optional<double> temperature_c{};             ///< absent where the device does not measure it
+  /// Covariance of the mean; zero: not known. The solver takes no variance as less than a hand's tremor of 3 mg makes.
+  Eigen::Matrix3d cov_g2 = Eigen::Matrix3d::Zero();
+  std::uint32_t count = 0;                ///< samples averaged; 0: not known
+  std::optional<double> temperature_c{};  ///< absent where the device does not measure it
 };
 
 /// One captured pose: gravity as every cell saw it while the part was held still. Immutable once captured.

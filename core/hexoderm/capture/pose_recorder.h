@@ -78,7 +78,8 @@ struct SkinPreview {
   std::vector<CellTemperature> temperatures{};
 };
 
-/// Receives what a PoseRecorder makes, on the thread that feeds it. May call the recorder's commands.
+/// Receives what a PoseRecorder makes, on the thread that feeds it. Must not throw where that is a source's:
+/// std::terminate. May call the recorder's commands.
 class PoseRecorderListener {
  public:
   virtual ~PoseRecorderListener() = default;

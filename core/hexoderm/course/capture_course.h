@@ -83,7 +83,9 @@ struct AdviceAnswer {
 AdviceAnswer adviseOn(const AdviceQuestion& question);
 
 /// The surroundings of a course: the session, the file that keeps it, the connected skin and the display.
-/// Its functions are called on the owner's thread by functions of CaptureCourse.
+/// Its functions are called on the owner's thread by functions of CaptureCourse, and what they throw is thrown by
+/// these, which have done half their work then: end() or forget() is what is left. Within a SkinListener or an
+/// Acknowledge they must not throw: std::terminate.
 class CaptureOwner {
  public:
   virtual ~CaptureOwner() = default;

@@ -119,7 +119,7 @@ class LiveCapture::Run final : public CaptureOwner, public SkinListener, public 
   [[nodiscard]] LiveCaptureState state() const {
     const std::lock_guard lock(mutex_);
     LiveCaptureState state = state_;
-    state.status = state.session ? hold_.message : status_.message;
+    if (state.status.empty()) state.status = state.session ? hold_.message : status_.message;
     return state;
   }
 
@@ -256,8 +256,14 @@ class LiveCapture::Run final : public CaptureOwner, public SkinListener, public 
     state_.can_turn = course_.canTurn();
     state_.up.reset();
     state_.advice = {};
-    // What was advised before the last pose helps nobody any more.
-    if (!course_.nextPose() || !result_ || course_.isFinished()) return;
+    state_.status = {};
+    // What was advised before the last pose, and what the recorder waits for then, helps nobody any more.
+    if (is_ended_ || course_.isFinished()) {
+      const bool is_enough = course_.isFinished() && !course_.isFileRefused();
+      if (session_) state_.status = is_enough ? message("There are enough poses.") : message("The capture is over.");
+      return;
+    }
+    if (!course_.nextPose() || !result_ || !course_.wantsMorePoses()) return;
     state_.up = course_.nextPose()->up;
     state_.advice = adviceInWords(*course_.nextPose(), *result_);
   }

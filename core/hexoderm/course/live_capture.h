@@ -21,19 +21,22 @@ struct LiveCaptureOptions {
   std::filesystem::path file{};       ///< *.hexo, a new file; empty: the session is kept in memory
   std::filesystem::path record_to{};  ///< what the device sends, for replay:FILE; empty: it is not kept
   std::size_t poses = 0;              ///< so many are enough; 0: as the verdict on the result says
-  bool automatic = false;             ///< the device is asked to turn itself, to where each pose helps most
-  bool keep_raw = false;              ///< keeps every sample of the poses in the file too
-  double timeout_s = 30;              ///< to wait for a device to describe itself; with `automatic` also for each pose
+  /// The device is asked to turn itself, to where each pose helps most. Without it somebody turns the part; next() then
+  /// waits without limit, use `stop`. A simulated skin needs it, or turnToNextPose().
+  bool automatic = false;
+  bool keep_raw = false;  ///< keeps every sample of the poses in the file too
+  double timeout_s = 30;  ///< to wait for a device to describe itself; with `automatic` also for each pose
 };
 
-/// The state of a live capture. Copies share what is large.
+/// The state of a live capture. Copies share what is large. What to do next is result->assessment.next_action; `advice`
+/// is the same without the forecast.
 struct LiveCaptureState {
   std::optional<Session> session{};                ///< since a skin described itself
   std::shared_ptr<const Reconstruction> result{};  ///< of all poses; null before the first
   std::optional<PoseKept> last{};                  ///< the pose that next() gave last, and what was odd about it
   bool can_turn = false;                           ///< the device can be asked to, see turnToNextPose()
-  Message status{};                                ///< what is waited for, one line
-  Message advice{};                                ///< the pose that would help most; empty: none is known
+  Message status{};                                ///< what is waited for, or that nothing is, one line
+  Message advice{};                                ///< the pose that would help most; empty: none is known, or wanted
   std::optional<Eigen::Vector3d> up{};             ///< the same: what to turn up, unit, frame of the largest patch
 };
 
@@ -56,7 +59,8 @@ class LiveCapture {
   LiveCapture& operator=(const LiveCapture&) = delete;
 
   /// Waits for the next pose that counts as captured, and solves all poses; nullopt if there are enough, the stream is
-  /// over, or `stop` or close() was called. Throws DeviceError or StorageError; what was captured stays.
+  /// over, or `stop` or close() was called. Without `automatic` it waits for a pose without limit. Throws DeviceError
+  /// or StorageError; what was captured stays.
   std::optional<CapturedPose> next(const std::stop_token& stop = {});
   /// Asks the device to turn to the pose that would help most. It is next() that does so, the call that waits in
   /// another thread or else the next one. Throws InvalidArgument if the device can't turn, or did not describe itself

@@ -96,8 +96,8 @@ struct CommandOutcome {
   Message message;  ///< why not, or empty
 };
 
-/// Receives what a source delivers, on the source's own thread. Must not block for long and must not call start() or
-/// stop() of the source.
+/// Receives what a source delivers, on the source's own thread. Must not throw: std::terminate; a source on a wire
+/// may merely end. Must not block for long and must not call start() or stop() of the source.
 class SkinListener {
  public:
   virtual ~SkinListener() = default;

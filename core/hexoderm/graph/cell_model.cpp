@@ -1,5 +1,6 @@
 #include "hexoderm/graph/cell_model.h"
 
+#include "hexoderm/geometry/is_rotation.h"
 #include "hexoderm/util/error.h"
 #include "hexoderm/util/limits.h"
 #include "hexoderm/util/text.h"
@@ -74,7 +75,9 @@ void CellModel::validate() const {
     if (value != 0) positive(value, what, most);
   };
   const auto placed = [&](const SE3& T, const std::string& what) {
-    require(isWithin(T.t, kMostCellLength_m), message("{} must be within {} m", what, Number{kMostCellLength_m}));
+    require(isWithin(T.t, kMostCellLength_m),
+            message("{} must be within {} m", what + "t_u_m", Number{kMostCellLength_m}));
+    require(isRotation(T.R), message("{} must be a rotation", what + "R_u"));
   };
   require(!name.empty(), message("name must not be empty"));
   within(side_m, "side_m", kLeastCellSide_m, kMostCellLength_m);
@@ -103,8 +106,8 @@ void CellModel::validate() const {
                   Number{accelerometer.offset_sigma_g}, Number{accelerometer.shared_offset_sigma_g}));
   notNegative(accelerometer.scale_sigma, "accelerometer.scale_sigma");
   notNegative(accelerometer.cross_axis_sigma, "accelerometer.cross_axis_sigma");
-  placed(accelerometer.T_u_a, "accelerometer.t_u_m");
-  for (const CellSensor& sensor : sensors) placed(sensor.T_u_s, "sensor " + sensor.name + ": t_u_m");
+  placed(accelerometer.T_u_a, "accelerometer.");
+  for (const CellSensor& sensor : sensors) placed(sensor.T_u_s, "sensor " + sensor.name + ": ");
   require(std::abs(side_angle_rad) <= kMost, message("side_angle_rad must be within {}", Number{kMost}));
   positive(link_sigma_m, "link_sigma_m");
   positive(bend_sigma_rad, "bend_sigma_rad");

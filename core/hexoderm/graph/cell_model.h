@@ -2,6 +2,7 @@
 
 #include "hexoderm/geometry/se3.h"
 #include "hexoderm/util/ids.h"
+#include "hexoderm/util/units.h"
 
 #include <array>
 #include <filesystem>
@@ -45,6 +46,9 @@ struct CellSensor {
 /// resources/cell_models/hex-bma150.json.
 ///
 /// Cell frame: origin at the centre of the hexagon's front face, z out of the skin, right-handed. Metres, radians, g.
+///
+/// What has a default may be left as it is, as in a file; the rest must be given. Session and reconstruct() refuse a
+/// model that validate() refuses.
 struct CellModel {
   std::string name;
   double side_m = 0;
@@ -57,9 +61,9 @@ struct CellModel {
   std::vector<std::pair<PortNumber, PortNumber>> forbidden_port_pairs;
   double side_angle_rad = 0;  ///< rotation of the outline about z; at 0 a corner lies on +x
   double link_sigma_m = 0.0005;
-  double bend_sigma_rad = 0;  ///< priors of the elastomer, 1 sigma
-  double twist_sigma_rad = 0;
-  double yaw_sigma_rad = 0;
+  double bend_sigma_rad = 30 * kDegree;  ///< priors of the elastomer, 1 sigma
+  double twist_sigma_rad = 10 * kDegree;
+  double yaw_sigma_rad = 2 * kDegree;
 
   /// nullptr if the model has no such port.
   [[nodiscard]] const Port* findPort(PortNumber number) const;
@@ -96,7 +100,7 @@ std::vector<std::string> builtInCellModelNames();  ///< the names that builtInCe
 
 /// JSON text of a model, and back. `file` is named in errors (FormatError with the key path).
 CellModel cellModelFromJson(std::string_view text, const std::string& file);
-std::string cellModelToJson(const CellModel& model);  ///< the model as a document that parseCellModel() reads
+std::string cellModelToJson(const CellModel& model);  ///< the model as a document that cellModelFromJson() reads
 
 /// A built-in name, or the path of a JSON file.
 CellModel loadCellModel(const std::string& name_or_path);

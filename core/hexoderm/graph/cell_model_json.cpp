@@ -4,18 +4,12 @@
 #include "hexoderm/util/error.h"
 #include "hexoderm/util/file.h"
 #include "hexoderm/util/text.h"
-#include "hexoderm/util/units.h"
 
 #include <Eigen/Geometry>
 #include <algorithm>
 
 namespace hexoderm {
 namespace {
-
-// Standard deviations of the elastomer's bend, twist and yaw, for models that do not give them.
-constexpr double kBendSigma = 30 * kDegree;
-constexpr double kTwistSigma = 10 * kDegree;
-constexpr double kYawSigma = 2 * kDegree;
 
 /// Written beside a quaternion that differs from the matrix in the last digits when it is read back, so that a saved
 /// model is exactly the same when it is opened again.
@@ -107,9 +101,9 @@ CellModel readCellModel(const JsonReader& json) {
     return value ? value->positiveNumber() : fallback;
   };
   model.link_sigma_m = sigma("link_sigma_m", model.link_sigma_m);
-  model.bend_sigma_rad = sigma("bend_sigma_rad", kBendSigma);
-  model.twist_sigma_rad = sigma("twist_sigma_rad", kTwistSigma);
-  model.yaw_sigma_rad = sigma("yaw_sigma_rad", kYawSigma);
+  model.bend_sigma_rad = sigma("bend_sigma_rad", model.bend_sigma_rad);
+  model.twist_sigma_rad = sigma("twist_sigma_rad", model.twist_sigma_rad);
+  model.yaw_sigma_rad = sigma("yaw_sigma_rad", model.yaw_sigma_rad);
   try {
     model.validate();
   } catch (const InvalidArgument& error) {

@@ -11,7 +11,7 @@
 
 namespace hexoderm {
 
-/// What stands under `format` and `version`; README.md in this folder says when the version grows.
+/// What stands under `format` and `version`; resources/formats/README.md says when the version grows.
 inline constexpr std::string_view kCalibrationFormat = "hexoderm-calibration";
 inline constexpr std::uint32_t kCalibrationVersion = 2;  ///< the newest version, which is written
 

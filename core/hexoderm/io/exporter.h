@@ -130,7 +130,7 @@ std::vector<PatchLeftOut> patchesLeftOut(const Reconstruction& reconstruction, E
 Message leftOutInWords(const std::vector<PatchLeftOut>& patches);
 
 /// Writes the reconstruction in one format, reads the file back and compares it with what was meant. Returns the files
-/// written (one; for CSV the tables of export_csv.h and a manifest in the folder `path`).
+/// written (one; for CSV the tables that resources/formats/README.md describes and a manifest in the folder `path`).
 /// All-or-nothing: a failed comparison throws FormatError and leaves no file, an earlier one stays as it was; storage
 /// problems throw StorageError. Links and what is no file are treated as by writeFileAtomically(). InvalidArgument: an
 /// option or number makes no sense, or a mesh format (PLY, STL, OBJ) is asked for without any cells; the other formats

@@ -33,7 +33,8 @@ FormatError noSession(const std::filesystem::path& path);
 bool isSessionFileName(const std::filesystem::path& path);
 
 /// Writes the session as its name says: a new *.hexo (StorageError if it exists already: what was captured is never
-/// replaced), else as session JSON, replacing what is there. Either whole or not at all. Throws StorageError.
+/// replaced), else as session JSON, replacing what is there. Either whole or not at all. Throws StorageError, and
+/// InvalidArgument naming file, pose and cell for readings that a file can't hold, such as NaN.
 void saveSession(const Session& session, const std::filesystem::path& path);
 
 }  // namespace hexoderm

@@ -3,6 +3,8 @@
 #include "hexoderm/graph/cell_model_json.h"
 #include "hexoderm/io/session_json_read.h"
 #include "hexoderm/session/session_parts_json.h"
+#include "hexoderm/session/storable.h"
+#include "hexoderm/util/error.h"
 #include "hexoderm/util/file.h"
 #include "hexoderm/util/message_json.h"
 
@@ -32,6 +34,7 @@ bool isUnknown(const Eigen::Matrix3d& cov_g2) {
 }
 
 void writeSample(const GravitySample& sample, JsonWriter& json) {
+  requireStorable(sample);
   json.beginObject();
   json.member("cell", sample.cell.value());
   json.member("mean_g", sample.mean_g);
@@ -55,7 +58,11 @@ void writePose(const SessionPose& pose, JsonWriter& json) {
   if (!pose.joint_angles.positions.empty()) json.member("joint_angles", jointAnglesJson(pose.joint_angles));
   json.key("samples");
   json.beginArray();
-  for (const GravitySample& sample : pose.capture->samples) writeSample(sample, json);
+  try {
+    for (const GravitySample& sample : pose.capture->samples) writeSample(sample, json);
+  } catch (const InvalidArgument& error) {
+    throw InvalidArgument(located(message("pose {}", pose.capture->id), error.message()));
+  }
   json.endArray();
   json.endObject();
 }
@@ -101,7 +108,11 @@ void writeSessionJson(const Session& session, const WriteBytes& write) {
 }
 
 void writeSessionJson(const Session& session, const std::filesystem::path& path) {
-  writeFileAtomically(path, [&](const WriteBytes& write) { writeSessionJson(session, write); });
+  try {
+    writeFileAtomically(path, [&](const WriteBytes& write) { writeSessionJson(session, write); });
+  } catch (const InvalidArgument& error) {
+    throw InvalidArgument(located(path.string(), error.message()));
+  }
 }
 
 std::string sessionToJson(const Session& session) {

@@ -10,7 +10,7 @@
 
 namespace hexoderm {
 
-/// What stands under `format` and `version`; README.md in this folder says when the version grows.
+/// What stands under `format` and `version`; resources/formats/README.md says when the version grows.
 inline constexpr std::string_view kSessionFormat = "hexoderm-session";
 inline constexpr std::uint32_t kSessionVersion = 1;  ///< the newest version, which is written
 

@@ -23,7 +23,8 @@ struct ReconstructionOutcome {
 /// that was solved, in order of submission. The destructor stops the running solve, drops what waits and joins.
 class ReconstructionWorker {
  public:
-  using Report = std::function<void(ReconstructionOutcome)>;  ///< is given each outcome, on the worker's thread
+  /// Is given each outcome, on the worker's thread. Must not throw: std::terminate.
+  using Report = std::function<void(ReconstructionOutcome)>;
   /// Null if it ended early because stop was requested.
   using Solve = std::function<std::shared_ptr<const Reconstruction>(const SessionSnapshot&, const SolverOptions&,
                                                                     const std::stop_token& stop)>;

@@ -43,6 +43,7 @@ std::shared_ptr<const Reconstruction> reconstruct(const SessionSnapshot& snapsho
                                                   const Reconstruction* earlier, const std::stop_token& stop,
                                                   SolveProgress* progress) {
   const auto start = std::chrono::steady_clock::now();
+  snapshot.model->validate();  // a snapshot can be made without a Session
   const std::unique_ptr<const SolvedSkin> solved = solveSkin(snapshot, options, earlier, stop, progress);
   if (solved == nullptr) return nullptr;
   if (progress != nullptr) progress->enter(SolveStage::Figures);

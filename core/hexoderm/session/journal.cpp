@@ -57,7 +57,11 @@ std::string textOf(Write write) {
 Json sayCapture(const SessionPose& pose, std::size_t place, JournalEntry& entry) {
   const PoseCapture& capture = *pose.capture;
   entry.kind = "capture";
-  entry.samples = encodeSamples(capture.samples);
+  try {
+    entry.samples = encodeSamples(capture.samples);
+  } catch (const InvalidArgument& error) {
+    throw InvalidArgument(located(message("pose {}", capture.id), error.message()));
+  }
   Json detail = {{"pose", capture.id.value()}, {"place", place}, {"cells", capture.samples.size()}};
   if (!capture.label.empty()) writeMessage(detail, "label", capture.label);
   if (capture.taken_at_ms) detail["taken_at_ms"] = *capture.taken_at_ms;

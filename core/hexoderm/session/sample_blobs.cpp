@@ -1,8 +1,7 @@
 #include "hexoderm/session/sample_blobs.h"
 
-#include "hexoderm/geometry/covariance.h"
+#include "hexoderm/session/storable.h"
 #include "hexoderm/util/error.h"
-#include "hexoderm/util/limits.h"
 #include "hexoderm/util/rounding.h"
 
 #include <algorithm>
@@ -133,16 +132,6 @@ void readSteps(Reader& in, std::uint32_t count, double step, FrameBefore& before
   }
 }
 
-/// The fault of a sample; says nothing if there is none.
-Message problemOf(const GravitySample& sample) {
-  if (!isWithin(sample.mean_g, kMostAcceleration_g)) return message("the mean must be finite and at most 1e6 g");
-  if (!isWithin(sample.cov_g2, kMostVariance_g2)) return message("the covariance must be finite and at most 1e13 g^2");
-  if ((sample.cov_g2.diagonal().array() < 0).any()) return message("variances must be at least 0");
-  if (!isCovariance(sample.cov_g2)) return message("the covariance must be positive semidefinite");
-  if (sample.temperature_c && !std::isfinite(*sample.temperature_c)) return message("the temperature must be finite");
-  return {};
-}
-
 /// Calls `visit` with every number of the frames except the times.
 template <class Visit>
 void forEachNumber(std::span<const SampleFrame> frames, Visit visit) {
@@ -249,9 +238,7 @@ std::optional<Bytes> encodeSteps(std::span<const SampleFrame> frames, double ste
 Bytes encodeSamples(std::span<const GravitySample> samples) {
   Writer out(samples.size() * kSampleBytes);
   for (const GravitySample& sample : samples) {
-    if (const Message problem = problemOf(sample); !problem.empty()) {
-      throw InvalidArgument(message("cell {}: {} to be stored", sample.cell, problem));
-    }
+    requireStorable(sample);
     out.put(sample.cell.value());
     out.put(sample.count);
     out.put(sample.temperature_c ? kHasTemperature : 0U);

@@ -11,15 +11,20 @@ namespace {
 /// The key of a muted link.
 std::pair<LinkEnd, LinkEnd> endsOf(const MutedLink& link) { return {link.source, link.target}; }
 
+std::shared_ptr<const CellModel> checked(CellModel model) {
+  model.validate();
+  return std::make_shared<const CellModel>(std::move(model));
+}
+
 }  // namespace
 
 Session::Session(CellModel model, NeighborList neighbors, SourceDescription source)
-    : model_(std::make_shared<const CellModel>(std::move(model))),
+    : model_(checked(std::move(model))),
       neighbors_(std::make_shared<const NeighborList>(std::move(neighbors))),
       source_(std::move(source)) {}
 
 void Session::setSkin(CellModel model, NeighborList neighbors) {
-  model_ = std::make_shared<const CellModel>(std::move(model));
+  model_ = checked(std::move(model));
   neighbors_ = std::make_shared<const NeighborList>(std::move(neighbors));
   ++revision_;
 }

@@ -56,7 +56,9 @@ struct SessionSnapshot {
 /// The session while it is worked on: owned by one thread; every change makes a new revision.
 class Session {
  public:
-  Session(CellModel model, NeighborList neighbors, SourceDescription source = {});  ///< a session without poses
+  /// A session without poses. Throws InvalidArgument for a model that CellModel::validate() refuses; what is wrong with
+  /// the neighbours, SkinGraph finds.
+  Session(CellModel model, NeighborList neighbors, SourceDescription source = {});
 
   [[nodiscard]] const CellModel& model() const { return *model_; }             ///< the kind of its cells
   [[nodiscard]] const NeighborList& neighbors() const { return *neighbors_; }  ///< the links that cells report
@@ -76,7 +78,8 @@ class Session {
   [[nodiscard]] const PatchPlacement* findPlacement(CellId origin) const;
   [[nodiscard]] std::uint64_t revision() const { return revision_; }  ///< counts the changes of the session
 
-  /// The device describes itself again: poses, source and truth stay.
+  /// The device describes itself again: poses, source and truth stay. Throws as the constructor, and changes nothing
+  /// then.
   void setSkin(CellModel model, NeighborList neighbors);
   void setTruth(GroundTruth truth);          ///< of a simulated skin
   void setSource(SourceDescription source);  ///< see source()

@@ -24,9 +24,9 @@ struct StoreOutcome {
 /// the order stays. If the disk has room for a pose but not for the raw samples it was averaged from, the pose is
 /// written without them: it can't be measured again.
 ///
-/// Acknowledgements are called on the store's thread, must not throw and must not destroy the recorder: once with
-/// success or with an error that is final (an operation that makes no sense, or the recorder ends), and before that
-/// once for every attempt that failed. All functions can be called from any thread and return at once.
+/// Acknowledgements are called on the store's thread, must not throw (std::terminate) and must not destroy the
+/// recorder: once with success or with an error that is final (an operation that makes no sense, or the recorder ends),
+/// and before that once for every attempt that failed. All functions can be called from any thread and return at once.
 class SessionRecorder {
  public:
   using Acknowledge = std::function<void(const StoreOutcome&)>;  ///< is given the fate of an operation

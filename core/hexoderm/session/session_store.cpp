@@ -158,8 +158,12 @@ void writeSessionStore(const Session& session, const std::filesystem::path& path
     Transaction transaction(database);
     Journal journal;
     const std::int64_t at_ms = nowMs();
-    forEachOperationThatMakes(session,
-                              [&](const StoreOperation& operation) { write(database, operation, at_ms, journal); });
+    try {
+      forEachOperationThatMakes(session,
+                                [&](const StoreOperation& operation) { write(database, operation, at_ms, journal); });
+    } catch (const InvalidArgument& error) {
+      throw InvalidArgument(located(path.string(), error.message()));
+    }
     transaction.commit();
     database.run("PRAGMA journal_mode=WAL");
   }

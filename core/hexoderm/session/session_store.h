@@ -36,11 +36,11 @@ const AddPose* addedPose(const StoreOperation& operation);
 struct JournalLine {
   std::uint64_t revision = 0;
   std::int64_t at_ms = 0;  ///< milliseconds since 1970, UTC
-  std::string kind;        ///< "capture", "remove", ...: README.md in this folder lists them
+  std::string kind;        ///< "capture", "remove", ...: core/hexoderm/session/README.md lists them
 };
 
-/// A session file `*.hexo` (the layout is in README.md in this folder): an SQLite database with an append-only journal
-/// of everything that was done. A capture is never changed and never removed.
+/// A session file `*.hexo` (the layout is in core/hexoderm/session/README.md): an SQLite database with an append-only
+/// journal of everything that was done. A capture is never changed and never removed.
 ///
 /// Once append() has returned, its operations are on disk: killed at any moment, the session reopens with all of them,
 /// and without parts of others. One writer at a time, across processes; any number of readers beside it. If a file

@@ -1,5 +1,9 @@
 #pragma once
 
+#if __cplusplus < 202002L
+#error "Hexoderm needs C++20: -std=c++20, or in CMake target_compile_features(PROGRAM PRIVATE cxx_std_20)"
+#endif
+
 #include <compare>
 #include <cstddef>
 #include <cstdint>

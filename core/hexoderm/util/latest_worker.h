@@ -13,7 +13,8 @@ namespace hexoderm {
 /// run belong in a queue.
 ///
 /// Jobs run one after another; of several that wait, the one in the mailbox with the smallest number runs first. They
-/// must not throw. All functions may be called from any thread, but waitUntilIdle() and the destructor not from a job.
+/// must not throw: std::terminate. All functions may be called from any thread, but waitUntilIdle() and the destructor
+/// not from a job.
 class LatestWorker {
  public:
   /// `stop` is requested by cancel() and by the destructor; a job that takes long should check it.

@@ -58,11 +58,40 @@ TEST(LiveCapture, GivesEachPoseWithTheResultOfAll) {
     // The last one needs no further pose, and what was advised before it is over.
     ASSERT_EQ(state.up.has_value(), poses < 4);
     EXPECT_EQ(state.advice.empty(), poses == 4);
+    EXPECT_EQ(state.status.english() == "There are enough poses.", poses == 4);
     EXPECT_NEAR(state.up.value_or(Eigen::Vector3d::UnitX()).norm(), 1, 1e-9);
   }
   EXPECT_EQ(poses, 4U);
   EXPECT_FALSE(capture.next());  // and stays so
   EXPECT_EQ(capture.state().result->cellCount(), 17U);
+  EXPECT_EQ(capture.state().status.english(), "There are enough poses.");
+}
+
+TEST(LiveCapture, SaysNothingOfAPartThatItDoesNotLookAtAnyMore) {
+  LiveCapture capture(fourPoses());
+  ASSERT_TRUE(capture.next());
+  EXPECT_FALSE(capture.state().advice.empty());
+  capture.close();
+  const LiveCaptureState state = capture.state();
+  EXPECT_TRUE(state.advice.empty());
+  EXPECT_FALSE(state.up);
+  EXPECT_EQ(state.status.english(), "The capture is over.");
+}
+
+TEST(LiveCapture, AdvisesNoPoseThatTheResultDoesNotWant) {
+  LiveCaptureOptions options;
+  options.source = kSkin;  // turned on request, and without a number of poses it goes on as long as somebody does
+  LiveCapture capture(options);
+  bool is_wanted = true;
+  for (std::size_t poses = 1; is_wanted && poses <= CaptureCourse::kMostPosesByItself; ++poses) {
+    ASSERT_TRUE(capture.next());
+    const LiveCaptureState state = capture.state();
+    is_wanted = state.result->assessment.wantsPose();
+    EXPECT_EQ(state.advice.empty(), !is_wanted);
+    EXPECT_EQ(state.up.has_value(), is_wanted);
+    capture.turnToNextPose();
+  }
+  EXPECT_FALSE(is_wanted);
 }
 
 TEST(LiveCapture, EndsByItselfWhereTheVerdictIsGoodEnough) {

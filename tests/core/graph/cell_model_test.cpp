@@ -118,6 +118,13 @@ TEST(CellModelJson, FillsInWhatAFileMayLeaveOut) {
   EXPECT_EQ(model.bend_sigma_rad, 30 * kDegree);
   EXPECT_EQ(model.twist_sigma_rad, 10 * kDegree);
   EXPECT_EQ(model.yaw_sigma_rad, 2 * kDegree);
+
+  // As a model that is made in a program.
+  const CellModel made;
+  EXPECT_EQ(model.link_sigma_m, made.link_sigma_m);
+  EXPECT_EQ(model.bend_sigma_rad, made.bend_sigma_rad);
+  EXPECT_EQ(model.twist_sigma_rad, made.twist_sigma_rad);
+  EXPECT_EQ(model.yaw_sigma_rad, made.yaw_sigma_rad);
 }
 
 TEST(CellModelJson, TakesCalibratedScalesForCalibratedAxes) {

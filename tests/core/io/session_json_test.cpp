@@ -324,9 +324,11 @@ TEST(SessionJson, IsWrittenWholeOrNotAtAll) {
 
   Session bad(builtInCellModel("hex-bma150"), {});
   PoseCapture capture;
+  capture.id = PoseId(7);
   capture.samples = {{CellId(1), {0, std::numeric_limits<double>::quiet_NaN(), 1}, Eigen::Matrix3d::Zero(), 1}};
   bad.addPose({std::make_shared<const PoseCapture>(capture), false});
-  EXPECT_THROW(writeSessionJson(bad, path), InvalidArgument);
+  EXPECT_THAT(messageOf<InvalidArgument>([&] { writeSessionJson(bad, path); }),
+              saysAll("out.session.json: pose 7: cell 1: the mean must be finite"));
   EXPECT_EQ(readFile(path), sessionToJson(session)) << "the earlier file is intact";
   EXPECT_THROW(writeSessionJson(session, folder.path()), StorageError);
   EXPECT_EQ(folder.entryCount(), 1U);

@@ -84,9 +84,11 @@ TEST_F(SessionStoreTest, NeverReplacesAFile) {
 TEST_F(SessionStoreTest, IsMadeWholeOrNotAtAll) {
   Session bad(builtInCellModel("hex-bma150"), {});
   PoseCapture capture;
+  capture.id = PoseId(7);
   capture.samples = {{CellId(1), {0, std::numeric_limits<double>::quiet_NaN(), 1}, Eigen::Matrix3d::Zero(), 1}};
   bad.addPose({std::make_shared<const PoseCapture>(capture)});
-  EXPECT_THAT(messageOf<InvalidArgument>([&] { writeSessionStore(bad, path_); }), saysAll("cell 1", "finite"));
+  EXPECT_THAT(messageOf<InvalidArgument>([&] { writeSessionStore(bad, path_); }),
+              saysAll("arm.hexo: pose 7: cell 1: the mean must be finite"));
   EXPECT_EQ(folder_.entryCount(), 0U);
   EXPECT_THAT(messageOf<StorageError>([&] { writeSessionStore(bad, folder_.path() / "none" / "a.hexo"); }),
               saysAll("none/a.hexo", "No such file"));

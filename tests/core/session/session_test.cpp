@@ -2,8 +2,12 @@
 
 #include "hexoderm/session/simulated_session.h"
 #include "hexoderm/util/error.h"
+#include "tests/support/error_matchers.h"
 
 #include <gmock/gmock.h>
+
+#include <functional>
+#include <limits>
 
 namespace hexoderm {
 namespace {
@@ -13,6 +17,31 @@ SessionPose pose(std::uint32_t id) {
 }
 
 Session emptySession() { return {builtInCellModel("hex-bma150"), {{CellId(1), "", {}}}}; }
+
+TEST(Session, RefusesACellModelThatMakesNoSense) {
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  const std::pair<std::string, std::function<void(CellModel&)>> faults[] = {
+      {"name must not be empty", [](CellModel& model) { model = {}; }},
+      {"interface_id must be above 0", [](CellModel& model) { model.interface_id = {}; }},
+      {"side_m must be from", [&](CellModel& model) { model.side_m = nan; }},
+      {"port 2: vector_m must point", [&](CellModel& model) { model.ports.at(1).vector_m.x() = nan; }},
+      {"bend_sigma_rad must be above 0", [](CellModel& model) { model.bend_sigma_rad = 0; }},
+      {"yaw_sigma_rad must be above 0", [&](CellModel& model) { model.yaw_sigma_rad = nan; }},
+      {"accelerometer.offset_sigma_g must not be negative",
+       [](CellModel& model) { model.accelerometer.offset_sigma_g = -1; }},
+      {"accelerometer.R_u must be a rotation", [&](CellModel& model) { model.accelerometer.T_u_a.R(0, 0) = nan; }},
+  };
+  Session session = emptySession();
+  const auto before = session.snapshot();
+  for (const auto& [words, spoil] : faults) {
+    CellModel model = builtInCellModel("hex-bma150");
+    spoil(model);
+    EXPECT_THAT(test::messageOf<InvalidArgument>([&] { Session made(model, {}); }), testing::HasSubstr(words));
+    EXPECT_THAT(test::messageOf<InvalidArgument>([&] { session.setSkin(model, {}); }), testing::HasSubstr(words));
+  }
+  EXPECT_EQ(session.snapshot()->model, before->model);
+  EXPECT_EQ(session.revision(), before->revision);
+}
 
 TEST(Session, EveryChangeMakesANewRevisionAndOldSnapshotsStayAsTheyWere) {
   Session session = emptySession();

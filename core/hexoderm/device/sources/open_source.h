@@ -22,8 +22,10 @@ struct SourceKind {
 std::span<const SourceKind> sourceKinds();
 
 /// A source, not yet started: "tcp://HOST:PORT", "udp://HOST:PORT", "serial:/dev/tty...[?baud=N]", "stdin",
-/// "replay:FILE[?speed=X|max|step]", "sim:PATCH[?surface=...&seed=N&speed=X|max]" or "sim:robot[?...]". Throws
-/// InvalidArgument naming what was expected; for the URDF of a simulated robot also StorageError and FormatError.
+/// "replay:FILE[?speed=X|max|step]", "sim:PATCH[?surface=...&seed=N&speed=X|max&motion=hand|robot]" or
+/// "sim:robot[?...]". PATCH is x17, ringN, ringN:closed or sheet:ROWSxCOLS; surfaces are those of SimulatedSkinOptions,
+/// and what a robot takes is at SimulatedSource::open(). Throws InvalidArgument naming what was expected; for the URDF
+/// of a simulated robot also StorageError and FormatError.
 std::unique_ptr<SkinSource> openSkinSource(const std::string& address);
 
 /// Throws as openSkinSource() for what is wrong with the address itself. Opens and builds nothing, and is quick enough

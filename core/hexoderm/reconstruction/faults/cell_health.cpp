@@ -52,23 +52,44 @@ class Judge {
   void findMissing() {
     const std::vector<std::size_t>& enabled = table_.enabledPoses();
     for (std::size_t cell = 0; cell < table_.cellCount() && !enabled.empty(); ++cell) {
-      std::vector<std::size_t> missing;
+      std::vector<PoseId> missing;
+      std::vector<PoseId> not_finite;
       for (const std::size_t pose : enabled) {
-        if (!table_.at(cell, pose).measured) missing.push_back(pose);
+        const GravityTable::Entry& entry = table_.at(cell, pose);
+        if (!entry.measured) (entry.not_finite ? not_finite : missing).push_back(poseId(pose));
       }
-      if (missing.size() == enabled.size()) {
+      if (missing.size() + not_finite.size() == enabled.size()) {
         findings_.push_back(
-            makeFinding(FindingCode::NoSamples,
-                        message("Cell {} delivered no reading in any pose; it is placed through its links.", id(cell)),
-                        {id(cell)}));
-      } else if (!missing.empty()) {
-        const std::vector<PoseId> poses = poseIds(missing);
+            makeFinding(FindingCode::NoSamples, withoutReadings(cell, !not_finite.empty()), {id(cell)}));
+        continue;
+      }
+      if (!missing.empty()) {
         findings_.push_back(makeFinding(
             FindingCode::MissingSamples,
-            message("Cell {} delivered no reading {}; it is placed from the other poses.", id(cell), inPoses(poses)),
-            {id(cell)}, {}, poses));
+            message("Cell {} delivered no reading {}; it is placed from the other poses.", id(cell), inPoses(missing)),
+            {id(cell)}, {}, missing));
+      }
+      if (!not_finite.empty()) {
+        findings_.push_back(
+            makeFinding(FindingCode::MissingSamples,
+                        message("The reading of cell {} is no finite number {}; it is placed from the other poses.",
+                                id(cell), inPoses(not_finite)),
+                        {id(cell)}, {}, not_finite));
       }
     }
+  }
+
+  [[nodiscard]] Message withoutReadings(std::size_t cell, bool not_finite) const {
+    const bool has_links = graph_.patches()[graph_.cells()[cell].patch.value()].size() > 1;
+    if (not_finite) {
+      return has_links
+                 ? message("The readings of cell {} are no finite numbers; it is placed through its links.", id(cell))
+                 : message("The readings of cell {} are no finite numbers, and no link joins it to another cell.",
+                           id(cell));
+    }
+    return has_links
+               ? message("Cell {} delivered no reading in any pose; it is placed through its links.", id(cell))
+               : message("Cell {} delivered no reading in any pose, and no link joins it to another cell.", id(cell));
   }
 
   /// What one sensor sends is nobody else's, digit for digit: noise, steps and offsets make that as good as impossible.

@@ -10,7 +10,7 @@ namespace hexoderm {
 /// poses' unknowns and the gap share. For skins of any size in few poses.
 std::unique_ptr<JointSystem> makeCellsFirst();
 
-/// The inverse of given equations. Throws std::runtime_error if they are not positive definite, which priors prevent.
+/// The inverse of given equations. Throws Error if they are not positive definite, which priors prevent.
 std::shared_ptr<const JointInverse> invertCellsFirst(const JointProblem& problem, const NormalEquations& equations);
 
 /// About how many multiplications a step takes.

@@ -40,7 +40,7 @@ enum class JointTermination {
 /// it is first asked for.
 class JointCovariance {
  public:
-  /// `equations` at the optimum. Throws std::runtime_error if they are not positive definite, which priors prevent.
+  /// `equations` at the optimum. Throws Error if they are not positive definite, which priors prevent.
   JointCovariance(const JointProblem& problem, const NormalEquations& equations);
   explicit JointCovariance(std::shared_ptr<const JointInverse> inverse);
   ~JointCovariance();

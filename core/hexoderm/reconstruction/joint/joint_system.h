@@ -1,10 +1,10 @@
 #pragma once
 
 #include "hexoderm/reconstruction/joint/joint_cost.h"
+#include "hexoderm/util/error.h"
 
 #include <algorithm>
 #include <memory>
-#include <stdexcept>
 
 namespace hexoderm {
 
@@ -56,7 +56,7 @@ class JointSystem {
 
 /// Factorises the information matrix at an optimum with as little damping as it takes. Priors keep the matrix positive
 /// definite; rounding may not, where hardly anything but priors speaks. `factorize`: bool of the damping. Throws
-/// std::runtime_error if no damping that changes little suffices.
+/// Error if no damping that changes little suffices.
 template <class Factorize>
 void factorizeWithLeastDamping(Factorize&& factorize) {
   constexpr double kLeast = 1e-12;
@@ -64,7 +64,7 @@ void factorizeWithLeastDamping(Factorize&& factorize) {
   double damping = 0;
   while (!factorize(damping)) {
     damping = std::max(kLeast, 10 * damping);
-    if (damping > kLargest) throw std::runtime_error("the information matrix is not positive definite");
+    if (damping > kLargest) throw Error("the information matrix is not positive definite");
   }
 }
 

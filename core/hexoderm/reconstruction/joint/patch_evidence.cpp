@@ -1,9 +1,9 @@
 #include "hexoderm/reconstruction/joint/patch_evidence.h"
 
+#include "hexoderm/util/error.h"
 #include "hexoderm/util/units.h"
 
 #include <Eigen/Cholesky>
-#include <stdexcept>
 
 namespace hexoderm {
 namespace {
@@ -97,7 +97,7 @@ SensorEvidence evidenceOfPatch(const JointProblem& problem, const JointState& st
   NormalEquations equations;
   linearize(with_perfect, state, equations);
   const Eigen::LLT<Eigen::MatrixXd> factor(asMatrix(problem, equations));
-  if (factor.info() != Eigen::Success) throw std::runtime_error("the information matrix is not positive definite");
+  if (factor.info() != Eigen::Success) throw Error("the information matrix is not positive definite");
 
   const auto parameters = static_cast<Eigen::Index>(measured.size()) * kSensorParameters;
   Eigen::MatrixXd mixed = Eigen::MatrixXd::Zero(factor.rows(), parameters);

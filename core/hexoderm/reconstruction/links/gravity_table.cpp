@@ -93,7 +93,8 @@ GravityTable::GravityTable(const SessionSnapshot& snapshot, const SkinGraph& gra
                         {sample.cell}, {}, {capture.id}));
         continue;
       }
-      if (!sample.mean_g.allFinite() || !sample.cov_g2.allFinite()) continue;
+      entry.not_finite = !sample.mean_g.allFinite() || !sample.cov_g2.allFinite();
+      if (entry.not_finite) continue;
       const double stated_variance = scatter.worstOf(*cell, sample);
       entry.count = countOf(sample);
       entry.mean_g = accelerometer.T_u_a.R * sample.mean_g;

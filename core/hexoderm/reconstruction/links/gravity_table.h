@@ -27,6 +27,7 @@ class GravityTable {
     double variance_g2 = 0;      ///< of the mean, per axis: the worst axis, never below the floor of tremor and steps
     double own_variance_g2 = 0;  ///< of the mean, per axis: from the scatter of the samples, mean of the axes, no floor
     double sample_sigma_g = 0;   ///< scatter of single samples, worst axis; 0 if the file doesn't say
+    bool not_finite = false;     ///< there is a reading, which is no finite number
     bool measured = false;       ///< there is a finite reading
     bool usable = false;         ///< and nothing speaks against it
   };

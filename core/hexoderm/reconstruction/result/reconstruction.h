@@ -113,6 +113,9 @@ struct GapShareEstimate {
 /// Cells that are joined by links, in a frame of their own.
 struct PatchReconstruction {
   PatchId id;
+  /// The cell nearest to all others (findOrigin()), of those that were measured in as many poses as most; may change
+  /// with poses. Relative to a cell `a` of your own, cell `b` is at T_o_a.inverse() * T_o_b, each its T_o_u, with
+  /// covariance->relative(a, b).
   CellId origin;
   std::vector<GravityDirection> gravity;
   std::vector<CellPlacement> cells;           ///< in ascending order of ID

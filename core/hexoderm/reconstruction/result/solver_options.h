@@ -15,6 +15,8 @@ enum class Solver {
 };
 /// Behaviour of a mould when it is bent. Pivot: nothing stretches, and both extended port vectors end in one point.
 /// Arc: the pitch is kept along the arc. Fit: the data tell the position between the two.
+///
+/// Pivot is linkTransform(). Fit stays at 0.5 +- 0.5 where no loop tells; for made-up readings choose Pivot.
 enum class GapModel { Fit, Arc, Pivot };
 /// Subtract each cell's mean vector before the SVD.
 enum class Centring { Auto, On, Off };

@@ -1,8 +1,10 @@
 // Faults of topology and poses: bad reports and bad sensors become findings, the rest is solved, and nothing is NaN.
 
 #include "hexoderm/reconstruction/reconstructor.h"
+#include "hexoderm/util/error.h"
 #include "hexoderm/util/units.h"
 #include "tests/support/changed_session.h"
+#include "tests/support/error_matchers.h"
 #include "tests/support/matchers.h"
 #include "tests/support/pin_jointed_skin.h"
 
@@ -132,13 +134,50 @@ TEST_P(BadCell, CellWithoutAnySampleIsNamedAndPlacedThroughItsLinks) {
 }
 
 TEST_P(BadCell, NotANumberIsNoReading) {
-  expectPlacedThroughLinks(changed(session_,
-                                   [](std::size_t, GravitySample& sample) {
-                                     if (sample.cell == kBad) {
-                                       sample.mean_g.y() = std::numeric_limits<double>::quiet_NaN();
-                                     }
-                                   }),
-                           FindingCode::NoSamples);
+  const Session session = changed(session_, [](std::size_t, GravitySample& sample) {
+    if (sample.cell == kBad) sample.mean_g.y() = std::numeric_limits<double>::quiet_NaN();
+  });
+  expectPlacedThroughLinks(session, FindingCode::NoSamples);
+  EXPECT_EQ(findFinding(*solve(session), FindingCode::NoSamples)->message.english(),
+            "The readings of cell 3 are no finite numbers; it is placed through its links.");
+}
+
+TEST_P(BadCell, NotANumberInOnePoseIsNamedWithIt) {
+  const auto result = solve(changed(session_, [](std::size_t pose, GravitySample& sample) {
+    if (sample.cell == kBad && pose == 1) sample.mean_g.y() = std::numeric_limits<double>::quiet_NaN();
+  }));
+  const Finding* finding = findFinding(*result, FindingCode::MissingSamples);
+  ASSERT_NE(finding, nullptr);
+  EXPECT_EQ(finding->message.english(),
+            "The reading of cell 3 is no finite number in pose 2; it is placed from the other poses.");
+  EXPECT_THAT(finding->poses, ElementsAre(PoseId(2)));
+}
+
+TEST_P(SkinFaults, ACellWithoutReadingsAndLinksIsNotSaidToBePlacedThroughThem) {
+  for (const bool is_sent : {false, true}) {
+    Session session(builtInCellModel("hex-bma150"), {{CellId(1), "", {}}});
+    PoseCapture capture{session.nextPoseId(), {}, {}};
+    if (is_sent) capture.samples.push_back({CellId(1), {0, std::numeric_limits<double>::quiet_NaN(), 1}});
+    session.addPose({std::make_shared<const PoseCapture>(capture)});
+    const auto result = solve(session);
+    const Finding* finding = findFinding(*result, FindingCode::NoSamples);
+    ASSERT_NE(finding, nullptr);
+    EXPECT_EQ(finding->message.english(),
+              is_sent ? "The readings of cell 1 are no finite numbers, and no link joins it to another cell."
+                      : "Cell 1 delivered no reading in any pose, and no link joins it to another cell.");
+  }
+}
+
+TEST_P(SkinFaults, ASnapshotWithACellModelThatMakesNoSenseIsRefused) {
+  const Session session = bentX17().session({});
+  SessionSnapshot snapshot = *session.snapshot();
+  CellModel model = session.model();
+  model.bend_sigma_rad = model.twist_sigma_rad = model.yaw_sigma_rad = 0;
+  snapshot.model = std::make_shared<const CellModel>(model);
+  SolverOptions options;
+  options.solver = GetParam();
+  EXPECT_THAT(test::messageOf<InvalidArgument>([&] { reconstruct(snapshot, options); }),
+              ::testing::HasSubstr("bend_sigma_rad must be above 0"));
 }
 
 TEST_P(BadCell, CellWithoutASampleInOnePoseIsPlacedFromTheOthers) {
