@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 
 #include <cmath>
+#include <numbers>
 #include <random>
 
 namespace hexoderm {
@@ -73,7 +74,8 @@ TEST(Listening, AClockThatStartsAgainAndAbsurdReadingsLeaveFiguresFinite) {
 
 TEST(Listening, MeansAreAlongTheAxesOfTheCell) {
   CellModel model = builtInCellModel("hex-bma150");
-  model.accelerometer.T_u_a.R = Eigen::AngleAxisd(EIGEN_PI / 2, Eigen::Vector3d::UnitZ()).toRotationMatrix();
+  model.accelerometer.T_u_a.R = 
+      Eigen::AngleAxisd(std::numbers::pi / 2, Eigen::Vector3d::UnitZ()).toRotationMatrix();
   SkinDescription skin = threeCells();
   skin.model = std::make_shared<const CellModel>(model);
   Listening listening;
