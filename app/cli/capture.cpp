@@ -465,8 +465,9 @@ void addCapture(CLI::App& app, Common& common) {
   command->add_flag("--keep-raw", options->keep_raw, "Keep every sample of the poses in the session too");
   command->add_option("--record", options->recording, "Write all that the device sends to this file, for replay:FILE");
   command
-      ->add_option("--timeout", options->timeout_s,
-                   "Seconds to wait for a device to describe itself; with --auto also for each pose, whatever turns it refuses")
+      ->add_option(
+          "--timeout", options->timeout_s,
+          "Seconds to wait for a device to describe itself; with --auto also for each pose, whatever turns it refuses")
       ->check(CLI::PositiveNumber)
       ->capture_default_str();
   command->add_option("-o,--output", options->output, "Session to make (*.hexo)")->required();

@@ -29,8 +29,8 @@ std::vector<CommandTrial::Named> commandsOf(const ListenOptions& options) {
   constexpr std::uint8_t kFull = 255;
   std::vector<CommandTrial::Named> commands;
   if (options.light > 0) {
-    commands.push_back({"set_led of cell " + std::to_string(options.light),
-                        SetLed{CellId(options.light), kFull, kFull, kFull}});
+    commands.push_back(
+        {"set_led of cell " + std::to_string(options.light), SetLed{CellId(options.light), kFull, kFull, kFull}});
   }
   if (options.rate_hz > 0) {
     commands.push_back({"set_rate to " + formatExact(options.rate_hz) + " Hz", SetRate{options.rate_hz}});
@@ -218,9 +218,10 @@ void print(const ListeningReport& report, const CommandTrial& trial) {
     printSilent(report.silent_cells);
   }
   std::cout << "On the way: " << status.frames << " frames, " << status.lost_samples << " samples lost, "
-            << status.late_frames << " frames late, " << undescribedSamples(report) << " samples before the description, "
-            << status.unknown_samples - undescribedSamples(report) << " samples of unknown cells, "
-            << status.rejected_messages << " messages rejected, " << status.reconnects << " reconnects\n";
+            << status.late_frames << " frames late, " << undescribedSamples(report)
+            << " samples before the description, " << status.unknown_samples - undescribedSamples(report)
+            << " samples of unknown cells, " << status.rejected_messages << " messages rejected, " << status.reconnects
+            << " reconnects\n";
   if (status.dropped_by_device > 0) {
     std::cout << "The device could not send " << status.dropped_by_device << " samples.\n";
   }

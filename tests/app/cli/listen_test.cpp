@@ -122,7 +122,7 @@ TEST_F(CliListen, SendsCommandsAndSaysHowTheyAreAnswered) {
     EXPECT_EQ(command.at("done"), true) << command;
     EXPECT_GE(command.at("after_s"), 0) << command;
   }
-  EXPECT_THAT(emulator.type("led 5"), HasSubstr("255"));
+  EXPECT_THAT(emulator.type("led 5"), HasSubstr("#ffffff"));
   EXPECT_THAT(run("listen '" + emulator.address + "' --for 1 --light 99").out,
               HasSubstr("Command set_led of cell 99: not done after "));
 }

@@ -118,7 +118,7 @@ void SkinStream::judgeFrame(const skinwire::Samples& samples, std::uint64_t time
   note(reading_check_.add(frame_, model_->accelerometer, readingsField(samples)));
   if (frame_.samples.empty()) return;
   note(clock_check_.addSample(frame_.samples.front().cell, time_us, hello_.rate_hz, model_->accelerometer.rate_hz,
-                               status_.lost_samples == 0));
+                              status_.lost_samples == 0));
 }
 
 void SkinStream::judgeClock(Clock::time_point now) {
@@ -142,7 +142,7 @@ void SkinStream::noteMissingDescription() {
                                  "its RX connected?",
                                  times_asked_)
                    : has_hello_ ? message("no whole topology came; expected topology after hello, and all its parts")
-                              : message("no hello came that can be used; expected hello before everything else")});
+                                : message("no hello came that can be used; expected hello before everything else")});
 }
 
 void SkinStream::judgeTopology() {

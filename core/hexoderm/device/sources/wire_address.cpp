@@ -12,7 +12,7 @@ namespace {
 
 /// Those that Linux has a name for and Boost.Asio knows, from 1,200 on.
 constexpr std::array<unsigned, 19> kBaudRates = {
-    1200,    2400,    4800,    9600,    19'200,  38'400,    57'600,    115'200,   230'400,   460'800,
+    1200,    2400,    4800,    9600,      19'200,    38'400,    57'600,    115'200,   230'400,  460'800,
     500'000, 576'000, 921'600, 1'000'000, 1'152'000, 2'000'000, 3'000'000, 3'500'000, 4'000'000};
 
 [[noreturn]] void fail(std::string_view address, const Message& expected) {
@@ -64,7 +64,8 @@ WireAddress parseSerial(std::string_view address, std::string_view rest) {
       fail(address, expected);
     }
     if (std::ranges::find(kBaudRates, parsed.baud) == kBaudRates.end()) {
-      fail(address, message("one of the baud rates {}", std::vector<std::uint64_t>(kBaudRates.begin(), kBaudRates.end())));
+      fail(address,
+           message("one of the baud rates {}", std::vector<std::uint64_t>(kBaudRates.begin(), kBaudRates.end())));
     }
   }
   return parsed;

@@ -179,12 +179,11 @@ void WireConnection::reportOpen(Clock::time_point now) {
     const bool garbage = stream_.rejectedMessages() > rejected_when_alive_;
     stream_.report(
         SourceState::Silent,
-        named(doubtsBaud(now)
-                  ? message("only broken bytes for {} (is the baud rate right? now {}); reconnecting in {}",
-                            seconds(options_.silent_after), address_.baud, left)
-              : garbage ? message("only broken messages ({}) for {}; reconnecting in {}", stream_.lastRejection(),
-                                seconds(options_.silent_after), left)
-                      : message("nothing came for {}; reconnecting in {}", seconds(options_.silent_after), left)),
+        named(doubtsBaud(now) ? message("only broken bytes for {} (is the baud rate right? now {}); reconnecting in {}",
+                                        seconds(options_.silent_after), address_.baud, left)
+              : garbage       ? message("only broken messages ({}) for {}; reconnecting in {}", stream_.lastRejection(),
+                                        seconds(options_.silent_after), left)
+                        : message("nothing came for {}; reconnecting in {}", seconds(options_.silent_after), left)),
         now);
   } else if (!stream_.isDescribed()) {
     Message waiting = message("connected to the device, {}", stream_.whatIsMissing());
@@ -314,8 +313,8 @@ Message WireConnection::endlessCommand() const {
   constexpr std::uint64_t kMany = 10;
   for (const auto& [number, pending] : pending_) {
     if (!pending.is_working || pending.times_sent < kMany) continue;
-    return message("command {} was sent {} times, and the device is still at it (does it begin anew each time?)", number,
-                   pending.times_sent);
+    return message("command {} was sent {} times, and the device is still at it (does it begin anew each time?)",
+                   number, pending.times_sent);
   }
   return {};
 }

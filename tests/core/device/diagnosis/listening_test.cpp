@@ -74,8 +74,7 @@ TEST(Listening, AClockThatStartsAgainAndAbsurdReadingsLeaveFiguresFinite) {
 
 TEST(Listening, MeansAreAlongTheAxesOfTheCell) {
   CellModel model = builtInCellModel("hex-bma150");
-  model.accelerometer.T_u_a.R = 
-      Eigen::AngleAxisd(std::numbers::pi / 2, Eigen::Vector3d::UnitZ()).toRotationMatrix();
+  model.accelerometer.T_u_a.R = Eigen::AngleAxisd(std::numbers::pi / 2, Eigen::Vector3d::UnitZ()).toRotationMatrix();
   SkinDescription skin = threeCells();
   skin.model = std::make_shared<const CellModel>(model);
   Listening listening;
