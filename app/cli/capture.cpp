@@ -99,7 +99,7 @@ class Capture final : public CaptureOwner {
     const bool is_wrong = !session_ && !status_.offences.empty();
     if (is_wrong) return inWords(status_.offences.front()).english();
     if (!session_) return status_.message.english();
-    return inRow({hold_.message, last_refusal_, status_.message}).english();
+    return inRow({hold_.message, last_refusal_, status_.message}, "; ").english();
   }
 
   void perform(const std::vector<SessionEdit>& edits) override {
@@ -253,7 +253,7 @@ class Capture final : public CaptureOwner {
   }
   void show(const TurnRefused& refused) {
     common_.endProgress();
-    last_refusal_ = message("The device does not turn there: {}.", refused.why);
+    last_refusal_ = message("The device does not turn there: {}", refused.why);
     common_.note("The device does not turn there: " + refused.why.english());
     if (refused.gave_up) {
       throw DeviceError(source_.address() + ": refused to turn " + std::to_string(refused.times) +
