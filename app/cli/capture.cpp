@@ -97,8 +97,9 @@ class Capture final : public CaptureOwner {
   /// What the device does wrong goes before what is waited for.
   [[nodiscard]] std::string whyNothingComes() const {
     const bool is_wrong = !session_ && !status_.offences.empty();
-    return is_wrong ? inWords(status_.offences.front()).english()
-                    : (session_ ? hold_.message : status_.message).english();
+    if (is_wrong) return inWords(status_.offences.front()).english();
+    if (!session_) return status_.message.english();
+    return inRow({hold_.message, last_refusal_, status_.message}, "; ").english();
   }
 
   void perform(const std::vector<SessionEdit>& edits) override {
@@ -179,7 +180,8 @@ class Capture final : public CaptureOwner {
   }
 
   void handle(const CommandOutcome& outcome) {
-    made_progress_ = true;
+    // A device that answers nothing is no progress, however often it is asked.
+    if (outcome.done) made_progress_ = true;
     course_.setOutcome(outcome);
   }
 
@@ -217,6 +219,7 @@ class Capture final : public CaptureOwner {
   void show(const PoseTaken& /*taken*/) {}
   void show(const PoseKept& kept) {
     has_news_ = true;
+    last_refusal_ = {};
     const CapturedPose& captured = kept.captured;
     common_.endProgress();
     std::string text =
@@ -250,6 +253,7 @@ class Capture final : public CaptureOwner {
   }
   void show(const TurnRefused& refused) {
     common_.endProgress();
+    last_refusal_ = message("The device does not turn there: {}", refused.why);
     common_.note("The device does not turn there: " + refused.why.english());
     if (refused.gave_up) {
       throw DeviceError(source_.address() + ": refused to turn " + std::to_string(refused.times) +
@@ -271,6 +275,7 @@ class Capture final : public CaptureOwner {
   std::string device_;
   SourceStatus status_;
   HoldStatus hold_;
+  Message last_refusal_;  ///< of a turn, since the last pose
   ReadingsWait readings_wait_;
   std::shared_ptr<const Reconstruction> result_;
   bool is_unsolved_ = false;
@@ -346,7 +351,7 @@ void print(const Capture& capture, const HoldLedger& ledger, const CaptureOption
             << cellsInWords(session.neighbors().size()) << " in " << forTerminal(options.output) << '\n';
   if (status.lost_samples + status.late_frames + status.rejected_messages + status.reconnects > 0) {
     std::cout << "On the way: " << status.lost_samples << " samples lost, " << status.late_frames << " frames late, "
-              << status.rejected_messages << " messages broken, " << status.reconnects << " reconnects\n";
+              << status.rejected_messages << " messages rejected, " << status.reconnects << " reconnects\n";
   }
   if (status.dropped_by_device > 0) {
     std::cout << "The device could not send " << status.dropped_by_device << " samples.\n";
@@ -460,8 +465,9 @@ void addCapture(CLI::App& app, Common& common) {
   command->add_flag("--keep-raw", options->keep_raw, "Keep every sample of the poses in the session too");
   command->add_option("--record", options->recording, "Write all that the device sends to this file, for replay:FILE");
   command
-      ->add_option("--timeout", options->timeout_s,
-                   "Seconds to wait for a device to describe itself; with --auto also for each pose")
+      ->add_option(
+          "--timeout", options->timeout_s,
+          "Seconds to wait for a device to describe itself; with --auto also for each pose, whatever turns it refuses")
       ->check(CLI::PositiveNumber)
       ->capture_default_str();
   command->add_option("-o,--output", options->output, "Session to make (*.hexo)")->required();

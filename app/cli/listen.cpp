@@ -1,10 +1,12 @@
 #include "app/cli/command.h"
+#include "app/cli/listen_commands.h"
 
 #include "hexoderm/device/diagnosis/listening.h"
 #include "hexoderm/device/sources/open_source.h"
 #include "hexoderm/util/interrupt.h"
 #include "hexoderm/util/text.h"
 
+#include <algorithm>
 #include <chrono>
 #include <iostream>
 #include <mutex>
@@ -18,13 +20,32 @@ using Json = nlohmann::ordered_json;
 struct ListenOptions {
   std::string source;
   double time_s = 5;
+  std::uint32_t light = 0;  ///< a cell; 0: none
+  double rate_hz = 0;       ///< 0: as it is
+  bool explore = false;
 };
+
+std::vector<CommandTrial::Named> commandsOf(const ListenOptions& options) {
+  constexpr std::uint8_t kFull = 255;
+  std::vector<CommandTrial::Named> commands;
+  if (options.light > 0) {
+    commands.push_back(
+        {"set_led of cell " + std::to_string(options.light), SetLed{CellId(options.light), kFull, kFull, kFull}});
+  }
+  if (options.rate_hz > 0) {
+    commands.push_back({"set_rate to " + formatExact(options.rate_hz) + " Hz", SetRate{options.rate_hz}});
+  }
+  if (options.explore) commands.push_back({"explore_again", ExploreAgain{}});
+  return commands;
+}
 
 constexpr const char* kLastLine = "hexoderm-cli: ended while something was held up, without a report\n";
 
 /// Passes on what is heard, and keeps the newest status for the thread that waits.
 class Ear final : public SkinListener {
  public:
+  explicit Ear(CommandTrial& trial) : trial_(trial) {}
+
   void onSkin(const SkinDescription& skin) override { listening_.onSkin(skin); }
   void onFrame(const SampleFrame& frame) override { listening_.onFrame(frame); }
   void onStatus(const SourceStatus& status) override {
@@ -34,7 +55,7 @@ class Ear final : public SkinListener {
     was_connected_ =
         was_connected_ || (status.state != SourceState::Stopped && status.state != SourceState::Connecting);
   }
-  void onCommandOutcome(const CommandOutcome& /*outcome*/) override {}
+  void onCommandOutcome(const CommandOutcome& outcome) override { trial_.add(outcome); }
 
   [[nodiscard]] SourceStatus status() const {
     const std::lock_guard lock(mutex_);
@@ -48,6 +69,7 @@ class Ear final : public SkinListener {
   [[nodiscard]] ListeningReport report() const { return listening_.report(); }
 
  private:
+  CommandTrial& trial_;
   Listening listening_;
   mutable std::mutex mutex_;
   SourceStatus status_;
@@ -55,8 +77,9 @@ class Ear final : public SkinListener {
 };
 
 /// Until the time is over, the stream ends or the user ends it. What is wrong is said as soon as it is known.
-void listenTo(const Ear& ear, double time_s, const Common& common) {
+void listenTo(const Ear& ear, SkinSource& source, CommandTrial& trial, double time_s, const Common& common) {
   using Clock = std::chrono::steady_clock;
+  constexpr std::chrono::seconds kForAnswers(4);  // a source waits for 3 s, and longer for a device that is at it
   constexpr std::chrono::milliseconds kLookEvery(50);
   OffenceNotes notes(common);
   const Clock::time_point end =
@@ -65,7 +88,9 @@ void listenTo(const Ear& ear, double time_s, const Common& common) {
     const SourceStatus status = ear.status();
     notes.show(status.offences);
     const bool is_over = status.state == SourceState::Ended || status.state == SourceState::Incompatible;
-    if (is_over || isInterrupted() || Clock::now() >= end) break;
+    if (status.state == SourceState::Streaming) trial.sendOnce(source);
+    const Clock::time_point now = Clock::now();
+    if (is_over || isInterrupted() || now >= end + kForAnswers || (now >= end && trial.isAnswered())) break;
     common.progress(status.message.english());
     std::this_thread::sleep_for(kLookEvery);
   }
@@ -83,7 +108,14 @@ Json optionalJson(const std::optional<double>& value, double factor = 1) {
 
 constexpr double kMilli = 1000;
 
-Json toJson(const ListeningReport& report, const ListenOptions& options) {
+/// Samples that came before the description; those of cells that it does not have are an offence.
+std::uint64_t undescribedSamples(const ListeningReport& report) {
+  const auto unknown = std::ranges::find(report.offences, OffenceKind::UnknownCell, &Offence::kind);
+  const std::uint64_t of_unknown_cells = unknown == report.offences.end() ? 0 : unknown->count;
+  return report.status.unknown_samples - std::min(report.status.unknown_samples, of_unknown_cells);
+}
+
+Json toJson(const ListeningReport& report, const CommandTrial& trial, const ListenOptions& options) {
   const SourceStatus& status = report.status;
   auto cells = Json::array();
   for (const CellHeard& cell : report.cells) {
@@ -91,14 +123,18 @@ Json toJson(const ListeningReport& report, const ListenOptions& options) {
                      {"readings", cell.readings},
                      {"rate_hz", optionalJson(cell.rate_hz)},
                      {"norm_g", spreadJson(cell.norm_g)},
+                     {"mean_g", cell.mean_u ? Json({cell.mean_u->x(), cell.mean_u->y(), cell.mean_u->z()}) : Json()},
                      {"noise_mg", optionalJson(cell.noise_g, kMilli)}});
   }
+  auto remarks = Json::array();
+  for (const Message& remark : report.remarks) remarks.push_back(remark.english());
   auto silent = Json::array();
   for (const CellId cell : report.silent_cells) silent.push_back(cell.value());
   return {
       {"source", options.source},
       {"ready", report.obstacle.empty()},
       {"obstacle", report.obstacle.english()},
+      {"remarks", std::move(remarks)},
       {"status", status.message.english()},
       {"device", report.device},
       {"cell_model", report.cell_model},
@@ -111,11 +147,14 @@ Json toJson(const ListeningReport& report, const ListenOptions& options) {
       {"lost_samples", status.lost_samples},
       {"dropped_by_device", status.dropped_by_device},
       {"late_frames", status.late_frames},
-      {"unknown_samples", status.unknown_samples},
+      {"undescribed_samples", undescribedSamples(report)},
+      {"unknown_samples", status.unknown_samples - undescribedSamples(report)},
       {"rejected_messages", status.rejected_messages},
       {"reconnects", status.reconnects},
       {"silent_cells", std::move(silent)},
       {"cells", std::move(cells)},
+      {"slowness", optionalJson(report.slowness)},
+      {"commands", trial.toJson()},
       {"offences", cli::toJson(report.offences)}};
 }
 
@@ -144,7 +183,7 @@ void printSilent(const std::vector<CellId>& cells) {
 }
 
 void printCells(const std::vector<CellHeard>& cells) {
-  std::cout << "Cell  readings  rate (Hz)  norm (g)  noise (mg)\n";
+  std::cout << "Cell  readings  rate (Hz)  norm (g)  noise (mg)    x (g)    y (g)    z (g)\n";
   const auto column = [](const std::string& text, std::size_t width) {
     return std::string(width > text.size() ? width - text.size() : 0, ' ') + text;
   };
@@ -156,12 +195,17 @@ void printCells(const std::vector<CellHeard>& cells) {
     const std::optional<double> norm = cell.norm_g ? std::optional(cell.norm_g->median) : std::nullopt;
     const std::optional<double> noise_mg = cell.noise_g ? std::optional(*cell.noise_g * kMilli) : std::nullopt;
     std::cout << column(toString(cell.cell), 4) << column(std::to_string(cell.readings), 10)
-              << figure(cell.rate_hz, 1, 11) << figure(norm, 3, 10) << figure(noise_mg, 1, 12) << '\n';
+              << figure(cell.rate_hz, 1, 11) << figure(norm, 3, 10) << figure(noise_mg, 1, 12);
+    for (int axis = 0; axis < 3; ++axis) {
+      std::cout << figure(cell.mean_u ? std::optional((*cell.mean_u)[axis]) : std::nullopt, 3, 9);
+    }
+    std::cout << '\n';
   }
+  std::cout << "x, y and z are means along the axes of the cell.\n";
   if (cells.size() > kMost) std::cout << "... and " << cells.size() - kMost << " more; --json has all\n";
 }
 
-void print(const ListeningReport& report) {
+void print(const ListeningReport& report, const CommandTrial& trial) {
   const SourceStatus& status = report.status;
   if (report.is_described) {
     std::cout << report.device << ": " << report.cells.size() << (report.cells.size() == 1 ? " cell" : " cells")
@@ -174,8 +218,10 @@ void print(const ListeningReport& report) {
     printSilent(report.silent_cells);
   }
   std::cout << "On the way: " << status.frames << " frames, " << status.lost_samples << " samples lost, "
-            << status.late_frames << " frames late, " << status.unknown_samples << " samples of unknown cells, "
-            << status.rejected_messages << " messages rejected, " << status.reconnects << " reconnects\n";
+            << status.late_frames << " frames late, " << undescribedSamples(report)
+            << " samples before the description, " << status.unknown_samples - undescribedSamples(report)
+            << " samples of unknown cells, " << status.rejected_messages << " messages rejected, " << status.reconnects
+            << " reconnects\n";
   if (status.dropped_by_device > 0) {
     std::cout << "The device could not send " << status.dropped_by_device << " samples.\n";
   }
@@ -184,6 +230,8 @@ void print(const ListeningReport& report) {
   for (const Offence& offence : report.offences) {
     std::cout << "  " << offenceName(offence.kind) << " (" << offence.count << "): " << inWords(offence) << '\n';
   }
+  trial.print();
+  for (const Message& remark : report.remarks) std::cout << remark << '\n';
   if (report.obstacle.empty()) {
     std::cout << "A calibration could begin.\n";
   } else {
@@ -194,19 +242,20 @@ void print(const ListeningReport& report) {
 int run(const ListenOptions& options, const Common& common) {
   endOnInterrupt(kLastLine);
   const std::unique_ptr<SkinSource> source = asInput([&] { return openSkinSource(options.source); });
-  Ear ear;
+  CommandTrial trial(commandsOf(options));
+  Ear ear(trial);
   common.progress("Connecting to " + options.source + " ...");
   source->start(ear);
-  listenTo(ear, options.time_s, common);
+  listenTo(ear, *source, trial, options.time_s, common);
   const SourceStatus last = ear.status();
   source->stop();
   if (!ear.wasConnected() && !isInterrupted()) throw DeviceError(last.message);
   ListeningReport report = ear.report();
   report.status.message = last.message;  // not that it was stopped
   if (common.json) {
-    printJson(toJson(report, options));
+    printJson(toJson(report, trial, options));
   } else {
-    print(report);
+    print(report, trial);
   }
   return report.obstacle.empty() ? kDone : kNotGoodEnough;
 }
@@ -221,6 +270,11 @@ void addListen(CLI::App& app, Common& common) {
   command->add_option("--for", options->time_s, "Seconds to listen; Ctrl+C ends it before, with its report")
       ->check(CLI::PositiveNumber)
       ->capture_default_str();
+  command->add_option("--light", options->light, "Light this cell, and say how the device answers (SetLed)")
+      ->check(CLI::PositiveNumber);
+  command->add_option("--rate", options->rate_hz, "Ask for so many samples a second of each cell (SetRate)")
+      ->check(CLI::PositiveNumber);
+  command->add_flag("--explore", options->explore, "Ask the device to explore its neighbours again (ExploreAgain)");
   common.addTo(*command);
   command->footer(
       "The first offence of each kind is said at once on standard error; rates, losses, norms, noise, links and the\n"

@@ -2954,18 +2954,6 @@ Die Balken sagen, wie sehr sich die gesehenen Richtungen in drei Achsen untersch
         <translation>Zelle {} wurde weggelassen; sie wird über ihre Verbindungen verortet.</translation>
     </message>
     <message>
-        <source>The {} bends by {} degrees, and a skin link by no more than {}. It is probably a cable or crosses a joint.</source>
-        <translation>Die {} biegt sich um {} Grad, eine Hautverbindung um höchstens {}. Wahrscheinlich ist sie ein Kabel oder führt über ein Gelenk.</translation>
-    </message>
-    <message>
-        <source>The {} is twisted by {} degrees, and a skin link by no more than {}. It is probably a cable, or a port number is wrong.</source>
-        <translation>Die {} ist um {} Grad verwunden, eine Hautverbindung um höchstens {}. Wahrscheinlich ist sie ein Kabel, oder eine Portnummer ist falsch.</translation>
-    </message>
-    <message>
-        <source>The {} is turned in the surface by {} degrees, and a skin link by no more than {}. A port number is probably wrong, or it is a cable.</source>
-        <translation>Die {} ist in der Fläche um {} Grad gedreht, eine Hautverbindung um höchstens {}. Wahrscheinlich ist eine Portnummer falsch, oder sie ist ein Kabel.</translation>
-    </message>
-    <message>
         <source>The cells of the {} moved against each other between poses (misfit {} standard deviations, limit {}): probably a joint or a cable, or one of the two sensors is bad. The link is not used.</source>
         <translation>Die Zellen der {} haben sich zwischen den Posen gegeneinander bewegt (Abweichung {} Standardabweichungen, Grenze {}): wahrscheinlich ein Gelenk oder ein Kabel, oder einer der beiden Sensoren ist schlecht. Die Verbindung wird nicht benutzt.</translation>
     </message>
@@ -6922,6 +6910,62 @@ Die Balken sagen, wie sehr sich die gesehenen Richtungen in drei Achsen untersch
     <message>
         <source>Cell {} delivered no reading in any pose, and no link joins it to another cell.</source>
         <translation>Zelle {} hat in keiner Pose einen Messwert geliefert, und keine Verbindung führt zu einer anderen Zelle.</translation>
+    </message>
+    <message>
+        <source>What is sent arrives {} times slower than the device&apos;s clock says: the line is too slow, or the device waits for it. Send fewer samples, or means.</source>
+        <translation>Was gesendet wird, kommt {}-mal langsamer an, als die Uhr des Geräts sagt: Die Leitung ist zu langsam, oder das Gerät wartet auf sie. Weniger Messwerte oder Mittelwerte senden.</translation>
+    </message>
+    <message>
+        <source>A neighbour is at port 0, which cell model {} does not have: are the ports counted from 0? Then the links at the other ports are wrong, too.</source>
+        <translation>Ein Nachbar ist an Port 0, den das Zellmodell {} nicht hat: Werden die Ports von 0 an gezählt? Dann sind auch die Verbindungen an den anderen Ports falsch.</translation>
+    </message>
+    <message>
+        <source>{} ({})</source>
+        <translation>{} ({})</translation>
+    </message>
+    <message>
+        <source>says {} Hz, but a cell&apos;s samples come {} times a second by the device&apos;s own clock; are ticks left out, or is time_us wrong?</source>
+        <translation>sagt {} Hz, aber die Messwerte einer Zelle kommen nach der Uhr des Geräts {}-mal in der Sekunde; werden Takte ausgelassen, oder ist time_us falsch?</translation>
+    </message>
+    <message>
+        <source>this looks like the framing of a serial port (COBS), expected a frame that begins with its length; is there a bridge from a serial port? Make a pseudo-terminal of it, and use serial:</source>
+        <translation>das sieht nach der Rahmung einer seriellen Schnittstelle aus (COBS), erwartet wird ein Rahmen, der mit seiner Länge beginnt; ist eine Brücke von einer seriellen Schnittstelle dazwischen? Daraus ein Pseudoterminal machen und serial: benutzen</translation>
+    </message>
+    <message>
+        <source>is the baud rate right? now {}</source>
+        <translation>stimmt die Baudrate? jetzt {}</translation>
+    </message>
+    <message>
+        <source>bytes came, but no frame ({})</source>
+        <translation>es kamen Bytes, aber kein Rahmen ({})</translation>
+    </message>
+    <message>
+        <source>no hello came that can be used, and the device did not answer Describe {} times: is its RX connected?</source>
+        <translation>es kam kein brauchbares hello, und das Gerät hat {}-mal nicht auf Describe geantwortet: Ist sein RX angeschlossen?</translation>
+    </message>
+    <message>
+        <source>one of the baud rates {}</source>
+        <translation>eine der Baudraten {}</translation>
+    </message>
+    <message>
+        <source>only broken bytes for {} (is the baud rate right? now {}); reconnecting in {}</source>
+        <translation>seit {} nur kaputte Bytes (stimmt die Baudrate? jetzt {}); neue Verbindung in {}</translation>
+    </message>
+    <message>
+        <source>command {} was sent {} times, and the device is still at it (does it begin anew each time?)</source>
+        <translation>Befehl {} wurde {}-mal gesendet, und das Gerät ist immer noch dabei (beginnt es jedes Mal von vorn?)</translation>
+    </message>
+    <message>
+        <source>The {} bends by {} degrees, and a skin link by no more than {}. It is probably a cable or crosses a joint, or the axes of the accelerometers are not as the cell model says.</source>
+        <translation>Die {} ist um {} Grad gebogen, eine Hautverbindung höchstens um {}. Wahrscheinlich ist sie ein Kabel oder überquert ein Gelenk, oder die Achsen der Beschleunigungssensoren sind nicht so, wie das Zellmodell sagt.</translation>
+    </message>
+    <message>
+        <source>The {} is twisted by {} degrees, and a skin link by no more than {}. It is probably a cable, or a port number or the axes of the accelerometers are wrong.</source>
+        <translation>Die {} ist um {} Grad verwunden, eine Hautverbindung höchstens um {}. Wahrscheinlich ist sie ein Kabel, oder eine Portnummer oder die Achsen der Beschleunigungssensoren sind falsch.</translation>
+    </message>
+    <message>
+        <source>The {} is turned in the surface by {} degrees, and a skin link by no more than {}. A port number is probably wrong, or it is a cable, or the axes of the accelerometers are not as the cell model says.</source>
+        <translation>Die {} ist in der Fläche um {} Grad gedreht, eine Hautverbindung höchstens um {}. Wahrscheinlich ist eine Portnummer falsch, oder sie ist ein Kabel, oder die Achsen der Beschleunigungssensoren sind nicht so, wie das Zellmodell sagt.</translation>
     </message>
 </context>
 <context>

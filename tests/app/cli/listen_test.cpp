@@ -89,6 +89,50 @@ TEST_F(CliListen, ADeviceIsRightInEveryDialectAndKindOfReading) {
   expectNothingWrong(listen(without_numbers.lines(), "--json"));
 }
 
+TEST_F(CliListen, SamplesBeforeTheDescriptionAreNotOfUnknownCells) {
+  Device device = Device::right();
+  const std::string lines = device.lines();
+  const std::string hello = lines.substr(0, lines.find('\n') + 1);
+  const std::size_t topology_end = lines.find('\n', hello.size()) + 1;
+  const std::size_t first_end = lines.find('\n', topology_end) + 1;
+  const Outcome outcome = listen(lines.substr(topology_end, first_end - topology_end) + lines, "--json");
+  const json report = json::parse(outcome.out);
+  EXPECT_GT(report.at("undescribed_samples"), 0);
+  EXPECT_EQ(report.at("unknown_samples"), 0);
+}
+
+TEST_F(CliListen, MeansOfEachCellAreShown) {
+  const Outcome outcome = listen(Device::right().lines(), "");
+  EXPECT_THAT(outcome.out, AllOf(HasSubstr("x (g)    y (g)    z (g)\n"),
+                                 HasSubstr("x, y and z are means along the axes of the cell.")));
+  const json cell = json::parse(listen(Device::right().lines(), "--json").out).at("cells").at(0);
+  ASSERT_EQ(cell.at("mean_g").size(), 3U);
+  const Eigen::Vector3d mean_u(cell["mean_g"][0], cell["mean_g"][1], cell["mean_g"][2]);
+  EXPECT_NEAR(mean_u.norm(), 1, 0.01);
+}
+
+TEST_F(CliListen, SendsCommandsAndSaysHowTheyAreAnswered) {
+  const Emulator emulator({"--pty", "--patch", "ring8", "--rate", "100"});
+  const std::string asked = " --light 5 --rate 50 --explore";
+  const Outcome outcome = run("listen '" + emulator.address + "' --for 1 --json" + asked);
+  const json commands = json::parse(outcome.out).at("commands");
+  ASSERT_EQ(commands.size(), 3U) << outcome.out;
+  EXPECT_EQ(commands.at(0).at("command"), "set_led of cell 5");
+  for (const json& command : commands) {
+    EXPECT_EQ(command.at("done"), true) << command;
+    EXPECT_GE(command.at("after_s"), 0) << command;
+  }
+  EXPECT_THAT(emulator.type("led 5"), HasSubstr("#ffffff"));
+  EXPECT_THAT(run("listen '" + emulator.address + "' --for 1 --light 99").out,
+              HasSubstr("Command set_led of cell 99: not done after "));
+}
+
+TEST_F(CliListen, ABaudRateThatThereIsNotIsWrongUsage) {
+  const Outcome outcome = run("listen 'serial:/dev/null?baud=1234'");
+  EXPECT_EQ(outcome.exit_code, 2);
+  EXPECT_THAT(outcome.err, HasSubstr("expected one of the baud rates 1200, "));
+}
+
 class EveryWrongDevice : public CliListen, public ::testing::WithParamInterface<std::size_t> {};
 
 TEST_P(EveryWrongDevice, IsToldWhatIsWrong) {

@@ -2,6 +2,7 @@
 // serial port is a pseudo-terminal.
 
 #include "hexoderm/device/skinwire/examples/firmware/skin.h"
+#include "hexoderm/device/skinwire/framing.h"
 #include "hexoderm/device/sources/wire_source.h"
 #include "hexoderm/geometry/se3.h"
 #include "hexoderm/io/session_json.h"
@@ -11,6 +12,7 @@
 #include <fcntl.h>
 #include <signal.h>
 #include <sys/prctl.h>
+#include <termios.h>
 
 #include <nlohmann/json.hpp>
 
@@ -200,6 +202,62 @@ TEST_F(Microcontroller, AnswersCommands) {
   EXPECT_EQ(delivered.skins.size(), 1U) << "the same cells were found again";
   EXPECT_EQ(delivered.status().rejected_messages, 0U);
   EXPECT_EQ(delivered.status().lost_samples, 0U);
+}
+
+/// What a host sends and hears at the board's serial port, frame by frame.
+class RawHost {
+ public:
+  explicit RawHost(const std::string& address)
+      : port_(::open(address.substr(std::string("serial:").size()).c_str(), O_RDWR | O_NOCTTY | O_CLOEXEC)) {
+    termios settings{};
+    ::tcgetattr(port_, &settings);
+    ::cfmakeraw(&settings);
+    ::tcsetattr(port_, TCSANOW, &settings);
+  }
+  ~RawHost() { ::close(port_); }
+  RawHost(const RawHost&) = delete;
+  RawHost& operator=(const RawHost&) = delete;
+
+  void send(const skinwire::Message& message) const {
+    const skinwire::Bytes frame = skinwire::encodeFrame(skinwire::Framing::Cobs, message);
+    ASSERT_EQ(::write(port_, frame.data(), frame.size()), static_cast<ssize_t>(frame.size()));
+  }
+  skinwire::Ack nextAck() {
+    while (true) {
+      while (auto decoded = decoder_.next()) {
+        if (const auto* ack = std::get_if<skinwire::Ack>(&decoded->message)) return *ack;
+      }
+      std::array<std::uint8_t, 1024> bytes;
+      const ssize_t count = ::read(port_, bytes.data(), bytes.size());
+      if (count <= 0) throw std::runtime_error("the board is gone");
+      decoder_.feed({bytes.data(), static_cast<std::size_t>(count)});
+    }
+  }
+
+ private:
+  int port_;
+  skinwire::FrameDecoder decoder_{skinwire::Framing::Cobs};
+};
+
+TEST_F(Microcontroller, ACommandThatComesAgainIsNotBegunAnew) {
+  const Board board;
+  ASSERT_FALSE(board.address().empty()) << board.said();
+  RawHost host(board.address());
+  const skinwire::Command turn{7, skinwire::TurnTo{2, -Eigen::Vector3d::UnitX()}};
+  host.send(turn);
+  host.send(turn);
+  const skinwire::Ack working{7, false, "", true};
+  const skinwire::Ack done{7, true, "", false};
+  EXPECT_EQ(host.nextAck(), working) << "the second one is answered at once";
+  skinwire::Ack last = working;
+  while (last == working) last = host.nextAck();
+  EXPECT_EQ(last, done);
+  // The same number from a host that starts anew is another command.
+  host.send(turn);
+  host.send(skinwire::Command{7, skinwire::TurnTo{2, Eigen::Vector3d::UnitX()}});
+  last = host.nextAck();
+  while (last == working) last = host.nextAck();
+  EXPECT_EQ(last, (skinwire::Ack{7, false, "another turn was asked for", false}));
 }
 
 }  // namespace

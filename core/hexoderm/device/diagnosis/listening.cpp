@@ -30,6 +30,25 @@ const Message* reasonOf(const std::vector<Offence>& offences, std::initializer_l
   return nullptr;
 }
 
+/// Whether a neighbour is reported at a port 0 that there is not.
+bool countsPortsFromZero(const SkinDescription& skin) {
+  if (skin.model->findPort(PortNumber(0)) != nullptr) return false;
+  return std::ranges::any_of(skin.neighbors, [](const CellReport& cell) {
+    return std::ranges::any_of(cell.neighbors, [](const NeighborReport& neighbor) {
+      return neighbor.port == PortNumber(0) && neighbor.cell != CellId(0);
+    });
+  });
+}
+
+/// Cells that no link joins to another.
+std::size_t loneCells(const SkinGraph& graph) {
+  std::vector<bool> is_joined(graph.cells().size(), false);
+  for (const GraphLink& link : graph.links()) {
+    if (!link.muted()) is_joined[link.source] = is_joined[link.target] = true;
+  }
+  return static_cast<std::size_t>(std::ranges::count(is_joined, false));
+}
+
 }  // namespace
 
 void Listening::onSkin(const SkinDescription& skin) { skin_ = skin; }
@@ -42,6 +61,7 @@ void Listening::addReading(Cell& cell, const Eigen::Vector3d& acceleration_g, do
     ++cell.intervals;
   }
   cell.last_s = time_s;
+  cell.sum_g += acceleration_g.cwiseMax(-kMostAcceleration_g).cwiseMin(kMostAcceleration_g);
   if (cell.readings++ % cell.stride != 0) return;
   cell.norms_g.push_back(static_cast<float>(std::min(acceleration_g.norm(), kMostAcceleration_g)));
   if (cell.norms_g.size() < kMostNorms) return;
@@ -51,7 +71,13 @@ void Listening::addReading(Cell& cell, const Eigen::Vector3d& acceleration_g, do
   cell.stride *= 2;
 }
 
-void Listening::onFrame(const SampleFrame& frame) {
+void Listening::add(const SampleFrame& frame, Clock::time_point now) {
+  if (last_s_ && frame.time_s > *last_s_) {
+    device_s_ += frame.time_s - *last_s_;
+    host_s_ += std::chrono::duration<double>(now - last_arrival_).count();
+  }
+  last_s_ = frame.time_s;
+  last_arrival_ = now;
   for (const CellSample& sample : frame.samples) {
     Cell& cell = cells_[sample.cell];
     if (cell.last_g) {
@@ -102,6 +128,7 @@ ListeningReport Listening::report() const {
       heard.rate_hz = static_cast<double>(cell.intervals) / cell.elapsed_s;
       rates_hz.push_back(*heard.rate_hz);
     }
+    heard.mean_u = skin_->model->accelerometer.T_u_a.R * cell.sum_g / static_cast<double>(cell.readings);
     const std::vector<double> norms(cell.norms_g.begin(), cell.norms_g.end());
     heard.norm_g = spreadOf(norms);
     norms_g.insert(norms_g.end(), norms.begin(), norms.end());
@@ -127,7 +154,20 @@ ListeningReport Listening::report() const {
   report.links_one_sided =
       static_cast<std::size_t>(std::ranges::count(graph.findings(), FindingCode::OneSidedLink, &Finding::code));
   judge(report);
+  remark(report);
   return report;
+}
+
+void Listening::remark(ListeningReport& report) const {
+  constexpr double kLeast_s = 2;
+  constexpr double kSlow = 1.3;
+  if (host_s_ >= kLeast_s && device_s_ > 0) report.slowness = host_s_ / device_s_;
+  if (report.slowness && *report.slowness >= kSlow) {
+    report.remarks.push_back(
+        message("What is sent arrives {} times slower than the device's clock says: the line is too slow, or the "
+                "device waits for it. Send fewer samples, or means.",
+                Number{*report.slowness, 1}));
+  }
 }
 
 void Listening::judge(ListeningReport& report) const {
@@ -164,6 +204,15 @@ void Listening::judge(ListeningReport& report) const {
     report.obstacle = *late;
   } else if (report.links_agreed == 0) {
     report.obstacle = message("There is no link that both of its cells report; a calibration needs joined cells.");
+  } else if (countsPortsFromZero(*skin_)) {
+    report.obstacle = message(
+        "A neighbour is at port 0, which cell model {} does not have: are the ports counted from 0? Then the links at "
+        "the other ports are wrong, too.",
+        skin_->model->name);
+  } else if (const std::size_t lone = loneCells(graph); 2 * lone > graph.cells().size()) {
+    // As after a capture.
+    report.obstacle =
+        message("{} of {} cells are linked to no other: nothing says how they lie.", lone, graph.cells().size());
   } else if (!is_joined) {
     report.obstacle = message("No two joined cells send readings.");
   } else if (!report.rate_hz) {

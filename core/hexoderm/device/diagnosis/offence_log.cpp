@@ -11,6 +11,14 @@ bool OffenceLog::addAgain(OffenceKind kind, std::uint64_t count) {
   return true;
 }
 
+bool OffenceLog::explain(OffenceKind kind, const Message& cause) {
+  const auto known = std::ranges::find(offences_, kind, &Offence::kind);
+  if (known == offences_.end()) return false;
+  known->reason = message("{} ({})", known->reason, cause);
+  has_news_ = true;
+  return true;
+}
+
 void OffenceLog::add(const Offence& offence) {
   if (addAgain(offence.kind, offence.count)) return;
   offences_.push_back(offence);

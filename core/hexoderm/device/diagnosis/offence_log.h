@@ -12,6 +12,8 @@ class OffenceLog {
   void add(const Offence& offence);
   /// Adds to the count of a kind that came before; false if none did.
   bool addAgain(OffenceKind kind, std::uint64_t count);
+  /// Adds a cause, which is known only later, to the reason of a kind that came before; false if none did.
+  bool explain(OffenceKind kind, const Message& cause);
   [[nodiscard]] const std::vector<Offence>& offences() const { return offences_; }
   [[nodiscard]] bool has(OffenceKind kind) const;
   /// Whether a kind came for the first time since takeNews().

@@ -40,6 +40,19 @@ Message unitOfStep(double factor) {
 
 constexpr const char* kTimeField = "samples.time_us";
 
+/// A rate that is another than the one that the device states, but no other unit.
+std::optional<Offence> offenceOfRate(double step_us, double stated_hz) {
+  constexpr double kRoom = 1.5;
+  const double measured_hz = 1e6 / step_us;
+  if (!(stated_hz > 0) || (measured_hz < stated_hz * kRoom && measured_hz > stated_hz / kRoom)) return std::nullopt;
+  if (!unitOfStep(stated_hz / measured_hz).empty() || !unitOfStep(measured_hz / stated_hz).empty()) return std::nullopt;
+  return Offence{OffenceKind::WrongValue,
+                 located("hello.rate_hz",
+                         message("says {} Hz, but a cell's samples come {} times a second by the device's own clock; "
+                                 "are ticks left out, or is time_us wrong?",
+                                 Number{stated_hz}, Number{measured_hz, 1}))};
+}
+
 }  // namespace
 
 std::optional<Offence> offenceOfNorm(double median_norm, const Accelerometer& accelerometer, const char* field) {
@@ -99,15 +112,20 @@ std::optional<Offence> ReadingCheck::add(const SampleFrame& frame, const Acceler
 
 void ClockCheck::restart() { *this = {}; }
 
-std::optional<Offence> ClockCheck::addSample(CellId cell, std::uint64_t time_us, double stated_hz, double sensor_hz) {
+std::optional<Offence> ClockCheck::addSample(CellId cell, std::uint64_t time_us, double stated_hz, double sensor_hz,
+                                             bool is_whole) {
   constexpr std::uint32_t kSteps = 20;
+  constexpr std::uint32_t kStepsOfRate = 60;  // a short hesitation counts little among so many
   if (!cell_) {
     cell_ = cell;
     first_us_ = time_us;
     return std::nullopt;
   }
-  if (cell != *cell_ || steps_ >= kSteps || ++steps_ < kSteps || time_us <= first_us_) return std::nullopt;
-  const double step_us = static_cast<double>(time_us - first_us_) / kSteps;
+  if (cell != *cell_ || steps_ >= kStepsOfRate) return std::nullopt;
+  ++steps_;
+  if ((steps_ != kSteps && steps_ != kStepsOfRate) || time_us <= first_us_) return std::nullopt;
+  const double step_us = static_cast<double>(time_us - first_us_) / steps_;
+  if (steps_ == kStepsOfRate) return is_whole ? offenceOfRate(step_us, stated_hz) : std::nullopt;
   if (stated_hz > 0) {
     const Message unit = unitOfStep(1e6 / stated_hz / step_us);
     if (unit.empty()) return std::nullopt;

@@ -39,7 +39,9 @@ class ClockCheck {
   void restart();
   /// The time of a cell's sample (no mean), which came after its last one. `stated_hz`: the rate by the device, 0: not
   /// known; `sensor_hz`: that of the cell model's accelerometer, which delivers no quicker.
-  std::optional<Offence> addSample(CellId cell, std::uint64_t time_us, double stated_hz, double sensor_hz);
+  /// `is_whole`: no sample was lost on the way, so that the steps are those of the device.
+  std::optional<Offence> addSample(CellId cell, std::uint64_t time_us, double stated_hz, double sensor_hz,
+                                   bool is_whole);
   /// How fast a device's times come.
   enum class Pace {
     Live,    ///< as its clock runs

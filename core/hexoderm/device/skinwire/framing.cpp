@@ -24,6 +24,31 @@ bool isBlank(ByteView piece) {
 /// Bytes that no terminal sends or takes, unlike those of its escape sequences.
 bool isNoText(std::uint8_t byte) { return byte < 0x07; }
 
+/// Whether bytes are those of a serial port: the first ones begin a frame in COBS, or some between two 0x00 are one.
+bool looksLikeCobs(ByteView bytes) {
+  constexpr std::uint8_t kLeastCode = 3;  // the body begins with two bytes that are not 0
+  constexpr std::uint8_t kMostType = 7;
+  const auto isZero = [](std::uint8_t byte) { return byte == 0; };
+  auto at = std::ranges::find_if_not(bytes, isZero);
+  if (bytes.end() - at >= 3 && at - bytes.begin() <= 1 && at[0] >= kLeastCode && at[1] == kMajor && at[2] >= 1 &&
+      at[2] <= kMostType) {
+    return true;
+  }
+  while (true) {
+    const auto end = std::find(at, bytes.end(), 0);
+    if (end == bytes.end()) return false;
+    const std::optional<Bytes> body = decodeCobs(ByteView(at, end));
+    if (body && decodeBody(*body).outcome == DecodeOutcome::Understood) return true;
+    at = std::find_if_not(end, bytes.end(), isZero);
+  }
+}
+
+hexoderm::Message cobsInWords() {
+  return message(
+      "this looks like the framing of a serial port (COBS), expected a frame that begins with its length; is there a "
+      "bridge from a serial port? Make a pseudo-terminal of it, and use serial:");
+}
+
 }  // namespace
 
 Bytes encodeCobs(ByteView bytes) {
@@ -113,6 +138,7 @@ std::optional<Decoded> FrameDecoder::detect() {
   framing_ = first.back() == 0 ? Framing::Length : Framing::Lines;
   if (*framing_ == Framing::Length || std::ranges::none_of(first, isNoText)) return std::nullopt;
   const ByteView beginning = rest().first(std::min(rest().size(), kBeginning));
+  if (looksLikeCobs(rest())) return getStuck(brokenPiece(OffenceKind::WrongDialect, cobsInWords(), beginning));
   return getStuck(first.front() == 0
                       ? brokenPiece(OffenceKind::BrokenFrame,
                                     message("the length of a frame is big-endian, expected little-endian"), beginning)
@@ -135,6 +161,7 @@ Decoded FrameDecoder::wrongLength(std::uint32_t length) const {
     return brokenPiece(OffenceKind::WrongDialect, message("this is text in UTF-16, expected lines of JSON in UTF-8"),
                        beginning);
   }
+  if (looksLikeCobs(bytes)) return brokenPiece(OffenceKind::WrongDialect, cobsInWords(), beginning);
   return brokenPiece(OffenceKind::BrokenFrame,
                      message("a frame says that it is {} bytes long, the limit is {}", length, kMaxBody), beginning);
 }
@@ -168,6 +195,9 @@ std::optional<Offence> FrameDecoder::complaintOfWaiting() const {
                    message("this looks like lines of JSON; on a serial port frames of bytes in COBS, each before a "
                            "0x00, are expected"),
                    excerptOf(text)};
+  }
+  if (*framing_ == Framing::Lines && looksLikeCobs(waiting)) {
+    return Offence{OffenceKind::WrongDialect, cobsInWords(), excerptOf(text)};
   }
   if (*framing_ == Framing::Lines && lacksLineFeeds(text)) {
     return Offence{OffenceKind::NoLineFeed, message("expected a line feed (0x0A) after every message"),

@@ -156,7 +156,9 @@ typedef struct {
   uint64_t samples_dropped;
 } skinwire_status;
 
-/* Answer to a command: done; or working on it, which is said again at least once a second; or neither, and why not. */
+/* Answer to a command: done; or working on it, which is said again at least once a second; or neither, and why not.
+ * Over UDP a command comes again until it is done or not. If it is the one that is being done, say working again and do
+ * not begin anew. */
 typedef struct {
   uint32_t command; /* its number */
   bool done;
@@ -202,7 +204,7 @@ typedef struct {
 } skinwire_describe;
 
 typedef struct {
-  uint32_t number; /* for the Ack */
+  uint32_t number; /* for the Ack; 0 of Describe, which has none */
   skinwire_request request;
   union {
     skinwire_set_rate set_rate;

@@ -62,6 +62,7 @@ void SkinStream::restart() {
   joint_names_.clear();
   is_exploring_ = false;
   was_heard_ = false;
+  times_asked_ = 0;
   undescribed_since_.reset();
   startCounting();
 }
@@ -159,6 +160,8 @@ SkinStream::Effect SkinStream::takeHello(const skinwire::Hello& hello, Clock::ti
   if (has_hello_ && hello.stream != hello_.stream) startCounting();
   // UDP devices repeat it every second; a model is parsed only if it is another one.
   const bool same_model = model_ && hello.cell_model == hello_.cell_model;
+  // Samples of before say nothing about another rate.
+  if (has_hello_ && hello.rate_hz != hello_.rate_hz) clock_check_.restart();
   has_hello_ = true;
   hello_ = hello;
   if (!same_model) {

@@ -90,6 +90,10 @@ class SkinStream {
   void countRejected(const Message& why, OffenceKind kind = OffenceKind::BrokenFrame);
   /// Something that stays as it is while it is looked at: counted once.
   void noteOnce(const std::optional<Offence>& offence);
+  /// A serial port delivers nothing but broken bytes at this rate. Said of the broken frames.
+  void noteWrongBaud(unsigned baud);
+  /// A Describe was sent to a device that ought to hear it.
+  void countAsked() { ++times_asked_; }
   /// The connection begins in the middle of a frame: that is no offence.
   void forgiveFirstPiece() { is_first_piece_forgiven_ = true; }
   /// Live unless told otherwise.
@@ -172,6 +176,8 @@ class SkinStream {
   bool is_topology_judged_ = true;
   bool is_first_piece_forgiven_ = false;
   bool was_heard_ = false;  ///< a message came on this connection
+  std::uint64_t times_asked_ = 0;
+  bool is_baud_noted_ = false;
   std::optional<Clock::time_point> undescribed_since_;
 };
 

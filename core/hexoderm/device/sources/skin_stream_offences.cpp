@@ -39,6 +39,14 @@ void SkinStream::noteOnce(const std::optional<Offence>& offence) {
   if (offence && !log_.has(offence->kind)) note(offence);
 }
 
+void SkinStream::noteWrongBaud(unsigned baud) {
+  if (std::exchange(is_baud_noted_, true)) return;
+  counters_changed_ = true;
+  const Message doubt = message("is the baud rate right? now {}", baud);
+  if (log_.explain(OffenceKind::BrokenFrame, doubt)) return;
+  note(Offence{OffenceKind::BrokenFrame, message("bytes came, but no frame ({})", doubt)});
+}
+
 void SkinStream::noteAllOf(const skinwire::Decoded& decoded) {
   const bool is_rest_of_a_frame = std::exchange(is_first_piece_forgiven_, false) &&
                                   decoded.outcome == skinwire::DecodeOutcome::Broken && decoded.major == 0;
@@ -109,7 +117,8 @@ void SkinStream::noteSequence(const skinwire::Samples& samples) {
 void SkinStream::judgeFrame(const skinwire::Samples& samples, std::uint64_t time_us) {
   note(reading_check_.add(frame_, model_->accelerometer, readingsField(samples)));
   if (frame_.samples.empty()) return;
-  note(clock_check_.addSample(frame_.samples.front().cell, time_us, hello_.rate_hz, model_->accelerometer.rate_hz));
+  note(clock_check_.addSample(frame_.samples.front().cell, time_us, hello_.rate_hz, model_->accelerometer.rate_hz,
+                              status_.lost_samples == 0));
 }
 
 void SkinStream::judgeClock(Clock::time_point now) {
@@ -126,9 +135,14 @@ void SkinStream::judgeClock(Clock::time_point now) {
 
 void SkinStream::noteMissingDescription() {
   if (isDescribed() || !was_heard_ || !model_complaint_.empty()) return;
+  constexpr std::uint64_t kAskedInVain = 2;
   noteOnce(Offence{OffenceKind::NotDescribed,
-                   has_hello_ ? message("no whole topology came; expected topology after hello, and all its parts")
-                              : message("no hello came that can be used; expected hello before everything else")});
+                   !has_hello_ && times_asked_ >= kAskedInVain
+                       ? message("no hello came that can be used, and the device did not answer Describe {} times: is "
+                                 "its RX connected?",
+                                 times_asked_)
+                   : has_hello_ ? message("no whole topology came; expected topology after hello, and all its parts")
+                                : message("no hello came that can be used; expected hello before everything else")});
 }
 
 void SkinStream::judgeTopology() {

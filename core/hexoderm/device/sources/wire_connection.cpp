@@ -13,6 +13,8 @@ using skinwire::Framing;
 
 constexpr std::chrono::milliseconds kTick(50);
 constexpr std::chrono::milliseconds kRepeatCommand(400);
+// The answer to what the device is at may be lost like any other.
+constexpr std::chrono::milliseconds kRepeatWorking(1000);
 constexpr std::size_t kMaxPending = 256;
 
 Seconds seconds(std::chrono::steady_clock::duration duration) {
@@ -93,6 +95,7 @@ void WireConnection::onOpened() {
   phase_ = Phase::Open;
   since_ = alive_ = now;
   rejected_when_alive_ = stream_.rejectedMessages();
+  bytes_since_alive_ = 0;
   asked_ = now - options_.describe_every;
   has_asked_ = false;
   if (was_connected_) stream_.countReconnect();
@@ -120,6 +123,8 @@ void WireConnection::askIfNeeded(Clock::time_point now) {
   if (!is_udp && (!framing() || (has_asked_ && stream_.isDescribed()))) return;
   asked_ = now;
   has_asked_ = true;
+  // Over UDP a device that is not asked sends nothing at all.
+  if (address_.kind == WireAddress::Kind::Serial) stream_.countAsked();
   transport_->write(framed(skinwire::Command{0, skinwire::Describe{stream_.topologyId()}}));
 }
 
@@ -131,6 +136,7 @@ void WireConnection::onReceived(skinwire::ByteView bytes) {
     }
     return onDecoded(skinwire::decodeBody(bytes));
   }
+  bytes_since_alive_ += bytes.size();
   decoder_.feed(bytes);
   while (phase_ == Phase::Open) {
     std::optional<skinwire::Decoded> decoded = decoder_.next();
@@ -159,6 +165,7 @@ void WireConnection::onDecoded(skinwire::Decoded decoded) {
   const Clock::time_point now = Clock::now();
   alive_ = now;
   rejected_when_alive_ = stream_.rejectedMessages();
+  bytes_since_alive_ = 0;
   if (stream_.isDescribed() != was_described) retry_ = options_.first_retry;
   // Thousands of messages a second say nothing new; what a Status says comes with the next tick.
   if (stream_.state() != SourceState::Streaming || !stream_.isDescribed()) reportOpen(now);
@@ -172,9 +179,11 @@ void WireConnection::reportOpen(Clock::time_point now) {
     const bool garbage = stream_.rejectedMessages() > rejected_when_alive_;
     stream_.report(
         SourceState::Silent,
-        named(garbage ? message("only broken messages ({}) for {}; reconnecting in {}", stream_.lastRejection(),
-                                seconds(options_.silent_after), left)
-                      : message("nothing came for {}; reconnecting in {}", seconds(options_.silent_after), left)),
+        named(doubtsBaud(now) ? message("only broken bytes for {} (is the baud rate right? now {}); reconnecting in {}",
+                                        seconds(options_.silent_after), address_.baud, left)
+              : garbage       ? message("only broken messages ({}) for {}; reconnecting in {}", stream_.lastRejection(),
+                                        seconds(options_.silent_after), left)
+                        : message("nothing came for {}; reconnecting in {}", seconds(options_.silent_after), left)),
         now);
   } else if (!stream_.isDescribed()) {
     Message waiting = message("connected to the device, {}", stream_.whatIsMissing());
@@ -182,8 +191,22 @@ void WireConnection::reportOpen(Clock::time_point now) {
     stream_.report(SourceState::Waiting, named(std::move(waiting)), now);
   } else {
     stream_.report(SourceState::Streaming,
-                   named(inRow({message("connected to {}", stream_.deviceName()), stream_.deviceText()}, ": ")), now);
+                   named(inRow({inRow({message("connected to {}", stream_.deviceName()), stream_.deviceText()}, ": "),
+                                endlessCommand()},
+                               "; ")),
+                   now);
   }
+}
+
+/// At a wrong rate bytes come, but nothing that is a frame: most are broken, or all are the 0x00 of framing errors.
+bool WireConnection::doubtsBaud(Clock::time_point now) const {
+  constexpr std::uint64_t kBroken = 8;
+  constexpr std::size_t kBytes = 200;
+  if (address_.kind != WireAddress::Kind::Serial || now - alive_ < options_.silent_after) return false;
+  // What waits for its end may be a long frame.
+  const std::size_t cut = bytes_since_alive_ - std::min(bytes_since_alive_, decoder_.buffered());
+  const std::uint64_t broken = stream_.rejectedMessages() - rejected_when_alive_;
+  return broken >= kBroken || (broken == 0 && cut >= kBytes);
 }
 
 void WireConnection::retryLater(const Message& why) {
@@ -229,6 +252,7 @@ void WireConnection::onTick() {
       retryLater(message("nothing came for {}", seconds(options_.reconnect_after)));
     } else {
       stream_.noteOnce(decoder_.complaintOfWaiting());
+      if (doubtsBaud(now)) stream_.noteWrongBaud(address_.baud);
       askIfNeeded(now);
       reportOpen(now);
       tendCommands(now);
@@ -261,6 +285,7 @@ void WireConnection::onAck(const skinwire::Ack& ack) {
   if (found == pending_.end()) return;
   if (ack.working) {
     found->second.deadline = Clock::now() + options_.command_timeout;
+    found->second.is_working = true;
     return;
   }
   pending_.erase(found);
@@ -272,14 +297,26 @@ void WireConnection::tendCommands(Clock::time_point now) {
   for (auto& [number, pending] : pending_) {
     if (now >= pending.deadline) {
       expired.push_back(number);
-    } else if (address_.kind == WireAddress::Kind::Udp && now - pending.sent >= kRepeatCommand) {
+    } else if (address_.kind == WireAddress::Kind::Udp &&
+               now - pending.sent >= (pending.is_working ? kRepeatWorking : kRepeatCommand)) {
       pending.sent = now;
+      ++pending.times_sent;
       transport_->write(pending.frame);
     }
   }
   for (const std::uint32_t number : expired) {
     fail(number, message("the device did not answer within {}", seconds(options_.command_timeout)));
   }
+}
+
+Message WireConnection::endlessCommand() const {
+  constexpr std::uint64_t kMany = 10;
+  for (const auto& [number, pending] : pending_) {
+    if (!pending.is_working || pending.times_sent < kMany) continue;
+    return message("command {} was sent {} times, and the device is still at it (does it begin anew each time?)",
+                   number, pending.times_sent);
+  }
+  return {};
 }
 
 void WireConnection::fail(std::uint32_t number, Message why) {

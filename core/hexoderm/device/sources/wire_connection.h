@@ -34,6 +34,8 @@ class WireConnection {
     skinwire::Bytes frame;
     Clock::time_point deadline;
     Clock::time_point sent;
+    std::uint64_t times_sent = 1;
+    bool is_working = false;  ///< the device said that it is at it
   };
 
   void onOpened();
@@ -49,6 +51,9 @@ class WireConnection {
   void askIfNeeded(Clock::time_point now);
   void reportOpen(Clock::time_point now);
   void tendCommands(Clock::time_point now);
+  /// A command that was sent many times and is still being worked on; empty if there is none.
+  [[nodiscard]] Message endlessCommand() const;
+  [[nodiscard]] bool doubtsBaud(Clock::time_point now) const;
   void fail(std::uint32_t number, Message why);
   [[nodiscard]] std::optional<skinwire::Framing> framing() const;
   [[nodiscard]] skinwire::Bytes framed(const skinwire::Message& message) const;
@@ -69,6 +74,7 @@ class WireConnection {
   Clock::time_point since_;                ///< start of the phase
   Clock::time_point alive_;                ///< when something that makes sense came last
   std::uint64_t rejected_when_alive_ = 0;  ///< messages, up to then
+  std::size_t bytes_since_alive_ = 0;
   Clock::time_point asked_;
   bool has_asked_ = false;  ///< since it was opened
   Message why_retry_;       ///< what the last try failed of; empty: none has

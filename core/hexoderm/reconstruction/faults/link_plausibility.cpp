@@ -50,19 +50,21 @@ std::vector<Finding> judgeLinkAngles(const LinkAngles& angles, LinkEnd source, L
   };
   judge(judged.bend_rad, limits.bend_rad, FindingCode::ImplausibleBend, [&](Number angle, Number limit) {
     return message(
-        "The {} bends by {} degrees, and a skin link by no more than {}. It is probably a cable or crosses a joint.",
+        "The {} bends by {} degrees, and a skin link by no more than {}. It is probably a cable or crosses a joint, or "
+        "the "
+        "axes of the accelerometers are not as the cell model says.",
         link, angle, limit);
   });
   judge(judged.twist_rad, limits.twist_rad, FindingCode::ImplausibleTwist, [&](Number angle, Number limit) {
     return message(
         "The {} is twisted by {} degrees, and a skin link by no more than {}. It is probably a cable, or a port number "
-        "is wrong.",
+        "or the axes of the accelerometers are wrong.",
         link, angle, limit);
   });
   judge(judged.yaw_rad, limits.yaw_rad, FindingCode::ImplausibleYaw, [&](Number angle, Number limit) {
     return message(
         "The {} is turned in the surface by {} degrees, and a skin link by no more than {}. A port number is probably "
-        "wrong, or it is a cable.",
+        "wrong, or it is a cable, or the axes of the accelerometers are not as the cell model says.",
         link, angle, limit);
   });
   return findings;

@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 
 #include <cmath>
+#include <numbers>
 #include <random>
 
 namespace hexoderm {
@@ -51,6 +52,7 @@ TEST(Listening, MeasuresRatesNormsAndNoise) {
   EXPECT_NEAR(report.norm_g->median, 1, 0.005);
   EXPECT_LT(report.norm_g->least, 0.97);
   EXPECT_FALSE(report.cells[2].norm_g);
+  EXPECT_FALSE(report.cells[2].mean_u);
   EXPECT_THAT(report.silent_cells, ElementsAre(CellId(3)));
   EXPECT_EQ(report.links_agreed, 1U);
   EXPECT_EQ(report.links_one_sided, 1U);
@@ -68,6 +70,58 @@ TEST(Listening, AClockThatStartsAgainAndAbsurdReadingsLeaveFiguresFinite) {
   EXPECT_NEAR(*report.cells[0].rate_hz, 200, 1e-6);
   EXPECT_EQ(report.cells[0].norm_g->most, 1e6);
   EXPECT_TRUE(std::isfinite(*report.cells[0].noise_g));
+}
+
+TEST(Listening, MeansAreAlongTheAxesOfTheCell) {
+  CellModel model = builtInCellModel("hex-bma150");
+  model.accelerometer.T_u_a.R = Eigen::AngleAxisd(std::numbers::pi / 2, Eigen::Vector3d::UnitZ()).toRotationMatrix();
+  SkinDescription skin = threeCells();
+  skin.model = std::make_shared<const CellModel>(model);
+  Listening listening;
+  listening.onSkin(skin);
+  SampleFrame frame;
+  for (const double x_g : {0.9, 1.1}) {
+    frame.samples = {{CellId(1), Eigen::Vector3d(x_g, 0.1, 0.2)}};
+    listening.onFrame(frame);
+    frame.time_s += 0.01;
+  }
+  const Eigen::Vector3d mean_u = *listening.report().cells[0].mean_u;
+  EXPECT_NEAR((mean_u - Eigen::Vector3d(-0.1, 1, 0.2)).norm(), 0, 1e-12) << mean_u;
+}
+
+TEST(Listening, SaysThatALineIsTooSlow) {
+  const auto heardAt = [](double device_hz, double host_hz) {
+    Listening listening;
+    listening.onSkin(threeCells());
+    const Listening::Clock::time_point begin{};
+    for (int k = 0; k < 200; ++k) {
+      SampleFrame frame;
+      frame.time_s = 5 + k / device_hz;
+      frame.samples = {{CellId(1), Eigen::Vector3d::UnitZ()}, {CellId(2), Eigen::Vector3d::UnitZ()}};
+      const auto since = std::chrono::duration<double>(k / host_hz);
+      listening.add(frame, begin + std::chrono::duration_cast<Listening::Clock::duration>(since));
+    }
+    return listening.report();
+  };
+  const ListeningReport slow = heardAt(100, 30);
+  EXPECT_NEAR(*slow.slowness, 3.33, 0.01);
+  ASSERT_EQ(slow.remarks.size(), 1U);
+  EXPECT_THAT(slow.remarks[0].english(), HasSubstr("arrives 3.3 times slower than the device's clock says"));
+  EXPECT_THAT(heardAt(30, 30).remarks, testing::IsEmpty());
+}
+
+TEST(Listening, SaysWhatACaptureWouldSayOfLinks) {
+  SkinDescription skin = threeCells();
+  skin.neighbors[0].neighbors.push_back({PortNumber(0), CellId(2), {}});
+  Listening from_zero = heard(0.02, 100);
+  from_zero.onSkin(skin);
+  EXPECT_THAT(from_zero.report().obstacle.english(), HasSubstr("are the ports counted from 0?"));
+  skin = threeCells();
+  skin.neighbors.push_back({CellId(4), "", {}});
+  skin.neighbors.push_back({CellId(5), "", {}});
+  Listening lone = heard(0.02, 100);
+  lone.onSkin(skin);
+  EXPECT_EQ(lone.report().obstacle.english(), "3 of 5 cells are linked to no other: nothing says how they lie.");
 }
 
 TEST(Listening, SaysWhyNoCalibrationCouldBegin) {

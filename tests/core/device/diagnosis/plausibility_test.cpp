@@ -49,7 +49,7 @@ TEST(ReadingCheck, IsSoonAboutUnitsAndPatientAboutShocks) {
 std::optional<Offence> addEvery(std::uint64_t step_us, double stated_hz, double sensor_hz = 1000) {
   ClockCheck check;
   for (std::uint64_t k = 0; k < 50; ++k) {
-    if (auto offence = check.addSample(CellId(1), 1'000'000 + step_us * k, stated_hz, sensor_hz)) return offence;
+    if (auto offence = check.addSample(CellId(1), 1'000'000 + step_us * k, stated_hz, sensor_hz, true)) return offence;
   }
   return std::nullopt;
 }
@@ -64,6 +64,26 @@ TEST(ClockCheck, ComparesStepsWithTheStatedRate) {
   EXPECT_FALSE(addEvery(1000, 0)) << "no rate is stated, and the sensor's is 1 kHz";
   EXPECT_FALSE(addEvery(100, 0)) << "a quicker sensor than the model's";
   EXPECT_THAT(addEvery(10, 0)->reason.english(), HasSubstr("are these milliseconds?"));
+}
+
+TEST(ClockCheck, ARateThatIsNotTheStatedOneIsSaidUnlessSamplesWereLost) {
+  const auto judge = [](std::uint64_t step_us, bool is_whole) {
+    ClockCheck check;
+    std::optional<Offence> found;
+    for (std::uint64_t k = 0; k < 100; ++k) {
+      if (auto offence = check.addSample(CellId(1), 1'000'000 + step_us * k, 100, 1000, is_whole)) found = offence;
+    }
+    return found;
+  };
+  const std::optional<Offence> slower = judge(35'714, true);
+  ASSERT_TRUE(slower);
+  EXPECT_EQ(slower->kind, OffenceKind::WrongValue);
+  EXPECT_THAT(slower->reason.english(),
+              HasSubstr("hello.rate_hz: says 100 Hz, but a cell's samples come 28.0 times a second"));
+  EXPECT_TRUE(judge(5'000, true)) << "twice as often";
+  EXPECT_FALSE(judge(35'714, false)) << "it may have sent them";
+  EXPECT_FALSE(judge(9'000, true));
+  EXPECT_FALSE(judge(12'000, true));
 }
 
 /// Times that run `factor` times as fast as the host's clock, looked at every 50 ms.

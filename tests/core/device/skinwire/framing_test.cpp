@@ -142,6 +142,29 @@ TEST(FrameDecoder, FindsTheNextSerialFrameAfterGarbage) {
   }
 }
 
+TEST(FrameDecoder, RecognizesTheFramingOfASerialPortOnTcp) {
+  Bytes stream = {0};
+  for (const Message& message : {Message(helloMessage()), Message(rawSamples(0, 1000)), Message(rawSamples(4, 2000))}) {
+    append(stream, encodeFrame(Framing::Cobs, message));
+  }
+  std::size_t said = 0;
+  for (std::size_t begin = 0; begin + 60 < stream.size(); ++begin) {  // a bridge begins anywhere
+    SCOPED_TRACE(begin);
+    FrameDecoder decoder(std::nullopt);
+    decoder.feed(ByteView(stream).subspan(begin));
+    std::optional<Offence> offence;
+    while (const auto decoded = decoder.next()) {
+      if (!decoded->offences.empty()) offence = decoded->offences.front();
+    }
+    if (const auto waiting = decoder.complaintOfWaiting()) offence = waiting;
+    EXPECT_FALSE(offence && offence->reason.english().find("big-endian") != std::string::npos);
+    if (!offence || offence->reason.english().find("serial port (COBS)") == std::string::npos) continue;
+    EXPECT_EQ(offence->kind, OffenceKind::WrongDialect);
+    ++said;
+  }
+  EXPECT_GT(said, (stream.size() - 60) * 9 / 10);
+}
+
 TEST(FrameDecoder, GoesOnAtTheNextLineAfterABrokenOne) {
   FrameDecoder decoder(Framing::Lines);
   Bytes stream = asBytes("{\"hello\": oops}\n\n   \r\nwhat is this\n");

@@ -9,6 +9,7 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <algorithm>
 #include <filesystem>
 #include <iterator>
 
@@ -530,6 +531,30 @@ TEST(WireSource, CommandsOverUdpAreRepeatedUntilTheyAreAnswered) {
   EXPECT_EQ(listener.delivered().outcomes.size(), 1U);
 }
 
+TEST(WireSource, ACommandOverUdpThatDoesNotEndIsSaidAndRepeatedMoreRarely) {
+  UdpDevice device;
+  CollectingListener listener;
+  WireSource source(device.address(), patient());
+  source.start(listener);
+  device.receive();
+  describe(device);
+  ASSERT_TRUE(listener.waitFor(state(SourceState::Streaming)));
+  const std::uint32_t rate = source.send(SetRate{10});
+  const skinwire::Command expected{rate, skinwire::SetRate{10}};
+  std::vector<std::chrono::steady_clock::time_point> sent;
+  while (sent.size() < 10) {
+    if (device.receive() != expected) continue;
+    sent.push_back(std::chrono::steady_clock::now());
+    device.send(skinwire::Ack{rate, false, "", true});
+  }
+  EXPECT_TRUE(listener.waitFor(status(SourceState::Streaming, "command 1 was sent 10 times")));
+  // On a busy computer a single one may look nearer to the one before.
+  EXPECT_GT(sent.back() - sent.front(), milliseconds(9 * 800));
+  device.send(skinwire::Ack{rate, true, "", false});
+  EXPECT_TRUE(listener.waitFor(outcome(rate)));
+  source.stop();
+}
+
 TEST(WireSource, AUdpPortWhereNobodyListensIsSaid) {
   std::string address;
   {
@@ -559,6 +584,49 @@ TEST(WireSource, DeliversFromASerialPortAfterGarbage) {
   EXPECT_EQ(device.receive(), (skinwire::Command{led, skinwire::SetLed{1, 1, 2, 3}}));
   source.stop();
   EXPECT_EQ(listener.delivered().status().rejected_messages, 2U);
+}
+
+/// The reason of an offence, once it has these words.
+bool saysOffence(CollectingListener& listener, OffenceKind kind, const std::string& words) {
+  return listener.waitFor([&](const Delivered& d) {
+    return std::ranges::any_of(d.statuses, [&](const SourceStatus& status) {
+      return std::ranges::any_of(status.offences, [&](const Offence& offence) {
+        return offence.kind == kind && offence.reason.english().find(words) != std::string::npos;
+      });
+    });
+  });
+}
+
+TEST(WireSource, BrokenBytesAloneOnASerialPortPutTheBaudRateInDoubt) {
+  WireOptions options = quick();
+  options.reconnect_after = test::kForever;
+  const skinwire::Bytes broken = {9, 17, 3, 200, 200, 0};
+  const skinwire::Bytes framing_errors(30, 0);
+  for (const skinwire::Bytes& bytes : {broken, framing_errors}) {
+    SerialDevice device;
+    CollectingListener listener;
+    WireSource source(device.address() + "?baud=9600", options);
+    source.start(listener);
+    device.receive();
+    for (int k = 0; k < 20; ++k) device.sendBytes(bytes);
+    EXPECT_TRUE(saysOffence(listener, OffenceKind::BrokenFrame, "is the baud rate right? now 9600"));
+    EXPECT_TRUE(listener.waitFor(status(SourceState::Silent, "is the baud rate right? now 9600")));
+    source.stop();
+  }
+}
+
+TEST(WireSource, ASerialDeviceThatDoesNotHearIsAskedForItsRx) {
+  WireOptions options = patient();
+  options.describe_every = milliseconds(50);
+  SerialDevice device;
+  CollectingListener listener;
+  WireSource source(device.address(), options);
+  source.start(listener);
+  device.receive();
+  device.send(skinwire::rawSamples(0, 1000));
+  EXPECT_TRUE(saysOffence(listener, OffenceKind::NotDescribed, "did not answer Describe"));
+  EXPECT_TRUE(saysOffence(listener, OffenceKind::NotDescribed, "is its RX connected?"));
+  source.stop();
 }
 
 TEST(WireSource, ASerialPortThatIsUnpluggedOrMissingIsSaid) {

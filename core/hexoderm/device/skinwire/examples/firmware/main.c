@@ -1,4 +1,7 @@
-/* A skin on a serial port: describes itself, samples all cells, and does what the host asks. */
+/* A skin on a serial port: describes itself, samples all cells, and does what the host asks.
+ *
+ * board_write() waits until the port has taken all bytes, which is the simplest there is; sample() leaves out ticks that
+ * were missed meanwhile. Where that costs too many, write by DMA or by an interrupt. */
 #include "../../skinwire.h"
 
 #include "board.h"
@@ -27,6 +30,7 @@ static uint64_t first_tick_us;
 static unsigned ticks;
 
 static uint32_t turn_command; /* that is not answered yet; 0: none */
+static skinwire_turn_to turn_target;
 static uint64_t working_said_us;
 
 /* Asks the lines of all ports, and keeps what they are joined to. */
@@ -112,12 +116,29 @@ static const char* set_rate(float asked_hz) {
   return NULL;
 }
 
+/* Whether the command comes again while it is being done. A host that starts anew counts from 1 again, so the number
+ * alone does not tell. */
+static bool is_turning_so(const skinwire_command* command) {
+  const skinwire_turn_to* to = &command->of.turn_to;
+  if (turn_command == 0 || command->number != turn_command || to->cell != turn_target.cell) return false;
+  for (int k = 0; k < 3; ++k) {
+    if (to->up[k] != turn_target.up[k]) return false;
+  }
+  return true;
+}
+
 static const char* turn(const skinwire_command* command, uint64_t now_us) {
   const skinwire_turn_to* to = &command->of.turn_to;
+  if (is_turning_so(command)) { /* and does not begin anew */
+    send_ack(turn_command, false, true, NULL);
+    working_said_us = now_us;
+    return NULL;
+  }
   if (to->cell < 1 || to->cell > SKIN_CELLS) return "there is no such cell";
   if (!skin_turn(to->cell - 1, to->up, now_us)) return "up is no direction";
   if (turn_command != 0) send_ack(turn_command, false, false, "another turn was asked for");
   turn_command = command->number;
+  turn_target = *to;
   working_said_us = now_us;
   return NULL;
 }
