@@ -165,7 +165,7 @@ def over_and_over(work):
         work()
 
 
-for work in (lambda: next(capture), lambda: hexoderm.solve(session), calibration.to_json, session.to_json):
+for work in (lambda: next(capture, None), lambda: hexoderm.solve(session), calibration.to_json, session.to_json):
     threading.Thread(target=over_and_over, args=(work,), daemon=True).start()
 threading.Thread(target=lambda: (time.sleep(0.3), capture.close()), daemon=True).start()
 time.sleep(0.3)

@@ -59,7 +59,7 @@ struct ListeningReport {
 class Listening final : public SkinListener {
  public:
   void onSkin(const SkinDescription& skin) override;
-  using Clock = std::chrono::steady_clock;
+  using Clock = std::chrono::steady_clock;  ///< the host's
 
   void onFrame(const SampleFrame& frame) override { add(frame, Clock::now()); }
   void add(const SampleFrame& frame, Clock::time_point now);  ///< a frame that arrives at the host's time `now`
