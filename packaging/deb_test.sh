@@ -72,6 +72,7 @@ empty_debian() {
   mount -t proc proc "$clean/proc"
   mount --rbind /dev "$clean/dev"
   cp /etc/resolv.conf "$clean/etc/"
+  echo "127.0.0.1 localhost" >"$clean/etc/hosts"  # as Debian's installer does
   mkdir "$clean/packages"
   cp "$packages"/*.deb "$clean/packages"
   echo 'APT::Get::Assume-Yes "true";' >"$clean/etc/apt/apt.conf.d/90nobody-answers"
