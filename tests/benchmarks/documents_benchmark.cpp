@@ -11,6 +11,7 @@
 #include "hexoderm/reconstruction/reconstructor.h"
 #include "hexoderm/session/simulated_session.h"
 #include "hexoderm/util/sha256.h"
+#include "tests/benchmarks/cpu_time.h"
 #include "tests/support/peak_memory.h"
 
 #ifdef HEXODERM_HAS_SIMDJSON
@@ -22,34 +23,12 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
-#include <ctime>
 #include <functional>
 #include <string>
 #include <vector>
 
 namespace hexoderm {
 namespace {
-
-double cpuSeconds() {
-  struct timespec now {};
-  ::clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &now);
-  return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
-}
-
-/// Least CPU time of several runs, with the time that it takes to free what was made.
-double leastSeconds(const std::function<void()>& work) {
-  constexpr double kEnough_s = 3;
-  double least_s = HUGE_VAL;
-  double total_s = 0;
-  for (int run = 0; run < 15 && (run < 3 || total_s < kEnough_s); ++run) {
-    const double began_s = cpuSeconds();
-    work();
-    const double took_s = cpuSeconds() - began_s;
-    least_s = std::min(least_s, took_s);
-    total_s += took_s;
-  }
-  return least_s;
-}
 
 /// One kind of work on a text of so many bytes.
 struct Work {
@@ -62,7 +41,8 @@ void show(const char* title, std::size_t bytes, const std::vector<Work>& works) 
   const double megabytes = static_cast<double>(bytes) * 1e-6;
   std::printf("%s, %.1f MB\n", title, megabytes);
   std::vector<double> seconds;
-  for (const Work& work : works) seconds.push_back(leastSeconds(work.run));
+  for (const Work& work : works)
+    seconds.push_back(1e-3 * least_ms(work.run));  // with what it takes to free what was made
   ::malloc_trim(0);  // what the runs have freed would be there for the processes that are measured
   const double idle_MB = test::peakMemory_MB([] {});
   for (std::size_t k = 0; k < works.size(); ++k) {

@@ -7,11 +7,11 @@
 #include "hexoderm/session/session_store.h"
 #include "hexoderm/session/simulated_session.h"
 #include "hexoderm/util/freed_memory.h"
+#include "tests/benchmarks/cpu_time.h"
 #include "tests/benchmarks/window_application.h"
 #include "tests/support/qt_wait.h"
 #include "widgets/patch/scene_widget.h"
 
-#include <time.h>
 #include <vtkCallbackCommand.h>
 #include <vtkCommand.h>
 #include <vtkNew.h>
@@ -23,12 +23,6 @@
 
 namespace hexoderm {
 namespace {
-
-double cpuTime_ms(clockid_t clock) {
-  timespec now{};
-  ::clock_gettime(clock, &now);
-  return 1e3 * static_cast<double>(now.tv_sec) + 1e-6 * static_cast<double>(now.tv_nsec);
-}
 
 double medianOf(std::vector<double> values) {
   const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);

@@ -1,6 +1,7 @@
 #include "hexoderm/graph/cell_model.h"
 
 #include "hexoderm/geometry/is_rotation.h"
+#include "hexoderm/graph/cell_lengths.h"
 #include "hexoderm/util/error.h"
 #include "hexoderm/util/limits.h"
 #include "hexoderm/util/text.h"
@@ -16,9 +17,6 @@ namespace {
 // Far beyond every skin, and such that squares, and one divided by them, are still numbers.
 constexpr double kLeast = 1e-12;
 constexpr double kMost = 1e9;
-/// Of any skin for a robot, in metres: whoever writes millimetres is told.
-constexpr double kLeastCellSide_m = 1e-3;
-constexpr double kMostCellLength_m = 1;
 
 /// Direction of a port in the surface: ports lie in the cell's plane but for what a model's vector says.
 Eigen::Vector3d outwardDirection(const Port& port) { return port.vector_m.normalized(); }

@@ -1,6 +1,7 @@
 #include "hexoderm/graph/cell_model_json.h"
 
 #include "hexoderm/graph/built_in_models.h"
+#include "hexoderm/graph/cell_lengths.h"
 #include "hexoderm/util/error.h"
 #include "hexoderm/util/file.h"
 #include "hexoderm/util/text.h"
@@ -17,10 +18,9 @@ const std::string kExactRotation = "R_u";
 
 /// validate() refuses what is longer too, but does not know the place in the file.
 double readLength(const JsonReader& json, double least_m) {
-  constexpr double kMost_m = 1;
   const double length_m = json.nonNegativeNumber();
-  if (length_m < least_m || length_m > kMost_m) {
-    json.fail(message("a length in metres, from {} to {}", Number{least_m}, Number{kMost_m}));
+  if (length_m < least_m || length_m > kMostCellLength_m) {
+    json.fail(message("a length in metres, from {} to {}", Number{least_m}, Number{kMostCellLength_m}));
   }
   return length_m;
 }
@@ -71,8 +71,7 @@ CellModel readCellModel(const JsonReader& json) {
                     "yaw_sigma_rad"});
   CellModel model;
   model.name = json.at("name").string();
-  constexpr double kLeastSide_m = 1e-3;
-  model.side_m = readLength(json.at("side_m"), kLeastSide_m);
+  model.side_m = readLength(json.at("side_m"), kLeastCellSide_m);
   model.thickness_m = readLength(json.at("thickness_m"), 0);
   model.gap_m = readLength(json.at("gap_m"), 0);
   for (const JsonReader& port : json.at("ports").items()) {

@@ -15,6 +15,11 @@
 namespace hexoderm {
 namespace {
 
+// Tables without lengths.
+constexpr const char* kLinks = "links.csv";
+constexpr const char* kPoses = "poses.csv";
+constexpr const char* kResiduals = "residuals.csv";
+
 using Row = std::vector<CsvField>;
 
 template <class Tag>
@@ -152,7 +157,7 @@ CsvTable sensorTable(const Reconstruction& reconstruction) {
 
 CsvTable linkTable(const Reconstruction& reconstruction) {
   CsvTable table{
-      "links.csv",
+      kLinks,
       {"patch",      "source_cell", "source_port",      "target_cell",      "target_port",      "quality",
        "used",       "muted_by",    "in_tree",          "centred",          "supported",        "weight",
        "singular_1", "singular_2",  "singular_3",       "residual_deg",     "sigma_deg",        "bend_deg",
@@ -179,8 +184,7 @@ CsvTable linkTable(const Reconstruction& reconstruction) {
 
 /// One row a pose; the up direction of each patch stands in columns of its own.
 CsvTable poseTable(const Reconstruction& reconstruction) {
-  CsvTable table{
-      "poses.csv", {"pose", "label", "enabled", "cells_measured", "noise_g", "new_by_deg", "residual_deg"}, {}};
+  CsvTable table{kPoses, {"pose", "label", "enabled", "cells_measured", "noise_g", "new_by_deg", "residual_deg"}, {}};
   for (const PatchReconstruction& patch : reconstruction.patches) {
     const std::string prefix = "patch" + toString(patch.id) + "_up_";
     for (const char* name : {"x", "y", "z", "sigma_deg"}) table.header.push_back(prefix + name);
@@ -204,7 +208,7 @@ CsvTable poseTable(const Reconstruction& reconstruction) {
 }
 
 CsvTable residualTable(const Reconstruction& reconstruction) {
-  CsvTable table{"residuals.csv", {"source_cell", "source_port", "target_cell", "target_port"}, {}};
+  CsvTable table{kResiduals, {"source_cell", "source_port", "target_cell", "target_port"}, {}};
   for (const PoseSummary& pose : reconstruction.poses) table.header.push_back("pose" + toString(pose.pose) + "_deg");
   for (const PatchReconstruction& patch : reconstruction.patches) {
     for (const LinkEstimate& link : patch.links) {
@@ -240,6 +244,11 @@ std::string mismatch(const CsvField& field, const std::string& found) {
 }
 
 }  // namespace
+
+CsvContents csvContents(std::string_view file) {
+  if (file == kLinks || file == kResiduals) return {false, false};
+  return {file != kPoses, true};
+}
 
 std::vector<CsvTable> csvTables(const Reconstruction& reconstruction) {
   return {cellTable(reconstruction), sensorTable(reconstruction),   linkTable(reconstruction),

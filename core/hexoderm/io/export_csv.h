@@ -25,6 +25,13 @@ struct CsvTable {
 /// is empty where its figure is not known. Rows with a place name the patch and the cell whose frame it is in.
 std::vector<CsvTable> csvTables(const Reconstruction& reconstruction);
 
+/// What the table with this name holds: lengths at all, and what is in a patch's frame.
+struct CsvContents {
+  bool lengths = true;
+  bool in_frame = true;
+};
+CsvContents csvContents(std::string_view file);
+
 /// RFC 4180 quoting, UTF-8, lines ended by a line feed, every number exact.
 std::string csvText(const CsvTable& table);
 

@@ -1,5 +1,6 @@
 #include "hexoderm/io/export_manifest.h"
 
+#include "hexoderm/io/export_csv.h"
 #include "hexoderm/io/export_support.h"
 #include "hexoderm/io/export_taxels.h"
 #include "hexoderm/io/skin_tree.h"
@@ -18,15 +19,10 @@ std::string dumped(const ManifestJson& json) {
   return json.dump(2, ' ', false, ManifestJson::error_handler_t::replace) + "\n";
 }
 
-/// Tables of angles and numbers, which are in no frame: of links and of what they leave over in each pose.
-bool isWithoutPlaces(const ManifestFile& file) { return file.name == "links.csv" || file.name == "residuals.csv"; }
-
-ManifestJson lengthUnitOf(const ManifestFile& file, const ExportOptions& options) {
-  const ExportFormatDescription& format = *file.format;
-  if (isWithoutPlaces(file) || file.name == "poses.csv") return nullptr;
+ManifestJson lengthUnitOf(const ExportFormatDescription& format, bool has_lengths, const ExportOptions& options) {
+  if (!has_lengths || format.format == ExportFormat::Dot) return nullptr;
   if (format.format == ExportFormat::Stl && options.stl_unit == LengthUnit::Millimetres) return "mm";
   if (format.format == ExportFormat::Skinware) return "nm";
-  if (format.format == ExportFormat::Dot) return nullptr;
   return "m";
 }
 
@@ -59,11 +55,12 @@ ManifestJson fileJson(const Reconstruction& reconstruction, const ManifestFile& 
     if (!file.coordinates.empty()) json["coordinates"] = file.coordinates;
     return json;
   }
+  const CsvContents contents = file.format->format == ExportFormat::Csv ? csvContents(file.name) : CsvContents();
   ManifestJson json = {{"file", file.name},
                        {"format", file.format->name},
                        {"sha256", file.sha256},
-                       {"length_unit", lengthUnitOf(file, options)}};
-  if (!isWithoutPlaces(file)) json["coordinates"] = coordinatesInWords(reconstruction, file);
+                       {"length_unit", lengthUnitOf(*file.format, contents.lengths, options)}};
+  if (contents.in_frame) json["coordinates"] = coordinatesInWords(reconstruction, file);
   if (!file.format->not_carried.empty()) json["not_carried"] = file.format->not_carried.english();
   json["patches_left_out"] = patchesLeftOutOf(reconstruction, file.selection);
   const auto taxels = [&] { return taxelMap(*reconstruction.model, file.selection.mounted, options); };

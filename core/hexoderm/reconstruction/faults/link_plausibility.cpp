@@ -51,8 +51,7 @@ std::vector<Finding> judgeLinkAngles(const LinkAngles& angles, LinkEnd source, L
   judge(judged.bend_rad, limits.bend_rad, FindingCode::ImplausibleBend, [&](Number angle, Number limit) {
     return message(
         "The {} bends by {} degrees, and a skin link by no more than {}. It is probably a cable or crosses a joint, or "
-        "the "
-        "axes of the accelerometers are not as the cell model says.",
+        "the axes of the accelerometers are not as the cell model says.",
         link, angle, limit);
   });
   judge(judged.twist_rad, limits.twist_rad, FindingCode::ImplausibleTwist, [&](Number angle, Number limit) {

@@ -110,13 +110,23 @@ class SolvedGravityCovariance : public GravityCovariance {
   mutable std::shared_ptr<const GravityCovariance> without_tremor_;
 };
 
+/// Lives with a model of its own: what is asked of a result's covariances later needs both, when the skin may be gone.
+std::shared_ptr<JointProblem> problemOf(const CellModel& model) {
+  struct Owned {
+    CellModel model;
+    JointProblem problem;
+  };
+  const auto owned = std::make_shared<Owned>(Owned{model, {}});
+  owned->problem.model = &owned->model;
+  return {owned, &owned->problem};
+}
+
 }  // namespace
 
 JointRefinement::JointRefinement(const CellModel& model, const SkinGraph& graph, const GravityTable& table,
                                  const SolverOptions& options, const std::vector<std::size_t>& cells,
                                  std::size_t origin, const std::vector<SE3>& placements)
-    : cells_(cells), problem_(std::make_shared<JointProblem>()), solver_(std::make_unique<JointSolver>()) {
-  problem_->model = &model;
+    : cells_(cells), problem_(problemOf(model)), solver_(std::make_unique<JointSolver>()) {
   problem_->gap = gapShareOf(options.gap_model);
   problem_->link_sigma_m = model.link_sigma_m;
   JointState& state = solution_.state;
@@ -370,11 +380,10 @@ std::shared_ptr<const PlacementCovariance> JointRefinement::placementCovariance(
 std::shared_ptr<const GravityCovariance> JointRefinement::gravityCovariance() const {
   SolvedGravityCovariance::Solve solve;
   if (!freed_readings_) {
-    solve = [problem = std::shared_ptr<const JointProblem>(problem_), model = *problem_->model, state = solution_.state,
+    solve = [problem = std::shared_ptr<const JointProblem>(problem_), state = solution_.state,
              own_variances_g2 = own_variances_g2_] {
       constexpr double kLeastVariance_g2 = 1e-10;  // of readings that were simulated without noise
       JointProblem quiet = *problem;
-      quiet.model = &model;
       quiet.loss.threshold = std::numeric_limits<double>::infinity();  // readings are weighed by their noise alone
       for (std::size_t cell = 0; cell < quiet.readings.size(); ++cell) {
         for (std::size_t k = 0; k < quiet.readings[cell].size(); ++k) {

@@ -67,7 +67,7 @@ class JointCovariance {
 
   /// Computes what is to be asked for often, and gives back the factor, which is most of the memory: between() and
   /// timesCells() make it once more from the problem, the same to the last bit, when they are first called. `problem`:
-  /// that of the solution, which must not change any more.
+  /// that of the solution, which must not change any more; it has to keep its model alive.
   void keepProblemInstead(std::shared_ptr<const JointProblem> problem) const;
 
  private:
@@ -95,7 +95,7 @@ class JointSolver {
   /// where they don't; first with softer links where they are far from closed, which stiffen in stages if that is not
   /// enough. Every step solves one linear system.
   JointSolution solve(const JointProblem& problem, const JointState& initial, const JointSolverOptions& options = {});
-  /// At a given state, without a step. Throws std::runtime_error as JointCovariance does.
+  /// At a given state, without a step. Throws Error as JointCovariance does.
   std::shared_ptr<const JointCovariance> covarianceAt(const JointProblem& problem, const JointState& state);
   /// Gives back the memory that only further solutions would need.
   void releaseWorkspace();

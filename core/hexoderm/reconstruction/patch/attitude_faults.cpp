@@ -166,6 +166,7 @@ bool AttitudeIsolation::isolate(std::span<const PatchSolver> patches, std::vecto
   Faults faults(skin_, findings);
   bool found_faults = false;
   bool freed = false;
+  if (!searched_) contradicting_.clear();  // patches may be others than at the last look
   for (const PatchSolver& patch : patches) {
     const bool is_tree = patch.joint() == nullptr;
     if (patch.cells().size() < 2 || (searched_ && !is_tree)) continue;

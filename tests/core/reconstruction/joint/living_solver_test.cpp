@@ -1,6 +1,7 @@
 // One JointSolver for many solutions, and covariances that outlive its factors.
 
 #include "hexoderm/reconstruction/joint/joint_solver.h"
+#include "hexoderm/reconstruction/reconstructor.h"
 #include "tests/core/reconstruction/joint/joint_case.h"
 
 #include <gtest/gtest.h>
@@ -98,6 +99,24 @@ TEST(LivingJointSolver, AFactorMadeOnceMoreIsTheSame) {
     });
   }
   for (std::thread& reader : readers) reader.join();
+}
+
+TEST(LivingJointSolver, WhatAResultIsAskedLaterOutlivesTheResultAndItsSkin) {
+  const auto solve = [] {
+    SimulatedSkinOptions options;
+    options.patch = "sheet:3x4";
+    SimulatedSkin skin(builtInCellModel("hex-bma150"), options);
+    return reconstruct(*simulateSession(skin, 3).snapshot());
+  };
+  const auto whole = solve();
+  const PatchReconstruction& patch = whole->patches.front();
+  const auto covariance = solve()->patches.front().covariance;
+  const auto gravity = solve()->patches.front().gravity_covariance->withoutTremor();
+  for (const CellPlacement& cell : patch.cells) {
+    EXPECT_EQ(covariance->relative(patch.cells.front().cell, cell.cell),
+              patch.covariance->relative(patch.cells.front().cell, cell.cell));
+  }
+  EXPECT_EQ(gravity->forces(0, 1), patch.gravity_covariance->withoutTremor()->forces(0, 1));
 }
 
 }  // namespace

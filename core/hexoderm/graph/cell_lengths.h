@@ -1,0 +1,11 @@
+#pragma once
+
+// Private to graph/.
+
+namespace hexoderm {
+
+// What lengths a cell of any skin for a robot has: whoever writes millimetres is told.
+inline constexpr double kLeastCellSide_m = 1e-3;
+inline constexpr double kMostCellLength_m = 1;
+
+}  // namespace hexoderm
