@@ -68,12 +68,13 @@ class Capture final : public CaptureOwner {
       if (event) std::visit([this](const auto& what) { handle(what); }, *event);
       if (std::exchange(made_progress_, false) || course_.isFileRefused()) last_progress = Clock::now();
       course_.tick();
-      sayThatNoReadingsCome();
+      if (!event) sayThatNoReadingsCome();  // after a long solution news wait that come first
       if (!event && status_.state == SourceState::Ended) break;
       if (status_.state == SourceState::Incompatible) throw DeviceError(located(source_.address(), status_.message));
       if (Clock::now() - last_progress > patience && (!session_ || options_.automatic)) {
-        throw DeviceError(source_.address() + ": nothing for " + formatFixed(options_.timeout_s, 0) +
-                          " s, so this gives up. Its last state: " + whyNothingComes());
+        throw DeviceError(source_.address() +
+                          (session_ ? ": no pose for " : ": the device did not describe itself for ") +
+                          formatFixed(options_.timeout_s, 0) + " s: " + whyNothingComes());
       }
     }
   }
@@ -193,21 +194,23 @@ class Capture final : public CaptureOwner {
       common_.endProgress();
       common_.note(status.message.english());
     }
+    if (status.frames != status_.frames) readings_wait_.begin(hostTime_s());
     status_ = status;
     course_.setSending(status.state == SourceState::Streaming);
   }
 
+  [[nodiscard]] double hostTime_s() const { return std::chrono::duration<double>(Clock::now() - began_).count(); }
+
   /// What the device says of it is in the state's text. Where it is not connected, that has been said.
   void sayThatNoReadingsCome() {
-    if (!session_ || status_.state != SourceState::Streaming) return readings_wait_.begin(Clock::now());
-    const std::optional<double> waited_s = readings_wait_.toBeSaid(Clock::now());
+    if (!session_ || status_.state != SourceState::Streaming) return readings_wait_.begin(hostTime_s());
+    const std::optional<double> waited_s = readings_wait_.toBeSaid(hostTime_s());
     if (!waited_s) return;
     common_.endProgress();
     common_.note("No readings for " + formatFixed(*waited_s, 0) + " s. " + status_.message.english());
   }
 
   void handle(const HoldStatus& hold) {
-    readings_wait_.begin(Clock::now());
     hold_ = hold;
     common_.progress(hold.message.english());
   }
@@ -276,7 +279,8 @@ class Capture final : public CaptureOwner {
   SourceStatus status_;
   HoldStatus hold_;
   Message last_refusal_;  ///< of a turn, since the last pose
-  ReadingsWait readings_wait_;
+  Clock::time_point began_ = Clock::now();
+  LastingWait readings_wait_{3};
   std::shared_ptr<const Reconstruction> result_;
   bool is_unsolved_ = false;
   bool has_news_ = false;  ///< poses that are not in the result

@@ -5,16 +5,16 @@
 
 namespace hexoderm::cli {
 
-void ReadingsWait::begin(Clock::time_point now) {
-  since_ = now;
-  say_after_ = kFirst;
+void LastingWait::begin(double now_s) {
+  since_s_ = now_s;
+  say_after_s_ = first_s_;
 }
 
-std::optional<double> ReadingsWait::toBeSaid(Clock::time_point now) {
-  const Clock::duration waited = now - since_;
-  if (waited < say_after_) return std::nullopt;
-  say_after_ = 2 * waited;
-  return std::chrono::duration<double>(waited).count();
+std::optional<double> LastingWait::toBeSaid(double now_s) {
+  const double waited_s = now_s - since_s_;
+  if (waited_s < say_after_s_) return std::nullopt;
+  say_after_s_ = 2 * waited_s;
+  return waited_s;
 }
 
 std::optional<CaptureEvent> CaptureEvents::next(std::chrono::milliseconds patience) {
@@ -53,21 +53,18 @@ void CaptureEvents::onHold(const HoldStatus& status) {
 }
 
 std::optional<LongWait> CaptureEvents::longWait(const HoldStatus& status) {
-  constexpr double kFirst_s = 5;
   const Stillness& stillness = status.stillness;
   // That the part is to be moved after a capture is no obstacle.
   const bool is_blocked = status.phase == HoldPhase::Watching && stillness.blocker != Blocker::None &&
                           stillness.blocker != Blocker::NotMoved;
-  if (!is_blocked || stillness.blocker != blocker_ || stillness.time_s < blocked_since_s_) {
+  const bool is_set_back = stillness.time_s < std::exchange(last_s_, stillness.time_s);
+  if (!is_blocked || stillness.blocker != blocker_ || is_set_back) {
     blocker_ = is_blocked ? stillness.blocker : Blocker::None;
-    blocked_since_s_ = stillness.time_s;
-    say_after_s_ = kFirst_s;
+    blocked_.begin(stillness.time_s);
     return std::nullopt;
   }
-  const double blocked_s = stillness.time_s - blocked_since_s_;
-  if (blocked_s < say_after_s_) return std::nullopt;
-  say_after_s_ = 2 * blocked_s;
-  return LongWait{blocked_s, stillness.message};
+  const std::optional<double> blocked_s = blocked_.toBeSaid(stillness.time_s);
+  return blocked_s ? std::optional(LongWait{*blocked_s, stillness.message}) : std::nullopt;
 }
 
 void CaptureEvents::onSkin(const SkinDescription& skin) {

@@ -24,21 +24,24 @@ struct LongWait {
   double duration_s = 0;
   Message why;
 };
-/// How long a device that is connected has sent no readings, which is said after 3 s and then ever more rarely.
-class ReadingsWait {
- public:
-  using Clock = std::chrono::steady_clock;
 
-  /// A reading, or anything else that the wait begins anew with.
-  void begin(Clock::time_point now);
+/// How long something is waited for, in seconds of whichever clock: that is said after a while and then ever more
+/// rarely.
+class LastingWait {
+ public:
+  explicit LastingWait(double first_s) : first_s_(first_s), say_after_s_(first_s) {}
+
+  /// What was waited for came.
+  void begin(double now_s);
   /// Seconds, where it is time to say so.
-  std::optional<double> toBeSaid(Clock::time_point now);
+  std::optional<double> toBeSaid(double now_s);
 
  private:
-  static constexpr std::chrono::seconds kFirst{3};
-  Clock::time_point since_ = Clock::now();
-  Clock::duration say_after_ = kFirst;
+  double first_s_;
+  double since_s_ = 0;
+  double say_after_s_;
 };
+
 using CaptureEvent =
     std::variant<SkinDescription, CapturedPose, SourceStatus, CommandOutcome, HoldStatus, LongWait, Stored>;
 
@@ -73,8 +76,8 @@ class CaptureEvents final : public SkinListener, public PoseRecorderListener {
   std::deque<CaptureEvent> events_;
   HoldLedger ledger_;
   Blocker blocker_ = Blocker::None;
-  double blocked_since_s_ = 0;  ///< device time
-  double say_after_s_ = 0;
+  double last_s_ = 0;       ///< device time
+  LastingWait blocked_{5};  ///< device time
   PoseRecorder recorder_;
 };
 

@@ -37,7 +37,7 @@ void requireLinksOfTheRobot(const std::vector<ExportFormat>& formats, const Expo
       throw InvalidArgument(located(std::string(option), error.message()));
     }
   };
-  for (const PatchOnLink& place : options.placements) require(place.link, "--place");
+  for (const PatchOnLink& place : options.placements) require(place.link, "the place of a patch");
   if (!options.in_link.empty()) require(options.in_link, "--in-link");
   if (options.placements.empty() && std::ranges::any_of(formats, hasParent)) require(options.parent_link, "--parent");
 }

@@ -108,13 +108,6 @@ Json optionalJson(const std::optional<double>& value, double factor = 1) {
 
 constexpr double kMilli = 1000;
 
-/// Samples that came before the description; those of cells that it does not have are an offence.
-std::uint64_t undescribedSamples(const ListeningReport& report) {
-  const auto unknown = std::ranges::find(report.offences, OffenceKind::UnknownCell, &Offence::kind);
-  const std::uint64_t of_unknown_cells = unknown == report.offences.end() ? 0 : unknown->count;
-  return report.status.unknown_samples - std::min(report.status.unknown_samples, of_unknown_cells);
-}
-
 Json toJson(const ListeningReport& report, const CommandTrial& trial, const ListenOptions& options) {
   const SourceStatus& status = report.status;
   auto cells = Json::array();
@@ -147,8 +140,8 @@ Json toJson(const ListeningReport& report, const CommandTrial& trial, const List
       {"lost_samples", status.lost_samples},
       {"dropped_by_device", status.dropped_by_device},
       {"late_frames", status.late_frames},
-      {"undescribed_samples", undescribedSamples(report)},
-      {"unknown_samples", status.unknown_samples - undescribedSamples(report)},
+      {"undescribed_samples", status.undescribed_samples},
+      {"unknown_samples", status.unknown_samples},
       {"rejected_messages", status.rejected_messages},
       {"reconnects", status.reconnects},
       {"silent_cells", std::move(silent)},
@@ -218,10 +211,9 @@ void print(const ListeningReport& report, const CommandTrial& trial) {
     printSilent(report.silent_cells);
   }
   std::cout << "On the way: " << status.frames << " frames, " << status.lost_samples << " samples lost, "
-            << status.late_frames << " frames late, " << undescribedSamples(report)
-            << " samples before the description, " << status.unknown_samples - undescribedSamples(report)
-            << " samples of unknown cells, " << status.rejected_messages << " messages rejected, " << status.reconnects
-            << " reconnects\n";
+            << status.late_frames << " frames late, " << status.undescribed_samples
+            << " samples before the description, " << status.unknown_samples << " samples of unknown cells, "
+            << status.rejected_messages << " messages rejected, " << status.reconnects << " reconnects\n";
   if (status.dropped_by_device > 0) {
     std::cout << "The device could not send " << status.dropped_by_device << " samples.\n";
   }

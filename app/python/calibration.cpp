@@ -46,11 +46,8 @@ py::dict optionsOf(const Calibration& self) {
 /// The pose that would help most next; none without a pose so far, for the first may be any.
 std::optional<PoseAdvice> adviceOf(const Calibration& self) {
   const Unlocked unlocked;
-  const PatchReconstruction* patch = largestPatch(*self.result);
-  if (patch == nullptr || patch->gravity.empty()) return std::nullopt;
-  std::vector<Eigen::Vector3d> seen_o;
-  for (const GravityDirection& gravity : patch->gravity) seen_o.push_back(gravity.g_o);
-  return adviseNextPose(*self.result->model, seen_o);
+  const std::vector<Eigen::Vector3d> seen_o = directionsSeen(*self.result);
+  return seen_o.empty() ? std::nullopt : std::optional(adviseNextPose(*self.result->model, seen_o));
 }
 
 std::vector<Comparison> compareToSession(const Calibration& self, const Session& session) {
@@ -144,8 +141,8 @@ void bindCalibration(py::module_& module) {
             const auto advice = adviceOf(self);
             return advice ? adviceInWords(*advice, *self.result).english() : std::string();
           },
-          "The pose that would help most next, in words; empty before the first, which may be any. Whether another\n"
-          "one is needed says verdict.remedy.")
+          "The pose that would help most next, in words; empty before the first, which may be any.\n"
+          "verdict.remedy says whether another one is needed.")
       .def_property_readonly(
           "advised_up",
           [](const Calibration& self) {

@@ -58,8 +58,12 @@ std::string inARow(const std::vector<std::string>& names) {
   }
   const std::size_t placed = args.size() - (signature.has_self && !args.empty() ? 1 : 0);
   if (placed > signature.by_place) {
-    throw py::type_error(call + " takes so many arguments without a name: " + std::to_string(signature.by_place) +
-                         "; found " + std::to_string(placed));
+    const std::string most = std::to_string(signature.by_place);
+    throw py::type_error(call +
+                         (signature.by_place == 0   ? " takes no argument"
+                          : signature.by_place == 1 ? " takes at most 1 argument"
+                                                    : " takes at most " + most + " arguments") +
+                         " without a name, found " + std::to_string(placed));
   }
   for (std::size_t k = placed; k < signature.names.size(); ++k) {
     const std::string& name = signature.names[k];

@@ -15,7 +15,7 @@ std::string foundInWords(pybind11::handle object);
 /// What errors expect where a T is needed.
 template <class T>
 std::string expectedOf() {
-  if constexpr (std::is_same_v<T, std::string>) return "a text";
+  if constexpr (std::is_same_v<T, std::string>) return "a string";
   if constexpr (std::is_same_v<T, bool>) return "True or False";
   if constexpr (std::is_floating_point_v<T>) return "a number";
   if constexpr (std::is_unsigned_v<T>) return "a whole number of at least 0";

@@ -32,18 +32,16 @@ void requireReading(const Eigen::Vector3d& mean_g, const std::string& place) {
 }
 
 void requireCovariance(const Eigen::Matrix3d& cov_g2, const std::string& place) {
-  constexpr double kSymmetricTo = 1e-6;
-  const char* wrong = nullptr;
+  if (isCovariance(cov_g2)) return;
+  const char* wrong = "a positive semidefinite matrix";
   if (!cov_g2.allFinite()) {
     wrong = "finite numbers, or zeros where it is not known";
   } else if (cov_g2.diagonal().minCoeff() < 0) {
     wrong = "variances of at least 0 on the diagonal";
-  } else if (!cov_g2.isApprox(cov_g2.transpose(), kSymmetricTo)) {
+  } else if (isCovariance((cov_g2 + cov_g2.transpose()) / 2)) {
     wrong = "a symmetric matrix";
-  } else if (!isCovariance(cov_g2)) {
-    wrong = "a positive semidefinite matrix";
   }
-  if (wrong != nullptr) throw InvalidArgument(place + ": expected " + wrong);
+  throw InvalidArgument(place + ": expected " + wrong);
 }
 
 Numbers countedFromOne(py::ssize_t count) {
@@ -72,8 +70,8 @@ Session fromArrays(const Given<Doubles>& readings_given, const py::object& links
                    const Given<std::string>& description, const std::optional<py::object>& truth) {
   const Doubles readings = readings_given.as("readings", kNumbers);
   const std::optional<Doubles> covariances = covariances_given.as("covariances", kNumbers);
-  const std::vector<std::string> labels = labels_given.as("labels", "a list of texts");
-  const std::vector<std::string> body_parts = parts_given.as("body_parts", "a list of texts");
+  const std::vector<std::string> labels = labels_given.as("labels", "a list of strings");
+  const std::vector<std::string> body_parts = parts_given.as("body_parts", "a list of strings");
   const Numbers links = wholeNumbers(links_given, "links");
   const std::optional<Numbers> cells = wholeNumbersIfGiven(cells_given, "cells");
   const std::optional<Numbers> counts = wholeNumbersIfGiven(counts_given, "counts");

@@ -37,13 +37,7 @@ void requireSamples(std::size_t samples) {
 using Text = Given<std::string>;
 using Texts = Given<std::vector<std::string>>;
 using Count = Given<std::size_t>;
-constexpr const char* kTexts = "a list of texts";
-
-std::vector<std::string> textsOf(const Texts& texts, const char* name) {
-  // A text by itself would be taken letter by letter.
-  if (py::isinstance<py::str>(texts.object())) failFor(name, kTexts, texts.object());
-  return texts.as(name, kTexts);
-}
+constexpr const char* kTexts = "a list of strings";
 
 Session simulate(const Text& patch, const Text& surface, const Count& poses, const Count& samples,
                  const Given<std::uint64_t>& seed, const Text& link_law, const Given<ModelOrName>& cell_model,
@@ -60,7 +54,7 @@ Session simulate(const Text& patch, const Text& surface, const Count& poses, con
   options.surface = surface.as("surface");
   options.seed = seed.as("seed");
   options.link_law = linkLawFromName(link_law.as("link_law"));
-  for (const std::string& fault : textsOf(faults, "faults")) addFault(fault, "faults", options);
+  for (const std::string& fault : faults.as("faults", kTexts)) addFault(fault, "faults", options);
   // Between the last pose and the one before it.
   options.reglued_before = pose_count == 0 ? 0 : pose_count - 1;
   const Unlocked unlocked;
@@ -77,8 +71,8 @@ Session simulateRobot(const Text& robot, const Count& poses, const Count& sample
   requireSamples(sample_count);
   RobotInWords words;
   words.robot = robot.as("robot");
-  words.packages = textsOf(packages, "packages");
-  words.mounts = textsOf(mounts, "mounts");
+  words.packages = packages.as("packages", kTexts);
+  words.mounts = mounts.as("mounts", kTexts);
   words.base = base.as("base");
   words.patch = patch.as("patch");
   words.surface = surface.as("surface");

@@ -321,10 +321,6 @@
         <translation>Mit einer weiteren Pose fiele der Fehler auf etwa %1 % des jetzigen.</translation>
     </message>
     <message>
-        <source>The directions seen are enough.</source>
-        <translation>Die gesehenen Richtungen genügen.</translation>
-    </message>
-    <message>
         <source>values %1, %2 and %3, of which %4 is enough: %5</source>
         <translation>Werte %1, %2 und %3, von denen %4 genügt: %5</translation>
     </message>
@@ -335,6 +331,10 @@
     <message>
         <source>A third direction is not seen yet: its value is %1, of %2.</source>
         <translation>Eine dritte Richtung ist noch nicht gesehen: Ihr Wert ist %1 von %2.</translation>
+    </message>
+    <message>
+        <source>No further direction is needed, though not all values reach %1.</source>
+        <translation>Es ist keine weitere Richtung nötig, auch wenn nicht alle Werte %1 erreichen.</translation>
     </message>
 </context>
 <context>
@@ -6864,10 +6864,6 @@ Die Balken sagen, wie sehr sich die gesehenen Richtungen in drei Achsen untersch
         <translation>noch keine Haut hat sich beschrieben; bemerkt wird das, während auf die nächste Pose gewartet wird</translation>
     </message>
     <message>
-        <source>nothing for {}, so this gives up. Its last state: {}</source>
-        <translation>nichts seit {}, daher wird aufgegeben. Der letzte Stand: {}</translation>
-    </message>
-    <message>
         <source>a length in metres, from {} to {}</source>
         <translation>eine Länge in Metern, von {} bis {}</translation>
     </message>
@@ -6912,10 +6908,6 @@ Die Balken sagen, wie sehr sich die gesehenen Richtungen in drei Achsen untersch
         <translation>Zelle {} hat in keiner Pose einen Messwert geliefert, und keine Verbindung führt zu einer anderen Zelle.</translation>
     </message>
     <message>
-        <source>What is sent arrives {} times slower than the device&apos;s clock says: the line is too slow, or the device waits for it. Send fewer samples, or means.</source>
-        <translation>Was gesendet wird, kommt {}-mal langsamer an, als die Uhr des Geräts sagt: Die Leitung ist zu langsam, oder das Gerät wartet auf sie. Weniger Messwerte oder Mittelwerte senden.</translation>
-    </message>
-    <message>
         <source>A neighbour is at port 0, which cell model {} does not have: are the ports counted from 0? Then the links at the other ports are wrong, too.</source>
         <translation>Ein Nachbar ist an Port 0, den das Zellmodell {} nicht hat: Werden die Ports von 0 an gezählt? Dann sind auch die Verbindungen an den anderen Ports falsch.</translation>
     </message>
@@ -6952,10 +6944,6 @@ Die Balken sagen, wie sehr sich die gesehenen Richtungen in drei Achsen untersch
         <translation>seit {} nur kaputte Bytes (stimmt die Baudrate? jetzt {}); neue Verbindung in {}</translation>
     </message>
     <message>
-        <source>command {} was sent {} times, and the device is still at it (does it begin anew each time?)</source>
-        <translation>Befehl {} wurde {}-mal gesendet, und das Gerät ist immer noch dabei (beginnt es jedes Mal von vorn?)</translation>
-    </message>
-    <message>
         <source>The {} bends by {} degrees, and a skin link by no more than {}. It is probably a cable or crosses a joint, or the axes of the accelerometers are not as the cell model says.</source>
         <translation>Die {} ist um {} Grad gebogen, eine Hautverbindung höchstens um {}. Wahrscheinlich ist sie ein Kabel oder überquert ein Gelenk, oder die Achsen der Beschleunigungssensoren sind nicht so, wie das Zellmodell sagt.</translation>
     </message>
@@ -6966,6 +6954,26 @@ Die Balken sagen, wie sehr sich die gesehenen Richtungen in drei Achsen untersch
     <message>
         <source>The {} is turned in the surface by {} degrees, and a skin link by no more than {}. A port number is probably wrong, or it is a cable, or the axes of the accelerometers are not as the cell model says.</source>
         <translation>Die {} ist in der Fläche um {} Grad gedreht, eine Hautverbindung höchstens um {}. Wahrscheinlich ist eine Portnummer falsch, oder sie ist ein Kabel, oder die Achsen der Beschleunigungssensoren sind nicht so, wie das Zellmodell sagt.</translation>
+    </message>
+    <message>
+        <source>no pose for {}: {}</source>
+        <translation>{} lang keine Pose: {}</translation>
+    </message>
+    <message>
+        <source>the device did not describe itself for {}: {}</source>
+        <translation>das Gerät hat sich {} lang nicht beschrieben: {}</translation>
+    </message>
+    <message>
+        <source>What is sent arrives {} times slower than the device&apos;s clock says: the line is too slow, or the device waits for it (send fewer samples, or means), or its clock runs too fast; a recording may be played slowly.</source>
+        <translation>Was gesendet wird, kommt {}-mal langsamer an, als die Uhr des Geräts sagt: Die Leitung ist zu langsam, oder das Gerät wartet auf sie (weniger Messwerte oder Mittelwerte senden), oder seine Uhr geht zu schnell; eine Aufzeichnung wird vielleicht langsam abgespielt.</translation>
+    </message>
+    <message>
+        <source>says {} Hz, but a cell&apos;s samples come {} times a second by the device&apos;s own clock; is it another rate, or is time_us wrong?</source>
+        <translation>sagt {} Hz, aber die Messwerte einer Zelle kommen nach der eigenen Uhr des Geräts {}-mal in der Sekunde; ist es eine andere Rate, oder ist time_us falsch?</translation>
+    </message>
+    <message>
+        <source>a command was sent {} times, and the device is still at it (does it begin anew each time?)</source>
+        <translation>ein Befehl wurde {}-mal gesendet, und das Gerät ist noch immer dabei (fängt es jedes Mal von vorne an?)</translation>
     </message>
 </context>
 <context>
@@ -11002,10 +11010,6 @@ Auf einem entfernten Bildschirm oder mit einem fehlerhaften Treiber kann es helf
         <translation>Nicht &amp;neu aufnehmen</translation>
     </message>
     <message>
-        <source>There are no findings</source>
-        <translation>Es gibt keine Befunde</translation>
-    </message>
-    <message>
         <source>Set link &amp;aside</source>
         <translation>Verbindung &amp;ausschließen</translation>
     </message>
@@ -11240,6 +11244,10 @@ Auf einem entfernten Bildschirm oder mit einem fehlerhaften Treiber kann es helf
     <message>
         <source>The result of now beside an earlier one, seen from the same side, or with arrows between them</source>
         <translation>Das jetzige Ergebnis neben einem früheren, von derselben Seite gesehen, oder mit Pfeilen dazwischen</translation>
+    </message>
+    <message>
+        <source>Nothing was found that does not fit</source>
+        <translation>Es wurde nichts gefunden, was nicht passt</translation>
     </message>
 </context>
 <context>

@@ -125,7 +125,8 @@ QString missingInWords(const PoseCoverage& coverage, const std::optional<Eigen::
     return coverage.quality == EdgeQuality::Over
                ? CaptureWords::tr("No direction is missing: all three values reach %1.")
                      .arg(figureInWords(coverage.threshold, 2))
-               : CaptureWords::tr("The directions seen are enough.");
+               : CaptureWords::tr("No further direction is needed, though not all values reach %1.")
+                     .arg(figureInWords(coverage.threshold, 2));
   }
   const MissingDirection& missing = *coverage.missing;
   if (missing.which == 1) return CaptureWords::tr("No pose yet: any direction will do.");

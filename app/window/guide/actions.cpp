@@ -1,5 +1,6 @@
 #include "app/window/guide/actions.h"
 
+#include "hexoderm/reconstruction/advice/assess.h"
 #include "widgets/words/words.h"
 
 #include <QMenu>
@@ -366,8 +367,8 @@ void WindowActions::refresh(const SessionController& controller, std::optional<i
   recapture->setText(waits ? tr("Don't &recapture") : tr("&Recapture pose"));
   allow(recapture, no_recapture);
   refreshRetake(controller);
-  const bool has_findings = controller.reconstruction() && !controller.reconstruction()->findings.empty();
-  allow(show_finding, has_findings ? QString() : tr("There are no findings"));
+  const bool is_misfit = controller.reconstruction() && worstFinding(*controller.reconstruction()) != nullptr;
+  allow(show_finding, is_misfit ? QString() : tr("Nothing was found that does not fit"));
 
   const QString nothing = controller.reconstruction() ? QString() : tr("There is nothing to look at yet");
   for (QAction* action : {find_cell, figures, fit, front, back, side, top, isometric, plot, compare})

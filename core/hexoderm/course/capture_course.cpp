@@ -18,11 +18,9 @@ std::set<CellId> cellsOf(const NeighborList& neighbors) {
 }  // namespace
 
 AdviceAnswer adviseOn(const AdviceQuestion& question) {
-  std::vector<Eigen::Vector3d> seen_o;
-  for (const GravityDirection& gravity : largestPatch(*question.seen)->gravity) seen_o.push_back(gravity.g_o);
   AdviceAnswer answer;
   answer.number = question.number;
-  answer.advice = adviseNextPose(*question.seen->model, seen_o, question.unreachable);
+  answer.advice = adviseNextPose(*question.seen->model, directionsSeen(*question.seen), question.unreachable);
   const std::optional<NextPose> next = describeNextPose(answer.advice, *question.seen);
   answer.is_wanted = next && next->isWanted();
   return answer;

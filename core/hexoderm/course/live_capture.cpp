@@ -236,8 +236,10 @@ class LiveCapture::Run final : public CaptureOwner, public SkinListener, public 
     if (status.state == SourceState::Incompatible) throw DeviceError(located(source_->address(), status.message));
     if (Clock::now() - last_progress_ > std::chrono::duration<double>(options_.timeout_s) &&
         (!session_ || options_.automatic)) {
-      throw DeviceError(located(source_->address(), message("nothing for {}, so this gives up. Its last state: {}",
-                                                            Seconds{options_.timeout_s, 0}, whyNothingComes())));
+      const Seconds waited{options_.timeout_s, options_.timeout_s < 1 ? 1 : 0};
+      throw DeviceError(located(source_->address(), session_ ? message("no pose for {}: {}", waited, whyNothingComes())
+                                                             : message("the device did not describe itself for {}: {}",
+                                                                       waited, whyNothingComes())));
     }
   }
 

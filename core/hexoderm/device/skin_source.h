@@ -44,11 +44,13 @@ inline constexpr std::chrono::milliseconds kSilentAfter{800};
 /// Counters are since start().
 struct SourceStatus {
   SourceState state = SourceState::Stopped;
-  Message message;                      ///< one line for people: what, where, and what happens next
-  std::uint64_t frames = 0;             ///< sample frames delivered
-  std::uint64_t lost_samples = 0;       ///< the device's numbering says they were sent; they never came, or too late
-  std::uint64_t late_frames = 0;        ///< older than what was delivered, or twice: not delivered
-  std::uint64_t unknown_samples = 0;    ///< samples of cells that the topology does not have; not delivered
+  Message message;                    ///< one line for people: what, where, and what happens next
+  std::uint64_t frames = 0;           ///< sample frames delivered
+  std::uint64_t lost_samples = 0;     ///< the device's numbering says they were sent; they never came, or too late
+  std::uint64_t late_frames = 0;      ///< older than what was delivered, or twice: not delivered
+  std::uint64_t unknown_samples = 0;  ///< samples of cells that the topology does not have; not delivered
+  std::uint64_t undescribed_samples =
+      0;                                ///< came before a description, or while a changed one was not used yet; neither
   std::uint64_t rejected_messages = 0;  ///< broken on the way (length, CRC, syntax) or without sense: not delivered
   std::uint64_t reconnects = 0;
   std::uint64_t dropped_by_device = 0;  ///< samples that it could not send, as it said last; since it started itself

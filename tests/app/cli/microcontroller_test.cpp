@@ -218,9 +218,14 @@ class RawHost {
   RawHost(const RawHost&) = delete;
   RawHost& operator=(const RawHost&) = delete;
 
-  void send(const skinwire::Message& message) const {
-    const skinwire::Bytes frame = skinwire::encodeFrame(skinwire::Framing::Cobs, message);
-    ASSERT_EQ(::write(port_, frame.data(), frame.size()), static_cast<ssize_t>(frame.size()));
+  /// All in one piece.
+  void send(std::initializer_list<skinwire::Command> commands) const {
+    skinwire::Bytes bytes;
+    for (const skinwire::Command& command : commands) {
+      const skinwire::Bytes frame = skinwire::encodeFrame(skinwire::Framing::Cobs, command);
+      bytes.insert(bytes.end(), frame.begin(), frame.end());
+    }
+    ASSERT_EQ(::write(port_, bytes.data(), bytes.size()), static_cast<ssize_t>(bytes.size()));
   }
   skinwire::Ack nextAck() {
     while (true) {
@@ -244,8 +249,7 @@ TEST_F(Microcontroller, ACommandThatComesAgainIsNotBegunAnew) {
   ASSERT_FALSE(board.address().empty()) << board.said();
   RawHost host(board.address());
   const skinwire::Command turn{7, skinwire::TurnTo{2, -Eigen::Vector3d::UnitX()}};
-  host.send(turn);
-  host.send(turn);
+  host.send({turn, turn});  // in one piece: the board turns for little more than a second
   const skinwire::Ack working{7, false, "", true};
   const skinwire::Ack done{7, true, "", false};
   EXPECT_EQ(host.nextAck(), working) << "the second one is answered at once";
@@ -253,8 +257,7 @@ TEST_F(Microcontroller, ACommandThatComesAgainIsNotBegunAnew) {
   while (last == working) last = host.nextAck();
   EXPECT_EQ(last, done);
   // The same number from a host that starts anew is another command.
-  host.send(turn);
-  host.send(skinwire::Command{7, skinwire::TurnTo{2, Eigen::Vector3d::UnitX()}});
+  host.send({turn, skinwire::Command{7, skinwire::TurnTo{2, Eigen::Vector3d::UnitX()}}});
   last = host.nextAck();
   while (last == working) last = host.nextAck();
   EXPECT_EQ(last, (skinwire::Ack{7, false, "another turn was asked for", false}));

@@ -27,12 +27,12 @@ class Arguments(unittest.TestCase):
         self.expect("support_axes: expected auto, on or off, found bool: True", solve, self.session, support_axes=True)
         self.expect("earlier: expected a Calibration, found int: 1", solve, self.session, earlier=1)
         self.expect("poses: expected a whole number of at least 0, found int: -1", simulate, poses=-1)
-        self.expect("faults: expected a list of texts, found str: 'dead:1'", simulate, faults="dead:1")
+        self.expect("faults: expected a list of strings, found str: 'dead:1'", simulate, faults="dead:1")
         self.expect("seed: expected a whole number of at least 0, found float: 1.5", hexoderm.simulate_robot, seed=1.5)
         self.expect("readings: expected an array of numbers, found str: 'x'", from_arrays, "x", links)
-        self.expect("labels: expected a list of texts, found int: 1", from_arrays, readings, links, labels=1)
+        self.expect("labels: expected a list of strings, found int: 1", from_arrays, readings, links, labels=1)
         self.expect("poses: expected a whole number of at least 0, found int: -1", hexoderm.Capture, "sim:x17", poses=-1)
-        self.expect("source: expected a text, found NoneType: None", hexoderm.Capture, None)
+        self.expect("source: expected a string, found NoneType: None", hexoderm.Capture, None)
         with self.assertRaisesRegex(TypeError, r"cell_model: expected a CellModel, .*from_json.*, found dict: {'a': 1}"):
             from_arrays(readings, links, cell_model={"a": 1})
         self.assertRaisesRegex(TypeError, "cell_model: expected a CellModel", hexoderm.read, "none", cell_model=3)
@@ -49,8 +49,8 @@ class Arguments(unittest.TestCase):
         self.expect("solve() needs session", hexoderm.solve)
         self.expect("Capture() needs source", hexoderm.Capture, poses=3)
         self.expect("from_arrays() needs links", hexoderm.Session.from_arrays, [])
-        self.expect("solve() takes so many arguments without a name: 1; found 2", hexoderm.solve, self.session, "tree")
-        self.expect("simulate() takes so many arguments without a name: 0; found 1", hexoderm.simulate, "x17")
+        self.expect("solve() takes at most 1 argument without a name, found 2", hexoderm.solve, self.session, "tree")
+        self.expect("simulate() takes no argument without a name, found 1", hexoderm.simulate, "x17")
 
     def test_help_is_about_the_function(self):
         for function in (hexoderm.solve, hexoderm.simulate, hexoderm.simulate_robot, hexoderm.Session.from_arrays,

@@ -162,10 +162,13 @@ void Listening::remark(ListeningReport& report) const {
   constexpr double kLeast_s = 2;
   constexpr double kSlow = 1.3;
   if (host_s_ >= kLeast_s && device_s_ > 0) report.slowness = host_s_ / device_s_;
-  if (report.slowness && *report.slowness >= kSlow) {
+  // Times in another unit are an offence, which says more.
+  const bool is_time_known = reasonOf(report.offences, {OffenceKind::TimeUnit, OffenceKind::NoTime}) == nullptr;
+  if (report.slowness && *report.slowness >= kSlow && is_time_known) {
     report.remarks.push_back(
         message("What is sent arrives {} times slower than the device's clock says: the line is too slow, or the "
-                "device waits for it. Send fewer samples, or means.",
+                "device waits for it (send fewer samples, or means), or its clock runs too fast; a recording may be "
+                "played slowly.",
                 Number{*report.slowness, 1}));
   }
 }
@@ -202,13 +205,13 @@ void Listening::judge(ListeningReport& report) const {
                                        ? reasonOf(report.offences, {OffenceKind::TimeBackwards})
                                        : nullptr) {
     report.obstacle = *late;
-  } else if (report.links_agreed == 0) {
-    report.obstacle = message("There is no link that both of its cells report; a calibration needs joined cells.");
   } else if (countsPortsFromZero(*skin_)) {
     report.obstacle = message(
         "A neighbour is at port 0, which cell model {} does not have: are the ports counted from 0? Then the links at "
         "the other ports are wrong, too.",
         skin_->model->name);
+  } else if (report.links_agreed == 0) {
+    report.obstacle = message("There is no link that both of its cells report; a calibration needs joined cells.");
   } else if (const std::size_t lone = loneCells(graph); 2 * lone > graph.cells().size()) {
     // As after a capture.
     report.obstacle =

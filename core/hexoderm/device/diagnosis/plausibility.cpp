@@ -46,11 +46,18 @@ std::optional<Offence> offenceOfRate(double step_us, double stated_hz) {
   const double measured_hz = 1e6 / step_us;
   if (!(stated_hz > 0) || (measured_hz < stated_hz * kRoom && measured_hz > stated_hz / kRoom)) return std::nullopt;
   if (!unitOfStep(stated_hz / measured_hz).empty() || !unitOfStep(measured_hz / stated_hz).empty()) return std::nullopt;
-  return Offence{OffenceKind::WrongValue,
-                 located("hello.rate_hz",
-                         message("says {} Hz, but a cell's samples come {} times a second by the device's own clock; "
-                                 "are ticks left out, or is time_us wrong?",
-                                 Number{stated_hz}, Number{measured_hz, 1}))};
+  const Number stated{stated_hz};
+  const Number measured{measured_hz, 1};
+  return Offence{
+      OffenceKind::WrongValue,
+      located("hello.rate_hz",
+              measured_hz < stated_hz
+                  ? message("says {} Hz, but a cell's samples come {} times a second by the device's own clock; are "
+                            "ticks left out, or is time_us wrong?",
+                            stated, measured)
+                  : message("says {} Hz, but a cell's samples come {} times a second by the device's own clock; is it "
+                            "another rate, or is time_us wrong?",
+                            stated, measured))};
 }
 
 }  // namespace

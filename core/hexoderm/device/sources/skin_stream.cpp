@@ -62,6 +62,7 @@ void SkinStream::restart() {
   joint_names_.clear();
   is_exploring_ = false;
   was_heard_ = false;
+  was_rejected_ = false;
   times_asked_ = 0;
   undescribed_since_.reset();
   startCounting();
@@ -152,6 +153,7 @@ void SkinStream::countRejected(const Message& why, OffenceKind kind) {
 
 void SkinStream::reject(const Message& why) {
   last_rejection_ = printable(why);
+  was_rejected_ = true;
   ++status_.rejected_messages;
   counters_changed_ = true;
 }
@@ -298,7 +300,7 @@ SkinStream::Effect SkinStream::takeSamples(const skinwire::Samples& samples) {
   const std::size_t ticks = samples.ticks();
   const std::size_t count = ticks * samples.cells.size();
   if (!isDescribed() || is_model_held_) {
-    status_.unknown_samples += count;
+    status_.undescribed_samples += count;
     counters_changed_ = counters_changed_ || count > 0;
     return Effect::Alive;
   }

@@ -175,7 +175,8 @@ class SkinStream {
   bool is_exploring_ = false;
   bool is_topology_judged_ = true;
   bool is_first_piece_forgiven_ = false;
-  bool was_heard_ = false;  ///< a message came on this connection
+  bool was_heard_ = false;     ///< a message came on this connection
+  bool was_rejected_ = false;  ///< one that was rejected came on it, which may have been an answer
   std::uint64_t times_asked_ = 0;
   bool is_baud_noted_ = false;
   std::optional<Clock::time_point> undescribed_since_;

@@ -116,9 +116,11 @@ void SkinStream::noteSequence(const skinwire::Samples& samples) {
 
 void SkinStream::judgeFrame(const skinwire::Samples& samples, std::uint64_t time_us) {
   note(reading_check_.add(frame_, model_->accelerometer, readingsField(samples)));
-  if (frame_.samples.empty()) return;
-  note(clock_check_.addSample(frame_.samples.front().cell, time_us, hello_.rate_hz, model_->accelerometer.rate_hz,
-                              status_.lost_samples == 0));
+  // Cells may come in any order. What is lost on the way is known only where samples are numbered.
+  const bool is_whole = samples.sequence && status_.lost_samples == 0;
+  for (const CellSample& sample : frame_.samples) {
+    note(clock_check_.addSample(sample.cell, time_us, hello_.rate_hz, model_->accelerometer.rate_hz, is_whole));
+  }
 }
 
 void SkinStream::judgeClock(Clock::time_point now) {
@@ -137,7 +139,7 @@ void SkinStream::noteMissingDescription() {
   if (isDescribed() || !was_heard_ || !model_complaint_.empty()) return;
   constexpr std::uint64_t kAskedInVain = 2;
   noteOnce(Offence{OffenceKind::NotDescribed,
-                   !has_hello_ && times_asked_ >= kAskedInVain
+                   !has_hello_ && times_asked_ >= kAskedInVain && !was_rejected_
                        ? message("no hello came that can be used, and the device did not answer Describe {} times: is "
                                  "its RX connected?",
                                  times_asked_)

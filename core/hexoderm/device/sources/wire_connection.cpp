@@ -12,9 +12,6 @@ using skinwire::Bytes;
 using skinwire::Framing;
 
 constexpr std::chrono::milliseconds kTick(50);
-constexpr std::chrono::milliseconds kRepeatCommand(400);
-// The answer to what the device is at may be lost like any other.
-constexpr std::chrono::milliseconds kRepeatWorking(1000);
 constexpr std::size_t kMaxPending = 256;
 
 Seconds seconds(std::chrono::steady_clock::duration duration) {
@@ -298,7 +295,7 @@ void WireConnection::tendCommands(Clock::time_point now) {
     if (now >= pending.deadline) {
       expired.push_back(number);
     } else if (address_.kind == WireAddress::Kind::Udp &&
-               now - pending.sent >= (pending.is_working ? kRepeatWorking : kRepeatCommand)) {
+               now - pending.sent >= (pending.is_working ? options_.repeat_working : options_.repeat_command)) {
       pending.sent = now;
       ++pending.times_sent;
       transport_->write(pending.frame);
@@ -310,11 +307,11 @@ void WireConnection::tendCommands(Clock::time_point now) {
 }
 
 Message WireConnection::endlessCommand() const {
-  constexpr std::uint64_t kMany = 10;
+  constexpr std::uint64_t kMany = 60;  // a slow robot turns for half a minute
   for (const auto& [number, pending] : pending_) {
     if (!pending.is_working || pending.times_sent < kMany) continue;
-    return message("command {} was sent {} times, and the device is still at it (does it begin anew each time?)",
-                   number, pending.times_sent);
+    return message("a command was sent {} times, and the device is still at it (does it begin anew each time?)",
+                   pending.times_sent);
   }
   return {};
 }

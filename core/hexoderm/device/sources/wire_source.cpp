@@ -19,6 +19,7 @@ void WireOptions::validate() const {
         "silent_after above 0 and reconnect_after not below it");
   check(describe_every.count() > 0, "describe_every above 0");
   check(command_timeout.count() > 0, "command_timeout above 0");
+  check(repeat_command.count() > 0 && repeat_working.count() > 0, "repeat_command and repeat_working above 0");
 }
 
 struct WireSource::Impl {

@@ -16,6 +16,8 @@ struct WireOptions {
   std::chrono::milliseconds reconnect_after{3000};       ///< ... for so long: the connection is made anew
   std::chrono::milliseconds describe_every{1000};        ///< how often the device is asked, where it has to be
   std::chrono::milliseconds command_timeout{3000};       ///< without an Ack
+  std::chrono::milliseconds repeat_command{400};         ///< over UDP, until there is an Ack
+  std::chrono::milliseconds repeat_working{1000};        ///< ... of which the last one may be lost like any other
 
   /// Throws InvalidArgument naming the option: everything above 0, and ends not before beginnings.
   void validate() const;

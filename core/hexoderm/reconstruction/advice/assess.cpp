@@ -48,14 +48,6 @@ Uncertainty95 worstUncertainty(const Reconstruction& r) {
   return worst;
 }
 
-std::vector<Eigen::Vector3d> directionsSeen(const Reconstruction& r) {
-  std::vector<Eigen::Vector3d> seen;
-  const PatchReconstruction* largest = largestPatch(r);
-  if (largest == nullptr) return seen;
-  for (const GravityDirection& gravity : largest->gravity) seen.push_back(gravity.g_o);
-  return seen;
-}
-
 /// Cells that no link joins to another.
 std::size_t loneCells(const Reconstruction& r) {
   return static_cast<std::size_t>(

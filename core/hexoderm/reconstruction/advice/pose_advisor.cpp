@@ -89,6 +89,14 @@ PoseAdvice adviseNextPose(const CellModel& model, const std::vector<Eigen::Vecto
   return advice;
 }
 
+std::vector<Eigen::Vector3d> directionsSeen(const Reconstruction& reconstruction) {
+  std::vector<Eigen::Vector3d> seen;
+  const PatchReconstruction* largest = largestPatch(reconstruction);
+  if (largest == nullptr) return seen;
+  for (const GravityDirection& gravity : largest->gravity) seen.push_back(gravity.g_o);
+  return seen;
+}
+
 Message adviceInWords(const PoseAdvice& advice, const Reconstruction& reconstruction) {
   const PatchReconstruction* patch = largestPatch(reconstruction);
   if (patch == nullptr) return {};

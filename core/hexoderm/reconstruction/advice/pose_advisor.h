@@ -25,6 +25,9 @@ struct PoseAdvice {
 PoseAdvice adviseNextPose(const CellModel& model, const std::vector<Eigen::Vector3d>& seen,
                           const std::vector<Eigen::Vector3d>& unreachable = {});
 
+/// The up directions of the poses so far in the frame of the largest patch, for adviseNextPose(); none without a patch.
+std::vector<Eigen::Vector3d> directionsSeen(const Reconstruction& reconstruction);
+
 /// "Turn the part so that cell 7 faces the floor": the cell of the largest patch whose front points most exactly up or
 /// down when `advice` is followed. Empty if there is no patch.
 Message adviceInWords(const PoseAdvice& advice, const Reconstruction& reconstruction);

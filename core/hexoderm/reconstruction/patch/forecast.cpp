@@ -40,9 +40,7 @@ std::optional<Forecast> forecastOf(const SkinLinks& skin, std::span<const PatchS
   if (forecast.now.orientation_rad <= kGoodOrientation_rad && forecast.now.position_m <= kGoodPosition_m) {
     return std::nullopt;
   }
-  std::vector<Eigen::Vector3d> seen;
-  for (const GravityDirection& gravity : largest->gravity) seen.push_back(gravity.g_o);
-  const PoseAdvice advice = adviseNextPose(skin.model(), seen);
+  const PoseAdvice advice = adviseNextPose(skin.model(), directionsSeen(reconstruction));
   forecast.with_pose = worstWith(*largest, patch.joint()->covariancesWithPose(advice.up));
   findLackingReadings(skin, patch, forecast);
   forecast.with_all_readings = forecast.now;

@@ -108,10 +108,29 @@ TEST(Listening, SaysThatALineIsTooSlow) {
   ASSERT_EQ(slow.remarks.size(), 1U);
   EXPECT_THAT(slow.remarks[0].english(), HasSubstr("arrives 3.3 times slower than the device's clock says"));
   EXPECT_THAT(heardAt(30, 30).remarks, testing::IsEmpty());
+  // Of times in milliseconds the offence says more.
+  Listening listening;
+  listening.onSkin(threeCells());
+  SourceStatus status;
+  status.offences = {{OffenceKind::TimeUnit, message("milliseconds?")}};
+  listening.onStatus(status);
+  for (int k = 0; k < 200; ++k) {
+    SampleFrame frame;
+    frame.time_s = 5 + k / 1e5;
+    frame.samples = {{CellId(1), Eigen::Vector3d::UnitZ()}};
+    listening.add(frame, Listening::Clock::time_point(std::chrono::milliseconds(30 * k)));
+  }
+  EXPECT_THAT(listening.report().remarks, testing::IsEmpty());
 }
 
 TEST(Listening, SaysWhatACaptureWouldSayOfLinks) {
   SkinDescription skin = threeCells();
+  for (CellReport& cell : skin.neighbors) cell.neighbors = {{PortNumber(0), CellId(2), {}}};
+  Listening all_from_zero = heard(0.02, 100);
+  all_from_zero.onSkin(skin);
+  EXPECT_THAT(all_from_zero.report().obstacle.english(), HasSubstr("are the ports counted from 0?"))
+      << "where no link is left, too";
+  skin = threeCells();
   skin.neighbors[0].neighbors.push_back({PortNumber(0), CellId(2), {}});
   Listening from_zero = heard(0.02, 100);
   from_zero.onSkin(skin);

@@ -62,7 +62,7 @@ TEST_F(SkinStreamTest, DescribesBeforeItDelivers) {
   EXPECT_EQ(delivered.frames[1].time_s, 0.004);
   EXPECT_EQ(delivered.frames[1].samples[1].cell, CellId(2));
   EXPECT_EQ(delivered.frames[1].samples[1].acceleration_g, Eigen::Vector3d(-512, 511, 239) * 0.00390625);
-  EXPECT_EQ(status().unknown_samples, 4U) << "those before the description";
+  EXPECT_EQ(status().undescribed_samples, 4U) << "those before the description";
 }
 
 TEST_F(SkinStreamTest, SaysTheSameDescriptionOnceAndANewOneAgain) {
@@ -250,7 +250,7 @@ TEST_F(SkinStreamTest, SamplesAreNeverReadByTheModelThatWasBefore) {
   // The fifth change waits, and so do samples until it is passed on.
   ASSERT_EQ(frames(), 4U);
   EXPECT_EQ(listener.delivered().frames.back().samples[0].acceleration_g.z(), 4 * 256);
-  EXPECT_EQ(status().unknown_samples, 1U);
+  EXPECT_EQ(status().undescribed_samples, 1U);
   now += ChangeBudget::kEvery;
   take(oneSample(1, 9000));
   EXPECT_EQ(listener.delivered().frames.back().samples[0].acceleration_g.z(), 5 * 256);
@@ -272,6 +272,34 @@ TEST_F(SkinStreamTest, CellsThatAreNotInTheTopologyAreLeftOutAndCounted) {
   EXPECT_EQ(delivered.frames[0].temperatures[0].cell, CellId(1));
   EXPECT_TRUE(delivered.frames[1].temperatures.empty());
   EXPECT_EQ(status().unknown_samples, 3U);
+}
+
+/// A tick of both cells, in this order or the other.
+Samples tickOfBoth(std::uint64_t tick, bool other_order, std::uint64_t step_us) {
+  Samples samples;
+  samples.sequence = 2 * tick;
+  samples.time_us = 1000 + step_us * tick;
+  samples.cells = other_order ? std::vector<std::uint32_t>{2, 1} : std::vector<std::uint32_t>{1, 2};
+  samples.raw_lsb = {0, 0, 256, 0, 0, 256};
+  return samples;
+}
+
+TEST_F(SkinStreamTest, TheRateIsJudgedInWhateverOrderCellsComeIfNoneIsLost) {
+  constexpr std::uint64_t kStated_us = 1000;
+  const auto isRateWrong = [this](std::uint64_t step_us, bool is_numbered) {
+    stream.restart();
+    describe();
+    for (std::uint64_t k = 0; k < 200; ++k) {
+      Samples samples = tickOfBoth(k, k % 2 == 1, step_us);
+      if (!is_numbered) samples.sequence.reset();
+      take(samples);
+    }
+    const std::vector<Offence> offences = status().offences;
+    return std::ranges::find(offences, OffenceKind::WrongValue, &Offence::kind) != offences.end();
+  };
+  EXPECT_FALSE(isRateWrong(kStated_us, true));
+  EXPECT_FALSE(isRateWrong(2 * kStated_us, false)) << "every other one may have been lost";
+  EXPECT_TRUE(isRateWrong(2 * kStated_us, true));
 }
 
 TEST_F(SkinStreamTest, ACellTwiceInAMessageIsRefused) {
