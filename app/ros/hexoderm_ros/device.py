@@ -8,8 +8,8 @@ import socket
 import threading
 import time
 
+from hexoderm_ros.console import say
 from hexoderm_ros.stream import Stream
-from hexoderm_ros.watch import say
 
 MOST_WAITING_BYTES = 1 << 20  # for a host that takes nothing; samples beyond are dropped
 IDLE_S = 0.3  # when nothing comes any more, what is held is sent

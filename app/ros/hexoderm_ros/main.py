@@ -6,12 +6,13 @@ import os
 import socket
 import sys
 
+from hexoderm_ros.console import say
 from hexoderm_ros.device import Device
 from hexoderm_ros.errors import AddressError, InputError, UsageError
 from hexoderm_ros.intake import Intake
 from hexoderm_ros.options import parsed
 from hexoderm_ros.skin import read_skin
-from hexoderm_ros.watch import Watch, say
+from hexoderm_ros.watch import Watch
 
 
 def _ros(version):

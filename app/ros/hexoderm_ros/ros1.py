@@ -1,8 +1,10 @@
 """The node of ROS 1 (rospy)."""
 
+import http.client
 import signal
 import threading
 import time
+import xmlrpc.client
 
 import genpy.dynamic
 import geometry_msgs.msg
@@ -12,8 +14,9 @@ import sensor_msgs.msg
 import tf2_ros
 
 from hexoderm_ros import readings
+from hexoderm_ros.console import say
 from hexoderm_ros.errors import UsageError
-from hexoderm_ros.watch import NOBODY, SENDS_NOTHING, say, watching
+from hexoderm_ros.watch import NOBODY, SENDS_NOTHING, watching
 
 QUEUE = 1000  # messages of a topic, while others are dealt with
 ASK_EVERY_S = 0.5
@@ -72,21 +75,23 @@ def _begin(name):
 
 
 def _why_nothing_comes(master, imus):
-    """For a Watch: why nothing comes on a topic, by what the master knows."""
-    wanted = {rospy.resolve_name(topic) for topic in imus}
+    """For a Watch: why nothing comes on topics, by what the master knows."""
 
-    def why(topic):
+    def reason(topic, publishers, kinds):
         name = rospy.resolve_name(topic)
-        try:
-            publishers = {each for each, nodes in master.getSystemState()[0] if nodes}
-            kind = dict(master.getTopicTypes()).get(name)
-        except (OSError, rosgraph.MasterException):
-            return ("the ROS master does not answer",) * 2
         if name not in publishers:
             return NOBODY
-        if name in wanted and kind != sensor_msgs.msg.Imu._type:
-            return (f"its type is {kind}, and not {sensor_msgs.msg.Imu._type}",) * 2
+        if topic in imus and kinds.get(name) != sensor_msgs.msg.Imu._type:
+            return (f"its type is {kinds.get(name)}, and not {sensor_msgs.msg.Imu._type}",) * 2
         return SENDS_NOTHING
+
+    def why(topics):
+        try:
+            publishers = {each for each, nodes in master.getSystemState()[0] if nodes}
+            kinds = dict(master.getTopicTypes())
+        except (OSError, rosgraph.MasterException, xmlrpc.client.Error, http.client.HTTPException):
+            return dict.fromkeys(topics, ("the ROS master does not answer",) * 2)
+        return {topic: reason(topic, publishers, kinds) for topic in topics}
 
     return why
 

@@ -40,9 +40,9 @@ def _message_type(names):
 
 
 def _why_nothing_comes(node, wanted):
-    """For a Watch: why nothing comes on a topic, of which `wanted` has the type."""
+    """For a Watch: why nothing comes on topics, of which `wanted` has the types."""
 
-    def why(topic):
+    def reason(topic):
         kinds = [publisher.topic_type for publisher in node.get_publishers_info_by_topic(topic)]
         if not kinds:
             return NOBODY
@@ -50,7 +50,7 @@ def _why_nothing_comes(node, wanted):
             return (f"its type is {kinds[0]}, and not {wanted[topic]}",) * 2
         return SENDS_NOTHING
 
-    return why
+    return lambda topics: {topic: reason(topic) for topic in topics}
 
 
 def pass_on(skin, intake, watch, say_ready):

@@ -115,7 +115,7 @@ class Ros2(unittest.TestCase):
     def test_why_nothing_comes(self):
         published.update({"/b": ["std_msgs/msg/String"], "/c": ["sensor_msgs/msg/Imu"]})
         why = ros2._why_nothing_comes(Node("n"), dict.fromkeys(("/a", "/b", "/c"), ros2.IMU))
-        self.assertEqual([why(topic)[0] for topic in ("/a", "/b", "/c")],
+        self.assertEqual([of_one for of_one, _ in why(("/a", "/b", "/c")).values()],
                          ["nobody publishes it", "its type is std_msgs/msg/String, and not sensor_msgs/msg/Imu",
                           "its publisher sends nothing"])
 

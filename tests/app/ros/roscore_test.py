@@ -2,6 +2,7 @@
 """ROS 1 as it is: a master, bags that are played to hexoderm-cli through hexoderm-ros, and TF that is looked up."""
 
 import contextlib
+import http.client
 import json
 import os
 import re
@@ -12,6 +13,8 @@ import sys
 import threading
 import time
 import unittest
+import xmlrpc.client
+from unittest import mock
 
 from program import CLI, GRAVITY, InFolder, description, held_and_turned, run
 
@@ -34,12 +37,38 @@ import sensor_msgs.msg  # noqa: E402
 import std_msgs.msg  # noqa: E402
 import tf2_ros  # noqa: E402
 
+from hexoderm_ros import ros1  # noqa: E402
+
 DEFINITION = """Cell[] data
 ================================================================================
 MSG: test_skin/Cell
 int32 cellId
 float32[] acc
 """
+
+
+class Reasons(unittest.TestCase):
+    """Why nothing comes, of a master that is made up."""
+
+    TOPICS = ("/imu1", "/imu2", "/imu3", "/cells")
+
+    def reasons(self, **answers):
+        why = ros1._why_nothing_comes(mock.Mock(**answers), {"/imu1": {}, "/imu2": {}, "/imu3": {}})
+        return {topic: of_one for topic, (of_one, _) in why(self.TOPICS).items()}
+
+    def test_the_master_is_asked_once_for_all_topics(self):
+        state = mock.Mock(return_value=([["/imu1", []], ["/imu2", ["/a"]], ["/imu3", ["/a"]], ["/cells", ["/a"]]], [], []))
+        types = mock.Mock(return_value=[["/imu2", "a/B"], ["/imu3", "sensor_msgs/Imu"], ["/cells", "a/B"]])
+        self.assertEqual(self.reasons(getSystemState=state, getTopicTypes=types),
+                         {"/imu1": "nobody publishes it", "/imu2": "its type is a/B, and not sensor_msgs/Imu",
+                          "/imu3": "its publisher sends nothing", "/cells": "its publisher sends nothing"})
+        self.assertEqual((state.call_count, types.call_count), (1, 1))
+
+    def test_a_master_that_does_not_answer(self):
+        for error in (ConnectionRefusedError(), rosgraph.MasterError("no"), xmlrpc.client.Fault(1, "no"),
+                      http.client.RemoteDisconnected(), http.client.BadStatusLine("")):
+            self.assertEqual(self.reasons(getSystemState=mock.Mock(side_effect=error)),
+                             dict.fromkeys(self.TOPICS, "the ROS master does not answer"))
 
 
 class Ros1(InFolder):
