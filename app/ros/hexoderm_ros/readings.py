@@ -92,11 +92,12 @@ def _vector(entry, path):
 
 
 def _entries(message, array):
-    if not array:
-        return getattr(message, "data", [message])
-    found = _field(message, array)
+    if not array and not hasattr(message, "data"):
+        return [message]
+    path = array or "data"
+    found = _field(message, path)
     if not hasattr(found, "__iter__") or isinstance(found, (str, bytes)):
-        raise FieldError(f'the field "{array}" of {_type_of(message)} is no array')
+        raise FieldError(f'the field "{path}" of {_type_of(message)} is no array')
     return found
 
 

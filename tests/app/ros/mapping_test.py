@@ -102,6 +102,10 @@ class Readings(unittest.TestCase):
             self.left_out.clear()
             self.assertEqual(self.of_cell_data(message, names), [])
             self.assertEqual(self.left_out, [(OTHER_FIELDS, words)])
+        for data in (1.5, "abc"):  # of another topic: std_msgs have a field of this name, too
+            self.left_out.clear()
+            self.assertEqual(self.of_cell_data(SkinCells(data), CellData("/c")), [])
+            self.assertEqual(self.left_out, [(OTHER_FIELDS, 'the field "data" of skin/SkinCells is no array')])
         self.left_out.clear()
         self.assertEqual(self.of_cell_data(SkinCells([Cell([0, 1])]), CellData("/c")), [])
         self.assertEqual(self.left_out[0][1], 'the field "acc" of skin/Cell is neither x, y, z nor an array of 3')
@@ -172,10 +176,12 @@ class Descriptions(InFolder):
         self.assertEqual(skin.imus, {"/imu": {"cell_1": 1, "b": 2}})
         self.assertEqual(skin.cells_of_topics, {"/imu": {1, 2}, "/cells": {3}})
 
-    def test_the_example_is_one_and_that_of_the_help(self):
+    def test_the_example_is_one_and_that_of_the_help_and_the_page(self):
         example = pathlib.Path(hexoderm_ros.__file__).parents[1] / "skin.json"
         self.assertEqual(len(read_skin(example).imus), 2)
         self.assertEqual(example.read_text(), EXAMPLE)
+        page = example.with_name("README.md").read_text()
+        self.assertEqual(page[page.index("```json\n") + 8:].partition("```")[0], EXAMPLE)
 
     def test_built_in_cell_models_are_those_of_the_program(self):
         files = (pathlib.Path(__file__).parents[3] / "resources/cell_models").glob("*.json")
