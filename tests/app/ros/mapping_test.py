@@ -90,13 +90,14 @@ class Readings(unittest.TestCase):
             def __init__(self, acc=(0, 0, 1)):
                 self.cellId, self.acc = 1, acc
 
-        message = SkinCells([Cell()])
+        message = SkinCells([Cell([0, 0, 1])])
         for words, names in [
             ('skin/SkinCells has no field "dat"; it has header, data', CellData("/c", "dat")),
             ('skin/SkinCells has no field "dat"; it has header, data', CellData("/c", "dat.cells")),
             ('the field "header" of skin/SkinCells is no array', CellData("/c", "header")),
             ('skin/Cell has no field "id"; it has cellId, acc', CellData("/c", cell="id")),
             ('skin/Cell has no field "g"; it has cellId, acc', CellData("/c", acceleration="g")),
+            ('the field "acc" of skin/Cell is no whole number', CellData("/c", cell="acc")),
             ('the field "cellId" of skin/Cell is neither x, y, z nor an array of 3', CellData("/c", acceleration="cellId")),
         ]:
             self.left_out.clear()
