@@ -18,6 +18,7 @@ from hexoderm_ros.console import say
 from hexoderm_ros.errors import UsageError
 from hexoderm_ros.watch import NOBODY, SENDS_NOTHING, watching
 
+ANSWERS_S = 1  # a master that is there answers within it
 QUEUE = 1000  # messages of a topic, while others are dealt with
 ASK_EVERY_S = 0.5
 
@@ -49,16 +50,20 @@ def _wait_for_master(name):
         master = rosgraph.Master("/" + name)
     except ValueError as error:
         raise UsageError(f"ROS_MASTER_URI: {error}") from error
-    # is_online() would swallow the exception of Ctrl+C; and a script has what it puts behind it ignore the signal.
-    ended = threading.Event()
-    signal.signal(signal.SIGINT, lambda *_: ended.set())
-    if not master.is_online():
-        say(f"no ROS master at {master.master_uri}; waiting (is roscore running? ROS_MASTER_URI says where it is)")
-        while not ended.wait(ASK_EVERY_S) and not master.is_online():
-            pass
+    is_there = threading.Event()
+
+    def ask():
+        while not master.is_online():
+            time.sleep(ASK_EVERY_S)
+        is_there.set()
+
+    # A shell has what it puts behind it ignore the signal. is_online() would swallow the exception of Ctrl+C, and asks a
+    # computer that does not answer for minutes: it has a thread of its own.
     signal.signal(signal.SIGINT, signal.default_int_handler)
-    if ended.is_set():
-        raise KeyboardInterrupt
+    threading.Thread(target=ask, daemon=True).start()
+    if not is_there.wait(ANSWERS_S):
+        say(f"no ROS master answers at {master.master_uri}; waiting (is roscore running? ROS_MASTER_URI says where it is)")
+        is_there.wait()
     return master
 
 
