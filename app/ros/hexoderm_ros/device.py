@@ -8,8 +8,8 @@ import socket
 import threading
 import time
 
+from hexoderm_ros.console import say
 from hexoderm_ros.stream import Stream
-from hexoderm_ros.watch import say
 
 MOST_WAITING_BYTES = 1 << 20  # for a host that takes nothing; samples beyond are dropped
 IDLE_S = 0.3  # when nothing comes any more, what is held is sent
@@ -33,6 +33,7 @@ class Device:
         self._host = None
         self._in_line = {}  # sockets of those who wait, and what they have not taken yet
         self._heard = bytearray()
+        self._sent = 0  # to hosts, in readings; without one they go nowhere
         self._dropped = 0
         self._came_s = self._said_s = time.monotonic()
         self._server = socket.create_server((address, port))
@@ -51,7 +52,7 @@ class Device:
 
     def counts(self):
         with self._lock:
-            return {"sent": self._stream.sent, "late": self._stream.late, "repeated": self._stream.repeated,
+            return {"sent": self._sent, "late": self._stream.late, "repeated": self._stream.repeated,
                     "dropped": self._dropped}
 
     def close(self):
@@ -77,10 +78,14 @@ class Device:
     def _say_samples(self, messages):
         for message in messages:
             self._said_s = time.monotonic()
+            if self._host is None:
+                continue
+            count = len(message["samples"]["cells"])
             if len(self._waiting) < MOST_WAITING_BYTES:
                 self._say(message)
+                self._sent += count
             else:
-                self._dropped += len(message["samples"]["cells"])
+                self._dropped += count
 
     def _say_what_is_due(self):
         is_idle = time.monotonic() - self._came_s > IDLE_S

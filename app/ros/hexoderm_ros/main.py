@@ -1,17 +1,19 @@
 """hexoderm-ros skin: readings of ROS topics for Hexoderm; hexoderm-ros transforms: calibrated frames for TF."""
 
+import contextlib
 import errno
 import importlib.util
 import os
 import socket
 import sys
 
+from hexoderm_ros.console import say
 from hexoderm_ros.device import Device
 from hexoderm_ros.errors import AddressError, InputError, UsageError
 from hexoderm_ros.intake import Intake
-from hexoderm_ros.options import parsed
-from hexoderm_ros.skin import read_skin
-from hexoderm_ros.watch import Watch, say
+from hexoderm_ros.options import parsed, without_those_of_ros
+from hexoderm_ros.skin import errors_of, read_skin
+from hexoderm_ros.watch import Watch
 
 
 def _ros(version):
@@ -57,20 +59,16 @@ def _pass_on(options):
     device = _listen(skin, options.port, options.address)
     watch = Watch(skin)
     cells = f"{len(skin.cells)} cell{'s' if len(skin.cells) > 1 else ''}"
-    try:
+    with contextlib.closing(device), contextlib.suppress(KeyboardInterrupt), errors_of(options.skin):
         ros.pass_on(skin, Intake(skin, device, watch), watch,
                     lambda: say(f"{cells} on tcp://{options.address}:{device.port}"))
-    finally:
-        device.close()
-        say(", ".join(f"{count} {what}" for what, count in device.counts().items()))
-        for reason, count in watch.counts().items():
-            say(f"left out: {count} {reason}")
+    say(", ".join(f"{count} {what}" for what, count in device.counts().items()))
+    for reason, count in watch.counts().items():
+        say(f"left out: {count} {reason}")
 
 
 def main(arguments=None):
-    # ROS adds arguments of its own, "__name:=..."
-    given = [each for each in (sys.argv[1:] if arguments is None else arguments) if ":=" not in each]
-    options = parsed(given)
+    options = parsed(without_those_of_ros(sys.argv[1:] if arguments is None else arguments))
     try:
         (_publish if options.command == "transforms" else _pass_on)(options)
     except KeyboardInterrupt:

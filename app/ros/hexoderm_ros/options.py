@@ -15,7 +15,7 @@ EXAMPLE = """\
 }
 """
 EXPLAINED = """\
-All keys, times and frames are explained in README.md, which the package has as:
+All keys, times and frames are explained in the package's README, beside an example:
   /usr/share/doc/hexoderm-ros/README.md
   /usr/share/doc/hexoderm-ros/examples/skin.json
 """
@@ -77,6 +77,19 @@ def _port(text):
     if not 0 <= port < 2**16:
         raise argparse.ArgumentTypeError(f'expected a port from 0 to 65535, found "{text}"')
     return port
+
+
+def without_those_of_ros(arguments):
+    """ROS 1 adds "__name:=..." and the like; ROS 2 all that is between "--ros-args" and "--"."""
+    own, are_of_ros = [], False
+    for each in arguments:
+        if are_of_ros:
+            are_of_ros = each != "--"
+        elif each == "--ros-args":
+            are_of_ros = True
+        elif ":=" not in each:
+            own.append(each)
+    return own
 
 
 def parsed(arguments):

@@ -91,12 +91,20 @@ def _vector(entry, path):
     raise FieldError(f'the field "{path}" of {_type_of(entry)} is neither x, y, z nor an array of 3')
 
 
+def _cell(entry, path):
+    found = _field(entry, path)
+    if isinstance(found, int):
+        return found
+    raise FieldError(f'the field "{path}" of {_type_of(entry)} is no whole number')
+
+
 def _entries(message, array):
-    if not array:
-        return getattr(message, "data", [message])
-    found = _field(message, array)
+    if not array and not hasattr(message, "data"):
+        return [message]
+    path = array or "data"
+    found = _field(message, path)
     if not hasattr(found, "__iter__") or isinstance(found, (str, bytes)):
-        raise FieldError(f'the field "{array}" of {_type_of(message)} is no array')
+        raise FieldError(f'the field "{path}" of {_type_of(message)} is no array')
     return found
 
 
@@ -106,7 +114,7 @@ def of_cell_data(message, names, cells, now_us, leave_out):
     try:
         at_us = _stamp_of(message, now_us)
         for entry in _entries(message, names.array):
-            cell, vector = _field(entry, names.cell), _vector(entry, names.acceleration)
+            cell, vector = _cell(entry, names.cell), _vector(entry, names.acceleration)
             if cell not in cells:
                 leave_out(OTHER_CELL, f"cell {cell}")
             elif not _is_finite(vector):

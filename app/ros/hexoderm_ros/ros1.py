@@ -1,8 +1,10 @@
 """The node of ROS 1 (rospy)."""
 
+import http.client
 import signal
 import threading
 import time
+import xmlrpc.client
 
 import genpy.dynamic
 import geometry_msgs.msg
@@ -12,9 +14,11 @@ import sensor_msgs.msg
 import tf2_ros
 
 from hexoderm_ros import readings
+from hexoderm_ros.console import say
 from hexoderm_ros.errors import UsageError
-from hexoderm_ros.watch import NOBODY, SENDS_NOTHING, say, watching
+from hexoderm_ros.watch import NOBODY, SENDS_NOTHING, watching
 
+ANSWERS_S = 1  # a master that is there answers within it
 QUEUE = 1000  # messages of a topic, while others are dealt with
 ASK_EVERY_S = 0.5
 
@@ -46,16 +50,20 @@ def _wait_for_master(name):
         master = rosgraph.Master("/" + name)
     except ValueError as error:
         raise UsageError(f"ROS_MASTER_URI: {error}") from error
-    # is_online() would swallow the exception of Ctrl+C; and a script has what it puts behind it ignore the signal.
-    ended = threading.Event()
-    signal.signal(signal.SIGINT, lambda *_: ended.set())
-    if not master.is_online():
-        say(f"no ROS master at {master.master_uri}; waiting (is roscore running? ROS_MASTER_URI says where it is)")
-        while not ended.wait(ASK_EVERY_S) and not master.is_online():
-            pass
+    is_there = threading.Event()
+
+    def ask():
+        while not master.is_online():
+            time.sleep(ASK_EVERY_S)
+        is_there.set()
+
+    # A shell has what it puts behind it ignore the signal. is_online() would swallow the exception of Ctrl+C, and asks a
+    # computer that does not answer for minutes: it has a thread of its own.
     signal.signal(signal.SIGINT, signal.default_int_handler)
-    if ended.is_set():
-        raise KeyboardInterrupt
+    threading.Thread(target=ask, daemon=True).start()
+    if not is_there.wait(ANSWERS_S):
+        say(f"no ROS master answers at {master.master_uri}; waiting (is roscore running? ROS_MASTER_URI says where it is)")
+        is_there.wait()
     return master
 
 
@@ -72,21 +80,23 @@ def _begin(name):
 
 
 def _why_nothing_comes(master, imus):
-    """For a Watch: why nothing comes on a topic, by what the master knows."""
-    wanted = {rospy.resolve_name(topic) for topic in imus}
+    """For a Watch: why nothing comes on topics, by what the master knows."""
 
-    def why(topic):
+    def reason(topic, publishers, kinds):
         name = rospy.resolve_name(topic)
-        try:
-            publishers = {each for each, nodes in master.getSystemState()[0] if nodes}
-            kind = dict(master.getTopicTypes()).get(name)
-        except (OSError, rosgraph.MasterException):
-            return ("the ROS master does not answer",) * 2
         if name not in publishers:
             return NOBODY
-        if name in wanted and kind != sensor_msgs.msg.Imu._type:
-            return (f"its type is {kind}, and not {sensor_msgs.msg.Imu._type}",) * 2
+        if topic in imus and kinds.get(name) != sensor_msgs.msg.Imu._type:
+            return (f"its type is {kinds.get(name)}, and not {sensor_msgs.msg.Imu._type}",) * 2
         return SENDS_NOTHING
+
+    def why(topics):
+        try:
+            publishers = {each for each, nodes in master.getSystemState()[0] if nodes}
+            kinds = dict(master.getTopicTypes())
+        except (OSError, rosgraph.MasterException, xmlrpc.client.Error, http.client.HTTPException):
+            return dict.fromkeys(topics, ("the ROS master does not answer",) * 2)
+        return {topic: reason(topic, publishers, kinds) for topic in topics}
 
     return why
 

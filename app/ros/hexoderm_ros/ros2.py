@@ -7,6 +7,7 @@ import geometry_msgs.msg
 import rclpy
 import sensor_msgs.msg
 import tf2_ros
+from rclpy.executors import ExternalShutdownException
 from rclpy.qos import qos_profile_sensor_data
 
 from hexoderm_ros.skin import SkinError
@@ -23,7 +24,7 @@ def _spin(node, during=contextlib.nullcontext()):
     try:
         with during:
             rclpy.spin(node)
-    except KeyboardInterrupt:
+    except (KeyboardInterrupt, ExternalShutdownException):
         pass
     finally:
         node.destroy_node()
@@ -31,18 +32,20 @@ def _spin(node, during=contextlib.nullcontext()):
 
 
 def _message_type(names):
-    from rosidl_runtime_py.utilities import get_message
-
+    if not names.type:
+        raise SkinError(f'cell_data of {names.topic}: ROS 2 needs its type, "package/msg/Name"')
     try:
+        from rosidl_runtime_py.utilities import get_message
+
         return get_message(names.type)
     except (AttributeError, ImportError, ValueError) as error:
         raise SkinError(f'cell_data of {names.topic}: the type "{names.type}" is not there: {error}') from error
 
 
 def _why_nothing_comes(node, wanted):
-    """For a Watch: why nothing comes on a topic, of which `wanted` has the type."""
+    """For a Watch: why nothing comes on topics, of which `wanted` has the types."""
 
-    def why(topic):
+    def reason(topic):
         kinds = [publisher.topic_type for publisher in node.get_publishers_info_by_topic(topic)]
         if not kinds:
             return NOBODY
@@ -50,14 +53,12 @@ def _why_nothing_comes(node, wanted):
             return (f"its type is {kinds[0]}, and not {wanted[topic]}",) * 2
         return SENDS_NOTHING
 
-    return why
+    return lambda topics: {topic: reason(topic) for topic in topics}
 
 
 def pass_on(skin, intake, watch, say_ready):
     """Passes the readings of the topics on until ROS ends."""
-    for names in skin.cell_data:
-        if not names.type:
-            raise SkinError(f"cell_data of {names.topic}: ROS 2 needs its type, \"package/msg/Name\"")
+    kinds = [_message_type(names) for names in skin.cell_data]  # before there is a node: it may throw
     rclpy.init()
     node = rclpy.create_node("hexoderm_ros")
 
@@ -68,9 +69,9 @@ def pass_on(skin, intake, watch, say_ready):
     wanted = dict.fromkeys(skin.imus, IMU)
     for topic in skin.imus:
         subscribe(topic, sensor_msgs.msg.Imu, intake.imu(topic))
-    for names in skin.cell_data:
+    for names, kind in zip(skin.cell_data, kinds):
         wanted[names.topic] = names.type
-        subscribe(names.topic, _message_type(names), intake.cell_data(names))
+        subscribe(names.topic, kind, intake.cell_data(names))
     say_ready()
     _spin(node, watching(watch, _why_nothing_comes(node, wanted)))
 

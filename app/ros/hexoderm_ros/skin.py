@@ -1,5 +1,6 @@
 """The description of a skin whose readings are on ROS topics: its cells, their links, and the topic of each cell."""
 
+import contextlib
 import difflib
 import json
 import pathlib
@@ -171,14 +172,22 @@ def skin_from(document, folder=pathlib.Path()):
                 tuple(cells), imus, data)
 
 
+@contextlib.contextmanager
+def errors_of(path):
+    """A SkinError names the file."""
+    try:
+        yield
+    except SkinError as error:
+        raise SkinError(f"{path}: {error}") from error
+
+
 def read_skin(path):
     """Throws SkinError, which names the file."""
     path = pathlib.Path(path)
-    try:
-        return skin_from(json.loads(path.read_text(encoding="utf-8")), path.parent)
-    except OSError as error:
-        raise SkinError(f"{path}: cannot be read: {error.strerror}") from error
-    except ValueError as error:
-        raise SkinError(f"{path}: is no JSON: {error}") from error
-    except SkinError as error:
-        raise SkinError(f"{path}: {error}") from error
+    with errors_of(path):
+        try:
+            return skin_from(json.loads(path.read_text(encoding="utf-8")), path.parent)
+        except OSError as error:
+            raise SkinError(f"cannot be read: {error.strerror}") from error
+        except ValueError as error:
+            raise SkinError(f"is no JSON: {error}") from error

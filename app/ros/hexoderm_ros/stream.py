@@ -13,8 +13,7 @@ class Stream:
 
     def __init__(self, number=1):
         self.number = number  # of the stream, for Hello
-        self.sent = 0  # over all beginnings, as the next two
-        self.late = 0
+        self.late = 0  # over all beginnings, as the next
         self.repeated = 0
         self.ended = []
         self._begin()
@@ -57,6 +56,5 @@ class Stream:
             messages.append({"samples": {"sequence": self.sequence, "time_us": at_us, "cells": list(readings),
                                          "acceleration_g": [value for each in readings.values() for value in each]}})
             self.sequence += len(readings)
-            self.sent += len(readings)
             self._sent_us = at_us
         return messages

@@ -3,10 +3,10 @@ whose clock is another."""
 
 import contextlib
 import statistics
-import sys
 import threading
 import time
 
+from hexoderm_ros.console import say
 from hexoderm_ros.readings import OTHER_FIELDS
 
 NOBODY = ("nobody publishes it", "nobody publishes them")
@@ -17,10 +17,6 @@ APART_S = 1.0
 APART_LOOKS = 3  # in a row: topics that come one after the other are apart for a moment
 MOST_NAMED = 6
 MOST_SAID = 100  # lines on what is left out
-
-
-def say(text):
-    print(f"hexoderm-ros: {text}", file=sys.stderr, flush=True)
 
 
 def listed(names):
@@ -36,22 +32,29 @@ def _cells(cells):
 
 
 class Watch:
-    """came(), took() and left_out() can be called from any thread, look() from one."""
+    """came(), took() and left_out() can be called from any thread, look() from one. Until begin() nothing is silent."""
 
     def __init__(self, skin, tell=say, clock=time.monotonic):
         self._tell, self._clock = tell, clock
         self._cells_of = skin.cells_of_topics
         self._lock = threading.Lock()
-        now_s = clock()
-        self._came_s = dict.fromkeys(self._cells_of, now_s)
+        self._came_s = {}
         self._began_s = {}  # of topics: since when messages come
-        self._cell_came_s = dict.fromkeys(skin.ids, now_s)
+        self._ids = skin.ids
+        self._cell_came_s = {}
         self._silent = set()  # topics and cells of which it was said
         self._stamps_us = {}  # of each cell, since the last look
         self._apart = {}  # how often in a row the clock of a cell was another
         self._said_apart = set()
         self._left_out = {}  # how many, by reason
         self._said_left_out = set()
+
+    def begin(self):
+        """Starts the clocks, once the topics are subscribed to: a master may be waited for before that."""
+        now_s = self._clock()
+        with self._lock:
+            self._came_s.update(dict.fromkeys(self._cells_of, now_s))
+            self._cell_came_s.update(dict.fromkeys(self._ids, now_s))
 
     def came(self, topic):
         """A message."""
@@ -93,7 +96,7 @@ class Watch:
             return dict(self._left_out)
 
     def look(self, why):
-        """Says what is new. `why` says of a topic why nothing comes on it: of one, and of several."""
+        """Says what is new. `why` says of each of the topics given why nothing comes on it: of one, and of several."""
         now_s = self._clock()
         with self._lock:
             quiet = {topic for topic, came_s in self._came_s.items() if now_s - came_s > SILENT_S}
@@ -103,8 +106,8 @@ class Watch:
             began = set(self._began_s)
             apart = self._newly_apart()
         by_reason = {}
-        for topic in topics:
-            by_reason.setdefault((topic in began, why(topic)), []).append(topic)
+        for topic, reason in (why(topics) if topics else {}).items():
+            by_reason.setdefault((topic in began, reason), []).append(topic)
         for (had_come, (of_one, of_several)), named in by_reason.items():
             self._tell(f"nothing{' any more' if had_come else ''} on {listed(map(self._named, named))}; "
                        f"{of_one if len(named) == 1 else of_several}")
@@ -144,6 +147,7 @@ class Watch:
 @contextlib.contextmanager
 def watching(watch, why):
     """Has it look on a thread of its own, twice a second."""
+    watch.begin()
     over = threading.Event()
 
     def run():

@@ -55,18 +55,34 @@ class Commands(InFolder):
         self.assertEnds(self.ros("skin", self.skin(), "--ros", "2"), 2, "--ros 2: Python does not find rclpy")
         self.assertEnds(self.ros("skin", self.skin()), 2, "neither ROS 1 (rospy) nor ROS 2 (rclpy)")
 
+    def test_arguments_of_ros_are_left_to_it(self):
+        for arguments in (["__name:=arm"], ["--ros-args", "-p", "use_sim_time:=true"],
+                          ["--ros-args", "-r", "a:=b", "--log-level", "info", "--", "--address", "127.0.0.1"]):
+            self.assertEnds(self.ros("skin", self.skin(), "--ros", "2", *arguments), 2, "Python does not find rclpy")
+        self.assertEnds(self.ros("skin", "s.json", "--ros-args", "-p", "a:=1", "--", "--port", "x"), 2, 'found "x"')
+
     def test_files_that_are_not_as_expected(self):
         self.assertEnds(self.ros("skin", "none.json"), 3, "none.json: cannot be read: No such file")
         self.assertEnds(self.ros("skin", self.skin(cell_model="x")), 3, 'skin.json: cell_model: "x" is not known')
         self.assertEnds(self.ros("transforms", "none.yaml"), 3, "none.yaml: cannot be read")
 
-    def test_a_port_that_is_taken(self):
-        # A node is never made, so that a stand-in is enough.
-        for name in ("genpy/dynamic", "geometry_msgs/msg", "sensor_msgs/msg"):
+    def stand_in(self, *names, text=""):
+        """Of modules in packages. A node is never made, so that it is enough."""
+        for name in names:
             package, module = name.split("/")
             (self.folder / package).mkdir(exist_ok=True)
             (self.folder / package / "__init__.py").write_text("")
-            (self.folder / package / f"{module}.py").write_text("")
+            (self.folder / package / f"{module}.py").write_text(text)
+
+    def test_what_ros_2_needs_of_a_description(self):
+        self.stand_in("geometry_msgs/msg", "sensor_msgs/msg")
+        self.stand_in("rclpy/executors", "rclpy/qos", text="ExternalShutdownException = qos_profile_sensor_data = OSError")
+        file = self.skin(cell_data={"topic": "/cells"})
+        self.assertEnds(self.ros("skin", file, "--port", "0", "--ros", "2", modules=("rclpy", "tf2_ros")), 3,
+                        f'{file}: cell_data of /cells: ROS 2 needs its type, "package/msg/Name"')
+
+    def test_a_port_that_is_taken(self):
+        self.stand_in("genpy/dynamic", "geometry_msgs/msg", "sensor_msgs/msg")
         with socket.create_server(("127.0.0.1", 0)) as server:
             port = server.getsockname()[1]
             self.assertEnds(self.ros("skin", self.skin(), "--port", port, modules=("rospy", "rosgraph", "tf2_ros")), 4,

@@ -2,7 +2,6 @@
 """What hexoderm-ros sends is a skin to the command line: captured, and without an offence. No ROS is needed for it."""
 
 import json
-import signal
 import socket
 import subprocess
 import threading
@@ -11,7 +10,7 @@ import unittest
 
 from hexoderm_ros.device import Device
 from hexoderm_ros.skin import skin_from
-from program import CLI, InFolder, description, held_and_turned, reading, run
+from program import CLI, InFolder, Listener, description, held_and_turned, reading, run
 
 FASTER = 5  # than time; poses are told apart by the readings' own times
 
@@ -35,13 +34,21 @@ class Devices(InFolder):
             if self.over.is_set():
                 return
 
+    def capture(self, *arguments):
+        process = subprocess.Popen([CLI, "capture", "--source", f"tcp://localhost:{self.device.port}", "-o",
+                                    self.folder / "live.hexo", *arguments], stdout=subprocess.PIPE, stderr=subprocess.PIPE,
+                                   text=True)
+        self.addCleanup(process.__exit__, None, None, None)
+        self.addCleanup(process.kill)
+        return Listener(process)
+
     def test_a_calibration(self):
         player = threading.Thread(target=self.play)
-        capture = subprocess.Popen([CLI, "capture", "--source", f"tcp://localhost:{self.device.port}", "--poses", "3",
-                                    "-o", self.folder / "live.hexo", "--json"], stdout=subprocess.PIPE, text=True)
-        time.sleep(0.5)
+        capture = self.capture("--poses", "3", "--json")
+        capture.wait_for("skin of the test: 5 cells")  # it is connected
         player.start()
-        said = json.loads(capture.communicate(timeout=60)[0])
+        capture.process.wait(60)
+        said = json.loads(capture.process.stdout.read())
         player.join()
         self.assertEqual((said["poses"], said["offences"]), (3, []))
         self.assertEqual((said["lost_samples"], said["rejected_messages"]), (0, 0))
@@ -63,6 +70,23 @@ class Devices(InFolder):
         with socket.create_connection(("localhost", self.device.port)) as host:
             self.assertIn("hello", json.loads(host.makefile().readline()))
 
+    def test_what_comes_without_a_host_is_not_sent(self):
+        self.device.add(reading(1000, 1) + reading(1001, 1))
+        deadline = time.monotonic() + 30
+        while self.device.counts()["late"] == 0:  # as soon as the first is taken
+            self.assertLess(time.monotonic(), deadline)
+            time.sleep(0.01)
+            self.device.add(reading(1000, 1))
+        self.assertEqual(self.device.counts()["sent"], 0)
+        with socket.create_connection(("localhost", self.device.port)) as host:
+            lines = host.makefile()
+            self.assertIn("hello", json.loads(lines.readline()))
+            self.device.add(reading(1002, 1) + reading(1002, 2))
+            came = []
+            while not came or came[-1]["time_us"] < 1002e6:
+                came += filter(None, [json.loads(lines.readline()).get("samples")])
+            self.assertEqual(self.device.counts()["sent"], sum(len(each["cells"]) for each in came))
+
     def test_a_second_host_is_told_to_wait_and_then_connected(self):
         address = ("localhost", self.device.port)
         with socket.create_connection(address) as first, socket.create_connection(address) as second:
@@ -78,15 +102,11 @@ class Devices(InFolder):
             self.assertIn("topology", json.loads(lines.readline()))
 
     def test_the_command_line_says_that_another_host_is_connected(self):
-        address = f"tcp://localhost:{self.device.port}"
-        with socket.create_connection(("localhost", self.device.port)):
-            capture = subprocess.Popen([CLI, "capture", "--source", address, "-o", self.folder / "live.hexo"],
-                                       stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True)
-            time.sleep(4.5)
-            capture.send_signal(signal.SIGINT)
-            said = capture.communicate(timeout=60)[1]
-        self.assertRegex(said, "No readings for 3 s. .*127.0.0.1 is connected already")
-        self.assertNotIn("wrong", said)
+        with socket.create_connection(("localhost", self.device.port)) as first:
+            self.assertIn("hello", json.loads(first.makefile().readline()))
+            capture = self.capture()
+            self.assertIn("No readings for 3 s. ", capture.wait_for("127.0.0.1 is connected already"))
+            self.assertNotIn("wrong", capture.end())
 
     def test_commands_are_answered(self):
         with socket.create_connection(("localhost", self.device.port)) as host:

@@ -4,8 +4,10 @@ import json
 import math
 import os
 import pathlib
+import signal
 import subprocess
 import tempfile
+import threading
 import unittest
 from types import SimpleNamespace
 
@@ -21,6 +23,45 @@ def run(*arguments):
     if result.returncode not in (0, 1):
         raise AssertionError(result.stderr)
     return result.stdout
+
+
+class Listener:
+    """Reads what a process says on standard error as it comes: who waits for a line loses none of the others."""
+
+    def __init__(self, process):
+        self.process = process
+        self._said, self._is_over = [], False
+        self._changed = threading.Condition()
+        self._thread = threading.Thread(target=self._read, daemon=True)
+        self._thread.start()
+
+    def _read(self):
+        for line in self.process.stderr:
+            with self._changed:
+                self._said.append(line)
+                self._changed.notify_all()
+        with self._changed:
+            self._is_over = True
+            self._changed.notify_all()
+
+    def wait_for(self, expected, timeout_s=60):
+        """The first line that has it, of those already said too."""
+        def found():
+            return next((line for line in self._said if expected in line), None)
+
+        with self._changed:
+            self._changed.wait_for(lambda: found() or self._is_over, timeout_s)
+            line = found()
+            if line is None:
+                raise AssertionError(f'"{expected}" was not said, but:\n{"".join(self._said)}')
+            return line
+
+    def end(self):
+        """All that it said, after Ctrl+C."""
+        self.process.send_signal(signal.SIGINT)
+        self.process.wait(20)
+        self._thread.join(20)
+        return "".join(self._said)
 
 
 class InFolder(unittest.TestCase):

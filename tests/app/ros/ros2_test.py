@@ -62,13 +62,26 @@ def stamped():
                            transform=SimpleNamespace(translation=SimpleNamespace(), rotation=SimpleNamespace()))
 
 
-module("rclpy", init=lambda: None, create_node=create_node, spin=spin, try_shutdown=lambda: None)
+class ExternalShutdownException(Exception):
+    pass
+
+
+def get_message(name):
+    if name.startswith("none/"):
+        raise ModuleNotFoundError(f"No module named '{name}'")
+    return "class of " + name
+
+
+running = []  # contexts of rclpy
+
+module("rclpy", init=lambda: running.append(1), create_node=create_node, spin=spin, try_shutdown=running.clear)
+module("rclpy.executors", ExternalShutdownException=ExternalShutdownException)
 module("rclpy.qos", qos_profile_sensor_data="sensor data")
 module("sensor_msgs").msg = module("sensor_msgs.msg", Imu="Imu")
 module("geometry_msgs").msg = module("geometry_msgs.msg", TransformStamped=stamped)
 module("tf2_ros", StaticTransformBroadcaster=lambda node: SimpleNamespace(sendTransform=sent.extend))
 module("rosidl_runtime_py")
-module("rosidl_runtime_py.utilities", get_message=lambda name: "class of " + name)
+module("rosidl_runtime_py.utilities", get_message=get_message)
 
 from hexoderm_ros import ros2  # noqa: E402
 from hexoderm_ros.intake import Intake  # noqa: E402
@@ -88,7 +101,7 @@ class Ros2(unittest.TestCase):
         ready = []
         ros2.pass_on(skin, Intake(skin, SimpleNamespace(add=readings.extend), watch), watch, lambda: ready.append(1))
         self.assertEqual(ready, [1])
-        self.assertEqual(nodes, [])
+        self.assertEqual((nodes, running), ([], []))
         return readings
 
     def test_each_topic_is_that_of_its_cell(self):
@@ -109,13 +122,22 @@ class Ros2(unittest.TestCase):
 
         found = self.pass_on({"cells": CELLS, "cell_data": {"topic": "/cells", "type": "skin/msg/Cells"}}, then)
         self.assertEqual([(each.time_us, each.cell) for each in found], [(7_000, 3)])
-        with self.assertRaisesRegex(SkinError, "ROS 2 needs its type"):
-            ros2.pass_on(skin_from({"cells": CELLS, "cell_data": {"topic": "/cells"}}), None, None, None)
+        for kind, words in (({}, "ROS 2 needs its type"), ({"type": "none/msg/Cells"}, "is not there: No module named")):
+            with self.assertRaisesRegex(SkinError, words):
+                ros2.pass_on(skin_from({"cells": CELLS, "cell_data": {"topic": "/cells", **kind}}), None, None, None)
+            self.assertEqual((nodes, running), ([], []))
+
+    def test_ctrl_c_and_the_end_of_ros_end_it(self):
+        for error in (KeyboardInterrupt, ExternalShutdownException):
+            def then(node, error=error):
+                raise error
+
+            self.assertEqual(self.pass_on({"cells": CELLS}, then), [])
 
     def test_why_nothing_comes(self):
         published.update({"/b": ["std_msgs/msg/String"], "/c": ["sensor_msgs/msg/Imu"]})
         why = ros2._why_nothing_comes(Node("n"), dict.fromkeys(("/a", "/b", "/c"), ros2.IMU))
-        self.assertEqual([why(topic)[0] for topic in ("/a", "/b", "/c")],
+        self.assertEqual([of_one for of_one, _ in why(("/a", "/b", "/c")).values()],
                          ["nobody publishes it", "its type is std_msgs/msg/String, and not sensor_msgs/msg/Imu",
                           "its publisher sends nothing"])
 

@@ -2,6 +2,7 @@
 """ROS 1 as it is: a master, bags that are played to hexoderm-cli through hexoderm-ros, and TF that is looked up."""
 
 import contextlib
+import http.client
 import json
 import os
 import re
@@ -12,8 +13,10 @@ import sys
 import threading
 import time
 import unittest
+import xmlrpc.client
+from unittest import mock
 
-from program import CLI, GRAVITY, InFolder, description, held_and_turned, run
+from program import CLI, GRAVITY, InFolder, Listener, description, held_and_turned, run
 
 
 def free_port():
@@ -34,12 +37,38 @@ import sensor_msgs.msg  # noqa: E402
 import std_msgs.msg  # noqa: E402
 import tf2_ros  # noqa: E402
 
+from hexoderm_ros import ros1  # noqa: E402
+
 DEFINITION = """Cell[] data
 ================================================================================
 MSG: test_skin/Cell
 int32 cellId
 float32[] acc
 """
+
+
+class Reasons(unittest.TestCase):
+    """Why nothing comes, of a master that is made up."""
+
+    TOPICS = ("/imu1", "/imu2", "/imu3", "/cells")
+
+    def reasons(self, **answers):
+        why = ros1._why_nothing_comes(mock.Mock(**answers), {"/imu1": {}, "/imu2": {}, "/imu3": {}})
+        return {topic: of_one for topic, (of_one, _) in why(self.TOPICS).items()}
+
+    def test_the_master_is_asked_once_for_all_topics(self):
+        state = mock.Mock(return_value=([["/imu1", []], ["/imu2", ["/a"]], ["/imu3", ["/a"]], ["/cells", ["/a"]]], [], []))
+        types = mock.Mock(return_value=[["/imu2", "a/B"], ["/imu3", "sensor_msgs/Imu"], ["/cells", "a/B"]])
+        self.assertEqual(self.reasons(getSystemState=state, getTopicTypes=types),
+                         {"/imu1": "nobody publishes it", "/imu2": "its type is a/B, and not sensor_msgs/Imu",
+                          "/imu3": "its publisher sends nothing", "/cells": "its publisher sends nothing"})
+        self.assertEqual((state.call_count, types.call_count), (1, 1))
+
+    def test_a_master_that_does_not_answer(self):
+        for error in (ConnectionRefusedError(), rosgraph.MasterError("no"), xmlrpc.client.Fault(1, "no"),
+                      http.client.RemoteDisconnected(), http.client.BadStatusLine("")):
+            self.assertEqual(self.reasons(getSystemState=mock.Mock(side_effect=error)),
+                             dict.fromkeys(self.TOPICS, "the ROS master does not answer"))
 
 
 class Ros1(InFolder):
@@ -81,21 +110,29 @@ class Ros1(InFolder):
 
     def begin_adapter(self, document, **how):
         (self.folder / "skin.json").write_text(json.dumps(document))
-        return self.start(sys.executable, "-m", "hexoderm_ros", "skin", self.folder / "skin.json", "--port", "0",
-                          stderr=subprocess.PIPE, **how)
+        return Listener(self.start(sys.executable, "-m", "hexoderm_ros", "skin", self.folder / "skin.json", "--port", "0",
+                                   stderr=subprocess.PIPE, **how))
 
     def end_adapter(self, adapter):
-        """What it said until then."""
-        adapter.send_signal(signal.SIGINT)
-        said = adapter.communicate(timeout=20)[1]
-        self.assertEqual(adapter.returncode, 0, said)
+        """All that it said."""
+        said = adapter.end()
+        self.assertEqual(adapter.process.returncode, 0, said)
         return said
 
     def start_adapter(self, document):
         adapter = self.begin_adapter(document)
-        line = adapter.stderr.readline()
+        line = adapter.wait_for(" on tcp://")
         self.assertRegex(line, r"hexoderm-ros: \d+ cells? on tcp://127.0.0.1:\d+")
         return adapter, re.search(r"tcp://\S+", line)[0]
+
+    @staticmethod
+    def wait_for_reading(address):
+        host, port = address.removeprefix("tcp://").split(":")
+        with socket.create_connection((host, int(port)), timeout=60) as connection:
+            for line in connection.makefile():
+                if "samples" in json.loads(line):
+                    return
+        raise AssertionError("the adapter ended the connection")
 
     def wait_for_subscribers(self, topics):
         master = rosgraph.Master("/test")
@@ -109,11 +146,12 @@ class Ros1(InFolder):
 
     def capture_while_played(self, address, bag, topics, rate=4):
         self.wait_for_subscribers(topics)
-        capture = self.start(CLI, "capture", "--source", address, "--poses", "3", "-o", self.folder / "live.hexo",
-                             "--json", "--quiet", stdout=subprocess.PIPE)
-        time.sleep(1)
+        capture = Listener(self.start(CLI, "capture", "--source", address, "--poses", "3", "-o", self.folder / "live.hexo",
+                                      "--json", stdout=subprocess.PIPE, stderr=subprocess.PIPE))
+        capture.wait_for(": 5 cells")  # it is connected
         self.start("rosbag", "play", "--quiet", "--delay", "1", "--rate", rate, bag)
-        said = json.loads(capture.communicate(timeout=120)[0])
+        capture.process.wait(120)
+        said = json.loads(capture.process.stdout.read())
         self.assertEqual((said["poses"], said["offences"], said["rejected_messages"]), (3, [], 0))
         run("solve", self.folder / "live.hexo", "-o", self.folder / "c.json")
         self.assertLess(self.position_rms_mm(self.folder / "c.json"), 5)
@@ -131,7 +169,7 @@ class Ros1(InFolder):
                     bag.write(f"/imu/cell{cell}", message, stamp)
         adapter, address = self.start_adapter(description(session))
         self.capture_while_played(address, self.folder / "imu.bag", {f"/imu/cell{k}" for k in range(1, 6)})
-        self.assertRegex(self.end_adapter(adapter), r"hexoderm-ros: \d+ sent, 0 late, 0 repeated, 0 dropped")
+        self.assertRegex(self.end_adapter(adapter), r"hexoderm-ros: [1-9]\d* sent, 0 late, 0 repeated, 0 dropped")
 
     def test_a_bag_of_cell_data_becomes_a_calibration(self):
         types = genpy.dynamic.generate_dynamic("test_skin/Cells", DEFINITION)
@@ -174,69 +212,82 @@ class Ros1(InFolder):
         message.linear_acceleration.z = GRAVITY
         return message
 
-    def wait_for_line(self, adapter, expected):
-        while True:
-            line = adapter.stderr.readline()
-            self.assertTrue(line, f"{expected} was not said")
-            if expected in line:
-                return
-
     def test_cells_on_one_topic_and_one_whose_clock_is_another(self):
         rospy.init_node("test", anonymous=True, disable_signals=True)
         adapter, _ = self.start_adapter({"cells": [{"id": k, "imu": "/imu", "frame_id": f"cell_{k}"} for k in (1, 2, 3, 4)]})
         for k, ahead_s in ((1, 0), (2, 0), (3, 3600), (5, 0)):
             self.publish("/imu", sensor_msgs.msg.Imu, lambda k=k, ahead_s=ahead_s: self.imu(f"cell_{k}", ahead_s))
-        time.sleep(6)
+        adapter.wait_for('/imu: left out are readings of a frame_id that no cell has ("cell_5")\n')
+        adapter.wait_for("the stamps of cell 3 are 3600 s ahead of the others")
+        adapter.wait_for("no readings of cell 4, though messages come on /imu\n")
         said = self.end_adapter(adapter)
-        self.assertIn('/imu: left out are readings of a frame_id that no cell has ("cell_5")\n', said)
-        self.assertIn("the stamps of cell 3 are 3600 s ahead of the others", said)
-        self.assertIn("no readings of cell 4, though messages come on /imu\n", said)
         self.assertRegex(said, r"left out: \d+ readings of a frame_id that no cell has\n")
         self.assertLess(len(said.splitlines()), 8, said)
 
     def test_a_topic_that_stops_and_comes_back_is_named(self):
         rospy.init_node("test", anonymous=True, disable_signals=True)
-        adapter, _ = self.start_adapter({"cells": [{"id": 1, "imu": "/imu1"}]})
         end = self.publish("/imu1", sensor_msgs.msg.Imu, self.imu)
-        time.sleep(1)
+        adapter, address = self.start_adapter({"cells": [{"id": 1, "imu": "/imu1"}]})
+        self.wait_for_reading(address)
         end()
-        self.wait_for_line(adapter, "nothing any more on /imu1 (cell 1); nobody publishes it")
+        adapter.wait_for("nothing any more on /imu1 (cell 1); nobody publishes it")
         self.publish("/imu1", sensor_msgs.msg.Imu, self.imu)
-        self.wait_for_line(adapter, "messages come on /imu1 (cell 1)")
-        self.assertNotIn("nothing", self.end_adapter(adapter))  # what was said is not said again
+        adapter.wait_for("messages come on /imu1 (cell 1)")
+        self.assertEqual(self.end_adapter(adapter).count("nothing"), 1)
 
     def test_why_nothing_comes(self):
         rospy.init_node("test", anonymous=True, disable_signals=True)
-        adapter, _ = self.start_adapter({"cells": [{"id": k, "imu": f"/imu{k}"} for k in (1, 2, 3)]})
         self.publish("/imu3", std_msgs.msg.String, std_msgs.msg.String)
         silent = rospy.Publisher("/imu2", sensor_msgs.msg.Imu, queue_size=1)
         self.addCleanup(silent.unregister)
-        time.sleep(5)
-        said = self.end_adapter(adapter)
+        adapter, _ = self.start_adapter({"cells": [{"id": k, "imu": f"/imu{k}"} for k in (1, 2, 3)]})
         for line in ("nothing on /imu1 (cell 1); nobody publishes it\n", "nothing on /imu2 (cell 2); its publisher sends nothing\n",
                      "nothing on /imu3 (cell 3); its type is std_msgs/String, and not sensor_msgs/Imu\n"):
-            self.assertEqual(said.count(line), 1, said)
+            adapter.wait_for(line)
+        self.assertEqual(self.end_adapter(adapter).count("nothing"), 3)
 
     def test_a_wrong_name_of_a_field_is_said_once(self):
         types = genpy.dynamic.generate_dynamic("test_skin/Cells", DEFINITION)
         rospy.init_node("test", anonymous=True, disable_signals=True)
         adapter, _ = self.start_adapter({"cells": [{"id": 1}], "cell_data": {"topic": "/skin/cells", "array": "dat"}})
-        self.publish("/skin/cells", types["test_skin/Cells"], types["test_skin/Cells"])
-        time.sleep(2)
+        several, published = threading.Event(), []
+
+        def make():
+            published.append(1)
+            if len(published) >= several_from[0]:
+                several.set()
+            return types["test_skin/Cells"]()
+
+        several_from = [sys.maxsize]
+        end = self.publish("/skin/cells", types["test_skin/Cells"], make)
+        line = 'cell_data /skin/cells: test_skin/Cells has no field "dat"; it has data\n'
+        adapter.wait_for(line)
+        several_from[0] = len(published) + 20
+        self.assertTrue(several.wait(60))
+        end()
+        adapter.wait_for("nothing any more on /skin/cells")  # so that all have come
         said = self.end_adapter(adapter)
-        self.assertEqual(said.count('cell_data /skin/cells: test_skin/Cells has no field "dat"; it has data\n'), 1, said)
+        self.assertEqual(said.count(line), 1, said)
+        self.assertGreater(int(re.search(r"left out: (\d+) messages without the fields", said)[1]), 1)
         self.assertNotIn("Traceback", said)
 
     def test_without_a_master_it_waits(self):
         there = dict(os.environ, ROS_MASTER_URI=f"http://localhost:{free_port()}")
         adapter = self.begin_adapter({"cells": [{"id": 1, "imu": "/imu"}]}, env=there)
-        self.assertIn(f"no ROS master at {there['ROS_MASTER_URI']}; waiting (is roscore running?", adapter.stderr.readline())
-        self.assertEqual(self.end_adapter(adapter), "hexoderm-ros: 0 sent, 0 late, 0 repeated, 0 dropped\n")
+        adapter.wait_for(f"no ROS master answers at {there['ROS_MASTER_URI']}; waiting (is roscore running?")
+        self.assertEqual(self.end_adapter(adapter).splitlines()[1:], ["hexoderm-ros: 0 sent, 0 late, 0 repeated, 0 dropped"])
         adapter = self.begin_adapter({"cells": [{"id": 1, "imu": "/imu"}]}, env=there)
-        self.wait_for_line(adapter, "no ROS master")
+        adapter.wait_for("no ROS master")
         self.start("roscore", "-p", there["ROS_MASTER_URI"].rpartition(":")[2])
-        self.assertRegex(adapter.stderr.readline(), "1 cell on tcp://")
+        adapter.wait_for("1 cell on tcp://")
         self.end_adapter(adapter)
+
+    def test_ctrl_c_ends_it_while_a_master_does_not_answer(self):
+        with socket.create_server(("localhost", 0)) as silent:
+            uri = f"http://localhost:{silent.getsockname()[1]}"
+            adapter = self.begin_adapter({"cells": [{"id": 1, "imu": "/imu"}]}, env=dict(os.environ, ROS_MASTER_URI=uri))
+            adapter.wait_for(f"no ROS master answers at {uri}")
+            self.end_adapter(adapter)
 
     def test_transforms_are_published(self):
         self.simulate("--poses", 3)

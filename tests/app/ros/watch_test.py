@@ -5,7 +5,7 @@ import unittest
 
 from hexoderm_ros.readings import NOT_FINITE, OTHER_FIELDS
 from hexoderm_ros.skin import skin_from
-from hexoderm_ros.watch import NOBODY, SENDS_NOTHING, Watch
+from hexoderm_ros.watch import NOBODY, SENDS_NOTHING, Watch, watching
 from program import reading
 
 
@@ -13,13 +13,14 @@ class Watches(unittest.TestCase):
     def watch(self, document):
         self.now_s, self.said = 0, []
         self.watched = Watch(skin_from(document), self.said.append, lambda: self.now_s)
+        self.watched.begin()
         return self.watched
 
     def imus(self, count):
         return self.watch({"cells": [{"id": k, "imu": f"/imu{k}"} for k in range(1, count + 1)]})
 
     def look(self, why=lambda topic: NOBODY):
-        self.watched.look(why)
+        self.watched.look(lambda topics: {topic: why(topic) for topic in topics})
         said, self.said[:] = list(self.said), []
         return said
 
@@ -37,6 +38,25 @@ class Watches(unittest.TestCase):
         self.message("/imu1", 1)
         self.assertEqual(self.look(), ["nothing on /imu2 (cell 2); nobody publishes it"])
         self.assertEqual(self.look(), [])
+
+    def test_clocks_start_when_it_begins_to_watch(self):
+        self.now_s, self.said = 0, []
+        self.watched = Watch(skin_from({"cells": [{"id": 1, "imu": "/imu1"}]}), self.said.append, lambda: self.now_s)
+        self.now_s = 60  # so long nobody listened, as there was no master
+        with watching(self.watched, lambda topics: dict.fromkeys(topics, NOBODY)):
+            self.assertEqual(self.look(), [])
+        self.now_s = 63
+        self.assertEqual(self.look(), [])
+        self.now_s = 63.5
+        self.assertEqual(self.look(), ["nothing on /imu1 (cell 1); nobody publishes it"])
+
+    def test_why_nothing_comes_is_asked_once_for_all_topics(self):
+        self.imus(3)
+        asked = []
+        self.now_s = 4
+        for _ in range(2):
+            self.watched.look(lambda topics: asked.append(topics) or dict.fromkeys(topics, NOBODY))
+        self.assertEqual(asked, [["/imu1", "/imu2", "/imu3"]])
 
     def test_one_that_stops_and_comes_back_is_named_each_time(self):
         self.imus(1)
