@@ -8139,10 +8139,6 @@ Auf einem entfernten Bildschirm oder mit einem fehlerhaften Treiber kann es helf
         <translation>Zuerst den Roboter wählen: Seine Gelenke geben den Spalten ihre Namen.</translation>
     </message>
     <message>
-        <source>Of a patch this large only some cells are placed, and %1 known points are of others: give points of other cells.</source>
-        <translation>Von einem so großen Hautstück werden nur einige Zellen eingeordnet, und %1 bekannte Punkte gehören zu anderen: Punkte anderer Zellen angeben.</translation>
-    </message>
-    <message>
         <source>There is no skin yet.</source>
         <translation>Noch gibt es keine Haut.</translation>
     </message>
@@ -8165,6 +8161,13 @@ Auf einem entfernten Bildschirm oder mit einem fehlerhaften Treiber kann es helf
     <message>
         <source>set joint angles of %1 poses</source>
         <translation>Gelenkwinkel von %1 Posen setzen</translation>
+    </message>
+</context>
+<context>
+    <name>hexoderm::PlaceSearch</name>
+    <message>
+        <source>Of a patch this large only some cells are placed, and %1 known points are of others: give points of other cells.</source>
+        <translation>Von einem so großen Hautstück werden nur einige Zellen eingeordnet, und %1 bekannte Punkte gehören zu anderen: Punkte anderer Zellen angeben.</translation>
     </message>
 </context>
 <context>

@@ -7,43 +7,18 @@
 #include "app/window/toolkit/deferred_dialog.h"
 #include "app/window/toolkit/file_dialog.h"
 #include "hexoderm/reconstruction/result/patch_placements.h"
-#include "hexoderm/robot/place/by_gravity.h"
-#include "hexoderm/util/error.h"
 #include "widgets/controls/step_panel.h"
 #include "widgets/robot/place_panel.h"
 #include "widgets/robot/place_words.h"
 #include "widgets/robot/robot_view.h"
-#include "widgets/words/words.h"
 
 #include <QDir>
 #include <QFileInfo>
 #include <algorithm>
-#include <sstream>
 #include <utility>
 
 namespace hexoderm {
 namespace {
-
-/// Everything that places depend on, so that two decisions can be compared.
-std::string asText(const PatchPlacement& placement, const std::string& link) {
-  std::ostringstream text;
-  text.precision(17);
-  text << placement.origin << ' ' << link << ' ' << placement.by_surface;
-  for (const KnownPoint& point : placement.points) {
-    text << "; " << point.cell << ' ' << point.x_l.transpose() << ' ' << point.sigma_m;
-  }
-  for (const KnownDistance& distance : placement.distances) {
-    text << "; " << distance.a << ' ' << distance.b << ' ' << distance.distance_m << ' ' << distance.sigma_m;
-  }
-  return text.str();
-}
-
-std::string asText(const SE3& T) {
-  std::ostringstream text;
-  text.precision(17);
-  text << T.R << ' ' << T.t.transpose();
-  return text.str();
-}
 
 QString endingOf(const QString& path) { return QFileInfo(path).suffix().toLower(); }
 
@@ -54,12 +29,13 @@ PlacePresenter::PlacePresenter(const Views& views, SessionController& controller
       controller_(controller),
       placing_(placing),
       facts_(controller),
+      search_(controller, placing, facts_, faults_),
+      by_hand_(views.panel, views.robot, controller, facts_, faults_),
       sentences_(facts_, faults_),
       decisions_(controller, facts_) {
   connectPanel();
   connectWork();
   connectEdits();
-  connectHand();
   connect(&views_.steps, &StepPanel::opened, this, [this] {
     showStand();
     showRobot();
@@ -72,9 +48,9 @@ PlacePresenter::PlacePresenter(const Views& views, SessionController& controller
     facts_.pose = 0;
     facts_.spoken_of = CellId(0);
     looked_at_.reset();
-    leaveAlone();
+    by_hand_.leaveAlone();
     facts_.put.reset();
-    lays_ = false;
+    facts_.lays = false;
   });
 }
 
@@ -90,11 +66,11 @@ void PlacePresenter::connectPanel() {
   });
   connect(panel, &PlacePanel::cancelRequested, this, [this](PlaceWork work) {
     placing_.cancel(work);
-    if (work == PlaceWork::Robot) picked_.reset();
+    if (work == PlaceWork::Robot) search_.dropPickedRobot();
     if (work == PlaceWork::Links) faults_.links = tr("Cancelled.");
     if (work == PlaceWork::Places) {
       faults_.places = tr("Cancelled.");
-      lays_ = false;
+      facts_.lays = false;
     }
     refresh();
   });
@@ -105,15 +81,17 @@ void PlacePresenter::connectPanel() {
   connect(panel, &PlacePanel::patchChosen, this, [this](quint32 origin) {
     facts_.spoken_of = CellId(origin);
     faults_.known.clear();
-    leaveAlone();
+    by_hand_.leaveAlone();
     facts_.put.reset();
-    lays_ = false;
-    forgetPlaces();
+    facts_.lays = false;
+    search_.forgetPlaces();
     refresh();
   });
   connect(panel, &PlacePanel::placePreviewed, this, [this](int row) {
     if (std::exchange(facts_.preview, row) != row) showStand();
   });
+  connect(panel, &PlacePanel::lookWanted, this,
+          [this] { views_.robot.lookAtSkin(indexInPicture(picture(), facts_.patch())); });
   connect(panel, &PlacePanel::pickingChanged, &views_.robot, &RobotView::setPicking);
   connect(&views_.robot, &RobotView::pointPicked, panel, [this](std::size_t link, const Eigen::Vector3d& x_l) {
     const PatchReconstruction* of = facts_.patch();
@@ -132,18 +110,6 @@ void PlacePresenter::connectPanel() {
 
 void PlacePresenter::connectWork() {
   connect(&placing_, &Placing::runningChanged, &views_.panel, &PlacePanel::setRunning);
-  connect(&placing_, &Placing::robotRead, this, [this](const std::shared_ptr<const LoadedRobot>& robot) {
-    facts_.robot = robot;
-    faults_.robot.clear();
-    facts_.links.reset();
-    links_question_.reset();
-    forgetPlaces();
-    if (std::exchange(picked_, std::nullopt)) {
-      asked_ = robot->description;
-      if (controller_.session()) controller_.perform({SetRobot{robot->description}});
-    }
-    refresh();
-  });
   connect(&placing_, &Placing::jointsRead, this, [this](const LoadedJoints& joints) {
     faults_.joints.clear();
     joints_file_ = joints.file;
@@ -160,16 +126,14 @@ void PlacePresenter::connectWork() {
     }
     refresh();
   });
-  connect(&placing_, &Placing::linksFound, this, [this](const std::shared_ptr<const LinksResult>& links) {
-    facts_.links = links;
-    faults_.links.clear();
+  connect(&placing_, &Placing::failed, this, [this](PlaceWork work, const QString& message) {
+    if (work != PlaceWork::Joints) return;
+    faults_.joints = message;
     refresh();
   });
-  connect(&placing_, &Placing::placesFound, this, [this](const std::shared_ptr<const PlaceResult>& places) {
-    facts_.places = places;
-    faults_.places.clear();
-    facts_.preview = -1;
-    if (std::exchange(lays_, false)) {
+  connect(&search_, &PlaceSearch::changed, this, &PlacePresenter::refresh);
+  connect(&search_, &PlaceSearch::placesFound, this, [this] {
+    if (std::exchange(facts_.lays, false)) {
       const auto laid = std::ranges::find(facts_.places->candidates, true, &PlaceCandidate::by_hand);
       if (laid != facts_.places->candidates.end()) {
         faults_.known = decisions_.choosePlace(static_cast<int>(laid - facts_.places->candidates.begin()),
@@ -178,27 +142,9 @@ void PlacePresenter::connectWork() {
     }
     refresh();
   });
-  connect(&placing_, &Placing::failed, this, [this](PlaceWork work, const QString& message) {
-    switch (work) {
-      case PlaceWork::Robot:
-        faults_.robot = message;
-        picked_.reset();
-        break;
-      case PlaceWork::Joints:
-        faults_.joints = message;
-        break;
-      case PlaceWork::Links:
-        facts_.links.reset();
-        faults_.links = message;
-        break;
-      case PlaceWork::Places:
-        facts_.places.reset();
-        faults_.places = message;
-        lays_ = false;
-        break;
-    }
-    refresh();
-  });
+  connect(&by_hand_, &PlaceByHand::moved, this, &PlacePresenter::showStand);
+  connect(&by_hand_, &PlaceByHand::put, &search_, &PlaceSearch::askForPlacesAgain);
+  connect(&by_hand_, &PlaceByHand::laid, this, &PlacePresenter::refresh);
 }
 
 void PlacePresenter::connectEdits() {
@@ -223,36 +169,6 @@ void PlacePresenter::connectEdits() {
 void PlacePresenter::take(const QString& fault) {
   faults_.known = fault;
   refresh();
-}
-
-void PlacePresenter::connectHand() {
-  PlacePanel* panel = &views_.panel;
-  RobotView* view = &views_.robot;
-  connect(panel, &PlacePanel::lookWanted, this,
-          [this] { views_.robot.lookAtSkin(indexInPicture(picture(), facts_.patch())); });
-  connect(panel, &PlacePanel::movingChanged, this, [this](bool moving) {
-    if (!moving) return lay();
-    if (takeInHand()) {
-      showStand();
-      views_.robot.setMoving(true);
-    } else {
-      views_.panel.endMoving();
-    }
-  });
-  connect(view, &RobotView::gripped, this, [this](const Eigen::Vector3d& x_l) {
-    if (takeInHand()) moveInHand([&] { hand_.grip(x_l); });
-  });
-  connect(view, &RobotView::pulledTo, this,
-          [this](const Eigen::Vector3d& x_l) { moveInHand([&] { hand_.pullTo(x_l); }); });
-  connect(view, &RobotView::slid, this,
-          [this](const Eigen::Vector3d& way_l) { moveInHand([&] { hand_.slide(way_l); }); });
-  connect(view, &RobotView::turned, this, [this](double angle_rad) { moveInHand([&] { hand_.turn(angle_rad); }); });
-  connect(view, &RobotView::released, this, &PlacePresenter::lay);
-  connect(view, &RobotView::laid, this, &PlacePresenter::lay);
-  connect(view, &RobotView::leftAlone, this, [this] {
-    leaveAlone();
-    showStand();
-  });
 }
 
 // --- files
@@ -297,9 +213,7 @@ void PlacePresenter::askForJoints() {
 }
 
 void PlacePresenter::pickRobot(const RobotDescription& description) {
-  faults_.robot.clear();
-  picked_ = description;
-  placing_.readRobot(description);
+  search_.pickRobot(description);
   showStand();
 }
 
@@ -354,112 +268,22 @@ void PlacePresenter::setReconstruction(std::shared_ptr<const Reconstruction> rec
   facts_.solved = std::move(reconstruction);
   if (!facts_.solved) {
     facts_.links.reset();
-    forgetPlaces();
+    search_.forgetPlaces();
   }
 }
 
 void PlacePresenter::refresh() {
-  followRobot();
+  search_.followRobot();
   if (facts_.patch() == nullptr && facts_.solved) {
     const PatchReconstruction* largest = largestPatch(*facts_.solved);
     facts_.spoken_of = largest != nullptr ? largest->origin : CellId(0);
-    forgetPlaces();
+    search_.forgetPlaces();
   }
-  if (hand_.isHeld()) {
-    const auto where = handle();
-    if (!where || !hand_.isReadyFor(*where)) leaveAlone();
-  }
-  findLinks();
-  findPlaces();
+  by_hand_.follow();
+  search_.findLinks();
+  search_.findPlaces();
   showStand();
   showRobot();
-}
-
-/// The session's robot is read; another one, by undo for example, takes its place.
-void PlacePresenter::followRobot() {
-  if (picked_) return;
-  std::optional<RobotDescription> wanted;
-  if (controller_.session()) {
-    wanted = controller_.session()->robot();
-  } else if (controller_.reconstruction()) {
-    wanted = controller_.reconstruction()->robot;
-  }
-  if (wanted == asked_) return;
-  asked_ = wanted;
-  facts_.robot.reset();
-  facts_.links.reset();
-  links_question_.reset();
-  faults_.robot.clear();
-  forgetPlaces();
-  if (asked_) {
-    placing_.readRobot(*asked_);
-  } else {
-    placing_.cancel(PlaceWork::Robot);
-  }
-}
-
-void PlacePresenter::findLinks() {
-  const std::map<PoseId, JointAngles> known = facts_.angles();
-  if (!facts_.robot || !facts_.solved || !controller_.session() || known.empty()) {
-    facts_.links.reset();
-    links_question_.reset();
-    faults_.links.clear();
-    placing_.cancel(PlaceWork::Links);
-    return;
-  }
-  LinksQuestion question{facts_.robot, facts_.solved, known, {}};
-  for (const PatchPlacement& placement : controller_.reconstruction()->placements) {
-    const bool is_there =
-        facts_.robot->model.findLink(placement.link).has_value() && facts_.patchOf(placement.origin) != nullptr;
-    if (placement.link_chosen && is_there) question.chosen[placement.origin] = placement.link;
-  }
-  if (links_question_ == question) return;
-  links_question_ = question;
-  faults_.links.clear();
-  LinksOptions options;
-  options.chosen = question.chosen;
-  placing_.findLinks(facts_.solved, facts_.robot, known, options);
-}
-
-void PlacePresenter::forgetPlaces() {
-  facts_.places.reset();
-  places_question_.reset();
-  faults_.places.clear();
-  faults_.places_remark.clear();
-  facts_.preview = -1;
-  placing_.cancel(PlaceWork::Places);
-}
-
-void PlacePresenter::findPlaces() {
-  const PatchReconstruction* of = facts_.patch();
-  // How the patch is turned has to be known first, as far as it can be.
-  if (placing_.isRunning(PlaceWork::Links)) return;
-  if (!facts_.robot || !facts_.solved || of == nullptr || !controller_.session() || facts_.linkOf(*of).empty()) {
-    forgetPlaces();
-    return;
-  }
-  PlacesQuestion question{facts_.robot, facts_.solved, facts_.links, {}};
-  for (const PatchReconstruction* other : facts_.placedWith(*of)) {
-    question.decisions.push_back(asText(facts_.decided(*other), facts_.linkOf(*other)));
-  }
-  if (facts_.isPut(*of)) question.decisions.push_back(asText(facts_.put->T_l_o));
-  if (places_question_ == question) return;
-  forgetPlaces();
-  places_question_ = question;
-  std::optional<PlaceTask> task = facts_.taskFor(*of);
-  if (!task) {
-    lays_ = false;
-    return;
-  }
-  std::size_t known_points = 0;
-  for (const PatchReconstruction* other : facts_.placedWith(*of)) known_points += facts_.decided(*other).points.size();
-  if (known_points > task->points.size()) {
-    faults_.places_remark =
-        tr("Of a patch this large only some cells are placed, and %1 known points are of others: give points "
-           "of other cells.")
-            .arg(known_points - task->points.size());
-  }
-  placing_.findPlaces(std::move(*task));
 }
 
 QString PlacePresenter::whyNot() const {
@@ -474,8 +298,8 @@ QString PlacePresenter::whyNot() const {
 // --- in words and in 3D
 
 RobotPicture PlacePresenter::picture() const {
-  RobotPicture picture = robotPicture(facts_, hand_, lays_);
-  if (handle() && views_.steps.openIndex() == static_cast<int>(GuideStep::Place)) {
+  RobotPicture picture = robotPicture(facts_, by_hand_.hand());
+  if (by_hand_.handle() && views_.steps.openIndex() == static_cast<int>(GuideStep::Place)) {
     picture.movable = indexInPicture(picture, facts_.patch());
   }
   return picture;
@@ -485,7 +309,7 @@ void PlacePresenter::showStand() {
   PlaceStand stand;
   stand.why_not = whyNot();
   stand.has_robot = facts_.robot != nullptr;
-  stand.names_robot = asked_.has_value();
+  stand.names_robot = search_.namesRobot();
   stand.robot = sentences_.robot();
   stand.joints = sentences_.joints();
   stand.sheet = facts_.sheet();
@@ -506,7 +330,7 @@ void PlacePresenter::showStand() {
         stand.places << placeInList(facts_.places->candidates[k], k + 1, static_cast<int>(k) == stand.place);
       }
     }
-    stand.place_says = hand_.isHeld() ? PlaceSentences::hand(hand_) : sentences_.places();
+    stand.place_says = by_hand_.hand().isHeld() ? PlaceSentences::hand(by_hand_.hand()) : sentences_.places();
     if (!link.empty() && !index) {
       stand.link_says = {Tone::Bad, tr("The robot has no link %1, on which the patch was placed: choose another one, "
                                        "or the robot that it belongs to.")
@@ -517,12 +341,10 @@ void PlacePresenter::showStand() {
   views_.robot.setPicture(drawn);
   lookAtWhatIsNew(drawn);
   stand.is_drawn = indexInPicture(drawn, facts_.patch()).has_value();
-  stand.can_move = handle().has_value() && views_.robot.canDraw();
+  stand.can_move = by_hand_.handle().has_value() && views_.robot.canDraw();
   views_.panel.setStand(stand);
 }
 
-/// In the step itself; and before the export where there is something to be seen of it: there it is looked at closely,
-/// so that the cells' numbers can be compared with the skin.
 /// The camera goes up to a patch when it is drawn on a link for the first time; after that it is the operator's.
 void PlacePresenter::lookAtWhatIsNew(const RobotPicture& drawn) {
   const auto index = indexInPicture(drawn, facts_.patch());
@@ -531,6 +353,8 @@ void PlacePresenter::lookAtWhatIsNew(const RobotPicture& drawn) {
   if (std::exchange(looked_at_, seen) != seen) views_.robot.lookAtSkin(index);
 }
 
+/// In the step itself; and before the export where there is something to be seen of it: there it is looked at closely,
+/// so that the cells' numbers can be compared with the skin.
 void PlacePresenter::showRobot() {
   const int open = views_.steps.openIndex();
   const bool opened = std::exchange(open_step_, open) != open;
@@ -542,65 +366,6 @@ void PlacePresenter::showRobot() {
   views_.robot.setVisible(shown);
   // Beneath, it would take the keyboard and not be seen.
   views_.middle.setVisible(!shown);
-}
-
-// --- by hand
-
-std::optional<HandPlace::Where> PlacePresenter::handle() const {
-  const PatchReconstruction* of = facts_.patch();
-  if (!facts_.robot || of == nullptr || !controller_.session() || !facts_.decided(*of).by_surface) return std::nullopt;
-  const auto link = facts_.robot->model.findLink(facts_.linkOf(*of));
-  if (!link || (*facts_.robot->bodies)[*link].empty()) return std::nullopt;
-  return HandPlace::Where{facts_.robot, *link, facts_.solved, facts_.links, of->origin};
-}
-
-bool PlacePresenter::takeInHand() {
-  if (hand_.isHeld()) return true;
-  const auto where = handle();
-  if (!where) return false;
-  const PatchReconstruction* of = facts_.patch();
-  const RobotPicture drawn = picture();
-  const auto index = indexInPicture(drawn, of);
-  std::optional<SE3> from;
-  if (index && drawn.patches[*index].link == where->link) from = drawn.patches[*index].T_l_o;
-  try {
-    if (!hand_.isReadyFor(*where)) {
-      PatchToPlace to_place = patchToPlace(*of);
-      if (const PatchLinks* links = facts_.linksOf(*of))
-        to_place.rotation = rotationByGravity(*links, facts_.linkOf(*of));
-      hand_.getReady(*where, to_place, facts_.solved->model->thickness_m);
-    }
-    hand_.take(from);
-  } catch (const InvalidArgument& error) {
-    faults_.places = words(error);
-    showStand();
-    return false;
-  }
-  return true;
-}
-
-template <class Move>
-void PlacePresenter::moveInHand(Move move) {
-  if (!hand_.isHeld()) return;
-  move();
-  showStand();
-}
-
-void PlacePresenter::lay() {
-  if (!hand_.isHeld()) return;
-  if (hand_.isMoved()) {
-    facts_.put = hand_.place();
-    lays_ = true;
-    places_question_.reset();
-  }
-  leaveAlone();
-  refresh();
-}
-
-void PlacePresenter::leaveAlone() {
-  hand_.letGo();
-  views_.robot.setMoving(false);
-  views_.panel.endMoving();
 }
 
 }  // namespace hexoderm

@@ -15,12 +15,12 @@ const PlaceCandidate* shownCandidate(const PlaceFacts& facts) {
   return index < facts.places->candidates.size() ? &facts.places->candidates[index] : nullptr;
 }
 
-void addPatches(const PlaceFacts& facts, const HandPlace& hand, bool lays, RobotPicture& picture) {
+void addPatches(const PlaceFacts& facts, const HandPlace& hand, RobotPicture& picture) {
   const PlaceCandidate* candidate = shownCandidate(facts);
   for (std::size_t k = 0; k < facts.solved->patches.size(); ++k) {
     const PatchReconstruction& drawn = facts.solved->patches[k];
     const bool is_held = hand.isHeld() && hand.origin() == drawn.origin;
-    if (is_held || (lays && facts.isPut(drawn))) {
+    if (is_held || (facts.lays && facts.isPut(drawn))) {
       const PutPlace put = is_held ? hand.place() : *facts.put;
       if (const auto link = facts.robot->model.findLink(put.link))
         picture.patches.push_back({k, *link, put.T_l_o, true});
@@ -48,14 +48,14 @@ void addPatches(const PlaceFacts& facts, const HandPlace& hand, bool lays, Robot
 
 }  // namespace
 
-RobotPicture robotPicture(const PlaceFacts& facts, const HandPlace& hand, bool lays) {
+RobotPicture robotPicture(const PlaceFacts& facts, const HandPlace& hand) {
   RobotPicture picture;
   if (!facts.robot) return picture;
   picture.bodies = facts.robot->bodies;
   picture.T_w_l = facts.robot->model.forward(facts.shownAngles());
   if (!facts.solved) return picture;
   picture.skin = facts.solved;
-  addPatches(facts, hand, lays, picture);
+  addPatches(facts, hand, picture);
   const PatchReconstruction* of = facts.patch();
   if (of == nullptr) return picture;
   if (const auto link = facts.robot->model.findLink(facts.linkOf(*of))) {

@@ -32,6 +32,7 @@ struct PlaceFacts {
   quint32 pose = 0;                           ///< in which the robot is drawn
   int preview = -1;                           ///< the row of the place that is pointed at
   std::optional<PutPlace> put;                ///< where a patch was put by hand; the fit begins there too
+  bool lays = false;                          ///< what the fit makes of where it was put becomes its place
 
   /// The patch that the step is about; null: there is none.
   [[nodiscard]] const PatchReconstruction* patch() const;

@@ -1,0 +1,161 @@
+#pragma once
+
+#include "app/window/guide/guide.h"
+#include "hexoderm/device/simulation/simulated_robot.h"
+#include "hexoderm/io/session_json.h"
+#include "hexoderm/kinematics/joint_angles_csv.h"
+#include "hexoderm/kinematics/robot_model.h"
+#include "hexoderm/reconstruction/result/patch_placements.h"
+#include "hexoderm/session/session_joint_angles.h"
+#include "hexoderm/session/simulated_session.h"
+#include "hexoderm/util/file.h"
+#include "hexoderm/util/units.h"
+#include "tests/app/window/keyboard.h"
+#include "widgets/controls/step_panel.h"
+#include "widgets/robot/place_panel.h"
+#include "widgets/robot/robot_view.h"
+
+#include <QComboBox>
+#include <QDoubleSpinBox>
+#include <QListWidget>
+#include <QPushButton>
+#include <QSpinBox>
+#include <algorithm>
+#include <cstddef>
+#include <optional>
+#include <stdexcept>
+#include <vector>
+
+namespace hexoderm {
+
+/// The step "Place on the robot" in the window, with a session of the demo's robot, without its joint angles, and a
+/// table of these.
+class WindowPlaceTest : public KeyboardTest {
+ protected:
+  void SetUp() override {
+    KeyboardTest::SetUp();
+    SimulatedRobotOptions options;
+    options.mounts = demoMounts();
+    robot_.emplace(builtInCellModel("hex-bma150"), RobotModel::read(HEXODERM_DEMO_ROBOT), options);
+    const SimulatedRobotSession simulated = simulateRobotSession(*robot_, 8, 50);
+    angles_ = jointAnglesOf(simulated.session);
+    Session without = simulated.session;
+    for (std::size_t k = 0; k < without.poses().size(); ++k) without.setJointAngles(k, {});
+    writeSessionJson(without, pathTo("arm.session.json").toStdString());
+    writeFileAtomically(pathTo("arm.csv").toStdString(), jointAnglesCsv(angles_, robot_->robot()));
+  }
+
+  PlacePanel& panel() { return *window_->placePanel(); }
+  const PlaceStand& stand() { return panel().stand(); }
+  template <class T>
+  T* inPanel(const char* name) {
+    T* widget = panel().findChild<T*>(QLatin1String(name));
+    EXPECT_NE(widget, nullptr) << name;
+    return widget;
+  }
+  bool isWorking() {
+    for (const PlaceWork work : {PlaceWork::Robot, PlaceWork::Joints, PlaceWork::Links, PlaceWork::Places}) {
+      if (panel().isRunning(work)) return true;
+    }
+    return false;
+  }
+  bool waitForWork() {
+    return waitUntilIdle() && waitUntil([this] {
+             window_->showChanges();
+             return !isWorking();
+           });
+  }
+  void openStep() {
+    window_->findChild<StepPanel*>()->openStep(static_cast<int>(GuideStep::Place));
+    ASSERT_TRUE(waitUntil([this] { return panel().isVisible(); }));
+  }
+  void openSession() {
+    window_->openFile(pathTo("arm.session.json"));
+    ASSERT_TRUE(waitForPoses(8)) << message().toStdString();
+    openStep();
+  }
+  /// Scrolls to it first, as a person does.
+  template <class T>
+  void pressInPanel(const char* name) {
+    auto* widget = inPanel<T>(name);
+    ASSERT_TRUE(widget->isEnabled()) << name << ": " << widget->toolTip().toStdString();
+    window_->findChild<StepPanel*>()->ensureWidgetVisible(widget);
+    QCoreApplication::processEvents();
+    click(widget);
+  }
+  void clickRowOf(QListWidget* list, int row) {
+    window_->findChild<StepPanel*>()->ensureWidgetVisible(list);
+    list->scrollToItem(list->item(row));
+    QCoreApplication::processEvents();
+    QTest::mouseClick(list->viewport(), Qt::LeftButton, Qt::NoModifier, list->visualItemRect(list->item(row)).center());
+  }
+  void chooseRobot(const QString& path) {
+    ASSERT_NO_FATAL_FAILURE(pressInPanel<QPushButton>("placeChooseRobot"));
+    ASSERT_NO_FATAL_FAILURE(typeIntoFileDialog("robotDialog", path));
+    ASSERT_TRUE(waitUntil([this] { return window_->findChild<QDialog*>("robotDialog") == nullptr; }));
+    ASSERT_TRUE(waitForWork());
+  }
+  void chooseJoints(const QString& path) {
+    ASSERT_NO_FATAL_FAILURE(pressInPanel<QPushButton>("placeChooseJoints"));
+    ASSERT_NO_FATAL_FAILURE(typeIntoFileDialog("jointsDialog", path));
+    ASSERT_TRUE(waitUntil([this] { return window_->findChild<QDialog*>("jointsDialog") == nullptr; }));
+    ASSERT_TRUE(waitForWork());
+  }
+  void openWithRobot() {
+    ASSERT_NO_FATAL_FAILURE(openSession());
+    ASSERT_NO_FATAL_FAILURE(chooseRobot(HEXODERM_DEMO_ROBOT));
+    ASSERT_TRUE(stand().has_robot) << stand().robot.text.toStdString();
+    ASSERT_NO_FATAL_FAILURE(chooseJoints(pathTo("arm.csv")));
+  }
+  void choosePatch(quint32 origin) {
+    auto* box = inPanel<QComboBox>("placePatchList");
+    const int index = box->findData(origin);
+    ASSERT_GE(index, 0);
+    box->setFocus();
+    QTest::keyClick(box, Qt::Key_Home);
+    for (int k = 0; k < box->count() && box->currentIndex() != index; ++k) QTest::keyClick(box, Qt::Key_Down);
+    ASSERT_EQ(stand().patch, origin);
+    ASSERT_TRUE(waitForWork());
+  }
+  /// Of the patch that holds a cell.
+  [[nodiscard]] const MountedPatch& mounted(CellId cell) const {
+    for (const MountedPatch& patch : robot_->patches()) {
+      if (std::ranges::find(patch.cells, cell) != patch.cells.end()) return patch;
+    }
+    throw std::logic_error("no patch holds the cell");
+  }
+  [[nodiscard]] SE3 trueCell(CellId cell) const {
+    const MountedPatch& patch = mounted(cell);
+    const auto found = std::ranges::find(patch.cells, cell);
+    return patch.T_l_u[static_cast<std::size_t>(found - patch.cells.begin())];
+  }
+  /// Adds two cells as known points, far apart: with these there is one place.
+  void typePoints(CellId origin) {
+    const MountedPatch& patch = mounted(origin);
+    for (const CellId cell : {patch.cells.front(), patch.cells.back()}) {
+      const Eigen::Vector3d x_mm = trueCell(cell).t / kMillimetre;
+      inPanel<QSpinBox>("placePointCell")->setValue(static_cast<int>(cell.value()));
+      inPanel<QDoubleSpinBox>("placePointX")->setValue(x_mm.x());
+      inPanel<QDoubleSpinBox>("placePointY")->setValue(x_mm.y());
+      inPanel<QDoubleSpinBox>("placePointZ")->setValue(x_mm.z());
+      ASSERT_NO_FATAL_FAILURE(pressInPanel<QPushButton>("placeAddPoint"));
+      ASSERT_TRUE(waitForWork());
+    }
+  }
+  void expectPlacedWell() {
+    const std::vector<PatchOnLink> placed = placedPatches(*controller().reconstruction());
+    ASSERT_EQ(placed.size(), 2U);
+    for (const PatchOnLink& place : placed) {
+      EXPECT_EQ(place.link, mounted(place.origin).link);
+      // The points were typed to a tenth of a millimetre, and the surface is exact: what is left is the patch's shape.
+      EXPECT_LT((place.T_l_o.t - trueCell(place.origin).t).norm(), 0.010);
+      EXPECT_TRUE(place.cov_t_r.has_value());
+    }
+  }
+  QString robotText() { return QString::fromStdString(readFile(HEXODERM_DEMO_ROBOT)); }
+
+  std::optional<SimulatedRobot> robot_;
+  JointAnglesTable angles_;
+};
+
+}  // namespace hexoderm
