@@ -1,5 +1,6 @@
 """The node of ROS 1 (rospy)."""
 
+import contextlib
 import http.client
 import signal
 import threading
@@ -21,6 +22,7 @@ from hexoderm_ros.watch import NOBODY, SENDS_NOTHING, watching
 ANSWERS_S = 1  # a master that is there answers within it
 QUEUE = 1000  # messages of a topic, while others are dealt with
 ASK_EVERY_S = 0.5
+LOOK_EVERY_S = 0.2  # whether it ended
 
 
 def _now_us():
@@ -44,8 +46,27 @@ class _OfAnyType:
         self._callback(message)
 
 
+class _End:
+    """Ctrl+C and SIGTERM: a KeyboardInterrupt, and known afterwards, since ROS swallows some exceptions. Its own handler
+    would end the node in the middle of whatever is done at that moment, and can wait there for itself for ever."""
+
+    def __init__(self):
+        self.is_asked_for = False
+        # Said even where a shell has what it puts behind it ignore the signal.
+        for each in (signal.SIGINT, signal.SIGTERM):
+            signal.signal(each, self._ask)
+
+    def _ask(self, *_):
+        self.is_asked_for = True
+        raise KeyboardInterrupt
+
+    def wait(self):
+        while not (self.is_asked_for or rospy.is_shutdown()):
+            time.sleep(LOOK_EVERY_S)
+
+
 def _wait_for_master(name):
-    """Until it is there, or until Ctrl+C: KeyboardInterrupt."""
+    """Until it is there."""
     try:
         master = rosgraph.Master("/" + name)
     except ValueError as error:
@@ -57,9 +78,7 @@ def _wait_for_master(name):
             time.sleep(ASK_EVERY_S)
         is_there.set()
 
-    # A shell has what it puts behind it ignore the signal. is_online() would swallow the exception of Ctrl+C, and asks a
-    # computer that does not answer for minutes: it has a thread of its own.
-    signal.signal(signal.SIGINT, signal.default_int_handler)
+    # It asks a computer that does not answer for minutes, and would swallow a KeyboardInterrupt: it has a thread of its own.
     threading.Thread(target=ask, daemon=True).start()
     if not is_there.wait(ANSWERS_S):
         say(f"no ROS master answers at {master.master_uri}; waiting (is roscore running? ROS_MASTER_URI says where it is)")
@@ -67,16 +86,16 @@ def _wait_for_master(name):
     return master
 
 
-def _begin(name):
-    """The master, with a node of that name. KeyboardInterrupt: the user ended it."""
+@contextlib.contextmanager
+def _node(name):
+    """The master and the end, with a node of that name. KeyboardInterrupt: the user ended it."""
+    end = _End()
     master = _wait_for_master(name)
     try:
-        rospy.init_node(name, anonymous=True)
-    except rospy.exceptions.ROSInitException:
-        if not rospy.is_shutdown():
-            raise
-        raise KeyboardInterrupt from None
-    return master
+        rospy.init_node(name, anonymous=True, disable_signals=True)
+        yield master, end
+    finally:
+        rospy.signal_shutdown("ended")
 
 
 def _why_nothing_comes(master, imus):
@@ -102,9 +121,7 @@ def _why_nothing_comes(master, imus):
 
 
 def pass_on(skin, intake, watch, say_ready):
-    """Passes the readings of the topics on until ROS ends."""
-    master = _begin("hexoderm_ros")
-    say_ready()
+    """Passes the readings of the topics on until ROS ends, or the user ends it: KeyboardInterrupt."""
 
     def subscribe(topic, kind, callback):
         rospy.Subscriber(topic, kind, callback, queue_size=QUEUE, tcp_nodelay=True)
@@ -112,25 +129,27 @@ def pass_on(skin, intake, watch, say_ready):
     def with_time(take):
         return lambda message: take(message, _now_us())
 
-    for topic in skin.imus:
-        subscribe(topic, sensor_msgs.msg.Imu, with_time(intake.imu(topic)))
-    for names in skin.cell_data:
-        subscribe(names.topic, rospy.AnyMsg, _OfAnyType(with_time(intake.cell_data(names))))
-    with watching(watch, _why_nothing_comes(master, skin.imus)):
-        rospy.spin()
+    with _node("hexoderm_ros") as (master, end):
+        say_ready()
+        for topic in skin.imus:
+            subscribe(topic, sensor_msgs.msg.Imu, with_time(intake.imu(topic)))
+        for names in skin.cell_data:
+            subscribe(names.topic, rospy.AnyMsg, _OfAnyType(with_time(intake.cell_data(names))))
+        with watching(watch, _why_nothing_comes(master, skin.imus)):
+            end.wait()
 
 
 def publish(transforms, say_ready):
-    """Publishes static transforms until ROS ends."""
-    _begin("hexoderm_transforms")
-    messages = []
-    for transform in transforms:
-        message = geometry_msgs.msg.TransformStamped()
-        message.header.stamp = rospy.Time.now()
-        message.header.frame_id, message.child_frame_id = transform.parent, transform.child
-        message.transform.translation = geometry_msgs.msg.Vector3(*transform.translation)
-        message.transform.rotation = geometry_msgs.msg.Quaternion(*transform.rotation)
-        messages.append(message)
-    tf2_ros.StaticTransformBroadcaster().sendTransform(messages)
-    say_ready()
-    rospy.spin()
+    """Publishes static transforms until ROS ends, or the user ends it: KeyboardInterrupt."""
+    with _node("hexoderm_transforms") as (_, end):
+        messages = []
+        for transform in transforms:
+            message = geometry_msgs.msg.TransformStamped()
+            message.header.stamp = rospy.Time.now()
+            message.header.frame_id, message.child_frame_id = transform.parent, transform.child
+            message.transform.translation = geometry_msgs.msg.Vector3(*transform.translation)
+            message.transform.rotation = geometry_msgs.msg.Quaternion(*transform.rotation)
+            messages.append(message)
+        tf2_ros.StaticTransformBroadcaster().sendTransform(messages)
+        say_ready()
+        end.wait()

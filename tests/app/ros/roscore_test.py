@@ -289,6 +289,13 @@ class Ros1(InFolder):
             adapter.wait_for(f"no ROS master answers at {uri}")
             self.end_adapter(adapter)
 
+    def test_ctrl_c_ends_it_at_any_moment_of_its_beginning(self):
+        document = {"cells": [{"id": k, "imu": f"/imu{k}"} for k in range(1, 60)]}
+        for delay_s in (0, 0.01, 0.02, 0.05, 0.1, 0.2):
+            adapter, _ = self.start_adapter(document)
+            time.sleep(delay_s)
+            self.end_adapter(adapter)
+
     def test_transforms_are_published(self):
         self.simulate("--poses", 3)
         run("solve", self.folder / "true.session.json", "-o", self.folder / "c.json")
