@@ -169,7 +169,8 @@ TEST_F(CliPatches, LinksAreThoseOfTheRobotWhereverItIsGiven) {
   for (const std::string format : {"tf-yaml", "robot-urdf", "ply"}) {
     const Outcome wrong = run(command + format + " --place forarm:0,0,0,0,0,0");
     EXPECT_EQ(wrong.exit_code, 2) << format;
-    EXPECT_THAT(wrong.err, HasSubstr("--place: robot.urdf: the robot has no link forarm; did you mean forearm?"));
+    EXPECT_THAT(wrong.err,
+                HasSubstr("the place of a patch: robot.urdf: the robot has no link forarm; did you mean forearm?"));
   }
   EXPECT_THAT(run(command + "tf-yaml").err, HasSubstr("--parent: robot.urdf: the robot has no link base_link"));
   EXPECT_EQ(run(command + "ply").exit_code, 0) << "it has no link";

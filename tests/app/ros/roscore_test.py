@@ -244,7 +244,7 @@ class Ros1(InFolder):
         for line in ("nothing on /imu1 (cell 1); nobody publishes it\n", "nothing on /imu2 (cell 2); its publisher sends nothing\n",
                      "nothing on /imu3 (cell 3); its type is std_msgs/String, and not sensor_msgs/Imu\n"):
             adapter.wait_for(line)
-        self.assertEqual(self.end_adapter(adapter).count("nothing"), 3)
+        self.assertEqual(self.end_adapter(adapter).count("nothing on"), 3)
 
     def test_a_wrong_name_of_a_field_is_said_once(self):
         types = genpy.dynamic.generate_dynamic("test_skin/Cells", DEFINITION)

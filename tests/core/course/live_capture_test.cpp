@@ -147,7 +147,8 @@ TEST(LiveCapture, SaysWhyNothingComes) {
   options.source = "tcp://127.0.0.1:1";
   options.timeout_s = 0.2;
   LiveCapture capture(options);
-  EXPECT_THAT(messageOf<DeviceError>([&] { capture.next(); }), saysAll("tcp://127.0.0.1:1", "nothing for", "gives up"));
+  EXPECT_THAT(messageOf<DeviceError>([&] { capture.next(); }),
+              saysAll("tcp://127.0.0.1:1", "the device did not describe itself for 0.2 s"));
   EXPECT_FALSE(capture.next());
 }
 
