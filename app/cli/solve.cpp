@@ -4,11 +4,10 @@
 #include "hexoderm/io/calibration_json.h"
 #include "hexoderm/reconstruction/evaluation/evaluation.h"
 #include "hexoderm/reconstruction/reconstructor.h"
+#include "hexoderm/util/parallel.h"
 #include "hexoderm/util/text.h"
 
-#include <algorithm>
 #include <iostream>
-#include <thread>
 
 namespace hexoderm::cli {
 namespace {
@@ -16,7 +15,7 @@ namespace {
 struct SolveOptions {
   std::vector<std::string> inputs;
   std::string output;
-  std::size_t jobs = std::max(1U, std::thread::hardware_concurrency());
+  std::size_t jobs = cores();
   std::string solver = "global";
   std::string centring = "auto";
   std::string support_axes = "auto";

@@ -2,6 +2,7 @@
 
 #include "hexoderm/io/calibration_json.h"
 #include "hexoderm/util/interrupt.h"
+#include "hexoderm/util/parallel.h"
 #include "hexoderm/util/text.h"
 
 #include <algorithm>
@@ -99,7 +100,7 @@ class BatchThreads {
       : batch_(batch), files_(std::move(files)), json_(json), ended_(batch.inputs.size()) {
     const std::size_t jobs = std::min(batch.jobs, batch.inputs.size());
     ahead_ = json ? kMostWaitingTexts * jobs : batch.inputs.size();
-    for (std::size_t k = 0; k < jobs; ++k) threads_.emplace_back([this] { work(); });
+    for (std::size_t k = 0; k < jobs; ++k) threads_.emplace_back([this, k] { work(k == 0 ? 0 : 1); });
   }
   ~BatchThreads() { stop_.request_stop(); }
   BatchThreads(const BatchThreads&) = delete;
@@ -127,7 +128,9 @@ class BatchThreads {
   }
 
  private:
-  void work() {
+  /// `cores`: that this thread takes from the others' solutions; the first has the one that every call has.
+  void work(std::size_t cores) {
+    const CoresInUse in_use(cores);
     while (const std::optional<std::size_t> session = takeUp()) {
       std::optional<EndedSession> ended = solve(*session);
       const std::lock_guard lock(mutex_);

@@ -2,6 +2,7 @@
 #include "app/window/settings/preferences.h"
 #include "app/window/settings/translation.h"
 #include "hexoderm/util/freed_memory.h"
+#include "hexoderm/util/parallel.h"
 
 #include <QApplication>
 #include <QCommandLineParser>
@@ -186,6 +187,7 @@ std::unique_ptr<QApplication> connectToDisplay(int& argc, char** argv) {
 
 int main(int argc, char** argv) {
   keepFreedMemory();
+  const CoresInUse thread_of_the_window(1);  // it never waits for what is solved
   QCoreApplication::setOrganizationName(QStringLiteral("Hexoderm"));
   QCoreApplication::setApplicationName(QStringLiteral("hexoderm"));
   QCoreApplication::setApplicationVersion(QStringLiteral(HEXODERM_VERSION));

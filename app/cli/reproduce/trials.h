@@ -4,6 +4,7 @@
 #include "hexoderm/reconstruction/evaluation/evaluation.h"
 #include "hexoderm/reconstruction/result/reconstruction.h"
 #include "hexoderm/session/session.h"
+#include "hexoderm/util/parallel.h"
 
 #include "app/cli/command.h"
 
@@ -80,6 +81,7 @@ class Trials {
     std::exception_ptr failure;
     std::mutex failure_mutex;
     const auto work = [&](bool reports) {
+      const CoresInUse helper(reports ? 0 : 1);
       for (std::size_t k = next++; k < count; k = next++) {
         if (reports) report(what, k + 1, count);
         try {
@@ -92,8 +94,7 @@ class Trials {
       }
     };
     std::vector<std::thread> helpers;
-    const std::size_t threads = std::max(1U, std::thread::hardware_concurrency());
-    for (std::size_t k = 1; k < std::min(threads, count); ++k) helpers.emplace_back(work, false);
+    for (std::size_t k = 1; k < std::min(cores(), count); ++k) helpers.emplace_back(work, false);
     work(true);
     for (std::thread& helper : helpers) helper.join();
     if (failure) std::rethrow_exception(failure);

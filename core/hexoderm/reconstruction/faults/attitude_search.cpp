@@ -1,5 +1,6 @@
 #include "hexoderm/reconstruction/faults/attitude_search.h"
 
+#include "hexoderm/util/parallel.h"
 #include "hexoderm/util/units.h"
 
 #include <Eigen/Cholesky>
@@ -8,6 +9,7 @@
 #include <cmath>
 #include <deque>
 #include <functional>
+#include <iterator>
 #include <utility>
 
 namespace hexoderm {
@@ -58,6 +60,20 @@ Turns likeliestTurns(const Eigen::Vector3d& off, const Eigen::Matrix3d& covarian
   const Eigen::Matrix3d information = covariance.inverse();
   const Eigen::Vector3d diagonal = information.diagonal();
   return {(information * off).cwiseQuotient(diagonal), diagonal.cwiseSqrt().cwiseInverse()};
+}
+
+constexpr std::size_t kAtOnce = 128;  // cells or links that one thread looks at
+
+/// What look(k, suspects) adds to the suspects, in the order of k.
+template <class Look>
+std::vector<AttitudeSuspect> foundAmong(std::size_t count, const Look& look) {
+  std::vector<std::vector<AttitudeSuspect>> of_ranges((count + kAtOnce - 1) / kAtOnce);
+  inRanges(count, kAtOnce, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t k = begin; k < end; ++k) look(k, of_ranges[begin / kAtOnce]);
+  });
+  std::vector<AttitudeSuspect> all;
+  for (const std::vector<AttitudeSuspect>& found : of_ranges) all.insert(all.end(), found.begin(), found.end());
+  return all;
 }
 
 double headingOf(const Port& port) { return std::atan2(port.vector_m.y(), port.vector_m.x()); }
@@ -228,8 +244,12 @@ void AttitudeSearch::passBeliefs() {
   const int reach = has_loops ? 1 : 4;  // links
   for (Joint& joint : joints_) joint.to_source = joint.to_target = Belief{};
   for (int k = 0; k < reach; ++k) {
-    std::vector<std::pair<Belief, Belief>> next;
-    for (const Joint& joint : joints_) next.emplace_back(along(joint, true), along(joint, false));
+    std::vector<std::pair<Belief, Belief>> next(joints_.size());
+    inRanges(joints_.size(), kAtOnce, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t link = begin; link < end; ++link) {
+        next[link] = {along(joints_[link], true), along(joints_[link], false)};
+      }
+    });
     for (std::size_t link = 0; link < joints_.size(); ++link) {
       joints_[link].to_source = next[link].first;
       joints_[link].to_target = next[link].second;
@@ -321,16 +341,13 @@ std::optional<AttitudeSuspect> AttitudeSearch::judgeMotion(std::size_t place) co
   const Eigen::Matrix3d information = (of_links + ownScatter(place)).inverse();
   const AttitudePrior attitude{R_u_a.transpose() * information * R_u_a,
                                R_u_a.transpose() * information * of_links * links.weighted};
-  const auto tests = static_cast<double>(cells_.size() * (own.readings.size() - 1));
-  const auto limitOf = [&](double degrees) {
-    return strictness() * strictness() * chiSquaredExceededOnceIn(kPatchesPerFalseMotion * tests, degrees);
-  };
+  const MotionLimits& limits = motion_limits_.at(own.readings.size());
   // The forces are what all cells agree on, and the cell's own share in them hides as much of its turn.
   const double hidden = measuring_ / std::max(1.0, measuring_ - 1);
-  TurnBetweenPoses turn =
-      findTurn(AccelerometerPrior(skin_.model().accelerometer), own.readings, v_g, attitude, limitOf(2) / hidden);
+  TurnBetweenPoses turn = findTurn(AccelerometerPrior(skin_.model().accelerometer), own.readings, v_g, attitude,
+                                   limits.of_two_angles / hidden);
   turn.gain.chi_squared *= hidden;
-  const double limit = limitOf(turn.gain.degrees);
+  const double limit = turn.gain.degrees <= 2 ? limits.of_two_angles : limits.of_three_angles;
   if (!(turn.angle_rad >= kLeastTurn && turn.gain.chi_squared > limit)) return std::nullopt;
   AttitudeSuspect suspect{AttitudeSuspect::Kind::Moved};
   suspect.cell = cells_[place];
@@ -404,29 +421,38 @@ void AttitudeSearch::findLimits() {
   const auto cells = static_cast<double>(cells_.size());
   yaw_limit_ = strictness() * deviateExceededOnceIn(2 * kPatchesPerFalseYaw * (joints + cells));
   other_limit_ = strictness() * deviateExceededOnceIn(2 * kPatchesPerOtherAlarm * (2 * joints + cells));
+  for (const OwnCell& own : own_) {
+    const std::size_t readings = own.readings.size();
+    if (readings < 2 || motion_limits_.contains(readings)) continue;
+    const double times = kPatchesPerFalseMotion * cells * static_cast<double>(readings - 1);
+    motion_limits_[readings] = {strictness() * strictness() * chiSquaredExceededOnceIn(times, 2),
+                                strictness() * strictness() * chiSquaredExceededOnceIn(times, 3)};
+  }
 }
 
 std::vector<AttitudeSuspect> AttitudeSearch::candidates() {
   passBeliefs();
   const double swap_limit =
       strictness() * strictness() * std::log(kPatchesPerOtherAlarm * static_cast<double>(joints_.size()));
-  std::vector<AttitudeSuspect> found;
-  for (const Joint& joint : joints_) {
-    if (!tested(joint)) continue;
-    if (const auto suspect = judgeLink(joint)) found.push_back(*suspect);
+  std::vector<AttitudeSuspect> found = foundAmong(joints_.size(), [&](std::size_t k, auto& suspects) {
+    const Joint& joint = joints_[k];
+    if (!tested(joint)) return;
+    if (const auto suspect = judgeLink(joint)) suspects.push_back(*suspect);
     if (const std::optional<double> gain = gainOfSwap(joint, swap_limit)) {
       AttitudeSuspect suspect{AttitudeSuspect::Kind::Swapped};
       suspect.cell = cells_[joint.source];
       suspect.other = cells_[joint.target];
       suspect.evidence = *gain;
-      found.push_back(suspect);
+      suspects.push_back(suspect);
     }
-  }
-  for (std::size_t place = 0; place < cells_.size(); ++place) {
-    if (!own_[place].known) continue;
-    if (const auto suspect = judgeCell(place)) found.push_back(*suspect);
-    if (const auto suspect = judgeMotion(place)) found.push_back(*suspect);
-  }
+  });
+  std::ranges::copy(foundAmong(cells_.size(),
+                               [&](std::size_t place, auto& suspects) {
+                                 if (!own_[place].known) return;
+                                 if (const auto suspect = judgeCell(place)) suspects.push_back(*suspect);
+                                 if (const auto suspect = judgeMotion(place)) suspects.push_back(*suspect);
+                               }),
+                    std::back_inserter(found));
   std::ranges::sort(found, std::greater<>(), &AttitudeSuspect::evidence);
   return found;
 }

@@ -5,6 +5,7 @@
 #include "hexoderm/reconstruction/links/skin_links.h"
 
 #include <Eigen/Core>
+#include <map>
 #include <optional>
 #include <span>
 #include <vector>
@@ -79,6 +80,11 @@ class AttitudeSearch {
     Belief to_source;                                     ///< what the target's side says about the source
     Belief to_target;
   };
+  /// What a turn between two poses must gain, as a chi-squared.
+  struct MotionLimits {
+    double of_two_angles = 0;
+    double of_three_angles = 0;
+  };
   [[nodiscard]] std::size_t placeOf(std::size_t cell) const;
   [[nodiscard]] std::vector<double> headings() const;
   [[nodiscard]] double strictness() const;
@@ -118,7 +124,8 @@ class AttitudeSearch {
   // Deviations that a yaw, of whichever sign, and any other test may reach by chance.
   double yaw_limit_ = 0;
   double other_limit_ = 0;
-  Eigen::Vector3d sigma_ = Eigen::Vector3d::Zero();  ///< scatter of twist, bend and yaw beyond the shape
+  std::map<std::size_t, MotionLimits> motion_limits_;  ///< of a cell with so many readings
+  Eigen::Vector3d sigma_ = Eigen::Vector3d::Zero();    ///< scatter of twist, bend and yaw beyond the shape
 };
 
 }  // namespace hexoderm

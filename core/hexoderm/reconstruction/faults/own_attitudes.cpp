@@ -1,5 +1,6 @@
 #include "hexoderm/reconstruction/faults/own_attitudes.h"
 
+#include "hexoderm/util/parallel.h"
 #include "hexoderm/util/units.h"
 
 #include <Eigen/Cholesky>
@@ -24,6 +25,16 @@ class SwingFit {
     place_ += t_o;
     places_ += t_o * t_o.transpose();
     turning_ += t_o.cross(f_o);
+  }
+
+  void operator+=(const SwingFit& other) {
+    count_ += other.count_;
+    squares_ += other.squares_;
+    variances_ += other.variances_;
+    force_ += other.force_;
+    place_ += other.place_;
+    places_ += other.places_;
+    turning_ += other.turning_;
   }
 
   /// Returns by how much that changes what a usual cell reads, g. Leaves `force` as it was where the cells agree on
@@ -118,69 +129,109 @@ void unpack(const Eigen::VectorXd& all, std::span<PatchForce> forces) {
   }
 }
 
-/// Up to kLanes cells side by side, for the kernel that finds their own attitudes.
-class OwnAttitudeBatch {
+/// The readings of kLanes cells side by side in each batch, and the attitudes that were found last, as the kernel takes
+/// them.
+class OwnAttitudeBatches {
  public:
-  OwnAttitudeBatch(const AccelerometerPrior& prior, std::size_t poses, int most_steps)
-      : options_(attitudeKernelOptions(prior)),
+  OwnAttitudeBatches(const AccelerometerPrior& prior, std::size_t poses, std::size_t cells)
+      : kernel_(attitudeKernelOptions(prior)),
         poses_(poses),
-        f_o_(3 * kLanes * poses, 0),
-        y_g_(3 * kLanes * poses, 0),
-        precision_(kLanes * poses, 0),
-        R_start_(9 * kLanes, 0) {
-    options_.most_steps = most_steps;
-  }
+        batches_((cells + kLanes - 1) / kLanes),
+        y_g_(3 * kLanes * poses * batches_, 0),
+        precision_(kLanes * poses * batches_, 0),
+        R_(9 * kLanes * batches_, 0) {}
 
-  void put(std::size_t lane, std::span<const CellReading> readings, std::span<const Eigen::Vector3d> f_o,
-           const Eigen::Matrix3d& R_start) {
-    for (std::size_t pose = 0; pose < poses_; ++pose) precision_[kLanes * pose + lane] = 0;
-    for (std::size_t k = 0; k < readings.size(); ++k) {
-      const std::size_t pose = readings[k].pose;
-      precision_[kLanes * pose + lane] = 1 / readings[k].variance_g2;
+  [[nodiscard]] std::size_t count() const { return batches_; }
+
+  void put(std::size_t cell, std::span<const CellReading> readings, const Eigen::Matrix3d& R_start) {
+    for (const CellReading& reading : readings) {
+      number(precision_, poses_, cell, reading.pose) = 1 / reading.variance_g2;
       for (std::size_t axis = 0; axis < 3; ++axis) {
-        const std::size_t at = kLanes * (3 * pose + axis) + lane;
-        f_o_[at] = f_o[k][static_cast<Eigen::Index>(axis)];
-        y_g_[at] = readings[k].y_g[static_cast<Eigen::Index>(axis)];
+        number(y_g_, 3 * poses_, cell, 3 * reading.pose + axis) = reading.y_g[static_cast<Eigen::Index>(axis)];
       }
     }
+    start(cell, R_start);
+  }
+  /// Where the next search begins.
+  void start(std::size_t cell, const Eigen::Matrix3d& R) {
     for (std::size_t k = 0; k < 9; ++k) {
-      R_start_[kLanes * k + lane] = R_start(static_cast<Eigen::Index>(k / 3), static_cast<Eigen::Index>(k % 3));
+      number(R_, 9, cell, k) = R(static_cast<Eigen::Index>(k / 3), static_cast<Eigen::Index>(k % 3));
     }
   }
-
-  /// Lanes that nothing was put into do again what they did before.
-  void run() {
-    const OwnAttitudeKernelInput in{static_cast<int>(poses_), f_o_.data(), y_g_.data(), precision_.data(),
-                                    R_start_.data()};
-    (hasFourLanes() ? findAttitudesByFour : findAttitudesByOne)(options_, in, out_);
-  }
-
-  /// Nothing for a cell that needs a more careful look.
-  [[nodiscard]] std::optional<OwnAttitude> found(std::size_t lane) const {
-    if (out_.usual[lane] == 0) return std::nullopt;
-    const auto at = [lane](const double* values, std::size_t k) { return values[kLanes * k + lane]; };
-    OwnAttitude own;
+  [[nodiscard]] Eigen::Matrix3d startOf(std::size_t cell) const {
+    Eigen::Matrix3d R;
     for (std::size_t k = 0; k < 9; ++k) {
-      const auto row = static_cast<Eigen::Index>(k / 3);
-      const auto column = static_cast<Eigen::Index>(k % 3);
-      own.R(row, column) = at(out_.R, k);
-      own.gain(row, column) = at(out_.gain, k);
+      R(static_cast<Eigen::Index>(k / 3), static_cast<Eigen::Index>(k % 3)) = R_[indexOf(9, cell, k)];
     }
-    for (std::size_t k = 0; k < 3; ++k) own.offset_g[static_cast<Eigen::Index>(k)] = at(out_.offset_g, k);
-    const auto information = [&](std::size_t k) { return at(out_.information, k); };
-    own.information << information(0), information(1), information(2), information(1), information(3), information(4),
-        information(2), information(4), information(5);
-    return own;
+    return R;
   }
+
+  /// One batch at a time.
+  class Search {
+   public:
+    Search(OwnAttitudeBatches& batches, int most_steps)
+        : batches_(batches), kernel_(batches.kernel_), f_o_(3 * kLanes * batches.poses_, 0) {
+      kernel_.most_steps = most_steps;
+    }
+
+    /// `placements` of all cells.
+    void run(std::size_t batch, std::span<const PatchForce> forces, std::span<const SE3> placements) {
+      for (std::size_t lane = 0; lane < kLanes; ++lane) {
+        const std::size_t cell = std::min(kLanes * batch + lane, placements.size() - 1);
+        for (std::size_t pose = 0; pose < forces.size(); ++pose) {
+          const Eigen::Vector3d f_o = forces[pose].at_origin_o + forces[pose].swing_o.cross(placements[cell].t);
+          for (std::size_t axis = 0; axis < 3; ++axis) {
+            f_o_[kLanes * (3 * pose + axis) + lane] = f_o[static_cast<Eigen::Index>(axis)];
+          }
+        }
+      }
+      const std::size_t first = kLanes * batch;  // cell
+      const OwnAttitudeKernelInput in{
+          static_cast<int>(batches_.poses_), f_o_.data(), batches_.y_g_.data() + 3 * batches_.poses_ * first,
+          batches_.precision_.data() + batches_.poses_ * first, batches_.R_.data() + 9 * first};
+      (hasFourLanes() ? findAttitudesByFour : findAttitudesByOne)(kernel_, in, out_);
+    }
+
+    /// Nothing for a cell that needs a more careful look.
+    [[nodiscard]] std::optional<OwnAttitude> found(std::size_t lane) const {
+      if (out_.usual[lane] == 0) return std::nullopt;
+      const auto at = [lane](const double* values, std::size_t k) { return values[kLanes * k + lane]; };
+      OwnAttitude own;
+      for (std::size_t k = 0; k < 9; ++k) {
+        const auto row = static_cast<Eigen::Index>(k / 3);
+        const auto column = static_cast<Eigen::Index>(k % 3);
+        own.R(row, column) = at(out_.R, k);
+        own.gain(row, column) = at(out_.gain, k);
+      }
+      for (std::size_t k = 0; k < 3; ++k) own.offset_g[static_cast<Eigen::Index>(k)] = at(out_.offset_g, k);
+      const auto information = [&](std::size_t k) { return at(out_.information, k); };
+      own.information << information(0), information(1), information(2), information(1), information(3), information(4),
+          information(2), information(4), information(5);
+      return own;
+    }
+
+   private:
+    const OwnAttitudeBatches& batches_;
+    AttitudeKernelOptions kernel_;
+    std::vector<double> f_o_;
+    OwnAttitudeKernelOutput out_{};
+  };
 
  private:
-  AttitudeKernelOptions options_;
+  /// Of `count` numbers per cell, a cell's number k.
+  static std::size_t indexOf(std::size_t count, std::size_t cell, std::size_t k) {
+    return kLanes * (cell / kLanes * count + k) + cell % kLanes;
+  }
+  static double& number(std::vector<double>& numbers, std::size_t count, std::size_t cell, std::size_t k) {
+    return numbers[indexOf(count, cell, k)];
+  }
+
+  AttitudeKernelOptions kernel_;
   std::size_t poses_;
-  std::vector<double> f_o_;
+  std::size_t batches_;
   std::vector<double> y_g_;
   std::vector<double> precision_;
-  std::vector<double> R_start_;
-  OwnAttitudeKernelOutput out_{};
+  std::vector<double> R_;
 };
 
 class Finder {
@@ -191,7 +242,8 @@ class Finder {
         prior_(skin.model().accelerometer),
         forces_(std::move(forces)),
         placements_(placements),
-        own_(cells.size()) {
+        own_(cells.size()),
+        batches_(prior_, forces_.size(), cells.size()) {
     for (std::size_t place = 0; place < cells.size(); ++place) {
       OwnCell& own = own_[place];
       own.R_o_u = placements[place].R;
@@ -201,6 +253,7 @@ class Finder {
       }
       own.f_o.resize(own.readings.size());
       own.known = !own.readings.empty();
+      batches_.put(place, own.readings, own.R_o_u * R_u_a_);
     }
   }
 
@@ -211,69 +264,76 @@ class Finder {
     Acceleration acceleration;
     for (int round = 0; round < kRounds; ++round) {
       const Eigen::VectorXd before = packed(forces_);
-      findAttitudes(kSteps);
-      if (refineForces()) return;
+      if (refineForces(kSteps)) return;
       unpack(acceleration.next(before, packed(forces_)), forces_);
     }
   }
 
   OwnAttitudes run() {
-    findAttitudes(kMostAttitudeSteps);
-    for (OwnCell& own : own_) {
-      if (own.known) own.covariance = own.information.inverse();
-    }
+    findAttitudes(kMostAttitudeSteps, [this](std::size_t, std::size_t place, const OwnAttitude& found) {
+      OwnCell& own = own_[place];
+      own.R_o_u = found.R * R_u_a_.transpose();
+      own.information =
+          R_u_a_ * (found.information + Eigen::Matrix3d::Identity() / kUnknownVariance) * R_u_a_.transpose();
+      own.covariance = own.information.inverse();
+      own.offset_g = found.offset_g;
+      own.gain = found.gain;
+      findForcesOn(place);
+    });
     return {std::move(own_), std::move(forces_)};
   }
 
  private:
-  void findAttitudes(int most_steps) {
-    OwnAttitudeBatch batch(prior_, forces_.size(), most_steps);
-    std::vector<std::size_t> places;  // in the batch
-    const auto run = [&] {
-      batch.run();
-      for (std::size_t lane = 0; lane < places.size(); ++lane) {
-        OwnCell& own = own_[places[lane]];
-        const std::optional<OwnAttitude> found = batch.found(lane);
-        take(found ? *found : findAttitude(prior_, own.readings, own.f_o, own.R_o_u * R_u_a_, most_steps), own);
+  static constexpr std::size_t kBatchesAtOnce = 32;
+
+  /// Calls take(range, place, attitude) for every cell that has readings.
+  template <class Take>
+  void findAttitudes(int most_steps, const Take& take) {
+    inRanges(batches_.count(), kBatchesAtOnce, [&](std::size_t begin, std::size_t end) {
+      OwnAttitudeBatches::Search search(batches_, most_steps);
+      for (std::size_t batch = begin; batch < end; ++batch) {
+        search.run(batch, forces_, placements_);
+        const std::size_t first = kLanes * batch;
+        for (std::size_t place = first; place < std::min(first + kLanes, own_.size()); ++place) {
+          if (!own_[place].known) continue;
+          std::optional<OwnAttitude> found = search.found(place - first);
+          if (!found) {
+            findForcesOn(place);
+            found = findAttitude(prior_, own_[place].readings, own_[place].f_o, batches_.startOf(place), most_steps);
+          }
+          batches_.start(place, found->R);
+          take(begin / kBatchesAtOnce, place, *found);
+        }
       }
-      places.clear();
-    };
-    for (std::size_t place = 0; place < own_.size(); ++place) {
-      OwnCell& own = own_[place];
-      if (!own.known) continue;
-      for (std::size_t k = 0; k < own.readings.size(); ++k) {
-        const PatchForce& force = forces_[own.readings[k].pose];
-        own.f_o[k] = force.at_origin_o + force.swing_o.cross(placements_[place].t);
-      }
-      batch.put(places.size(), own.readings, own.f_o, own.R_o_u * R_u_a_);
-      places.push_back(place);
-      if (places.size() == kLanes) run();
-    }
-    run();
+    });
   }
 
-  void take(const OwnAttitude& found, OwnCell& own) const {
-    own.R_o_u = found.R * R_u_a_.transpose();
-    own.information =
-        R_u_a_ * (found.information + Eigen::Matrix3d::Identity() / kUnknownVariance) * R_u_a_.transpose();
-    own.offset_g = found.offset_g;
-    own.gain = found.gain;
+  void findForcesOn(std::size_t place) {
+    OwnCell& own = own_[place];
+    for (std::size_t k = 0; k < own.readings.size(); ++k) {
+      const PatchForce& force = forces_[own.readings[k].pose];
+      own.f_o[k] = force.at_origin_o + force.swing_o.cross(placements_[place].t);
+    }
   }
 
   /// Every force as most cells, freed from the errors of their sensors, read it. Returns whether that was known before.
-  bool refineForces() {
+  bool refineForces(int most_steps) {
     constexpr double kSettled_g = 3e-4;  // far below what any attitude is known to
-    std::vector<SwingFit> fits(forces_.size());
-    for (std::size_t place = 0; place < own_.size(); ++place) {
-      const OwnCell& own = own_[place];
-      if (!own.known) continue;
-      const Eigen::Matrix3d freed = own.R_o_u * R_u_a_ * own.gain.inverse();
-      for (const CellReading& reading : own.readings) {
-        fits[reading.pose].add(freed * (reading.y_g - own.offset_g), placements_[place].t, reading.variance_g2);
+    using Fits = std::vector<SwingFit>;  // per force
+    std::vector<Fits> of_ranges((batches_.count() + kBatchesAtOnce - 1) / kBatchesAtOnce, Fits(forces_.size()));
+    findAttitudes(most_steps, [&](std::size_t range, std::size_t place, const OwnAttitude& found) {
+      const Eigen::Matrix3d freed = found.R * found.gain.inverse();
+      for (const CellReading& reading : own_[place].readings) {
+        of_ranges[range][reading.pose].add(freed * (reading.y_g - found.offset_g), placements_[place].t,
+                                           reading.variance_g2);
       }
-    }
+    });
     double most_g = 0;
-    for (std::size_t k = 0; k < forces_.size(); ++k) most_g = std::max(most_g, fits[k].find(forces_[k]));
+    for (std::size_t k = 0; k < forces_.size(); ++k) {
+      SwingFit fit;
+      for (const Fits& fits : of_ranges) fit += fits[k];
+      most_g = std::max(most_g, fit.find(forces_[k]));
+    }
     return most_g <= kSettled_g;
   }
 
@@ -282,6 +342,7 @@ class Finder {
   std::vector<PatchForce> forces_;
   std::span<const SE3> placements_;
   std::vector<OwnCell> own_;
+  OwnAttitudeBatches batches_;
 };
 
 }  // namespace

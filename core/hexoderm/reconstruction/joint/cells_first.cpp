@@ -2,6 +2,7 @@
 
 #include "hexoderm/reconstruction/joint/elimination_plan.h"
 #include "hexoderm/reconstruction/sparse/block_cholesky.h"
+#include "hexoderm/util/parallel.h"
 
 #include <Eigen/Cholesky>
 #include <mutex>
@@ -63,7 +64,6 @@ class BorderedFactor {
 
   /// Gives back the memory that only another factorize() would need.
   void releaseWorkspace() {
-    factor_.releaseWorkspace();
     raised_ = std::vector<Matrix6d>();  // "= {}" would keep the memory
     couples_ = std::vector<Matrix6d>();
   }
@@ -189,26 +189,31 @@ class CellsFirstInverse : public JointInverse {
     BlockCholesky::SelectedInverse inverse = known->cells().selectedInverse();  // first: it needs most memory meanwhile
     parts.border_root = known->borderRoot();
     parts.cells = std::move(inverse.diagonal);
-    for (std::size_t cell = 0; cell < parts.cells.size(); ++cell) {
-      const Matrix6d sum = parts.cells[cell] + parts.border_root.product(cell, cell);
-      parts.cells[cell] = (sum + sum.transpose()) / 2;
-    }
+    constexpr std::size_t kAtOnce = 512;
+    inRanges(parts.cells.size(), kAtOnce, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t cell = begin; cell < end; ++cell) {
+        const Matrix6d sum = parts.cells[cell] + parts.border_root.product(cell, cell);
+        parts.cells[cell] = (sum + sum.transpose()) / 2;
+      }
+    });
     parts.cells[origin_].setZero();
     parts.links.resize(link_ends_.size());
-    for (std::size_t k = 0; k < link_ends_.size(); ++k) {
-      const auto& [c, n] = link_ends_[k];
-      if (c == origin_ || n == origin_) {
-        parts.links[k].setZero();
-        continue;
+    inRanges(link_ends_.size(), kAtOnce, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t k = begin; k < end; ++k) {
+        const auto& [c, n] = link_ends_[k];
+        if (c == origin_ || n == origin_) {
+          parts.links[k].setZero();
+          continue;
+        }
+        const EliminationPlan::Place place = plan_->of_link[k];
+        parts.links[k] = parts.border_root.product(c, n);
+        if (place.transposed) {
+          parts.links[k] += inverse.couples[place.couple].transpose();
+        } else {
+          parts.links[k] += inverse.couples[place.couple];
+        }
       }
-      const EliminationPlan::Place place = plan_->of_link[k];
-      parts.links[k] = parts.border_root.product(c, n);
-      if (place.transposed) {
-        parts.links[k] += inverse.couples[place.couple].transpose();
-      } else {
-        parts.links[k] += inverse.couples[place.couple];
-      }
-    }
+    });
     return parts;
   }
 

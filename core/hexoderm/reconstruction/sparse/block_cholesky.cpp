@@ -1,6 +1,9 @@
 #include "hexoderm/reconstruction/sparse/block_cholesky.h"
 
+#include "hexoderm/util/parallel.h"
+
 #include <algorithm>
+#include <atomic>
 #include <cassert>
 #include <utility>
 
@@ -67,6 +70,49 @@ void addToParent(const std::vector<Run>& runs, const double* update, Index strid
   }
 }
 
+/// About how many products it takes to eliminate a supernode.
+double workOf(const Supernode& node) {
+  const auto front = static_cast<double>(frontOf(node));
+  return static_cast<double>(pivotsOf(node)) * front * front;
+}
+
+/// So many products pay for a thread.
+constexpr double kLeastWork = 1e7;
+
+/// C -= A A^T, the lower triangle of as many columns, in strips of columns side by side.
+void subtractOwnOuter(const FrontKernels& kernels, double* c, Index ldc, const double* a, Index lda, Index rows,
+                      Index columns, Index depth) {
+  constexpr Index kStrip = 2 * FrontKernels::kMostPivotsAtOnce;
+  if (static_cast<double>(rows * columns) * static_cast<double>(depth) < kLeastWork) {
+    return kernels.subtractOuter(c, ldc, a, lda, a, lda, rows, columns, depth);
+  }
+  inRanges(static_cast<std::size_t>(columns), kStrip, [&](std::size_t begin, std::size_t end) {
+    const auto from = static_cast<Index>(begin);
+    kernels.subtractOuter(c + from * ldc + from, ldc, a + from, lda, a + from, lda, rows - from,
+                          static_cast<Index>(end - begin), depth);
+  });
+}
+
+/// A panel becomes columns of the factor; a wide one some at a time, and what they take from those behind them side by
+/// side.
+bool factorizePanel(const FrontKernels& kernels, double* L, Index stride, Index front, Index pivots) {
+  constexpr Index kAtOnce = FrontKernels::kMostPivotsAtOnce;
+  constexpr Index kWide = 6 * kAtOnce;
+  if (pivots <= kWide) return kernels.factorize(L, stride, front, pivots);
+  for (Index left = 0; left < pivots; left += kAtOnce) {
+    const Index right = std::min(pivots, left + kAtOnce);
+    double* const square = L + left * stride + left;
+    if (!kernels.factorize(square, stride, front - left, right - left)) return false;
+    if (right == pivots) break;
+    subtractOwnOuter(kernels, L + right * stride + right, stride, square + (right - left), stride, front - right,
+                     pivots - right, right - left);
+  }
+  return true;
+}
+
+/// How many subtrees are worked on before what is above them: more than cores, for they are not equally large.
+std::size_t subtreesAtOnce() { return cores() == 1 ? 1 : 2 * cores(); }
+
 }  // namespace
 
 RightSides::RightSides(Index rows, Index columns)
@@ -80,6 +126,41 @@ Matrix6d RightSides::product(std::size_t a, std::size_t b, const FrontKernels& k
   const double* const rows = numbers_.data();
   kernels.subtractRows(product.data(), rows + numbersIn(a) * width_, rows + numbersIn(b) * width_, width_);
   return -product;
+}
+
+/// Some of the columns, from a multiple of four on.
+RightSides RightSides::columns(Index begin, Index count) const {
+  RightSides some(rows_, count);
+  for (Index row = 0; row < rows_; ++row) {
+    std::copy_n(numbers_.data() + row * width_ + begin, std::min(some.width_, width_ - begin),
+                some.numbers_.data() + row * some.width_);
+  }
+  return some;
+}
+
+void RightSides::putColumns(Index begin, const RightSides& some) {
+  for (Index row = 0; row < rows_; ++row) {
+    std::copy_n(some.numbers_.data() + row * some.width_, std::min(some.width_, width_ - begin),
+                numbers_.data() + row * width_ + begin);
+  }
+}
+
+/// Calls use(B), or with groups of its columns side by side, where that pays.
+template <class Use>
+void RightSides::inColumns(const Use& use) {
+  constexpr Index kSideBySide = 4;
+  constexpr Index kLeastRows = 10000;
+  const std::size_t groups = rows_ < kLeastRows ? 1 : std::min(cores(), static_cast<std::size_t>(width_ / kSideBySide));
+  if (groups <= 1) return use(*this);
+  const auto begin_of = [&](std::size_t group) {
+    return kSideBySide * static_cast<Index>(static_cast<std::size_t>(width_ / kSideBySide) * group / groups);
+  };
+  inParallel(groups, [&](std::size_t group) {
+    const Index begin = begin_of(group);
+    RightSides some = columns(begin, std::min(begin_of(group + 1), columns_) - begin);
+    use(some);
+    putColumns(begin, some);
+  });
 }
 
 MatrixXd RightSides::gram(const FrontKernels& kernels) const {
@@ -96,24 +177,41 @@ BlockCholesky::BlockCholesky(std::size_t size, const std::vector<Couple>& couple
 BlockCholesky::BlockCholesky(std::shared_ptr<const SupernodalPattern> pattern, const FrontKernels& kernels)
     : pattern_(std::move(pattern)), kernels_(kernels) {
   std::size_t numbers = 0;
-  std::size_t stack = 0;
   panel_begin_.reserve(pattern_->supernodes.size() + 1);
   for (const Supernode& node : pattern_->supernodes) {
     panel_begin_.push_back(numbers);
     numbers += static_cast<std::size_t>(pivotsOf(node) * panelStride(node));
     factor_entries_ += static_cast<std::size_t>(pivotsOf(node) * frontOf(node));
     most_rows_ = std::max(most_rows_, static_cast<std::size_t>(rowsOf(node)));
-    // A supernode's update is made on top of its children's, which it then replaces.
-    most_updates_ = std::max(most_updates_, stack + updateSize(node));
-    for (const std::size_t child : node.children) stack -= updateSize(pattern_->supernodes[child]);
-    stack += updateSize(node);
   }
   panel_begin_.push_back(numbers);
+  findSubtrees();
+}
+
+/// The largest subtrees with a small share of the work, or with so little that a thread would not pay.
+void BlockCholesky::findSubtrees() {
+  constexpr double kShare = 1.0 / 32;
+  const std::vector<Supernode>& supernodes = pattern_->supernodes;
+  std::vector<double> work(supernodes.size());  // of whole subtrees
+  std::vector<std::size_t> first(supernodes.size());
+  double total = 0;
+  for (std::size_t s = 0; s < supernodes.size(); ++s) {
+    const Supernode& node = supernodes[s];
+    first[s] = node.children.empty() ? s : first[node.children.front()];
+    work[s] = workOf(node);
+    total += work[s];
+    for (const std::size_t child : node.children) work[s] += work[child];
+  }
+  const double most = std::max(2 * kLeastWork, kShare * total);
+  for (std::size_t s = 0; s < supernodes.size(); ++s) {
+    const bool has_parent = !supernodes[s].rows.empty();
+    if (work[s] > most || (has_parent && work[supernodes[s].parent] <= most)) continue;
+    subtrees_.push_back({first[s], s});
+  }
 }
 
 /// The matrix's own elements in the columns of a supernode.
-void BlockCholesky::assemble(std::size_t supernode, std::span<const Matrix6d> diagonal,
-                             std::span<const Matrix6d> couples) {
+void BlockCholesky::assemble(std::size_t supernode, const Blocks& A) {
   const Supernode& node = pattern_->supernodes[supernode];
   double* const numbers = factor_.data() + panel_begin_[supernode];
   std::fill(numbers, factor_.data() + panel_begin_[supernode + 1], 0.0);
@@ -122,48 +220,68 @@ void BlockCholesky::assemble(std::size_t supernode, std::span<const Matrix6d> di
     return Eigen::Map<Eigen::Matrix<double, kBlock, kBlock>, 0, Eigen::OuterStride<>>(
         numbers + numbersIn(row) + numbersIn(column) * stride, Eigen::OuterStride<>(stride));
   };
-  for (std::size_t p = 0; p < node.pivots; ++p) block(p, p) = diagonal[pattern_->order[node.first + p]];
+  for (std::size_t p = 0; p < node.pivots; ++p) block(p, p) = A.diagonal[pattern_->order[node.first + p]];
   for (const Supernode::Entry& entry : node.entries) {
     if (entry.transposed) {
-      block(entry.row, entry.column) = couples[entry.couple].transpose();
+      block(entry.row, entry.column) = A.couples[entry.couple].transpose();
     } else {
-      block(entry.row, entry.column) = couples[entry.couple];
+      block(entry.row, entry.column) = A.couples[entry.couple];
     }
   }
+}
+
+/// Makes a supernode's columns of the factor, and of what its children leave to it what it leaves to its parent. False:
+/// not positive definite or not finite.
+bool BlockCholesky::eliminate(std::size_t supernode, const Blocks& A, std::vector<Numbers>& updates) {
+  const Supernode& node = pattern_->supernodes[supernode];
+  const Index stride = panelStride(node);
+  assemble(supernode, A);
+  double* const L = factor_.data() + panel_begin_[supernode];
+  Numbers update = std::make_unique<double[]>(updateSize(node));
+  std::vector<Run> runs;
+  for (const std::size_t child : node.children) {
+    const Supernode& below = pattern_->supernodes[child];
+    findRuns(below, runs);
+    addToParent(runs, updates[child].get(), updateStride(below), node, L, update.get());
+    updates[child].reset();
+  }
+  if (!factorizePanel(kernels_, L, stride, frontOf(node), pivotsOf(node))) return false;
+  if (!node.rows.empty()) {
+    subtractOwnOuter(kernels_, update.get(), updateStride(node), L + pivotsOf(node), stride, rowsOf(node), rowsOf(node),
+                     pivotsOf(node));
+  }
+  updates[supernode] = std::move(update);
+  return true;
 }
 
 bool BlockCholesky::factorize(std::span<const Matrix6d> diagonal, std::span<const Matrix6d> couples) {
   assert(diagonal.size() == size() && couples.size() == pattern_->couples);
   factorized_ = false;
   factor_.resize(panel_begin_.back());
-  updates_.resize(most_updates_);
-  std::vector<std::size_t> update_begin(pattern_->supernodes.size());
-  std::size_t top = 0;
-  std::vector<Run> runs;
-  for (std::size_t s = 0; s < pattern_->supernodes.size(); ++s) {
-    const Supernode& node = pattern_->supernodes[s];
-    const Index stride = panelStride(node);
-    assemble(s, diagonal, couples);
-    double* const L = factor_.data() + panel_begin_[s];
-    double* const update = updates_.data() + top;
-    std::fill_n(update, updateSize(node), 0.0);
-    for (const std::size_t child : node.children) {
-      const Supernode& below = pattern_->supernodes[child];
-      findRuns(below, runs);
-      addToParent(runs, updates_.data() + update_begin[child], updateStride(below), node, L, update);
+  const Blocks A{diagonal, couples};
+  std::vector<Numbers> updates(pattern_->supernodes.size());
+  std::atomic<bool> fails = false;
+  const auto eliminateAll = [&](const Subtree& subtree) {
+    for (std::size_t s = subtree.first; s <= subtree.root && !fails; ++s) {
+      if (!eliminate(s, A, updates)) fails = true;
     }
-    if (!kernels_.factorize(L, stride, frontOf(node), pivotsOf(node))) return false;
-    const double* const L_rp = L + pivotsOf(node);
-    if (!node.rows.empty()) {
-      kernels_.subtractOuter(update, updateStride(node), L_rp, stride, L_rp, stride, rowsOf(node), rowsOf(node),
-                             pivotsOf(node));
+  };
+  std::size_t next = 0;  // subtree
+  std::size_t done = 0;
+  for (std::size_t s = 0; s < pattern_->supernodes.size() && !fails; ++s) {
+    if (next == subtrees_.size() || s != subtrees_[next].first) {
+      eliminateAll({s, s});
+      continue;
     }
-    update_begin[s] = node.children.empty() ? top : update_begin[node.children.front()];
-    if (update_begin[s] != top) std::copy_n(update, updateSize(node), updates_.data() + update_begin[s]);
-    top = update_begin[s] + updateSize(node);
+    if (next == done) {
+      const std::size_t count = std::min(subtreesAtOnce(), subtrees_.size() - next);
+      inParallel(count, [&](std::size_t k) { eliminateAll(subtrees_[next + k]); });
+      done += count;
+    }
+    s = subtrees_[next++].root;
   }
-  factorized_ = true;
-  return true;
+  factorized_ = !fails;
+  return factorized_;
 }
 
 RightSides BlockCholesky::ordered(const MatrixXd& B) const {
@@ -188,21 +306,25 @@ RightSides BlockCholesky::inOwnOrder(const RightSides& B) const {
 
 void BlockCholesky::solveLower(RightSides& B) const {
   assert(factorized_ && B.rows_ == numbersIn(size()));
-  for (std::size_t s = 0; s < pattern_->supernodes.size(); ++s) {
-    const Supernode& node = pattern_->supernodes[s];
-    kernels_.substituteForward(panel(s), panelStride(node), pivotsOf(node), node.first, node.rows.data(),
-                               node.rows.size(), B.numbers_.data(), B.width_);
-  }
+  B.inColumns([this](RightSides& columns) {
+    for (std::size_t s = 0; s < pattern_->supernodes.size(); ++s) {
+      const Supernode& node = pattern_->supernodes[s];
+      kernels_.substituteForward(panel(s), panelStride(node), pivotsOf(node), node.first, node.rows.data(),
+                                 node.rows.size(), columns.numbers_.data(), columns.width_);
+    }
+  });
 }
 
 void BlockCholesky::solveUpper(RightSides& B) const {
   assert(factorized_ && B.rows_ == numbersIn(size()));
-  std::vector<double> workspace(most_rows_ * static_cast<std::size_t>(B.width_));
-  for (std::size_t s = pattern_->supernodes.size(); s-- > 0;) {
-    const Supernode& node = pattern_->supernodes[s];
-    kernels_.substituteBack(panel(s), panelStride(node), pivotsOf(node), node.first, node.rows.data(), node.rows.size(),
-                            B.numbers_.data(), B.width_, workspace.data());
-  }
+  B.inColumns([this](RightSides& columns) {
+    std::vector<double> workspace(most_rows_ * static_cast<std::size_t>(columns.width_));
+    for (std::size_t s = pattern_->supernodes.size(); s-- > 0;) {
+      const Supernode& node = pattern_->supernodes[s];
+      kernels_.substituteBack(panel(s), panelStride(node), pivotsOf(node), node.first, node.rows.data(),
+                              node.rows.size(), columns.numbers_.data(), columns.width_, workspace.data());
+    }
+  });
 }
 
 VectorXd BlockCholesky::orderedVector(const VectorXd& b) const {
@@ -270,47 +392,79 @@ void BlockCholesky::gather(std::size_t supernode, const double* parent_front, do
   }
 }
 
+/// A supernode's front of the inverse, from its parent's, and its blocks of the inverse.
+BlockCholesky::Numbers BlockCholesky::invert(std::size_t supernode, const double* parent_front,
+                                             std::vector<double>& workspace, SelectedInverse& inverse) const {
+  const Supernode& node = pattern_->supernodes[supernode];
+  const Index stride = panelStride(node);
+  Numbers front = std::make_unique_for_overwrite<double[]>(frontSize(node));
+  double* const Z = front.get();
+  if (!node.rows.empty()) gather(supernode, parent_front, Z);
+  const auto needed = static_cast<std::size_t>(FrontKernels::inverseWorkspace(frontOf(node), pivotsOf(node)));
+  if (workspace.size() < needed) workspace.resize(needed);
+  kernels_.invert(Z, stride, panel(supernode), stride, frontOf(node), pivotsOf(node), workspace.data());
+
+  const auto block = [&](std::size_t row, std::size_t column) {
+    return Square(Z + numbersIn(row) + numbersIn(column) * stride, Eigen::OuterStride<>(stride));
+  };
+  for (std::size_t p = 0; p < node.pivots; ++p) inverse.diagonal[pattern_->order[node.first + p]] = block(p, p);
+  for (const Supernode::Entry& entry : node.entries) {
+    const Square found = block(entry.row, entry.column);
+    if (entry.transposed) {
+      inverse.couples[entry.couple] = found.transpose();
+    } else {
+      inverse.couples[entry.couple] = found;
+    }
+  }
+  return front;
+}
+
 BlockCholesky::SelectedInverse BlockCholesky::selectedInverse() const {
   assert(factorized_);
   SelectedInverse inverse{std::vector<Matrix6d>(size()), std::vector<Matrix6d>(pattern_->couples)};
   const std::vector<Supernode>& supernodes = pattern_->supernodes;
-  // Parents before their children, a whole subtree before the next: those that are still needed are on one way up the
-  // tree.
-  std::vector<std::size_t> begin(supernodes.size());
-  std::vector<std::size_t> way;
-  std::size_t numbers = 0;
-  std::size_t most_in_workspace = 0;
-  for (std::size_t s = supernodes.size(); s-- > 0;) {
-    const Supernode& node = supernodes[s];
-    while (!way.empty() && (node.rows.empty() || way.back() != node.parent)) way.pop_back();
-    begin[s] = way.empty() ? 0 : begin[way.back()] + frontSize(supernodes[way.back()]);
-    way.push_back(s);
-    numbers = std::max(numbers, begin[s] + frontSize(node));
-    most_in_workspace = std::max(
-        most_in_workspace, static_cast<std::size_t>(FrontKernels::inverseWorkspace(frontOf(node), pivotsOf(node))));
-  }
-  std::vector<double> fronts(numbers);
-  std::vector<double> workspace(most_in_workspace);
-  for (std::size_t s = supernodes.size(); s-- > 0;) {
-    const Supernode& node = supernodes[s];
-    double* const Z = fronts.data() + begin[s];
-    const Index stride = panelStride(node);
-    if (!node.rows.empty()) gather(s, fronts.data() + begin[node.parent], Z);
-    kernels_.invert(Z, stride, panel(s), stride, frontOf(node), pivotsOf(node), workspace.data());
-
-    const auto block = [&](std::size_t row, std::size_t column) {
-      return Square(Z + numbersIn(row) + numbersIn(column) * stride, Eigen::OuterStride<>(stride));
-    };
-    for (std::size_t p = 0; p < node.pivots; ++p) inverse.diagonal[pattern_->order[node.first + p]] = block(p, p);
-    for (const Supernode::Entry& entry : node.entries) {
-      const Square found = block(entry.row, entry.column);
-      if (entry.transposed) {
-        inverse.couples[entry.couple] = found.transpose();
-      } else {
-        inverse.couples[entry.couple] = found;
+  // Parents before their children, a whole subtree before the next, so that the fronts of few are needed at once.
+  std::vector<Numbers> fronts(supernodes.size());
+  const auto invertOne = [&](std::size_t s, std::vector<double>& workspace) {
+    fronts[s] =
+        invert(s, supernodes[s].rows.empty() ? nullptr : fronts[supernodes[s].parent].get(), workspace, inverse);
+    if (supernodes[s].children.empty()) fronts[s].reset();
+  };
+  const auto isLastChild = [&](std::size_t s) {
+    return !supernodes[s].rows.empty() && supernodes[supernodes[s].parent].children.front() == s;
+  };
+  const auto forgetParent = [&](std::size_t s) {
+    if (isLastChild(s)) fronts[supernodes[s].parent].reset();
+  };
+  std::vector<Subtree> waiting;
+  const auto invertWaiting = [&] {
+    inParallel(waiting.size(), [&](std::size_t k) {
+      std::vector<double> workspace;
+      for (std::size_t s = waiting[k].root + 1; s-- > waiting[k].first;) {
+        invertOne(s, workspace);
+        if (s != waiting[k].root) forgetParent(s);
       }
+    });
+    for (const Subtree& subtree : waiting) forgetParent(subtree.root);
+    waiting.clear();
+  };
+  std::vector<double> workspace;
+  std::size_t subtree = subtrees_.size();
+  for (std::size_t s = supernodes.size(); s-- > 0;) {
+    if (subtree > 0 && s == subtrees_[subtree - 1].root) {
+      waiting.push_back(subtrees_[--subtree]);
+      s = waiting.back().first;
+      if (waiting.size() == subtreesAtOnce()) invertWaiting();
+    } else {
+      invertOne(s, workspace);
+      const auto waits_for_parent = [&](const Subtree& waits) {
+        return supernodes[waits.root].parent == supernodes[s].parent;
+      };
+      if (isLastChild(s) && std::ranges::any_of(waiting, waits_for_parent)) invertWaiting();
+      forgetParent(s);
     }
   }
+  invertWaiting();
   return inverse;
 }
 

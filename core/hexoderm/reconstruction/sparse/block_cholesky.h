@@ -29,6 +29,11 @@ class RightSides {
 
  private:
   friend class BlockCholesky;
+  [[nodiscard]] RightSides columns(Eigen::Index begin, Eigen::Index count) const;
+  void putColumns(Eigen::Index begin, const RightSides& some);
+  template <class Use>
+  void inColumns(const Use& use);
+
   Eigen::Index rows_ = 0;
   Eigen::Index columns_ = 0;
   Eigen::Index width_ = 0;       ///< of a row with what fills it up
@@ -40,7 +45,9 @@ class RightSides {
 /// few near ones, the factor of n cells has about n log n blocks and takes about n^1.5 block products. Multifrontal, on
 /// dense panels (supernodes.h). Any size: none, one cell, several parts that are not coupled.
 ///
-/// One object may be read by several threads; factorize() is not for two at a time. Deterministic.
+/// Subtrees of the elimination tree, strips of large fronts and columns of right-hand sides are worked on by several
+/// threads (inParallel()); no number depends on how many. One object may be read by several threads; factorize() is not
+/// for two at a time.
 ///
 /// Duff and Reid, "The multifrontal solution of indefinite sparse symmetric linear equations", ACM TOMS 9, 1983; for
 /// the inverse Takahashi, Fagan and Chin, "Formation of a sparse bus impedance matrix and its application to short
@@ -68,8 +75,6 @@ class BlockCholesky {
   /// block (row, column); (column, row) is its transpose. False, and no factor: not positive definite or not finite. A
   /// matrix that is singular but for rounding may pass.
   bool factorize(std::span<const Matrix6d> diagonal, std::span<const Matrix6d> couples);
-  /// Gives back the memory that factorize() worked in, which it keeps for the next time.
-  void releaseWorkspace() { updates_ = std::vector<double>(); }
   /// The last factorize() succeeded; what follows needs that.
   [[nodiscard]] bool factorized() const { return factorized_; }
 
@@ -92,19 +97,32 @@ class BlockCholesky {
   [[nodiscard]] SelectedInverse selectedInverse() const;
 
  private:
+  using Numbers = std::unique_ptr<double[]>;
+  struct Blocks {
+    std::span<const Matrix6d> diagonal;
+    std::span<const Matrix6d> couples;
+  };
+  /// All supernodes from `first` to `root`.
+  struct Subtree {
+    std::size_t first = 0;
+    std::size_t root = 0;
+  };
+  void findSubtrees();
   const double* panel(std::size_t supernode) const { return factor_.data() + panel_begin_[supernode]; }
-  void assemble(std::size_t supernode, std::span<const Matrix6d> diagonal, std::span<const Matrix6d> couples);
+  void assemble(std::size_t supernode, const Blocks& A);
+  bool eliminate(std::size_t supernode, const Blocks& A, std::vector<Numbers>& updates);
   void gather(std::size_t supernode, const double* parent_front, double* front) const;
+  Numbers invert(std::size_t supernode, const double* parent_front, std::vector<double>& workspace,
+                 SelectedInverse& inverse) const;
 
   std::shared_ptr<const SupernodalPattern> pattern_;
   const FrontKernels& kernels_;
   std::vector<std::size_t> panel_begin_;  ///< per supernode, in factor_
   std::size_t factor_entries_ = 0;
-  std::size_t most_rows_ = 0;  ///< below the pivots of a supernode, in numbers
-  std::size_t most_updates_ = 0;
+  std::size_t most_rows_ = 0;      ///< below the pivots of a supernode, in numbers
+  std::vector<Subtree> subtrees_;  ///< that are worked on side by side, ascending
   std::vector<double>
       factor_;  ///< per supernode a panel of (pivots + rows) x pivots blocks; above the diagonal anything
-  std::vector<double> updates_;  ///< a stack: what eliminated supernodes leave to their parents' fronts
   bool factorized_ = false;
 };
 

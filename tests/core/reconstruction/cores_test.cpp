@@ -1,0 +1,71 @@
+// What is solved does not depend on how many cores it is solved with.
+
+#include "hexoderm/device/simulation/simulated_skin.h"
+#include "hexoderm/io/calibration_json.h"
+#include "hexoderm/reconstruction/reconstructor.h"
+#include "hexoderm/session/simulated_session.h"
+#include "hexoderm/util/parallel.h"
+
+#include <gtest/gtest.h>
+#include <cstddef>
+#include <string>
+#include <thread>
+#include <vector>
+
+namespace hexoderm {
+namespace {
+
+class SolvedWithCores : public testing::TestWithParam<Solver> {
+ protected:
+  ~SolvedWithCores() override { setCores(before_); }
+
+  [[nodiscard]] std::string calibration() const {
+    SolverOptions options;
+    options.solver = GetParam();
+    Reconstruction result = *reconstruct(*session_.snapshot(), options);
+    result.solve_seconds = 0;
+    return calibrationToJson(result);
+  }
+
+  /// Large enough for all that is shared out, and with faults that are looked for.
+  static Session session() {
+    SimulatedSkinOptions options;
+    options.patch = "sheet:42x42";
+    options.surface = "cylinder:r=0.3";
+    options.seed = 4;
+    options.faults = {{SkinFault::Yawed, CellId(100)}, {SkinFault::Dead, CellId(700)}};
+    SimulatedSkin skin(builtInCellModel("hex-bma150"), options);
+    return simulateSession(skin, 3);
+  }
+
+  Session session_ = session();
+
+ private:
+  std::size_t before_ = cores();
+};
+
+TEST_P(SolvedWithCores, IsTheSameToTheLastDigit) {
+  setCores(1);
+  const std::string expected = calibration();
+  for (const std::size_t count : {2, 5}) {
+    setCores(count);
+    EXPECT_TRUE(calibration() == expected) << count << " cores";
+  }
+}
+
+TEST_P(SolvedWithCores, SeveralAtATimeShareThem) {
+  setCores(3);
+  std::vector<std::string> found(3);
+  {
+    std::vector<std::jthread> threads;
+    for (std::string& each : found) threads.emplace_back([&] { each = calibration(); });
+  }
+  EXPECT_TRUE(found[0] == found[1]);
+  EXPECT_TRUE(found[0] == found[2]);
+}
+
+INSTANTIATE_TEST_SUITE_P(Both, SolvedWithCores, testing::Values(Solver::Tree, Solver::Global),
+                         [](const auto& solver) { return std::string(solverName(solver.param)); });
+
+}  // namespace
+}  // namespace hexoderm
