@@ -1,6 +1,7 @@
 // Times as ratios that hold on any computer, in one run: the CPU time of the tree and of the global solver in units of
 // 100,000 Eigen::JacobiSVD<Matrix3d>; how many times as long the Boost Graph Library takes to find the origin from all
-// pairs, Eigen and CHOLMOD for the factor of the same matrix, and Ceres for the same cost from the same start.
+// pairs, Eigen and CHOLMOD for the factor of the same matrix, and Ceres for the same cost from the same start. All that
+// on one core; then by how much the tree and the global solver are faster with all that there are.
 //
 //   build/release/tests/benchmarks/solver_ratios [CELLS...] [--factor | --solve]     (1260 10000; 99856 takes minutes)
 
@@ -10,6 +11,7 @@
 #include "hexoderm/reconstruction/solved_skin.h"
 #include "hexoderm/session/simulated_session.h"
 #include "hexoderm/util/freed_memory.h"
+#include "hexoderm/util/parallel.h"
 #include "hexoderm/util/text.h"
 #include "tests/benchmarks/boost_all_pairs.h"
 #include "tests/benchmarks/cpu_time.h"
@@ -102,7 +104,22 @@ void compareWithBoost(const SessionSnapshot& snapshot, const SolverOptions& tree
             << " times as long\n";
 }
 
-void compare(std::size_t cells, double unit_ms) {
+/// By the clock on the wall.
+template <class Run>
+void compareCores(const std::string& what, std::size_t count, const Run& run) {
+  const auto wall_ms = [&] {
+    return least_ms(
+        run, [] {}, [] { return cpuTime_ms(CLOCK_MONOTONIC); });
+  };
+  const double alone_ms = wall_ms();
+  setCores(count);
+  const double together_ms = wall_ms();
+  setCores(1);
+  std::cout << "  " << what << " on " << count << " cores: " << formatFixed(alone_ms / together_ms, 2)
+            << " times as fast as on one, " << formatFixed(together_ms, 1) << " ms\n";
+}
+
+void compare(std::size_t cells, std::size_t count_of_cores, double unit_ms) {
   const Session session = sheet(cells);
   const auto snapshot = session.snapshot();
   std::cout << session.neighbors().size() << " cells, " << kPoses << " poses:\n";
@@ -114,6 +131,10 @@ void compare(std::size_t cells, double unit_ms) {
   without_last.removePose(kPoses - 1);
   const auto before = reconstruct(*without_last.snapshot());
   print("global from the result of a pose less", least_ms([&] { reconstruct(*snapshot, {}, before.get()); }), unit_ms);
+  if (count_of_cores > 1) {
+    compareCores("tree", count_of_cores, [&] { reconstruct(*snapshot, tree); });
+    compareCores("global", count_of_cores, [&] { reconstruct(*snapshot); });
+  }
   compareWithBoost(*snapshot, tree, unit_ms);
 #ifdef HEXODERM_HAS_CERES
   if (cells <= kMostCellsForCeres) compareWithCeres(*snapshot, unit_ms);
@@ -136,11 +157,13 @@ int main(int argc, char** argv) {
     if (!argument.starts_with("--")) sizes.push_back(parseUnsigned(argument, "cells"));
   }
   if (sizes.empty()) sizes = {1260, 10'000};
+  const std::size_t count_of_cores = cores();
+  setCores(1);
   const double unit_ms = yardstick_ms();
   std::cout << "CPU time, and in units of 100,000 JacobiSVD<Matrix3d> (" << formatFixed(unit_ms, 1) << " ms)\n";
   for (const std::size_t cells : sizes) {
     const auto rows = static_cast<std::int64_t>(std::sqrt(static_cast<double>(cells)));
-    if (solve) compare(cells, unit_ms);
+    if (solve) compare(cells, count_of_cores, unit_ms);
     std::cout << std::flush;
     if (factor) compareFactors(rows, static_cast<std::int64_t>(cells) / rows);
   }

@@ -16,6 +16,7 @@
 #include "hexoderm/reconstruction/patch/patch_solver.h"
 #include "hexoderm/reconstruction/reconstructor.h"
 #include "hexoderm/session/simulated_session.h"
+#include "hexoderm/util/parallel.h"
 #include "tests/benchmarks/boost_all_pairs.h"
 #include "tests/benchmarks/cpu_time.h"
 
@@ -120,6 +121,7 @@ void measure(int rows, int columns, double svd_ms) {
 
 int main(int argc, char** argv) {
   const double most = argc > 1 ? std::atof(argv[1]) : 1e6;
+  hexoderm::setCores(1);
   const double svd_ms = hexoderm::yardstick_ms();
   std::printf("100,000 JacobiSVD<Matrix3d>: %.1f ms of CPU time; %d numbers at a time\n", svd_ms,
               hexoderm::hasFourLanes() ? 4 : 1);

@@ -5,15 +5,16 @@
 
 namespace hexoderm {
 
-/// How many threads of this process compute at once at most, where they share the work of one call: as many as the
-/// computer lends it, unless setCores() says otherwise. At least 1.
+/// How many threads of this process compute at once at most, where they share the work of one call. At least 1; at
+/// first as many as the computer has cores that the process may use.
 [[nodiscard]] std::size_t cores();
+/// Says how many; 0 counts as 1. What computes already goes on as it began.
 void setCores(std::size_t count);
 
 /// Keeps cores from inParallel() as long as it lives: for threads that compute on their own beside.
 class CoresInUse {
  public:
-  explicit CoresInUse(std::size_t count);
+  explicit CoresInUse(std::size_t count);  ///< any number, also of more than there are
   ~CoresInUse();
   CoresInUse(const CoresInUse&) = delete;
   CoresInUse& operator=(const CoresInUse&) = delete;
