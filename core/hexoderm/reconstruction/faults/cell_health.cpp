@@ -5,6 +5,7 @@
 #include "hexoderm/util/text.h"
 #include "hexoderm/util/units.h"
 
+#include <Eigen/Cholesky>
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -180,12 +181,35 @@ class Judge {
     findings_.push_back(makeFinding(FindingCode::IdenticalReadings, std::move(words), ids, {}, pose_ids));
   }
 
-  /// An axis that reads the same in all poses although the length of what the cell reads rises and falls with them. (An
-  /// axis along which gravity happens not to change leaves the length as it is.)
+  /// How improbable it is that 1 g was read in every pose, by a sensor whose offset and scale are wrong: a chi-squared.
+  [[nodiscard]] double misfitOfNorms(std::size_t cell, const std::vector<std::size_t>& poses) const {
+    constexpr double kLeast_g = 1e-3;
+    const Accelerometer& a = snapshot_.model->accelerometer;
+    const double offset_sigma_g = std::max(kLeast_g, a.offset_sigma_g);
+    const double scale_sigma = std::max(kLeast_g, a.scale_sigma);
+    // |y - b| = 1: to first order an offset b along y is too long by the norm less 1.
+    Eigen::Matrix3d information = Eigen::Matrix3d::Identity() / std::pow(offset_sigma_g, 2);
+    Eigen::Vector3d weighted = Eigen::Vector3d::Zero();
+    double squares = 0;
+    for (const std::size_t pose : poses) {
+      const Eigen::Vector3d& y_g = table_.at(cell, pose).mean_g;
+      const double too_long = y_g.norm() - 1;
+      const Eigen::Vector3d along = y_g.normalized() / scale_sigma;
+      information += along * along.transpose();
+      weighted += along * too_long / scale_sigma;
+      squares += std::pow(too_long / scale_sigma, 2);
+    }
+    return squares - weighted.dot(information.llt().solve(weighted));
+  }
+
+  /// An axis that reads the same in all poses although the length of what the cell reads rises and falls with them by
+  /// more than a sensor's errors explain. (An axis along which gravity happens not to change leaves the length as it
+  /// is. Among thousands of cells there are some of which this holds, and whose offsets are large.)
   void findDeadAxis(std::size_t cell) {
     constexpr double kConstant_g = 0.02;
     constexpr double kChanging_g = 0.3;
     constexpr std::size_t kFewestPoses = 3;
+    const double least_misfit = 16 + 2 * std::log(static_cast<double>(table_.cellCount()));
     const Accelerometer& a = snapshot_.model->accelerometer;
     if (table_.usablePoseCount(cell) < kFewestPoses) return;
     const std::vector<std::size_t> poses = table_.usablePoses(cell);
@@ -204,6 +228,7 @@ class Judge {
     const Eigen::Vector3d range_g = highest - lowest;
     for (int axis = 0; axis < 3; ++axis) {
       if (range_g[axis] > kConstant_g || range_g.maxCoeff() < kChanging_g) continue;
+      if (misfitOfNorms(cell, poses) < least_misfit) return;
       for (const std::size_t pose : poses) table_.at(cell, pose).usable = false;
       findings_.push_back(makeFinding(
           FindingCode::DeadAxis,

@@ -9,8 +9,10 @@
 #include "tests/support/pin_jointed_skin.h"
 
 #include <algorithm>
+#include <cmath>
 #include <functional>
 #include <limits>
+#include <vector>
 
 namespace hexoderm {
 namespace {
@@ -88,6 +90,29 @@ TEST_P(BadCell, DeadSensorIsNamedAndTheCellPlacedThroughItsLinks) {
                                      if (sample.cell == kBad) sample.mean_g = {0.01, -0.02, 0.004};
                                    }),
                            FindingCode::DeadSensor);
+}
+
+TEST_P(BadCell, DeadAxisIsNamedAndTheCellPlacedThroughItsLinks) {
+  for (int axis = 0; axis < 3; ++axis) {
+    expectPlacedThroughLinks(changed(session_,
+                                     [&](std::size_t, GravitySample& sample) {
+                                       if (sample.cell == kBad) sample.mean_g[axis] = 0.03;
+                                     }),
+                             FindingCode::DeadAxis);
+  }
+}
+
+TEST_P(BadCell, AnAxisAlongWhichGravityDoesNotChangeIsNotDead) {
+  // Gravity goes round the cell's z axis, and its sensor has an offset of three sigma across.
+  std::vector<Eigen::Vector3d> ups;
+  for (const double angle : {0.0, 120 * kDegree, 180 * kDegree}) {
+    ups.push_back(skin_.truth.at(kBad).R * Eigen::Vector3d(0.99 * std::cos(angle), 0.99 * std::sin(angle), -0.14));
+  }
+  const auto result = solve(changed(skin_.session(ups), [](std::size_t, GravitySample& sample) {
+    if (sample.cell == kBad) sample.mean_g.x() += 0.18;
+  }));
+  EXPECT_EQ(findFinding(*result, FindingCode::DeadAxis), nullptr);
+  EXPECT_EQ(result->find(kBad).cell->placed_by, PlacedBy::Samples);
 }
 
 TEST_P(BadCell, StuckSensorIsNamedAndTheCellPlacedThroughItsLinks) {
