@@ -5,6 +5,8 @@
 /// From these radii of a hexagon on (pixels), details of the graph are drawn.
 namespace hexoderm::graph_levels {
 
+/// Below, dots would hide the links between them.
+inline constexpr double kDotRadius = 1.5;
 inline constexpr double kOutlineRadius = 2.5;
 inline constexpr double kStyleRadius = 4.0;
 inline constexpr double kIdRadius = 8.0;

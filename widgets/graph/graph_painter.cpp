@@ -45,6 +45,7 @@ void GraphPainter::drawSheet(QPainter& painter) const {
   const bool smooth = radius_px_ >= kOutlineRadius && !is_crowded_;
   painter.setRenderHint(QPainter::Antialiasing, smooth);
   if (style_.marks_tree && smooth) drawTree(painter);
+  if (dotsAreUnderLinks()) drawDots(painter);
   drawLinks(painter);
   drawMutedLinks(painter);
   painter.setRenderHint(QPainter::Antialiasing, true);
@@ -277,7 +278,8 @@ void GraphPainter::choosePens(QPainter& painter, const CellKind& kind) const {
 
 void GraphPainter::drawCells(QPainter& painter) const {
   if (radius_px_ < graph_levels::kOutlineRadius) {
-    drawDots(painter);
+    if (!dotsAreUnderLinks()) drawDots(painter);
+    drawOriginsAsDots(painter);
   } else if (is_crowded_) {
     drawStamps(painter);
   } else {
@@ -287,6 +289,11 @@ void GraphPainter::drawCells(QPainter& painter) const {
       painter.drawConvexPolygon(hexagon(k));
     }
   }
+}
+
+/// Where links have the colours, and there is no room beside the cells.
+bool GraphPainter::dotsAreUnderLinks() const {
+  return radius_px_ < graph_levels::kDotRadius && coloringRow(paint_.coloring).colors_links;
 }
 
 void GraphPainter::drawDots(QPainter& painter) const {
@@ -299,6 +306,9 @@ void GraphPainter::drawDots(QPainter& painter) const {
     const QRectF dot(center - QPointF(half, half), QSizeF(2 * half, 2 * half));
     painter.fillRect(dot, filled && paint_.of_cell[k] != GraphPaint::kPlain ? fillOf(k) : colors_.text_muted);
   }
+}
+
+void GraphPainter::drawOriginsAsDots(QPainter& painter) const {
   for (const GraphScene::Cell& cell : scene_.cells()) {
     if (!cell.origin) continue;
     painter.fillRect(QRectF(camera_.toScreen(cell.center) - QPointF(2.5, 2.5), QSizeF(5, 5)), colors_.selection);

@@ -62,7 +62,9 @@ class GraphPainter {
   void drawCutCurves(QPainter& painter) const;
   [[nodiscard]] QPainterPath cutCurve(const GraphScene::Link& link) const;
   void drawCells(QPainter& painter) const;
+  [[nodiscard]] bool dotsAreUnderLinks() const;
   void drawDots(QPainter& painter) const;
+  void drawOriginsAsDots(QPainter& painter) const;
   void drawStamps(QPainter& painter) const;
   [[nodiscard]] QImage stamp(const CellKind& kind, double angle_rad, double pixel_ratio) const;
   void drawIds(QPainter& painter) const;

@@ -284,6 +284,21 @@ TEST_F(GraphViewTest, TellsScreenReadersWhatItShowsAndWhatIsPicked) {
   EXPECT_EQ(view_.focusPolicy(), Qt::StrongFocus);
 }
 
+TEST_F(GraphViewTest, LinksOfManyCellsAreSeenWhereThereIsNoRoomBesideTheCells) {
+  view_.resize(260, 160);
+  show(sampleSheet(100, 100));
+  ASSERT_TRUE(test::waitUntil([&] { return drawnPixels(image()) > 0; }));
+  const QImage picture = image();
+  const QRgb dots = Colors::of(Theme::Light).text_muted.rgb();
+  int of_dots = 0;
+  int others = 0;
+  const QRect middle(picture.rect().center() - QPoint(20, 20), QSize(40, 40));
+  for (int x = middle.left(); x <= middle.right(); ++x) {
+    for (int y = middle.top(); y <= middle.bottom(); ++y) ++(picture.pixel(x, y) == dots ? of_dots : others);
+  }
+  EXPECT_LT(of_dots, others / 4);
+}
+
 TEST_F(GraphViewTest, DrawsTenThousandCellsAtEveryZoomAndPicksAmongThem) {
   show(sampleSheet(100, 100));
   QTest::mouseClick(&view_, Qt::LeftButton, Qt::NoModifier, cell(5050));
