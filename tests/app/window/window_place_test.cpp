@@ -222,7 +222,7 @@ TEST_F(WindowPlaceTest, ACalibrationShowsItsPlacesButDecidesNothing) {
   EXPECT_THAT(stand().why_not.toStdString(), HasSubstr("A calibration is open"));
   EXPECT_FALSE(inPanel<QPushButton>("placeChooseRobot")->isEnabled());
   EXPECT_TRUE(window_->robotView()->isVisible());
-  EXPECT_EQ(window_->robotView()->picture().patches.size(), 1U);
+  EXPECT_TRUE(waitUntil([this] { return window_->robotView()->picture().patches.size() == 1; }));
 }
 
 }  // namespace
