@@ -105,6 +105,7 @@
 #include "hexoderm/util/latest_worker.h"
 #include "hexoderm/util/limits.h"
 #include "hexoderm/util/message.h"
+#include "hexoderm/util/parallel.h"
 #include "hexoderm/util/sha256.h"
 #include "hexoderm/util/text.h"
 #include "hexoderm/util/units.h"
