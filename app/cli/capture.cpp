@@ -74,7 +74,7 @@ class Capture final : public CaptureOwner {
       if (Clock::now() - last_progress > patience && (!session_ || options_.automatic)) {
         throw DeviceError(source_.address() +
                           (session_ ? ": no pose for " : ": the device did not describe itself for ") +
-                          formatFixed(options_.timeout_s, 0) + " s: " + whyNothingComes());
+                          formatFixed(options_.timeout_s, options_.timeout_s < 1 ? 1 : 0) + " s: " + whyNothingComes());
       }
     }
   }

@@ -333,7 +333,7 @@
         <translation>Eine dritte Richtung ist noch nicht gesehen: Ihr Wert ist %1 von %2.</translation>
     </message>
     <message>
-        <source>No further direction is needed, though not all values reach %1.</source>
+        <source>Not all values reach %1, but another direction is not what helps next.</source>
         <translation>Es ist keine weitere Richtung nötig, auch wenn nicht alle Werte %1 erreichen.</translation>
     </message>
 </context>
@@ -6964,8 +6964,8 @@ Die Balken sagen, wie sehr sich die gesehenen Richtungen in drei Achsen untersch
         <translation>das Gerät hat sich {} lang nicht beschrieben: {}</translation>
     </message>
     <message>
-        <source>What is sent arrives {} times slower than the device&apos;s clock says: the line is too slow, or the device waits for it (send fewer samples, or means), or its clock runs too fast; a recording may be played slowly.</source>
-        <translation>Was gesendet wird, kommt {}-mal langsamer an, als die Uhr des Geräts sagt: Die Leitung ist zu langsam, oder das Gerät wartet auf sie (weniger Messwerte oder Mittelwerte senden), oder seine Uhr geht zu schnell; eine Aufzeichnung wird vielleicht langsam abgespielt.</translation>
+        <source>What is sent arrives {} times slower than the device&apos;s clock says: the line is too slow, or the device waits for it (send fewer samples, or means), or its clock runs too slow; a recording may be played slowly.</source>
+        <translation>Was gesendet wird, kommt {}-mal langsamer an, als die Uhr des Geräts sagt: Die Leitung ist zu langsam, oder das Gerät wartet auf sie (weniger Messwerte oder Mittelwerte senden), oder seine Uhr geht zu langsam; eine Aufzeichnung wird vielleicht langsam abgespielt.</translation>
     </message>
     <message>
         <source>says {} Hz, but a cell&apos;s samples come {} times a second by the device&apos;s own clock; is it another rate, or is time_us wrong?</source>

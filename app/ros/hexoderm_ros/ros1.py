@@ -23,6 +23,7 @@ ANSWERS_S = 1  # a master that is there answers within it
 QUEUE = 1000  # messages of a topic, while others are dealt with
 ASK_EVERY_S = 0.5
 LOOK_EVERY_S = 0.2  # whether it ended
+LEAVES_S = 3  # as long as a master has for it
 
 
 def _now_us():
@@ -86,36 +87,58 @@ def _wait_for_master(name):
     return master
 
 
+def _leave(master_uri):
+    """ROS is told that the node ends; a master that does not answer holds it up for a moment."""
+
+    def leave():
+        with contextlib.suppress(Exception):
+            # A call that Ctrl+C broke off would be in the way of the next.
+            rospy.core.xmlrpcapi(master_uri)("close")()
+        rospy.signal_shutdown("ended")
+
+    thread = threading.Thread(target=leave, daemon=True)
+    thread.start()
+    thread.join(LEAVES_S)
+
+
 @contextlib.contextmanager
 def _node(name):
-    """The master and the end, with a node of that name. KeyboardInterrupt: the user ended it."""
+    """The master and the end, with a node of that name. KeyboardInterrupt: the user ended it, or ROS while it began."""
     end = _End()
     master = _wait_for_master(name)
     try:
         rospy.init_node(name, anonymous=True, disable_signals=True)
         yield master, end
+    except rospy.exceptions.ROSException:
+        if not rospy.is_shutdown():
+            raise
+        raise KeyboardInterrupt from None  # somebody ended the node by ROS
     finally:
-        rospy.signal_shutdown("ended")
+        _leave(master.master_uri)
 
 
 def _why_nothing_comes(master, imus):
     """For a Watch: why nothing comes on topics, by what the master knows."""
 
-    def reason(topic, publishers, kinds):
+    def reason(topic, publishers, subscribed, kinds):
         name = rospy.resolve_name(topic)
         if name not in publishers:
             return NOBODY
+        if name not in subscribed:
+            return ("the ROS master was started anew: start hexoderm-ros anew, too",) * 2
         if topic in imus and kinds.get(name) != sensor_msgs.msg.Imu._type:
             return (f"its type is {kinds.get(name)}, and not {sensor_msgs.msg.Imu._type}",) * 2
         return SENDS_NOTHING
 
     def why(topics):
         try:
-            publishers = {each for each, nodes in master.getSystemState()[0] if nodes}
+            publishing, subscribing, _ = master.getSystemState()
+            publishers = {each for each, nodes in publishing if nodes}
+            subscribed = {each for each, nodes in subscribing if rospy.get_name() in nodes}
             kinds = dict(master.getTopicTypes())
         except (OSError, rosgraph.MasterException, xmlrpc.client.Error, http.client.HTTPException):
             return dict.fromkeys(topics, ("the ROS master does not answer",) * 2)
-        return {topic: reason(topic, publishers, kinds) for topic in topics}
+        return {topic: reason(topic, publishers, subscribed, kinds) for topic in topics}
 
     return why
 

@@ -10,6 +10,7 @@ import tf2_ros
 from rclpy.executors import ExternalShutdownException
 from rclpy.qos import qos_profile_sensor_data
 
+from hexoderm_ros.errors import UsageError
 from hexoderm_ros.skin import SkinError
 from hexoderm_ros.watch import NOBODY, SENDS_NOTHING, watching
 
@@ -36,7 +37,9 @@ def _message_type(names):
         raise SkinError(f'cell_data of {names.topic}: ROS 2 needs its type, "package/msg/Name"')
     try:
         from rosidl_runtime_py.utilities import get_message
-
+    except ImportError as error:
+        raise UsageError(f"cell_data needs the Python module rosidl_runtime_py: {error}") from error
+    try:
         return get_message(names.type)
     except (AttributeError, ImportError, ValueError) as error:
         raise SkinError(f'cell_data of {names.topic}: the type "{names.type}" is not there: {error}') from error

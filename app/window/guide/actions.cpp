@@ -367,10 +367,9 @@ void WindowActions::refresh(const SessionController& controller, std::optional<i
   recapture->setText(waits ? tr("Don't &recapture") : tr("&Recapture pose"));
   allow(recapture, no_recapture);
   refreshRetake(controller);
-  const bool is_misfit = controller.reconstruction() && worstFinding(*controller.reconstruction()) != nullptr;
-  allow(show_finding, is_misfit ? QString() : tr("Nothing was found that does not fit"));
-
   const QString nothing = controller.reconstruction() ? QString() : tr("There is nothing to look at yet");
+  const bool is_misfit = controller.reconstruction() && worstFinding(*controller.reconstruction()) != nullptr;
+  allow(show_finding, is_misfit || !nothing.isEmpty() ? nothing : tr("Nothing was found that does not fit"));
   for (QAction* action : {find_cell, figures, fit, front, back, side, top, isometric, plot, compare})
     allow(action, nothing);
   const bool is_stated = controller.reconstruction() && controller.reconstruction()->assessment.position_95_m;

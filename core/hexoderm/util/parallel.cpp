@@ -86,6 +86,11 @@ std::size_t cores() { return most_cores; }
 
 void setCores(std::size_t count) { most_cores = std::max<std::size_t>(1, count); }
 
+std::size_t freeCores() {
+  return static_cast<std::size_t>(
+      std::max(std::ptrdiff_t(0), static_cast<std::ptrdiff_t>(most_cores.load()) - 1 - in_use.load()));
+}
+
 CoresInUse::CoresInUse(std::size_t count) : count_(static_cast<std::ptrdiff_t>(count)) { in_use += count_; }
 
 CoresInUse::~CoresInUse() { in_use -= count_; }

@@ -11,6 +11,9 @@ namespace hexoderm {
 /// Says how many; 0 counts as 1. What computes already goes on as it began.
 void setCores(std::size_t count);
 
+/// How many of them nobody uses at this moment, beside the thread that asks.
+[[nodiscard]] std::size_t freeCores();
+
 /// Keeps cores from inParallel() as long as it lives: for threads that compute on their own beside.
 class CoresInUse {
  public:

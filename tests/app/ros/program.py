@@ -1,5 +1,6 @@
 """The command line, a session with its truth as readings over time, and messages as those of ROS."""
 
+import itertools
 import json
 import math
 import os
@@ -44,10 +45,11 @@ class Listener:
             self._is_over = True
             self._changed.notify_all()
 
-    def wait_for(self, expected, timeout_s=60):
-        """The first line that has it, of those already said too."""
+    def wait_for(self, expected, timeout_s=60, after=""):
+        """The first line that has it, of those already said too; `after` one that has that."""
         def found():
-            return next((line for line in self._said if expected in line), None)
+            later = itertools.dropwhile(lambda line: after not in line, self._said)
+            return next((line for line in later if expected in line), None)
 
         with self._changed:
             self._changed.wait_for(lambda: found() or self._is_over, timeout_s)
@@ -56,9 +58,9 @@ class Listener:
                 raise AssertionError(f'"{expected}" was not said, but:\n{"".join(self._said)}')
             return line
 
-    def end(self):
-        """All that it said, after Ctrl+C."""
-        self.process.send_signal(signal.SIGINT)
+    def end(self, number=signal.SIGINT):
+        """All that it said, after Ctrl+C or another signal."""
+        self.process.send_signal(number)
         self.process.wait(20)
         self._thread.join(20)
         return "".join(self._said)

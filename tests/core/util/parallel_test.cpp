@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 #include <algorithm>
 #include <atomic>
+#include <chrono>
 #include <cstddef>
 #include <latch>
 #include <mutex>
@@ -59,12 +60,12 @@ TEST_F(Parallel, WithOneCoreOneAfterTheOtherInThisThread) {
   EXPECT_THAT(order, ElementsAre(0, 1, 2));
 }
 
-/// By how many threads at once something is done.
-std::size_t mostAtOnce() {
+/// By how many threads something is done that leaves each of them time to begin.
+std::size_t threadsAtWork() {
   std::mutex mutex;
   std::set<std::thread::id> threads;
-  inParallel(100, [&](std::size_t) {
-    std::this_thread::yield();
+  inParallel(20, [&](std::size_t) {
+    std::this_thread::sleep_for(std::chrono::milliseconds(5));
     const std::lock_guard lock(mutex);
     threads.insert(std::this_thread::get_id());
   });
@@ -75,15 +76,18 @@ TEST_F(Parallel, CoresThatOthersUseAreLeftToThem) {
   setCores(4);
   {
     const CoresInUse others(3);
-    EXPECT_EQ(mostAtOnce(), 1U);
+    EXPECT_EQ(freeCores(), 0U);
+    EXPECT_EQ(threadsAtWork(), 1U);
     const CoresInUse more(5);
-    EXPECT_EQ(mostAtOnce(), 1U);
+    EXPECT_EQ(freeCores(), 0U);
+    EXPECT_EQ(threadsAtWork(), 1U);
   }
+  EXPECT_EQ(freeCores(), 3U);
   std::latch all_are_there(4);
   std::latch all_have_looked(4);  // nobody gives a core back before
   inParallel(4, [&](std::size_t) {
     all_are_there.arrive_and_wait();
-    EXPECT_EQ(mostAtOnce(), 1U) << "all cores are at work already";
+    EXPECT_EQ(freeCores(), 0U) << "all cores are at work already";
     all_have_looked.arrive_and_wait();
   });
 }

@@ -167,7 +167,7 @@ void Listening::remark(ListeningReport& report) const {
   if (report.slowness && *report.slowness >= kSlow && is_time_known) {
     report.remarks.push_back(
         message("What is sent arrives {} times slower than the device's clock says: the line is too slow, or the "
-                "device waits for it (send fewer samples, or means), or its clock runs too fast; a recording may be "
+                "device waits for it (send fewer samples, or means), or its clock runs too slow; a recording may be "
                 "played slowly.",
                 Number{*report.slowness, 1}));
   }

@@ -95,6 +95,7 @@ struct SimulatedSource::Impl {
 
   void run(const std::stop_token& stop) {
     constexpr std::uint64_t kTicksPerStatus = 500;
+    constexpr std::chrono::milliseconds kStatusEvery(500);  // or so, as from any device
     SkinDescription description;
     description.device = body->description();
     description.model = std::make_shared<const CellModel>(body->model());
@@ -106,6 +107,7 @@ struct SimulatedSource::Impl {
     say(SourceState::Streaming, message("Streaming: {}", description.device));
     const Clock::time_point start = Clock::now();
     const double tick_s = 1 / (body->rate_hz() * speed);
+    Clock::time_point reported = start;
     while (!stop.stop_requested()) {
       obeyAll();
       for (std::uint64_t k = 0; k < ticks_at_once; ++k) {
@@ -113,7 +115,11 @@ struct SimulatedSource::Impl {
         const std::optional<JointReport> joints = joint_reporting.before(*body, time_s);
         if (joints) listener->onJoints(*joints);
         listener->onFrame(body->next());
-        if (++status.frames % kTicksPerStatus == 0) listener->onStatus(status);
+        ++status.frames;
+        const Clock::time_point now = Clock::now();
+        if (status.frames % kTicksPerStatus != 0 && now - reported < kStatusEvery) continue;
+        reported = now;
+        listener->onStatus(status);
       }
       if (!std::isfinite(speed)) continue;
       const auto due = start + std::chrono::duration_cast<Clock::duration>(

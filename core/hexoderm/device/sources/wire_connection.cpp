@@ -307,7 +307,7 @@ void WireConnection::tendCommands(Clock::time_point now) {
 }
 
 Message WireConnection::endlessCommand() const {
-  constexpr std::uint64_t kMany = 60;  // a slow robot turns for half a minute
+  constexpr std::uint64_t kMany = 20;  // before a capture gives up; a robot has turned by then
   for (const auto& [number, pending] : pending_) {
     if (!pending.is_working || pending.times_sent < kMany) continue;
     return message("a command was sent {} times, and the device is still at it (does it begin anew each time?)",

@@ -181,23 +181,28 @@ class Judge {
     findings_.push_back(makeFinding(FindingCode::IdenticalReadings, std::move(words), ids, {}, pose_ids));
   }
 
-  /// How improbable it is that 1 g was read in every pose, by a sensor whose offset and scale are wrong: a chi-squared.
+  /// How improbable it is that 1 g was read in every pose by a sensor with an offset and scale errors: a chi-squared.
   [[nodiscard]] double misfitOfNorms(std::size_t cell, const std::vector<std::size_t>& poses) const {
-    constexpr double kLeast_g = 1e-3;
+    using Vector6 = Eigen::Matrix<double, 6, 1>;
+    constexpr double kLeast = 1e-3;
+    constexpr double kLinear_g = 0.02;  // what is left of a norm when it is taken as linear in offsets of 0.2 g
     const Accelerometer& a = snapshot_.model->accelerometer;
-    const double offset_sigma_g = std::max(kLeast_g, a.offset_sigma_g);
-    const double scale_sigma = std::max(kLeast_g, a.scale_sigma);
-    // |y - b| = 1: to first order an offset b along y is too long by the norm less 1.
-    Eigen::Matrix3d information = Eigen::Matrix3d::Identity() / std::pow(offset_sigma_g, 2);
-    Eigen::Vector3d weighted = Eigen::Vector3d::Zero();
+    // An offset b lengthens a reading along d by b.d, and scales s by the sum of s_i d_i^2.
+    Vector6 sigmas;
+    sigmas << Eigen::Vector3d::Constant(std::max(kLeast, a.offset_sigma_g)),
+        Eigen::Vector3d::Constant(std::max(kLeast, a.scale_sigma));
+    Matrix6d information = sigmas.cwiseAbs2().cwiseInverse().asDiagonal();
+    Vector6 weighted = Vector6::Zero();
     double squares = 0;
     for (const std::size_t pose : poses) {
-      const Eigen::Vector3d& y_g = table_.at(cell, pose).mean_g;
-      const double too_long = y_g.norm() - 1;
-      const Eigen::Vector3d along = y_g.normalized() / scale_sigma;
-      information += along * along.transpose();
-      weighted += along * too_long / scale_sigma;
-      squares += std::pow(too_long / scale_sigma, 2);
+      const Eigen::Vector3d y_g = a.T_u_a.R.transpose() * table_.at(cell, pose).mean_g;
+      const double too_long = (y_g.norm() - 1) / kLinear_g;
+      Vector6 longer;
+      longer << y_g.normalized(), y_g.normalized().cwiseAbs2();
+      longer /= kLinear_g;
+      information += longer * longer.transpose();
+      weighted += longer * too_long;
+      squares += too_long * too_long;
     }
     return squares - weighted.dot(information.llt().solve(weighted));
   }
@@ -209,10 +214,13 @@ class Judge {
     constexpr double kConstant_g = 0.02;
     constexpr double kChanging_g = 0.3;
     constexpr std::size_t kFewestPoses = 3;
-    const double least_misfit = 16 + 2 * std::log(static_cast<double>(table_.cellCount()));
     const Accelerometer& a = snapshot_.model->accelerometer;
     if (table_.usablePoseCount(cell) < kFewestPoses) return;
     const std::vector<std::size_t> poses = table_.usablePoses(cell);
+    // With three degrees of freedom healthy cells exceed the first two once in two skins; that gravity is the same
+    // along an axis of theirs too is rare. What further poses add is as many again.
+    const double least_misfit = 4 + 2 * std::log(static_cast<double>(table_.cellCount())) +
+                                2 * static_cast<double>(poses.size() - kFewestPoses);
     Eigen::Vector3d lowest = Eigen::Vector3d::Constant(std::numeric_limits<double>::infinity());
     Eigen::Vector3d highest = -lowest;
     double shortest_g = std::numeric_limits<double>::infinity();

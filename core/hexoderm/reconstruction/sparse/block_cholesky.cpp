@@ -111,7 +111,10 @@ bool factorizePanel(const FrontKernels& kernels, double* L, Index stride, Index 
 }
 
 /// How many subtrees are worked on before what is above them: more than cores, for they are not equally large.
-std::size_t subtreesAtOnce() { return cores() == 1 ? 1 : 2 * cores(); }
+std::size_t subtreesAtOnce() {
+  const std::size_t free = freeCores();
+  return free == 0 ? 1 : 2 * (1 + free);
+}
 
 }  // namespace
 
@@ -150,7 +153,9 @@ template <class Use>
 void RightSides::inColumns(const Use& use) {
   constexpr Index kSideBySide = 4;
   constexpr Index kLeastRows = 10000;
-  const std::size_t groups = rows_ < kLeastRows ? 1 : std::min(cores(), static_cast<std::size_t>(width_ / kSideBySide));
+  // Each group reads the whole factor.
+  const std::size_t groups =
+      rows_ < kLeastRows ? 1 : std::min(1 + freeCores(), static_cast<std::size_t>(width_ / kSideBySide));
   if (groups <= 1) return use(*this);
   const auto begin_of = [&](std::size_t group) {
     return kSideBySide * static_cast<Index>(static_cast<std::size_t>(width_ / kSideBySide) * group / groups);
@@ -266,6 +271,7 @@ bool BlockCholesky::factorize(std::span<const Matrix6d> diagonal, std::span<cons
       if (!eliminate(s, A, updates)) fails = true;
     }
   };
+  const std::size_t at_once = subtreesAtOnce();
   std::size_t next = 0;  // subtree
   std::size_t done = 0;
   for (std::size_t s = 0; s < pattern_->supernodes.size() && !fails; ++s) {
@@ -274,7 +280,7 @@ bool BlockCholesky::factorize(std::span<const Matrix6d> diagonal, std::span<cons
       continue;
     }
     if (next == done) {
-      const std::size_t count = std::min(subtreesAtOnce(), subtrees_.size() - next);
+      const std::size_t count = std::min(at_once, subtrees_.size() - next);
       inParallel(count, [&](std::size_t k) { eliminateAll(subtrees_[next + k]); });
       done += count;
     }
@@ -448,13 +454,14 @@ BlockCholesky::SelectedInverse BlockCholesky::selectedInverse() const {
     for (const Subtree& subtree : waiting) forgetParent(subtree.root);
     waiting.clear();
   };
+  const std::size_t at_once = subtreesAtOnce();
   std::vector<double> workspace;
   std::size_t subtree = subtrees_.size();
   for (std::size_t s = supernodes.size(); s-- > 0;) {
     if (subtree > 0 && s == subtrees_[subtree - 1].root) {
       waiting.push_back(subtrees_[--subtree]);
       s = waiting.back().first;
-      if (waiting.size() == subtreesAtOnce()) invertWaiting();
+      if (waiting.size() == at_once) invertWaiting();
     } else {
       invertOne(s, workspace);
       const auto waits_for_parent = [&](const Subtree& waits) {

@@ -93,7 +93,8 @@ class BlockCholesky {
   /// Rows in their own order again.
   [[nodiscard]] RightSides inOwnOrder(const RightSides& B) const;
 
-  /// About twice the work of factorize(); needs memory for the dense fronts on one way up the elimination tree.
+  /// About twice the work of factorize(); needs memory for the dense fronts on one way up the elimination
+  /// tree, and on a way below that for each thread.
   [[nodiscard]] SelectedInverse selectedInverse() const;
 
  private:
