@@ -278,7 +278,7 @@ class LiveCapture::Run final : public CaptureOwner, public SkinListener, public 
   [[nodiscard]] Message whyNothingComes() const {
     const std::lock_guard lock(mutex_);
     if (!session_ && !status_.offences.empty()) return inWords(status_.offences.front());
-    return session_ ? inRow({hold_.message, status_.message}, ". ") : status_.message;
+    return session_ ? inRow({hold_.message, status_.message}, "; ") : status_.message;
   }
 
   void end() {
