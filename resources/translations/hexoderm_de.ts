@@ -333,8 +333,8 @@
         <translation>Eine dritte Richtung ist noch nicht gesehen: Ihr Wert ist %1 von %2.</translation>
     </message>
     <message>
-        <source>Not all values reach %1, but another direction is not what helps next.</source>
-        <translation>Es ist keine weitere Richtung nötig, auch wenn nicht alle Werte %1 erreichen.</translation>
+        <source>Not all values reach %1, yet no further direction is asked for.</source>
+        <translation>Nicht alle Werte erreichen %1, doch eine weitere Richtung wird nicht verlangt.</translation>
     </message>
 </context>
 <context>
