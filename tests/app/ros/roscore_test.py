@@ -5,6 +5,7 @@ import contextlib
 import http.client
 import json
 import os
+import pathlib
 import re
 import signal
 import socket
@@ -320,20 +321,32 @@ class Ros1(InFolder):
             self.wait_until_no_adapter_is_known()
 
     def test_signals_end_it_while_it_begins(self):
-        for number, delay_s in ((signal.SIGINT, 0.4), (signal.SIGTERM, 0.6), (signal.SIGINT, 0.8), (signal.SIGTERM, 1.0)):
-            adapter = self.begin_adapter({"cells": [{"id": 1, "imu": "/imu"}]})
+        (self.folder / "skin.json").write_text(json.dumps({"cells": [{"id": 1, "imu": "/imu"}]}))
+        for number, delay_s in ((signal.SIGINT, 0), (signal.SIGTERM, 0), (signal.SIGINT, 0.05), (signal.SIGTERM, 0.1)):
+            port = free_port()
+            adapter = Listener(self.start(sys.executable, "-m", "hexoderm_ros", "skin", self.folder / "skin.json", "--port",
+                                          port, stderr=subprocess.PIPE))
+            self.wait_until_it_listens(port)  # and has not yet begun with ROS, or not for long
             time.sleep(delay_s)
             said = adapter.end(number)
-            # Before Python is there the system itself ends it.
-            self.assertIn(adapter.process.returncode, (0, -number), said)
+            self.assertIn(adapter.process.returncode, (0, -signal.SIGTERM) if number == signal.SIGTERM else (0,), said)
             self.assertNotIn("Traceback", said)
+
+    def wait_until_it_listens(self, port):
+        deadline = time.monotonic() + 60
+        while True:
+            with contextlib.suppress(ConnectionRefusedError), socket.create_connection(("localhost", port)):
+                return
+            self.assertLess(time.monotonic(), deadline, "the adapter does not listen")
+            time.sleep(0.01)
 
     def test_a_master_that_falls_silent_holds_ctrl_c_up_for_a_moment_only(self):
         master = self.start("roscore", "-p", port := str(free_port()))
         there = dict(os.environ, ROS_MASTER_URI=f"http://localhost:{port}")
         adapter = self.begin_adapter({"cells": [{"id": 1, "imu": "/imu"}]}, env=there)
         adapter.wait_for(" on tcp://")
-        masters = subprocess.run(["pgrep", "-P", str(master.pid)], capture_output=True, text=True).stdout.split()
+        masters = [child for task in pathlib.Path(f"/proc/{master.pid}/task").iterdir()
+                   for child in (task / "children").read_text().split()]
         self.assertTrue(masters)
         for process in map(int, masters):
             os.kill(process, signal.SIGSTOP)
