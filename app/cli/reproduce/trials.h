@@ -9,8 +9,6 @@
 #include "app/cli/command.h"
 
 #include <atomic>
-#include <exception>
-#include <mutex>
 #include <optional>
 #include <string>
 #include <thread>
@@ -77,27 +75,18 @@ class Trials {
   template <class Trial>
   auto run(const std::string& what, std::size_t count, const Trial& trial) const {
     std::vector<decltype(trial(std::size_t{}))> results(count);
-    std::atomic<std::size_t> next = 0;
-    std::exception_ptr failure;
-    std::mutex failure_mutex;
-    const auto work = [&](bool reports) {
-      const CoresInUse helper(reports ? 0 : 1);
-      for (std::size_t k = next++; k < count; k = next++) {
-        if (reports) report(what, k + 1, count);
-        try {
-          results[k] = trial(k + 1);
-        } catch (...) {
-          const std::lock_guard lock(failure_mutex);
-          failure = std::current_exception();
-          next = count;
-        }
+    const std::thread::id reporter = std::this_thread::get_id();
+    std::atomic<bool> has_failed = false;
+    inParallel(count, [&](std::size_t k) {
+      if (has_failed) return;  // what has failed is not worth the wait for the rest
+      if (std::this_thread::get_id() == reporter) report(what, k + 1, count);
+      try {
+        results[k] = trial(k + 1);
+      } catch (...) {
+        has_failed = true;
+        throw;
       }
-    };
-    std::vector<std::thread> helpers;
-    for (std::size_t k = 1; k < std::min(cores(), count); ++k) helpers.emplace_back(work, false);
-    work(true);
-    for (std::thread& helper : helpers) helper.join();
-    if (failure) std::rethrow_exception(failure);
+    });
     return results;
   }
 

@@ -28,14 +28,17 @@ std::atomic<std::size_t> most_cores = coresOfTheProcess();
 /// Beside the first thread of every call.
 std::atomic<std::ptrdiff_t> in_use = 0;
 
+std::ptrdiff_t freeBeside(std::ptrdiff_t used) {
+  return std::max(std::ptrdiff_t(0), static_cast<std::ptrdiff_t>(most_cores.load()) - 1 - used);
+}
+
 /// Up to so many cores that nobody uses, until it goes.
 class BorrowedCores {
  public:
   explicit BorrowedCores(std::size_t wanted) {
     std::ptrdiff_t used = in_use.load();
     do {
-      const std::ptrdiff_t free = static_cast<std::ptrdiff_t>(most_cores.load()) - 1 - used;
-      count_ = std::clamp(free, std::ptrdiff_t(0), static_cast<std::ptrdiff_t>(wanted));
+      count_ = std::min(freeBeside(used), static_cast<std::ptrdiff_t>(wanted));
     } while (count_ > 0 && !in_use.compare_exchange_weak(used, used + count_));
   }
   ~BorrowedCores() { in_use -= count_; }
@@ -86,10 +89,7 @@ std::size_t cores() { return most_cores; }
 
 void setCores(std::size_t count) { most_cores = std::max<std::size_t>(1, count); }
 
-std::size_t freeCores() {
-  return static_cast<std::size_t>(
-      std::max(std::ptrdiff_t(0), static_cast<std::ptrdiff_t>(most_cores.load()) - 1 - in_use.load()));
-}
+std::size_t freeCores() { return static_cast<std::size_t>(freeBeside(in_use)); }
 
 CoresInUse::CoresInUse(std::size_t count) : count_(static_cast<std::ptrdiff_t>(count)) { in_use += count_; }
 

@@ -17,11 +17,12 @@ namespace {
 using testing::ElementsAre;
 using testing::SizeIs;
 
-/// Feeds holds of a simulated skin, joined by moves of 1 s in which every cell's reading goes straight to where it will
-/// be and is 1 g. Calls `after_hold` with the frames of each.
+/// Sets a simulated skin and feeds holds of it, joined by moves of 1 s in which every cell's reading goes straight to
+/// where it will be and is 1 g. Calls `after_hold` with the frames of each.
 template <class AfterMove, class AfterHold>
 void feedHolds(SimulatedSkin& skin, PoseRecorder& recorder, std::size_t poses, std::size_t hold_frames,
                const AfterMove& after_move, const AfterHold& after_hold) {
+  recorder.setSkin({Message::verbatim("simulated"), std::make_shared<CellModel>(skin.model()), skin.neighbors()});
   double time_s = 0;
   std::vector<CellSample> last;
   for (const Eigen::Vector3d& up : scriptedUpDirections(poses)) {
@@ -53,7 +54,6 @@ TEST(PoseRecorder, CapturesEveryHoldOfASimulatedSkinOnce) {
     SimulatedSkin skin(builtInCellModel("hex-bma150"), options);
     Captures captures;
     PoseRecorder recorder(captures);
-    recorder.setSkin({Message::verbatim("simulated"), std::make_shared<CellModel>(skin.model()), skin.neighbors()});
     std::size_t held = 0;
     feedHolds(
         skin, recorder, 4, 1500, [&] { EXPECT_THAT(captures.poses, SizeIs(held)) << "captured on the way"; },
@@ -80,7 +80,6 @@ TEST(PoseRecorder, ABrokenCellKeepsNothingFromBeingCaptured) {
     SimulatedSkin skin(builtInCellModel("hex-bma150"), options);
     Captures captures;
     PoseRecorder recorder(captures);
-    recorder.setSkin({Message::verbatim("simulated"), std::make_shared<CellModel>(skin.model()), skin.neighbors()});
     std::size_t held = 0;
     feedHolds(
         skin, recorder, 3, 4500, [&] { EXPECT_THAT(captures.poses, SizeIs(held)); },

@@ -1,20 +1,17 @@
 #include "widgets/robot/place_panel.h"
 
 #include "hexoderm/util/units.h"
-#include "tests/support/qt_wait.h"
-#include "widgets/controls/selection.h"
+#include "tests/support/panel_on_screen.h"
 #include "widgets/tables/joint_table_view.h"
 
 #include <gmock/gmock.h>
 #include <QApplication>
 #include <QCheckBox>
 #include <QComboBox>
-#include <QDir>
 #include <QDoubleSpinBox>
 #include <QLabel>
 #include <QListWidget>
 #include <QPushButton>
-#include <QScrollArea>
 #include <QSpinBox>
 #include <QTest>
 
@@ -46,37 +43,9 @@ PlaceStand standOfTwoPatches() {
   return stand;
 }
 
-class PlacePanelTest : public testing::Test {
+class PlacePanelTest : public test::PanelOnScreen<PlacePanel> {
  protected:
-  PlacePanelTest() {
-    QApplication::setStyle(QStringLiteral("Fusion"));
-    setTheme(Theme::Light);
-    scroll_.setWidget(panel_);
-    scroll_.setWidgetResizable(true);
-    scroll_.resize(286, 900);
-    scroll_.show();
-    EXPECT_TRUE(test::waitUntilExposed(scroll_));
-  }
-  void setTheme(Theme theme) {
-    QApplication::setPalette(qtPalette(theme));
-    qApp->setStyleSheet(styleSheet(theme));
-    panel_->setTheme(theme);
-  }
-  template <class T>
-  T* find(const char* name) {
-    T* found = panel_->findChild<T*>(QLatin1String(name));
-    EXPECT_NE(found, nullptr) << name;
-    return found;
-  }
-  void keep(const QString& name) {
-    const QDir folder(QStringLiteral(HEXODERM_SCREENSHOTS));
-    ASSERT_TRUE(folder.mkpath("."));
-    EXPECT_TRUE(panel_->grab().save(folder.filePath(name + ".png")));
-  }
-
-  Selection selection_;
-  QScrollArea scroll_;
-  PlacePanel* panel_ = new PlacePanel(&selection_);
+  PlacePanelTest() : PanelOnScreen({286, 900}) {}
 };
 
 TEST_F(PlacePanelTest, WithoutARobotItAsksForOneAndSaysWhyNotWhereNothingCanBePlaced) {

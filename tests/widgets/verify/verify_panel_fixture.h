@@ -4,15 +4,11 @@
 
 #include "hexoderm/util/units.h"
 #include "tests/support/hand_made_skins.h"
-#include "tests/support/qt_wait.h"
-#include "widgets/controls/selection.h"
+#include "tests/support/panel_on_screen.h"
 #include "widgets/verify/verify_panel.h"
 
 #include <gtest/gtest.h>
-#include <QApplication>
-#include <QDir>
 #include <QLabel>
-#include <QScrollArea>
 
 #include <cstdint>
 #include <memory>
@@ -93,22 +89,9 @@ inline CalibrationCheck changedSkin() {
   return check;
 }
 
-class VerifyPanelTest : public testing::Test {
+class VerifyPanelTest : public test::PanelOnScreen<VerifyPanel> {
  protected:
-  VerifyPanelTest() {
-    QApplication::setStyle(QStringLiteral("Fusion"));
-    setTheme(Theme::Light);
-    scroll_.setWidget(panel_);
-    scroll_.setWidgetResizable(true);
-    scroll_.resize(262, 640);
-    scroll_.show();
-    EXPECT_TRUE(test::waitUntilExposed(scroll_));
-  }
-  void setTheme(Theme theme) {
-    QApplication::setPalette(qtPalette(theme));
-    qApp->setStyleSheet(styleSheet(theme));
-    panel_->setTheme(theme);
-  }
+  VerifyPanelTest() : PanelOnScreen({262, 640}) {}
   std::shared_ptr<Reconstruction> skin() {
     auto reconstruction = sampleX17();
     reconstruction->assessment.position_95_m = 0.0012;
@@ -120,19 +103,6 @@ class VerifyPanelTest : public testing::Test {
     auto* label = panel_->findChild<QLabel*>(QLatin1String(section) + QStringLiteral("Sentence"));
     return label->isVisible() ? label->text().toStdString() : "";
   }
-  template <class T>
-  T* find(const char* name) {
-    return panel_->findChild<T*>(QLatin1String(name));
-  }
-  void keep(const QString& name) {
-    const QDir folder(QStringLiteral(HEXODERM_SCREENSHOTS));
-    ASSERT_TRUE(folder.mkpath("."));
-    EXPECT_TRUE(panel_->grab().save(folder.filePath(name + ".png")));
-  }
-
-  Selection selection_;
-  QScrollArea scroll_;
-  VerifyPanel* panel_ = new VerifyPanel(&selection_);
 };
 
 }  // namespace hexoderm::verify_panel_test

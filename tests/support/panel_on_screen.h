@@ -1,0 +1,52 @@
+#pragma once
+
+// A panel as the window shows it: in a column that scrolls, with the application's style.
+
+#include "tests/support/qt_wait.h"
+#include "widgets/controls/selection.h"
+#include "widgets/style/palette.h"
+
+#include <gtest/gtest.h>
+#include <QApplication>
+#include <QDir>
+#include <QScrollArea>
+
+namespace hexoderm::test {
+
+/// `Panel` is made of a Selection.
+template <class Panel>
+class PanelOnScreen : public testing::Test {
+ protected:
+  explicit PanelOnScreen(const QSize& size) {
+    QApplication::setStyle(QStringLiteral("Fusion"));
+    setTheme(Theme::Light);
+    scroll_.setWidget(panel_);
+    scroll_.setWidgetResizable(true);
+    scroll_.resize(size);
+    scroll_.show();
+    EXPECT_TRUE(waitUntilExposed(scroll_));
+  }
+  void setTheme(Theme theme) {
+    QApplication::setPalette(qtPalette(theme));
+    qApp->setStyleSheet(styleSheet(theme));
+    panel_->setTheme(theme);
+  }
+  template <class T>
+  T* find(const char* name) {
+    T* found = panel_->template findChild<T*>(QLatin1String(name));
+    EXPECT_NE(found, nullptr) << name;
+    return found;
+  }
+  /// Its picture, to be looked at.
+  void keep(const QString& name) {
+    const QDir folder(QStringLiteral(HEXODERM_SCREENSHOTS));
+    ASSERT_TRUE(folder.mkpath("."));
+    EXPECT_TRUE(panel_->grab().save(folder.filePath(name + ".png")));
+  }
+
+  Selection selection_;
+  QScrollArea scroll_;
+  Panel* panel_ = new Panel(&selection_);
+};
+
+}  // namespace hexoderm::test
