@@ -64,6 +64,8 @@ struct CoverageView::Parts {
   [[nodiscard]] double line() const { return view->fontMetrics().height(); }
   [[nodiscard]] double gaugeStep() const { return 1.15 * line(); }
   [[nodiscard]] double mark() const { return 0.56 * line(); }  ///< radius of a pose's number
+  /// Below a disc: a pose's number on its edge hides no name, whose letters begin below the top of their line.
+  [[nodiscard]] double namesGap() const { return mark() - 1; }
   /// Half the width of the sign of the present direction: drawn round a pose's number, which stays readable.
   [[nodiscard]] double nowSign() const { return 1.42 * (mark() + 1.5); }
   /// Diameter of the discs, if it is the width that limits it: signs on their rims are neither cut nor on both.
@@ -124,7 +126,7 @@ double CoverageView::Parts::heightOf(const QString& text, int width) const {
 
 double CoverageView::Parts::belowDiscs(int width) const {
   const double legend = apartForLegend() <= width / 2.0 ? 0 : 1.1 * line();
-  return 3 + legend + 1.3 * line() + 3 * gaugeStep() + (isEmpty() ? 0 : 1.3 * line()) + wordsHeight(width);
+  return namesGap() + legend + 1.3 * line() + 3 * gaugeStep() + (isEmpty() ? 0 : 1.3 * line()) + wordsHeight(width);
 }
 
 double CoverageView::Parts::mostBelowDiscs(int width) const {
@@ -144,7 +146,7 @@ CoverageView::Parts::Layout CoverageView::Parts::layout() const {
                                                            std::max(3 * layout.radius, apartForLegend() + line())));
   const double y = top + layout.radius;
   layout.centers = {QPointF(width / 2 - apart / 2, y), QPointF(width / 2 + apart / 2, y)};
-  layout.names_top = y + layout.radius + 3;
+  layout.names_top = y + layout.radius + namesGap();
   layout.legend_top = layout.names_top + (apartForLegend() <= width / 2 ? 0 : 1.1 * line());
   layout.gauges_top = layout.legend_top + 1.3 * line();
   layout.words_top = layout.gauges_top + 3 * gaugeStep();
