@@ -2387,6 +2387,14 @@ Die Balken sagen, wie sehr sich die gesehenen Richtungen in drei Achsen untersch
         <source>from before: %1</source>
         <translation>von vorher: %1</translation>
     </message>
+    <message>
+        <source>first placements: not yet checked, without uncertainty</source>
+        <translation>erste Lagen: noch nicht geprüft, ohne Unsicherheit</translation>
+    </message>
+    <message>
+        <source>first placements</source>
+        <translation>erste Lagen</translation>
+    </message>
 </context>
 <context>
     <name>hexoderm::MeasureTool</name>

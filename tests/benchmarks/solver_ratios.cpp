@@ -23,6 +23,7 @@
 
 #include <cmath>
 #include <iostream>
+#include <stop_token>
 #include <string>
 #include <vector>
 
@@ -104,6 +105,17 @@ void compareWithBoost(const SessionSnapshot& snapshot, const SolverOptions& tree
             << " times as long\n";
 }
 
+/// Ends as soon as the cells are placed `by` the tree or the joint estimate.
+void placeOnly(const SessionSnapshot& snapshot, const SolverOptions& options, SolveStage by,
+               const Reconstruction* earlier = nullptr) {
+  std::stop_source enough;
+  SolveProgress progress;
+  progress.reportPlacements([&](const auto&) {
+    if (progress.stage() == by) enough.request_stop();
+  });
+  reconstruct(snapshot, options, earlier, enough.get_token(), &progress);
+}
+
 /// By the clock on the wall.
 template <class Run>
 void compareCores(const std::string& what, std::size_t count, const Run& run) {
@@ -126,11 +138,15 @@ void compare(std::size_t cells, std::size_t count_of_cores, double unit_ms) {
   SolverOptions tree;
   tree.solver = Solver::Tree;
   print("tree, in memory", least_ms([&] { reconstruct(*snapshot, tree); }), unit_ms);
+  print("- until its cells are placed", least_ms([&] { placeOnly(*snapshot, tree, SolveStage::Links); }), unit_ms);
   print("global from scratch", least_ms([&] { reconstruct(*snapshot); }), unit_ms);
+  print("- until its cells are placed", least_ms([&] { placeOnly(*snapshot, {}, SolveStage::Patches); }), unit_ms);
   Session without_last = session;
   without_last.removePose(kPoses - 1);
   const auto before = reconstruct(*without_last.snapshot());
   print("global from the result of a pose less", least_ms([&] { reconstruct(*snapshot, {}, before.get()); }), unit_ms);
+  print("- until its cells are placed",
+        least_ms([&] { placeOnly(*snapshot, {}, SolveStage::Patches, before.get()); }), unit_ms);
   if (count_of_cores > 1) {
     compareCores("tree", count_of_cores, [&] { reconstruct(*snapshot, tree); });
     compareCores("global", count_of_cores, [&] { reconstruct(*snapshot); });

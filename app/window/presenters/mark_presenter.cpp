@@ -93,6 +93,9 @@ void MarkPresenter::refreshMarks() {
   } else if (controller_.liveMode().isOn()) {
     middle = {Tone::Neutral, tr("● Live: the readings of this moment, not the result"), true, false};
     side = {Tone::Neutral, tr("● Live"), true, false};
+  } else if (controller_.firstPlacements()) {
+    middle = {Tone::Caution, tr("first placements: not yet checked, without uncertainty"), false, true};
+    side = {Tone::Caution, tr("first placements"), false, true};
   } else if (isOld()) {
     const auto& poses = controller_.reconstruction()->poses;
     const auto used = static_cast<std::size_t>(std::ranges::count(poses, true, &PoseSummary::enabled));

@@ -10,11 +10,14 @@ namespace hexoderm {
 
 ResultPresenter::ResultPresenter(SessionController& controller) : controller_(controller) {
   connect(&controller_, &SessionController::reconstructionChanged, this, &ResultPresenter::handOut);
+  connect(&controller_, &SessionController::firstPlacementsChanged, this, [this] {
+    if (!controller_.liveMode().isOn()) handToPictures(pictured());
+  });
   connect(&controller_.liveMode(), &LiveMode::momentSolved, this, [this](const Result& moment) {
     if (controller_.liveMode().isOn()) handToPictures(moment);
   });
   connect(&controller_.liveMode(), &LiveMode::toggled, this, [this](bool on) {
-    if (!on) handToPictures(controller_.reconstruction());
+    if (!on) handToPictures(pictured());
   });
 }
 
@@ -30,6 +33,10 @@ void ResultPresenter::handOut(const Result& result) {
   }
   HeavyTurn::note();
   emit handedOut();
+}
+
+ResultPresenter::Result ResultPresenter::pictured() const {
+  return controller_.firstPlacements() ? controller_.firstPlacements() : controller_.reconstruction();
 }
 
 void ResultPresenter::handToPictures(const Result& result) {

@@ -26,7 +26,8 @@ class ResultPresenter : public QObject {
   void add(View* view) {
     receivers_.push_back({setterOf(view), false});
   }
-  /// The view shows the session's result, or in live mode that of the moment.
+  /// The view shows the session's result, in live mode that of the moment, and before the first result of a large skin
+  /// its cells as far as they are placed.
   template <class View>
   void addPicture(View* view) {
     receivers_.push_back({setterOf(view), true});
@@ -56,6 +57,8 @@ class ResultPresenter : public QObject {
   }
   void handOut(const Result& result);
   void handToPictures(const Result& result);
+  /// What pictures show without live mode.
+  [[nodiscard]] Result pictured() const;
 
   SessionController& controller_;
   std::vector<Receiver> receivers_;

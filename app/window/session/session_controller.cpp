@@ -8,6 +8,12 @@
 #include <utility>
 
 namespace hexoderm {
+namespace {
+
+/// Skins of so many cells are worth a look before their result is complete; that of smaller ones is there at once.
+constexpr std::size_t kLargeSkin = 2000;
+
+}  // namespace
 
 SessionController::SessionController(QObject* parent)
     : QObject(parent),
@@ -27,6 +33,7 @@ SessionController::SessionController(QObject* parent)
     }
   });
   connect(&undo_stack_, &QUndoStack::cleanChanged, this, &SessionController::changed);
+  progress_->reportPlacements([this](const auto& placements) { notePlacements(placements); });
   connectParts();
 }
 
@@ -144,6 +151,7 @@ void SessionController::closeCurrent() {
   first_revision_ = submitted_revision_ + 1;
   shown_revision_ = submitted_revision_;
   needs_solving_ = robot_is_newer_ = was_cancelled_ = false;
+  setFirstPlacements(nullptr);
 }
 
 void SessionController::showSession(std::unique_ptr<Session> session, const QString& name, const QString& path) {
@@ -191,6 +199,7 @@ void SessionController::cancelSolving() {
   // What still comes of it is not looked at.
   shown_revision_ = submitted_revision_;
   was_cancelled_ = true;
+  setFirstPlacements(nullptr);
   // The robot would wait for the result.
   pose_guide_.setRobot(false);
   emit changed();
@@ -203,14 +212,34 @@ void SessionController::solveAgain() {
 void SessionController::receive(const ReconstructionOutcome& outcome) {
   if (outcome.revision < first_revision_ || outcome.revision <= shown_revision_) return;
   shown_revision_ = outcome.revision;
+  first_placements_.reset();  // those who show them get the result
   if (outcome.reconstruction) {
     reconstruction_ = robot_is_newer_ ? withPlacements(*outcome.reconstruction, *session_) : outcome.reconstruction;
     live_session_.noteResult();
     emit reconstructionChanged(reconstruction_);
   } else {
+    emit firstPlacementsChanged();
     emit failed(words(outcome.error));
   }
   emit changed();
+}
+
+void SessionController::notePlacements(const std::shared_ptr<const Reconstruction>& placements) {
+  if (placements->cellCount() < kLargeSkin) return;
+  QMetaObject::invokeMethod(
+      this,
+      [this, placements] {
+        const bool is_wanted = !reconstruction_ && placements->revision >= first_revision_;
+        if (is_wanted && placements->revision > shown_revision_) setFirstPlacements(placements);
+      },
+      Qt::QueuedConnection);
+}
+
+void SessionController::setFirstPlacements(std::shared_ptr<const Reconstruction> placements) {
+  if (first_placements_ == placements) return;
+  first_placements_ = std::move(placements);
+  emit changed();
+  emit firstPlacementsChanged();
 }
 
 }  // namespace hexoderm

@@ -42,6 +42,9 @@ class SessionController : public QObject {
   [[nodiscard]] const Session* session() const { return session_.get(); }
   /// The newest result; null until there is one.
   [[nodiscard]] const std::shared_ptr<const Reconstruction>& reconstruction() const { return reconstruction_; }
+  /// While the first result of a large skin is being worked out, its cells as far as they are placed (SolveProgress::
+  /// reportPlacements()): no result yet. Null before and after.
+  [[nodiscard]] const std::shared_ptr<const Reconstruction>& firstPlacements() const { return first_placements_; }
   [[nodiscard]] QUndoStack* undoStack() { return &undo_stack_; }
   [[nodiscard]] bool isEmpty() const { return !session_ && !reconstruction_; }
   [[nodiscard]] const SolverOptions& solverOptions() const { return options_; }
@@ -92,6 +95,8 @@ class SessionController : public QObject {
   /// Anything about the session, or about one of the parts, changed.
   void changed();
   void reconstructionChanged(std::shared_ptr<const hexoderm::Reconstruction> reconstruction);
+  /// There are other ones; none any more where there is a result, or none will come.
+  void firstPlacementsChanged();
   /// The session's robot, its joint angles or the places of patches on it changed; reconstruction() holds them, and is
   /// the same otherwise.
   void robotChanged();
@@ -108,6 +113,9 @@ class SessionController : public QObject {
   /// An edit that needs no solving.
   void noteRobot();
   void receive(const ReconstructionOutcome& outcome);
+  /// On the thread that solves.
+  void notePlacements(const std::shared_ptr<const Reconstruction>& placements);
+  void setFirstPlacements(std::shared_ptr<const Reconstruction> placements);
   [[nodiscard]] std::unique_ptr<ReconstructionWorker> makeWorker(ReconstructionWorker::Solve solve);
   [[nodiscard]] EditedSession edited();
   [[nodiscard]] std::optional<std::size_t> indexOf(PoseId pose) const;
@@ -115,6 +123,7 @@ class SessionController : public QObject {
   std::unique_ptr<Session> session_;
   SolverOptions options_;
   std::shared_ptr<const Reconstruction> reconstruction_;
+  std::shared_ptr<const Reconstruction> first_placements_;
   QUndoStack undo_stack_;
   std::uint64_t submitted_revision_ = 0;  ///< counts over all sessions, unlike the session's own
   std::uint64_t first_revision_ = 1;      ///< of the session that is open

@@ -4,34 +4,21 @@
 #include "hexoderm/reconstruction/figures/pose_summary.h"
 #include "hexoderm/reconstruction/patch/forecast.h"
 #include "hexoderm/reconstruction/patch/patch_description.h"
-#include "hexoderm/reconstruction/result/patch_placements.h"
+#include "hexoderm/reconstruction/patch/skin_description.h"
 #include "hexoderm/reconstruction/solved_skin.h"
 
 #include <chrono>
 #include <optional>
 #include <utility>
-#include <vector>
 
 namespace hexoderm {
 namespace {
 
 std::shared_ptr<Reconstruction> describe(const SolvedSkin& solved) {
   const SkinLinks& skin = solved.skin();
-  const SessionSnapshot& snapshot = skin.snapshot();
-  std::vector<Finding> findings = solved.findings();
-  auto result = std::make_shared<Reconstruction>();
-  result->revision = snapshot.revision;
-  result->solver = solverName(skin.options().solver);
-  result->options = skin.options();
-  result->source = snapshot.source;
-  result->model = snapshot.model;
-  result->patches = describePatches(skin, solved.patches(), solved.weights());
-  result->poses = summarisePoses(snapshot, skin.table(), *result);
-  judgePoses(*result, findings);
-  result->findings = std::move(findings);
-  result->robot = snapshot.robot;
-  result->placements = placementsOf(result->patches, snapshot.placements);
-  result->layout = computeFlatLayout(skin.model(), result->patches);
+  auto result = describeSkin(skin, describePatches(skin, solved.patches(), solved.weights()));
+  result->findings = solved.findings();
+  judgePoses(*result, result->findings);
   result->assessment = assess(*result, forecastOf(skin, solved.patches(), *result));
   if (std::optional<Finding> open = describeTooFewDirections(*result)) result->findings.push_back(std::move(*open));
   return result;

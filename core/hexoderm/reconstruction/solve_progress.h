@@ -2,8 +2,13 @@
 
 #include <atomic>
 #include <cstddef>
+#include <functional>
+#include <memory>
+#include <utility>
 
 namespace hexoderm {
+
+struct Reconstruction;
 
 /// What reconstruct() is doing just now.
 enum class SolveStage {
@@ -17,6 +22,16 @@ enum class SolveStage {
 /// is enough for an operator who watches.
 class SolveProgress {
  public:
+  using Report = std::function<void(std::shared_ptr<const Reconstruction>)>;
+
+  /// From now on `report` is given the cells as soon as they are placed, long before a result of a large skin is
+  /// complete: by the tree, where there is nothing better to start from, and by the joint estimate of the global solver.
+  /// What it gets is a Reconstruction with neither covariances nor findings, estimates of sensors and assessment, and
+  /// with links as their own readings show them; what is found out afterwards may lead to other placements. It is
+  /// called on the thread that solves, which waits for it; must not throw. To be set while nothing is being solved.
+  void reportPlacements(Report report) { report_ = std::move(report); }
+  [[nodiscard]] const Report& placementsReport() const { return report_; }  ///< empty: nobody wants to know
+
   void enter(SolveStage stage) { stage_.store(stage, std::memory_order_relaxed); }  ///< a stage begins
   /// `patch` of `patches` is being solved; the first is 0.
   void enterPatch(std::size_t patch, std::size_t patches) {
@@ -33,6 +48,7 @@ class SolveProgress {
   [[nodiscard]] std::size_t patches() const { return patches_.load(std::memory_order_relaxed); }
 
  private:
+  Report report_;
   std::atomic<SolveStage> stage_{SolveStage::Links};
   std::atomic<std::size_t> patch_{0};
   std::atomic<std::size_t> patches_{0};

@@ -3,6 +3,8 @@
 #include "hexoderm/reconstruction/faults/cell_health.h"
 #include "hexoderm/reconstruction/faults/fault_isolation.h"
 #include "hexoderm/reconstruction/patch/attitude_faults.h"
+#include "hexoderm/reconstruction/patch/patch_description.h"
+#include "hexoderm/reconstruction/patch/skin_description.h"
 #include "hexoderm/reconstruction/patch/unlikely_sensors.h"
 #include "hexoderm/reconstruction/result/completion.h"
 
@@ -67,6 +69,13 @@ Completion solveGlobally(SkinLinks& skin, std::span<const double> weights, const
   return Completion::Finished;
 }
 
+/// To whoever does not want to wait for the rest.
+void reportPlacements(const SkinLinks& skin, std::span<const PatchSolver> patches, std::span<const double> weights,
+                      const SolveProgress* progress) {
+  if (progress == nullptr || !progress->placementsReport()) return;
+  progress->placementsReport()(describeSkin(skin, describePlacements(skin, patches, weights)));
+}
+
 /// All patches by the chosen solver, again as long as their attitudes show what is no part of them.
 Completion solve(SkinLinks& skin, const EarlierPatches& earlier, const std::stop_token& stop, SolveProgress* progress,
                  std::vector<double>& weights, std::vector<PatchSolver>& patches, std::vector<Finding>& findings) {
@@ -76,9 +85,13 @@ Completion solve(SkinLinks& skin, const EarlierPatches& earlier, const std::stop
     // The paths of every round of the global solver are found with the same weights.
     weights = linkWeights(skin);
     patches = placePatches(skin, weights);
-    if (skin.options().solver == Solver::Global &&
-        solveGlobally(skin, weights, earlier, stop, progress, patches, findings) == Completion::Stopped) {
-      return Completion::Stopped;
+    // An earlier result of the global solver is better than a tree.
+    if (round == 0 && earlier.empty()) reportPlacements(skin, patches, weights, progress);
+    if (skin.options().solver == Solver::Global) {
+      if (solveGlobally(skin, weights, earlier, stop, progress, patches, findings) == Completion::Stopped) {
+        return Completion::Stopped;
+      }
+      reportPlacements(skin, patches, weights, progress);
     }
     if (progress != nullptr) progress->enter(SolveStage::Findings);
     if (round == kRounds || stop.stop_requested() || !attitudes.isolate(patches, findings)) break;

@@ -310,7 +310,7 @@ std::optional<JointRefinement::OpenLink> JointRefinement::widestOpen() const {
   return widest;
 }
 
-SE3 JointRefinement::placementOf(std::size_t cell) const { return solution_.state.cells[localOf(cell)]; }
+const SE3& JointRefinement::placementOf(std::size_t cell) const { return solution_.state.cells[localOf(cell)]; }
 const Matrix6d& JointRefinement::covarianceOf(std::size_t cell) const {
   return solution_.covariance->cell(localOf(cell));
 }

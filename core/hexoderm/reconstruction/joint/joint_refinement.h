@@ -45,7 +45,7 @@ class JointRefinement {
   };
   [[nodiscard]] std::optional<OpenLink> widestOpen() const;
 
-  [[nodiscard]] SE3 placementOf(std::size_t cell) const;
+  [[nodiscard]] const SE3& placementOf(std::size_t cell) const;
   [[nodiscard]] const Matrix6d& covarianceOf(std::size_t cell) const;  ///< see CellPlacement::cov_t_r
   /// See CellPlacement::shape_cov_t_r; per cell, in the order of the patch's cells.
   [[nodiscard]] std::vector<Matrix6d> shapeCovariances() const;

@@ -17,11 +17,8 @@ namespace {
 /// Per cell of the patch.
 std::vector<SE3> placementsOf(const PatchSolver& patch) {
   std::vector<SE3> placements;
-  const JointRefinement* joint = patch.joint();
-  for (std::size_t place = 0; place < patch.cells().size(); ++place) {
-    placements.push_back(joint != nullptr ? joint->placementOf(patch.cells()[place])
-                                          : patch.treePlacements()[place].T_o_u);
-  }
+  placements.reserve(patch.cells().size());
+  for (const std::size_t cell : patch.cells()) placements.push_back(patch.placementOf(cell));
   return placements;
 }
 

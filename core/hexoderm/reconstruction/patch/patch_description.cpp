@@ -10,31 +10,34 @@
 namespace hexoderm {
 namespace {
 
-CellPlacement describeCell(const SkinLinks& skin, const PatchSolver& patch, std::size_t cell) {
+/// Where a cell is, and nothing of how sure that is.
+CellPlacement placeCell(const SkinLinks& skin, const PatchSolver& patch, std::size_t cell) {
   const GraphCell& graph_cell = skin.graph().cells()[cell];
-  const bool is_measured = skin.readings().measured(cell);
   CellPlacement placement;
   placement.cell = graph_cell.id;
   placement.body_part = graph_cell.body_part;
-  placement.placed_by = is_measured ? PlacedBy::Samples : PlacedBy::Links;
-  if (const JointRefinement* joint = patch.joint()) {
-    placement.T_o_u = joint->placementOf(cell);
-    placement.cov_t_r = joint->covarianceOf(cell);
-    if (is_measured) {
-      placement.accel_offset_g = joint->sensorOf(cell).offset_g;
-      placement.accel_scale = joint->sensorOf(cell).gain.diagonal();
-    }
-  } else {
-    const TreePlacement& placed = patch.treePlacements()[graph_cell.place];
-    placement.T_o_u = placed.T_o_u;
-    placement.cov_t_r = placed.covariance;
-  }
+  placement.placed_by = skin.readings().measured(cell) ? PlacedBy::Samples : PlacedBy::Links;
+  placement.T_o_u = patch.placementOf(cell);
   if (const std::size_t before = patch.paths().predecessor[graph_cell.place]; before != kNoIndex) {
     placement.predecessor = skin.graph().cells()[before].id;
   }
   placement.sensors.reserve(skin.model().sensors.size());
   for (const CellSensor& sensor : skin.model().sensors) {
     placement.sensors.push_back({sensor.name, sensor.type, placement.T_o_u * sensor.T_u_s});
+  }
+  return placement;
+}
+
+CellPlacement describeCell(const SkinLinks& skin, const PatchSolver& patch, std::size_t cell) {
+  CellPlacement placement = placeCell(skin, patch, cell);
+  if (const JointRefinement* joint = patch.joint()) {
+    placement.cov_t_r = joint->covarianceOf(cell);
+    if (skin.readings().measured(cell)) {
+      placement.accel_offset_g = joint->sensorOf(cell).offset_g;
+      placement.accel_scale = joint->sensorOf(cell).gain.diagonal();
+    }
+  } else {
+    placement.cov_t_r = patch.treePlacements()[skin.graph().cells()[cell].place].covariance;
   }
   return placement;
 }
@@ -55,16 +58,15 @@ std::vector<GravityDirection> jointGravity(const SkinLinks& skin, const JointRef
   return directions;
 }
 
-/// Gravity in each pose as the mean of what the cells, placed along the tree, read.
-std::vector<GravityDirection> treeGravity(const SkinLinks& skin, const PatchSolver& patch) {
+/// Gravity in each pose as the mean of what the cells, as they are placed, read.
+std::vector<GravityDirection> meanGravity(const SkinLinks& skin, const PatchSolver& patch) {
   std::vector<GravityDirection> directions;
   for (const std::size_t pose : skin.table().enabledPoses()) {
     std::vector<Eigen::Vector3d> seen;
     seen.reserve(patch.cells().size());
     for (const std::size_t cell : patch.cells()) {
       const GravityTable::Entry& entry = skin.table().at(cell, pose);
-      const SE3& T_o_u = patch.treePlacements()[skin.graph().cells()[cell].place].T_o_u;
-      if (entry.usable) seen.push_back(T_o_u.R * entry.mean_g.normalized());
+      if (entry.usable) seen.push_back(patch.placementOf(cell).R * entry.mean_g.normalized());
     }
     Eigen::Vector3d sum = Eigen::Vector3d::Zero();
     for (const Eigen::Vector3d& g : seen) sum += g;
@@ -104,12 +106,19 @@ void estimateJointly(const SkinLinks& skin, const JointRefinement& joint, std::s
   if (weights > 0) estimate.residual_rad = std::sqrt(sum / weights);
 }
 
+void setAngles(const LinkAngles& angles, LinkEstimate& estimate) {
+  estimate.bend_rad = angles.bend_rad;
+  estimate.twist_rad = angles.twist_rad;
+  estimate.yaw_rad = angles.yaw_rad;
+}
+
 bool isInTree(const SkinGraph& graph, const ShortestPaths& paths, std::size_t index) {
   const GraphLink& link = graph.links()[index];
   return paths.link[graph.cells()[link.source].place] == index || paths.link[graph.cells()[link.target].place] == index;
 }
 
-LinkEstimate describeLink(const SkinLinks& skin, const PatchSolver& patch, std::size_t index, double weight) {
+/// A link as the readings of its two cells show it.
+LinkEstimate describeEdge(const SkinLinks& skin, const PatchSolver& patch, std::size_t index, double weight) {
   const GraphLink& link = skin.graph().links()[index];
   const EdgeRotation& edge = skin.edges()[index];
   LinkEstimate estimate;
@@ -127,23 +136,39 @@ LinkEstimate describeLink(const SkinLinks& skin, const PatchSolver& patch, std::
   estimate.in_tree = !link.muted() && isInTree(skin.graph(), patch.paths(), index);
   estimate.muted_by = link.muted_by;
   estimate.pose_residual_rad = skin.poseResiduals(index);
-  LinkAngles angles = edge.angles;
-  if (patch.joint() != nullptr && !link.muted()) {
-    estimateJointly(skin, *patch.joint(), index, estimate);
-    angles = linkAngles(estimate.R_c_n, skin.sourcePort(link), skin.targetPort(link));
-  }
-  estimate.bend_rad = angles.bend_rad;
-  estimate.twist_rad = angles.twist_rad;
-  estimate.yaw_rad = angles.yaw_rad;
+  setAngles(edge.angles, estimate);
   return estimate;
 }
 
-/// All but the links.
-PatchReconstruction describePatch(const SkinLinks& skin, const PatchSolver& patch) {
+LinkEstimate describeLink(const SkinLinks& skin, const PatchSolver& patch, std::size_t index, double weight) {
+  LinkEstimate estimate = describeEdge(skin, patch, index, weight);
+  const GraphLink& link = skin.graph().links()[index];
+  if (patch.joint() != nullptr && !link.muted()) {
+    estimateJointly(skin, *patch.joint(), index, estimate);
+    setAngles(linkAngles(estimate.R_c_n, skin.sourcePort(link), skin.targetPort(link)), estimate);
+  }
+  return estimate;
+}
+
+PatchReconstruction beginPatch(const SkinLinks& skin, const PatchSolver& patch) {
   PatchReconstruction result;
   result.id = PatchId(static_cast<std::uint32_t>(patch.patch()));
   result.origin = skin.graph().cells()[patch.origin()].id;
   result.cells.reserve(patch.cells().size());
+  return result;
+}
+
+/// All but the links.
+PatchReconstruction placePatch(const SkinLinks& skin, const PatchSolver& patch) {
+  PatchReconstruction result = beginPatch(skin, patch);
+  for (const std::size_t cell : patch.cells()) result.cells.push_back(placeCell(skin, patch, cell));
+  result.gravity = meanGravity(skin, patch);
+  return result;
+}
+
+/// All but the links.
+PatchReconstruction describePatch(const SkinLinks& skin, const PatchSolver& patch) {
+  PatchReconstruction result = beginPatch(skin, patch);
   for (const std::size_t cell : patch.cells()) result.cells.push_back(describeCell(skin, patch, cell));
   if (const JointRefinement* joint = patch.joint()) {
     const JointSolution& solution = joint->solution();
@@ -154,7 +179,26 @@ PatchReconstruction describePatch(const SkinLinks& skin, const PatchSolver& patc
     result.covariance = joint->placementCovariance(skin.graph());
     result.gravity_covariance = joint->gravityCovariance();
   } else {
-    result.gravity = treeGravity(skin, patch);
+    result.gravity = meanGravity(skin, patch);
+  }
+  return result;
+}
+
+using DescribePatch = PatchReconstruction (*)(const SkinLinks&, const PatchSolver&);
+using DescribeLink = LinkEstimate (*)(const SkinLinks&, const PatchSolver&, std::size_t index, double weight);
+
+std::vector<PatchReconstruction> describe(const SkinLinks& skin, std::span<const PatchSolver> patches,
+                                          std::span<const double> weights, DescribePatch patch_of,
+                                          DescribeLink link_of) {
+  std::vector<PatchReconstruction> result;
+  result.reserve(patches.size());
+  for (const PatchSolver& patch : patches) result.push_back(patch_of(skin, patch));
+  std::vector<std::size_t> links(patches.size(), 0);
+  for (const GraphLink& link : skin.graph().links()) ++links[skin.graph().cells()[link.source].patch.value()];
+  for (std::size_t patch = 0; patch < links.size(); ++patch) result[patch].links.reserve(links[patch]);
+  for (std::size_t k = 0; k < skin.edges().size(); ++k) {
+    const std::uint32_t patch = skin.graph().cells()[skin.graph().links()[k].source].patch.value();
+    result[patch].links.push_back(link_of(skin, patches[patch], k, weights[k]));
   }
   return result;
 }
@@ -163,17 +207,12 @@ PatchReconstruction describePatch(const SkinLinks& skin, const PatchSolver& patc
 
 std::vector<PatchReconstruction> describePatches(const SkinLinks& skin, std::span<const PatchSolver> patches,
                                                  std::span<const double> weights) {
-  std::vector<PatchReconstruction> result;
-  result.reserve(patches.size());
-  for (const PatchSolver& patch : patches) result.push_back(describePatch(skin, patch));
-  std::vector<std::size_t> links(patches.size(), 0);
-  for (const GraphLink& link : skin.graph().links()) ++links[skin.graph().cells()[link.source].patch.value()];
-  for (std::size_t patch = 0; patch < links.size(); ++patch) result[patch].links.reserve(links[patch]);
-  for (std::size_t k = 0; k < skin.edges().size(); ++k) {
-    const std::uint32_t patch = skin.graph().cells()[skin.graph().links()[k].source].patch.value();
-    result[patch].links.push_back(describeLink(skin, patches[patch], k, weights[k]));
-  }
-  return result;
+  return describe(skin, patches, weights, describePatch, describeLink);
+}
+
+std::vector<PatchReconstruction> describePlacements(const SkinLinks& skin, std::span<const PatchSolver> patches,
+                                                    std::span<const double> weights) {
+  return describe(skin, patches, weights, placePatch, describeEdge);
 }
 
 }  // namespace hexoderm

@@ -14,4 +14,9 @@ namespace hexoderm {
 std::vector<PatchReconstruction> describePatches(const SkinLinks& skin, std::span<const PatchSolver> patches,
                                                  std::span<const double> weights);
 
+/// Of these what is known as soon as the cells are placed, and takes no covariance: cells, sensors, the mean direction
+/// of gravity, and links as the readings of their two cells show them.
+std::vector<PatchReconstruction> describePlacements(const SkinLinks& skin, std::span<const PatchSolver> patches,
+                                                    std::span<const double> weights);
+
 }  // namespace hexoderm

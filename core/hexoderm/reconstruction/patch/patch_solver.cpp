@@ -58,6 +58,10 @@ void PatchSolver::placeAlongPaths() {
                                gapShareOf(skin_.options().gap_model));
 }
 
+const SE3& PatchSolver::placementOf(std::size_t cell) const {
+  return joint_ != nullptr ? joint_->placementOf(cell) : placements_[skin_.graph().cells()[cell].place].T_o_u;
+}
+
 std::unique_ptr<JointRefinement> PatchSolver::jointFrom(const PatchReconstruction* earlier) const {
   return std::make_unique<JointRefinement>(skin_.model(), skin_.graph(), skin_.table(), skin_.options(), cells_,
                                            origin(), startingPlacements(earlier));

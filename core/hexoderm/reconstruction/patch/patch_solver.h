@@ -36,6 +36,8 @@ class PatchSolver {
   [[nodiscard]] const ShortestPaths& paths() const { return paths_; }
   /// Per cell of cells().
   [[nodiscard]] const std::vector<TreePlacement>& treePlacements() const { return placements_; }
+  /// Of a cell of the graph, in the origin's frame: as the joint estimate has it, or else the tree.
+  [[nodiscard]] const SE3& placementOf(std::size_t cell) const;
   [[nodiscard]] const JointRefinement* joint() const { return joint_.get(); }  ///< null before refine()
 
  private:

@@ -3,10 +3,14 @@
 #include "hexoderm/session/session_store.h"
 #include "hexoderm/session/simulated_session.h"
 #include "tests/app/window/window_test.h"
+#include "widgets/controls/view_mark.h"
 #include "widgets/patch/patch_captions.h"
 #include "widgets/words/words.h"
 
 #include <QStackedWidget>
+#include <functional>
+#include <optional>
+#include <utility>
 
 namespace hexoderm {
 namespace {
@@ -51,6 +55,68 @@ TEST_F(ResultPresenterTest, OnlyPicturesShowTheMomentInLiveMode) {
   EXPECT_EQ(table_.shown, nullptr);
   controller().liveMode().setOn(false);
   EXPECT_EQ(picture_.shown, controller().reconstruction());
+}
+
+/// A skin whose result takes a moment.
+class LargeSkinTest : public ResultPresenterTest {
+ protected:
+  /// Opens it, and calls `then` as soon as its cells are placed for the first time.
+  void openLargeSkin(std::function<void()> then) {
+    SimulatedSkinOptions options;
+    options.patch = "sheet:45x45";
+    options.surface = "cylinder:r=0.35";
+    SimulatedSkin skin(builtInCellModel("hex-bma150"), options);
+    const QString path = pathTo("large.hexo");
+    writeSessionStore(simulateSession(skin, 2, 20), path.toStdString());
+    results_.emplace(controller()).addPicture(&picture_);
+    results_->add(&table_);
+    // Its result comes with a later turn of the event loop.
+    QObject::connect(&controller(), &SessionController::firstPlacementsChanged, window_.get(),
+                     [this, then = std::move(then)] {
+                       if (!std::exchange(is_placed_, true)) then();
+                     });
+    window_->openFile(path);
+  }
+  [[nodiscard]] QStringList marks() {
+    window_->showChanges();
+    QStringList marks;
+    for (const ViewMark* mark : window_->findChildren<ViewMark*>()) {
+      if (mark->content()) marks << mark->content()->words;
+    }
+    return marks;
+  }
+
+  std::optional<ResultPresenter> results_;
+  bool is_placed_ = false;
+};
+
+TEST_F(LargeSkinTest, IsSeenAsSoonAsItsCellsArePlaced) {
+  openLargeSkin([this] {
+    ASSERT_NE(controller().firstPlacements(), nullptr);
+    EXPECT_EQ(controller().firstPlacements()->cellCount(), 2025U);
+    EXPECT_EQ(picture_.shown, controller().firstPlacements());
+    EXPECT_EQ(table_.shown, nullptr) << "there is no result yet";
+    EXPECT_EQ(controller().reconstruction(), nullptr);
+    EXPECT_TRUE(marks().contains("first placements: not yet checked, without uncertainty"));
+    // Every view can be asked for a cell that no result has yet.
+    window_->selection().selectCell(CellId(7));
+    window_->showChanges();
+    EXPECT_FALSE(action("actionExport")->isEnabled());
+  });
+  ASSERT_TRUE(waitForPoses(2));
+  EXPECT_TRUE(is_placed_);
+  EXPECT_EQ(controller().firstPlacements(), nullptr);
+  EXPECT_EQ(picture_.shown, controller().reconstruction());
+  EXPECT_EQ(table_.shown, controller().reconstruction());
+  EXPECT_EQ(marks(), QStringList());
+}
+
+TEST_F(LargeSkinTest, IsSeenNoMoreOnceTheOperatorGivesUpItsResult) {
+  openLargeSkin([this] { controller().cancelSolving(); });
+  ASSERT_TRUE(waitUntil([this] { return is_placed_; }));
+  EXPECT_EQ(controller().firstPlacements(), nullptr);
+  EXPECT_EQ(picture_.shown, nullptr);
+  EXPECT_EQ(marks(), QStringList());
 }
 
 TEST_F(ResultPresenterTest, UntilThereIsAResultEveryViewSaysWhatIsGoingOn) {
