@@ -145,8 +145,8 @@ void compare(std::size_t cells, std::size_t count_of_cores, double unit_ms) {
   without_last.removePose(kPoses - 1);
   const auto before = reconstruct(*without_last.snapshot());
   print("global from the result of a pose less", least_ms([&] { reconstruct(*snapshot, {}, before.get()); }), unit_ms);
-  print("- until its cells are placed",
-        least_ms([&] { placeOnly(*snapshot, {}, SolveStage::Patches, before.get()); }), unit_ms);
+  print("- until its cells are placed", least_ms([&] { placeOnly(*snapshot, {}, SolveStage::Patches, before.get()); }),
+        unit_ms);
   if (count_of_cores > 1) {
     compareCores("tree", count_of_cores, [&] { reconstruct(*snapshot, tree); });
     compareCores("global", count_of_cores, [&] { reconstruct(*snapshot); });

@@ -4,7 +4,7 @@
 #include "hexoderm/reconstruction/figures/pose_summary.h"
 #include "hexoderm/reconstruction/patch/forecast.h"
 #include "hexoderm/reconstruction/patch/patch_description.h"
-#include "hexoderm/reconstruction/patch/skin_description.h"
+#include "hexoderm/reconstruction/skin_description.h"
 #include "hexoderm/reconstruction/solved_skin.h"
 
 #include <chrono>

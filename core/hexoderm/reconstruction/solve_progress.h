@@ -22,13 +22,15 @@ enum class SolveStage {
 /// is enough for an operator who watches.
 class SolveProgress {
  public:
+  /// Is given cells that are placed.
   using Report = std::function<void(std::shared_ptr<const Reconstruction>)>;
 
   /// From now on `report` is given the cells as soon as they are placed, long before a result of a large skin is
-  /// complete: by the tree, where there is nothing better to start from, and by the joint estimate of the global solver.
-  /// What it gets is a Reconstruction with neither covariances nor findings, estimates of sensors and assessment, and
-  /// with links as their own readings show them; what is found out afterwards may lead to other placements. It is
-  /// called on the thread that solves, which waits for it; must not throw. To be set while nothing is being solved.
+  /// complete: by the tree, where there is nothing better to start from, and by the joint estimate of the global
+  /// solver. What it gets is a Reconstruction with neither covariances nor findings, estimates of sensors and
+  /// assessment, and with links as their own readings show them; what is found out afterwards may lead to other
+  /// placements. It is called on the thread that solves, which waits for it; must not throw. To be set while nothing is
+  /// being solved.
   void reportPlacements(Report report) { report_ = std::move(report); }
   [[nodiscard]] const Report& placementsReport() const { return report_; }  ///< empty: nobody wants to know
 

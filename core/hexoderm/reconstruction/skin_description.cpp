@@ -1,4 +1,4 @@
-#include "hexoderm/reconstruction/patch/skin_description.h"
+#include "hexoderm/reconstruction/skin_description.h"
 
 #include "hexoderm/reconstruction/figures/pose_summary.h"
 #include "hexoderm/reconstruction/result/patch_placements.h"
