@@ -4,9 +4,9 @@
 #include "hexoderm/reconstruction/faults/fault_isolation.h"
 #include "hexoderm/reconstruction/patch/attitude_faults.h"
 #include "hexoderm/reconstruction/patch/patch_description.h"
-#include "hexoderm/reconstruction/skin_description.h"
 #include "hexoderm/reconstruction/patch/unlikely_sensors.h"
 #include "hexoderm/reconstruction/result/completion.h"
+#include "hexoderm/reconstruction/skin_description.h"
 
 #include <algorithm>
 #include <unordered_map>
