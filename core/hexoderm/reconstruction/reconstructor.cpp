@@ -25,6 +25,8 @@ std::shared_ptr<Reconstruction> describe(const SolvedSkin& solved) {
   result->options = skin.options();
   result->source = snapshot.source;
   result->model = snapshot.model;
+  // Takes most memory of all, so that it comes before what makes the result large.
+  const std::optional<Forecast> forecast = forecastOf(skin, solved.patches());
   result->patches = describePatches(skin, solved.patches(), solved.weights());
   result->poses = summarisePoses(snapshot, skin.table(), *result);
   judgePoses(*result, findings);
@@ -32,7 +34,7 @@ std::shared_ptr<Reconstruction> describe(const SolvedSkin& solved) {
   result->robot = snapshot.robot;
   result->placements = placementsOf(result->patches, snapshot.placements);
   result->layout = computeFlatLayout(skin.model(), result->patches);
-  result->assessment = assess(*result, forecastOf(skin, solved.patches(), *result));
+  result->assessment = assess(*result, forecast);
   if (std::optional<Finding> open = describeTooFewDirections(*result)) result->findings.push_back(std::move(*open));
   return result;
 }
