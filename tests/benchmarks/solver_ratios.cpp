@@ -69,12 +69,12 @@ JointState stateOfTree(const PatchSolver& patch, const JointProblem& problem) {
 }
 
 /// One cost, one start, one thread, without covariances.
-void compareWithCeres(const SessionSnapshot& snapshot, double unit_ms) {
+void compareWithCeres(const SessionSnapshot& snapshot, const SolverOptions& tree, double unit_ms) {
   const SolverOptions options;
   const std::unique_ptr<const SolvedSkin> solved = solveSkin(snapshot, options);
   const PatchSolver& patch = solved->patches().front();
   const JointProblem& problem = patch.joint()->problem();
-  const JointState start = stateOfTree(patch, problem);
+  const JointState start = stateOfTree(solveSkin(snapshot, tree)->patches().front(), problem);
   JointSolverOptions without_covariance;
   without_covariance.covariance = false;
   double cost = 0;
@@ -153,7 +153,7 @@ void compare(std::size_t cells, std::size_t count_of_cores, double unit_ms) {
   }
   compareWithBoost(*snapshot, tree, unit_ms);
 #ifdef HEXODERM_HAS_CERES
-  if (cells <= kMostCellsForCeres) compareWithCeres(*snapshot, unit_ms);
+  if (cells <= kMostCellsForCeres) compareWithCeres(*snapshot, tree, unit_ms);
 #endif
 }
 

@@ -16,10 +16,12 @@ namespace {
 
 std::shared_ptr<Reconstruction> describe(const SolvedSkin& solved) {
   const SkinLinks& skin = solved.skin();
+  // Takes most memory of all, so that it comes before what makes the result large.
+  const std::optional<Forecast> forecast = forecastOf(skin, solved.patches());
   auto result = describeSkin(skin, describePatches(skin, solved.patches(), solved.weights()));
   result->findings = solved.findings();
   judgePoses(*result, result->findings);
-  result->assessment = assess(*result, forecastOf(skin, solved.patches(), *result));
+  result->assessment = assess(*result, forecast);
   if (std::optional<Finding> open = describeTooFewDirections(*result)) result->findings.push_back(std::move(*open));
   return result;
 }

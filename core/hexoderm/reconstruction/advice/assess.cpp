@@ -31,15 +31,14 @@ std::vector<const CellPlacement*> countedCells(const PatchReconstruction& patch)
 
 /// Whether the cell can be less certain than `worst`: no eigenvalue is larger than the root of the sum of squares. That
 /// is seen much faster than how certain it is.
-bool mayBeWorse(const CellPlacement& cell, const Uncertainty95& worst) {
-  if (!cell.cov_t_r) return false;
+bool mayBeWorse(const Matrix6d& cov_t_r, const Uncertainty95& worst) {
   constexpr double kRounding = 1 + 1e-6;
   const auto may = [](const Eigen::Matrix3d& covariance, double largest) {
     const double deviation = largest / kSigmasFor95Percent;
     return covariance.norm() * kRounding > deviation * deviation;
   };
-  return may(cell.cov_t_r->topLeftCorner<3, 3>(), worst.position_m) ||
-         may(cell.cov_t_r->bottomRightCorner<3, 3>(), worst.orientation_rad);
+  return may(cov_t_r.topLeftCorner<3, 3>(), worst.position_m) ||
+         may(cov_t_r.bottomRightCorner<3, 3>(), worst.orientation_rad);
 }
 
 Uncertainty95 worstUncertainty(const Reconstruction& r) {
@@ -290,8 +289,15 @@ const Finding* worstFinding(const Reconstruction& r) {
 Uncertainty95 worstUncertainty(const PatchReconstruction& patch) {
   Uncertainty95 worst;
   for (const CellPlacement* cell : countedCells(patch)) {
-    if (!mayBeWorse(*cell, worst)) continue;
-    if (const std::optional<Uncertainty95> known = uncertaintyOf(*cell)) worst = worseOf(worst, *known);
+    if (cell->cov_t_r && mayBeWorse(*cell->cov_t_r, worst)) worst = worseOf(worst, uncertaintyBy(*cell->cov_t_r));
+  }
+  return worst;
+}
+
+Uncertainty95 worstUncertainty(std::span<const Matrix6d> covariances) {
+  Uncertainty95 worst;
+  for (const Matrix6d& cov_t_r : covariances) {
+    if (mayBeWorse(cov_t_r, worst)) worst = worseOf(worst, uncertaintyBy(cov_t_r));
   }
   return worst;
 }
@@ -302,12 +308,11 @@ std::vector<CellId> worstCells(const Reconstruction& r) {
   Uncertainty95 worst;
   for (const PatchReconstruction& patch : r.patches) {
     for (const CellPlacement* cell : countedCells(patch)) {
-      if (!mayBeWorse(*cell, worst)) continue;
-      const std::optional<Uncertainty95> known = uncertaintyOf(*cell);
-      if (!known) continue;
-      if (known->position_m > worst.position_m) position = cell;
-      if (known->orientation_rad > worst.orientation_rad) orientation = cell;
-      worst = worseOf(worst, *known);
+      if (!cell->cov_t_r || !mayBeWorse(*cell->cov_t_r, worst)) continue;
+      const Uncertainty95 known = uncertaintyBy(*cell->cov_t_r);
+      if (known.position_m > worst.position_m) position = cell;
+      if (known.orientation_rad > worst.orientation_rad) orientation = cell;
+      worst = worseOf(worst, known);
     }
   }
   std::vector<CellId> cells;

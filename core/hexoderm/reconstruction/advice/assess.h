@@ -6,6 +6,7 @@
 #include "hexoderm/util/units.h"
 
 #include <optional>
+#include <span>
 #include <vector>
 
 namespace hexoderm {
@@ -16,6 +17,8 @@ const Finding* worstFinding(const Reconstruction& reconstruction);
 /// The uncertainty of the worst of the measured cells; cells placed through their links are named by findings of their
 /// own. Of all cells if none was measured.
 Uncertainty95 worstUncertainty(const PatchReconstruction& patch);
+/// The worst of covariances as in CellPlacement::cov_t_r.
+Uncertainty95 worstUncertainty(std::span<const Matrix6d> covariances);
 
 /// The cells that this is the uncertainty of, over all patches: the one whose position is least certain, and where it
 /// is another one, the one whose orientation is. Empty where no uncertainty is stated, or all are zero.

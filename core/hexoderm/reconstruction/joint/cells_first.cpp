@@ -6,12 +6,13 @@
 
 #include <Eigen/Cholesky>
 #include <mutex>
-#include <span>
 #include <stdexcept>
 #include <utility>
 
 namespace hexoderm {
 namespace {
+
+constexpr std::size_t kAtOnce = 512;
 
 std::shared_ptr<const EliminationPlan> planOf(const JointProblem& problem) {
   return problem.elimination && problem.elimination->fits(problem) ? problem.elimination : planElimination(problem);
@@ -23,21 +24,26 @@ class BorderedFactor {
   explicit BorderedFactor(std::shared_ptr<const EliminationPlan> plan)
       : plan_(std::move(plan)), factor_(plan_->pattern) {}
 
-  /// With the diagonal raised by `damping` times itself.
-  bool factorize(const NormalEquations& equations, double damping) {
-    std::span<const Matrix6d> diagonal = equations.cells;
+  /// With the diagonal raised by `damping` times itself. Of the equations no more than the gradient is there
+  /// afterwards: what comes next needs the memory.
+  bool factorize(NormalEquations& equations, double damping) {
+    border_ = {};
+    finished_ = false;
     if (damping > 0) {
-      raised_ = equations.cells;
-      for (Matrix6d& block : raised_) block.diagonal() *= 1 + damping;
-      diagonal = raised_;
+      for (Matrix6d& block : equations.cells) block.diagonal() *= 1 + damping;
     }
-    if (!factor_.factorize(diagonal, plan_->couplesOf(equations.links, couples_))) return false;
-    lower_border_ = factor_.ordered(equations.border_cells);
-    factor_.solveLower(lower_border_);
+    std::vector<Matrix6d> sums;
+    if (!factor_.factorize(equations.cells, plan_->couplesOf(equations.links, sums))) return false;
+    equations.cells = std::vector<Matrix6d>();  // "= {}" would keep the memory
+    equations.links = std::vector<Matrix6d>();
+    sums = std::vector<Matrix6d>();
+    border_ = factor_.ordered(equations.border_cells);
+    equations.border_cells.resize(0, 0);
+    factor_.solveLower(border_);
     Eigen::MatrixXd schur = equations.border;
     schur.diagonal() *= 1 + damping;
     if (schur.size() == 0) return true;  // neither a pose nor a gap share to estimate
-    schur.triangularView<Eigen::Lower>() -= lower_border_.gram();
+    schur.triangularView<Eigen::Lower>() -= border_.gram();
     schur_.compute(schur);
     return schur_.info() == Eigen::Success;
   }
@@ -46,27 +52,27 @@ class BorderedFactor {
   void solve(const NormalEquations& equations, Eigen::VectorXd& cells, Eigen::VectorXd& border) const {
     Eigen::VectorXd right = factor_.orderedVector(-equations.gradient_cells);
     factor_.solveLower(right);
-    border = -equations.gradient_border - lower_border_.matrix().transpose() * right;
+    border = -equations.gradient_border - border_.matrix().transpose() * right;
     if (border.size() > 0) schur_.solveInPlace(border);
-    right -= lower_border_.matrix() * border;
+    right -= border_.matrix() * border;
     factor_.solveUpper(right);
     cells = factor_.vectorInOwnOrder(right);
   }
 
-  /// A^-1 E S^-T, with S S^T = F - E^T A^-1 E: the border's part of the cells' covariance is its outer product.
-  [[nodiscard]] RightSides borderRoot() const {
-    RightSides root = lower_border_;
-    auto matrix = root.matrix();
+  /// After the last solve(): what is asked of the inverse takes the border in another form.
+  void finish() {
+    if (finished_) return;
+    finished_ = true;
+    auto matrix = border_.matrix();
     if (matrix.cols() > 0) schur_.matrixU().solveInPlace<Eigen::OnTheRight>(matrix);
-    factor_.solveUpper(root);
-    return factor_.inOwnOrder(root);
+    factor_.solveUpper(border_);
+    border_ = factor_.inOwnOrder(border_);
   }
-
-  /// Gives back the memory that only another factorize() would need.
-  void releaseWorkspace() {
-    raised_ = std::vector<Matrix6d>();  // "= {}" would keep the memory
-    couples_ = std::vector<Matrix6d>();
-  }
+  /// A^-1 E S^-T, with S S^T = F - E^T A^-1 E: the border's part of the cells' covariance is its outer product. Needs
+  /// finish().
+  [[nodiscard]] const RightSides& borderRoot() const { return border_; }
+  /// The cells' factor, to be used up.
+  [[nodiscard]] BlockCholesky&& takeCells() { return std::move(factor_); }
 
   [[nodiscard]] const std::shared_ptr<const EliminationPlan>& plan() const { return plan_; }
   [[nodiscard]] const BlockCholesky& cells() const { return factor_; }
@@ -75,11 +81,22 @@ class BorderedFactor {
  private:
   std::shared_ptr<const EliminationPlan> plan_;
   BlockCholesky factor_;
-  RightSides lower_border_;  // L^-1 E, with L L^T = A
+  RightSides border_;      // L^-1 E, with L L^T = A, until finish()
+  bool finished_ = false;  // border_ is the root
   Eigen::LLT<Eigen::MatrixXd> schur_;
-  std::vector<Matrix6d> raised_;
-  std::vector<Matrix6d> couples_;
 };
+
+/// The covariances of all cells from their blocks of the sparse matrix's inverse.
+std::vector<Matrix6d> withBorder(std::vector<Matrix6d> cells, const RightSides& border_root, std::size_t origin) {
+  inRanges(cells.size(), kAtOnce, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t cell = begin; cell < end; ++cell) {
+      const Matrix6d sum = cells[cell] + border_root.product(cell, cell);
+      cells[cell] = (sum + sum.transpose()) / 2;
+    }
+  });
+  cells[origin].setZero();
+  return cells;
+}
 
 /// Where and how a factor was made, to make it once more.
 struct FactorOrigin {
@@ -89,7 +106,7 @@ struct FactorOrigin {
 
 class CellsFirstInverse : public JointInverse {
  public:
-  CellsFirstInverse(const JointProblem& problem, std::shared_ptr<const BorderedFactor> factor, FactorOrigin made)
+  CellsFirstInverse(const JointProblem& problem, std::shared_ptr<BorderedFactor> factor, FactorOrigin made)
       : origin_(problem.origin),
         cells_(problem.cellCount()),
         layout_(problem),
@@ -108,19 +125,20 @@ class CellsFirstInverse : public JointInverse {
     if (a == origin_ || b == origin_) return Matrix6d::Zero();
     Eigen::MatrixXd unit = Eigen::MatrixXd::Zero(static_cast<Eigen::Index>(6 * cells_), 6);
     unit.middleRows<6>(static_cast<Eigen::Index>(6 * b)).setIdentity();
-    factor()->cells().solve(unit);
-    return unit.middleRows<6>(static_cast<Eigen::Index>(6 * a)) + parts().border_root.product(a, b);
+    const std::shared_ptr<const BorderedFactor> factor = finishedFactor();
+    factor->cells().solve(unit);
+    return unit.middleRows<6>(static_cast<Eigen::Index>(6 * a)) + factor->borderRoot().product(a, b);
   }
 
-  [[nodiscard]] Eigen::MatrixXd timesCells(const Eigen::MatrixXd& B) const override {
-    Eigen::MatrixXd product = B;
+  [[nodiscard]] Eigen::MatrixXd timesCells(Eigen::MatrixXd product) const override {
     const auto origin_rows = [this](Eigen::MatrixXd& rows) {
       return rows.middleRows<6>(static_cast<Eigen::Index>(6 * origin_));
     };
     origin_rows(product).setZero();
-    const auto border_root = parts().border_root.matrix();
+    const std::shared_ptr<const BorderedFactor> factor = finishedFactor();
+    const auto border_root = factor->borderRoot().matrix();
     const Eigen::MatrixXd by_border = border_root.transpose() * product;
-    factor()->cells().solve(product);
+    factor->cells().solve(product);
     product.noalias() += border_root * by_border;
     origin_rows(product).setZero();
     return product;
@@ -144,7 +162,7 @@ class CellsFirstInverse : public JointInverse {
   void keepProblemInstead(std::shared_ptr<const JointProblem> problem) const override {
     if (made_.state.cells.empty()) return;  // of equations that came from elsewhere
     border();
-    parts();
+    std::call_once(computed_, [&] { parts_ = compute(givenUpFactor(problem)); });
     const std::lock_guard lock(factor_mutex_);
     problem_ = std::move(problem);
     factor_.reset();
@@ -152,19 +170,34 @@ class CellsFirstInverse : public JointInverse {
 
  private:
   struct Parts {
-    RightSides border_root;
     std::vector<Matrix6d> cells;
     std::vector<Matrix6d> links;
   };
 
-  [[nodiscard]] std::shared_ptr<const BorderedFactor> factor() const {
+  [[nodiscard]] std::shared_ptr<BorderedFactor> factor() const {
     const std::lock_guard lock(factor_mutex_);
+    return knownFactor();
+  }
+  [[nodiscard]] std::shared_ptr<BorderedFactor> finishedFactor() const {
+    const std::lock_guard lock(factor_mutex_);
+    knownFactor()->finish();
+    return factor_;
+  }
+  /// The finished factor, which is made from the problem when it is needed again.
+  [[nodiscard]] std::shared_ptr<BorderedFactor> givenUpFactor(
+      const std::shared_ptr<const JointProblem>& problem) const {
+    const std::lock_guard lock(factor_mutex_);
+    knownFactor()->finish();
+    problem_ = problem;
+    return std::move(factor_);
+  }
+  /// Under the lock.
+  const std::shared_ptr<BorderedFactor>& knownFactor() const {
     if (factor_ == nullptr) {
       NormalEquations equations;
       linearize(*problem_, made_.state, equations);
       auto again = std::make_shared<BorderedFactor>(plan_);
       if (!again->factorize(equations, made_.damping)) throw std::logic_error("a factor that was made can't be made");
-      again->releaseWorkspace();
       factor_ = std::move(again);
     }
     return factor_;
@@ -179,24 +212,17 @@ class CellsFirstInverse : public JointInverse {
     return border_;
   }
   const Parts& parts() const {
-    std::call_once(computed_, [this] { parts_ = compute(); });
+    std::call_once(computed_, [this] { parts_ = compute(finishedFactor()); });
     return parts_;
   }
 
-  [[nodiscard]] Parts compute() const {
-    const std::shared_ptr<const BorderedFactor> known = factor();
+  /// A factor that nobody else has is used up.
+  [[nodiscard]] Parts compute(std::shared_ptr<BorderedFactor> factor) const {
+    BlockCholesky::SelectedInverse inverse =
+        factor.use_count() == 1 ? factor->takeCells().selectedInverse() : factor->cells().selectedInverse();
+    const RightSides& border_root = factor->borderRoot();
     Parts parts;
-    BlockCholesky::SelectedInverse inverse = known->cells().selectedInverse();  // first: it needs most memory meanwhile
-    parts.border_root = known->borderRoot();
-    parts.cells = std::move(inverse.diagonal);
-    constexpr std::size_t kAtOnce = 512;
-    inRanges(parts.cells.size(), kAtOnce, [&](std::size_t begin, std::size_t end) {
-      for (std::size_t cell = begin; cell < end; ++cell) {
-        const Matrix6d sum = parts.cells[cell] + parts.border_root.product(cell, cell);
-        parts.cells[cell] = (sum + sum.transpose()) / 2;
-      }
-    });
-    parts.cells[origin_].setZero();
+    parts.cells = withBorder(std::move(inverse.diagonal), border_root, origin_);
     parts.links.resize(link_ends_.size());
     inRanges(link_ends_.size(), kAtOnce, [&](std::size_t begin, std::size_t end) {
       for (std::size_t k = begin; k < end; ++k) {
@@ -206,7 +232,7 @@ class CellsFirstInverse : public JointInverse {
           continue;
         }
         const EliminationPlan::Place place = plan_->of_link[k];
-        parts.links[k] = parts.border_root.product(c, n);
+        parts.links[k] = border_root.product(c, n);
         if (place.transposed) {
           parts.links[k] += inverse.couples[place.couple].transpose();
         } else {
@@ -225,27 +251,32 @@ class CellsFirstInverse : public JointInverse {
   std::shared_ptr<const EliminationPlan> plan_;
   FactorOrigin made_;
   mutable std::mutex factor_mutex_;
-  mutable std::shared_ptr<const JointProblem> problem_;   ///< where there may be no factor
-  mutable std::shared_ptr<const BorderedFactor> factor_;  ///< null: to be made from the problem
+  mutable std::shared_ptr<const JointProblem> problem_;  ///< where there may be no factor
+  mutable std::shared_ptr<BorderedFactor> factor_;       ///< null: to be made from the problem
   mutable std::once_flag computed_;
   mutable Parts parts_;
   mutable std::once_flag border_computed_;
   mutable Eigen::MatrixXd border_;
 };
 
+/// Equations are large, so there are those of one state at a time, until a factor takes them: where a candidate is
+/// refused, those of the state before are made once more.
 class CellsFirst : public JointSystem {
  public:
   double linearize(const JointProblem& problem, const JointState& candidate) override {
     problem_ = &problem;
-    hexoderm::linearize(problem, candidate, next_);
-    next_state_ = candidate;
-    return next_.cost;
+    hexoderm::linearize(problem, candidate, equations_);
+    of_state_ = false;
+    candidate_ = candidate;
+    return equations_.cost;
   }
   void accept() override {
-    std::swap(equations_, next_);
-    std::swap(state_, next_state_);
+    std::swap(state_, candidate_);
+    of_state_ = true;
   }
   bool factorize(double damping) override {
+    if (!of_state_) hexoderm::linearize(*problem_, state_, equations_);
+    of_state_ = false;
     if (factor_ == nullptr) {
       factor_ = std::make_shared<BorderedFactor>(planOf(*problem_));
     } else if (factor_.use_count() > 1) {
@@ -262,9 +293,12 @@ class CellsFirst : public JointSystem {
     return std::make_shared<CellsFirstInverse>(*problem_, factor_, made_);
   }
   void releaseWorkspace() override {
-    if (factor_ != nullptr) factor_->releaseWorkspace();
-    next_ = {};
+    factor_.reset();
     equations_ = {};
+    of_state_ = false;
+    made_ = {};
+    state_ = {};
+    candidate_ = {};
   }
 
  private:
@@ -272,9 +306,9 @@ class CellsFirst : public JointSystem {
   std::shared_ptr<BorderedFactor> factor_;
   FactorOrigin made_;
   NormalEquations equations_;
-  NormalEquations next_;
-  JointState state_;  ///< of the equations
-  JointState next_state_;
+  bool of_state_ = false;  ///< the equations are whole, and those of the state
+  JointState state_;
+  JointState candidate_;
 };
 
 }  // namespace
@@ -283,9 +317,22 @@ std::unique_ptr<JointSystem> makeCellsFirst() { return std::make_unique<CellsFir
 
 std::shared_ptr<const JointInverse> invertCellsFirst(const JointProblem& problem, const NormalEquations& equations) {
   auto factor = std::make_shared<BorderedFactor>(planOf(problem));
-  factorizeWithLeastDamping([&](double damping) { return factor->factorize(equations, damping); });
-  factor->releaseWorkspace();
+  factorizeWithLeastDamping([&](double damping) {
+    NormalEquations used = equations;
+    return factor->factorize(used, damping);
+  });
   return std::make_shared<CellsFirstInverse>(problem, std::move(factor), FactorOrigin{});
+}
+
+std::vector<Matrix6d> cellCovariancesAt(const JointProblem& problem, const JointState& state) {
+  BorderedFactor factor(planOf(problem));
+  factorizeWithLeastDamping([&](double damping) {
+    NormalEquations equations;
+    linearize(problem, state, equations);
+    return factor.factorize(equations, damping);
+  });
+  factor.finish();
+  return withBorder(factor.takeCells().inverseDiagonal(), factor.borderRoot(), problem.origin);
 }
 
 double workOfCellsFirst(const JointProblem& problem) {

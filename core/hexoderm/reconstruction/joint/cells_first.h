@@ -3,6 +3,7 @@
 #include "hexoderm/reconstruction/joint/joint_system.h"
 
 #include <memory>
+#include <vector>
 
 namespace hexoderm {
 
@@ -12,6 +13,10 @@ std::unique_ptr<JointSystem> makeCellsFirst();
 
 /// The inverse of given equations. Throws Error if they are not positive definite, which priors prevent.
 std::shared_ptr<const JointInverse> invertCellsFirst(const JointProblem& problem, const NormalEquations& equations);
+
+/// The covariances of all cells at a given state (JointInverse::cell()), by the least memory that they take. Throws
+/// Error as invertCellsFirst() does.
+std::vector<Matrix6d> cellCovariancesAt(const JointProblem& problem, const JointState& state);
 
 /// About how many multiplications a step takes.
 double workOfCellsFirst(const JointProblem& problem);

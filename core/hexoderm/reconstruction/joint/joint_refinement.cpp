@@ -14,6 +14,7 @@
 #include <functional>
 #include <limits>
 #include <mutex>
+#include <utility>
 
 namespace hexoderm {
 namespace {
@@ -125,13 +126,13 @@ std::shared_ptr<JointProblem> problemOf(const CellModel& model) {
 
 JointRefinement::JointRefinement(const CellModel& model, const SkinGraph& graph, const GravityTable& table,
                                  const SolverOptions& options, const std::vector<std::size_t>& cells,
-                                 std::size_t origin, const std::vector<SE3>& placements)
+                                 std::size_t origin, std::vector<SE3> placements)
     : cells_(cells), problem_(problemOf(model)), solver_(std::make_unique<JointSolver>()) {
   problem_->gap = gapShareOf(options.gap_model);
   problem_->link_sigma_m = model.link_sigma_m;
   JointState& state = solution_.state;
-  state.cells = placements;
-  for (const SE3& placement : placements) state.middle_o += placement.t / static_cast<double>(cells_.size());
+  state.cells = std::move(placements);
+  for (const SE3& placement : state.cells) state.middle_o += placement.t / static_cast<double>(cells_.size());
   problem_->origin = localOf(origin);
   state.gap_share = problem_->gap.mean;
 
@@ -147,7 +148,7 @@ JointRefinement::JointRefinement(const CellModel& model, const SkinGraph& graph,
       if (!entry.usable) continue;
       problem_->readings[local].push_back({poses_.size(), R_a_u * entry.mean_g, entry.variance_g2});
       own_variances_g2_[local].push_back(entry.own_variance_g2);
-      sum += placements[local].R * entry.mean_g.normalized();
+      sum += state.cells[local].R * entry.mean_g.normalized();
       any = true;
     }
     if (!any) continue;
@@ -187,6 +188,7 @@ std::size_t JointRefinement::localOf(std::size_t cell) const {
 }
 
 void JointRefinement::solve(const std::stop_token& stop) {
+  shape_.clear();
   solveWithFreedReadings(stop);
   solver_->releaseWorkspace();  // there may be many patches
 }
@@ -312,15 +314,24 @@ std::optional<JointRefinement::OpenLink> JointRefinement::widestOpen() const {
 
 const SE3& JointRefinement::placementOf(std::size_t cell) const { return solution_.state.cells[localOf(cell)]; }
 const Matrix6d& JointRefinement::covarianceOf(std::size_t cell) const {
-  return solution_.covariance->cell(localOf(cell));
+  return finishedCovariance().cell(localOf(cell));
 }
 
-std::vector<Matrix6d> JointRefinement::shapeCovariances() const {
+const std::vector<Matrix6d>& JointRefinement::shapeCovariances() const {
+  static_cast<void>(finishedCovariance());
+  return shape_;
+}
+
+const JointCovariance& JointRefinement::finishedCovariance() const {
   const JointCovariance& covariance = *solution_.covariance;
-  std::vector<Matrix6d> cells;
-  for (std::size_t cell = 0; cell < cells_.size(); ++cell) cells.push_back(covariance.cell(cell));
-  return shapeCovariancesOf(solution_.state.cells, cells,
-                            [&](const Eigen::MatrixXd& B) { return covariance.timesCells(B); });
+  if (!shape_.empty()) return covariance;
+  const auto times = [&](Eigen::MatrixXd B) {
+    Eigen::MatrixXd product = covariance.timesCells(std::move(B));
+    covariance.keepProblemInstead(problem_);  // the last that took the factor, whose memory the rest takes
+    return product;
+  };
+  shape_ = shapeCovariancesOf(solution_.state.cells, times, [&](std::size_t cell) { return covariance.cell(cell); });
+  return covariance;
 }
 
 Eigen::Vector3d JointRefinement::correctedReading(std::size_t cell, const Eigen::Vector3d& mean_g) const {
@@ -338,14 +349,6 @@ CellReading JointRefinement::foretold(std::size_t local, std::size_t pose, const
   return {pose, fit.gain * v_g + fit.offset_g, median(std::move(variances))};
 }
 
-std::vector<Matrix6d> JointRefinement::covariancesOf(const JointProblem& problem, const JointState& state) const {
-  const std::shared_ptr<const JointCovariance> covariance = solver_->covarianceAt(problem, state);
-  std::vector<Matrix6d> cells;
-  cells.reserve(problem.cellCount());
-  for (std::size_t cell = 0; cell < problem.cellCount(); ++cell) cells.push_back(covariance->cell(cell));
-  return cells;
-}
-
 std::vector<Matrix6d> JointRefinement::covariancesWithPose(const Eigen::Vector3d& up_o) const {
   JointProblem with = *problem_;
   JointState state = solution_.state;
@@ -355,7 +358,7 @@ std::vector<Matrix6d> JointRefinement::covariancesWithPose(const Eigen::Vector3d
   for (std::size_t local = 0; local < cells_.size(); ++local) {
     if (!with.readings[local].empty()) with.readings[local].push_back(foretold(local, pose, state));
   }
-  return covariancesOf(with, state);
+  return cellCovariancesAt(with, state);
 }
 
 std::vector<Matrix6d> JointRefinement::covariancesWithAllReadings() const {
@@ -367,13 +370,13 @@ std::vector<Matrix6d> JointRefinement::covariancesWithAllReadings() const {
       with.readings[local].push_back(foretold(local, pose, solution_.state));
     }
   }
-  return covariancesOf(with, solution_.state);
+  return cellCovariancesAt(with, solution_.state);
 }
 
 std::shared_ptr<const PlacementCovariance> JointRefinement::placementCovariance(const SkinGraph& graph) const {
   std::vector<CellId> ids;
   for (const std::size_t cell : cells_) ids.push_back(graph.cells()[cell].id);
-  solution_.covariance->keepProblemInstead(problem_);
+  static_cast<void>(finishedCovariance());
   return std::make_shared<SolvedCovariance>(std::move(ids), solution_.state.cells, solution_.covariance);
 }
 
@@ -391,9 +394,7 @@ std::shared_ptr<const GravityCovariance> JointRefinement::gravityCovariance() co
           variance_g2 = std::min(variance_g2, std::max(kLeastVariance_g2, own_variances_g2[cell][k]));
         }
       }
-      NormalEquations equations;
-      linearize(quiet, state, equations);
-      return std::make_shared<const JointCovariance>(quiet, equations);
+      return JointSolver().covarianceAt(quiet, state);
     };
   }
   return std::make_shared<SolvedGravityCovariance>(solution_.covariance, problem_->accelerations, std::move(solve));
@@ -416,11 +417,12 @@ Eigen::Matrix3d JointRefinement::linkCovariance(std::size_t link_index) const {
   const JointLink& link = problem_->links[at];
   const std::vector<SE3>& cells = solution_.state.cells;
   const Eigen::Matrix3d R_c_n = cells[link.c].R.transpose() * cells[link.n].R;
-  const Matrix6d& mixed = solution_.covariance->link(at);
+  const JointCovariance& covariance = finishedCovariance();
+  const Matrix6d& mixed = covariance.link(at);
   // d = R_c_n e_n - e_c.
   const Eigen::Matrix3d between = mixed.bottomRightCorner<3, 3>() * R_c_n.transpose();
-  const Eigen::Matrix3d own_c = solution_.covariance->cell(link.c).bottomRightCorner<3, 3>();
-  const Eigen::Matrix3d own_n = solution_.covariance->cell(link.n).bottomRightCorner<3, 3>();
+  const Eigen::Matrix3d own_c = covariance.cell(link.c).bottomRightCorner<3, 3>();
+  const Eigen::Matrix3d own_n = covariance.cell(link.n).bottomRightCorner<3, 3>();
   return own_c + R_c_n * own_n * R_c_n.transpose() - between - between.transpose();
 }
 

@@ -22,7 +22,7 @@ class JointRefinement {
   /// `cells`: of the patch, ascending; `placements`: of these, in the origin's frame.
   JointRefinement(const CellModel& model, const SkinGraph& graph, const GravityTable& table,
                   const SolverOptions& options, const std::vector<std::size_t>& cells, std::size_t origin,
-                  const std::vector<SE3>& placements);
+                  std::vector<SE3> placements);
 
   /// Solves from the latest state, unless `stop` is requested: then what is there is no solution.
   void solve(const std::stop_token& stop);
@@ -47,8 +47,9 @@ class JointRefinement {
 
   [[nodiscard]] const SE3& placementOf(std::size_t cell) const;
   [[nodiscard]] const Matrix6d& covarianceOf(std::size_t cell) const;  ///< see CellPlacement::cov_t_r
-  /// See CellPlacement::shape_cov_t_r; per cell, in the order of the patch's cells.
-  [[nodiscard]] std::vector<Matrix6d> shapeCovariances() const;
+  /// See CellPlacement::shape_cov_t_r; per cell, in the order of the patch's cells. Computed, and the factor given
+  /// back, when a covariance of cells or links is first asked for.
+  [[nodiscard]] const std::vector<Matrix6d>& shapeCovariances() const;
   /// A reading (cell frame) freed from the offset, gains and cross-axis sensitivity estimated for its sensor.
   [[nodiscard]] Eigen::Vector3d correctedReading(std::size_t cell, const Eigen::Vector3d& mean_g) const;
   /// The covariances of all cells (CellPlacement::cov_t_r, in the order of the patch's cells) that the patch would have
@@ -78,10 +79,11 @@ class JointRefinement {
   /// Place of a cell of the graph in the problem.
   [[nodiscard]] std::size_t localOf(std::size_t cell) const;
   [[nodiscard]] CellReading foretold(std::size_t local, std::size_t pose, const JointState& state) const;
+  /// With what is asked of it computed, and the factor given back.
+  [[nodiscard]] const JointCovariance& finishedCovariance() const;
   void fitSensors();
   void solveWithFreedReadings(const std::stop_token& stop);
   void solveWithSpreads(const JointSolverOptions& options);
-  [[nodiscard]] std::vector<Matrix6d> covariancesOf(const JointProblem& problem, const JointState& state) const;
   [[nodiscard]] double seenLinkSpread_m() const;
   [[nodiscard]] double seenAccelerations_rad_s2() const;
 
@@ -91,6 +93,7 @@ class JointRefinement {
   std::shared_ptr<JointProblem> problem_;
   std::unique_ptr<JointSolver> solver_;
   JointSolution solution_;
+  mutable std::vector<Matrix6d> shape_;  ///< of the solution; empty: not asked for yet
   std::vector<SensorState> sensors_;
   std::optional<FreedReadings> freed_readings_;        ///< of many poses
   std::vector<std::vector<double>> own_variances_g2_;  ///< of the readings of every cell, without tremor

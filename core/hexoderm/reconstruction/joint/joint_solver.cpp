@@ -43,7 +43,7 @@ JointCovariance::~JointCovariance() = default;
 const Matrix6d& JointCovariance::cell(std::size_t cell) const { return inverse_->cell(cell); }
 const Matrix6d& JointCovariance::link(std::size_t link) const { return inverse_->link(link); }
 Matrix6d JointCovariance::between(std::size_t a, std::size_t b) const { return inverse_->between(a, b); }
-Eigen::MatrixXd JointCovariance::timesCells(const Eigen::MatrixXd& B) const { return inverse_->timesCells(B); }
+Eigen::MatrixXd JointCovariance::timesCells(Eigen::MatrixXd B) const { return inverse_->timesCells(std::move(B)); }
 Eigen::Matrix3d JointCovariance::force(std::size_t pose) const { return inverse_->force(pose); }
 Eigen::Matrix3d JointCovariance::forces(std::size_t a, std::size_t b) const { return inverse_->forces(a, b); }
 Eigen::Matrix3d JointCovariance::acceleration(std::size_t pose) const { return inverse_->acceleration(pose); }
@@ -72,8 +72,9 @@ std::shared_ptr<const JointCovariance> JointSolver::covarianceAt(const JointProb
   system.linearize(problem, state);
   system.accept();
   factorizeWithLeastDamping([&](double least) { return system.factorize(least); });
+  auto covariance = std::make_shared<const JointCovariance>(system.inverse());
   system.releaseWorkspace();
-  return std::make_shared<const JointCovariance>(system.inverse());
+  return covariance;
 }
 
 bool JointSolver::descend(const JointProblem& problem, Refusal refusal, const JointSolverOptions& options,
@@ -155,15 +156,19 @@ JointSolution JointSolver::solve(const JointProblem& problem, const JointState& 
   constexpr double kOpen = 6;  // mean square, in link sigmas; 3 is what closed links have
   constexpr double kSoftest = 10;
   constexpr double kStiffening[] = {3, 1};
-  JointProblem soft = problem;
-  soft.loss.threshold = std::numeric_limits<double>::infinity();
+  const auto softened = [&] {
+    JointProblem soft = problem;
+    soft.loss.threshold = std::numeric_limits<double>::infinity();
+    return soft;
+  };
   JointSolution solution;
   solution.state = initial;
-  const bool open = closureCost(soft, initial) > kOpen * static_cast<double>(problem.links.size());
+  const bool open = closureCost(softened(), initial) > kOpen * static_cast<double>(problem.links.size());
   const auto descendSoftly = [&](double times, JointSolution& from) {
     JointSolverOptions roughly = options;
     roughly.cost_tolerance = 1e-2;
     roughly.covariance = false;
+    JointProblem soft = softened();
     soft.link_sigma_m = times * problem.link_sigma_m;
     descend(soft, Refusal::Damps, roughly, from);
   };

@@ -54,8 +54,8 @@ class JointCovariance {
   /// Cross-covariance of any two cells, rows a, columns b. Two triangular solves each.
   [[nodiscard]] Matrix6d between(std::size_t a, std::size_t b) const;
   /// The covariance of all cells, 6 N x 6 N in the order of cell() with the origin's rows and columns zero, times B
-  /// (6 N x m). Takes a solution with the factor, and memory of B's size.
-  [[nodiscard]] Eigen::MatrixXd timesCells(const Eigen::MatrixXd& B) const;
+  /// (6 N x m). Takes a solution with the factor.
+  [[nodiscard]] Eigen::MatrixXd timesCells(Eigen::MatrixXd B) const;
   /// Covariance of the specific force of a pose, patch frame, g^2.
   [[nodiscard]] Eigen::Matrix3d force(std::size_t pose) const;
   /// Cross-covariance of the specific forces of two poses, rows a, columns b: the sensors' errors are the same in all
@@ -67,7 +67,8 @@ class JointCovariance {
 
   /// Computes what is to be asked for often, and gives back the factor, which is most of the memory: between() and
   /// timesCells() make it once more from the problem, the same to the last bit, when they are first called. `problem`:
-  /// that of the solution, which must not change any more; it has to keep its model alive.
+  /// that of the solution, which must not change any more; it has to keep its model alive. After
+  /// JointSolver::releaseWorkspace() the factor's memory serves for what is computed.
   void keepProblemInstead(std::shared_ptr<const JointProblem> problem) const;
 
  private:

@@ -20,7 +20,7 @@ class JointInverse {
   [[nodiscard]] virtual const Matrix6d& link(std::size_t link) const = 0;
   [[nodiscard]] virtual Matrix6d between(std::size_t a, std::size_t b) const = 0;
   /// The covariance of all cells, 6 N x 6 N with the origin's rows and columns zero, times B (6 N x m).
-  [[nodiscard]] virtual Eigen::MatrixXd timesCells(const Eigen::MatrixXd& B) const = 0;
+  [[nodiscard]] virtual Eigen::MatrixXd timesCells(Eigen::MatrixXd B) const = 0;
   [[nodiscard]] virtual Eigen::Matrix3d force(std::size_t pose) const = 0;
   [[nodiscard]] virtual Eigen::Matrix3d forces(std::size_t a, std::size_t b) const = 0;
   [[nodiscard]] virtual Eigen::Matrix3d acceleration(std::size_t pose) const = 0;  ///< where they are estimated
@@ -48,7 +48,8 @@ class JointSystem {
   virtual bool factorize(double damping) = 0;
   /// The step that takes the gradient away, by the latest factor. Returns by how much it promises to lower the cost.
   virtual double step(Eigen::VectorXd& cells, Eigen::VectorXd& border) const = 0;
-  /// From the latest factor. While somebody keeps it, the next one is made in other memory.
+  /// From the latest factor, which takes no further step(). While somebody keeps it, the next one is made in other
+  /// memory.
   virtual std::shared_ptr<const JointInverse> inverse() = 0;
   /// Gives back the memory that only further solutions would need.
   virtual void releaseWorkspace() = 0;

@@ -22,10 +22,9 @@ class PosesFirstInverse : public JointInverse {
   [[nodiscard]] const Matrix6d& cell(std::size_t cell) const override { return parts().cells[cell]; }
   [[nodiscard]] const Matrix6d& link(std::size_t link) const override { return parts().links[link]; }
   [[nodiscard]] Matrix6d between(std::size_t a, std::size_t b) const override { return blockOf(parts().rest, a, b); }
-  [[nodiscard]] MatrixXd timesCells(const MatrixXd& B) const override {
-    MatrixXd from = B;
-    from.middleRows<6>(static_cast<Index>(6 * origin_)).setZero();
-    MatrixXd product = parts().rest.topLeftCorner(B.rows(), B.rows()) * from;
+  [[nodiscard]] MatrixXd timesCells(MatrixXd B) const override {
+    B.middleRows<6>(static_cast<Index>(6 * origin_)).setZero();
+    MatrixXd product = parts().rest.topLeftCorner(B.rows(), B.rows()) * B;
     product.middleRows<6>(static_cast<Index>(6 * origin_)).setZero();
     return product;
   }

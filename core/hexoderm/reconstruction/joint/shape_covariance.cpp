@@ -35,6 +35,18 @@ Matrix6d motionOf(const SE3& cell, const Eigen::Vector3d& middle) {
   return G;
 }
 
+Eigen::Index rowsOf(std::size_t cell) { return static_cast<Eigen::Index>(6 * cell); }
+
+/// W G.
+Eigen::MatrixXd weightedMotions(const std::vector<SE3>& cells, const Eigen::Vector3d& middle, double arm_m) {
+  Eigen::MatrixXd weighted(rowsOf(cells.size()), 6);
+  for (std::size_t cell = 0; cell < cells.size(); ++cell) {
+    weighted.middleRows<6>(rowsOf(cell)) = motionOf(cells[cell], middle);
+    weighted.middleRows<3>(rowsOf(cell) + 3) *= arm_m * arm_m;
+  }
+  return weighted;
+}
+
 /// Differences of nearly equal covariances may come out slightly negative where nothing is left.
 Matrix6d withoutNegatives(const Matrix6d& covariance) {
   const Eigen::SelfAdjointEigenSolver<Eigen::Matrix<double, 6, 6>> solver(covariance);
@@ -43,29 +55,26 @@ Matrix6d withoutNegatives(const Matrix6d& covariance) {
 
 }  // namespace
 
-std::vector<Matrix6d> shapeCovariancesOf(const std::vector<SE3>& T_o_u, const std::vector<Matrix6d>& own,
-                                         const std::function<Eigen::MatrixXd(const Eigen::MatrixXd&)>& times) {
+std::vector<Matrix6d> shapeCovariancesOf(const std::vector<SE3>& T_o_u,
+                                         const std::function<Eigen::MatrixXd(Eigen::MatrixXd)>& times,
+                                         const std::function<Matrix6d(std::size_t)>& own) {
   if (T_o_u.empty()) return {};
   const Eigen::Vector3d middle = middleOfCells(T_o_u);
   const double arm_m = lieOnOneLine(T_o_u, middle) ? kArmOfAttitude_m : 0;
-  const auto rowsOf = [](std::size_t cell) { return static_cast<Eigen::Index>(6 * cell); };
-
-  Eigen::MatrixXd weighted(rowsOf(T_o_u.size()), 6);  // W G
-  Matrix6d normal = Matrix6d::Zero();                 // G^T W G
+  const Eigen::MatrixXd mixed = times(weightedMotions(T_o_u, middle, arm_m));  // C W G
+  const Eigen::MatrixXd weighted = weightedMotions(T_o_u, middle, arm_m);  // W G: there was no room for it meanwhile
+  Matrix6d normal = Matrix6d::Zero();                                      // G^T W G
   for (std::size_t cell = 0; cell < T_o_u.size(); ++cell) {
-    const Matrix6d G = motionOf(T_o_u[cell], middle);
-    weighted.middleRows<6>(rowsOf(cell)) = G;
-    weighted.middleRows<3>(rowsOf(cell) + 3) *= arm_m * arm_m;
-    normal += G.transpose() * weighted.middleRows<6>(rowsOf(cell));
+    normal += motionOf(T_o_u[cell], middle).transpose() * weighted.middleRows<6>(rowsOf(cell));
   }
-  const Eigen::MatrixXd mixed = times(weighted);  // C W G
   const Matrix6d inverse = normal.ldlt().solve(Matrix6d::Identity());
   const Matrix6d motion = inverse * (weighted.transpose() * mixed) * inverse;  // covariance of the motion taken out
   std::vector<Matrix6d> shape;
+  shape.reserve(T_o_u.size());
   for (std::size_t cell = 0; cell < T_o_u.size(); ++cell) {
     const Matrix6d G = motionOf(T_o_u[cell], middle);
     const Matrix6d half =
-        own[cell] / 2 + G * motion * G.transpose() / 2 - mixed.middleRows<6>(rowsOf(cell)) * inverse * G.transpose();
+        own(cell) / 2 + G * motion * G.transpose() / 2 - mixed.middleRows<6>(rowsOf(cell)) * inverse * G.transpose();
     shape.push_back(withoutNegatives(half + half.transpose()));
   }
   return shape;

@@ -2,6 +2,7 @@
 
 #include "hexoderm/geometry/se3.h"
 
+#include <cstddef>
 #include <functional>
 #include <vector>
 
@@ -13,9 +14,10 @@ namespace hexoderm {
 /// the trace of the centres' covariance is least. Where the centres leave a turn open, because they lie on one line or
 /// are one, W takes the cells' attitudes too, by arms of a millimetre.
 ///
-/// `T_o_u`, `own`: per cell, the placement and its block of C (errors as in CellPlacement::cov_t_r). `times`: C B for a
-/// 6 N x 6 matrix B, which is called once: time is a solution with six columns, and memory 6 N x 6.
-std::vector<Matrix6d> shapeCovariancesOf(const std::vector<SE3>& T_o_u, const std::vector<Matrix6d>& own,
-                                         const std::function<Eigen::MatrixXd(const Eigen::MatrixXd&)>& times);
+/// `T_o_u`: per cell. `times`: C B for a 6 N x 6 matrix B, which is called once: time is a solution with six columns,
+/// and memory 6 N x 6. `own`: a cell's block of C (errors as in CellPlacement::cov_t_r); called after `times`.
+std::vector<Matrix6d> shapeCovariancesOf(const std::vector<SE3>& T_o_u,
+                                         const std::function<Eigen::MatrixXd(Eigen::MatrixXd)>& times,
+                                         const std::function<Matrix6d(std::size_t)>& own);
 
 }  // namespace hexoderm

@@ -168,11 +168,11 @@ bool AttitudeIsolation::isolate(std::span<const PatchSolver> patches, std::vecto
     const bool is_tree = patch.joint() == nullptr;
     if (patch.cells().size() < 2 || (searched_ && !is_tree)) continue;
     const std::vector<SE3> placements = placementsOf(patch);
-    const OwnAttitudes own =
-        findOwnAttitudes(skin_, patch.cells(), forcesOn(skin_, patch, placements), placements, is_tree);
+    OwnAttitudes own = findOwnAttitudes(skin_, patch.cells(), forcesOn(skin_, patch, placements), placements, is_tree);
     bool changed = false;
     if (!searched_) {
-      const std::vector<AttitudeSuspect> suspects = AttitudeSearch(skin_, patch.cells(), own).suspects();
+      const std::vector<AttitudeSuspect> suspects =
+          AttitudeSearch(skin_, patch.cells(), is_tree ? own : std::move(own)).suspects();
       const auto fits_no_surface = [](const AttitudeSuspect& suspect) {
         return suspect.kind == AttitudeSuspect::Kind::Patch;
       };

@@ -6,11 +6,29 @@
 namespace hexoderm {
 namespace {
 
-/// Uncertainty at the worst measured cell if the cells had these covariances.
-Uncertainty95 worstWith(const PatchReconstruction& patch, const std::vector<Matrix6d>& covariances) {
-  PatchReconstruction with = patch;
-  for (std::size_t k = 0; k < with.cells.size(); ++k) with.cells[k].cov_t_r = covariances[k];
-  return worstUncertainty(with);
+/// Uncertainty at the worst measured cell, or at the worst of all where none was measured, if the patch's cells had
+/// these covariances.
+Uncertainty95 worstOf(const SkinLinks& skin, const PatchSolver& patch, const std::vector<Matrix6d>& covariances) {
+  const auto measured = [&](std::size_t cell) { return skin.readings().measured(cell); };
+  if (std::ranges::none_of(patch.cells(), measured)) return worstUncertainty(covariances);
+  std::vector<Matrix6d> counted;
+  for (std::size_t k = 0; k < covariances.size(); ++k) {
+    if (measured(patch.cells()[k])) counted.push_back(covariances[k]);
+  }
+  return worstUncertainty(counted);
+}
+
+std::vector<Matrix6d> covariancesOf(const PatchSolver& patch) {
+  std::vector<Matrix6d> covariances;
+  covariances.reserve(patch.cells().size());
+  for (const std::size_t cell : patch.cells()) covariances.push_back(patch.joint()->covarianceOf(cell));
+  return covariances;
+}
+
+std::vector<Eigen::Vector3d> directionsSeen(const JointRefinement& joint) {
+  std::vector<Eigen::Vector3d> seen;
+  for (const Eigen::Vector3d& force_o : joint.solution().state.force_o) seen.emplace_back(force_o.normalized());
+  return seen;
 }
 
 void findLackingReadings(const SkinLinks& skin, const PatchSolver& patch, Forecast& forecast) {
@@ -29,23 +47,22 @@ void findLackingReadings(const SkinLinks& skin, const PatchSolver& patch, Foreca
 
 }  // namespace
 
-std::optional<Forecast> forecastOf(const SkinLinks& skin, std::span<const PatchSolver> patches,
-                                   const Reconstruction& reconstruction) {
-  const PatchReconstruction* largest = largestPatch(reconstruction);
-  if (largest == nullptr || largest->cells.size() < 2 || largest->gravity.empty()) return std::nullopt;
-  const PatchSolver& patch = patches[largest->id.value()];
-  if (patch.joint() == nullptr) return std::nullopt;
+std::optional<Forecast> forecastOf(const SkinLinks& skin, std::span<const PatchSolver> patches) {
+  const auto largest = std::ranges::max_element(patches, {}, [](const PatchSolver& p) { return p.cells().size(); });
+  if (largest == patches.end() || largest->cells().size() < 2) return std::nullopt;
+  const JointRefinement* joint = largest->joint();
+  if (joint == nullptr || joint->poses().empty()) return std::nullopt;
   Forecast forecast;
-  forecast.now = worstUncertainty(*largest);
+  forecast.now = worstOf(skin, *largest, covariancesOf(*largest));
   if (forecast.now.orientation_rad <= kGoodOrientation_rad && forecast.now.position_m <= kGoodPosition_m) {
     return std::nullopt;
   }
-  const PoseAdvice advice = adviseNextPose(skin.model(), directionsSeen(reconstruction));
-  forecast.with_pose = worstWith(*largest, patch.joint()->covariancesWithPose(advice.up));
-  findLackingReadings(skin, patch, forecast);
+  const PoseAdvice advice = adviseNextPose(skin.model(), directionsSeen(*joint));
+  forecast.with_pose = worstOf(skin, *largest, joint->covariancesWithPose(advice.up));
+  findLackingReadings(skin, *largest, forecast);
   forecast.with_all_readings = forecast.now;
   if (!forecast.retake.empty()) {
-    forecast.with_all_readings = worstWith(*largest, patch.joint()->covariancesWithAllReadings());
+    forecast.with_all_readings = worstOf(skin, *largest, joint->covariancesWithAllReadings());
   }
   return forecast;
 }

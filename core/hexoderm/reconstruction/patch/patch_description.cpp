@@ -172,7 +172,7 @@ PatchReconstruction describePatch(const SkinLinks& skin, const PatchSolver& patc
   for (const std::size_t cell : patch.cells()) result.cells.push_back(describeCell(skin, patch, cell));
   if (const JointRefinement* joint = patch.joint()) {
     const JointSolution& solution = joint->solution();
-    const std::vector<Matrix6d> shape = joint->shapeCovariances();
+    const std::vector<Matrix6d>& shape = joint->shapeCovariances();
     for (std::size_t k = 0; k < shape.size(); ++k) result.cells[k].shape_cov_t_r = shape[k];
     result.gravity = jointGravity(skin, *joint);
     result.gap_share = GapShareEstimate{solution.state.gap_share, solution.covariance->gapShareSigma()};

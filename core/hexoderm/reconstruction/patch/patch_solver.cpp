@@ -62,9 +62,11 @@ const SE3& PatchSolver::placementOf(std::size_t cell) const {
   return joint_ != nullptr ? joint_->placementOf(cell) : placements_[skin_.graph().cells()[cell].place].T_o_u;
 }
 
-std::unique_ptr<JointRefinement> PatchSolver::jointFrom(const PatchReconstruction* earlier) const {
+std::unique_ptr<JointRefinement> PatchSolver::jointFrom(const PatchReconstruction* earlier) {
+  std::vector<SE3> start = startingPlacements(earlier);
+  placements_ = std::vector<TreePlacement>();
   return std::make_unique<JointRefinement>(skin_.model(), skin_.graph(), skin_.table(), skin_.options(), cells_,
-                                           origin(), startingPlacements(earlier));
+                                           origin(), std::move(start));
 }
 
 Completion PatchSolver::refine(const PatchReconstruction* earlier, const std::stop_token& stop,
@@ -100,6 +102,7 @@ Completion PatchSolver::refine(const PatchReconstruction* earlier, const std::st
 std::vector<SE3> PatchSolver::startingPlacements(const PatchReconstruction* earlier) const {
   const std::vector<GraphCell>& graph_cells = skin_.graph().cells();
   std::vector<SE3> placements;
+  placements.reserve(placements_.size());
   for (const TreePlacement& placement : placements_) placements.push_back(placement.T_o_u);
   const bool is_same =
       earlier != nullptr && earlier->origin == graph_cells[origin()].id &&

@@ -34,7 +34,7 @@ class PatchSolver {
   [[nodiscard]] std::size_t origin() const { return paths_.root; }
   [[nodiscard]] const std::vector<std::size_t>& cells() const { return cells_; }  ///< ascending
   [[nodiscard]] const ShortestPaths& paths() const { return paths_; }
-  /// Per cell of cells().
+  /// Per cell of cells(); none after refine().
   [[nodiscard]] const std::vector<TreePlacement>& treePlacements() const { return placements_; }
   /// Of a cell of the graph, in the origin's frame: as the joint estimate has it, or else the tree.
   [[nodiscard]] const SE3& placementOf(std::size_t cell) const;
@@ -52,7 +52,7 @@ class PatchSolver {
   [[nodiscard]] bool isLeaf(std::size_t cell) const;
 
   void placeAlongPaths();
-  [[nodiscard]] std::unique_ptr<JointRefinement> jointFrom(const PatchReconstruction* earlier) const;
+  [[nodiscard]] std::unique_ptr<JointRefinement> jointFrom(const PatchReconstruction* earlier);
 
   SkinLinks& skin_;
   std::span<const double> weights_;

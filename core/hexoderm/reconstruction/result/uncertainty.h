@@ -17,6 +17,9 @@ struct Uncertainty95 {
 /// nothing can be turned further.
 double rotationSigma(const Eigen::Matrix3d& covariance);
 
+/// By a covariance as in CellPlacement::cov_t_r.
+Uncertainty95 uncertaintyBy(const Matrix6d& cov_t_r);
+
 /// Absent where no covariance is stated; zero for the origin.
 std::optional<Uncertainty95> uncertaintyOf(const CellPlacement& cell);
 

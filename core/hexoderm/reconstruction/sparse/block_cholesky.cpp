@@ -28,20 +28,21 @@ Index updateStride(const Supernode& node) { return FrontKernels::paddedRows(rows
 std::size_t updateSize(const Supernode& node) { return static_cast<std::size_t>(updateStride(node) * rowsOf(node)); }
 std::size_t frontSize(const Supernode& node) { return static_cast<std::size_t>(panelStride(node) * frontOf(node)); }
 
-/// Rows of a supernode that stand side by side in its parent's front, too; in numbers.
+/// Rows of a supernode that stand side by side in a front above it, too; in numbers.
 struct Run {
   Index begin = 0;
-  Index in_parent = 0;
+  Index above = 0;
   Index length = 0;
 };
 
-void findRuns(const Supernode& node, std::vector<Run>& runs) {
+/// `places`: of rows, in the front above.
+void findRuns(std::span<const std::size_t> places, std::vector<Run>& runs) {
   runs.clear();
-  for (std::size_t k = 0; k < node.in_parent.size(); ++k) {
-    if (k > 0 && node.in_parent[k] == node.in_parent[k - 1] + 1) {
+  for (std::size_t k = 0; k < places.size(); ++k) {
+    if (k > 0 && places[k] == places[k - 1] + 1) {
       runs.back().length += kBlock;
     } else {
-      runs.push_back({numbersIn(k), numbersIn(node.in_parent[k]), kBlock});
+      runs.push_back({numbersIn(k), numbersIn(places[k]), kBlock});
     }
   }
 }
@@ -58,13 +59,26 @@ void addToParent(const std::vector<Run>& runs, const double* update, Index strid
   for (std::size_t r = 0; r < runs.size(); ++r) {
     for (Index c = 0; c < runs[r].length; ++c) {
       const double* source = update + (runs[r].begin + c) * stride;
-      const Index column = runs[r].in_parent + c;
+      const Index column = runs[r].above + c;
       double* target = column < pivots ? panel + column * panelStride(parent)
                                        : rest + (column - pivots) * updateStride(parent) - pivots;
       const Index above = c / kBlock * kBlock;  // in the run, above the diagonal
-      addNumbers(target + runs[r].in_parent + above, source + runs[r].begin + above, runs[r].length - above);
+      addNumbers(target + runs[r].above + above, source + runs[r].begin + above, runs[r].length - above);
       for (std::size_t k = r + 1; k < runs.size(); ++k) {
-        addNumbers(target + runs[k].in_parent, source + runs[k].begin, runs[k].length);
+        addNumbers(target + runs[k].above, source + runs[k].begin, runs[k].length);
+      }
+    }
+  }
+}
+
+/// What is above the diagonal becomes what is below it; blocks on the diagonal are whole.
+void mirrorLower(double* numbers, Index stride, Index size) {
+  for (Index column = 0; column < size; column += kBlock) {
+    for (Index row = column + kBlock; row < size; row += kBlock) {
+      const double* const from = numbers + column * stride + row;
+      double* const to = numbers + row * stride + column;
+      for (Index i = 0; i < kBlock; ++i) {
+        for (Index j = 0; j < kBlock; ++j) to[i * stride + j] = from[j * stride + i];
       }
     }
   }
@@ -193,6 +207,21 @@ BlockCholesky::BlockCholesky(std::shared_ptr<const SupernodalPattern> pattern, c
   findSubtrees();
 }
 
+/// What the largest of the supernodes need.
+BlockCholesky::InverseWorkspace::InverseWorkspace(std::span<const Supernode> supernodes,
+                                                  std::span<const Subtree> parts) {
+  std::size_t front_size = 0;
+  Index product_size = 0;
+  for (const Subtree& part : parts) {
+    for (const Supernode& node : supernodes.subspan(part.first, part.root + 1 - part.first)) {
+      front_size = std::max(front_size, frontSize(node));
+      product_size = std::max(product_size, FrontKernels::inverseWorkspace(frontOf(node), pivotsOf(node)));
+    }
+  }
+  front = std::make_unique_for_overwrite<double[]>(front_size);
+  products = std::make_unique_for_overwrite<double[]>(static_cast<std::size_t>(product_size));
+}
+
 /// The largest subtrees with a small share of the work, or with so little that a thread would not pay.
 void BlockCholesky::findSubtrees() {
   constexpr double kShare = 1.0 / 32;
@@ -246,7 +275,7 @@ bool BlockCholesky::eliminate(std::size_t supernode, const Blocks& A, std::vecto
   std::vector<Run> runs;
   for (const std::size_t child : node.children) {
     const Supernode& below = pattern_->supernodes[child];
-    findRuns(below, runs);
+    findRuns(below.in_parent, runs);
     addToParent(runs, updates[child].get(), updateStride(below), node, L, update.get());
     updates[child].reset();
   }
@@ -381,39 +410,51 @@ void BlockCholesky::solve(MatrixXd& B) const {
   }
 }
 
-/// What is known of a front of the inverse from its parent's: the rows after the pivots.
-void BlockCholesky::gather(std::size_t supernode, const double* parent_front, double* front) const {
+/// What is known of a front of the inverse from the panels above it: the rows after the pivots, each of which is a
+/// pivot of a supernode on the way up. `front`: of the inverse.
+void BlockCholesky::gather(std::size_t supernode, double* front) const {
   const Supernode& node = pattern_->supernodes[supernode];
-  const Index parent_stride = panelStride(pattern_->supernodes[node.parent]);
   const Index stride = panelStride(node);
   double* const rest = front + pivotsOf(node) * (stride + 1);
+  const std::size_t rows = node.rows.size();
+  std::vector<std::size_t> places = node.in_parent;  // of the rows that are left, in one front above after the other
   std::vector<Run> runs;
-  findRuns(node, runs);
-  for (const Run& columns : runs) {
-    for (Index c = 0; c < columns.length; ++c) {
-      const double* source = parent_front + (columns.in_parent + c) * parent_stride;
-      double* target = rest + (columns.begin + c) * stride;
-      for (const Run& run : runs) std::copy_n(source + run.in_parent, run.length, target + run.begin);
+  std::size_t begin = 0;
+  for (std::size_t s = node.parent; begin < rows; s = pattern_->supernodes[s].parent) {
+    const Supernode& above = pattern_->supernodes[s];
+    std::size_t end = begin;
+    while (end < rows && places[end] < above.pivots) ++end;
+    findRuns(std::span(places).subspan(begin), runs);
+    for (std::size_t k = begin; k < end; ++k) {
+      const double* const source = panel(s) + numbersIn(places[k]) * panelStride(above);
+      double* const target = rest + numbersIn(k) * stride + numbersIn(begin);
+      for (Index c = 0; c < kBlock; ++c) {
+        for (const Run& run : runs) {
+          std::copy_n(source + c * panelStride(above) + run.above, run.length, target + c * stride + run.begin);
+        }
+      }
     }
+    begin = end;
+    for (std::size_t k = begin; k < rows; ++k) places[k] = above.in_parent[places[k] - above.pivots];
   }
+  mirrorLower(rest, stride, rowsOf(node));
 }
 
-/// A supernode's front of the inverse, from its parent's, and its blocks of the inverse.
-BlockCholesky::Numbers BlockCholesky::invert(std::size_t supernode, const double* parent_front,
-                                             std::vector<double>& workspace, SelectedInverse& inverse) const {
+/// A supernode's blocks of the inverse, which take the place of its panel.
+void BlockCholesky::invert(std::size_t supernode, InverseWorkspace& workspace, SelectedInverse& inverse) {
   const Supernode& node = pattern_->supernodes[supernode];
   const Index stride = panelStride(node);
-  Numbers front = std::make_unique_for_overwrite<double[]>(frontSize(node));
-  double* const Z = front.get();
-  if (!node.rows.empty()) gather(supernode, parent_front, Z);
-  const auto needed = static_cast<std::size_t>(FrontKernels::inverseWorkspace(frontOf(node), pivotsOf(node)));
-  if (workspace.size() < needed) workspace.resize(needed);
-  kernels_.invert(Z, stride, panel(supernode), stride, frontOf(node), pivotsOf(node), workspace.data());
+  double* const Z = workspace.front.get();
+  gather(supernode, Z);
+  double* const L = factor_.data() + panel_begin_[supernode];
+  kernels_.invert(Z, stride, L, stride, frontOf(node), pivotsOf(node), workspace.products.get());
+  std::copy_n(Z, pivotsOf(node) * stride, L);
 
   const auto block = [&](std::size_t row, std::size_t column) {
     return Square(Z + numbersIn(row) + numbersIn(column) * stride, Eigen::OuterStride<>(stride));
   };
   for (std::size_t p = 0; p < node.pivots; ++p) inverse.diagonal[pattern_->order[node.first + p]] = block(p, p);
+  if (inverse.couples.empty()) return;
   for (const Supernode::Entry& entry : node.entries) {
     const Square found = block(entry.row, entry.column);
     if (entry.transposed) {
@@ -422,57 +463,40 @@ BlockCholesky::Numbers BlockCholesky::invert(std::size_t supernode, const double
       inverse.couples[entry.couple] = found;
     }
   }
-  return front;
 }
 
-BlockCholesky::SelectedInverse BlockCholesky::selectedInverse() const {
-  assert(factorized_);
-  SelectedInverse inverse{std::vector<Matrix6d>(size()), std::vector<Matrix6d>(pattern_->couples)};
-  const std::vector<Supernode>& supernodes = pattern_->supernodes;
-  // Parents before their children, a whole subtree before the next, so that the fronts of few are needed at once.
-  std::vector<Numbers> fronts(supernodes.size());
-  const auto invertOne = [&](std::size_t s, std::vector<double>& workspace) {
-    fronts[s] =
-        invert(s, supernodes[s].rows.empty() ? nullptr : fronts[supernodes[s].parent].get(), workspace, inverse);
-    if (supernodes[s].children.empty()) fronts[s].reset();
-  };
-  const auto isLastChild = [&](std::size_t s) {
-    return !supernodes[s].rows.empty() && supernodes[supernodes[s].parent].children.front() == s;
-  };
-  const auto forgetParent = [&](std::size_t s) {
-    if (isLastChild(s)) fronts[supernodes[s].parent].reset();
-  };
-  std::vector<Subtree> waiting;
-  const auto invertWaiting = [&] {
-    inParallel(waiting.size(), [&](std::size_t k) {
-      std::vector<double> workspace;
-      for (std::size_t s = waiting[k].root + 1; s-- > waiting[k].first;) {
-        invertOne(s, workspace);
-        if (s != waiting[k].root) forgetParent(s);
-      }
-    });
-    for (const Subtree& subtree : waiting) forgetParent(subtree.root);
-    waiting.clear();
-  };
-  const std::size_t at_once = subtreesAtOnce();
-  std::vector<double> workspace;
-  std::size_t subtree = subtrees_.size();
-  for (std::size_t s = supernodes.size(); s-- > 0;) {
-    if (subtree > 0 && s == subtrees_[subtree - 1].root) {
-      waiting.push_back(subtrees_[--subtree]);
-      s = waiting.back().first;
-      if (waiting.size() == at_once) invertWaiting();
-    } else {
-      invertOne(s, workspace);
-      const auto waits_for_parent = [&](const Subtree& waits) {
-        return supernodes[waits.root].parent == supernodes[s].parent;
-      };
-      if (isLastChild(s) && std::ranges::any_of(waiting, waits_for_parent)) invertWaiting();
-      forgetParent(s);
-    }
+/// Parents before their children.
+void BlockCholesky::invertDown(std::span<const Subtree> parts, SelectedInverse& inverse) {
+  InverseWorkspace workspace(pattern_->supernodes, parts);
+  for (const Subtree& part : parts) {
+    for (std::size_t s = part.root + 1; s-- > part.first;) invert(s, workspace, inverse);
   }
-  invertWaiting();
+}
+
+void BlockCholesky::takeInverse(SelectedInverse& inverse) {
+  assert(factorized_);
+  factorized_ = false;
+  std::vector<Subtree> above;
+  std::size_t end = pattern_->supernodes.size();
+  for (std::size_t k = subtrees_.size(); k-- > 0;) {
+    if (subtrees_[k].root + 1 < end) above.push_back({subtrees_[k].root + 1, end - 1});
+    end = subtrees_[k].first;
+  }
+  invertDown(above, inverse);
+  inParallel(subtrees_.size(), [&](std::size_t k) { invertDown(std::span(subtrees_).subspan(k, 1), inverse); });
+  factor_ = std::vector<double>();
+}
+
+BlockCholesky::SelectedInverse BlockCholesky::selectedInverse() && {
+  SelectedInverse inverse{std::vector<Matrix6d>(size()), std::vector<Matrix6d>(pattern_->couples)};
+  takeInverse(inverse);
   return inverse;
+}
+
+std::vector<Matrix6d> BlockCholesky::inverseDiagonal() && {
+  SelectedInverse inverse{std::vector<Matrix6d>(size()), {}};
+  takeInverse(inverse);
+  return std::move(inverse.diagonal);
 }
 
 }  // namespace hexoderm

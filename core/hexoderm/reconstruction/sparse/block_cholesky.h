@@ -93,9 +93,13 @@ class BlockCholesky {
   /// Rows in their own order again.
   [[nodiscard]] RightSides inOwnOrder(const RightSides& B) const;
 
-  /// About twice the work of factorize(); needs memory for the dense fronts on one way up the elimination
-  /// tree, and on a way below that for each thread.
-  [[nodiscard]] SelectedInverse selectedInverse() const;
+  /// About twice the work of factorize(). The inverse takes the factor's place, so that it needs no more memory than
+  /// for one dense front per thread: another factorize() is needed afterwards.
+  [[nodiscard]] SelectedInverse selectedInverse() &&;
+  /// Its diagonal blocks alone.
+  [[nodiscard]] std::vector<Matrix6d> inverseDiagonal() &&;
+  /// The same as the first by a copy of the factor.
+  [[nodiscard]] SelectedInverse selectedInverse() const& { return BlockCholesky(*this).selectedInverse(); }
 
  private:
   using Numbers = std::unique_ptr<double[]>;
@@ -112,9 +116,16 @@ class BlockCholesky {
   const double* panel(std::size_t supernode) const { return factor_.data() + panel_begin_[supernode]; }
   void assemble(std::size_t supernode, const Blocks& A);
   bool eliminate(std::size_t supernode, const Blocks& A, std::vector<Numbers>& updates);
-  void gather(std::size_t supernode, const double* parent_front, double* front) const;
-  Numbers invert(std::size_t supernode, const double* parent_front, std::vector<double>& workspace,
-                 SelectedInverse& inverse) const;
+  struct InverseWorkspace {
+    InverseWorkspace(std::span<const Supernode> supernodes, std::span<const Subtree> parts);
+    Numbers front;
+    Numbers products;
+  };
+  void gather(std::size_t supernode, double* front) const;
+  /// Couples are left out where `inverse` has no room for any.
+  void invert(std::size_t supernode, InverseWorkspace& workspace, SelectedInverse& inverse);
+  void invertDown(std::span<const Subtree> parts, SelectedInverse& inverse);
+  void takeInverse(SelectedInverse& inverse);
 
   std::shared_ptr<const SupernodalPattern> pattern_;
   const FrontKernels& kernels_;

@@ -1,5 +1,6 @@
 // One JointSolver for many solutions, and covariances that outlive its factors.
 
+#include "hexoderm/reconstruction/joint/cells_first.h"
 #include "hexoderm/reconstruction/joint/joint_solver.h"
 #include "hexoderm/reconstruction/reconstructor.h"
 #include "tests/core/reconstruction/joint/joint_case.h"
@@ -71,6 +72,8 @@ TEST(LivingJointSolver, CovarianceAtAStateIsThatOfItsEquations) {
       EXPECT_EQ(found->cell(cell), expected.cell(cell));
     }
   }
+  const std::vector<Matrix6d> cells = cellCovariancesAt(example.problem, example.truth);
+  for (std::size_t cell = 0; cell < cells.size(); ++cell) EXPECT_EQ(cells[cell], expected.cell(cell));
 }
 
 TEST(LivingJointSolver, AFactorMadeOnceMoreIsTheSame) {
@@ -99,6 +102,22 @@ TEST(LivingJointSolver, AFactorMadeOnceMoreIsTheSame) {
     });
   }
   for (std::thread& reader : readers) reader.join();
+}
+
+TEST(LivingJointSolver, AFactorThatNobodyElseHasIsUsedUp) {
+  const JointCase example = sheetInPoses(3);
+  const auto problem = std::make_shared<const JointProblem>(example.problem);
+  JointSolver solver;
+  const JointSolution solution = solver.solve(*problem, example.truth);
+  const JointSolution whole = solveJointly(*problem, example.truth);
+  solver.releaseWorkspace();
+  solution.covariance->keepProblemInstead(problem);
+  expectSame(solution, whole, *problem);
+  for (std::size_t link = 0; link < problem->links.size(); ++link) {
+    EXPECT_EQ(solution.covariance->link(link), whole.covariance->link(link));
+  }
+  EXPECT_EQ(solution.covariance->between(3, 9), whole.covariance->between(3, 9));
+  EXPECT_EQ(solution.covariance->force(1), whole.covariance->force(1));
 }
 
 TEST(LivingJointSolver, WhatAResultIsAskedLaterOutlivesTheResultAndItsSkin) {

@@ -46,10 +46,9 @@ Eigen::MatrixXd wholeOf(const JointSolution& solution) {
 }
 
 std::vector<Matrix6d> shapeOf(const JointSolution& solution) {
-  std::vector<Matrix6d> own;
-  for (std::size_t k = 0; k < solution.state.cells.size(); ++k) own.push_back(solution.covariance->cell(k));
-  return shapeCovariancesOf(solution.state.cells, own,
-                            [&](const Eigen::MatrixXd& B) { return solution.covariance->timesCells(B); });
+  return shapeCovariancesOf(
+      solution.state.cells, [&](Eigen::MatrixXd B) { return solution.covariance->timesCells(std::move(B)); },
+      [&](std::size_t cell) { return solution.covariance->cell(cell); });
 }
 
 JointCase x17Case(std::uint64_t seed) {

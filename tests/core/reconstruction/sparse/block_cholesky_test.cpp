@@ -34,6 +34,10 @@ TEST_P(BlockCholeskyGraphs, SolvesAsTheDenseFactorDoes) {
 TEST_P(BlockCholeskyGraphs, InvertsOnThePattern) {
   ASSERT_TRUE(cholesky_.factorize(system_.diagonal, system_.couples));
   const BlockCholesky::SelectedInverse inverse = cholesky_.selectedInverse();
+  EXPECT_TRUE(cholesky_.factorized());
+  EXPECT_EQ(std::move(cholesky_).inverseDiagonal(), inverse.diagonal);
+  EXPECT_FALSE(cholesky_.factorized());
+  EXPECT_TRUE(cholesky_.factorize(system_.diagonal, system_.couples));
   ASSERT_EQ(inverse.diagonal.size(), system_.graph.size);
   ASSERT_EQ(inverse.couples.size(), system_.couples.size());
   const Eigen::MatrixXd A = system_.dense();
