@@ -1846,6 +1846,10 @@ Die Balken sagen, wie sehr sich die gesehenen Richtungen in drei Achsen untersch
         <source>Compare the skin graph (G makes it large) with the skin in front of you.</source>
         <translation>Den Hautgraphen (G macht ihn groß) mit der wirklichen Haut vergleichen.</translation>
     </message>
+    <message>
+        <source>%1 cells are placed for now, and the result is being worked out…</source>
+        <translation>%1 Zellen sind vorläufig platziert, das Ergebnis wird noch berechnet…</translation>
+    </message>
 </context>
 <context>
     <name>hexoderm::GuidePresenter</name>
@@ -2388,12 +2392,12 @@ Die Balken sagen, wie sehr sich die gesehenen Richtungen in drei Achsen untersch
         <translation>von vorher: %1</translation>
     </message>
     <message>
-        <source>first placements: not yet checked, without uncertainty</source>
-        <translation>erste Lagen: noch nicht geprüft, ohne Unsicherheit</translation>
+        <source>preliminary: not fully checked yet, without uncertainty</source>
+        <translation>vorläufig: noch nicht fertig geprüft, ohne Unsicherheit</translation>
     </message>
     <message>
-        <source>first placements</source>
-        <translation>erste Lagen</translation>
+        <source>preliminary</source>
+        <translation>vorläufig</translation>
     </message>
 </context>
 <context>

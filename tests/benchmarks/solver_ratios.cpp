@@ -110,7 +110,7 @@ void placeOnly(const SessionSnapshot& snapshot, const SolverOptions& options, So
                const Reconstruction* earlier = nullptr) {
   std::stop_source enough;
   SolveProgress progress;
-  progress.reportPlacements([&](const auto&) {
+  progress.setPlacementsReport([&](const auto&) {
     if (progress.stage() == by) enough.request_stop();
   });
   reconstruct(snapshot, options, earlier, enough.get_token(), &progress);

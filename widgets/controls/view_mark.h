@@ -7,9 +7,9 @@
 
 namespace hexoderm {
 
-/// Marks a view whose picture is not what it usually is: of this moment, without readings, or from before. A frame
-/// around the view, words at its upper edge, and a veil over a picture that is old. Lies over the view, lets the
-/// mouse through, and is hidden where there is nothing to mark.
+/// Marks a view whose picture is not what it usually is: of this moment, without readings, preliminary, or from
+/// before. A frame around the view, words at its upper edge, and a veil over a picture that is no result of now. Lies
+/// over the view, lets the mouse through, and is hidden where there is nothing to mark.
 class ViewMark : public QWidget {
   Q_OBJECT
 

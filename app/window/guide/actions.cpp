@@ -370,8 +370,9 @@ void WindowActions::refresh(const SessionController& controller, std::optional<i
   const QString nothing = controller.reconstruction() ? QString() : tr("There is nothing to look at yet");
   const bool is_misfit = controller.reconstruction() && worstFinding(*controller.reconstruction()) != nullptr;
   allow(show_finding, is_misfit || !nothing.isEmpty() ? nothing : tr("Nothing was found that does not fit"));
-  for (QAction* action : {find_cell, figures, fit, front, back, side, top, isometric, plot, compare})
-    allow(action, nothing);
+  for (QAction* action : {plot, compare}) allow(action, nothing);
+  const QString no_picture = controller.firstPlacements() ? QString() : nothing;
+  for (QAction* action : {find_cell, figures, fit, front, back, side, top, isometric}) allow(action, no_picture);
   const bool is_stated = controller.reconstruction() && controller.reconstruction()->assessment.position_95_m;
   allow(worst_cell, nothing.isEmpty() && !is_stated ? tr("How certain the cells are is not known yet") : nothing);
   for (QAction* action : {undo, redo}) {

@@ -340,6 +340,10 @@ QString describeAwaited(const SessionController& controller) {
   if (hasFailed(controller)) return Guide::tr("The placements could not be worked out: see the log.");
   if (controller.session()) {
     const int cells = static_cast<int>(controller.session()->neighbors().size());
+    if (controller.firstPlacements()) {
+      return Guide::tr("%1 cells are placed for now, and the result is being worked out…")
+          .arg(QLocale().toString(cells));
+    }
     return cells == 1 ? Guide::tr("The placement of the cell is being worked out…")
                       : Guide::tr("The placements of %1 cells are being worked out…").arg(QLocale().toString(cells));
   }

@@ -94,8 +94,8 @@ void MarkPresenter::refreshMarks() {
     middle = {Tone::Neutral, tr("● Live: the readings of this moment, not the result"), true, false};
     side = {Tone::Neutral, tr("● Live"), true, false};
   } else if (controller_.firstPlacements()) {
-    middle = {Tone::Caution, tr("first placements: not yet checked, without uncertainty"), false, true};
-    side = {Tone::Caution, tr("first placements"), false, true};
+    middle = {Tone::Caution, tr("preliminary: not fully checked yet, without uncertainty"), false, true};
+    side = {Tone::Caution, tr("preliminary"), false, true};
   } else if (isOld()) {
     const auto& poses = controller_.reconstruction()->poses;
     const auto used = static_cast<std::size_t>(std::ranges::count(poses, true, &PoseSummary::enabled));

@@ -11,8 +11,8 @@ class ViewMark;
 class WindowActions;
 class WorkNotice;
 
-/// Says of the pictures when they are not what they usually are (live, without readings, from before), and what is
-/// being done while a result takes long.
+/// Says of the pictures when they are not what they usually are (live, without readings, preliminary, from before), and
+/// what is being done while a result takes long.
 class MarkPresenter : public QObject {
   Q_OBJECT
 

@@ -33,7 +33,7 @@ SessionController::SessionController(QObject* parent)
     }
   });
   connect(&undo_stack_, &QUndoStack::cleanChanged, this, &SessionController::changed);
-  progress_->reportPlacements([this](const auto& placements) { notePlacements(placements); });
+  progress_->setPlacementsReport([this](const auto& placements) { notePlacements(placements); }, kLargeSkin);
   connectParts();
 }
 
@@ -212,20 +212,19 @@ void SessionController::solveAgain() {
 void SessionController::receive(const ReconstructionOutcome& outcome) {
   if (outcome.revision < first_revision_ || outcome.revision <= shown_revision_) return;
   shown_revision_ = outcome.revision;
-  first_placements_.reset();  // those who show them get the result
   if (outcome.reconstruction) {
+    first_placements_.reset();
     reconstruction_ = robot_is_newer_ ? withPlacements(*outcome.reconstruction, *session_) : outcome.reconstruction;
     live_session_.noteResult();
     emit reconstructionChanged(reconstruction_);
   } else {
-    emit firstPlacementsChanged();
+    setFirstPlacements(nullptr);
     emit failed(words(outcome.error));
   }
   emit changed();
 }
 
 void SessionController::notePlacements(const std::shared_ptr<const Reconstruction>& placements) {
-  if (placements->cellCount() < kLargeSkin) return;
   QMetaObject::invokeMethod(
       this,
       [this, placements] {

@@ -42,8 +42,8 @@ class SessionController : public QObject {
   [[nodiscard]] const Session* session() const { return session_.get(); }
   /// The newest result; null until there is one.
   [[nodiscard]] const std::shared_ptr<const Reconstruction>& reconstruction() const { return reconstruction_; }
-  /// While the first result of a large skin is being worked out, its cells as far as they are placed (SolveProgress::
-  /// reportPlacements()): no result yet. Null before and after.
+  /// While the first result of a large skin is being worked out, its cells as far as they are placed
+  /// (SolveProgress::setPlacementsReport()): no result yet. Null before and after.
   [[nodiscard]] const std::shared_ptr<const Reconstruction>& firstPlacements() const { return first_placements_; }
   [[nodiscard]] QUndoStack* undoStack() { return &undo_stack_; }
   [[nodiscard]] bool isEmpty() const { return !session_ && !reconstruction_; }
@@ -95,7 +95,7 @@ class SessionController : public QObject {
   /// Anything about the session, or about one of the parts, changed.
   void changed();
   void reconstructionChanged(std::shared_ptr<const hexoderm::Reconstruction> reconstruction);
-  /// There are other ones; none any more where there is a result, or none will come.
+  /// There are other ones, or none any more; not emitted where reconstructionChanged() takes their place.
   void firstPlacementsChanged();
   /// The session's robot, its joint angles or the places of patches on it changed; reconstruction() holds them, and is
   /// the same otherwise.

@@ -16,7 +16,7 @@ namespace hexoderm {
 ///
 /// `stop`: checked before every step that may take seconds; once it is requested, the result is null.
 ///
-/// `progress`: is told what is being done; may be null.
+/// `progress`: is told what is being done, and where the cells are as soon as they are placed; may be null.
 ///
 /// Throws InvalidArgument for options out of range and for a cell model that CellModel::validate() refuses. Everything
 /// else that can be wrong with a skin or its poses is a finding; no poses, one pose, an empty skin and a single cell

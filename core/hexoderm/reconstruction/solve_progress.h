@@ -18,21 +18,25 @@ enum class SolveStage {
   Figures,   ///< uncertainties, verdict and advice
 };
 
-/// How far one solve is: written by the thread that solves, read by any other. The members are not of one moment, which
-/// is enough for an operator who watches.
+/// How far one solve is: stage and patch are written by the thread that solves, and read by any other. They are not of
+/// one moment, which is enough for an operator who watches.
 class SolveProgress {
  public:
-  /// Is given cells that are placed.
+  /// Is given the cells as far as they are placed, on the thread that solves, which waits for it. Must not throw.
   using Report = std::function<void(std::shared_ptr<const Reconstruction>)>;
 
-  /// From now on `report` is given the cells as soon as they are placed, long before a result of a large skin is
-  /// complete: by the tree, where there is nothing better to start from, and by the joint estimate of the global
-  /// solver. What it gets is a Reconstruction with neither covariances nor findings, estimates of sensors and
-  /// assessment, and with links as their own readings show them; what is found out afterwards may lead to other
-  /// placements. It is called on the thread that solves, which waits for it; must not throw. To be set while nothing is
-  /// being solved.
-  void reportPlacements(Report report) { report_ = std::move(report); }
-  [[nodiscard]] const Report& placementsReport() const { return report_; }  ///< empty: nobody wants to know
+  /// From now on `report` is told of skins of `least_cells` cells or more where their cells are, long before the result
+  /// of a large skin is complete: as the tree has them, if the global solver has no earlier result to start from, and
+  /// each time as the joint estimate has them. What it gets is a Reconstruction without covariances, findings,
+  /// estimates of sensors and an assessment; its links are as the readings of their two cells show them, and gravity is
+  /// the mean of what the cells read. Faults that are found afterwards may lead to other placements. To be set while
+  /// nothing is being solved.
+  void setPlacementsReport(Report report, std::size_t least_cells = 0) {
+    report_ = std::move(report);
+    least_cells_ = least_cells;
+  }
+  /// Empty where nobody wants to know of a skin of so many cells.
+  [[nodiscard]] Report placementsReport(std::size_t cells) const { return cells < least_cells_ ? Report() : report_; }
 
   void enter(SolveStage stage) { stage_.store(stage, std::memory_order_relaxed); }  ///< a stage begins
   /// `patch` of `patches` is being solved; the first is 0.
@@ -51,6 +55,7 @@ class SolveProgress {
 
  private:
   Report report_;
+  std::size_t least_cells_ = 0;
   std::atomic<SolveStage> stage_{SolveStage::Links};
   std::atomic<std::size_t> patch_{0};
   std::atomic<std::size_t> patches_{0};

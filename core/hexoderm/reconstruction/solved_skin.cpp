@@ -71,9 +71,18 @@ Completion solveGlobally(SkinLinks& skin, std::span<const double> weights, const
 
 /// To whoever does not want to wait for the rest.
 void reportPlacements(const SkinLinks& skin, std::span<const PatchSolver> patches, std::span<const double> weights,
-                      const SolveProgress* progress) {
-  if (progress == nullptr || !progress->placementsReport()) return;
-  progress->placementsReport()(describeSkin(skin, describePlacements(skin, patches, weights)));
+                      const std::stop_token& stop, const SolveProgress* progress) {
+  if (progress == nullptr || stop.stop_requested()) return;
+  const SolveProgress::Report report = progress->placementsReport(skin.graph().cells().size());
+  if (report) report(describeSkin(skin, describePlacements(skin, patches, weights)));
+}
+
+/// An earlier result of the global solver has all patches: better than any tree.
+bool areKnown(std::span<const PatchSolver> patches, const SkinLinks& skin, const EarlierPatches& earlier) {
+  return skin.options().solver == Solver::Global && std::ranges::all_of(patches, [&](const PatchSolver& patch) {
+           const auto known = earlier.find(skin.graph().cells()[patch.origin()].id);
+           return known != earlier.end() && patch.canStartFrom(*known->second);
+         });
 }
 
 /// All patches by the chosen solver, again as long as their attitudes show what is no part of them.
@@ -85,13 +94,12 @@ Completion solve(SkinLinks& skin, const EarlierPatches& earlier, const std::stop
     // The paths of every round of the global solver are found with the same weights.
     weights = linkWeights(skin);
     patches = placePatches(skin, weights);
-    // An earlier result of the global solver is better than a tree.
-    if (round == 0 && earlier.empty()) reportPlacements(skin, patches, weights, progress);
+    if (round == 0 && !areKnown(patches, skin, earlier)) reportPlacements(skin, patches, weights, stop, progress);
     if (skin.options().solver == Solver::Global) {
       if (solveGlobally(skin, weights, earlier, stop, progress, patches, findings) == Completion::Stopped) {
         return Completion::Stopped;
       }
-      reportPlacements(skin, patches, weights, progress);
+      reportPlacements(skin, patches, weights, stop, progress);
     }
     if (progress != nullptr) progress->enter(SolveStage::Findings);
     if (round == kRounds || stop.stop_requested() || !attitudes.isolate(patches, findings)) break;

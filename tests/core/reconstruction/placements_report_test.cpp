@@ -36,7 +36,7 @@ SolverOptions optionsFor(Solver solver) {
 class PlacementsReport : public testing::Test {
  protected:
   PlacementsReport() {
-    progress_.reportPlacements([this](auto placements) {
+    progress_.setPlacementsReport([this](auto placements) {
       stages_.push_back(progress_.stage());
       placements_.push_back(std::move(placements));
     });
@@ -102,10 +102,47 @@ TEST_F(PlacementsReport, OfTheTreeIsNotMadeWhereAnEarlierResultIsBetter) {
   const Session session = stillSession(3);
   std::vector<std::shared_ptr<const Reconstruction>> placements;
   SolveProgress progress;
-  progress.reportPlacements([&](auto early) { placements.push_back(std::move(early)); });
+  progress.setPlacementsReport([&](auto early) { placements.push_back(std::move(early)); });
   const auto result = reconstruct(*session.snapshot(), optionsFor(Solver::Global), before.get(), {}, &progress);
   ASSERT_THAT(placements, SizeIs(1));
   expectSamePlacements(*placements[0], *result);
+}
+
+TEST_F(PlacementsReport, OfTheTreeIsMadeWhereTheEarlierResultIsOfAnotherSkinOrNoUse) {
+  const Session session = stillSession(3);
+  const auto before = reconstruct(*session.snapshot());
+  static_cast<void>(reconstruct(*session.snapshot(), optionsFor(Solver::Tree), before.get(), {}, &progress_));
+  EXPECT_THAT(placements_, SizeIs(1)) << "the tree does not start from it";
+  SimulatedSkin other(builtInCellModel("hex-bma150"), {});
+  placements_.clear();
+  static_cast<void>(reconstruct(*simulateSession(other, 3).snapshot(), {}, before.get(), {}, &progress_));
+  EXPECT_THAT(placements_, SizeIs(2));
+}
+
+TEST_F(PlacementsReport, OfPatchesWithFaultsEndsWithThePlacementsOfTheResult) {
+  SimulatedSkinOptions options = SimulatedSkinOptions::robot();
+  options.patch = "sheet:6x6";
+  options.surface = "cylinder:r=0.1";
+  options.seed = 5;
+  options.faults = {{SkinFault::Swapped, CellId(15)}};
+  SimulatedSkin skin(builtInCellModel("hex-bma150"), options);
+  const auto result = reconstruct(*simulateSession(skin, 4).snapshot(), {}, nullptr, {}, &progress_);
+  ASSERT_FALSE(result->findings.empty());
+  EXPECT_GT(placements_.size(), 2U) << "solved again without the fault";
+  expectSamePlacements(*placements_.back(), *result);
+}
+
+TEST_F(PlacementsReport, OfSmallerSkinsThanWereAskedForIsNotMade) {
+  const Session session = stillSession(2);
+  const auto count = [&](std::size_t least_cells) {
+    std::size_t reports = 0;
+    SolveProgress progress;
+    progress.setPlacementsReport([&](const auto&) { ++reports; }, least_cells);
+    static_cast<void>(reconstruct(*session.snapshot(), optionsFor(Solver::Tree), nullptr, {}, &progress));
+    return reports;
+  };
+  EXPECT_EQ(count(30), 1U);
+  EXPECT_EQ(count(31), 0U);
 }
 
 TEST_F(PlacementsReport, ChangesNothingInTheResult) {
@@ -121,7 +158,7 @@ TEST_F(PlacementsReport, ChangesNothingInTheResult) {
 TEST_F(PlacementsReport, WhoeverHasSeenEnoughStopsTheRest) {
   std::stop_source stop;
   SolveProgress progress;
-  progress.reportPlacements([&](const auto&) { stop.request_stop(); });
+  progress.setPlacementsReport([&](const auto&) { stop.request_stop(); });
   EXPECT_EQ(reconstruct(*stillSession(3).snapshot(), {}, nullptr, stop.get_token(), &progress), nullptr);
 }
 
@@ -130,7 +167,7 @@ TEST_F(PlacementsReport, OfASkinWithoutCellsOrPosesIsNoError) {
   empty.model = std::make_shared<const CellModel>(builtInCellModel("hex-bma150"));
   empty.neighbors = std::make_shared<const NeighborList>();
   ASSERT_NE(reconstruct(empty, {}, nullptr, {}, &progress_), nullptr);
-  ASSERT_THAT(placements_, SizeIs(2));
+  ASSERT_THAT(placements_, SizeIs(1)) << "of no cells an earlier result has all";
   EXPECT_EQ(placements_.back()->cellCount(), 0U);
   placements_.clear();
   ASSERT_NE(reconstruct(*stillSession(0).snapshot(), optionsFor(Solver::Tree), nullptr, {}, &progress_), nullptr);

@@ -4,6 +4,7 @@
 #include "hexoderm/device/simulation/simulated_skin.h"
 #include "hexoderm/reconstruction/reconstructor.h"
 #include "hexoderm/session/simulated_session.h"
+#include "hexoderm/util/parallel.h"
 #include "tests/support/matchers.h"
 #include "tests/support/peak_memory.h"
 #include "tests/support/unlinked_cells.h"
@@ -40,6 +41,17 @@ TEST(Size, MemoryGrowsLinearlyWithThePoses) {
   const double half = memoryToSolve_MB(manyPoses(500));
   const double whole = memoryToSolve_MB(manyPoses(1000));
   EXPECT_LT(whole, kLinear * half) << half << " MB and " << whole << " MB";
+}
+
+TEST(Size, TheGlobalSolverTakesLittleMemoryForACell) {
+  const std::size_t before = cores();
+  setCores(1);
+  SimulatedSkinOptions options = SimulatedSkinOptions::robot();
+  options.patch = "sheet:80x80";
+  options.surface = "cylinder:r=0.56";
+  SimulatedSkin skin(builtInCellModel("hex-bma150"), options);
+  EXPECT_LT(memoryToSolve_MB(simulateSession(skin, 3, 10)), 95);
+  setCores(before);
 }
 
 #endif

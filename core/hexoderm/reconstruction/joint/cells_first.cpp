@@ -5,6 +5,7 @@
 #include "hexoderm/util/parallel.h"
 
 #include <Eigen/Cholesky>
+#include <cassert>
 #include <mutex>
 #include <stdexcept>
 #include <utility>
@@ -50,6 +51,7 @@ class BorderedFactor {
 
   /// The step that takes the gradient away.
   void solve(const NormalEquations& equations, Eigen::VectorXd& cells, Eigen::VectorXd& border) const {
+    assert(!finished_);
     Eigen::VectorXd right = factor_.orderedVector(-equations.gradient_cells);
     factor_.solveLower(right);
     border = -equations.gradient_border - border_.matrix().transpose() * right;
@@ -70,7 +72,10 @@ class BorderedFactor {
   }
   /// A^-1 E S^-T, with S S^T = F - E^T A^-1 E: the border's part of the cells' covariance is its outer product. Needs
   /// finish().
-  [[nodiscard]] const RightSides& borderRoot() const { return border_; }
+  [[nodiscard]] const RightSides& borderRoot() const {
+    assert(finished_);
+    return border_;
+  }
   /// The cells' factor, to be used up.
   [[nodiscard]] BlockCholesky&& takeCells() { return std::move(factor_); }
 
@@ -314,15 +319,6 @@ class CellsFirst : public JointSystem {
 }  // namespace
 
 std::unique_ptr<JointSystem> makeCellsFirst() { return std::make_unique<CellsFirst>(); }
-
-std::shared_ptr<const JointInverse> invertCellsFirst(const JointProblem& problem, const NormalEquations& equations) {
-  auto factor = std::make_shared<BorderedFactor>(planOf(problem));
-  factorizeWithLeastDamping([&](double damping) {
-    NormalEquations used = equations;
-    return factor->factorize(used, damping);
-  });
-  return std::make_shared<CellsFirstInverse>(problem, std::move(factor), FactorOrigin{});
-}
 
 std::vector<Matrix6d> cellCovariancesAt(const JointProblem& problem, const JointState& state) {
   BorderedFactor factor(planOf(problem));

@@ -11,11 +11,8 @@ namespace hexoderm {
 /// poses' unknowns and the gap share. For skins of any size in few poses.
 std::unique_ptr<JointSystem> makeCellsFirst();
 
-/// The inverse of given equations. Throws Error if they are not positive definite, which priors prevent.
-std::shared_ptr<const JointInverse> invertCellsFirst(const JointProblem& problem, const NormalEquations& equations);
-
 /// The covariances of all cells at a given state (JointInverse::cell()), by the least memory that they take. Throws
-/// Error as invertCellsFirst() does.
+/// Error if its information matrix is not positive definite, which priors prevent.
 std::vector<Matrix6d> cellCovariancesAt(const JointProblem& problem, const JointState& state);
 
 /// About how many multiplications a step takes.

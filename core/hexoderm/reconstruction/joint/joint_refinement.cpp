@@ -314,24 +314,25 @@ std::optional<JointRefinement::OpenLink> JointRefinement::widestOpen() const {
 
 const SE3& JointRefinement::placementOf(std::size_t cell) const { return solution_.state.cells[localOf(cell)]; }
 const Matrix6d& JointRefinement::covarianceOf(std::size_t cell) const {
-  return finishedCovariance().cell(localOf(cell));
+  finishCovariances();
+  return solution_.covariance->cell(localOf(cell));
 }
 
 const std::vector<Matrix6d>& JointRefinement::shapeCovariances() const {
-  static_cast<void>(finishedCovariance());
+  finishCovariances();
   return shape_;
 }
 
-const JointCovariance& JointRefinement::finishedCovariance() const {
+/// Those of the shape first: they are the last that take the factor, whose memory the rest takes.
+void JointRefinement::finishCovariances() const {
+  if (!shape_.empty()) return;
   const JointCovariance& covariance = *solution_.covariance;
-  if (!shape_.empty()) return covariance;
   const auto times = [&](Eigen::MatrixXd B) {
     Eigen::MatrixXd product = covariance.timesCells(std::move(B));
-    covariance.keepProblemInstead(problem_);  // the last that took the factor, whose memory the rest takes
+    covariance.keepProblemInstead(problem_);
     return product;
   };
   shape_ = shapeCovariancesOf(solution_.state.cells, times, [&](std::size_t cell) { return covariance.cell(cell); });
-  return covariance;
 }
 
 Eigen::Vector3d JointRefinement::correctedReading(std::size_t cell, const Eigen::Vector3d& mean_g) const {
@@ -376,7 +377,7 @@ std::vector<Matrix6d> JointRefinement::covariancesWithAllReadings() const {
 std::shared_ptr<const PlacementCovariance> JointRefinement::placementCovariance(const SkinGraph& graph) const {
   std::vector<CellId> ids;
   for (const std::size_t cell : cells_) ids.push_back(graph.cells()[cell].id);
-  static_cast<void>(finishedCovariance());
+  finishCovariances();
   return std::make_shared<SolvedCovariance>(std::move(ids), solution_.state.cells, solution_.covariance);
 }
 
@@ -417,7 +418,8 @@ Eigen::Matrix3d JointRefinement::linkCovariance(std::size_t link_index) const {
   const JointLink& link = problem_->links[at];
   const std::vector<SE3>& cells = solution_.state.cells;
   const Eigen::Matrix3d R_c_n = cells[link.c].R.transpose() * cells[link.n].R;
-  const JointCovariance& covariance = finishedCovariance();
+  finishCovariances();
+  const JointCovariance& covariance = *solution_.covariance;
   const Matrix6d& mixed = covariance.link(at);
   // d = R_c_n e_n - e_c.
   const Eigen::Matrix3d between = mixed.bottomRightCorner<3, 3>() * R_c_n.transpose();

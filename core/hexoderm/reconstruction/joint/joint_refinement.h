@@ -47,8 +47,9 @@ class JointRefinement {
 
   [[nodiscard]] const SE3& placementOf(std::size_t cell) const;
   [[nodiscard]] const Matrix6d& covarianceOf(std::size_t cell) const;  ///< see CellPlacement::cov_t_r
-  /// See CellPlacement::shape_cov_t_r; per cell, in the order of the patch's cells. Computed, and the factor given
-  /// back, when a covariance of cells or links is first asked for.
+  /// See CellPlacement::shape_cov_t_r; per cell, in the order of the patch's cells. All covariances are computed, and
+  /// the factor is given back, when one of cells or links is first asked for; that is not for several threads at a
+  /// time.
   [[nodiscard]] const std::vector<Matrix6d>& shapeCovariances() const;
   /// A reading (cell frame) freed from the offset, gains and cross-axis sensitivity estimated for its sensor.
   [[nodiscard]] Eigen::Vector3d correctedReading(std::size_t cell, const Eigen::Vector3d& mean_g) const;
@@ -79,8 +80,7 @@ class JointRefinement {
   /// Place of a cell of the graph in the problem.
   [[nodiscard]] std::size_t localOf(std::size_t cell) const;
   [[nodiscard]] CellReading foretold(std::size_t local, std::size_t pose, const JointState& state) const;
-  /// With what is asked of it computed, and the factor given back.
-  [[nodiscard]] const JointCovariance& finishedCovariance() const;
+  void finishCovariances() const;
   void fitSensors();
   void solveWithFreedReadings(const std::stop_token& stop);
   void solveWithSpreads(const JointSolverOptions& options);

@@ -35,8 +35,6 @@ JointOrder cheaperOrder(const JointProblem& problem) {
   return workOfPosesFirst(problem) < workOfCellsFirst(problem) ? JointOrder::PosesFirst : JointOrder::CellsFirst;
 }
 
-JointCovariance::JointCovariance(const JointProblem& problem, const NormalEquations& equations)
-    : inverse_(invertCellsFirst(problem, equations)) {}
 JointCovariance::JointCovariance(std::shared_ptr<const JointInverse> inverse) : inverse_(std::move(inverse)) {}
 JointCovariance::~JointCovariance() = default;
 

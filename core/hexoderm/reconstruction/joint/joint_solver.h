@@ -40,8 +40,6 @@ enum class JointTermination {
 /// it is first asked for.
 class JointCovariance {
  public:
-  /// `equations` at the optimum. Throws Error if they are not positive definite, which priors prevent.
-  JointCovariance(const JointProblem& problem, const NormalEquations& equations);
   explicit JointCovariance(std::shared_ptr<const JointInverse> inverse);
   ~JointCovariance();
   JointCovariance(const JointCovariance&) = delete;
@@ -68,7 +66,8 @@ class JointCovariance {
   /// Computes what is to be asked for often, and gives back the factor, which is most of the memory: between() and
   /// timesCells() make it once more from the problem, the same to the last bit, when they are first called. `problem`:
   /// that of the solution, which must not change any more; it has to keep its model alive. After
-  /// JointSolver::releaseWorkspace() the factor's memory serves for what is computed.
+  /// JointSolver::releaseWorkspace() the factor's memory serves for what is computed: nobody else may ask anything
+  /// while the first call goes on.
   void keepProblemInstead(std::shared_ptr<const JointProblem> problem) const;
 
  private:

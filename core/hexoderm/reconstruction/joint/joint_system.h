@@ -46,7 +46,8 @@ class JointSystem {
   virtual void accept() = 0;
   /// With the diagonal raised by `damping` times itself. False, and no factor: not positive definite.
   virtual bool factorize(double damping) = 0;
-  /// The step that takes the gradient away, by the latest factor. Returns by how much it promises to lower the cost.
+  /// The step that takes the gradient away, by the latest factor; the latest model must have been accepted, or the
+  /// factor made since. Returns by how much it promises to lower the cost.
   virtual double step(Eigen::VectorXd& cells, Eigen::VectorXd& border) const = 0;
   /// From the latest factor, which takes no further step(). While somebody keeps it, the next one is made in other
   /// memory.

@@ -171,6 +171,7 @@ bool AttitudeIsolation::isolate(std::span<const PatchSolver> patches, std::vecto
     OwnAttitudes own = findOwnAttitudes(skin_, patch.cells(), forcesOn(skin_, patch, placements), placements, is_tree);
     bool changed = false;
     if (!searched_) {
+      // Only of a tree they are needed once more.
       const std::vector<AttitudeSuspect> suspects =
           AttitudeSearch(skin_, patch.cells(), is_tree ? own : std::move(own)).suspects();
       const auto fits_no_surface = [](const AttitudeSuspect& suspect) {

@@ -25,7 +25,7 @@ std::vector<Matrix6d> covariancesOf(const PatchSolver& patch) {
   return covariances;
 }
 
-std::vector<Eigen::Vector3d> directionsSeen(const JointRefinement& joint) {
+std::vector<Eigen::Vector3d> forceDirections(const JointRefinement& joint) {
   std::vector<Eigen::Vector3d> seen;
   for (const Eigen::Vector3d& force_o : joint.solution().state.force_o) seen.emplace_back(force_o.normalized());
   return seen;
@@ -57,7 +57,7 @@ std::optional<Forecast> forecastOf(const SkinLinks& skin, std::span<const PatchS
   if (forecast.now.orientation_rad <= kGoodOrientation_rad && forecast.now.position_m <= kGoodPosition_m) {
     return std::nullopt;
   }
-  const PoseAdvice advice = adviseNextPose(skin.model(), directionsSeen(*joint));
+  const PoseAdvice advice = adviseNextPose(skin.model(), forceDirections(*joint));
   forecast.with_pose = worstOf(skin, *largest, joint->covariancesWithPose(advice.up));
   findLackingReadings(skin, *largest, forecast);
   forecast.with_all_readings = forecast.now;

@@ -6,6 +6,7 @@
 #include "hexoderm/util/units.h"
 
 #include <algorithm>
+#include <cassert>
 
 namespace hexoderm {
 namespace {
@@ -71,6 +72,7 @@ std::unique_ptr<JointRefinement> PatchSolver::jointFrom(const PatchReconstructio
 
 Completion PatchSolver::refine(const PatchReconstruction* earlier, const std::stop_token& stop,
                                std::vector<Finding>& findings) {
+  assert(joint_ == nullptr);
   joint_ = jointFrom(earlier);
   joint_->solve(stop);
   if (stop.stop_requested()) return Completion::Stopped;
@@ -98,17 +100,20 @@ Completion PatchSolver::refine(const PatchReconstruction* earlier, const std::st
   return Completion::Finished;
 }
 
-/// Placements of the earlier result, if it had exactly the cells of this patch and the same origin; else the tree's.
+bool PatchSolver::canStartFrom(const PatchReconstruction& earlier) const {
+  const auto id = [&](std::size_t cell) { return skin_.graph().cells()[cell].id; };
+  return earlier.origin == id(origin()) && std::ranges::equal(cells_, earlier.cells, {}, id, &CellPlacement::cell);
+}
+
+/// Of the earlier result if there is one that serves, else the tree's.
 std::vector<SE3> PatchSolver::startingPlacements(const PatchReconstruction* earlier) const {
-  const std::vector<GraphCell>& graph_cells = skin_.graph().cells();
   std::vector<SE3> placements;
-  placements.reserve(placements_.size());
-  for (const TreePlacement& placement : placements_) placements.push_back(placement.T_o_u);
-  const bool is_same =
-      earlier != nullptr && earlier->origin == graph_cells[origin()].id &&
-      std::ranges::equal(
-          cells_, earlier->cells, {}, [&](std::size_t cell) { return graph_cells[cell].id; }, &CellPlacement::cell);
-  for (std::size_t k = 0; is_same && k < cells_.size(); ++k) placements[k] = earlier->cells[k].T_o_u;
+  placements.reserve(cells_.size());
+  if (earlier != nullptr && canStartFrom(*earlier)) {
+    for (const CellPlacement& cell : earlier->cells) placements.push_back(cell.T_o_u);
+  } else {
+    for (const TreePlacement& placement : placements_) placements.push_back(placement.T_o_u);
+  }
   return placements;
 }
 

@@ -25,9 +25,11 @@ class PatchSolver {
   /// The joint estimate. A cell whose readings fit the gravity of all others in no position is left out, with a
   /// finding, and the rest solved again, the worst cell first; its readings are dropped from the skin too, whose edges
   /// are then to be estimated again. `earlier`: this patch in an earlier result of the global solver, to start from if
-  /// it had the same cells and origin; may be null.
+  /// it had the same cells and origin; may be null. To be called once: the tree's placements are gone afterwards.
   [[nodiscard]] Completion refine(const PatchReconstruction* earlier, const std::stop_token& stop,
                                   std::vector<Finding>& findings);
+  /// The patch had exactly these cells in an earlier result, and the same origin.
+  [[nodiscard]] bool canStartFrom(const PatchReconstruction& earlier) const;
   [[nodiscard]] bool droppedCells() const { return dropped_cells_; }
 
   [[nodiscard]] std::size_t patch() const { return patch_; }

@@ -482,6 +482,7 @@ void BlockCholesky::takeInverse(SelectedInverse& inverse) {
     if (subtrees_[k].root + 1 < end) above.push_back({subtrees_[k].root + 1, end - 1});
     end = subtrees_[k].first;
   }
+  if (end > 0) above.push_back({0, end - 1});
   invertDown(above, inverse);
   inParallel(subtrees_.size(), [&](std::size_t k) { invertDown(std::span(subtrees_).subspan(k, 1), inverse); });
   factor_ = std::vector<double>();

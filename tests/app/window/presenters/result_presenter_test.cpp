@@ -61,9 +61,9 @@ TEST_F(ResultPresenterTest, OnlyPicturesShowTheMomentInLiveMode) {
 class LargeSkinTest : public ResultPresenterTest {
  protected:
   /// Opens it, and calls `then` as soon as its cells are placed for the first time.
-  void openLargeSkin(std::function<void()> then) {
+  void openLargeSkin(std::function<void()> then, const std::string& patch = "sheet:45x45") {
     SimulatedSkinOptions options;
-    options.patch = "sheet:45x45";
+    options.patch = patch;
     options.surface = "cylinder:r=0.35";
     SimulatedSkin skin(builtInCellModel("hex-bma150"), options);
     const QString path = pathTo("large.hexo");
@@ -97,10 +97,12 @@ TEST_F(LargeSkinTest, IsSeenAsSoonAsItsCellsArePlaced) {
     EXPECT_EQ(picture_.shown, controller().firstPlacements());
     EXPECT_EQ(table_.shown, nullptr) << "there is no result yet";
     EXPECT_EQ(controller().reconstruction(), nullptr);
-    EXPECT_TRUE(marks().contains("first placements: not yet checked, without uncertainty"));
+    EXPECT_TRUE(marks().contains("preliminary: not fully checked yet, without uncertainty"));
+    EXPECT_EQ(labelText("bannerSentence"), "2,025 cells are placed for now, and the result is being worked out…");
     // Every view can be asked for a cell that no result has yet.
     window_->selection().selectCell(CellId(7));
     window_->showChanges();
+    EXPECT_TRUE(action("actionFit")->isEnabled());
     EXPECT_FALSE(action("actionExport")->isEnabled());
   });
   ASSERT_TRUE(waitForPoses(2));
@@ -114,9 +116,28 @@ TEST_F(LargeSkinTest, IsSeenAsSoonAsItsCellsArePlaced) {
 TEST_F(LargeSkinTest, IsSeenNoMoreOnceTheOperatorGivesUpItsResult) {
   openLargeSkin([this] { controller().cancelSolving(); });
   ASSERT_TRUE(waitUntil([this] { return is_placed_; }));
+  controller().setSolve(ReconstructionWorker::startingFromTheLast());  // which waits for the one that was stopped
+  test::letTurnsPass();                                                // what that has still reported is not shown
   EXPECT_EQ(controller().firstPlacements(), nullptr);
   EXPECT_EQ(picture_.shown, nullptr);
   EXPECT_EQ(marks(), QStringList());
+}
+
+TEST_F(LargeSkinTest, IsSeenNoMoreWhereAnotherSessionIsOpened) {
+  SimulatedSkin other(builtInCellModel("hex-bma150"), {});
+  const QString path = pathTo("other.hexo");
+  writeSessionStore(simulateSession(other, 3, 20), path.toStdString());
+  openLargeSkin([&] { window_->openFile(path); });
+  ASSERT_TRUE(waitForPoses(3));
+  EXPECT_EQ(controller().firstPlacements(), nullptr);
+  EXPECT_EQ(picture_.shown, controller().reconstruction());
+  EXPECT_EQ(marks(), QStringList());
+}
+
+TEST_F(LargeSkinTest, OfFewerCellsIsNotSeenBeforeItsResult) {
+  openLargeSkin([] {}, "sheet:44x45");
+  ASSERT_TRUE(waitForPoses(2));
+  EXPECT_FALSE(is_placed_);
 }
 
 TEST_F(ResultPresenterTest, UntilThereIsAResultEveryViewSaysWhatIsGoingOn) {

@@ -9,6 +9,7 @@
 
 #include <memory>
 #include <thread>
+#include <utility>
 #include <vector>
 
 namespace hexoderm {
@@ -60,12 +61,11 @@ TEST(LivingJointSolver, TheOrderMayChangeBetweenSolutions) {
   }
 }
 
-TEST(LivingJointSolver, CovarianceAtAStateIsThatOfItsEquations) {
+TEST(LivingJointSolver, CovariancesAtAStateAreTheSameInMemoryOfOthers) {
   const JointCase example = sheetInPoses(3);
   JointSolver solver;
-  NormalEquations equations;
-  linearize(example.problem, example.truth, equations);
-  const JointCovariance expected(example.problem, equations);
+  const auto fresh = JointSolver().covarianceAt(example.problem, example.truth);
+  const JointCovariance& expected = *fresh;
   for (int k = 0; k < 2; ++k) {
     const auto found = solver.covarianceAt(example.problem, example.truth);
     for (std::size_t cell = 0; cell < example.problem.cellCount(); ++cell) {
@@ -74,6 +74,32 @@ TEST(LivingJointSolver, CovarianceAtAStateIsThatOfItsEquations) {
   }
   const std::vector<Matrix6d> cells = cellCovariancesAt(example.problem, example.truth);
   for (std::size_t cell = 0; cell < cells.size(); ++cell) EXPECT_EQ(cells[cell], expected.cell(cell));
+}
+
+/// The step from a state, by a factor with this damping.
+std::pair<Eigen::VectorXd, Eigen::VectorXd> stepOf(JointSystem& system, double damping) {
+  std::pair<Eigen::VectorXd, Eigen::VectorXd> step;
+  EXPECT_TRUE(system.factorize(damping));
+  system.step(step.first, step.second);
+  return step;
+}
+
+TEST(LivingJointSolver, AStepAfterARefusedOneIsThatOfTheStateBefore) {
+  constexpr double kDamping = 1e-3;
+  const JointCase example = sheetInPoses(3);
+  JointState refused = example.truth;
+  for (SE3& cell : refused.cells) cell.t *= 1.1;
+  const std::unique_ptr<JointSystem> fresh = makeCellsFirst();
+  fresh->linearize(example.problem, example.truth);
+  fresh->accept();
+  const auto expected = stepOf(*fresh, kDamping);
+  const std::unique_ptr<JointSystem> system = makeCellsFirst();
+  system->linearize(example.problem, example.truth);
+  system->accept();
+  stepOf(*system, 0);
+  system->linearize(example.problem, refused);
+  EXPECT_EQ(stepOf(*system, kDamping), expected);
+  EXPECT_EQ(stepOf(*system, kDamping), expected) << "the diagonal is raised once";
 }
 
 TEST(LivingJointSolver, AFactorMadeOnceMoreIsTheSame) {

@@ -260,6 +260,22 @@ TEST(BlockCholesky, KernelsWithVectorInstructionsGiveTheSame) {
   }
 }
 
+TEST(BlockCholesky, OneSupernodeThatIsTooLargeForASubtreeIsInverted) {
+  Graph graph{"complete", 60, {}};
+  for (std::size_t a = 0; a < graph.size; ++a) {
+    for (std::size_t b = a + 1; b < graph.size; ++b) graph.couples.push_back({a, b});
+  }
+  const System system(shuffled(graph, 6), 9);
+  BlockCholesky cholesky(graph.size, system.graph.couples);
+  ASSERT_TRUE(cholesky.factorize(system.diagonal, system.couples));
+  const Eigen::MatrixXd A = system.dense();
+  const Eigen::MatrixXd Z = A.llt().solve(Eigen::MatrixXd::Identity(A.rows(), A.cols()));
+  const std::vector<Matrix6d> found = std::move(cholesky).inverseDiagonal();
+  for (std::size_t k = 0; k < graph.size; ++k) {
+    EXPECT_THAT(found[k], MatrixNear(Matrix6d(Z.block<6, 6>(6 * k, 6 * k)), 1e-10));
+  }
+}
+
 TEST(BlockCholesky, WidePanelsAreRight) {
   // One supernode of 75 cells, and a ring about it.
   Graph graph = ring(200);
