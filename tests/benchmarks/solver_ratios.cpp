@@ -23,8 +23,10 @@
 
 #include <cmath>
 #include <iostream>
+#include <memory>
 #include <stop_token>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace hexoderm {
@@ -49,11 +51,27 @@ void print(const std::string& what, double ms, double unit_ms) {
             << " ms, " << formatFixed(ms / unit_ms, 3) << '\n';
 }
 
+/// The cells as they are first placed `by` the tree or the joint estimate, and nothing after that.
+std::shared_ptr<const Reconstruction> placeOnly(const SessionSnapshot& snapshot, const SolverOptions& options,
+                                                SolveStage by, const Reconstruction* earlier = nullptr) {
+  std::shared_ptr<const Reconstruction> placed;
+  std::stop_source enough;
+  SolveProgress progress;
+  progress.setPlacementsReport([&](auto placements) {
+    if (progress.stage() != by) return;
+    placed = std::move(placements);
+    enough.request_stop();
+  });
+  reconstruct(snapshot, options, earlier, enough.get_token(), &progress);
+  return placed;
+}
+
 #ifdef HEXODERM_HAS_CERES
-/// The tree's placements, and the forces that the readings mean there.
-JointState stateOfTree(const PatchSolver& patch, const JointProblem& problem) {
+/// Where the global solver starts: the tree's placements, and the forces that the readings mean there.
+JointState stateOfTree(const SessionSnapshot& snapshot, const JointProblem& problem) {
   JointState state;
-  for (const TreePlacement& placement : patch.treePlacements()) state.cells.push_back(placement.T_o_u);
+  const auto tree = placeOnly(snapshot, {}, SolveStage::Links);
+  for (const CellPlacement& cell : tree->patches.front().cells) state.cells.push_back(cell.T_o_u);
   state.force_o.assign(problem.poses, Eigen::Vector3d::Zero());
   state.acceleration_o.assign(problem.poses, Eigen::Vector3d::Zero());
   const Eigen::Matrix3d& R_u_a = problem.model->accelerometer.T_u_a.R;
@@ -69,12 +87,12 @@ JointState stateOfTree(const PatchSolver& patch, const JointProblem& problem) {
 }
 
 /// One cost, one start, one thread, without covariances.
-void compareWithCeres(const SessionSnapshot& snapshot, const SolverOptions& tree, double unit_ms) {
+void compareWithCeres(const SessionSnapshot& snapshot, double unit_ms) {
   const SolverOptions options;
   const std::unique_ptr<const SolvedSkin> solved = solveSkin(snapshot, options);
   const PatchSolver& patch = solved->patches().front();
   const JointProblem& problem = patch.joint()->problem();
-  const JointState start = stateOfTree(solveSkin(snapshot, tree)->patches().front(), problem);
+  const JointState start = stateOfTree(snapshot, problem);
   JointSolverOptions without_covariance;
   without_covariance.covariance = false;
   double cost = 0;
@@ -103,17 +121,6 @@ void compareWithBoost(const SessionSnapshot& snapshot, const SolverOptions& tree
   print("origin", ms, unit_ms);
   std::cout << "  Boost's all pairs take " << formatFixed(boostAllPairs_ms(graph, weights) / ms, 0)
             << " times as long\n";
-}
-
-/// Ends as soon as the cells are placed `by` the tree or the joint estimate.
-void placeOnly(const SessionSnapshot& snapshot, const SolverOptions& options, SolveStage by,
-               const Reconstruction* earlier = nullptr) {
-  std::stop_source enough;
-  SolveProgress progress;
-  progress.setPlacementsReport([&](const auto&) {
-    if (progress.stage() == by) enough.request_stop();
-  });
-  reconstruct(snapshot, options, earlier, enough.get_token(), &progress);
 }
 
 /// By the clock on the wall.
@@ -153,7 +160,7 @@ void compare(std::size_t cells, std::size_t count_of_cores, double unit_ms) {
   }
   compareWithBoost(*snapshot, tree, unit_ms);
 #ifdef HEXODERM_HAS_CERES
-  if (cells <= kMostCellsForCeres) compareWithCeres(*snapshot, tree, unit_ms);
+  if (cells <= kMostCellsForCeres) compareWithCeres(*snapshot, unit_ms);
 #endif
 }
 
