@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 namespace hexoderm {
 namespace {
@@ -18,14 +19,10 @@ Uncertainty95 worseOf(const Uncertainty95& a, const Uncertainty95& b) {
   return {std::max(a.position_m, b.position_m), std::max(a.orientation_rad, b.orientation_rad)};
 }
 
-/// The measured cells, or all where none was measured.
-std::vector<const CellPlacement*> countedCells(const PatchReconstruction& patch) {
-  const auto measured = [](const CellPlacement& cell) { return cell.placed_by == PlacedBy::Samples; };
-  const bool any_measured = std::ranges::any_of(patch.cells, measured);
+std::vector<const CellPlacement*> cellsThatCount(const PatchReconstruction& patch) {
+  const auto measured = [&](std::size_t cell) { return patch.cells[cell].placed_by == PlacedBy::Samples; };
   std::vector<const CellPlacement*> cells;
-  for (const CellPlacement& cell : patch.cells) {
-    if (!any_measured || measured(cell)) cells.push_back(&cell);
-  }
+  for (const std::size_t cell : countedCells(patch.cells.size(), measured)) cells.push_back(&patch.cells[cell]);
   return cells;
 }
 
@@ -286,9 +283,20 @@ const Finding* worstFinding(const Reconstruction& r) {
   return worst;
 }
 
+std::vector<std::size_t> countedCells(std::size_t count, const std::function<bool(std::size_t)>& measured) {
+  std::vector<std::size_t> cells;
+  for (std::size_t cell = 0; cell < count; ++cell) {
+    if (measured(cell)) cells.push_back(cell);
+  }
+  if (!cells.empty()) return cells;
+  cells.resize(count);
+  std::iota(cells.begin(), cells.end(), std::size_t{0});
+  return cells;
+}
+
 Uncertainty95 worstUncertainty(const PatchReconstruction& patch) {
   Uncertainty95 worst;
-  for (const CellPlacement* cell : countedCells(patch)) {
+  for (const CellPlacement* cell : cellsThatCount(patch)) {
     if (cell->cov_t_r && mayBeWorse(*cell->cov_t_r, worst)) worst = worseOf(worst, uncertaintyBy(*cell->cov_t_r));
   }
   return worst;
@@ -307,7 +315,7 @@ std::vector<CellId> worstCells(const Reconstruction& r) {
   const CellPlacement* orientation = nullptr;
   Uncertainty95 worst;
   for (const PatchReconstruction& patch : r.patches) {
-    for (const CellPlacement* cell : countedCells(patch)) {
+    for (const CellPlacement* cell : cellsThatCount(patch)) {
       if (!cell->cov_t_r || !mayBeWorse(*cell->cov_t_r, worst)) continue;
       const Uncertainty95 known = uncertaintyBy(*cell->cov_t_r);
       if (known.position_m > worst.position_m) position = cell;

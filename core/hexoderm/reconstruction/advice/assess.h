@@ -5,6 +5,8 @@
 #include "hexoderm/reconstruction/result/uncertainty.h"
 #include "hexoderm/util/units.h"
 
+#include <cstddef>
+#include <functional>
 #include <optional>
 #include <span>
 #include <vector>
@@ -17,6 +19,8 @@ const Finding* worstFinding(const Reconstruction& reconstruction);
 /// The uncertainty of the worst of the measured cells; cells placed through their links are named by findings of their
 /// own. Of all cells if none was measured.
 Uncertainty95 worstUncertainty(const PatchReconstruction& patch);
+/// Which of `count` cells that counts: those that were measured, or all if none was. `measured`: of each.
+std::vector<std::size_t> countedCells(std::size_t count, const std::function<bool(std::size_t)>& measured);
 /// The worst of covariances as in CellPlacement::cov_t_r.
 Uncertainty95 worstUncertainty(std::span<const Matrix6d> covariances);
 

@@ -165,7 +165,6 @@ class CellsFirstInverse : public JointInverse {
   }
 
   void keepProblemInstead(std::shared_ptr<const JointProblem> problem) const override {
-    if (made_.state.cells.empty()) return;  // of equations that came from elsewhere
     border();
     std::call_once(computed_, [&] { parts_ = compute(givenUpFactor(problem)); });
     const std::lock_guard lock(factor_mutex_);

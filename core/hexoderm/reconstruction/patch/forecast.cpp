@@ -6,15 +6,11 @@
 namespace hexoderm {
 namespace {
 
-/// Uncertainty at the worst measured cell, or at the worst of all where none was measured, if the patch's cells had
-/// these covariances.
+/// Uncertainty at the worst cell that counts if the patch's cells had these covariances.
 Uncertainty95 worstOf(const SkinLinks& skin, const PatchSolver& patch, const std::vector<Matrix6d>& covariances) {
-  const auto measured = [&](std::size_t cell) { return skin.readings().measured(cell); };
-  if (std::ranges::none_of(patch.cells(), measured)) return worstUncertainty(covariances);
+  const auto measured = [&](std::size_t k) { return skin.readings().measured(patch.cells()[k]); };
   std::vector<Matrix6d> counted;
-  for (std::size_t k = 0; k < covariances.size(); ++k) {
-    if (measured(patch.cells()[k])) counted.push_back(covariances[k]);
-  }
+  for (const std::size_t k : countedCells(covariances.size(), measured)) counted.push_back(covariances[k]);
   return worstUncertainty(counted);
 }
 

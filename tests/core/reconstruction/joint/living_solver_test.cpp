@@ -102,12 +102,18 @@ TEST(LivingJointSolver, AStepAfterARefusedOneIsThatOfTheStateBefore) {
   EXPECT_EQ(stepOf(*system, kDamping), expected) << "the diagonal is raised once";
 }
 
-TEST(LivingJointSolver, AFactorMadeOnceMoreIsTheSame) {
-  const JointCase example = sheetInPoses(3);
-  const auto problem = std::make_shared<const JointProblem>(example.problem);
+/// A solution whose factor is given back, and one that keeps its own.
+struct GivenBack {
+  JointCase example = sheetInPoses(3);
+  std::shared_ptr<const JointProblem> problem = std::make_shared<const JointProblem>(example.problem);
   JointSolver solver;
-  const JointSolution solution = solver.solve(*problem, example.truth);
-  const JointSolution whole = solveJointly(*problem, example.truth);
+  JointSolution solution = solver.solve(*problem, example.truth);
+  JointSolution whole = solveJointly(*problem, example.truth);
+};
+
+TEST(LivingJointSolver, AFactorMadeOnceMoreIsTheSame) {
+  GivenBack given;
+  auto& [example, problem, solver, solution, whole] = given;
   solution.covariance->keepProblemInstead(problem);
   // Other solutions take the factor's memory.
   const JointCase other = sheetInPoses(2);
@@ -130,12 +136,9 @@ TEST(LivingJointSolver, AFactorMadeOnceMoreIsTheSame) {
   for (std::thread& reader : readers) reader.join();
 }
 
-TEST(LivingJointSolver, AFactorThatNobodyElseHasIsUsedUp) {
-  const JointCase example = sheetInPoses(3);
-  const auto problem = std::make_shared<const JointProblem>(example.problem);
-  JointSolver solver;
-  const JointSolution solution = solver.solve(*problem, example.truth);
-  const JointSolution whole = solveJointly(*problem, example.truth);
+TEST(LivingJointSolver, WhatIsMadeInTheFactorsOwnMemoryIsTheSame) {
+  GivenBack given;
+  auto& [example, problem, solver, solution, whole] = given;
   solver.releaseWorkspace();
   solution.covariance->keepProblemInstead(problem);
   expectSame(solution, whole, *problem);
