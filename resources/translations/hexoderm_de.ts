@@ -6987,6 +6987,10 @@ Die Balken sagen, wie sehr sich die gesehenen Richtungen in drei Achsen untersch
         <source>a command was sent {} times, and the device is still at it (does it begin anew each time?)</source>
         <translation>ein Befehl wurde {}-mal gesendet, und das Gerät ist noch immer dabei (fängt es jedes Mal von vorne an?)</translation>
     </message>
+    <message>
+        <source>Take the pose again and hold the part stiller: its motion adds to gravity, most of all far from where it is held. If it happens again, check the sensor of the cell, and the scale in which its readings are sent.</source>
+        <translation>Die Pose noch einmal aufnehmen und das Teil ruhiger halten: Seine Bewegung kommt zur Schwerkraft hinzu, am meisten weit weg von der Stelle, an der es gehalten wird. Tritt es wieder auf, den Sensor der Zelle prüfen und die Skala, in der seine Messwerte gesendet werden.</translation>
+    </message>
 </context>
 <context>
     <name>hexoderm::MessageBar</name>

@@ -130,10 +130,13 @@ const auto& adviceTable() {
                     message("The part was still, as the other cells show, and the readings of this one scatter."),
                     message("Check that the cell sits firmly and that its power is steady, and take the poses again."),
                     {RecapturePose, LightCell}},
-      FindingAdvice{WrongNorm,
-                    message("At rest a reading is 1 g long, whatever its direction."),
-                    message("Check the sensor of the cell, and the scale in which its readings are sent."),
-                    {LightCell}},
+      FindingAdvice{
+          WrongNorm,
+          message("At rest a reading is 1 g long, whatever its direction."),
+          message("Take the pose again and hold the part stiller: its motion adds to gravity, most of all far from "
+                  "where it is held. If it happens again, check the sensor of the cell, and the scale in which "
+                  "its readings are sent."),
+          {RecapturePose, LightCell}},
       FindingAdvice{DeadAxis,
                     message("From pose to pose two axes follow gravity, and the third does not."),
                     message("Replace the cell, or leave it as it is: it is less certain than the others then."),
