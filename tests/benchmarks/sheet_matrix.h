@@ -54,9 +54,9 @@ struct SheetProblem {
 struct SheetMatrix {
   using Sparse = Eigen::SparseMatrix<double>;
 
-  std::vector<Matrix6d> diagonal;
+  LargeVector<Matrix6d> diagonal;
   std::vector<BlockCouple> couples;
-  std::vector<Matrix6d> blocks;  ///< per couple
+  LargeVector<Matrix6d> blocks;  ///< per couple
   Eigen::MatrixXd border;
   Sparse lower;  ///< the lower triangle of the same
 

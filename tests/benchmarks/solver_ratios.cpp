@@ -1,9 +1,11 @@
 // Times as ratios that hold on any computer, in one run: the CPU time of the tree and of the global solver in units of
 // 100,000 Eigen::JacobiSVD<Matrix3d>; how many times as long the Boost Graph Library takes to find the origin from all
 // pairs, Eigen and CHOLMOD for the factor of the same matrix, and Ceres for the same cost from the same start. All that
-// on one core; then by how much the tree and the global solver are faster with all that there are.
+// on one core; then by how much the tree and the global solver are faster with all that there are. A hand holds the
+// poses, or, with --still, a table.
 //
-//   build/release/tests/benchmarks/solver_ratios [CELLS...] [--factor | --solve]     (1260 10000; 99856 takes minutes)
+//   build/release/tests/benchmarks/solver_ratios [CELLS...] [--factor | --solve] [--still]
+//   (1260 10000; 99856 takes minutes)
 
 #include "hexoderm/device/simulation/simulated_skin.h"
 #include "hexoderm/graph/origin_search.h"
@@ -36,12 +38,13 @@ constexpr std::size_t kPoses = 3;
 /// Ceres takes minutes beyond that.
 constexpr std::size_t kMostCellsForCeres = 10'000;
 
-Session sheet(std::size_t cells) {
+Session sheet(std::size_t cells, bool hand_held) {
   const auto rows = static_cast<std::size_t>(std::sqrt(static_cast<double>(cells)));
   SimulatedSkinOptions options;
   options.patch = "sheet:" + std::to_string(rows) + "x" + std::to_string(cells / rows);
   options.surface = "cylinder:r=" + formatExact(0.25 * std::sqrt(static_cast<double>(cells) / 1260));
   options.seed = 3;
+  options.hand_held = hand_held;
   SimulatedSkin skin(builtInCellModel("hex-bma150"), options);
   return simulateSession(skin, kPoses);
 }
@@ -138,10 +141,11 @@ void compareCores(const std::string& what, std::size_t count, const Run& run) {
             << " times as fast as on one, " << formatFixed(together_ms, 1) << " ms\n";
 }
 
-void compare(std::size_t cells, std::size_t count_of_cores, double unit_ms) {
-  const Session session = sheet(cells);
+void compare(std::size_t cells, bool hand_held, std::size_t count_of_cores, double unit_ms) {
+  const Session session = sheet(cells, hand_held);
   const auto snapshot = session.snapshot();
-  std::cout << session.neighbors().size() << " cells, " << kPoses << " poses:\n";
+  std::cout << session.neighbors().size() << " cells, " << kPoses
+            << (hand_held ? " poses in a hand:\n" : " still poses:\n");
   SolverOptions tree;
   tree.solver = Solver::Tree;
   print("tree, in memory", least_ms([&] { reconstruct(*snapshot, tree); }), unit_ms);
@@ -173,10 +177,12 @@ int main(int argc, char** argv) {
   std::vector<std::size_t> sizes;
   bool factor = true;
   bool solve = true;
+  bool hand_held = true;
   for (int k = 1; k < argc; ++k) {
     const std::string argument = argv[k];
     factor = factor && argument != "--solve";
     solve = solve && argument != "--factor";
+    hand_held = hand_held && argument != "--still";
     if (!argument.starts_with("--")) sizes.push_back(parseUnsigned(argument, "cells"));
   }
   if (sizes.empty()) sizes = {1260, 10'000};
@@ -186,7 +192,7 @@ int main(int argc, char** argv) {
   std::cout << "CPU time, and in units of 100,000 JacobiSVD<Matrix3d> (" << formatFixed(unit_ms, 1) << " ms)\n";
   for (const std::size_t cells : sizes) {
     const auto rows = static_cast<std::int64_t>(std::sqrt(static_cast<double>(cells)));
-    if (solve) compare(cells, count_of_cores, unit_ms);
+    if (solve) compare(cells, hand_held, count_of_cores, unit_ms);
     std::cout << std::flush;
     if (factor) compareFactors(rows, static_cast<std::int64_t>(cells) / rows);
   }

@@ -27,7 +27,7 @@ std::string nameOfValue(const std::array<std::pair<std::string_view, Value>, Cou
 
 constexpr std::array<std::pair<std::string_view, LengthUnit>, 2> kUnits = {
     {{"mm", LengthUnit::Millimetres}, {"m", LengthUnit::Metres}}};
-constexpr std::array<std::pair<std::string_view, bool>, 2> kLinks = {{{"cell", true}, {"patch", false}}};
+constexpr std::array<std::pair<std::string_view, bool>, 2> kLinkChoices = {{{"cell", true}, {"patch", false}}};
 constexpr std::array<std::pair<std::string_view, UrdfForm>, 3> kForms = {
     {{"alone", UrdfForm::Alone}, {"part", UrdfForm::Part}, {"xacro", UrdfForm::Macro}}};
 
@@ -81,8 +81,8 @@ const std::vector<ExportOptionDescription>& options() {
        OptionKind::Choice,
        {{"cell", message("One for each cell")}, {"patch", message("One for the patch (lighter in RViz)")}},
        with_links,
-       [](const ExportOptions& o) { return nameOfValue(kLinks, o.link_per_cell); },
-       [](ExportOptions& o, const std::string& value) { o.link_per_cell = valueOf(kLinks, value, "links"); }},
+       [](const ExportOptions& o) { return nameOfValue(kLinkChoices, o.link_per_cell); },
+       [](ExportOptions& o, const std::string& value) { o.link_per_cell = valueOf(kLinkChoices, value, "links"); }},
       {"urdf-form",
        message("Form"),
        message("alone: loads by itself; part: to be included in a robot that has the parent link; xacro: a macro for "

@@ -101,8 +101,9 @@ Completion solve(SkinLinks& skin, const EarlierPatches& earlier, const std::stop
       }
       reportPlacements(skin, patches, weights, stop, progress);
     }
+    if (stop.stop_requested()) return Completion::Stopped;
     if (progress != nullptr) progress->enter(SolveStage::Findings);
-    if (round == kRounds || stop.stop_requested() || !attitudes.isolate(patches, findings)) break;
+    if (round == kRounds || !attitudes.isolate(patches, findings)) break;
     skin.estimateEdges();
   }
   if (skin.options().solver == Solver::Global) {

@@ -29,19 +29,33 @@ SensorError kindOfParameter(Eigen::Index index) {
   return of_axis == axis + 1 ? SensorError::Scale : SensorError::CrossAxis;
 }
 
-WeighedEvidence weigh(const SensorEvidence& evidence, const Eigen::VectorXd& prior) {
+namespace {
+
+/// `kParameters`: of all sensors, where the compiler is to know it.
+template <int kParameters>
+WeighedEvidence weighParameters(const SensorEvidence& evidence, const Eigen::VectorXd& prior) {
+  using Matrix = Eigen::Matrix<double, kParameters, kParameters>;
+  using Vector = Eigen::Matrix<double, kParameters, 1>;
   // With L = R R: (M^-1 + L)^-1 = M - M R (1 + R M R)^-1 R M, for singular M and L too.
-  const Eigen::VectorXd root = prior.cwiseSqrt();
-  Eigen::MatrixXd inner = root.asDiagonal() * evidence.information * root.asDiagonal();
+  const Matrix information = evidence.information;
+  const Vector root = prior.cwiseSqrt();
+  Matrix left = root.asDiagonal() * information;
+  Matrix inner = left * root.asDiagonal();
   inner.diagonal().array() += 1;
-  const Eigen::LLT<Eigen::MatrixXd> factor(inner);
-  Eigen::MatrixXd left = root.asDiagonal() * evidence.information;
+  const Eigen::LLT<Matrix> factor(inner);
   factor.matrixL().solveInPlace(left);
-  Eigen::VectorXd right = root.cwiseProduct(evidence.weighted);
+  Vector right = root.cwiseProduct(evidence.weighted);
   factor.matrixL().solveInPlace(right);
-  WeighedEvidence weighed{evidence.information, evidence.weighted - left.transpose() * right};
-  weighed.precision.noalias() -= left.transpose() * left;
-  return weighed;
+  Matrix precision = information;
+  precision.noalias() -= left.transpose() * left;
+  return {precision, evidence.weighted - left.transpose() * right};
+}
+
+}  // namespace
+
+WeighedEvidence weigh(const SensorEvidence& evidence, const Eigen::VectorXd& prior) {
+  return evidence.sensors() == 1 ? weighParameters<kSensorParameters>(evidence, prior)
+                                 : weighParameters<Eigen::Dynamic>(evidence, prior);
 }
 
 Eigen::VectorXd priorVariances(const Accelerometer& accelerometer, std::size_t sensors) {

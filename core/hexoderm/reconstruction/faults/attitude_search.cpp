@@ -81,16 +81,18 @@ double headingOf(const Port& port) { return std::atan2(port.vector_m.y(), port.v
 }  // namespace
 
 AttitudeSearch::AttitudeSearch(const SkinLinks& skin, std::span<const std::size_t> cells, OwnAttitudes own)
-    : skin_(skin), cells_(cells.begin(), cells.end()), own_(std::move(own.cells)), at_(cells_.size()) {
+    : skin_(skin),
+      prior_(skin.model().accelerometer),
+      cells_(cells.begin(), cells.end()),
+      own_(std::move(own.cells)),
+      at_(cells_.size()) {
   for (const PatchForce& force : own.forces) poses_.push_back(force.pose);
   measuring_ = static_cast<double>(std::ranges::count_if(own_, &OwnCell::known));
   findJoints();
   findLimits();
 }
 
-std::size_t AttitudeSearch::placeOf(std::size_t cell) const {
-  return static_cast<std::size_t>(std::ranges::lower_bound(cells_, cell) - cells_.begin());
-}
+std::size_t AttitudeSearch::placeOf(std::size_t cell) const { return skin_.graph().cells()[cell].place; }
 
 /// Headings of the cells' x axes in the sheet laid flat, from one of them.
 std::vector<double> AttitudeSearch::headings() const {
@@ -103,13 +105,16 @@ std::vector<double> AttitudeSearch::headings() const {
     queue.pop_front();
     for (const std::size_t k : graph.linksAt(cell)) {
       const GraphLink& link = graph.links()[k];
-      if (link.muted() || heading[placeOf(link.other(cell))]) continue;
+      if (link.muted()) continue;
+      std::optional<double>& other = heading[placeOf(link.other(cell))];
+      if (other) continue;
       const double yaw = headingOf(skin_.sourcePort(link)) + kPi - headingOf(skin_.targetPort(link));
-      heading[placeOf(link.other(cell))] = *heading[placeOf(cell)] + (link.source == cell ? yaw : -yaw);
+      other = *heading[placeOf(cell)] + (link.source == cell ? yaw : -yaw);
       queue.push_back(link.other(cell));
     }
   }
   std::vector<double> all;
+  all.reserve(heading.size());
   for (const std::optional<double>& of_cell : heading) all.push_back(of_cell.value_or(0));
   return all;
 }
@@ -156,7 +161,18 @@ void AttitudeSearch::expect(const PatchShape& shape) {
   for (Joint& joint : joints_) {
     joint.expected = shape.anglesAt(joint.heading_rad);
     joint.R_c_n = expSO3(joint.axes * joint.expected) * joint.R_nom;
+    compareWithShape(joint);
   }
+}
+
+/// To be called whenever the own attitude of one of its cells has become another.
+void AttitudeSearch::compareWithShape(Joint& joint) const {
+  joint.off = offBy(joint, own_[joint.source], own_[joint.target]);
+}
+
+/// By how much the cells of a link are turned against what the shape says, in the source's frame.
+Eigen::Vector3d AttitudeSearch::offBy(const Joint& joint, const OwnCell& source, const OwnCell& target) {
+  return logSO3(source.R_o_u.transpose() * target.R_o_u * joint.R_c_n.transpose());
 }
 
 Eigen::Matrix3d AttitudeSearch::scatter() const { return sigma_.cwiseAbs2().asDiagonal(); }
@@ -170,6 +186,7 @@ double AttitudeSearch::squaredMisfit(const Joint& joint, const OwnCell& source, 
 /// The links as the own attitudes of their cells show them.
 std::vector<SeenLink> AttitudeSearch::seenLinks() const {
   std::vector<SeenLink> links;
+  links.reserve(joints_.size());
   for (const Joint& joint : joints_) {
     if (!tested(joint)) continue;
     const OwnCell& source = own_[joint.source];
@@ -181,10 +198,9 @@ std::vector<SeenLink> AttitudeSearch::seenLinks() const {
 
 /// A surface's normal turns towards the way that it bends: links twist one way along one direction as much as they
 /// twist the other way across it. A twist that is the same in all directions belongs to no surface.
-std::optional<AttitudeSuspect> AttitudeSearch::judgePatch(std::span<const SeenLink> links) const {
+std::optional<AttitudeSuspect> AttitudeSearch::judgePatch(const PatchShape& shape) const {
   constexpr double kLimit = 5;
   constexpr double kLeast = 4 * kDegree;
-  const PatchShape shape = fitPatchShape(skin_.model(), links, true);
   if (shape.antisymmetric_sigma <= 0) return std::nullopt;
   const double deviate = std::abs(shape.parameters.w()) / shape.antisymmetric_sigma;
   if (deviate < strictness() * kLimit || std::abs(shape.parameters.w()) < kLeast) return std::nullopt;
@@ -219,22 +235,25 @@ AttitudeSearch::Belief AttitudeSearch::beliefBeside(std::size_t place, const Joi
   return belief;
 }
 
+AttitudeSearch::Turn AttitudeSearch::Belief::turn() const {
+  const Eigen::Matrix3d uncertain = covariance();
+  return {uncertain, uncertain * weighted};
+}
+
 /// What the far side of a link says about the cell at the near one.
 AttitudeSearch::Belief AttitudeSearch::along(const Joint& joint, bool to_source) const {
-  const std::size_t near = to_source ? joint.source : joint.target;
   const std::size_t far = to_source ? joint.target : joint.source;
   Belief of_far = ownBelief(far);
   of_far += beliefBeside(far, &joint);
-  const Eigen::Matrix3d covariance_far = of_far.covariance();
+  const Turn turn = of_far.turn();
   const Eigen::Matrix3d& R_c_n = joint.R_c_n;
   const Eigen::Matrix3d R_far_near = to_source ? Eigen::Matrix3d(R_c_n.transpose()) : R_c_n;
   const Eigen::Matrix3d elastomer = joint.axes * scatter() * joint.axes.transpose();
   const Eigen::Matrix3d of_link = to_source ? elastomer : Eigen::Matrix3d(R_c_n.transpose() * elastomer * R_c_n);
-  const Eigen::Vector3d mean = logSO3(own_[near].R_o_u.transpose() * own_[far].R_o_u * R_far_near) +
-                               R_far_near.transpose() * covariance_far * of_far.weighted;
+  const Eigen::Vector3d off = to_source ? joint.off : Eigen::Vector3d(-(R_c_n.transpose() * joint.off));
   Belief belief;
-  belief.information = (of_link + R_far_near.transpose() * covariance_far * R_far_near).inverse();
-  belief.weighted = belief.information * mean;
+  belief.information = (of_link + R_far_near.transpose() * turn.covariance * R_far_near).inverse();
+  belief.weighted = belief.information * (off + R_far_near.transpose() * turn.mean);
   return belief;
 }
 
@@ -261,20 +280,21 @@ void AttitudeSearch::passBeliefs() {
 double AttitudeSearch::strictness() const { return skin_.options().max_misfit / SolverOptions{}.max_misfit; }
 
 /// The angle of a link that is furthest beyond its limit.
-std::optional<AttitudeSuspect> AttitudeSearch::judgeLink(const Joint& joint) const {
+std::optional<AttitudeSuspect> AttitudeSearch::judgeLink(const Joint& joint, const Beside& beside) const {
   constexpr std::array kCodes = {FindingCode::ImplausibleTwist, FindingCode::ImplausibleBend,
                                  FindingCode::ImplausibleYaw};
   // Both cells as all but this link have them.
-  const auto withoutThis = [&](std::size_t place) {
+  const auto withoutThis = [&](std::size_t place, const Belief& others) {
     Belief belief = ownBelief(place);
-    belief += beliefBeside(place, &joint);
+    belief += others;
+    const Turn turn = belief.turn();
     OwnCell all;
-    all.covariance = belief.covariance();
-    all.R_o_u = own_[place].R_o_u * expSO3(all.covariance * belief.weighted);
+    all.covariance = turn.covariance;
+    all.R_o_u = own_[place].R_o_u * expSO3(turn.mean);
     return all;
   };
-  const OwnCell source = withoutThis(joint.source);
-  const OwnCell target = withoutThis(joint.target);
+  const OwnCell source = withoutThis(joint.source, beside.source);
+  const OwnCell target = withoutThis(joint.target, beside.target);
   const Eigen::Vector3d& expected = joint.expected;
   const Turns turns =
       likeliestTurns(anglesOf(joint, source, target) - expected, scatter() + measured(joint, source, target));
@@ -307,15 +327,20 @@ Eigen::Matrix3d AttitudeSearch::ownScatter(std::size_t place) const {
   return links == 0 ? sum : Eigen::Matrix3d((1 - 1 / links) / 2 * sum / links);
 }
 
+/// What all links of a cell say about its attitude.
+AttitudeSearch::Turn AttitudeSearch::turnByLinks(std::size_t place) const {
+  Turn turn = beliefBeside(place, nullptr).turn();
+  turn.covariance += ownScatter(place);
+  return turn;
+}
+
 /// A cell whose own attitude is not what all its links say together. Nothing for one with fewer than two links to say
 /// so.
-std::optional<AttitudeSuspect> AttitudeSearch::judgeCell(std::size_t place) const {
+std::optional<AttitudeSuspect> AttitudeSearch::judgeCell(std::size_t place, const Turn& by_links) const {
   const auto witnesses = std::ranges::count_if(at_[place], [&](std::size_t k) { return tested(joints_[k]); });
   if (witnesses < 2) return std::nullopt;
-  const Belief links = beliefBeside(place, nullptr);
-  const Eigen::Matrix3d of_links = links.covariance();
-  const Eigen::Vector3d turn = of_links * links.weighted;
-  const Eigen::Matrix3d covariance = of_links + ownScatter(place) + own_[place].covariance;
+  const Eigen::Vector3d& turn = by_links.mean;
+  const Eigen::Matrix3d covariance = by_links.covariance + own_[place].covariance;
   const double squared = turn.dot(covariance.ldlt().solve(turn));
   const bool is_turned = Misfit{squared, 3}.deviate() > other_limit_;
   const Turns turns = likeliestTurns(turn, covariance);
@@ -329,23 +354,27 @@ std::optional<AttitudeSuspect> AttitudeSearch::judgeCell(std::size_t place) cons
 }
 
 /// A cell whose readings before and after a pose belong to two attitudes.
-std::optional<AttitudeSuspect> AttitudeSearch::judgeMotion(std::size_t place) const {
+std::optional<AttitudeSuspect> AttitudeSearch::judgeMotion(std::size_t place, const Turn& by_links) const {
   constexpr double kLeastTurn = 2 * kDegree;  // what a cell does in a soft mould
   const OwnCell& own = own_[place];
   if (own.readings.size() < 2) return std::nullopt;
   const Eigen::Matrix3d& R_u_a = skin_.model().accelerometer.T_u_a.R;
+  const Eigen::Matrix3d R_a_o = (own.R_o_u * R_u_a).transpose();
   std::vector<Eigen::Vector3d> v_g;
-  for (const Eigen::Vector3d& f_o : own.f_o) v_g.emplace_back(R_u_a.transpose() * own.R_o_u.transpose() * f_o);
-  const Belief links = beliefBeside(place, nullptr);
-  const Eigen::Matrix3d of_links = links.covariance();
-  const Eigen::Matrix3d information = (of_links + ownScatter(place)).inverse();
-  const AttitudePrior attitude{R_u_a.transpose() * information * R_u_a,
-                               R_u_a.transpose() * information * of_links * links.weighted};
+  v_g.reserve(own.f_o.size());
+  for (const Eigen::Vector3d& f_o : own.f_o) v_g.emplace_back(R_a_o * f_o);
+  const Eigen::Matrix3d information = by_links.covariance.inverse();
+  const Eigen::Vector3d weighted = information * by_links.mean;
   const MotionLimits& limits = motion_limits_.at(own.readings.size());
   // The forces are what all cells agree on, and the cell's own share in them hides as much of its turn.
   const double hidden = measuring_ / std::max(1.0, measuring_ - 1);
-  TurnBetweenPoses turn = findTurn(AccelerometerPrior(skin_.model().accelerometer), own.readings, v_g, attitude,
-                                   limits.of_two_angles / hidden);
+  const double least_gain = limits.of_two_angles / hidden;
+  // No turn explains more than is left to explain, which is little nearly everywhere.
+  const double unexplained =
+      misfitWith(prior_, own.readings, v_g, own.offset_g, own.gain) + weighted.dot(by_links.mean);
+  if (unexplained < least_gain) return std::nullopt;
+  const AttitudePrior attitude{R_u_a.transpose() * information * R_u_a, R_u_a.transpose() * weighted};
+  TurnBetweenPoses turn = findTurn(prior_, own.readings, v_g, attitude, least_gain);
   turn.gain.chi_squared *= hidden;
   const double limit = turn.gain.degrees <= 2 ? limits.of_two_angles : limits.of_three_angles;
   if (!(turn.angle_rad >= kLeastTurn && turn.gain.chi_squared > limit)) return std::nullopt;
@@ -359,24 +388,23 @@ std::optional<AttitudeSuspect> AttitudeSearch::judgeMotion(std::size_t place) co
 
 /// Squared misfit of the own attitudes of two neighbours, together, with what all their links say. `source`, `target`:
 /// whose readings count at the ends of the link.
-double AttitudeSearch::pairMisfit(const Joint& joint, const OwnCell& source, const OwnCell& target) const {
+double AttitudeSearch::pairMisfit(const Joint& joint, const Beside& beside, const OwnCell& source,
+                                  const OwnCell& target) const {
   using Matrix6 = Eigen::Matrix<double, 6, 6>;
   using Vector6 = Eigen::Matrix<double, 6, 1>;
   // The errors (e_source, e_target) of both attitudes as the links have them.
   Matrix6 information = Matrix6::Identity() / kUnknownVariance;
   Vector6 weighted = Vector6::Zero();
-  const auto addBeside = [&](std::size_t place, const OwnCell& own, Eigen::Index at) {
-    const Belief beside = beliefBeside(place, &joint);
-    const Eigen::Matrix3d R_believed = own_[place].R_o_u * expSO3(beside.covariance() * beside.weighted);
-    information.block<3, 3>(at, at) += beside.information;
-    weighted.segment<3>(at) += beside.information * logSO3(own.R_o_u.transpose() * R_believed);
+  const auto addBeside = [&](std::size_t place, const Belief& others, const OwnCell& own, Eigen::Index at) {
+    const Eigen::Matrix3d R_believed = own_[place].R_o_u * expSO3(others.turn().mean);
+    information.block<3, 3>(at, at) += others.information;
+    weighted.segment<3>(at) += others.information * logSO3(own.R_o_u.transpose() * R_believed);
   };
-  addBeside(joint.source, source, 0);
-  addBeside(joint.target, target, 3);
-  const Eigen::Matrix3d& R_c_n = joint.R_c_n;
-  const Eigen::Vector3d off = logSO3(source.R_o_u.transpose() * target.R_o_u * R_c_n.transpose());
+  addBeside(joint.source, beside.source, source, 0);
+  addBeside(joint.target, beside.target, target, 3);
+  const Eigen::Vector3d off = offBy(joint, source, target);
   Eigen::Matrix<double, 3, 6> J;  // of the link's angle, off - e_source + R_c_n e_target
-  J << -Eigen::Matrix3d::Identity(), R_c_n;
+  J << -Eigen::Matrix3d::Identity(), joint.R_c_n;
   const Eigen::Matrix3d precision = joint.axes * scatter().inverse() * joint.axes.transpose();
   information += J.transpose() * precision * J;
   weighted -= J.transpose() * precision * off;
@@ -389,30 +417,25 @@ double AttitudeSearch::pairMisfit(const Joint& joint, const OwnCell& source, con
 }
 
 /// No less than pairMisfit() of the cells' own readings: what it would be if the links' errors were none.
-double AttitudeSearch::mostPairMisfit(const Joint& joint) const {
-  const auto beside = [&](std::size_t place) {
-    const Belief belief = beliefBeside(place, &joint);
-    const Eigen::Vector3d turn = belief.covariance() * belief.weighted;
-    return turn.dot(belief.information * turn);
+double AttitudeSearch::mostPairMisfit(const Joint& joint, const Beside& beside) const {
+  const auto misfitOf = [](const Belief& others) {
+    const Eigen::Vector3d turn = others.turn().mean;
+    return turn.dot(others.information * turn);
   };
-  const OwnCell& source = own_[joint.source];
-  const OwnCell& target = own_[joint.target];
-  const Eigen::Matrix3d& R_c_n = joint.R_c_n;
-  const Eigen::Vector3d off = logSO3(source.R_o_u.transpose() * target.R_o_u * R_c_n.transpose());
-  const Eigen::Vector3d deviations = (joint.axes.transpose() * off).cwiseQuotient(sigma_);
-  return deviations.squaredNorm() + beside(joint.source) + beside(joint.target);
+  const Eigen::Vector3d deviations = (joint.axes.transpose() * joint.off).cwiseQuotient(sigma_);
+  return deviations.squaredNorm() + misfitOf(beside.source) + misfitOf(beside.target);
 }
 
 /// By how much two neighbours fit their links better with each other's readings: the logarithm of the likelihood ratio.
 /// Nothing if that can't be more than `limit`.
-std::optional<double> AttitudeSearch::gainOfSwap(const Joint& joint, double limit) const {
+std::optional<double> AttitudeSearch::gainOfSwap(const Joint& joint, const Beside& beside, double limit) const {
   // With each other's readings the misfit is 0 at least.
-  if (mostPairMisfit(joint) <= 2 * limit) return std::nullopt;
+  if (mostPairMisfit(joint, beside) <= 2 * limit) return std::nullopt;
   const OwnCell& source = own_[joint.source];
   const OwnCell& target = own_[joint.target];
-  const double as_it_is = pairMisfit(joint, source, target);
+  const double as_it_is = pairMisfit(joint, beside, source, target);
   if (as_it_is <= 2 * limit) return std::nullopt;
-  const double gain = (as_it_is - pairMisfit(joint, target, source)) / 2;
+  const double gain = (as_it_is - pairMisfit(joint, beside, target, source)) / 2;
   return gain > limit ? std::optional(gain) : std::nullopt;
 }
 
@@ -437,8 +460,9 @@ std::vector<AttitudeSuspect> AttitudeSearch::candidates() {
   std::vector<AttitudeSuspect> found = foundAmong(joints_.size(), [&](std::size_t k, auto& suspects) {
     const Joint& joint = joints_[k];
     if (!tested(joint)) return;
-    if (const auto suspect = judgeLink(joint)) suspects.push_back(*suspect);
-    if (const std::optional<double> gain = gainOfSwap(joint, swap_limit)) {
+    const Beside beside{beliefBeside(joint.source, &joint), beliefBeside(joint.target, &joint)};
+    if (const auto suspect = judgeLink(joint, beside)) suspects.push_back(*suspect);
+    if (const std::optional<double> gain = gainOfSwap(joint, beside, swap_limit)) {
       AttitudeSuspect suspect{AttitudeSuspect::Kind::Swapped};
       suspect.cell = cells_[joint.source];
       suspect.other = cells_[joint.target];
@@ -449,8 +473,9 @@ std::vector<AttitudeSuspect> AttitudeSearch::candidates() {
   std::ranges::copy(foundAmong(cells_.size(),
                                [&](std::size_t place, auto& suspects) {
                                  if (!own_[place].known) return;
-                                 if (const auto suspect = judgeCell(place)) suspects.push_back(*suspect);
-                                 if (const auto suspect = judgeMotion(place)) suspects.push_back(*suspect);
+                                 const Turn turn = turnByLinks(place);
+                                 if (const auto suspect = judgeCell(place, turn)) suspects.push_back(*suspect);
+                                 if (const auto suspect = judgeMotion(place, turn)) suspects.push_back(*suspect);
                                }),
                     std::back_inserter(found));
   std::ranges::sort(found, std::greater<>(), &AttitudeSuspect::evidence);
@@ -472,6 +497,9 @@ void AttitudeSearch::explain(const AttitudeSuspect& suspect) {
       break;
     case AttitudeSuspect::Kind::Swapped:
       std::swap(own_[placeOf(suspect.cell)], own_[placeOf(suspect.other)]);
+      for (const std::size_t cell : {suspect.cell, suspect.other}) {
+        for (const std::size_t k : at_[placeOf(cell)]) compareWithShape(joints_[k]);
+      }
       break;
     case AttitudeSuspect::Kind::Cell:
     case AttitudeSuspect::Kind::Moved:
@@ -494,8 +522,9 @@ bool isOfTheSame(const AttitudeSuspect& a, const AttitudeSuspect& b) {
 std::vector<AttitudeSuspect> AttitudeSearch::suspects() {
   const std::vector<SeenLink> links = seenLinks();
   if (links.empty()) return {};
-  if (const auto patch = judgePatch(links)) return {*patch};
-  expect(fitPatchShape(skin_.model(), links, false));
+  const PatchShape with_twist = fitPatchShape(skin_.model(), links, true);
+  if (const auto patch = judgePatch(with_twist)) return {*patch};
+  expect(fitPatchShape(skin_.model(), links, false, &with_twist));
   std::vector<AttitudeSuspect> named;
   for (;;) {
     // What is beside a clearer fault may be its work and waits for the next round.

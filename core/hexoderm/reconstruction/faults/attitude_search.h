@@ -59,11 +59,17 @@ class AttitudeSearch {
   [[nodiscard]] std::vector<AttitudeSuspect> suspects();
 
  private:
+  /// A small turn e of a cell, R_true = R exp(e): its most probable value and the covariance about that.
+  struct Turn {
+    Eigen::Matrix3d covariance;
+    Eigen::Vector3d mean;
+  };
   /// What is known of the error e of a cell's own attitude, R_true = R exp(e): information and information times mean.
   struct Belief {
     Eigen::Matrix3d information = Eigen::Matrix3d::Zero();
     Eigen::Vector3d weighted = Eigen::Vector3d::Zero();
     [[nodiscard]] Eigen::Matrix3d covariance() const;
+    [[nodiscard]] Turn turn() const;
     void operator+=(const Belief& other);
   };
   /// A link between two cells with readings; cells by their place in the patch.
@@ -76,9 +82,15 @@ class AttitudeSearch {
     double heading_rad = 0;                               ///< of the link in the sheet laid flat
     Eigen::Vector3d expected = Eigen::Vector3d::Zero();   ///< twist, bend and yaw by the shape
     Eigen::Matrix3d R_c_n = Eigen::Matrix3d::Identity();  ///< at these
+    Eigen::Vector3d off = Eigen::Vector3d::Zero();        ///< offBy() of its cells
     bool open = true;                                     ///< not explained yet
     Belief to_source;                                     ///< what the target's side says about the source
     Belief to_target;
+  };
+  /// What all other links of its cells say about them.
+  struct Beside {
+    Belief source;
+    Belief target;
   };
   /// What a turn between two poses must gain, as a chi-squared.
   struct MotionLimits {
@@ -97,24 +109,29 @@ class AttitudeSearch {
   void passBeliefs();
   [[nodiscard]] Eigen::Matrix3d measured(const Joint& joint, const OwnCell& source, const OwnCell& target) const;
   void expect(const PatchShape& shape);
+  void compareWithShape(Joint& joint) const;
+  [[nodiscard]] static Eigen::Vector3d offBy(const Joint& joint, const OwnCell& source, const OwnCell& target);
   [[nodiscard]] Eigen::Matrix3d scatter() const;
   [[nodiscard]] double squaredMisfit(const Joint& joint, const OwnCell& source, const OwnCell& target) const;
-  [[nodiscard]] std::optional<AttitudeSuspect> judgePatch(std::span<const SeenLink> links) const;
+  [[nodiscard]] std::optional<AttitudeSuspect> judgePatch(const PatchShape& shape) const;
   [[nodiscard]] std::vector<AttitudeSuspect> candidates();
-  [[nodiscard]] std::optional<AttitudeSuspect> judgeLink(const Joint& joint) const;
-  [[nodiscard]] std::optional<AttitudeSuspect> judgeCell(std::size_t place) const;
-  [[nodiscard]] std::optional<AttitudeSuspect> judgeMotion(std::size_t place) const;
+  [[nodiscard]] std::optional<AttitudeSuspect> judgeLink(const Joint& joint, const Beside& beside) const;
+  [[nodiscard]] Turn turnByLinks(std::size_t place) const;
+  [[nodiscard]] std::optional<AttitudeSuspect> judgeCell(std::size_t place, const Turn& by_links) const;
+  [[nodiscard]] std::optional<AttitudeSuspect> judgeMotion(std::size_t place, const Turn& by_links) const;
   void findLimits();
   [[nodiscard]] Eigen::Matrix3d ownScatter(std::size_t place) const;
-  [[nodiscard]] std::optional<double> gainOfSwap(const Joint& joint, double limit) const;
-  [[nodiscard]] double mostPairMisfit(const Joint& joint) const;
-  [[nodiscard]] double pairMisfit(const Joint& joint, const OwnCell& source, const OwnCell& target) const;
+  [[nodiscard]] std::optional<double> gainOfSwap(const Joint& joint, const Beside& beside, double limit) const;
+  [[nodiscard]] double mostPairMisfit(const Joint& joint, const Beside& beside) const;
+  [[nodiscard]] double pairMisfit(const Joint& joint, const Beside& beside, const OwnCell& source,
+                                  const OwnCell& target) const;
   /// Places in the patch of the cells that a suspicion is about.
   [[nodiscard]] std::vector<std::size_t> placesOf(const AttitudeSuspect& suspect) const;
   void explain(const AttitudeSuspect& suspect);
   [[nodiscard]] bool tested(const Joint& joint) const;
 
   const SkinLinks& skin_;
+  AccelerometerPrior prior_;
   std::vector<std::size_t> cells_;  ///< of the graph
   std::vector<OwnCell> own_;        ///< per cell of the patch
   std::vector<std::size_t> poses_;  ///< of the snapshot, per force

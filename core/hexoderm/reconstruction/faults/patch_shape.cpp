@@ -61,13 +61,14 @@ class ShapeFit {
     }
   }
 
-  PatchShape run(bool with_antisymmetric) {
+  PatchShape run(bool with_antisymmetric, const PatchShape* near) {
     constexpr int kRounds = 30;
     constexpr double kSettled_rad = 1e-6;  // far below any scatter
     shape_.sigma = model_sigma_;
+    if (near != nullptr) startFrom(*near);
     for (int round = 0; round < kRounds; ++round) {
       const PatchShape before = shape_;
-      findParameters(with_antisymmetric, round > 0);
+      findParameters(with_antisymmetric, round > 0 || near != nullptr);
       findScatter();
       if ((shape_.parameters - before.parameters).norm() + (shape_.sigma - before.sigma).norm() < kSettled_rad) break;
     }
@@ -82,6 +83,15 @@ class ShapeFit {
     std::array<double, 2> weight{};    ///< of all links that go this way
     std::array<double, 2> pull{};      ///< their angles, weighted
   };
+
+  void startFrom(const PatchShape& near) {
+    shape_ = near;
+    for (Heading& heading : headings_) {
+      for (const std::size_t a : {std::size_t{kTwist}, std::size_t{kBend}}) {
+        heading.expected[a] = heading.rows[a].dot(near.parameters);
+      }
+    }
+  }
 
   void findParameters(bool with_antisymmetric, bool is_robust) {
     for (Heading& heading : headings_) heading.weight = heading.pull = {};
@@ -152,8 +162,9 @@ Eigen::Vector3d PatchShape::anglesAt(double heading_rad) const {
   return {rows[kTwist].dot(parameters), rows[kBend].dot(parameters), 0};
 }
 
-PatchShape fitPatchShape(const CellModel& model, std::span<const SeenLink> links, bool with_antisymmetric) {
-  return ShapeFit(model, links).run(with_antisymmetric);
+PatchShape fitPatchShape(const CellModel& model, std::span<const SeenLink> links, bool with_antisymmetric,
+                         const PatchShape* near) {
+  return ShapeFit(model, links).run(with_antisymmetric, near);
 }
 
 }  // namespace hexoderm

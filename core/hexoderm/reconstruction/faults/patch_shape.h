@@ -37,6 +37,8 @@ struct PatchShape {
 /// The scatter's variance is found by expectation maximisation: of each link's deviation from the shape, that part
 /// counts as scatter which the errors of the readings and of the shape itself don't explain. A link that the readings
 /// show poorly says little about it in this way, and leaves it to the model.
-PatchShape fitPatchShape(const CellModel& model, std::span<const SeenLink> links, bool with_antisymmetric);
+/// `near`: a shape that was found for the same links, to start from; null if there is none.
+PatchShape fitPatchShape(const CellModel& model, std::span<const SeenLink> links, bool with_antisymmetric,
+                         const PatchShape* near = nullptr);
 
 }  // namespace hexoderm

@@ -25,28 +25,16 @@ class BorderedFactor {
   explicit BorderedFactor(std::shared_ptr<const EliminationPlan> plan)
       : plan_(std::move(plan)), factor_(plan_->pattern) {}
 
-  /// With the diagonal raised by `damping` times itself. Of the equations no more than the gradient is there
-  /// afterwards: what comes next needs the memory.
+  /// With the diagonal raised by `damping` times itself. Of the equations no more than the gradient counts afterwards.
   bool factorize(NormalEquations& equations, double damping) {
-    border_ = {};
-    finished_ = false;
-    if (damping > 0) {
-      for (Matrix6d& block : equations.cells) block.diagonal() *= 1 + damping;
-    }
-    std::vector<Matrix6d> sums;
-    if (!factor_.factorize(equations.cells, plan_->couplesOf(equations.links, sums))) return false;
-    equations.cells = std::vector<Matrix6d>();  // "= {}" would keep the memory
-    equations.links = std::vector<Matrix6d>();
-    sums = std::vector<Matrix6d>();
-    border_ = factor_.ordered(equations.border_cells);
-    equations.border_cells.resize(0, 0);
-    factor_.solveLower(border_);
-    Eigen::MatrixXd schur = equations.border;
-    schur.diagonal() *= 1 + damping;
-    if (schur.size() == 0) return true;  // neither a pose nor a gap share to estimate
-    schur.triangularView<Eigen::Lower>() -= border_.gram();
-    schur_.compute(schur);
-    return schur_.info() == Eigen::Success;
+    return factorizeCells(equations, damping) && factorizeBorder(equations, damping);
+  }
+  /// The same of equations that are not needed again: what comes next gets their memory.
+  bool factorizeLast(NormalEquations equations, double damping) {
+    if (!factorizeCells(equations, damping)) return false;
+    equations.cells = LargeVector<Matrix6d>();  // "= {}" would keep the memory
+    equations.links = LargeVector<Matrix6d>();
+    return factorizeBorder(equations, damping);
   }
 
   /// The step that takes the gradient away.
@@ -84,6 +72,27 @@ class BorderedFactor {
   [[nodiscard]] const Eigen::LLT<Eigen::MatrixXd>& schur() const { return schur_; }
 
  private:
+  bool factorizeCells(NormalEquations& equations, double damping) {
+    border_ = {};
+    finished_ = false;
+    if (damping > 0) {
+      for (Matrix6d& block : equations.cells) block.diagonal() *= 1 + damping;
+    }
+    LargeVector<Matrix6d> sums;
+    return factor_.factorize(equations.cells, plan_->couplesOf(equations.links, sums));
+  }
+
+  bool factorizeBorder(const NormalEquations& equations, double damping) {
+    border_ = factor_.ordered(equations.border_cells);
+    factor_.solveLower(border_);
+    Eigen::MatrixXd schur = equations.border;
+    schur.diagonal() *= 1 + damping;
+    if (schur.size() == 0) return true;  // neither a pose nor a gap share to estimate
+    schur.triangularView<Eigen::Lower>() -= border_.gram();
+    schur_.compute(schur);
+    return schur_.info() == Eigen::Success;
+  }
+
   std::shared_ptr<const EliminationPlan> plan_;
   BlockCholesky factor_;
   RightSides border_;      // L^-1 E, with L L^T = A, until finish()
@@ -201,7 +210,9 @@ class CellsFirstInverse : public JointInverse {
       NormalEquations equations;
       linearize(*problem_, made_.state, equations);
       auto again = std::make_shared<BorderedFactor>(plan_);
-      if (!again->factorize(equations, made_.damping)) throw std::logic_error("a factor that was made can't be made");
+      if (!again->factorizeLast(std::move(equations), made_.damping)) {
+        throw std::logic_error("a factor that was made can't be made");
+      }
       factor_ = std::move(again);
     }
     return factor_;
@@ -263,8 +274,8 @@ class CellsFirstInverse : public JointInverse {
   mutable Eigen::MatrixXd border_;
 };
 
-/// Equations are large, so there are those of one state at a time, until a factor takes them: where a candidate is
-/// refused, those of the state before are made once more.
+/// Equations are large, so there are those of one state at a time: where a candidate is refused, those of the state
+/// before are made once more.
 class CellsFirst : public JointSystem {
  public:
   double linearize(const JointProblem& problem, const JointState& candidate) override {
@@ -324,7 +335,7 @@ std::vector<Matrix6d> cellCovariancesAt(const JointProblem& problem, const Joint
   factorizeWithLeastDamping([&](double damping) {
     NormalEquations equations;
     linearize(problem, state, equations);
-    return factor.factorize(equations, damping);
+    return factor.factorizeLast(std::move(equations), damping);
   });
   factor.finish();
   return withBorder(factor.takeCells().inverseDiagonal(), factor.borderRoot(), problem.origin);

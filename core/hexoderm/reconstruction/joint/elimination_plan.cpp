@@ -15,8 +15,8 @@ bool EliminationPlan::fits(const JointProblem& problem) const {
   return true;
 }
 
-std::span<const Matrix6d> EliminationPlan::couplesOf(const std::vector<Matrix6d>& links,
-                                                     std::vector<Matrix6d>& sums) const {
+std::span<const Matrix6d> EliminationPlan::couplesOf(std::span<const Matrix6d> links,
+                                                     LargeVector<Matrix6d>& sums) const {
   if (couples.size() == links.size()) return links;
   sums.assign(couples.size(), Matrix6d::Zero());
   for (std::size_t k = 0; k < links.size(); ++k) {

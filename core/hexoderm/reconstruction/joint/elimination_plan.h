@@ -2,6 +2,7 @@
 
 #include "hexoderm/reconstruction/joint/joint_cost.h"
 #include "hexoderm/reconstruction/sparse/supernodes.h"
+#include "hexoderm/util/large_memory.h"
 
 #include <memory>
 #include <span>
@@ -25,8 +26,7 @@ struct EliminationPlan {
   /// Was made for the same cells and links.
   [[nodiscard]] bool fits(const JointProblem& problem) const;
   /// The blocks per couple, which are made in `sums` where several links join the same cells.
-  [[nodiscard]] std::span<const Matrix6d> couplesOf(const std::vector<Matrix6d>& links,
-                                                    std::vector<Matrix6d>& sums) const;
+  [[nodiscard]] std::span<const Matrix6d> couplesOf(std::span<const Matrix6d> links, LargeVector<Matrix6d>& sums) const;
 };
 
 std::shared_ptr<const EliminationPlan> planElimination(const JointProblem& problem);

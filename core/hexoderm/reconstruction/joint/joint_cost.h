@@ -6,6 +6,7 @@
 #include "hexoderm/reconstruction/accelerometer/accelerometer_fit.h"
 #include "hexoderm/reconstruction/joint/linearize_kernels.h"
 #include "hexoderm/reconstruction/links/gap_share.h"
+#include "hexoderm/util/large_memory.h"
 
 #include <memory>
 #include <optional>
@@ -56,8 +57,8 @@ struct JointState {
 /// Second-order model of the cost about a state (Gauss-Newton), sparse in the cells: every cell has a block of six
 /// (position in the patch frame, then rotation as R exp(d)), every pose and the gap share stand in a dense border.
 struct NormalEquations {
-  std::vector<Matrix6d> cells;     ///< diagonal blocks; the origin's is the identity
-  std::vector<Matrix6d> links;     ///< block (c, n) per link
+  LargeVector<Matrix6d> cells;     ///< diagonal blocks; the origin's is the identity
+  LargeVector<Matrix6d> links;     ///< block (c, n) per link
   Eigen::MatrixXd border_cells;    ///< 6 N x B
   Eigen::MatrixXd border;          ///< B x B
   Eigen::VectorXd gradient_cells;  ///< 6 N

@@ -75,7 +75,7 @@ std::shared_ptr<const JointCovariance> JointSolver::covarianceAt(const JointProb
   return covariance;
 }
 
-bool JointSolver::descend(const JointProblem& problem, Refusal refusal, const JointSolverOptions& options,
+bool JointSolver::descend(const JointProblem& problem, Refusal refusal, End end, const JointSolverOptions& options,
                           JointSolution& solution) {
   // Below this the cost is rounding: residuals of a millionth of a standard deviation.
   constexpr double kNoCost = 1e-14;
@@ -118,10 +118,16 @@ bool JointSolver::descend(const JointProblem& problem, Refusal refusal, const Jo
       const double next_cost = system->linearize(problem, next);
       lowered = next_cost <= solution.cost;  // false for NaN
       settled = lowered && damping == 0 && solution.cost - next_cost <= kLittle * solution.cost;
+      const bool foretold =
+          lowered && damping == 0 && next_cost - (solution.cost - promised) <= options.cost_tolerance * next_cost;
       if (lowered) {
         solution.state = std::move(next);
         system->accept();
         solution.cost = next_cost;
+        if (foretold && end == End::WhereForetold) {
+          solution.termination = JointTermination::Converged;
+          break;
+        }
       } else if (damping == 0) {
         if (refusal == Refusal::Ends && !(promised <= kLittle * solution.cost)) return false;
         crooked = crooked || promised <= kTimesNegligible * negligible(solution.cost);
@@ -162,23 +168,24 @@ JointSolution JointSolver::solve(const JointProblem& problem, const JointState& 
   JointSolution solution;
   solution.state = initial;
   const bool open = closureCost(softened(), initial) > kOpen * static_cast<double>(problem.links.size());
-  const auto descendSoftly = [&](double times, JointSolution& from) {
+  const auto descendSoftly = [&](double times, End end, JointSolution& from) {
     JointSolverOptions roughly = options;
     roughly.cost_tolerance = 1e-2;
     roughly.covariance = false;
     JointProblem soft = softened();
     soft.link_sigma_m = times * problem.link_sigma_m;
-    descend(soft, Refusal::Damps, roughly, from);
+    descend(soft, Refusal::Damps, end, roughly, from);
   };
-  if (open) descendSoftly(kSoftest, solution);
-  if (descend(problem, Refusal::Ends, options, solution)) return solution;
+  if (open) descendSoftly(kSoftest, End::WhereForetold, solution);
+  if (descend(problem, Refusal::Ends, End::AtOptimum, options, solution)) return solution;
   JointSolution staged = solution;
-  if (!open) descendSoftly(kSoftest, staged);
-  for (const double times : kStiffening) descendSoftly(times, staged);
+  // Every stage has to end at its optimum here: what it leaves, stiffer links would refuse.
+  if (!open) descendSoftly(kSoftest, End::AtOptimum, staged);
+  for (const double times : kStiffening) descendSoftly(times, End::AtOptimum, staged);
   solution.iterations = staged.iterations;
   // With gross errors among the readings a quadratic loss may lead away.
   if (jointCost(problem, staged.state) < solution.cost) solution.state = std::move(staged.state);
-  descend(problem, Refusal::Damps, options, solution);
+  descend(problem, Refusal::Damps, End::AtOptimum, options, solution);
   return solution;
 }
 

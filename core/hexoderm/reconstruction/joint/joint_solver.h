@@ -105,8 +105,12 @@ class JointSolver {
     Damps,  ///< a step that does not lower the cost is tried again, damped
     Ends,   ///< ... ends the descent where it stands, if the step promised much
   };
+  enum class End {
+    AtOptimum,
+    WhereForetold,  ///< as soon as a step has lowered the cost by what it promised, but for the tolerance
+  };
   /// False: ended by a refusal, without covariance.
-  bool descend(const JointProblem& problem, Refusal refusal, const JointSolverOptions& options,
+  bool descend(const JointProblem& problem, Refusal refusal, End end, const JointSolverOptions& options,
                JointSolution& solution);
   JointSystem& systemFor(JointOrder order);
 

@@ -49,6 +49,7 @@ Eigen::MatrixXd weightedMotions(const std::vector<SE3>& cells, const Eigen::Vect
 
 /// Differences of nearly equal covariances may come out slightly negative where nothing is left.
 Matrix6d withoutNegatives(const Matrix6d& covariance) {
+  if (covariance.llt().info() == Eigen::Success) return covariance;
   const Eigen::SelfAdjointEigenSolver<Eigen::Matrix<double, 6, 6>> solver(covariance);
   return solver.eigenvectors() * solver.eigenvalues().cwiseMax(0.0).asDiagonal() * solver.eigenvectors().transpose();
 }

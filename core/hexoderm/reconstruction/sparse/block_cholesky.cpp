@@ -71,6 +71,14 @@ void addToParent(const std::vector<Run>& runs, const double* update, Index strid
   }
 }
 
+/// The lower triangle of a matrix of `rows` x `columns`, with whole blocks on the diagonal.
+void clearLower(double* numbers, Index stride, Index rows, Index columns) {
+  for (Index column = 0; column < columns; ++column) {
+    const Index top = column / kBlock * kBlock;
+    std::fill(numbers + column * stride + top, numbers + column * stride + rows, 0.0);
+  }
+}
+
 /// What is above the diagonal becomes what is below it; blocks on the diagonal are whole.
 void mirrorLower(double* numbers, Index stride, Index size) {
   for (Index column = 0; column < size; column += kBlock) {
@@ -124,6 +132,29 @@ bool factorizePanel(const FrontKernels& kernels, double* L, Index stride, Index 
   return true;
 }
 
+/// The columns of a front's pivots in the inverse, some at a time, the last first: those behind them are among the rows
+/// that are known then. Strips of rows side by side.
+void invertFront(const FrontKernels& kernels, double* Z, const double* L, Index stride, Index front, Index pivots,
+                 double* workspace) {
+  constexpr Index kAtOnce = FrontKernels::kMostPivotsAtOnce;
+  constexpr Index kStrip = 4 * kAtOnce;
+  for (Index left = (pivots - 1) / kAtOnce * kAtOnce; left >= 0; left -= kAtOnce) {
+    const Index right = std::min(pivots, left + kAtOnce);
+    const Index below = front - right;
+    kernels.beginInverse(Z, stride, L, stride, front, left, right, workspace);
+    if (below == 0) continue;
+    if (static_cast<double>(below * below) * static_cast<double>(right - left) < kLeastWork) {
+      kernels.inverseBelow(Z, stride, front, left, right, right, front, workspace);
+    } else {
+      inRanges(static_cast<std::size_t>(below), kStrip, [&](std::size_t begin, std::size_t end) {
+        kernels.inverseBelow(Z, stride, front, left, right, right + static_cast<Index>(begin),
+                             right + static_cast<Index>(end), workspace);
+      });
+    }
+    kernels.endInverse(Z, stride, front, left, right, workspace);
+  }
+}
+
 /// How many subtrees are worked on before what is above them: more than cores, for they are not equally large.
 std::size_t subtreesAtOnce() {
   const std::size_t free = freeCores();
@@ -136,7 +167,14 @@ RightSides::RightSides(Index rows, Index columns)
     : rows_(rows),
       columns_(columns),
       width_((columns + 3) / 4 * 4),
-      numbers_(static_cast<std::size_t>(rows * width_ + 2 * kBlock)) {}
+      numbers_(static_cast<std::size_t>(rows * width_ + 2 * kBlock)) {
+  if (columns_ < width_) {
+    for (Index row = 0; row < rows; ++row) {
+      std::fill_n(numbers_.data() + row * width_ + columns_, width_ - columns_, 0.0);
+    }
+  }
+  std::fill(numbers_.end() - 2 * kBlock, numbers_.end(), 0.0);
+}
 
 Matrix6d RightSides::product(std::size_t a, std::size_t b, const FrontKernels& kernels) const {
   Matrix6d product = Matrix6d::Zero();
@@ -218,8 +256,8 @@ BlockCholesky::InverseWorkspace::InverseWorkspace(std::span<const Supernode> sup
       product_size = std::max(product_size, FrontKernels::inverseWorkspace(frontOf(node), pivotsOf(node)));
     }
   }
-  front = std::make_unique_for_overwrite<double[]>(front_size);
-  products = std::make_unique_for_overwrite<double[]>(static_cast<std::size_t>(product_size));
+  front.resize(front_size);
+  products.resize(static_cast<std::size_t>(product_size));
 }
 
 /// The largest subtrees with a small share of the work, or with so little that a thread would not pay.
@@ -248,8 +286,8 @@ void BlockCholesky::findSubtrees() {
 void BlockCholesky::assemble(std::size_t supernode, const Blocks& A) {
   const Supernode& node = pattern_->supernodes[supernode];
   double* const numbers = factor_.data() + panel_begin_[supernode];
-  std::fill(numbers, factor_.data() + panel_begin_[supernode + 1], 0.0);
   const Index stride = panelStride(node);
+  clearLower(numbers, stride, frontOf(node), pivotsOf(node));
   const auto block = [&](std::size_t row, std::size_t column) {
     return Eigen::Map<Eigen::Matrix<double, kBlock, kBlock>, 0, Eigen::OuterStride<>>(
         numbers + numbersIn(row) + numbersIn(column) * stride, Eigen::OuterStride<>(stride));
@@ -271,18 +309,19 @@ bool BlockCholesky::eliminate(std::size_t supernode, const Blocks& A, std::vecto
   const Index stride = panelStride(node);
   assemble(supernode, A);
   double* const L = factor_.data() + panel_begin_[supernode];
-  Numbers update = std::make_unique<double[]>(updateSize(node));
+  Numbers update(updateSize(node));
+  clearLower(update.data(), updateStride(node), rowsOf(node), rowsOf(node));
   std::vector<Run> runs;
   for (const std::size_t child : node.children) {
     const Supernode& below = pattern_->supernodes[child];
     findRuns(below.in_parent, runs);
-    addToParent(runs, updates[child].get(), updateStride(below), node, L, update.get());
-    updates[child].reset();
+    addToParent(runs, updates[child].data(), updateStride(below), node, L, update.data());
+    updates[child] = Numbers();
   }
   if (!factorizePanel(kernels_, L, stride, frontOf(node), pivotsOf(node))) return false;
   if (!node.rows.empty()) {
-    subtractOwnOuter(kernels_, update.get(), updateStride(node), L + pivotsOf(node), stride, rowsOf(node), rowsOf(node),
-                     pivotsOf(node));
+    subtractOwnOuter(kernels_, update.data(), updateStride(node), L + pivotsOf(node), stride, rowsOf(node),
+                     rowsOf(node), pivotsOf(node));
   }
   updates[supernode] = std::move(update);
   return true;
@@ -444,10 +483,10 @@ void BlockCholesky::gather(std::size_t supernode, double* front) const {
 void BlockCholesky::invert(std::size_t supernode, InverseWorkspace& workspace, SelectedInverse& inverse) {
   const Supernode& node = pattern_->supernodes[supernode];
   const Index stride = panelStride(node);
-  double* const Z = workspace.front.get();
+  double* const Z = workspace.front.data();
   gather(supernode, Z);
   double* const L = factor_.data() + panel_begin_[supernode];
-  kernels_.invert(Z, stride, L, stride, frontOf(node), pivotsOf(node), workspace.products.get());
+  invertFront(kernels_, Z, L, stride, frontOf(node), pivotsOf(node), workspace.products.data());
   std::copy_n(Z, pivotsOf(node) * stride, L);
 
   const auto block = [&](std::size_t row, std::size_t column) {
@@ -485,7 +524,7 @@ void BlockCholesky::takeInverse(SelectedInverse& inverse) {
   if (end > 0) above.push_back({0, end - 1});
   invertDown(above, inverse);
   inParallel(subtrees_.size(), [&](std::size_t k) { invertDown(std::span(subtrees_).subspan(k, 1), inverse); });
-  factor_ = std::vector<double>();
+  factor_ = Numbers();
 }
 
 BlockCholesky::SelectedInverse BlockCholesky::selectedInverse() && {

@@ -3,6 +3,7 @@
 #include "hexoderm/geometry/se3.h"
 #include "hexoderm/reconstruction/sparse/front_kernels.h"
 #include "hexoderm/reconstruction/sparse/supernodes.h"
+#include "hexoderm/util/large_memory.h"
 
 #include <cstddef>
 #include <memory>
@@ -19,6 +20,7 @@ class RightSides {
   using ConstView = Eigen::Map<const RowMajor, 0, Eigen::OuterStride<>>;
 
   RightSides() = default;
+  /// With anything in it.
   RightSides(Eigen::Index rows, Eigen::Index columns);
   [[nodiscard]] View matrix() { return {numbers_.data(), rows_, columns_, Eigen::OuterStride<>(width_)}; }
   [[nodiscard]] ConstView matrix() const { return {numbers_.data(), rows_, columns_, Eigen::OuterStride<>(width_)}; }
@@ -36,8 +38,8 @@ class RightSides {
 
   Eigen::Index rows_ = 0;
   Eigen::Index columns_ = 0;
-  Eigen::Index width_ = 0;       ///< of a row with what fills it up
-  std::vector<double> numbers_;  ///< some more than the rows need, for kernels that read ahead
+  Eigen::Index width_ = 0;       ///< of a row with zeros that fill it up
+  LargeVector<double> numbers_;  ///< some more than the rows need, for kernels that read ahead
 };
 
 /// A = L L^T for a sparse symmetric positive definite matrix of 6 x 6 blocks, one block row per cell, its solutions and
@@ -102,7 +104,7 @@ class BlockCholesky {
   [[nodiscard]] SelectedInverse selectedInverse() const& { return BlockCholesky(*this).selectedInverse(); }
 
  private:
-  using Numbers = std::unique_ptr<double[]>;
+  using Numbers = LargeVector<double>;
   struct Blocks {
     std::span<const Matrix6d> diagonal;
     std::span<const Matrix6d> couples;
@@ -133,8 +135,7 @@ class BlockCholesky {
   std::size_t factor_entries_ = 0;
   std::size_t most_rows_ = 0;      ///< below the pivots of a supernode, in numbers
   std::vector<Subtree> subtrees_;  ///< that are worked on side by side, ascending
-  std::vector<double>
-      factor_;  ///< per supernode a panel of (pivots + rows) x pivots blocks; above the diagonal anything
+  Numbers factor_;  ///< per supernode a panel of (pivots + rows) x pivots blocks; above the diagonal anything
   bool factorized_ = false;
 };
 

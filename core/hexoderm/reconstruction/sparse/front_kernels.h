@@ -20,9 +20,17 @@ struct FrontKernels {
   /// (rounded up to a multiple of six).
   void (*subtractOuter)(double* c, Size ldc, const double* a, Size lda, const double* b, Size ldb, Size rows,
                         Size columns, Size depth);
-  /// Z, the inverse of the whole matrix at the rows of a front: both triangles of what belongs to the rows after the
-  /// pivots are known, and the rest follows from the panel L. `workspace`: inverseWorkspace(rows, pivots) numbers.
-  void (*invert)(double* z, Size ldz, const double* panel, Size ld, Size rows, Size pivots, double* workspace);
+  /// Z, the inverse of the whole matrix at the `rows` rows of a front: both triangles of what belongs to the rows from
+  /// `right` on are known, and the pivots from `left` to `right`, kMostPivotsAtOnce at most, follow from the panel L.
+  /// First what they need among themselves. `workspace`, for all three: inverseWorkspace(rows, right - left) numbers.
+  void (*beginInverse)(double* z, Size ldz, const double* panel, Size ld, Size rows, Size left, Size right,
+                       double* workspace);
+  /// Then their rows from `begin` to `end`, in any order and side by side: at or after `right`, and kMostPivotsAtOnce
+  /// or a multiple of that after it, or the last.
+  void (*inverseBelow)(double* z, Size ldz, Size rows, Size left, Size right, Size begin, Size end,
+                       const double* workspace);
+  /// And what these leave, where there are any.
+  void (*endInverse)(double* z, Size ldz, Size rows, Size left, Size right, const double* workspace);
   /// Right-hand sides stand row by row, in the order of elimination: x holds 6 rows per block, `width` numbers each, a
   /// multiple of four. A supernode whose pivots begin with row 6 `first`, and whose further blocks of rows are
   /// `places`, takes its share in L^-1 x, or in L^-T x, for which `workspace` needs 6 `count` x `width` numbers.

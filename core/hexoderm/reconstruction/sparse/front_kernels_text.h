@@ -312,13 +312,13 @@ inline void copyColumns(double* to, Size ld_to, const double* from, Size ld_from
   }
 }
 
-/// C (rows x columns) = -A B, with B of `rows` rows.
-void negativeProduct(double* c, Size ldc, const double* a, Size lda, const double* b, Size ldb, Size rows,
-                     Size columns) {
+/// C (rows x columns) = -A B, with A of `depth` columns.
+void negativeProduct(double* c, Size ldc, const double* a, Size lda, const double* b, Size ldb, Size rows, Size columns,
+                     Size depth) {
   for (Size j = 0; j < columns; ++j) {
     for (Size i = 0; i < rows; i += kLanes) store(c + j * ldc + i, Lanes{});
   }
-  subtractProduct<false>(c, ldc, a, lda, {b, 1, ldb}, kBlock * ldb, rows, columns, rows);
+  subtractProduct<false>(c, ldc, a, lda, {b, 1, ldb}, kBlock * ldb, rows, columns, depth);
 }
 
 inline void transposeInto(double* to, const double* from, Size ld, Size rows, Size columns) {
@@ -327,41 +327,52 @@ inline void transposeInto(double* to, const double* from, Size ld, Size rows, Si
   }
 }
 
-/// With Z = A^-1 and W = L_rp L_pp^-1: Z_rp = -Z_rr W, Z_pp = (L_pp L_pp^T)^-1 - W^T Z_rp. Some pivots at a time, the
-/// last first: those behind them are among the rows r.
-void invert(double* z, Size ldz, const double* panel, Size ld, Size rows, Size pivots, double* workspace) {
-  const Size begin_of_last = (pivots - 1) / kWide * kWide;
-  for (Size left = begin_of_last; left >= 0; left -= kWide) {
-    const Size right = pivots - left < kWide ? pivots : left + kWide;
-    const Size below = rows - right;
-    const Size ldw = FrontKernels::paddedRows(below > right - left ? below : right - left);
-    const double* square = panel + left * ld + left;
-    double* z_pp = z + left * ldz + left;
-    double* z_rp = z + left * ldz + right;
-    // First the columns among themselves, six at a time.
-    for (Size j = right - left - kBlock; j >= 0; j -= kBlock) {
-      const Size after = right - left - j - kBlock;
-      double* column = z_pp + j * ldz + j + kBlock;
-      const Triangle triangle = triangleAt(square + j * ld + j, ld);
-      double* diagonal = z_pp + j * ldz + j;
-      if (after > 0) {
-        copyColumns(workspace, ldw, square + j * ld + j + kBlock, ld, after, kBlock);
-        divide<false>(workspace, ldw, after, triangle);
-        negativeProduct(column, ldz, z_pp + (j + kBlock) * ldz + j + kBlock, ldz, workspace, ldw, after, kBlock);
-      }
-      invertSix(diagonal, ldz, triangle);
-      if (after > 0) {
-        subtractInner(diagonal, ldz, workspace, ldw, column, ldz, kBlock, after);
-        transposeInto(z_pp + (j + kBlock) * ldz + j, column, ldz, after, kBlock);
-      }
+// With Z = A^-1 and W = L_rp L_pp^-1: Z_rp = -Z_rr W, Z_pp = (L_pp L_pp^T)^-1 - W^T Z_rp, for the pivots from `left` to
+// `right` and the rows r behind them. W takes the workspace.
+
+Size workspaceStride(Size rows, Size left, Size right) {
+  const Size below = rows - right;
+  return FrontKernels::paddedRows(below > right - left ? below : right - left);
+}
+
+/// The columns among themselves, six at a time; and W.
+void beginInverse(double* z, Size ldz, const double* panel, Size ld, Size rows, Size left, Size right,
+                  double* workspace) {
+  const Size ldw = workspaceStride(rows, left, right);
+  const double* square = panel + left * ld + left;
+  double* z_pp = z + left * ldz + left;
+  for (Size j = right - left - kBlock; j >= 0; j -= kBlock) {
+    const Size after = right - left - j - kBlock;
+    double* column = z_pp + j * ldz + j + kBlock;
+    const Triangle triangle = triangleAt(square + j * ld + j, ld);
+    double* diagonal = z_pp + j * ldz + j;
+    if (after > 0) {
+      copyColumns(workspace, ldw, square + j * ld + j + kBlock, ld, after, kBlock);
+      divide<false>(workspace, ldw, after, triangle);
+      negativeProduct(column, ldz, z_pp + (j + kBlock) * ldz + j + kBlock, ldz, workspace, ldw, after, kBlock, after);
     }
-    if (below == 0) continue;
-    copyColumns(workspace, ldw, panel + left * ld + right, ld, below, right - left);
-    divideByColumns(workspace, ldw, square, ld, below, right - left);
-    negativeProduct(z_rp, ldz, z + right * ldz + right, ldz, workspace, ldw, below, right - left);
-    subtractInner(z_pp, ldz, workspace, ldw, z_rp, ldz, right - left, below);
-    transposeInto(z + right * ldz + left, z_rp, ldz, below, right - left);
+    invertSix(diagonal, ldz, triangle);
+    if (after > 0) {
+      subtractInner(diagonal, ldz, workspace, ldw, column, ldz, kBlock, after);
+      transposeInto(z_pp + (j + kBlock) * ldz + j, column, ldz, after, kBlock);
+    }
   }
+  copyColumns(workspace, ldw, panel + left * ld + right, ld, rows - right, right - left);
+  divideByColumns(workspace, ldw, square, ld, rows - right, right - left);
+}
+
+void inverseBelow(double* z, Size ldz, Size rows, Size left, Size right, Size begin, Size end,
+                  const double* workspace) {
+  negativeProduct(z + left * ldz + begin, ldz, z + right * ldz + begin, ldz, workspace,
+                  workspaceStride(rows, left, right), end - begin, right - left, rows - right);
+}
+
+void endInverse(double* z, Size ldz, Size rows, Size left, Size right, const double* workspace) {
+  const Size below = rows - right;
+  const double* z_rp = z + left * ldz + right;
+  subtractInner(z + left * ldz + left, ldz, workspace, workspaceStride(rows, left, right), z_rp, ldz, right - left,
+                below);
+  transposeInto(z + right * ldz + left, z_rp, ldz, below, right - left);
 }
 
 void substituteForward(const double* panel, Size ld, Size pivots, std::size_t first, const std::size_t* places,
@@ -480,14 +491,9 @@ void subtractRows(double* c, const double* a, const double* b, Size width) {
   for (Size j = 0; j < kBlock; j += 2) subtractInnerTile(c + j * kBlock, kBlock, a, width, b + j * width, width, width);
 }
 
-constexpr FrontKernels kKernels{factorize,
-                                subtractOuter,
-                                invert,
-                                substituteForward,
-                                substituteBack,
-                                substituteVectorForward,
-                                substituteVectorBack,
-                                subtractRows};
+constexpr FrontKernels kKernels{
+    factorize,      subtractOuter,           beginInverse,         inverseBelow, endInverse, substituteForward,
+    substituteBack, substituteVectorForward, substituteVectorBack, subtractRows};
 
 }  // namespace
 }  // namespace hexoderm

@@ -73,6 +73,21 @@ TEST(SensorEvidence, WeighingIsTheInverseOfTheErrorsCovariance) {
   EXPECT_TRUE(weighed.weighted.isApprox(expected * M.ldlt().solve(evidence.weighted), 1e-8));
 }
 
+TEST(SensorEvidence, SensorsThatNothingJoinsAreWeighedAsEachByItself) {
+  // One sensor and several are computed in different ways.
+  NormalDraw draw(3);
+  const Accelerometer sigmas = accelerometer(0.06, 0, 0.02, 0.005);
+  SensorEvidence both{Eigen::MatrixXd::Zero(24, 24), draw.vector(24)};
+  for (const Eigen::Index at : {0, 12}) both.information.block(at, at, 12, 12) = mixedInformation(12, draw);
+  const WeighedEvidence together = weigh(both, priorVariances(sigmas, 2));
+  for (const Eigen::Index at : {0, 12}) {
+    const WeighedEvidence alone =
+        weigh({both.information.block(at, at, 12, 12), both.weighted.segment(at, 12)}, priorVariances(sigmas, 1));
+    EXPECT_TRUE(alone.precision.isApprox(together.precision.block(at, at, 12, 12), 1e-9));
+    EXPECT_TRUE(alone.weighted.isApprox(together.weighted.segment(at, 12), 1e-9));
+  }
+}
+
 TEST(SensorEvidence, NoPriorLeavesTheInformationAndNoReadingLeavesNothing) {
   NormalDraw draw(2);
   const SensorEvidence evidence{mixedInformation(12, draw), draw.vector(12)};
