@@ -4,8 +4,9 @@
 // on one core; then by how much the tree and the global solver are faster with all that there are. A hand holds the
 // poses, or, with --still, a table.
 //
-//   build/release/tests/benchmarks/solver_ratios [CELLS...] [--factor | --solve] [--still]
-//   (1260 10000; 99856 takes minutes)
+//   build/release/tests/benchmarks/solver_ratios [CELLS...] [--factor | --solve | --global] [--still]
+//
+// CELLS are 1260 10000; 99856 takes minutes. --global is the global solver from scratch alone, for a profiler.
 
 #include "hexoderm/device/simulation/simulated_skin.h"
 #include "hexoderm/graph/origin_search.h"
@@ -168,6 +169,13 @@ void compare(std::size_t cells, bool hand_held, std::size_t count_of_cores, doub
 #endif
 }
 
+/// For some seconds, from scratch.
+void solveAgainAndAgain(const SessionSnapshot& snapshot) {
+  constexpr double kSeconds = 10;
+  const double begin = cpuTime_ms();
+  while (cpuTime_ms() - begin < 1000 * kSeconds) reconstruct(snapshot);
+}
+
 }  // namespace
 }  // namespace hexoderm
 
@@ -177,17 +185,23 @@ int main(int argc, char** argv) {
   std::vector<std::size_t> sizes;
   bool factor = true;
   bool solve = true;
+  bool only_global = false;
   bool hand_held = true;
   for (int k = 1; k < argc; ++k) {
     const std::string argument = argv[k];
     factor = factor && argument != "--solve";
     solve = solve && argument != "--factor";
+    only_global = only_global || argument == "--global";
     hand_held = hand_held && argument != "--still";
     if (!argument.starts_with("--")) sizes.push_back(parseUnsigned(argument, "cells"));
   }
   if (sizes.empty()) sizes = {1260, 10'000};
   const std::size_t count_of_cores = cores();
   setCores(1);
+  if (only_global) {
+    for (const std::size_t cells : sizes) solveAgainAndAgain(*sheet(cells, hand_held).snapshot());
+    return 0;
+  }
   const double unit_ms = yardstick_ms();
   std::cout << "CPU time, and in units of 100,000 JacobiSVD<Matrix3d> (" << formatFixed(unit_ms, 1) << " ms)\n";
   for (const std::size_t cells : sizes) {

@@ -29,6 +29,25 @@ struct LinkResidual {
   Eigen::Matrix3d elastomer_c, elastomer_n;  // rotations only
 };
 
+bool linksBend(const JointProblem& problem) { return problem.gap.sigma.has_value() || problem.gap.mean != 0; }
+
+/// What the gap share moves.
+ArcShift arcOf(const JointProblem& problem, const JointState& state, const JointLink& link, bool derivatives) {
+  if (linksBend(problem)) {
+    const double e = (link.p_c.norm() + link.p_n.norm()) / 2;
+    return arcShift(state.cells[link.c].R * link.p_c.normalized(), state.cells[link.n].R * link.p_n.normalized(), e,
+                    derivatives);
+  }
+  ArcShift none;
+  none.k.setZero();
+  return none;
+}
+
+/// The distance between the end points of a link, less the arc's share.
+Eigen::Vector3d openingOf_m(const JointState& state, const JointLink& link, const ArcShift& arc) {
+  return state.cells[link.n] * link.p_n - state.cells[link.c] * link.p_c - state.gap_share * arc.k;
+}
+
 void evaluateLink(const JointProblem& problem, const JointState& state, const JointLink& link, bool derivatives,
                   LinkResidual& r) {
   const CellModel& model = *problem.model;
@@ -36,17 +55,9 @@ void evaluateLink(const JointProblem& problem, const JointState& state, const Jo
   const SE3& T_n = state.cells[link.n];
   const Eigen::Vector3d u_c = link.p_c.normalized();
   const Eigen::Vector3d u_n = link.p_n.normalized();
-  const double e = (link.p_c.norm() + link.p_n.norm()) / 2;
   const double precision = 1 / problem.link_sigma_m;
-
-  const bool bends = problem.gap.sigma.has_value() || problem.gap.mean != 0;
-  ArcShift arc;
-  if (bends) {
-    arc = arcShift(T_c.R * u_c, T_n.R * u_n, e, derivatives);
-  } else {
-    arc.k.setZero();
-  }
-  r.closure = precision * (T_n * link.p_n - T_c * link.p_c - state.gap_share * arc.k);
+  const ArcShift arc = arcOf(problem, state, link, derivatives);
+  r.closure = precision * openingOf_m(state, link, arc);
 
   const Eigen::Matrix3d R_c_n = T_c.R.transpose() * T_n.R;
   const Eigen::Vector3d w = logSO3(R_c_n * link.R_nom.transpose());
@@ -61,7 +72,7 @@ void evaluateLink(const JointProblem& problem, const JointState& state, const Jo
   r.closure_c.rightCols<3>() = precision * T_c.R * skew(link.p_c);
   r.closure_n.rightCols<3>() = -precision * T_n.R * skew(link.p_n);
   r.closure_s.setZero();
-  if (bends) {
+  if (linksBend(problem)) {
     // d(R u) = -R [u]x d.
     const double share = precision * state.gap_share;
     r.closure_c.rightCols<3>() += share * arc.dk_dUc * T_c.R * skew(u_c);
@@ -321,19 +332,18 @@ double jointCost(const JointProblem& problem, const JointState& state) {
 }
 
 double closureCost(const JointProblem& problem, const JointState& state) {
+  const double precision = 1 / problem.link_sigma_m;
   double cost = 0;
-  LinkResidual residual;
   for (const JointLink& link : problem.links) {
-    evaluateLink(problem, state, link, false, residual);
-    cost += problem.loss.cost(residual.closure.squaredNorm());
+    const Eigen::Vector3d closure = precision * openingOf_m(state, link, arcOf(problem, state, link, false));
+    cost += problem.loss.cost(closure.squaredNorm());
   }
   return cost;
 }
 
 double linkOpening_m(const JointProblem& problem, const JointState& state, std::size_t link) {
-  LinkResidual residual;
-  evaluateLink(problem, state, problem.links[link], false, residual);
-  return residual.closure.norm() * problem.link_sigma_m;
+  const JointLink& at = problem.links[link];
+  return openingOf_m(state, at, arcOf(problem, state, at, false)).norm();
 }
 
 void addLinks(const JointProblem& problem, const JointState& state, Eigen::Index share, NormalEquations& equations,

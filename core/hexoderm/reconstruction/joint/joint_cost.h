@@ -57,9 +57,10 @@ struct JointState {
 /// Second-order model of the cost about a state (Gauss-Newton), sparse in the cells: every cell has a block of six
 /// (position in the patch frame, then rotation as R exp(d)), every pose and the gap share stand in a dense border.
 struct NormalEquations {
-  LargeVector<Matrix6d> cells;     ///< diagonal blocks; the origin's is the identity
-  LargeVector<Matrix6d> links;     ///< block (c, n) per link
-  Eigen::MatrixXd border_cells;    ///< 6 N x B
+  LargeVector<Matrix6d> cells;  ///< diagonal blocks; the origin's is the identity
+  LargeVector<Matrix6d> links;  ///< block (c, n) per link
+  /// 6 N x B; row by row, for what belongs to a cell is made and taken at once.
+  Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor> border_cells;
   Eigen::MatrixXd border;          ///< B x B
   Eigen::VectorXd gradient_cells;  ///< 6 N
   Eigen::VectorXd gradient_border;

@@ -99,7 +99,11 @@ class CellsInLanes {
         border_(6 * columns_ * problem.poses, kernels.lanes),
         border_sums_(columns_ * columns_ * problem.poses * (problem.poses + 1) / 2, kernels.lanes),
         gradient_sums_(columns_ * problem.poses, kernels.lanes),
-        of_lane_(kernels.lanes) {}
+        of_lane_(kernels.lanes) {
+    for (std::size_t pose = 0; pose < problem.poses; ++pose) {
+      for (std::size_t column = 0; column < columns_; ++column) places_.push_back(placeOf(pose, column));
+    }
+  }
 
   std::vector<std::size_t> run() {
     for (std::size_t begin = 0; begin < problem_.cellCount(); begin += kernels_.lanes) {
@@ -166,9 +170,11 @@ class CellsInLanes {
     equations_.cells[cell] += matrix_.get<6, 6>(lane);
     equations_.gradient_cells.segment<6>(row) += gradient_.get<6, 1>(lane);
     const std::size_t width = columns_ * problem_.poses;
-    for (std::size_t column = 0; column < width; ++column) {
-      double* const to = equations_.border_cells.col(placeOf(column / columns_, column % columns_)).data() + row;
-      for (std::size_t j = 0; j < 6; ++j) to[j] += border_(j * width + column, lane);
+    for (std::size_t j = 0; j < 6; ++j) {
+      double* const to = &equations_.border_cells(row + static_cast<Eigen::Index>(j), 0);
+      for (std::size_t column = 0; column < width; ++column) {
+        to[places_[column]] += border_(j * width + column, lane);
+      }
     }
   }
 
@@ -205,6 +211,7 @@ class CellsInLanes {
   LaneSetting setting_;
   LaneArray R_, lever_, y_, precision_;
   LaneArray cost_, matrix_, gradient_, border_, border_sums_, gradient_sums_;
+  std::vector<Eigen::Index> places_;  // in the border, of each column of each pose
   std::vector<std::size_t> of_lane_;  // its cell; the number of cells if there is none
   std::vector<std::size_t> left_;
 };

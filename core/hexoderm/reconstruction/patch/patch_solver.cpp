@@ -126,6 +126,7 @@ std::optional<PatchSolver::BadSensor> PatchSolver::worstSensor(const std::vector
   for (const std::size_t cell : cells_) {
     if (!skin_.readings().measured(cell) || skin_.table().usablePoses(cell).size() < 2) continue;
     if (std::ranges::count(but, cell) > 0) continue;
+    if (joint_->mostMisfitOf(cell).deviate() <= worst_misfit) continue;
     const Misfit found = joint_->misfitOf(cell);
     const double misfit = found.deviate();
     if (misfit <= worst_misfit || found.chi_squared < kLeastTimes * found.degrees) continue;

@@ -358,15 +358,23 @@ bool BlockCholesky::factorize(std::span<const Matrix6d> diagonal, std::span<cons
   return factorized_;
 }
 
-RightSides BlockCholesky::ordered(const MatrixXd& B) const {
-  assert(B.rows() == numbersIn(size()));
+namespace {
+
+template <class Matrix>
+RightSides inOrder(std::span<const std::size_t> order, const Matrix& B) {
+  assert(B.rows() == numbersIn(order.size()));
   RightSides rows(B.rows(), B.cols());
   auto matrix = rows.matrix();
-  for (std::size_t k = 0; k < size(); ++k) {
-    matrix.middleRows<kBlock>(numbersIn(k)) = B.middleRows<kBlock>(numbersIn(pattern_->order[k]));
+  for (std::size_t k = 0; k < order.size(); ++k) {
+    matrix.template middleRows<kBlock>(numbersIn(k)) = B.template middleRows<kBlock>(numbersIn(order[k]));
   }
   return rows;
 }
+
+}  // namespace
+
+RightSides BlockCholesky::ordered(const MatrixXd& B) const { return inOrder(pattern_->order, B); }
+RightSides BlockCholesky::ordered(const RightSides::RowMajor& B) const { return inOrder(pattern_->order, B); }
 
 RightSides BlockCholesky::inOwnOrder(const RightSides& B) const {
   RightSides rows(B.rows_, B.columns_);
@@ -442,7 +450,7 @@ void BlockCholesky::solve(MatrixXd& B) const {
   constexpr Index kAtATime = 48;  // columns that stay in the cache
   for (Index begin = 0; begin < B.cols(); begin += kAtATime) {
     const Index count = std::min(kAtATime, B.cols() - begin);
-    RightSides rows = ordered(B.middleCols(begin, count));
+    RightSides rows = inOrder(pattern_->order, B.middleCols(begin, count));
     solveLower(rows);
     solveUpper(rows);
     B.middleCols(begin, count) = inOwnOrder(rows).matrix();

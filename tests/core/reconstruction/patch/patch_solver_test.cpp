@@ -1,6 +1,8 @@
 #include "hexoderm/reconstruction/patch/patch_solver.h"
 
+#include "hexoderm/device/simulation/simulated_skin.h"
 #include "hexoderm/reconstruction/patch/patch_description.h"
+#include "hexoderm/session/simulated_session.h"
 #include "hexoderm/util/units.h"
 #include "tests/support/matchers.h"
 #include "tests/support/pin_jointed_skin.h"
@@ -70,6 +72,25 @@ TEST_F(PatchSolverTest, RefiningAddsTheJointEstimate) {
   EXPECT_TRUE(described[0].gap_share);
   EXPECT_NE(described[0].covariance, nullptr);
   EXPECT_FALSE(muteOpenLinks(links_, patches, findings_)) << "there is no loop";
+}
+
+TEST_F(PatchSolverTest, NoMisfitIsMoreThanItsQuickBound) {
+  SimulatedSkinOptions options;
+  options.patch = "sheet:5x5";
+  SimulatedSkin skin(builtInCellModel("hex-bma150"), options);
+  const auto snapshot = simulateSession(skin, 3).snapshot();
+  const SolverOptions solver_options;
+  SkinLinks links(*snapshot, solver_options, findings_);
+  links.estimateEdges();
+  PatchSolver patch(links, linkWeights(links), 0);
+  ASSERT_EQ(patch.refine(nullptr, {}, findings_), Completion::Finished);
+  for (const std::size_t cell : patch.cells()) {
+    const Misfit exact = patch.joint()->misfitOf(cell);
+    const Misfit bound = patch.joint()->mostMisfitOf(cell);
+    EXPECT_GT(exact.chi_squared, 0) << cell;
+    EXPECT_GE(bound.chi_squared, exact.chi_squared) << cell;
+    EXPECT_EQ(bound.degrees, exact.degrees) << cell;
+  }
 }
 
 TEST_F(PatchSolverTest, SaysThatItWasStopped) {
