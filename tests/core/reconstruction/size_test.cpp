@@ -50,7 +50,7 @@ TEST(Size, TheGlobalSolverTakesLittleMemoryForACell) {
   options.patch = "sheet:80x80";
   options.surface = "cylinder:r=0.56";
   SimulatedSkin skin(builtInCellModel("hex-bma150"), options);
-  EXPECT_LT(memoryToSolve_MB(simulateSession(skin, 3, 10)), 95);
+  EXPECT_LT(memoryToSolve_MB(simulateSession(skin, 3, 10)), 92);
   setCores(before);
 }
 

@@ -27,14 +27,17 @@ class BorderedFactor {
 
   /// With the diagonal raised by `damping` times itself. Of the equations no more than the gradient counts afterwards.
   bool factorize(NormalEquations& equations, double damping) {
-    return factorizeCells(equations, damping) && factorizeBorder(equations, damping);
+    takeBorder(equations);
+    return factorizeCells(equations, damping) && factorizeBorder(equations.border, damping);
   }
   /// The same of equations that are not needed again: what comes next gets their memory.
   bool factorizeLast(NormalEquations equations, double damping) {
+    takeBorder(equations);
+    equations.border_cells.resize(0, 0);
     if (!factorizeCells(equations, damping)) return false;
     equations.cells = LargeVector<Matrix6d>();  // "= {}" would keep the memory
     equations.links = LargeVector<Matrix6d>();
-    return factorizeBorder(equations, damping);
+    return factorizeBorder(equations.border, damping);
   }
 
   /// The step that takes the gradient away.
@@ -56,7 +59,7 @@ class BorderedFactor {
     auto matrix = border_.matrix();
     if (matrix.cols() > 0) schur_.matrixU().solveInPlace<Eigen::OnTheRight>(matrix);
     factor_.solveUpper(border_);
-    border_ = factor_.inOwnOrder(border_);
+    border_ = factor_.inOwnOrder(std::move(border_));
   }
   /// A^-1 E S^-T, with S S^T = F - E^T A^-1 E: the border's part of the cells' covariance is its outer product. Needs
   /// finish().
@@ -72,9 +75,13 @@ class BorderedFactor {
   [[nodiscard]] const Eigen::LLT<Eigen::MatrixXd>& schur() const { return schur_; }
 
  private:
-  bool factorizeCells(NormalEquations& equations, double damping) {
-    border_ = {};
+  void takeBorder(const NormalEquations& equations) {
+    border_ = {};  // before there is another
+    border_ = factor_.ordered(equations.border_cells);
     finished_ = false;
+  }
+
+  bool factorizeCells(NormalEquations& equations, double damping) {
     if (damping > 0) {
       for (Matrix6d& block : equations.cells) block.diagonal() *= 1 + damping;
     }
@@ -82,10 +89,8 @@ class BorderedFactor {
     return factor_.factorize(equations.cells, plan_->couplesOf(equations.links, sums));
   }
 
-  bool factorizeBorder(const NormalEquations& equations, double damping) {
-    border_ = factor_.ordered(equations.border_cells);
+  bool factorizeBorder(Eigen::MatrixXd schur, double damping) {
     factor_.solveLower(border_);
-    Eigen::MatrixXd schur = equations.border;
     schur.diagonal() *= 1 + damping;
     if (schur.size() == 0) return true;  // neither a pose nor a gap share to estimate
     schur.triangularView<Eigen::Lower>() -= border_.gram();

@@ -376,14 +376,23 @@ RightSides inOrder(std::span<const std::size_t> order, const Matrix& B) {
 RightSides BlockCholesky::ordered(const MatrixXd& B) const { return inOrder(pattern_->order, B); }
 RightSides BlockCholesky::ordered(const RightSides::RowMajor& B) const { return inOrder(pattern_->order, B); }
 
-RightSides BlockCholesky::inOwnOrder(const RightSides& B) const {
-  RightSides rows(B.rows_, B.columns_);
+RightSides BlockCholesky::inOwnOrder(RightSides B) const {
   const Index block = kBlock * B.width_;
-  for (std::size_t k = 0; k < size(); ++k) {
-    std::copy_n(B.numbers_.data() + static_cast<Index>(k) * block, block,
-                rows.numbers_.data() + static_cast<Index>(pattern_->order[k]) * block);
+  const auto rowsAt = [&](std::size_t place) { return B.numbers_.begin() + static_cast<Index>(place) * block; };
+  std::vector<double> moving(static_cast<std::size_t>(block));
+  std::vector<bool> moved(size(), false);
+  for (std::size_t first = 0; first < size(); ++first) {
+    if (moved[first]) continue;
+    // Each of a cycle to where the next one was.
+    std::copy_n(rowsAt(first), block, moving.begin());
+    std::size_t place = first;
+    do {
+      place = pattern_->order[place];
+      std::swap_ranges(moving.begin(), moving.end(), rowsAt(place));
+      moved[place] = true;
+    } while (place != first);
   }
-  return rows;
+  return B;
 }
 
 void BlockCholesky::solveLower(RightSides& B) const {
@@ -453,7 +462,7 @@ void BlockCholesky::solve(MatrixXd& B) const {
     RightSides rows = inOrder(pattern_->order, B.middleCols(begin, count));
     solveLower(rows);
     solveUpper(rows);
-    B.middleCols(begin, count) = inOwnOrder(rows).matrix();
+    B.middleCols(begin, count) = inOwnOrder(std::move(rows)).matrix();
   }
 }
 

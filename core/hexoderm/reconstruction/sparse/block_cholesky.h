@@ -93,8 +93,8 @@ class BlockCholesky {
   void solveLower(Eigen::VectorXd& b) const;
   void solveUpper(Eigen::VectorXd& b) const;
   [[nodiscard]] Eigen::VectorXd vectorInOwnOrder(const Eigen::VectorXd& b) const;
-  /// Rows in their own order again.
-  [[nodiscard]] RightSides inOwnOrder(const RightSides& B) const;
+  /// Rows in their own order again; in the same memory.
+  [[nodiscard]] RightSides inOwnOrder(RightSides B) const;
 
   /// About twice the work of factorize(). The inverse takes the factor's place, so that it needs no more memory than
   /// for one dense front per thread: another factorize() is needed afterwards.
