@@ -17,7 +17,7 @@ constexpr std::align_val_t kAlignment{64};
 
 constexpr std::size_t kLargePage_bytes = std::size_t{2} << 20;
 constexpr std::size_t kPage_bytes = std::size_t{64} << 10;  // a multiple of any system's: the rest lies in small pages
-constexpr std::size_t kLeast_bytes = 2 * kLargePage_bytes;  // less would mostly be what fills up the pages
+constexpr std::size_t kLeast_bytes = 2 * kLargePage_bytes;  // less has hardly a whole one in it
 
 std::size_t inWholePages(std::size_t bytes) { return (bytes + kPage_bytes - 1) / kPage_bytes * kPage_bytes; }
 

@@ -1,6 +1,7 @@
 #include "hexoderm/util/large_memory.h"
 
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include <cstdint>
 #include <fstream>
@@ -59,7 +60,7 @@ double mapped_MB() {
   std::ifstream file("/proc/self/statm");
   double pages = 0;
   file >> pages;
-  return pages * 4096 / kMB;
+  return pages * static_cast<double>(sysconf(_SC_PAGESIZE)) / kMB;
 }
 
 TEST(LargeMemory, GoesBackToTheSystemAtOnce) {

@@ -358,23 +358,15 @@ bool BlockCholesky::factorize(std::span<const Matrix6d> diagonal, std::span<cons
   return factorized_;
 }
 
-namespace {
-
-template <class Matrix>
-RightSides inOrder(std::span<const std::size_t> order, const Matrix& B) {
-  assert(B.rows() == numbersIn(order.size()));
+RightSides BlockCholesky::ordered(const RightSides::RowMajor& B) const {
+  assert(B.rows() == numbersIn(size()));
   RightSides rows(B.rows(), B.cols());
   auto matrix = rows.matrix();
-  for (std::size_t k = 0; k < order.size(); ++k) {
-    matrix.template middleRows<kBlock>(numbersIn(k)) = B.template middleRows<kBlock>(numbersIn(order[k]));
+  for (std::size_t k = 0; k < size(); ++k) {
+    matrix.middleRows<kBlock>(numbersIn(k)) = B.middleRows<kBlock>(numbersIn(pattern_->order[k]));
   }
   return rows;
 }
-
-}  // namespace
-
-RightSides BlockCholesky::ordered(const MatrixXd& B) const { return inOrder(pattern_->order, B); }
-RightSides BlockCholesky::ordered(const RightSides::RowMajor& B) const { return inOrder(pattern_->order, B); }
 
 RightSides BlockCholesky::inOwnOrder(RightSides B) const {
   const Index block = kBlock * B.width_;
@@ -459,7 +451,7 @@ void BlockCholesky::solve(MatrixXd& B) const {
   constexpr Index kAtATime = 48;  // columns that stay in the cache
   for (Index begin = 0; begin < B.cols(); begin += kAtATime) {
     const Index count = std::min(kAtATime, B.cols() - begin);
-    RightSides rows = inOrder(pattern_->order, B.middleCols(begin, count));
+    RightSides rows = ordered(B.middleCols(begin, count));
     solveLower(rows);
     solveUpper(rows);
     B.middleCols(begin, count) = inOwnOrder(std::move(rows)).matrix();

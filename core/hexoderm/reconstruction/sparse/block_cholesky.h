@@ -84,7 +84,6 @@ class BlockCholesky {
   void solve(Eigen::MatrixXd& B) const;
   /// The two halves of solve(), L^-1 B and from there L^-T B, on rows in the order of elimination. So A^-1 = (L^-1)^T
   /// (L^-1) in products of solveLower()'s results.
-  [[nodiscard]] RightSides ordered(const Eigen::MatrixXd& B) const;
   [[nodiscard]] RightSides ordered(const RightSides::RowMajor& B) const;
   void solveLower(RightSides& B) const;
   void solveUpper(RightSides& B) const;
