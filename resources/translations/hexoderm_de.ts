@@ -9829,8 +9829,8 @@ Auf einem entfernten Bildschirm oder mit einem fehlerhaften Treiber kann es helf
         <translation>Zellen, die in der vollständigsten Pose gemessen wurden, von allen</translation>
     </message>
     <message>
-        <source>solved in %1 ms · %2</source>
-        <translation>gelöst in %1 ms · %2</translation>
+        <source>solved in %1 · %2</source>
+        <translation>gelöst in %1 · %2</translation>
     </message>
     <message>
         <source>%1, read from the file</source>
@@ -9883,6 +9883,14 @@ Auf einem entfernten Bildschirm oder mit einem fehlerhaften Treiber kann es helf
     <message>
         <source>How long the last result took to work out, and by which method: global uses all links and poses at once, tree goes from cell to cell as in the paper</source>
         <translation>Wie lange die Berechnung des letzten Ergebnisses dauerte, und nach welchem Verfahren: global nimmt alle Verbindungen und Posen auf einmal, tree geht wie im Aufsatz von Zelle zu Zelle</translation>
+    </message>
+    <message>
+        <source>%1 ms</source>
+        <translation>%1 ms</translation>
+    </message>
+    <message>
+        <source>%1 s</source>
+        <translation>%1 s</translation>
     </message>
 </context>
 <context>

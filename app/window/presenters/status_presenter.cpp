@@ -33,6 +33,11 @@ void StatusPresenter::refreshName() const {
                           (controller_.work().activity().isEmpty() ? name : controller_.work().activity() + "…"));
 }
 
+/// From a second on in seconds.
+QString StatusPresenter::durationInWords(double seconds) {
+  return seconds < 1 ? tr("%1 ms").arg(figureInWords(1e3 * seconds, 1)) : tr("%1 s").arg(figureInWords(seconds, 1));
+}
+
 void StatusPresenter::refreshResult() const {
   const Reconstruction* result = controller_.reconstruction().get();
   if (!result) {
@@ -48,8 +53,7 @@ void StatusPresenter::refreshResult() const {
                          tr("Cells that were measured in the fullest pose, of all cells"));
   views_.status.setSolve(
       controller_.session()
-          ? tr("solved in %1 ms · %2")
-                .arg(figureInWords(1e3 * result->solve_seconds, 1), QString::fromStdString(result->solver))
+          ? tr("solved in %1 · %2").arg(durationInWords(result->solve_seconds), QString::fromStdString(result->solver))
           : tr("%1, read from the file").arg(QString::fromStdString(result->solver)),
       tr("How long the last result took to work out, and by which method: global uses all links and poses at once, "
          "tree "

@@ -35,6 +35,7 @@ class StatusPresenter {
   void refreshName() const;
   void refreshResult() const;
   void refreshPanels() const;
+  [[nodiscard]] static QString durationInWords(double seconds);
   [[nodiscard]] QString savedInWords() const;
 
   Views views_;
