@@ -1,32 +1,35 @@
 #!/bin/bash
 # Installs the packages of deb.sh in an empty Debian, uses them there, and removes them: nothing is left. Needs root.
-# Usage: packaging/deb_test.sh [--keep]
+# Usage: packaging/deb_test.sh [--keep] [12|13]
+#   12, 13  the packages that `packaging/in_debian.sh RELEASE packaging/deb.sh` made, in that release; without a number
+#           those that deb.sh made, in the release that runs
 #   --keep  leaves the Debian in build/clean-root, for a look at it
 # The commands of the README's section on packages are run as they stand there, in the folder with the packages. Each
 # step says what it took; the last line is "N passed, M failed".
 set -euo pipefail
 source "$(dirname "${BASH_SOURCE[0]}")/environment.sh"
+source "$root/packaging/clean_debian.sh"
 
-# All mounts are in a namespace of this script's own, and end with it.
-if [ "${1:-}" != --in-namespace ]; then
-  case "${1:-}" in
-    "" | --keep) ;;
-    *)
-      sed -n '2,6s/^# //p' "${BASH_SOURCE[0]}" >&2
-      exit 2
-      ;;
-  esac
-  "$root/packaging/setup.sh" --debian
-  exec unshare --mount --propagation private "${BASH_SOURCE[0]}" --in-namespace "$@"
+arguments=("$@")
+keep=no
+[ "${1:-}" != --keep ] || { keep=yes; shift; }
+release="${1:-}"
+packages="$root/out/${release:+debian-$release/}deb"
+[ -n "$release" ] || release="$(. /etc/os-release && echo "${VERSION_ID:-}")"
+if [ $# -gt 1 ] || [ -z "${debian_names[$release]:-}" ]; then
+  sed -n '2,8s/^# //p' "${BASH_SOURCE[0]}" >&2
+  exit 2
 fi
-shift
+ls "$packages"/hexoderm_*.deb >/dev/null || { echo "packaging/deb.sh makes the packages" >&2; exit 1; }
+
+if [ "${HEXODERM_IN_NAMESPACE:-}" != yes ]; then
+  "$root/packaging/setup.sh" --debian
+  HEXODERM_IN_NAMESPACE=yes exec unshare --mount --propagation private "${BASH_SOURCE[0]}" "${arguments[@]}"
+fi
 
 clean="$root/build/clean-root"
 log="$root/build/deb-test.log"
-packages="$root/out/deb"
-ls "$packages"/hexoderm_*.deb >/dev/null || { echo "packaging/deb.sh makes the packages" >&2; exit 1; }
-. /etc/os-release
-mirror="$(apt-get indextargets --format '$(SITE)' 'Created-By: Packages' "Codename: $VERSION_CODENAME" | head -n 1)"
+mkdir -p "$root/build"
 
 passed=0
 failed=0
@@ -49,10 +52,7 @@ step() {
     exit 1
   fi
 }
-inside() {
-  env -i PATH=/usr/sbin:/usr/bin:/sbin:/bin HOME=/root LC_ALL=C.UTF-8 DEBIAN_FRONTEND=noninteractive \
-    ${http_proxy:+http_proxy="$http_proxy"} chroot "$clean" bash -euo pipefail -c "$1"
-}
+inside() { inside_debian "$clean" "$@"; }
 # Of all that is installed, without what apt keeps of its own.
 megabytes() { du -sxm --exclude="$clean/var/cache" --exclude="$clean/var/lib/apt" "$clean" | cut -f1; }
 install() { inside "apt-get install --no-install-recommends $*"; }
@@ -67,17 +67,10 @@ typed() {
 }
 
 empty_debian() {
-  rm -rf --one-file-system "$clean"
-  debootstrap --variant=minbase "$VERSION_CODENAME" "$clean" "$mirror"
-  mount -t proc proc "$clean/proc"
-  mount --rbind /dev "$clean/dev"
-  cp /etc/resolv.conf "$clean/etc/"
-  echo "127.0.0.1 localhost" >"$clean/etc/hosts"  # as Debian's installer does
+  make_clean_debian "$release" "$clean"
   mkdir "$clean/packages"
   cp "$packages"/*.deb "$clean/packages"
-  echo 'APT::Get::Assume-Yes "true";' >"$clean/etc/apt/apt.conf.d/90nobody-answers"
 }
-rm_all() { [ "${1:-}" = --keep ] || { umount -R "$clean/dev" "$clean/proc" && rm -rf --one-file-system "$clean"; }; }
 
 use_command_line() {
   inside 'mkdir -p /root/work; cd /root/work
@@ -164,7 +157,7 @@ remove_all() {
     ! grep -rIl hexoderm /usr/share/mime /usr/share/applications /etc/ld.so.cache /var/lib/dpkg/status /etc | grep .'
 }
 
-step "an empty Debian ($VERSION_CODENAME)" empty_debian
+step "an empty Debian $release" empty_debian
 step "lists of its packages" inside "apt-get update"
 before="$(megabytes)"
 step "the programs installed, with all that they need" typed "The programs" install
@@ -195,5 +188,5 @@ fi
 step "another program with all headers compiled, and run" use_library ""
 step "the same with -mavx2" use_library -mavx2
 step "all removed, and nothing left" remove_all
-rm_all "$@"
+[ $keep = yes ] || remove_clean_debian "$clean"
 echo "$passed passed, $failed failed"

@@ -1,4 +1,4 @@
-# The Debian 12 packages that Hexoderm is built from. Sourced by setup.sh; each list names its purpose.
+# The packages of Debian 12 and 13 that Hexoderm is built from. Sourced by setup.sh; each list names its purpose.
 
 # Library, command line and their tests.
 core_packages=(
@@ -10,6 +10,7 @@ core_packages=(
   libboost-graph-dev
   libceres-dev # test oracle; the library does not use it
   libcli11-dev
+  libconsole-bridge-dev # the log of urdfdom
   libeigen3-dev
   libfmt-dev
   libgmock-dev
@@ -40,7 +41,6 @@ test_packages=(
   shared-mime-info
   assimp-utils # reads exports back, as do the next four
   libmujoco-dev
-  libsdformat-dev
   liburdfdom-tools
   python3-yaml
   dbus-daemon # a session bus for the test of the desktop's theme
@@ -51,6 +51,8 @@ test_packages=(
   python3-jsonschema # holds files to the schemas of their formats
   python3-matplotlib # the picture at the end of an example
 )
+# Debian 13 has no libsdformat; without it a test is left out.
+[ "$(. /etc/os-release && echo "${VERSION_ID:-}")" != 12 ] || test_packages+=(libsdformat-dev)
 
 # hexoderm-ros and its tests: ROS 1 with its master and bags.
 ros_packages=(
@@ -87,7 +89,7 @@ developer_packages=(
   clang
   clang-format
   clang-tidy
-  libclang-rt-14-dev # sanitizers and libFuzzer of clang, for tests/fuzz
+  libclang-rt-dev # sanitizers and libFuzzer of clang, for tests/fuzz
 )
 
 # Only for making Debian packages and trying them: deb.sh and deb_test.sh.
