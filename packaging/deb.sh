@@ -21,8 +21,7 @@ maintainer=()
 # hexoderm-ros needs ROS where it is used, not here.
 cmake --preset release -D "CMAKE_INSTALL_LIBDIR=lib/$(dpkg-architecture -qDEB_HOST_MULTIARCH)" \
   -D HEXODERM_PYTHON=ON -D HEXODERM_ROS=ON "${maintainer[@]}" >/dev/null
-targets=(hexoderm-cli hexoderm-emulator hexoderm hexoderm_python hexoderm_shared hexoderm_help hexoderm_api)
-cmake --build --preset release --parallel "$jobs" --target "${targets[@]}"
+cmake --build --preset release --parallel "$jobs" --target hexoderm_installed hexoderm_api
 
 rm -rf out/deb
 mkdir -p out/deb

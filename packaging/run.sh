@@ -1,5 +1,6 @@
 #!/bin/bash
-# Sets up, builds and starts Hexoderm on the demo skin. Without a display the same calibration runs headless.
+# Sets up, builds all that can be installed, and starts Hexoderm on the demo skin. Without a display the same calibration
+# runs headless.
 # Usage: packaging/run.sh [arguments for the window, for example a session file]
 # HEXODERM_OUT: where the headless run writes (default: out/demo)
 set -euo pipefail
@@ -9,11 +10,10 @@ source "$(dirname "${BASH_SOURCE[0]}")/environment.sh"
 cd "$root"
 build() {
   cmake --preset release &&
-    cmake --build --preset release --parallel "$jobs" --target hexoderm hexoderm-cli hexoderm-emulator
+    cmake --build --preset release --parallel "$jobs" --target hexoderm_installed
 }
 # A first build takes minutes and shows its progress; after that the build's few lines are of no interest.
-if [ -x build/release/app/window/hexoderm ] && [ -x build/release/app/cli/hexoderm-cli ] &&
-  [ -x build/release/app/emulator/hexoderm-emulator ]; then
+if [ -x build/release/app/window/hexoderm ] && [ -x build/release/app/cli/hexoderm-cli ]; then
   build_log="$(build 2>&1)" || { echo "$build_log" >&2; exit 1; }
 else
   echo "Building Hexoderm; the first time this takes a few minutes."

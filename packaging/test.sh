@@ -55,7 +55,7 @@ run_stage() {
       select=(--exclude-regex "$by_others")
       ;;
     core)
-      targets=(--target hexoderm-cli hexoderm-emulator hexoderm_python hexoderm_shared hexoderm_help)
+      targets=(--target hexoderm_installed)
       select=(--tests-regex "$by_others|links_no_gui$")
       ;;
     asan)
