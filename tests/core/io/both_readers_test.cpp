@@ -34,6 +34,7 @@ template <class Read>
 std::map<TakenBy, int> readFolder(const std::filesystem::path& folder, Read read) {
   std::map<TakenBy, int> taken;
   for (const auto& entry : std::filesystem::directory_iterator(folder)) {
+    if (entry.path().extension() == ".md") continue;
     SCOPED_TRACE(entry.path().filename().string());
     ++taken[read(readFile(entry.path()))];
   }
@@ -100,6 +101,10 @@ TEST(BothSessionReaders, AgreeAboutAnyValueInAnyPlace) {
   EXPECT_GT(taken[TakenBy::Both], 100);
   EXPECT_GT(taken[TakenBy::Thorough], 10);
   EXPECT_GT(taken[TakenBy::Nobody], 500);
+}
+
+TEST(BothSessionReaders, TakeSessionsOfASecondProgram) {
+  EXPECT_EQ(readFolder(kData / "vectors", readSessionBothWays), (std::map<TakenBy, int>{{TakenBy::Both, 5}}));
 }
 
 TEST(BothSessionReaders, AgreeAboutChangedTexts) {

@@ -334,5 +334,34 @@ TEST(SessionJson, IsWrittenWholeOrNotAtAll) {
   EXPECT_EQ(folder.entryCount(), 1U);
 }
 
+TEST(SessionJson, OfASecondProgramIsReadAndComesBackAsItWas) {
+  std::size_t count = 0;
+  for (const auto& entry : std::filesystem::directory_iterator(kThreeCells.parent_path() / "vectors")) {
+    if (entry.path().extension() != ".json") continue;
+    SCOPED_TRACE(entry.path().filename().string());
+    const Session session = readSessionJson(entry.path());
+    EXPECT_EQ(session.model().name, "reference-hex");
+    ASSERT_NE(session.truth(), nullptr);
+    EXPECT_EQ(session.truth()->cells.size(), session.neighbors().size());
+    EXPECT_FALSE(session.poses().empty());
+    const std::string text = sessionToJson(session);
+    const Session back = parseSessionJson(text, "back.json");
+    EXPECT_EQ(sessionToJson(back), text);
+    EXPECT_EQ(back.neighbors(), session.neighbors());
+    for (std::size_t p = 0; p < session.poses().size(); ++p) {
+      const auto& samples = session.poses()[p].capture->samples;
+      const auto& samples_back = back.poses()[p].capture->samples;
+      ASSERT_EQ(samples.size(), samples_back.size());
+      for (std::size_t k = 0; k < samples.size(); ++k) {
+        EXPECT_EQ(samples[k].mean_g, samples_back[k].mean_g);
+        EXPECT_EQ(samples[k].cov_g2, samples_back[k].cov_g2);
+        EXPECT_EQ(samples[k].count, samples_back[k].count);
+      }
+    }
+    ++count;
+  }
+  EXPECT_GE(count, 5U);
+}
+
 }  // namespace
 }  // namespace hexoderm

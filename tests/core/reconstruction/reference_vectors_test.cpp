@@ -1,4 +1,4 @@
-// An independent implementation's figures for the same files (README of the reference data): rms position in mm and rms
+// An independent implementation's figures for the same files (tests/data/vectors/README.md): rms position in mm and rms
 // orientation in degrees over all cells after alignment, by the paper's method and by a joint estimate.
 
 #include "hexoderm/io/session_json.h"
@@ -17,7 +17,7 @@ using ::testing::ElementsAre;
 using ::testing::SizeIs;
 
 Session load(const std::string& name) {
-  return readSessionJson(std::string(HEXODERM_REFERENCE_DATA) + "/vectors/" + name + ".session.json");
+  return readSessionJson(std::string(HEXODERM_TEST_DATA) + "/vectors/" + name + ".session.json");
 }
 
 SolverOptions paper() {
