@@ -18,6 +18,17 @@ has_display() {
 
 # Runs a command on a virtual display of its own, drawn in software, so that it looks the same on every machine.
 on_virtual_display() {
-  env -u WAYLAND_DISPLAY -u QT_STYLE_OVERRIDE -u QT_SCALE_FACTOR QT_QPA_PLATFORM=xcb LIBGL_ALWAYS_SOFTWARE=1 \
-    xvfb-run --auto-servernum --server-args="-screen 0 1600x1000x24 -nolisten tcp" "$@"
+  local folder server status=0
+  folder="$(mktemp -d)"
+  mkfifo "$folder/number"
+  Xvfb -displayfd 3 -screen 0 1600x1000x24 -nolisten tcp -noreset 3>"$folder/number" 2>"$folder/log" &
+  server=$!
+  local number=""
+  read -r number <"$folder/number" || { cat "$folder/log" >&2; echo "Xvfb does not start" >&2; return 1; }
+  env -u WAYLAND_DISPLAY -u XAUTHORITY -u QT_STYLE_OVERRIDE -u QT_SCALE_FACTOR DISPLAY=":$number" \
+    QT_QPA_PLATFORM="${QT_QPA_PLATFORM:-xcb}" LIBGL_ALWAYS_SOFTWARE=1 "$@" || status=$?
+  kill "$server"
+  wait "$server" 2>/dev/null || true
+  rm -r "$folder"
+  return $status
 }

@@ -17,6 +17,15 @@ if(HEXODERM_CCACHE AND NOT CMAKE_CXX_COMPILER_LAUNCHER)
       CCACHE_SLOPPINESS=pch_defines,time_macros ${HEXODERM_CCACHE})
 endif()
 
+# A debug build is for the step from a changed line to its test: debug information stays beside the objects, and the
+# library is a list of these.
+if(CMAKE_BUILD_TYPE STREQUAL "Debug" AND CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
+  add_compile_options(-gsplit-dwarf)
+  foreach(action CREATE APPEND)
+    set(CMAKE_CXX_ARCHIVE_${action} "<CMAKE_AR> qcT <TARGET> <LINK_FLAGS> <OBJECTS>")
+  endforeach()
+endif()
+
 # errno after a square root is never looked at.
 add_compile_options(-fno-math-errno)
 
@@ -63,7 +72,7 @@ endfunction()
 # what they use all the same: the preset tidy compiles each by itself.
 function(hexoderm_compile_quickly target)
   if(HEXODERM_UNITY)
-    set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 8)
+    set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE ${HEXODERM_UNITY_SIZE})
     if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
       # A class of a source file with a member of that file's anonymous namespace: g++ takes the source for a header.
       target_compile_options(${target} PRIVATE -Wno-subobject-linkage)
