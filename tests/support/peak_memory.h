@@ -1,5 +1,6 @@
 #pragma once
 
+#include <malloc.h>
 #include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -12,6 +13,7 @@ namespace hexoderm::test {
 /// Most resident memory, in MB, of a process of its own that does this work and then ends: unlike what the running
 /// process takes, it does not depend on the tests before. Of no use with a sanitizer, which keeps what is freed.
 inline double peakMemory_MB(const std::function<void()>& work) {
+  ::malloc_trim(0);  // the child would use freed memory of the tests before, which counts already
   const pid_t child = ::fork();
   if (child < 0) throw std::runtime_error("no process could be started");
   if (child == 0) {
