@@ -67,7 +67,7 @@ TEST(SensorStatistics, KnownSigmasLieInTheirRanges) {
   int measured = 0;
   int within = 0;
   double ratios = 0;
-  const int seeds = kFewSeeds ? 1 : 10;
+  const int seeds = kFewSeeds ? 1 : 4;
   for (const Real& real : {Real{0.06, 0.02, 0.005}, Real{0.02, 0.01, 0.015}, Real{0.12, 0.03, 0.01}}) {
     for (int seed = 1; seed <= seeds; ++seed) {
       const Snapshots sessions = {simulate(modelWith(real.offset_g, 0, real.scale, real.cross_axis), believed,

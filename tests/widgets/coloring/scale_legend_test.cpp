@@ -70,7 +70,7 @@ TEST(ScaleLegend, BinsAreSaidWithTheirValuesAndCells) {
   EXPECT_EQ(binInWords(legend, 24), QStringLiteral("more than 2.40°: 0 cells"));
   QLocale::setDefault(QLocale(QLocale::German, QLocale::Germany));
   EXPECT_EQ(valueWithUnit(0.25, legend.range, Coloring::PositionUncertainty), "0,25 mm");
-  QLocale::setDefault(QLocale::c());
+  QLocale::setDefault(QLocale::system());
 }
 
 TEST(ScaleLegend, TellsApartWhatLooksDifferent) {

@@ -249,7 +249,7 @@ TEST_F(GraphColorsTest, TheToolTipOfACellHasAllItsFigures) {
   }
   QLocale::setDefault(QLocale(QLocale::German, QLocale::Germany));
   EXPECT_THAT(toolTipAt(cell(13)), testing::HasSubstr("12,3; −4,0; 0,0 mm"));
-  QLocale::setDefault(QLocale::c());
+  QLocale::setDefault(QLocale::system());
   comeBefore({1, 5, 9, 2, 3, 4, 6, 7, 8, 10, 11, 12, 14, 13});
   EXPECT_THAT(toolTipAt(cell(13)), testing::HasSubstr("1 → 5 → 9 → 2 → … → 11 → 12 → 14 → 13 (13 links)"));
   QToolTip::hideText();

@@ -45,7 +45,7 @@ class JointTableTest : public testing::Test {
     QObject::connect(&table, &JointTable::typed, [this](const std::vector<TypedAngle>& angles) { typed = angles; });
     QObject::connect(&table, &JointTable::refused, [this](const QString& why) { refusals << why; });
   }
-  ~JointTableTest() override { QLocale::setDefault(QLocale::c()); }
+  ~JointTableTest() override { QLocale::setDefault(QLocale::system()); }
 
   bool type(int row, int column, const QString& what) {
     return table.setData(table.index(row, column), what, Qt::EditRole);

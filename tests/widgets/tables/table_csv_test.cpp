@@ -27,7 +27,7 @@ class TableCsvTest : public testing::Test {
                        {{QStringLiteral("cell 10"), 10.0, 2.0}},
                        {{QStringLiteral("cell 9"), 9.0, 3.0}}});
   }
-  ~TableCsvTest() override { QLocale::setDefault(QLocale::c()); }
+  ~TableCsvTest() override { QLocale::setDefault(QLocale::system()); }
 
   ResultTable table_;
 };
