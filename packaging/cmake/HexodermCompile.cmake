@@ -59,9 +59,9 @@ function(hexoderm_compile_options target)
   if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
     # Inlined library code trips these in g++ 12: Eigen and std::map the first, "text" + std::string (GCC bug 105651) the
     # second, Eigen and std::optional the third.
-    # With precompiled headers or batches also the fourth: copies of short strings.
+    # With precompiled headers or batches also the fourth: copies of short strings. In g++ 14 std::vector the last.
     target_compile_options(${target} PRIVATE -Wno-null-dereference -Wno-restrict -Wno-maybe-uninitialized
-      -Wno-stringop-overflow -Wno-stringop-overread -Wno-array-bounds)
+      -Wno-stringop-overflow -Wno-stringop-overread -Wno-array-bounds -Wno-free-nonheap-object)
   endif()
   if(HEXODERM_WERROR)
     target_compile_options(${target} PRIVATE -Werror)
