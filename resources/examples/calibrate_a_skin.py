@@ -59,7 +59,7 @@ axes = figure.add_subplot(1, 2, 1, projection="3d")
 outlines = calibration.cell_model.outline @ patch.rotations.transpose(0, 2, 1) + patch.positions[:, np.newaxis]
 colors = plt.get_cmap("viridis")(sigma_mm / sigma_mm.max())
 axes.add_collection3d(Poly3DCollection(outlines * 1000, facecolors=colors, edgecolors="black", linewidths=0.5))
-for cell, (x, y, z) in zip(patch.cells, patch.positions * 1000):
+for cell, x, y, z in zip(patch.cells, *patch.positions.T * 1000):
     axes.text(x, y, z, str(cell), fontsize=7, ha="center")
 low, high = outlines.min(axis=(0, 1)) * 1000, outlines.max(axis=(0, 1)) * 1000
 axes.set(xlim=(low[0], high[0]), ylim=(low[1], high[1]), zlim=(low[2], high[2]))

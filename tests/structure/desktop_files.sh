@@ -4,7 +4,9 @@
 set -euo pipefail
 files="$1/packaging/desktop"
 desktop-file-validate "$files/hexoderm.desktop"
-appstreamcli validate --no-net "$files/hexoderm.metainfo.xml"
+# There is no homepage. Where this is more than a hint, it can be made one; older versions don't know its name.
+validate=(appstreamcli validate --no-net)
+"${validate[@]}" --override=url-homepage-missing=info "$files/hexoderm.metainfo.xml" || "${validate[@]}" "$files/hexoderm.metainfo.xml"
 
 for icon in "$(sed -n 's/^Icon=//p' "$files/hexoderm.desktop")" "$(sed -n 's/.*<icon name="\(.*\)".*/\1/p' "$files/hexoderm.mime.xml")"; do
   grep -q '<svg' "$1/resources/icons/$icon.svg"

@@ -29,6 +29,8 @@ QString asToolTip(const QString& title, const QStringList& lines) {
   return text;
 }
 
+QString andMore(std::size_t count) { return Words::tr("and %1 more").arg(count); }
+
 /// Names the first few of many, so that a row stays a row.
 template <class Id>
 QString listOf(const std::vector<Id>& ids, const QString& one, const QString& several) {
@@ -36,7 +38,7 @@ QString listOf(const std::vector<Id>& ids, const QString& one, const QString& se
   QStringList names;
   for (std::size_t k = 0; k < std::min(ids.size(), kMost); ++k) names << QString::number(ids[k].value());
   QString text = (ids.size() == 1 ? one : several).arg(names.join(QStringLiteral(", ")));
-  if (ids.size() > kMost) text += QStringLiteral(" ") + Words::tr("and %1 more").arg(ids.size() - kMost);
+  if (ids.size() > kMost) text += QStringLiteral(" ") + andMore(ids.size() - kMost);
   return text;
 }
 

@@ -69,9 +69,13 @@ class Stubs(unittest.TestCase):
         self.assertGreater(compared, 30)
 
     def test_the_example_is_typed(self):
-        result = subprocess.run(["/usr/bin/mypy", "--strict", "--allow-untyped-calls", "--ignore-missing-imports",
-                                 "--cache-dir=/dev/null", EXAMPLE],
-                                capture_output=True, text=True, cwd="/")
+        with tempfile.NamedTemporaryFile("w", suffix=".ini") as config:
+            # Newer versions of Matplotlib have types, which know nothing of 3D axes.
+            config.write("[mypy]\n[mypy-matplotlib.*]\nfollow_imports = skip\n")
+            config.flush()
+            result = subprocess.run(["/usr/bin/mypy", "--strict", "--allow-untyped-calls", "--ignore-missing-imports",
+                                     "--config-file", config.name, "--cache-dir=/dev/null", EXAMPLE],
+                                    capture_output=True, text=True, cwd="/")
         self.assertEqual(result.returncode, 0, result.stdout + result.stderr)
 
     def test_every_public_name_is_described(self):
