@@ -123,8 +123,8 @@ TEST_F(CoverageViewTest, ThePresentDirectionIsDrawnRoundANumberAndNotOverIt) {
   show();
   const Eigen::Vector3d up = Eigen::Vector3d(0.3, 0.2, 0.9).normalized();
   view.setCoverage(coverageWith({up}));
-  const int reach = qRound(0.3 * view.fontMetrics().height());
-  const QRect number = QRect(-reach, -reach, 2 * reach + 1, 2 * reach + 1).translated(view.placeOf(up).toPoint());
+  QRect number = view.fontMetrics().tightBoundingRect(QStringLiteral("1")).adjusted(-1, -1, 1, 1);
+  number.moveCenter(view.placeOf(up).toPoint());
   const QImage before = view.grab().toImage();
   view.setCurrent(up);
   const QImage after = view.grab().toImage();
