@@ -16,7 +16,7 @@ struct Kept {
   std::mutex mutex;
   std::multiset<FileIdentity> files;
 };
-Kept& kept() {
+Kept& keptFiles() {
   static Kept instance;
   return instance;
 }
@@ -24,8 +24,8 @@ std::atomic<bool> keeps_what_is_read = false;
 
 bool isKept(const std::filesystem::path& path) {
   const std::optional<FileIdentity> identity = identityOf(path);
-  const std::lock_guard guard(kept().mutex);
-  return identity && kept().files.contains(*identity);
+  const std::lock_guard guard(keptFiles().mutex);
+  return identity && keptFiles().files.contains(*identity);
 }
 
 bool isSession(const std::filesystem::path& path) {
@@ -62,13 +62,13 @@ void requireReplaceable(const std::filesystem::path& path, const std::string& na
 }
 
 KeptFile::KeptFile(const std::filesystem::path& path) : identity_(identityOf(path)) {
-  const std::lock_guard guard(kept().mutex);
-  if (identity_) kept().files.insert(*identity_);
+  const std::lock_guard guard(keptFiles().mutex);
+  if (identity_) keptFiles().files.insert(*identity_);
 }
 
 KeptFile::~KeptFile() {
-  const std::lock_guard guard(kept().mutex);
-  if (identity_) kept().files.erase(kept().files.find(*identity_));
+  const std::lock_guard guard(keptFiles().mutex);
+  if (identity_) keptFiles().files.erase(keptFiles().files.find(*identity_));
 }
 
 void keepWhatIsRead() { keeps_what_is_read = true; }
@@ -76,8 +76,8 @@ void keepWhatIsRead() { keeps_what_is_read = true; }
 void noteRead(const std::filesystem::path& path) {
   if (!keeps_what_is_read) return;
   const std::optional<FileIdentity> identity = identityOf(path);
-  const std::lock_guard guard(kept().mutex);
-  if (identity && !kept().files.contains(*identity)) kept().files.insert(*identity);
+  const std::lock_guard guard(keptFiles().mutex);
+  if (identity && !keptFiles().files.contains(*identity)) keptFiles().files.insert(*identity);
 }
 
 }  // namespace hexoderm
