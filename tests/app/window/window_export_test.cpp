@@ -284,19 +284,18 @@ TEST_F(WindowExportTest, NothingReplacesASession) {
     };
     for (std::size_t k = 0; k < ways.size(); ++k) {
       ways[k]();
-      ASSERT_TRUE(waitForMessage("as a Hexoderm session")) << path.toStdString() << ' ' << k;
+      ASSERT_TRUE(waitForMessage("never replaced")) << path.toStdString() << ' ' << k;
       EXPECT_TRUE(message().contains(path)) << message().toStdString();
       click(find<QWidget>("messageClose"));
     }
   }
   files.writeReport(report, pathTo("arm.html"));
-  ASSERT_TRUE(waitForMessage("as a Hexoderm session")) << message().toStdString();
+  ASSERT_TRUE(waitForMessage("never replaced")) << message().toStdString();
   PackageRequest package;
   package.formats = {ExportFormat::Stl};
   package.path = pathTo("arm.zip");
   files.exportPackage(package, report);
-  ASSERT_TRUE(waitUntil([&] { return package_failed.contains("as a Hexoderm session"); }))
-      << package_failed.toStdString();
+  ASSERT_TRUE(waitUntil([&] { return package_failed.contains("never replaced"); })) << package_failed.toStdString();
   controller().file().saveSession(pathTo("arm.html"));
   ASSERT_TRUE(waitForMessage("arm.html: exists already as a Hexoderm session")) << message().toStdString();
   EXPECT_EQ(readSessionStore(open_session).poses().size(), 4U);
@@ -318,7 +317,7 @@ TEST_F(WindowExportTest, NoExportReplacesTheFileThatIsOpen) {
     ASSERT_TRUE(waitUntil([&] { return pathTo(controller().file().name()) == path; }));
     ASSERT_TRUE(waitUntilIdle());
     const QByteArray before = contentOf(path);
-    ASSERT_NO_FATAL_FAILURE(exportAs("PLY", path));
+    files.exportTo({ExportFormat::Ply, path, {}});
     ASSERT_TRUE(waitForMessage("is one of the inputs")) << message().toStdString();
     click(find<QWidget>("messageClose"));
     files.saveImage(QImage(8, 8, QImage::Format_RGB32), path);
