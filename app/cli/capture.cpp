@@ -7,6 +7,7 @@
 #include "hexoderm/device/sources/recording.h"
 #include "hexoderm/reconstruction/reconstructor.h"
 #include "hexoderm/util/interrupt.h"
+#include "hexoderm/util/kept_files.h"
 #include "hexoderm/util/system_reason.h"
 #include "hexoderm/util/text.h"
 
@@ -392,6 +393,7 @@ template <class Report>
 void captureAndThen(const CaptureOptions& options, const Common& common, const Report& report) {
   endOnInterrupt(kLastWords);
   const std::unique_ptr<SkinSource> source = asInput([&] { return openSkinSource(options.source); });
+  requireReplaceable(options.recording, "--record " + options.recording);  // the source may read it
   PoseRecorderOptions recorder;
   recorder.keep_frames = options.keep_raw;
   CaptureEvents events(recorder);
@@ -467,14 +469,15 @@ void addCapture(CLI::App& app, Common& common) {
                       "End after so many (default: at the stream's end or Ctrl+C; with --auto when they are good)");
   command->add_flag("--auto", options->automatic, "The device turns itself, to where each pose helps most");
   command->add_flag("--keep-raw", options->keep_raw, "Keep every sample of the poses in the session too");
-  command->add_option("--record", options->recording, "Write all that the device sends to this file, for replay:FILE");
+  command->add_option("--record", options->recording, "Write all that the device sends to this file, for replay:FILE")
+      ->type_name(kOutput);
   command
       ->add_option(
           "--timeout", options->timeout_s,
           "Seconds to wait for a device to describe itself; with --auto also for each pose, whatever turns it refuses")
       ->check(CLI::PositiveNumber)
       ->capture_default_str();
-  command->add_option("-o,--output", options->output, "Session to make (*.hexo)")->required();
+  command->add_option("-o,--output", options->output, "Session to make (*.hexo)")->type_name(kOutput)->required();
   common.addTo(*command);
   command->footer(
       "A pose is captured when the part is held still. Ctrl+C ends and keeps what there is.\n"

@@ -117,8 +117,11 @@ void addCheck(CLI::App& app, Common& common) {
   options->live.poses = 2;
   CLI::App* command = app.add_subcommand(
       "check", "Does an old calibration still hold? Compare it, cell by cell, with one to three new poses");
-  command->add_option("calibration", options->calibration, "Calibration (*.calibration.json)")->required();
-  command->add_option("session", options->session, "Session with the new poses (*.hexo or *.session.json)");
+  command->add_option("calibration", options->calibration, "Calibration (*.calibration.json)")
+      ->type_name(kInput)
+      ->required();
+  command->add_option("session", options->session, "Session with the new poses (*.hexo or *.session.json)")
+      ->type_name(kInput);
   CLI::Option* source =
       command->add_option("--source", options->live.source, "Take the poses now: " + sourceKindsInWords());
   command->add_option("--poses", options->live.poses, "Poses to take")
@@ -133,6 +136,7 @@ void addCheck(CLI::App& app, Common& common) {
       ->capture_default_str()
       ->needs(source);
   command->add_option("-o,--output", options->live.output, "Keep the poses that are taken in a session (*.hexo)")
+      ->type_name(kOutput)
       ->needs(source);
   common.addTo(*command);
   command->footer(

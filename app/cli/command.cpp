@@ -4,6 +4,7 @@
 #include "hexoderm/kinematics/demo_robot.h"
 #include "hexoderm/kinematics/joint_angles_csv.h"
 #include "hexoderm/session/session_joint_angles.h"
+#include "hexoderm/util/kept_files.h"
 #include "hexoderm/util/text.h"
 #include "hexoderm/util/units.h"
 
@@ -44,6 +45,21 @@ void Common::note(const std::string& text) const {
 
 void Common::logNote(const std::string& text) const {
   if (::isatty(STDERR_FILENO) == 0) note(text);
+}
+
+void requireReplaceableOutputs(const CLI::App& command) {
+  const auto forEachValue = [&](const char* type, const auto& action) {
+    for (const CLI::Option* option : command.get_options()) {
+      if (option->get_type_name() != type) continue;
+      for (const std::string& value : option->results()) action(*option, value);
+    }
+  };
+  forEachValue(kInput, [](const CLI::Option& /*option*/, const std::string& file) { noteRead(file); });
+  forEachValue(kOutput, [](const CLI::Option& option, const std::string& file) {
+    if (file == kStandardOutput) return;
+    const auto& letters = option.get_snames();
+    requireReplaceable(file, (letters.empty() ? option.get_name() : "-" + letters.front()) + " " + file);
+  });
 }
 
 Output::Output(std::string name, const Common& common) : name_(std::move(name)) {

@@ -55,6 +55,12 @@ struct Common {
   void logNote(const std::string& text) const;
 };
 
+/// What the help calls the value of an option: a file that the command reads, and what it writes.
+inline constexpr const char* kInput = "FILE";
+inline constexpr const char* kOutput = "OUTPUT";
+/// Before any work: InvalidArgument if an output is one of the inputs, StorageError if it is a session.
+void requireReplaceableOutputs(const CLI::App& command);
+
 /// As `-o`: standard output.
 inline constexpr std::string_view kStandardOutput = "-";
 

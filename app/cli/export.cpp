@@ -193,6 +193,7 @@ void addFormatOptions(CLI::App& command, const std::shared_ptr<ExportCommandOpti
     std::vector<std::string> choices;
     for (const auto& choice : description.choices) choices.emplace_back(choice.value);
     if (!choices.empty()) option->check(CLI::IsMember(choices));
+    if (description.kind == ExportOptionDescription::Kind::File) option->type_name(kInput);
     if (!value.empty()) option->capture_default_str();
   }
 }
@@ -207,7 +208,9 @@ void addExport(CLI::App& app, Common& common) {
     formats += "\n  " + std::string(format.name) + ": " + format.summary.english();
     if (!format.not_carried.empty()) formats += ". " + format.not_carried.english();
   }
-  command->add_option("calibration", options->input, "Calibration (*.calibration.json, or TUM XML)")->required();
+  command->add_option("calibration", options->input, "Calibration (*.calibration.json, or TUM XML)")
+      ->type_name(kInput)
+      ->required();
   command
       ->add_option(
           "--to", options->formats,
@@ -218,14 +221,17 @@ void addExport(CLI::App& app, Common& common) {
       ->add_option("-o,--output", options->output,
                    "File to write; for csv and for several formats a folder, or with the ending .zip an archive; - is "
                    "standard output")
+      ->type_name(kOutput)
       ->required();
   addFormatOptions(*command, options);
   command->add_option(
       "--place", options->placements,
       "[CELL@]LINK:x,y,z,roll,pitch,yaw: where the patch of a cell is on a link of the robot, in metres and "
       "radians as the origin of a URDF joint; once for each patch");
-  command->add_option("--placements", options->placements_file,
-                      "File of hexoderm-cli place, which says where patches are on links of the robot");
+  command
+      ->add_option("--placements", options->placements_file,
+                   "File of hexoderm-cli place, which says where patches are on links of the robot")
+      ->type_name(kInput);
   command->add_option("--in-link", options->options.in_link,
                       "Write coordinates in the frame of this link, of the patches that are placed on it");
   CLI::Option* patch = command->add_option("--patch", options->patch_of_cell,

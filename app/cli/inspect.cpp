@@ -100,8 +100,9 @@ int run(const InspectOptions& options, const Common& common) {
 void addInspect(CLI::App& app, Common& common) {
   const auto options = std::make_shared<InspectOptions>();
   CLI::App* command = app.add_subcommand("inspect", "Say what is in a file, what is wrong with it and what to do next");
-  command->add_option("input", options->input, "Session, calibration or TUM XML")->required();
+  command->add_option("input", options->input, "Session, calibration or TUM XML")->type_name(kInput)->required();
   command->add_option("--cell-model", options->cell_model, "Of a TUM file: built-in name or JSON file")
+      ->type_name(kInput)
       ->capture_default_str();
   command
       ->add_option("--solver", options->solver,

@@ -233,10 +233,14 @@ void addLinks(CLI::App& app, Common& common) {
   const auto arguments = std::make_shared<LinksArguments>();
   CLI::App* command =
       app.add_subcommand("links", "Tell on which link of a robot each patch is, and how it is turned there");
-  command->add_option("session", arguments->session, "Session (*.hexo or *.session.json)")->required();
-  command->add_option("--robot", arguments->robot, "The robot as URDF, or demo")->required();
-  command->add_option("--joints", arguments->joints,
-                      "Joint angles of the poses as CSV (default: those that the session holds)");
+  command->add_option("session", arguments->session, "Session (*.hexo or *.session.json)")
+      ->type_name(kInput)
+      ->required();
+  command->add_option("--robot", arguments->robot, "The robot as URDF, or demo")->type_name(kInput)->required();
+  command
+      ->add_option("--joints", arguments->joints,
+                   "Joint angles of the poses as CSV (default: those that the session holds)")
+      ->type_name(kInput);
   command->add_option("--package", arguments->packages, "NAME=FOLDER of meshes at package://NAME/...; may be repeated");
   command->add_option("--put", arguments->chosen,
                       "CELL=LINK: take the patch of a cell to be on a link, whatever fits; may be repeated");

@@ -3,6 +3,7 @@
 
 #include "hexoderm/util/error.h"
 #include "hexoderm/util/freed_memory.h"
+#include "hexoderm/util/kept_files.h"
 #include "hexoderm/util/text.h"
 
 #include <iostream>
@@ -32,6 +33,7 @@ int exitAfterParsing(const CLI::App& app, const CLI::ParseError& error) {
 int main(int argc, char** argv) {
   using namespace hexoderm;
   keepFreedMemory();
+  keepWhatIsRead();
   cli::Common common;
   CLI::App app("Finds where every cell of a robot's artificial skin is", "hexoderm-cli");
   app.set_version_flag("--version", cli::versionText, "Display version, commit, formats and libraries, and exit");
@@ -58,6 +60,9 @@ int main(int argc, char** argv) {
   cli::addLinks(app, common);
   cli::addPlace(app, common);
   cli::addReproduce(app, common);
+  app.parse_complete_callback([&app] {
+    for (const CLI::App* command : app.get_subcommands()) cli::requireReplaceableOutputs(*command);
+  });
 
   try {
     app.parse(argc, argv);

@@ -228,7 +228,7 @@ void addParts(CLI::App& app, Common& common) {
   const auto input = std::make_shared<std::string>();
   CLI::App* command = app.add_subcommand(
       "parts", "Tell which patches move together, how they are turned against each other, and where hinges are");
-  command->add_option("session", *input, "Session (*.hexo or *.session.json)")->required();
+  command->add_option("session", *input, "Session (*.hexo or *.session.json)")->type_name(kInput)->required();
   common.addTo(*command);
   command->footer(
       "From gravity alone: where patches and hinges lie, it doesn't say. A joint that stood still in all poses can't "

@@ -385,8 +385,11 @@ void addPlace(CLI::App& app, Common& common) {
       ->add_option("skin", options->input,
                    "Calibration (*.calibration.json), or session (*.hexo or *.session.json), which says better how "
                    "certain the cells are")
+      ->type_name(kInput)
       ->required();
-  command->add_option("--robot", options->robot, "URDF of the robot; demo is the built-in arm")->required();
+  command->add_option("--robot", options->robot, "URDF of the robot; demo is the built-in arm")
+      ->type_name(kInput)
+      ->required();
   command->add_option("--package", options->packages, "NAME=FOLDER: where the files of package://NAME/ are");
   command->add_option("--link", options->link, "Link that the patch is on")->required();
   command->add_option(
@@ -398,9 +401,10 @@ void addPlace(CLI::App& app, Common& common) {
                           ": how the patch is turned on the link, as rpy of a URDF, in degrees, and 1 sigma about each "
                           "axis (1). Or links: as gravity and the joint angles say, which takes a session. Without it "
                           "any");
-  command->add_option(
-      "--joints", options->joints,
-      "With --rotation links: joint angles of the poses as CSV (default: those that the session holds)");
+  command
+      ->add_option("--joints", options->joints,
+                   "With --rotation links: joint angles of the poses as CSV (default: those that the session holds)")
+      ->type_name(kInput);
   command->add_option("--up", options->up, "With --rotation links: what points up in the frame of the base, x,y,z")
       ->expected(3)
       ->delimiter(',');
@@ -421,8 +425,10 @@ void addPlace(CLI::App& app, Common& common) {
       ->capture_default_str();
   command->add_option("--gap", options->gap_mm, "Glue or cloth between the backs and the mesh, mm")
       ->capture_default_str();
-  command->add_option("-o,--output", options->output,
-                      "File for the best place, which export takes with --placements; - is standard output");
+  command
+      ->add_option("-o,--output", options->output,
+                   "File for the best place, which export takes with --placements; - is standard output")
+      ->type_name(kOutput);
   common.addTo(*command);
   command->footer(
       "All places that fit are given, the best first, with what is left open and how far the patch can be moved.\n"

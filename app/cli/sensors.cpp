@@ -158,9 +158,12 @@ void addSensors(CLI::App& app, Common& common) {
   command
       ->add_option("sessions", options->inputs,
                    "Sessions (*.hexo or *.session.json) with one cell model, of chips of one lot")
+      ->type_name(kInput)
       ->required();
-  command->add_option("-o,--output", options->output,
-                      "Cell model to write: the sessions' with the estimated sigmas (*.json; - is standard output)");
+  command
+      ->add_option("-o,--output", options->output,
+                   "Cell model to write: the sessions' with the estimated sigmas (*.json; - is standard output)")
+      ->type_name(kOutput);
   common.addTo(*command);
   command->footer(
       "One pose tells nothing, two the offsets, three the scale errors too, and six, as of a cube's faces, all.\n"

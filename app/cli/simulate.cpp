@@ -9,6 +9,7 @@
 #include "hexoderm/session/session_joint_angles.h"
 #include "hexoderm/session/simulated_session.h"
 #include "hexoderm/util/file.h"
+#include "hexoderm/util/kept_files.h"
 #include "hexoderm/util/text.h"
 
 #include <iostream>
@@ -58,11 +59,12 @@ std::string besideOutput(const SimulateOptions& options, const std::string& endi
 int runRobot(SimulatedRobot robot, const SimulateOptions& options, const Output& output, const Common& common) {
   const bool moves = !robot.robot().freeJointNames().empty();
   if (!moves && !options.joints.empty()) throw InvalidArgument("--joints: no joint of the robot can move");
+  const std::string joints = options.joints.empty() ? besideOutput(options, ".joints.csv") : options.joints;
+  const std::string truth = options.truth.empty() ? besideOutput(options, ".truth.json") : options.truth;
+  for (const std::string& beside : {joints, truth}) requireReplaceable(beside, beside);
   common.progress("Taking poses ...");
   const SimulatedRobotSession simulated = simulateRobotSession(robot, options.poses, options.samples);
   common.progress("Writing ...");
-  const std::string joints = options.joints.empty() ? besideOutput(options, ".joints.csv") : options.joints;
-  const std::string truth = options.truth.empty() ? besideOutput(options, ".truth.json") : options.truth;
   if (output.isStandard()) {
     output.write(sessionToJson(simulated.session));
   } else {
@@ -163,7 +165,9 @@ void addSimulate(CLI::App& app, Common& common) {
       ->check(CLI::Range(1, 100000))
       ->capture_default_str();
   command->add_option("--seed", options->skin.seed, "Seed of everything random")->capture_default_str();
-  command->add_option("--cell-model", options->cell_model, "Built-in name or JSON file")->capture_default_str();
+  command->add_option("--cell-model", options->cell_model, "Built-in name or JSON file")
+      ->type_name(kInput)
+      ->capture_default_str();
   command
       ->add_option("--offset-sigma", options->offset_sigma_mg,
                    "Accelerometer offsets, 1 sigma, in mg (default: the cell model's)")
@@ -183,6 +187,7 @@ void addSimulate(CLI::App& app, Common& common) {
           ->add_option("--robot", options->robot,
                        "A robot that wears the skin, as URDF, or demo: an arm with a patch on the upper arm and one on "
                        "the forearm. In every pose its joints stand in angles drawn at random")
+          ->type_name(kInput)
           ->excludes(motion)
           ->excludes(faults);
   command
@@ -208,15 +213,18 @@ void addSimulate(CLI::App& app, Common& common) {
   command
       ->add_option("--joints", options->joints,
                    "Joint angles to write (default: *.joints.csv beside the session; none beside -)")
+      ->type_name(kOutput)
       ->needs(robot);
   command
       ->add_option("--truth", options->truth,
                    "Truth to write: places of cells on links, errors of joints, links in every pose (default: "
                    "*.truth.json beside the session; none beside -)")
+      ->type_name(kOutput)
       ->needs(robot);
   command
       ->add_option("-o,--output", options->output,
                    "Session to write (*.session.json, or *.hexo, which must not exist yet; - is standard output)")
+      ->type_name(kOutput)
       ->required();
   common.addTo(*command);
   command->footer(

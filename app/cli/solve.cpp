@@ -88,10 +88,14 @@ int run(const SolveOptions& options, const Common& common) {
 void addSolve(CLI::App& app, Common& common) {
   const auto options = std::make_shared<SolveOptions>();
   CLI::App* command = app.add_subcommand("solve", "Find the placement of every cell of a session");
-  command->add_option("input", options->inputs, "Session (*.hexo or *.session.json), or many")->required();
-  command->add_option("-o,--output", options->output,
-                      "Calibration to write (*.calibration.json; - is standard output); of several sessions, or with "
-                      "a / at its end, the folder for their calibrations");
+  command->add_option("input", options->inputs, "Session (*.hexo or *.session.json), or many")
+      ->type_name(kInput)
+      ->required();
+  command
+      ->add_option("-o,--output", options->output,
+                   "Calibration to write (*.calibration.json; - is standard output); of several sessions, or with "
+                   "a / at its end, the folder for their calibrations")
+      ->type_name(kOutput);
   command
       ->add_option("--solver", options->solver,
                    "global: all cells, poses and links together; tree: the paper's way, along shortest paths")

@@ -2,6 +2,7 @@
 
 #include "hexoderm/io/calibration_json.h"
 #include "hexoderm/util/interrupt.h"
+#include "hexoderm/util/kept_files.h"
 #include "hexoderm/util/parallel.h"
 #include "hexoderm/util/text.h"
 
@@ -268,6 +269,7 @@ int solveBatch(const SolveBatch& batch, const Common& common) {
   if (!batch.folder.empty()) {
     requireFolder(batch.folder);
     files = calibrationsOf(batch.inputs, batch.folder);
+    for (const std::filesystem::path& file : files) requireReplaceable(file, "-o " + file.string());
     makeFolders(files);
   }
   endOnInterrupt(kLastWordsOfBatch);

@@ -65,17 +65,21 @@ void addOptions(CLI::App& app, Options& options) {
       ->check(CLI::IsMember({"bend", "surface"}))
       ->capture_default_str();
   app.add_option("--seed", options.skin.seed, "Seed of everything random")->capture_default_str();
-  app.add_option("--cell-model", options.cell_model, "Built-in name or JSON file")->capture_default_str();
+  app.add_option("--cell-model", options.cell_model, "Built-in name or JSON file")
+      ->type_name("FILE")
+      ->capture_default_str();
   app.add_option("--offset-sigma", options.offset_sigma_mg,
                  "Accelerometer offsets, 1 sigma, in mg (default: the cell model's)")
       ->check(CLI::NonNegativeNumber);
   CLI::Option* ideal = app.add_flag("--ideal", options.ideal, "No jitter, no sensor errors, no noise, no hand");
   app.add_option("--fault", options.faults, faultSyntax() + "; may be repeated");
 
-  CLI::Option* robot = app.add_option(
-      "--robot", options.robot,
-      "A robot that wears the skin, as URDF, or demo: an arm with a patch on the upper arm and one on the "
-      "forearm. It moves its joints when it is asked to turn, and says where they stand");
+  CLI::Option* robot =
+      app.add_option(
+             "--robot", options.robot,
+             "A robot that wears the skin, as URDF, or demo: an arm with a patch on the upper arm and one on the "
+             "forearm. It moves its joints when it is asked to turn, and says where they stand")
+          ->type_name("FILE");
   app.add_option("--mount", options.robot_words.mounts,
                  "A patch on the robot: " + std::string(kMountSyntax) +
                      ", the place of its middle in the link's frame in m and rad, z out of the skin; without --surface "

@@ -1,8 +1,12 @@
+#include "app/window/files/session_paths.h"
 #include "app/window/main_window/main_window.h"
 #include "app/window/settings/preferences.h"
 #include "app/window/settings/translation.h"
+#include "hexoderm/util/error.h"
 #include "hexoderm/util/freed_memory.h"
+#include "hexoderm/util/kept_files.h"
 #include "hexoderm/util/parallel.h"
+#include "widgets/words/words.h"
 
 #include <QApplication>
 #include <QCommandLineParser>
@@ -236,12 +240,23 @@ int main(int argc, char** argv) {
     return complain(QCoreApplication::translate("main", "--screenshot needs a file or --demo to show."), kUsage);
   }
 
+  const QString file = parser.positionalArguments().value(0);
+  const QString picture = parser.value(arguments.screenshot);
+  try {
+    const KeptFile input(toPath(file));
+    requireReplaceable(toPath(picture), ("--screenshot " + picture).toStdString());
+  } catch (const InvalidArgument& error) {
+    return complain(words(error), kUsage);
+  } catch (const StorageError& error) {
+    return complain(words(error), kStorage);
+  }
+
   applyTextFactor(Preferences().textFactor());
   MainWindow window;
   if (choice) window.setThemeChoice(*choice, false);
   window.show();
-  const Script script(window, pose_count, parser.value(arguments.screenshot));
+  const Script script(window, pose_count, picture);
   if (parser.isSet(arguments.demo)) window.startDemo();
-  if (!parser.positionalArguments().isEmpty()) window.openFile(parser.positionalArguments().front());
+  if (!file.isEmpty()) window.openFile(file);
   return QApplication::exec();
 }

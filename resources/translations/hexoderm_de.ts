@@ -6991,6 +6991,18 @@ Die Balken sagen, wie sehr sich die gesehenen Richtungen in drei Achsen untersch
         <source>Take the pose again and hold the part stiller: its motion adds to gravity, most of all far from where it is held. If it happens again, check the sensor of the cell, and the scale in which its readings are sent.</source>
         <translation>Die Pose noch einmal aufnehmen und das Teil ruhiger halten: Seine Bewegung kommt zur Schwerkraft hinzu, am meisten weit weg von der Stelle, an der es gehalten wird. Tritt es wieder auf, den Sensor der Zelle prüfen und die Skala, in der seine Messwerte gesendet werden.</translation>
     </message>
+    <message>
+        <source>is one of the inputs, which are never replaced: take another name</source>
+        <translation>ist eine der Eingaben, die nie ersetzt werden: anderen Namen wählen</translation>
+    </message>
+    <message>
+        <source>exists already as a Hexoderm session, and what that has captured is never replaced: take another name</source>
+        <translation>gibt es schon als Sitzung von Hexoderm, und was sie aufgenommen hat, wird nie ersetzt: anderen Namen wählen</translation>
+    </message>
+    <message>
+        <source>belongs to the session {}, and what that has captured is never replaced: take another name</source>
+        <translation>gehört zur Sitzung {}, und was sie aufgenommen hat, wird nie ersetzt: anderen Namen wählen</translation>
+    </message>
 </context>
 <context>
     <name>hexoderm::MessageBar</name>

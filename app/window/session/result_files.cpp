@@ -1,11 +1,11 @@
 #include "app/window/session/result_files.h"
 
 #include "app/window/files/session_paths.h"
-#include "app/window/session/background_work.h"
 #include "app/window/session/session_controller.h"
 #include "hexoderm/io/calibration_json.h"
 #include "hexoderm/util/error.h"
 #include "hexoderm/util/file.h"
+#include "hexoderm/util/kept_files.h"
 #include "widgets/words/words.h"
 
 #include <QFileInfo>
@@ -22,20 +22,28 @@ constexpr const char* kReportHtml = "report.html";
 
 }  // namespace
 
+void ResultFiles::startWriting(const QString& activity, BackgroundWork::Work work) {
+  work_.startWriting(activity, [work = std::move(work), session = toPath(controller_.file().sessionPath()),
+                                calibration = toPath(controller_.file().calibrationPath())] {
+    const KeptFile open_session(session);
+    const KeptFile open_calibration(calibration);
+    return work();
+  });
+}
+
 void ResultFiles::exportTo(const ExportRequest& request) {
   if (!controller_.reconstruction()) return;
-  work_.startWriting(tr("Exporting %1").arg(QFileInfo(request.path).fileName()),
-                     [this, request, reconstruction = controller_.reconstruction()]() -> BackgroundWork::Continuation {
-                       QString left_out;
-                       if (request.format) {
-                         left_out =
-                             words(leftOutInWords(patchesLeftOut(*reconstruction, *request.format, request.options)));
-                         exportReconstruction(*reconstruction, *request.format, toPath(request.path), request.options);
-                       } else {
-                         writeCalibrationJson(*reconstruction, toPath(request.path));
-                       }
-                       return [this, path = request.path, left_out] { emit exported(path, left_out); };
-                     });
+  startWriting(tr("Exporting %1").arg(QFileInfo(request.path).fileName()),
+               [this, request, reconstruction = controller_.reconstruction()]() -> BackgroundWork::Continuation {
+                 QString left_out;
+                 if (request.format) {
+                   left_out = words(leftOutInWords(patchesLeftOut(*reconstruction, *request.format, request.options)));
+                   exportReconstruction(*reconstruction, *request.format, toPath(request.path), request.options);
+                 } else {
+                   writeCalibrationJson(*reconstruction, toPath(request.path));
+                 }
+                 return [this, path = request.path, left_out] { emit exported(path, left_out); };
+               });
 }
 
 void ResultFiles::saveImage(const QImage& image, const QString& path) {
@@ -43,31 +51,31 @@ void ResultFiles::saveImage(const QImage& image, const QString& path) {
 }
 
 void ResultFiles::savePicture(std::function<bool()> write, const QString& path) {
-  work_.startWriting(tr("Saving %1").arg(QFileInfo(path).fileName()),
-                     [this, write = std::move(write), path]() -> BackgroundWork::Continuation {
-                       if (!write()) {
-                         throw StorageError(message("The picture {} could not be written: is the folder writable?",
-                                                    path.toStdString()));
-                       }
-                       return [this, path] { emit exported(path, {}); };
-                     });
+  startWriting(tr("Saving %1").arg(QFileInfo(path).fileName()),
+               [this, write = std::move(write), path]() -> BackgroundWork::Continuation {
+                 requireReplaceable(toPath(path), path.toStdString());
+                 if (!write()) {
+                   throw StorageError(
+                       message("The picture {} could not be written: is the folder writable?", path.toStdString()));
+                 }
+                 return [this, path] { emit exported(path, {}); };
+               });
 }
 
 void ResultFiles::saveTable(const QByteArray& csv, const QString& path) {
-  work_.startWriting(
-      tr("Saving %1").arg(QFileInfo(path).fileName()), [this, csv, path]() -> BackgroundWork::Continuation {
-        writeFileAtomically(toPath(path), std::string_view(csv.constData(), static_cast<std::size_t>(csv.size())));
-        return [this, path] { emit exported(path, {}); };
-      });
+  startWriting(tr("Saving %1").arg(QFileInfo(path).fileName()), [this, csv, path]() -> BackgroundWork::Continuation {
+    writeFileAtomically(toPath(path), std::string_view(csv.constData(), static_cast<std::size_t>(csv.size())));
+    return [this, path] { emit exported(path, {}); };
+  });
 }
 
 void ResultFiles::writeReport(const ReportContent& content, const QString& path) {
   if (!content.reconstruction) return;
-  work_.startWriting(tr("Writing the report %1").arg(QFileInfo(path).fileName()),
-                     [this, content, path]() -> BackgroundWork::Continuation {
-                       hexoderm::writeReport(content, path);
-                       return [this, path] { emit exported(path, {}); };
-                     });
+  startWriting(tr("Writing the report %1").arg(QFileInfo(path).fileName()),
+               [this, content, path]() -> BackgroundWork::Continuation {
+                 hexoderm::writeReport(content, path);
+                 return [this, path] { emit exported(path, {}); };
+               });
 }
 
 void ResultFiles::exportPackage(const PackageRequest& request, const ReportContent& report) {
@@ -81,27 +89,27 @@ void ResultFiles::exportPackage(const PackageRequest& request, const ReportConte
         },
         Qt::QueuedConnection);
   };
-  work_.startWriting(tr("Exporting %1").arg(QFileInfo(request.path).fileName()),
-                     [this, request, report, tell, stop = package_stop_.get_token()]() -> BackgroundWork::Continuation {
-                       try {
-                         PackageContent content = packageContent(request);
-                         for (PackageAttachment& attachment : content.attachments) {
-                           if (stop.stop_requested()) return [this] { emit packageCancelled(); };
-                           tell(attachment.name, 0, 0);
-                           const QByteArray bytes =
-                               attachment.name == kReportPdf ? reportPdf(report) : reportHtml(report).toUtf8();
-                           attachment.bytes = bytes.toStdString();
-                         }
-                         WrittenPackage written = hexoderm::exportPackage(
-                             *report.reconstruction, content, toPath(request.path), request.options, stop, tell);
-                         if (written.entries.empty()) return [this] { emit packageCancelled(); };
-                         return [this, path = request.path, entries = std::move(written.entries)] {
-                           emit packageWritten(path, entries);
-                         };
-                       } catch (const std::exception& error) {
-                         return [this, message = words(error)] { emit packageFailed(message); };
-                       }
-                     });
+  startWriting(tr("Exporting %1").arg(QFileInfo(request.path).fileName()),
+               [this, request, report, tell, stop = package_stop_.get_token()]() -> BackgroundWork::Continuation {
+                 try {
+                   PackageContent content = packageContent(request);
+                   for (PackageAttachment& attachment : content.attachments) {
+                     if (stop.stop_requested()) return [this] { emit packageCancelled(); };
+                     tell(attachment.name, 0, 0);
+                     const QByteArray bytes =
+                         attachment.name == kReportPdf ? reportPdf(report) : reportHtml(report).toUtf8();
+                     attachment.bytes = bytes.toStdString();
+                   }
+                   WrittenPackage written = hexoderm::exportPackage(*report.reconstruction, content,
+                                                                    toPath(request.path), request.options, stop, tell);
+                   if (written.entries.empty()) return [this] { emit packageCancelled(); };
+                   return [this, path = request.path, entries = std::move(written.entries)] {
+                     emit packageWritten(path, entries);
+                   };
+                 } catch (const std::exception& error) {
+                   return [this, message = words(error)] { emit packageFailed(message); };
+                 }
+               });
 }
 
 PackageContent packageContent(const PackageRequest& request) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "app/window/report/report.h"
+#include "app/window/session/background_work.h"
 #include "hexoderm/io/export_package.h"
 
 #include <QImage>
@@ -12,7 +13,6 @@
 
 namespace hexoderm {
 
-class BackgroundWork;
 class SessionController;
 
 /// The request of an export dialog. Without a format: Hexoderm's own calibration file.
@@ -72,6 +72,9 @@ class ResultFiles : public QObject {
   void packageCancelled();
 
  private:
+  /// In place of no file that is open in the window.
+  void startWriting(const QString& activity, BackgroundWork::Work work);
+
   const SessionController& controller_;
   BackgroundWork& work_;
   std::stop_source package_stop_;

@@ -6,6 +6,7 @@
 #include "hexoderm/io/export_support.h"
 #include "hexoderm/util/error.h"
 #include "hexoderm/util/file.h"
+#include "hexoderm/util/kept_files.h"
 #include "hexoderm/util/sha256.h"
 #include "hexoderm/util/text.h"
 #include "hexoderm/util/zip.h"
@@ -248,6 +249,7 @@ WrittenPackage exportPackage(const Reconstruction& reconstruction, const Package
                              const std::stop_token& stop, const PackageProgress& progress) {
   requireSomething(content, options);
   if (path.empty()) throw InvalidArgument(message("expected the name of a file or folder to export to"));
+  const KeptFile robot(options.robot_urdf);
   PackageMaker maker(reconstruction, content, options, stop, progress);
   try {
     maker.make();

@@ -2,6 +2,7 @@
 
 #include "hexoderm/util/error.h"
 #include "hexoderm/util/file.h"
+#include "hexoderm/util/kept_files.h"
 #include "hexoderm/util/system_reason.h"
 #include "hexoderm/util/temporary_file.h"
 
@@ -14,6 +15,7 @@ namespace {
 namespace fs = std::filesystem;
 
 void renameOver(const fs::path& from, const fs::path& to) {
+  requireReplaceable(to, to.string());
   std::error_code error;
   fs::rename(from, to, error);
   if (error) throw StorageError(located(to.string(), message("cannot be replaced: {}", systemReason(error))));
@@ -92,6 +94,7 @@ std::vector<fs::path> publishFolder(const fs::path& folder, const std::vector<St
   if (there && !fs::is_directory(status))
     throw StorageError(located(target.string(), message("is a file, expected a folder")));
 
+  for (const StagedFile& file : files) requireReplaceable(target / file.name, (target / file.name).string());
   const TemporaryFolder temporary(there ? target : folderOf(target), target.string());
   // The temporary folder is private; these become the user's and follow the umask.
   const fs::path staged = temporary.path() / "new";

@@ -18,6 +18,7 @@
 #include "hexoderm/io/export_vtp.h"
 #include "hexoderm/util/error.h"
 #include "hexoderm/util/file.h"
+#include "hexoderm/util/kept_files.h"
 
 #include <algorithm>
 #include <array>
@@ -340,6 +341,7 @@ std::vector<std::filesystem::path> exportReconstruction(const Reconstruction& re
   options.validateFor(format);
   if (path.empty()) throw InvalidArgument(message("expected the name of a file or folder to export to"));
   if (format == ExportFormat::Csv) return exportBundle(reconstruction, std::array{format}, path, options);
+  const KeptFile robot(options.robot_urdf);
   return withExported(
       reconstruction, format, options,
       [&](const Reconstruction& part, const ExportSelection& selection) -> std::vector<std::filesystem::path> {

@@ -2,6 +2,7 @@
 
 #include "hexoderm/util/error.h"
 #include "hexoderm/util/file.h"
+#include "hexoderm/util/kept_files.h"
 #include "hexoderm/util/limits.h"
 #include "hexoderm/util/system_reason.h"
 #include "hexoderm/util/text.h"
@@ -27,6 +28,7 @@ constexpr int kDeepestNode = 500;
 /// That there is something to read, and not too much: Assimp opens the file itself, because formats such as glTF refer
 /// to other files beside them.
 void requireReadable(const std::filesystem::path& file) {
+  noteRead(file);
   std::error_code error;
   const auto status = std::filesystem::status(file, error);
   if (status.type() == std::filesystem::file_type::not_found) {

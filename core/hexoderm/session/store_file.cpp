@@ -1,74 +1,29 @@
 #include "hexoderm/session/store_file.h"
 
+#include "hexoderm/util/database_files.h"
 #include "hexoderm/util/error.h"
+#include "hexoderm/util/kept_files.h"
 #include "hexoderm/util/system_reason.h"
 
 #include <fcntl.h>
-#include <sys/stat.h>
 #include <unistd.h>
 
-#include <array>
 #include <cerrno>
 #include <chrono>
 #include <cstdlib>
 #include <cstring>
-#include <map>
-#include <mutex>
 #include <string_view>
 #include <system_error>
 #include <thread>
 #include <utility>
-#include <vector>
 
 namespace hexoderm {
 namespace {
 
 /// SQLite locks 512 bytes from 0x40000000 on and stores nothing in the page around them.
 constexpr off_t kLockedByte = 0x40000000 + 2048;
-constexpr std::string_view kSqliteHeader("SQLite format 3\0", 16);
 /// A reader holds a file for the time that it takes to load it.
 constexpr auto kPatienceWithReaders = std::chrono::seconds(2);
-
-using FileIdentity = std::pair<dev_t, ino_t>;
-
-/// The files that this process has open for writing, with the descriptors that are closed when they are.
-struct Registry {
-  std::mutex mutex;
-  std::map<FileIdentity, std::vector<int>> writing;
-};
-Registry& registry() {
-  static Registry instance;
-  return instance;
-}
-
-std::optional<FileIdentity> identityOf(const std::filesystem::path& path) {
-  struct stat status {};
-  if (::stat(path.c_str(), &status) != 0) return std::nullopt;
-  return FileIdentity(status.st_dev, status.st_ino);
-}
-
-bool isOpenForWritingHere(const std::filesystem::path& path) {
-  const std::optional<FileIdentity> identity = identityOf(path);
-  const std::lock_guard guard(registry().mutex);
-  return identity && registry().writing.contains(*identity);
-}
-
-void closeWhenHarmless(int descriptor, bool is_writer) {
-  if (descriptor < 0) return;
-  struct stat status {};
-  const bool known = ::fstat(descriptor, &status) == 0;
-  const std::lock_guard guard(registry().mutex);
-  const auto found = known ? registry().writing.find({status.st_dev, status.st_ino}) : registry().writing.end();
-  if (found == registry().writing.end()) {
-    ::close(descriptor);
-  } else if (is_writer) {
-    for (const int parked : found->second) ::close(parked);
-    registry().writing.erase(found);
-    ::close(descriptor);
-  } else {
-    found->second.push_back(descriptor);
-  }
-}
 
 struct flock lockOf(short type) {
   struct flock lock {};
@@ -163,6 +118,7 @@ void requireWholePages(Database& database, const std::filesystem::path& file) {
 
 StoreFile openUnchanged(const std::filesystem::path& path, const std::string& name) {
   const std::filesystem::path file = fileBehind(path, name);
+  noteRead(file);
   std::optional<StoreLock> lock = StoreLock::forReading(file, name);
   requireContent(file, name);
   if (lock && !hasJournal(file)) {
@@ -188,7 +144,7 @@ StoreLock StoreLock::forWriting(const std::filesystem::path& path, const std::st
   const auto open_here = [&] {
     return StorageError(located(name, message("is already open for writing in this Hexoderm: close it there first")));
   };
-  if (isOpenForWritingHere(path)) throw open_here();
+  if (isOpenDatabase(path)) throw open_here();
   StoreLock lock(::open(path.c_str(), O_RDWR | O_CLOEXEC));
   if (lock.descriptor_ < 0) {
     throw StorageError(located(
@@ -205,7 +161,7 @@ StoreLock StoreLock::forWriting(const std::filesystem::path& path, const std::st
     case Locked::Yes:
       break;
     case Locked::ByWriter:
-      if (isOpenForWritingHere(path)) throw open_here();
+      if (isOpenDatabase(path)) throw open_here();
       throw StorageError(
           located(name, message("another Hexoderm has it open for writing: close it there, or open it for reading")));
     case Locked::ByReader:
@@ -216,17 +172,13 @@ StoreLock StoreLock::forWriting(const std::filesystem::path& path, const std::st
           located(name, message("cannot be locked against a second writer: {}; keep sessions on a disk of this machine",
                                 systemReason(errno))));
   }
-  struct stat status {};
-  if (::fstat(lock.descriptor_, &status) != 0)
-    throw StorageError(located(name, message("cannot be written: {}", systemReason(errno))));
-  const std::lock_guard guard(registry().mutex);
-  registry().writing[{status.st_dev, status.st_ino}];
+  addOpenDatabase(lock.descriptor_);
   lock.is_writer_ = true;
   return lock;
 }
 
 std::optional<StoreLock> StoreLock::forReading(const std::filesystem::path& path, const std::string& name) {
-  if (isOpenForWritingHere(path)) return std::nullopt;
+  if (isOpenDatabase(path)) return std::nullopt;
   StoreLock lock(::open(path.c_str(), O_RDONLY | O_CLOEXEC));
   if (lock.descriptor_ < 0) throw StorageError(located(name, message("cannot be read: {}", systemReason(errno))));
   // A file system without locks has no second reader to be careful of either.
@@ -294,13 +246,8 @@ StoreFile openStoreBytes(std::string_view bytes, const std::string& name, Migrat
 bool looksLikeStore(const std::filesystem::path& path) {
   std::error_code error;
   if (!std::filesystem::is_regular_file(path, error)) return false;
-  if (isOpenForWritingHere(path)) return true;
-  const int descriptor = ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
-  if (descriptor < 0) throw StorageError(located(path.string(), message("cannot be read: {}", systemReason(errno))));
-  std::array<char, kSqliteHeader.size()> begin{};
-  const ssize_t count = ::pread(descriptor, begin.data(), begin.size(), 0);
-  closeWhenHarmless(descriptor, false);
-  return count == static_cast<ssize_t>(begin.size()) && beginsAsStore({begin.data(), begin.size()});
+  if (isOpenDatabase(path)) return true;
+  return beginsAsStore(firstBytes(path, kSqliteHeader.size()));
 }
 
 bool beginsAsStore(std::string_view bytes) { return bytes.starts_with(kSqliteHeader); }

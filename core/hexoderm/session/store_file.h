@@ -13,9 +13,8 @@ namespace hexoderm {
 
 /// Keeps others from writing, or from beginning to write, as long as it lives; gone with the process that holds it.
 ///
-/// An open-file-description lock on one byte of the database file, far behind those that SQLite locks. SQLite's own
-/// locks belong to the process and fall when *any* descriptor of the file is closed there, so descriptors of a file
-/// that this process has open for writing are closed only after it.
+/// An open-file-description lock on one byte of the database file, far behind those that SQLite locks. Its descriptor
+/// goes by closeWhenHarmless().
 class StoreLock {
  public:
   /// Throws StorageError: missing, not writable, open in another Hexoderm or in this one.

@@ -3,13 +3,11 @@
 // Private to session/: the tables of a *.hexo, and how older ones become newer ones.
 
 #include "hexoderm/session/sqlite_database.h"
+#include "hexoderm/util/database_files.h"
 
 #include <span>
 
 namespace hexoderm {
-
-/// "HEXO", at byte 68 of every session store.
-constexpr std::int64_t kStoreApplicationId = 0x4845584F;
 
 /// `migrations[v]` is the SQL that makes version v + 1 of version v; version 0 is an empty database. Released
 /// migrations are never changed; new ones are appended.

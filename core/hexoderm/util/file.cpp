@@ -1,6 +1,7 @@
 #include "hexoderm/util/file.h"
 
 #include "hexoderm/util/error.h"
+#include "hexoderm/util/kept_files.h"
 #include "hexoderm/util/system_reason.h"
 #include "hexoderm/util/temporary_file.h"
 
@@ -92,6 +93,7 @@ void writeNew(const std::filesystem::path& path, const std::string& name, const 
 /// `before_device` is called before the first byte goes where it can't be taken back.
 void writeDocument(const std::filesystem::path& path, const ProduceBytes& produce, const VerifyBytes& verify,
                    const std::function<void()>& before_device) {
+  requireReplaceable(path, path.string());
   const std::optional<struct stat> earlier = statusAt(path);
   if (!earlier) return writeNew(path, path.string(), produce, verify, earlier);
   if (S_ISDIR(earlier->st_mode))
@@ -119,6 +121,7 @@ std::string readFile(const std::filesystem::path& path, std::uintmax_t most) {
     throw FormatError(
         located(path.string(), message("is too large or does not end: at most {} MB are read", most / kMegabyte)));
   };
+  noteRead(path);
   std::string content;
   if (S_ISREG(status.st_mode)) {
     if (static_cast<std::uintmax_t>(status.st_size) > most) refuse();

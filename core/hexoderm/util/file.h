@@ -24,7 +24,7 @@ using VerifyBytes = std::function<void(const std::string& bytes)>;
 /// - nothing, or a file: a new file is written, synced, read back for `verify`, and then gets the name, and the folder
 ///   is synced. At any moment either the old or the new content is there, whole; a killed program leaves nothing, or
 ///   what the next one that writes into the folder removes. The rights, and as far as this user may the owner and the
-///   group, of a file that is replaced stay. A file that the user may not write is not replaced.
+///   group, of a file that is replaced stay. A session (*.hexo), and what the user may not write, is refused.
 /// - a link to a file: that file is replaced, the link stays. One that leads nowhere or in a circle is refused.
 /// - a FIFO or a character device (/dev/null, a terminal): it is written into, after `verify` has seen the content.
 /// - anything else (a folder, a disk, a socket) is refused.

@@ -1,7 +1,9 @@
 #include "hexoderm/util/temporary_file.h"
 
+#include "hexoderm/util/database_files.h"
 #include "hexoderm/util/error.h"
 #include "hexoderm/util/hex.h"
+#include "hexoderm/util/kept_files.h"
 #include "hexoderm/util/system_reason.h"
 
 #include <fcntl.h>
@@ -24,8 +26,6 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::size_t kTemporaryDigits = 16;
-/// What SQLite keeps beside a file.
-constexpr std::array<const char*, 3> kBesideDatabases = {"-wal", "-shm", "-journal"};
 
 fs::path newHiddenName(const fs::path& folder) {
   std::random_device random;
@@ -167,6 +167,7 @@ void TemporaryFile::replaceTarget() {
       fail();
     }
   }
+  requireReplaceable(target_, name_);  // again: in the meantime a session may have got the name
   if (::rename(path_.c_str(), target_.c_str()) != 0)
     throw StorageError(located(name_, message("cannot be replaced: {}", systemReason(errno))));
   path_.clear();

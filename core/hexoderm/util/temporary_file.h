@@ -57,7 +57,7 @@ class TemporaryFile {
   [[nodiscard]] std::string readBack() const;
   /// Gives it the rights of a file that it is to replace, and its owner and group as far as this user may.
   void keepOwnerAndRights(uid_t owner, gid_t group, mode_t rights) noexcept;
-  /// Syncs it and gives it the target's name, in place of a file of that name.
+  /// Syncs it and gives it the target's name, in place of a file of that name if requireReplaceable() lets it.
   void replaceTarget();
   /// The same if there is nothing of that name; false if there is.
   [[nodiscard]] bool becomeTarget();

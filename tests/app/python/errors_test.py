@@ -50,6 +50,34 @@ class Errors(InFolder):
         for path in (self.session, self.hexo):
             self.expect_same(hexoderm.FormatError, lambda: hexoderm.read_calibration(path), "evaluate", path)
 
+    def test_sessions_are_never_replaced(self):
+        hidden = self.file("hidden.json", self.hexo.read_bytes())
+        link = self.folder / "link.calibration.json"
+        link.symlink_to(self.hexo)
+        session = hexoderm.read_session(self.session)
+        calibration = hexoderm.solve(session)
+        for path in (self.hexo, hidden, link):
+            before = path.read_bytes()
+            for write in (calibration.write, lambda path: calibration.export("stl", path), session.write,
+                          lambda path: hexoderm.Capture("sim:x17", record=path)):
+                with self.assertRaisesRegex(hexoderm.StorageError, "never replaced"):
+                    write(path)
+            self.assertEqual(path.read_bytes(), before)
+        calibration.write(self.calibration)
+        session.write(self.session)
+
+    def test_what_is_read_is_not_replaced_by_what_is_made_of_it(self):
+        robot = self.file("robot.urdf", b'<robot name="arm"><link name="base_link"/></robot>')
+        with self.assertRaisesRegex(hexoderm.InvalidArgument, "is one of the inputs"):
+            hexoderm.solve(hexoderm.read_session(self.session)).export("robot-urdf", robot, robot=robot)
+        recording = self.folder / "s.skinrec"
+        with hexoderm.Capture("sim:x17?speed=max", poses=1, auto=True, record=recording) as capture:
+            list(capture)
+        before = recording.read_bytes()
+        with self.assertRaisesRegex(hexoderm.InvalidArgument, "is one of the inputs"):
+            hexoderm.Capture(f"replay:{recording}", record=recording)
+        self.assertEqual(recording.read_bytes(), before)
+
     def test_options_of_a_solution(self):
         session = hexoderm.read_session(self.session)
         for name, value in [("solver", "best"), ("centre", "maybe"), ("support_axes", "1"), ("weights", "none"),

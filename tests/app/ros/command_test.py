@@ -4,6 +4,7 @@
 import json
 import os
 import pathlib
+import re
 import socket
 import subprocess
 import sys
@@ -41,6 +42,13 @@ class Commands(InFolder):
     def test_the_version_is_that_of_the_project(self):
         said = subprocess.run([PROGRAM, "--version"], capture_output=True, text=True, check=True).stdout
         self.assertEqual(said, f"hexoderm-ros {os.environ['HEXODERM_VERSION']}\n")
+
+    def test_no_option_names_a_file_to_write(self):
+        for command, known in (("skin", {"skin", "--help", "--port", "--address", "--ros"}),
+                               ("transforms", {"transforms", "--help", "--ros"})):
+            said = subprocess.run([PROGRAM, command, "--help"], capture_output=True, text=True, check=True).stdout
+            entries = "\n".join(said.split("\n\n")[1:3])
+            self.assertEqual(set(re.findall(r"^  (?:-\w, )?(--\w+|\w+)", entries, re.MULTILINE)), known, said)
 
     def test_the_help_of_skin_has_an_example(self):
         said = subprocess.run([PROGRAM, "skin", "--help"], capture_output=True, text=True, check=True).stdout

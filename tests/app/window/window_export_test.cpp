@@ -13,6 +13,8 @@
 #include <QDesktopServices>
 #include <QListWidget>
 #include <QUrl>
+#include <filesystem>
+#include <functional>
 #include <set>
 
 namespace hexoderm {
@@ -256,6 +258,75 @@ TEST_F(WindowExportTest, AFullDiskLeavesTheEarlierFileAsItWas) {
   EXPECT_EQ(contentOf(path), "what was there");
   EXPECT_EQ(QDir(folder_.path()).entryList({"*.ply*", ".*ply*"}, QDir::Files | QDir::Hidden), QStringList("arm.ply"))
       << "nothing half written stays";
+}
+
+TEST_F(WindowExportTest, NothingReplacesASession) {
+  ASSERT_NO_FATAL_FAILURE(openCalibrated());
+  const std::string open_session = pathTo("arm.hexo").toStdString();
+  std::filesystem::create_hard_link(open_session, pathTo("arm.html").toStdString());
+  std::filesystem::create_symlink(open_session, pathTo("arm.zip").toStdString());
+  ResultFiles& files = controller().resultFiles();
+  ReportContent report;
+  report.reconstruction = controller().reconstruction();
+  QString package_failed;
+  connect(&files, &ResultFiles::packageFailed, &files, [&](const QString& message) { package_failed = message; });
+  for (const QString& path : {pathTo("arm.hexo"), pathTo("arm.html"), pathTo("arm.zip")}) {
+    const std::vector<std::function<void()>> ways = {
+        [&] {
+          files.exportTo({std::nullopt, path, {}});
+        },
+        [&] {
+          files.exportTo({ExportFormat::Stl, path, {}});
+        },
+        [&] { files.saveImage(QImage(8, 8, QImage::Format_RGB32), path); },
+        [&] { files.savePicture([] { return true; }, path); },
+        [&] { files.saveTable("a,b", path); },
+    };
+    for (std::size_t k = 0; k < ways.size(); ++k) {
+      ways[k]();
+      ASSERT_TRUE(waitForMessage("never replaced")) << path.toStdString() << ' ' << k;
+      EXPECT_TRUE(message().contains(path)) << message().toStdString();
+      click(find<QWidget>("messageClose"));
+    }
+  }
+  files.writeReport(report, pathTo("arm.html"));
+  ASSERT_TRUE(waitForMessage("never replaced")) << message().toStdString();
+  PackageRequest package;
+  package.formats = {ExportFormat::Stl};
+  package.path = pathTo("arm.zip");
+  files.exportPackage(package, report);
+  ASSERT_TRUE(waitUntil([&] { return package_failed.contains("never replaced"); })) << package_failed.toStdString();
+  controller().file().saveSession(pathTo("arm.html"));
+  ASSERT_TRUE(waitForMessage("arm.html: exists already as a Hexoderm session")) << message().toStdString();
+  EXPECT_EQ(readSessionStore(open_session).poses().size(), 4U);
+}
+
+TEST_F(WindowExportTest, NoExportReplacesTheFileThatIsOpen) {
+  ASSERT_NO_FATAL_FAILURE(openCalibrated());
+  ResultFiles& files = controller().resultFiles();
+  const QString calibration = pathTo("arm.calibration.json");
+  files.exportTo({std::nullopt, calibration, {}});
+  ASSERT_TRUE(waitForMessage("Exported to " + calibration)) << message().toStdString();
+  files.exportTo({std::nullopt, calibration, {}});
+  ASSERT_TRUE(waitUntilIdle()) << "an ordinary file is replaced";
+  const QString session = pathTo("copy.session.json");
+  controller().file().saveSession(session);
+  ASSERT_TRUE(waitForMessage("Saved to " + session)) << message().toStdString();
+  for (const QString& path : {calibration, session}) {
+    window_->openFile(path);
+    ASSERT_TRUE(waitUntil([&] { return pathTo(controller().file().name()) == path; }));
+    ASSERT_TRUE(waitUntilIdle());
+    const QByteArray before = contentOf(path);
+    files.exportTo({ExportFormat::Ply, path, {}});
+    ASSERT_TRUE(waitForMessage("is one of the inputs")) << message().toStdString();
+    click(find<QWidget>("messageClose"));
+    files.saveImage(QImage(8, 8, QImage::Format_RGB32), path);
+    ASSERT_TRUE(waitForMessage("is one of the inputs")) << message().toStdString();
+    click(find<QWidget>("messageClose"));
+    EXPECT_EQ(contentOf(path), before);
+  }
+  controller().file().saveSession(session);
+  EXPECT_TRUE(waitForMessage("Saved to " + session)) << message().toStdString();
 }
 
 TEST_F(WindowExportTest, ASkinWithoutCellsSaysWhatCanNotBeMadeOfIt) {

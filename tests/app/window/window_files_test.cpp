@@ -1,4 +1,7 @@
+#include "hexoderm/device/simulation/simulated_skin.h"
 #include "hexoderm/io/session_json.h"
+#include "hexoderm/session/session_store.h"
+#include "hexoderm/session/simulated_session.h"
 #include "tests/app/window/window_test.h"
 #include "widgets/tables/finding_table.h"
 
@@ -246,6 +249,24 @@ TEST(WindowProgram, RefusesWhatItDoesNotUnderstand) {
   const Finished missing = runProgram({folder.filePath("none.session.json"), "--screenshot", folder.filePath("a.png")});
   EXPECT_EQ(missing.code, 3);
   EXPECT_TRUE(missing.errors.contains("none.session.json")) << missing.errors.toStdString();
+}
+
+TEST(WindowProgram, ThePictureReplacesNeitherTheFileThatIsShownNorASession) {
+  const QTemporaryDir folder;
+  const QString file = folder.filePath("arm.session.json");
+  SimulatedSkin skin(builtInCellModel("hex-bma150"), {});
+  const Session session = simulateSession(skin, 2, 20);
+  writeSessionJson(session, file.toStdString());
+  const Finished same = runProgram({file, "--screenshot", folder.filePath("./arm.session.json")});
+  EXPECT_EQ(same.code, 2);
+  EXPECT_TRUE(same.errors.contains("is one of the inputs")) << same.errors.toStdString();
+  EXPECT_NO_THROW(readSessionJson(file.toStdString()));
+  const QString other = folder.filePath("other.png");
+  writeSessionStore(session, other.toStdString());
+  const Finished kept = runProgram({file, "--screenshot", other});
+  EXPECT_EQ(kept.code, 5);
+  EXPECT_TRUE(kept.errors.contains("as a Hexoderm session")) << kept.errors.toStdString();
+  EXPECT_TRUE(isSessionStore(other.toStdString()));
 }
 
 }  // namespace

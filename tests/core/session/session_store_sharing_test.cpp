@@ -143,6 +143,23 @@ class OtherWriter {
   bool has_begun_ = false;
 };
 
+TEST_F(SharedStore, NothingIsWrittenInItsPlaceWhileItIsOpenAndItsLocksStay) {
+  SessionStore store = SessionStore::open(path_);
+  appendTo(store, RemovePose{0});
+  for (const char* suffix : {"", "-wal", "-shm"}) {
+    EXPECT_THAT(messageOf<StorageError>([&] { writeFileAtomically(path_.string() + suffix, "new"); }),
+                saysAll("arm.hexo", "never replaced"));
+  }
+  EXPECT_EQ(test::inAnotherProcess([&] {
+              const std::string message = messageOf<StorageError>([&] { writeFileAtomically(path_, "new"); });
+              if (message.find("as a Hexoderm session") == std::string::npos) return 1;
+              return messageOf<StorageError>([&] { SessionStore::open(path_); }).empty() ? 2 : 0;
+            }),
+            0);
+  appendTo(store, RemovePose{0});
+  EXPECT_EQ(readSessionStore(path_).poses().size(), 1U);
+}
+
 TEST_F(SharedStore, IsReadWhileAnotherProcessWritesAndIsFreeWhenThatIsKilled) {
   OtherWriter other(path_);
   ASSERT_TRUE(other.hasBegun());

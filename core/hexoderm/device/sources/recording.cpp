@@ -4,6 +4,7 @@
 #include "hexoderm/device/skinwire/description.h"
 #include "hexoderm/device/skinwire/sample_messages.h"
 #include "hexoderm/util/error.h"
+#include "hexoderm/util/kept_files.h"
 #include "hexoderm/util/system_reason.h"
 
 #include <algorithm>
@@ -106,6 +107,7 @@ struct StreamRecorder::Impl {
 
 StreamRecorder::StreamRecorder(std::filesystem::path path, SkinListener& next)
     : impl_(std::make_unique<Impl>(std::move(path), next)) {
+  requireReplaceable(impl_->path, impl_->path.string());
   impl_->file.open(impl_->path, std::ios::binary | std::ios::trunc);
   impl_->file << kMagic << kVersion << std::flush;
   if (!impl_->file) {

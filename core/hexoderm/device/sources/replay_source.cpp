@@ -2,6 +2,7 @@
 #include "hexoderm/device/sources/recording.h"
 #include "hexoderm/device/sources/skin_stream.h"
 #include "hexoderm/util/error.h"
+#include "hexoderm/util/kept_files.h"
 
 #include <cmath>
 #include <condition_variable>
@@ -33,6 +34,7 @@ struct ReplaySource::Impl {
   };
 
   std::filesystem::path path;
+  std::optional<KeptFile> kept;  ///< a recording of what is played can't go into the same file
   ReplayOptions options;
   std::optional<RecordingReader> reader;
   SkinListener* listener = nullptr;
@@ -125,6 +127,7 @@ struct ReplaySource::Impl {
 ReplaySource::ReplaySource(std::filesystem::path path, ReplayOptions options) : impl_(std::make_unique<Impl>()) {
   options.validate();
   impl_->path = std::move(path);
+  impl_->kept.emplace(impl_->path);
   impl_->options = options;
 }
 

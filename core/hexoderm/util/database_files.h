@@ -1,0 +1,41 @@
+#pragma once
+
+// Private to core: files that SQLite may have open in this process, and how they are looked at.
+
+#include <sys/types.h>
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
+
+namespace hexoderm {
+
+/// What a file is, whatever it is called.
+using FileIdentity = std::pair<dev_t, ino_t>;
+/// Of a regular file, links followed; nullopt if there is none.
+std::optional<FileIdentity> identityOf(const std::filesystem::path& path);
+
+inline constexpr std::string_view kSqliteHeader("SQLite format 3\0", 16);
+/// "HEXO", at byte 68 of every session store.
+inline constexpr std::int64_t kStoreApplicationId = 0x4845584F;
+/// What SQLite keeps beside a file.
+inline constexpr std::array<const char*, 3> kBesideDatabases = {"-wal", "-shm", "-journal"};
+
+/// Whether this process has it open for writing. SQLite's locks belong to the process and fall when *any* descriptor of
+/// the file is closed there, so descriptors of such a file are closed only after it.
+bool isOpenDatabase(const std::filesystem::path& path);
+/// That it is open for writing, by this descriptor among others.
+void addOpenDatabase(int descriptor);
+/// Closes a descriptor, or lets it wait for the writer's.
+void closeWhenHarmless(int descriptor, bool is_writer);
+
+/// The first bytes of a file that is not open for writing here; fewer where it ends. Throws StorageError if it can't be
+/// read.
+std::string firstBytes(const std::filesystem::path& path, std::size_t count);
+
+}  // namespace hexoderm

@@ -1,0 +1,83 @@
+#include "hexoderm/util/kept_files.h"
+
+#include "hexoderm/util/error.h"
+
+#include <array>
+#include <atomic>
+#include <mutex>
+#include <set>
+#include <string_view>
+#include <system_error>
+
+namespace hexoderm {
+namespace {
+
+struct Kept {
+  std::mutex mutex;
+  std::multiset<FileIdentity> files;
+};
+Kept& keptFiles() {
+  static Kept instance;
+  return instance;
+}
+std::atomic<bool> keeps_what_is_read = false;
+
+bool isKept(const std::filesystem::path& path) {
+  const std::optional<FileIdentity> identity = identityOf(path);
+  const std::lock_guard guard(keptFiles().mutex);
+  return identity && keptFiles().files.contains(*identity);
+}
+
+bool isSession(const std::filesystem::path& path) {
+  if (!identityOf(path)) return false;
+  if (isOpenDatabase(path)) return true;
+  constexpr std::size_t kAt = 68;
+  constexpr std::array kId = {char(kStoreApplicationId >> 24), char(kStoreApplicationId >> 16),
+                              char(kStoreApplicationId >> 8), char(kStoreApplicationId)};
+  const std::string bytes = firstBytes(path, kAt + kId.size());
+  return bytes.starts_with(kSqliteHeader) && bytes.ends_with(std::string_view(kId.data(), kId.size()));
+}
+
+}  // namespace
+
+void requireReplaceable(const std::filesystem::path& path, const std::string& name) {
+  if (isKept(path)) {
+    throw InvalidArgument(located(name, message("is one of the inputs, which are never replaced: take another name")));
+  }
+  if (isSession(path)) {
+    throw StorageError(
+        located(name, message("exists already as a Hexoderm session, and what that has captured is never "
+                              "replaced: take another name")));
+  }
+  std::error_code error;
+  const std::string file = std::filesystem::weakly_canonical(path, error).string();
+  for (const std::string_view beside : kBesideDatabases) {
+    if (!file.ends_with(beside)) continue;
+    const std::string session = file.substr(0, file.size() - beside.size());
+    if (!isSession(session)) continue;
+    throw StorageError(located(
+        name, message("belongs to the session {}, and what that has captured is never replaced: take another name",
+                      session)));
+  }
+}
+
+KeptFile::KeptFile(const std::filesystem::path& path) : identity_(identityOf(path)) {
+  const std::lock_guard guard(keptFiles().mutex);
+  if (identity_) keptFiles().files.insert(*identity_);
+}
+
+KeptFile::~KeptFile() {
+  const std::lock_guard guard(keptFiles().mutex);
+  if (identity_) keptFiles().files.erase(keptFiles().files.find(*identity_));
+}
+
+void keepWhatIsRead() { keeps_what_is_read = true; }
+
+void noteRead(const std::filesystem::path& path) {
+  if (!keeps_what_is_read) return;
+  const std::optional<FileIdentity> identity = identityOf(path);
+  const std::lock_guard guard(keptFiles().mutex);
+  if (identity && !keptFiles().files.contains(*identity)) keptFiles().files.insert(*identity);
+}
+
+}  // namespace hexoderm

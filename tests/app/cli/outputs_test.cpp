@@ -1,0 +1,279 @@
+// No command replaces a file that it reads, nor a session. The options are those of the help, so that a new one is
+// tried too, or fails a test until it is said what it is.
+
+#include "hexoderm/session/session_store.h"
+
+#include "tests/app/cli/cli_program.h"
+
+#include <gmock/gmock.h>
+
+#include <algorithm>
+#include <fstream>
+#include <map>
+#include <regex>
+#include <set>
+#include <sstream>
+#include <thread>
+#include <vector>
+
+namespace hexoderm {
+namespace {
+
+using ::testing::AllOf;
+using ::testing::HasSubstr;
+
+namespace fs = std::filesystem;
+
+struct Option {
+  std::string name;  ///< "--robot"; of an argument "input"
+  std::string type;  ///< "FILE"
+};
+
+/// What each command needs beside inputs and outputs to be run at all. One that has an output has to be here.
+const std::map<std::string, std::string> kNeeded = {
+    {"simulate", "--robot demo"},
+    {"capture", "--source sim:x17"},
+    {"solve", "input"},
+    {"check", "calibration --source sim:x17"},
+    {"export", "calibration --to stl"},
+    {"convert", "input"},
+    {"sensors", "sessions"},
+    {"place", "skin --robot demo --link forearm"},
+};
+
+/// Texts that name no file, and places where files are only read: of folders, or by an address.
+const std::set<std::string> kWords = {
+    "--source",   "source",  "--fit",        "--loop",     "--to",           "--place",   "--in-link",
+    "--package",  "--put",   "--link",       "--rotation", "--point",        "--patch",   "--surface",
+    "--fault",    "--mount", "--solver",     "--centre",   "--support-axes", "--weights", "--gap-model",
+    "--distance", "--bind",  "--model-name", "--parent",   "--prefix"};
+
+class CliOutputs : public Cli {
+ protected:
+  void SetUp() override {
+    ASSERT_EQ(run("simulate --poses 3 --seed 4 -o arm.session.json").exit_code, 0);
+    ASSERT_EQ(run("simulate --poses 3 --seed 4 -o arm.hexo").exit_code, 0);
+    ASSERT_EQ(run("solve arm.session.json -o arm.calibration.json").exit_code, 0);
+  }
+
+  [[nodiscard]] std::vector<std::string> commands() const {
+    std::istringstream help(run("--help").out);
+    std::vector<std::string> names;
+    std::string line;
+    while (std::getline(help, line) && line != "Subcommands:") continue;
+    const std::regex entry("  ([a-z]+) .*");
+    for (std::smatch match; std::getline(help, line);) {
+      if (std::regex_match(line, match, entry)) names.push_back(match[1]);
+    }
+    return names;
+  }
+
+  /// Options and arguments that take a value.
+  static std::vector<Option> optionsIn(const std::string& help) {
+    std::istringstream lines(help);
+    std::vector<Option> options;
+    const std::regex entry("(?:  ){1,2}([a-z]+|(?:-\\w,)?--[-a-z]+) ([A-Z]{3,}(?::\\{)?).*");
+    std::string line;
+    for (std::smatch match; std::getline(lines, line);) {
+      if (!std::regex_match(line, match, entry)) continue;
+      const std::string name = match[1];
+      options.push_back({name.substr(name.find(',') + 1), match[2]});
+    }
+    return options;
+  }
+
+  /// Of everything in the folder, that lies in folders too; without what this test's own runs print to.
+  [[nodiscard]] std::map<std::string, std::string> contents() const {
+    std::map<std::string, std::string> found;
+    for (const auto& entry : fs::recursive_directory_iterator(folder_.path())) {
+      if (entry.path().filename() == "stderr.txt") continue;
+      found[entry.path().string()] = entry.is_regular_file() ? readFile(entry.path()) : "";
+    }
+    return found;
+  }
+
+  /// That a command ends with this code and one line that says all of this, and changes nothing.
+  void expectRefused(const std::string& arguments, int exit_code, const std::vector<std::string>& says) {
+    const auto before = contents();
+    const Outcome outcome = run(arguments);
+    EXPECT_EQ(outcome.exit_code, exit_code) << arguments << '\n' << outcome.err;
+    EXPECT_EQ(outcome.out, "") << arguments;
+    EXPECT_EQ(std::ranges::count(outcome.err, '\n'), 1) << arguments << '\n' << outcome.err;
+    for (const std::string& text : says) EXPECT_THAT(outcome.err, HasSubstr(text)) << arguments;
+    EXPECT_TRUE(contents() == before) << arguments;
+  }
+
+  /// The arguments of a command with these values; what it needs besides is a file, or is needed as it is.
+  static std::string argumentsFor(const std::string& command, const std::map<std::string, std::string>& values) {
+    std::istringstream needed(kNeeded.at(command));
+    std::string line = command;
+    std::set<std::string> given;
+    for (std::string word; needed >> word;) {
+      if (word.starts_with("--")) {
+        std::string value;
+        needed >> value;
+        if (!values.contains(word)) line += " " + word + " " + value;
+      } else if (!values.contains(word)) {
+        line += " arm.calibration.json";
+      } else {
+        line += " " + values.at(word);
+      }
+      given.insert(word);
+    }
+    if (!values.contains("--output")) line += " -o none";
+    for (const auto& [name, value] : values) {
+      if (name.starts_with("--")) {
+        line += " " + name + " " + value;
+      } else if (!given.contains(name)) {
+        line += " " + value;
+      }
+    }
+    return line;
+  }
+};
+
+TEST_F(CliOutputs, EveryOptionIsKnownAsAnInputAnOutputOrAWord) {
+  std::string helps;
+  for (const std::string& command : commands()) helps += run(command + " --help").out;
+  const std::string program = std::exchange(program_, HEXODERM_EMULATOR);
+  helps += run("--help").out;
+  program_ = program;
+  const std::set<std::string> known = {"FILE", "OUTPUT", "FLOAT", "INT", "UINT", "TEXT:{"};
+  std::set<std::string> words;
+  for (const Option& option : optionsIn(helps)) {
+    if (option.type == "TEXT" || (option.name.starts_with("--") && !known.contains(option.type))) {
+      words.insert(option.name);
+    }
+  }
+  EXPECT_EQ(words, kWords) << "a file that is read (kInput), one that is written (kOutput), or a word?";
+}
+
+TEST_F(CliOutputs, NoneIsAnInput) {
+  std::size_t tried = 0;
+  for (const std::string& command : commands()) {
+    const std::vector<Option> options = optionsIn(run(command + " --help").out);
+    for (const Option& output : options) {
+      if (output.type != "OUTPUT") continue;
+      ASSERT_TRUE(kNeeded.contains(command)) << command << ' ' << output.name;
+      for (const Option& input : options) {
+        if (input.type != "FILE") continue;
+        ++tried;
+        expectRefused(argumentsFor(command, {{input.name, "arm.session.json"}, {output.name, "./arm.session.json"}}), 2,
+                      {"./arm.session.json", output.name == "--output" ? "-o" : output.name, "is one of the inputs"});
+      }
+    }
+  }
+  EXPECT_GE(tried, 15U);
+}
+
+TEST_F(CliOutputs, NoneIsASession) {
+  fs::create_directory(path("sub"));
+  fs::copy_file(path("arm.hexo"), path("named.session.json"));
+  fs::create_hard_link(path("arm.hexo"), path("hard.calibration.json"));
+  fs::create_symlink("arm.hexo", path("soft.json"));
+  fs::create_symlink("../arm.hexo", path("sub/soft.hexo"));
+  std::size_t tried = 0;
+  for (const std::string& command : commands()) {
+    for (const Option& output : optionsIn(run(command + " --help").out)) {
+      if (output.type != "OUTPUT") continue;
+      ASSERT_TRUE(kNeeded.contains(command)) << command << ' ' << output.name;
+      for (const std::string& name :
+           {std::string("arm.hexo"), path("arm.hexo"), std::string("sub/../named.session.json"),
+            std::string("hard.calibration.json"), std::string("soft.json"), std::string("sub/soft.hexo"),
+            std::string("arm.hexo-wal")}) {
+        ++tried;
+        expectRefused(argumentsFor(command, {{output.name, name}}), 5,
+                      {name, output.name == "--output" ? "-o" : output.name, "never replaced"});
+      }
+    }
+  }
+  EXPECT_GE(tried, 11U * 7U);
+}
+
+TEST_F(CliOutputs, AnInputThatIsASessionStaysToo) {
+  fs::create_hard_link(path("arm.hexo"), path("hard.calibration.json"));
+  for (const std::string name : {"arm.hexo", "hard.calibration.json"}) {
+    expectRefused("solve arm.hexo -o " + name, 2, {"-o " + name});
+    expectRefused("convert arm.hexo -o " + name, 2, {"-o " + name});
+    expectRefused("sensors arm.session.json arm.hexo -o " + name, 2, {"-o " + name});
+  }
+}
+
+TEST_F(CliOutputs, EarlierOutputsAreReplaced) {
+  std::ofstream(path("earlier.calibration.json")) << "earlier";
+  EXPECT_EQ(run("solve arm.session.json -o earlier.calibration.json").exit_code, 0);
+  EXPECT_EQ(readFile(path("earlier.calibration.json")), readFile(path("arm.calibration.json")));
+  for (int times = 0; times < 2; ++times) {
+    EXPECT_EQ(run("export arm.calibration.json --to csv,urdf -o out").exit_code, 0);
+    EXPECT_EQ(run("solve arm.hexo leg.session.json -o out", "cp arm.session.json leg.session.json && ").exit_code, 0);
+    EXPECT_EQ(run("simulate --robot demo --poses 1 -o robot.session.json").exit_code, 0);
+  }
+}
+
+TEST_F(CliOutputs, FilesOfAFolderReplaceNoInputAndNoSession) {
+  fs::create_directory(path("out"));
+  fs::create_hard_link(path("arm.calibration.json"), path("out/manifest.json"));
+  for (const std::string input : {"arm.calibration.json", "out/manifest.json"}) {
+    expectRefused("export " + input + " --to stl,csv -o out", 2, {"out/manifest.json", "is one of the inputs"});
+  }
+  fs::rename(path("arm.hexo"), path("out/manifest.json"));
+  expectRefused("export arm.calibration.json --to csv -o out", 5, {"out/manifest.json", "as a Hexoderm session"});
+}
+
+TEST_F(CliOutputs, TheRobotThatGetsTheSkinStays) {
+  std::ofstream(path("manifest.json")) << "<robot name=\"arm\"><link name=\"base_link\"/></robot>";
+  expectRefused("export arm.calibration.json --to robot-urdf,csv --robot manifest.json -o .", 2,
+                {"manifest.json", "is one of the inputs"});
+}
+
+TEST_F(CliOutputs, CalibrationsOfManySessionsReplaceNoInputAndNoSession) {
+  fs::create_directory(path("out"));
+  fs::copy_file(path("arm.session.json"), path("leg.session.json"));
+  fs::create_hard_link(path("leg.session.json"), path("out/leg.calibration.json"));
+  expectRefused("solve arm.session.json leg.session.json -o out", 2, {"out/leg.calibration.json", "one of the inputs"});
+  fs::rename(path("arm.hexo"), path("out/leg.calibration.json"));
+  expectRefused("solve arm.session.json leg.session.json -o out", 5, {"out/leg.calibration.json", "Hexoderm session"});
+}
+
+TEST_F(CliOutputs, WhatIsWrittenBesideASimulatedRobotReplacesNoSession) {
+  for (const std::string name : {"robot.joints.csv", "robot.truth.json"}) {
+    fs::rename(path("arm.hexo"), path(name));
+    expectRefused("simulate --robot demo -o robot.session.json", 5, {name, "as a Hexoderm session"});
+    fs::rename(path(name), path("arm.hexo"));
+  }
+}
+
+TEST_F(CliOutputs, ARecordingIsNotRecordedIntoItself) {
+  ASSERT_EQ(run("capture --source sim:x17?speed=20 --auto --poses 4 --record arm.skinrec -o first.hexo").exit_code, 0);
+  fs::create_hard_link(path("arm.skinrec"), path("hard.skinrec"));
+  for (const std::string name : {"arm.skinrec", "./arm.skinrec", "hard.skinrec"}) {
+    expectRefused("capture --source 'replay:arm.skinrec?speed=max' --record " + name + " -o second.hexo", 2,
+                  {"--record " + name, "is one of the inputs"});
+  }
+}
+
+TEST_F(CliOutputs, NothingIsWrittenInThePlaceOfASessionThatAnotherProcessCapturesInto) {
+  std::thread capturing([&] {
+    std::ignore =
+        std::system(("cd '" + folder_.path().string() + "' && '" + program_ +
+                     "' capture --source sim:x17?speed=20 --auto --poses 12 -o live.hexo >live.txt 2>/dev/null")
+                        .c_str());
+  });
+  while (!exists("live.hexo")) std::this_thread::sleep_for(std::chrono::milliseconds(2));
+  std::size_t refused = 0;
+  do {
+    for (const std::string name : {"live.hexo", "live.hexo-wal", "live.hexo-shm"}) {
+      EXPECT_NE(run("solve arm.session.json -o " + name).exit_code, 0);
+      EXPECT_NE(run("solve live.hexo -o " + name).exit_code, 0);
+      EXPECT_NE(run("export arm.calibration.json --to urdf -o " + name).exit_code, 0);
+      refused += 3;
+    }
+  } while (readFile(path("live.txt")).empty());
+  capturing.join();
+  EXPECT_GE(refused, 9U);
+  EXPECT_THAT(readFile(path("live.txt")), HasSubstr("12 poses of 17 cells"));
+  EXPECT_EQ(readSessionStore(path("live.hexo")).poses().size(), 12U);
+}
+
+}  // namespace
+}  // namespace hexoderm
