@@ -5463,28 +5463,12 @@ Die Balken sagen, wie sehr sich die gesehenen Richtungen in drei Achsen untersch
         <translation>Eine Netzdatei wird erwartet, das ist aber keine</translation>
     </message>
     <message>
-        <source>is too large: at most {} MB of a mesh are read</source>
-        <translation>ist zu groß: Von einem Netz werden höchstens {} MB gelesen</translation>
-    </message>
-    <message>
         <source>expected a mesh of triangles, but it has none</source>
         <translation>Ein Netz aus Dreiecken wird erwartet, es hat aber keine</translation>
     </message>
     <message>
-        <source>nests its parts too deeply</source>
-        <translation>verschachtelt seine Teile zu tief</translation>
-    </message>
-    <message>
         <source>has more than {} triangles</source>
         <translation>hat mehr als {} Dreiecke</translation>
-    </message>
-    <message>
-        <source>point {} is not finite or farther than {} from its origin</source>
-        <translation>Punkt {} ist nicht endlich oder weiter als {} vom Ursprung entfernt</translation>
-    </message>
-    <message>
-        <source>this is no mesh that can be read: {}</source>
-        <translation>Das ist kein lesbares Netz: {}</translation>
     </message>
     <message>
         <source>this is no valid URDF; urdfdom says: {}</source>
@@ -7002,6 +6986,118 @@ Die Balken sagen, wie sehr sich die gesehenen Richtungen in drei Achsen untersch
     <message>
         <source>belongs to the session {}, and what that has captured is never replaced: take another name</source>
         <translation>gehört zur Sitzung {}, und was sie aufgenommen hat, wird nie ersetzt: anderen Namen wählen</translation>
+    </message>
+    <message>
+        <source>has more than {} elements and attributes</source>
+        <translation>hat mehr als {} Elemente und Attribute</translation>
+    </message>
+    <message>
+        <source>this is not well-formed XML ({}; truncated?), expected COLLADA</source>
+        <translation>Das ist kein wohlgeformtes XML ({}; abgeschnitten?), erwartet wird COLLADA</translation>
+    </message>
+    <message>
+        <source>expected COLLADA, whose root element is &lt;COLLADA&gt;, found &lt;{}&gt;</source>
+        <translation>Erwartet wird COLLADA mit dem Wurzelelement &lt;COLLADA&gt;, gefunden wurde &lt;{}&gt;</translation>
+    </message>
+    <message>
+        <source>expected a scene, but it has none</source>
+        <translation>Erwartet wird eine Szene, es gibt aber keine</translation>
+    </message>
+    <message>
+        <source>expected nodes without &lt;skew&gt;, which is not read</source>
+        <translation>Erwartet werden Knoten ohne &lt;skew&gt;, das nicht gelesen wird</translation>
+    </message>
+    <message>
+        <source>expected polygons without holes, which are not read</source>
+        <translation>Erwartet werden Vielecke ohne Löcher, die nicht gelesen werden</translation>
+    </message>
+    <message>
+        <source>expected positions in &lt;{}&gt;</source>
+        <translation>Erwartet werden Positionen in &lt;{}&gt;</translation>
+    </message>
+    <message>
+        <source>glTF of version 2</source>
+        <translation>glTF der Version 2</translation>
+    </message>
+    <message>
+        <source>needs the extension {} of glTF, which is not read</source>
+        <translation>braucht die glTF-Erweiterung {}, die nicht gelesen wird</translation>
+    </message>
+    <message>
+        <source>an accessor that is not sparse</source>
+        <translation>ein Accessor, der nicht dünn besetzt ist</translation>
+    </message>
+    <message>
+        <source>a buffer with a uri</source>
+        <translation>ein Puffer mit uri</translation>
+    </message>
+    <message>
+        <source>data in base64</source>
+        <translation>Daten in Base64</translation>
+    </message>
+    <message>
+        <source>a corner of triangle {} is not finite or farther than {} from the origin</source>
+        <translation>Eine Ecke von Dreieck {} ist nicht endlich oder weiter als {} vom Ursprung entfernt</translation>
+    </message>
+    <message>
+        <source>the file ends too early (truncated?)</source>
+        <translation>Die Datei endet zu früh (abgeschnitten?)</translation>
+    </message>
+    <message>
+        <source>a triangle has a corner at point {}, but there are {} points</source>
+        <translation>Ein Dreieck hat eine Ecke bei Punkt {}, es gibt aber nur {} Punkte</translation>
+    </message>
+    <message>
+        <source>has more than {} nodes, or nodes that contain themselves</source>
+        <translation>hat mehr als {} Knoten oder Knoten, die sich selbst enthalten</translation>
+    </message>
+    <message>
+        <source>the number of a point</source>
+        <translation>die Nummer eines Punkts</translation>
+    </message>
+    <message>
+        <source>expected the end of the header, end_header</source>
+        <translation>Erwartet wird das Ende des Kopfs, end_header</translation>
+    </message>
+    <message>
+        <source>PLY of ascii, binary_little_endian or binary_big_endian</source>
+        <translation>PLY in ascii, binary_little_endian oder binary_big_endian</translation>
+    </message>
+    <message>
+        <source>expected the properties x, y and z of each vertex</source>
+        <translation>Erwartet werden die Eigenschaften x, y und z jeder Ecke</translation>
+    </message>
+    <message>
+        <source>a facet of an STL file</source>
+        <translation>eine Facette einer STL-Datei</translation>
+    </message>
+    <message>
+        <source>expected a mesh as STL, OBJ, COLLADA, glTF or PLY, found &quot;{}&quot;</source>
+        <translation>Erwartet wird ein Netz als STL, OBJ, COLLADA, glTF oder PLY, gefunden wurde „{}“</translation>
+    </message>
+    <message>
+        <source>no &lt;{}&gt; in the file has the address &quot;{}&quot;</source>
+        <translation>Kein &lt;{}&gt; in der Datei hat die Adresse „{}“</translation>
+    </message>
+    <message>
+        <source>&lt;{}&gt; has too few, too many or malformed numbers</source>
+        <translation>&lt;{}&gt; hat zu wenige, zu viele oder fehlerhafte Zahlen</translation>
+    </message>
+    <message>
+        <source>an index below {}</source>
+        <translation>ein Index unter {}</translation>
+    </message>
+    <message>
+        <source>indices below {}</source>
+        <translation>Indizes unter {}</translation>
+    </message>
+    <message>
+        <source>a number type</source>
+        <translation>ein Zahlentyp</translation>
+    </message>
+    <message>
+        <source>a data URI or a relative path</source>
+        <translation>ein Data-URI oder ein relativer Pfad</translation>
     </message>
 </context>
 <context>

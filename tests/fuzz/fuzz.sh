@@ -5,7 +5,7 @@
 # Usage: tests/fuzz/fuzz.sh [--minutes N] [TARGET...]      default: 10 minutes each of all of them
 set -euo pipefail
 cd "$(dirname "$0")/../.."
-all=(skinwire skinwire_device session_json calibration_json hexo tum_xml urdf joint_angles_csv)
+all=(skinwire skinwire_device session_json calibration_json hexo tum_xml urdf mesh joint_angles_csv)
 minutes=10
 targets=()
 while [ $# -gt 0 ]; do

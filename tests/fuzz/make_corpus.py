@@ -4,6 +4,7 @@
 Inputs that once crashed something are beside them under other names and are never touched.
 Usage: tests/fuzz/make_corpus.py [HEXODERM_CLI]      with the program also calibrations, which it solves
 """
+import base64
 import json
 import pathlib
 import sqlite3
@@ -191,10 +192,85 @@ def robots():
     put("joint_angles_csv", "times", b"# unit: deg\ntime[ms];wrist;lift[m]\n1000;1;0\n2000;\"3\";0.1\n")
 
 
+POINTS = [(0, 0, 0), (1, 0, 0), (1, 1, 0), (0, 1, 0), (0.5, 0.5, -1.25)]
+FACES = [(3, 2, 1, 0), (0, 1, 4), (1, 2, 4), (2, 3, 4), (3, 0, 4)]
+TRIANGLES = [(face[0], face[k - 1], face[k]) for face in FACES for k in range(2, len(face))]
+
+
+def words(rows):
+    return " ".join(f"{number:g}" for row in rows for number in row)
+
+
+def plys():
+    for form, order in (("ascii", None), ("binary_little_endian", "<"), ("binary_big_endian", ">")):
+        header = (f"ply\nformat {form} 1.0\ncomment of the corpus\nelement vertex 5\nproperty float x\nproperty double y\n"
+                  "property float z\nproperty uchar red\nelement face 5\nproperty list uchar int vertex_indices\nend_header\n")
+        if order:
+            body = b"".join(struct.pack(order + "fdfB", *point, 200) for point in POINTS)
+            body += b"".join(struct.pack(f"{order}B{len(face)}i", len(face), *face) for face in FACES)
+        else:
+            body = ("".join(f"{x} {y} {z} 200\n" for x, y, z in POINTS) +
+                    "".join(f"{len(face)} {words([face])}\n" for face in FACES)).encode()
+        put("mesh", form + ".ply", header.encode() + body)
+
+
+def collada():
+    params = "".join(f'<param name="{axis}" type="float"/>' for axis in "XYZ")
+    vertex = '<input semantic="VERTEX" source="#v" offset="0"/>'
+    polygons = (f'<polylist count="2">{vertex}<vcount>4 3</vcount><p>{words(FACES[:2])}</p></polylist>'
+                f'<triangles count="3">{vertex}<p>{words(FACES[2:])}</p></triangles>')
+    return (f"""<?xml version="1.0" encoding="utf-8"?>
+<COLLADA xmlns="http://www.collada.org/2005/11/COLLADASchema" version="1.4.1"><asset><unit name="inch" meter="0.0254"/>
+<up_axis>Y_UP</up_axis></asset><library_geometries><geometry id="g"><mesh><source id="s"><float_array id="a" count="15">
+{words(POINTS)}</float_array><technique_common><accessor source="#a" count="5" stride="3">{params}</accessor>
+</technique_common></source><vertices id="v"><input semantic="POSITION" source="#s"/></vertices>{polygons}</mesh></geometry>
+</library_geometries><library_nodes><node id="part"><instance_geometry url="#g"/></node></library_nodes>
+<library_visual_scenes><visual_scene id="vs"><node id="n"><translate>1 2 3</translate><rotate>0 0 1 30</rotate>
+<scale>2 1 1</scale><instance_node url="#part"/><node id="inner"><matrix>0 -1 0 5 1 0 0 0 0 0 1 0 0 0 0 1</matrix>
+<instance_geometry url="#g"/></node></node></visual_scene></library_visual_scenes>
+<scene><instance_visual_scene url="#vs"/></scene></COLLADA>""".encode())
+
+
+def gltfs():
+    positions = b"".join(struct.pack("<3f", *point) for point in POINTS)
+    binary = positions + b"".join(struct.pack("<3H", *triangle) for triangle in TRIANGLES)
+    document = {"asset": {"version": "2.0"}, "scene": 0, "scenes": [{"nodes": [0]}],
+                "nodes": [{"children": [1, 2], "translation": [1, 2, 3], "rotation": [0, 0, 0.6, 0.8], "scale": [2, 1, 1]},
+                          {"mesh": 0}, {"mesh": 0, "matrix": [0, 1, 0, 0, -1, 0, 0, 0, 0, 0, 1, 0, 5, 0, 0, 1]}],
+                "meshes": [{"primitives": [{"attributes": {"POSITION": 0}, "indices": 1, "mode": 4}]}],
+                "accessors": [{"bufferView": 0, "componentType": 5126, "count": 5, "type": "VEC3", "min": [0, 0, -1.25],
+                               "max": [1, 1, 0]},
+                              {"bufferView": 1, "componentType": 5123, "count": 3 * len(TRIANGLES), "type": "SCALAR"}],
+                "bufferViews": [{"buffer": 0, "byteLength": len(positions), "byteStride": 12},
+                                {"buffer": 0, "byteOffset": len(positions), "byteLength": len(binary) - len(positions)}],
+                "buffers": [{"byteLength": len(binary)}]}
+    text = json.dumps(document).encode()
+    chunks = b"".join(struct.pack("<I", (len(content) + 3) // 4 * 4) + kind + content + pad * (-len(content) % 4)
+                      for kind, content, pad in ((b"JSON", text, b" "), (b"BIN\0", binary, b"\0")))
+    put("mesh", "binary.glb", b"glTF" + struct.pack("<II", 2, 12 + len(chunks)) + chunks)
+    data = "data:application/octet-stream;base64," + base64.b64encode(binary).decode()
+    document["buffers"][0]["uri"] = data
+    put("mesh", "data.gltf", json.dumps(document).encode())
+
+
+def meshes():
+    facets = "".join("facet normal 0 0 0\nouter loop\n" + "".join(f"vertex {words([POINTS[k]])}\n" for k in triangle) +
+                     "endloop\nendfacet\n" for triangle in TRIANGLES)
+    put("mesh", "ascii.stl", f"solid pyramid\n{facets}endsolid pyramid\n".encode())
+    put("mesh", "binary.stl", b"solid in name only".ljust(80) + struct.pack("<I", len(TRIANGLES)) + b"".join(
+        struct.pack("<12fH", 0, 0, 0, *POINTS[a], *POINTS[b], *POINTS[c], 0) for a, b, c in TRIANGLES))
+    put("mesh", "polygons.obj", ("# pyramid\n" + "".join(f"v {words([point])}\n" for point in POINTS) + "vt 0 0\nvn 0 0 1\n" +
+        "f 4/1/1 3/1/1 2/1/1 1/1/1\nf 1//1 2//1 5//1\nf 2 3 5\nf -2/1 -1/1 -3/1\nf 4 1 5\n").encode())
+    put("mesh", "scene.dae", collada())
+    plys()
+    gltfs()
+
+
 skinwire()
 skinwire_device()
 documents()
 robots()
+meshes()
 hostile_documents()
 hexo()
 if len(sys.argv) > 1:

@@ -159,6 +159,19 @@ TEST_F(CliPlace, RefusesWhatMakesNoSense) {
   EXPECT_THAT(says("--link forearm --no-surface", 2), HasSubstr("nothing says where on the link the patch lies"));
 }
 
+TEST_F(CliPlace, RefusesAMeshThatCannotBeReadInOneLine) {
+  const std::filesystem::path corpus = HEXODERM_TEST_DATA "/../fuzz/corpus/mesh";
+  for (const std::string mesh : {"face0.off", "heap.md5mesh", "index.md5mesh", "index.ply", "segv.ply", "selfnode.dae",
+                                 "trunc.glb", "none.stl"}) {
+    writeFileAtomically(path("r.urdf"), R"(<robot name="r"><link name="base"><visual><geometry><mesh filename=")" +
+                                            (corpus / mesh).string() + R"("/></geometry></visual></link></robot>)");
+    const Outcome outcome = run("place arm.calibration.json --robot r.urdf --link base --rotation 0,0,0:5");
+    EXPECT_EQ(outcome.exit_code, 3) << mesh << outcome.err;
+    EXPECT_EQ(std::ranges::count(outcome.err, '\n'), 1) << outcome.err;
+    EXPECT_THAT(outcome.err, AllOf(HasSubstr("r.urdf: link base: "), HasSubstr(mesh)));
+  }
+}
+
 TEST_F(CliPlace, WritesNoPlaceThatDoesNotFit) {
   const Outcome outcome =
       run("place arm.calibration.json --robot demo --link upper_arm -o placements.json" + rotation());
