@@ -41,13 +41,13 @@ bool isSession(const std::filesystem::path& path) {
 }  // namespace
 
 void requireReplaceable(const std::filesystem::path& path, const std::string& name) {
-  if (isKept(path)) {
-    throw InvalidArgument(located(name, message("is one of the inputs, which are never replaced: take another name")));
-  }
   if (isSession(path)) {
     throw StorageError(
         located(name, message("exists already as a Hexoderm session, and what that has captured is never "
                               "replaced: take another name")));
+  }
+  if (isKept(path)) {
+    throw InvalidArgument(located(name, message("is one of the inputs, which are never replaced: take another name")));
   }
   std::error_code error;
   const std::string file = std::filesystem::weakly_canonical(path, error).string();

@@ -18,8 +18,8 @@ using Json = nlohmann::json;
 /// Four corners of a square of side 1 as floats (48 bytes), two triangles as 16 bits (12 bytes) and as bytes (6).
 std::string squareBytes() {
   std::string bytes;
-  for (const float value : {0, 0, 0, 1, 0, 0, 1, 1, 0, 0, 1, 0}) bytes += littleEndian(value);
-  for (const std::uint16_t value : {0, 1, 2, 0, 2, 3}) bytes += littleEndian(value);
+  for (const float value : {0.F, 0.F, 0.F, 1.F, 0.F, 0.F, 1.F, 1.F, 0.F, 0.F, 1.F, 0.F}) bytes += littleEndian(value);
+  for (const int value : {0, 1, 2, 0, 2, 3}) bytes += littleEndian(static_cast<std::uint16_t>(value));
   return bytes + std::string("\0\1\2\0\2\3", 6);
 }
 constexpr auto kSquareInBase64 =
@@ -131,7 +131,8 @@ TEST(Gltf, RefusesAccessorsThatReachBeyondTheirBytes) {
                             R"([{"op": "replace", "path": "/bufferViews/1/byteOffset", "value": 60}])"}) {
     EXPECT_THAT(refusalAfter(patch), saysAll("truncated")) << patch;
   }
-  EXPECT_THAT(refusalAfter(R"([{"op": "replace", "path": "/accessors/0/count", "value": 3}])"), saysAll("indices below 3"));
+  EXPECT_THAT(refusalAfter(R"([{"op": "replace", "path": "/accessors/0/count", "value": 3}])"),
+              saysAll("indices below 3"));
   EXPECT_THAT(refusalAfter(R"([{"op": "add", "path": "/bufferViews/0/byteStride", "value": 1}])"),
               saysAll("byteStride"));
   EXPECT_THAT(refusalAfter(R"([{"op": "remove", "path": "/accessors/0/bufferView"}])"),

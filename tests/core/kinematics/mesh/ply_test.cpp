@@ -53,7 +53,10 @@ TEST(Ply, ReadsTextAndBothOrdersOfBytesAndSkipsWhatIsNoGeometry) {
 TEST(Ply, RefusesAFileThatIsCutOffAnywhere) {
   for (const char* format : kFormats) {
     const std::string bytes = plyFile(format);
-    for (std::size_t size = 4; size + 2 < bytes.size(); ++size) {
+    // A number of text may end earlier.
+    const std::size_t end =
+        format == std::string_view("ascii") ? bytes.rfind('\n', bytes.size() - 2) + 2 : bytes.size();
+    for (std::size_t size = 4; size < end; ++size) {
       EXPECT_THROW(readMesh(bytes.substr(0, size), "m"), FormatError) << format << ' ' << size;
     }
   }

@@ -20,12 +20,12 @@ std::string binaryStl(std::string header, const std::vector<float>& coordinates)
   return bytes;
 }
 
-const std::vector<float> kTwoTriangles = {0, 0, 0, 1, 0, 0, 1, 1, 0, -0.0F, 0, 0, 1, 1, 0, 0, 1, 0.5};
+const std::vector<float> kTwoFacets = {0, 0, 0, 1, 0, 0, 1, 1, 0, -0.0F, 0, 0, 1, 1, 0, 0, 1, 0.5};
 
 TEST(Stl, ReadsBinaryWhateverTheHeaderAndTheNameSay) {
   for (const std::string& header :
        {std::string(), std::string("solid part"), std::string("glTF"), std::string("ply\n")}) {
-    const TriangleMesh mesh = readMesh(binaryStl(header, kTwoTriangles), "m.obj");
+    const TriangleMesh mesh = readMesh(binaryStl(header, kTwoFacets), "m.obj");
     ASSERT_EQ(mesh.triangles.size(), 2U);
     EXPECT_EQ(mesh.points.size(), 4U) << "0 and -0 are one";
     EXPECT_EQ(mesh.points.back(), Eigen::Vector3d(0, 1, 0.5));
@@ -33,11 +33,11 @@ TEST(Stl, ReadsBinaryWhateverTheHeaderAndTheNameSay) {
 }
 
 TEST(Stl, SkipsWhatFollowsTheTrianglesOfABinaryFile) {
-  EXPECT_EQ(readMesh(binaryStl("solid", kTwoTriangles) + "more", "m.stl").triangles.size(), 2U);
+  EXPECT_EQ(readMesh(binaryStl("solid", kTwoFacets) + "more", "m.stl").triangles.size(), 2U);
 }
 
 TEST(Stl, RefusesABinaryFileThatIsTooShort) {
-  const std::string bytes = binaryStl("solid", kTwoTriangles);
+  const std::string bytes = binaryStl("solid", kTwoFacets);
   for (const std::size_t size : {std::size_t{83}, std::size_t{84}, std::size_t{133}, bytes.size() - 1}) {
     EXPECT_THAT(refusalOf("m.stl", bytes.substr(0, size)), saysAll("m.stl", "truncated")) << size;
   }
