@@ -10,7 +10,7 @@
 namespace hexoderm {
 namespace {
 
-using nlohmann::json;
+using Json = nlohmann::json;
 using ::testing::AllOf;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
@@ -25,8 +25,8 @@ class CliListen : public Cli {
   }
 };
 
-const json* findOffence(const json& report, OffenceKind kind) {
-  for (const json& offence : report.at("offences")) {
+const Json* findOffence(const Json& report, OffenceKind kind) {
+  for (const Json& offence : report.at("offences")) {
     if (offence.at("kind") == offenceName(kind)) return &offence;
   }
   return nullptr;
@@ -39,7 +39,7 @@ bool isPrintable(const std::string& text) {
 void expectNothingWrong(const Outcome& outcome) {
   EXPECT_EQ(outcome.exit_code, 0) << outcome.out << outcome.err;
   EXPECT_EQ(outcome.err, "");
-  const json report = json::parse(outcome.out);
+  const Json report = Json::parse(outcome.out);
   EXPECT_THAT(report.at("offences"), IsEmpty()) << outcome.out;
   EXPECT_EQ(report.at("ready"), true);
   EXPECT_EQ(report.at("obstacle"), "");
@@ -48,7 +48,7 @@ void expectNothingWrong(const Outcome& outcome) {
 TEST_F(CliListen, ADeviceThatIsRightHasNoOffence) {
   const Outcome outcome = listen(Device::right().lines(), "--json");
   expectNothingWrong(outcome);
-  const json report = json::parse(outcome.out);
+  const Json report = Json::parse(outcome.out);
   EXPECT_EQ(report.at("device"), "three cells");
   EXPECT_EQ(report.at("links").at("agreed"), 2);
   EXPECT_EQ(report.at("links").at("one_sided"), 0);
@@ -65,15 +65,15 @@ TEST_F(CliListen, ADeviceIsRightInEveryDialectAndKindOfReading) {
   expectNothingWrong(listen(Device::right().frames(), "--json"));
 
   Device in_lsb = Device::right();
-  in_lsb.eachSamples([](json& s) {
-    s["raw_lsb"] = json::array();
-    for (const json& value : s["acceleration_g"]) s["raw_lsb"].push_back(std::lround(value.get<double>() * 256));
+  in_lsb.eachSamples([](Json& s) {
+    s["raw_lsb"] = Json::array();
+    for (const Json& value : s["acceleration_g"]) s["raw_lsb"].push_back(std::lround(value.get<double>() * 256));
     s.erase("acceleration_g");
   });
   expectNothingWrong(listen(in_lsb.lines(), "--json"));
 
   Device of_means = Device::right();
-  of_means.eachSamples([](json& s) {
+  of_means.eachSamples([](Json& s) {
     s["mean_g"] = s["acceleration_g"];
     s["variance_g2"] = std::vector<double>(9, 1.6e-5);
     s["count"] = {10, 10, 10};
@@ -81,11 +81,11 @@ TEST_F(CliListen, ADeviceIsRightInEveryDialectAndKindOfReading) {
   });
   const Outcome outcome = listen(of_means.lines(), "--json");
   expectNothingWrong(outcome);
-  EXPECT_NEAR(json::parse(outcome.out).at("noise_mg").at("median").get<double>(), 4, 0.01);
+  EXPECT_NEAR(Json::parse(outcome.out).at("noise_mg").at("median").get<double>(), 4, 0.01);
 
   Device without_numbers = Device::right();
   without_numbers.hello.erase("rate_hz");
-  without_numbers.eachSamples([](json& s) { s.erase("sequence"); });
+  without_numbers.eachSamples([](Json& s) { s.erase("sequence"); });
   expectNothingWrong(listen(without_numbers.lines(), "--json"));
 }
 
@@ -96,7 +96,7 @@ TEST_F(CliListen, SamplesBeforeTheDescriptionAreNotOfUnknownCells) {
   const std::size_t topology_end = lines.find('\n', hello.size()) + 1;
   const std::size_t first_end = lines.find('\n', topology_end) + 1;
   const Outcome outcome = listen(lines.substr(topology_end, first_end - topology_end) + lines, "--json");
-  const json report = json::parse(outcome.out);
+  const Json report = Json::parse(outcome.out);
   EXPECT_GT(report.at("undescribed_samples"), 0);
   EXPECT_EQ(report.at("unknown_samples"), 0);
 }
@@ -105,7 +105,7 @@ TEST_F(CliListen, MeansOfEachCellAreShown) {
   const Outcome outcome = listen(Device::right().lines(), "");
   EXPECT_THAT(outcome.out, AllOf(HasSubstr("x (g)    y (g)    z (g)\n"),
                                  HasSubstr("x, y and z are means along the axes of the cell.")));
-  const json cell = json::parse(listen(Device::right().lines(), "--json").out).at("cells").at(0);
+  const Json cell = Json::parse(listen(Device::right().lines(), "--json").out).at("cells").at(0);
   ASSERT_EQ(cell.at("mean_g").size(), 3U);
   const Eigen::Vector3d mean_u(cell["mean_g"][0], cell["mean_g"][1], cell["mean_g"][2]);
   EXPECT_NEAR(mean_u.norm(), 1, 0.01);
@@ -115,10 +115,10 @@ TEST_F(CliListen, SendsCommandsAndSaysHowTheyAreAnswered) {
   const Emulator emulator({"--pty", "--patch", "ring8", "--rate", "100"});
   const std::string asked = " --light 5 --rate 50 --explore";
   const Outcome outcome = run("listen '" + emulator.address + "' --for 1 --json" + asked);
-  const json commands = json::parse(outcome.out).at("commands");
+  const Json commands = Json::parse(outcome.out).at("commands");
   ASSERT_EQ(commands.size(), 3U) << outcome.out;
   EXPECT_EQ(commands.at(0).at("command"), "set_led of cell 5");
-  for (const json& command : commands) {
+  for (const Json& command : commands) {
     EXPECT_EQ(command.at("done"), true) << command;
     EXPECT_GE(command.at("after_s"), 0) << command;
   }
@@ -142,8 +142,8 @@ TEST_P(EveryWrongDevice, IsToldWhatIsWrong) {
   wrong.spoil(device);
   const Outcome outcome = listen(device.lines(), "--json");
   EXPECT_EQ(outcome.exit_code, wrong.is_ready ? 0 : 1) << outcome.out << outcome.err;
-  const json report = json::parse(outcome.out);
-  const json* offence = findOffence(report, wrong.kind);
+  const Json report = Json::parse(outcome.out);
+  const Json* offence = findOffence(report, wrong.kind);
   ASSERT_NE(offence, nullptr) << outcome.out;
   EXPECT_THAT(offence->at("reason").get<std::string>(), HasSubstr(wrong.words));
   EXPECT_GE(offence->at("count").get<int>(), 1);
@@ -169,7 +169,7 @@ TEST_F(CliListen, TheTableHasEveryKindOfOffence) {
 TEST_F(CliListen, TheReportIsReadableAndCountsEveryOffence) {
   Device device = Device::right();
   device.scale(9.80665);
-  device.eachSamples([](json& s) { s["cells"][2] = 4; });
+  device.eachSamples([](Json& s) { s["cells"][2] = 4; });
   const Outcome outcome = listen(device.lines(), "");
   EXPECT_EQ(outcome.exit_code, 1);
   EXPECT_THAT(outcome.out, AllOf(HasSubstr("three cells: 3 cells of model hex-bma150"), HasSubstr("Links: 2 that both"),
@@ -204,7 +204,7 @@ TEST_F(CliListen, CtrlCEndsItWithItsReport) {
   const Outcome outcome = run("listen " + emulator.address + " --for 600 --json",
                               "interrupt() { \"$@\" & sleep 3; kill -s INT $!; wait $!; }; interrupt ");
   expectNothingWrong(outcome);
-  EXPECT_GT(json::parse(outcome.out).at("frames"), 0);
+  EXPECT_GT(Json::parse(outcome.out).at("frames"), 0);
 }
 
 class EmulatorOnAWire : public CliListen, public ::testing::WithParamInterface<std::vector<std::string>> {};
@@ -215,7 +215,7 @@ TEST_P(EmulatorOnAWire, IsRight) {
   const Emulator emulator(arguments);
   const Outcome outcome = run("listen '" + emulator.address + "' --for 3 --json");
   expectNothingWrong(outcome);
-  const json report = json::parse(outcome.out);
+  const Json report = Json::parse(outcome.out);
   EXPECT_EQ(report.at("cells").size(), 8U);
   EXPECT_NEAR(report.at("norm_g").at("median").get<double>(), 1, 0.2);
 }
@@ -231,8 +231,8 @@ TEST_F(CliListen, AnEmulatorWithABrokenPortIsToldWhichLinkIsOneSided) {
   ASSERT_THAT(emulator.type("break deaf 5 1"), Not(IsEmpty()));
   ASSERT_THAT(emulator.type("explore"), Not(IsEmpty()));
   const Outcome outcome = run("listen " + emulator.address + " --for 2 --json");
-  const json report = json::parse(outcome.out);
-  const json* offence = findOffence(report, OffenceKind::OneSidedLink);
+  const Json report = Json::parse(outcome.out);
+  const Json* offence = findOffence(report, OffenceKind::OneSidedLink);
   ASSERT_NE(offence, nullptr) << outcome.out << outcome.err;
   EXPECT_THAT(offence->at("reason").get<std::string>(), HasSubstr("link 9 port 4 - 5 port 1"));
 }
@@ -245,7 +245,7 @@ TEST_F(CliListen, CaptureSaysTheFirstOffenceOfEachKindAndCounts) {
   writeFileAtomically(path("device"), device.lines());
   const Outcome outcome = run("capture --source stdin --json -o a.hexo", "cat device | ");
   EXPECT_THAT(outcome.err, AllOf(HasSubstr("(acceleration-unit): "), HasSubstr("are these m/s2?")));
-  const json report = json::parse(outcome.out);
+  const Json report = Json::parse(outcome.out);
   ASSERT_NE(findOffence(report, OffenceKind::AccelerationUnit), nullptr) << outcome.out;
 }
 
@@ -256,8 +256,8 @@ TEST_F(CliListen, CaptureOfADeviceThatNeverDescribesItselfSaysWhy) {
   EXPECT_THAT(outcome.err, AllOf(HasSubstr("(not-json): "), HasSubstr("the message begins: 12.5;0.1"),
                                  HasSubstr("ended before a skin described itself. character 5 is not JSON")));
   EXPECT_TRUE(isPrintable(outcome.err));
-  const json report = json::parse(outcome.out);
-  const json* offence = findOffence(report, OffenceKind::NotJson);
+  const Json report = Json::parse(outcome.out);
+  const Json* offence = findOffence(report, OffenceKind::NotJson);
   ASSERT_NE(offence, nullptr);
   EXPECT_EQ(offence->at("count"), 2);
 }
@@ -277,10 +277,10 @@ TEST_F(CliListen, SessionFilesInAnotherUnitAreRefusedWithThePlace) {
   ASSERT_EQ(run("simulate --poses 3 -o arm.session.json").exit_code, 0);
   for (const auto& [factor, words] :
        std::vector<std::pair<double, std::string>>{{9.80665, "are these m/s2?"}, {1000, "are these mg?"}}) {
-    json session = json::parse(readFile(path("arm.session.json")));
-    for (json& pose : session["poses"]) {
-      for (json& sample : pose["samples"]) {
-        for (json& value : sample["mean_g"]) value = value.get<double>() * factor;
+    Json session = Json::parse(readFile(path("arm.session.json")));
+    for (Json& pose : session["poses"]) {
+      for (Json& sample : pose["samples"]) {
+        for (Json& value : sample["mean_g"]) value = value.get<double>() * factor;
       }
     }
     writeFileAtomically(path("wrong.session.json"), session.dump());
@@ -298,7 +298,7 @@ TEST_F(CliListen, ARecordingInAnotherUnitIsToldWhenItIsPlayed) {
   run("capture --source stdin --record arm.skinrec -o a.hexo", "cat device | ");
   const Outcome outcome = run("listen 'replay:arm.skinrec?speed=max' --json");
   EXPECT_EQ(outcome.exit_code, 1);
-  EXPECT_NE(findOffence(json::parse(outcome.out), OffenceKind::AccelerationUnit), nullptr) << outcome.out;
+  EXPECT_NE(findOffence(Json::parse(outcome.out), OffenceKind::AccelerationUnit), nullptr) << outcome.out;
 }
 
 }  // namespace

@@ -23,7 +23,7 @@
 namespace hexoderm {
 namespace {
 
-using nlohmann::json;
+using Json = nlohmann::json;
 using testing::HasSubstr;
 
 constexpr std::array kExtremes = {0.0,   5e-324, 1e-300,  1e-100, 1e-12, 1e-9, 1e-6,  1e-3,   1.0,
@@ -31,22 +31,22 @@ constexpr std::array kExtremes = {0.0,   5e-324, 1e-300,  1e-100, 1e-12, 1e-9, 1
                                   1e300, 1e308,  -1e-300, -1e-6,  -1e3,  -1e6, -1e12, -1e100, -1e308};
 
 /// Six cells in a ring that is not closed, three poses, and a model that is written out.
-json sessionDocument() {
+Json sessionDocument() {
   SimulatedSkinOptions options;
   options.patch = "ring6";
   CellModel model = builtInCellModel("hex-bma150");
   model.name = "own";
   model.sensors.push_back({"thermometer", "temperature", {}});
   SimulatedSkin skin(model, options);
-  json document = json::parse(sessionToJson(simulateSession(skin, 3)));
+  Json document = Json::parse(sessionToJson(simulateSession(skin, 3)));
   document["poses"][0]["samples"][0]["temperature_c"] = 25.5;
   return document;
 }
 
 /// Pointers to the document's measuring numbers: no versions, counts and IDs.
-std::vector<json::json_pointer> measuresOf(const json& document) {
-  std::vector<json::json_pointer> found;
-  const json flat = document.flatten();
+std::vector<Json::json_pointer> measuresOf(const Json& document) {
+  std::vector<Json::json_pointer> found;
+  const Json flat = document.flatten();
   for (const auto& [pointer, value] : flat.items()) {
     if (value.is_number_float()) found.emplace_back(pointer);
   }
@@ -93,7 +93,7 @@ void useEverything(const Session& session, const std::string& what) {
 }
 
 /// Refused with the key, or used. Returns whether it was accepted.
-bool tryDocument(const json& document, const std::string& what, const std::string& key = "") {
+bool tryDocument(const Json& document, const std::string& what, const std::string& key = "") {
   std::optional<Session> session;
   try {
     session = parseSessionJson(document.dump(), "extreme.session.json");
@@ -107,18 +107,18 @@ bool tryDocument(const json& document, const std::string& what, const std::strin
 }
 
 /// The last part of a pointer that is a name.
-std::string keyOf(json::json_pointer pointer) {
+std::string keyOf(Json::json_pointer pointer) {
   while (!pointer.empty() && pointer.back().find_first_not_of("0123456789") == std::string::npos) pointer.pop_back();
   return pointer.empty() ? "" : pointer.back();
 }
 
 TEST(ExtremeNumbers, EachIsRefusedByItsKeyOrUsed) {
-  const json document = sessionDocument();
+  const Json document = sessionDocument();
   ASSERT_TRUE(tryDocument(document, "as it is"));
   std::size_t accepted = 0;
   std::size_t refused = 0;
   std::set<std::string> seen;
-  for (const json::json_pointer& pointer : measuresOf(document)) {
+  for (const Json::json_pointer& pointer : measuresOf(document)) {
     // One cell of a pose and one pose stand for all.
     const std::string text = pointer.to_string();
     std::string kind = text;
@@ -128,9 +128,9 @@ TEST(ExtremeNumbers, EachIsRefusedByItsKeyOrUsed) {
     if (text.starts_with("/poses") && !seen.insert(kind + text.back()).second) continue;
     if (text.starts_with("/truth") && !seen.insert(kind + text.back()).second) continue;
     for (const double value : kExtremes) {
-      json changed = document;
+      Json changed = document;
       changed[pointer] = value;
-      const std::string what = text + " = " + json(value).dump();
+      const std::string what = text + " = " + Json(value).dump();
       (tryDocument(changed, what, keyOf(pointer)) ? accepted : refused) += 1;
     }
   }
@@ -139,19 +139,19 @@ TEST(ExtremeNumbers, EachIsRefusedByItsKeyOrUsed) {
 }
 
 TEST(ExtremeNumbers, SeveralAtOnceAreUsed) {
-  const json document = sessionDocument();
-  const std::vector<json::json_pointer> measures = measuresOf(document);
+  const Json document = sessionDocument();
+  const std::vector<Json::json_pointer> measures = measuresOf(document);
   std::mt19937 random(7);
   const auto below = [&](std::size_t n) { return static_cast<std::size_t>(random()) % n; };
   std::size_t accepted = 0;
   for (int k = 0; k < 400; ++k) {
-    json changed = document;
+    Json changed = document;
     std::string what;
     for (std::size_t n = 1 + below(5); n > 0; --n) {
-      const json::json_pointer& pointer = measures[below(measures.size())];
+      const Json::json_pointer& pointer = measures[below(measures.size())];
       const double value = kExtremes.at(below(kExtremes.size()));
       changed[pointer] = value;
-      what += pointer.to_string() + " = " + json(value).dump() + "; ";
+      what += pointer.to_string() + " = " + Json(value).dump() + "; ";
     }
     if (tryDocument(changed, what)) ++accepted;
   }
@@ -162,17 +162,17 @@ TEST(ExtremeNumbers, SeveralAtOnceAreUsed) {
 TEST(ExtremeNumbers, TheLargestReadingsAreUsed) {
   for (const double reading_g : {kMostAcceleration_g, 1e-6 * kMostAcceleration_g, 1e-300}) {
     for (const double variance_g2 : {0.0, 5e-324, 1e-12, kMostVariance_g2}) {
-      json document = sessionDocument();
+      Json document = sessionDocument();
       double sign = 1;
-      for (json& pose : document["poses"]) {
-        for (json& sample : pose["samples"]) {
+      for (Json& pose : document["poses"]) {
+        for (Json& sample : pose["samples"]) {
           sample["mean_g"] = {sign * reading_g, reading_g, -sign * reading_g};
           sample["cov_g2"] = {variance_g2, -variance_g2, variance_g2, variance_g2, -variance_g2, variance_g2};
           sample["count"] = sign > 0 ? 1U : UINT32_MAX;
           sign = -sign;
         }
       }
-      EXPECT_TRUE(tryDocument(document, json(reading_g).dump() + " g, " + json(variance_g2).dump() + " g^2"));
+      EXPECT_TRUE(tryDocument(document, Json(reading_g).dump() + " g, " + Json(variance_g2).dump() + " g^2"));
     }
   }
 }
@@ -180,9 +180,9 @@ TEST(ExtremeNumbers, TheLargestReadingsAreUsed) {
 class ExtremeExports : public ExportTest {};
 
 TEST_F(ExtremeExports, AllFormatsHoldThem) {
-  json document = sessionDocument();
+  Json document = sessionDocument();
   document["poses"][0]["samples"][1]["mean_g"] = {kMostAcceleration_g, -kMostAcceleration_g, 0};
-  for (json& port : document["cell_model"]["ports"]) {
+  for (Json& port : document["cell_model"]["ports"]) {
     port["vector_m"] = {port["vector_m"][0].get<double>() * 50, port["vector_m"][1].get<double>() * 50, 0};
   }
   const Session session = parseSessionJson(document.dump(), "large.session.json");
