@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace hexoderm {
@@ -164,10 +165,12 @@ TEST_F(CliBatch, OneSessionIsAsItWasUnlessAFolderIsAskedFor) {
 TEST_F(CliBatch, AFolderThatCannotBeOneIsRefusedBeforeAnythingIsSolved) {
   simulate("a.session.json", "--poses 2");
   simulate("b.session.json", "--poses 2");
-  for (const std::string output : {"-", "all.calibration.json", "a.session.json"}) {
+  for (const auto& [output, reason] : {std::pair<std::string, std::string>{"-", "folder"},
+                                       {"all.calibration.json", "folder"},
+                                       {"a.session.json", "one of the inputs"}}) {
     const Outcome outcome = run("solve a.session.json b.session.json -o " + output);
     EXPECT_EQ(outcome.exit_code, 2) << output;
-    EXPECT_THAT(outcome.err, HasSubstr("folder")) << output;
+    EXPECT_THAT(outcome.err, HasSubstr(reason)) << output;
     EXPECT_EQ(linesOf(outcome.err).size(), 1U) << outcome.err;
     EXPECT_THAT(outcome.out, IsEmpty());
   }

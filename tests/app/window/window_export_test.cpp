@@ -269,7 +269,8 @@ TEST_F(WindowExportTest, NothingReplacesASession) {
   ReportContent report;
   report.reconstruction = controller().reconstruction();
   QString package_failed;
-  QObject::connect(&files, &ResultFiles::packageFailed, &files, [&](const QString& why) { package_failed = why; });
+  QObject::connect(&files, &ResultFiles::packageFailed, &files,
+                   [&](const QString& message) { package_failed = message; });
   for (const QString& path : {pathTo("arm.hexo"), pathTo("arm.html"), pathTo("arm.zip")}) {
     const std::vector<std::function<void()>> ways = {
         [&] {
