@@ -40,6 +40,7 @@
 #include "hexoderm/geometry/surface_fit.h"
 #include "hexoderm/geometry/triangle_mesh.h"
 #include "hexoderm/graph/cell_model.h"
+#include "hexoderm/graph/cell_table.h"
 #include "hexoderm/graph/neighbor_list.h"
 #include "hexoderm/graph/shortest_paths.h"
 #include "hexoderm/graph/skin_graph.h"

@@ -3006,10 +3006,6 @@ Die Balken sagen, wie sehr sich die gesehenen Richtungen in drei Achsen untersch
         <translation>Pose {} enthält zwei Messwerte von Zelle {}; der erste zählt.</translation>
     </message>
     <message>
-        <source>With all other links the ends of the {} come to lie {} apart, and a skin link leaves no more than {}: it is probably a cable, or another link of the loop is. The link is not used.</source>
-        <translation>Mit allen anderen Verbindungen liegen die Enden der {} {} auseinander, bei einer Hautverbindung höchstens {}: Wahrscheinlich ist sie oder eine andere Verbindung der Schleife ein Kabel. Die Verbindung wird nicht benutzt.</translation>
-    </message>
-    <message>
         <source>In pose {} the cells contradict each other by {} times their noise (other poses {}): the part probably moved while it was sampled. Take the pose again.</source>
         <translation>In Pose {} widersprechen sich die Zellen um das {}-Fache ihres Rauschens (andere Posen {}): Wahrscheinlich hat sich das Teil während der Messung bewegt. Die Pose noch einmal aufnehmen.</translation>
     </message>
@@ -7098,6 +7094,22 @@ Die Balken sagen, wie sehr sich die gesehenen Richtungen in drei Achsen untersch
     <message>
         <source>a data URI or a relative path</source>
         <translation>ein Data-URI oder ein relativer Pfad</translation>
+    </message>
+    <message>
+        <source>{} No other path of links connects its two cells: the patch is split there.</source>
+        <translation>{} Kein anderer Weg über Verbindungen führt von der einen ihrer beiden Zellen zur anderen: Dort zerfällt das Hautstück.</translation>
+    </message>
+    <message>
+        <source>{} It alone connects parts of the patch, whose relative placement is less certain.</source>
+        <translation>{} Sie allein verbindet Teile des Hautstücks, deren Lage zueinander weniger sicher ist.</translation>
+    </message>
+    <message>
+        <source>With all other links the ends of the {} come to lie {} apart, and a skin link leaves no more than {}. All of its loops have {} links in common, and any one of these may be a cable. The link is not used.</source>
+        <translation>Mit allen anderen Verbindungen liegen die Enden der {} {} auseinander, bei einer Hautverbindung höchstens {}. Alle ihre Schleifen haben {} Verbindungen gemeinsam, und jede davon kann ein Kabel sein. Die Verbindung wird nicht benutzt.</translation>
+    </message>
+    <message>
+        <source>With all other links the ends of the {} come to lie {} apart, and a skin link leaves no more than {}: it is probably a cable, since no other link is in all of its loops. The link is not used.</source>
+        <translation>Mit allen anderen Verbindungen liegen die Enden der {} {} auseinander, bei einer Hautverbindung höchstens {}: Wahrscheinlich ist sie ein Kabel, denn keine andere Verbindung liegt in allen ihren Schleifen. Die Verbindung wird nicht benutzt.</translation>
     </message>
 </context>
 <context>

@@ -1,6 +1,10 @@
 #include "hexoderm/graph/origin_search.h"
 
-#include "hexoderm/graph/patch_ways.h"
+#include "hexoderm/graph/breadth_first.h"
+#include "hexoderm/graph/skin_graph_boost.h"
+
+#include <boost/graph/compressed_sparse_row_graph.hpp>
+#include <boost/graph/dijkstra_shortest_paths_no_color_map.hpp>
 
 #include <algorithm>
 #include <array>
@@ -8,7 +12,6 @@
 #include <cstdint>
 #include <limits>
 #include <numeric>
-#include <type_traits>
 
 namespace hexoderm {
 namespace {
@@ -18,33 +21,48 @@ constexpr double kInfiniteSum = std::numeric_limits<double>::infinity();
 /// Sums of real-valued distances differ by rounding.
 bool isSameSum(double a, double b) { return std::abs(a - b) <= 1e-9 * std::max(1.0, std::abs(a)); }
 
-/// Neighbours stand near each other, which is most of what makes a search of a large patch fast.
-std::vector<std::size_t> breadthFirst(const SkinGraph& graph, std::size_t patch) {
-  const std::vector<std::size_t>& cells = graph.patches()[patch];
-  std::vector<std::size_t> order{cells.front()};
-  order.reserve(cells.size());
-  std::vector<bool> seen(cells.size(), false);
-  seen[0] = true;
-  for (std::size_t k = 0; k < order.size(); ++k) {  // grows on the way
-    for (const std::size_t index : graph.linksAt(order[k])) {
-      const GraphLink& link = graph.links()[index];
-      const std::size_t other = link.other(order[k]);
-      if (link.muted() || seen[graph.cells()[other].place]) continue;
-      seen[graph.cells()[other].place] = true;
-      order.push_back(other);
+/// Whether the links of a patch have weights that are small whole numbers, as the paper's are: distances are then whole
+/// numbers too.
+bool hasWholeWeights(const PatchView& view, std::span<const double> link_weights) {
+  constexpr double kLargest = 64;
+  return std::ranges::all_of(view.cells(), [&](std::size_t cell) {
+    const auto [begin, end] = out_edges(cell, view);
+    return std::all_of(begin, end, [&](const SkinEdge& edge) {
+      const double weight = link_weights[edge.link];
+      return weight >= 1 && weight <= kLargest && weight == static_cast<int>(weight);
+    });
+  });
+}
+
+struct Weight {
+  double weight = 1;
+};
+using FlatGraph = boost::compressed_sparse_row_graph<boost::directedS, boost::no_property, Weight, boost::no_property,
+                                                     std::uint32_t, std::uint32_t>;
+
+/// A patch as it is searched again and again: vertex k is the cell `order[k]`.
+FlatGraph flatGraph(const PatchView& view, std::span<const double> link_weights, std::span<const std::size_t> order) {
+  const PlaceInPatch place = get(boost::vertex_index, view);
+  std::vector<std::uint32_t> vertex_of(order.size());
+  for (std::size_t v = 0; v < order.size(); ++v) vertex_of[place[order[v]]] = static_cast<std::uint32_t>(v);
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> ends;
+  std::vector<Weight> weights;
+  for (std::size_t v = 0; v < order.size(); ++v) {
+    for (const SkinEdge& edge : boost::make_iterator_range(out_edges(order[v], view))) {
+      ends.emplace_back(static_cast<std::uint32_t>(v), vertex_of[place[target(edge, view)]]);
+      weights.push_back({link_weights[edge.link]});
     }
   }
-  return order;
+  return {boost::edges_are_sorted, ends.begin(), ends.end(), weights.begin(), static_cast<std::uint32_t>(order.size())};
 }
 
 /// Single-source distances from a few cells, and what they say about the sums of all others.
-template <class Distance>
 class OriginSearch {
  public:
   /// `order`: of the patch's cells, and whether each can be the origin; at least one can.
-  OriginSearch(const SkinGraph& graph, std::span<const double> link_weights, std::vector<std::size_t> order,
+  OriginSearch(const PatchView& view, std::span<const double> link_weights, std::vector<std::size_t> order,
                std::vector<bool> eligible)
-      : ways_(graph, link_weights, order),
+      : graph_(flatGraph(view, link_weights, order)),
         cells_(std::move(order)),
         count_(cells_.size()),
         eligible_(std::move(eligible)),
@@ -105,12 +123,14 @@ class OriginSearch {
   /// The exact sum of vertex `v`, whose distances are in distance_ then.
   void evaluate(std::size_t v) {
     distance_.resize(count_);
-    ways_.findDistances(v, distance_);
+    boost::dijkstra_shortest_paths_no_color_map(graph_, static_cast<std::uint32_t>(v),
+                                                boost::weight_map(boost::get(&Weight::weight, graph_))
+                                                    .distance_map(boost::make_iterator_property_map(
+                                                        distance_.begin(), boost::get(boost::vertex_index, graph_))));
     ++runs_;
     tried_[v] = true;
     if (!eligible_[v]) return;
-    double sum = 0;
-    for (const Distance distance : distance_) sum += static_cast<double>(distance);
+    const double sum = std::accumulate(distance_.begin(), distance_.end(), 0.0);
     const bool is_tie = isSameSum(sum, best_sum_);
     if (best_ == kNoIndex || (is_tie ? cells_[v] < cells_[best_] : sum < best_sum_)) {
       best_ = v;
@@ -120,13 +140,13 @@ class OriginSearch {
 
   /// Each far from those before: first the ends of the patch, from which distances tell most, then evenly.
   void spreadLandmarks(std::size_t most) {
-    std::vector<Distance> nearest(count_, PatchWays<Distance>::kFar);
+    std::vector<double> nearest(count_, kInfiniteSum);
     nearest_landmark_.assign(count_, 0);
     std::size_t next = 0;
     for (std::size_t l = 0; l < std::min(most, count_) && !tried_[next]; ++l) {
       evaluate(next);
       landmarks_.push_back(distance_);
-      Distance farthest = 0;
+      double farthest = 0;
       for (std::size_t v = 0; v < count_; ++v) {
         if (distance_[v] < nearest[v]) {
           nearest[v] = distance_[v];
@@ -143,7 +163,7 @@ class OriginSearch {
     for (const std::uint32_t l : nearest_landmark_) ++cells_at[l];
     for (std::size_t l = 0; l < landmarks_.size(); ++l) {
       for (std::size_t v = 0; v < count_; ++v) {
-        estimated_sum_[v] += cells_at[l] * static_cast<double>(landmarks_[l][v]);
+        estimated_sum_[v] += cells_at[l] * landmarks_[l][v];
       }
     }
   }
@@ -169,26 +189,26 @@ class OriginSearch {
     std::vector<double> slope(landmarks, 0);
     double constant = 0;
     // In blocks that the fastest memory holds.
-    std::array<Distance, kBlock> largest{};
-    std::array<Index, kBlock> chosen{};
+    std::array<double, kBlock> largest{};
+    std::array<std::int64_t, kBlock> chosen{};  // as wide as a distance
     for (std::size_t from = 0; from < count_; from += kBlock) {
       const std::size_t size = std::min(kBlock, count_ - from);
       largest.fill(-1);
       for (std::size_t l = 0; l < landmarks; ++l) {
-        const Distance* distance = distancesOf(l) + from;
-        const Distance at_k = distancesOf(l)[k];
+        const double* distance = distancesOf(l) + from;
+        const double at_k = distancesOf(l)[k];
         for (std::size_t u = 0; u < size; ++u) {
-          const Distance difference = at_k > distance[u] ? at_k - distance[u] : distance[u] - at_k;
-          chosen[u] = difference > largest[u] ? static_cast<Index>(l) : chosen[u];
+          const double difference = std::abs(at_k - distance[u]);
+          chosen[u] = difference > largest[u] ? static_cast<std::int64_t>(l) : chosen[u];
           largest[u] = std::max(largest[u], difference);
         }
       }
       for (std::size_t u = 0; u < size; ++u) {
         const auto l = static_cast<std::size_t>(chosen[u]);
-        const Distance distance = distancesOf(l)[from + u];
+        const double distance = distancesOf(l)[from + u];
         const double sign = distancesOf(l)[k] >= distance ? 1 : -1;
         slope[l] += sign;
-        constant -= sign * static_cast<double>(distance);
+        constant -= sign * distance;
       }
     }
     std::array<double, kBlock> cut{};
@@ -196,10 +216,10 @@ class OriginSearch {
       const std::size_t size = std::min(kBlock, count_ - from);
       cut.fill(constant);
       for (std::size_t l = 0; l < landmarks; ++l) {
-        const Distance* distance = distancesOf(l) + from;
+        const double* distance = distancesOf(l) + from;
         const double factor = slope[l];
         if (factor == 0) continue;
-        for (std::size_t v = 0; v < size; ++v) cut[v] += factor * static_cast<double>(distance[v]);
+        for (std::size_t v = 0; v < size; ++v) cut[v] += factor * distance[v];
       }
       for (std::size_t v = 0; v < size; ++v) bound_[from + v] = std::max(bound_[from + v], cut[v]);
     }
@@ -218,15 +238,14 @@ class OriginSearch {
   }
 
   static constexpr std::size_t kBlock = 1024;
-  using Index = std::conditional_t<std::is_integral_v<Distance>, std::int32_t, std::int64_t>;  // as wide as a distance
 
-  PatchWays<Distance> ways_;
+  FlatGraph graph_;
   std::vector<std::size_t> cells_;  ///< per vertex
   std::size_t count_;
   std::vector<bool> eligible_;
   std::vector<bool> tried_;
-  std::vector<Distance> distance_;  ///< from the vertex tried last
-  std::vector<std::vector<Distance>> landmarks_;
+  std::vector<double> distance_;  ///< from the vertex tried last
+  std::vector<std::vector<double>> landmarks_;
   std::vector<std::uint32_t> nearest_landmark_;
   std::vector<double> estimated_sum_;
   std::vector<double> bound_;
@@ -239,18 +258,17 @@ class OriginSearch {
 
 OriginFound searchOrigin(const SkinGraph& graph, std::span<const double> link_weights, std::size_t patch,
                          const std::vector<bool>& eligible) {
-  const std::vector<std::size_t>& cells = graph.patches()[patch];
-  if (cells.size() == 1) return {cells.front(), 0, 0};
-  std::vector<std::size_t> order = breadthFirst(graph, patch);
-  const bool any = std::ranges::find(eligible, true) != eligible.end();
-  std::vector<bool> can_be(cells.size(), true);
-  if (any) {
+  const PatchView view{&graph, patch};
+  const std::size_t first = view.cells().front();
+  if (view.cells().size() == 1) return {first, 0, 0};
+  // Neighbours stand near each other, which is most of what makes a search of a large patch fast.
+  std::vector<std::size_t> order = BreadthFirst(view).searchFrom(first);
+  std::vector<bool> can_be(order.size(), true);
+  if (std::ranges::find(eligible, true) != eligible.end()) {
     for (std::size_t v = 0; v < order.size(); ++v) can_be[v] = eligible[graph.cells()[order[v]].place];
   }
-  if (hasWholeWeights(graph, link_weights, patch)) {
-    return OriginSearch<std::int32_t>(graph, link_weights, std::move(order), std::move(can_be)).runByBounds();
-  }
-  return OriginSearch<double>(graph, link_weights, std::move(order), std::move(can_be)).runBySample();
+  OriginSearch search(view, link_weights, std::move(order), std::move(can_be));
+  return hasWholeWeights(view, link_weights) ? search.runByBounds() : search.runBySample();
 }
 
 std::size_t findOrigin(const SkinGraph& graph, std::span<const double> link_weights, std::size_t patch,

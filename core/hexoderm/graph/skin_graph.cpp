@@ -1,7 +1,11 @@
 #include "hexoderm/graph/skin_graph.h"
 
+#include "hexoderm/graph/skin_graph_boost.h"
+
+#include <boost/graph/connected_components.hpp>
+
 #include <algorithm>
-#include <limits>
+#include <cstdint>
 #include <numeric>
 #include <span>
 #include <string>
@@ -10,8 +14,6 @@
 
 namespace hexoderm {
 namespace {
-
-constexpr std::uint32_t kNoCell = std::numeric_limits<std::uint32_t>::max();
 
 /// A cell's claim about one of its ports.
 struct Claim {
@@ -315,7 +317,10 @@ class ReportSorter {
 SkinGraph::SkinGraph(const CellModel& model, const NeighborList& neighbors) {
   ReportSorter sorter(model, findings_);
   cells_ = sorter.sortCells(neighbors);
-  indexCells();
+  std::vector<CellId> ids;
+  ids.reserve(cells_.size());
+  for (const GraphCell& cell : cells_) ids.push_back(cell.id);
+  table_ = CellTable(ids);
   links_ = sorter.sortLinks(*this);
   for (GraphLink& link : links_) {
     const std::string& part_a = cells_[link.source].body_part;
@@ -334,15 +339,6 @@ SkinGraph::SkinGraph(const CellModel& model, const NeighborList& neighbors) {
   findPatches();
 }
 
-/// A table by ID, where that is not much longer than the list of cells.
-void SkinGraph::indexCells() {
-  constexpr std::size_t kMostPerCell = 8;
-  constexpr std::size_t kAlways = 4096;
-  if (cells_.empty() || cells_.back().id.value() >= kMostPerCell * cells_.size() + kAlways) return;
-  index_of_.assign(std::size_t{cells_.back().id.value()} + 1, kNoCell);
-  for (std::size_t k = 0; k < cells_.size(); ++k) index_of_[cells_[k].id.value()] = static_cast<std::uint32_t>(k);
-}
-
 void SkinGraph::indexLinks() {
   first_link_at_.assign(cells_.size() + 1, 0);
   for (const GraphLink& link : links_) {
@@ -356,16 +352,6 @@ void SkinGraph::indexLinks() {
     links_at_[next[links_[k].source]++] = k;
     links_at_[next[links_[k].target]++] = k;
   }
-}
-
-std::optional<std::size_t> SkinGraph::indexOf(CellId id) const {
-  if (!index_of_.empty()) {
-    const bool is_known = id.value() < index_of_.size() && index_of_[id.value()] != kNoCell;
-    return is_known ? std::optional<std::size_t>(index_of_[id.value()]) : std::nullopt;
-  }
-  const auto found = std::ranges::lower_bound(cells_, id, {}, &GraphCell::id);
-  if (found == cells_.end() || found->id != id) return std::nullopt;
-  return static_cast<std::size_t>(found - cells_.begin());
 }
 
 std::optional<std::size_t> SkinGraph::indexOf(LinkEnd a, LinkEnd b) const {
@@ -385,31 +371,9 @@ void SkinGraph::mute(std::span<const std::size_t> links, FindingCode why) {
 }
 
 void SkinGraph::findPatches() {
-  // From each cell that no patch has yet, so that patches are numbered by their smallest ID.
-  std::vector<std::uint32_t> patch_of(cells_.size(), kNoCell);
-  std::vector<std::size_t> sizes;
-  std::vector<std::size_t> open;
-  for (std::size_t k = 0; k < cells_.size(); ++k) {
-    if (patch_of[k] != kNoCell) continue;
-    const auto patch = static_cast<std::uint32_t>(sizes.size());
-    sizes.push_back(0);
-    patch_of[k] = patch;
-    open.push_back(k);
-    while (!open.empty()) {
-      const std::size_t cell = open.back();
-      open.pop_back();
-      ++sizes.back();
-      for (const std::size_t index : linksAt(cell)) {
-        const GraphLink& link = links_[index];
-        const std::size_t other = link.other(cell);
-        if (link.muted() || patch_of[other] != kNoCell) continue;
-        patch_of[other] = patch;
-        open.push_back(other);
-      }
-    }
-  }
-  patches_.assign(sizes.size(), {});
-  for (std::size_t patch = 0; patch < sizes.size(); ++patch) patches_[patch].reserve(sizes[patch]);
+  // Components are numbered in the order of their first vertices, and so of their smallest IDs.
+  std::vector<std::uint32_t> patch_of(cells_.size());
+  patches_.assign(boost::connected_components(*this, patch_of.data()), {});
   for (std::size_t k = 0; k < cells_.size(); ++k) {
     std::vector<std::size_t>& patch = patches_[patch_of[k]];
     cells_[k].patch = PatchId(patch_of[k]);

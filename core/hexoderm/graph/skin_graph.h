@@ -1,10 +1,10 @@
 #pragma once
 
 #include "hexoderm/graph/cell_model.h"
+#include "hexoderm/graph/cell_table.h"
 #include "hexoderm/graph/neighbor_list.h"
 #include "hexoderm/util/finding.h"
 
-#include <cstdint>
 #include <optional>
 #include <span>
 #include <vector>
@@ -46,7 +46,8 @@ class SkinGraph {
   [[nodiscard]] const std::vector<GraphLink>& links() const { return links_; }
   /// What is wrong with the neighbours that cells report.
   [[nodiscard]] const std::vector<Finding>& findings() const { return findings_; }
-  [[nodiscard]] std::optional<std::size_t> indexOf(CellId id) const;  ///< nothing for a cell that is not in the graph
+  /// Nothing for a cell that is not in the graph.
+  [[nodiscard]] std::optional<std::size_t> indexOf(CellId id) const { return table_.find(id); }
   /// Index of the link between two ports, in either order.
   [[nodiscard]] std::optional<std::size_t> indexOf(LinkEnd a, LinkEnd b) const;
   /// Indices of the links at a cell, muted ones included.
@@ -66,7 +67,6 @@ class SkinGraph {
   void mute(std::span<const std::size_t> links, FindingCode why);
 
  private:
-  void indexCells();
   void indexLinks();
   void findPatches();
 
@@ -76,7 +76,7 @@ class SkinGraph {
   std::vector<std::size_t> links_at_;       ///< of all cells, one after the other
   std::vector<std::size_t> first_link_at_;  ///< per cell, and the end
   std::vector<std::vector<std::size_t>> patches_;
-  std::vector<std::uint32_t> index_of_;  ///< cell by ID; empty where IDs are far apart
+  CellTable table_;
 };
 
 /// "link 5 port 2 - 9 port 3", the one way a link is named in texts.

@@ -1,5 +1,7 @@
 #include "hexoderm/reconstruction/sensor_statistics.h"
 
+#include "hexoderm/graph/breadth_first.h"
+#include "hexoderm/graph/skin_graph_boost.h"
 #include "hexoderm/reconstruction/solved_skin.h"
 #include "hexoderm/util/error.h"
 #include "hexoderm/util/text.h"
@@ -16,24 +18,13 @@ std::unordered_set<CellId> chooseCells(const SkinGraph& graph) {
   std::vector<const std::vector<std::size_t>*> patches;
   for (const std::vector<std::size_t>& patch : graph.patches()) patches.push_back(&patch);
   std::ranges::stable_sort(patches, std::ranges::greater(), [](const auto* patch) { return patch->size(); });
-  std::vector<std::size_t> chosen;
-  std::vector<bool> known(graph.cells().size(), false);
-  const auto choose = [&](std::size_t cell) {
-    if (known[cell] || chosen.size() == kMostCellsForSensors) return;
-    known[cell] = true;
-    chosen.push_back(cell);
-  };
-  for (const std::vector<std::size_t>* patch : patches) {
-    std::size_t next = chosen.size();
-    choose(patch->front());
-    for (; next < chosen.size(); ++next) {
-      for (const std::size_t link : graph.linksAt(chosen[next])) {
-        if (!graph.links()[link].muted()) choose(graph.links()[link].other(chosen[next]));
-      }
-    }
-  }
   std::unordered_set<CellId> ids;
-  for (const std::size_t cell : chosen) ids.insert(graph.cells()[cell].id);
+  BreadthFirst search(graph);
+  for (const std::vector<std::size_t>* patch : patches) {
+    std::vector<std::size_t> cells = search.searchFrom(patch->front());
+    cells.resize(std::min(cells.size(), kMostCellsForSensors - ids.size()));
+    for (const std::size_t cell : cells) ids.insert(graph.cells()[cell].id);
+  }
   return ids;
 }
 

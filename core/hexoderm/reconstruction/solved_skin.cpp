@@ -1,6 +1,7 @@
 #include "hexoderm/reconstruction/solved_skin.h"
 
 #include "hexoderm/reconstruction/faults/cell_health.h"
+#include "hexoderm/reconstruction/faults/consequences.h"
 #include "hexoderm/reconstruction/faults/fault_isolation.h"
 #include "hexoderm/reconstruction/patch/attitude_faults.h"
 #include "hexoderm/reconstruction/patch/patch_description.h"
@@ -130,6 +131,7 @@ std::unique_ptr<const SolvedSkin> solveSkin(const SessionSnapshot& snapshot, con
     return nullptr;
   }
   if (stop.stop_requested()) return nullptr;
+  addConsequences(solved->skin_, solved->findings_);
   return solved;
 }
 

@@ -1,7 +1,6 @@
-// Distances and the origin against the Boost Graph Library.
+// Patches, distances and the origin against those of a copy of the graph in an adjacency_list.
 
 #include "hexoderm/graph/origin_search.h"
-#include "hexoderm/graph/patch_ways.h"
 #include "hexoderm/graph/shortest_paths.h"
 
 #include <gmock/gmock.h>

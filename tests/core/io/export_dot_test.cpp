@@ -89,23 +89,25 @@ TEST_F(ExportDot, DrawsTheWeakClassesAsDotsAndDashes) {
   Reconstruction reconstruction = makeTestReconstruction();
   reconstruction.patches[0].links[0].quality = EdgeQuality::Undefined;
   reconstruction.patches[0].links[2].quality = EdgeQuality::Partially;
-  const DotGraph graph = dotGraph(reconstruction);
-  EXPECT_EQ(graph.edges[0].attributes.at("style"), "dotted");
-  EXPECT_EQ(graph.edges[0].attributes.at("color"), "#7F0D14");
-  EXPECT_EQ(graph.edges[4].attributes.at("style"), "dashed");
-  EXPECT_EQ(graph.edges[4].attributes.at("color"), "#E66F15");
+  const std::string text = dotText(reconstruction);
+  const std::vector<LinkEstimate>& links = reconstruction.patches[0].links;
+  const auto lineOf = [&](const LinkEstimate& link) {
+    const std::size_t begin = text.find("\n" + toString(link.source.cell) + "->" + toString(link.target.cell) + " ");
+    return text.substr(begin, text.find('\n', begin + 1) - begin);
+  };
+  EXPECT_THAT(lineOf(links[0]), AllOf(HasSubstr("style=\"dotted\""), HasSubstr("color=\"#7F0D14\"")));
+  EXPECT_THAT(lineOf(links[2]), AllOf(HasSubstr("style=\"dashed\""), HasSubstr("color=\"#E66F15\"")));
 }
 
 TEST_F(ExportDot, GroupsCellsByPatch) {
   exportReconstruction(makeTestReconstruction(), ExportFormat::Dot, in("skin.dot"));
   const std::string text = read(in("skin.dot"));
-  const std::size_t first = text.find("subgraph \"cluster_0\"");
-  const std::size_t second = text.find("subgraph \"cluster_1\"");
-  ASSERT_NE(first, std::string::npos);
-  ASSERT_NE(second, std::string::npos);
-  EXPECT_LT(first, text.find("\"12\" [label"));
-  EXPECT_LT(text.find("\"12\" [label"), second);
-  EXPECT_LT(second, text.find("\"20\" [label"));
+  const auto cluster = [&](const std::string& name) {
+    const std::size_t begin = text.find("subgraph \"" + name + "\"");
+    return text.substr(begin, text.find('}', begin) - begin);
+  };
+  EXPECT_THAT(cluster("cluster_0"), HasSubstr("; 12;"));
+  EXPECT_THAT(cluster("cluster_1"), AllOf(HasSubstr(" 20;"), Not(HasSubstr(" 12;"))));
 }
 
 TEST_F(ExportDot, EscapesTextsOfUsers) {
@@ -128,24 +130,6 @@ TEST_F(ExportDot, CellsWithoutALayoutHaveNoPlace) {
 TEST_F(ExportDot, EmptyReconstructionGivesAnEmptyGraph) {
   exportReconstruction(test::ResultBuilder().build(), ExportFormat::Dot, in("empty.dot"));
   EXPECT_EQ(boost::num_vertices(readWithBoost(read(in("empty.dot")))), 0U);
-}
-
-TEST_F(ExportDot, DetectsATamperedGraph) {
-  const DotGraph graph = dotGraph(makeTestReconstruction());
-  const std::string text = dotText(graph);
-  EXPECT_NO_THROW(verifyDot(text, graph, "skin.dot"));
-  const std::vector<std::string> tampered = {replaced(text, "headlabel=\"3\"", "headlabel=\"2\""),
-                                             replaced(text, "\"3\" -> \"7\"", "\"3\" -> \"12\""),
-                                             replaced(text, "#17A1CA", "#17A1CB"),
-                                             replaced(text, "peripheries=\"2\", ", ""),
-                                             replaced(text, "cluster_1", "cluster_2"),
-                                             replaced(text, "    \"20\" [", "    \"21\" ["),
-                                             replaced(text, "<R&amp;D>", "<R&D>"),
-                                             replaced(text, "\\\"arm\\\"", "\"arm\""),
-                                             text + "}",
-                                             text.substr(0, text.size() / 2),
-                                             ""};
-  for (const std::string& bytes : tampered) EXPECT_THROW(verifyDot(bytes, graph, "skin.dot"), FormatError) << bytes;
 }
 
 }  // namespace

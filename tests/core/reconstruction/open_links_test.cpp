@@ -12,6 +12,7 @@ namespace hexoderm {
 namespace {
 
 using ::testing::ElementsAre;
+using ::testing::HasSubstr;
 using ::testing::SizeIs;
 
 SimulatedSkin skinOf(const std::string& patch, const std::string& surface, std::uint64_t seed, LinkLaw law) {
@@ -69,6 +70,7 @@ TEST(OpenLinks, ACableAcrossASheetIsFoundAndTheRestStaysWhereItIs) {
                          [](const Finding& f) { return f.code == FindingCode::LinkDoesNotClose; });
     ASSERT_THAT(found, SizeIs(1));
     EXPECT_THAT(found.front().cells, ElementsAre(std::min(a.cell, b.cell), std::max(a.cell, b.cell)));
+    EXPECT_THAT(found.front().message.english(), HasSubstr("no other link is in all of its loops"));
     ASSERT_THAT(with->patches, SizeIs(1));
     const CellPlacement& origin = without->patches.front().cells.front();
     for (const CellPlacement& cell : without->patches.front().cells) {
@@ -78,6 +80,18 @@ TEST(OpenLinks, ACableAcrossASheetIsFoundAndTheRestStaysWhereItIs) {
       EXPECT_THAT(T, SE3Near(expected, 1e-4, 1e-5));
     }
   }
+}
+
+TEST(OpenLinks, AnyLinkOfASingleLoopMayBeTheCable) {
+  SimulatedSkin skin = skinOf("sheet:1x8", "", 1, LinkLaw::Bend);
+  const Session session = simulateSession(skin, 4);
+  const std::vector<NeighborReport>& of_first = session.neighbors().front().neighbors;
+  const NeighborReport& link = *std::ranges::find(of_first, CellId(2), &NeighborReport::cell);
+  const Session with_cable = withLink(session, {CellId(1), link.cell_port.value()}, {CellId(8), link.port});
+  const auto result = reconstruct(*with_cable.snapshot());
+  const auto found = std::ranges::find(result->findings, FindingCode::LinkDoesNotClose, &Finding::code);
+  ASSERT_NE(found, result->findings.end());
+  EXPECT_THAT(found->message.english(), HasSubstr("All of its loops have 8 links in common"));
 }
 
 TEST(OpenLinks, ACableSetAsideByHandChangesNothing) {

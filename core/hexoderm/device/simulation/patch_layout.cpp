@@ -1,10 +1,13 @@
 #include "hexoderm/device/simulation/patch_layout.h"
 
 #include "hexoderm/device/simulation/sheet_relaxation.h"
+#include "hexoderm/graph/breadth_first.h"
 #include "hexoderm/util/error.h"
 #include "hexoderm/util/text.h"
 
 #include <Eigen/Eigenvalues>
+#include <boost/graph/compressed_sparse_row_graph.hpp>
+#include <boost/range/iterator_range.hpp>
 #include <cmath>
 #include <cstdint>
 #include <unordered_map>
@@ -12,35 +15,19 @@
 namespace hexoderm {
 namespace {
 
-/// The links at each cell, in the plan's order.
-class LinksOfCells {
- public:
-  explicit LinksOfCells(const PatchPlan& plan) : links_(plan.links), begin_(plan.cell_count + 1, 0) {
-    for (const PlannedLink& link : links_) {
-      ++begin_[link.source + 1];
-      ++begin_[link.target + 1];
-    }
-    for (std::size_t cell = 0; cell < plan.cell_count; ++cell) begin_[cell + 1] += begin_[cell];
-    std::vector<std::uint32_t> next(begin_.begin(), begin_.end() - 1);
-    numbers_.resize(2 * links_.size());
-    for (std::size_t k = 0; k < links_.size(); ++k) {
-      for (const std::size_t end : {links_[k].source, links_[k].target}) {
-        numbers_[next[end]++] = static_cast<std::uint32_t>(k);
-      }
-    }
-  }
+/// The cells of a plan, joined by the numbers of its links, in their order.
+using PlanGraph = boost::compressed_sparse_row_graph<boost::directedS, boost::no_property, std::size_t>;
 
-  [[nodiscard]] std::size_t countOf(std::size_t cell) const { return begin_[cell + 1] - begin_[cell]; }
-  [[nodiscard]] PlannedLink leadingAway(std::size_t cell, std::size_t which) const {
-    const PlannedLink& link = links_[numbers_[begin_[cell] + which]];
-    return link.source == cell ? link : reversed(link);
+PlanGraph graphOf(const PatchPlan& plan) {
+  std::vector<std::pair<std::size_t, std::size_t>> ends;
+  std::vector<std::size_t> numbers;
+  for (std::size_t k = 0; k < plan.links.size(); ++k) {
+    ends.emplace_back(plan.links[k].source, plan.links[k].target);
+    ends.emplace_back(plan.links[k].target, plan.links[k].source);
+    numbers.insert(numbers.end(), 2, k);
   }
-
- private:
-  const std::vector<PlannedLink>& links_;
-  std::vector<std::uint32_t> begin_;    ///< per cell, into numbers_
-  std::vector<std::uint32_t> numbers_;  ///< of links
-};
+  return {boost::edges_are_unsorted_multi_pass, ends.begin(), ends.end(), numbers.begin(), plan.cell_count};
+}
 
 /// Distance along the geodesic from one centre to the next.
 double linkLength(const PlannedLink& link, LinkLaw law, const Surface& surface, const Eigen::Vector3d& from,
@@ -137,7 +124,11 @@ void requireClosed(const PatchPlan& plan, const std::vector<SE3>& cells) {
 }  // namespace
 
 std::vector<SE3> layPatch(const PatchPlan& plan, const Surface& surface, LinkLaw law) {
-  const LinksOfCells links_at(plan);
+  const PlanGraph graph = graphOf(plan);
+  const auto leadingAway = [&](const PlanGraph::edge_descriptor& edge) {
+    const PlannedLink& link = plan.links[graph[edge]];
+    return link.source == source(edge, graph) ? link : reversed(link);
+  };
   double reach = 0;
   for (const PlannedLink& link : plan.links) {
     reach = std::max({reach, reachOf(link.source_port), reachOf(link.target_port)});
@@ -151,31 +142,24 @@ std::vector<SE3> layPatch(const PatchPlan& plan, const Surface& surface, LinkLaw
   requireRoom(surface, middle.t, reach);
 
   const SheetRelaxation relaxation(plan, surface, law);
-  std::vector<std::size_t> order = {plan.start};
   std::vector<PlannedLink> known;
-  for (std::size_t next = 0; next < order.size(); ++next) {
-    const std::size_t from = order[next];
-    for (std::size_t k = 0; k < links_at.countOf(from); ++k) {
-      const PlannedLink link = links_at.leadingAway(from, k);
-      const std::size_t to = link.target;
-      if (laid[to]) continue;
-      const Eigen::Vector3d direction = cells[from].R.leftCols<2>() * link.source_port.vector_m.head<2>().normalized();
-      const GeodesicPoint end =
-          surface.walk(cells[from].t, direction, linkLength(link, law, surface, cells[from].t, direction));
-      requireRoom(surface, end.position, reach);
-      cells[to] = cellAtEnd(end, surface.normal(end.position), link.target_port);
-      laid[to] = true;
-      order.push_back(to);
-      if (plan.has_loops) {
-        known.clear();
-        for (std::size_t j = 0; j < links_at.countOf(to); ++j) {
-          const PlannedLink other = links_at.leadingAway(to, j);
-          if (laid[other.target]) known.push_back(other);
-        }
-        relaxation.fitCell(to, known, cells);
+  BreadthFirst(graph).searchFrom(plan.start, [&](const PlanGraph::edge_descriptor& edge) {
+    const PlannedLink link = leadingAway(edge);
+    const SE3& from = cells[link.source];
+    const Eigen::Vector3d direction = from.R.leftCols<2>() * link.source_port.vector_m.head<2>().normalized();
+    const GeodesicPoint end = surface.walk(from.t, direction, linkLength(link, law, surface, from.t, direction));
+    requireRoom(surface, end.position, reach);
+    cells[link.target] = cellAtEnd(end, surface.normal(end.position), link.target_port);
+    laid[link.target] = true;
+    if (plan.has_loops) {
+      known.clear();
+      for (const auto& other : boost::make_iterator_range(out_edges(link.target, graph))) {
+        if (laid[target(other, graph)]) known.push_back(leadingAway(other));
       }
+      relaxation.fitCell(link.target, known, cells);
     }
-  }
+    return true;
+  });
   if (plan.has_loops) relaxation.relax(cells);
   if (cells.size() > 1) requireNoOverlap(cells, reach);  // a single cell has no links and thus no reach
   if (plan.closure) requireClosed(plan, cells);

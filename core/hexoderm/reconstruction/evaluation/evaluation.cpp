@@ -2,6 +2,7 @@
 
 #include "hexoderm/geometry/alignment.h"
 #include "hexoderm/geometry/covariance.h"
+#include "hexoderm/reconstruction/evaluation/link_chain.h"
 #include "hexoderm/util/error.h"
 #include "hexoderm/util/units.h"
 
@@ -9,7 +10,6 @@
 #include <array>
 #include <cmath>
 #include <iterator>
-#include <queue>
 #include <unordered_map>
 
 namespace hexoderm {
@@ -169,32 +169,6 @@ std::vector<Comparison> compareAll(const Reconstruction& reconstruction, const R
 
 Message endInWords(LinkEnd end) { return message("cell {} port {}", end.cell, end.port); }
 
-/// Sum of the port vectors' lengths along the shortest chain of links from one cell to the other, with the two free
-/// ports at its ends: the paper's L.
-double chainLength(const Reconstruction& r, const PatchReconstruction& patch, LinkEnd first, LinkEnd second) {
-  std::unordered_map<CellId, std::vector<std::pair<CellId, double>>> neighbors;
-  const auto length = [&](PortNumber port) { return r.model->port(port).vector_m.norm(); };
-  for (const LinkEstimate& link : patch.links) {
-    if (!link.used) continue;
-    const double both = length(link.source.port) + length(link.target.port);
-    neighbors[link.source.cell].emplace_back(link.target.cell, both);
-    neighbors[link.target.cell].emplace_back(link.source.cell, both);
-  }
-  std::unordered_map<CellId, double> reached{{first.cell, 0}};
-  std::queue<CellId> open;
-  open.push(first.cell);
-  while (!open.empty() && !reached.contains(second.cell)) {
-    const CellId cell = open.front();
-    open.pop();
-    for (const auto& [next, both] : neighbors[cell]) {
-      if (reached.emplace(next, reached.at(cell) + both).second) open.push(next);
-    }
-  }
-  const auto end = reached.find(second.cell);
-  if (end == reached.end()) return 0;
-  return end->second + length(first.port) + length(second.port);
-}
-
 }  // namespace
 
 SurfaceKind surfaceKindFromName(std::string_view name) {
@@ -319,7 +293,13 @@ LoopEvaluation evaluateLoop(const Reconstruction& reconstruction, LinkEnd first,
   loop.gap_m = a.cell->T_o_u * reconstruction.model->port(first.port).vector_m -
                b.cell->T_o_u * reconstruction.model->port(second.port).vector_m;
   loop.length_m = loop.gap_m.norm();
-  loop.loop_length_m = chainLength(reconstruction, *a.patch, first, second);
+  const ResultGraph& graph = reconstruction.graph();
+  const std::vector<ResultEdge> chain = ChainSearch(graph).between(*graph.find(first.cell), *graph.find(second.cell));
+  if (!chain.empty() || first.cell == second.cell) {
+    for (const ResultEdge& edge : chain) loop.loop_length_m += lengthAcross(*reconstruction.model, *edge.link);
+    loop.loop_length_m += reconstruction.model->port(first.port).vector_m.norm() +
+                          reconstruction.model->port(second.port).vector_m.norm();
+  }
   loop.percent = loop.loop_length_m > 0 ? 100 * loop.length_m / loop.loop_length_m : 0;
   return loop;
 }

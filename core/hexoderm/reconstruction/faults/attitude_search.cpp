@@ -1,5 +1,7 @@
 #include "hexoderm/reconstruction/faults/attitude_search.h"
 
+#include "hexoderm/graph/breadth_first.h"
+#include "hexoderm/graph/skin_graph_boost.h"
 #include "hexoderm/util/parallel.h"
 #include "hexoderm/util/units.h"
 
@@ -7,7 +9,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <deque>
 #include <functional>
 #include <iterator>
 #include <utility>
@@ -97,26 +98,15 @@ std::size_t AttitudeSearch::placeOf(std::size_t cell) const { return skin_.graph
 /// Headings of the cells' x axes in the sheet laid flat, from one of them.
 std::vector<double> AttitudeSearch::headings() const {
   const SkinGraph& graph = skin_.graph();
-  std::vector<std::optional<double>> heading(cells_.size());
-  heading.front() = 0;
-  std::deque<std::size_t> queue = {cells_.front()};
-  while (!queue.empty()) {
-    const std::size_t cell = queue.front();
-    queue.pop_front();
-    for (const std::size_t k : graph.linksAt(cell)) {
-      const GraphLink& link = graph.links()[k];
-      if (link.muted()) continue;
-      std::optional<double>& other = heading[placeOf(link.other(cell))];
-      if (other) continue;
-      const double yaw = headingOf(skin_.sourcePort(link)) + kPi - headingOf(skin_.targetPort(link));
-      other = *heading[placeOf(cell)] + (link.source == cell ? yaw : -yaw);
-      queue.push_back(link.other(cell));
-    }
-  }
-  std::vector<double> all;
-  all.reserve(heading.size());
-  for (const std::optional<double>& of_cell : heading) all.push_back(of_cell.value_or(0));
-  return all;
+  const PatchView view{&graph, graph.cells()[cells_.front()].patch.value()};
+  std::vector<double> heading(cells_.size(), 0);
+  BreadthFirst(view).searchFrom(cells_.front(), [&](const SkinEdge& edge) {
+    const GraphLink& link = graph.links()[edge.link];
+    const double yaw = headingOf(skin_.sourcePort(link)) + kPi - headingOf(skin_.targetPort(link));
+    heading[placeOf(target(edge, view))] = heading[placeOf(edge.from)] + (link.source == edge.from ? yaw : -yaw);
+    return true;
+  });
+  return heading;
 }
 
 void AttitudeSearch::findJoints() {

@@ -1,13 +1,24 @@
 #include "hexoderm/reconstruction/figures/cell_links.h"
 
+#include "hexoderm/reconstruction/result/result_graph.h"
+
+#include <boost/range/iterator_range.hpp>
+
 #include <algorithm>
-#include <unordered_map>
 
 namespace hexoderm {
 namespace {
 
-void sortByPort(std::span<const LinkEstimate*> links, CellId cell) {
-  std::ranges::stable_sort(links, {}, [cell](const LinkEstimate* link) { return portOf(*link, cell); });
+/// Adds the links of a cell, in the order of its ports. A link from a cell to itself counts once.
+void addLinks(const ResultGraph& graph, ResultGraph::Vertex cell, std::vector<const LinkEstimate*>& links) {
+  const std::size_t first = links.size();
+  for (const ResultGraph::Edge& edge : boost::make_iterator_range(out_edges(cell, graph.graph()))) {
+    const ResultEdge& link = graph.graph()[edge];
+    if (link.forwards || target(edge, graph.graph()) != cell) links.push_back(link.link);
+  }
+  const CellId id = graph.graph()[cell].placement->cell;
+  std::ranges::stable_sort(links.begin() + static_cast<std::ptrdiff_t>(first), links.end(), {},
+                           [id](const LinkEstimate* link) { return portOf(*link, id); });
 }
 
 void raiseFigure(std::optional<double>& worst, const std::optional<double>& value) {
@@ -17,35 +28,12 @@ void raiseFigure(std::optional<double>& worst, const std::optional<double>& valu
 }  // namespace
 
 CellLinks::CellLinks(const Reconstruction& reconstruction) {
-  std::vector<CellId> cells;
-  std::unordered_map<CellId, std::size_t> index;
-  cells.reserve(reconstruction.cellCount());
-  index.reserve(reconstruction.cellCount());
-  for (const PatchReconstruction& patch : reconstruction.patches) {
-    for (const CellPlacement& cell : patch.cells) {
-      index.emplace(cell.cell, cells.size());
-      cells.push_back(cell.cell);
-    }
+  const ResultGraph& graph = reconstruction.graph();
+  for (const ResultGraph::Vertex cell : boost::make_iterator_range(vertices(graph.graph()))) {
+    first_.push_back(links_.size());
+    addLinks(graph, cell, links_);
   }
-  // A cell that is named but not there has no entry; a link from a cell to itself counts once.
-  const auto forEachEnd = [&](const auto& visit) {
-    for (const PatchReconstruction& patch : reconstruction.patches) {
-      for (const LinkEstimate& link : patch.links) {
-        if (const auto source = index.find(link.source.cell); source != index.end()) visit(source->second, link);
-        if (link.target.cell == link.source.cell) continue;
-        if (const auto target = index.find(link.target.cell); target != index.end()) visit(target->second, link);
-      }
-    }
-  };
-  first_.assign(cells.size() + 1, 0);
-  forEachEnd([&](std::size_t cell, const LinkEstimate&) { ++first_[cell + 1]; });
-  for (std::size_t k = 0; k < cells.size(); ++k) first_[k + 1] += first_[k];
-  links_.resize(first_.back());
-  std::vector<std::size_t> next(first_.begin(), first_.end() - 1);
-  forEachEnd([&](std::size_t cell, const LinkEstimate& link) { links_[next[cell]++] = &link; });
-  for (std::size_t k = 0; k < cells.size(); ++k) {
-    sortByPort(std::span(links_).subspan(first_[k], first_[k + 1] - first_[k]), cells[k]);
-  }
+  first_.push_back(links_.size());
 }
 
 LinksOfCell CellLinks::of(std::size_t index) const {
@@ -55,12 +43,7 @@ LinksOfCell CellLinks::of(std::size_t index) const {
 
 std::vector<const LinkEstimate*> linksOf(const Reconstruction& reconstruction, CellId cell) {
   std::vector<const LinkEstimate*> links;
-  for (const PatchReconstruction& patch : reconstruction.patches) {
-    for (const LinkEstimate& link : patch.links) {
-      if (link.source.cell == cell || link.target.cell == cell) links.push_back(&link);
-    }
-  }
-  sortByPort(links, cell);
+  if (const auto found = reconstruction.graph().find(cell)) addLinks(reconstruction.graph(), *found, links);
   return links;
 }
 

@@ -1,7 +1,9 @@
 #include "hexoderm/reconstruction/links/skin_readings.h"
 
+#include "hexoderm/graph/breadth_first.h"
+#include "hexoderm/graph/skin_graph_boost.h"
+
 #include <algorithm>
-#include <set>
 
 namespace hexoderm {
 
@@ -41,18 +43,11 @@ std::vector<std::size_t> SkinReadings::update(const CellModel& model, const Skin
 
 /// The cells without readings that are joined to `cell` by cells without readings, with it, ascending.
 std::vector<std::size_t> SkinReadings::blindAround(const SkinGraph& graph, std::size_t cell) const {
-  std::set<std::size_t> found{cell};
-  std::vector<std::size_t> open{cell};
-  while (!open.empty()) {
-    const std::size_t at = open.back();
-    open.pop_back();
-    for (const std::size_t k : graph.linksAt(at)) {
-      const GraphLink& link = graph.links()[k];
-      const std::size_t other = link.other(at);
-      if (!link.muted() && !measured_[other] && found.insert(other).second) open.push_back(other);
-    }
-  }
-  return {found.begin(), found.end()};
+  BreadthFirst search(graph);
+  std::vector<std::size_t> blind =
+      search.searchFrom(cell, [&](const SkinEdge& edge) { return !measured_[target(edge, graph)]; });
+  std::ranges::sort(blind);
+  return blind;
 }
 
 void SkinReadings::fillMissing(const CellModel& model, const SkinGraph& graph, const std::vector<std::size_t>& blind) {

@@ -1,5 +1,6 @@
 #include "hexoderm/reconstruction/patch/patch_solver.h"
 
+#include "hexoderm/graph/cut_elements.h"
 #include "hexoderm/reconstruction/faults/suspects.h"
 #include "hexoderm/util/median.h"
 #include "hexoderm/util/text.h"
@@ -37,11 +38,20 @@ std::vector<bool> eligibleOrigins(const SkinLinks& skin, const std::vector<std::
 Finding describeOpenLink(const SkinGraph& graph, const JointRefinement::OpenLink& open, double limit_m) {
   const LinkEnd source = graph.sourceEnd(graph.links()[open.link]);
   const LinkEnd target = graph.targetEnd(graph.links()[open.link]);
+  const Message link = linkInWords(source, target);
+  const Millimetres opening{open.opening_m, 0};
+  const Millimetres limit{limit_m, 0};
+  const std::size_t candidates = linksOfAllLoopsThrough(graph, open.link).size();
   return makeFinding(
       FindingCode::LinkDoesNotClose,
-      message("With all other links the ends of the {} come to lie {} apart, and a skin link leaves no more than {}: "
-              "it is probably a cable, or another link of the loop is. The link is not used.",
-              linkInWords(source, target), Millimetres{open.opening_m, 0}, Millimetres{limit_m, 0}),
+      candidates > 1
+          ? message("With all other links the ends of the {} come to lie {} apart, and a skin link leaves no more than "
+                    "{}. All of its loops have {} links in common, and any one of these may be a cable. The link is "
+                    "not used.",
+                    link, opening, limit, candidates)
+          : message("With all other links the ends of the {} come to lie {} apart, and a skin link leaves no more than "
+                    "{}: it is probably a cable, since no other link is in all of its loops. The link is not used.",
+                    link, opening, limit),
       {source.cell, target.cell}, {source.port, target.port});
 }
 

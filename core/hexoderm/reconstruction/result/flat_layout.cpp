@@ -1,14 +1,11 @@
-#include "hexoderm/reconstruction/result/reconstruction.h"
+#include "hexoderm/graph/breadth_first.h"
+#include "hexoderm/reconstruction/result/result_graph.h"
 
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
-#include <deque>
 #include <limits>
 #include <numbers>
-#include <numeric>
-#include <optional>
-#include <utility>
 
 namespace hexoderm {
 namespace {
@@ -19,60 +16,13 @@ struct FlatPort {
   double heading_rad = 0;
 };
 
-FlatPort flatPort(const CellModel& model, PortNumber number) {
-  const Port* port = model.findPort(number);
-  if (port == nullptr) return {};  // in an imported file; its links then start at the cell's centre
-  const Vector2d vector = port->vector_m.head<2>();
+FlatPort flatPort(const Port& port) {
+  const Vector2d vector = port.vector_m.head<2>();
   return {vector, std::atan2(vector.y(), vector.x())};
 }
 
 Vector2d portPoint(const FlatCell& cell, const Vector2d& port_m) {
   return cell.center + Eigen::Rotation2Dd(cell.angle_rad) * port_m;
-}
-
-/// Places of cells in a list, by their IDs; of equal ones the first.
-class CellTable {
- public:
-  explicit CellTable(const std::vector<CellId>& ids) {
-    if (ids.empty()) return;
-    const auto [least, most] = std::ranges::minmax(ids);
-    first_ = least.value();
-    const std::size_t range = std::size_t{most.value()} - first_ + 1;
-    constexpr std::size_t kMostPerCell = 8;
-    if (range <= kMostPerCell * ids.size()) {
-      by_id_.assign(range, kNone);
-      for (std::size_t k = ids.size(); k-- > 0;) by_id_[ids[k].value() - first_] = static_cast<std::uint32_t>(k);
-    } else {
-      sorted_.reserve(ids.size());
-      for (std::size_t k = 0; k < ids.size(); ++k) sorted_.emplace_back(ids[k], static_cast<std::uint32_t>(k));
-      std::ranges::sort(sorted_);
-    }
-  }
-
-  [[nodiscard]] std::optional<std::size_t> find(CellId id) const {
-    if (!by_id_.empty()) {
-      const std::size_t at = std::size_t{id.value()} - first_;  // beyond the end for one that is less than the first
-      if (at >= by_id_.size() || by_id_[at] == kNone) return std::nullopt;
-      return by_id_[at];
-    }
-    const auto found = std::ranges::lower_bound(sorted_, id, {}, &std::pair<CellId, std::uint32_t>::first);
-    if (found == sorted_.end() || found->first != id) return std::nullopt;
-    return found->second;
-  }
-
- private:
-  static constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
-
-  std::size_t first_ = 0;
-  std::vector<std::uint32_t> by_id_;  ///< empty where IDs are far apart
-  std::vector<std::pair<CellId, std::uint32_t>> sorted_;
-};
-
-std::vector<CellId> idsOf(const PatchReconstruction& patch) {
-  std::vector<CellId> ids;
-  ids.reserve(patch.cells.size());
-  for (const CellPlacement& cell : patch.cells) ids.push_back(cell.cell);
-  return ids;
 }
 
 /// The neighbour where the link's two port points meet and its two port vectors are opposite: the nominal alignment.
@@ -190,30 +140,33 @@ void layInRows(const std::vector<Block>& blocks, double spacing_m) {
   }
 }
 
-/// Unrolls one patch breadth-first from its origin. A cell whose place is taken, as happens where a surface is not
+/// Unrolls patches breadth-first from their origins. A cell whose place is taken, as happens where a surface is not
 /// developable, starts an island of its own; the links between islands become cuts.
-class PatchUnroller {
+class Unroller {
  public:
-  PatchUnroller(const CellModel& model, const PatchReconstruction& patch, FlatCell* cells)
-      : patch_(patch), cells_(cells), table_(idsOf(patch)), placed_(patch.cells.size(), false) {
+  using Vertex = ResultGraph::Vertex;
+
+  Unroller(const CellModel& model, const ResultGraph& graph, std::vector<FlatCell>& cells)
+      : model_(model), graph_(graph), cells_(cells), search_(graph.graph()) {
     double shortest_m = std::numeric_limits<double>::infinity();
     for (const Port& port : model.ports) shortest_m = std::min(shortest_m, port.vector_m.head<2>().norm());
     // Nominal alignments need not be multiples of 60 degrees, so honeycombs close with a little play.
     constexpr double kPlay = 0.85;
     least_distance_m_ = kPlay * 2 * std::min(shortest_m, model.side_m * std::numbers::sqrt3 / 2);
-    for (const Port& port : model.ports) ports_.push_back(flatPort(model, port.number));
-    findNeighbors(model);
+    for (const Port& port : model.ports) ports_.push_back(flatPort(port));
   }
 
-  /// Fills in the cells; the origin lies at zero, upright.
-  Block unroll(double island_spacing_m) {
+  /// Fills in the cells of a patch, which begin with the vertex `first`; the origin lies at zero, upright.
+  Block unroll(const PatchReconstruction& patch, Vertex first, double island_spacing_m) {
     std::vector<Block> islands;
-    if (const auto origin = table_.find(patch_.origin)) islands.push_back(unrollFrom(*origin));
+    displaced_.clear();
+    const auto origin = graph_.find(patch.origin);
+    if (origin && graph_.graph()[*origin].patch == &patch) islands.push_back(unrollFrom(*origin));
     for (std::size_t k = 0; k < displaced_.size(); ++k) {  // grows on the way
-      if (!placed_[displaced_[k]]) islands.push_back(unrollFrom(displaced_[k]));
+      if (!search_.isReached(displaced_[k])) islands.push_back(unrollFrom(displaced_[k]));
     }
-    for (std::size_t k = 0; k < placed_.size(); ++k) {
-      if (!placed_[k]) islands.push_back(unrollFrom(k));
+    for (Vertex cell = first; cell < first + patch.cells.size(); ++cell) {
+      if (!search_.isReached(cell)) islands.push_back(unrollFrom(cell));
     }
     layInRows(islands, island_spacing_m);
     Block all;
@@ -222,116 +175,65 @@ class PatchUnroller {
   }
 
  private:
-  /// A link as one of its cells sees it; ports are indices of the model's.
-  struct Neighbor {
-    std::uint32_t cell;
-    std::uint32_t here;
-    std::uint32_t there;
-  };
-
-  /// The links of all cells, one cell's after the other's, in the order of the patch's links.
-  void findNeighbors(const CellModel& model) {
-    struct Join {
-      std::size_t source;
-      std::size_t target;
-      std::uint32_t source_port;
-      std::uint32_t target_port;
-    };
-    const auto portIndex = [&model](PortNumber number) {
-      return static_cast<std::size_t>(std::ranges::find(model.ports, number, &Port::number) - model.ports.begin());
-    };
-    std::vector<Join> joins;
-    joins.reserve(patch_.links.size());
-    first_neighbor_.assign(patch_.cells.size() + 1, 0);
-    for (const LinkEstimate& link : patch_.links) {
-      if (!link.used) continue;
-      const std::size_t source_port = portIndex(link.source.port);
-      const std::size_t target_port = portIndex(link.target.port);
-      if (source_port == ports_.size() || target_port == ports_.size()) continue;
-      const auto source = table_.find(link.source.cell);
-      const auto target = table_.find(link.target.cell);
-      if (!source || !target || *source == *target) continue;
-      joins.push_back(
-          {*source, *target, static_cast<std::uint32_t>(source_port), static_cast<std::uint32_t>(target_port)});
-      ++first_neighbor_[*source + 1];
-      ++first_neighbor_[*target + 1];
-    }
-    std::partial_sum(first_neighbor_.begin(), first_neighbor_.end(), first_neighbor_.begin());
-    neighbors_.resize(2 * joins.size());
-    std::vector<std::size_t> next(first_neighbor_.begin(), first_neighbor_.end() - 1);
-    for (const Join& join : joins) {
-      neighbors_[next[join.source]++] = {static_cast<std::uint32_t>(join.target), join.source_port, join.target_port};
-      neighbors_[next[join.target]++] = {static_cast<std::uint32_t>(join.source), join.target_port, join.source_port};
-    }
+  /// Null in an imported file.
+  [[nodiscard]] const FlatPort* find(PortNumber number) const {
+    const auto found = std::ranges::find(model_.ports, number, &Port::number);
+    return found == model_.ports.end() ? nullptr : &ports_[static_cast<std::size_t>(found - model_.ports.begin())];
   }
 
-  Block unrollFrom(std::size_t start) {
-    Block island;
+  Block unrollFrom(Vertex start) {
     TakenPlaces taken(least_distance_m_);
-    const auto place = [&](std::size_t cell) {
-      placed_[cell] = true;
-      taken.take(cells_[cell].center);
-      island.add(&cells_[cell]);
-    };
-    place(start);
-    std::deque<std::size_t> reached = {start};
-    while (!reached.empty()) {
-      const std::size_t cell = reached.front();
-      reached.pop_front();
-      for (std::size_t k = first_neighbor_[cell]; k < first_neighbor_[cell + 1]; ++k) {
-        const Neighbor& neighbor = neighbors_[k];
-        if (placed_[neighbor.cell]) continue;
-        const FlatCell wanted =
-            placeNeighbor(cells_[cell], ports_[neighbor.here], cells_[neighbor.cell].cell, ports_[neighbor.there]);
-        cells_[neighbor.cell] = wanted;
-        if (taken.isFree(wanted.center)) {
-          place(neighbor.cell);
-          reached.push_back(neighbor.cell);
-        } else {
-          displaced_.push_back(neighbor.cell);
-        }
+    taken.take(cells_[start].center);
+    const ResultGraph::Graph& graph = graph_.graph();
+    const auto& reached = search_.searchFrom(start, [&](const ResultGraph::Edge& edge) {
+      const ResultEdge& link = graph[edge];
+      const FlatPort* here = find(link.tail().port);
+      const FlatPort* there = find(link.head().port);
+      if (!link.joins || here == nullptr || there == nullptr) return false;
+      const Vertex cell = target(edge, graph);
+      cells_[cell] = placeNeighbor(cells_[source(edge, graph)], *here, cells_[cell].cell, *there);
+      if (!taken.isFree(cells_[cell].center)) {
+        displaced_.push_back(cell);
+        return false;
       }
-    }
+      taken.take(cells_[cell].center);
+      return true;
+    });
+    Block island;
+    for (const Vertex cell : reached) island.add(&cells_[cell]);
     return island;
   }
 
-  const PatchReconstruction& patch_;
-  FlatCell* cells_;
+  const CellModel& model_;
+  const ResultGraph& graph_;
+  std::vector<FlatCell>& cells_;
   double least_distance_m_ = 0;
   std::vector<FlatPort> ports_;  ///< as the model has them
-  CellTable table_;
-  std::vector<std::size_t> first_neighbor_;  ///< per cell, and the end
-  std::vector<Neighbor> neighbors_;
-  std::vector<bool> placed_;
-  std::vector<std::size_t> displaced_;
+  BreadthFirst<ResultGraph::Graph> search_;
+  std::vector<Vertex> displaced_;
 };
 
 }  // namespace
 
 FlatLayout computeFlatLayout(const CellModel& model, const std::vector<PatchReconstruction>& patches) {
+  const ResultGraph graph(patches);
   FlatLayout layout;
-  std::vector<CellId> ids;
   std::size_t link_count = 0;
   for (const PatchReconstruction& patch : patches) {
-    for (const CellPlacement& cell : patch.cells) {
-      ids.push_back(cell.cell);
-      layout.cells.push_back({cell.cell, Vector2d::Zero(), 0});
-    }
+    for (const CellPlacement& cell : patch.cells) layout.cells.push_back({cell.cell, Vector2d::Zero(), 0});
     link_count += patch.links.size();
   }
 
   const double reach_m = std::max(model.reach_m(), model.side_m);
+  Unroller unroller(model, graph, layout.cells);
   std::vector<Block> blocks;
-  std::size_t first = 0;
+  Unroller::Vertex first = 0;
   for (const PatchReconstruction& patch : patches) {
-    if (!patch.cells.empty()) {
-      blocks.push_back(PatchUnroller(model, patch, layout.cells.data() + first).unroll(3 * reach_m));
-    }
-    first += patch.cells.size();
+    if (!patch.cells.empty()) blocks.push_back(unroller.unroll(patch, first, 3 * reach_m));
+    first += static_cast<Unroller::Vertex>(patch.cells.size());
   }
   layInRows(blocks, 4 * reach_m);
 
-  const CellTable table(ids);
   std::vector<Eigen::Matrix<double, 2, 2, Eigen::DontAlign>> turns;
   turns.reserve(layout.cells.size());
   for (const FlatCell& cell : layout.cells) turns.emplace_back(Eigen::Rotation2Dd(cell.angle_rad).toRotationMatrix());
@@ -344,8 +246,8 @@ FlatLayout computeFlatLayout(const CellModel& model, const std::vector<PatchReco
   for (const PatchReconstruction& patch : patches) {
     for (std::size_t k = 0; k < patch.links.size(); ++k) {
       const LinkEstimate& link = patch.links[k];
-      const auto source = table.find(link.source.cell);
-      const auto target = table.find(link.target.cell);
+      const auto source = graph.find(link.source.cell);
+      const auto target = graph.find(link.target.cell);
       if (!source || !target) continue;
       FlatLink flat{patch.id, k, pointOf(*source, link.source.port), pointOf(*target, link.target.port), false};
       flat.cut = link.used && (flat.to - flat.from).norm() > reach_m / 2;

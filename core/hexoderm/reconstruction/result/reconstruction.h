@@ -11,6 +11,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <mutex>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -161,6 +162,28 @@ struct FlatLayout {
   std::vector<FlatLink> links;
 };
 
+class ResultGraph;
+
+/// Cells and links of a result as a graph, made when it is first asked for. A copy makes its own, so that it can be
+/// edited before it is asked.
+class CachedGraph {
+ public:
+  CachedGraph() = default;                                     ///< holds no graph
+  CachedGraph(const CachedGraph& /*other*/) noexcept {}        ///< holds no graph
+  CachedGraph& operator=(const CachedGraph& other) noexcept {  ///< holds none any more
+    if (this != &other) graph_.reset();
+    return *this;
+  }
+  ~CachedGraph() = default;
+
+  /// The graph of the patches, which must be those of the result that holds this; on any thread.
+  [[nodiscard]] const ResultGraph& of(const std::vector<PatchReconstruction>& patches) const;
+
+ private:
+  mutable std::mutex mutex_;
+  mutable std::shared_ptr<const ResultGraph> graph_;
+};
+
 /// The result: everything views and exporters show. Immutable once made; also what a calibration file holds.
 struct Reconstruction {
   std::uint64_t revision = 0;   ///< revision of the snapshot it was computed from
@@ -186,6 +209,9 @@ struct Reconstruction {
   };
   [[nodiscard]] Located find(CellId id) const;  ///< the cell, and the patch that it is in; null if there is none
   [[nodiscard]] const LinkEstimate* findLink(LinkEnd a, LinkEnd b) const;  ///< in either order
+
+  CachedGraph cached_graph;  ///< of the patches, for the library's own functions
+  [[nodiscard]] const ResultGraph& graph() const { return cached_graph.of(patches); }  ///< the same
 };
 
 /// The patch with the most cells, of equally large ones the first; null for an empty skin.

@@ -1,6 +1,9 @@
 #include "hexoderm/reconstruction/sparse/elimination_order.h"
 
+#include "hexoderm/graph/breadth_first.h"
+
 #include <amd.h>
+#include <boost/graph/compressed_sparse_row_graph.hpp>
 
 #include <algorithm>
 #include <array>
@@ -14,15 +17,24 @@ namespace hexoderm {
 namespace {
 
 using Indices = std::vector<std::size_t>;
+using RowGraph = boost::compressed_sparse_row_graph<boost::directedS>;
+using RowEdge = boost::graph_traits<RowGraph>::edge_descriptor;
+
+/// The rows, and both directions of every couple.
+RowGraph graphOf(std::size_t size, const std::vector<BlockCouple>& couples) {
+  std::vector<std::pair<std::size_t, std::size_t>> ends;
+  ends.reserve(2 * couples.size());
+  for (const BlockCouple& couple : couples) {
+    ends.emplace_back(couple.row, couple.column);
+    ends.emplace_back(couple.column, couple.row);
+  }
+  return {boost::edges_are_unsorted_multi_pass, ends.begin(), ends.end(), size};
+}
 
 class Dissection {
  public:
   Dissection(std::size_t size, const std::vector<BlockCouple>& couples)
-      : neighbours_(size), part_(size, 0), level_(size, 0), order_(size) {
-    for (const BlockCouple& couple : couples) {
-      neighbours_[couple.row].push_back(couple.column);
-      neighbours_[couple.column].push_back(couple.row);
-    }
+      : graph_(graphOf(size, couples)), search_(graph_), part_(size, 0), level_(size, 0), order_(size) {
     std::iota(order_.begin(), order_.end(), std::size_t{0});
   }
 
@@ -74,16 +86,14 @@ class Dissection {
     const std::size_t from = part_[start];
     part_[start] = ++label_;
     level_[start] = 0;
-    Indices reached = {start};
-    for (std::size_t k = 0; k < reached.size(); ++k) {
-      const std::size_t v = reached[k];
-      for (const std::size_t n : neighbours_[v]) {
-        if (part_[n] != from) continue;
-        part_[n] = label_;
-        level_[n] = level_[v] + 1;
-        reached.push_back(n);
-      }
-    }
+    Indices reached = search_.searchFrom(start, [&](const RowEdge& edge) {
+      const std::size_t next = target(edge, graph_);
+      if (part_[next] != from) return false;
+      part_[next] = label_;
+      level_[next] = level_[source(edge, graph_)] + 1;
+      return true;
+    });
+    search_.forget();
     return reached;
   }
 
@@ -109,11 +119,12 @@ class Dissection {
   }
 
   [[nodiscard]] bool touchesLevel(std::size_t v, std::size_t level) const {
-    return std::any_of(neighbours_[v].begin(), neighbours_[v].end(),
-                       [&](std::size_t n) { return part_[n] == label_ && level_[n] == level; });
+    const auto [begin, end] = adjacent_vertices(v, graph_);
+    return std::any_of(begin, end, [&](std::size_t n) { return part_[n] == label_ && level_[n] == level; });
   }
 
-  std::vector<Indices> neighbours_;
+  RowGraph graph_;
+  BreadthFirst<RowGraph> search_;
   Indices part_;  // label of the last part or search that a row was in
   Indices level_;
   Indices order_;

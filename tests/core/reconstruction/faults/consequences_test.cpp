@@ -1,0 +1,84 @@
+#include "hexoderm/reconstruction/faults/consequences.h"
+
+#include "hexoderm/reconstruction/faults/fault_isolation.h"
+#include "hexoderm/util/units.h"
+#include "tests/support/pin_jointed_skin.h"
+
+#include <gmock/gmock.h>
+
+#include <algorithm>
+#include <utility>
+#include <vector>
+
+namespace hexoderm {
+namespace {
+
+using ::testing::EndsWith;
+using ::testing::HasSubstr;
+using ::testing::Not;
+using ::testing::SizeIs;
+
+/// The link between two neighbours.
+std::pair<LinkEnd, LinkEnd> linkBetween(const Session& session, CellId a, CellId b) {
+  const auto report = std::ranges::find(session.neighbors(), a, &CellReport::id);
+  const auto neighbor = std::ranges::find(report->neighbors, b, &NeighborReport::cell);
+  return {{a, neighbor->port}, {b, neighbor->cell_port.value()}};
+}
+
+/// What is said of the links that are set aside and the cells that are left out.
+std::vector<Finding> saidOf(const Session& session, const SolverOptions& options = {}) {
+  const auto snapshot = session.snapshot();
+  std::vector<Finding> findings;
+  SkinLinks skin(*snapshot, options, findings);
+  setLinksAside(skin, findings);
+  leaveOutCells(skin, findings);
+  skin.estimateEdges();
+  addConsequences(skin, findings);
+  return findings;
+}
+
+std::vector<Finding> saidWithout(CellId cell) {
+  SolverOptions options;
+  options.left_out = {cell};
+  return saidOf(bentX17().session(orthogonalUps(3)), options);
+}
+
+TEST(Consequences, ATreeIsSplitWhereALinkIsSetAside) {
+  Session session = bentX17().session(orthogonalUps(3));
+  const auto [a, b] = linkBetween(session, CellId(1), CellId(2));
+  session.setLinkMuted(a, b, true);
+  const std::vector<Finding> findings = saidOf(session);
+  ASSERT_THAT(findings, SizeIs(1));
+  EXPECT_THAT(findings[0].message.english(), EndsWith("connects its two cells: the patch is split there."));
+}
+
+TEST(Consequences, ARingStaysWholeWithoutOneOfItsLinksAndIsSplitWithoutTwo) {
+  PinJointedSkin ring = ringOfEight(45 * kDegree);
+  ring.connect(kRingFirst, kRingLast);
+  Session session = ring.session(orthogonalUps(3));
+  session.setLinkMuted(kRingFirst, kRingLast, true);
+  std::vector<Finding> findings = saidOf(session);
+  ASSERT_THAT(findings, SizeIs(1));
+  EXPECT_THAT(findings[0].message.english(), Not(HasSubstr("split")));
+
+  const auto [a, b] = linkBetween(session, CellId(3), CellId(4));
+  session.setLinkMuted(a, b, true);
+  findings = saidOf(session);
+  ASSERT_THAT(findings, SizeIs(2));
+  for (const Finding& finding : findings) EXPECT_THAT(finding.message.english(), HasSubstr("split"));
+}
+
+TEST(Consequences, PartsThatACellWithoutReadingsAloneConnectsAreLessCertain) {
+  const std::vector<Finding> findings = saidWithout(CellId(2));
+  ASSERT_THAT(findings, SizeIs(1));
+  EXPECT_THAT(findings[0].message.english(), EndsWith("whose relative placement is less certain."));
+}
+
+TEST(Consequences, ALeafWithoutReadingsConnectsNothing) {
+  const std::vector<Finding> findings = saidWithout(CellId(17));
+  ASSERT_THAT(findings, SizeIs(1));
+  EXPECT_THAT(findings[0].message.english(), EndsWith("placed through its links."));
+}
+
+}  // namespace
+}  // namespace hexoderm
