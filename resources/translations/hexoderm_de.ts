@@ -7096,8 +7096,8 @@ Die Balken sagen, wie sehr sich die gesehenen Richtungen in drei Achsen untersch
         <translation>ein Data-URI oder ein relativer Pfad</translation>
     </message>
     <message>
-        <source>{} No other path of links connects its two cells: the patch is split there.</source>
-        <translation>{} Kein anderer Weg über Verbindungen führt von der einen ihrer beiden Zellen zur anderen: Dort zerfällt das Hautstück.</translation>
+        <source>{} No path of used links connects its two cells any more: the patch is split there.</source>
+        <translation>{} Kein Weg über benutzte Verbindungen führt mehr von der einen ihrer beiden Zellen zur anderen: Dort zerfällt das Hautstück.</translation>
     </message>
     <message>
         <source>{} It alone connects parts of the patch, whose relative placement is less certain.</source>

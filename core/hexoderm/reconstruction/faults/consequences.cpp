@@ -3,18 +3,22 @@
 #include "hexoderm/graph/cut_elements.h"
 
 #include <optional>
+#include <set>
 #include <utility>
 
 namespace hexoderm {
 namespace {
 
-/// The link that a finding muted, if it did, and if its ends are in different patches without it.
-bool saysThatAPatchFallsApart(const SkinGraph& graph, const Finding& finding) {
-  if (finding.cells.size() != 2 || finding.ports.size() != 2) return false;
+using PatchPair = std::pair<PatchId, PatchId>;
+
+/// The patches at the two ends of the link that a finding muted, where these are two.
+std::optional<PatchPair> splitBy(const SkinGraph& graph, const Finding& finding) {
+  if (finding.cells.size() != 2 || finding.ports.size() != 2) return std::nullopt;
   const auto link = graph.indexOf({finding.cells[0], finding.ports[0]}, {finding.cells[1], finding.ports[1]});
-  if (!link || graph.links()[*link].muted_by != finding.code) return false;
-  const GraphLink& muted = graph.links()[*link];
-  return graph.cells()[muted.source].patch != graph.cells()[muted.target].patch;
+  if (!link || graph.links()[*link].muted_by != finding.code) return std::nullopt;
+  const PatchId source = graph.cells()[graph.links()[*link].source].patch;
+  const PatchId target = graph.cells()[graph.links()[*link].target].patch;
+  return source == target ? std::nullopt : std::optional<PatchPair>(std::minmax(source, target));
 }
 
 }  // namespace
@@ -31,9 +35,11 @@ void addConsequences(const SkinLinks& skin, std::vector<Finding>& findings) {
     cuts->is_articulation[*cell] = false;  // of several findings about a cell the first says it
     return joins;
   };
+  std::set<PatchPair> said;
   for (Finding& finding : findings) {
-    if (saysThatAPatchFallsApart(graph, finding)) {
-      finding.message = message("{} No other path of links connects its two cells: the patch is split there.",
+    const std::optional<PatchPair> patches = splitBy(graph, finding);
+    if (patches && said.insert(*patches).second) {
+      finding.message = message("{} No path of used links connects its two cells any more: the patch is split there.",
                                 std::move(finding.message));
     } else if (joinsParts(finding)) {
       finding.message = message("{} It alone connects parts of the patch, whose relative placement is less certain.",

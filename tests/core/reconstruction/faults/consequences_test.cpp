@@ -49,10 +49,10 @@ TEST(Consequences, ATreeIsSplitWhereALinkIsSetAside) {
   session.setLinkMuted(a, b, true);
   const std::vector<Finding> findings = saidOf(session);
   ASSERT_THAT(findings, SizeIs(1));
-  EXPECT_THAT(findings[0].message.english(), EndsWith("connects its two cells: the patch is split there."));
+  EXPECT_THAT(findings[0].message.english(), EndsWith("the patch is split there."));
 }
 
-TEST(Consequences, ARingStaysWholeWithoutOneOfItsLinksAndIsSplitWithoutTwo) {
+TEST(Consequences, ARingIsSplitWithoutTwoOfItsLinksButNotWithoutOne) {
   PinJointedSkin ring = ringOfEight(45 * kDegree);
   ring.connect(kRingFirst, kRingLast);
   Session session = ring.session(orthogonalUps(3));
@@ -65,7 +65,8 @@ TEST(Consequences, ARingStaysWholeWithoutOneOfItsLinksAndIsSplitWithoutTwo) {
   session.setLinkMuted(a, b, true);
   findings = saidOf(session);
   ASSERT_THAT(findings, SizeIs(2));
-  for (const Finding& finding : findings) EXPECT_THAT(finding.message.english(), HasSubstr("split"));
+  EXPECT_THAT(findings[0].message.english(), HasSubstr("split"));
+  EXPECT_THAT(findings[1].message.english(), Not(HasSubstr("split"))) << "said once";
 }
 
 TEST(Consequences, PartsThatACellWithoutReadingsAloneConnectsAreLessCertain) {
