@@ -56,7 +56,7 @@ void freeLarge(void* memory, std::size_t bytes) noexcept {
     return;
   }
 #endif
-  ::operator delete(memory, bytes, kAlignment);
+  ::operator delete(memory, kAlignment);
 }
 
 }  // namespace hexoderm

@@ -169,7 +169,7 @@ class PatchLoops {
     for (std::size_t k = 0; k < ends_.size(); ++k) {
       if (ends_[k].first != kNone) used.push_back(k);
     }
-    std::ranges::stable_partition(used, [&](std::size_t k) { return patch_.links[k].in_tree; });
+    std::stable_partition(used.begin(), used.end(), [&](std::size_t k) { return patch_.links[k].in_tree; });
     std::vector<std::size_t> parent(patch_.cells.size());
     std::iota(parent.begin(), parent.end(), std::size_t{0});
     const auto rootOf = [&](std::size_t cell) {
