@@ -67,7 +67,7 @@ TEST(SensorStatistics, KnownSigmasLieInTheirRanges) {
   int measured = 0;
   int within = 0;
   double ratios = 0;
-  const int seeds = kFewSeeds ? 1 : 4;
+  const int seeds = kFewSeeds ? 1 : 2;
   for (const Real& real : {Real{0.06, 0.02, 0.005}, Real{0.02, 0.01, 0.015}, Real{0.12, 0.03, 0.01}}) {
     for (int seed = 1; seed <= seeds; ++seed) {
       const Snapshots sessions = {simulate(modelWith(real.offset_g, 0, real.scale, real.cross_axis), believed,
@@ -113,7 +113,7 @@ TEST(SensorStatistics, SeveralSkinsNarrowTheRanges) {
 TEST(SensorStatistics, TheOffsetOfALotIsFound) {
   const CellModel believed = builtInCellModel("hex-bma150");
   const CellModel real = modelWith(0.05, 0.04, 0.01, 0.005);
-  const int seeds = kFewSeeds ? 1 : 20;
+  const int seeds = kFewSeeds ? 1 : 7;
   int within = 0;
   for (int seed = 1; seed <= seeds; ++seed) {
     SimulatedSkinOptions options;
@@ -139,7 +139,7 @@ TEST(SensorStatistics, OnePoseTellsNothingAndTwoNothingOfTheAxes) {
   const auto statistics = estimateSensorStatistics(Snapshots{simulate(model, model, {.poses = 1})});
   EXPECT_FALSE(statistics->knowsAnything());
   EXPECT_EQ(cellModelToJson(statistics->model), cellModelToJson(model));
-  for (std::uint64_t seed = 1; seed <= (kFewSeeds ? 1 : 5); ++seed) {
+  for (std::uint64_t seed = 1; seed <= (kFewSeeds ? 1 : 2); ++seed) {
     const auto two = estimateSensorStatistics(Snapshots{simulate(model, model, {.poses = 2, .seed = seed})});
     EXPECT_EQ(two->sigmas.cross_axis.knowledge, SigmaKnowledge::Unknown) << two->sigmas.cross_axis.worth;
     EXPECT_EQ(two->model.accelerometer.cross_axis_sigma, model.accelerometer.cross_axis_sigma);
