@@ -12,7 +12,7 @@ trap 'rm -rf "$folder"' EXIT
 write() {
   cat >"$folder/types.h" <<CODE
 #pragma once
-#include <Eigen/Geometry>
+#include <Eigen/Core>
 #include <optional>
 #include <vector>
 namespace hexoderm {
@@ -56,7 +56,7 @@ output="$(python3 "$check" "$compiler" "$folder" "$@" 2>&1)" || { echo "Proper t
 
 failed=0
 write "Eigen::Matrix<double, 6, 6> covariance; Eigen::VectorXd values;" "Eigen::Vector2d at;" \
-  "Eigen::Quaterniond q_; std::vector<Eigen::Matrix3Xd> lists_;"
+  "Eigen::Vector4d q_; std::vector<Eigen::Matrix3Xd> lists_;"
 if output="$(python3 "$check" "$compiler" "$folder" "$@" 2>&1)"; then
   echo "Accepted: $output"
   exit 1
