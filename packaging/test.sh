@@ -14,9 +14,11 @@ case "${1:-}" in
   --all) stages=(release core asan tsan) ;;
   *) stages=("$@") ;;
 esac
+packages=(--tests --ros)
 for stage in "${stages[@]}"; do
   case "$stage" in
-    release | core | asan | tsan | window-asan) ;;
+    release | core | window-asan) ;;
+    asan | tsan) packages+=(--sanitizers) ;;
     *)
       sed -n '2,8s/^# //p' "${BASH_SOURCE[0]}" >&2
       exit 2
@@ -24,7 +26,7 @@ for stage in "${stages[@]}"; do
   esac
 done
 
-"$root/packaging/setup.sh" --tests --ros
+"$root/packaging/setup.sh" "${packages[@]}"
 cd "$root"
 
 # Tests must neither read nor change what the user has set.
@@ -53,8 +55,6 @@ run_stage() {
       # What these count over many seeds runs the same code as the tests beside them.
       filter="-*StatedDeviationAgrees*:*ErrsAsMuchAsExpectedInTheMedian*:*LieWithinTheirRangesAsOften*:*KnownSigmasLie*"
       filter+=":*SeveralSkinsNarrow*:*UncertaintyAndDetectionAreCounted*:*AccuracyTableIsWhole*"
-      # The house's rules are looked at in the stages before.
-      select=(--exclude-regex '^structure\.')
       ;;
     tsan)
       targets=(--target hexoderm_threaded_tests)
