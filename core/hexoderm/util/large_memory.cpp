@@ -49,7 +49,7 @@ void* allocateLarge(std::size_t bytes) {
   return ::operator new(bytes, kAlignment);
 }
 
-void freeLarge(void* memory, std::size_t bytes) noexcept {
+void freeLarge(void* memory, [[maybe_unused]] std::size_t bytes) noexcept {
 #ifdef HEXODERM_LARGE_PAGES
   if (bytes >= kLeast_bytes) {
     munmap(memory, inWholePages(bytes));
