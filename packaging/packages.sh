@@ -83,7 +83,7 @@ gui_packages=(
   xvfb
 )
 
-# What the presets asan and tsan are compiled with, in less than half the time that g++ takes.
+# What the preset asan is compiled with, in less than half the time that g++ takes.
 sanitizer_packages=(
   clang
   libclang-rt-dev
