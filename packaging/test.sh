@@ -38,7 +38,7 @@ test_environment=(XDG_CONFIG_HOME="$home/config" XDG_DATA_HOME="$home/data" XDG_
   UBSAN_OPTIONS=print_stacktrace=1)
 
 # Whether other programs can use the library is tried without Qt and VTK: in the stage core.
-by_others='^structure\.(install|installed_|consumer_|public_types_|abi_)'
+by_others='^structure\.(install|installed_|consumer_|public_types_)'
 
 finished=()  # folders of stages whose tests ran
 broken=0
