@@ -440,7 +440,8 @@ TEST_P(SkinFaults, HundredCellsWithAThousandPosesWork) {
 }
 
 TEST_P(SkinFaults, TensOfThousandsOfCellsWithSixPosesWork) {
-  // A flat sheet of rhombic lattice: 250 rows of 400 cells for the tree and 50 for the global solver, all links 1-4 and 2-3.
+  // A flat sheet of rhombic lattice: 250 rows of 400 cells for the tree and 50 for the global solver, all links 1-4 and
+  // 2-3.
   const bool global = GetParam() == Solver::Global;
   const std::uint32_t slow_rows = global ? 12 : 50;
   const std::uint32_t slow_columns = global ? 20 : 100;
