@@ -55,8 +55,6 @@ run_stage() {
       # What these count over many seeds runs the same code as the tests beside them.
       filter="-*StatedDeviationAgrees*:*ErrsAsMuchAsExpectedInTheMedian*:*LieWithinTheirRangesAsOften*:*KnownSigmasLie*"
       filter+=":*SeveralSkinsNarrow*:*UncertaintyAndDetectionAreCounted*:*AccuracyTableIsWhole*"
-      # How much a device can send at once is a question to the program that people run.
-      filter+=":*EmulatorUnderLoad*"
       ;;
     tsan)
       targets=(--target hexoderm_threaded_tests)

@@ -2,6 +2,7 @@
 
 #include "hexoderm/device/sources/wire_source.h"
 #include "tests/support/patience.h"
+#include "tests/support/slow_build.h"
 
 #include "tests/app/emulator/emulator_program.h"
 
@@ -118,7 +119,7 @@ class EmulatorUnderLoad : public testing::TestWithParam<std::uint32_t> {};
 
 TEST_P(EmulatorUnderLoad, KeepsUpOrSaysPreciselyWhatWasDropped) {
   const std::uint32_t means_of = GetParam();
-  std::vector<std::string> arguments = {"--tcp", "0", "--patch", "sheet:100x100"};
+  std::vector<std::string> arguments = {"--tcp", "0", "--patch", test::kSlowBuild ? "sheet:30x30" : "sheet:100x100"};
   if (means_of > 0) {
     arguments.emplace_back("--means");
     arguments.push_back(std::to_string(means_of));

@@ -3,7 +3,7 @@
 #include "tests/core/device/skinwire/device_side_fixture.h"
 #include "tests/core/device/skinwire/random_messages.h"
 #include "tests/core/device/skinwire/wire_messages.h"
-#include "tests/support/few_seeds.h"
+#include "tests/support/slow_build.h"
 
 #include <gtest/gtest.h>
 #include <cstdint>
@@ -30,7 +30,7 @@ TEST(DeviceSide, RandomMessagesAreDecodedToTheSameValuesAndWrongOnesNotSent) {
   RandomMessages random(1);
   int sent = 0;
   int refused = 0;
-  constexpr int kMessages = test::kFewSeeds ? 1000 : 20'000;
+  constexpr int kMessages = test::kSlowBuild ? 1000 : 20'000;
   for (int k = 0; k < kMessages; ++k) {
     const Message message = random.device();
     const auto [framing, decoder] = kFramings.at(random.upTo(2));

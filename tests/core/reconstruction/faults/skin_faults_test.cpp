@@ -7,6 +7,7 @@
 #include "tests/support/error_matchers.h"
 #include "tests/support/matchers.h"
 #include "tests/support/pin_jointed_skin.h"
+#include "tests/support/slow_build.h"
 
 #include <algorithm>
 #include <cmath>
@@ -415,16 +416,9 @@ TEST_P(SkinFaults, APoseInWhichCellsContradictEachOtherIsLeftOutNotTheCells) {
   EXPECT_EQ(findFinding(*result, FindingCode::InconsistentSensor), nullptr);
 }
 
-// With assertions and sanitizers dense algebra takes a hundred times as long: there the joint estimate gets less of it.
-#ifdef NDEBUG
-constexpr bool kSlowBuild = false;
-#else
-constexpr bool kSlowBuild = true;
-#endif
-
 TEST_P(SkinFaults, HundredCellsWithAThousandPosesWork) {
   const int slow_poses = GetParam() == Solver::Global ? 60 : 250;
-  const int poses = kSlowBuild ? slow_poses : 1000;
+  const int poses = test::kSlowBuild ? slow_poses : 1000;
   std::vector<PinJoint> joints;
   for (std::uint32_t k = 1; k < 100; ++k) joints.push_back({k, 1, k + 1, 4, 0.05, 0.01, 0});
   const PinJointedSkin skin(joints);
@@ -446,8 +440,8 @@ TEST_P(SkinFaults, TensOfThousandsOfCellsWithSixPosesWork) {
   const std::uint32_t slow_rows = global ? 12 : 50;
   const std::uint32_t slow_columns = global ? 20 : 100;
   const std::uint32_t fast_rows = global ? 50 : 250;
-  const std::uint32_t rows = kSlowBuild ? slow_rows : fast_rows;
-  const std::uint32_t columns = kSlowBuild ? slow_columns : 400;
+  const std::uint32_t rows = test::kSlowBuild ? slow_rows : fast_rows;
+  const std::uint32_t columns = test::kSlowBuild ? slow_columns : 400;
   CellModel model = builtInCellModel("hex-bma150");
   model.interface_id = CellId(rows * columns + 1);
   NeighborList neighbors;
