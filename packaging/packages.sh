@@ -83,7 +83,7 @@ gui_packages=(
   xvfb
 )
 
-# What the preset asan is compiled with: clang is quicker at it than g++.
+# What the presets asan and tsan are compiled with: clang takes half the time of g++, or less.
 sanitizer_packages=(
   clang
   libclang-rt-dev

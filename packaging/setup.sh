@@ -4,7 +4,7 @@
 #   --core       only what library and command line need: neither Qt nor VTK
 #   --tests      also the other programs that the tests run
 #   --ros        also ROS 1, for hexoderm-ros
-#   --sanitizers also clang, for the preset asan
+#   --sanitizers also clang, for the presets asan and tsan
 #   --developer  all of these but ROS, and clang-tidy, clang-format and the library of the benchmarks
 #   --debian     also what makes Debian packages and tries them
 set -euo pipefail

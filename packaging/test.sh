@@ -17,8 +17,8 @@ esac
 packages=(--tests --ros)
 for stage in "${stages[@]}"; do
   case "$stage" in
-    release | core | tsan | window-asan) ;;
-    asan) packages+=(--sanitizers) ;;
+    release | core | window-asan) ;;
+    asan | tsan) packages+=(--sanitizers) ;;
     *)
       sed -n '2,8s/^# //p' "${BASH_SOURCE[0]}" >&2
       exit 2

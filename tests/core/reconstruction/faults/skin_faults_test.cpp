@@ -445,7 +445,7 @@ TEST_P(SkinFaults, TensOfThousandsOfCellsWithSixPosesWork) {
   CellModel model = builtInCellModel("hex-bma150");
   model.interface_id = CellId(rows * columns + 1);
   NeighborList neighbors;
-  const auto id = [columns](std::uint32_t row, std::uint32_t column) { return CellId(1 + row * columns + column); };
+  const auto id = [&](std::uint32_t row, std::uint32_t column) { return CellId(1 + row * columns + column); };
   for (std::uint32_t row = 0; row < rows; ++row) {
     for (std::uint32_t column = 0; column < columns; ++column) {
       CellReport report{id(row, column), "", {}};
