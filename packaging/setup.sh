@@ -1,10 +1,11 @@
 #!/bin/bash
 # Installs the Debian packages that are missing; does nothing, quickly, if none is.
-# Usage: packaging/setup.sh [--core] [--tests] [--ros] [--developer] [--debian]
+# Usage: packaging/setup.sh [--core] [--tests] [--ros] [--sanitizers] [--developer] [--debian]
 #   --core       only what library and command line need: neither Qt nor VTK
 #   --tests      also the other programs that the tests run
 #   --ros        also ROS 1, for hexoderm-ros
-#   --developer  the same, and clang, clang-tidy and clang-format
+#   --sanitizers also clang, for the presets asan and tsan
+#   --developer  all of these but ROS, and clang-tidy, clang-format and the library of the benchmarks
 #   --debian     also what makes Debian packages and tries them
 set -euo pipefail
 source "$(dirname "${BASH_SOURCE[0]}")/packages.sh"
@@ -12,6 +13,7 @@ source "$(dirname "${BASH_SOURCE[0]}")/packages.sh"
 gui=yes
 tests=no
 ros=no
+sanitizers=no
 developer=no
 debian=no
 for argument in "$@"; do
@@ -19,13 +21,15 @@ for argument in "$@"; do
     --core) gui=no ;;
     --tests) tests=yes ;;
     --ros) ros=yes ;;
+    --sanitizers) sanitizers=yes ;;
     --developer)
       developer=yes
+      sanitizers=yes
       tests=yes
       ;;
     --debian) debian=yes ;;
     *)
-      sed -n '2,8s/^# //p' "${BASH_SOURCE[0]}" >&2
+      sed -n '2,9s/^# //p' "${BASH_SOURCE[0]}" >&2
       exit 2
       ;;
   esac
@@ -34,6 +38,7 @@ wanted=("${core_packages[@]}")
 [ "$gui" = no ] || wanted+=("${gui_packages[@]}")
 [ "$tests" = no ] || wanted+=("${test_packages[@]}")
 [ "$ros" = no ] || wanted+=("${ros_packages[@]}")
+[ "$sanitizers" = no ] || wanted+=("${sanitizer_packages[@]}")
 [ "$developer" = no ] || wanted+=("${developer_packages[@]}")
 [ "$debian" = no ] || wanted+=("${debian_packages[@]}")
 

@@ -15,8 +15,7 @@ import sys
 import tempfile
 
 # What programs are compiled with; those that a compiler does not know, as on another processor, are left out.
-FLAGS = (["-mavx2", "-mfma"], ["-mavx512f", "-mfma"], ["-march=native"], ["-DEIGEN_DONT_VECTORIZE"],
-         ["-DEIGEN_MAX_STATIC_ALIGN_BYTES=0"], ["-DEIGEN_MAX_ALIGN_BYTES=64"])
+FLAGS = (["-mavx2", "-mfma"], ["-mavx512f", "-mfma"], ["-DEIGEN_DONT_VECTORIZE"])
 
 TOKEN = re.compile(r"//[^\n]*|/\*.*?\*/|\"(?:\\.|[^\"\\])*\"|'(?:\\.|[^'\\])+'|#[^\n]*(?:\\\n[^\n]*)*|\d(?:'?\w)*|\w+|"
                    r"::|[^\s\w]", re.S)

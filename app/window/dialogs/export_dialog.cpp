@@ -283,7 +283,7 @@ void ExportDialog::offerPatches() {
       if (!patch.cells.empty()) patches.push_back(&patch);
     }
     const PatchReconstruction* largest = largestPatch(*reconstruction_);
-    std::ranges::stable_partition(patches, [largest](const auto* patch) { return patch == largest; });
+    std::stable_partition(patches.begin(), patches.end(), [largest](const auto* patch) { return patch == largest; });
   }
   const bool has_links =
       format && (format->patches == PatchesInFile::OnLinks || format->patches == PatchesInFile::OnALink);

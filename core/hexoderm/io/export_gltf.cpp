@@ -93,10 +93,8 @@ double linear(std::uint32_t byte) {
 }
 
 SE3 fromAssimp(const aiMatrix4x4& m) {
-  SE3 T;
-  T.R << m.a1, m.a2, m.a3, m.b1, m.b2, m.b3, m.c1, m.c2, m.c3;
-  T.t << m.a4, m.b4, m.c4;
-  return T;
+  const Eigen::Matrix4d T = Eigen::Map<const Eigen::Matrix<float, 4, 4, Eigen::RowMajor>>(&m.a1).cast<double>();
+  return {T.topLeftCorner<3, 3>(), T.topRightCorner<3, 1>()};
 }
 
 /// The place of every node below one, by its name.

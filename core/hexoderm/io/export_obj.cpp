@@ -72,7 +72,7 @@ void verifyObj(const std::string& bytes, const ObjMesh& meant, const std::string
       for (unsigned corner = 0; corner < found.mFaces[face].mNumIndices; ++corner) {
         const aiVector3D& at = found.mVertices[found.mFaces[face].mIndices[corner]];
         const Eigen::Vector3d& expected = mesh.points[mesh.polygons[polygon][corner]];
-        const double off = (Eigen::Vector3d(at.x, at.y, at.z) - expected).cwiseAbs().maxCoeff();
+        const double off = (Eigen::Vector3f(at.x, at.y, at.z).cast<double>() - expected).cwiseAbs().maxCoeff();
         requireMeant(off <= 1e-6 * largest, file, objName(cells[k]) + " is elsewhere");  // false for NaN, too
       }
     }

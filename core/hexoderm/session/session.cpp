@@ -84,8 +84,8 @@ void Session::setLinkMuted(LinkEnd a, LinkEnd b, bool muted, std::string why) {
     throw InvalidArgument(message("a link joins two ports, and both ends are port {} of cell {}", a.port, a.cell));
   }
   const std::pair ends(std::min(a, b), std::max(a, b));
-  const auto [first, last] = std::ranges::equal_range(muted_links_, ends, {}, endsOf);
-  const auto place = muted_links_.erase(first, last);
+  auto place = std::ranges::lower_bound(muted_links_, ends, {}, endsOf);
+  if (place != muted_links_.end() && endsOf(*place) == ends) place = muted_links_.erase(place);
   if (muted) muted_links_.insert(place, {ends.first, ends.second, std::move(why)});
   ++revision_;
 }
@@ -103,8 +103,8 @@ void Session::setRobot(std::optional<RobotDescription> robot) {
 
 void Session::setPlacement(PatchPlacement placement) {
   placement.validate();
-  const auto [first, last] = std::ranges::equal_range(placements_, placement.origin, {}, &PatchPlacement::origin);
-  const auto place = placements_.erase(first, last);
+  auto place = std::ranges::lower_bound(placements_, placement.origin, {}, &PatchPlacement::origin);
+  if (place != placements_.end() && place->origin == placement.origin) place = placements_.erase(place);
   if (!placement.isEmpty()) placements_.insert(place, std::move(placement));
   ++revision_;
 }

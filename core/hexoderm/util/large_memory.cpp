@@ -49,14 +49,14 @@ void* allocateLarge(std::size_t bytes) {
   return ::operator new(bytes, kAlignment);
 }
 
-void freeLarge(void* memory, std::size_t bytes) noexcept {
+void freeLarge(void* memory, [[maybe_unused]] std::size_t bytes) noexcept {
 #ifdef HEXODERM_LARGE_PAGES
   if (bytes >= kLeast_bytes) {
     munmap(memory, inWholePages(bytes));
     return;
   }
 #endif
-  ::operator delete(memory, bytes, kAlignment);
+  ::operator delete(memory, kAlignment);
 }
 
 }  // namespace hexoderm

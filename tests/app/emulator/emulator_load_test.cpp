@@ -2,6 +2,7 @@
 
 #include "hexoderm/device/sources/wire_source.h"
 #include "tests/support/patience.h"
+#include "tests/support/slow_build.h"
 
 #include "tests/app/emulator/emulator_program.h"
 
@@ -17,7 +18,8 @@
 namespace hexoderm {
 namespace {
 
-constexpr std::uint64_t kCells = 10'000;
+constexpr std::uint64_t kSide = test::kSlowBuild ? 30 : 100;
+constexpr std::uint64_t kCells = kSide * kSide;
 constexpr double kRate_hz = 1000;
 
 std::int64_t tickOf(const SampleFrame& frame) { return std::llround(frame.time_s * kRate_hz); }
@@ -118,7 +120,8 @@ class EmulatorUnderLoad : public testing::TestWithParam<std::uint32_t> {};
 
 TEST_P(EmulatorUnderLoad, KeepsUpOrSaysPreciselyWhatWasDropped) {
   const std::uint32_t means_of = GetParam();
-  std::vector<std::string> arguments = {"--tcp", "0", "--patch", "sheet:100x100"};
+  std::vector<std::string> arguments = {"--tcp", "0", "--patch",
+                                        "sheet:" + std::to_string(kSide) + "x" + std::to_string(kSide)};
   if (means_of > 0) {
     arguments.emplace_back("--means");
     arguments.push_back(std::to_string(means_of));

@@ -73,7 +73,7 @@ class Captures(InFolder):
 
     def test_a_recording_gives_the_same_poses(self):
         recording = self.folder / "stream"
-        with hexoderm.Capture("sim:x17?speed=max&seed=3", poses=3, auto=True, record=recording) as capture:
+        with hexoderm.Capture("sim:x17?speed=30&seed=3", poses=3, auto=True, record=recording) as capture:
             live = [pose.readings for pose in capture]
         with hexoderm.Capture(f"replay:{recording}?speed=max") as capture:
             replayed = [pose.readings for pose in capture]

@@ -71,7 +71,7 @@ class Errors(InFolder):
         with self.assertRaisesRegex(hexoderm.InvalidArgument, "is one of the inputs"):
             hexoderm.solve(hexoderm.read_session(self.session)).export("robot-urdf", robot, robot=robot)
         recording = self.folder / "s.skinrec"
-        with hexoderm.Capture("sim:x17?speed=max", poses=1, auto=True, record=recording) as capture:
+        with hexoderm.Capture("sim:x17?speed=30", poses=1, auto=True, record=recording) as capture:
             list(capture)
         before = recording.read_bytes()
         with self.assertRaisesRegex(hexoderm.InvalidArgument, "is one of the inputs"):

@@ -3,6 +3,7 @@
 #include "hexoderm/device/sample_frame.h"
 #include "hexoderm/geometry/se3.h"
 #include "hexoderm/util/units.h"
+#include "tests/support/random_vector.h"
 
 #include <algorithm>
 #include <array>
@@ -32,7 +33,7 @@ class SyntheticStream {
  public:
   explicit SyntheticStream(const StreamOptions& options) : options_(options), random_(options.seed) {
     for (std::size_t k = 0; k < options.cells; ++k) {
-      const Eigen::Vector3d turn(normal_(random_), normal_(random_), normal_(random_));
+      const Eigen::Vector3d turn = randomVector();
       cells_.push_back(
           {expSO3(turn), options.offset_g * Eigen::Vector3d::NullaryExpr([this] { return uniform(-1, 1); })});
     }
@@ -44,13 +45,13 @@ class SyntheticStream {
     }
   }
 
+  Eigen::Vector3d randomVector() {
+    return test::randomVector([this] { return normal_(random_); });
+  }
   double uniform(double low, double high) { return std::uniform_real_distribution<double>(low, high)(random_); }
 
   /// A direction perpendicular to the present one.
-  Eigen::Vector3d someAxis() {
-    const Eigen::Vector3d v(normal_(random_), normal_(random_), normal_(random_));
-    return up_.cross(v).normalized();
-  }
+  Eigen::Vector3d someAxis() { return up_.cross(randomVector()).normalized(); }
 
   /// Returns [begin, end) in device time.
   std::pair<double, double> hold(double duration_s) {
@@ -99,7 +100,7 @@ class SyntheticStream {
       frame.time_s = now_s_;
       for (std::size_t k = 0; k < cells_.size(); ++k) {
         Eigen::Vector3d reading = options_.gain * (cells_[k].R_u_b * force) + cells_[k].offset_g;
-        reading += options_.noise_g * Eigen::Vector3d(normal_(random_), normal_(random_), normal_(random_));
+        reading += options_.noise_g * randomVector();
         if (options_.lsb_g > 0) reading = options_.lsb_g * (reading / options_.lsb_g).array().round();
         frame.samples.push_back({CellId(static_cast<std::uint32_t>(k + 1)), reading});
       }

@@ -1,5 +1,6 @@
 #include "hexoderm/geometry/covariance.h"
 #include "hexoderm/geometry/se3.h"
+#include "tests/support/random_vector.h"
 
 #include <gtest/gtest.h>
 #include <cmath>
@@ -65,8 +66,7 @@ TEST(Ellipsoid95, HoldsNinetyFivePercentOfThePoints) {
   constexpr int kDrawn = 20000;
   int inside = 0;
   for (int k = 0; k < kDrawn; ++k) {
-    const Eigen::Vector3d point =
-        R * sigma.cwiseProduct(Eigen::Vector3d(normal(random), normal(random), normal(random)));
+    const Eigen::Vector3d point = R * sigma.cwiseProduct(test::randomVector([&] { return normal(random); }));
     if ((A.inverse() * point).norm() <= 1) ++inside;
   }
   EXPECT_NEAR(static_cast<double>(inside) / kDrawn, 0.95, 0.006);

@@ -3,6 +3,7 @@
 #include "hexoderm/geometry/se3.h"
 #include "hexoderm/util/error.h"
 #include "hexoderm/util/units.h"
+#include "tests/support/random_vector.h"
 
 #include <gtest/gtest.h>
 #include <Eigen/LU>
@@ -61,8 +62,8 @@ TEST(Procrustes, MinimisesTheResidualOfNoisyVectors) {
   Eigen::Matrix3Xd C(3, 6);
   const Eigen::Matrix3d R = expSO3({0.5, -1, 0.2});
   for (Eigen::Index p = 0; p < 6; ++p) {
-    N.col(p) = Eigen::Vector3d(normal(random), normal(random), normal(random)).normalized();
-    C.col(p) = R * N.col(p) + 0.05 * Eigen::Vector3d(normal(random), normal(random), normal(random));
+    N.col(p) = test::randomVector([&] { return normal(random); }).normalized();
+    C.col(p) = R * N.col(p) + 0.05 * test::randomVector([&] { return normal(random); });
   }
   const Eigen::Matrix3d best = solveProcrustes(N, C).R_c_n;
   EXPECT_LT(rotationAngle(best * R.transpose()), 0.1);
@@ -85,10 +86,9 @@ TEST(Procrustes, AgreesWithAGeneralSvd) {
     Eigen::Matrix3Xd N(3, 5);
     Eigen::Matrix3Xd C(3, 5);
     for (Eigen::Index p = 0; p < 5; ++p) {
-      const Eigen::Vector3d v(normal(random), normal(random), normal(random));
+      const Eigen::Vector3d v = test::randomVector([&] { return normal(random); });
       N.col(p) = v.cwiseProduct(extent);
-      C.col(p) =
-          turned * N.col(p) + 0.02 * extent.y() * Eigen::Vector3d(normal(random), normal(random), normal(random));
+      C.col(p) = turned * N.col(p) + 0.02 * extent.y() * test::randomVector([&] { return normal(random); });
     }
     const Eigen::Matrix3d H = N * C.transpose();
     const Eigen::JacobiSVD<Eigen::Matrix3d> svd(H, Eigen::ComputeFullU | Eigen::ComputeFullV);

@@ -7,6 +7,7 @@
 #include "hexoderm/reconstruction/reconstructor.h"
 #include "tests/support/matchers.h"
 #include "tests/support/random_session.h"
+#include "tests/support/slow_build.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -126,12 +127,7 @@ void expectAgreement(const Session& session, const Reconstruction& r) {
 }
 
 TEST(Agreement, OfAllThatIsSaidInFiveThousandRandomSessions) {
-  // Debug and sanitizer builds take fewer: there the code is watched.
-#ifdef NDEBUG
-  constexpr std::uint64_t kSessions = 5000;
-#else
-  constexpr std::uint64_t kSessions = 200;
-#endif
+  constexpr std::uint64_t kSessions = test::kSlowBuild ? 200 : 5000;
   std::array<std::size_t, 4> levels{};
   std::array<std::size_t, 4> remedies{};
   std::array<std::size_t, 8> limits{};
@@ -147,7 +143,7 @@ TEST(Agreement, OfAllThatIsSaidInFiveThousandRandomSessions) {
     ++remedies.at(static_cast<std::size_t>(result->assessment.remedy));
     ++limits.at(static_cast<std::size_t>(result->assessment.limit));
   }
-  if (kSessions < 5000) return;
+  if (test::kSlowBuild) return;
   for (const std::size_t count : levels) EXPECT_GT(count, 20) << "every level was drawn";
   for (const std::size_t count : remedies) EXPECT_GT(count, 20) << "every remedy was drawn";
   for (std::size_t k = 0; k < limits.size(); ++k) {

@@ -102,7 +102,7 @@ TEST(ManyPoses, ALargeSkinHasNoBrokenCellsJustBecauseItsPosesAreMany) {
 
 TEST(ManyPoses, ABrokenCellIsNamedAndNoOther) {
   // A cell whose second axis is wired the wrong way round: no rotation of the cell explains that.
-  constexpr CellId kBroken{24};
+  static constexpr CellId kBroken{24};
   const Session session = changed(measured(kSheet, kMany), [](std::size_t, GravitySample& sample) {
     if (sample.cell == kBroken) sample.mean_g.y() *= -1;
   });

@@ -29,7 +29,7 @@ Session withLink(const Session& session, LinkEnd a, LinkEnd b) {
   for (CellReport& report : neighbors) {
     for (const auto& [from, to] : {std::pair(a, b), std::pair(b, a)}) {
       if (report.id != from.cell) continue;
-      std::erase_if(report.neighbors, [&](const NeighborReport& n) { return n.port == from.port; });
+      std::erase_if(report.neighbors, [port = from.port](const NeighborReport& n) { return n.port == port; });
       report.neighbors.push_back({from.port, to.cell, to.port});
     }
   }

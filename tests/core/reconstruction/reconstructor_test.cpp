@@ -6,6 +6,7 @@
 #include "hexoderm/util/units.h"
 #include "tests/support/matchers.h"
 #include "tests/support/pin_jointed_skin.h"
+#include "tests/support/random_vector.h"
 
 #include <algorithm>
 #include <random>
@@ -227,7 +228,7 @@ Session noisySession(const PinJointedSkin& skin, std::size_t poses) {
   for (const SessionPose& pose : session.poses()) {
     PoseCapture capture = *pose.capture;
     for (GravitySample& sample : capture.samples) {
-      sample.mean_g += Eigen::Vector3d(normal(random), normal(random), normal(random));
+      sample.mean_g += test::randomVector([&] { return normal(random); });
       sample.cov_g2 = normal.stddev() * normal.stddev() * Eigen::Matrix3d::Identity();
     }
     noisy.addPose({std::make_shared<const PoseCapture>(capture), false});

@@ -7,7 +7,7 @@
 #include "hexoderm/reconstruction/solved_skin.h"
 #include "hexoderm/session/simulated_session.h"
 #include "hexoderm/util/error.h"
-#include "tests/support/few_seeds.h"
+#include "tests/support/slow_build.h"
 
 #include <gmock/gmock.h>
 
@@ -21,7 +21,7 @@ namespace {
 
 using Snapshots = std::vector<std::shared_ptr<const SessionSnapshot>>;
 
-using test::kFewSeeds;
+using test::kSlowBuild;
 
 CellModel modelWith(double offset_g, double shared_g, double scale, double cross_axis) {
   CellModel model = builtInCellModel("hex-bma150");
@@ -67,7 +67,7 @@ TEST(SensorStatistics, KnownSigmasLieInTheirRanges) {
   int measured = 0;
   int within = 0;
   double ratios = 0;
-  const int seeds = kFewSeeds ? 1 : 4;
+  const int seeds = kSlowBuild ? 1 : 2;
   for (const Real& real : {Real{0.06, 0.02, 0.005}, Real{0.02, 0.01, 0.015}, Real{0.12, 0.03, 0.01}}) {
     for (int seed = 1; seed <= seeds; ++seed) {
       const Snapshots sessions = {simulate(modelWith(real.offset_g, 0, real.scale, real.cross_axis), believed,
@@ -89,7 +89,7 @@ TEST(SensorStatistics, KnownSigmasLieInTheirRanges) {
       check(statistics->sigmas.cross_axis, real.cross_axis, "cross-axis");
     }
   }
-  if (kFewSeeds) return;
+  if (kSlowBuild) return;
   EXPECT_GE(within, 0.88 * measured) << within << " of " << measured;
   EXPECT_NEAR(ratios / measured, 1, 0.05);
 }
@@ -113,7 +113,7 @@ TEST(SensorStatistics, SeveralSkinsNarrowTheRanges) {
 TEST(SensorStatistics, TheOffsetOfALotIsFound) {
   const CellModel believed = builtInCellModel("hex-bma150");
   const CellModel real = modelWith(0.05, 0.04, 0.01, 0.005);
-  const int seeds = kFewSeeds ? 1 : 20;
+  const int seeds = kSlowBuild ? 1 : 7;
   int within = 0;
   for (int seed = 1; seed <= seeds; ++seed) {
     SimulatedSkinOptions options;
@@ -139,7 +139,7 @@ TEST(SensorStatistics, OnePoseTellsNothingAndTwoNothingOfTheAxes) {
   const auto statistics = estimateSensorStatistics(Snapshots{simulate(model, model, {.poses = 1})});
   EXPECT_FALSE(statistics->knowsAnything());
   EXPECT_EQ(cellModelToJson(statistics->model), cellModelToJson(model));
-  for (std::uint64_t seed = 1; seed <= (kFewSeeds ? 1 : 5); ++seed) {
+  for (std::uint64_t seed = 1; seed <= (kSlowBuild ? 1 : 2); ++seed) {
     const auto two = estimateSensorStatistics(Snapshots{simulate(model, model, {.poses = 2, .seed = seed})});
     EXPECT_EQ(two->sigmas.cross_axis.knowledge, SigmaKnowledge::Unknown) << two->sigmas.cross_axis.worth;
     EXPECT_EQ(two->model.accelerometer.cross_axis_sigma, model.accelerometer.cross_axis_sigma);
@@ -212,7 +212,7 @@ TEST(PatchEvidence, DoesNotDependOnThePrior) {
 TEST(UnlikelySensors, OffsetsThreeTimesAsLargeAreNamed) {
   const CellModel believed = builtInCellModel("hex-bma150");
   const CellModel real = modelWith(0.18, 0, 0.02, 0.005);
-  const int seeds = kFewSeeds ? 2 : 20;
+  const int seeds = kSlowBuild ? 2 : 20;
   std::size_t of_x17 = 0;
   std::size_t of_ring = 0;
   for (int seed = 1; seed <= seeds; ++seed) {
@@ -222,7 +222,7 @@ TEST(UnlikelySensors, OffsetsThreeTimesAsLargeAreNamed) {
   const auto all = static_cast<std::size_t>(seeds);
   EXPECT_EQ(of_x17, all);
   // So large errors pass for broken sensors and joints, after which little may be left of eight cells.
-  EXPECT_GE(of_ring, kFewSeeds ? 0 : all * 9 / 10);
+  EXPECT_GE(of_ring, kSlowBuild ? 0 : all * 9 / 10);
 }
 
 TEST(UnlikelySensors, CrossAxisSensitivityAndScaleAreNamedByTheirKind) {
@@ -238,7 +238,7 @@ TEST(UnlikelySensors, CrossAxisSensitivityAndScaleAreNamedByTheirKind) {
 
 TEST(UnlikelySensors, HealthySkinsAreNotAccusedAndKeepTheirVerdict) {
   const CellModel model = builtInCellModel("hex-bma150");
-  const int seeds = kFewSeeds ? 1 : 8;
+  const int seeds = kSlowBuild ? 1 : 8;
   for (const std::string patch : {"x17", "ring8", "ring8:closed", "sheet:3x4"}) {
     for (const std::size_t poses : {2U, 3U, 6U}) {
       for (int seed = 1; seed <= seeds; ++seed) {

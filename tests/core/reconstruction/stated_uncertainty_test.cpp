@@ -3,7 +3,7 @@
 
 #include "hexoderm/reconstruction/reconstructor.h"
 #include "hexoderm/session/simulated_session.h"
-#include "tests/support/few_seeds.h"
+#include "tests/support/slow_build.h"
 
 #include <gmock/gmock.h>
 
@@ -14,7 +14,7 @@
 namespace hexoderm {
 namespace {
 
-using test::kFewSeeds;
+using test::kSlowBuild;
 
 struct Nees {
   double position = 0;
@@ -69,7 +69,7 @@ Nees meanNees(const Case& c) {
   real.accelerometer.offset_sigma_g = c.offset_sigma_g;
   CellModel believed = real;
   believed.accelerometer.offset_sigma_g *= c.prior_factor;
-  const int seeds = kFewSeeds ? 2 : c.seeds;
+  const int seeds = kSlowBuild ? 2 : c.seeds;
   Nees mean;
   for (int seed = 1; seed <= seeds; ++seed) {
     SimulatedSkinOptions options;
@@ -97,7 +97,7 @@ void expectNees(const Case& c, double least, double most) {
       "position " + std::to_string(nees.position) + ", orientation " + std::to_string(nees.orientation);
   ::testing::Test::RecordProperty(nameOf(c), figures);
   EXPECT_TRUE(std::isfinite(nees.position) && std::isfinite(nees.orientation)) << nameOf(c) << ": " << figures;
-  if (kFewSeeds) return;
+  if (kSlowBuild) return;
   EXPECT_GT(nees.position, least) << nameOf(c) << ": " << figures;
   EXPECT_LT(nees.position, most) << nameOf(c) << ": " << figures;
   EXPECT_GT(nees.orientation, least) << nameOf(c) << ": " << figures;
@@ -107,7 +107,7 @@ void expectNees(const Case& c, double least, double most) {
 /// Two sessions of one skin have its sensors and its mould in common, so what repeats in both errors is not in their
 /// difference: they differ by no more than stated, and by more than nothing, because hands never do the same twice.
 TEST(StatedUncertainty, TwoSessionsOfOneSkinDifferByNoMoreThanStated) {
-  const int seeds = kFewSeeds ? 2 : 100;
+  const int seeds = kSlowBuild ? 2 : 100;
   double position = 0;
   double orientation = 0;
   for (int seed = 1; seed <= seeds; ++seed) {
@@ -134,7 +134,7 @@ TEST(StatedUncertainty, TwoSessionsOfOneSkinDifferByNoMoreThanStated) {
   }
   ::testing::Test::RecordProperty("repeatability", std::to_string(position) + " / " + std::to_string(orientation));
   EXPECT_TRUE(std::isfinite(position) && std::isfinite(orientation));
-  if (kFewSeeds) return;
+  if (kSlowBuild) return;
   EXPECT_LT(position, 1.2) << orientation;
   EXPECT_LT(orientation, 1.2) << position;
   EXPECT_GT(position, 0.002) << orientation;

@@ -133,7 +133,7 @@ TEST(SessionEdit, OneThatMakesNoSenseIsRefusedAndChangesNothing) {
                                         SetJointAngles{0, {{{"", 1}}}},
                                         SetRobot{RobotDescription{}},
                                         SetRobot{RobotDescription{"arm.urdf", "", {{"arm", ""}}}},
-                                        SetPatchPlacement{spoiled([](auto& p) { p.points[0].x_l.x() = NAN; })},
+                                        SetPatchPlacement{spoiled([](auto& p) { p.points[0].x_l.x() = std::nan(""); })},
                                         SetPatchPlacement{spoiled([](auto& p) { p.points[0].sigma_m = 0; })},
                                         SetPatchPlacement{spoiled([](auto& p) { p.distances[0].distance_m = -1; })},
                                         SetPatchPlacement{spoiled([](auto& p) { p.distances[0].b = CellId(1); })},

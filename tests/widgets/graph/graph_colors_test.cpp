@@ -148,22 +148,6 @@ TEST_F(GraphColorsTest, EveryColouringLooksDifferentAndHasALegend) {
   }
 }
 
-TEST_F(GraphColorsTest, TheButtonTakesNoHeightFromASkinThatLeavesAPlaceAtTheTop) {
-  // The arms of the cross leave one between them: it is as high as one without a button.
-  show(sampleX17());
-  view_.resize(400, 200);
-  const auto top = [&] {
-    int y = view_.height();
-    for (std::uint32_t id = 1; id <= 17; ++id) y = std::min(y, cell(id).y());
-    return y;
-  };
-  // Were the skin below the button, a cell's centre would be further down by half a cell and more.
-  constexpr int kLessThanHalfACell_px = 5;
-  EXPECT_TRUE(test::waitUntil([&] { return top() < button()->geometry().bottom() + kLessThanHalfACell_px; })) << top();
-  EXPECT_TRUE(button()->isVisible());
-  for (std::uint32_t id = 1; id <= 17; ++id) EXPECT_FALSE(button()->geometry().contains(cell(id))) << id;
-}
-
 TEST_F(GraphColorsTest, LegendAndButtonGiveWayInASmallViewAndTheSkinKeepsClearOfThem) {
   show(sampleSheet(6, 6));
   for (std::uint32_t id = 1; id <= 36; ++id) {

@@ -43,6 +43,15 @@ TEST(GraphFit, CoversNoCaptionOfAPatchWithTheButton) {
   }
 }
 
+TEST(GraphFit, TheButtonTakesNoHeightFromASkinThatLeavesAPlaceAtTheTop) {
+  // The arms of the cross leave one between them.
+  const GraphScene scene(sampleX17());
+  const GraphFit alone(scene, kView, {});
+  const GraphFit beside(scene, kView, {kButton, nullptr, 0});
+  EXPECT_EQ(beside.camera().scale, alone.camera().scale);
+  EXPECT_EQ(beside.camera().center, alone.camera().center);
+}
+
 TEST(GraphFit, WhereTheButtonFitsNowhereTheSkinGoesBelowIt) {
   const GraphScene scene(sampleX17());
   constexpr QSize kSmallView(220, 150);

@@ -2,6 +2,7 @@
 #include "hexoderm/util/units.h"
 #include "tests/support/hand_made_skins.h"
 #include "tests/support/qt_wait.h"
+#include "tests/support/random_vector.h"
 #include "widgets/controls/selection.h"
 #include "widgets/patch/patch_view.h"
 #include "widgets/patch/scene_widget.h"
@@ -35,7 +36,7 @@ Eigen::Vector3d inPicture(vtkCamera* camera, const Eigen::Vector3d& v) {
 
 Eigen::Vector3d randomUp(std::mt19937& random) {
   std::normal_distribution<double> normal;
-  return Eigen::Vector3d(normal(random), normal(random), normal(random)).normalized();
+  return test::randomVector([&] { return normal(random); }).normalized();
 }
 
 TEST(PartCamera, UpIsUpwardsInThePictureAndSeenFromAsFarAboveAsBefore) {

@@ -31,8 +31,9 @@ HandMotion::HandMotion(const Eigen::Vector3d& up_b, const SimulatedSkinOptions& 
     : HandMotion(up_b) {
   std::normal_distribution<double> normal;
   // Drawn one after the other: the order of evaluation inside a call would be the compiler's choice.
-  Eigen::Vector3d miss(normal(random), normal(random), 0);
-  miss *= options.hand_orientation_sigma_rad;
+  const double miss_y = normal(random);
+  const double miss_x = normal(random);
+  const Eigen::Vector3d miss = options.hand_orientation_sigma_rad * Eigen::Vector3d(miss_x, miss_y, 0);
   R_w_b_ = expSO3(miss) * R_w_b_;
   Eigen::Vector3d drift{normal(random), normal(random), normal(random)};
   drift_rad_s_ = options.drift_rad_per_s * drift.normalized();

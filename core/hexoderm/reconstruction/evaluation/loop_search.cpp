@@ -148,7 +148,7 @@ class LoopSearch {
     for (const LinkEstimate& link : patch.links) {
       if (joins(patch, link)) used.push_back({&link, true, true});
     }
-    std::ranges::stable_partition(used, [](const ResultEdge& edge) { return edge.link->in_tree; });
+    std::stable_partition(used.begin(), used.end(), [](const ResultEdge& edge) { return edge.link->in_tree; });
     std::vector<ResultEdge> outside;
     for (const ResultEdge& edge : used) {
       const std::size_t a = *graph_.find(edge.link->source.cell);

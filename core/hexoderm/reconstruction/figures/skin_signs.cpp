@@ -67,8 +67,7 @@ SkinSigns signsOf(const Reconstruction& reconstruction) {
   }
   for (CellSign& sign : signs.cells) sign.doubtful = sign.doubtful && !sign.faulty;
   std::ranges::sort(signs.links);
-  const auto [first, last] = std::ranges::unique(signs.links);
-  signs.links.erase(first, last);
+  signs.links.erase(std::unique(signs.links.begin(), signs.links.end()), signs.links.end());
   return signs;
 }
 

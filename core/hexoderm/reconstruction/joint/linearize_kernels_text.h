@@ -15,15 +15,16 @@ namespace hexoderm {
 namespace {
 
 using Lanes = double __attribute__((vector_size(8 * HEXODERM_LANES)));
-using UnalignedLanes = double __attribute__((vector_size(8 * HEXODERM_LANES), aligned(8), may_alias));
 
 constexpr int kLanes = HEXODERM_LANES;
 
 inline Lanes load(const double* numbers, std::size_t element) {
-  return *reinterpret_cast<const UnalignedLanes*>(numbers + element * kLanes);
+  Lanes values;
+  __builtin_memcpy(&values, numbers + element * kLanes, sizeof values);
+  return values;
 }
 inline void store(double* numbers, std::size_t element, Lanes values) {
-  *reinterpret_cast<UnalignedLanes*>(numbers + element * kLanes) = values;
+  __builtin_memcpy(numbers + element * kLanes, &values, sizeof values);
 }
 inline void add(double* numbers, std::size_t element, Lanes values) {
   store(numbers, element, load(numbers, element) + values);

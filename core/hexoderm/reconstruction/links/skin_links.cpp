@@ -61,7 +61,7 @@ std::vector<std::size_t> SkinLinks::estimateEdgesAround(std::size_t cell) {
     links.insert(links.end(), at.begin(), at.end());
   }
   std::ranges::sort(links);
-  links.erase(std::ranges::unique(links).begin(), links.end());
+  links.erase(std::unique(links.begin(), links.end()), links.end());
   estimate(links);
   return links;
 }

@@ -16,7 +16,6 @@ namespace {
 
 using Size = FrontKernels::Size;
 using Lanes = double __attribute__((vector_size(8 * HEXODERM_LANES)));
-using UnalignedLanes = double __attribute__((vector_size(8 * HEXODERM_LANES), aligned(8), may_alias));
 
 constexpr Size kLanes = HEXODERM_LANES;
 constexpr Size kBlock = 6;
@@ -26,8 +25,12 @@ constexpr Size kDeep = 192;
 /// Shorter products are not worth rearranging.
 constexpr Size kShallow = 36;
 
-inline Lanes load(const double* at) { return *reinterpret_cast<const UnalignedLanes*>(at); }
-inline void store(double* at, Lanes values) { *reinterpret_cast<UnalignedLanes*>(at) = values; }
+inline Lanes load(const double* at) {
+  Lanes values;
+  __builtin_memcpy(&values, at, sizeof values);
+  return values;
+}
+inline void store(double* at, Lanes values) { __builtin_memcpy(at, &values, sizeof values); }
 inline Lanes all(double value) {
 #if HEXODERM_LANES == 4
   return Lanes{value, value, value, value};

@@ -44,7 +44,7 @@ LinkGravity::LinkGravity(const RobotModel& robot, std::span<const JointAngles> a
       followed.push_back(step.follows);
     }
     std::ranges::sort(followed);
-    followed.erase(std::ranges::unique(followed).begin(), followed.end());
+    followed.erase(std::unique(followed.begin(), followed.end()), followed.end());
   }
 }
 

@@ -43,7 +43,7 @@ class RobotProblem {
       joints_.insert(joints_.end(), joints.begin(), joints.end());
     }
     std::ranges::sort(joints_);
-    joints_.erase(std::ranges::unique(joints_).begin(), joints_.end());
+    joints_.erase(std::unique(joints_.begin(), joints_.end()), joints_.end());
     state_.zeros.setZero(static_cast<Index>(joints_.size()));
     state_.tilt.setZero();
   }

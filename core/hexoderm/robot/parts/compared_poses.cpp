@@ -39,7 +39,7 @@ std::vector<PoseId> posesOf(const std::vector<const PatchReconstruction*>& patch
     for (const GravityDirection& gravity : patch->gravity) poses.push_back(gravity.pose);
   }
   std::ranges::sort(poses);
-  poses.erase(std::ranges::unique(poses).begin(), poses.end());
+  poses.erase(std::unique(poses.begin(), poses.end()), poses.end());
   return poses;
 }
 

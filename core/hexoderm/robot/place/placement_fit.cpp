@@ -300,7 +300,7 @@ FitProblem onlyCells(const FitProblem& problem, const std::vector<std::vector<st
   for (std::size_t p = 0; p < kept.size(); ++p) {
     std::vector<std::size_t>& own = kept[p];
     std::ranges::sort(own);
-    own.erase(std::ranges::unique(own).begin(), own.end());
+    own.erase(std::unique(own.begin(), own.end()), own.end());
     few.patches[p] = withCells(problem.patches[p], own);
   }
   const auto newIndex = [&](std::size_t p, std::size_t cell) {

@@ -262,7 +262,7 @@ std::vector<FitSolution> minimaTogether(const FitProblem& problem, const std::ve
                                         double false_alarm) {
   std::vector<std::size_t> order(problem.patches.size());
   std::iota(order.begin(), order.end(), 0U);
-  std::ranges::stable_partition(order, [&](std::size_t p) { return isAnchored(problem, p); });
+  std::stable_partition(order.begin(), order.end(), [&](std::size_t p) { return isAnchored(problem, p); });
 
   std::vector<FitState> found = {FitState{}};
   std::vector<FitSolution> minima;

@@ -3,6 +3,7 @@
 #include "tests/core/device/skinwire/device_side_fixture.h"
 #include "tests/core/device/skinwire/random_messages.h"
 #include "tests/core/device/skinwire/wire_messages.h"
+#include "tests/support/slow_build.h"
 
 #include <gtest/gtest.h>
 #include <cstdint>
@@ -29,7 +30,8 @@ TEST(DeviceSide, RandomMessagesAreDecodedToTheSameValuesAndWrongOnesNotSent) {
   RandomMessages random(1);
   int sent = 0;
   int refused = 0;
-  for (int k = 0; k < 20'000; ++k) {
+  constexpr int kMessages = test::kSlowBuild ? 1000 : 20'000;
+  for (int k = 0; k < kMessages; ++k) {
     const Message message = random.device();
     const auto [framing, decoder] = kFramings.at(random.upTo(2));
     const Bytes frame = framed(message, framing);
@@ -43,8 +45,8 @@ TEST(DeviceSide, RandomMessagesAreDecodedToTheSameValuesAndWrongOnesNotSent) {
     ASSERT_EQ(decoded.message, message) << k << ", kind " << message.index();
     ASSERT_TRUE(decoded.offences.empty()) << k << ": " << decoded.reason();
   }
-  EXPECT_GT(sent, 15'000);
-  EXPECT_GT(refused, 1000);
+  EXPECT_GT(sent, 3 * kMessages / 4);
+  EXPECT_GT(refused, kMessages / 20);
 }
 
 TEST(DeviceSide, ABufferThatIsTooSmallIsNeverOverrun) {

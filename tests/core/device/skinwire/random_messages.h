@@ -96,7 +96,7 @@ class RandomMessages {
                  chance(95) ? text(400) + "x" : "",
                  chance(50),
                  chance(50),
-                 real(),
+                 static_cast<double>(real()),
                  static_cast<std::uint32_t>(number(UINT32_MAX))};
   }
   Message ack() { return Ack{static_cast<std::uint32_t>(number(UINT32_MAX)), chance(50), text(1005), chance(30)}; }

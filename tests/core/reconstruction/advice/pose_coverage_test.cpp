@@ -5,6 +5,7 @@
 #include "hexoderm/session/simulated_session.h"
 #include "hexoderm/util/units.h"
 #include "tests/support/pin_jointed_skin.h"
+#include "tests/support/random_vector.h"
 #include "tests/support/result_builder.h"
 
 #include <gtest/gtest.h>
@@ -26,7 +27,7 @@ std::vector<CellSample> readings(const Eigen::Vector3d& up) {
 
 Eigen::Vector3d randomUp(std::mt19937& random) {
   std::normal_distribution<double> normal;
-  return Eigen::Vector3d(normal(random), normal(random), normal(random)).normalized();
+  return test::randomVector([&] { return normal(random); }).normalized();
 }
 
 /// A patch's directions without any solver: only what coverageOf looks at.

@@ -113,11 +113,13 @@ struct GivenBack {
 
 TEST(LivingJointSolver, AFactorMadeOnceMoreIsTheSame) {
   GivenBack given;
-  auto& [example, problem, solver, solution, whole] = given;
+  auto& problem = given.problem;
+  auto& solution = given.solution;
+  auto& whole = given.whole;
   solution.covariance->keepProblemInstead(problem);
   // Other solutions take the factor's memory.
   const JointCase other = sheetInPoses(2);
-  solver.solve(other.problem, other.truth);
+  given.solver.solve(other.problem, other.truth);
   expectSame(solution, whole, *problem);
   const auto size = static_cast<Eigen::Index>(6 * problem->cellCount());
   const Eigen::MatrixXd B = Eigen::MatrixXd::Identity(size, 7);

@@ -5,7 +5,7 @@
 #include "hexoderm/reconstruction/reconstructor.h"
 #include "hexoderm/reconstruction/result/uncertainty.h"
 #include "tests/core/reconstruction/joint/joint_case.h"
-#include "tests/support/few_seeds.h"
+#include "tests/support/slow_build.h"
 
 #include <gmock/gmock.h>
 
@@ -16,7 +16,7 @@
 namespace hexoderm {
 namespace {
 
-using test::kFewSeeds;
+using test::kSlowBuild;
 
 Eigen::Index rowsOf(std::size_t cell) { return static_cast<Eigen::Index>(6 * cell); }
 
@@ -221,7 +221,7 @@ double neesOfShape(const JointCase& example, const JointSolution& solution) {
 }
 
 TEST(ShapeCovariance, ErrorsAfterTheBestAlignmentAreAsLargeAsStated) {
-  const int seeds = kFewSeeds ? 2 : 100;
+  const int seeds = kSlowBuild ? 2 : 100;
   double nees = 0;
   double cells = 0;
   double count = 0;
@@ -248,7 +248,7 @@ TEST(ShapeCovariance, ErrorsAfterTheBestAlignmentAreAsLargeAsStated) {
   RecordProperty("all centres together", std::to_string(nees));
   RecordProperty("cell by cell", std::to_string(cells / count));
   EXPECT_TRUE(std::isfinite(nees) && std::isfinite(cells));
-  if (kFewSeeds) return;
+  if (kSlowBuild) return;
   EXPECT_GT(nees, 0.5) << cells / count;
   EXPECT_LT(nees, 1.5) << cells / count;
   EXPECT_GT(cells / count, 0.5) << nees;

@@ -3,7 +3,7 @@
 #include "hexoderm/reconstruction/reconstructor.h"
 #include "tests/core/robot/parts/gravity_draw.h"
 #include "tests/core/robot/parts/jointed_skins.h"
-#include "tests/support/few_seeds.h"
+#include "tests/support/slow_build.h"
 
 #include <gmock/gmock.h>
 
@@ -16,7 +16,7 @@
 namespace hexoderm {
 namespace {
 
-using test::kFewSeeds;
+using test::kSlowBuild;
 
 TEST(GravitySeen, ErrorsHaveTwoComponentsAcrossTheDirection) {
   GravityDraw draw(1);
@@ -78,10 +78,10 @@ TEST(GravitySeen, ErrorsAreNoLargerThanStated) {
     std::size_t poses;
   };
   for (const auto& [patch, poses] : {Case{"x17", 4}, Case{"x17", 8}, Case{"sheet:3x3", 4}, Case{"sheet:1x1", 6}}) {
-    const double nees = neesOfGravity(patch, poses, kFewSeeds ? 2 : 100);
+    const double nees = neesOfGravity(patch, poses, kSlowBuild ? 2 : 100);
     RecordProperty(patch + ", " + std::to_string(poses) + " poses", std::to_string(nees));
     EXPECT_TRUE(std::isfinite(nees));
-    if (kFewSeeds) continue;
+    if (kSlowBuild) continue;
     EXPECT_GT(nees, 0.3) << patch << ", " << poses << " poses";
     EXPECT_LT(nees, 1.5) << patch << ", " << poses << " poses";
   }

@@ -11,6 +11,13 @@ namespace {
 
 constexpr double kLeastProbable = 1e-3;
 
+/// Of what two bodies see, drawn for b first: inside a call the order would be the compiler's choice.
+Hinge fitDrawn(GravityDraw& draw, const std::vector<Eigen::Vector3d>& up_a, const std::vector<Eigen::Vector3d>& up_b,
+               const GravityErrors& errors = {}, double scale = 1) {
+  const GravitySeen b = draw.see(up_b, errors, scale);
+  return fitHinge(draw.see(up_a, errors, scale), b, kLeastProbable);
+}
+
 /// Angle between an axis and the true one, either sign.
 double missOf(const Eigen::Vector3d& u, const Eigen::Vector3d& truth) {
   const double angle = angleBetween(u, truth);
@@ -31,7 +38,7 @@ TEST(Hinge, ExactDirectionsGiveTheExactAxisAndAngles) {
       GravityDraw draw(seed);
       const DrawnHinge truth = drawHinge(draw, poses, 0.7);
       const GravityErrors errors{1e-5, 1e-5, 1e-5};
-      const Hinge hinge = fitHinge(draw.see(truth.up_a, errors, 0), draw.see(truth.up_b, errors, 0), kLeastProbable);
+      const Hinge hinge = fitDrawn(draw, truth.up_a, truth.up_b, errors, 0);
       ASSERT_EQ(hinge.knowledge, HingeKnowledge::Found) << poses << ", " << seed << ": " << hinge.why;
       EXPECT_LE(missOf(hinge.a.u, truth.u_a), 1e-6);
       EXPECT_LE(missOf(hinge.b.u, truth.u_b), 1e-6);
@@ -58,7 +65,7 @@ TEST(Hinge, ErrorsAndMisfitsAreAsLargeAsStated) {
   for (int seed = 0; seed < kSeeds; ++seed) {
     GravityDraw draw(static_cast<std::uint64_t>(seed));
     const DrawnHinge truth = drawHinge(draw, 8, 0.7);
-    const Hinge hinge = fitHinge(draw.see(truth.up_a, {}), draw.see(truth.up_b, {}), kLeastProbable);
+    const Hinge hinge = fitDrawn(draw, truth.up_a, truth.up_b);
     if (hinge.knowledge != HingeKnowledge::Found) continue;
     ++found;
     axes += (neesOf(hinge.a, truth.u_a) + neesOf(hinge.b, truth.u_b)) / 2;
@@ -96,7 +103,7 @@ TEST(Hinge, IsTheSameFromBothSides) {
 TEST(Hinge, FourPosesAreTooFew) {
   GravityDraw draw(6);
   const DrawnHinge truth = drawHinge(draw, 4, 0.7);
-  const Hinge hinge = fitHinge(draw.see(truth.up_a, {}), draw.see(truth.up_b, {}), kLeastProbable);
+  const Hinge hinge = fitDrawn(draw, truth.up_a, truth.up_b);
   EXPECT_EQ(hinge.knowledge, HingeKnowledge::NotDetermined);
   EXPECT_FALSE(hinge.reference.has_value());
   EXPECT_EQ(hinge.why.english(), "An axis between two parts takes at least 5 poses, and there are 4.");
@@ -111,7 +118,7 @@ TEST(Hinge, TwoJointsHaveNoAxis) {
     const std::vector<Eigen::Vector3d> up = draw.directions(8);
     std::vector<Eigen::Vector3d> up_b;  // as across a ball joint
     for (const Eigen::Vector3d& g : up) up_b.emplace_back(expSO3(0.5 * draw.vector()) * g);
-    const Hinge hinge = fitHinge(draw.see(up, {}), draw.see(up_b, {}), kLeastProbable);
+    const Hinge hinge = fitDrawn(draw, up, up_b);
     none += hinge.knowledge == HingeKnowledge::NoAxis ? 1 : 0;
     found += hinge.knowledge == HingeKnowledge::Found ? 1 : 0;
   }
@@ -130,7 +137,7 @@ TEST(Hinge, ABaseThatStandsStillLeavesTheAxisOpenThere) {
       truth.up_a[k] = up;
       truth.up_b[k] = (expSO3(truth.angle[k] * truth.u_a) * R_0).transpose() * up;
     }
-    const Hinge hinge = fitHinge(draw.see(truth.up_a, {}), draw.see(truth.up_b, {}), kLeastProbable);
+    const Hinge hinge = fitDrawn(draw, truth.up_a, truth.up_b);
     EXPECT_EQ(hinge.knowledge, HingeKnowledge::NotDetermined) << hinge.why;
     EXPECT_GT(hinge.a.sigma_rad, kKnownAxis_rad);
     EXPECT_FALSE(hinge.what_would_tell.empty());
@@ -140,7 +147,7 @@ TEST(Hinge, ABaseThatStandsStillLeavesTheAxisOpenThere) {
 TEST(Hinge, AJointThatStoodStillHasNoAxisThatIsKnown) {
   GravityDraw draw(8);
   const DrawnHinge truth = drawHinge(draw, 8, 0);
-  const Hinge hinge = fitHinge(draw.see(truth.up_a, {}), draw.see(truth.up_b, {}), kLeastProbable);
+  const Hinge hinge = fitDrawn(draw, truth.up_a, truth.up_b);
   EXPECT_EQ(hinge.knowledge, HingeKnowledge::NotDetermined) << hinge.why;
   EXPECT_TRUE(hinge.a.covariance.allFinite() && hinge.b.covariance.allFinite());
 }
@@ -150,7 +157,7 @@ TEST(Hinge, GravityAlongTheAxisShowsNoAngle) {
   DrawnHinge truth = drawHinge(draw, 9, 0.7);
   truth.up_a[4] = truth.u_a;
   truth.up_b[4] = truth.u_b;
-  const Hinge hinge = fitHinge(draw.see(truth.up_a, {}), draw.see(truth.up_b, {}), kLeastProbable);
+  const Hinge hinge = fitDrawn(draw, truth.up_a, truth.up_b);
   ASSERT_EQ(hinge.knowledge, HingeKnowledge::Found) << hinge.why;
   EXPECT_FALSE(hinge.angles[4].angle_rad.has_value());
   EXPECT_EQ(hinge.angles[4].sigma_rad, 0);

@@ -6,6 +6,7 @@
 #include "hexoderm/device/simulation/hand_motion.h"
 #include "hexoderm/session/session.h"
 #include "hexoderm/util/units.h"
+#include "tests/support/random_vector.h"
 
 #include <cmath>
 #include <cstdint>
@@ -39,11 +40,11 @@ class JointedSkins {
       skin.patch = options.patch;
       skin.surface = options.surface;
       skin.seed = options.seed * 1000 + k;
-      const SE3 T_body_b{anyRotation(), 0.1 * Eigen::Vector3d(normal(), normal(), normal())};
+      const SE3 T_body_b{anyRotation(), 0.1 * test::randomVector([&] { return normal(); })};
       patches_.push_back({options.body_of_patch[k], T_body_b, SimulatedSkin(model, skin)});
     }
     axis_0_ = anyDirection();
-    T_0_1_ = {anyRotation(), 0.1 * Eigen::Vector3d(normal(), normal(), normal())};
+    T_0_1_ = {anyRotation(), 0.1 * test::randomVector([&] { return normal(); })};
   }
 
   [[nodiscard]] Session session(std::size_t poses) {
@@ -136,7 +137,7 @@ class JointedSkins {
   std::vector<SampleFrame> framesOfPose(const Eigen::Vector3d& up) {
     const SimulatedSkinOptions& hand = patches_.front().skin.options();
     const HandMotion motion = options_.hand_held ? HandMotion(up, hand, random_) : HandMotion(up);
-    const Eigen::Vector3d hand_0 = 0.05 * Eigen::Vector3d(normal(), normal(), normal());
+    const Eigen::Vector3d hand_0 = 0.05 * test::randomVector([&] { return normal(); });
     const SE3 T_0_1 = SE3{expSO3(angles_[means_.size()] * axis_0_), Eigen::Vector3d::Zero()} * T_0_1_;
     std::vector<SampleFrame> frames(static_cast<std::size_t>(options_.sensor_frames));
     const Accelerometer& accelerometer = model_.accelerometer;

@@ -10,6 +10,13 @@
 namespace hexoderm {
 namespace {
 
+/// Of what two bodies see, drawn for b first: inside a call the order would be the compiler's choice.
+MovementTest testDrawn(GravityDraw& draw, const std::vector<Eigen::Vector3d>& up_a,
+                       const std::vector<Eigen::Vector3d>& up_b) {
+  const GravitySeen b = draw.see(up_b, {});
+  return testMovement(draw.see(up_a, {}), b);
+}
+
 TEST(Movement, OddsGrowWithThePoses) {
   GravityDraw draw(1);
   const std::vector<Eigen::Vector3d> up = draw.directions(12);
@@ -30,7 +37,7 @@ TEST(Movement, OddsGrowWithThePoses) {
 TEST(Movement, NothingIsToldByFewerThanTwoPoses) {
   GravityDraw draw(2);
   const std::vector<Eigen::Vector3d> up = draw.directions(1);
-  const MovementTest test = testMovement(draw.see(up, {}), draw.see(up, {}));
+  const MovementTest test = testDrawn(draw, up, up);
   EXPECT_EQ(test.log_odds, 0);
   EXPECT_EQ(test.noticeable_rad, kPi);
   EXPECT_EQ(test.fit.misfit.probability(), 1);
@@ -42,11 +49,11 @@ TEST(Movement, TurnsAboutTheLineOfGravityHide) {
   const Eigen::Vector3d line = draw.direction();
   std::vector<Eigen::Vector3d> up;
   for (int k = 0; k < 12; ++k) up.push_back((k % 2 == 0 ? 1 : -1) * (line + 0.02 * draw.vector()).normalized());
-  const MovementTest test = testMovement(draw.see(up, {}), draw.see(up, {}));
+  const MovementTest test = testDrawn(draw, up, up);
   EXPECT_TRUE(test.on_one_line);
   EXPECT_LT(std::acos(std::abs(line.dot(test.hidden_axis_a))), 0.2);
   up.push_back(draw.direction());
-  EXPECT_FALSE(testMovement(draw.see(up, {}), draw.see(up, {})).on_one_line);
+  EXPECT_FALSE(testDrawn(draw, up, up).on_one_line);
 }
 
 // Whatever axis the joint has: with the turns that the test thinks of, two bodies are not taken for one.
@@ -57,7 +64,7 @@ TEST(Movement, JointsThatMoveAreNotTakenForOnePart) {
   for (int seed = 0; seed < kSeeds; ++seed) {
     GravityDraw draw(static_cast<std::uint64_t>(seed));
     const DrawnHinge hinge = drawHinge(draw, 4, kTypicalTurn_rad);
-    const MovementTest test = testMovement(draw.see(hinge.up_a, {}), draw.see(hinge.up_b, {}));
+    const MovementTest test = testDrawn(draw, hinge.up_a, hinge.up_b);
     const bool fits = test.fit.misfit.probability() >= 1e-3;
     apart += fits ? 0 : 1;
     together += fits && test.log_odds >= std::log(20) ? 1 : 0;
@@ -74,11 +81,11 @@ TEST(Movement, NoticeableTurnsAreNoticed) {
   for (int seed = 0; seed < kSeeds; ++seed) {
     GravityDraw draw(static_cast<std::uint64_t>(seed));
     const std::vector<Eigen::Vector3d> still = draw.directions(8);
-    const double noticeable = testMovement(draw.see(still, {}), draw.see(still, {})).noticeable_rad;
+    const double noticeable = testDrawn(draw, still, still).noticeable_rad;
     EXPECT_LT(noticeable, 20 * kDegree);
     const auto isNoticed = [&](double spread_rad) {
       const DrawnHinge hinge = drawHinge(draw, 8, spread_rad);
-      return testMovement(draw.see(hinge.up_a, {}), draw.see(hinge.up_b, {})).fit.misfit.probability() < 0.05;
+      return testDrawn(draw, hinge.up_a, hinge.up_b).fit.misfit.probability() < 0.05;
     };
     noticed += isNoticed(3 * noticeable) ? 1 : 0;
     unnoticed += isNoticed(noticeable / 5) ? 0 : 1;

@@ -4,7 +4,7 @@
 #include "hexoderm/robot/parts/gravity_seen.h"
 #include "hexoderm/util/error.h"
 #include "tests/core/robot/parts/jointed_skins.h"
-#include "tests/support/few_seeds.h"
+#include "tests/support/slow_build.h"
 
 #include <gmock/gmock.h>
 
@@ -15,7 +15,7 @@
 namespace hexoderm {
 namespace {
 
-using test::kFewSeeds;
+using test::kSlowBuild;
 
 double medianOf(std::vector<double> values) {
   std::ranges::sort(values);
@@ -123,7 +123,7 @@ TEST(Parts, FourPatchesOnTwoBodiesAreGrouped) {
     bool hand_held;
     std::size_t poses;
   };
-  const int seeds = kFewSeeds ? 2 : 100;
+  const int seeds = kSlowBuild ? 2 : 100;
   for (const Case& c : {Case{"hand, 4 poses", true, 4}, Case{"hand, 8 poses", true, 8},
                         Case{"still, 4 poses", false, 4}, Case{"still, 8 poses", false, 8}}) {
     JointedSkinsOptions options;
@@ -131,7 +131,7 @@ TEST(Parts, FourPatchesOnTwoBodiesAreGrouped) {
     const Outcome outcome = outcomeOf(options, c.poses, seeds);
     record(c.name, outcome, seeds);
     EXPECT_EQ(outcome.wrong_together, 0) << c.name;
-    if (kFewSeeds) continue;
+    if (kSlowBuild) continue;
     EXPECT_GE(outcome.right, 0.99 * seeds) << c.name;
     EXPECT_LE(medianOf(outcome.errors_rad), 1.2 * medianOf(outcome.stated_rad)) << c.name;
     EXPECT_GE(outcome.nees, 0.7) << c.name;
@@ -229,7 +229,7 @@ TEST(Parts, ManyPosesAreThinnedOut) {
   options.hand_held = false;
   options.sensor_frames = 10;
   JointedSkins skins(options);
-  const PartsResult result = findParts(*reconstruct(*skins.session(kFewSeeds ? 52 : 120).snapshot()));
+  const PartsResult result = findParts(*reconstruct(*skins.session(kSlowBuild ? 52 : 120).snapshot()));
   EXPECT_EQ(result.parts.size(), 2U);
   for (const PatchPair& pair : result.pairs) EXPECT_EQ(pair.poses, PartsOptions().most_poses);
 }
