@@ -5,6 +5,7 @@
 #include <QPointer>
 #include <QTimerEvent>
 #include <QWidget>
+#include <QWindow>
 
 namespace hexoderm {
 
@@ -26,7 +27,14 @@ class KeyboardKeeper : public QObject {
       last_ = active;
       return;
     }
-    if (QWidget* window = dialog != nullptr ? dialog : leftWindow()) window->activateWindow();
+    QWidget* window = dialog != nullptr ? dialog : leftWindow();
+    if (window == nullptr) return;
+    if (QGuiApplication::focusWindow() == window->windowHandle()) {
+      // X gave it the keyboard while the dialog was still closing, and Qt 5.15.15 forgets to tell its widgets.
+      QApplication::setActiveWindow(window);
+    } else {
+      window->activateWindow();
+    }
   }
 
  private:

@@ -93,12 +93,14 @@ class WindowPlaceTest : public KeyboardTest {
     ASSERT_NO_FATAL_FAILURE(pressInPanel<QPushButton>("placeChooseRobot"));
     ASSERT_NO_FATAL_FAILURE(typeIntoFileDialog("robotDialog", path));
     ASSERT_TRUE(waitUntil([this] { return window_->findChild<QDialog*>("robotDialog") == nullptr; }));
+    ASSERT_NO_FATAL_FAILURE(activateWindow());
     ASSERT_TRUE(waitForWork());
   }
   void chooseJoints(const QString& path) {
     ASSERT_NO_FATAL_FAILURE(pressInPanel<QPushButton>("placeChooseJoints"));
     ASSERT_NO_FATAL_FAILURE(typeIntoFileDialog("jointsDialog", path));
     ASSERT_TRUE(waitUntil([this] { return window_->findChild<QDialog*>("jointsDialog") == nullptr; }));
+    ASSERT_NO_FATAL_FAILURE(activateWindow());
     ASSERT_TRUE(waitForWork());
   }
   void openWithRobot() {

@@ -445,7 +445,7 @@ TEST_F(PatchViewTest, NoButtonIsCutOffInASmallView) {
     ASSERT_TRUE(test::waitUntil([&] { return view.width() == width; }));
     QCoreApplication::sendPostedEvents(nullptr, QEvent::LayoutRequest);
     for (QToolButton* each : view.findChildren<QToolButton*>()) {
-      if (each->size().isEmpty()) continue;  // folded into the menu
+      if (!each->isVisible() || each->size().isEmpty()) continue;  // not offered now, or folded into the menu
       const QRect place(each->mapTo(&view, QPoint(0, 0)), each->size());
       EXPECT_TRUE(view.rect().contains(place)) << width << " " << each->text().toStdString();
       EXPECT_GE(each->width(), each->sizeHint().width()) << width << " " << each->text().toStdString();
