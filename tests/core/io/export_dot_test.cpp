@@ -10,6 +10,7 @@
 #include <boost/graph/adjacency_list.hpp>
 #include <boost/graph/graphviz.hpp>
 #include <map>
+#include <sstream>
 
 namespace hexoderm {
 namespace {
@@ -91,9 +92,15 @@ TEST_F(ExportDot, DrawsTheWeakClassesAsDotsAndDashes) {
   reconstruction.patches[0].links[2].quality = EdgeQuality::Partially;
   const std::string text = dotText(reconstruction);
   const std::vector<LinkEstimate>& links = reconstruction.patches[0].links;
+  // Two links join cells 7 and 12.
   const auto lineOf = [&](const LinkEstimate& link) {
-    const std::size_t begin = text.find("\n" + toString(link.source.cell) + "->" + toString(link.target.cell) + " ");
-    return text.substr(begin, text.find('\n', begin + 1) - begin);
+    const std::string cells = toString(link.source.cell) + "->" + toString(link.target.cell) + " ";
+    const std::string port = "taillabel=\"" + toString(link.source.port) + "\"";
+    std::istringstream lines(text);
+    for (std::string line; std::getline(lines, line);) {
+      if (line.starts_with(cells) && line.find(port) != std::string::npos) return line;
+    }
+    return std::string();
   };
   EXPECT_THAT(lineOf(links[0]), AllOf(HasSubstr("style=\"dotted\""), HasSubstr("color=\"#7F0D14\"")));
   EXPECT_THAT(lineOf(links[2]), AllOf(HasSubstr("style=\"dashed\""), HasSubstr("color=\"#E66F15\"")));
