@@ -8,22 +8,24 @@ ResultGraph::ResultGraph(const std::vector<PatchReconstruction>& patches) {
   std::vector<ResultCell> cells;
   std::vector<CellId> ids;
   std::vector<Vertex> first;  // of each patch, and the end
+  std::size_t link_count = 0;
   for (const PatchReconstruction& patch : patches) {
     first.push_back(static_cast<Vertex>(cells.size()));
     for (const CellPlacement& cell : patch.cells) {
       cells.push_back({&cell, &patch});
       ids.push_back(cell.cell);
     }
+    link_count += patch.links.size();
   }
   first.push_back(static_cast<Vertex>(cells.size()));
   table_ = CellTable(ids);
 
   std::vector<std::pair<Vertex, Vertex>> ends;
   std::vector<ResultEdge> edges;
+  ends.reserve(2 * link_count);
+  edges.reserve(2 * link_count);
   for (std::size_t k = 0; k < patches.size(); ++k) {
     const auto isHere = [&](Vertex cell) { return cell >= first[k] && cell < first[k + 1]; };
-    ends.reserve(ends.size() + 2 * patches[k].links.size());
-    edges.reserve(edges.size() + 2 * patches[k].links.size());
     for (const LinkEstimate& link : patches[k].links) {
       const auto source = find(link.source.cell);
       const auto target = find(link.target.cell);
