@@ -5,6 +5,7 @@
 #include <gmock/gmock.h>
 
 #include <algorithm>
+#include <cstddef>
 #include <random>
 
 namespace hexoderm {
@@ -33,6 +34,9 @@ CutElements byTakingOut(const SkinGraph& graph) {
 
 TEST(CutElements, AreTheLinksAndCellsWithoutWhichAPatchFallsApart) {
   std::mt19937 random(1);
+  std::ptrdiff_t bridges = 0;
+  std::ptrdiff_t links_in_loops = 0;
+  std::ptrdiff_t articulations = 0;
   for (int skins = 0; skins < 50; ++skins) {
     std::vector<std::pair<std::uint32_t, std::uint32_t>> links;
     std::vector<int> free_ports(31, 4);
@@ -47,14 +51,20 @@ TEST(CutElements, AreTheLinksAndCellsWithoutWhichAPatchFallsApart) {
       --free_ports[a];
       --free_ports[b];
     }
-    SkinGraph graph = test::skin(30, links);
+    const SkinGraph graph = test::skin(30, links);
+    ASSERT_TRUE(graph.findings().empty());
     const CutElements expected = byTakingOut(graph);
     const CutElements found = findCutElements(graph);
     EXPECT_EQ(found.is_bridge, expected.is_bridge);
     EXPECT_EQ(found.is_articulation, expected.is_articulation);
-    EXPECT_THAT(found.is_bridge, testing::Contains(true));
-    EXPECT_THAT(found.is_bridge, testing::Contains(false));
+    bridges += std::ranges::count(expected.is_bridge, true);
+    links_in_loops += std::ranges::count(expected.is_bridge, false);
+    articulations += std::ranges::count(expected.is_articulation, true);
   }
+  // Each kind was there to be found.
+  EXPECT_GT(bridges, 50);
+  EXPECT_GT(links_in_loops, 50);
+  EXPECT_GT(articulations, 50);
 }
 
 TEST(LinksOfAllLoops, AreAllLinksOfARing) {
