@@ -2,6 +2,7 @@
 
 #include "hexoderm/graph/cut_elements.h"
 
+#include <algorithm>
 #include <optional>
 #include <set>
 #include <utility>
@@ -13,6 +14,7 @@ using PatchPair = std::pair<PatchId, PatchId>;
 
 /// The patches at the two ends of the link that a finding muted, where these are two.
 std::optional<PatchPair> splitBy(const SkinGraph& graph, const Finding& finding) {
+  if (finding.code == FindingCode::BodyPartBoundary) return std::nullopt;  // which says that the patch ends there
   if (finding.cells.size() != 2 || finding.ports.size() != 2) return std::nullopt;
   const auto link = graph.indexOf({finding.cells[0], finding.ports[0]}, {finding.cells[1], finding.ports[1]});
   if (!link || graph.links()[*link].muted_by != finding.code) return std::nullopt;

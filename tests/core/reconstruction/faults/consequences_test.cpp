@@ -69,6 +69,20 @@ TEST(Consequences, ARingIsSplitWithoutTwoOfItsLinksButNotWithoutOne) {
   EXPECT_THAT(findings[1].message.english(), Not(HasSubstr("split"))) << "said once";
 }
 
+TEST(Consequences, NobodyCallsTheBorderOfABodyPartASplit) {
+  const Session skin = bentX17().session(orthogonalUps(3));
+  NeighborList neighbors = skin.neighbors();
+  for (CellReport& report : neighbors) {
+    const bool is_on_first_arm = report.id >= CellId(2) && report.id <= CellId(5);
+    report.body_part = is_on_first_arm ? "hand" : "arm";
+  }
+  Session session(skin.model(), neighbors);
+  for (const SessionPose& pose : skin.poses()) session.addPose(pose);
+  const std::vector<Finding> findings = saidOf(session);
+  ASSERT_THAT(findings, SizeIs(1));
+  EXPECT_THAT(findings[0].message.english(), EndsWith("arm and hand; the patch ends there."));
+}
+
 TEST(Consequences, PartsThatACellWithoutReadingsAloneConnectsAreLessCertain) {
   const std::vector<Finding> findings = saidWithout(CellId(2));
   ASSERT_THAT(findings, SizeIs(1));
