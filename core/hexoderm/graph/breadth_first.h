@@ -1,10 +1,9 @@
 #pragma once
 
-// Private: breadth-first searches by the Boost Graph Library that may refuse edges, end early, and be repeated.
+// Private: breadth-first searches by the Boost Graph Library that can refuse edges, end early, and be repeated.
 
 #include <boost/graph/breadth_first_search.hpp>
 
-#include <algorithm>
 #include <cstddef>
 #include <vector>
 
@@ -20,8 +19,9 @@ class BreadthFirst {
 
   explicit BreadthFirst(const Graph& graph) : graph_(graph), color_(num_vertices(graph), boost::white_color) {}
 
-  /// The vertices that are reached from `start`, with it, in the order in which they are. `along(edge)` is called for
-  /// each edge to a vertex that is not reached yet; if it returns false, the search does not go along this edge.
+  /// `start` and the vertices that are reached from it, in the order in which they are reached; valid until the next
+  /// search. `along(edge)` is called for each edge to a vertex that is not reached yet; if it returns false, the search
+  /// does not go along this edge.
   template <class Along>
   const std::vector<Vertex>& searchFrom(Vertex start, const Along& along) {
     reached_.clear();
@@ -44,7 +44,7 @@ class BreadthFirst {
     for (const Vertex vertex : reached_) put(colors(), vertex, boost::white_color);
   }
 
-  // The buffer of breadth_first_visit(). It keeps what was in it, and lets go what was refused.
+  // The buffer of breadth_first_visit(). It keeps what has been taken out of it, and drops what was refused.
   [[nodiscard]] bool empty() const { return next_ >= reached_.size(); }
   [[nodiscard]] Vertex top() const { return reached_[next_]; }
   void pop() { ++next_; }

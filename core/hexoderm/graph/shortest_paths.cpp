@@ -40,8 +40,8 @@ ShortestPaths findShortestPaths(const SkinGraph& graph, std::span<const double> 
   paths.predecessor.assign(count, kNoIndex);
   paths.link.assign(count, kNoIndex);
 
-  // Among equally far cells and equally short paths the choice follows the documented rule, not the heap's order: cells
-  // by their IDs, whose order is theirs; paths with fewer links first, then with the smallest predecessor.
+  // The order of equally far cells, and the choice among equally short paths, follow the documented rule, not the heap:
+  // cells by their IDs, as they are numbered; the path with fewer links, then the one with the smallest predecessor.
   const auto distanceOf = [&](std::size_t cell) { return paths.distance[place[cell]]; };
   for (auto first = paths.order.begin(); first != paths.order.end();) {
     const auto last = std::find_if(first, paths.order.end(),

@@ -82,7 +82,7 @@ struct boost::graph_traits<hexoderm::PatchView> : hexoderm::boost_graph::Traits 
   struct traversal_category : boost::incidence_graph_tag, boost::vertex_list_graph_tag {};
   using vertex_iterator = std::vector<std::size_t>::const_iterator;
 };
-// Some visitors of the library ask for those of the graph as it is passed.
+// Some visitors of the library ask for the traits of the type that they are passed, which is const.
 template <>
 struct boost::graph_traits<const hexoderm::SkinGraph> : boost::graph_traits<hexoderm::SkinGraph> {};
 template <>

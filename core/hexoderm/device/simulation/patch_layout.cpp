@@ -15,7 +15,7 @@
 namespace hexoderm {
 namespace {
 
-/// The cells of a plan, joined by the numbers of its links, in their order.
+/// The cells of a plan. An edge holds the number of its link; those of a cell come in the plan's order.
 using PlanGraph = boost::compressed_sparse_row_graph<boost::directedS, boost::no_property, std::size_t>;
 
 PlanGraph graphOf(const PatchPlan& plan) {

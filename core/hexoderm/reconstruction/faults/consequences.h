@@ -6,8 +6,8 @@
 
 namespace hexoderm {
 
-/// Adds to findings about what is not used what its patch loses with it: a link where it is split, once for any two
-/// parts, and a cell without readings that alone connects parts of it.
+/// Makes findings about what is not used say what the patch loses with it: that it is split where a link is muted, once
+/// for any two parts, and that a cell without readings alone connects parts of it.
 void addConsequences(const SkinLinks& skin, std::vector<Finding>& findings);
 
 }  // namespace hexoderm

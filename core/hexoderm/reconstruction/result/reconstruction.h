@@ -164,8 +164,8 @@ struct FlatLayout {
 
 class ResultGraph;
 
-/// Cells and links of a result as a graph, made when it is first asked for. A copy makes its own, so that it can be
-/// edited before it is asked.
+/// Cells and links of a result as a graph, made when it is first asked for; from then on the lists of cells and links
+/// must stay as they are. A copy of the result makes a graph of its own, and can be edited until it is asked for it.
 class CachedGraph {
  public:
   CachedGraph() = default;                                     ///< holds no graph
