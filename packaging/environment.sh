@@ -1,4 +1,4 @@
-# Shared by run.sh and test.sh: the project's folder, the number of jobs that fit, and the display.
+# Sourced by the scripts: the project's folder, the number of jobs, and the display.
 
 root="$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)"
 jobs="$(nproc)"

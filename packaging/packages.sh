@@ -1,6 +1,6 @@
 # The packages of Debian 12 and 13 that Hexoderm is built from. Sourced by setup.sh; each list names its purpose.
 
-# Library, command line and their tests.
+# Library and command line, and what compiling their tests needs.
 core_packages=(
   build-essential
   cmake
@@ -99,7 +99,9 @@ developer_packages=(
 # Only for making Debian packages and trying them: deb.sh and deb_test.sh.
 debian_packages=(
   debootstrap
+  doxygen # the reference in libhexoderm-dev
   dpkg-dev
   file
+  git # the commit that the programs name, and its date
   lintian
 )

@@ -12,11 +12,11 @@ build() {
   cmake --preset release &&
     cmake --build --preset release --parallel "$jobs" --target hexoderm_installed
 }
-# A first build takes minutes and shows its progress; after that the build's few lines are of no interest.
+# A first build shows its progress; after that the build's few lines are of no interest.
 if [ -x build/release/app/window/hexoderm ] && [ -x build/release/app/cli/hexoderm-cli ]; then
   build_log="$(build 2>&1)" || { echo "$build_log" >&2; exit 1; }
 else
-  echo "Building Hexoderm; the first time this takes a few minutes."
+  echo "Building Hexoderm for the first time."
   build
 fi
 cli="$root/build/release/app/cli/hexoderm-cli"

@@ -5,7 +5,7 @@
 #   --tests      also the other programs that the tests run
 #   --ros        also ROS 1, for hexoderm-ros
 #   --sanitizers also clang, for the presets asan and tsan
-#   --developer  all of these but ROS, and clang-tidy, clang-format and the library of the benchmarks
+#   --developer  --tests and --sanitizers, and clang-tidy, clang-format and Google Benchmark
 #   --debian     also what makes Debian packages and tries them
 set -euo pipefail
 source "$(dirname "${BASH_SOURCE[0]}")/packages.sh"

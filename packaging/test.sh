@@ -4,7 +4,7 @@
 #   --all      also: core, that it builds without Qt and VTK, and that other programs can use it; asan, core under the
 #              address and undefined-behaviour sanitizers; tsan, what runs on several threads under the thread sanitizer
 #   STAGE ...  these of the stages release, core, asan, tsan, and window-asan: the window and its tests under the address
-#              sanitizer, half an hour and more
+#              sanitizer
 # In CI (the variable CI is set) a compiler's warning is an error.
 set -euo pipefail
 source "$(dirname "${BASH_SOURCE[0]}")/environment.sh"

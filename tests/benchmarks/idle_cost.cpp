@@ -4,6 +4,7 @@
 
 #include "app/window/main_window/main_window.h"
 #include "tests/benchmarks/window_application.h"
+#include "tests/support/paths.h"
 #include "tests/support/qt_wait.h"
 #include "widgets/patch/scene_widget.h"
 

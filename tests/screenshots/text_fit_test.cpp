@@ -2,6 +2,7 @@
 #include "app/window/settings/translation.h"
 #include "tests/app/window/window_test.h"
 #include "tests/screenshots/screenshot_tour.h"
+#include "tests/support/paths.h"
 
 #include <QHBoxLayout>
 #include <QProcess>

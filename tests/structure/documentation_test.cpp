@@ -12,6 +12,7 @@
 #include "hexoderm/util/finding_advice.h"
 #include "hexoderm/util/text.h"
 #include "tests/support/hand_made_skins.h"
+#include "tests/support/paths.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

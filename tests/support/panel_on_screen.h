@@ -2,6 +2,7 @@
 
 // A panel as the window shows it: in a column that scrolls, with the application's style.
 
+#include "tests/support/paths.h"
 #include "tests/support/qt_wait.h"
 #include "widgets/controls/selection.h"
 #include "widgets/style/palette.h"

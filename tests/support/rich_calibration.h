@@ -2,6 +2,7 @@
 
 #include "hexoderm/io/session_json.h"
 #include "hexoderm/reconstruction/reconstructor.h"
+#include "tests/support/paths.h"
 #include "tests/support/session_matchers.h"
 
 #include <filesystem>

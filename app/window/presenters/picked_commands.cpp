@@ -39,6 +39,8 @@ PickedCommands::PickedCommands(const Views& views, SessionController& controller
 void PickedCommands::refresh() {
   actions_.refresh(controller_, review_.pickedPoseRow(), selection_.cell());
   actions_.refreshLink(controller_, selection_.link());
+  // An offer to call off a recapture that is done, or called off elsewhere.
+  if (!controller_.liveSession().recapturing() && views_.messages.text() == recapture_offer_) views_.messages.hide();
 }
 
 std::optional<std::size_t> PickedCommands::pickedPose() const {
@@ -64,10 +66,10 @@ void PickedCommands::recapturePose(std::optional<std::size_t> index) {
   }
   controller_.liveSession().recapturePose(*index);
   views_.steps.openStep(static_cast<int>(GuideStep::Capture));
-  views_.messages.showMessage(
-      Tone::Neutral,
-      tr("The next capture takes the place of pose %1. Hold the part as it was held then.").arg(pose.value()),
-      tr("Don't recapture"), [this] { controller_.liveSession().cancelRecapture(); });
+  recapture_offer_ =
+      tr("The next capture takes the place of pose %1. Hold the part as it was held then.").arg(pose.value());
+  views_.messages.showMessage(Tone::Neutral, recapture_offer_, tr("Don't recapture"),
+                              [this] { controller_.liveSession().cancelRecapture(); });
 }
 
 void PickedCommands::muteLink() {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <QObject>
+#include <QString>
 #include <optional>
 
 class QTableView;
@@ -48,6 +49,7 @@ class PickedCommands : public QObject {
   WindowActions& actions_;
   const Selection& selection_;
   const ReviewPresenter& review_;
+  QString recapture_offer_;  ///< the message that offers to call the recapture off
 };
 
 }  // namespace hexoderm

@@ -4,6 +4,7 @@
 #include "hexoderm/session/session_store.h"
 
 #include "tests/app/cli/cli_program.h"
+#include "tests/support/paths.h"
 
 #include <gmock/gmock.h>
 #include <filesystem>

@@ -7,6 +7,7 @@
 #include "hexoderm/util/units.h"
 
 #include "tests/app/cli/cli_program.h"
+#include "tests/support/paths.h"
 
 #include <gmock/gmock.h>
 #include <nlohmann/json.hpp>

@@ -2,6 +2,7 @@
 
 #include "hexoderm/io/calibration_json.h"
 
+#include "tests/support/paths.h"
 #include "tests/support/patience.h"
 #include "tests/support/temporary_folder.h"
 

@@ -8,6 +8,7 @@
 #include "hexoderm/io/session_json.h"
 #include "tests/app/cli/cli_program.h"
 #include "tests/core/device/skinwire/collecting_listener.h"
+#include "tests/support/paths.h"
 
 #include <fcntl.h>
 #include <signal.h>

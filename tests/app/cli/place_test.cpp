@@ -5,6 +5,7 @@
 #include "hexoderm/util/text.h"
 #include "hexoderm/util/units.h"
 #include "tests/app/cli/cli_program.h"
+#include "tests/support/paths.h"
 
 #include <gmock/gmock.h>
 #include <nlohmann/json.hpp>

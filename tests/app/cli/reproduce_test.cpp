@@ -1,5 +1,7 @@
 // `hexoderm-cli reproduce` with so few skins that it is quick: its form, and what few skins can tell.
 
+#include "tests/support/paths.h"
+
 #include <gmock/gmock.h>
 #include <nlohmann/json.hpp>
 

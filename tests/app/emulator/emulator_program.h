@@ -2,6 +2,8 @@
 
 // The real hexoderm-emulator, started as a user would and ended with the test.
 
+#include "tests/support/paths.h"
+
 #include <fcntl.h>
 #include <signal.h>
 #include <sys/wait.h>

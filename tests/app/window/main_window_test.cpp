@@ -261,6 +261,20 @@ TEST_F(MainWindowTest, APoseIsTakenAgainInItsPlaceAndUndoBringsTheOldOneBack) {
   EXPECT_EQ(controller().session()->poses()[0].capture, first);
 }
 
+TEST_F(MainWindowTest, WhatOffersToCallARecaptureOffGoesWithIt) {
+  ASSERT_NO_FATAL_FAILURE(takeDemoPoses(1));
+  clickRow("poseView", 0);
+  press(Qt::Key_R);
+  ASSERT_TRUE(waitForMessage("takes the place of pose 1")) << message().toStdString();
+  press(Qt::Key_R);
+  EXPECT_TRUE(waitUntil([this] { return find<QWidget>("messageBar")->isHidden(); })) << message().toStdString();
+  press(Qt::Key_R);
+  ASSERT_TRUE(waitForMessage("takes the place of pose 1")) << message().toStdString();
+  press(Qt::Key_Space);
+  EXPECT_TRUE(waitForMessage("Pose 1 captured")) << message().toStdString();
+  EXPECT_TRUE(find<QWidget>("messageBar")->isHidden()) << message().toStdString();
+}
+
 TEST_F(MainWindowTest, LiveModeShowsTheMomentAndGoesBackToTheResult) {
   ASSERT_NO_FATAL_FAILURE(takeDemoPoses(2));
   std::size_t moments = 0;

@@ -345,4 +345,5 @@ TEST_F(WindowExportTest, ASkinWithoutCellsSaysWhatCanNotBeMadeOfIt) {
 }  // namespace
 }  // namespace hexoderm
 
+#include "tests/support/paths.h"
 #include "window_export_test.moc"

@@ -3,6 +3,7 @@
 #include "hexoderm/session/session_store.h"
 #include "hexoderm/session/simulated_session.h"
 #include "tests/app/window/window_test.h"
+#include "tests/support/paths.h"
 #include "widgets/tables/finding_table.h"
 
 #include <QDragEnterEvent>

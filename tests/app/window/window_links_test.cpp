@@ -3,6 +3,7 @@
 #include "hexoderm/io/session_json.h"
 #include "hexoderm/session/session_store.h"
 #include "tests/app/window/window_test.h"
+#include "tests/support/paths.h"
 #include "widgets/tables/link_table.h"
 
 #include <QClipboard>

@@ -4,6 +4,7 @@
 #include "hexoderm/util/units.h"
 #include "tests/app/window/fake_device.h"
 #include "tests/app/window/window_test.h"
+#include "tests/support/paths.h"
 #include "widgets/capture/hold_ring.h"
 #include "widgets/controls/check_list.h"
 #include "widgets/controls/step_panel.h"

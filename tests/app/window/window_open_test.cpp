@@ -8,6 +8,7 @@
 #include "hexoderm/session/simulated_session.h"
 #include "tests/app/window/recorded_skin.h"
 #include "tests/app/window/window_test.h"
+#include "tests/support/paths.h"
 
 #include <QComboBox>
 #include <functional>

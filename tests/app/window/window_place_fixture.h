@@ -11,6 +11,7 @@
 #include "hexoderm/util/file.h"
 #include "hexoderm/util/units.h"
 #include "tests/app/window/keyboard.h"
+#include "tests/support/paths.h"
 #include "widgets/controls/step_panel.h"
 #include "widgets/robot/place_panel.h"
 #include "widgets/robot/robot_view.h"

@@ -3,6 +3,7 @@
 
 #include "hexoderm/io/calibration_json.h"
 #include "tests/app/window/window_place_fixture.h"
+#include "tests/support/paths.h"
 
 #include <QDialog>
 #include <QLineEdit>

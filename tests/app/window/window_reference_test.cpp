@@ -1,6 +1,7 @@
 // Recordings of others, opened in the window as a user would open them.
 
 #include "tests/app/window/window_test.h"
+#include "tests/support/paths.h"
 
 namespace hexoderm {
 namespace {

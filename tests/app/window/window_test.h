@@ -2,6 +2,7 @@
 
 #include "app/window/main_window/main_window.h"
 #include "tests/app/window/keyboard_keeper.h"
+#include "tests/support/paths.h"
 #include "tests/support/qt_wait.h"
 #include "widgets/graph/graph_view.h"
 

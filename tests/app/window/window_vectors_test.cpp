@@ -4,6 +4,7 @@
 #include "hexoderm/reconstruction/evaluation/evaluation.h"
 #include "hexoderm/util/units.h"
 #include "tests/app/window/window_test.h"
+#include "tests/support/paths.h"
 
 namespace hexoderm {
 namespace {

@@ -2,6 +2,7 @@
 
 #include "hexoderm/util/text.h"
 #include "tests/core/capture/captures_of.h"
+#include "tests/support/paths.h"
 
 #include <gtest/gtest.h>
 #include <array>

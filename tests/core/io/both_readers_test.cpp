@@ -7,6 +7,7 @@
 #include "hexoderm/util/file.h"
 #include "tests/fuzz/mutations.h"
 #include "tests/support/json_mutations.h"
+#include "tests/support/paths.h"
 #include "tests/support/random_session.h"
 #include "tests/support/rich_calibration.h"
 

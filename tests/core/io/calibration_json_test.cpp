@@ -7,6 +7,7 @@
 #include "hexoderm/util/units.h"
 #include "tests/support/error_matchers.h"
 #include "tests/support/json_mutations.h"
+#include "tests/support/paths.h"
 #include "tests/support/result_builder.h"
 #include "tests/support/rich_calibration.h"
 #include "tests/support/session_matchers.h"

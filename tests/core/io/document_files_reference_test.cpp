@@ -9,6 +9,7 @@
 #include "hexoderm/util/units.h"
 #include "tests/support/both_readers.h"
 #include "tests/support/matchers.h"
+#include "tests/support/paths.h"
 
 #include <gtest/gtest.h>
 

@@ -5,6 +5,7 @@
 #include "tests/core/io/export_test_folder.h"
 #include "tests/core/io/taxel_readers.h"
 #include "tests/support/hand_made_skins.h"
+#include "tests/support/paths.h"
 
 #include <gmock/gmock.h>
 

@@ -7,6 +7,7 @@
 #include "hexoderm/util/error.h"
 #include "hexoderm/util/file.h"
 #include "tests/support/error_matchers.h"
+#include "tests/support/paths.h"
 #include "tests/support/temporary_folder.h"
 
 #include <gtest/gtest.h>

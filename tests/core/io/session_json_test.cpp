@@ -6,6 +6,7 @@
 #include "hexoderm/util/sha256.h"
 #include "tests/support/error_matchers.h"
 #include "tests/support/json_mutations.h"
+#include "tests/support/paths.h"
 #include "tests/support/session_matchers.h"
 #include "tests/support/temporary_folder.h"
 

@@ -1,6 +1,7 @@
 #include "hexoderm/kinematics/joint_check.h"
 
 #include "tests/support/error_matchers.h"
+#include "tests/support/paths.h"
 
 #include <gtest/gtest.h>
 

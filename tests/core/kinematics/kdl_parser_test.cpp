@@ -1,5 +1,6 @@
 // KDL's own reader of URDF and its recursive solver, as ROS uses them, beside ours.
 #include "hexoderm/kinematics/robot_model.h"
+#include "tests/support/paths.h"
 
 #include <gtest/gtest.h>
 #include <kdl/treefksolverpos_recursive.hpp>

@@ -2,6 +2,7 @@
 
 #include "hexoderm/util/error.h"
 #include "tests/support/error_matchers.h"
+#include "tests/support/paths.h"
 #include "tests/support/temporary_folder.h"
 
 #include <gtest/gtest.h>

@@ -4,6 +4,7 @@
 #include "hexoderm/util/file.h"
 #include "hexoderm/util/units.h"
 #include "tests/support/error_matchers.h"
+#include "tests/support/paths.h"
 #include "tests/support/temporary_folder.h"
 
 #include <gtest/gtest.h>

@@ -6,6 +6,7 @@
 #include "hexoderm/reconstruction/reconstructor.h"
 #include "hexoderm/util/units.h"
 #include "tests/support/matchers.h"
+#include "tests/support/paths.h"
 
 #include <algorithm>
 

@@ -4,6 +4,7 @@
 #include "hexoderm/io/session_json.h"
 #include "hexoderm/reconstruction/reconstructor.h"
 #include "hexoderm/reconstruction/sensor_statistics.h"
+#include "tests/support/paths.h"
 
 #include <gtest/gtest.h>
 

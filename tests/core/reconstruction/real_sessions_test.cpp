@@ -3,6 +3,7 @@
 #include "hexoderm/io/session_json.h"
 #include "hexoderm/reconstruction/reconstructor.h"
 #include "hexoderm/util/units.h"
+#include "tests/support/paths.h"
 
 #include <gtest/gtest.h>
 

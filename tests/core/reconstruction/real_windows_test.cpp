@@ -2,6 +2,7 @@
 
 #include "hexoderm/io/session_json.h"
 #include "hexoderm/reconstruction/hold_out.h"
+#include "tests/support/paths.h"
 
 #include <gtest/gtest.h>
 #include <algorithm>

@@ -1,6 +1,7 @@
 #include "hexoderm/session/session_joint_angles.h"
 
 #include "hexoderm/session/simulated_session.h"
+#include "tests/support/paths.h"
 
 #include <gtest/gtest.h>
 

@@ -3,6 +3,7 @@
 #include "widgets/graph/graph_picture.h"
 
 #include "tests/support/hand_made_skins.h"
+#include "tests/support/paths.h"
 
 #include <gtest/gtest.h>
 

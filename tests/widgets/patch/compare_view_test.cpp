@@ -2,6 +2,7 @@
 
 #include "hexoderm/geometry/se3.h"
 #include "tests/support/hand_made_skins.h"
+#include "tests/support/paths.h"
 #include "tests/support/qt_wait.h"
 #include "widgets/controls/selection.h"
 #include "widgets/patch/patch_view.h"

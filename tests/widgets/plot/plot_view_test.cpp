@@ -1,6 +1,7 @@
 #include "widgets/plot/plot_view.h"
 
 #include "tests/support/hand_made_skins.h"
+#include "tests/support/paths.h"
 #include "tests/support/qt_wait.h"
 
 #include <gmock/gmock.h>

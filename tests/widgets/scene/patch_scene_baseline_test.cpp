@@ -2,6 +2,7 @@
 #include "tests/widgets/scene/patch_scene_test.h"
 
 #include "tests/support/hand_made_skins.h"
+#include "tests/support/paths.h"
 
 #include <vtkPNGReader.h>
 #include <vtkPNGWriter.h>

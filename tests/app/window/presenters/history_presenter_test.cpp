@@ -1,6 +1,7 @@
 #include "app/window/presenters/history_presenter.h"
 #include "hexoderm/util/error.h"
 #include "tests/app/window/presenters/presenter_test.h"
+#include "tests/support/paths.h"
 #include "widgets/controls/card_dock.h"
 
 #include <QMenu>

@@ -1,5 +1,6 @@
 #include "app/window/settings/translation.h"
 #include "tests/app/window/window_test.h"
+#include "tests/support/paths.h"
 
 #include <QFile>
 #include <QLocale>

@@ -4,6 +4,7 @@
 #include "hexoderm/util/error.h"
 #include "hexoderm/util/units.h"
 #include "tests/support/error_matchers.h"
+#include "tests/support/paths.h"
 
 #include <gtest/gtest.h>
 #include <map>

@@ -4,6 +4,7 @@
 #include "hexoderm/util/error.h"
 #include "hexoderm/util/file.h"
 #include "tests/core/device/skinwire/wire_messages.h"
+#include "tests/support/paths.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

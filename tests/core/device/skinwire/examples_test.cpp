@@ -5,6 +5,7 @@
 #include "hexoderm/graph/cell_model.h"
 #include "hexoderm/util/file.h"
 #include "tests/core/device/skinwire/collecting_listener.h"
+#include "tests/support/paths.h"
 
 #include <fcntl.h>
 #include <signal.h>

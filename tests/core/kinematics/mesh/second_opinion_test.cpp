@@ -3,6 +3,7 @@
 #include "hexoderm/io/exporter.h"
 #include "tests/core/kinematics/mesh/mesh_test.h"
 #include "tests/support/hand_made_skins.h"
+#include "tests/support/paths.h"
 #include "tests/support/temporary_folder.h"
 
 #include <assimp/config.h>

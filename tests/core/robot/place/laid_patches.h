@@ -7,6 +7,7 @@
 #include "hexoderm/kinematics/robot_model.h"
 #include "hexoderm/robot/place/place.h"
 #include "hexoderm/util/units.h"
+#include "tests/support/paths.h"
 
 #include <Eigen/Dense>
 #include <algorithm>
