@@ -11,7 +11,7 @@
 #include "hexoderm/device/simulation/simulated_skin.h"
 #include "hexoderm/graph/origin_search.h"
 #include "hexoderm/reconstruction/reconstructor.h"
-#include "hexoderm/reconstruction/solved_skin.h"
+#include "hexoderm/reconstruction/solve.h"
 #include "hexoderm/session/simulated_session.h"
 #include "hexoderm/util/freed_memory.h"
 #include "hexoderm/util/parallel.h"
@@ -93,7 +93,7 @@ JointState stateOfTree(const SessionSnapshot& snapshot, const JointProblem& prob
 /// One cost, one start, one thread, without covariances.
 void compareWithCeres(const SessionSnapshot& snapshot, double unit_ms) {
   const SolverOptions options;
-  const std::unique_ptr<const SolvedSkin> solved = solveSkin(snapshot, options);
+  const std::unique_ptr<const Estimate> solved = solveSkin(snapshot, options);
   const PatchSolver& patch = solved->patches().front();
   const JointProblem& problem = patch.joint()->problem();
   const JointState start = stateOfTree(snapshot, problem);
@@ -118,7 +118,7 @@ void compareWithCeres(const SessionSnapshot& snapshot, double unit_ms) {
 #endif
 
 void compareWithBoost(const SessionSnapshot& snapshot, const SolverOptions& tree, double unit_ms) {
-  const std::unique_ptr<const SolvedSkin> solved = solveSkin(snapshot, tree);
+  const std::unique_ptr<const Estimate> solved = solveSkin(snapshot, tree);
   const SkinGraph& graph = solved->skin().graph();
   const std::vector<double> weights(solved->weights().begin(), solved->weights().end());
   const double ms = least_ms([&] { static_cast<void>(searchOrigin(graph, weights, 0)); });

@@ -7,11 +7,11 @@
 #include "hexoderm/device/simulation/simulated_skin.h"
 #include "hexoderm/geometry/lanes.h"
 #include "hexoderm/graph/origin_search.h"
+#include "hexoderm/reconstruction/explain/explainer.h"
 #include "hexoderm/reconstruction/faults/cell_health.h"
 #include "hexoderm/reconstruction/faults/suspects.h"
 #include "hexoderm/reconstruction/links/edge_batches.h"
 #include "hexoderm/reconstruction/links/skin_links.h"
-#include "hexoderm/reconstruction/patch/attitude_faults.h"
 #include "hexoderm/reconstruction/patch/patch_description.h"
 #include "hexoderm/reconstruction/patch/patch_solver.h"
 #include "hexoderm/reconstruction/reconstructor.h"
@@ -109,11 +109,11 @@ void measure(int rows, int columns, double svd_ms) {
     std::printf("%-36s %9.0f\n", "  times the origin's", boost_ms / origin_ms);
   };
   if (cells < 20'000) compareWithBoost();
-  // Last, for it takes out of the skin what it finds.
-  table.row("attitudes searched for faults", least_ms([&] {
-              std::vector<Finding> found_faults;
-              static_cast<void>(AttitudeIsolation(skin).isolate(patches, found_faults));
-            }));
+  options.weights = LinkWeights();
+  Estimate estimate(*snapshot, options);
+  static_cast<void>(estimate.bringTo(Estimate::Stage::Patches, {}));
+  table.row("attitudes searched for faults",
+            least_ms([&] { static_cast<void>(explainAttitudes()->explain(estimate)); }));
 }
 
 }  // namespace

@@ -23,7 +23,7 @@ HALLS = {
     "core/hexoderm/device": "{sample_frame, ground_truth, offence} < skin_source < diagnosis < {skinwire, simulation}"
                             " < {emulation, sources}",
     "core/hexoderm/reconstruction": "result < {links, sparse, accelerometer} < {joint, faults, advice} < {patch, evaluation, check}"
-                                    " < figures < {skin_description, solve_progress} < solved_skin < reconstructor"
+                                    " < figures < {skin_description, solve_progress} < estimate < explain < solve < reconstructor"
                                     " < {hold_out, reconstruction_worker, sensor_statistics}",
     "core/hexoderm/robot": "parts < links < place",
     "widgets": "style < words < {controls, coloring} < {tables, capture, graph, plot, scene} < {verify, patch} < robot",

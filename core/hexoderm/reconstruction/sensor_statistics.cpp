@@ -2,7 +2,7 @@
 
 #include "hexoderm/graph/breadth_first.h"
 #include "hexoderm/graph/skin_graph_boost.h"
-#include "hexoderm/reconstruction/solved_skin.h"
+#include "hexoderm/reconstruction/solve.h"
 #include "hexoderm/util/error.h"
 #include "hexoderm/util/text.h"
 
@@ -118,7 +118,7 @@ class Estimation {
     for (SessionSnapshot& session : sessions_) {
       session.model = model;
       const SolverOptions options;
-      const std::unique_ptr<const SolvedSkin> solved = solveSkin(session, options, nullptr, stop);
+      const std::unique_ptr<const Estimate> solved = solveSkin(session, options, nullptr, stop);
       if (solved == nullptr) return std::nullopt;
       for (const PatchSolver& patch : solved->patches()) {
         if (patch.cells().size() < 2) continue;

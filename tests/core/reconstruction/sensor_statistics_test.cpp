@@ -4,7 +4,7 @@
 #include "hexoderm/reconstruction/sensor_statistics.h"
 
 #include "hexoderm/reconstruction/reconstructor.h"
-#include "hexoderm/reconstruction/solved_skin.h"
+#include "hexoderm/reconstruction/solve.h"
 #include "hexoderm/session/simulated_session.h"
 #include "hexoderm/util/error.h"
 #include "tests/support/slow_build.h"

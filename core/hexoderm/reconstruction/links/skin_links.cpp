@@ -45,6 +45,12 @@ void SkinLinks::dropPose(std::size_t pose) {
   for (std::size_t cell = 0; cell < table_.cellCount(); ++cell) table_.at(cell, pose).usable = false;
 }
 
+void SkinLinks::correct(std::size_t cell, std::size_t pose, const Eigen::Vector3d& added_g, double variance_g2) {
+  GravityTable::Entry& entry = table_.at(cell, pose);
+  entry.mean_g -= added_g;
+  entry.variance_g2 += variance_g2;
+}
+
 void SkinLinks::estimateEdges() {
   readings_ = SkinReadings(model_, graph_, table_);
   edges_.assign(graph_.links().size(), {});

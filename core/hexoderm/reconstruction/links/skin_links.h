@@ -47,6 +47,9 @@ class SkinLinks {
   void dropCell(std::size_t cell);
   /// No reading of the pose is used any more.
   void dropPose(std::size_t pose);
+  /// A reading (cell of the graph, pose of the snapshot) less what a motion added to it (cell frame), with the variance
+  /// of that.
+  void correct(std::size_t cell, std::size_t pose, const Eigen::Vector3d& added_g, double variance_g2);
   /// The rotation of every link from the readings that are left.
   void estimateEdges();
   /// The same where dropCell() of this cell is all that happened since, at the cost of the links concerned: those.

@@ -1,13 +1,8 @@
 #include "hexoderm/reconstruction/patch/patch_solver.h"
 
-#include "hexoderm/graph/cut_elements.h"
-#include "hexoderm/reconstruction/faults/suspects.h"
 #include "hexoderm/util/median.h"
-#include "hexoderm/util/text.h"
-#include "hexoderm/util/units.h"
 
 #include <algorithm>
-#include <cassert>
 
 namespace hexoderm {
 namespace {
@@ -35,29 +30,9 @@ std::vector<bool> eligibleOrigins(const SkinLinks& skin, const std::vector<std::
   return eligible;
 }
 
-Finding describeOpenLink(const SkinGraph& graph, const JointRefinement::OpenLink& open, double limit_m) {
-  const LinkEnd source = graph.sourceEnd(graph.links()[open.link]);
-  const LinkEnd target = graph.targetEnd(graph.links()[open.link]);
-  const Message link = linkInWords(source, target);
-  const Millimetres opening{open.opening_m, 0};
-  const Millimetres limit{limit_m, 0};
-  const std::size_t candidates = linksOfAllLoopsThrough(graph, open.link).size();
-  return makeFinding(
-      FindingCode::LinkDoesNotClose,
-      candidates > 1
-          ? message("With all other links the ends of the {} come to lie {} apart, and a skin link leaves no more than "
-                    "{}. All of its loops have {} links in common, and any one of these may be a cable. The link is "
-                    "not used.",
-                    link, opening, limit, candidates)
-          : message("With all other links the ends of the {} come to lie {} apart, and a skin link leaves no more than "
-                    "{}: it is probably a cable, since no other link is in all of its loops. The link is not used.",
-                    link, opening, limit),
-      {source.cell, target.cell}, {source.port, target.port});
-}
-
 }  // namespace
 
-PatchSolver::PatchSolver(SkinLinks& skin, std::span<const double> weights, std::size_t patch)
+PatchSolver::PatchSolver(const SkinLinks& skin, std::span<const double> weights, std::size_t patch)
     : skin_(skin), weights_(weights), patch_(patch), cells_(skin.graph().patches()[patch]) {
   placeAlongPaths();
 }
@@ -80,34 +55,24 @@ std::unique_ptr<JointRefinement> PatchSolver::jointFrom(const PatchReconstructio
                                            origin(), std::move(start));
 }
 
-Completion PatchSolver::refine(const PatchReconstruction* earlier, const std::stop_token& stop,
-                               std::vector<Finding>& findings) {
-  assert(joint_ == nullptr);
-  joint_ = jointFrom(earlier);
+Completion PatchSolver::solve(const PatchReconstruction* earlier, const std::stop_token& stop) {
+  if (joint_ == nullptr) joint_ = jointFrom(earlier);
   joint_->solve(stop);
-  if (stop.stop_requested()) return Completion::Stopped;
-  std::vector<std::size_t> suspicious;
-  while (const auto bad = worstSensor(suspicious)) {
-    const bool is_clear = joint_->misfitOf(bad->cell).deviate() > kClearly * skin_.options().max_misfit;
-    if (hasTooFewPoses(skin_.table(), bad->cell) && !is_clear) {
-      addOnce(findings, describeSuspiciousSensor(skin_.graph(), skin_.table(), bad->cell));
-      suspicious.push_back(bad->cell);
-      continue;
-    }
-    findings.push_back(describe(*bad));
-    skin_.dropCell(bad->cell);
-    if (bad->cell == origin()) {
-      skin_.estimateEdges();
-      placeAlongPaths();
-      joint_ = jointFrom(nullptr);
-    } else {
-      joint_->leaveOut(bad->cell);
-    }
-    joint_->solve(stop);
-    if (stop.stop_requested()) return Completion::Stopped;
-    dropped_cells_ = true;
-  }
-  return Completion::Finished;
+  solved_ = !stop.stop_requested();
+  return solved_ ? Completion::Finished : Completion::Stopped;
+}
+
+void PatchSolver::leaveOut(std::size_t cell) {
+  solved_ = false;
+  if (cell == origin()) lacks_origin_ = true;
+  if (joint_ != nullptr) joint_->leaveOut(cell);
+}
+
+void PatchSolver::place() {
+  if (!lacks_origin_) return;
+  joint_.reset();
+  placeAlongPaths();
+  lacks_origin_ = false;
 }
 
 bool PatchSolver::canStartFrom(const PatchReconstruction& earlier) const {
@@ -125,63 +90,6 @@ std::vector<SE3> PatchSolver::startingPlacements(const PatchReconstruction* earl
     for (const TreePlacement& placement : placements_) placements.push_back(placement.T_o_u);
   }
   return placements;
-}
-
-/// The cell, none of `but`, whose readings fit the gravity of all others worst.
-std::optional<PatchSolver::BadSensor> PatchSolver::worstSensor(const std::vector<std::size_t>& but) const {
-  // With hundreds of poses the smallest misfit is significant; only one that also matters makes a sensor useless.
-  constexpr double kLeastTimes = 2;
-  std::optional<BadSensor> worst;
-  double worst_misfit = skin_.options().max_misfit;
-  for (const std::size_t cell : cells_) {
-    if (!skin_.readings().measured(cell) || skin_.table().usablePoses(cell).size() < 2) continue;
-    if (std::ranges::count(but, cell) > 0) continue;
-    if (joint_->mostMisfitOf(cell).deviate() <= worst_misfit) continue;
-    const Misfit found = joint_->misfitOf(cell);
-    const double misfit = found.deviate();
-    if (misfit <= worst_misfit || found.chi_squared < kLeastTimes * found.degrees) continue;
-    worst = BadSensor{cell, std::nullopt};
-    worst_misfit = misfit;
-  }
-  if (worst) worst->turn = turnOf(worst->cell);
-  return worst;
-}
-
-/// The turn against the others between two poses that explains what a cell reads, if one does.
-std::optional<TurnBetweenPoses> PatchSolver::turnOf(std::size_t cell) const {
-  const TurnBetweenPoses turn = joint_->turnOf(cell);
-  const Misfit misfit = joint_->misfitOf(cell);
-  const Misfit left{misfit.chi_squared - turn.gain.chi_squared, misfit.degrees - turn.gain.degrees};
-  const bool explains = left.degrees > 0 && left.deviate() <= skin_.options().max_misfit;
-  return explains ? std::optional(turn) : std::nullopt;
-}
-
-Finding PatchSolver::describe(const BadSensor& bad) const {
-  if (!bad.turn) {
-    return describeBadSensor(skin_.graph(), skin_.table(), skin_.snapshot(), bad.cell, isLeaf(bad.cell));
-  }
-  const std::size_t pose = skin_.table().usablePoses(bad.cell)[bad.turn->first_after];
-  return describeMovedCell(skin_.graph(), skin_.snapshot(), bad.cell, pose, bad.turn->angle_rad);
-}
-
-/// One link alone holds the cell.
-bool PatchSolver::isLeaf(std::size_t cell) const {
-  const SkinGraph& graph = skin_.graph();
-  return std::ranges::count_if(graph.linksAt(cell), [&](std::size_t k) { return !graph.links()[k].muted(); }) == 1;
-}
-
-bool muteOpenLinks(SkinLinks& skin, std::span<const PatchSolver> patches, std::vector<Finding>& findings) {
-  const double limit_m = skin.options().max_opening * skin.model().link_sigma_m;
-  std::vector<std::size_t> links;
-  for (const PatchSolver& patch : patches) {
-    const auto widest = patch.joint()->widestOpen();
-    if (!widest || widest->opening_m <= limit_m) continue;
-    links.push_back(widest->link);
-    findings.push_back(describeOpenLink(skin.graph(), *widest, limit_m));
-  }
-  if (links.empty()) return false;
-  skin.mute(links, FindingCode::LinkDoesNotClose);
-  return true;
 }
 
 void nameInconsistentPoses(const SkinLinks& skin, const PatchSolver& patch, std::vector<Finding>& findings) {

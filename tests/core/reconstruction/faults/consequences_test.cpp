@@ -1,6 +1,6 @@
 #include "hexoderm/reconstruction/faults/consequences.h"
 
-#include "hexoderm/reconstruction/faults/fault_isolation.h"
+#include "hexoderm/reconstruction/faults/requested_exclusions.h"
 #include "hexoderm/util/units.h"
 #include "tests/support/pin_jointed_skin.h"
 

@@ -1,4 +1,4 @@
-#include "hexoderm/reconstruction/faults/fault_isolation.h"
+#include "hexoderm/reconstruction/explain/explainer.h"
 
 #include "hexoderm/device/simulation/simulated_skin.h"
 #include "hexoderm/reconstruction/faults/suspects.h"
@@ -17,44 +17,41 @@ using ::testing::ElementsAre;
 using ::testing::Field;
 using ::testing::IsEmpty;
 
-class FaultIsolation : public ::testing::Test {
- protected:
-  SkinLinks& links(const Session& session) {
-    snapshot_ = session.snapshot();
-    links_ = std::make_unique<SkinLinks>(*snapshot_, options_, findings_);
-    return *links_;
+/// Excludes what neighbouring cells show, until there is nothing left.
+void explainAll(Estimate& estimate) {
+  const std::unique_ptr<Explainer> neighbors = explainNeighbors();
+  while (true) {
+    ASSERT_EQ(estimate.bringTo(neighbors->needs(), {}), Completion::Finished);
+    std::optional<Explanation> explanation = neighbors->explain(estimate);
+    if (!explanation) return;
+    estimate.exclude(std::move(*explanation));
   }
-
-  PinJointedSkin skin_ = bentX17();
-  SolverOptions options_;
-  std::vector<Finding> findings_;
-
- private:
-  std::shared_ptr<const SessionSnapshot> snapshot_;
-  std::unique_ptr<SkinLinks> links_;
-};
-
-TEST_F(FaultIsolation, ASoundSkinStaysAsItIs) {
-  SkinLinks& links = this->links(skin_.session(orthogonalUps(4)));
-  links.estimateEdges();
-  EXPECT_EQ(isolateSuspects(links, {}, findings_), Completion::Finished);
-  EXPECT_THAT(findings_, IsEmpty());
-  for (const GraphLink& link : links.graph().links()) EXPECT_FALSE(link.muted());
 }
 
-TEST_F(FaultIsolation, ACellThatContradictsItsNeighboursIsDroppedInsteadOfItsLinks) {
-  const Session session = changed(skin_.session(orthogonalUps(4)), [](std::size_t, GravitySample& sample) {
+TEST(Neighbors, ASoundSkinStaysAsItIs) {
+  const auto snapshot = bentX17().session(orthogonalUps(4)).snapshot();
+  const SolverOptions options;
+  Estimate estimate(*snapshot, options);
+  explainAll(estimate);
+  EXPECT_THAT(estimate.findings(), IsEmpty());
+  for (const GraphLink& link : estimate.skin().graph().links()) EXPECT_FALSE(link.muted());
+}
+
+TEST(Neighbors, ACellThatContradictsItsNeighboursIsDroppedInsteadOfItsLinks) {
+  const Session session = changed(bentX17().session(orthogonalUps(4)), [](std::size_t, GravitySample& sample) {
     if (sample.cell == CellId(3)) sample.mean_g = Eigen::Vector3d(sample.mean_g.y(), sample.mean_g.x(), 0.9);
   });
-  SkinLinks& links = this->links(session);
-  links.estimateEdges();
-  EXPECT_EQ(isolateSuspects(links, {}, findings_), Completion::Finished);
-  EXPECT_THAT(findings_, ElementsAre(Field(&Finding::cells, ElementsAre(CellId(3)))));
-  EXPECT_FALSE(links.readings().measured(*links.graph().indexOf(CellId(3))));
-  for (const GraphLink& link : links.graph().links()) EXPECT_FALSE(link.muted());
+  const auto snapshot = session.snapshot();
+  const SolverOptions options;
+  Estimate estimate(*snapshot, options);
+  explainAll(estimate);
+  EXPECT_THAT(estimate.findings(), ElementsAre(Field(&Finding::cells, ElementsAre(CellId(3)))));
+  const SkinLinks& skin = estimate.skin();
+  EXPECT_FALSE(skin.readings().measured(*skin.graph().indexOf(CellId(3))));
+  for (const GraphLink& link : skin.graph().links()) EXPECT_FALSE(link.muted());
 }
 
-/// As isolateSuspects() chooses cells, but with everything estimated and judged anew after each: what it must agree
+/// As explainNeighbors() chooses cells, but with everything estimated and judged anew after each: what it must agree
 /// with.
 std::vector<std::size_t> cellsDroppedTheLongWay(SkinLinks& skin) {
   std::vector<std::size_t> dropped;
@@ -79,7 +76,7 @@ void expectSameEdges(const SkinLinks& a, const SkinLinks& b) {
   }
 }
 
-TEST(FaultIsolationOfManyCells, IsTheSameToTheLastBitAndCostsNoMoreThanTheLinksConcerned) {
+TEST(NeighborsOfManyCells, AreJudgedTheSameToTheLastBitAndCostsNoMoreThanTheLinksConcerned) {
   for (const std::uint64_t seed : {3U, 104U, 105U}) {
     SimulatedSkinOptions options;
     options.patch = "sheet:12x13";
@@ -117,36 +114,40 @@ TEST(FaultIsolationOfManyCells, IsTheSameToTheLastBitAndCostsNoMoreThanTheLinksC
   }
 }
 
-TEST_F(FaultIsolation, LeavesAtOnceWhenItIsStopped) {
-  SkinLinks& links = this->links(skin_.session(orthogonalUps(4)));
-  links.estimateEdges();
+TEST(Estimate, LeavesAtOnceWhenItIsStopped) {
+  const auto snapshot = bentX17().session(orthogonalUps(4)).snapshot();
+  const SolverOptions options;
+  Estimate estimate(*snapshot, options);
   std::stop_source stop;
   stop.request_stop();
-  EXPECT_EQ(isolateSuspects(links, stop.get_token(), findings_), Completion::Stopped);
+  EXPECT_EQ(estimate.bringTo(Estimate::Stage::Links, stop.get_token()), Completion::Stopped);
+  EXPECT_THAT(estimate.skin().edges(), IsEmpty());
 }
 
-TEST_F(FaultIsolation, LeavingOutDropsTheReadingsOfACell) {
-  options_.left_out = {CellId(4)};
-  SkinLinks& links = this->links(skin_.session(orthogonalUps(2)));
-  leaveOutCells(links, findings_);
-  links.estimateEdges();
-  EXPECT_FALSE(links.readings().measured(*links.graph().indexOf(CellId(4))));
-  EXPECT_THAT(findings_, ElementsAre(Field(&Finding::code, FindingCode::LeftOut)));
-  options_.left_out = {CellId(99)};
-  EXPECT_THAT(test::messageOf<InvalidArgument>([&] { leaveOutCells(links, findings_); }), ::testing::HasSubstr("99"));
+TEST(Estimate, LeavingOutDropsTheReadingsOfACell) {
+  const auto snapshot = bentX17().session(orthogonalUps(2)).snapshot();
+  SolverOptions options;
+  options.left_out = {CellId(4)};
+  Estimate estimate(*snapshot, options);
+  ASSERT_EQ(estimate.bringTo(Estimate::Stage::Links, {}), Completion::Finished);
+  EXPECT_FALSE(estimate.skin().readings().measured(*estimate.skin().graph().indexOf(CellId(4))));
+  EXPECT_THAT(estimate.findings(), ElementsAre(Field(&Finding::code, FindingCode::LeftOut)));
+  options.left_out = {CellId(99)};
+  EXPECT_THAT(test::messageOf<InvalidArgument>([&] { static_cast<void>(Estimate(*snapshot, options)); }), ::testing::HasSubstr("99"));
 }
 
-TEST_F(FaultIsolation, LinksSetAsideAreMutedAndThePatchEndsThere) {
-  Session session = skin_.session(orthogonalUps(2));
+TEST(Estimate, LinksSetAsideAreMutedAndThePatchEndsThere) {
+  Session session = bentX17().session(orthogonalUps(2));
   const SkinGraph graph(session.model(), session.neighbors());
+  ASSERT_EQ(graph.patches().size(), 1U);
   const GraphLink& link = graph.links().front();
   session.setLinkMuted(graph.sourceEnd(link), graph.targetEnd(link), true, "a cable");
-  SkinLinks& links = this->links(session);
-  ASSERT_EQ(links.graph().patches().size(), 1U);
-  setLinksAside(links, findings_);
-  EXPECT_EQ(links.graph().links().front().muted_by, FindingCode::LinkSetAside);
-  EXPECT_EQ(links.graph().patches().size(), 2U);
-  EXPECT_THAT(findings_, ElementsAre(Field(&Finding::code, FindingCode::LinkSetAside)));
+  const auto snapshot = session.snapshot();
+  const SolverOptions options;
+  const Estimate estimate(*snapshot, options);
+  EXPECT_EQ(estimate.skin().graph().links().front().muted_by, FindingCode::LinkSetAside);
+  EXPECT_EQ(estimate.skin().graph().patches().size(), 2U);
+  EXPECT_THAT(estimate.findings(), ElementsAre(Field(&Finding::code, FindingCode::LinkSetAside)));
 }
 
 }  // namespace
