@@ -8,6 +8,8 @@
 #include <Eigen/Cholesky>
 #include <algorithm>
 #include <array>
+#include <boost/math/distributions/chi_squared.hpp>
+#include <boost/math/distributions/normal.hpp>
 #include <cmath>
 #include <functional>
 #include <iterator>
@@ -28,27 +30,13 @@ constexpr double kPatchesPerOtherAlarm = 2000;
 
 /// The deviation that a standard normal deviate exceeds once in `times`.
 double deviateExceededOnceIn(double times) {
-  // Inverse of the tail by its asymptotic series, twice refined; within 0.01 from 100 on.
-  double z = std::sqrt(2 * std::log(times));
-  for (int k = 0; k < 5; ++k)
-    z = std::sqrt(2 * std::log(times / (z * std::sqrt(2 * kPi))) - 2 * std::log1p(1 / (z * z)));
-  return z;
+  return boost::math::quantile(boost::math::complement(boost::math::normal(), 1 / times));
 }
 
-/// What a chi-squared with two or three degrees of freedom exceeds once in `times`. Misfit::deviate() asks for more
-/// than that so far out: for two degrees and once in 5,000 for 17.7 where it is 17.0.
+/// The value that a chi-squared exceeds once in `times`. Misfit::deviate() asks for more than that so far out: for two
+/// degrees of freedom and once in 5,000 for 17.7 where it is 17.0.
 double chiSquaredExceededOnceIn(double times, double degrees) {
-  const auto tail = [degrees](double x) {
-    const double of_two = std::exp(-x / 2);
-    return degrees <= 2 ? of_two : std::erfc(std::sqrt(x / 2)) + std::sqrt(2 * x / kPi) * of_two;
-  };
-  double low = 0;
-  double high = 1000;
-  while (high - low > 1e-6) {
-    const double middle = (low + high) / 2;
-    (tail(middle) > 1 / times ? low : high) = middle;
-  }
-  return high;
+  return boost::math::quantile(boost::math::complement(boost::math::chi_squared(degrees), 1 / times));
 }
 
 /// Turns about each axis alone that explain a misfit best, and their deviations: with few poses the errors of different
