@@ -109,7 +109,7 @@ void measure(int rows, int columns, double svd_ms) {
     std::printf("%-36s %9.0f\n", "  times the origin's", boost_ms / origin_ms);
   };
   if (cells < 20'000) compareWithBoost();
-  options.weights = LinkWeights();
+  options.weights = SolverOptions().weights;
   Estimate estimate(*snapshot, options);
   static_cast<void>(estimate.bringTo(Estimate::Stage::Patches, {}));
   table.row("attitudes searched for faults",
