@@ -51,11 +51,11 @@ void Estimate::placePatches(const std::stop_token& stop) {
   }
   is_placed_ = unreported_ = true;
   // An earlier result of the global solver has all patches: better than any tree.
-  const bool are_known = skin_.options().solver == Solver::Global &&
-                         std::ranges::all_of(patches_, [&](const PatchSolver& patch) {
-                           const PatchReconstruction* known = earlierOf(patch);
-                           return known != nullptr && patch.canStartFrom(*known);
-                         });
+  const bool are_known =
+      skin_.options().solver == Solver::Global && std::ranges::all_of(patches_, [&](const PatchSolver& patch) {
+        const PatchReconstruction* known = earlierOf(patch);
+        return known != nullptr && patch.canStartFrom(*known);
+      });
   if (!std::exchange(was_placed_, true) && !are_known) reportPlacements(stop);
 }
 
@@ -87,8 +87,7 @@ void Estimate::reportPlacements(const std::stop_token& stop) {
 void Estimate::exclude(Explanation explanation) {
   std::ranges::move(explanation.findings, std::back_inserter(findings_));
   for (Finding& remark : explanation.remarks) addOnce(findings_, std::move(remark));
-  const bool only_cells =
-      explanation.links.empty() && explanation.poses.empty() && explanation.corrections.empty();
+  const bool only_cells = explanation.links.empty() && explanation.poses.empty() && explanation.corrections.empty();
   for (const auto& [why, links] : explanation.links) skin_.mute(links, why);
   for (const std::size_t pose : explanation.poses) skin_.dropPose(pose);
   for (const std::size_t cell : explanation.cells) skin_.dropCell(cell);

@@ -12,8 +12,8 @@
 
 namespace hexoderm {
 
-/// A skin as far as it is estimated, from all that was measured less what explanations exclude. Each stage is brought up
-/// to date when it is asked for, at the cost of what has changed since.
+/// A skin as far as it is estimated, from all that was measured less what explanations exclude. Each stage is brought
+/// up to date when it is asked for, at the cost of what has changed since.
 class Estimate {
  public:
   enum class Stage {
@@ -22,9 +22,9 @@ class Estimate {
   };
 
   /// Excludes what the operator does not want used, and readings that can't be of gravity (judgeCells()). `earlier`: a
-  /// result of the same skin for the joint estimate to start from; may be null. `progress`: is told of the cells as soon
-  /// as they are placed; may be null. All must outlive the estimate. Throws InvalidArgument for a cell that is to be
-  /// left out and is not in the skin.
+  /// result of the same skin for the joint estimate to start from; may be null. `progress`: is told of the cells as
+  /// soon as they are placed; may be null. All must outlive the estimate. Throws InvalidArgument for a cell that is to
+  /// be left out and is not in the skin.
   Estimate(const SessionSnapshot& snapshot, const SolverOptions& options, const Reconstruction* earlier = nullptr,
            SolveProgress* progress = nullptr);
   // The patches refer to the skin.

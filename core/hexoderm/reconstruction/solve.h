@@ -7,8 +7,8 @@
 
 namespace hexoderm {
 
-/// The steps of reconstruct() up to the description, with its arguments, which must outlive the estimate; null if it was
-/// stopped.
+/// The steps of reconstruct() up to the description, with its arguments, which must outlive the estimate; null if it
+/// was stopped.
 std::unique_ptr<const Estimate> solveSkin(const SessionSnapshot& snapshot, const SolverOptions& options,
                                           const Reconstruction* earlier = nullptr, const std::stop_token& stop = {},
                                           SolveProgress* progress = nullptr);

@@ -70,8 +70,8 @@ std::vector<ReadingCorrection> swingsOf(const GravityTable& table, std::span<con
       const double variance_g2 = ((lever * force->swing_covariance_o * lever.transpose()).trace() +
                                   along_squared * force->at_origin_o.cross(t_o).squaredNorm()) /
                                  3;
-      corrections.push_back({cells[place], force->pose,
-                             own.cells[place].R_o_u.transpose() * force->swing_o.cross(t_o), variance_g2});
+      corrections.push_back(
+          {cells[place], force->pose, own.cells[place].R_o_u.transpose() * force->swing_o.cross(t_o), variance_g2});
     }
   }
   return corrections;
@@ -132,10 +132,10 @@ void add(const SkinLinks& skin, const PatchSolver& patch, const AttitudeSuspect&
     found.remarks.push_back(describeSuspiciousSensor(graph, skin.table(), suspect.cell));
     return;
   }
-  found.findings.push_back(suspect.kind == AttitudeSuspect::Kind::Moved
-                               ? describeMovedCell(graph, skin.snapshot(), suspect.cell, suspect.pose,
-                                                   suspect.angle_rad)
-                               : describeTurnedSensor(id(suspect.cell), suspect.angle_rad));
+  found.findings.push_back(
+      suspect.kind == AttitudeSuspect::Kind::Moved
+          ? describeMovedCell(graph, skin.snapshot(), suspect.cell, suspect.pose, suspect.angle_rad)
+          : describeTurnedSensor(id(suspect.cell), suspect.angle_rad));
   found.cells.push_back(suspect.cell);
 }
 

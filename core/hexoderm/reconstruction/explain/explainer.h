@@ -36,8 +36,8 @@ std::unique_ptr<Explainer> explainMisfits();
 /// looks like a skin link in its angles. One link a patch, because the others give way to it.
 std::unique_ptr<Explainer> explainOpenLinks();
 
-/// By the attitudes of solved patches (AttitudeSearch): links, and cells that are mounted otherwise or whose readings are
-/// each other's. Of a tree's readings also what a hand that turned the part added to them.
+/// By the attitudes of solved patches (AttitudeSearch): links, and cells that are mounted otherwise or whose readings
+/// are each other's. Of a tree's readings also what a hand that turned the part added to them.
 std::unique_ptr<Explainer> explainAttitudes();
 
 /// One of each, in the order in which they are asked: those that need least of the estimate first.

@@ -20,11 +20,11 @@ struct ReadingCorrection {
 /// Why a skin and its model disagree: what must not be used for both to agree, and a finding for each fault. Cells and
 /// links are indices of the graph, poses of the snapshot.
 struct Explanation {
-  std::vector<Finding> findings;                           ///< of what is excluded
-  std::vector<Finding> remarks;                            ///< of what is only suspected, and stays; each is said once
-  std::map<FindingCode, std::vector<std::size_t>> links;   ///< that are no skin links, by the reason
-  std::vector<std::size_t> cells;                          ///< whose readings are not those of a cell in its place
-  std::vector<std::size_t> poses;                          ///< in which the part moved
+  std::vector<Finding> findings;                          ///< of what is excluded
+  std::vector<Finding> remarks;                           ///< of what is only suspected, and stays; each is said once
+  std::map<FindingCode, std::vector<std::size_t>> links;  ///< that are no skin links, by the reason
+  std::vector<std::size_t> cells;                         ///< whose readings are not those of a cell in its place
+  std::vector<std::size_t> poses;                         ///< in which the part moved
   std::vector<ReadingCorrection> corrections;
 
   /// It changes what the estimate is made of.

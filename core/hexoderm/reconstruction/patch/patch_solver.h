@@ -25,8 +25,8 @@ class PatchSolver {
   /// The joint estimate; after leaveOut() from where it was. `earlier`: this patch in an earlier result of the global
   /// solver, to start from if it had the same cells and origin; may be null. The tree's placements are gone afterwards.
   [[nodiscard]] Completion solve(const PatchReconstruction* earlier, const std::stop_token& stop);
-  /// The readings of a cell of the patch are dropped from the skin: it is placed by its links. Needs place(), as soon as
-  /// the skin has estimated edges again, and another solve().
+  /// The readings of a cell of the patch are dropped from the skin: it is placed by its links. Needs place(), as soon
+  /// as the skin has estimated edges again, and another solve().
   void leaveOut(std::size_t cell);
   /// Chooses an origin anew where the last one was left out, and places the cells along the tree from there.
   void place();

@@ -133,7 +133,8 @@ TEST(Estimate, LeavingOutDropsTheReadingsOfACell) {
   EXPECT_FALSE(estimate.skin().readings().measured(*estimate.skin().graph().indexOf(CellId(4))));
   EXPECT_THAT(estimate.findings(), ElementsAre(Field(&Finding::code, FindingCode::LeftOut)));
   options.left_out = {CellId(99)};
-  EXPECT_THAT(test::messageOf<InvalidArgument>([&] { static_cast<void>(Estimate(*snapshot, options)); }), ::testing::HasSubstr("99"));
+  EXPECT_THAT(test::messageOf<InvalidArgument>([&] { static_cast<void>(Estimate(*snapshot, options)); }),
+              ::testing::HasSubstr("99"));
 }
 
 TEST(Estimate, LinksSetAsideAreMutedAndThePatchEndsThere) {
