@@ -115,12 +115,12 @@ help_is_installed() {
       zcat "/usr/share/man/man1/$page.1.gz" | grep -q "^\.SH OPTIONS"
     done
     . /usr/share/bash-completion/completions/hexoderm-cli
-    COMP_WORDS=(hexoderm-cli sol); COMP_CWORD=1; _hexoderm_cli; [ "${COMPREPLY[*]}" = solve ]'
+    COMP_WORDS=(hexoderm-cli sol); COMP_CWORD=1; _hexoderm; [ "${COMPREPLY[*]}" = solve ]'
 }
 ros_help_is_installed() {
   inside 'zcat /usr/share/man/man1/hexoderm-ros-skin.1.gz | grep -q "^\.SH OPTIONS"
     . /usr/share/bash-completion/completions/hexoderm-ros
-    COMP_WORDS=(hexoderm-ros tr); COMP_CWORD=1; _hexoderm_ros; [ "${COMPREPLY[*]}" = transforms ]
+    COMP_WORDS=(hexoderm-ros tr); COMP_CWORD=1; _hexoderm; [ "${COMPREPLY[*]}" = transforms ]
     grep -q cell_data /usr/share/doc/hexoderm-ros/README.md
     grep -q imu /usr/share/doc/hexoderm-ros/examples/skin.json'
 }

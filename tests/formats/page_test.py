@@ -14,40 +14,10 @@ import unittest
 
 import jsonschema
 
-from schemas import DOCUMENTS, PARTS, Schemas, folder_of
+from schemas import DOCUMENTS, HEADINGS, Schemas, folder_of, rows_by_heading
 
 ROOT = pathlib.Path(sys.argv.pop(1)).resolve()
 FOLDER = folder_of(ROOT)
-
-HEADINGS = {
-    "Session": "session.schema.json",
-    "Calibration": "calibration.schema.json",
-    "Cell model": "cell_model.schema.json",
-    "Placements": "placements.schema.json",
-    "Truth of a simulated robot": "robot_truth.schema.json",
-    "Manifest": "manifest.schema.json",
-    "Message": PARTS + "message",
-    "Figure": PARTS + "figure",
-    "Joint angles": PARTS + "joint",
-    "Robot": PARTS + "robot",
-    "Decision": PARTS + "decision",
-}
-
-
-def rows_by_heading(page):
-    """The rows of each heading's table of keys, as (key, value, unit, required, meaning)."""
-    tables = {}
-    heading, within = "", False
-    for line in page.splitlines():
-        if line.startswith("#"):
-            heading = line.lstrip("# ")
-        if line == "| key | value | unit | required | meaning |":
-            within = True
-        elif within and line.startswith("| `"):
-            tables.setdefault(heading, []).append([cell.strip() for cell in line[1:-1].split("|")])
-        elif not line.startswith("| ---"):
-            within = False
-    return tables
 
 
 class Page(unittest.TestCase):

@@ -22,9 +22,26 @@ TABLES = {
 }
 
 
+# What the tables of keys on the page describe.
+HEADINGS = {
+    "Session": "session.schema.json",
+    "Calibration": "calibration.schema.json",
+    "Cell model": "cell_model.schema.json",
+    "Placements": "placements.schema.json",
+    "Truth of a simulated robot": "robot_truth.schema.json",
+    "Manifest": "manifest.schema.json",
+    "Message": PARTS + "message",
+    "Figure": PARTS + "figure",
+    "Joint angles": PARTS + "joint",
+    "Robot": PARTS + "robot",
+    "Decision": PARTS + "decision",
+}
+
+
 @dataclasses.dataclass
 class Property:
     """A key that an object may have."""
+    parent: dict  # the object's schema
     schema: dict
     file: str
     required: bool
@@ -83,15 +100,15 @@ class Schemas:
                 with_others[key] = at["if"]["required"][0]
             for key, value in at["properties"].items():
                 path = behind + "." + key if behind else key
-                found[path] = Property(value, at_file, key in at.get("required", []), with_others.get(key, ""))
+                found[path] = Property(at, value, at_file, key in at.get("required", []), with_others.get(key, ""))
                 if value.get("items") == {"$ref": "#/$defs/argument"}:
                     continue
                 for below, each in self.properties(value, at_file, expand).items():
                     found[path + ("" if below.startswith("[]") else ".") + below] = each
         return found
 
-    def closed(self):
-        """The same with no other keys in any object than those that are named."""
+    def as_written(self, page):
+        """The same with no other keys in any object than those that are named, and all those that the page calls written."""
 
         def close(value):
             if isinstance(value, list):
@@ -106,6 +123,10 @@ class Schemas:
         result = copy.copy(self)
         result.files = copy.deepcopy(self.files)
         close(result.files)
+        for heading, rows in rows_by_heading(page).items():
+            properties = result.properties(*result.at(HEADINGS[heading]))
+            for path in (key.strip("`") for key, _, _, required, _ in rows if required == "written"):
+                properties[path].parent.setdefault("required", []).append(path.rpartition(".")[2])
         return result
 
     def validator(self, document):
@@ -159,6 +180,22 @@ class Schemas:
             numbers = items.replace("number", "numbers", 1)
             return f"{length} {numbers}" if length else numbers
         return "array of " + items
+
+
+def rows_by_heading(page):
+    """The rows of each heading's table of keys, as (key, value, unit, required, meaning)."""
+    tables = {}
+    heading, within = "", False
+    for line in page.splitlines():
+        if line.startswith("#"):
+            heading = line.lstrip("# ")
+        if line == "| key | value | unit | required | meaning |":
+            within = True
+        elif within and line.startswith("| `"):
+            tables.setdefault(heading, []).append([cell.strip() for cell in line[1:-1].split("|")])
+        elif not line.startswith("| ---"):
+            within = False
+    return tables
 
 
 def said(value):

@@ -1,8 +1,9 @@
 #!/bin/bash
-# Fails unless the command line's completion for bash offers what could come next. Usage: completion.sh COMPLETION
+# Fails unless the command line's completion for bash offers what could come next. Usage: completion.sh COMPLETION HEXODERM_CLI
 set -euo pipefail
 # shellcheck source=/dev/null
 source "$1"
+cli="$2"
 compopt() { :; }  # knows only what a shell that is waiting for a user completes
 folder="$(mktemp -d)"
 trap 'rm -rf "$folder"' EXIT
@@ -12,7 +13,7 @@ touch arm.hexo arm.calibration.json
 # expect WORDS... -> WHAT...: the last of the words is completed.
 expect() {
   local expected=()
-  COMP_WORDS=(hexoderm-cli)
+  COMP_WORDS=("$cli")
   while [ "$1" != '->' ]; do
     COMP_WORDS+=("$1")
     shift
@@ -20,7 +21,7 @@ expect() {
   shift
   expected=("$@")
   COMP_CWORD=$((${#COMP_WORDS[@]} - 1))
-  _hexoderm_cli
+  _hexoderm
   local found
   found="$(printf '%s\n' "${COMPREPLY[@]}" | sort | tr '\n' ' ')"
   [ "$found" = "${expected[*]} " ] ||

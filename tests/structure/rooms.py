@@ -2,13 +2,11 @@
 """Checks that every source stands in a room that is known here and includes only what is before it.
 
 A hall is a folder whose subfolders, its rooms, have an order. `a < {b, c} < d` says that a file of d may include those of
-b, c and a; that one of b may include those of a, but none of c; and that rooms in one brace stay apart. An include is an
-arrow from room to room, however many files draw it.
+b, c and a; that one of b may include those of a, but none of c; and that rooms in one brace stay apart.
 
 Every include in quotes is the path of a file in the tree: "hexoderm/..." lies under core/, all others under the root.
 
-Usage: rooms.py ROOT           fails, naming file and line, for each violation
-       rooms.py --table ROOT   prints the rooms, units (a header and its sources), arrows, and arrows back of each hall
+Usage: rooms.py ROOT   fails, naming file and line, for each violation
 """
 
 import pathlib
@@ -30,10 +28,6 @@ HALLS = {
     "app": "{cli, emulator, python, window}",
     "app/window": "{files, toolkit} < {settings, report} < session < {guide, dialogs, log} < presenters < main_window"
                   " < main",
-}
-
-# Arrows against the order that are being removed: (hall, from, to). One that is no longer drawn fails, too.
-TOLERATED = {
 }
 
 # Folders with sources that are no part of the program's own tree.
@@ -95,27 +89,15 @@ def room_of(hall, path):
 
 
 def main():
-    arguments = sys.argv[1:]
-    table = arguments[:1] == ["--table"]
-    if len(arguments) != 1 + table:
+    if len(sys.argv) != 2:
         sys.exit(__doc__)
-    root = pathlib.Path(arguments[-1])
-
-    violations = []
-    rooms = {hall: set() for hall in HALLS}
-    units = {hall: set() for hall in HALLS}
-    arrows = {hall: set() for hall in HALLS}
-    back = {hall: set() for hall in HALLS}
+    root = pathlib.Path(sys.argv[1])
     order = {hall: levels(text) for hall, text in HALLS.items()}
-
+    violations = []
     for source in sources(root):
         for hall, level in order.items():
             room = room_of(hall, source)
-            if room is None:
-                continue
-            rooms[hall].add(room)
-            units[hall].add(str(source).split(".")[0])
-            if room not in level:
+            if room is not None and room not in level:
                 violations.append(f"{source} stands in no room of {hall or 'the project'}: {HALLS[hall]}")
         for number, name in includes(root / source):
             if not is_in_tree(root, source, name):
@@ -123,25 +105,9 @@ def main():
                                   ' the path from the root')
             for hall, level in order.items():
                 room, target = room_of(hall, source), room_of(hall, target_of(name))
-                if room not in level or target not in level or room == target:
-                    continue
-                arrows[hall].add((room, target))
-                if level[target] >= level[room]:
-                    back[hall].add((room, target))
-                    if (hall, room, target) not in TOLERATED:
-                        violations.append(f'{source}:{number}:"{name}" -- {room} may not include {target} in'
-                                          f" {hall or 'the project'}: {HALLS[hall]}")
-
-    for hall, room, target in sorted(TOLERATED):
-        if {room, target} <= rooms[hall] and (room, target) not in back[hall]:
-            violations.append(f"{room} no longer includes {target} in {hall}: take it off TOLERATED")
-
-    if table:
-        print(f"{'hall':30} rooms units arrows back")
-        for hall in HALLS:
-            print(f"{hall or '(root)':30} {len(rooms[hall]):5} {len(units[hall]):5} {len(arrows[hall]):6}"
-                  f" {len(back[hall]):4}")
-        return
+                if room in level and target in level and room != target and level[target] >= level[room]:
+                    violations.append(f'{source}:{number}:"{name}" -- {room} may not include {target} in'
+                                      f" {hall or 'the project'}: {HALLS[hall]}")
     if violations:
         sys.exit("\n".join(violations))
 

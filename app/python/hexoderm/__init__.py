@@ -10,36 +10,8 @@ Calibration of it, with patches, findings and a verdict; Calibration.export() wr
 examples is README.md of python3-hexoderm, in /usr/share/doc/python3-hexoderm where Debian's package is installed.
 """
 
-from ._core import (
-    Calibration as Calibration,
-    Capture as Capture,
-    CellModel as CellModel,
-    Comparison as Comparison,
-    DeviceError as DeviceError,
-    Error as Error,
-    Exported as Exported,
-    Finding as Finding,
-    FormatError as FormatError,
-    InvalidArgument as InvalidArgument,
-    Link as Link,
-    Patch as Patch,
-    PatchOnLink as PatchOnLink,
-    Pose as Pose,
-    Sensor as Sensor,
-    Session as Session,
-    StorageError as StorageError,
-    Verdict as Verdict,
-    __version__ as __version__,
-    built_in_cell_models as built_in_cell_models,
-    export_formats as export_formats,
-    export_options as export_options,
-    read as read,
-    read_calibration as read_calibration,
-    read_session as read_session,
-    simulate as simulate,
-    simulate_robot as simulate_robot,
-    solve as solve,
-)
+from ._core import *
+from ._core import __version__ as __version__
 
 __all__ = [
     "built_in_cell_models", "export_formats", "export_options", "read", "read_calibration", "read_session",

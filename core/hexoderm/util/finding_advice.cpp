@@ -235,21 +235,4 @@ std::span<const FindingAdvice> findingAdvice() { return adviceTable(); }
 
 const FindingAdvice& adviceOn(FindingCode code) { return adviceTable().at(static_cast<std::size_t>(code)); }
 
-std::string_view remedyInWords(FindingRemedy remedy) {
-  using enum FindingRemedy;
-  switch (remedy) {
-    case MuteLink:
-      return "set the link aside, or take it back";
-    case DisablePose:
-      return "disable the pose";
-    case RecapturePose:
-      return "take the pose again";
-    case TakePose:
-      return "take another pose";
-    case LightCell:
-      return "light the cell";
-  }
-  return {};
-}
-
 }  // namespace hexoderm

@@ -3,7 +3,6 @@
 #include "hexoderm/util/finding.h"
 
 #include <span>
-#include <string_view>
 #include <vector>
 
 namespace hexoderm {
@@ -26,11 +25,8 @@ struct FindingAdvice {
   std::vector<FindingRemedy> remedies;
 };
 
-/// One entry per code, in the order of the enumeration. It is the table in `core/hexoderm/util/README.md`.
+/// One entry per code, in the order of the enumeration.
 std::span<const FindingAdvice> findingAdvice();
 const FindingAdvice& adviceOn(FindingCode code);  ///< the advice on a kind of finding
-
-/// "take the pose again", for that table.
-std::string_view remedyInWords(FindingRemedy remedy);
 
 }  // namespace hexoderm
