@@ -30,7 +30,6 @@ class PanelOnScreen : public testing::Test {
   void setTheme(Theme theme) {
     QApplication::setPalette(qtPalette(theme));
     qApp->setStyleSheet(styleSheet(theme));
-    panel_->setTheme(theme);
   }
   template <class T>
   T* find(const char* name) {

@@ -3,6 +3,7 @@
 #include "tests/support/hand_made_skins.h"
 #include "tests/support/paths.h"
 #include "tests/support/qt_wait.h"
+#include "widgets/style/palette.h"
 
 #include <gmock/gmock.h>
 #include <qwt_plot.h>
@@ -61,7 +62,6 @@ class PlotViewTest : public testing::Test {
   void setTheme(Theme theme) {
     QApplication::setPalette(qtPalette(theme));
     qApp->setStyleSheet(styleSheet(theme));
-    view_.setTheme(theme);
   }
   QImage keep(const QString& name) {
     const QDir folder(QStringLiteral(HEXODERM_SCREENSHOTS));

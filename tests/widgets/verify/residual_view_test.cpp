@@ -37,7 +37,6 @@ class ResidualViewTest : public testing::Test {
     QApplication::setStyle(QStringLiteral("Fusion"));
     QApplication::setPalette(qtPalette(theme));
     qApp->setStyleSheet(styleSheet(theme));
-    view_.setTheme(theme);
   }
   void clickItem(const QModelIndex& index) {
     QTest::mouseClick(view_.matrix()->viewport(), Qt::LeftButton, Qt::NoModifier,
