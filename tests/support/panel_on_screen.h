@@ -2,13 +2,12 @@
 
 // A panel as the window shows it: in a column that scrolls, with the application's style.
 
+#include "tests/support/app_theme.h"
 #include "tests/support/paths.h"
 #include "tests/support/qt_wait.h"
 #include "widgets/controls/selection.h"
-#include "widgets/style/palette.h"
 
 #include <gtest/gtest.h>
-#include <QApplication>
 #include <QDir>
 #include <QScrollArea>
 
@@ -19,18 +18,11 @@ template <class Panel>
 class PanelOnScreen : public testing::Test {
  protected:
   explicit PanelOnScreen(const QSize& size) {
-    QApplication::setStyle(QStringLiteral("Fusion"));
-    setTheme(Theme::Light);
     scroll_.setWidget(panel_);
     scroll_.setWidgetResizable(true);
     scroll_.resize(size);
     scroll_.show();
     EXPECT_TRUE(waitUntilExposed(scroll_));
-  }
-  void setTheme(Theme theme) {
-    QApplication::setPalette(qtPalette(theme));
-    qApp->setStyleSheet(styleSheet(theme));
-    panel_->setTheme(theme);
   }
   template <class T>
   T* find(const char* name) {
@@ -45,6 +37,7 @@ class PanelOnScreen : public testing::Test {
     EXPECT_TRUE(panel_->grab().save(folder.filePath(name + ".png")));
   }
 
+  AppTheme theme_;
   Selection selection_;
   QScrollArea scroll_;
   Panel* panel_ = new Panel(&selection_);

@@ -77,7 +77,7 @@ CapturePanel::CapturePanel(const Actions& actions, QWidget* parent)
   doing->setSpacing(6);
   doing->addWidget(ring_);
   for (QLabel* label : {wait_, remark_, odd_}) doing->addWidget(label);
-  if (actions.automatic) doing->addWidget(switch_ = makeSwitch(actions.automatic), 0, Qt::AlignLeft);
+  if (actions.automatic) doing->addWidget(makeSwitch(actions.automatic), 0, Qt::AlignLeft);
   if (actions.capture) doing->addWidget(makeButton(actions.capture, "captureNow"), 0, Qt::AlignLeft);
   if (actions.turn) doing->addWidget(makeButton(actions.turn, "captureTurnForMe"), 0, Qt::AlignLeft);
   if (actions.skip) doing->addWidget(makeButton(actions.skip, "captureSkip"), 0, Qt::AlignLeft);
@@ -176,14 +176,6 @@ void CapturePanel::showCaptured(PoseId pose, const QString& remark) {
   showIfAny(remark_, remark);
   captured_timer_->start();
   refresh();
-}
-
-void CapturePanel::setTheme(Theme theme) {
-  ring_->setTheme(theme);
-  if (auto* toggle = qobject_cast<ToggleSwitch*>(switch_)) toggle->setTheme(theme);
-  QPalette colors = remark_->palette();
-  colors.setColor(QPalette::WindowText, Colors::of(theme).text);
-  remark_->setPalette(colors);
 }
 
 QString CapturePanel::instruction() const {

@@ -3,7 +3,6 @@
 #include "hexoderm/capture/pose_recorder.h"
 #include "hexoderm/device/skin_source.h"
 #include "hexoderm/reconstruction/advice/pose_coverage.h"
-#include "widgets/style/palette.h"
 
 #include <QWidget>
 #include <optional>
@@ -47,7 +46,6 @@ class CapturePanel : public QWidget {
   /// The ring says for a moment that the pose is captured; `remark` ("Pose 4 repeats pose 2") stays until the next
   /// pose.
   void showCaptured(PoseId pose, const QString& remark = {});
-  void setTheme(Theme theme);
 
   /// What the operator is to do or should know now, in one sentence for the ear; empty without a skin that sends.
   [[nodiscard]] QString instruction() const;
@@ -76,7 +74,6 @@ class CapturePanel : public QWidget {
   QLabel* wait_;
   QLabel* odd_;
   QLabel* remark_;
-  QWidget* switch_ = nullptr;
   QTimer* captured_timer_;
   std::optional<SourceStatus> source_;
   HoldStatus hold_;

@@ -44,7 +44,6 @@ struct CoverageView::Parts {
   std::optional<Eigen::Vector3d> current;
   std::optional<Eigen::Vector3d> next;
   std::optional<PoseId> picked;
-  Theme theme = Theme::Light;
   QPixmap still;  ///< everything but the present direction
   bool is_stale = true;
   double said_height = 0;  ///< height of the words below the discs
@@ -97,7 +96,8 @@ struct CoverageView::Parts {
   void paintLegend(QPainter& painter, const Layout& layout) const;
   void paintGauges(QPainter& painter, const Layout& layout) const;
   void paintWords(QPainter& painter, const Layout& layout) const;
-  [[nodiscard]] const Colors& colors() const { return Colors::of(theme); }
+  [[nodiscard]] Theme theme() const { return themeOf(view->palette()); }
+  [[nodiscard]] const Colors& colors() const { return Colors::of(view->palette()); }
 };
 
 QString CoverageView::Parts::words() const {
@@ -225,7 +225,7 @@ void CoverageView::Parts::paintDisc(QPainter& painter, const Layout& layout, std
 }
 
 void CoverageView::Parts::paintPoses(QPainter& painter, const Layout& layout) const {
-  const QColor full = linkStroke(EdgeQuality::Fully, theme).color;
+  const QColor full = linkStroke(EdgeQuality::Fully, theme()).color;
   QFont small = view->font();
   small.setPointSizeF(0.8 * small.pointSizeF());
   small.setBold(true);
@@ -236,7 +236,8 @@ void CoverageView::Parts::paintPoses(QPainter& painter, const Layout& layout) co
     painter.setPen(seen.enabled ? QPen(colors().panel, 1) : QPen(colors().text_muted, 1.2, Qt::DotLine));
     painter.setBrush(seen.enabled ? full : colors().panel);
     painter.drawEllipse(center, mark(), mark());
-    painter.setPen(seen.enabled ? (theme == Theme::Dark ? colors().accent_text : colors().text) : colors().text_muted);
+    const QColor& on_full = theme() == Theme::Dark ? colors().accent_text : colors().text;
+    painter.setPen(seen.enabled ? on_full : colors().text_muted);
     painter.drawText(QRectF(center.x() - 20, center.y() - 20, 40, 40), Qt::AlignCenter,
                      QString::number(seen.pose.value()));
     if (seen.pose != picked) continue;
@@ -310,7 +311,7 @@ void CoverageView::Parts::paintGauges(QPainter& painter, const Layout& layout) c
     painter.setBrush(colors().border);
     painter.drawRoundedRect(QRectF(left, middle - thick / 2, bar, thick), 2, 2);
     // A value below its limit is hatched as well as of another hue.
-    const QColor hue = linkStroke(reached ? EdgeQuality::Fully : EdgeQuality::Partially, theme).color;
+    const QColor hue = linkStroke(reached ? EdgeQuality::Fully : EdgeQuality::Partially, theme()).color;
     const QRectF filled(left, middle - thick / 2, std::clamp(bar * value / scale, 2.0, bar), thick);
     painter.setBrush(reached ? QBrush(hue) : QBrush(hue, Qt::BDiagPattern));
     if (!reached) painter.setPen(QPen(hue, 1));
@@ -336,7 +337,7 @@ void CoverageView::Parts::paintWords(QPainter& painter, const Layout& layout) co
     return;
   }
   const double middle = layout.words_top + 0.5 * line();
-  drawStroke(painter, linkStroke(coverage.quality, theme), QLineF(kMargin, middle, kMargin + 26, middle), 3);
+  drawStroke(painter, linkStroke(coverage.quality, theme()), QLineF(kMargin, middle, kMargin + 26, middle), 3);
   painter.setPen(colors().text);
   painter.drawText(QRectF(kMargin + 33, layout.words_top, width - 33, line()), Qt::AlignLeft | Qt::AlignVCenter,
                    metrics.elidedText(CoverageView::tr("%1 · mark: enough").arg(qualityWord(coverage.quality)),
@@ -396,11 +397,6 @@ void CoverageView::setAwaited(const QString& awaited) {
 
 std::optional<PoseId> CoverageView::pickedPose() const { return parts_->picked; }
 
-void CoverageView::setTheme(Theme theme) {
-  parts_->theme = theme;
-  parts_->changed();
-}
-
 QPointF CoverageView::placeOf(const Eigen::Vector3d& up_o) const { return parts_->place(parts_->layout(), up_o); }
 
 QSize CoverageView::sizeHint() const {
@@ -457,7 +453,8 @@ void CoverageView::keyPressEvent(QKeyEvent* event) {
 }
 
 bool CoverageView::event(QEvent* event) {
-  if (event->type() == QEvent::FontChange || event->type() == QEvent::StyleChange) parts_->changed();
+  const QEvent::Type type = event->type();
+  if (type == QEvent::FontChange || type == QEvent::StyleChange || type == QEvent::PaletteChange) parts_->changed();
   if (event->type() != QEvent::ToolTip) return QWidget::event(event);
   const auto* help = static_cast<QHelpEvent*>(event);
   const SeenDirection* seen = parts_->at(help->pos());

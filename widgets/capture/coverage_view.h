@@ -29,7 +29,6 @@ class CoverageView : public QWidget {
   void setCurrent(const std::optional<Eigen::Vector3d>& up_o);
   void setNext(const std::optional<Eigen::Vector3d>& up_o);
   void setPickedPose(std::optional<PoseId> pose);
-  void setTheme(Theme theme);
 
   [[nodiscard]] std::optional<PoseId> pickedPose() const;
   /// Position of a direction, in the widget's coordinates.

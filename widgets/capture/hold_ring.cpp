@@ -1,5 +1,7 @@
 #include "widgets/capture/hold_ring.h"
 
+#include "widgets/style/palette.h"
+
 #include <QPainter>
 #include <algorithm>
 #include <array>
@@ -34,11 +36,6 @@ void HoldRing::setContent(const Content& content) {
   if (!is_same) update();
 }
 
-void HoldRing::setTheme(Theme theme) {
-  theme_ = theme;
-  update();
-}
-
 QSize HoldRing::sizeHint() const {
   const int side = 9 * fontMetrics().height();
   return {side, side};
@@ -50,7 +47,7 @@ QSize HoldRing::minimumSizeHint() const {
 }
 
 void HoldRing::paintEvent(QPaintEvent* /*event*/) {
-  const Colors& colors = Colors::of(theme_);
+  const Colors& colors = Colors::of(palette());
   QPainter painter(this);
   painter.setRenderHint(QPainter::Antialiasing);
   const double side = std::min(width(), height()) - 2.0;

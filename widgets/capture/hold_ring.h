@@ -1,7 +1,5 @@
 #pragma once
 
-#include "widgets/style/palette.h"
-
 #include <QWidget>
 
 namespace hexoderm {
@@ -25,7 +23,6 @@ class HoldRing : public QWidget {
   /// Cheap: may be called 20 times a second.
   void setContent(const Content& content);
   [[nodiscard]] const Content& content() const { return content_; }
-  void setTheme(Theme theme);
 
   QSize sizeHint() const override;
   QSize minimumSizeHint() const override;
@@ -35,7 +32,6 @@ class HoldRing : public QWidget {
 
  private:
   Content content_;
-  Theme theme_ = Theme::Light;
 };
 
 }  // namespace hexoderm

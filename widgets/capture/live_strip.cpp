@@ -153,29 +153,15 @@ LiveStrip::LiveStrip(QAction* end, QWidget* parent)
 }
 
 void LiveStrip::setStatus(const SourceStatus& status, const HoldStatus& hold) {
-  state_ = status.state;
-  setIfChanged(sign_, sourceStateSign(state_));
-  setIfChanged(word_, sourceStateWord(state_));
+  setIfChanged(sign_, sourceStateSign(status.state));
+  setTone(sign_, sourceStateTone(status.state));
+  setIfChanged(word_, sourceStateWord(status.state));
   // "Streaming: my skin" would say it twice.
   QString text = words(status.message);
   const QString again = word_->text() + QStringLiteral(": ");
   if (text.startsWith(again)) text.remove(0, again.size());
   setIfChanged(text_, text);
   setIfChanged(counters_, countersInWords(status, hold));
-  paintSign();
-}
-
-void LiveStrip::setTheme(Theme theme) {
-  theme_ = theme;
-  paintSign();
-}
-
-void LiveStrip::paintSign() {
-  QPalette colors = sign_->palette();
-  const QColor color = toneColor(sourceStateTone(state_), theme_);
-  if (colors.color(QPalette::WindowText) == color) return;
-  colors.setColor(QPalette::WindowText, color);
-  sign_->setPalette(colors);
 }
 
 }  // namespace hexoderm

@@ -32,17 +32,12 @@ class LiveStrip : public QFrame {
   explicit LiveStrip(QAction* end, QWidget* parent = nullptr);
 
   void setStatus(const SourceStatus& status, const HoldStatus& hold);
-  void setTheme(Theme theme);
 
  private:
-  void paintSign();
-
   QLabel* sign_;
   QLabel* word_;
   QLabel* text_;
   QLabel* counters_;
-  SourceState state_ = SourceState::Stopped;
-  Theme theme_ = Theme::Light;
 };
 
 }  // namespace hexoderm

@@ -1,6 +1,7 @@
 #include "widgets/capture/stillness_view.h"
 
 #include "widgets/controls/elided_label.h"
+#include "widgets/style/palette.h"
 
 #include <qwt_plot.h>
 #include <qwt_plot_canvas.h>
@@ -58,10 +59,9 @@ QString eventWord(const TraceEvent& event) {
 class Ground : public QwtPlotItem {
  public:
   explicit Ground(const StillnessTrace& trace) : trace_(&trace) { setZ(-1); }
-  void setTheme(Theme theme) { theme_ = theme; }
 
   void draw(QPainter* painter, const QwtScaleMap& across, const QwtScaleMap& up, const QRectF& canvas) const override {
-    const Colors& colors = Colors::of(theme_);
+    const Colors& colors = Colors::of(plot()->palette());
     painter->setRenderHint(QPainter::Antialiasing, false);
     // Under a style sheet the canvas has a ground of its own.
     painter->fillRect(canvas, colors.panel);
@@ -94,7 +94,7 @@ class Ground : public QwtPlotItem {
   }
 
   void drawState(QPainter& painter, TraceState state, double left, double right, double y) const {
-    const Colors& colors = Colors::of(theme_);
+    const Colors& colors = Colors::of(plot()->palette());
     QPen pen(colors.text_muted, 2, Qt::DotLine, Qt::FlatCap);
     if (state == TraceState::Still) pen = QPen(colors.text_muted, 2, Qt::SolidLine, Qt::FlatCap);
     if (state == TraceState::Collecting) pen = QPen(colors.accent, 4, Qt::SolidLine, Qt::FlatCap);
@@ -108,7 +108,7 @@ class Ground : public QwtPlotItem {
   }
 
   void drawEvents(QPainter& painter, const QwtScaleMap& across, const QwtScaleMap& up, const QRectF& canvas) const {
-    const Colors& colors = Colors::of(theme_);
+    const Colors& colors = Colors::of(plot()->palette());
     const QFontMetrics metrics = painter.fontMetrics();
     const auto place = [&](const TraceEvent& event) { return across.transform(event.time_s - trace_->now_s()); };
     for (const TraceEvent& event : trace_->events()) {
@@ -136,7 +136,6 @@ class Ground : public QwtPlotItem {
   }
 
   const StillnessTrace* trace_;
-  Theme theme_ = Theme::Light;
 };
 
 /// Draws a long line piece by piece. Qt's rasterizer looks through all that crosses a row of pixels for each edge that
@@ -152,14 +151,13 @@ void drawInPieces(QPainter& painter, const QPolygonF& line) {
 class Curves : public QwtPlotItem {
  public:
   explicit Curves(const StillnessTrace& trace) : trace_(&trace) {}
-  void setTheme(Theme theme) { theme_ = theme; }
 
   void draw(QPainter* painter, const QwtScaleMap& across, const QwtScaleMap& up,
             const QRectF& /*canvas*/) const override {
     painter->setRenderHint(QPainter::Antialiasing);
     for (int axis = 0; axis < 3; ++axis) {
       painter->setPen(
-          QPen(Colors::of(theme_).axis.at(static_cast<std::size_t>(axis)), 1.5, Qt::SolidLine, Qt::FlatCap));
+          QPen(Colors::of(plot()->palette()).axis.at(static_cast<std::size_t>(axis)), 1.5, Qt::SolidLine, Qt::FlatCap));
       QPolygonF line;
       for (const TracePoint& point : trace_->points()) {
         if (point.deviation_g) {
@@ -177,7 +175,6 @@ class Curves : public QwtPlotItem {
 
  private:
   const StillnessTrace* trace_;
-  Theme theme_ = Theme::Light;
 };
 
 }  // namespace
@@ -190,8 +187,6 @@ struct StillnessView::Parts {
   QLabel* header = nullptr;
   QwtPlot* plot = nullptr;
   QLabel* nothing = nullptr;
-  Ground* ground = nullptr;  ///< the plot's
-  Curves* curves = nullptr;  ///< likewise
   QTimer refresh_soon;
 
   void refresh();
@@ -258,10 +253,8 @@ StillnessView::StillnessView(QWidget* parent) : QWidget(parent), parts_(std::mak
   canvas->setPaintAttribute(QwtPlotCanvas::BackingStore, false);
   canvas->setFocusPolicy(Qt::NoFocus);
   plot->setCanvas(canvas);
-  parts_->ground = new Ground(parts_->trace);
-  parts_->ground->attach(plot);
-  parts_->curves = new Curves(parts_->trace);
-  parts_->curves->attach(plot);
+  (new Ground(parts_->trace))->attach(plot);
+  (new Curves(parts_->trace))->attach(plot);
 
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(0, 2, 8, 2);
@@ -273,7 +266,6 @@ StillnessView::StillnessView(QWidget* parent) : QWidget(parent), parts_(std::mak
   parts_->refresh_soon.setSingleShot(true);
   parts_->refresh_soon.setInterval(kRefreshEvery_ms);
   connect(&parts_->refresh_soon, &QTimer::timeout, this, [this] { parts_->refresh(); });
-  setTheme(Theme::Light);
 }
 
 StillnessView::~StillnessView() {
@@ -298,17 +290,6 @@ void StillnessView::setCell(std::optional<CellId> cell) {
 
 void StillnessView::clear() {
   parts_->trace.clear();
-  parts_->refresh();
-}
-
-void StillnessView::setTheme(Theme theme) {
-  const Colors& colors = Colors::of(theme);
-  parts_->ground->setTheme(theme);
-  parts_->curves->setTheme(theme);
-  parts_->plot->setCanvasBackground(colors.panel);
-  QPalette own = parts_->plot->palette();
-  own.setColor(QPalette::Window, colors.panel);
-  parts_->plot->setPalette(own);
   parts_->refresh();
 }
 

@@ -1,7 +1,6 @@
 #pragma once
 
 #include "hexoderm/capture/stillness_trace.h"
-#include "widgets/style/palette.h"
 
 #include <QWidget>
 #include <memory>
@@ -26,7 +25,6 @@ class StillnessView : public QWidget {
   void addCaptured(PoseId pose, double time_s);
   /// Clears the view for another source.
   void clear();
-  void setTheme(Theme theme);
 
   /// "cell 7 · x y z, deviation from its mean, last 10 s, limit 30 mg".
   [[nodiscard]] QString header() const;

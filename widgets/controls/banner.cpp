@@ -6,8 +6,9 @@
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QPainter>
-#include <QPixmap>
+#include <QStyle>
 #include <QVariant>
+#include <array>
 
 namespace hexoderm {
 
@@ -19,6 +20,18 @@ Tone toneOf(VerdictLevel level) {
     case VerdictLevel::NotEnough:
       return Tone::Caution;
     case VerdictLevel::Failed:
+      return Tone::Bad;
+  }
+  return Tone::Neutral;
+}
+
+Tone toneOf(Severity severity) {
+  switch (severity) {
+    case Severity::Info:
+      return Tone::Neutral;
+    case Severity::Warning:
+      return Tone::Caution;
+    case Severity::Error:
       return Tone::Bad;
   }
   return Tone::Neutral;
@@ -39,8 +52,39 @@ QColor toneColor(Tone tone, Theme theme) {
   return colors.text_muted;
 }
 
+void setTone(QLabel* label, Tone tone) {
+  constexpr std::array kNames = {"neutral", "good", "caution", "bad"};
+  const QString name = QLatin1String(kNames.at(static_cast<std::size_t>(tone)));
+  if (label->property("tone").toString() == name) return;
+  label->setProperty("tone", name);
+  label->style()->polish(label);
+}
+
+/// In the colour of the tone.
+class Banner::Dot : public QWidget {
+ public:
+  explicit Dot(QWidget* parent) : QWidget(parent) { setFixedSize(kSize, kSize); }
+  void setTone(Tone tone) {
+    tone_ = tone;
+    update();
+  }
+
+ protected:
+  void paintEvent(QPaintEvent* /*event*/) override {
+    QPainter painter(this);
+    painter.setRenderHint(QPainter::Antialiasing);
+    painter.setPen(Qt::NoPen);
+    painter.setBrush(toneColor(tone_, themeOf(palette())));
+    painter.drawEllipse(0, 0, kSize, kSize);
+  }
+
+ private:
+  static constexpr int kSize = 14;
+  Tone tone_ = Tone::Neutral;
+};
+
 Banner::Banner(QWidget* parent)
-    : QFrame(parent), dot_(new QLabel(this)), sentence_(new ElidedLabel(2, this)), button_(new ActionButton(this)) {
+    : QFrame(parent), dot_(new Dot(this)), sentence_(new ElidedLabel(2, this)), button_(new ActionButton(this)) {
   setObjectName(QStringLiteral("banner"));
   setAccessibleName(tr("Where we stand"));
   setProperty("banner", true);
@@ -58,34 +102,12 @@ Banner::Banner(QWidget* parent)
   layout->addWidget(dot_);
   layout->addWidget(sentence_, 1);
   layout->addWidget(button_);
-  drawDot();
 }
 
 void Banner::setContent(const Content& content) {
-  tone_ = content.tone;
+  dot_->setTone(content.tone);
   sentence_->setText(content.sentence);
   button_->setAction(content.action);
-  drawDot();
-}
-
-void Banner::setTheme(Theme theme) {
-  theme_ = theme;
-  drawDot();
-}
-
-void Banner::drawDot() {
-  constexpr int kSize = 14;
-  const qreal ratio = devicePixelRatioF();
-  QPixmap pixmap(QSize(kSize, kSize) * ratio);
-  pixmap.setDevicePixelRatio(ratio);
-  pixmap.fill(Qt::transparent);
-  QPainter painter(&pixmap);
-  painter.setRenderHint(QPainter::Antialiasing);
-  painter.setPen(Qt::NoPen);
-  painter.setBrush(toneColor(tone_, theme_));
-  painter.drawEllipse(0, 0, kSize, kSize);
-  painter.end();
-  dot_->setPixmap(pixmap);
 }
 
 }  // namespace hexoderm

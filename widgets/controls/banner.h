@@ -16,6 +16,9 @@ class ElidedLabel;
 enum class Tone { Neutral, Good, Caution, Bad };
 QColor toneColor(Tone tone, Theme theme);
 Tone toneOf(VerdictLevel level);
+Tone toneOf(Severity severity);
+/// The style sheet writes the label in the tone's colour.
+void setTone(QLabel* label, Tone tone);
 
 /// One sentence on where we stand and one button: the best next action. As high as two lines, whatever it says.
 class Banner : public QFrame {
@@ -30,16 +33,13 @@ class Banner : public QFrame {
     QAction* action = nullptr;  ///< null: there is nothing to press
   };
   void setContent(const Content& content);
-  void setTheme(Theme theme);
 
  private:
-  void drawDot();
+  class Dot;
 
-  QLabel* dot_;
+  Dot* dot_;
   ElidedLabel* sentence_;
   ActionButton* button_;
-  Tone tone_ = Tone::Neutral;
-  Theme theme_ = Theme::Light;
 };
 
 }  // namespace hexoderm

@@ -1,5 +1,6 @@
 #include "widgets/controls/check_list.h"
 
+#include "widgets/controls/banner.h"
 #include "widgets/words/words.h"
 
 #include <QHBoxLayout>
@@ -12,6 +13,9 @@ namespace hexoderm {
 class CheckList::Row : public QWidget {
  public:
   explicit Row(CheckList* list) : QWidget(list), sign_(new QLabel), text_(new QLabel), show_(new QPushButton) {
+    QFont bold = sign_->font();
+    bold.setBold(true);
+    sign_->setFont(bold);
     text_->setWordWrap(true);
     text_->setTextFormat(Qt::PlainText);
     show_->setText(CheckList::tr("Show"));
@@ -31,19 +35,11 @@ class CheckList::Row : public QWidget {
     item_ = item;
     text_->setText(words(item.message));
     const bool wrong = item.severity != Severity::Info;
+    setTone(sign_, wrong ? Tone::Caution : Tone::Good);
     sign_->setText(wrong ? QStringLiteral("!") : QStringLiteral("✓"));
     sign_->setAccessibleName(wrong ? CheckList::tr("needs a look") : CheckList::tr("in order"));
     show_->setVisible(wrong && !item.cells.empty());
     show_->setAccessibleName(CheckList::tr("Show: %1").arg(text_->text()));
-  }
-  void setTheme(Theme theme) {
-    const Colors& colors = Colors::of(theme);
-    QFont bold = font();
-    bold.setBold(true);
-    sign_->setFont(bold);
-    QPalette palette = sign_->palette();
-    palette.setColor(QPalette::WindowText, item_.severity == Severity::Info ? colors.good : colors.caution);
-    sign_->setPalette(palette);
   }
 
  private:
@@ -66,15 +62,8 @@ void CheckList::setCheck(const SkinCheck& check) {
   }
   for (std::size_t k = 0; k < rows_.size(); ++k) {
     rows_[k]->setVisible(k < check.items.size());
-    if (k >= check.items.size()) continue;
-    rows_[k]->set(check.items[k]);
-    rows_[k]->setTheme(theme_);
+    if (k < check.items.size()) rows_[k]->set(check.items[k]);
   }
-}
-
-void CheckList::setTheme(Theme theme) {
-  theme_ = theme;
-  for (Row* row : rows_) row->setTheme(theme);
 }
 
 }  // namespace hexoderm

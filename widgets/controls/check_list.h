@@ -1,7 +1,6 @@
 #pragma once
 
 #include "hexoderm/reconstruction/advice/skin_check.h"
-#include "widgets/style/palette.h"
 
 #include <QWidget>
 #include <vector>
@@ -19,7 +18,6 @@ class CheckList : public QWidget {
   explicit CheckList(QWidget* parent = nullptr);
 
   void setCheck(const SkinCheck& check);
-  void setTheme(Theme theme);
 
  signals:
   /// The operator wants to see where.
@@ -30,7 +28,6 @@ class CheckList : public QWidget {
 
   QVBoxLayout* layout_;
   std::vector<Row*> rows_;
-  Theme theme_ = Theme::Light;
 };
 
 }  // namespace hexoderm

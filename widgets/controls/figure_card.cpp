@@ -1,7 +1,9 @@
 #include "widgets/controls/figure_card.h"
 
 #include "widgets/controls/flow_layout.h"
+#include "widgets/style/palette.h"
 
+#include <QEvent>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QPainter>
@@ -78,15 +80,14 @@ FigureCard::FigureCard(Kind kind, QWidget* parent)
   hide();
 }
 
-void FigureCard::setTheme(Theme theme) {
-  theme_ = theme;
-  write();
-  update();
+void FigureCard::changeEvent(QEvent* event) {
+  QFrame::changeEvent(event);
+  if (event->type() == QEvent::PaletteChange) write();
 }
 
 /// The colour stands in the text: rich text does not follow a palette that a style sheet sets anew.
 void FigureCard::write() {
-  const QString begin = QStringLiteral("<span style=\"color:%1\">").arg(Colors::of(theme_).text.name());
+  const QString begin = QStringLiteral("<span style=\"color:%1\">").arg(Colors::of(palette()).text.name());
   const QString end = QStringLiteral("</span>");
   text_->setText(begin + said_ + end);
   value_->setText(said_value_.isEmpty() ? QString() : begin + said_value_ + end);
@@ -139,7 +140,7 @@ QSize FigureCard::sizeFor(const QSize& view) const {
 }
 
 void FigureCard::paintEvent(QPaintEvent* /*event*/) {
-  const Colors& colors = Colors::of(theme_);
+  const Colors& colors = Colors::of(palette());
   QPainter painter(this);
   painter.setRenderHint(QPainter::Antialiasing);
   painter.setPen(QPen(colors.text_muted, 1));

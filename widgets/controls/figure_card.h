@@ -1,7 +1,6 @@
 #pragma once
 
 #include "hexoderm/util/ids.h"
-#include "widgets/style/palette.h"
 
 #include <QFrame>
 #include <QPoint>
@@ -37,7 +36,6 @@ class FigureCard : public QFrame {
 
   explicit FigureCard(Kind kind, QWidget* parent);
 
-  void setTheme(Theme theme);
   /// `text`: rich text. `value`: what the colours say of it, a line of its own; may be empty.
   void setContent(const QString& text, const QString& value, const std::vector<Neighbor>& neighbors = {});
   [[nodiscard]] QString text() const;
@@ -49,6 +47,7 @@ class FigureCard : public QFrame {
   void closed();
 
  protected:
+  void changeEvent(QEvent* event) override;
   void paintEvent(QPaintEvent* event) override;
 
  private:
@@ -66,7 +65,6 @@ class FigureCard : public QFrame {
   QToolButton* close_ = nullptr;
   std::vector<QToolButton*> buttons_;
   std::vector<CellId> cells_;
-  Theme theme_ = Theme::Light;
 };
 
 }  // namespace hexoderm

@@ -1,5 +1,6 @@
 #include "widgets/controls/finding_card.h"
 
+#include "widgets/controls/banner.h"
 #include "widgets/controls/flow_layout.h"
 #include "widgets/words/formatting.h"
 #include "widgets/words/words.h"
@@ -39,6 +40,9 @@ FindingCard::FindingCard(QWidget* parent)
       button_layout_(new FlowLayout(buttons_)) {
   setObjectName(QStringLiteral("findingCard"));
   severity_->setObjectName(QStringLiteral("findingSeverity"));
+  QFont bold = severity_->font();
+  bold.setBold(true);
+  severity_->setFont(bold);
   where_->setProperty("muted", true);
   show_->setObjectName(QStringLiteral("findingShow"));
   show_->setFocusPolicy(Qt::TabFocus);
@@ -83,6 +87,7 @@ void FindingCard::setFinding(const Finding& finding, const std::vector<FindingOf
   finding_ = finding;
   const FindingAdvice& advice = adviceOn(finding.code);
   severity_->setText(severityWord(finding.severity));
+  setTone(severity_, toneOf(finding.severity));
   what_->setText(unbroken(words(finding.message)));
   const bool is_somewhere = !finding.cells.empty() || !finding.poses.empty();
   where_->setText(is_somewhere ? placeInWords(finding) : QString());
@@ -91,7 +96,7 @@ void FindingCard::setFinding(const Finding& finding, const std::vector<FindingOf
   why_->setText(tr("Why: %1").arg(words(advice.why)));
   todo_->setText(tr("What to do: %1").arg(words(advice.what_to_do)));
   setOffers(offers);
-  setTheme(theme_);
+  update();
 }
 
 void FindingCard::setOffers(const std::vector<FindingOffer>& offers) {
@@ -124,23 +129,9 @@ void FindingCard::setUnfolded(bool unfolded) {
 
 bool FindingCard::isUnfolded() const { return !details_->isHidden(); }
 
-void FindingCard::setTheme(Theme theme) {
-  theme_ = theme;
-  const Colors& colors = Colors::of(theme);
-  QFont bold = font();
-  bold.setBold(true);
-  severity_->setFont(bold);
-  QPalette palette = severity_->palette();
-  palette.setColor(QPalette::WindowText, finding_.severity == Severity::Error     ? colors.bad
-                                         : finding_.severity == Severity::Warning ? colors.caution
-                                                                                  : colors.text_muted);
-  severity_->setPalette(palette);
-  update();
-}
-
 /// A stripe on the left in the colour of the severity, which the word says too.
 void FindingCard::paintEvent(QPaintEvent* /*event*/) {
-  const Colors& colors = Colors::of(theme_);
+  const Colors& colors = Colors::of(palette());
   QPainter painter(this);
   painter.setRenderHint(QPainter::Antialiasing);
   painter.setPen(QPen(colors.border, 1));
@@ -148,7 +139,7 @@ void FindingCard::paintEvent(QPaintEvent* /*event*/) {
   const QRectF card = QRectF(rect()).adjusted(0.5, 0.5, -0.5, -0.5);
   painter.drawRoundedRect(card, 6, 6);
   painter.setPen(Qt::NoPen);
-  painter.setBrush(severity_->palette().color(QPalette::WindowText));
+  painter.setBrush(toneColor(toneOf(finding_.severity), themeOf(palette())));
   painter.drawRoundedRect(QRectF(card.left() + 4, card.top() + 8, 3, card.height() - 16), 1.5, 1.5);
 }
 
@@ -172,7 +163,6 @@ void FindingCards::setItems(const std::vector<Item>& items) {
   const std::size_t count = std::min(kMost, items.size());
   while (cards_.size() < count) {
     auto* card = new FindingCard(this);
-    card->setTheme(theme_);
     connect(card, &FindingCard::showWanted, this, &FindingCards::showWanted);
     connect(card, &FindingCard::remedyWanted, this, &FindingCards::remedyWanted);
     layout_->insertWidget(static_cast<int>(cards_.size()), card);
@@ -192,11 +182,6 @@ void FindingCards::setItems(const std::vector<Item>& items) {
   others_->setText(tr("%1 more under Findings").arg(items.size() - count));
   others_->setVisible(items.size() > count);
   setVisible(!items.empty());
-}
-
-void FindingCards::setTheme(Theme theme) {
-  theme_ = theme;
-  for (FindingCard* card : cards_) card->setTheme(theme);
 }
 
 }  // namespace hexoderm

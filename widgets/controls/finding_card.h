@@ -1,7 +1,6 @@
 #pragma once
 
 #include "hexoderm/util/finding_advice.h"
-#include "widgets/style/palette.h"
 
 #include <QFrame>
 #include <QString>
@@ -35,7 +34,6 @@ class FindingCard : public QFrame {
   [[nodiscard]] const Finding& finding() const { return finding_; }
   void setUnfolded(bool unfolded);
   [[nodiscard]] bool isUnfolded() const;
-  void setTheme(Theme theme);
 
  signals:
   void showWanted(const hexoderm::Finding& finding);
@@ -59,7 +57,6 @@ class FindingCard : public QFrame {
   QLabel* todo_;
   QWidget* buttons_;
   FlowLayout* button_layout_;
-  Theme theme_ = Theme::Light;
 };
 
 /// Cards of several findings, one below the other; the first is unfolded. Of many only the first few, and the number of
@@ -78,7 +75,6 @@ class FindingCards : public QWidget {
 
   void setItems(const std::vector<Item>& items);
   [[nodiscard]] const std::vector<FindingCard*>& cards() const { return cards_; }
-  void setTheme(Theme theme);
 
  signals:
   void showWanted(const hexoderm::Finding& finding);
@@ -92,7 +88,6 @@ class FindingCards : public QWidget {
   QPushButton* others_;
   std::vector<Item> items_;
   std::vector<Finding> shown_;
-  Theme theme_ = Theme::Light;
 };
 
 }  // namespace hexoderm

@@ -56,11 +56,6 @@ void MessageBar::showMessage(Tone tone, const QString& text, const QString& butt
 
 QString MessageBar::text() const { return text_->text(); }
 
-void MessageBar::setTheme(Theme theme) {
-  theme_ = theme;
-  update();
-}
-
 void MessageBar::keyPressEvent(QKeyEvent* event) {
   if (event->key() == Qt::Key_Escape) {
     hide();
@@ -72,7 +67,7 @@ void MessageBar::keyPressEvent(QKeyEvent* event) {
 void MessageBar::paintEvent(QPaintEvent* event) {
   QFrame::paintEvent(event);
   // A bar along the left edge carries the tone; the words carry it too.
-  QPainter(this).fillRect(0, 6, 4, height() - 12, toneColor(tone_, theme_));
+  QPainter(this).fillRect(0, 6, 4, height() - 12, toneColor(tone_, themeOf(palette())));
 }
 
 }  // namespace hexoderm

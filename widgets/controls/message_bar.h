@@ -22,7 +22,6 @@ class MessageBar : public QFrame {
   [[nodiscard]] QString text() const;
   /// Something went wrong and nobody has closed the message yet: good news should not take its place.
   [[nodiscard]] bool isUrgent() const { return isVisible() && tone_ == Tone::Bad; }
-  void setTheme(Theme theme);
 
  signals:
   /// Emitted for a record of the messages shown to the operator.
@@ -37,7 +36,6 @@ class MessageBar : public QFrame {
   QPushButton* button_;
   std::function<void()> pressed_;
   Tone tone_ = Tone::Neutral;
-  Theme theme_ = Theme::Light;
 };
 
 }  // namespace hexoderm

@@ -2,6 +2,7 @@
 
 #include "widgets/controls/action_button.h"
 #include "widgets/controls/flow_layout.h"
+#include "widgets/style/palette.h"
 #include "widgets/words/formatting.h"
 
 #include <QAbstractButton>
@@ -73,10 +74,6 @@ class StepHead : public QAbstractButton {
     setProperty(StepPanel::kIsOpen, open);
     update();
   }
-  void setTheme(Theme theme) {
-    theme_ = theme;
-    update();
-  }
 
   QSize sizeHint() const override { return {kIndent + 150, heightForWidth(QWIDGETSIZE_MAX)}; }
   int heightForWidth(int width) const override {
@@ -86,7 +83,7 @@ class StepHead : public QAbstractButton {
 
  protected:
   void paintEvent(QPaintEvent* /*event*/) override {
-    const Colors& colors = Colors::of(theme_);
+    const Colors& colors = Colors::of(palette());
     QPainter painter(this);
     painter.setRenderHint(QPainter::Antialiasing);
     if (open_ || underMouse()) painter.fillRect(rect(), colors.panel_active);
@@ -147,7 +144,6 @@ class StepHead : public QAbstractButton {
   QString note_;
   StepState state_ = StepState::Waiting;
   bool open_ = false;
-  Theme theme_ = Theme::Light;
 };
 
 }  // namespace
@@ -215,7 +211,6 @@ class StepPanel::Row : public QWidget {
     body_->setVisible(open);
     head_->setOpen(open);
   }
-  void setTheme(Theme theme) { head_->setTheme(theme); }
   [[nodiscard]] QAbstractButton* head() const { return head_; }
 
  protected:
@@ -264,7 +259,6 @@ void StepPanel::setSteps(const std::vector<Step>& steps) {
   while (rows_.size() < steps.size()) {
     const auto index = static_cast<int>(rows_.size());
     auto* row = new Row(index + 1, widget());
-    row->setTheme(theme_);
     row->installEventFilter(this);
     connect(row->head(), &QAbstractButton::clicked, this, [this, index] { openStep(index); });
     layout_->insertWidget(index, row);
@@ -341,11 +335,6 @@ void StepPanel::goToStep(int step) {
   QAbstractButton* head = rows_[open_]->head();
   head->setFocus(Qt::ShortcutFocusReason);
   ensureWidgetVisible(head);
-}
-
-void StepPanel::setTheme(Theme theme) {
-  theme_ = theme;
-  for (Row* row : rows_) row->setTheme(theme);
 }
 
 void StepPanel::showOpenRow() {

@@ -1,7 +1,5 @@
 #pragma once
 
-#include "widgets/style/palette.h"
-
 #include <QScrollArea>
 #include <QTimer>
 #include <vector>
@@ -51,9 +49,6 @@ class StepPanel : public QScrollArea {
   /// Opens a step, and moves the keyboard to its heading.
   void goToStep(int step);
 
- public:
-  void setTheme(Theme theme);
-
  signals:
   void opened(int step);
 
@@ -76,7 +71,6 @@ class StepPanel : public QScrollArea {
   std::size_t open_ = 0;
   QTimer make_room_;
   int placed_at_ = 0;  ///< the scroll bar's value as it was set here, as long as nobody else scrolls
-  Theme theme_ = Theme::Light;
 };
 
 }  // namespace hexoderm

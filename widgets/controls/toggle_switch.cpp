@@ -1,5 +1,7 @@
 #include "widgets/controls/toggle_switch.h"
 
+#include "widgets/style/palette.h"
+
 #include <QPainter>
 
 namespace hexoderm {
@@ -9,11 +11,6 @@ constexpr double kSpace = 0.6;  // between switch and text, in line heights
 
 }  // namespace
 
-void ToggleSwitch::setTheme(Theme theme) {
-  theme_ = theme;
-  update();
-}
-
 QSize ToggleSwitch::sizeHint() const {
   const int line = fontMetrics().height();
   return {static_cast<int>((1.8 + kSpace) * line) + fontMetrics().horizontalAdvance(text()) + 6,
@@ -21,7 +18,7 @@ QSize ToggleSwitch::sizeHint() const {
 }
 
 void ToggleSwitch::paintEvent(QPaintEvent* /*event*/) {
-  const Colors& colors = Colors::of(theme_);
+  const Colors& colors = Colors::of(palette());
   const double line = fontMetrics().height();
   QPainter painter(this);
   painter.setRenderHint(QPainter::Antialiasing);

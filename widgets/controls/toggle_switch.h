@@ -1,7 +1,5 @@
 #pragma once
 
-#include "widgets/style/palette.h"
-
 #include <QCheckBox>
 
 namespace hexoderm {
@@ -12,16 +10,12 @@ class ToggleSwitch : public QCheckBox {
 
  public:
   using QCheckBox::QCheckBox;
-  void setTheme(Theme theme);
   QSize sizeHint() const override;
   QSize minimumSizeHint() const override { return sizeHint(); }
 
  protected:
   void paintEvent(QPaintEvent* event) override;
   bool hitButton(const QPoint& position) const override { return rect().contains(position); }
-
- private:
-  Theme theme_ = Theme::Light;
 };
 
 }  // namespace hexoderm

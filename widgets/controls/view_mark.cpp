@@ -30,11 +30,6 @@ void ViewMark::setPlace(int top_margin, bool at_right) {
   update();
 }
 
-void ViewMark::setTheme(Theme theme) {
-  theme_ = theme;
-  update();
-}
-
 bool ViewMark::eventFilter(QObject* watched, QEvent* event) {
   if (event->type() == QEvent::Resize) setGeometry(parentWidget()->rect());
   // Views change places.
@@ -47,8 +42,8 @@ void ViewMark::paintEvent(QPaintEvent* /*event*/) {
   constexpr int kFrame = 4;
   constexpr int kPaddingX = 12;
   constexpr int kPaddingY = 5;
-  const Colors& colors = Colors::of(theme_);
-  const QColor color = content_->tone == Tone::Neutral ? colors.accent : toneColor(content_->tone, theme_);
+  const Colors& colors = Colors::of(palette());
+  const QColor color = content_->tone == Tone::Neutral ? colors.accent : toneColor(content_->tone, themeOf(palette()));
   QPainter painter(this);
   painter.setRenderHint(QPainter::Antialiasing);
   if (content_->is_muted) {

@@ -33,7 +33,6 @@ class ViewMark : public QWidget {
   [[nodiscard]] const std::optional<Content>& content() const { return content_; }
   /// What of the top is kept free for buttons, and whether the words stand on the right instead of in the middle.
   void setPlace(int top_margin, bool at_right);
-  void setTheme(Theme theme);
 
  protected:
   bool eventFilter(QObject* watched, QEvent* event) override;
@@ -43,7 +42,6 @@ class ViewMark : public QWidget {
   std::optional<Content> content_;
   int top_margin_ = 0;
   bool at_right_ = false;
-  Theme theme_ = Theme::Light;
 };
 
 }  // namespace hexoderm

@@ -97,11 +97,6 @@ void GraphView::setAwaited(const QString& awaited) {
   if (scene_->cells().empty()) update();
 }
 
-void GraphView::setTheme(Theme theme) {
-  theme_ = theme;
-  recolor();
-}
-
 void GraphView::setColoring(Coloring coloring) { button_->setColoring(coloring); }
 
 void GraphView::setScaleRanges(const ScaleRanges* ranges) {
@@ -120,7 +115,7 @@ void GraphView::setCellActions(const QList<QAction*>& actions) { cell_actions_ =
 
 GraphStyle GraphView::style() const {
   GraphStyle style;
-  style.theme = theme_;
+  style.theme = themeOf(palette());
   style.font = font();
   style.marks_tree = button_->marksTree();
   return style;
@@ -157,7 +152,7 @@ void GraphView::findCell() {
 void GraphView::recolor() {
   button_->setBodyPartsKnown(knowsBodyParts(*scene_));
   const auto fixed = ranges_ == nullptr ? std::nullopt : ranges_->fixed(coloring());
-  paint_ = std::make_shared<const GraphPaint>(paintOf(*scene_, coloring(), theme_, fixed));
+  paint_ = std::make_shared<const GraphPaint>(paintOf(*scene_, coloring(), themeOf(palette()), fixed));
   arrange();
   if (follows_size_) {
     fit();
@@ -170,7 +165,7 @@ void GraphView::arrange() {
   const bool has_cells = !scene_->cells().empty();
   button_->setVisible(has_cells && width() >= kLeastForButton.width() && height() >= kLeastForButton.height());
   button_->adjustSize();
-  const GraphLegend legend(*paint_, marks(), theme_, font());
+  const GraphLegend legend(*paint_, marks(), themeOf(palette()), font());
   GraphFit::Neighbors neighbors;
   if (!button_->isHidden()) neighbors.button = button_->size();
   if (has_cells) neighbors.legend = &legend;
@@ -281,7 +276,7 @@ void GraphView::showMenu(const GraphHit& hit, const QPoint& global_position) {
 // --- drawing ---
 
 void GraphView::drawHint(QPainter& painter) const {
-  painter.setPen(Colors::of(theme_).text_muted);
+  painter.setPen(Colors::of(palette()).text_muted);
   const QString text = scene_->reconstruction() ? tr("This skin has no cells.")
                        : awaited_.isEmpty()     ? tr("The skin graph appears here as soon as a skin is open.")
                                                 : awaited_;
@@ -291,7 +286,7 @@ void GraphView::drawHint(QPainter& painter) const {
 void GraphView::drawHighlights(QPainter& painter) const {
   const GraphStyle own = style();
   const GraphPainter graph(*scene_, *paint_, camera_, own);
-  const Colors& colors = Colors::of(theme_);
+  const Colors& colors = Colors::of(palette());
   for (const CellId brushed : selection_->brushed()) {
     if (const auto cell = scene_->indexOf(brushed)) graph.drawBrushMark(painter, *cell);
   }
@@ -318,7 +313,7 @@ void GraphView::paintEvent(QPaintEvent* event) {
   QPainter painter(this);
   const double ratio = sheet.devicePixelRatioF();
   const QRect covered(QPoint(0, 0), (QSizeF(sheet.size()) / ratio).toSize());
-  if (!covered.contains(event->rect())) painter.fillRect(event->rect(), Colors::of(theme_).panel);
+  if (!covered.contains(event->rect())) painter.fillRect(event->rect(), Colors::of(palette()).panel);
   // Only the part that is asked for: where the mouse went, that is a few hexagons.
   const QRect changed = event->rect().intersected(covered);
   painter.drawPixmap(changed, sheet,
@@ -331,7 +326,7 @@ void GraphView::paintEvent(QPaintEvent* event) {
   }
   if (shows_focus_) {
     painter.setBrush(Qt::NoBrush);
-    painter.setPen(QPen(Colors::of(theme_).accent, 2));
+    painter.setPen(QPen(Colors::of(palette()).accent, 2));
     painter.drawRect(QRectF(rect()).adjusted(1, 1, -1, -1));
   }
 }
@@ -349,7 +344,7 @@ bool GraphView::event(QEvent* event) {
     }
     return true;
   }
-  if (event->type() == QEvent::FontChange) recolor();
+  if (event->type() == QEvent::FontChange || event->type() == QEvent::PaletteChange) recolor();
   return QWidget::event(event);
 }
 

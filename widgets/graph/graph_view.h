@@ -39,7 +39,6 @@ class GraphView : public QWidget {
   void setReconstruction(std::shared_ptr<const Reconstruction> reconstruction);
   /// What is going on while there is no skin, in words, which stand in the hint's place; empty: nothing is.
   void setAwaited(const QString& awaited);
-  void setTheme(Theme theme);
   void setColoring(Coloring coloring);
   [[nodiscard]] Coloring coloring() const;
   /// Ranges of scales that the operator has fixed; they must outlive the view. Without them all scales are fitted.
@@ -119,7 +118,6 @@ class GraphView : public QWidget {
   std::shared_ptr<const GraphPaint> paint_ = std::make_shared<GraphPaint>();
   const ScaleRanges* ranges_ = nullptr;
   QString awaited_;
-  Theme theme_ = Theme::Light;
   FindCellField* finder_;
   GraphColoringButton* button_;
   QList<QAction*> link_actions_;

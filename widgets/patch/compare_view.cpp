@@ -226,11 +226,6 @@ void CompareView::setMode(Mode mode) {
 
 CompareView::Mode CompareView::mode() const { return parts_->mode; }
 
-void CompareView::setTheme(Theme theme) {
-  parts_->before->setTheme(theme);
-  parts_->now->setTheme(theme);
-}
-
 PatchView& CompareView::before() const { return *parts_->before; }
 
 PatchView& CompareView::now() const { return *parts_->now; }

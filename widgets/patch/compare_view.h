@@ -39,7 +39,6 @@ class CompareView : public QWidget {
   void setSources(const QStringList& sources, int chosen, const QString& why_none);
   void setMode(Mode mode);
   [[nodiscard]] Mode mode() const;
-  void setTheme(Theme theme);
   [[nodiscard]] PatchView& before() const;
   [[nodiscard]] PatchView& now() const;
   /// As the arrows are drawn.

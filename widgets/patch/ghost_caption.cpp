@@ -1,6 +1,7 @@
 #include "widgets/patch/ghost_caption.h"
 
 #include "widgets/scene/scene_ghost.h"
+#include "widgets/style/palette.h"
 
 #include <QPainter>
 #include <QPainterPath>
@@ -28,11 +29,6 @@ void GhostCaption::setAngle(const QString& angle) {
   update();
 }
 
-void GhostCaption::setTheme(Theme theme) {
-  theme_ = theme;
-  update();
-}
-
 void GhostCaption::paintEvent(QPaintEvent* /*event*/) {
   QPainter painter(this);
   paint(painter, size());
@@ -40,7 +36,7 @@ void GhostCaption::paintEvent(QPaintEvent* /*event*/) {
 
 void GhostCaption::paint(QPainter& painter, const QSize& area) const {
   if (!shown_) return;
-  const Colors& colors = Colors::of(theme_);
+  const Colors& colors = Colors::of(palette());
   const auto [left, bottom, right, top] = SceneGhost::placeIn(area.width(), area.height());
   const QRectF ghost(left, area.height() - top, right - left, top - bottom);
   painter.setRenderHint(QPainter::Antialiasing);

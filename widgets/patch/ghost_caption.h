@@ -1,7 +1,5 @@
 #pragma once
 
-#include "widgets/style/palette.h"
-
 #include <QWidget>
 
 namespace hexoderm {
@@ -17,7 +15,6 @@ class GhostCaption : public QWidget {
   void setShown(bool shown);
   /// "70°"; empty: not said.
   void setAngle(const QString& angle);
-  void setTheme(Theme theme);
   void paint(QPainter& painter, const QSize& area) const;
 
  protected:
@@ -26,7 +23,6 @@ class GhostCaption : public QWidget {
  private:
   bool shown_ = false;
   QString angle_;
-  Theme theme_ = Theme::Light;
 };
 
 }  // namespace hexoderm

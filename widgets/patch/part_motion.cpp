@@ -97,8 +97,6 @@ void PartMotion::setAnimated(bool animated) {
   play();
 }
 
-void PartMotion::setTheme(Theme theme) { caption_->setTheme(theme); }
-
 void PartMotion::paintCaption(QPainter& painter, const QSize& area) const { caption_->paint(painter, area); }
 
 // ---- the ghost

@@ -1,7 +1,6 @@
 #pragma once
 
 #include "hexoderm/capture/calm_up.h"
-#include "widgets/style/palette.h"
 
 #include <Eigen/Core>
 #include <QElapsedTimer>
@@ -43,7 +42,6 @@ class PartMotion : public QObject {
   void setTurnable(bool turnable);
   /// Off: the ghost does not move and is shown in the orientation in which the part should be held.
   void setAnimated(bool animated);
-  void setTheme(Theme theme);
   /// Paints the words beside the ghost into a screenshot of this size.
   void paintCaption(QPainter& painter, const QSize& area) const;
 

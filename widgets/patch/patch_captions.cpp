@@ -1,6 +1,7 @@
 #include "widgets/patch/patch_captions.h"
 
 #include "widgets/scene/scene_corners.h"
+#include "widgets/style/palette.h"
 
 #include <QImage>
 #include <QPainter>
@@ -49,11 +50,6 @@ void PatchCaptions::setContent(const Content& content) {
   update();
 }
 
-void PatchCaptions::setTheme(Theme theme) {
-  theme_ = theme;
-  update();
-}
-
 void PatchCaptions::setTopMargin(int pixels) {
   top_margin_ = pixels;
   update();
@@ -75,7 +71,7 @@ void PatchCaptions::paintEvent(QPaintEvent*) {
 }
 
 void PatchCaptions::paint(QPainter& painter, const QSize& area) const {
-  const Colors& colors = Colors::of(theme_);
+  const Colors& colors = Colors::of(palette());
   painter.setRenderHint(QPainter::Antialiasing);
   painter.setFont(font());
   if (!content_.hint.isEmpty()) {
@@ -99,7 +95,7 @@ void PatchCaptions::paint(QPainter& painter, const QSize& area) const {
 
 /// Below the buttons on the left.
 void PatchCaptions::paintNotes(QPainter& painter, const QSize& area) const {
-  const Colors& colors = Colors::of(theme_);
+  const Colors& colors = Colors::of(palette());
   const QRect room(kSideMargin + kPadding, top_margin_ + kPadding, area.width() - 2 * (kSideMargin + kPadding),
                    area.height() - top_margin_);
   int top = room.top();

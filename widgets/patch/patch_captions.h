@@ -1,7 +1,5 @@
 #pragma once
 
-#include "widgets/style/palette.h"
-
 #include <QStringList>
 #include <QWidget>
 #include <optional>
@@ -25,7 +23,6 @@ class PatchCaptions : public QWidget {
   explicit PatchCaptions(QWidget* parent = nullptr);
 
   void setContent(const Content& content);
-  void setTheme(Theme theme);
   /// Kept free for the buttons.
   void setTopMargin(int pixels);
   /// Down to here the notes reach, which stay while the picture does; 0 if there are none. In pixels.
@@ -40,7 +37,6 @@ class PatchCaptions : public QWidget {
   void paintNotes(QPainter& painter, const QSize& area) const;
 
   Content content_;
-  Theme theme_ = Theme::Light;
   int top_margin_ = 0;
 };
 

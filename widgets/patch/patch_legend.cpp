@@ -2,6 +2,7 @@
 
 #include "widgets/coloring/cell_colors.h"
 #include "widgets/coloring/coloring_words.h"
+#include "widgets/patch/scene_look.h"
 #include "widgets/scene/scene_corners.h"
 #include "widgets/style/color_maps.h"
 
@@ -49,11 +50,11 @@ void drawSignSample(QPainter& painter, const QColor& face, const QColor& mark, d
 
 }  // namespace
 
-PatchLegend::PatchLegend(const LegendContent& content, Theme theme, const SceneColors& colors, const QFont& font,
-                         const QSize& area, const QSize& button)
+PatchLegend::PatchLegend(const LegendContent& content, Theme theme, const QFont& font, const QSize& area,
+                         const QSize& button)
     : content_(content),
       theme_(theme),
-      colors_(colors),
+      colors_(sceneColors(theme)),
       font_(font),
       area_(area),
       row_height_(QFontMetrics(font).height() + 2),

@@ -38,8 +38,7 @@ class PatchLegend {
  public:
   /// `button`: the size of the button that stands beside the title of a scale; empty: the state of the scale is written
   /// there.
-  PatchLegend(const LegendContent& content, Theme theme, const SceneColors& colors, const QFont& font,
-              const QSize& area, const QSize& button);
+  PatchLegend(const LegendContent& content, Theme theme, const QFont& font, const QSize& area, const QSize& button);
 
   /// Of the plate, in the area; empty without anything to explain.
   [[nodiscard]] const QRectF& place() const { return place_; }

@@ -56,12 +56,6 @@ void PatchLegendView::setContent(const std::optional<LegendContent>& content) {
   describe();
 }
 
-void PatchLegendView::setTheme(Theme theme, const SceneColors& colors) {
-  theme_ = theme;
-  colors_ = colors;
-  arrange();
-}
-
 void PatchLegendView::setMarkedValue(std::optional<double> value, const QString& word) {
   if (value == marked_ && word == marked_word_) return;
   marked_ = value;
@@ -71,14 +65,14 @@ void PatchLegendView::setMarkedValue(std::optional<double> value, const QString&
 
 void PatchLegendView::paintPicture(QPainter& painter, const QSize& area) const {
   if (!content_) return;
-  PatchLegend(*content_, theme_, colors_, font(), area, {}).paint(painter, marked_, marked_word_, std::nullopt);
+  PatchLegend(*content_, themeOf(palette()), font(), area, {}).paint(painter, marked_, marked_word_, std::nullopt);
 }
 
 void PatchLegendView::arrange() {
   legend_.reset();
-  if (content_ && !colors_.scale.steps.empty()) {
+  if (content_) {
     const bool has_scale = content_->scale.has_value();
-    legend_.emplace(*content_, theme_, colors_, font(), parentWidget()->size(),
+    legend_.emplace(*content_, themeOf(palette()), font(), parentWidget()->size(),
                     has_scale ? button_->sizeHint() : QSize());
   }
   const bool is_there = legend_ && !legend_->place().isEmpty();
@@ -108,7 +102,7 @@ void PatchLegendView::paintEvent(QPaintEvent* /*event*/) {
   legend_->paint(painter, marked_, marked_word_, probed_);
   if (!hasFocus() || legend_->strip() == nullptr) return;
   painter.setRenderHint(QPainter::Antialiasing);
-  painter.setPen(QPen(Colors::of(theme_).accent, 2));
+  painter.setPen(QPen(Colors::of(palette()).accent, 2));
   painter.setBrush(Qt::NoBrush);
   painter.drawRoundedRect(QRectF(geometry()).adjusted(1.5, 1.5, -1.5, -1.5), 5, 5);
 }
@@ -139,7 +133,8 @@ void PatchLegendView::openPopup() { popup_->openAt(button_->mapToGlobal(QPoint(b
 
 bool PatchLegendView::event(QEvent* event) {
   // Clicks on the plate are not for the view below, as one sees no view there.
-  if (event->type() == QEvent::FontChange || event->type() == QEvent::StyleChange) arrange();
+  const QEvent::Type type = event->type();
+  if (type == QEvent::FontChange || type == QEvent::StyleChange || type == QEvent::PaletteChange) arrange();
   return QWidget::event(event);
 }
 

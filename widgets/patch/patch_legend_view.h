@@ -23,7 +23,6 @@ class PatchLegendView : public QWidget {
 
   /// None hides it.
   void setContent(const std::optional<LegendContent>& content);
-  void setTheme(Theme theme, const SceneColors& colors);
   /// Points at a value on the scale, and says whose it is ("cell 5: 0.42 mm"); none points at nothing.
   void setMarkedValue(std::optional<double> value, const QString& word = {});
   [[nodiscard]] std::optional<double> markedValue() const { return marked_; }
@@ -56,8 +55,6 @@ class PatchLegendView : public QWidget {
   void describe();
 
   std::optional<LegendContent> content_;
-  Theme theme_ = Theme::Light;
-  SceneColors colors_;
   std::optional<PatchLegend> legend_;
   QToolButton* button_;
   RangePopup* popup_;

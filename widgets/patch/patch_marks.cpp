@@ -1,5 +1,7 @@
 #include "widgets/patch/patch_marks.h"
 
+#include "widgets/style/palette.h"
+
 #include <QPainter>
 #include <QPainterPath>
 #include <algorithm>
@@ -55,11 +57,6 @@ void PatchMarks::setContent(const Content& content) {
   update();
 }
 
-void PatchMarks::setTheme(Theme theme) {
-  theme_ = theme;
-  update();
-}
-
 void PatchMarks::setTopMargin(int pixels) {
   top_margin_ = pixels;
   update();
@@ -73,7 +70,7 @@ void PatchMarks::setFocusShown(bool shown) {
 void PatchMarks::paintEvent(QPaintEvent* /*event*/) {
   QPainter painter(this);
   paintLasting(painter);
-  const Colors& colors = Colors::of(theme_);
+  const Colors& colors = Colors::of(palette());
   if (content_.hovered.isThere()) {
     paintOutline(painter, content_.hovered, colors.selection, textOn(colors.selection), kHoverWidth);
   }
@@ -85,7 +82,7 @@ void PatchMarks::paintEvent(QPaintEvent* /*event*/) {
 
 void PatchMarks::paintLasting(QPainter& painter) const {
   painter.setRenderHint(QPainter::Antialiasing);
-  const Colors& colors = Colors::of(theme_);
+  const Colors& colors = Colors::of(palette());
   std::vector<QRectF> tags;
   for (const SceneMark& mark : content_.found) {
     if (!mark.isThere()) continue;

@@ -1,7 +1,6 @@
 #pragma once
 
 #include "hexoderm/util/finding.h"
-#include "widgets/style/palette.h"
 
 #include <QPolygonF>
 #include <QString>
@@ -40,7 +39,6 @@ class PatchMarks : public QWidget {
 
   void setContent(const Content& content);
   [[nodiscard]] const Content& content() const { return content_; }
-  void setTheme(Theme theme);
   /// Buttons lie there, under which a tag would not be read.
   void setTopMargin(int pixels);
   /// A frame that shows that the view has the keyboard.
@@ -59,7 +57,6 @@ class PatchMarks : public QWidget {
                 std::vector<QRectF>& taken) const;
 
   Content content_;
-  Theme theme_ = Theme::Light;
   bool shows_focus_ = false;
   int top_margin_ = 0;
 };

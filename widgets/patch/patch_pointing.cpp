@@ -108,12 +108,6 @@ void PatchPointing::raise() {
   hover_card_->raise();
 }
 
-void PatchPointing::setTheme(Theme theme) {
-  marks_->setTheme(theme);
-  hover_card_->setTheme(theme);
-  figure_card_->setTheme(theme);
-}
-
 void PatchPointing::setColoring(Coloring coloring) {
   coloring_ = coloring;
   refresh();

@@ -34,7 +34,6 @@ class PatchPointing : public QObject {
   PatchPointing(QWidget* view, QWidget* canvas, PatchScene& scene, Selection* selection, std::function<void()> render);
   ~PatchPointing() override;
 
-  void setTheme(Theme theme);
   /// Off: the camera jumps.
   void setAnimated(bool animated) { animated_ = animated; }
   /// What the cells' colours stand for: its value stands on the cards.

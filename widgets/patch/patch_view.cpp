@@ -77,7 +77,6 @@ struct PatchView::Parts : public QObject {
   bool is_marked_elsewhere = false;
   std::vector<std::function<void()>> waiting;  ///< for the picture to be up to date
   int controls_height = 0;
-  QColor background = Colors::of(Theme::Light).scene_bottom;  ///< seen where there is no OpenGL
 
   void build();
   void buildScene(QGridLayout* layout);
@@ -99,6 +98,8 @@ struct PatchView::Parts : public QObject {
   /// Opens the menu for the cell at this place of the canvas, if there is one.
   void openMenuAt(const QPoint& position);
   void connectCut();
+  /// In the colours of the theme.
+  void dress();
   bool eventFilter(QObject* watched, QEvent* event) override;
 };
 
@@ -134,6 +135,7 @@ void PatchView::Parts::build() {
   });
   connect(&measure, &MeasureTool::changed, this, [this] { updateMeasure(); });
   view->setMinimumHeight(180);
+  dress();
   updateCaptions();
 }
 
@@ -331,6 +333,13 @@ void PatchView::Parts::requestRender() {
   canvas->requestRender();
 }
 
+void PatchView::Parts::dress() {
+  if (!scene) return;
+  scene->setColors(sceneColors(themeOf(view->palette())));
+  canvas->setBackground(Colors::of(view->palette()).scene_bottom);
+  requestRender();
+}
+
 void PatchView::Parts::openMenuAt(const QPoint& position) {
   if (scene->content() == nullptr) return;
   auto* menu = new QMenu(view);
@@ -361,7 +370,6 @@ bool PatchView::Parts::eventFilter(QObject*, QEvent* event) {
 PatchView::PatchView(Selection* selection, QWidget* parent)
     : QWidget(parent), parts_(std::make_unique<Parts>(this, selection)) {
   parts_->build();
-  setTheme(Theme::Light);
 }
 
 PatchView::~PatchView() {
@@ -394,19 +402,6 @@ void PatchView::setAwaited(const QString& awaited) {
   parts_->updateCaptions();
 }
 
-void PatchView::setTheme(Theme theme) {
-  const SceneColors colors = sceneColors(theme);
-  parts_->captions->setTheme(theme);
-  parts_->legend_view->setTheme(theme, colors);
-  if (parts_->scene) parts_->scene->setColors(colors);
-  if (parts_->motion) parts_->motion->setTheme(theme);
-  if (parts_->pointing) parts_->pointing->setTheme(theme);
-  parts_->background = Colors::of(theme).scene_bottom;
-  if (parts_->canvas != nullptr) parts_->canvas->setBackground(parts_->background);
-  update();
-  parts_->requestRender();
-}
-
 void PatchView::setColoring(Coloring coloring) {
   if (parts_->controls != nullptr) parts_->controls->action(coloring)->setChecked(true);
 }
@@ -429,7 +424,14 @@ void PatchView::setMarkedValue(std::optional<double> value, const QString& word)
   }
 }
 
-void PatchView::paintEvent(QPaintEvent* /*event*/) { QPainter(this).fillRect(rect(), parts_->background); }
+void PatchView::changeEvent(QEvent* event) {
+  QWidget::changeEvent(event);
+  if (event->type() == QEvent::PaletteChange) parts_->dress();
+}
+
+void PatchView::paintEvent(QPaintEvent* /*event*/) {
+  QPainter(this).fillRect(rect(), Colors::of(palette()).scene_bottom);  // seen where there is no OpenGL
+}
 
 void PatchView::setOverlays(const PatchOverlays& overlays) {
   if (overlays == parts_->overlays) return;

@@ -5,7 +5,6 @@
 #include "widgets/scene/patch_moment.h"
 #include "widgets/scene/patch_overlays.h"
 #include "widgets/scene/standard_view.h"
-#include "widgets/style/palette.h"
 
 #include <QImage>
 #include <QWidget>
@@ -42,7 +41,6 @@ class PatchView : public QWidget {
   void setReconstruction(std::shared_ptr<const Reconstruction> reconstruction);
   /// What is going on while there is no skin, in words, which stand in the hint's place; empty: nothing is.
   void setAwaited(const QString& awaited);
-  void setTheme(Theme theme);
   /// What the colours of the cells mean, as the menu has it.
   void setColoring(Coloring coloring);
   [[nodiscard]] Coloring coloring() const;
@@ -113,6 +111,7 @@ class PatchView : public QWidget {
   void coloringChanged(hexoderm::Coloring coloring);
 
  protected:
+  void changeEvent(QEvent* event) override;
   void paintEvent(QPaintEvent* event) override;
   void keyPressEvent(QKeyEvent* event) override;
   /// The menu key; the right button of the mouse opens the menu when it is let go.

@@ -1,5 +1,8 @@
 #include "widgets/plot/plot_items.h"
 
+#include "widgets/style/palette.h"
+
+#include <qwt_plot.h>
 #include <qwt_scale_map.h>
 #include <QCoreApplication>
 #include <QPainter>
@@ -63,18 +66,13 @@ void PlotPicture::show(const PlotData* data, const Marks* marks) {
   marks_ = marks;
 }
 
-void PlotPicture::setLook(Theme theme, const QFont& font) {
-  theme_ = theme;
-  font_ = font;
-}
-
 bool PlotPicture::anyBrushed() const { return std::ranges::find(marks_->brushed, true) != marks_->brushed.end(); }
 
 void PlotPicture::draw(QPainter* painter, const QwtScaleMap& x, const QwtScaleMap& y, const QRectF& canvas) const {
   if (data_ == nullptr || marks_ == nullptr) return;
-  painter->setFont(font_);
+  painter->setFont(plot()->font());
   if (data_->points.empty()) {
-    painter->setPen(Colors::of(theme_).text_muted);
+    painter->setPen(Colors::of(plot()->palette()).text_muted);
     painter->drawText(canvas.adjusted(12, 8, -12, -8), Qt::AlignCenter | Qt::TextWordWrap, hint_);
     return;
   }
@@ -86,9 +84,9 @@ void PlotPicture::draw(QPainter* painter, const QwtScaleMap& x, const QwtScaleMa
 
 void PlotPicture::drawLimits(QPainter& painter, const QwtScaleMap& x, const QwtScaleMap& y,
                              const QRectF& canvas) const {
-  const Colors& colors = Colors::of(theme_);
+  const Colors& colors = Colors::of(plot()->palette());
   const PlotChoice& choice = data_->choice;
-  const QFontMetricsF metrics(font_);
+  const QFontMetricsF metrics(plot()->font());
   const auto pen = [&](Qt::PenStyle style) { painter.setPen(QPen(colors.text, 1.2, style)); };
   const auto word = [&](const QPointF& at, const QString& text) {
     const QRectF box(at, QSizeF(metrics.horizontalAdvance(text) + 4, metrics.height()));
@@ -129,7 +127,7 @@ void PlotPicture::drawLimits(QPainter& painter, const QwtScaleMap& x, const QwtS
 }
 
 void PlotPicture::drawPoints(QPainter& painter, const QwtScaleMap& x, const QwtScaleMap& y) const {
-  const Colors& colors = Colors::of(theme_);
+  const Colors& colors = Colors::of(plot()->palette());
   const std::vector<PlotPoint>& points = data_->points;
   const double radius = pointRadius(points.size());
   const PointLook others = anyBrushed() ? PointLook::Hollow : PointLook::Plain;
@@ -155,7 +153,7 @@ void PlotPicture::drawPoints(QPainter& painter, const QwtScaleMap& x, const QwtS
 }
 
 void PlotPicture::drawBars(QPainter& painter, const QwtScaleMap& x, const QwtScaleMap& y) const {
-  const Colors& colors = Colors::of(theme_);
+  const Colors& colors = Colors::of(plot()->palette());
   std::vector<std::size_t> brushed(data_->bins.size());
   for (std::size_t k = 0; k < data_->points.size(); ++k) {
     if (!marks_->brushed[k]) continue;
@@ -186,7 +184,7 @@ void PlotPicture::drawBars(QPainter& painter, const QwtScaleMap& x, const QwtSca
 }
 
 void PlotPicture::drawMarks(QPainter& painter, const QwtScaleMap& x, const QwtScaleMap& y, const QRectF& canvas) const {
-  const Colors& colors = Colors::of(theme_);
+  const Colors& colors = Colors::of(plot()->palette());
   const auto ring = [&](std::size_t point, double radius, const QPen& pen) {
     const PlotPoint& marked = data_->points[point];
     const double height = data_->choice.is_histogram ? canvas.bottom() - 6 : y.transform(marked.y);
@@ -201,7 +199,7 @@ void PlotPicture::drawMarks(QPainter& painter, const QwtScaleMap& x, const QwtSc
   if (!marks_->picked) return;
   ring(*marks_->picked, radius + 4.5, QPen(colors.panel, 4.5));
   const QPointF at = ring(*marks_->picked, radius + 4.5, QPen(colors.selection, 2.2));
-  QFont bold = font_;
+  QFont bold = plot()->font();
   bold.setWeight(QFont::DemiBold);
   painter.setFont(bold);
   const QFontMetricsF metrics(bold);

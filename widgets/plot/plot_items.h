@@ -1,10 +1,8 @@
 #pragma once
 
 #include "widgets/plot/plot_data.h"
-#include "widgets/style/palette.h"
 
 #include <qwt_plot_item.h>
-#include <QFont>
 #include <QString>
 #include <optional>
 #include <vector>
@@ -28,7 +26,6 @@ class PlotPicture : public QwtPlotItem {
 
   /// Both outlive the item.
   void show(const PlotData* data, const Marks* marks);
-  void setLook(Theme theme, const QFont& font);
   /// Drawn where there are no points.
   void setHint(const QString& hint) { hint_ = hint; }
 
@@ -43,8 +40,6 @@ class PlotPicture : public QwtPlotItem {
 
   const PlotData* data_ = nullptr;
   const Marks* marks_ = nullptr;
-  Theme theme_ = Theme::Light;
-  QFont font_;
   QString hint_;
 };
 

@@ -3,13 +3,13 @@
 #include "widgets/coloring/coloring_words.h"
 #include "widgets/plot/plot_items.h"
 #include "widgets/plot/plot_pointing.h"
+#include "widgets/style/palette.h"
 #include "widgets/words/formatting.h"
 
 #include <qwt_plot.h>
 #include <qwt_plot_canvas.h>
 #include <qwt_plot_grid.h>
 #include <qwt_scale_draw.h>
-#include <qwt_scale_widget.h>
 #include <qwt_text.h>
 #include <QComboBox>
 #include <QEvent>
@@ -76,7 +76,6 @@ struct PlotView::Parts : public QObject {
 
   PlotView* view;
   Selection* selection;
-  Theme theme = Theme::Light;
   std::shared_ptr<const Reconstruction> reconstruction;
   CellFigures figures;  ///< of its cells, once they are needed
   bool has_figures = false;
@@ -119,6 +118,7 @@ void PlotView::Parts::build() {
   canvas->setFocusPolicy(Qt::StrongFocus);
   canvas->setObjectName(QStringLiteral("figurePlotCanvas"));
   canvas->setAccessibleName(PlotView::tr("Plot"));
+  canvas->setBackgroundRole(QPalette::Base);
   plot->setToolTip(PlotView::tr("Drag a rectangle to mark cells in all views, or use the arrow keys with Shift"));
   canvas->setMouseTracking(true);
   plot->setCanvas(canvas);
@@ -281,19 +281,8 @@ void PlotView::Parts::summarise() {
 }
 
 void PlotView::Parts::dress() {
-  const Colors& colors = Colors::of(theme);
-  QPalette palette = qtPalette(theme);
-  palette.setColor(QPalette::Window, colors.panel);
-  palette.setColor(QPalette::WindowText, colors.text_muted);
-  palette.setColor(QPalette::Text, colors.text_muted);
-  plot->setPalette(palette);
-  plot->setCanvasBackground(colors.panel);
-  for (const int axis : {QwtPlot::xBottom, QwtPlot::yLeft}) {
-    plot->setAxisFont(axis, view->font());
-    plot->axisWidget(axis)->setPalette(palette);
-  }
-  grid->setPen(QPen(colors.border, 1));
-  picture->setLook(theme, view->font());
+  for (const int axis : {QwtPlot::xBottom, QwtPlot::yLeft}) plot->setAxisFont(axis, view->font());
+  grid->setPen(QPen(Colors::of(view->palette()).border, 1));
   plot->replot();
 }
 
@@ -339,11 +328,6 @@ void PlotView::setReadings(const std::shared_ptr<const CellReadings>& readings) 
   if (isVisible() && !parts_->readings_soon.isActive()) parts_->readings_soon.start();
 }
 
-void PlotView::setTheme(Theme theme) {
-  parts_->theme = theme;
-  parts_->dress();
-}
-
 const PlotChoice& PlotView::choice() const { return parts_->choice; }
 
 void PlotView::setChoice(const PlotChoice& choice) {
@@ -362,15 +346,13 @@ QSize PlotView::sizeHint() const { return {36 * fontMetrics().averageCharWidth()
 QSize PlotView::minimumSizeHint() const { return {24 * fontMetrics().averageCharWidth(), 10 * fontMetrics().height()}; }
 
 void PlotView::showEvent(QShowEvent* event) {
-  // A style sheet takes colours of their own from widgets that have not been shown yet.
-  parts_->dress();
   if (parts_->is_stale) parts_->refresh();
   QWidget::showEvent(event);
 }
 
 void PlotView::changeEvent(QEvent* event) {
   QWidget::changeEvent(event);
-  if (event->type() == QEvent::FontChange && parts_->pointing != nullptr) parts_->dress();
+  if (event->type() == QEvent::FontChange || event->type() == QEvent::PaletteChange) parts_->dress();
 }
 
 }  // namespace hexoderm

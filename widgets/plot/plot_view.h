@@ -2,7 +2,6 @@
 
 #include "hexoderm/reconstruction/evaluation/evaluation.h"
 #include "widgets/plot/plot_data.h"
-#include "widgets/style/palette.h"
 
 #include <QWidget>
 #include <memory>
@@ -29,7 +28,6 @@ class PlotView : public QWidget {
   /// The cells' present readings; null: none. Cheap: may be called 20 times a second. Drawn a few times a second, if
   /// they are plotted.
   void setReadings(const std::shared_ptr<const CellReadings>& readings);
-  void setTheme(Theme theme);
 
   [[nodiscard]] const PlotChoice& choice() const;
   void setChoice(const PlotChoice& choice);

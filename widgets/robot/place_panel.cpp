@@ -500,8 +500,4 @@ void PlacePanel::endMoving() {
   move_->setChecked(false);
 }
 
-void PlacePanel::setTheme(Theme theme) {
-  for (VerifySection* part : {robot_, joints_, patch_, link_, known_, places_}) part->setTheme(theme);
-}
-
 }  // namespace hexoderm

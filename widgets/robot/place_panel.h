@@ -79,7 +79,6 @@ class PlacePanel : public QWidget {
   void proposePoint(const Eigen::Vector3d& x_l);
   /// Moving by keys has ended without this panel.
   void endMoving();
-  void setTheme(Theme theme);
 
  signals:
   void robotWanted();

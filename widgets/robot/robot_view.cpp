@@ -74,7 +74,7 @@ void RobotView::build() {
   }
   layout->addWidget(parts_->canvas);
   setFocusPolicy(Qt::TabFocus);
-  setTheme(theme_);
+  dress();
 }
 
 void RobotView::setPicture(const RobotPicture& picture) {
@@ -86,14 +86,16 @@ void RobotView::setPicture(const RobotPicture& picture) {
   requestRender();
 }
 
-void RobotView::setTheme(Theme theme) {
-  theme_ = theme;
-  if (parts_ && parts_->scene) {
-    parts_->scene->setColors(sceneColors(theme));
-    parts_->canvas->setBackground(Colors::of(theme).scene_bottom);
-    requestRender();
-  }
-  update();
+void RobotView::changeEvent(QEvent* event) {
+  QWidget::changeEvent(event);
+  if (event->type() == QEvent::PaletteChange) dress();
+}
+
+void RobotView::dress() {
+  if (!canDraw()) return;
+  parts_->scene->setColors(sceneColors(themeOf(palette())));
+  parts_->canvas->setBackground(Colors::of(palette()).scene_bottom);
+  requestRender();
 }
 
 void RobotView::setPicking(bool picking) {
@@ -285,9 +287,9 @@ void RobotView::keyPressEvent(QKeyEvent* event) {
 
 void RobotView::paintEvent(QPaintEvent* /*event*/) {
   QPainter painter(this);
-  painter.fillRect(rect(), Colors::of(theme_).scene_bottom);
+  painter.fillRect(rect(), Colors::of(palette()).scene_bottom);
   if (!hasFocus()) return;
-  painter.setPen(QPen(Colors::of(theme_).accent, 2));
+  painter.setPen(QPen(Colors::of(palette()).accent, 2));
   painter.drawRect(rect().adjusted(1, 1, -1, -1));
 }
 

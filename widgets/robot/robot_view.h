@@ -1,7 +1,6 @@
 #pragma once
 
 #include "widgets/robot/robot_scene.h"
-#include "widgets/style/palette.h"
 
 #include <QImage>
 #include <QWidget>
@@ -26,7 +25,6 @@ class RobotView : public QWidget {
   /// Without bodies: an empty view with a hint.
   void setPicture(const RobotPicture& picture);
   [[nodiscard]] const RobotPicture& picture() const { return picture_; }
-  void setTheme(Theme theme);
   /// On: the next click on the robot is told by pointPicked().
   void setPicking(bool picking);
   /// On: arrow keys slide the patch and turn the robot no more; the view takes the keyboard.
@@ -58,6 +56,7 @@ class RobotView : public QWidget {
   void leftAlone();
 
  protected:
+  void changeEvent(QEvent* event) override;
   bool eventFilter(QObject* watched, QEvent* event) override;
   void keyPressEvent(QKeyEvent* event) override;
   void paintEvent(QPaintEvent* event) override;
@@ -65,6 +64,7 @@ class RobotView : public QWidget {
  private:
   struct Parts;
   void build();
+  void dress();
   void requestRender();
   void pickAt(const QPoint& position);
   [[nodiscard]] std::pair<double, double> pixelAt(const QPoint& position) const;
@@ -74,7 +74,6 @@ class RobotView : public QWidget {
   void showCursor();
 
   RobotPicture picture_;
-  Theme theme_ = Theme::Light;
   bool picking_ = false;
   bool moving_ = false;           ///< by keys
   bool pulling_ = false;          ///< by the mouse

@@ -89,6 +89,10 @@ QColor faded(const QColor& color, const QColor& ground) {
 
 }  // namespace
 
+Theme themeOf(const QPalette& palette) {
+  return palette.color(QPalette::Base).lightness() < 128 ? Theme::Dark : Theme::Light;
+}
+
 const Colors& Colors::of(Theme theme) { return theme == Theme::Dark ? kDark : kLight; }
 
 LinkStroke linkStroke(EdgeQuality quality, Theme theme) {

@@ -15,6 +15,10 @@ namespace hexoderm {
 
 enum class Theme { Light, Dark };
 
+/// The theme of a palette. A widget passes its own whenever it paints, and hears of another theme by
+/// QEvent::PaletteChange; a model, which belongs to no widget, passes the application's.
+Theme themeOf(const QPalette& palette);
+
 /// Line of a link by its quality: hue, style and word go together, so that no meaning hangs on hue alone.
 struct LinkStroke {
   QColor color;
@@ -45,6 +49,7 @@ struct Colors {
   std::array<QColor, 3> axis;  ///< x, y, z: as red, green and blue as who can't tell red from green allows
 
   static const Colors& of(Theme theme);
+  static const Colors& of(const QPalette& palette) { return of(themeOf(palette)); }
 };
 
 LinkStroke linkStroke(EdgeQuality quality, Theme theme);

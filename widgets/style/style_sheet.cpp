@@ -13,7 +13,8 @@ static void initStyleResources() { Q_INIT_RESOURCE(widgets_style); }
 namespace hexoderm {
 namespace {
 
-/// Names between @ are replaced. Widgets choose a part by a property: card, banner, primary, flat, caption, muted.
+/// Names between @ are replaced. Widgets choose a part by a property: card, banner, primary, flat, caption, muted,
+/// tone.
 constexpr const char* kStyleSheet = R"(
 @font@
 QMainWindow, QDialog { background: @window@; }
@@ -28,6 +29,10 @@ QLabel { background: transparent; }
 QLabel[muted="true"] { color: @text_muted@; }
 QLabel[caption="true"] { color: @text_muted@; font-size: @small@pt; letter-spacing: 1px; }
 QLabel[headline="true"] { font-size: @large@pt; font-weight: 600; }
+QLabel[tone="neutral"] { color: @text_muted@; }
+QLabel[tone="good"] { color: @good@; }
+QLabel[tone="caution"] { color: @caution@; }
+QLabel[tone="bad"] { color: @bad@; }
 
 QMenuBar { background: @panel@; border-bottom: 1px solid @border@; padding: 3px 5px; }
 QMenuBar::item { background: transparent; color: @text_muted@; padding: 4px 9px; border-radius: 4px; }
@@ -130,6 +135,7 @@ QScrollBar::handle:hover { background: @text_muted@; }
 QScrollBar::add-line, QScrollBar::sub-line { width: 0; height: 0; }
 QScrollBar::add-page, QScrollBar::sub-page { background: transparent; }
 QSplitter::handle { background: transparent; }
+QwtScaleWidget { color: @text_muted@; }
 QProgressBar { background: @border@; border: 0; border-radius: 3px; max-height: 6px; }
 QProgressBar::chunk { background: @accent@; border-radius: 3px; }
 )";
@@ -145,7 +151,7 @@ QString styleSheet(Theme theme) {
   initStyleResources();
   const Colors& colors = Colors::of(theme);
   QString sheet = QString::fromUtf8(kStyleSheet);
-  const std::array<std::pair<const char*, QColor>, 15> named = {{
+  const std::array<std::pair<const char*, QColor>, 18> named = {{
       {"window", colors.window},
       {"panel", colors.panel},
       {"panel_active", colors.panel_active},
@@ -154,6 +160,9 @@ QString styleSheet(Theme theme) {
       {"text_muted", colors.text_muted},
       {"accent", colors.accent},
       {"accent_text", colors.accent_text},
+      {"good", colors.good},
+      {"caution", colors.caution},
+      {"bad", colors.bad},
       {"selection", colors.selection},
       {"hover", mixed(colors.panel, colors.text, 0.05)},
       {"pressed", mixed(colors.panel, colors.text, 0.12)},

@@ -14,11 +14,9 @@ class CellTable : public ReconstructionTable {
   Q_OBJECT
 
  public:
-  using ReconstructionTable::ReconstructionTable;
+  explicit CellTable(QObject* parent = nullptr);
   int rowCount(const QModelIndex& parent = {}) const override;
-  int columnCount(const QModelIndex& parent = {}) const override;
   QVariant data(const QModelIndex& index, int role) const override;
-  QVariant headerData(int section, Qt::Orientation orientation, int role) const override;
 
   [[nodiscard]] CellId cellAt(int row) const;
   [[nodiscard]] int rowOf(CellId cell) const;  ///< -1 if there is none

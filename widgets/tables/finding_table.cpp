@@ -5,16 +5,19 @@
 #include "widgets/words/words.h"
 
 #include <algorithm>
-#include <array>
 #include <functional>
 #include <numeric>
 
 namespace hexoderm {
-namespace {
 
-enum FindingColumn { kSeverity, kWhat, kWhere, kFindingColumns };
-
-}  // namespace
+FindingTable::FindingTable(QObject* parent) : ReconstructionTable(parent) {
+  const auto column = [this](const QString& name, QString (*text)(const Finding&)) {
+    return Column{.name = name, .is_text = true, .value = [this, text](int row) { return text(findingAt(row)); }};
+  };
+  setColumns({column(tr("Severity"), [](const Finding& finding) { return severityWord(finding.severity); }),
+              column(tr("What"), [](const Finding& finding) { return words(finding.message); }),
+              column(tr("Where"), [](const Finding& finding) { return placeInWords(finding); })});
+}
 
 void FindingTable::rebuild() {
   rows_.clear();
@@ -29,8 +32,6 @@ int FindingTable::rowCount(const QModelIndex& parent) const {
   return parent.isValid() ? 0 : static_cast<int>(rows_.size());
 }
 
-int FindingTable::columnCount(const QModelIndex& parent) const { return parent.isValid() ? 0 : kFindingColumns; }
-
 const Finding& FindingTable::findingAt(int row) const {
   return reconstruction()->findings[rows_.at(static_cast<std::size_t>(row))];
 }
@@ -39,26 +40,13 @@ QVariant FindingTable::data(const QModelIndex& index, int role) const {
   if (!checkIndex(index, CheckIndexOption::IndexIsValid)) return {};
   const Finding& finding = findingAt(index.row());
   switch (role) {
-    case Qt::DisplayRole:
-    case Qt::AccessibleTextRole:
-      if (index.column() == kSeverity) return severityWord(finding.severity);
-      return index.column() == kWhat ? words(finding.message) : placeInWords(finding);
     case Qt::DecorationRole:
-      return index.column() == kSeverity ? QVariant(severityMark(finding.severity)) : QVariant();
-    case Qt::TextAlignmentRole:
-      return alignment(false);
+      return index.column() == 0 ? QVariant(severityMark(finding.severity)) : QVariant();
     case Qt::ToolTipRole:
       return findingToolTip(finding);
     default:
-      return {};
+      return ReconstructionTable::data(index, role);
   }
-}
-
-QVariant FindingTable::headerData(int section, Qt::Orientation orientation, int role) const {
-  if (orientation != Qt::Horizontal || section < 0 || section >= kFindingColumns) return {};
-  if (role == Qt::TextAlignmentRole) return alignment(false);
-  const std::array<QString, kFindingColumns> headers = {tr("Severity"), tr("What"), tr("Where")};
-  return role == Qt::DisplayRole ? QVariant(headers.at(static_cast<std::size_t>(section))) : QVariant();
 }
 
 }  // namespace hexoderm

@@ -11,11 +11,9 @@ class FindingTable : public ReconstructionTable {
   Q_OBJECT
 
  public:
-  using ReconstructionTable::ReconstructionTable;
+  explicit FindingTable(QObject* parent = nullptr);
   int rowCount(const QModelIndex& parent = {}) const override;
-  int columnCount(const QModelIndex& parent = {}) const override;
   QVariant data(const QModelIndex& index, int role) const override;
-  QVariant headerData(int section, Qt::Orientation orientation, int role) const override;
 
   [[nodiscard]] const Finding& findingAt(int row) const;
 

@@ -2,17 +2,53 @@
 
 #include "widgets/style/palette.h"
 #include "widgets/tables/table_cells.h"
-#include "widgets/tables/table_roles.h"
 #include "widgets/words/formatting.h"
 
-#include <array>
-
 namespace hexoderm {
-namespace {
 
-enum LinkColumn { kLink, kQuality, kResidual, kPredicted, kBend, kTwist, kLinkYaw, kState, kLinkColumns };
-
-}  // namespace
+LinkTable::LinkTable(QObject* parent) : ReconstructionTable(parent) {
+  const auto text = [this](const QString& name, const QString& explanation, auto value) {
+    return Column{.name = name, .explanation = explanation, .is_text = true, .value = [this, value](int row) {
+                    return value(linkAt(row));
+                  }};
+  };
+  const auto angle = [this](const QString& name, const QString& explanation, auto value_rad) {
+    return Column{.name = name,
+                  .unit = QStringLiteral("deg"),
+                  .explanation = explanation,
+                  .decimals = 1,
+                  .sign = QStringLiteral("°"),
+                  .value = [this, value_rad](int row) { return rawDegrees(value_rad(linkAt(row))); }};
+  };
+  const auto ofFigures = [](double LinkEstimate::*angle_rad) {
+    return [angle_rad](const LinkEstimate& link) {
+      return link.hasFigures() ? std::optional(link.*angle_rad) : std::nullopt;
+    };
+  };
+  setColumns(
+      {text(tr("Link"), tr("Cell and port of both ends"), [](const LinkEstimate& link) { return shortLinkName(link); }),
+       text(tr("Quality"), tr("How well the poses determine the link's rotation"),
+            [](const LinkEstimate& link) {
+              return link.hasFigures() ? QVariant(qualityWord(link.quality)) : QVariant();
+            }),
+       angle(tr("Residual"),
+             tr("How badly the readings of the two cells fit together, the estimated errors of their sensors "
+                "taken away: rms over the poses"),
+             [](const LinkEstimate& link) { return link.knownResidual(); }),
+       angle(tr("Predicted"), tr("Expected standard deviation of the link's rotation about its worst axis"),
+             [](const LinkEstimate& link) { return link.knownSigma(); }),
+       angle(tr("Bend"), tr("Angle by which the surface folds at the link"), ofFigures(&LinkEstimate::bend_rad)),
+       angle(tr("Twist"), tr("Angle by which the cells are turned about the line that joins them"),
+             ofFigures(&LinkEstimate::twist_rad)),
+       angle(tr("Yaw"), tr("Angle by which the cells are turned within the surface"),
+             ofFigures(&LinkEstimate::yaw_rad)),
+       text(tr("State"), tr("Whether the link is used, and whether it lies on the shortest-path tree"),
+            [](const LinkEstimate& link) {
+              if (link.muted_by == FindingCode::LinkSetAside) return tr("set aside");
+              if (!link.used) return tr("muted");
+              return link.in_tree ? tr("used, in tree") : tr("used");
+            })});
+}
 
 void LinkTable::rebuild() {
   rows_.clear();
@@ -27,8 +63,6 @@ void LinkTable::rebuild() {
 int LinkTable::rowCount(const QModelIndex& parent) const {
   return parent.isValid() ? 0 : static_cast<int>(rows_.size());
 }
-
-int LinkTable::columnCount(const QModelIndex& parent) const { return parent.isValid() ? 0 : kLinkColumns; }
 
 const LinkEstimate& LinkTable::linkAt(int row) const {
   const auto& [patch, link] = rows_.at(static_cast<std::size_t>(row));
@@ -46,89 +80,23 @@ int LinkTable::rowOf(LinkEnd source, LinkEnd target) const {
 
 QVariant LinkTable::data(const QModelIndex& index, int role) const {
   if (!checkIndex(index, CheckIndexOption::IndexIsValid)) return {};
+  constexpr int kNameColumn = 0;
+  constexpr int kQualityColumn = 1;
   const LinkEstimate& link = linkAt(index.row());
-  const int column = index.column();
-  const bool known = link.hasFigures();
-  const auto text = [&]() -> QString {
-    switch (column) {
-      case kLink:
-        return shortLinkName(link);
-      case kQuality:
-        return known ? qualityWord(link.quality) : noValue();
-      case kResidual:
-        return degreesInWords(link.knownResidual());
-      case kPredicted:
-        return degreesInWords(link.knownSigma());
-      case kBend:
-        return known ? degreesInWords(link.bend_rad) : noValue();
-      case kTwist:
-        return known ? degreesInWords(link.twist_rad) : noValue();
-      case kLinkYaw:
-        return known ? degreesInWords(link.yaw_rad) : noValue();
-      case kState:
-        if (link.muted_by == FindingCode::LinkSetAside) return tr("set aside");
-        if (!link.used) return tr("muted");
-        return link.in_tree ? tr("used, in tree") : tr("used");
-      default:
-        return {};
-    }
-  };
-  const auto raw = [&]() -> QVariant {
-    switch (column) {
-      case kResidual:
-        return rawDegrees(link.knownResidual());
-      case kPredicted:
-        return rawDegrees(link.knownSigma());
-      case kBend:
-        return known ? rawDegrees(link.bend_rad) : QVariant();
-      case kTwist:
-        return known ? rawDegrees(link.twist_rad) : QVariant();
-      case kLinkYaw:
-        return known ? rawDegrees(link.yaw_rad) : QVariant();
-      case kQuality:
-        return known ? QVariant(text()) : QVariant();
-      default:
-        return text();
-    }
-  };
   switch (role) {
-    case Qt::DisplayRole:
-      return text();
-    case kRawRole:
-      return raw();
     case Qt::DecorationRole:
-      return column == kQuality && known ? QVariant(strokeMark(link.quality)) : QVariant();
-    case Qt::TextAlignmentRole:
-      return alignment(column >= kResidual && column <= kLinkYaw);
+      if (index.column() != kQualityColumn || !link.hasFigures()) return {};
+      return strokeMark(link.quality);
     case Qt::ForegroundRole:
       return link.used ? QVariant() : mutedForeground();
     case Qt::ToolTipRole:
       return linkToolTip(*reconstruction(), link);
     case Qt::AccessibleTextRole:
-      return column == kLink ? longLinkName(link) : text();
+      if (index.column() == kNameColumn) return longLinkName(link);
+      [[fallthrough]];
     default:
-      return {};
+      return ReconstructionTable::data(index, role);
   }
-}
-
-QVariant LinkTable::headerData(int section, Qt::Orientation orientation, int role) const {
-  if (orientation != Qt::Horizontal || section < 0 || section >= kLinkColumns) return {};
-  if (role == Qt::TextAlignmentRole) return alignment(section >= kResidual && section <= kLinkYaw);
-  if (role == kUnitRole) return section >= kResidual && section <= kLinkYaw ? QStringLiteral("deg") : QString();
-  const std::array<std::pair<QString, QString>, kLinkColumns> headers = {{
-      {tr("Link"), tr("Cell and port of both ends")},
-      {tr("Quality"), tr("How well the poses determine the link's rotation")},
-      {tr("Residual"), tr("How badly the readings of the two cells fit together, the estimated errors of their sensors "
-                          "taken away: rms over the poses")},
-      {tr("Predicted"), tr("Expected standard deviation of the link's rotation about its worst axis")},
-      {tr("Bend"), tr("Angle by which the surface folds at the link")},
-      {tr("Twist"), tr("Angle by which the cells are turned about the line that joins them")},
-      {tr("Yaw"), tr("Angle by which the cells are turned within the surface")},
-      {tr("State"), tr("Whether the link is used, and whether it lies on the shortest-path tree")},
-  }};
-  const auto& [text, explanation] = headers.at(static_cast<std::size_t>(section));
-  if (role == Qt::DisplayRole) return text;
-  return role == Qt::ToolTipRole ? QVariant(explanation) : QVariant();
 }
 
 }  // namespace hexoderm

@@ -17,11 +17,9 @@ class LinkTable : public ReconstructionTable {
   static constexpr int kTwistColumn = 5;
   static constexpr int kYawColumn = 6;
 
-  using ReconstructionTable::ReconstructionTable;
+  explicit LinkTable(QObject* parent = nullptr);
   int rowCount(const QModelIndex& parent = {}) const override;
-  int columnCount(const QModelIndex& parent = {}) const override;
   QVariant data(const QModelIndex& index, int role) const override;
-  QVariant headerData(int section, Qt::Orientation orientation, int role) const override;
 
   [[nodiscard]] const LinkEstimate& linkAt(int row) const;
   [[nodiscard]] int rowOf(LinkEnd source, LinkEnd target) const;  ///< -1 if there is none

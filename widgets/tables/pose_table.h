@@ -15,11 +15,9 @@ class PoseTable : public ReconstructionTable {
   static constexpr int kNoiseColumn = 3;
   static constexpr int kNewByColumn = 4;
 
-  using ReconstructionTable::ReconstructionTable;
+  explicit PoseTable(QObject* parent = nullptr);
   int rowCount(const QModelIndex& parent = {}) const override;
-  int columnCount(const QModelIndex& parent = {}) const override;
   QVariant data(const QModelIndex& index, int role) const override;
-  QVariant headerData(int section, Qt::Orientation orientation, int role) const override;
 
  protected:
   void rebuild() override {}

@@ -1,18 +1,18 @@
 #pragma once
 
 #include "hexoderm/reconstruction/result/reconstruction.h"
+#include "widgets/tables/column_table.h"
 
-#include <QAbstractTableModel>
 #include <memory>
 
 namespace hexoderm {
 
 /// Base of the item models that show a Reconstruction, which comes in through the one entrance setReconstruction().
-class ReconstructionTable : public QAbstractTableModel {
+class ReconstructionTable : public ColumnTable {
   Q_OBJECT
 
  public:
-  using QAbstractTableModel::QAbstractTableModel;
+  using ColumnTable::ColumnTable;
   /// Null empties the table.
   void setReconstruction(std::shared_ptr<const Reconstruction> reconstruction);
   [[nodiscard]] const std::shared_ptr<const Reconstruction>& reconstruction() const { return reconstruction_; }

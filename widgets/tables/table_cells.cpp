@@ -13,13 +13,7 @@ namespace {
 
 constexpr int kMark = 16;  ///< side of the marks before words, in device-independent pixels
 
-/// The theme in use; models belong to no widget, so they ask the application.
-Theme currentTheme() {
-  const QPalette palette = QApplication::palette();
-  return palette.color(QPalette::Base).lightness() < 128 ? Theme::Dark : Theme::Light;
-}
-
-const Colors& colors() { return Colors::of(currentTheme()); }
+const Colors& colors() { return Colors::of(QApplication::palette()); }
 
 /// A mark drawn at twice its size, so that it is sharp on fine screens, too.
 template <class Draw>
@@ -62,7 +56,7 @@ QIcon usedMark(bool used) {
 
 QIcon strokeMark(EdgeQuality quality) {
   return drawMark([quality](QPainter& painter) {
-    drawStroke(painter, linkStroke(quality, currentTheme()), QLineF(0.5, 8, kMark - 0.5, 8), 2.8);
+    drawStroke(painter, linkStroke(quality, themeOf(QApplication::palette())), QLineF(0.5, 8, kMark - 0.5, 8), 2.8);
   });
 }
 

@@ -2,6 +2,7 @@
 
 #include "hexoderm/util/units.h"
 #include "widgets/controls/selection.h"
+#include "widgets/style/palette.h"
 #include "widgets/words/formatting.h"
 
 #include <qwt_picker_machine.h>
@@ -14,7 +15,7 @@
 #include <qwt_scale_draw.h>
 #include <qwt_scale_engine.h>
 #include <qwt_scale_map.h>
-#include <qwt_scale_widget.h>
+#include <QEvent>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QLocale>
@@ -152,6 +153,7 @@ struct ResidualPlots::Parts {
       plot->setMinimumSize(140, 70);
       static_cast<QwtPlotCanvas*>(plot->canvas())->setFrameStyle(QFrame::NoFrame);
       plot->canvas()->setFocusPolicy(Qt::StrongFocus);
+      plot->canvas()->setBackgroundRole(QPalette::Base);
       plot->setAxisScaleDraw(QwtPlot::yLeft, new FigureScale);
       for (const int axis : {QwtPlot::xBottom, QwtPlot::yLeft}) plot->setAxisMaxMinor(axis, 0);
       auto* grid = new QwtPlotGrid;
@@ -171,7 +173,6 @@ struct ResidualPlots::Parts {
   }
 
   Selection* selection;
-  Theme theme = Theme::Light;
   std::shared_ptr<const Reconstruction> reconstruction;
   ResidualSummary summary;
   bool stale = false;
@@ -229,7 +230,7 @@ ResidualPlots::ResidualPlots(Selection* selection, QWidget* parent)
     emit posePicked(poses[static_cast<std::size_t>(place)].pose);
   });
   connect(selection, &Selection::changed, this, &ResidualPlots::showPicked);
-  setTheme(Theme::Light);
+  dress();
 }
 
 ResidualPlots::~ResidualPlots() = default;
@@ -269,7 +270,7 @@ void ResidualPlots::refresh() {
   parts.stale = false;
   parts.summary = parts.reconstruction ? summariseResiduals(*parts.reconstruction) : ResidualSummary();
 
-  const auto colors = [&parts]() -> const Colors& { return Colors::of(parts.theme); };
+  const auto colors = [this]() -> const Colors& { return Colors::of(palette()); };
   const std::vector<PoseResiduals>& poses = parts.summary.poses;
   const double pose_count = std::max(1.0, static_cast<double>(poses.size()));
   const auto highest = std::ranges::max_element(poses, {}, &PoseResiduals::largest);
@@ -327,21 +328,16 @@ void ResidualPlots::showPicked() {
   parts.link_plot->replot();
 }
 
-void ResidualPlots::setTheme(Theme theme) {
+void ResidualPlots::changeEvent(QEvent* event) {
+  QWidget::changeEvent(event);
+  if (event->type() == QEvent::PaletteChange || event->type() == QEvent::FontChange) dress();
+}
+
+void ResidualPlots::dress() {
   Parts& parts = *parts_;
-  parts.theme = theme;
-  const Colors& colors = Colors::of(theme);
-  QPalette palette = qtPalette(theme);
-  palette.setColor(QPalette::Window, colors.panel);
-  palette.setColor(QPalette::WindowText, colors.text_muted);
-  palette.setColor(QPalette::Text, colors.text_muted);
+  const Colors& colors = Colors::of(palette());
   for (QwtPlot* plot : {parts.pose_plot, parts.link_plot, parts.ratio_plot}) {
-    plot->setPalette(palette);
-    plot->setCanvasBackground(colors.panel);
-    for (const int axis : {QwtPlot::xBottom, QwtPlot::yLeft}) {
-      plot->setAxisFont(axis, font());
-      plot->axisWidget(axis)->setPalette(palette);
-    }
+    for (const int axis : {QwtPlot::xBottom, QwtPlot::yLeft}) plot->setAxisFont(axis, font());
   }
   for (QwtPlotGrid* grid : parts.grids) grid->setPen(QPen(colors.border, 1));
   parts.picked->setLinePen(QPen(colors.selection, 2));

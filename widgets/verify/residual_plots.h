@@ -1,7 +1,6 @@
 #pragma once
 
 #include "hexoderm/reconstruction/figures/review_summary.h"
-#include "widgets/style/palette.h"
 
 #include <QWidget>
 #include <memory>
@@ -24,7 +23,6 @@ class ResidualPlots : public QWidget {
   ~ResidualPlots() override;
 
   void setReconstruction(std::shared_ptr<const Reconstruction> reconstruction);
-  void setTheme(Theme theme);
   /// For tests: the plot with the links, and what is picked by a click at this rank (0: the worst).
   [[nodiscard]] QwtPlot* linkPlot() const;
   [[nodiscard]] QPoint positionOfRank(std::size_t rank) const;  ///< on the link plot's canvas
@@ -33,6 +31,7 @@ class ResidualPlots : public QWidget {
   void posePicked(hexoderm::PoseId pose);
 
  protected:
+  void changeEvent(QEvent* event) override;
   void showEvent(QShowEvent* event) override;
   void resizeEvent(QResizeEvent* event) override;
 
@@ -40,6 +39,7 @@ class ResidualPlots : public QWidget {
   struct Parts;
   void refresh();
   void showPicked();
+  void dress();
 
   std::unique_ptr<Parts> parts_;
 };

@@ -1,17 +1,31 @@
 #include "widgets/verify/residual_table.h"
 
-#include "hexoderm/util/units.h"
 #include "widgets/tables/table_cells.h"
 #include "widgets/tables/table_roles.h"
 #include "widgets/words/formatting.h"
 #include "widgets/words/words.h"
+
+#include <utility>
 
 namespace hexoderm {
 
 void ResidualTable::rebuild() {
   rows_.clear();
   row_of_.clear();
+  setColumns({});
   if (!reconstruction()) return;
+  constexpr int kDecimals = 2;
+  const QString deg = QStringLiteral("deg");
+  std::vector<Column> columns;
+  columns.push_back({tr("All"), deg, tr("Rms over the poses, degrees"), kDecimals});
+  for (const PoseSummary& pose : reconstruction()->poses) {
+    const auto number = pose.pose.value();
+    columns.push_back({tr("Pose %1").arg(number), deg,
+                       pose.enabled ? tr("Pose %1 %2, degrees").arg(number).arg(words(pose.label)).simplified()
+                                    : tr("Pose %1 is disabled: it is kept, but not used.").arg(number),
+                       kDecimals});
+  }
+  setColumns(std::move(columns));
   for (std::size_t patch = 0; patch < reconstruction()->patches.size(); ++patch) {
     const std::vector<LinkEstimate>& links = reconstruction()->patches[patch].links;
     for (std::size_t link = 0; link < links.size(); ++link) {
@@ -23,10 +37,6 @@ void ResidualTable::rebuild() {
 
 int ResidualTable::rowCount(const QModelIndex& parent) const {
   return parent.isValid() ? 0 : static_cast<int>(rows_.size());
-}
-
-int ResidualTable::columnCount(const QModelIndex& parent) const {
-  return parent.isValid() || !reconstruction() ? 0 : static_cast<int>(reconstruction()->poses.size()) + 1;
 }
 
 const LinkEstimate& ResidualTable::linkAt(int row) const {
@@ -51,17 +61,11 @@ std::optional<double> ResidualTable::residualAt(const QModelIndex& index) const 
   return pose < link.pose_residual_rad.size() ? link.pose_residual_rad[pose] : std::nullopt;
 }
 
+QVariant ResidualTable::valueAt(const QModelIndex& index) const { return rawDegrees(residualAt(index)); }
+
 QVariant ResidualTable::data(const QModelIndex& index, int role) const {
   if (!checkIndex(index, CheckIndexOption::IndexIsValid)) return {};
   switch (role) {
-    case Qt::DisplayRole: {
-      const std::optional<double> residual = residualAt(index);
-      return residual ? figureInWords(toDegrees(*residual), 2) : noValue();
-    }
-    case kRawRole:
-      return rawDegrees(residualAt(index));
-    case Qt::TextAlignmentRole:
-      return alignment(true);
     case Qt::ToolTipRole:
       return linkToolTip(*reconstruction(), linkAt(index.row()));
     case Qt::AccessibleTextRole: {
@@ -72,39 +76,21 @@ QVariant ResidualTable::data(const QModelIndex& index, int role) const {
                   : tr("%1, all poses: %2").arg(link, residual);
     }
     default:
-      return {};
+      return ReconstructionTable::data(index, role);
   }
 }
 
 QVariant ResidualTable::headerData(int section, Qt::Orientation orientation, int role) const {
-  if (section < 0 || section >= (orientation == Qt::Horizontal ? columnCount() : rowCount())) return {};
-  if (orientation == Qt::Vertical) {
-    switch (role) {
-      case Qt::DisplayRole:
-      case kRawRole:
-        return shortLinkName(linkAt(section));
-      case kUnitRole:
-        return tr("Link");
-      case Qt::ToolTipRole:
-        return linkToolTip(*reconstruction(), linkAt(section));
-      case Qt::TextAlignmentRole:
-        return alignment(true);
-      default:
-        return {};
-    }
-  }
-  const std::optional<PoseId> pose = poseAt(section);
+  if (orientation == Qt::Horizontal) return ReconstructionTable::headerData(section, orientation, role);
+  if (section < 0 || section >= rowCount()) return {};
   switch (role) {
     case Qt::DisplayRole:
-      return pose ? tr("Pose %1").arg(pose->value()) : tr("All");
+    case kRawRole:
+      return shortLinkName(linkAt(section));
     case kUnitRole:
-      return QStringLiteral("deg");
-    case Qt::ToolTipRole: {
-      if (!pose) return tr("Rms over the poses, degrees");
-      const PoseSummary& summary = reconstruction()->poses[static_cast<std::size_t>(section - 1)];
-      if (!summary.enabled) return tr("Pose %1 is disabled: it is kept, but not used.").arg(pose->value());
-      return tr("Pose %1 %2, degrees").arg(pose->value()).arg(words(summary.label)).simplified();
-    }
+      return tr("Link");
+    case Qt::ToolTipRole:
+      return linkToolTip(*reconstruction(), linkAt(section));
     case Qt::TextAlignmentRole:
       return alignment(true);
     default:

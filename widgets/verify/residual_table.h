@@ -17,7 +17,6 @@ class ResidualTable : public ReconstructionTable {
  public:
   using ReconstructionTable::ReconstructionTable;
   int rowCount(const QModelIndex& parent = {}) const override;
-  int columnCount(const QModelIndex& parent = {}) const override;
   QVariant data(const QModelIndex& index, int role) const override;
   QVariant headerData(int section, Qt::Orientation orientation, int role) const override;
 
@@ -28,6 +27,7 @@ class ResidualTable : public ReconstructionTable {
 
  protected:
   void rebuild() override;
+  [[nodiscard]] QVariant valueAt(const QModelIndex& index) const override;
 
  private:
   std::vector<std::pair<std::size_t, std::size_t>> rows_;  ///< patch, link

@@ -10,6 +10,7 @@
 #include "widgets/words/formatting.h"
 
 #include <QButtonGroup>
+#include <QEvent>
 #include <QHBoxLayout>
 #include <QHeaderView>
 #include <QLabel>
@@ -28,15 +29,15 @@ double scaleEnd_deg() { return coloringRow(Coloring::Residual).range->high; }
 
 QColor residualColor(double residual_deg) { return viridis(residual_deg / scaleEnd_deg()); }
 
+namespace {
+
 /// Paints the cells itself: a thousand columns leave no time for a style sheet.
 class ResidualMatrixDelegate : public QStyledItemDelegate {
  public:
   using QStyledItemDelegate::QStyledItemDelegate;
 
-  void setTheme(Theme theme) { theme_ = theme; }
-
   void paint(QPainter* painter, const QStyleOptionViewItem& option, const QModelIndex& index) const override {
-    const Colors& colors = Colors::of(theme_);
+    const Colors& colors = Colors::of(option.palette);
     const QVariant residual = index.data(kRawRole);
     const QRect cell = option.rect.adjusted(0, 0, -1, -1);
     QColor text = colors.text_muted;
@@ -56,12 +57,7 @@ class ResidualMatrixDelegate : public QStyledItemDelegate {
     painter->setPen(QPen(colors.panel, 1));
     painter->drawRect(cell.adjusted(2, 2, -3, -3));
   }
-
- private:
-  Theme theme_ = Theme::Light;
 };
-
-namespace {
 
 /// The colours with what they mean.
 class ResidualLegend : public QWidget {
@@ -104,7 +100,6 @@ ResidualView::ResidualView(Selection* selection, QWidget* parent)
       table_(new ResidualTable(this)),
       sorted_(new SortedTable(table_, this)),
       matrix_(new QTableView),
-      delegate_(new ResidualMatrixDelegate(matrix_)),
       plots_(new ResidualPlots(selection)),
       pages_(new QStackedWidget),
       matrix_button_(new QToolButton),
@@ -113,7 +108,7 @@ ResidualView::ResidualView(Selection* selection, QWidget* parent)
   matrix_->setObjectName(QStringLiteral("residualMatrix"));
   matrix_->setAccessibleName(tr("Residuals per link and pose"));
   matrix_->setModel(sorted_);
-  matrix_->setItemDelegate(delegate_);
+  matrix_->setItemDelegate(new ResidualMatrixDelegate(matrix_));
   matrix_->setSelectionMode(QAbstractItemView::SingleSelection);
   matrix_->setEditTriggers(QAbstractItemView::NoEditTriggers);
   matrix_->setShowGrid(false);
@@ -175,12 +170,9 @@ void ResidualView::setReconstruction(const std::shared_ptr<const Reconstruction>
   showPicked();
 }
 
-void ResidualView::setTheme(Theme theme) {
-  delegate_->setTheme(theme);
-  plots_->setTheme(theme);
-  matrix_->viewport()->update();
-  legend_->update();
-  fitColumns();
+void ResidualView::changeEvent(QEvent* event) {
+  QWidget::changeEvent(event);
+  if (event->type() == QEvent::FontChange) fitColumns();
 }
 
 void ResidualView::showMatrix() {
@@ -198,7 +190,7 @@ void ResidualView::showPlots() {
 void ResidualView::fitColumns() {
   // All alike, and wide enough for a heading: measuring a thousand columns takes too long.
   ensurePolished();
-  const QFontMetrics metrics(matrix_->font());
+  const QFontMetrics metrics = fontMetrics();
   matrix_->horizontalHeader()->setDefaultSectionSize(metrics.horizontalAdvance(tr("Pose %1").arg(1000)) + 22);
   matrix_->verticalHeader()->setDefaultSectionSize(metrics.height() + 6);
 }

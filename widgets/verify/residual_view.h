@@ -13,7 +13,6 @@ class QToolButton;
 
 namespace hexoderm {
 
-class ResidualMatrixDelegate;
 class ResidualPlots;
 class ResidualTable;
 class Selection;
@@ -33,7 +32,6 @@ class ResidualView : public QWidget {
   ~ResidualView() override;
 
   void setReconstruction(const std::shared_ptr<const Reconstruction>& reconstruction);
-  void setTheme(Theme theme);
   /// The matrix, for the actions on tables.
   [[nodiscard]] QTableView* matrix() const { return matrix_; }
 
@@ -43,6 +41,9 @@ class ResidualView : public QWidget {
 
  signals:
   void posePicked(hexoderm::PoseId pose);
+
+ protected:
+  void changeEvent(QEvent* event) override;
 
  private:
   QWidget* buildHeader();
@@ -54,7 +55,6 @@ class ResidualView : public QWidget {
   ResidualTable* table_;
   SortedTable* sorted_;
   QTableView* matrix_;
-  ResidualMatrixDelegate* delegate_;
   ResidualPlots* plots_;
   QStackedWidget* pages_;
   QToolButton* matrix_button_;

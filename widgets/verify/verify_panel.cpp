@@ -434,10 +434,6 @@ void VerifyPanel::setAwaited(const QString& awaited) {
   refreshControls();
 }
 
-void VerifyPanel::setTheme(Theme theme) {
-  for (VerifySection* section : sections()) section->setTheme(theme);
-}
-
 std::array<VerifySection*, 6> VerifyPanel::sections() const {
   return {hold_out_, loop_, surface_, caliper_, comparison_, old_};
 }

@@ -35,7 +35,6 @@ class VerifyPanel : public QWidget {
   void setHasReadings(bool has_readings);
   /// What is going on while there is no skin, in words; empty: nothing is.
   void setAwaited(const QString& awaited);
-  void setTheme(Theme theme);
   void setRunning(VerifyCheck check, bool running);
 
   void showHoldOut(const HoldOutResult& result);

@@ -164,14 +164,9 @@ void VerifySection::setRunning(bool running) {
   paintSentence();
 }
 
-void VerifySection::setTheme(Theme theme) {
-  theme_ = theme;
-  paintSentence();
-}
-
 void VerifySection::paintSentence() {
   sign_->setText(toneSign(said_.tone));
-  sign_->setStyleSheet(QStringLiteral("color: %1").arg(toneColor(said_.tone, theme_).name()));
+  setTone(sign_, said_.tone);
   sentence_->setText(said_.text);
   const bool says = !said_.text.isEmpty() && progress_->isHidden();
   sign_->setVisible(says);

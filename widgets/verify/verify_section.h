@@ -32,7 +32,6 @@ class VerifySection : public QFrame {
   /// Shows that it is being worked on, with a button to cancel that, once it takes longer than a blink.
   void setRunning(bool running);
   [[nodiscard]] bool isRunning() const { return running_; }
-  void setTheme(Theme theme);
   [[nodiscard]] CsvActions* csvActions() const { return csv_actions_; }
 
  signals:
@@ -54,7 +53,6 @@ class VerifySection : public QFrame {
   SortedTable* sorted_;
   CsvActions* csv_actions_;
   VerifySentence said_;
-  Theme theme_ = Theme::Light;
   bool running_ = false;
   QTimer* patience_;
 };

@@ -64,6 +64,7 @@
 #include "widgets/verify/residual_view.h"
 #include "widgets/verify/verify_panel.h"
 
+#include <QApplication>
 #include <QCloseEvent>
 #include <QHBoxLayout>
 #include <QLabel>
@@ -124,7 +125,7 @@ struct MainWindow::Presenters {
         verify({window, *views.verify_panel, *views.patch}, window.controller_, verification, files),
         exports(window, window.controller_, verification, window.actions_, files),
         place({window, *views.steps, *views.place_panel, *views.robot, panels.middle()}, window.controller_, placing),
-        compare(window, window.controller_, window.actions_, window.selection_, verification, themes),
+        compare(window, window.controller_, window.actions_, window.selection_, verification),
         plot({*views.plot, panels.plot(), *views.verify_panel}, window.controller_, window.actions_),
         marks({*views.work_notice, panels.middleMark(), panels.sideMark()}, window.controller_, window.actions_),
         guide({*views.banner, *views.steps, *views.check_list}, window.controller_, window.actions_),
@@ -195,7 +196,6 @@ MainWindow::MainWindow(QWidget* parent)
   layOut();
   presenters_ = std::make_unique<Presenters>(*this, *views_, *panels_);
   handOutResults();
-  dressViews();
   connectRefresh();
   setThemeChoice(preferences_.theme(), false);
   restoreLayout();
@@ -270,31 +270,6 @@ void MainWindow::handOutResults() {
   for (TableOrHint* table : panels_->tables()) results.addWaiting(table);
 }
 
-/// Every view that has colours of its own.
-void MainWindow::dressViews() {
-  ThemePresenter& themes = presenters_->themes;
-  themes.add(views_->banner);
-  themes.add(views_->messages);
-  themes.add(views_->live_strip);
-  themes.add(views_->steps);
-  themes.add(views_->check_list);
-  themes.add(views_->check_findings);
-  themes.add(views_->review_findings);
-  themes.add(views_->finding_card);
-  themes.add(views_->capture_panel);
-  themes.add(views_->coverage);
-  themes.add(views_->stillness);
-  themes.add(views_->patch);
-  themes.add(views_->graph);
-  themes.add(views_->plot);
-  themes.add(views_->residuals);
-  themes.add(views_->verify_panel);
-  themes.add(views_->place_panel);
-  themes.add(views_->robot);
-  themes.add(&panels_->middleMark());
-  themes.add(&panels_->sideMark());
-}
-
 void MainWindow::connectRefresh() {
   connect(&controller_, &SessionController::changed, &refresh_, &OncePerTurn::request);
   connect(&controller_.poseGuide(), &PoseGuide::nextPoseChanged, &refresh_, &OncePerTurn::request);
@@ -328,7 +303,7 @@ void MainWindow::openFile(const QString& path) { presenters_->files.openFile(pat
 void MainWindow::startDemo() { presenters_->files.startDemo(); }
 void MainWindow::connectTo(const ConnectRequest& request) { presenters_->connection.connectTo(request); }
 void MainWindow::setThemeChoice(ThemeChoice choice, bool remember) { presenters_->themes.setChoice(choice, remember); }
-Theme MainWindow::theme() const { return presenters_->themes.theme(); }
+Theme MainWindow::theme() const { return themeOf(QApplication::palette()); }
 QImage MainWindow::picture() { return presenters_->pictures.picture(); }
 
 void MainWindow::closeEvent(QCloseEvent* event) {

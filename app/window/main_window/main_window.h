@@ -83,7 +83,6 @@ class MainWindow : public QMainWindow {
   void scrollIfScreenIsSmall();
   void restoreLayout();
   void handOutResults();
-  void dressViews();
   void connectRefresh();
   void refresh();
 

@@ -1,7 +1,6 @@
 #include "app/window/presenters/compare_presenter.h"
 
 #include "app/window/guide/actions.h"
-#include "app/window/presenters/theme_presenter.h"
 #include "app/window/session/session_controller.h"
 #include "app/window/session/verification.h"
 #include "hexoderm/reconstruction/evaluation/evaluation.h"
@@ -18,12 +17,11 @@
 namespace hexoderm {
 
 ComparePresenter::ComparePresenter(QWidget& window, const SessionController& controller, const WindowActions& actions,
-                                   Selection& selection, const Verification& verification, ThemePresenter& themes)
+                                   Selection& selection, const Verification& verification)
     : window_(window),
       controller_(controller),
       selection_(selection),
       verification_(verification),
-      themes_(themes),
       now_(controller.reconstruction()) {
   connect(actions.compare, &QAction::triggered, this, &ComparePresenter::open);
   connect(&controller_, &SessionController::reconstructionChanged, this, &ComparePresenter::note);
@@ -48,8 +46,6 @@ void ComparePresenter::open() {
     layout->setContentsMargins(0, 0, 0, 0);
     view_ = new CompareView(&selection_);
     layout->addWidget(view_);
-    view_->setTheme(themes_.theme());
-    themes_.add(view_);
     connect(view_, &CompareView::sourceChosen, this, [this](int index) {
       chosen_ = sources_.at(static_cast<std::size_t>(index));
       refresh();

@@ -15,7 +15,6 @@ namespace hexoderm {
 class CompareView;
 class Selection;
 class SessionController;
-class ThemePresenter;
 class Verification;
 class WindowActions;
 
@@ -27,7 +26,7 @@ class ComparePresenter : public QObject {
  public:
   /// All outlive the presenter; the comparison's window belongs to `window`.
   ComparePresenter(QWidget& window, const SessionController& controller, const WindowActions& actions,
-                   Selection& selection, const Verification& verification, ThemePresenter& themes);
+                   Selection& selection, const Verification& verification);
   /// The comparison's window goes before what its views refer to.
   ~ComparePresenter() override;
 
@@ -42,7 +41,6 @@ class ComparePresenter : public QObject {
   const SessionController& controller_;
   Selection& selection_;
   const Verification& verification_;
-  ThemePresenter& themes_;
   QDialog* dialog_ = nullptr;  ///< once it was asked for
   CompareView* view_ = nullptr;
   std::shared_ptr<const Reconstruction> now_;

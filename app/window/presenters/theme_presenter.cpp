@@ -27,9 +27,7 @@ ThemeChoice ThemePresenter::choice() const {
 }
 
 void ThemePresenter::setChoice(ThemeChoice choice, bool remember) {
-  theme_ = resolveTheme(choice);
-  applyTheme(theme_);
-  for (const auto& dress : dress_) dress(theme_);
+  applyTheme(resolveTheme(choice));
   actions_.theme[static_cast<std::size_t>(choice)]->setChecked(true);
   if (remember) preferences_.setTheme(choice);
 }

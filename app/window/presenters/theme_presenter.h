@@ -3,8 +3,6 @@
 #include "app/window/settings/theme.h"
 
 #include <QObject>
-#include <functional>
-#include <vector>
 
 namespace hexoderm {
 
@@ -16,26 +14,17 @@ class ThemePresenter : public QObject {
   Q_OBJECT
 
  public:
-  /// All outlive the presenter, as every view that is added does.
+  /// Both outlive the presenter.
   ThemePresenter(const WindowActions& actions, Preferences& preferences);
-
-  /// The view is dressed from the next setChoice() on.
-  template <class View>
-  void add(View* view) {
-    dress_.push_back([view](Theme theme) { view->setTheme(theme); });
-  }
 
   /// `remember`: also for the next start.
   void setChoice(ThemeChoice choice, bool remember);
   /// The choice that is in force.
   [[nodiscard]] ThemeChoice choice() const;
-  [[nodiscard]] Theme theme() const { return theme_; }
 
  private:
   const WindowActions& actions_;
   Preferences& preferences_;
-  std::vector<std::function<void(Theme)>> dress_;
-  Theme theme_ = Theme::Light;
 };
 
 }  // namespace hexoderm

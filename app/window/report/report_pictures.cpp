@@ -21,11 +21,11 @@ constexpr QSize kGraph(860, 400);
 std::vector<ReportPicture> takeReportPictures(const std::shared_ptr<const Reconstruction>& reconstruction) {
   Selection nothing_picked;
   GraphView graph(&nothing_picked);
+  graph.setPalette(qtPalette(Theme::Light));
   // Laid out as if it were shown, and not on any screen.
   graph.setAttribute(Qt::WA_DontShowOnScreen);
   graph.resize(kGraph);
   graph.show();
-  graph.setTheme(Theme::Light);
   graph.setReconstruction(reconstruction);
   graph.fit();
   ReportPicture picture;

@@ -30,12 +30,6 @@ QString tenths(double length_m) { return figureInWords(toMillimetres(length_m), 
 
 QString fromUtf8(std::string_view text) { return QString::fromUtf8(text.data(), static_cast<int>(text.size())); }
 
-QString figureOf(const QVariant& value, const ResultTable::Column& column) {
-  if (!value.isValid()) return noValue();
-  const bool is_figure = !column.is_text && value.userType() == QMetaType::Double;
-  return is_figure ? figureInWords(value.toDouble(), column.decimals) : value.toString();
-}
-
 double largestFigure(const CellSummary& cell) {
   if (cell.shape) return cell.shape->position_m;
   return cell.stated ? cell.stated->position_m : 0;
@@ -57,7 +51,7 @@ ReportTable tableOf(VerifyFigures figures, std::size_t* left_out) {
   for (const ResultTable::Row& row : figures.rows) {
     ReportTable::Row added{{}, row.remarkable};
     for (std::size_t k = 0; k < figures.columns.size(); ++k) {
-      added.values << figureOf(row.values.at(k), figures.columns[k]);
+      added.values << ResultTable::inWords(figures.columns[k], row.values.at(k));
     }
     table.rows.push_back(std::move(added));
   }

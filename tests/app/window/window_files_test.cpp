@@ -4,6 +4,7 @@
 #include "hexoderm/session/simulated_session.h"
 #include "tests/app/window/window_test.h"
 #include "tests/support/paths.h"
+#include "widgets/controls/finding_card.h"
 #include "widgets/tables/finding_table.h"
 
 #include <QDragEnterEvent>
@@ -12,6 +13,7 @@
 #include <QProcess>
 #include <QToolButton>
 #include <QUrl>
+#include <algorithm>
 
 namespace hexoderm {
 namespace {
@@ -44,6 +46,26 @@ TEST_F(WindowFilesTest, OpensADroppedSession) {
   EXPECT_FALSE(action("actionCapture")->isEnabled());
   EXPECT_TRUE(action("actionCapture")->toolTip().contains("No skin is connected"));
   EXPECT_FALSE(controller().file().hasUnsavedChanges());
+}
+
+TEST_F(WindowFilesTest, AChangeOfThemeLeavesNothingBehind) {
+  const QString path = writeFile("row.session.json", kSessionWithOneSidedLink);
+  const auto openAtReview = [&] {
+    window_->openFile(path);
+    ASSERT_TRUE(waitForPoses(1));
+    press(Qt::Key_4, Qt::ControlModifier);
+    EXPECT_TRUE(std::ranges::any_of(window_->findChildren<FindingCard*>(), &QWidget::isVisible));
+  };
+  ASSERT_NO_FATAL_FAILURE(openAtReview());
+  action("actionThemeDark")->trigger();
+  const QImage changed = window_->picture();
+  window_->close();
+  openWindow();
+  ASSERT_NO_FATAL_FAILURE(openAtReview());
+  const QImage dark_from_the_start = window_->picture();
+  keepPicture(changed, "theme-changed");
+  keepPicture(dark_from_the_start, "theme-from-the-start");
+  EXPECT_EQ(changed, dark_from_the_start);
 }
 
 TEST_F(WindowFilesTest, AClickOnAFindingPicksWhatItIsAbout) {

@@ -189,7 +189,7 @@ TEST_F(CoverageViewTest, FitsIntoSmallPlacesAndLooksDifferentInTheDark) {
   EXPECT_TRUE(QRectF(view.rect()).contains(view.placeOf(Eigen::Vector3d::UnitZ())));
   EXPECT_TRUE(QRectF(view.rect()).contains(view.placeOf(-Eigen::Vector3d::UnitZ())));
   const QImage light = view.grab().toImage();
-  view.setTheme(Theme::Dark);
+  view.setPalette(qtPalette(Theme::Dark));
   EXPECT_NE(view.grab().toImage(), light);
 }
 

@@ -1,5 +1,6 @@
 #include "widgets/capture/stillness_view.h"
 #include "tests/support/qt_wait.h"
+#include "widgets/style/palette.h"
 
 #include <gtest/gtest.h>
 #include <QLabel>
@@ -83,7 +84,7 @@ TEST_F(StillnessViewTest, ThemesDiffer) {
   show();
   feed(150);
   const QImage light = view.grab().toImage();
-  view.setTheme(Theme::Dark);
+  view.setPalette(qtPalette(Theme::Dark));
   EXPECT_LT(qGray(view.grab().toImage().pixel(350, 40)), qGray(light.pixel(350, 40)));
 }
 

@@ -1,4 +1,5 @@
 #include "widgets/controls/figure_card.h"
+#include "widgets/style/palette.h"
 
 #include <gtest/gtest.h>
 #include <QLabel>
@@ -62,7 +63,7 @@ TEST(FigureCard, IsAPlateInTheColoursOfTheTheme) {
   card.setContent(QStringLiteral("<b>Cell 1</b>"), {});
   card.resize(card.sizeFor(view.size()));
   for (const Theme theme : {Theme::Light, Theme::Dark}) {
-    card.setTheme(theme);
+    card.setPalette(qtPalette(theme));
     const QImage picture = card.grab().toImage();
     EXPECT_EQ(picture.pixelColor(picture.width() / 2, 4), Colors::of(theme).panel);
     bool is_written = false;

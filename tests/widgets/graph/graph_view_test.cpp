@@ -108,7 +108,7 @@ TEST_F(GraphViewTest, AClickPicksACellALinkOrNothing) {
 TEST_F(GraphViewTest, WhatIsPickedElsewhereIsOutlinedHereInBlackOrWhite) {
   show(sampleX17());
   for (const Theme theme : {Theme::Light, Theme::Dark}) {
-    view_.setTheme(theme);
+    view_.setPalette(qtPalette(theme));
     selection_.clear();
     const QColor color = Colors::of(theme).selection;
     const QPoint link = view_.positionOf(kLink5, kLink9).value();
@@ -125,7 +125,7 @@ TEST_F(GraphViewTest, WhatIsPickedElsewhereIsOutlinedHereInBlackOrWhite) {
 TEST_F(GraphViewTest, DrawsLinksInTheColourOfTheirQualityInBothThemes) {
   show(sampleX17());
   for (const Theme theme : {Theme::Light, Theme::Dark}) {
-    view_.setTheme(theme);
+    view_.setPalette(qtPalette(theme));
     const QImage drawn = image();
     const QColor fully = linkStroke(EdgeQuality::Fully, theme).color;
     const QColor partially = linkStroke(EdgeQuality::Partially, theme).color;

@@ -9,6 +9,7 @@
 #include "widgets/patch/patch_marks.h"
 #include "widgets/patch/patch_view.h"
 #include "widgets/patch/scene_widget.h"
+#include "widgets/style/palette.h"
 #include "widgets/style/scene_colors.h"
 #include "widgets/words/formatting.h"
 
@@ -200,7 +201,7 @@ TEST_F(PatchPointingTest, ThePickedCellStandsOutOnEveryMapInBothThemes) {
   int maps = 0;
   int would_not = 0;
   for (const Theme theme : {Theme::Light, Theme::Dark}) {
-    view.setTheme(theme);
+    view.setPalette(qtPalette(theme));
     for (const ColoringRow& row : coloringTable()) {
       if (row.patch_title == nullptr || !controls->action(row.coloring)->isEnabled()) continue;
       controls->action(row.coloring)->setChecked(true);

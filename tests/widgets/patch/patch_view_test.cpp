@@ -8,6 +8,7 @@
 #include "widgets/patch/patch_captions.h"
 #include "widgets/patch/patch_controls.h"
 #include "widgets/patch/scene_widget.h"
+#include "widgets/style/palette.h"
 
 #include <gtest/gtest.h>
 #include <vtkCallbackCommand.h>
@@ -83,7 +84,7 @@ TEST_F(PatchViewTest, ScreenshotShowsTheSkinInBothThemes) {
   show();
   view.setReconstruction(demo());
   const QImage light = view.screenshot();
-  view.setTheme(Theme::Dark);
+  view.setPalette(qtPalette(Theme::Dark));
   const QImage dark = view.screenshot();
   EXPECT_EQ(light.size(), canvas->size() * canvas->devicePixelRatioF());
   EXPECT_GT(coloursIn(light), 60U);
@@ -119,7 +120,7 @@ TEST_F(PatchViewTest, SeveralSizesAndColoursOneAfterTheOtherMakeOnePictureWhichI
   count->SetCallback([](vtkObject*, unsigned long, void* client, void*) { ++*static_cast<int*>(client); });
   const unsigned long observer = canvas->renderWindow()->AddObserver(vtkCommand::StartEvent, count);
   for (const int width : {700, 660, 720, 680}) view.setFixedSize(width, 500);
-  view.setTheme(Theme::Dark);
+  view.setPalette(qtPalette(Theme::Dark));
   EXPECT_EQ(canvas->width(), 680);
   EXPECT_EQ(pictures, 0);
   EXPECT_TRUE(test::waitUntil([&] { return pictures > 0; }));
@@ -158,7 +159,7 @@ TEST(PatchViewInAWindow, ChangesMadeWhileHiddenAreDrawnWhenShownAgain) {
   auto* canvas = view->findChild<SceneWidget*>();
   ASSERT_TRUE(test::waitUntil([canvas] { return qGray(canvas->picture().pixel(3, 3)) > 180; }));
   view->hide();
-  view->setTheme(Theme::Dark);
+  view->setPalette(qtPalette(Theme::Dark));
   view->show();
   EXPECT_TRUE(test::waitUntil([canvas] { return qGray(canvas->picture().pixel(3, 3)) < 60; }));
 }

@@ -2,6 +2,7 @@
 #include "widgets/controls/selection.h"
 #include "widgets/patch/patch_captions.h"
 #include "widgets/patch/patch_view.h"
+#include "widgets/style/palette.h"
 
 #include <gtest/gtest.h>
 #include <QGuiApplication>
@@ -24,7 +25,7 @@ TEST(PatchViewWithoutOpenGl, SaysSoAndStaysUsable) {
       << overlay->accessibleName().toStdString();
 
   view.setReconstruction(std::make_shared<const Reconstruction>(demoReconstruction()));
-  view.setTheme(Theme::Dark);
+  view.setPalette(qtPalette(Theme::Dark));
   PatchMoment moment;
   moment.pose = PoseId(1);
   moment.readings = readingsOf({{CellId(1), {0, 0, 1}}}, {});

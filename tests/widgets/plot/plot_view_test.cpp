@@ -1,12 +1,12 @@
 #include "widgets/plot/plot_view.h"
 
+#include "tests/support/app_theme.h"
 #include "tests/support/hand_made_skins.h"
 #include "tests/support/paths.h"
 #include "tests/support/qt_wait.h"
 
 #include <gmock/gmock.h>
 #include <qwt_plot.h>
-#include <QApplication>
 #include <QComboBox>
 #include <QDir>
 #include <QLabel>
@@ -48,20 +48,12 @@ std::shared_ptr<Reconstruction> growingSheet(std::uint32_t rows = 3, std::uint32
 class PlotViewTest : public testing::Test {
  protected:
   PlotViewTest() : view_(&selection_) {
-    QApplication::setStyle(QStringLiteral("Fusion"));
-    setTheme(Theme::Light);
     view_.resize(520, 360);
     view_.setChoice({PlotSubject::Cells, std::nullopt, Coloring::PositionUncertainty, false});
     view_.setReconstruction(growingSheet());
     view_.show();
     EXPECT_TRUE(test::waitUntilExposed(view_));
     canvas_ = view_.plot()->canvas();
-  }
-  ~PlotViewTest() override { qApp->setStyleSheet({}); }
-  void setTheme(Theme theme) {
-    QApplication::setPalette(qtPalette(theme));
-    qApp->setStyleSheet(styleSheet(theme));
-    view_.setTheme(theme);
   }
   QImage keep(const QString& name) {
     const QDir folder(QStringLiteral(HEXODERM_SCREENSHOTS));
@@ -90,6 +82,7 @@ class PlotViewTest : public testing::Test {
     return result;
   }
 
+  test::AppTheme theme_;
   Selection selection_;
   PlotView view_;
   QWidget* canvas_ = nullptr;
@@ -238,7 +231,7 @@ TEST_F(PlotViewTest, ThousandsOfPointsAreDrawnAndThemesDiffer) {
   for (std::uint32_t k = 1000; k < 1400; ++k) some.emplace_back(k);
   selection_.brush(some);
   const QImage light = keep(QStringLiteral("plot-many-light"));
-  setTheme(Theme::Dark);
+  theme_.set(Theme::Dark);
   const QImage dark = keep(QStringLiteral("plot-many-dark"));
   EXPECT_LT(qGray(dark.pixel(dark.width() - 40, 60)), qGray(light.pixel(light.width() - 40, 60)));
 }

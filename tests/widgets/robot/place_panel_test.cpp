@@ -173,7 +173,7 @@ TEST_F(PlacePanelTest, SaysWhereNothingTellsThePlace) {
   panel_->setStand(stand);
   EXPECT_FALSE(find<QCheckBox>("placeBySurface")->isEnabled());
   EXPECT_THAT(find<QLabel>("placeKnownSentence")->text().toStdString(), HasSubstr("Nothing says where"));
-  setTheme(Theme::Dark);
+  theme_.set(Theme::Dark);
   keep(QStringLiteral("place-panel-dark"));
 }
 

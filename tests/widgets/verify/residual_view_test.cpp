@@ -1,6 +1,7 @@
 #include "widgets/verify/residual_view.h"
 
 #include "hexoderm/util/units.h"
+#include "tests/support/app_theme.h"
 #include "tests/support/hand_made_skins.h"
 #include "tests/support/paths.h"
 #include "tests/support/qt_wait.h"
@@ -14,7 +15,6 @@
 #include <gmock/gmock.h>
 #include <qwt_plot.h>
 #include <QAbstractItemModelTester>
-#include <QApplication>
 #include <QDir>
 #include <QHeaderView>
 #include <QTableView>
@@ -28,16 +28,9 @@ namespace {
 class ResidualViewTest : public testing::Test {
  protected:
   ResidualViewTest() : view_(&selection_) {
-    setTheme(Theme::Light);
     view_.resize(700, 220);
     view_.show();
     EXPECT_TRUE(test::waitUntilExposed(view_));
-  }
-  void setTheme(Theme theme) {
-    QApplication::setStyle(QStringLiteral("Fusion"));
-    QApplication::setPalette(qtPalette(theme));
-    qApp->setStyleSheet(styleSheet(theme));
-    view_.setTheme(theme);
   }
   void clickItem(const QModelIndex& index) {
     QTest::mouseClick(view_.matrix()->viewport(), Qt::LeftButton, Qt::NoModifier,
@@ -51,6 +44,7 @@ class ResidualViewTest : public testing::Test {
     return picture;
   }
 
+  test::AppTheme theme_;
   Selection selection_;
   ResidualView view_;
 };
@@ -144,7 +138,7 @@ TEST_F(ResidualViewTest, MatrixAndPlotsAreDifferentPicturesInEachTheme) {
   selection_.selectLink({CellId(2), PortNumber(1)}, {CellId(3), PortNumber(4)});
   std::vector<QImage> pictures;
   for (const Theme theme : {Theme::Light, Theme::Dark}) {
-    setTheme(theme);
+    theme_.set(theme);
     const QString name = theme == Theme::Light ? "light" : "dark";
     view_.showMatrix();
     QCoreApplication::processEvents();

@@ -145,7 +145,7 @@ TEST_F(VerifyPanelTest, FitsBesideThe3DViewOfASmallWindowInBothThemes) {
   panel_->checkOldCalibration("arm.calibration.json");
   panel_->showOldCalibration(changedSkin(), "arm.calibration.json");
   for (const Theme theme : {Theme::Light, Theme::Dark}) {
-    setTheme(theme);
+    theme_.set(theme);
     QCoreApplication::processEvents();
     EXPECT_LE(panel_->minimumSizeHint().width(), 280);
     keep(theme == Theme::Light ? "verify-panel-light" : "verify-panel-dark");
