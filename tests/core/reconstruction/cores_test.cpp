@@ -1,10 +1,9 @@
 // What is solved does not depend on how many cores it is solved with.
 
-#include "hexoderm/device/simulation/simulated_skin.h"
 #include "hexoderm/io/calibration_json.h"
 #include "hexoderm/reconstruction/reconstructor.h"
-#include "hexoderm/session/simulated_session.h"
 #include "hexoderm/util/parallel.h"
+#include "tests/support/simulated_skins.h"
 
 #include <gtest/gtest.h>
 #include <cstddef>
@@ -29,13 +28,9 @@ class SolvedWithCores : public testing::TestWithParam<Solver> {
 
   /// Large enough for all that is shared out, and with faults that are looked for.
   static Session session() {
-    SimulatedSkinOptions options;
-    options.patch = "sheet:42x42";
-    options.surface = "cylinder:r=0.3";
-    options.seed = 4;
+    SimulatedSkinOptions options = test::skinOptions("sheet:42x42", "cylinder:r=0.3", 4);
     options.faults = {{SkinFault::Yawed, CellId(100)}, {SkinFault::Dead, CellId(700)}};
-    SimulatedSkin skin(builtInCellModel("hex-bma150"), options);
-    return simulateSession(skin, 3);
+    return test::simulatedSession(options, 3);
   }
 
   Session session_ = session();

@@ -1,8 +1,8 @@
 // What a further pose does to the stated uncertainty, on simulated skins.
 
 #include "hexoderm/reconstruction/reconstructor.h"
-#include "hexoderm/session/simulated_session.h"
 #include "hexoderm/util/units.h"
+#include "tests/support/simulated_skins.h"
 
 #include <gtest/gtest.h>
 
@@ -22,11 +22,7 @@ TEST(MorePoses, NeverMakeTheStatedUncertaintyMuchWorse) {
   // A pose in which the hand swung harder than in the others may raise it, but no model switches on.
   constexpr double kMuch = 1.1;
   for (std::uint64_t seed = 1; seed <= 12; ++seed) {
-    SimulatedSkinOptions options;
-    options.surface = "cylinder:r=0.0501";
-    options.seed = seed;
-    SimulatedSkin skin(builtInCellModel("hex-bma150"), options);
-    const Session session = simulateSession(skin, 10);
+    const Session session = test::simulatedSession(test::skinOptions("x17", "cylinder:r=0.0501", seed), 10);
     double before_rad = kPi;
     for (std::size_t poses = 2; poses <= 10; ++poses) {
       const auto result = solveFirst(session, poses);
@@ -42,10 +38,7 @@ TEST(MorePoses, AreForeseenAsTheyComeOut) {
   double ratio_sum = 0;
   std::size_t count = 0;
   for (std::uint64_t seed = 1; seed <= 10; ++seed) {
-    SimulatedSkinOptions options;
-    options.seed = seed;
-    SimulatedSkin skin(builtInCellModel("hex-bma150"), options);
-    const Session session = simulateSession(skin, 3);
+    const Session session = test::simulatedSession(test::skinOptions("x17", "", seed), 3);
     const auto two = solveFirst(session, 2);
     const auto three = solveFirst(session, 3);
     ASSERT_TRUE(two->assessment.wantsPose());

@@ -1,9 +1,8 @@
 // A hand turns the part while it is sampled. Over so few samples that does not average out, and far from the middle
 // cells read another force than near it: no cell is to blame for that.
 
-#include "hexoderm/device/simulation/simulated_skin.h"
 #include "hexoderm/reconstruction/reconstructor.h"
-#include "hexoderm/session/simulated_session.h"
+#include "tests/support/simulated_skins.h"
 
 #include <gmock/gmock.h>
 
@@ -34,12 +33,8 @@ TEST_P(SwungSkin, NoCellIsBlamedForWhatAHandDoes) {
   SolverOptions options;
   options.solver = GetParam();
   for (std::uint64_t seed = 1; seed <= kSeeds; ++seed) {
-    SimulatedSkinOptions skin_options;
-    skin_options.patch = "sheet:10x12";
-    skin_options.surface = "cylinder:r=0.1";
-    skin_options.seed = seed;
-    SimulatedSkin simulated(builtInCellModel("hex-bma150"), skin_options);
-    const Session session = simulateSession(simulated, 4, kSamples);
+    const Session session =
+        test::simulatedSession(test::skinOptions("sheet:10x12", "cylinder:r=0.1", seed), 4, kSamples);
     EXPECT_THAT(blamed(*reconstruct(*session.snapshot(), options)), IsEmpty()) << "seed " << seed;
   }
 }
