@@ -1,12 +1,11 @@
 // Skins with more poses than the joint equations find angular accelerations for: what a hand does must make no healthy
 // cell look broken.
 
-#include "hexoderm/device/simulation/simulated_skin.h"
 #include "hexoderm/reconstruction/evaluation/evaluation.h"
 #include "hexoderm/reconstruction/reconstructor.h"
-#include "hexoderm/session/simulated_session.h"
 #include "tests/support/changed_session.h"
 #include "tests/support/matchers.h"
+#include "tests/support/simulated_skins.h"
 
 #include <cmath>
 #include <string>
@@ -28,11 +27,7 @@ constexpr const char* kSheet = "sheet:6x6";
 #endif
 
 Session measured(const std::string& patch, std::size_t poses) {
-  SimulatedSkinOptions options;
-  options.patch = patch;
-  options.seed = 3;
-  SimulatedSkin skin(builtInCellModel("hex-bma150"), options);
-  return simulateSession(skin, poses);
+  return test::simulatedSession(test::skinOptions(patch, "", 3), poses);
 }
 
 /// Cells whose accelerometers are said to be broken.
@@ -84,11 +79,7 @@ TurnErrors turnErrors(const PatchReconstruction& patch, const std::vector<TrueCe
 TEST(ManyPoses, ALargeSkinHasNoBrokenCellsJustBecauseItsPosesAreMany) {
   TurnErrors sum;
   for (const std::uint64_t seed : {3U, 101U, 104U}) {
-    SimulatedSkinOptions options;
-    options.patch = "sheet:35x36";
-    options.surface = "cylinder:r=0.25";
-    options.seed = seed;
-    SimulatedSkin skin(builtInCellModel("hex-bma150"), options);
+    SimulatedSkin skin = test::simulatedSkin(test::skinOptions("sheet:35x36", "cylinder:r=0.25", seed));
     const auto result = reconstruct(*simulateSession(skin, 60).snapshot());
     EXPECT_THAT(blamedCells(*result), IsEmpty()) << "seed " << seed;
     const TurnErrors errors = turnErrors(result->patches.front(), skin.truth());

@@ -1,8 +1,7 @@
 // What whoever does not want to wait for a whole result is told.
 
-#include "hexoderm/device/simulation/simulated_skin.h"
 #include "hexoderm/reconstruction/reconstructor.h"
-#include "hexoderm/session/simulated_session.h"
+#include "tests/support/simulated_skins.h"
 
 #include <gmock/gmock.h>
 #include <algorithm>
@@ -23,8 +22,7 @@ Session stillSession(std::size_t poses) {
   options.patch = "sheet:5x6";
   options.surface = "cylinder:r=0.1";
   options.seed = 5;
-  SimulatedSkin skin(builtInCellModel("hex-bma150"), options);
-  return simulateSession(skin, poses);
+  return test::simulatedSession(options, poses);
 }
 
 SolverOptions optionsFor(Solver solver) {
@@ -100,12 +98,9 @@ TEST_F(PlacementsReport, OfTheGlobalSolverComesFromTheTreeAndThenFromTheJointEst
 TEST_F(PlacementsReport, OfTheTreeIsNotMadeWhereAnEarlierResultIsBetter) {
   const auto before = reconstruct(*stillSession(2).snapshot(), optionsFor(Solver::Global));
   const Session session = stillSession(3);
-  std::vector<std::shared_ptr<const Reconstruction>> placements;
-  SolveProgress progress;
-  progress.setPlacementsReport([&](auto early) { placements.push_back(std::move(early)); });
-  const auto result = reconstruct(*session.snapshot(), optionsFor(Solver::Global), before.get(), {}, &progress);
-  ASSERT_THAT(placements, SizeIs(1));
-  expectSamePlacements(*placements[0], *result);
+  const auto result = reconstruct(*session.snapshot(), optionsFor(Solver::Global), before.get(), {}, &progress_);
+  ASSERT_THAT(placements_, SizeIs(1));
+  expectSamePlacements(*placements_[0], *result);
 }
 
 TEST_F(PlacementsReport, OfTheTreeIsMadeWhereTheEarlierResultIsOfAnotherSkinOrNoUse) {
@@ -113,9 +108,8 @@ TEST_F(PlacementsReport, OfTheTreeIsMadeWhereTheEarlierResultIsOfAnotherSkinOrNo
   const auto before = reconstruct(*session.snapshot());
   static_cast<void>(reconstruct(*session.snapshot(), optionsFor(Solver::Tree), before.get(), {}, &progress_));
   EXPECT_THAT(placements_, SizeIs(1)) << "the tree does not start from it";
-  SimulatedSkin other(builtInCellModel("hex-bma150"), {});
   placements_.clear();
-  static_cast<void>(reconstruct(*simulateSession(other, 3).snapshot(), {}, before.get(), {}, &progress_));
+  static_cast<void>(reconstruct(*test::simulatedSession({}, 3).snapshot(), {}, before.get(), {}, &progress_));
   EXPECT_THAT(placements_, SizeIs(2));
 }
 
@@ -125,8 +119,7 @@ TEST_F(PlacementsReport, OfPatchesWithFaultsEndsWithThePlacementsOfTheResult) {
   options.surface = "cylinder:r=0.1";
   options.seed = 5;
   options.faults = {{SkinFault::Swapped, CellId(15)}};
-  SimulatedSkin skin(builtInCellModel("hex-bma150"), options);
-  const auto result = reconstruct(*simulateSession(skin, 4).snapshot(), {}, nullptr, {}, &progress_);
+  const auto result = reconstruct(*test::simulatedSession(options, 4).snapshot(), {}, nullptr, {}, &progress_);
   ASSERT_FALSE(result->findings.empty());
   EXPECT_GT(placements_.size(), 2U) << "solved again without the fault";
   expectSamePlacements(*placements_.back(), *result);

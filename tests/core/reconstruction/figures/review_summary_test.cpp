@@ -118,14 +118,5 @@ TEST(ReviewSummary, CellsCarryTheWorstOfTheirLinks) {
   EXPECT_FALSE(cells[1].stated.has_value());
 }
 
-TEST(ReviewSummary, TheVerdictStatesWhatTheWorstCellDoes) {
-  SimulatedSkin skin(builtInCellModel("hex-bma150"), {});
-  const auto result = reconstruct(*simulateSession(skin, 4).snapshot());
-  double worst = 0;
-  for (const CellSummary& cell : summariseCells(*result)) worst = std::max(worst, cell.stated->position_m);
-  EXPECT_GT(worst, 0);
-  EXPECT_DOUBLE_EQ(worst, *result->assessment.position_95_m);
-}
-
 }  // namespace
 }  // namespace hexoderm

@@ -3,8 +3,8 @@
 // Problems for the joint estimate with their truth, in memory: of simulated skins, or of cells that obey the link model
 // and readings that obey the sensor model exactly.
 
-#include "hexoderm/session/simulated_session.h"
 #include "hexoderm/util/units.h"
+#include "tests/support/simulated_skins.h"
 
 #include "hexoderm/reconstruction/joint/joint_cost.h"
 
@@ -140,7 +140,7 @@ inline JointCase exactRing(CellModel model, double share) {
 
 /// A simulated skin in `poses` scripted poses. The directions of `truth` are those asked for; a hand misses them.
 inline JointCase simulatedCase(const SimulatedSkinOptions& options, std::size_t poses, const GapShare& gap) {
-  SimulatedSkin skin(builtInCellModel("hex-bma150"), options);
+  SimulatedSkin skin = test::simulatedSkin(options);
   JointCase example(skin.model());
   JointProblem& problem = example.problem;
   const std::vector<TrueCell>& truth = skin.truth();

@@ -16,10 +16,7 @@ namespace hexoderm {
 namespace {
 
 JointCase sheetInPoses(std::size_t poses) {
-  SimulatedSkinOptions options;
-  options.patch = "sheet:5x6";
-  options.surface = "cylinder:r=0.06";
-  return simulatedCase(options, poses, kFitGap);
+  return simulatedCase(test::skinOptions("sheet:5x6", "cylinder:r=0.06"), poses, kFitGap);
 }
 
 void expectSame(const JointSolution& a, const JointSolution& b, const JointProblem& problem) {
@@ -152,12 +149,7 @@ TEST(LivingJointSolver, WhatIsMadeInTheFactorsOwnMemoryIsTheSame) {
 }
 
 TEST(LivingJointSolver, WhatAResultIsAskedLaterOutlivesTheResultAndItsSkin) {
-  const auto solve = [] {
-    SimulatedSkinOptions options;
-    options.patch = "sheet:3x4";
-    SimulatedSkin skin(builtInCellModel("hex-bma150"), options);
-    return reconstruct(*simulateSession(skin, 3).snapshot());
-  };
+  const auto solve = [] { return reconstruct(*test::simulatedSession(test::skinOptions("sheet:3x4"), 3).snapshot()); };
   const auto whole = solve();
   const PatchReconstruction& patch = whole->patches.front();
   const auto covariance = solve()->patches.front().covariance;

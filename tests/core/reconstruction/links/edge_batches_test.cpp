@@ -2,10 +2,9 @@
 
 #include "hexoderm/reconstruction/links/edge_batches.h"
 
-#include "hexoderm/device/simulation/simulated_skin.h"
 #include "hexoderm/graph/shortest_paths.h"
 #include "hexoderm/reconstruction/links/skin_links.h"
-#include "hexoderm/session/simulated_session.h"
+#include "tests/support/simulated_skins.h"
 
 #include <gmock/gmock.h>
 
@@ -28,13 +27,8 @@ std::vector<Kernels> kernels() {
 /// A skin on a cylinder with all errors of its sensors and of the hand.
 class Sheet {
  public:
-  explicit Sheet(std::size_t poses, SolverOptions options = {}, std::uint64_t seed = 5) : options_(std::move(options)) {
-    SimulatedSkinOptions skin;
-    skin.patch = "sheet:9x10";
-    skin.surface = "cylinder:r=0.1";
-    skin.seed = seed;
-    SimulatedSkin simulated(builtInCellModel("hex-bma150"), skin);
-    snapshot_ = simulateSession(simulated, poses, 20).snapshot();
+  explicit Sheet(std::size_t poses, SolverOptions options = {}) : options_(std::move(options)) {
+    snapshot_ = test::simulatedSession(test::skinOptions("sheet:9x10", "cylinder:r=0.1", 5), poses, 20).snapshot();
     links_ = std::make_unique<SkinLinks>(*snapshot_, options_, findings_);
   }
 
@@ -112,15 +106,6 @@ TEST(EdgeBatches, AgreeWithEdgesOneByOne) {
       }
     }
   }
-}
-
-TEST(EdgeBatches, AgreeWithAndWithoutVectorInstructions) {
-  if (!hasFourLanes()) return;  // there is nothing to compare
-  Sheet sheet(3);
-  const Sheet::Result one = sheet.estimate(estimateEdgesByOne, sheet.all());
-  const Sheet::Result four = sheet.estimate(estimateEdgesByFour, sheet.all());
-  EXPECT_EQ(one.unusual, four.unusual);
-  for (const std::size_t link : sheet.all()) expectSame(four.edges[link], one.edges[link], 1e-12);
 }
 
 /// Nothing about a link depends on those that happen to stand beside it.

@@ -45,30 +45,6 @@ TEST(EdgeRotation, RecoversKnownRotationFromTwoOrthogonalPoses) {
   EXPECT_FALSE(edge.supported);
 }
 
-TEST(EdgeRotation, TurnsTargetIntoSourceAndNotTheOtherWay) {
-  // Eqs. (13) to (15) leave the direction open: ours is c_p = R_c_n n_p. A quarter turn about z tells them apart.
-  EdgeReadings readings;
-  readings.n_g.resize(3, 2);
-  readings.c_g.resize(3, 2);
-  readings.n_g << 1, 0, 0, 0, 0, 1;  // n_1 = x, n_2 = z
-  readings.c_g << 0, 0, 1, 0, 0, 1;  // c_1 = y, c_2 = z
-  readings.variance_g2 = {1e-6, 1e-6};
-  const EdgeRotation edge = estimateEdgeRotation(model(), portOut(), portIn(), readings, {});
-  Eigen::Matrix3d expected;
-  expected << 0, -1, 0, 1, 0, 0, 0, 0, 1;
-  EXPECT_THAT(edge.R_c_n, RotationNear(expected, 1e-9));
-}
-
-TEST(EdgeRotation, SingularValuesOfTwoPosesAreOnePlusMinusCosine) {
-  for (const double angle : {20 * kDegree, 60 * kDegree, 90 * kDegree, 120 * kDegree}) {
-    const std::vector<Eigen::Vector3d> ups = {{0, 0, 1}, {std::sin(angle), 0, std::cos(angle)}};
-    const EdgeRotation edge = estimateEdgeRotation(model(), portOut(), portIn(), readingsFor(someRotation(), ups), {});
-    EXPECT_NEAR(edge.singular_values.x(), 1 + std::abs(std::cos(angle)), 1e-12);
-    EXPECT_NEAR(edge.singular_values.y(), 1 - std::abs(std::cos(angle)), 1e-12);
-    EXPECT_NEAR(edge.singular_values.z(), 0, 1e-12);
-  }
-}
-
 TEST(EdgeRotation, ClassesFollowEquation17) {
   EXPECT_EQ(classifyEdge({0.9, 0.2, 0}, 1), EdgeQuality::Undefined);
   EXPECT_EQ(classifyEdge({1.0, 0.99, 0}, 1), EdgeQuality::Partially);
@@ -183,24 +159,6 @@ TEST(EdgeRotation, PredictedDeviationAgreesWithSimulatedSensors) {
     }
     EXPECT_NEAR(std::sqrt(squared / predicted), 1, 0.05);
   }
-}
-
-TEST(EdgeRotation, DoesNotDependOnTheWorld) {
-  const Eigen::Matrix3d turn = expSO3({0.4, -1.1, 0.7});
-  std::vector<Eigen::Vector3d> turned;
-  for (const Eigen::Vector3d& up : kTetrahedron) turned.emplace_back(turn * up);
-  const EdgeRotation a = estimateEdgeRotation(model(), portOut(), portIn(), readingsFor(someRotation(), turned), {});
-  EXPECT_THAT(a.R_c_n, RotationNear(someRotation(), 1e-9));
-}
-
-TEST(EdgeRotation, ReversedEdgeIsTheTranspose) {
-  EdgeReadings readings = readingsFor(someRotation(), kTetrahedron);
-  readings.c_g.colwise() += Eigen::Vector3d(0.03, 0.01, -0.02);
-  EdgeReadings reversed = readings;
-  std::swap(reversed.c_g, reversed.n_g);
-  const EdgeRotation forward = estimateEdgeRotation(model(), portOut(), portIn(), readings, {});
-  const EdgeRotation backward = estimateEdgeRotation(model(), portIn(), portOut(), reversed, {});
-  EXPECT_THAT(backward.R_c_n, RotationNear(Eigen::Matrix3d(forward.R_c_n.transpose()), 1e-9));
 }
 
 }  // namespace
