@@ -56,12 +56,12 @@ TEST(RobotModel, ReadsTheDemoArm) {
 SE3 byHand(const RobotModel& robot, std::size_t link, const JointAngles& angles) {
   if (!robot.links()[link].joint) return {};
   const RobotJoint& joint = robot.joints()[*robot.links()[link].joint];
-  double q = 0;
   const auto position = [&](const std::string& name) {
     const auto found = angles.positions.find(name);
     return found == angles.positions.end() ? 0 : found->second;
   };
-  q = joint.mimic ? joint.mimic->multiplier * position(robot.joints()[joint.mimic->joint].name) + joint.mimic->offset
+  const double q =
+      joint.mimic ? joint.mimic->multiplier * position(robot.joints()[joint.mimic->joint].name) + joint.mimic->offset
                   : position(joint.name);
   SE3 T_joint_child;
   if (joint.type == JointType::Prismatic) {

@@ -1,13 +1,9 @@
 #include "hexoderm/reconstruction/figures/review_summary.h"
 
-#include "hexoderm/device/simulation/simulated_skin.h"
-#include "hexoderm/reconstruction/reconstructor.h"
-#include "hexoderm/session/simulated_session.h"
 #include "hexoderm/util/units.h"
 #include "tests/support/result_builder.h"
 
 #include <gmock/gmock.h>
-#include <algorithm>
 
 namespace hexoderm {
 namespace {

@@ -13,11 +13,7 @@ constexpr int kSimulatedRobots = 1;
 #endif
 
 LinksTally tallyOf(const SimulatedLinksOptions& options, const std::string& name) {
-  LinksTally tally;
-  for (int seed = 1; seed <= kSimulatedRobots; ++seed) {
-    SimulatedRobot robot = simulatedArm(static_cast<std::uint64_t>(seed), options);
-    tally.add(robot, options);
-  }
+  LinksTally tally = tallySimulatedLinks(options, kSimulatedRobots);
   ::testing::Test::RecordProperty(name, inWords(tally));
   return tally;
 }
@@ -41,7 +37,7 @@ TEST(LinksOnSimulatedRobot, AreRightAndStateHowWellTheyKnow) {
     if (kSimulatedRobots < 20) continue;
     EXPECT_GT(meanOf(tally.turn_nees), 0.7) << c.name;
     EXPECT_LT(meanOf(tally.turn_nees), 1.5) << c.name;
-    EXPECT_LE(medianOf(tally.errors_rad), 1.2 * medianOf(tally.stated_rad)) << c.name;
+    EXPECT_LE(median(tally.errors_rad), 1.2 * median(tally.stated_rad)) << c.name;
     EXPECT_LT(meanOf(tally.zero_nees), 1.8) << c.name;
     EXPECT_LT(meanOf(tally.tilt_nees), 1.8) << c.name;
   }

@@ -74,6 +74,20 @@ inline std::vector<Eigen::Vector3d> seenFrom(const Eigen::Matrix3d& R, const std
   return result;
 }
 
+/// What a body sees, with the same covariances, in a frame that is turned: x_turned = Q x.
+inline GravitySeen turnedBy(const Eigen::Matrix3d& Q, const GravitySeen& seen) {
+  GravitySeen turned = seen;
+  const auto rows = static_cast<Eigen::Index>(2 * seen.size());
+  Eigen::MatrixXd across = Eigen::MatrixXd::Zero(rows, rows);  // from the one frame's components to the other's
+  for (std::size_t k = 0; k < seen.size(); ++k) {
+    const auto at = static_cast<Eigen::Index>(2 * k);
+    turned.up[k] = Q * seen.up[k];
+    across.block<2, 2>(at, at) = acrossBasis(turned.up[k]).transpose() * Q * acrossBasis(seen.up[k]);
+  }
+  turned.covariance = across * seen.covariance * across.transpose();
+  return turned;
+}
+
 /// Two bodies on a hinge: R_p = exp(u angle_p) R_0 maps b into a.
 struct DrawnHinge {
   Eigen::Vector3d u_a;
@@ -93,6 +107,20 @@ inline DrawnHinge drawHinge(GravityDraw& draw, std::size_t poses, double spread_
     hinge.up_b.emplace_back((expSO3(hinge.angle.back() * hinge.u_a) * R_0).transpose() * hinge.up_a[k]);
   }
   return hinge;
+}
+
+/// The square of the error of a unit vector in its covariance, by its two degrees of freedom. Its sign does not count.
+inline double neesOfAxis(const Eigen::Vector3d& u, const Eigen::Matrix3d& covariance, const Eigen::Vector3d& truth) {
+  const Eigen::Matrix<double, 3, 2> across = acrossBasis(u);
+  const Eigen::Vector2d e = across.transpose() * truth;
+  const Eigen::Matrix2d C = across.transpose() * covariance * across;
+  return e.dot(C.llt().solve(e)) / 2;
+}
+
+inline double meanOf(const std::vector<double>& values) {
+  double sum = 0;
+  for (const double value : values) sum += value;
+  return values.empty() ? 0 : sum / static_cast<double>(values.size());
 }
 
 }  // namespace hexoderm
