@@ -8,6 +8,7 @@
 #include "tests/support/matchers.h"
 #include "tests/support/random_session.h"
 #include "tests/support/slow_build.h"
+#include "tests/support/solvers.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -134,9 +135,7 @@ TEST(Agreement, OfAllThatIsSaidInFiveThousandRandomSessions) {
   for (std::uint64_t seed = 1; seed <= kSessions && !HasFailure(); ++seed) {
     SCOPED_TRACE("session " + std::to_string(seed));
     const Session session = test::RandomSession(seed).draw();
-    SolverOptions options;
-    if (seed % 5 == 0) options.solver = Solver::Tree;
-    const auto result = reconstruct(*session.snapshot(), options);
+    const auto result = reconstruct(*session.snapshot(), test::by(seed % 5 == 0 ? Solver::Tree : Solver::Global));
     ASSERT_NO_FATAL_FAILURE(expectAgreement(session, *result)) << result->assessment.reason;
     if (HasFailure()) ADD_FAILURE() << result->assessment.reason << " | " << result->assessment.next_action;
     ++levels.at(static_cast<std::size_t>(result->assessment.level));

@@ -4,6 +4,7 @@
 #include "hexoderm/reconstruction/reconstructor.h"
 #include "hexoderm/util/parallel.h"
 #include "tests/support/simulated_skins.h"
+#include "tests/support/solvers.h"
 
 #include <gtest/gtest.h>
 #include <cstddef>
@@ -19,9 +20,7 @@ class SolvedWithCores : public testing::TestWithParam<Solver> {
   ~SolvedWithCores() override { setCores(before_); }
 
   [[nodiscard]] std::string calibration() const {
-    SolverOptions options;
-    options.solver = GetParam();
-    Reconstruction result = *reconstruct(*session_.snapshot(), options);
+    Reconstruction result = *reconstruct(*session_.snapshot(), test::by(GetParam()));
     result.solve_seconds = 0;
     return calibrationToJson(result);
   }
@@ -59,8 +58,7 @@ TEST_P(SolvedWithCores, SeveralAtATimeShareThem) {
   EXPECT_TRUE(found[1] == expected);
 }
 
-INSTANTIATE_TEST_SUITE_P(Both, SolvedWithCores, testing::Values(Solver::Tree, Solver::Global),
-                         [](const auto& solver) { return std::string(solverName(solver.param)); });
+INSTANTIATE_TEST_SUITE_P(Both, SolvedWithCores, testing::Values(Solver::Tree, Solver::Global), test::solverOfTest);
 
 }  // namespace
 }  // namespace hexoderm

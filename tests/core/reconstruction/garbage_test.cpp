@@ -3,6 +3,7 @@
 #include "hexoderm/reconstruction/reconstructor.h"
 #include "tests/support/matchers.h"
 #include "tests/support/simulated_skins.h"
+#include "tests/support/solvers.h"
 
 #include <algorithm>
 #include <set>
@@ -134,8 +135,7 @@ TEST(Garbage, NoiseAndWrongPortsLeaveNothingToUse) {
 }
 
 TEST(Garbage, TheTreeFindsItToo) {
-  SolverOptions tree;
-  tree.solver = Solver::Tree;
+  const SolverOptions tree = test::by(Solver::Tree);
   const auto swapped = solved({.faults = {{SkinFault::Swapped, CellId(3)}}}, 1, 4, tree);
   EXPECT_THAT(namedCells(*swapped), Contains(CellId(3)));
   const auto yawed = solved({.faults = {{SkinFault::Yawed, CellId(3)}}}, 1, 4, tree);

@@ -6,6 +6,7 @@
 #include "tests/support/matchers.h"
 #include "tests/support/pin_jointed_skin.h"
 #include "tests/support/simulated_skins.h"
+#include "tests/support/solvers.h"
 
 #include <algorithm>
 #include <cmath>
@@ -224,10 +225,8 @@ TEST(HoldOut, HasNothingToCompareWhereAPatchIsASingleCell) {
 }
 
 TEST(HoldOut, WorksOnWhatTheTreeSolverMakes) {
-  SolverOptions options;
-  options.solver = Solver::Tree;
   const Session session = test::simulatedSession(test::skinOptions("x17", "", 2), 6);
-  const HoldOutResult result = evaluateHoldOut(*session.snapshot(), PoseId(6), options);
+  const HoldOutResult result = evaluateHoldOut(*session.snapshot(), PoseId(6), test::by(Solver::Tree));
   EXPECT_EQ(result.outcome, HoldOutOutcome::Evaluated);
   EXPECT_GT(result.rms_rad, evaluateHoldOut(*session.snapshot(), PoseId(6)).rms_rad)
       << "raw readings are worse than corrected ones";

@@ -7,6 +7,7 @@
 #include "hexoderm/util/units.h"
 #include "tests/support/matchers.h"
 #include "tests/support/paths.h"
+#include "tests/support/solvers.h"
 
 #include <algorithm>
 
@@ -19,11 +20,8 @@ using ::testing::IsEmpty;
 class RealGarbage : public ::testing::TestWithParam<Solver> {
  protected:
   [[nodiscard]] static std::shared_ptr<const Reconstruction> solve(const std::string& name) {
-    SolverOptions options;
-    options.solver = GetParam();
-    return reconstruct(
-        *readSessionJson(std::string(HEXODERM_REFERENCE_DATA) + "/real/icub_leg/" + name + ".session.json").snapshot(),
-        options);
+    const std::string path = std::string(HEXODERM_REFERENCE_DATA) + "/real/icub_leg/" + name + ".session.json";
+    return reconstruct(*readSessionJson(path).snapshot(), test::by(GetParam()));
   }
   /// Of links and cells; poses are told apart as they are.
   [[nodiscard]] static std::vector<Finding> accusations(const Reconstruction& result) {
@@ -35,8 +33,7 @@ class RealGarbage : public ::testing::TestWithParam<Solver> {
   }
 };
 
-INSTANTIATE_TEST_SUITE_P(Solvers, RealGarbage, ::testing::Values(Solver::Global, Solver::Tree),
-                         [](const auto& test) { return std::string(solverName(test.param)); });
+INSTANTIATE_TEST_SUITE_P(Solvers, RealGarbage, ::testing::Values(Solver::Global, Solver::Tree), test::solverOfTest);
 
 TEST_P(RealGarbage, ABoardTurnedBy180DegreesIsNamed) {
   const auto result = solve("turned_180_not_seen");
@@ -68,8 +65,7 @@ TEST(RealTree, IsNotWorseByDefaultThanThePapersMethod) {
     const Session session =
         readSessionJson(std::string(HEXODERM_REFERENCE_DATA) + "/real/icub_leg/" + name + ".session.json");
     const auto joint = reconstruct(*session.snapshot());
-    SolverOptions tree;
-    tree.solver = Solver::Tree;
+    const SolverOptions tree = test::by(Solver::Tree);
     SolverOptions paper = tree;
     paper.centring = Centring::Off;
     paper.support_axes = SupportAxes::Off;

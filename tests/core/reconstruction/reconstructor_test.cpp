@@ -7,6 +7,7 @@
 #include "tests/support/matchers.h"
 #include "tests/support/pin_jointed_skin.h"
 #include "tests/support/random_vector.h"
+#include "tests/support/solvers.h"
 
 #include <algorithm>
 #include <random>
@@ -21,19 +22,9 @@ std::shared_ptr<const Reconstruction> solve(const Session& session, const Solver
   return reconstruct(*session.snapshot(), options);
 }
 
-SolverOptions tree() {
-  SolverOptions options;
-  options.solver = Solver::Tree;
-  return options;
-}
-
+SolverOptions tree() { return test::by(Solver::Tree); }
 /// With the gap model that pin-jointed skins obey.
-SolverOptions global() {
-  SolverOptions options;
-  options.solver = Solver::Global;
-  options.gap_model = GapModel::Pivot;
-  return options;
-}
+SolverOptions global() { return test::by(Solver::Global, GapModel::Pivot); }
 
 /// Properties that hold for every solver.
 class EverySolver : public ::testing::TestWithParam<Solver> {
@@ -44,8 +35,7 @@ class EverySolver : public ::testing::TestWithParam<Solver> {
   }
 };
 
-INSTANTIATE_TEST_SUITE_P(Solvers, EverySolver, ::testing::Values(Solver::Global, Solver::Tree),
-                         [](const auto& test) { return std::string(solverName(test.param)); });
+INSTANTIATE_TEST_SUITE_P(Solvers, EverySolver, ::testing::Values(Solver::Global, Solver::Tree), test::solverOfTest);
 
 /// T_o_u must be T_o_root T_root_u: nothing is aligned away.
 void expectNear(const Reconstruction& result, const PinJointedSkin& skin, double tolerance_rad, double tolerance_m) {

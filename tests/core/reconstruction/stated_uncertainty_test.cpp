@@ -6,6 +6,7 @@
 #include "hexoderm/reconstruction/reconstructor.h"
 #include "tests/support/simulated_skins.h"
 #include "tests/support/slow_build.h"
+#include "tests/support/solvers.h"
 
 #include <gmock/gmock.h>
 
@@ -97,10 +98,9 @@ TEST(StatedUncertainty, IsHonestFromThreePosesOnAndOfTheRightOrderWithTwo) {
 }
 
 TEST(StatedUncertainty, OfTheTreeKnowsThatAHandTurnsThePart) {
-  SolverOptions tree;
-  tree.solver = Solver::Tree;
   for (const std::size_t readings : {10U, 30U, 100U}) {
-    const Nees nees = neesOf(test::skinOptions("sheet:10x12", "cylinder:r=0.1"), 20, 4, tree, readings);
+    const Nees nees =
+        neesOf(test::skinOptions("sheet:10x12", "cylinder:r=0.1"), 20, 4, test::by(Solver::Tree), readings);
     expectWithin(nees, {0.5, 1.5}, {0.5, 1.5}, std::to_string(readings) + " readings");
   }
 }

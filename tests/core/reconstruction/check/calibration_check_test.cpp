@@ -8,6 +8,7 @@
 #include "tests/support/matchers.h"
 #include "tests/support/pin_jointed_skin.h"
 #include "tests/support/simulated_skins.h"
+#include "tests/support/solvers.h"
 
 #include <algorithm>
 #include <cmath>
@@ -300,9 +301,7 @@ TEST(CalibrationCheck, ACellThatWasPlacedByItsLinksIsCheckedAsFarAsItIsKnown) {
 TEST(CalibrationCheck, ACalibrationThatIsTooUncertainTellsNothingAndSaysSo) {
   PinJointedSkin skin = bentX17();
   skin.model.accelerometer.offset_sigma_g = 0.3;
-  SolverOptions tree;
-  tree.solver = Solver::Tree;
-  const CalibrationCheck result = check(*calibrated(skin, 2, tree), skin.session({kToday[0]}));
+  const CalibrationCheck result = check(*calibrated(skin, 2, test::by(Solver::Tree)), skin.session({kToday[0]}));
   EXPECT_FALSE(result.changed);
   EXPECT_FALSE(result.compared);
   EXPECT_THAT(result.cells, Each(Field(&CheckedCell::change, CellChange::NotTold)));
@@ -358,9 +357,7 @@ TEST(CalibrationCheck, ManyMayChangeAtOnce) {
 
 TEST(CalibrationCheck, ACalibrationByTheTreeHoldsNoOffsetsAndShowsLess) {
   const PinJointedSkin skin = bentX17();
-  SolverOptions tree;
-  tree.solver = Solver::Tree;
-  const auto calibration = calibrated(skin, 4, tree);
+  const auto calibration = calibrated(skin, 4, test::by(Solver::Tree));
   const CalibrationCheck same = check(*calibration, skin.session(kToday));
   EXPECT_FALSE(same.changed);
   EXPECT_GT(cellOf(same, CellId(8)).noticed_turn_rad.value_or(kPi),

@@ -7,6 +7,7 @@
 #include "tests/support/matchers.h"
 #include "tests/support/pin_jointed_skin.h"
 #include "tests/support/simulated_skins.h"
+#include "tests/support/solvers.h"
 
 namespace hexoderm {
 namespace {
@@ -15,9 +16,7 @@ using ::testing::SizeIs;
 
 /// By the tree solver, which gives such skins back exactly: what is tested here is the evaluation.
 std::shared_ptr<const Reconstruction> solved(const PinJointedSkin& skin, std::size_t poses = 3) {
-  SolverOptions options;
-  options.solver = Solver::Tree;
-  return reconstruct(*skin.session(orthogonalUps(poses)).snapshot(), options);
+  return reconstruct(*skin.session(orthogonalUps(poses)).snapshot(), test::by(Solver::Tree));
 }
 
 GroundTruth truthOf(const PinJointedSkin& skin) {
@@ -239,9 +238,7 @@ TEST(CellDistance, IsThatOfCentresAndNormals) {
   EXPECT_EQ(distanceBetween(demo, CellId(2), CellId(2))->length_m, 0);
   EXPECT_EQ(distanceBetween(demo, CellId(2), CellId(999)), std::nullopt);
 
-  DemoOptions second;
-  second.first_id = 101;
-  const Reconstruction two = demoPatches({DemoOptions(), second});
+  const Reconstruction two = demoPatches({DemoOptions(), {.first_id = 101}});
   EXPECT_EQ(distanceBetween(two, CellId(1), CellId(101)), std::nullopt);
 }
 
@@ -316,9 +313,8 @@ TEST(DistanceCheck, RefusesWhatIsNoDistance) {
   EXPECT_THROW(checkDistance(*result, CellId(1), CellId(1), 0.1), InvalidArgument);
   EXPECT_THROW(checkDistance(*result, CellId(1), CellId(2), 0), InvalidArgument);
   EXPECT_THROW(checkDistance(*result, CellId(1), CellId(2), std::nan("")), InvalidArgument);
-  DemoOptions second;
-  second.first_id = 101;
-  EXPECT_THROW(checkDistance(demoPatches({DemoOptions(), second}), CellId(1), CellId(101), 0.1), InvalidArgument);
+  EXPECT_THROW(checkDistance(demoPatches({DemoOptions(), {.first_id = 101}}), CellId(1), CellId(101), 0.1),
+               InvalidArgument);
   PatchReconstruction lonely = result->patches.front();
   lonely.cells.resize(1);
   EXPECT_EQ(farApart(lonely), std::nullopt);

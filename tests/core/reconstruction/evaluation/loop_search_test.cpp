@@ -6,6 +6,7 @@
 #include "tests/support/matchers.h"
 #include "tests/support/pin_jointed_skin.h"
 #include "tests/support/simulated_skins.h"
+#include "tests/support/solvers.h"
 
 #include <algorithm>
 
@@ -16,10 +17,7 @@ using ::testing::IsEmpty;
 using ::testing::SizeIs;
 
 std::shared_ptr<const Reconstruction> solvedBy(const PinJointedSkin& skin, Solver solver = Solver::Tree) {
-  SolverOptions options;
-  options.solver = solver;
-  options.gap_model = GapModel::Pivot;
-  return reconstruct(*skin.session(orthogonalUps(3)).snapshot(), options);
+  return reconstruct(*skin.session(orthogonalUps(3)).snapshot(), test::by(solver, GapModel::Pivot));
 }
 
 TEST(LoopSearch, FindsTheTwoPortsOfAnOpenRingWithTheirGap) {

@@ -8,6 +8,7 @@
 #include "tests/support/matchers.h"
 #include "tests/support/pin_jointed_skin.h"
 #include "tests/support/slow_build.h"
+#include "tests/support/solvers.h"
 
 #include <algorithm>
 #include <cmath>
@@ -26,10 +27,7 @@ using ::testing::SizeIs;
 class SolverTest : public ::testing::TestWithParam<Solver> {
  protected:
   [[nodiscard]] static std::shared_ptr<const Reconstruction> solve(const Session& session) {
-    SolverOptions options;
-    options.solver = GetParam();
-    options.gap_model = GapModel::Pivot;
-    return reconstruct(*session.snapshot(), options);
+    return reconstruct(*session.snapshot(), test::by(GetParam(), GapModel::Pivot));
   }
   /// The elastomer's prior pulls every joint a little towards straight.
   [[nodiscard]] static double tolerance_rad() { return GetParam() == Solver::Tree ? 1e-9 : 0.03 * kDegree; }
@@ -39,8 +37,7 @@ class SolverTest : public ::testing::TestWithParam<Solver> {
 class SkinFaults : public SolverTest {};
 
 const auto kEverySolver = ::testing::Values(Solver::Global, Solver::Tree);
-std::string nameOf(const ::testing::TestParamInfo<Solver>& test) { return std::string(solverName(test.param)); }
-INSTANTIATE_TEST_SUITE_P(Solvers, SkinFaults, kEverySolver, nameOf);
+INSTANTIATE_TEST_SUITE_P(Solvers, SkinFaults, kEverySolver, test::solverOfTest);
 
 const Finding* findFinding(const Reconstruction& result, FindingCode code) {
   const auto found = std::ranges::find(result.findings, code, &Finding::code);
@@ -77,7 +74,7 @@ class BadCell : public SolverTest {
   Session session_ = skin_.session(orthogonalUps(4));
 };
 
-INSTANTIATE_TEST_SUITE_P(Solvers, BadCell, kEverySolver, nameOf);
+INSTANTIATE_TEST_SUITE_P(Solvers, BadCell, kEverySolver, test::solverOfTest);
 
 TEST_P(BadCell, WithBadReadingsIsNamedAndPlacedThroughItsLinks) {
   struct Case {
@@ -184,9 +181,7 @@ TEST_P(SkinFaults, ASnapshotWithACellModelThatMakesNoSenseIsRefused) {
   CellModel model = session.model();
   model.bend_sigma_rad = model.twist_sigma_rad = model.yaw_sigma_rad = 0;
   snapshot.model = std::make_shared<const CellModel>(model);
-  SolverOptions options;
-  options.solver = GetParam();
-  EXPECT_THAT(test::messageOf<InvalidArgument>([&] { reconstruct(snapshot, options); }),
+  EXPECT_THAT(test::messageOf<InvalidArgument>([&] { reconstruct(snapshot, test::by(GetParam())); }),
               ::testing::HasSubstr("bend_sigma_rad must be above 0"));
 }
 

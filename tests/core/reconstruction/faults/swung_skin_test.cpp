@@ -3,6 +3,7 @@
 
 #include "hexoderm/reconstruction/reconstructor.h"
 #include "tests/support/simulated_skins.h"
+#include "tests/support/solvers.h"
 
 #include <gmock/gmock.h>
 
@@ -14,8 +15,7 @@ namespace {
 using ::testing::IsEmpty;
 
 class SwungSkin : public ::testing::TestWithParam<Solver> {};
-INSTANTIATE_TEST_SUITE_P(Solvers, SwungSkin, ::testing::Values(Solver::Global, Solver::Tree),
-                         [](const auto& test) { return std::string(solverName(test.param)); });
+INSTANTIATE_TEST_SUITE_P(Solvers, SwungSkin, ::testing::Values(Solver::Global, Solver::Tree), test::solverOfTest);
 
 /// What was found about attitudes. A reading of more than 1.3 g or less than 0.7 g is another matter.
 std::vector<std::string> blamed(const Reconstruction& result) {
@@ -30,12 +30,10 @@ std::vector<std::string> blamed(const Reconstruction& result) {
 TEST_P(SwungSkin, NoCellIsBlamedForWhatAHandDoes) {
   constexpr std::uint64_t kSeeds = 12;
   constexpr int kSamples = 10;
-  SolverOptions options;
-  options.solver = GetParam();
   for (std::uint64_t seed = 1; seed <= kSeeds; ++seed) {
     const Session session =
         test::simulatedSession(test::skinOptions("sheet:10x12", "cylinder:r=0.1", seed), 4, kSamples);
-    EXPECT_THAT(blamed(*reconstruct(*session.snapshot(), options)), IsEmpty()) << "seed " << seed;
+    EXPECT_THAT(blamed(*reconstruct(*session.snapshot(), test::by(GetParam()))), IsEmpty()) << "seed " << seed;
   }
 }
 

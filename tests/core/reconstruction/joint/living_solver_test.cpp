@@ -1,6 +1,5 @@
 // One JointSolver for many solutions, and covariances that outlive its factors.
 
-#include "hexoderm/reconstruction/joint/cells_first.h"
 #include "hexoderm/reconstruction/joint/joint_solver.h"
 #include "hexoderm/reconstruction/reconstructor.h"
 #include "tests/core/reconstruction/joint/joint_case.h"
@@ -71,32 +70,6 @@ TEST(LivingJointSolver, CovariancesAtAStateAreTheSameInMemoryOfOthers) {
   }
   const std::vector<Matrix6d> cells = cellCovariancesAt(example.problem, example.truth);
   for (std::size_t cell = 0; cell < cells.size(); ++cell) EXPECT_EQ(cells[cell], expected.cell(cell));
-}
-
-/// The step from a state, by a factor with this damping.
-std::pair<Eigen::VectorXd, Eigen::VectorXd> stepOf(JointSystem& system, double damping) {
-  std::pair<Eigen::VectorXd, Eigen::VectorXd> step;
-  EXPECT_TRUE(system.factorize(damping));
-  system.step(step.first, step.second);
-  return step;
-}
-
-TEST(LivingJointSolver, AStepAfterARefusedOneIsThatOfTheStateBefore) {
-  constexpr double kDamping = 1e-3;
-  const JointCase example = sheetInPoses(3);
-  JointState refused = example.truth;
-  for (SE3& cell : refused.cells) cell.t *= 1.1;
-  const std::unique_ptr<JointSystem> fresh = makeCellsFirst();
-  fresh->linearize(example.problem, example.truth);
-  fresh->accept();
-  const auto expected = stepOf(*fresh, kDamping);
-  const std::unique_ptr<JointSystem> system = makeCellsFirst();
-  system->linearize(example.problem, example.truth);
-  system->accept();
-  stepOf(*system, 0);
-  system->linearize(example.problem, refused);
-  EXPECT_EQ(stepOf(*system, kDamping), expected);
-  EXPECT_EQ(stepOf(*system, kDamping), expected) << "the diagonal is raised once";
 }
 
 /// A solution whose factor is given back, and one that keeps its own.

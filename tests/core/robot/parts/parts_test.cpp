@@ -7,6 +7,7 @@
 #include "tests/core/robot/parts/jointed_skins.h"
 #include "tests/support/changed_session.h"
 #include "tests/support/slow_build.h"
+#include "tests/support/solvers.h"
 
 #include <gmock/gmock.h>
 
@@ -118,10 +119,7 @@ PartsResult partsOf(const JointedSkinsOptions& options, std::size_t poses) {
 
 // A joint that stands still in all poses is not seen, and nothing but that is said.
 TEST(Parts, AJointThatStandsStillCantBeSeen) {
-  JointedSkinsOptions options;
-  options.joint_range_rad = 0;
-  options.hand_held = false;
-  const PartsResult result = partsOf(options, 6);
+  const PartsResult result = partsOf({.hand_held = false, .joint_range_rad = 0}, 6);
   ASSERT_EQ(result.parts.size(), 1U);
   EXPECT_EQ(result.parts.front().patches.size(), 4U);
   EXPECT_TRUE(result.relations.empty());
@@ -132,13 +130,11 @@ TEST(Parts, AJointThatStandsStillCantBeSeen) {
 }
 
 TEST(Parts, SaysWhatCantBeToldAndWhatWouldTell) {
-  JointedSkinsOptions options;
-  options.body_of_patch = {0, 1};
-  options.patch = "sheet:1x1";  // no links that two poses may cast doubt on
-  options.joint_range_rad = 0;
-  options.hand_held = false;
-  JointedSkins skins(options);
-  const Session session = skins.session(6);
+  // One cell each: no links that two poses may cast doubt on.
+  const Session session =
+      JointedSkins(
+          JointedSkinsOptions{.body_of_patch = {0, 1}, .patch = "sheet:1x1", .hand_held = false, .joint_range_rad = 0})
+          .session(6);
 
   // Up and upside down: scripted directions 1 and 4.
   const PartsResult line = partsOf(onlyPosesOf(session, {0, 3}));
@@ -164,19 +160,14 @@ TEST(Parts, SaysWhatCantBeToldAndWhatWouldTell) {
 }
 
 TEST(Parts, OnePatchHasNothingToBeComparedWith) {
-  JointedSkinsOptions options;
-  options.body_of_patch = {0};
-  const PartsResult result = partsOf(options, 3);
+  const PartsResult result = partsOf({.body_of_patch = {0}}, 3);
   EXPECT_EQ(result.parts.size(), 1U);
   EXPECT_TRUE(result.pairs.empty());
   EXPECT_EQ(result.summary.english(), "There is one patch: nothing to compare it with.");
 }
 
 TEST(Parts, DoNotDependOnTheOrderOfThePoses) {
-  JointedSkinsOptions options;
-  options.hand_held = false;
-  JointedSkins skins(options);
-  const Session session = skins.session(6);
+  const Session session = JointedSkins(JointedSkinsOptions{.hand_held = false}).session(6);
   const PartsResult one = partsOf(session);
   const PartsResult other = partsOf(onlyPosesOf(session, {3, 5, 1, 0, 4, 2}));
   ASSERT_EQ(one.parts.size(), other.parts.size());
@@ -188,19 +179,14 @@ TEST(Parts, DoNotDependOnTheOrderOfThePoses) {
 
 // More poses than are compared: those that differ most are taken, and the result is as good.
 TEST(Parts, ManyPosesAreThinnedOut) {
-  JointedSkinsOptions options;
-  options.patch = "sheet:2x2";
-  options.hand_held = false;
-  options.sensor_frames = 10;
-  const PartsResult result = partsOf(options, kSlowBuild ? 52 : 120);
+  const PartsResult result =
+      partsOf({.patch = "sheet:2x2", .hand_held = false, .sensor_frames = 10}, kSlowBuild ? 52 : 120);
   EXPECT_EQ(result.parts.size(), 2U);
   for (const PatchPair& pair : result.pairs) EXPECT_EQ(pair.poses, PartsOptions().most_poses);
 }
 
 TEST(Parts, NeedTheCovarianceOfGravity) {
-  SolverOptions tree;
-  tree.solver = Solver::Tree;
-  const auto result = reconstruct(*JointedSkins(JointedSkinsOptions{}).session(3).snapshot(), tree);
+  const auto result = reconstruct(*JointedSkins(JointedSkinsOptions{}).session(3).snapshot(), test::by(Solver::Tree));
   EXPECT_THROW(static_cast<void>(findParts(*result)), InvalidArgument);
 }
 
