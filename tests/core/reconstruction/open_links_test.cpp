@@ -69,22 +69,5 @@ TEST(OpenLinks, ACableAcrossASheetIsFoundAndTheRestStaysWhereItIs) {
   }
 }
 
-TEST(OpenLinks, ACableSetAsideByHandChangesNothing) {
-  const Session session = test::simulatedSession(test::skinOptions("sheet:6x6", "cylinder:r=0.3"), 4);
-  const auto [a, b] = farFreePorts(session.neighbors());
-  const auto without = reconstruct(*session.snapshot());
-  Session with_cable = withLink(session, a, b);
-  with_cable.setLinkMuted(a, b, true);
-  const auto result = reconstruct(*with_cable.snapshot());
-  EXPECT_TRUE(
-      std::ranges::none_of(result->findings, [](const Finding& f) { return f.code == FindingCode::LinkDoesNotClose; }));
-  ASSERT_THAT(result->patches, SizeIs(1));
-  EXPECT_EQ(result->patches.front().origin, without->patches.front().origin);
-  for (const CellPlacement& cell : without->patches.front().cells) {
-    EXPECT_THAT(result->find(cell.cell).cell->T_o_u, SE3Near(cell.T_o_u, 1e-9, 1e-9));
-  }
-  EXPECT_EQ(result->findLink(a, b)->muted_by, FindingCode::LinkSetAside);
-}
-
 }  // namespace
 }  // namespace hexoderm

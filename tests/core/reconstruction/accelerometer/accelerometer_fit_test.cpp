@@ -22,7 +22,7 @@ using Matrix3x12d = Eigen::Matrix<double, 3, 12>;
 constexpr double kSigma_g = 0.003;
 const HuberLoss kQuadratic{std::numeric_limits<double>::infinity()};
 
-using Draw = JointDraw;
+using Draw = test::NormalDraw;
 
 struct Sensor {
   Eigen::Vector3d offset_g = Eigen::Vector3d::Zero();

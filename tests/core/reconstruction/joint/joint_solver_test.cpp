@@ -385,7 +385,7 @@ TEST(JointSolver, StopsWhereItIsWhenAsked) {
 /// and a pose have none.
 JointCase mixedCase(const char* patch, std::size_t poses, const GapShare& gap) {
   JointCase example = simulatedCase(test::skinOptions(patch), poses, gap);
-  JointDraw draw(poses);
+  test::NormalDraw draw(poses);
   JointProblem& problem = example.problem;
   for (std::size_t cell = 0; cell < problem.cellCount(); ++cell) {
     for (CellReading& reading : problem.readings[cell]) {

@@ -73,17 +73,15 @@ TEST(EdgeRotation, CentringRemovesOffsetsExactlyAndAutoChoosesIt) {
   EXPECT_THAT(centred.singular_values, VectorNear(plain.singular_values, 1e-12)) << "classes use the uncentred values";
 }
 
-TEST(EdgeRotation, AutoNeverCentresTwoPoses) {
-  EXPECT_FALSE(estimateEdgeRotation(model(), portOut(), portIn(), readingsFor(someRotation(), kTwo), {}).centred);
+TEST(EdgeRotation, IsNotCentredWhereThatWouldLeaveALine) {
+  const auto isCentred = [](const std::vector<Eigen::Vector3d>& ups, const SolverOptions& options = {}) {
+    return estimateEdgeRotation(model(), portOut(), portIn(), readingsFor(someRotation(), ups), options).centred;
+  };
   SolverOptions on;
   on.centring = Centring::On;
-  EXPECT_FALSE(estimateEdgeRotation(model(), portOut(), portIn(), readingsFor(someRotation(), kTwo), on).centred);
-}
-
-TEST(EdgeRotation, AutoDoesNotCentreWhatCentringWouldLeaveOnALine) {
-  // A pose taken twice and another one: less their mean they are one line.
-  const std::vector<Eigen::Vector3d> ups = {{0, 0, 1}, {0, 0, 1}, {1, 0, 0}};
-  EXPECT_FALSE(estimateEdgeRotation(model(), portOut(), portIn(), readingsFor(someRotation(), ups), {}).centred);
+  EXPECT_FALSE(isCentred(kTwo));
+  EXPECT_FALSE(isCentred(kTwo, on));
+  EXPECT_FALSE(isCentred({{0, 0, 1}, {0, 0, 1}, {1, 0, 0}})) << "a pose taken twice and another one";
 }
 
 TEST(EdgeRotation, WithoutPosesSupportAxesGiveTheNominalAlignment) {

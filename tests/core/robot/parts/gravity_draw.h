@@ -3,14 +3,11 @@
 // Gravity as rigid bodies see it, drawn with errors that are known exactly: an offset and a turn that are the same in
 // all poses, and noise.
 
-#include "hexoderm/geometry/se3.h"
 #include "hexoderm/robot/parts/gravity_seen.h"
-#include "hexoderm/util/units.h"
+#include "tests/support/normal_draw.h"
 
 #include <Eigen/Dense>
 #include <cmath>
-#include <cstdint>
-#include <random>
 #include <vector>
 
 namespace hexoderm {
@@ -21,18 +18,9 @@ struct GravityErrors {
   double noise_rad = 0.003;
 };
 
-class GravityDraw {
+class GravityDraw : public test::NormalDraw {
  public:
-  explicit GravityDraw(std::uint64_t seed) : random_(seed) {}
-
-  double normal() { return normal_(random_); }
-  Eigen::Vector3d vector() {
-    const double x = normal();
-    const double y = normal();
-    return {x, y, normal()};
-  }
-  Eigen::Vector3d direction() { return vector().normalized(); }
-  Eigen::Matrix3d rotation() { return expSO3(kPi * vector()); }
+  using NormalDraw::NormalDraw;
   std::vector<Eigen::Vector3d> directions(std::size_t poses) {
     std::vector<Eigen::Vector3d> result;
     for (std::size_t k = 0; k < poses; ++k) result.push_back(direction());
@@ -61,10 +49,6 @@ class GravityDraw {
     }
     return seen;
   }
-
- private:
-  std::mt19937_64 random_;
-  std::normal_distribution<double> normal_;
 };
 
 /// Directions as a body sees them that is turned by R against the frame in which they are given: x = R x_body.
