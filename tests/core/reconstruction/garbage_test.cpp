@@ -12,7 +12,6 @@ namespace hexoderm {
 namespace {
 
 using ::testing::Contains;
-using ::testing::ElementsAre;
 using ::testing::UnorderedElementsAre;
 
 constexpr std::uint64_t kSeeds = 6;

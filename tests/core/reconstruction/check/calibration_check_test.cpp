@@ -64,9 +64,14 @@ std::vector<CellId> changedCells(const CalibrationCheck& check) {
   return cells;
 }
 
-TEST(CalibrationCheck, ExactReadingsOfTheSameSkinAreAsCalibratedHoweverThePartIsHeld) {
+class CalibratedX17 : public ::testing::Test {
+ protected:
   const PinJointedSkin skin = bentX17();
-  const CalibrationCheck result = check(*calibrated(skin), skin.session(kToday));
+  const std::shared_ptr<const Reconstruction> calibration = calibrated(skin);
+};
+
+TEST_F(CalibratedX17, ExactReadingsOfTheSameSkinAreAsCalibratedHoweverThePartIsHeld) {
+  const CalibrationCheck result = check(*calibration, skin.session(kToday));
   ASSERT_THAT(result.cells, SizeIs(17));
   EXPECT_THAT(result.cells, Each(AllOf(Field(&CheckedCell::change, CellChange::None),
                                        Field(&CheckedCell::deviate, Lt(0.0)), Field(&CheckedCell::poses, 2U))));
@@ -80,14 +85,12 @@ TEST(CalibrationCheck, ExactReadingsOfTheSameSkinAreAsCalibratedHoweverThePartIs
   EXPECT_EQ(result.advice.english(), "The calibration still holds: it can be used as before.");
   // All cells turned alike: the part sits otherwise on the robot.
   const Eigen::Matrix3d R = expSO3({0.4, 1.2, -0.7});
-  EXPECT_THAT(changedCells(check(*calibrated(skin), skin.session({R * kToday[0], R * kToday[1]}))), IsEmpty());
+  EXPECT_THAT(changedCells(check(*calibration, skin.session({R * kToday[0], R * kToday[1]}))), IsEmpty());
 }
 
-TEST(CalibrationCheck, ATurnedCellIsNamedWithItsAngle) {
-  const PinJointedSkin skin = bentX17();
-  const CalibrationCheck result =
-      check(*calibrated(skin),
-            turned(skin, CellId(8), 10 * kDegree * Eigen::Vector3d(1, 2, -1).normalized()).session(kToday));
+TEST_F(CalibratedX17, ATurnedCellIsNamedWithItsAngle) {
+  const CalibrationCheck result = check(
+      *calibration, turned(skin, CellId(8), 10 * kDegree * Eigen::Vector3d(1, 2, -1).normalized()).session(kToday));
   EXPECT_THAT(changedCells(result), ElementsAre(CellId(8)));
   EXPECT_TRUE(result.changed);
   const CheckedCell& cell = cellOf(result, CellId(8));
@@ -102,16 +105,13 @@ TEST(CalibrationCheck, ATurnedCellIsNamedWithItsAngle) {
             "A cell that turned came loose or was fixed anew: see that it sits firmly, then calibrate anew.");
 }
 
-TEST(CalibrationCheck, TheOriginIsACellLikeAnyOther) {
-  const PinJointedSkin skin = bentX17();
-  const auto calibration = calibrated(skin);
+TEST_F(CalibratedX17, TheOriginIsACellLikeAnyOther) {
   const CellId origin = calibration->patches.front().origin;
   const CalibrationCheck result = check(*calibration, turned(skin, origin, {0, 0.3, 0.2}).session(kToday));
   EXPECT_THAT(changedCells(result), ElementsAre(origin));
 }
 
-TEST(CalibrationCheck, ADriftOfAnOffsetIsToldFromATurnWhereThePosesAllowIt) {
-  const PinJointedSkin skin = bentX17();
+TEST_F(CalibratedX17, ADriftOfAnOffsetIsToldFromATurnWhereThePosesAllowIt) {
   const Eigen::Matrix3d R_o_u = skin.truth.at(CellId(5)).R;
   const auto drifted = [&](const Eigen::Vector3d& drift_g) {
     return changed(skin.session(kToday), [&](std::size_t, GravitySample& sample) {
@@ -119,14 +119,14 @@ TEST(CalibrationCheck, ADriftOfAnOffsetIsToldFromATurnWhereThePosesAllowIt) {
     });
   };
   const Eigen::Vector3d along = R_o_u.transpose() * (0.06 * (kToday[0] + kToday[1]).normalized());
-  const CheckedCell cell = cellOf(check(*calibrated(skin), drifted(along)), CellId(5));
+  const CheckedCell cell = cellOf(check(*calibration, drifted(along)), CellId(5));
   EXPECT_EQ(cell.change, CellChange::Drifted);
   ASSERT_TRUE(cell.drift);
   EXPECT_THAT(cell.drift->offset_g, VectorNear(along, 0.003));
   EXPECT_THAT(cell.words.english(), HasSubstr("its sensor's offset drifted by 60 mg"));
   // Across gravity in both poses it is what a turn by 4.9 degrees reads.
   const Eigen::Vector3d across = R_o_u.transpose() * (0.06 * kToday[0].cross(kToday[1]).normalized());
-  const CalibrationCheck with_either = check(*calibrated(skin), drifted(across));
+  const CalibrationCheck with_either = check(*calibration, drifted(across));
   EXPECT_THAT(with_either.advice.english(), HasSubstr("Another pose, with the part turned by 45° or more"));
   const CheckedCell either = cellOf(with_either, CellId(5));
   EXPECT_EQ(either.change, CellChange::TurnedOrDrifted);
@@ -137,19 +137,18 @@ TEST(CalibrationCheck, ADriftOfAnOffsetIsToldFromATurnWhereThePosesAllowIt) {
                                             HasSubstr("these poses can't tell which")));
 }
 
-TEST(CalibrationCheck, OnePoseShowsSomeChangesAndSaysWhatItDoesNotShow) {
-  const PinJointedSkin skin = bentX17();
+TEST_F(CalibratedX17, OnePoseShowsSomeChangesAndSaysWhatItDoesNotShow) {
   const Ups up = {kToday[0]};
   const Eigen::Matrix3d R_u_o = skin.truth.at(CellId(4)).R.transpose();
-  const CalibrationCheck same = check(*calibrated(skin), skin.session(up));
+  const CalibrationCheck same = check(*calibration, skin.session(up));
   EXPECT_FALSE(same.changed);
   EXPECT_THAT(same.summary.english(), HasSubstr("don't show every turn"));
   EXPECT_EQ(same.advice.english(), "As far as it could be compared, the calibration still holds.");
   EXPECT_THAT(same.cells, Each(Field(&CheckedCell::noticed_turn_rad, std::optional<double>())));
   const Eigen::Vector3d about_gravity = R_u_o * up[0];
-  EXPECT_FALSE(check(*calibrated(skin), turned(skin, CellId(4), 0.5 * about_gravity).session(up)).changed);
+  EXPECT_FALSE(check(*calibration, turned(skin, CellId(4), 0.5 * about_gravity).session(up)).changed);
   const Eigen::Vector3d across = R_u_o * up[0].unitOrthogonal();
-  const CalibrationCheck tilted = check(*calibrated(skin), turned(skin, CellId(4), 10 * kDegree * across).session(up));
+  const CalibrationCheck tilted = check(*calibration, turned(skin, CellId(4), 10 * kDegree * across).session(up));
   EXPECT_THAT(changedCells(tilted), ElementsAre(CellId(4)));
   EXPECT_THAT(tilted.advice.english(),
               AllOf(HasSubstr("came loose"), HasSubstr("offset drifted"), Not(HasSubstr("Another pose"))))
@@ -162,9 +161,7 @@ TEST(CalibrationCheck, OnePoseShowsSomeChangesAndSaysWhatItDoesNotShow) {
   EXPECT_THAT(cell.words.english(), HasSubstr("or more"));
 }
 
-TEST(CalibrationCheck, ASensorThatReadsNoGravityIsBroken) {
-  const PinJointedSkin skin = bentX17();
-  const auto calibration = calibrated(skin);
+TEST_F(CalibratedX17, ASensorThatReadsNoGravityIsBroken) {
   const Session today = skin.session(kToday);
   const auto of = [&](const Session& session) {
     const CalibrationCheck result = check(*calibration, session);
@@ -192,12 +189,11 @@ TEST(CalibrationCheck, ASensorThatReadsNoGravityIsBroken) {
               HasSubstr("neither a turn nor a drift"));
 }
 
-TEST(CalibrationCheck, ACellThatIsGoneIsNamedAndALinkThatIsGoneToo) {
-  const PinJointedSkin skin = bentX17();
+TEST_F(CalibratedX17, ACellThatIsGoneIsNamedAndALinkThatIsGoneToo) {
   PinJointedSkin rest = skin;
   rest.truth.erase(CellId(5));  // the end of an arm
   std::erase_if(rest.neighbors.at(CellId(4)), [](const NeighborReport& n) { return n.cell == CellId(5); });
-  const CalibrationCheck result = check(*calibrated(skin), rest.session(kToday));
+  const CalibrationCheck result = check(*calibration, rest.session(kToday));
   EXPECT_THAT(changedCells(result), ElementsAre(CellId(5)));
   EXPECT_EQ(cellOf(result, CellId(5)).words.english(), "gone: it is no longer among the skin's cells");
   EXPECT_TRUE(result.changed);
@@ -205,7 +201,7 @@ TEST(CalibrationCheck, ACellThatIsGoneIsNamedAndALinkThatIsGoneToo) {
   PinJointedSkin unplugged = skin;
   std::erase_if(unplugged.neighbors.at(CellId(4)), [](const NeighborReport& n) { return n.cell == CellId(5); });
   std::erase_if(unplugged.neighbors.at(CellId(5)), [](const NeighborReport& n) { return n.cell == CellId(4); });
-  const CalibrationCheck without_link = check(*calibrated(skin), unplugged.session(kToday));
+  const CalibrationCheck without_link = check(*calibration, unplugged.session(kToday));
   EXPECT_THAT(changedCells(without_link), IsEmpty()) << "how the cells are turned does not hang on their links";
   EXPECT_TRUE(without_link.changed);
   ASSERT_THAT(without_link.remarks, SizeIs(1));
@@ -213,9 +209,7 @@ TEST(CalibrationCheck, ACellThatIsGoneIsNamedAndALinkThatIsGoneToo) {
   EXPECT_EQ(without_link.advice.english(), "See that the cells are still joined where a link is no longer reported.");
 }
 
-TEST(CalibrationCheck, AnotherSkinIsRefusedWithWhatDiffers) {
-  const PinJointedSkin skin = bentX17();
-  const auto calibration = calibrated(skin);
+TEST_F(CalibratedX17, AnotherSkinIsRefusedWithWhatDiffers) {
   const auto complaint = [&](const Session& today) {
     return test::messageOf<InvalidArgument>([&] { check(*calibration, today); });
   };
@@ -238,9 +232,7 @@ TEST(CalibrationCheck, AnotherSkinIsRefusedWithWhatDiffers) {
   EXPECT_THAT(complaint(larger.session(kToday)), test::saysAll("another kind of cell", "port 1", "hex-bma150"));
 }
 
-TEST(CalibrationCheck, NeedsPosesAndACalibrationThatWasMadeOfPoses) {
-  const PinJointedSkin skin = bentX17();
-  const auto calibration = calibrated(skin);
+TEST_F(CalibratedX17, NeedsPosesAndACalibrationThatWasMadeOfPoses) {
   EXPECT_THAT(test::messageOf<InvalidArgument>([&] { check(*calibration, skin.session({})); }), HasSubstr("no pose"));
   Session today = turned(skin, CellId(8), {0.5, 0.5, 0}).session(kToday);
   today.setPoseDisabled(0, true);
@@ -309,9 +301,7 @@ TEST(CalibrationCheck, ACalibrationThatIsTooUncertainTellsNothingAndSaysSo) {
   EXPECT_THAT(result.advice.english(), HasSubstr("three poses or more"));
 }
 
-TEST(CalibrationCheck, ACellThatTurnedBetweenThePosesIsNamedAndTheLaterPosesTellHow) {
-  const PinJointedSkin skin = bentX17();
-  const auto calibration = calibrated(skin);
+TEST_F(CalibratedX17, ACellThatTurnedBetweenThePosesIsNamedAndTheLaterPosesTellHow) {
   const Session after = turned(skin, CellId(8), 20 * kDegree * Eigen::Vector3d(1, 2, -1).normalized()).session(kToday);
   Session all = skin.session(orthogonalUps(4));
   for (const SessionPose& pose : after.poses()) {
@@ -327,9 +317,7 @@ TEST(CalibrationCheck, ACellThatTurnedBetweenThePosesIsNamedAndTheLaterPosesTell
   EXPECT_EQ(cellOf(check(*calibration, all), CellId(8)).change, CellChange::Turned);
 }
 
-TEST(CalibrationCheck, TheOrderOfPosesAndReadingsDoesNotMatter) {
-  const PinJointedSkin skin = bentX17();
-  const auto calibration = calibrated(skin);
+TEST_F(CalibratedX17, TheOrderOfPosesAndReadingsDoesNotMatter) {
   const PinJointedSkin today = turned(skin, CellId(8), {0.1, 0.1, 0});
   const CalibrationCheck one = check(*calibration, today.session(kToday));
   const Session reversed = withCaptures(today.session({kToday[1], kToday[0]}), [](std::size_t, PoseCapture& capture) {
@@ -355,14 +343,13 @@ TEST(CalibrationCheck, ManyMayChangeAtOnce) {
   EXPECT_TRUE(result.advice.empty()) << "the summary says what to do";
 }
 
-TEST(CalibrationCheck, ACalibrationByTheTreeHoldsNoOffsetsAndShowsLess) {
-  const PinJointedSkin skin = bentX17();
-  const auto calibration = calibrated(skin, 4, test::by(Solver::Tree));
-  const CalibrationCheck same = check(*calibration, skin.session(kToday));
+TEST_F(CalibratedX17, ACalibrationByTheTreeHoldsNoOffsetsAndShowsLess) {
+  const auto by_tree = calibrated(skin, 4, test::by(Solver::Tree));
+  const CalibrationCheck same = check(*by_tree, skin.session(kToday));
   EXPECT_FALSE(same.changed);
   EXPECT_GT(cellOf(same, CellId(8)).noticed_turn_rad.value_or(kPi),
-            2 * *cellOf(check(*calibrated(skin), skin.session(kToday)), CellId(8)).noticed_turn_rad);
-  EXPECT_THAT(changedCells(check(*calibration, turned(skin, CellId(8), {0, 1.2, 0.9}).session(kToday))),
+            2 * *cellOf(check(*calibration, skin.session(kToday)), CellId(8)).noticed_turn_rad);
+  EXPECT_THAT(changedCells(check(*by_tree, turned(skin, CellId(8), {0, 1.2, 0.9}).session(kToday))),
               ElementsAre(CellId(8)));
 }
 

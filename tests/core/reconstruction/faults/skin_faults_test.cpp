@@ -19,7 +19,6 @@
 namespace hexoderm {
 namespace {
 
-using ::testing::Contains;
 using ::testing::ElementsAre;
 using ::testing::SizeIs;
 

@@ -108,21 +108,6 @@ TEST(EdgeBatches, AgreeWithEdgesOneByOne) {
   }
 }
 
-/// Nothing about a link depends on those that happen to stand beside it.
-TEST(EdgeBatches, ALinkByItselfIsTheSameToTheLastBit) {
-  Sheet sheet(3);
-  for (const auto& [name, kernel] : kernels()) {
-    const Sheet::Result together = sheet.estimate(kernel, sheet.all());
-    for (const std::size_t link : {0U, 5U, 77U}) {
-      const std::size_t alone[] = {link};
-      const Sheet::Result result = sheet.estimate(kernel, alone);
-      EXPECT_EQ(result.edges[link].R_c_n, together.edges[link].R_c_n) << name;
-      EXPECT_EQ(result.edges[link].covariance, together.edges[link].covariance) << name;
-      EXPECT_EQ(result.edges[link].residual_rad, together.edges[link].residual_rad) << name;
-    }
-  }
-}
-
 TEST(EdgeBatches, MissingReadingsMakeBatchesOfTheirOwn) {
   Sheet sheet(4);
   for (std::size_t cell = 0; cell < sheet.links().table().cellCount(); cell += 7) {

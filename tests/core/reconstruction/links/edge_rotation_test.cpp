@@ -10,7 +10,6 @@ namespace hexoderm {
 namespace {
 
 using ::testing::DoubleNear;
-using ::testing::Each;
 
 const CellModel& model() {
   static const CellModel kModel = builtInCellModel("hex-bma150");

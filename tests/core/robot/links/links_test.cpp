@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <regex>
 
 namespace hexoderm {
 namespace {
@@ -366,28 +367,18 @@ TEST(Links, DoNotDependOnThePatchsFrame) {
 
 /// The same robot, with links and joints called otherwise and written in the opposite order.
 std::string renamedArm() {
+  static const std::regex kElement("<link [^>]*/>|<joint [\\s\\S]*?</joint>");
   const std::string urdf = armUrdf();
-  std::vector<std::string> elements;
-  const std::size_t begin = urdf.find("<link");
-  for (std::size_t at = begin; at < urdf.rfind("</robot>");) {
-    const std::size_t next_link = urdf.find("<link name", at + 1);
-    const std::size_t next_joint = urdf.find("<joint name", at + 1);
-    const std::size_t end = std::min({next_link, next_joint, urdf.rfind("</robot>")});
-    elements.push_back(urdf.substr(at, end - at));
-    at = end;
+  std::string text;
+  for (std::sregex_iterator element(urdf.begin(), urdf.end(), kElement), end; element != end; ++element) {
+    text = element->str() + text;
   }
-  std::string text = urdf.substr(0, begin);
-  for (auto element = elements.rbegin(); element != elements.rend(); ++element) text += *element;
-  text += "</robot>";
-  // "l3" becomes "zz_l3_x", which is sorted otherwise among the others.
+  // The first letters sort the links otherwise.
   for (const std::string name : {"base", "l1", "l2", "l3", "l4", "l4_cover", "l5", "l6", "finger"}) {
-    const std::string quoted = "\"" + name + "\"";
-    const std::string other = std::string("\"") + static_cast<char>('z' - name.back() % 20) + "_" + name + "\"";
-    for (std::size_t at = text.find(quoted); at != std::string::npos; at = text.find(quoted, at + other.size())) {
-      text.replace(at, quoted.size(), other);
-    }
+    const std::string other = static_cast<char>('z' - name.back() % 20) + ("_" + name);
+    text = std::regex_replace(text, std::regex('"' + name + '"'), '"' + other + '"');
   }
-  return text;
+  return "<robot name=\"arm\">" + text + "</robot>";
 }
 
 TEST(Links, DoNotDependOnNamesAndOrderOfTheFile) {
