@@ -31,13 +31,17 @@ EdgeReadings readingsFor(const Eigen::Matrix3d& R_c_n, const std::vector<Eigen::
   return readings;
 }
 
+EdgeRotation estimate(const EdgeReadings& readings, const SolverOptions& options = {}) {
+  return estimateEdgeRotation(model(), portOut(), portIn(), readings, options);
+}
+
 Eigen::Matrix3d someRotation() { return expSO3({0.05, 0.35, -0.08}) * nominalAlignment(portOut(), portIn()); }
 
 const std::vector<Eigen::Vector3d> kTwo = {{0, 0, 1}, {1, 0, 0}};
 const std::vector<Eigen::Vector3d> kTetrahedron = {{1, 1, 1}, {1, -1, -1}, {-1, 1, -1}, {-1, -1, 1}};
 
 TEST(EdgeRotation, RecoversKnownRotationFromTwoOrthogonalPoses) {
-  const EdgeRotation edge = estimateEdgeRotation(model(), portOut(), portIn(), readingsFor(someRotation(), kTwo), {});
+  const EdgeRotation edge = estimate(readingsFor(someRotation(), kTwo));
   EXPECT_THAT(edge.R_c_n, RotationNear(someRotation(), 1e-9));
   EXPECT_EQ(edge.quality, EdgeQuality::Fully);
   EXPECT_THAT(edge.residual_rad, DoubleNear(0, 1e-9));
@@ -62,10 +66,10 @@ TEST(EdgeRotation, CentringRemovesOffsetsExactlyAndAutoChoosesIt) {
   readings.n_g.colwise() += Eigen::Vector3d(-0.05, 0.02, 0.08);
   SolverOptions options;
   options.centring = Centring::Off;
-  const EdgeRotation plain = estimateEdgeRotation(model(), portOut(), portIn(), readings, options);
+  const EdgeRotation plain = estimate(readings, options);
   EXPECT_GT(rotationAngle(plain.R_c_n.transpose() * someRotation()), 1e-4);
   options.centring = Centring::Auto;
-  const EdgeRotation centred = estimateEdgeRotation(model(), portOut(), portIn(), readings, options);
+  const EdgeRotation centred = estimate(readings, options);
   EXPECT_TRUE(centred.centred);
   EXPECT_THAT(centred.R_c_n, RotationNear(someRotation(), 1e-9));
   EXPECT_THAT(centred.residual_rad, DoubleNear(0, 1e-9));
@@ -74,7 +78,7 @@ TEST(EdgeRotation, CentringRemovesOffsetsExactlyAndAutoChoosesIt) {
 
 TEST(EdgeRotation, IsNotCentredWhereThatWouldLeaveALine) {
   const auto isCentred = [](const std::vector<Eigen::Vector3d>& ups, const SolverOptions& options = {}) {
-    return estimateEdgeRotation(model(), portOut(), portIn(), readingsFor(someRotation(), ups), options).centred;
+    return estimate(readingsFor(someRotation(), ups), options).centred;
   };
   SolverOptions on;
   on.centring = Centring::On;
@@ -84,7 +88,7 @@ TEST(EdgeRotation, IsNotCentredWhereThatWouldLeaveALine) {
 }
 
 TEST(EdgeRotation, WithoutPosesSupportAxesGiveTheNominalAlignment) {
-  const EdgeRotation edge = estimateEdgeRotation(model(), portOut(), portIn(), readingsFor(someRotation(), {}), {});
+  const EdgeRotation edge = estimate(readingsFor(someRotation(), {}));
   EXPECT_THAT(edge.R_c_n, RotationNear(nominalAlignment(portOut(), portIn()), 1e-12));
   EXPECT_TRUE(edge.supported);
   EXPECT_EQ(edge.quality, EdgeQuality::Undefined);
@@ -97,8 +101,7 @@ TEST(EdgeRotation, OnePoseFixesTiltAndSupportAxesTheTurnAboutGravity) {
   // Bent about z x u and seen with gravity along z: the bend shows, the yaw about gravity stays nominal.
   const Eigen::Vector3d u = portOut().vector_m.normalized();
   const Eigen::Matrix3d R = expSO3(0.3 * Eigen::Vector3d::UnitZ().cross(u)) * nominalAlignment(portOut(), portIn());
-  const EdgeRotation edge =
-      estimateEdgeRotation(model(), portOut(), portIn(), readingsFor(R, {Eigen::Vector3d::UnitZ()}), {});
+  const EdgeRotation edge = estimate(readingsFor(R, {Eigen::Vector3d::UnitZ()}));
   EXPECT_EQ(edge.quality, EdgeQuality::Partially);
   EXPECT_TRUE(edge.supported);
   // The support axes pull the bend back by 2 % of a unit vector's information, no more.
@@ -110,8 +113,7 @@ TEST(EdgeRotation, ParallelAndOppositePosesStayPartiallyDefinedAndFinite) {
     for (const SupportAxes axes : {SupportAxes::Auto, SupportAxes::On, SupportAxes::Off}) {
       SolverOptions options;
       options.support_axes = axes;
-      const EdgeRotation edge = estimateEdgeRotation(
-          model(), portOut(), portIn(), readingsFor(someRotation(), {Eigen::Vector3d::UnitZ(), second}), options);
+      const EdgeRotation edge = estimate(readingsFor(someRotation(), {Eigen::Vector3d::UnitZ(), second}), options);
       EXPECT_EQ(edge.quality, EdgeQuality::Partially);
       EXPECT_TRUE(edge.R_c_n.allFinite() && edge.covariance.allFinite());
       EXPECT_GT(std::sqrt(edge.covariance.trace()), 2 * kDegree) << "what is not known must not look known";
@@ -150,7 +152,7 @@ TEST(EdgeRotation, PredictedDeviationAgreesWithSimulatedSensors) {
       EdgeReadings readings = readingsFor(someRotation(), ups);
       corrupt(readings.c_g);
       corrupt(readings.n_g);
-      const EdgeRotation edge = estimateEdgeRotation(model(), portOut(), portIn(), readings, options);
+      const EdgeRotation edge = estimate(readings, options);
       squared += logSO3(someRotation() * edge.R_c_n.transpose()).squaredNorm();
       predicted += edge.covariance.trace();
     }

@@ -111,23 +111,5 @@ TEST(GravitySeen, IsMoreCertainWithLessOfAHand) {
   EXPECT_EQ(none.llt().info(), Eigen::Success);
 }
 
-// Many poses are solved in another order of elimination: their errors are correlated all the same.
-TEST(GravitySeen, ManyPosesHaveTheirCrossCovariancesToo) {
-  const auto result = reconstruct(
-      *JointedSkins(
-           JointedSkinsOptions{.body_of_patch = {0}, .patch = "sheet:2x2", .hand_held = false, .sensor_frames = 10})
-           .session(60)
-           .snapshot());
-  const PatchReconstruction& patch = result->patches.front();
-  const GravityCovariance& covariance = *patch.gravity_covariance;
-  EXPECT_FALSE(covariance.swing(0).has_value());
-  std::vector<std::size_t> all(patch.gravity.size());
-  std::iota(all.begin(), all.end(), 0U);
-  const GravitySeen seen = gravityOf(patch, all, 0);
-  EXPECT_LE((covariance.forces(3, 17) - covariance.forces(17, 3).transpose()).norm(), 1e-12);
-  EXPECT_GT(covariance.forces(3, 17).norm(), 0.1 * covariance.forces(3, 3).norm());
-  EXPECT_EQ(seen.covariance.llt().info(), Eigen::Success);
-}
-
 }  // namespace
 }  // namespace hexoderm
