@@ -1,22 +1,26 @@
 // Sessions that make no sense, in part or as a whole, are named, and healthy ones are not. Simulated.
 
 #include "hexoderm/reconstruction/reconstructor.h"
+#include "tests/support/changed_session.h"
 #include "tests/support/matchers.h"
 #include "tests/support/simulated_skins.h"
 #include "tests/support/solvers.h"
 
 #include <algorithm>
+#include <iterator>
 #include <set>
 
 namespace hexoderm {
 namespace {
 
 using ::testing::Contains;
+using ::testing::ElementsAre;
+using ::testing::SizeIs;
 using ::testing::UnorderedElementsAre;
 
 constexpr std::uint64_t kSeeds = 6;
 
-struct Skin {
+struct SkinCase {
   std::string patch = "x17";
   std::string surface = {};
   std::vector<CellFault> faults = {};
@@ -24,7 +28,7 @@ struct Skin {
   LinkLaw law = LinkLaw::Bend;
 };
 
-std::shared_ptr<const Reconstruction> solved(const Skin& skin, std::uint64_t seed, std::size_t poses,
+std::shared_ptr<const Reconstruction> solved(const SkinCase& skin, std::uint64_t seed, std::size_t poses,
                                              const SolverOptions& solver = {}) {
   SimulatedSkinOptions options = test::skinOptions(skin.patch, skin.surface, seed);
   options.faults = skin.faults;
@@ -145,20 +149,74 @@ TEST(Garbage, TheTreeFindsItToo) {
 
 /// The rates are `hexoderm-cli reproduce --only detection`'s to measure.
 TEST(Garbage, HealthySkinsHaveNone) {
-  const std::vector<Skin> skins = {{},
+  const std::vector<SkinCase> skins = {{},
                                    {.surface = "sphere:r=0.1"},
                                    {.patch = "ring8"},
                                    {.patch = "sheet:5x5"},
                                    {.patch = "sheet:5x5", .surface = "cylinder:r=0.08"},
                                    {.patch = "sheet:5x5", .surface = "torus:R=0.2,r=0.1"},
                                    {.patch = "sheet:4x5", .surface = "cone:r=0.06,angle=0.3", .law = LinkLaw::Surface}};
-  for (const Skin& skin : skins) {
+  for (const SkinCase& skin : skins) {
     for (std::uint64_t seed = 1; seed <= 3; ++seed) {
       for (const std::size_t poses : {2U, 3U, 4U}) {
         const auto result = solved(skin, seed, poses);
         EXPECT_THAT(namedCells(*result), ::testing::IsEmpty())
             << skin.patch << " on " << skin.surface << ", seed " << seed << ", " << poses << " poses";
       }
+    }
+  }
+}
+
+Session withLink(const Session& session, LinkEnd a, LinkEnd b) {
+  NeighborList neighbors = session.neighbors();
+  for (CellReport& report : neighbors) {
+    for (const auto& [from, to] : {std::pair(a, b), std::pair(b, a)}) {
+      if (report.id != from.cell) continue;
+      std::erase_if(report.neighbors, [port = from.port](const NeighborReport& n) { return n.port == port; });
+      report.neighbors.push_back({from.port, to.cell, to.port});
+    }
+  }
+  return withNeighbors(session, neighbors);
+}
+
+/// A free port like the source's (target's) of the sheet's first link, at the cell with the largest (smallest) ID that
+/// has one: the two are far apart, and joined they are turned against each other like any neighbours. Only cells with
+/// two more links count: for a cell that hangs by a single other one, nobody could tell which of the two is the cable.
+std::pair<LinkEnd, LinkEnd> farFreePorts(const NeighborList& neighbors) {
+  const auto linked = [](const NeighborReport& n) { return n.cell.value() != 0; };
+  const auto first = std::ranges::find_if(neighbors.front().neighbors, linked);
+  std::pair<LinkEnd, LinkEnd> ends;
+  for (const CellReport& report : neighbors) {
+    if (std::ranges::count_if(report.neighbors, linked) < 2) continue;
+    const auto isFree = [&](PortNumber port) {
+      return std::ranges::none_of(report.neighbors,
+                                  [&](const NeighborReport& n) { return n.port == port && linked(n); });
+    };
+    if (isFree(first->port)) ends.first = {report.id, first->port};
+    if (ends.second.cell.value() == 0 && isFree(*first->cell_port)) ends.second = {report.id, *first->cell_port};
+  }
+  return ends;
+}
+
+TEST(Garbage, ACableAcrossASheetIsFoundAndTheRestStaysWhereItIs) {
+  for (const std::uint64_t seed : {1U, 2U, 3U}) {
+    const Session session = test::simulatedSession(test::skinOptions("sheet:6x6", "cylinder:r=0.3", seed), 4);
+    const auto [a, b] = farFreePorts(session.neighbors());
+    const auto without = reconstruct(*session.snapshot());
+    const auto with = reconstruct(*withLink(session, a, b).snapshot());
+
+    std::vector<Finding> found;
+    std::ranges::copy_if(with->findings, std::back_inserter(found),
+                         [](const Finding& f) { return f.code == FindingCode::LinkDoesNotClose; });
+    ASSERT_THAT(found, SizeIs(1));
+    EXPECT_THAT(found.front().cells, ElementsAre(std::min(a.cell, b.cell), std::max(a.cell, b.cell)));
+    ASSERT_THAT(with->patches, SizeIs(1));
+    const CellPlacement& origin = without->patches.front().cells.front();
+    for (const CellPlacement& cell : without->patches.front().cells) {
+      // From one cell to another: the two patches may have different origins.
+      const SE3 expected = origin.T_o_u.inverse() * cell.T_o_u;
+      const SE3 T = with->find(origin.cell).cell->T_o_u.inverse() * with->find(cell.cell).cell->T_o_u;
+      EXPECT_THAT(T, SE3Near(expected, 1e-4, 1e-5));
     }
   }
 }
@@ -170,7 +228,8 @@ TEST(Garbage, WhatAHandDoesWithinFewSamplesIsNone) {
   for (const Solver solver : {Solver::Global, Solver::Tree}) {
     for (std::uint64_t seed = 1; seed <= 12; ++seed) {
       const Session session = test::simulatedSession(test::skinOptions("sheet:10x12", "cylinder:r=0.1", seed), 4, 10);
-      for (const Finding& finding : reconstruct(*session.snapshot(), test::by(solver))->findings) {
+      const auto result = reconstruct(*session.snapshot(), test::by(solver));
+      for (const Finding& finding : result->findings) {
         EXPECT_TRUE(finding.code == FindingCode::WrongNorm || finding.severity == Severity::Info)
             << finding.message << ", " << solverName(solver) << ", seed " << seed;
       }
