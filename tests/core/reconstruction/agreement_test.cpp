@@ -23,10 +23,6 @@ namespace {
 
 using ::testing::HasSubstr;
 
-bool hasFindingOf(const Reconstruction& r, FindingCode code) {
-  return std::ranges::find(r.findings, code, &Finding::code) != r.findings.end();
-}
-
 std::size_t usableReadings(const Reconstruction& r, const Session& session, CellId cell) {
   std::size_t count = 0;
   for (const PoseSummary& pose : r.poses) {
@@ -82,7 +78,7 @@ void expectAgreement(const Session& session, const Reconstruction& r) {
   }
 
   // Advice and directions.
-  EXPECT_EQ(hasFindingOf(r, FindingCode::TooFewDirections),
+  EXPECT_EQ(findingOf(r, FindingCode::TooFewDirections) != nullptr,
             a.level == VerdictLevel::NotEnough && a.limit == Limit::Directions);
   const PoseCoverage coverage = coverageOf(r);
   if (coverage.missing) {

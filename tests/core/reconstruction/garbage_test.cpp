@@ -13,8 +13,11 @@
 namespace hexoderm {
 namespace {
 
+using ::testing::AllOf;
+using ::testing::AnyOf;
 using ::testing::Contains;
 using ::testing::ElementsAre;
+using ::testing::Field;
 using ::testing::SizeIs;
 using ::testing::UnorderedElementsAre;
 
@@ -47,19 +50,13 @@ std::set<CellId> namedCells(const Reconstruction& result) {
   return cells;
 }
 
-const Finding* findingOf(const Reconstruction& result, FindingCode code) {
-  const auto found = std::ranges::find(result.findings, code, &Finding::code);
-  return found == result.findings.end() ? nullptr : &*found;
-}
-
 TEST(Garbage, ACellThatEchoesItsNeighbourIsNamedWithIt) {
   for (std::uint64_t seed = 1; seed <= kSeeds; ++seed) {
     for (const std::size_t poses : {2U, 4U}) {
       const auto result = solved({.faults = {{SkinFault::Echo, CellId(3)}}}, seed, poses);
-      const Finding* finding = findingOf(*result, FindingCode::IdenticalReadings);
-      ASSERT_NE(finding, nullptr) << "seed " << seed;
-      EXPECT_THAT(finding->cells, Contains(CellId(3)));
-      EXPECT_EQ(finding->cells.size(), 2U);
+      EXPECT_THAT(*result, HasFinding(FindingCode::IdenticalReadings,
+                                      Field(&Finding::cells, AllOf(SizeIs(2), Contains(CellId(3))))))
+          << "seed " << seed;
       EXPECT_EQ(result->find(CellId(3)).cell->placed_by, PlacedBy::Links);
       EXPECT_NE(result->assessment.level, VerdictLevel::Good);
     }
@@ -68,8 +65,7 @@ TEST(Garbage, ACellThatEchoesItsNeighbourIsNamedWithIt) {
 
 TEST(Garbage, CellsThatAllSendTheSameAreNoSkin) {
   const auto result = solved({.whole = {WholeSkinFault::Identical}}, 1, 4);
-  ASSERT_NE(findingOf(*result, FindingCode::IdenticalReadings), nullptr);
-  EXPECT_EQ(findingOf(*result, FindingCode::IdenticalReadings)->cells.size(), 17U);
+  EXPECT_THAT(*result, HasFinding(FindingCode::IdenticalReadings, Field(&Finding::cells, SizeIs(17))));
   EXPECT_EQ(result->assessment.level, VerdictLevel::Failed);
   EXPECT_THAT(*result, IsFinite());
 }
@@ -84,9 +80,10 @@ TEST(Garbage, SwappedNeighboursAreNamed) {
   for (std::uint64_t seed = 1; seed <= kSeeds; ++seed) {
     for (const std::size_t poses : {2U, 3U, 6U}) {
       const auto result = solved({.faults = {{SkinFault::Swapped, CellId(3)}}}, seed, poses);
-      const Finding* finding = findingOf(*result, FindingCode::SwappedReadings);
-      ASSERT_NE(finding, nullptr) << "seed " << seed << ", " << poses << " poses";
-      EXPECT_THAT(finding->cells, UnorderedElementsAre(CellId(3), ::testing::AnyOf(CellId(2), CellId(4))));
+      EXPECT_THAT(*result,
+                  HasFinding(FindingCode::SwappedReadings,
+                             Field(&Finding::cells, UnorderedElementsAre(CellId(3), AnyOf(CellId(2), CellId(4))))))
+          << "seed " << seed << ", " << poses << " poses";
       EXPECT_NE(result->assessment.level, VerdictLevel::Good);
     }
   }
@@ -121,9 +118,8 @@ TEST(Garbage, AxesAndPortsThatAreNotTheModelsAreNamed) {
       EXPECT_GE(namedCells(*result).size(), 2U);
     }
   }
-  EXPECT_NE(findingOf(*solved({.whole = {WholeSkinFault::AxesSwapped}}, 1, 3), FindingCode::ContradictsModel), nullptr);
-  EXPECT_NE(findingOf(*solved({.whole = {WholeSkinFault::PortsRotated}}, 1, 3), FindingCode::ContradictsModel),
-            nullptr);
+  EXPECT_THAT(*solved({.whole = {WholeSkinFault::AxesSwapped}}, 1, 3), HasFinding(FindingCode::ContradictsModel));
+  EXPECT_THAT(*solved({.whole = {WholeSkinFault::PortsRotated}}, 1, 3), HasFinding(FindingCode::ContradictsModel));
 }
 
 TEST(Garbage, NoiseAndWrongPortsLeaveNothingToUse) {
@@ -143,19 +139,19 @@ TEST(Garbage, TheTreeFindsItToo) {
   EXPECT_THAT(namedCells(*swapped), Contains(CellId(3)));
   const auto yawed = solved({.faults = {{SkinFault::Yawed, CellId(3)}}}, 1, 4, tree);
   EXPECT_THAT(namedCells(*yawed), Contains(CellId(3)));
-  EXPECT_NE(findingOf(*solved({.whole = {WholeSkinFault::AxesSwapped}}, 1, 4, tree), FindingCode::ContradictsModel),
-            nullptr);
+  EXPECT_THAT(*solved({.whole = {WholeSkinFault::AxesSwapped}}, 1, 4, tree), HasFinding(FindingCode::ContradictsModel));
 }
 
 /// The rates are `hexoderm-cli reproduce --only detection`'s to measure.
 TEST(Garbage, HealthySkinsHaveNone) {
-  const std::vector<SkinCase> skins = {{},
-                                   {.surface = "sphere:r=0.1"},
-                                   {.patch = "ring8"},
-                                   {.patch = "sheet:5x5"},
-                                   {.patch = "sheet:5x5", .surface = "cylinder:r=0.08"},
-                                   {.patch = "sheet:5x5", .surface = "torus:R=0.2,r=0.1"},
-                                   {.patch = "sheet:4x5", .surface = "cone:r=0.06,angle=0.3", .law = LinkLaw::Surface}};
+  const std::vector<SkinCase> skins = {
+      {},
+      {.surface = "sphere:r=0.1"},
+      {.patch = "ring8"},
+      {.patch = "sheet:5x5"},
+      {.patch = "sheet:5x5", .surface = "cylinder:r=0.08"},
+      {.patch = "sheet:5x5", .surface = "torus:R=0.2,r=0.1"},
+      {.patch = "sheet:4x5", .surface = "cone:r=0.06,angle=0.3", .law = LinkLaw::Surface}};
   for (const SkinCase& skin : skins) {
     for (std::uint64_t seed = 1; seed <= 3; ++seed) {
       for (const std::size_t poses : {2U, 3U, 4U}) {

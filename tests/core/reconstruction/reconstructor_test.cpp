@@ -50,10 +50,6 @@ void expectNear(const Reconstruction& result, const PinJointedSkin& skin, double
 
 void expectExact(const Reconstruction& result, const PinJointedSkin& skin) { expectNear(result, skin, 1e-9, 1e-9); }
 
-bool hasFinding(const Reconstruction& result, FindingCode code) {
-  return std::ranges::any_of(result.findings, [&](const Finding& finding) { return finding.code == code; });
-}
-
 TEST(Reconstructor, NoiseFreeX17ComesBackExactly) {
   const PinJointedSkin skin = bentX17();
   for (const std::size_t poses : {2U, 3U, 6U}) {
@@ -145,7 +141,7 @@ TEST_P(EverySolver, OneCellIsItsOwnOrigin) {
 TEST_P(EverySolver, NoPosesGiveAFlatSheetAndSayWhatIsMissing) {
   const auto result = solve(bentX17().session({}));
   EXPECT_EQ(result->assessment.level, VerdictLevel::NotEnough);
-  EXPECT_TRUE(hasFinding(*result, FindingCode::NoPoses));
+  EXPECT_THAT(*result, HasFinding(FindingCode::NoPoses));
   for (const CellPlacement& cell : result->patches.front().cells) {
     EXPECT_NEAR(cell.T_o_u.t.z(), 0, 1e-12);
     EXPECT_NEAR(cell.T_o_u.R(2, 2), 1, 1e-12);
@@ -163,7 +159,7 @@ TEST_P(EverySolver, OnePoseAlongTheSheetIsNotEnoughAndSaysSo) {
   EXPECT_EQ(result->assessment.limit, Limit::Directions);
   EXPECT_EQ(result->assessment.remedy, Remedy::TakePose);
   EXPECT_NE(result->assessment.reason.english().find("Not enough: "), std::string::npos);
-  EXPECT_TRUE(hasFinding(*result, FindingCode::TooFewDirections));
+  EXPECT_THAT(*result, HasFinding(FindingCode::TooFewDirections));
   EXPECT_THAT(*result, IsFinite());
 }
 
@@ -171,8 +167,8 @@ TEST_P(EverySolver, ParallelAndOppositePosesAreNotEnough) {
   for (const Eigen::Vector3d& second : {Eigen::Vector3d(1, 0, 0), Eigen::Vector3d(-1, 0, 0)}) {
     const auto result = solve(bentX17().session({Eigen::Vector3d::UnitX(), second}));
     EXPECT_EQ(result->assessment.level, VerdictLevel::NotEnough);
-    EXPECT_TRUE(hasFinding(*result, FindingCode::TooFewDirections));
-    EXPECT_TRUE(hasFinding(*result, FindingCode::RepeatedPose));
+    EXPECT_THAT(*result, HasFinding(FindingCode::TooFewDirections));
+    EXPECT_THAT(*result, HasFinding(FindingCode::RepeatedPose));
     EXPECT_THAT(*result, IsFinite());
     for (const LinkEstimate& link : result->patches.front().links) EXPECT_EQ(link.quality, EdgeQuality::Partially);
   }
