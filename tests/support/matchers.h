@@ -55,6 +55,12 @@ MATCHER_P2(HasFinding, code, matcher, "") {
 }
 MATCHER_P(HasFinding, code, "") { return ExplainMatchResult(HasFinding(code, ::testing::_), arg, result_listener); }
 
+MATCHER_P3(IsVerdict, level, limit, remedy, "") {
+  const Assessment& assessment = arg;
+  *result_listener << assessment.reason << " | " << assessment.next_action;
+  return assessment.level == level && assessment.limit == limit && assessment.remedy == remedy;
+}
+
 /// What matches in English.
 MATCHER_P(InEnglish, matcher, "") { return ExplainMatchResult(matcher, arg.english(), result_listener); }
 

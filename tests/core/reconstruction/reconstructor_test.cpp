@@ -125,7 +125,7 @@ TEST_P(EverySolver, TwoPatchesAreSolvedEachInItsOwnFrame) {
 TEST_P(EverySolver, EmptySkinFailsInWords) {
   const auto result = solve(Session(builtInCellModel("hex-bma150"), {}));
   EXPECT_EQ(result->cellCount(), 0);
-  EXPECT_EQ(result->assessment.level, VerdictLevel::Failed);
+  EXPECT_THAT(result->assessment, IsVerdict(VerdictLevel::Failed, Limit::NoSkin, Remedy::CheckSkin));
   EXPECT_FALSE(result->assessment.reason.empty());
 }
 
@@ -134,13 +134,13 @@ TEST_P(EverySolver, OneCellIsItsOwnOrigin) {
   ASSERT_EQ(result->cellCount(), 1);
   EXPECT_EQ(result->patches.front().origin, CellId(1));
   EXPECT_THAT(result->patches.front().cells.front().T_o_u, SE3Near(SE3(), 0, 0));
-  EXPECT_EQ(result->assessment.level, VerdictLevel::Usable);
+  EXPECT_THAT(result->assessment, IsVerdict(VerdictLevel::Usable, Limit::NoSkin, Remedy::Nothing));
   EXPECT_THAT(*result, IsFinite());
 }
 
 TEST_P(EverySolver, NoPosesGiveAFlatSheetAndSayWhatIsMissing) {
   const auto result = solve(bentX17().session({}));
-  EXPECT_EQ(result->assessment.level, VerdictLevel::NotEnough);
+  EXPECT_THAT(result->assessment, IsVerdict(VerdictLevel::NotEnough, Limit::NoPose, Remedy::TakePose));
   EXPECT_THAT(*result, HasFinding(FindingCode::NoPoses));
   for (const CellPlacement& cell : result->patches.front().cells) {
     EXPECT_NEAR(cell.T_o_u.t.z(), 0, 1e-12);
@@ -155,9 +155,7 @@ TEST_P(EverySolver, NoPosesGiveAFlatSheetAndSayWhatIsMissing) {
 // and the links are known to yaw by little: that is enough for the global solver, and its covariance says so.)
 TEST_P(EverySolver, OnePoseAlongTheSheetIsNotEnoughAndSaysSo) {
   const auto result = solve(bentX17().session({Eigen::Vector3d::UnitX()}));
-  EXPECT_EQ(result->assessment.level, VerdictLevel::NotEnough);
-  EXPECT_EQ(result->assessment.limit, Limit::Directions);
-  EXPECT_EQ(result->assessment.remedy, Remedy::TakePose);
+  EXPECT_THAT(result->assessment, IsVerdict(VerdictLevel::NotEnough, Limit::Directions, Remedy::TakePose));
   EXPECT_NE(result->assessment.reason.english().find("Not enough: "), std::string::npos);
   EXPECT_THAT(*result, HasFinding(FindingCode::TooFewDirections));
   EXPECT_THAT(*result, IsFinite());
