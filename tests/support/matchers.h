@@ -7,6 +7,7 @@
 
 #include <gmock/gmock.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace hexoderm {
@@ -38,6 +39,30 @@ MATCHER_P3(SE3Near, expected, tolerance_rad, tolerance_m, "") {
   *result_listener << "turned by " << angle << " rad and " << difference.t.norm() << " m away";
   return angle <= tolerance_rad && difference.t.norm() <= tolerance_m;
 }
+
+/// The first finding of a code in a reconstruction, or nullptr.
+inline const Finding* findingOf(const Reconstruction& result, FindingCode code) {
+  const auto found = std::ranges::find(result.findings, code, &Finding::code);
+  return found == result.findings.end() ? nullptr : &*found;
+}
+
+/// A reconstruction has findings of a code, and the first of them matches.
+MATCHER_P2(HasFinding, code, matcher, "") {
+  const Finding* finding = findingOf(arg, code);
+  if (finding != nullptr) return ExplainMatchResult(matcher, *finding, result_listener);
+  *result_listener << "without a finding " << codeName(code);
+  return false;
+}
+MATCHER_P(HasFinding, code, "") { return ExplainMatchResult(HasFinding(code, ::testing::_), arg, result_listener); }
+
+MATCHER_P3(IsVerdict, level, limit, remedy, "") {
+  const Assessment& assessment = arg;
+  *result_listener << assessment.reason << " | " << assessment.next_action;
+  return assessment.level == level && assessment.limit == limit && assessment.remedy == remedy;
+}
+
+/// What matches in English.
+MATCHER_P(InEnglish, matcher, "") { return ExplainMatchResult(matcher, arg.english(), result_listener); }
 
 /// No NaN and no infinite value anywhere in a reconstruction.
 MATCHER(IsFinite, "") {

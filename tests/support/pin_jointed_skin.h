@@ -86,10 +86,10 @@ inline PinJointedSkin bentX17() {
 }
 
 /// A straight line of eight cells, bent into an open or nearly closed ring, whose free ends these are.
-inline PinJointedSkin ringOfEight(double bend_rad) {
+inline PinJointedSkin ringOfEight(double bend_rad, const CellModel& model = builtInCellModel("hex-bma150")) {
   std::vector<PinJoint> joints;
   for (std::uint32_t k = 1; k < 8; ++k) joints.push_back({k, 2, k + 1, 3, bend_rad, 0, 0});
-  return PinJointedSkin(joints);
+  return PinJointedSkin(joints, model);
 }
 inline constexpr LinkEnd kRingFirst{CellId(1), PortNumber(3)};
 inline constexpr LinkEnd kRingLast{CellId(8), PortNumber(2)};

@@ -2,6 +2,7 @@
 
 #include "hexoderm/util/error.h"
 #include "hexoderm/util/units.h"
+#include "tests/support/error_matchers.h"
 
 #include <gtest/gtest.h>
 #include <Eigen/LU>
@@ -79,13 +80,6 @@ TEST_P(AnySurface, WalksAreOnTheSurfaceHaveTheirLengthAndDoNotTurn) {
   }
 }
 
-TEST_P(AnySurface, WalkingBackReturns) {
-  const GeodesicPoint end = surface_->walk(middle_.t, tangent(0.9), 0.05);
-  const GeodesicPoint back = surface_->walk(end.position, -end.direction, 0.05);
-  EXPECT_LT((back.position - middle_.t).norm(), 1e-9);
-  EXPECT_LT((back.direction + tangent(0.9)).norm(), 1e-8);
-}
-
 TEST_P(AnySurface, BearingInvertsAWalk) {
   for (const double angle : {0.0, 0.6, -1.5, 2.8}) {
     const GeodesicPoint end = surface_->walk(middle_.t, tangent(angle), 0.03);
@@ -125,14 +119,9 @@ TEST(Surface, ConeNarrowsUpwards) {
 class BadSurface : public testing::TestWithParam<std::pair<const char*, const char*>> {};
 
 TEST_P(BadSurface, IsRefusedWithAReason) {
-  try {
-    makeSurface(GetParam().first);
-    FAIL() << "accepted " << GetParam().first;
-  } catch (const InvalidArgument& error) {
-    const std::string message = error.what();
-    EXPECT_NE(message.find(GetParam().first), std::string::npos) << message;
-    EXPECT_NE(message.find(GetParam().second), std::string::npos) << message;
-  }
+  const auto& [description, reason] = GetParam();
+  EXPECT_THAT(test::messageOf<InvalidArgument>([d = description] { makeSurface(d); }),
+              test::saysAll(description, reason));
 }
 
 INSTANTIATE_TEST_SUITE_P(

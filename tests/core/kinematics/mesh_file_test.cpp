@@ -15,52 +15,6 @@ using test::messageOf;
 using test::saysAll;
 using test::TemporaryFolder;
 
-/// A square from (0, 0, 0) to (100, 100, 0) in a Collada file of the unit and upwards axis.
-std::string collada(const std::string& meter, const std::string& up) {
-  return R"(<?xml version="1.0" encoding="utf-8"?>
-<COLLADA xmlns="http://www.collada.org/2005/11/COLLADASchema" version="1.4.1">
-  <asset><unit name="u" meter=")" +
-         meter + R"("/><up_axis>)" + up + R"(</up_axis></asset>
-  <library_geometries><geometry id="g" name="g"><mesh>
-    <source id="p"><float_array id="pa" count="12">0 0 0 100 0 0 100 200 0 0 200 0</float_array>
-      <technique_common><accessor source="#pa" count="4" stride="3"><param name="X" type="float"/><param name="Y" type="float"/>
-      <param name="Z" type="float"/></accessor></technique_common></source>
-    <vertices id="v"><input semantic="POSITION" source="#p"/></vertices>
-    <triangles count="2"><input semantic="VERTEX" source="#v" offset="0"/><p>0 1 2 0 2 3</p></triangles>
-  </mesh></geometry></library_geometries>
-  <library_visual_scenes><visual_scene id="s" name="s"><node id="n" name="n">
-    <translate>0 0 50</translate><instance_geometry url="#g"/></node></visual_scene></library_visual_scenes>
-  <scene><instance_visual_scene url="#s"/></scene>
-</COLLADA>)";
-}
-
-TEST(MeshFile, AColladaFileCountsInItsUnitAndIsNotTurned) {
-  const TemporaryFolder folder;
-  for (const char* up : {"Z_UP", "Y_UP"}) {
-    const BoundingBox box = boundingBox(readMeshFile(folder.put("m.dae", collada("0.001", up))));
-    EXPECT_LT((box.low - Eigen::Vector3d(0, 0, 0.05)).norm(), 1e-6) << up << ' ' << box.low.transpose();
-    EXPECT_LT((box.high - Eigen::Vector3d(0.1, 0.2, 0.05)).norm(), 1e-6) << up << ' ' << box.high.transpose();
-  }
-  const BoundingBox metres = boundingBox(readMeshFile(folder.put("m.dae", collada("1", "Z_UP"))));
-  EXPECT_LT((metres.high - Eigen::Vector3d(100, 200, 50)).norm(), 1e-3);
-}
-
-TEST(MeshFile, PolygonsBecomeTrianglesAndEqualCornersOnePoint) {
-  const TemporaryFolder folder;
-  const TriangleMesh obj = readMeshFile(folder.put("m.obj", "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf 1 2 3 4\n"));
-  EXPECT_EQ(obj.points.size(), 4U);
-  EXPECT_EQ(obj.triangles.size(), 2U);
-  const TriangleMesh stl =
-      readMeshFile(folder.put("m.stl",
-                              "solid s\n"
-                              "facet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 1 1 0\n"
-                              "endloop\nendfacet\n"
-                              "facet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 1 0\nvertex 0 1 0\n"
-                              "endloop\nendfacet\nendsolid s\n"));
-  EXPECT_EQ(stl.points.size(), 4U);
-  EXPECT_EQ(stl.triangles.size(), 2U);
-}
-
 TEST(MeshFile, RefusesPointsThatAreNowhere) {
   const TemporaryFolder folder;
   const auto complaint = [&](const std::string& x) {

@@ -1,7 +1,6 @@
 #include "hexoderm/kinematics/robot_model.h"
 
 #include "hexoderm/util/error.h"
-#include "hexoderm/util/file.h"
 #include "hexoderm/util/units.h"
 #include "tests/support/error_matchers.h"
 #include "tests/support/paths.h"
@@ -9,7 +8,6 @@
 
 #include <gtest/gtest.h>
 #include <Eigen/Geometry>
-#include <fstream>
 #include <limits>
 #include <random>
 
@@ -20,7 +18,10 @@ using test::messageOf;
 using test::saysAll;
 using test::TemporaryFolder;
 
-const std::filesystem::path kDemoRobot = HEXODERM_DEMO_ROBOT;
+const RobotModel& readDemoArm() {
+  static const RobotModel arm = RobotModel::read(HEXODERM_DEMO_ROBOT);
+  return arm;
+}
 
 RobotModel parsed(const std::string& urdf) { return RobotModel::parse(urdf, "r.urdf"); }
 std::string complaint(const std::string& urdf) {
@@ -38,7 +39,7 @@ std::string oneLink(const std::string& geometry) {
 }
 
 TEST(RobotModel, ReadsTheDemoArm) {
-  const RobotModel arm = RobotModel::read(kDemoRobot);
+  const RobotModel& arm = readDemoArm();
   EXPECT_EQ(arm.name(), "demo_arm");
   EXPECT_EQ(arm.links()[arm.rootLink()].name, "base");
   EXPECT_EQ(arm.links().size(), 7U);
@@ -56,12 +57,12 @@ TEST(RobotModel, ReadsTheDemoArm) {
 SE3 byHand(const RobotModel& robot, std::size_t link, const JointAngles& angles) {
   if (!robot.links()[link].joint) return {};
   const RobotJoint& joint = robot.joints()[*robot.links()[link].joint];
-  double q = 0;
   const auto position = [&](const std::string& name) {
     const auto found = angles.positions.find(name);
     return found == angles.positions.end() ? 0 : found->second;
   };
-  q = joint.mimic ? joint.mimic->multiplier * position(robot.joints()[joint.mimic->joint].name) + joint.mimic->offset
+  const double q =
+      joint.mimic ? joint.mimic->multiplier * position(robot.joints()[joint.mimic->joint].name) + joint.mimic->offset
                   : position(joint.name);
   SE3 T_joint_child;
   if (joint.type == JointType::Prismatic) {
@@ -73,7 +74,7 @@ SE3 byHand(const RobotModel& robot, std::size_t link, const JointAngles& angles)
 }
 
 TEST(RobotModel, LinksAreWhereProductsByHandPutThem) {
-  const RobotModel arm = RobotModel::read(kDemoRobot);
+  const RobotModel& arm = readDemoArm();
   std::mt19937_64 random(1);
   std::uniform_real_distribution<double> angle(-3, 3);
   for (int trial = 0; trial < 20; ++trial) {
@@ -89,7 +90,7 @@ TEST(RobotModel, LinksAreWhereProductsByHandPutThem) {
 }
 
 TEST(RobotModel, AJointsAxisInTheBaseIsTheDerivativeOfItsLinksOrientation) {
-  const RobotModel arm = RobotModel::read(kDemoRobot);
+  const RobotModel& arm = readDemoArm();
   JointAngles angles{{{"shoulder_pitch", 0.4}, {"shoulder_roll", 0.7}, {"elbow", 1.1}, {"wrist_yaw", -0.5}}};
   const std::vector<SE3> before = arm.forward(angles);
   const std::size_t elbow = arm.jointNamed("elbow");
@@ -103,7 +104,7 @@ TEST(RobotModel, AJointsAxisInTheBaseIsTheDerivativeOfItsLinksOrientation) {
 }
 
 TEST(RobotModel, HangsDownAndBendsTheElbowForwards) {
-  const RobotModel arm = RobotModel::read(kDemoRobot);
+  const RobotModel& arm = readDemoArm();
   const std::size_t forearm = arm.linkNamed("forearm");
   EXPECT_TRUE(arm.forward({})[forearm].R.col(2).isApprox(-Eigen::Vector3d::UnitZ()));
   const Eigen::Vector3d bent = arm.forward({{{"elbow", kPi / 2}}})[forearm].R.col(2);
@@ -111,7 +112,7 @@ TEST(RobotModel, HangsDownAndBendsTheElbowForwards) {
 }
 
 TEST(RobotModel, AMimickingJointFollowsUnlessItIsGivenItself) {
-  const RobotModel arm = RobotModel::read(kDemoRobot);
+  const RobotModel& arm = readDemoArm();
   const std::size_t finger = arm.linkNamed("right_finger");
   const auto inHand = [&](const JointAngles& angles) {
     const std::vector<SE3> T_w_l = arm.forward(angles);
@@ -122,7 +123,7 @@ TEST(RobotModel, AMimickingJointFollowsUnlessItIsGivenItself) {
 }
 
 TEST(RobotModel, KnowsTheJointsThatMoveALink) {
-  const RobotModel arm = RobotModel::read(kDemoRobot);
+  const RobotModel& arm = readDemoArm();
   const auto names = [&](const char* link) {
     std::vector<std::string> result;
     for (const std::size_t joint : arm.freeJointsTo(arm.linkNamed(link))) result.push_back(arm.joints()[joint].name);
@@ -134,7 +135,7 @@ TEST(RobotModel, KnowsTheJointsThatMoveALink) {
 }
 
 TEST(RobotModel, BodiesAreClosedMeshesOfTheLinksSize) {
-  const RobotModel arm = RobotModel::read(kDemoRobot);
+  const RobotModel& arm = readDemoArm();
   const TriangleMesh forearm = arm.bodyOf(arm.linkNamed("forearm"));
   EXPECT_NEAR(boundingBox(forearm).high.z(), 0.27, 1e-6);
   EXPECT_GT(enclosedVolume(forearm), 0.0008);
@@ -243,7 +244,7 @@ TEST(RobotModel, NamesNumbersThatMakeNoRobot) {
 }
 
 TEST(RobotModel, RefusesAnglesOfUnknownJointsAndThoseThatAreNoNumbers) {
-  const RobotModel arm = RobotModel::read(kDemoRobot);
+  const RobotModel& arm = readDemoArm();
   EXPECT_THAT(messageOf<InvalidArgument>([&] {
                 static_cast<void>(arm.forward({{{"elbo", 1}}}));
               }),
@@ -312,7 +313,7 @@ TEST(RobotModel, ScalesMeshesAndKeepsTheOutsideOfMirroredOnes) {
 }
 
 TEST(RobotModel, NoticesMeshesInMillimetres) {
-  const RobotModel arm = RobotModel::read(kDemoRobot);
+  const RobotModel& arm = readDemoArm();
   const std::size_t forearm = arm.linkNamed("forearm");
   TriangleMesh body = arm.bodyOf(forearm);
   const auto scaledBy = [&](double factor) {

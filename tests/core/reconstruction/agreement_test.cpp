@@ -8,6 +8,7 @@
 #include "tests/support/matchers.h"
 #include "tests/support/random_session.h"
 #include "tests/support/slow_build.h"
+#include "tests/support/solvers.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -21,10 +22,6 @@ namespace hexoderm {
 namespace {
 
 using ::testing::HasSubstr;
-
-bool hasFindingOf(const Reconstruction& r, FindingCode code) {
-  return std::ranges::find(r.findings, code, &Finding::code) != r.findings.end();
-}
 
 std::size_t usableReadings(const Reconstruction& r, const Session& session, CellId cell) {
   std::size_t count = 0;
@@ -81,7 +78,7 @@ void expectAgreement(const Session& session, const Reconstruction& r) {
   }
 
   // Advice and directions.
-  EXPECT_EQ(hasFindingOf(r, FindingCode::TooFewDirections),
+  EXPECT_EQ(findingOf(r, FindingCode::TooFewDirections) != nullptr,
             a.level == VerdictLevel::NotEnough && a.limit == Limit::Directions);
   const PoseCoverage coverage = coverageOf(r);
   if (coverage.missing) {
@@ -134,9 +131,7 @@ TEST(Agreement, OfAllThatIsSaidInFiveThousandRandomSessions) {
   for (std::uint64_t seed = 1; seed <= kSessions && !HasFailure(); ++seed) {
     SCOPED_TRACE("session " + std::to_string(seed));
     const Session session = test::RandomSession(seed).draw();
-    SolverOptions options;
-    if (seed % 5 == 0) options.solver = Solver::Tree;
-    const auto result = reconstruct(*session.snapshot(), options);
+    const auto result = reconstruct(*session.snapshot(), test::by(seed % 5 == 0 ? Solver::Tree : Solver::Global));
     ASSERT_NO_FATAL_FAILURE(expectAgreement(session, *result)) << result->assessment.reason;
     if (HasFailure()) ADD_FAILURE() << result->assessment.reason << " | " << result->assessment.next_action;
     ++levels.at(static_cast<std::size_t>(result->assessment.level));

@@ -1,10 +1,10 @@
 // What is solved does not depend on how many cores it is solved with.
 
-#include "hexoderm/device/simulation/simulated_skin.h"
 #include "hexoderm/io/calibration_json.h"
 #include "hexoderm/reconstruction/reconstructor.h"
-#include "hexoderm/session/simulated_session.h"
 #include "hexoderm/util/parallel.h"
+#include "tests/support/simulated_skins.h"
+#include "tests/support/solvers.h"
 
 #include <gtest/gtest.h>
 #include <cstddef>
@@ -20,22 +20,16 @@ class SolvedWithCores : public testing::TestWithParam<Solver> {
   ~SolvedWithCores() override { setCores(before_); }
 
   [[nodiscard]] std::string calibration() const {
-    SolverOptions options;
-    options.solver = GetParam();
-    Reconstruction result = *reconstruct(*session_.snapshot(), options);
+    Reconstruction result = *reconstruct(*session_.snapshot(), test::by(GetParam()));
     result.solve_seconds = 0;
     return calibrationToJson(result);
   }
 
   /// Large enough for all that is shared out, and with faults that are looked for.
   static Session session() {
-    SimulatedSkinOptions options;
-    options.patch = "sheet:42x42";
-    options.surface = "cylinder:r=0.3";
-    options.seed = 4;
+    SimulatedSkinOptions options = test::skinOptions("sheet:42x42", "cylinder:r=0.3", 4);
     options.faults = {{SkinFault::Yawed, CellId(100)}, {SkinFault::Dead, CellId(700)}};
-    SimulatedSkin skin(builtInCellModel("hex-bma150"), options);
-    return simulateSession(skin, 3);
+    return test::simulatedSession(options, 3);
   }
 
   Session session_ = session();
@@ -64,8 +58,7 @@ TEST_P(SolvedWithCores, SeveralAtATimeShareThem) {
   EXPECT_TRUE(found[1] == expected);
 }
 
-INSTANTIATE_TEST_SUITE_P(Both, SolvedWithCores, testing::Values(Solver::Tree, Solver::Global),
-                         [](const auto& solver) { return std::string(solverName(solver.param)); });
+INSTANTIATE_TEST_SUITE_P(Both, SolvedWithCores, testing::Values(Solver::Tree, Solver::Global), test::solverOfTest);
 
 }  // namespace
 }  // namespace hexoderm

@@ -1,14 +1,16 @@
 #include "hexoderm/reconstruction/hold_out.h"
 
-#include "hexoderm/device/simulation/simulated_skin.h"
-#include "hexoderm/session/simulated_session.h"
 #include "hexoderm/util/error.h"
 #include "hexoderm/util/units.h"
+#include "tests/support/changed_session.h"
 #include "tests/support/matchers.h"
 #include "tests/support/pin_jointed_skin.h"
+#include "tests/support/simulated_skins.h"
+#include "tests/support/solvers.h"
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <ostream>
 #include <string>
 #include <utility>
@@ -23,24 +25,11 @@ using ::testing::IsEmpty;
 using ::testing::Lt;
 using ::testing::SizeIs;
 
-Session simulated(const std::string& patch, std::uint64_t seed, std::size_t poses) {
-  SimulatedSkinOptions options;
-  options.patch = patch;
-  options.seed = seed;
-  SimulatedSkin skin(builtInCellModel("hex-bma150"), options);
-  return simulateSession(skin, poses);
-}
-
-/// The session with the readings of one pose changed.
-template <typename Change>
-Session withReadings(const Session& session, std::size_t pose, const Change& change) {
-  Session result(session.model(), session.neighbors());
-  for (std::size_t k = 0; k < session.poses().size(); ++k) {
-    PoseCapture capture = *session.poses()[k].capture;
-    if (k == pose) std::ranges::for_each(capture.samples, change);
-    result.addPose({std::make_shared<const PoseCapture>(std::move(capture)), session.poses()[k].disabled});
-  }
-  return result;
+/// The session with the readings of its third pose changed.
+Session inThirdPose(const Session& session, const std::function<void(GravitySample&)>& change) {
+  return changed(session, [&](std::size_t pose, GravitySample& sample) {
+    if (pose == 2) change(sample);
+  });
 }
 
 TEST(HoldOut, ExactReadingsAreForetoldExactly) {
@@ -68,8 +57,7 @@ struct Scene {
 
 class HoldOutOf : public testing::TestWithParam<Scene> {
  protected:
-  /// Ratios of what is observed to what is expected, in ascending order; the pose that is held out changes with the
-  /// seed.
+  /// Of what is observed to what is expected, in ascending order; the pose that is held out changes with the seed.
   struct Ratios {
     std::vector<double> rms;
     std::vector<double> links;
@@ -79,13 +67,9 @@ class HoldOutOf : public testing::TestWithParam<Scene> {
   static Ratios overSeeds(std::uint64_t seeds) {
     Ratios ratios;
     for (std::uint64_t seed = 1; seed <= seeds; ++seed) {
-      SimulatedSkinOptions options;
-      options.patch = GetParam().patch;
-      options.surface = GetParam().surface;
+      SimulatedSkinOptions options = test::skinOptions(GetParam().patch, GetParam().surface, seed);
       options.hand_held = GetParam().hand_held;
-      options.seed = seed;
-      SimulatedSkin skin(builtInCellModel("hex-bma150"), options);
-      const Session session = simulateSession(skin, GetParam().poses);
+      const Session session = test::simulatedSession(options, GetParam().poses);
       const PoseId held_out(static_cast<std::uint32_t>(1 + seed % GetParam().poses));
       const HoldOutResult result = evaluateHoldOut(*session.snapshot(), held_out);
       EXPECT_EQ(result.outcome, HoldOutOutcome::Evaluated);
@@ -130,9 +114,10 @@ INSTANTIATE_TEST_SUITE_P(
                     Scene{"sheet:10x10", "cylinder:r=0.1", false, 8}));
 
 TEST(HoldOut, ACellThatReadsOtherwiseInThePoseStandsOut) {
-  const Session session = withReadings(simulated("x17", 3, 6), 2, [](GravitySample& sample) {
-    if (sample.cell == CellId(8)) sample.mean_g = expSO3({20 * kDegree, 0, 20 * kDegree}) * sample.mean_g;
-  });
+  const Session session =
+      inThirdPose(test::simulatedSession(test::skinOptions("x17", "", 3), 6), [](GravitySample& sample) {
+        if (sample.cell == CellId(8)) sample.mean_g = expSO3({20 * kDegree, 0, 20 * kDegree}) * sample.mean_g;
+      });
   const HoldOutResult result = evaluateHoldOut(*session.snapshot(), PoseId(3));
   const auto worst = std::ranges::max_element(result.cells, {}, &HoldOutCell::error_rad);
   ASSERT_NE(worst, result.cells.end());
@@ -149,9 +134,10 @@ TEST(HoldOut, ACellThatReadsOtherwiseInThePoseStandsOut) {
 
 TEST(HoldOut, AnOffsetThatJumpedInThePoseIsFoundWithFewPosesAndInLargeSkins) {
   for (const auto& [patch, poses] : {std::pair("x17", 4U), std::pair("x17", 6U), std::pair("sheet:10x10", 4U)}) {
-    const Session session = withReadings(simulated(patch, 3, poses), 2, [](GravitySample& sample) {
-      if (sample.cell == CellId(8)) sample.mean_g += Eigen::Vector3d(0.12, 0, 0.12);
-    });
+    const Session session =
+        inThirdPose(test::simulatedSession(test::skinOptions(patch, "", 3), poses), [](GravitySample& sample) {
+          if (sample.cell == CellId(8)) sample.mean_g += Eigen::Vector3d(0.12, 0, 0.12);
+        });
     const HoldOutResult result = evaluateHoldOut(*session.snapshot(), PoseId(3));
     const auto worst = std::ranges::max_element(
         result.cells, {}, [](const HoldOutCell& cell) { return cell.error_rad / cell.expected_rad; });
@@ -163,8 +149,8 @@ TEST(HoldOut, AnOffsetThatJumpedInThePoseIsFoundWithFewPosesAndInLargeSkins) {
 TEST(HoldOut, APartThatBentInThePoseIsFound) {
   // All that lies on one side of the part's middle was turned against the rest.
   for (const auto& [poses, angle] : {std::pair(4U, 10 * kDegree), std::pair(6U, 3 * kDegree)}) {
-    SimulatedSkin skin(builtInCellModel("hex-bma150"), SimulatedSkinOptions());
-    const Session session = withReadings(simulateSession(skin, poses), 2, [&, angle = angle](GravitySample& sample) {
+    SimulatedSkin skin = test::simulatedSkin();
+    const Session session = inThirdPose(simulateSession(skin, poses), [&, angle = angle](GravitySample& sample) {
       const SE3& T_b_u = std::ranges::find(skin.truth(), sample.cell, &TrueCell::id)->T_b_u;
       const Eigen::Vector3d turn = angle * Eigen::Vector3d(0.3, 0.5, 0.8).normalized();
       if (T_b_u.t.y() > 0) sample.mean_g = T_b_u.R.transpose() * expSO3(turn) * T_b_u.R * sample.mean_g;
@@ -175,19 +161,19 @@ TEST(HoldOut, APartThatBentInThePoseIsFound) {
 }
 
 TEST(HoldOut, ThreeOtherPosesAreACoarseCheckAndFiveAFineOne) {
-  const HoldOutResult few = evaluateHoldOut(*simulated("x17", 1, 4).snapshot(), PoseId(4));
+  const HoldOutResult few = evaluateHoldOut(*test::simulatedSession({}, 4).snapshot(), PoseId(4));
   EXPECT_TRUE(few.coarse);
   EXPECT_GT(few.detectable_rad, 3 * kDegree);
-  const HoldOutResult more = evaluateHoldOut(*simulated("x17", 1, 6).snapshot(), PoseId(4));
+  const HoldOutResult more = evaluateHoldOut(*test::simulatedSession({}, 6).snapshot(), PoseId(4));
   EXPECT_FALSE(more.coarse);
   EXPECT_LT(more.detectable_rad, 1.5 * kDegree);
 }
 
 TEST(HoldOut, APartThatWasTurnedWhileItWasReadIsFoundThoughItsReadingsAgree) {
   // A swing of 10 rad/s^2, as when the hand gives way: one motion of a rigid part, and no rest.
-  SimulatedSkin skin(builtInCellModel("hex-bma150"), SimulatedSkinOptions());
+  SimulatedSkin skin = test::simulatedSkin();
   const Session still = simulateSession(skin, 6);
-  const Session session = withReadings(still, 2, [&](GravitySample& sample) {
+  const Session session = inThirdPose(still, [&](GravitySample& sample) {
     const SE3& T_b_u = std::ranges::find(skin.truth(), sample.cell, &TrueCell::id)->T_b_u;
     const Eigen::Vector3d swing = Eigen::Vector3d(6, -8, 0) / kStandardGravity;
     sample.mean_g += T_b_u.R.transpose() * swing.cross(T_b_u.t);
@@ -213,7 +199,7 @@ TEST(HoldOut, TurningTheWholePartInThePoseChangesNothing) {
 }
 
 TEST(HoldOut, NeedsThreeOtherPosesAndSaysSo) {
-  const Session session = simulated("x17", 1, 3);
+  const Session session = test::simulatedSession({}, 3);
   const HoldOutResult result = evaluateHoldOut(*session.snapshot(), PoseId(1));
   EXPECT_EQ(result.outcome, HoldOutOutcome::TooFewPoses);
   EXPECT_EQ(result.other_poses, 2U);
@@ -221,7 +207,7 @@ TEST(HoldOut, NeedsThreeOtherPosesAndSaysSo) {
 }
 
 TEST(HoldOut, DisabledPosesStayOutAndCanBeTheOne) {
-  Session session = simulated("x17", 1, 6);
+  Session session = test::simulatedSession({}, 6);
   session.setPoseDisabled(1, true);
   EXPECT_EQ(evaluateHoldOut(*session.snapshot(), PoseId(1)).other_poses, 4U);
   const HoldOutResult result = evaluateHoldOut(*session.snapshot(), PoseId(2));
@@ -239,10 +225,8 @@ TEST(HoldOut, HasNothingToCompareWhereAPatchIsASingleCell) {
 }
 
 TEST(HoldOut, WorksOnWhatTheTreeSolverMakes) {
-  SolverOptions options;
-  options.solver = Solver::Tree;
-  const Session session = simulated("x17", 2, 6);
-  const HoldOutResult result = evaluateHoldOut(*session.snapshot(), PoseId(6), options);
+  const Session session = test::simulatedSession(test::skinOptions("x17", "", 2), 6);
+  const HoldOutResult result = evaluateHoldOut(*session.snapshot(), PoseId(6), test::by(Solver::Tree));
   EXPECT_EQ(result.outcome, HoldOutOutcome::Evaluated);
   EXPECT_GT(result.rms_rad, evaluateHoldOut(*session.snapshot(), PoseId(6)).rms_rad)
       << "raw readings are worse than corrected ones";
@@ -263,10 +247,9 @@ TEST(HoldOut, WindowsOfAnyLengthErrAsMuchAsExpected) {
   std::vector<double> of_short, of_long;
   std::size_t as_stated = 0;
   for (std::uint64_t seed = 1; seed <= 20; ++seed) {
-    SimulatedSkinOptions options;
-    options.seed = seed;
+    SimulatedSkinOptions options = test::skinOptions("x17", "", seed);
     options.hand_held = false;
-    SimulatedSkin skin(builtInCellModel("hex-bma150"), options);
+    SimulatedSkin skin = test::simulatedSkin(options);
     const Session session = withWindows(skin, 10, {270, 6, 6, 57, 6});
     for (const std::uint32_t pose : {2U, 6U}) {
       const HoldOutResult result = evaluateHoldOut(*session.snapshot(), PoseId(pose));
@@ -284,7 +267,7 @@ TEST(HoldOut, WindowsOfAnyLengthErrAsMuchAsExpected) {
 }
 
 TEST(HoldOut, StopsWhenAskedAndRefusesUnknownPoses) {
-  const Session session = simulated("x17", 1, 4);
+  const Session session = test::simulatedSession({}, 4);
   std::stop_source stop;
   stop.request_stop();
   EXPECT_EQ(evaluateHoldOut(*session.snapshot(), PoseId(1), {}, stop.get_token()).outcome, HoldOutOutcome::Stopped);

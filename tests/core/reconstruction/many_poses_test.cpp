@@ -1,12 +1,12 @@
-// Skins with more poses than the joint equations find angular accelerations for: what a hand does must make no healthy
-// cell look broken.
+// What further poses do to the stated uncertainty; and skins with more poses than the joint equations find angular
+// accelerations for: what a hand does must make no healthy cell look broken.
 
-#include "hexoderm/device/simulation/simulated_skin.h"
 #include "hexoderm/reconstruction/evaluation/evaluation.h"
 #include "hexoderm/reconstruction/reconstructor.h"
-#include "hexoderm/session/simulated_session.h"
+#include "hexoderm/util/units.h"
 #include "tests/support/changed_session.h"
 #include "tests/support/matchers.h"
+#include "tests/support/simulated_skins.h"
 
 #include <cmath>
 #include <string>
@@ -28,11 +28,7 @@ constexpr const char* kSheet = "sheet:6x6";
 #endif
 
 Session measured(const std::string& patch, std::size_t poses) {
-  SimulatedSkinOptions options;
-  options.patch = patch;
-  options.seed = 3;
-  SimulatedSkin skin(builtInCellModel("hex-bma150"), options);
-  return simulateSession(skin, poses);
+  return test::simulatedSession(test::skinOptions(patch, "", 3), poses);
 }
 
 /// Cells whose accelerometers are said to be broken.
@@ -84,11 +80,7 @@ TurnErrors turnErrors(const PatchReconstruction& patch, const std::vector<TrueCe
 TEST(ManyPoses, ALargeSkinHasNoBrokenCellsJustBecauseItsPosesAreMany) {
   TurnErrors sum;
   for (const std::uint64_t seed : {3U, 101U, 104U}) {
-    SimulatedSkinOptions options;
-    options.patch = "sheet:35x36";
-    options.surface = "cylinder:r=0.25";
-    options.seed = seed;
-    SimulatedSkin skin(builtInCellModel("hex-bma150"), options);
+    SimulatedSkin skin = test::simulatedSkin(test::skinOptions("sheet:35x36", "cylinder:r=0.25", seed));
     const auto result = reconstruct(*simulateSession(skin, 60).snapshot());
     EXPECT_THAT(blamedCells(*result), IsEmpty()) << "seed " << seed;
     const TurnErrors errors = turnErrors(result->patches.front(), skin.truth());
@@ -108,6 +100,46 @@ TEST(ManyPoses, ABrokenCellIsNamedAndNoOther) {
   });
   const auto result = reconstruct(*session.snapshot());
   EXPECT_THAT(blamedCells(*result), ElementsAre(kBroken));
+}
+
+// --- one pose more
+
+/// A session's first poses only.
+std::shared_ptr<const Reconstruction> solveFirst(const Session& whole, std::size_t poses) {
+  Session session = whole;
+  while (session.poses().size() > poses) session.removePose(session.poses().size() - 1);
+  return reconstruct(*session.snapshot());
+}
+
+TEST(MorePoses, NeverMakeTheStatedUncertaintyMuchWorse) {
+  // A pose in which the hand swung harder than in the others may raise it, but no model switches on.
+  constexpr double kMuch = 1.1;
+  for (std::uint64_t seed = 1; seed <= 12; ++seed) {
+    const Session session = test::simulatedSession(test::skinOptions("x17", "cylinder:r=0.0501", seed), 10);
+    double before_rad = kPi;
+    for (std::size_t poses = 2; poses <= 10; ++poses) {
+      const auto result = solveFirst(session, poses);
+      const double now_rad = *result->assessment.orientation_95_rad;
+      EXPECT_LE(toDegrees(now_rad), kMuch * toDegrees(before_rad)) << "seed " << seed << ", pose " << poses;
+      before_rad = now_rad;
+    }
+  }
+}
+
+TEST(MorePoses, AreForeseenAsTheyComeOut) {
+  // The forecast of a session's assessment against what the advised pose then brings.
+  double ratio_sum = 0;
+  std::size_t count = 0;
+  for (std::uint64_t seed = 1; seed <= 10; ++seed) {
+    const Session session = test::simulatedSession(test::skinOptions("x17", "", seed), 3);
+    const auto two = solveFirst(session, 2);
+    const auto three = solveFirst(session, 3);
+    ASSERT_TRUE(two->assessment.wantsPose());
+    EXPECT_LT(*three->assessment.orientation_95_rad, 0.85 * *two->assessment.orientation_95_rad);
+    ratio_sum += *three->assessment.orientation_95_rad / *two->assessment.orientation_95_rad;
+    ++count;
+  }
+  EXPECT_LT(ratio_sum / static_cast<double>(count), 0.6);
 }
 
 }  // namespace

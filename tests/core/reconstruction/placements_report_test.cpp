@@ -1,8 +1,8 @@
 // What whoever does not want to wait for a whole result is told.
 
-#include "hexoderm/device/simulation/simulated_skin.h"
 #include "hexoderm/reconstruction/reconstructor.h"
-#include "hexoderm/session/simulated_session.h"
+#include "tests/support/simulated_skins.h"
+#include "tests/support/solvers.h"
 
 #include <gmock/gmock.h>
 #include <algorithm>
@@ -23,14 +23,7 @@ Session stillSession(std::size_t poses) {
   options.patch = "sheet:5x6";
   options.surface = "cylinder:r=0.1";
   options.seed = 5;
-  SimulatedSkin skin(builtInCellModel("hex-bma150"), options);
-  return simulateSession(skin, poses);
-}
-
-SolverOptions optionsFor(Solver solver) {
-  SolverOptions options;
-  options.solver = solver;
-  return options;
+  return test::simulatedSession(options, poses);
 }
 
 class PlacementsReport : public testing::Test {
@@ -78,7 +71,7 @@ void expectNothingUnknown(const Reconstruction& early) {
 
 TEST_F(PlacementsReport, OfTheTreeComesBeforeFaultsAreSearched) {
   const Session session = stillSession(3);
-  const auto result = reconstruct(*session.snapshot(), optionsFor(Solver::Tree), nullptr, {}, &progress_);
+  const auto result = reconstruct(*session.snapshot(), test::by(Solver::Tree), nullptr, {}, &progress_);
   ASSERT_THAT(placements_, SizeIs(1));
   EXPECT_EQ(placements_[0]->revision, result->revision);
   EXPECT_EQ(placements_[0]->solver, "tree");
@@ -89,8 +82,8 @@ TEST_F(PlacementsReport, OfTheTreeComesBeforeFaultsAreSearched) {
 
 TEST_F(PlacementsReport, OfTheGlobalSolverComesFromTheTreeAndThenFromTheJointEstimate) {
   const Session session = stillSession(3);
-  const auto tree = reconstruct(*session.snapshot(), optionsFor(Solver::Tree));
-  const auto result = reconstruct(*session.snapshot(), optionsFor(Solver::Global), nullptr, {}, &progress_);
+  const auto tree = reconstruct(*session.snapshot(), test::by(Solver::Tree));
+  const auto result = reconstruct(*session.snapshot(), test::by(Solver::Global), nullptr, {}, &progress_);
   ASSERT_THAT(stages_, ElementsAre(SolveStage::Links, SolveStage::Patches));
   for (const auto& early : placements_) expectNothingUnknown(*early);
   expectSamePlacements(*placements_[0], *tree);
@@ -98,24 +91,20 @@ TEST_F(PlacementsReport, OfTheGlobalSolverComesFromTheTreeAndThenFromTheJointEst
 }
 
 TEST_F(PlacementsReport, OfTheTreeIsNotMadeWhereAnEarlierResultIsBetter) {
-  const auto before = reconstruct(*stillSession(2).snapshot(), optionsFor(Solver::Global));
+  const auto before = reconstruct(*stillSession(2).snapshot(), test::by(Solver::Global));
   const Session session = stillSession(3);
-  std::vector<std::shared_ptr<const Reconstruction>> placements;
-  SolveProgress progress;
-  progress.setPlacementsReport([&](auto early) { placements.push_back(std::move(early)); });
-  const auto result = reconstruct(*session.snapshot(), optionsFor(Solver::Global), before.get(), {}, &progress);
-  ASSERT_THAT(placements, SizeIs(1));
-  expectSamePlacements(*placements[0], *result);
+  const auto result = reconstruct(*session.snapshot(), test::by(Solver::Global), before.get(), {}, &progress_);
+  ASSERT_THAT(placements_, SizeIs(1));
+  expectSamePlacements(*placements_[0], *result);
 }
 
 TEST_F(PlacementsReport, OfTheTreeIsMadeWhereTheEarlierResultIsOfAnotherSkinOrNoUse) {
   const Session session = stillSession(3);
   const auto before = reconstruct(*session.snapshot());
-  static_cast<void>(reconstruct(*session.snapshot(), optionsFor(Solver::Tree), before.get(), {}, &progress_));
+  static_cast<void>(reconstruct(*session.snapshot(), test::by(Solver::Tree), before.get(), {}, &progress_));
   EXPECT_THAT(placements_, SizeIs(1)) << "the tree does not start from it";
-  SimulatedSkin other(builtInCellModel("hex-bma150"), {});
   placements_.clear();
-  static_cast<void>(reconstruct(*simulateSession(other, 3).snapshot(), {}, before.get(), {}, &progress_));
+  static_cast<void>(reconstruct(*test::simulatedSession({}, 3).snapshot(), {}, before.get(), {}, &progress_));
   EXPECT_THAT(placements_, SizeIs(2));
 }
 
@@ -125,8 +114,7 @@ TEST_F(PlacementsReport, OfPatchesWithFaultsEndsWithThePlacementsOfTheResult) {
   options.surface = "cylinder:r=0.1";
   options.seed = 5;
   options.faults = {{SkinFault::Swapped, CellId(15)}};
-  SimulatedSkin skin(builtInCellModel("hex-bma150"), options);
-  const auto result = reconstruct(*simulateSession(skin, 4).snapshot(), {}, nullptr, {}, &progress_);
+  const auto result = reconstruct(*test::simulatedSession(options, 4).snapshot(), {}, nullptr, {}, &progress_);
   ASSERT_FALSE(result->findings.empty());
   EXPECT_GT(placements_.size(), 2U) << "solved again without the fault";
   expectSamePlacements(*placements_.back(), *result);
@@ -138,7 +126,7 @@ TEST_F(PlacementsReport, OfSmallerSkinsThanWereAskedForIsNotMade) {
     std::size_t reports = 0;
     SolveProgress progress;
     progress.setPlacementsReport([&](const auto&) { ++reports; }, least_cells);
-    static_cast<void>(reconstruct(*session.snapshot(), optionsFor(Solver::Tree), nullptr, {}, &progress));
+    static_cast<void>(reconstruct(*session.snapshot(), test::by(Solver::Tree), nullptr, {}, &progress));
     return reports;
   };
   EXPECT_EQ(count(30), 1U);
@@ -170,7 +158,7 @@ TEST_F(PlacementsReport, OfASkinWithoutCellsOrPosesIsNoError) {
   ASSERT_THAT(placements_, SizeIs(1)) << "of no cells an earlier result has all";
   EXPECT_EQ(placements_.back()->cellCount(), 0U);
   placements_.clear();
-  ASSERT_NE(reconstruct(*stillSession(0).snapshot(), optionsFor(Solver::Tree), nullptr, {}, &progress_), nullptr);
+  ASSERT_NE(reconstruct(*stillSession(0).snapshot(), test::by(Solver::Tree), nullptr, {}, &progress_), nullptr);
   ASSERT_THAT(placements_, SizeIs(1));
   EXPECT_EQ(placements_.back()->cellCount(), 30U);
 }

@@ -5,6 +5,7 @@
 #include <gmock/gmock.h>
 
 #include <condition_variable>
+#include <latch>
 #include <mutex>
 #include <thread>
 #include <vector>
@@ -50,41 +51,6 @@ class Outcomes {
   std::vector<ReconstructionOutcome> outcomes_;
 };
 
-/// A solve that says when it has begun and ends when the test allows it.
-class HeldSolve {
- public:
-  ReconstructionWorker::Solve solve() {
-    return [this](const SessionSnapshot& snapshot, const SolverOptions&, const std::stop_token&) {
-      std::unique_lock lock(mutex_);
-      ++begun_;
-      changed_.notify_all();
-      changed_.wait(lock, [this] { return released_; });
-      auto result = std::make_shared<Reconstruction>();
-      result->revision = snapshot.revision;
-      return std::shared_ptr<const Reconstruction>(result);
-    };
-  }
-  void waitUntilBegun() {
-    std::unique_lock lock(mutex_);
-    changed_.wait(lock, [this] { return begun_ > 0; });
-  }
-  void release() {
-    const std::lock_guard lock(mutex_);
-    released_ = true;
-    changed_.notify_all();
-  }
-  int begun() {
-    const std::lock_guard lock(mutex_);
-    return begun_;
-  }
-
- private:
-  std::mutex mutex_;
-  std::condition_variable changed_;
-  int begun_ = 0;
-  bool released_ = false;
-};
-
 TEST(ReconstructionWorker, SolvesASnapshotAndSaysWhichRevisionItWas) {
   Outcomes outcomes;
   ReconstructionWorker worker(outcomes.report());
@@ -95,20 +61,6 @@ TEST(ReconstructionWorker, SolvesASnapshotAndSaysWhichRevisionItWas) {
   EXPECT_EQ(seen[0].error.english(), "");
   ASSERT_NE(seen[0].reconstruction, nullptr);
   EXPECT_EQ(seen[0].reconstruction->revision, 7U);
-}
-
-TEST(ReconstructionWorker, NewestWinsAndTheRunningSolveIsNotCancelled) {
-  Outcomes outcomes;
-  HeldSolve held;
-  {
-    ReconstructionWorker worker(outcomes.report(), held.solve());
-    worker.submit(snapshotOf(1), {});
-    held.waitUntilBegun();
-    for (std::uint64_t revision = 2; revision <= 5; ++revision) worker.submit(snapshotOf(revision), {});
-    held.release();
-    outcomes.waitFor(2);
-  }
-  EXPECT_THAT(outcomes.revisions(), ElementsAre(1, 5));
 }
 
 TEST(ReconstructionWorker, OptionsTravelWithTheirSnapshot) {
@@ -144,59 +96,23 @@ TEST(ReconstructionWorker, AnErrorBecomesAnOutcomeAndTheWorkerGoesOn) {
   EXPECT_NE(seen[1].reconstruction, nullptr);
 }
 
-/// A solve that ends only when it is told to stop.
-class EndlessSolve {
- public:
-  ReconstructionWorker::Solve solve() {
-    return [this](const SessionSnapshot& snapshot, const SolverOptions&, const std::stop_token& stop) {
-      std::unique_lock lock(mutex_);
-      begun_.push_back(snapshot.revision);
-      changed_.notify_all();
-      changed_.wait(lock, stop, [] { return false; });
-      return std::shared_ptr<const Reconstruction>();
-    };
-  }
-  void waitUntilBegun(std::size_t count) {
-    std::unique_lock lock(mutex_);
-    changed_.wait(lock, [&] { return begun_.size() >= count; });
-  }
-  std::vector<std::uint64_t> begun() {
-    const std::lock_guard lock(mutex_);
-    return begun_;
-  }
-
- private:
-  std::mutex mutex_;
-  std::condition_variable_any changed_;
-  std::vector<std::uint64_t> begun_;
-};
-
-TEST(ReconstructionWorker, TheDestructorStopsTheRunningSolveAndDropsWhatWaits) {
+// Which job runs, waits or is dropped is LatestWorker's matter.
+TEST(ReconstructionWorker, ReportsNothingOfACancelledSolve) {
   Outcomes outcomes;
-  EndlessSolve endless;
-  {
-    ReconstructionWorker worker(outcomes.report(), endless.solve());
-    worker.submit(snapshotOf(1), {});
-    endless.waitUntilBegun(1);
-    worker.submit(snapshotOf(2), {});
-  }
-  EXPECT_THAT(endless.begun(), ElementsAre(1));
-  EXPECT_THAT(outcomes.revisions(), ElementsAre());
-}
-
-TEST(ReconstructionWorker, CancelStopsTheRunningSolveDropsWhatWaitsAndGoesOn) {
-  Outcomes outcomes;
-  EndlessSolve endless;
-  ReconstructionWorker worker(outcomes.report(), endless.solve());
-  worker.cancel();  // nothing runs: nothing happens
+  std::latch begun(1);
+  ReconstructionWorker worker(outcomes.report(),
+                              [&](const SessionSnapshot& snapshot, const SolverOptions&, const std::stop_token& stop) {
+                                if (snapshot.revision == 2) return std::make_shared<const Reconstruction>();
+                                begun.count_down();
+                                while (!stop.stop_requested()) std::this_thread::yield();
+                                return std::shared_ptr<const Reconstruction>();
+                              });
   worker.submit(snapshotOf(1), {});
-  endless.waitUntilBegun(1);
-  worker.submit(snapshotOf(2), {});
+  begun.wait();
   worker.cancel();
-  worker.submit(snapshotOf(3), {});
-  endless.waitUntilBegun(2);
-  EXPECT_THAT(endless.begun(), ElementsAre(1, 3));
-  EXPECT_THAT(outcomes.revisions(), ElementsAre());
+  worker.submit(snapshotOf(2), {});
+  outcomes.waitFor(1);
+  EXPECT_THAT(outcomes.revisions(), ElementsAre(2));
 }
 
 TEST(ReconstructionWorker, ACancelledReconstructionLeavesNothingAndTheNextIsWhole) {
@@ -218,12 +134,6 @@ TEST(ReconstructionWorker, TellsHowFarItIs) {
   cancelled.request_stop();
   EXPECT_EQ(solve(*snapshotOf(2), {}, cancelled.get_token()), nullptr);
   EXPECT_NE(progress->stage(), SolveStage::Figures) << "it began anew, and did not come so far";
-}
-
-TEST(ReconstructionWorker, GoesAwayWithoutEverHavingWorked) {
-  Outcomes outcomes;
-  { const ReconstructionWorker worker(outcomes.report()); }
-  EXPECT_TRUE(outcomes.revisions().empty());
 }
 
 }  // namespace

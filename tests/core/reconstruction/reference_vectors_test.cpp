@@ -7,6 +7,7 @@
 #include "hexoderm/util/units.h"
 #include "tests/support/matchers.h"
 #include "tests/support/paths.h"
+#include "tests/support/solvers.h"
 
 #include <algorithm>
 #include <cmath>
@@ -22,26 +23,14 @@ Session load(const std::string& name) {
 }
 
 SolverOptions paper() {
-  SolverOptions options;
-  options.solver = Solver::Tree;
+  SolverOptions options = test::by(Solver::Tree);
   options.centring = Centring::Off;
   options.support_axes = SupportAxes::Off;
   return options;
 }
 
 /// The files' cells lie one pitch apart along the surface: the arc is what was simulated.
-SolverOptions jointWithArc() {
-  SolverOptions options;
-  options.solver = Solver::Global;
-  options.gap_model = GapModel::Arc;
-  return options;
-}
-
-SolverOptions tree() {
-  SolverOptions options;
-  options.solver = Solver::Tree;
-  return options;
-}
+SolverOptions jointWithArc() { return test::by(Solver::Global, GapModel::Arc); }
 
 struct Errors {
   double position_mm = 0;
@@ -77,7 +66,7 @@ TEST_P(ReferenceVectors, PapersMethodAgreesWithAnIndependentImplementation) {
 
 TEST_P(ReferenceVectors, DefaultsOfTheTreeAreAtMostAsFarOff) {
   const Session session = load(GetParam().name);
-  const Errors with_defaults = errorsOf(session, tree());
+  const Errors with_defaults = errorsOf(session, test::by(Solver::Tree));
   const Errors with_papers_method = errorsOf(session, paper());
   EXPECT_LE(with_defaults.position_mm, with_papers_method.position_mm + 1e-9);
   EXPECT_LE(with_defaults.orientation_deg, with_papers_method.orientation_deg + 1e-9);
@@ -117,7 +106,7 @@ TEST(ReferenceVectorsWithLoops, OrientationOfPlane25Agrees) {
   const Session session = load("plane25_p3");
   const Errors errors = errorsOf(session, paper());
   EXPECT_NEAR(errors.orientation_deg, 3.68, 0.02 * 3.68);
-  for (const SolverOptions& options : {tree(), SolverOptions()}) {
+  for (const SolverOptions& options : {test::by(Solver::Tree), SolverOptions()}) {
     const Errors with_defaults = errorsOf(session, options);
     EXPECT_LE(with_defaults.orientation_deg, errors.orientation_deg);
     EXPECT_LE(with_defaults.position_mm, errors.position_mm);
@@ -186,7 +175,7 @@ TEST_P(ReferenceVectorsDeadSensor, CellSevenCanBeLeftOutByHand) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Solvers, ReferenceVectorsDeadSensor, ::testing::Values(Solver::Global, Solver::Tree),
-                         [](const auto& test) { return std::string(solverName(test.param)); });
+                         test::solverOfTest);
 
 TEST(ReferenceVectorsDeadSensorJoint, TheOtherCellsAreAsGoodAsWithoutIt) {
   const Session session = load("x17_dead_sensor_p6");

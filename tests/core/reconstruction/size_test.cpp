@@ -1,12 +1,11 @@
 // Memory of large sessions, and that there is a result at all: skins that have fallen apart into thousands of patches,
 // and thousands of poses.
 
-#include "hexoderm/device/simulation/simulated_skin.h"
 #include "hexoderm/reconstruction/reconstructor.h"
-#include "hexoderm/session/simulated_session.h"
 #include "hexoderm/util/parallel.h"
 #include "tests/support/matchers.h"
 #include "tests/support/peak_memory.h"
+#include "tests/support/simulated_skins.h"
 #include "tests/support/unlinked_cells.h"
 
 #include <gmock/gmock.h>
@@ -23,11 +22,6 @@ double memoryToSolve_MB(const Session& session) {
   return test::peakMemory_MB([&] { static_cast<void>(reconstruct(*snapshot)); }) - before;
 }
 
-Session manyPoses(std::size_t poses) {
-  SimulatedSkin skin(builtInCellModel("hex-bma150"), {});
-  return simulateSession(skin, poses, 2);
-}
-
 /// Twice as much of something takes twice the memory; what grows with the square would take four times as much.
 constexpr double kLinear = 2.6;
 
@@ -38,8 +32,8 @@ TEST(Size, MemoryGrowsLinearlyWithThePatches) {
 }
 
 TEST(Size, MemoryGrowsLinearlyWithThePoses) {
-  const double half = memoryToSolve_MB(manyPoses(500));
-  const double whole = memoryToSolve_MB(manyPoses(1000));
+  const double half = memoryToSolve_MB(test::simulatedSession({}, 500, 2));
+  const double whole = memoryToSolve_MB(test::simulatedSession({}, 1000, 2));
   EXPECT_LT(whole, kLinear * half) << half << " MB and " << whole << " MB";
 }
 
@@ -49,8 +43,7 @@ TEST(Size, TheGlobalSolverTakesLittleMemoryForACell) {
   SimulatedSkinOptions options = SimulatedSkinOptions::robot();
   options.patch = "sheet:80x80";
   options.surface = "cylinder:r=0.56";
-  SimulatedSkin skin(builtInCellModel("hex-bma150"), options);
-  EXPECT_LT(memoryToSolve_MB(simulateSession(skin, 3, 10)), 92);
+  EXPECT_LT(memoryToSolve_MB(test::simulatedSession(options, 3, 10)), 92);
   setCores(before);
 }
 

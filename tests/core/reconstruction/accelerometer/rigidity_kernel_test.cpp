@@ -1,4 +1,5 @@
 #include "hexoderm/reconstruction/accelerometer/rigidity_kernel.h"
+#include "tests/core/reconstruction/accelerometer/lanes.h"
 
 #include "hexoderm/geometry/se3.h"
 #include "hexoderm/reconstruction/accelerometer/rigidity.h"
@@ -12,48 +13,34 @@ namespace {
 
 /// kLanes pairs of cells with errors of their sensors; the readings of one are those of the other, turned.
 struct Pairs {
-  int poses = 0;
-  std::vector<double> c_g;
-  std::vector<double> n_g;
-  std::vector<double> variance_g2;
-  std::vector<double> R_c_n;
-  std::array<std::vector<Eigen::Vector3d>, kLanes> c;
-  std::array<std::vector<Eigen::Vector3d>, kLanes> n;
+  Lanes c_g;
+  Lanes n_g;
+  Lanes variance_g2;
+  Lanes R_c_n;
   std::array<Eigen::Matrix3d, kLanes> R;
 
   [[nodiscard]] RigidityKernelInput input() const {
-    return {poses, c_g.data(), n_g.data(), variance_g2.data(), R_c_n.data()};
+    return {static_cast<int>(variance_g2.rows()), c_g.data(), n_g.data(), variance_g2.data(), R_c_n.data()};
   }
 };
 
-Pairs drawPairs(int poses, std::mt19937& random) {
+Pairs drawPairs(Eigen::Index poses, std::mt19937& random) {
   std::normal_distribution<double> normal;
   const auto draw = [&](double sigma) -> Eigen::Vector3d {
     return Eigen::Vector3d::NullaryExpr([&] { return sigma * normal(random); });
   };
-  Pairs pairs;
-  pairs.poses = poses;
-  const auto count = static_cast<std::size_t>(poses * kLanes);
-  pairs.c_g.resize(3 * count);
-  pairs.n_g.resize(3 * count);
-  pairs.variance_g2.resize(count);
-  pairs.R_c_n.resize(9 * kLanes);
-  for (int lane = 0; lane < kLanes; ++lane) {
-    const auto l = static_cast<std::size_t>(lane);
-    pairs.R[l] = expSO3(draw(1));
-    for (int k = 0; k < 9; ++k) pairs.R_c_n[static_cast<std::size_t>(kLanes * k + lane)] = pairs.R[l](k / 3, k % 3);
+  Pairs pairs{Lanes(3 * poses, kLanes), Lanes(3 * poses, kLanes), Lanes(poses, kLanes), Lanes(9, kLanes), {}};
+  for (Eigen::Index lane = 0; lane < kLanes; ++lane) {
+    Eigen::Matrix3d& R = pairs.R[static_cast<std::size_t>(lane)];
+    R = expSO3(draw(1));
+    pairs.R_c_n.col(lane) = columnOf(R);
+    pairs.variance_g2.col(lane).setConstant(2e-5 * static_cast<double>(1 + lane));
     const Eigen::Vector3d offset_c = draw(0.06);
     const Eigen::Vector3d offset_n = draw(0.06);
-    for (int pose = 0; pose < poses; ++pose) {
+    for (Eigen::Index pose = 0; pose < poses; ++pose) {
       const Eigen::Vector3d up = draw(1).normalized();
-      pairs.c[l].push_back(up + offset_c + draw(0.005));
-      pairs.n[l].push_back(pairs.R[l].transpose() * expSO3(draw(0.02)) * up + offset_n + draw(0.005));
-      for (int axis = 0; axis < 3; ++axis) {
-        const auto at = static_cast<std::size_t>(kLanes * (3 * pose + axis) + lane);
-        pairs.c_g[at] = pairs.c[l].back()[axis];
-        pairs.n_g[at] = pairs.n[l].back()[axis];
-      }
-      pairs.variance_g2[static_cast<std::size_t>(kLanes * pose + lane)] = 2e-5 * (1 + lane);
+      pairs.c_g.col(lane).segment<3>(3 * pose) = up + offset_c + draw(0.005);
+      pairs.n_g.col(lane).segment<3>(3 * pose) = R.transpose() * expSO3(draw(0.02)) * up + offset_n + draw(0.005);
     }
   }
   return pairs;
@@ -78,8 +65,10 @@ TEST(RigidityKernel, AgreesWithTheTestOfOnePair) {
         if (one.usual[lane] == 0) continue;
         ++usual;
         RigidityTest test(prior);
-        for (std::size_t pose = 0; pose < static_cast<std::size_t>(poses); ++pose) {
-          test.add({pose, R_a_u * pairs.c[l][pose], 2e-5 * (1 + lane)}, R_a_u * pairs.R[l] * pairs.n[l][pose]);
+        for (int pose = 0; pose < poses; ++pose) {
+          const Eigen::Vector3d c = pairs.c_g.col(lane).segment<3>(3 * pose);
+          const Eigen::Vector3d n = pairs.n_g.col(lane).segment<3>(3 * pose);
+          test.add({static_cast<std::size_t>(pose), R_a_u * c, 2e-5 * (1 + lane)}, R_a_u * pairs.R[l] * n);
         }
         // What is left is the difference of sums that are up to some ten thousand.
         const double expected = test.misfit().chi_squared;
@@ -95,13 +84,8 @@ TEST(RigidityKernel, LeavesPairsThatDoNotShowATurnToTheCarefulWay) {
   std::mt19937 random(2);
   Pairs pairs = drawPairs(3, random);
   // Lane 2 reads one direction in all poses.
-  for (int pose = 1; pose < 3; ++pose) {
-    for (int axis = 0; axis < 3; ++axis) {
-      pairs.c_g[static_cast<std::size_t>(kLanes * (3 * pose + axis) + 2)] =
-          pairs.c_g[static_cast<std::size_t>(kLanes * axis + 2)];
-      pairs.n_g[static_cast<std::size_t>(kLanes * (3 * pose + axis) + 2)] =
-          pairs.n_g[static_cast<std::size_t>(kLanes * axis + 2)];
-    }
+  for (Lanes* readings : {&pairs.c_g, &pairs.n_g}) {
+    for (int pose = 1; pose < 3; ++pose) readings->col(2).segment<3>(3 * pose) = readings->col(2).head<3>();
   }
   const RigidityKernelOptions options =
       rigidityKernelOptions(AccelerometerPrior(pairOf(Accelerometer{})), Eigen::Matrix3d::Identity());

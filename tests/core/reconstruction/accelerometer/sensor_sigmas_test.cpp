@@ -63,28 +63,15 @@ Eigen::MatrixXd mixedInformation(Eigen::Index parameters, NormalDraw& draw) {
 }
 
 TEST(SensorEvidence, WeighingIsTheInverseOfTheErrorsCovariance) {
-  NormalDraw draw(1);
-  const Eigen::MatrixXd M = mixedInformation(24, draw);
-  const SensorEvidence evidence{M, draw.vector(24)};
-  const Eigen::VectorXd prior = priorVariances(accelerometer(0.06, 0, 0.02, 0.005), 2);
-  const WeighedEvidence weighed = weigh(evidence, prior);
-  const Eigen::MatrixXd expected = (Eigen::MatrixXd(M.inverse()) + Eigen::MatrixXd(prior.asDiagonal())).inverse();
-  EXPECT_TRUE(weighed.precision.isApprox(expected, 1e-9));
-  EXPECT_TRUE(weighed.weighted.isApprox(expected * M.ldlt().solve(evidence.weighted), 1e-8));
-}
-
-TEST(SensorEvidence, SensorsThatNothingJoinsAreWeighedAsEachByItself) {
-  // One sensor and several are computed in different ways.
-  NormalDraw draw(3);
-  const Accelerometer sigmas = accelerometer(0.06, 0, 0.02, 0.005);
-  SensorEvidence both{Eigen::MatrixXd::Zero(24, 24), draw.vector(24)};
-  for (const Eigen::Index at : {0, 12}) both.information.block(at, at, 12, 12) = mixedInformation(12, draw);
-  const WeighedEvidence together = weigh(both, priorVariances(sigmas, 2));
-  for (const Eigen::Index at : {0, 12}) {
-    const WeighedEvidence alone =
-        weigh({both.information.block(at, at, 12, 12), both.weighted.segment(at, 12)}, priorVariances(sigmas, 1));
-    EXPECT_TRUE(alone.precision.isApprox(together.precision.block(at, at, 12, 12), 1e-9));
-    EXPECT_TRUE(alone.weighted.isApprox(together.weighted.segment(at, 12), 1e-9));
+  for (const std::size_t sensors : {1U, 2U}) {  // they are computed in different ways
+    NormalDraw draw(1);
+    const Eigen::VectorXd prior = priorVariances(accelerometer(0.06, 0, 0.02, 0.005), sensors);
+    const Eigen::MatrixXd M = mixedInformation(prior.size(), draw);
+    const SensorEvidence evidence{M, draw.vector(prior.size())};
+    const WeighedEvidence weighed = weigh(evidence, prior);
+    const Eigen::MatrixXd expected = (Eigen::MatrixXd(M.inverse()) + Eigen::MatrixXd(prior.asDiagonal())).inverse();
+    EXPECT_TRUE(weighed.precision.isApprox(expected, 1e-9)) << sensors;
+    EXPECT_TRUE(weighed.weighted.isApprox(expected * M.ldlt().solve(evidence.weighted), 1e-8)) << sensors;
   }
 }
 
@@ -258,30 +245,6 @@ TEST(SensorSigmas, LieWithinTheirRangesAsOftenAsStated) {
   EXPECT_GT(measured, 2 * kTrials);
   EXPECT_GT(within, 0.92 * measured) << within << " of " << measured;
   EXPECT_LT(within, 0.985 * measured) << within << " of " << measured;
-}
-
-TEST(SensorSigmas, ALotsOffsetIsFoundOverSeveralSkins) {
-  const Accelerometer truth = accelerometer(0.012, 0.008, 0.001, 0.0005);
-  const Eigen::Vector3d lot_g(0.008, -0.01, 0.006);
-  NormalDraw draw(7);
-  std::vector<SensorEvidence> evidence;
-  for (int skin = 0; skin < 3; ++skin) {
-    const Eigen::VectorXd x = drawErrors(truth, 10, lot_g, draw);
-    evidence.push_back(seen(mixedInformation(x.size(), draw), x, draw));
-  }
-  const SensorSigmas sigmas = estimateSensorSigmas(evidence, accelerometer(0.06, 0, 0.02, 0.005));
-  ASSERT_EQ(sigmas.shared_offset_g.knowledge, SigmaKnowledge::Measured);
-  ASSERT_TRUE(sigmas.lot);
-  for (Eigen::Index axis = 0; axis < 3; ++axis) {
-    EXPECT_NEAR(sigmas.lot->offset_g[axis], lot_g[axis], 3 * sigmas.lot->sigma_g[axis]);
-    EXPECT_LT(sigmas.lot->sigma_g[axis], 0.003);
-  }
-  EXPECT_NEAR(sigmas.shared_offset_g.sigma, lot_g.norm() / std::sqrt(3.0), 0.003);
-  EXPECT_LE(sigmas.shared_offset_g.low_95, 0.008);
-  EXPECT_GE(sigmas.shared_offset_g.high_95, 0.008);
-  const Accelerometer written = sigmas.inModel(accelerometer(0.06, 0, 0.02, 0.005));
-  EXPECT_EQ(written.shared_offset_sigma_g, sigmas.shared_offset_g.sigma);
-  EXPECT_LE(written.shared_offset_sigma_g, written.offset_sigma_g);
 }
 
 }  // namespace

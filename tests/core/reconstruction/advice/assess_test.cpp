@@ -1,7 +1,6 @@
 #include "hexoderm/reconstruction/advice/assess.h"
 
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
+#include "tests/support/matchers.h"
 
 #include <memory>
 
@@ -59,9 +58,7 @@ Forecast forecastOf(const Uncertainty95& now, double share_with_pose) {
 
 TEST(Assess, APreciseResultWithoutFindingsIsGoodAndAsksForNothing) {
   const Assessment assessment = assess(resultWith(kPrecise), {});
-  EXPECT_EQ(assessment.level, VerdictLevel::Good);
-  EXPECT_EQ(assessment.limit, Limit::Nothing);
-  EXPECT_EQ(assessment.remedy, Remedy::Nothing);
+  EXPECT_THAT(assessment, IsVerdict(VerdictLevel::Good, Limit::Nothing, Remedy::Nothing));
   EXPECT_FALSE(assessment.wantsPose());
   EXPECT_NEAR(*assessment.orientation_95_rad, kPrecise.orientation_rad, 1e-6);
   EXPECT_NEAR(*assessment.position_95_m, kPrecise.position_m, 1e-8);
@@ -110,23 +107,17 @@ TEST(Assess, TheNumberOfPosesDoesNotMatter) {
       pose.pose = PoseId(k);
       result.poses.push_back(pose);
     }
-    const Assessment twenty = assess(result, forecastOf(spread, 0.5));
-    EXPECT_EQ(three.level, twenty.level);
-    EXPECT_EQ(three.limit, twenty.limit);
-    EXPECT_EQ(three.remedy, twenty.remedy);
+    EXPECT_THAT(assess(result, forecastOf(spread, 0.5)), IsVerdict(three.level, three.limit, three.remedy));
   }
 }
 
 TEST(Assess, APoseIsWantedOnlyWhereItIsForeseenToHelp) {
   const Reconstruction rough = resultWith(kRough);
   const Assessment helped = assess(rough, forecastOf(kRough, 0.5));
-  EXPECT_EQ(helped.level, VerdictLevel::Usable);
-  EXPECT_EQ(helped.limit, Limit::Directions);
-  EXPECT_EQ(helped.remedy, Remedy::TakePose);
+  EXPECT_THAT(helped, IsVerdict(VerdictLevel::Usable, Limit::Directions, Remedy::TakePose));
   EXPECT_THAT(helped.next_action.english(), HasSubstr("That should bring ±5.0° to about ±2.5°."));
   const Assessment not_helped = assess(rough, forecastOf(kRough, 0.95));
-  EXPECT_EQ(not_helped.limit, Limit::Mould);
-  EXPECT_EQ(not_helped.remedy, Remedy::Nothing);
+  EXPECT_THAT(not_helped, IsVerdict(VerdictLevel::Usable, Limit::Mould, Remedy::Nothing));
   EXPECT_THAT(not_helped.reason.english(), HasSubstr("in the mould"));
 }
 
@@ -145,9 +136,7 @@ TEST(Assess, ReadingsThatLackAreNamedAndTakenAgainWhereThatHelpsMost) {
   forecast.lacking = {CellId(3)};
   forecast.retake = {PoseId(1), PoseId(2)};
   const Assessment assessment = assess(resultWith(kUseless), forecast);
-  EXPECT_EQ(assessment.level, VerdictLevel::NotEnough);
-  EXPECT_EQ(assessment.limit, Limit::Readings);
-  EXPECT_EQ(assessment.remedy, Remedy::RetakePoses);
+  EXPECT_THAT(assessment, IsVerdict(VerdictLevel::NotEnough, Limit::Readings, Remedy::RetakePoses));
   EXPECT_TRUE(assessment.wantsPose());
   EXPECT_EQ(assessment.limiting_cells, forecast.lacking);
   EXPECT_EQ(assessment.retake, forecast.retake);
@@ -161,8 +150,7 @@ TEST(Assess, SeveralPatchesAreNeverGoodAndAreSaid) {
   Reconstruction result = resultWith(kPrecise);
   result.patches.push_back(patchWith(kPrecise, 10));
   const Assessment assessment = assess(result, {});
-  EXPECT_EQ(assessment.level, VerdictLevel::Usable);
-  EXPECT_EQ(assessment.limit, Limit::Patches);
+  EXPECT_THAT(assessment, IsVerdict(VerdictLevel::Usable, Limit::Patches, Remedy::Nothing));
   EXPECT_THAT(assessment.reason.english(), HasSubstr("No link joins the 2 patches"));
 }
 
@@ -178,8 +166,7 @@ TEST(Assess, CellsThatNothingJoinsAreAFailure) {
     result.patches.push_back(lone);
   }
   const Assessment all = assess(result, {});
-  EXPECT_EQ(all.level, VerdictLevel::Failed);
-  EXPECT_EQ(all.remedy, Remedy::CheckSkin);
+  EXPECT_THAT(all, IsVerdict(VerdictLevel::Failed, Limit::NoSkin, Remedy::CheckSkin));
   EXPECT_FALSE(all.position_95_m) << "nothing is known, so nothing is stated";
   result.patches.push_back(patchWith(kPrecise, 10));
   EXPECT_EQ(assess(result, {}).level, VerdictLevel::Failed) << "four of seven lie alone";
@@ -191,30 +178,9 @@ TEST(Assess, AWarningKeepsAPreciseResultFromBeingGood) {
   Reconstruction result = resultWith(kPrecise);
   result.findings = {makeFinding(FindingCode::NoisySensor, Message::verbatim("Cell 2 is noisy."), {CellId(2)})};
   const Assessment assessment = assess(result, {});
-  EXPECT_EQ(assessment.level, VerdictLevel::Usable);
-  EXPECT_EQ(assessment.limit, Limit::Findings);
+  EXPECT_THAT(assessment, IsVerdict(VerdictLevel::Usable, Limit::Findings, Remedy::Nothing));
   EXPECT_THAT(assessment.reason.english(), HasSubstr("Cell 2 is noisy."));
   EXPECT_EQ(assessment.next_action.english(), "Look at the findings, then export.");
-}
-
-TEST(Assess, NoCellsAndOneCell) {
-  Reconstruction none;
-  none.model = std::make_shared<const CellModel>(builtInCellModel("hex-bma150"));
-  EXPECT_EQ(assess(none, {}).level, VerdictLevel::Failed);
-  EXPECT_EQ(assess(none, {}).limit, Limit::NoSkin);
-  Reconstruction one = resultWith(kPrecise);
-  one.patches[0].cells.resize(1);
-  EXPECT_EQ(assess(one, {}).level, VerdictLevel::Usable);
-  EXPECT_FALSE(assess(one, {}).wantsPose());
-}
-
-TEST(Assess, WithoutAPoseOneIsWanted) {
-  Reconstruction result = resultWith(kUseless);
-  for (PoseSummary& pose : result.poses) pose.enabled = false;
-  const Assessment assessment = assess(result, {});
-  EXPECT_EQ(assessment.level, VerdictLevel::NotEnough);
-  EXPECT_EQ(assessment.limit, Limit::NoPose);
-  EXPECT_EQ(assessment.remedy, Remedy::TakePose);
 }
 
 TEST(Assess, NamesOfLimitsAndRemediesReadBack) {

@@ -1,9 +1,8 @@
 #include "hexoderm/reconstruction/advice/skin_check.h"
 
-#include "hexoderm/device/simulation/simulated_skin.h"
 #include "hexoderm/graph/built_in_models.h"
 #include "hexoderm/reconstruction/reconstructor.h"
-#include "hexoderm/session/simulated_session.h"
+#include "tests/support/simulated_skins.h"
 
 #include <gmock/gmock.h>
 
@@ -16,8 +15,7 @@ using testing::HasSubstr;
 using testing::SizeIs;
 
 std::shared_ptr<const Reconstruction> x17() {
-  const SimulatedSkin skin(builtInCellModel("hex-bma150"), SimulatedSkinOptions());
-  return reconstruct(*beginSimulatedSession(skin).snapshot());
+  return reconstruct(*beginSimulatedSession(test::simulatedSkin()).snapshot());
 }
 
 std::vector<CellSample> readingsOf(const Reconstruction& reconstruction) {

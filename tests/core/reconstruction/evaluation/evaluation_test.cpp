@@ -1,12 +1,13 @@
 #include "hexoderm/reconstruction/evaluation/evaluation.h"
 
 #include "hexoderm/reconstruction/reconstructor.h"
-#include "hexoderm/session/simulated_session.h"
 #include "hexoderm/util/error.h"
 #include "hexoderm/util/units.h"
 #include "tests/support/hand_made_skins.h"
 #include "tests/support/matchers.h"
 #include "tests/support/pin_jointed_skin.h"
+#include "tests/support/simulated_skins.h"
+#include "tests/support/solvers.h"
 
 namespace hexoderm {
 namespace {
@@ -15,9 +16,7 @@ using ::testing::SizeIs;
 
 /// By the tree solver, which gives such skins back exactly: what is tested here is the evaluation.
 std::shared_ptr<const Reconstruction> solved(const PinJointedSkin& skin, std::size_t poses = 3) {
-  SolverOptions options;
-  options.solver = Solver::Tree;
-  return reconstruct(*skin.session(orthogonalUps(poses)).snapshot(), options);
+  return reconstruct(*skin.session(orthogonalUps(poses)).snapshot(), test::by(Solver::Tree));
 }
 
 GroundTruth truthOf(const PinJointedSkin& skin) {
@@ -26,17 +25,11 @@ GroundTruth truthOf(const PinJointedSkin& skin) {
   return truth;
 }
 
-TEST(Evaluation, CylinderThroughARingHasTheRingsRadius) {
-  const PinJointedSkin skin = ringOfEight(45 * kDegree);
-  const auto result = solved(skin);
-  // Centres of a regular octagon of pin-jointed cells lie on a circle of apothem radius e / tan(22.5 degrees). A ring
-  // alone is flat and has no cylinder axis of its own, so a second ring's worth of points comes from X17.
-  const double e = skin.model.port(PortNumber(2)).vector_m.norm();
-  const double radius = e / std::tan(22.5 * kDegree);
+TEST(Evaluation, CentresOfAnUntwistedRingLieInAPlaneAndOnNoSphere) {
+  const auto result = solved(ringOfEight(45 * kDegree));
   EXPECT_THROW(evaluateSurface(result->patches.front(), SurfaceKind::Sphere), InvalidArgument);
-  EXPECT_NEAR(radius, 0.03354, 1e-5);
   const SurfaceEvaluation plane = evaluateSurface(result->patches.front(), SurfaceKind::Plane);
-  EXPECT_LT(plane.rms_m, 1e-9) << "the centres of an untwisted ring lie in a plane";
+  EXPECT_LT(plane.rms_m, 1e-9);
   EXPECT_FALSE(plane.radius_m.has_value());
   EXPECT_THROW(evaluateSurface(result->patches.front(), SurfaceKind::Plane, 0.05), InvalidArgument);
 }
@@ -65,12 +58,8 @@ TEST(Evaluation, ConeHasAHalfAngleAndNoOneRadius) {
 
 /// The largest patch of a simulated skin, solved as a session is.
 PatchReconstruction simulated(const char* patch, const char* surface, std::uint64_t seed, std::size_t poses) {
-  SimulatedSkinOptions options;
-  options.patch = patch;
-  options.surface = surface;
-  options.seed = seed;
-  SimulatedSkin skin(builtInCellModel("hex-bma150"), options);
-  return *largestPatch(*reconstruct(*simulateSession(skin, poses, 50).snapshot()));
+  const Session session = test::simulatedSession(test::skinOptions(patch, surface, seed), poses, 50);
+  return *largestPatch(*reconstruct(*session.snapshot()));
 }
 
 TEST(Evaluation, ASphereThroughTheCellsOfACylinderIsContradictedByWhereTheyFace) {
@@ -249,9 +238,7 @@ TEST(CellDistance, IsThatOfCentresAndNormals) {
   EXPECT_EQ(distanceBetween(demo, CellId(2), CellId(2))->length_m, 0);
   EXPECT_EQ(distanceBetween(demo, CellId(2), CellId(999)), std::nullopt);
 
-  DemoOptions second;
-  second.first_id = 101;
-  const Reconstruction two = demoPatches({DemoOptions(), second});
+  const Reconstruction two = demoPatches({DemoOptions(), {.first_id = 101}});
   EXPECT_EQ(distanceBetween(two, CellId(1), CellId(101)), std::nullopt);
 }
 
@@ -277,10 +264,7 @@ TEST(DistanceCheck, ATrueDistanceAgreesAndAWrongSizeContradicts) {
   for (const char* patch : {"x17", "sheet:5x6"}) {
     std::size_t as_stated = 0;
     for (std::uint64_t seed = 1; seed <= kSeeds; ++seed) {
-      SimulatedSkinOptions options;
-      options.patch = patch;
-      options.seed = seed;
-      SimulatedSkin skin(builtInCellModel("hex-bma150"), options);
+      SimulatedSkin skin = test::simulatedSkin(test::skinOptions(patch, "", seed));
       const auto result = reconstruct(*simulateSession(skin, 4, 50).snapshot());
       const auto [a, b] = farApart(*largestPatch(*result)).value();
       const double truth_m = trueDistance(skin, a, b);
@@ -329,9 +313,8 @@ TEST(DistanceCheck, RefusesWhatIsNoDistance) {
   EXPECT_THROW(checkDistance(*result, CellId(1), CellId(1), 0.1), InvalidArgument);
   EXPECT_THROW(checkDistance(*result, CellId(1), CellId(2), 0), InvalidArgument);
   EXPECT_THROW(checkDistance(*result, CellId(1), CellId(2), std::nan("")), InvalidArgument);
-  DemoOptions second;
-  second.first_id = 101;
-  EXPECT_THROW(checkDistance(demoPatches({DemoOptions(), second}), CellId(1), CellId(101), 0.1), InvalidArgument);
+  EXPECT_THROW(checkDistance(demoPatches({DemoOptions(), {.first_id = 101}}), CellId(1), CellId(101), 0.1),
+               InvalidArgument);
   PatchReconstruction lonely = result->patches.front();
   lonely.cells.resize(1);
   EXPECT_EQ(farApart(lonely), std::nullopt);

@@ -1,12 +1,12 @@
 #include "hexoderm/reconstruction/evaluation/loop_search.h"
 
-#include "hexoderm/device/simulation/simulated_skin.h"
 #include "hexoderm/reconstruction/reconstructor.h"
-#include "hexoderm/session/simulated_session.h"
 #include "hexoderm/util/error.h"
 #include "hexoderm/util/units.h"
 #include "tests/support/matchers.h"
 #include "tests/support/pin_jointed_skin.h"
+#include "tests/support/simulated_skins.h"
+#include "tests/support/solvers.h"
 
 #include <algorithm>
 
@@ -17,17 +17,7 @@ using ::testing::IsEmpty;
 using ::testing::SizeIs;
 
 std::shared_ptr<const Reconstruction> solvedBy(const PinJointedSkin& skin, Solver solver = Solver::Tree) {
-  SolverOptions options;
-  options.solver = solver;
-  options.gap_model = GapModel::Pivot;
-  return reconstruct(*skin.session(orthogonalUps(3)).snapshot(), options);
-}
-
-std::shared_ptr<const Reconstruction> simulated(const std::string& patch) {
-  SimulatedSkinOptions options;
-  options.patch = patch;
-  SimulatedSkin skin(builtInCellModel("hex-bma150"), options);
-  return reconstruct(*simulateSession(skin, 3).snapshot());
+  return reconstruct(*skin.session(orthogonalUps(3)).snapshot(), test::by(solver, GapModel::Pivot));
 }
 
 TEST(LoopSearch, FindsTheTwoPortsOfAnOpenRingWithTheirGap) {
@@ -82,12 +72,12 @@ TEST(LoopSearch, AClosedLoopsGapIsThatOfItsOrientationsWhicheverWayPositionsWere
 
 TEST(LoopSearch, ATreeHasNoLoop) {
   EXPECT_THAT(findLoops(*solvedBy(bentX17())), IsEmpty());
-  EXPECT_THAT(findLoops(*simulated("x17")), IsEmpty());
+  EXPECT_THAT(findLoops(*reconstruct(*test::simulatedSession({}, 3).snapshot())), IsEmpty());
   EXPECT_THAT(findLoops(Reconstruction()), IsEmpty());
 }
 
 TEST(LoopSearch, ASheetHasEveryIndependentLoopOnceTheWorstFirst) {
-  const auto result = simulated("sheet:4x5");
+  const auto result = reconstruct(*test::simulatedSession(test::skinOptions("sheet:4x5"), 3).snapshot());
   const std::vector<FoundLoop> loops = findLoops(*result);
   const PatchReconstruction& patch = result->patches.front();
   const auto closed = static_cast<std::size_t>(std::ranges::count(loops, true, &FoundLoop::closed));

@@ -32,9 +32,7 @@ TEST(CellFigures, WorstUsedLinkDecides) {
 }
 
 TEST(CellFigures, WhatNobodyComputedIsAbsent) {
-  DemoOptions options;
-  options.arm_cells = 0;
-  const CellFigures single = makeCellFigures(demoReconstruction(options));
+  const CellFigures single = makeCellFigures(demoReconstruction({.arm_cells = 0}));
   EXPECT_EQ(single.quality[0], std::nullopt);
   EXPECT_EQ(single.residual_rad[0], std::nullopt);
   EXPECT_EQ(single.sigma_rad[0], std::nullopt);
@@ -91,9 +89,7 @@ TEST(CellFigures, BodyPartsAreNumberedInTheOrderOfTheirNames) {
 }
 
 TEST(CellFigures, PatchesFollowEachOther) {
-  DemoOptions second;
-  second.first_id = 101;
-  const CellFigures figures = makeCellFigures(demoPatches({DemoOptions(), second}));
+  const CellFigures figures = makeCellFigures(demoPatches({DemoOptions(), {.first_id = 101}}));
   ASSERT_EQ(figures.cells.size(), 34U);
   EXPECT_EQ(figures.patch[16], 0U);
   EXPECT_EQ(figures.patch[17], 1U);

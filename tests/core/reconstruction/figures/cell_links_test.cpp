@@ -45,9 +45,7 @@ TEST(CellLinks, AreTheSameForOneCellAsForAll) {
 }
 
 TEST(CellLinks, HoldALinkIntoAnotherPatchAtBothOfItsCells) {
-  DemoOptions other;
-  other.first_id = 101;
-  Reconstruction two = demoPatches({DemoOptions(), other});
+  Reconstruction two = demoPatches({DemoOptions(), {.first_id = 101}});
   LinkEstimate across = test::usedLink();
   across.source = {CellId(14), PortNumber(1)};
   across.target = {CellId(101), PortNumber(4)};

@@ -31,9 +31,7 @@ TEST(AlignedTruth, OfAPerfectReconstructionLiesOnIt) {
 }
 
 TEST(AlignedTruth, CentresOnALineTakeTheTurnFromTheOrientations) {
-  DemoOptions options;
-  options.arm_cells = 0;
-  const Reconstruction single = demoReconstruction(options);
+  const Reconstruction single = demoReconstruction({.arm_cells = 0});
   EXPECT_THAT(alignTruth(single, truthOf(single)).at(0).T_o_u, SE3Near(SE3(), 1e-9, 1e-9));
 
   const Reconstruction row = sheetReconstruction(6, 1);
@@ -45,9 +43,7 @@ TEST(AlignedTruth, CentresOnALineTakeTheTurnFromTheOrientations) {
 }
 
 TEST(AlignedTruth, IsMovedPatchByPatch) {
-  DemoOptions second;
-  second.first_id = 101;
-  const Reconstruction two = demoPatches({DemoOptions(), second});
+  const Reconstruction two = demoPatches({DemoOptions(), {.first_id = 101}});
   GroundTruth truth = truthOf(two);
   for (std::size_t k = 17; k < 34; ++k) truth.cells[k].T_b_u = kBody * truth.cells[k].T_b_u;
   const std::vector<AlignedCell> aligned = alignTruth(two, truth);

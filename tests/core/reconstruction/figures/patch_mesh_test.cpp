@@ -24,9 +24,7 @@ TEST(CellCorners, AreThePointsOfTheMesh) {
 }
 
 TEST(PatchMesh, PolygonsLookOutwards) {
-  DemoOptions options;
-  options.arm_cells = 0;
-  const PatchMesh mesh = makePatchMesh(demoReconstruction(options));
+  const PatchMesh mesh = makePatchMesh(demoReconstruction({.arm_cells = 0}));
   ASSERT_EQ(mesh.polygons.size(), 8U);
   Eigen::Vector3d middle = Eigen::Vector3d::Zero();
   for (const Eigen::Vector3d& point : mesh.points) middle += point / 12.0;

@@ -5,6 +5,8 @@
 #include "tests/support/result_builder.h"
 
 #include <cmath>
+#include <functional>
+#include <vector>
 
 namespace hexoderm {
 namespace {
@@ -20,8 +22,18 @@ PatchReconstruction patchAt(const std::vector<Eigen::Vector3d>& places) {
   return builder.build().patches[0];
 }
 
-Eigen::Vector3d onCylinder(double angle_deg, double z, double radius) {
-  return {radius * std::cos(angle_deg * kDegree), radius * std::sin(angle_deg * kDegree), z};
+/// Cells at all of these angles about z and heights; `radius` is that of an angle and a height.
+PatchReconstruction patchAround(
+    const std::vector<double>& angles_deg, const std::vector<double>& heights,
+    const std::function<double(double angle_deg, double z)>& radius = [](double, double) { return 0.05; }) {
+  std::vector<Eigen::Vector3d> places;
+  for (const double z : heights) {
+    for (const double angle : angles_deg) {
+      const double r = radius(angle, z);
+      places.emplace_back(r * std::cos(angle * kDegree), r * std::sin(angle * kDegree), z);
+    }
+  }
+  return patchAt(places);
 }
 
 /// The grid's points in the frame in which the places were given.
@@ -32,11 +44,7 @@ std::vector<Eigen::Vector3d> localPoints(const SurfaceMesh& mesh) {
 }
 
 TEST(SurfaceMesh, CylinderReachesAroundTheCellsAndNotFurther) {
-  std::vector<Eigen::Vector3d> places;
-  for (const double angle : {150.0, 170.0, 190.0, 210.0}) {  // across the jump of atan2
-    for (const double z : {-0.03, 0.0, 0.05}) places.push_back(onCylinder(angle, z, 0.05));
-  }
-  const PatchReconstruction patch = patchAt(places);
+  const PatchReconstruction patch = patchAround({150, 170, 190, 210}, {-0.03, 0, 0.05});  // across the jump of atan2
   const SurfaceMesh mesh = meshSurface(evaluateSurface(patch, SurfaceKind::Cylinder), patch, 0.005);
   ASSERT_EQ(mesh.points.size(), mesh.rows * mesh.columns);
   ASSERT_EQ(mesh.normals.size(), mesh.points.size());
@@ -55,27 +63,20 @@ TEST(SurfaceMesh, CylinderReachesAroundTheCellsAndNotFurther) {
 }
 
 TEST(SurfaceMesh, CellsAllAroundCloseTheCylinder) {
-  std::vector<Eigen::Vector3d> places;
-  for (double angle = 0; angle < 360; angle += 30) {
-    for (const double z : {0.0, 0.03}) places.push_back(onCylinder(angle, z, 0.05));
-  }
-  const PatchReconstruction patch = patchAt(places);
+  const PatchReconstruction patch = patchAround({0, 30, 60, 90, 120, 150, 180, 210, 240, 270, 300, 330}, {0, 0.03});
   const SurfaceMesh mesh = meshSurface(evaluateSurface(patch, SurfaceKind::Cylinder), patch, 0.02);
   EXPECT_LT((mesh.points.front() - mesh.points[mesh.columns - 1]).norm(), 1e-9);
 }
 
 TEST(SurfaceMesh, FeetLieOnTheSurfaceAtTheStatedDistance) {
-  std::vector<Eigen::Vector3d> places;
-  for (const double angle : {-40.0, -10.0, 15.0, 42.0, 60.0}) {
-    for (const double z : {-0.03, 0.0, 0.05})
-      places.push_back(onCylinder(angle, z, 0.05 + 0.001 * std::sin(angle + z)));
-  }
-  const PatchReconstruction patch = patchAt(places);
+  const PatchReconstruction patch = patchAround({-40, -10, 15, 42, 60}, {-0.03, 0, 0.05}, [](double angle, double z) {
+    return 0.05 + 0.001 * std::sin(angle + z);
+  });
   for (const SurfaceKind kind : {SurfaceKind::Plane, SurfaceKind::Sphere, SurfaceKind::Cylinder}) {
     const SurfaceEvaluation evaluation = evaluateSurface(patch, kind);
     const SurfaceMesh mesh = meshSurface(evaluation, patch, 0.01);
-    ASSERT_EQ(mesh.feet.size(), places.size());
-    for (std::size_t k = 0; k < places.size(); ++k) {
+    ASSERT_EQ(mesh.feet.size(), patch.cells.size());
+    for (std::size_t k = 0; k < mesh.feet.size(); ++k) {
       const double length = (mesh.centers[k] - mesh.feet[k]).norm();
       EXPECT_NEAR(length, std::abs(evaluation.distance_m[k]), 1e-9) << surfaceKindName(kind);
       const Eigen::Vector3d from = mesh.feet[k] - evaluation.point;
@@ -111,12 +112,8 @@ TEST(SurfaceMesh, SphereIsACapAboutTheCells) {
 
 TEST(SurfaceMesh, ConeWidensAlongItsAxisAndEndsAtItsTip) {
   constexpr double kHalfAngle = 20 * kDegree;
-  std::vector<Eigen::Vector3d> places;
-  for (const double z : {0.01, 0.04, 0.08, 0.12}) {
-    for (const double angle : {-50.0, -20.0, 10.0, 45.0})
-      places.push_back(onCylinder(angle, z, z * std::tan(kHalfAngle)));
-  }
-  const PatchReconstruction patch = patchAt(places);
+  const PatchReconstruction patch = patchAround({-50, -20, 10, 45}, {0.01, 0.04, 0.08, 0.12},
+                                                [](double, double z) { return z * std::tan(kHalfAngle); });
   const SurfaceEvaluation evaluation = evaluateSurface(patch, SurfaceKind::Cone);
   const SurfaceMesh mesh = meshSurface(evaluation, patch, 0.03);
   double low = 1;
@@ -129,22 +126,19 @@ TEST(SurfaceMesh, ConeWidensAlongItsAxisAndEndsAtItsTip) {
 
 TEST(SurfaceMesh, FeetOnAConeLieOnItAndSquareToIt) {
   constexpr double kHalfAngle = 20 * kDegree;
-  std::vector<Eigen::Vector3d> places;
-  for (const double z : {0.02, 0.04, 0.08, 0.12}) {
-    // Off the cone by a millimetre at most, inwards and outwards.
-    for (const double angle : {-50.0, -20.0, 10.0, 45.0})
-      places.push_back(onCylinder(angle, z, z * std::tan(kHalfAngle) + 0.001 * std::sin(angle + 50 * z)));
-  }
-  const PatchReconstruction patch = patchAt(places);
+  // Off the cone by a millimetre at most, inwards and outwards.
+  const PatchReconstruction patch =
+      patchAround({-50, -20, 10, 45}, {0.02, 0.04, 0.08, 0.12},
+                  [](double angle, double z) { return z * std::tan(kHalfAngle) + 0.001 * std::sin(angle + 50 * z); });
   const SurfaceEvaluation evaluation = evaluateSurface(patch, SurfaceKind::Cone);
   ASSERT_TRUE(evaluation.half_angle_rad.has_value());
   EXPECT_NEAR(*evaluation.half_angle_rad, kHalfAngle, 2 * kDegree);
   const SurfaceMesh mesh = meshSurface(evaluation, patch, 0.03);
-  ASSERT_EQ(mesh.feet.size(), places.size());
+  ASSERT_EQ(mesh.feet.size(), patch.cells.size());
   const Eigen::Vector3d tip =
       evaluation.point - *evaluation.radius_m / std::tan(*evaluation.half_angle_rad) * evaluation.axis;
   double farthest = 0;
-  for (std::size_t k = 0; k < places.size(); ++k) {
+  for (std::size_t k = 0; k < mesh.feet.size(); ++k) {
     const Eigen::Vector3d from_tip = mesh.feet[k] - tip;
     EXPECT_NEAR(angleBetween(from_tip, evaluation.axis), *evaluation.half_angle_rad, 1e-7);
     const Eigen::Vector3d off = mesh.centers[k] - mesh.feet[k];

@@ -3,14 +3,14 @@
 // Problems for the joint estimate with their truth, in memory: of simulated skins, or of cells that obey the link model
 // and readings that obey the sensor model exactly.
 
-#include "hexoderm/session/simulated_session.h"
 #include "hexoderm/util/units.h"
+#include "tests/support/normal_draw.h"
+#include "tests/support/simulated_skins.h"
 
 #include "hexoderm/reconstruction/joint/joint_cost.h"
 
 #include <Eigen/Dense>
 #include <memory>
-#include <random>
 #include <string>
 #include <utility>
 #include <vector>
@@ -34,22 +34,6 @@ struct JointCase {
   std::shared_ptr<const CellModel> model;
   JointProblem problem;
   JointState truth;
-};
-
-class JointDraw {
- public:
-  explicit JointDraw(std::uint64_t seed) : random_(seed) {}
-  double normal() { return normal_(random_); }
-  Eigen::Vector3d vector() {
-    const double x = normal();
-    const double y = normal();
-    return {x, y, normal()};
-  }
-  Eigen::Vector3d direction() { return vector().normalized(); }
-
- private:
-  std::mt19937_64 random_;
-  std::normal_distribution<double> normal_;
 };
 
 inline JointLink makeLink(const CellModel& model, std::size_t c, std::uint32_t port_c, std::size_t n,
@@ -97,7 +81,7 @@ inline SE3 placeByLink(const SE3& T_o_c, const JointLink& link, const Eigen::Mat
 inline JointCase exactX17(CellModel model, double share, double bend_sigma_rad, double twist_sigma_rad,
                           double yaw_sigma_rad, std::uint64_t seed) {
   JointCase example(std::move(model));
-  JointDraw draw(seed);
+  test::NormalDraw draw(seed);
   example.truth.cells = {SE3()};
   const std::pair<std::uint32_t, std::uint32_t> arms[] = {{1, 4}, {4, 1}, {2, 3}, {3, 2}};
   for (const auto& [out, in] : arms) {
@@ -140,7 +124,7 @@ inline JointCase exactRing(CellModel model, double share) {
 
 /// A simulated skin in `poses` scripted poses. The directions of `truth` are those asked for; a hand misses them.
 inline JointCase simulatedCase(const SimulatedSkinOptions& options, std::size_t poses, const GapShare& gap) {
-  SimulatedSkin skin(builtInCellModel("hex-bma150"), options);
+  SimulatedSkin skin = test::simulatedSkin(options);
   JointCase example(skin.model());
   JointProblem& problem = example.problem;
   const std::vector<TrueCell>& truth = skin.truth();
@@ -175,7 +159,7 @@ inline JointCase simulatedCase(const SimulatedSkinOptions& options, std::size_t 
 /// A state some way off, of the unknowns that are free. Forces turn by about as much as cells.
 inline JointState perturbed(const JointProblem& problem, const JointState& state, double turn_rad, double shift_m,
                             std::uint64_t seed) {
-  JointDraw draw(seed);
+  test::NormalDraw draw(seed);
   const BorderLayout layout(problem);
   Eigen::VectorXd cells(static_cast<Eigen::Index>(6 * problem.cellCount()));
   for (std::size_t cell = 0; cell < problem.cellCount(); ++cell) {

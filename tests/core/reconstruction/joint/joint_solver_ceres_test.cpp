@@ -34,50 +34,33 @@ void expectSameOptimum(const JointProblem& problem, const JointState& start, con
   ::testing::Test::RecordProperty(what, std::to_string(1e9 * (ours.cost / ceres_cost - 1)) + "e-9");
 }
 
-SimulatedSkinOptions skin(const std::string& patch, const std::string& surface, std::uint64_t seed) {
-  SimulatedSkinOptions options;
-  options.patch = patch;
-  options.surface = surface;
-  options.seed = seed;
-  return options;
-}
-
-TEST(JointSolverAgainstCeres, SameOptimumOnX17) {
-  for (const GapShare& gap : {kFitGap, kArcGap, kPivotGap}) {
-    for (const std::size_t poses : {2U, 3U}) {
-      for (std::uint64_t seed = 1; seed <= 3; ++seed) {
-        const JointCase example = simulatedCase(skin("x17", "", seed), poses, gap);
-        const JointState start = perturbed(example.problem, example.truth, 0.05, 0.001, seed);
-        expectSameOptimum(
-            example.problem, start,
-            std::string(nameOf(gap)) + ", " + std::to_string(poses) + " poses, seed " + std::to_string(seed));
-      }
+TEST(JointSolverAgainstCeres, SameOptimumWithEveryGapModel) {
+  struct Case {
+    const char* patch;
+    const char* surface;
+    std::uint64_t seed;
+    std::size_t poses;
+  };
+  for (const Case& c : {Case{"x17", "", 1, 2}, Case{"x17", "", 2, 2}, Case{"x17", "", 3, 2}, Case{"x17", "", 1, 3},
+                        Case{"x17", "", 2, 3}, Case{"x17", "", 3, 3}, Case{"ring8:closed", "", 4, 3},
+                        Case{"sheet:5x5", "cylinder:r=0.06", 5, 3}}) {
+    for (const GapShare& gap : {kFitGap, kArcGap, kPivotGap}) {
+      const JointCase example = simulatedCase(test::skinOptions(c.patch, c.surface, c.seed), c.poses, gap);
+      expectSameOptimum(example.problem, perturbed(example.problem, example.truth, 0.05, 0.001, c.seed),
+                        std::string(c.patch) + ", " + nameOf(gap) + ", " + std::to_string(c.poses) + " poses, seed " +
+                            std::to_string(c.seed));
     }
   }
 }
 
-TEST(JointSolverAgainstCeres, SameOptimumOnAClosedRing) {
-  for (const GapShare& gap : {kFitGap, kArcGap, kPivotGap}) {
-    const JointCase example = simulatedCase(skin("ring8:closed", "", 4), 3, gap);
-    expectSameOptimum(example.problem, perturbed(example.problem, example.truth, 0.05, 0.001, 4), nameOf(gap));
-  }
-}
-
-TEST(JointSolverAgainstCeres, SameOptimumOnASheet) {
-  for (const GapShare& gap : {kFitGap, kArcGap, kPivotGap}) {
-    const JointCase example = simulatedCase(skin("sheet:5x5", "cylinder:r=0.06", 5), 3, gap);
-    expectSameOptimum(example.problem, perturbed(example.problem, example.truth, 0.05, 0.001, 5), nameOf(gap));
-  }
-}
-
 TEST(JointSolverAgainstCeres, SameOptimumWithAngularAccelerations) {
-  JointCase example = simulatedCase(skin("sheet:10x10", "cylinder:r=0.1", 6), 3, kFitGap);
+  JointCase example = simulatedCase(test::skinOptions("sheet:10x10", "cylinder:r=0.1", 6), 3, kFitGap);
   example.problem.accelerations = true;
   expectSameOptimum(example.problem, perturbed(example.problem, example.truth, 0.03, 0.001, 6), "10x10");
 }
 
 TEST(JointSolverAgainstCeres, SameOptimumWithOutliersAndCellsWithoutReadings) {
-  JointCase example = simulatedCase(skin("sheet:5x5", "cylinder:r=0.06", 7), 4, kFitGap);
+  JointCase example = simulatedCase(test::skinOptions("sheet:5x5", "cylinder:r=0.06", 7), 4, kFitGap);
   example.problem.readings[7].clear();
   example.problem.readings[3][1].y_g = Eigen::Vector3d(0.9, 0.1, 0.2);
   example.problem.readings[18][2].y_g.y() += 0.5;

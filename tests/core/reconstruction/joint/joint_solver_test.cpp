@@ -1,8 +1,6 @@
 #include "hexoderm/reconstruction/joint/joint_solver.h"
 
 #include "hexoderm/geometry/alignment.h"
-#include "hexoderm/reconstruction/joint/cells_first.h"
-#include "hexoderm/reconstruction/joint/poses_first.h"
 #include "hexoderm/reconstruction/reconstructor.h"
 #include "hexoderm/util/error.h"
 #include "tests/core/reconstruction/joint/joint_case.h"
@@ -17,13 +15,6 @@
 
 namespace hexoderm {
 namespace {
-
-SimulatedSkinOptions skin(const std::string& patch, const std::string& surface = {}) {
-  SimulatedSkinOptions options;
-  options.patch = patch;
-  options.surface = surface;
-  return options;
-}
 
 /// Largest deviations from the truth, aligned as in compareToTruth().
 struct Deviation {
@@ -76,8 +67,7 @@ TEST(JointSolver, ExactDataWithoutPriorsComeBackExactly) {
 
 /// X17 as it lies on the paper's cylinder, its links and readings exact.
 JointCase exactX17OnCylinder(double share) {
-  SimulatedSkinOptions options = SimulatedSkinOptions::ideal();
-  JointCase example = simulatedCase(options, 0, kPivotGap);
+  JointCase example = simulatedCase(SimulatedSkinOptions::ideal(), 0, kPivotGap);
   std::vector<SE3>& cells = example.truth.cells;
   const std::vector<SE3> laid = cells;
   // A link's source comes before its target, so this goes from the middle outwards.
@@ -151,7 +141,7 @@ TEST(JointCovariance, IsTheInverseOfTheNormalEquations) {
   for (const char* patch : {"x17", "ring8:closed", "sheet:3x4"}) {
     for (const GapShare& gap : {kFitGap, kArcGap}) {
       for (const bool accelerations : {false, true}) {
-        JointCase example = simulatedCase(skin(patch), 3, gap);
+        JointCase example = simulatedCase(test::skinOptions(patch), 3, gap);
         example.problem.accelerations = accelerations;
         NormalEquations equations;
         linearize(example.problem, example.truth, equations);
@@ -193,7 +183,7 @@ TEST(JointCovariance, IsTheInverseOfTheNormalEquations) {
 }
 
 TEST(JointCovariance, TwoLinksBetweenTheSameCellsAddUp) {
-  JointCase example = simulatedCase(skin("ring5"), 3, kFitGap);
+  JointCase example = simulatedCase(test::skinOptions("ring5"), 3, kFitGap);
   JointLink again = example.problem.links[1];
   std::swap(again.c, again.n);
   std::swap(again.p_c, again.p_n);
@@ -212,8 +202,8 @@ TEST(JointCovariance, TwoLinksBetweenTheSameCellsAddUp) {
 }
 
 TEST(PlacementCovariance, RelativeCovariancesAgreeWithTheStatedOnes) {
-  SimulatedSkin simulated(builtInCellModel("hex-bma150"), skin("sheet:4x4", "cylinder:r=0.06"));
-  const auto result = reconstruct(*simulateSession(simulated, 3).snapshot());
+  const auto result =
+      reconstruct(*test::simulatedSession(test::skinOptions("sheet:4x4", "cylinder:r=0.06"), 3).snapshot());
   const PatchReconstruction& patch = result->patches.front();
   ASSERT_NE(patch.covariance, nullptr);
   for (const CellPlacement& a : patch.cells) {
@@ -235,17 +225,6 @@ TEST(PlacementCovariance, RelativeCovariancesAgreeWithTheStatedOnes) {
     }
   }
   EXPECT_THROW(static_cast<void>(patch.covariance->relative(patch.origin, CellId(999))), InvalidArgument);
-}
-
-TEST(PlacementCovariance, NeighboursAreKnownBetterThanCellsFarApart) {
-  SimulatedSkin simulated(builtInCellModel("hex-bma150"), skin("x17"));
-  const auto result = reconstruct(*simulateSession(simulated, 3).snapshot());
-  const PatchReconstruction& patch = result->patches.front();
-  const auto spread = [&](std::uint32_t a, std::uint32_t b) {
-    return patch.covariance->relative(CellId(a), CellId(b)).topLeftCorner<3, 3>().trace();
-  };
-  EXPECT_LT(spread(4, 5), spread(1, 5));
-  EXPECT_LT(spread(1, 5), spread(9, 5));
 }
 
 /// Finite, symmetric, positive semi-definite covariances of finite placements.
@@ -344,7 +323,7 @@ TEST(JointSolver, ASingleCellIsTheFrame) {
 
 TEST(JointSolver, ACellWithoutReadingsLiesWhereItsLinksPutIt) {
   for (const std::size_t poses : {2U, 3U}) {
-    JointCase example = simulatedCase(skin("x17"), poses, kFitGap);
+    JointCase example = simulatedCase(test::skinOptions("x17"), poses, kFitGap);
     const JointSolution with = solveJointly(example.problem, example.truth);
     const std::size_t leaf = 16;
     example.problem.readings[leaf].clear();
@@ -358,8 +337,8 @@ TEST(JointSolver, ACellWithoutReadingsLiesWhereItsLinksPutIt) {
 
 TEST(JointSolver, APoseThatNoCellReadsAnyMoreStaysUnknown) {
   // This happens when the only cell that was measured in a pose is left out.
-  JointCase example = simulatedCase(skin("x17"), 4, kFitGap);
-  JointCase fewer = simulatedCase(skin("x17"), 3, kFitGap);
+  JointCase example = simulatedCase(test::skinOptions("x17"), 4, kFitGap);
+  JointCase fewer = simulatedCase(test::skinOptions("x17"), 3, kFitGap);
   for (auto& readings : example.problem.readings) readings.pop_back();
   const JointSolution solution = solveJointly(example.problem, example.truth);
   expectSane(example.problem, solution, "pose without readings");
@@ -371,7 +350,7 @@ TEST(JointSolver, APoseThatNoCellReadsAnyMoreStaysUnknown) {
 }
 
 TEST(JointSolver, TheStartDoesNotMatter) {
-  JointCase example = simulatedCase(skin("sheet:5x5", "cylinder:r=0.06"), 3, kFitGap);
+  JointCase example = simulatedCase(test::skinOptions("sheet:5x5", "cylinder:r=0.06"), 3, kFitGap);
   const JointSolution near = solveJointly(example.problem, example.truth);
   // The way is long if most links are beyond the loss's threshold.
   JointSolverOptions patient;
@@ -386,7 +365,7 @@ TEST(JointSolver, TheStartDoesNotMatter) {
 }
 
 TEST(JointSolver, StopsWhereItIsWhenAsked) {
-  const JointCase example = simulatedCase(skin("x17"), 3, kFitGap);
+  const JointCase example = simulatedCase(test::skinOptions("x17"), 3, kFitGap);
   std::stop_source source;
   source.request_stop();
   JointSolverOptions options;
@@ -402,22 +381,11 @@ TEST(JointSolver, StopsWhereItIsWhenAsked) {
   EXPECT_EQ(solveJointly(example.problem, start, options).termination, JointTermination::StepLimit);
 }
 
-TEST(JointSolver, ReproducesItselfBitByBit) {
-  const JointCase example = simulatedCase(skin("sheet:5x5", "cylinder:r=0.06"), 3, kFitGap);
-  const JointSolution a = solveJointly(example.problem, example.truth);
-  const JointSolution b = solveJointly(example.problem, example.truth);
-  EXPECT_EQ(a.cost, b.cost);
-  for (std::size_t cell = 0; cell < a.state.cells.size(); ++cell) {
-    EXPECT_EQ(a.state.cells[cell].t, b.state.cells[cell].t);
-    EXPECT_EQ(a.covariance->cell(cell), b.covariance->cell(cell));
-  }
-}
-
 /// A simulated skin whose readings are as mixed as they get: some are missing, some far off, some less certain; a cell
 /// and a pose have none.
 JointCase mixedCase(const char* patch, std::size_t poses, const GapShare& gap) {
-  JointCase example = simulatedCase(skin(patch), poses, gap);
-  JointDraw draw(poses);
+  JointCase example = simulatedCase(test::skinOptions(patch), poses, gap);
+  test::NormalDraw draw(poses);
   JointProblem& problem = example.problem;
   for (std::size_t cell = 0; cell < problem.cellCount(); ++cell) {
     for (CellReading& reading : problem.readings[cell]) {
@@ -431,47 +399,6 @@ JointCase mixedCase(const char* patch, std::size_t poses, const GapShare& gap) {
   }
   problem.readings[1].clear();
   return example;
-}
-
-Eigen::VectorXd together(const Eigen::VectorXd& a, const Eigen::VectorXd& b) {
-  Eigen::VectorXd both(a.size() + b.size());
-  both << a, b;
-  return both;
-}
-
-TEST(JointOrder, EveryStepIsTheSameInBothOrders) {
-  for (const char* patch : {"x17", "ring8:closed", "sheet:3x4"}) {
-    for (const std::size_t poses : {1U, 3U, 40U}) {
-      for (const GapShare& gap : {kFitGap, kArcGap}) {
-        const JointCase example = mixedCase(patch, poses, gap);
-        const JointState start = perturbed(example.problem, example.truth, 0.02, 0.0005, 4);
-        const JointState next = perturbed(example.problem, start, 0.001, 0.0001, 5);
-        const auto cells_first = makeCellsFirst();
-        const auto poses_first = makePosesFirst();
-        const std::string what =
-            std::string(patch) + ", " + std::to_string(poses) + " poses, " + nameOf(gap) + ", damping ";
-        for (const double damping : {0.0, 1e-2, 1e3}) {
-          Eigen::VectorXd cells[2];
-          Eigen::VectorXd border[2];
-          double promised[2] = {};
-          int order = 0;
-          for (JointSystem* system : {cells_first.get(), poses_first.get()}) {
-            system->linearize(example.problem, start);
-            system->accept();
-            ASSERT_TRUE(system->factorize(damping)) << what << damping;
-            // With the matrix of one state and the gradient of another, as when a step hardly changes the matrix.
-            system->linearize(example.problem, next);
-            system->accept();
-            promised[order] = system->step(cells[order], border[order]);
-            ++order;
-          }
-          EXPECT_NEAR(promised[1], promised[0], 1e-8 * std::abs(promised[0])) << what << damping;
-          const Eigen::VectorXd step = together(cells[0], border[0]);
-          EXPECT_LE((together(cells[1], border[1]) - step).norm(), 1e-7 * step.norm()) << what << damping;
-        }
-      }
-    }
-  }
 }
 
 TEST(JointOrder, OptimumAndCovarianceAreTheSameInBothOrders) {
@@ -532,16 +459,6 @@ TEST(JointOrder, FollowsTheSizes) {
   EXPECT_EQ(orderOf(17, 3000, true), JointOrder::CellsFirst) << "accelerations tie poses to places";
   EXPECT_EQ(orderOf(17, 3000, false, 0), JointOrder::CellsFirst) << "there is nothing to eliminate";
   EXPECT_EQ(orderOf(1, 3000, false), JointOrder::CellsFirst) << "the origin does not move";
-}
-
-TEST(JointOrder, WorkGrowsLinearlyWithThePoses) {
-  JointProblem problem;
-  problem.readings.resize(100);
-  const auto workOf = [&](std::size_t poses) {
-    problem.poses = poses;
-    return std::min(workOfCellsFirst(problem), workOfPosesFirst(problem));
-  };
-  EXPECT_LT(workOf(8000) - workOf(4000), 2.01 * (workOf(4000) - workOf(2000)));
 }
 
 }  // namespace

@@ -4,8 +4,8 @@
 #include "hexoderm/reconstruction/joint/joint_refinement.h"
 #include "hexoderm/reconstruction/patch/patch_solver.h"
 #include "hexoderm/reconstruction/reconstructor.h"
-#include "hexoderm/session/simulated_session.h"
 #include "tests/support/changed_session.h"
+#include "tests/support/simulated_skins.h"
 
 #include <gmock/gmock.h>
 
@@ -34,15 +34,9 @@ constexpr std::uint64_t kSeeds[] = {2, 101};
 /// A skin on a cylinder, of every size the same part of the way around, and a session of it.
 struct SimulatedSession {
   SimulatedSession(int side, std::size_t poses, std::uint64_t seed)
-      : skin(builtInCellModel("hex-bma150"), optionsOf(side, seed)), session(simulateSession(skin, poses)) {}
-
-  static SimulatedSkinOptions optionsOf(int side, std::uint64_t seed) {
-    SimulatedSkinOptions options;
-    options.patch = "sheet:" + std::to_string(side) + "x" + std::to_string(side + 1);
-    options.surface = "cylinder:r=" + std::to_string(0.25 * side / 35);
-    options.seed = seed;
-    return options;
-  }
+      : skin(test::simulatedSkin(test::skinOptions("sheet:" + std::to_string(side) + "x" + std::to_string(side + 1),
+                                                   "cylinder:r=" + std::to_string(0.25 * side / 35), seed))),
+        session(simulateSession(skin, poses)) {}
 
   SimulatedSkin skin;
   Session session;
@@ -105,15 +99,10 @@ void expectFewSteps(int side, std::size_t poses, std::uint64_t seed, int most) {
   EXPECT_LE(solution.cost, strictCost(start) * (1 + 1e-6)) << "seed " << seed;
 }
 
-TEST(JointStages, TwoPosesOfALargeSkinTakeFewStepsToTheOptimum) {
+TEST(JointStages, FewStepsLeadToTheOptimum) {
   for (const std::uint64_t seed : kSeeds) expectFewSteps(kSide, 2, seed, 20);
-}
-
-TEST(JointStages, ThreePosesTakeFewSteps) {
   for (const std::uint64_t seed : kSeeds) expectFewSteps(kSide, 3, seed, 10);
-}
-
-TEST(JointStages, LinksThatLookClosedAndRefuseTheFirstStepTakeFewStepsToo) {
+  // Links that look closed and refuse the first step.
   for (const std::uint64_t seed : {5, 6, 7}) expectFewSteps(12, 3, seed, 10);
 }
 
@@ -145,16 +134,6 @@ TEST(JointStages, ASolveWithGrossErrorsConverges) {
       EXPECT_THAT(result->findings, Not(IsEmpty())) << poses << " poses, seed " << seed;
     }
   }
-}
-
-TEST(JointStages, WhatHasNotConvergedSaysSo) {
-  const TreeStart start(12, 2, 2);
-  JointSolverOptions options;
-  options.max_iterations = 1;
-  const JointSolution solution = solveJointly(start.problem(), start.state(), options);
-  EXPECT_EQ(solution.termination, JointTermination::StepLimit);
-  ASSERT_NE(solution.covariance, nullptr);
-  EXPECT_TRUE(std::isfinite(solution.cost));
 }
 
 }  // namespace

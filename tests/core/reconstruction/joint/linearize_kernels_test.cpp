@@ -25,38 +25,23 @@ double differenceBetween(const JointProblem& problem, const NormalEquations& a, 
   return std::max({difference.cwiseAbs().maxCoeff(), of_gradient, std::abs(a.cost - b.cost) / a.cost});
 }
 
-struct Linearized {
+void expectTheSame(const JointProblem& problem, const JointState& state, const std::string& what) {
+  const LinearizeKernels* const vector = vectorLinearizeKernels();
   NormalEquations one_by_one;
   NormalEquations portable;
   NormalEquations fast;
-};
-
-Linearized linearizeInAllWays(const JointProblem& problem, const JointState& state) {
-  Linearized all;
-  linearize(problem, state, all.one_by_one, nullptr);
-  linearize(problem, state, all.portable, &portableLinearizeKernels());
-  const LinearizeKernels* const vector = vectorLinearizeKernels();
-  linearize(problem, state, all.fast, vector != nullptr ? vector : &portableLinearizeKernels());
-  return all;
-}
-
-void expectTheSame(const JointProblem& problem, const JointState& state, const std::string& what) {
-  const Linearized all = linearizeInAllWays(problem, state);
-  EXPECT_LT(differenceBetween(problem, all.one_by_one, all.portable), 1e-12) << what;
-  EXPECT_LT(differenceBetween(problem, all.portable, all.fast), 1e-12) << what;
-}
-
-SimulatedSkinOptions skinOf(const char* patch) {
-  SimulatedSkinOptions options;
-  options.patch = patch;
-  return options;
+  linearize(problem, state, one_by_one, nullptr);
+  linearize(problem, state, portable, &portableLinearizeKernels());
+  linearize(problem, state, fast, vector != nullptr ? vector : &portableLinearizeKernels());
+  EXPECT_LT(differenceBetween(problem, one_by_one, portable), 1e-12) << what;
+  EXPECT_LT(differenceBetween(problem, portable, fast), 1e-12) << what;
 }
 
 TEST(LinearizeKernels, GiveTheSameAsCellsAndLinksOneByOne) {
   for (const char* patch : {"x17", "ring8:closed", "sheet:3x3"}) {
     for (const GapShare& gap : {kPivotGap, kArcGap, kFitGap}) {
       for (const std::size_t poses : {0U, 1U, 2U, 4U, 7U}) {
-        JointCase example = simulatedCase(skinOf(patch), poses, gap);
+        JointCase example = simulatedCase(test::skinOptions(patch), poses, gap);
         for (const bool accelerations : {false, true}) {
           example.problem.accelerations = accelerations;
           for (const double threshold : {3.0, std::numeric_limits<double>::infinity()}) {
@@ -76,7 +61,7 @@ TEST(LinearizeKernels, GiveTheSameAsCellsAndLinksOneByOne) {
 }
 
 TEST(LinearizeKernels, TakeMissingReadingsTurnedSensorsAndAnyOrigin) {
-  JointCase example = simulatedCase(skinOf("x17"), 4, kFitGap);
+  JointCase example = simulatedCase(test::skinOptions("x17"), 4, kFitGap);
   CellModel model = *example.model;
   model.accelerometer.T_u_a.R = expSO3({0.4, -0.3, 1.1});
   model.accelerometer.scale_sigma = 0;
@@ -90,7 +75,7 @@ TEST(LinearizeKernels, TakeMissingReadingsTurnedSensorsAndAnyOrigin) {
 }
 
 TEST(LinearizeKernels, LeaveGrossErrorsAndOverturnedLinksToOthers) {
-  JointCase example = simulatedCase(skinOf("x17"), 5, kFitGap);
+  JointCase example = simulatedCase(test::skinOptions("x17"), 5, kFitGap);
   example.problem.readings[3][2].y_g = {1.5, -1.5, 0.4};
   example.problem.readings[16][0].y_g = {-1, 0.2, 1};
   JointState state = example.truth;
@@ -103,13 +88,13 @@ TEST(LinearizeKernels, LeaveGrossErrorsAndOverturnedLinksToOthers) {
 
 TEST(LinearizeKernels, TakeAnyNumberOfPoses) {
   for (const std::size_t poses : {63U, 66U}) {
-    JointCase example = simulatedCase(skinOf("sheet:2x2"), poses, kFitGap);
+    JointCase example = simulatedCase(test::skinOptions("sheet:2x2"), poses, kFitGap);
     expectTheSame(example.problem, perturbed(example.problem, example.truth, 0.01, 0.001, 5), std::to_string(poses));
   }
 }
 
 TEST(LinearizeKernels, ANumberThatIsNotFiniteStaysOne) {
-  JointCase example = simulatedCase(skinOf("x17"), 3, kFitGap);
+  JointCase example = simulatedCase(test::skinOptions("x17"), 3, kFitGap);
   for (const bool in_force : {false, true}) {
     JointState state = example.truth;
     (in_force ? state.force_o[1] : state.cells[6].t)[0] = std::numeric_limits<double>::quiet_NaN();

@@ -1,6 +1,5 @@
 // One JointSolver for many solutions, and covariances that outlive its factors.
 
-#include "hexoderm/reconstruction/joint/cells_first.h"
 #include "hexoderm/reconstruction/joint/joint_solver.h"
 #include "hexoderm/reconstruction/reconstructor.h"
 #include "tests/core/reconstruction/joint/joint_case.h"
@@ -16,10 +15,7 @@ namespace hexoderm {
 namespace {
 
 JointCase sheetInPoses(std::size_t poses) {
-  SimulatedSkinOptions options;
-  options.patch = "sheet:5x6";
-  options.surface = "cylinder:r=0.06";
-  return simulatedCase(options, poses, kFitGap);
+  return simulatedCase(test::skinOptions("sheet:5x6", "cylinder:r=0.06"), poses, kFitGap);
 }
 
 void expectSame(const JointSolution& a, const JointSolution& b, const JointProblem& problem) {
@@ -76,32 +72,6 @@ TEST(LivingJointSolver, CovariancesAtAStateAreTheSameInMemoryOfOthers) {
   for (std::size_t cell = 0; cell < cells.size(); ++cell) EXPECT_EQ(cells[cell], expected.cell(cell));
 }
 
-/// The step from a state, by a factor with this damping.
-std::pair<Eigen::VectorXd, Eigen::VectorXd> stepOf(JointSystem& system, double damping) {
-  std::pair<Eigen::VectorXd, Eigen::VectorXd> step;
-  EXPECT_TRUE(system.factorize(damping));
-  system.step(step.first, step.second);
-  return step;
-}
-
-TEST(LivingJointSolver, AStepAfterARefusedOneIsThatOfTheStateBefore) {
-  constexpr double kDamping = 1e-3;
-  const JointCase example = sheetInPoses(3);
-  JointState refused = example.truth;
-  for (SE3& cell : refused.cells) cell.t *= 1.1;
-  const std::unique_ptr<JointSystem> fresh = makeCellsFirst();
-  fresh->linearize(example.problem, example.truth);
-  fresh->accept();
-  const auto expected = stepOf(*fresh, kDamping);
-  const std::unique_ptr<JointSystem> system = makeCellsFirst();
-  system->linearize(example.problem, example.truth);
-  system->accept();
-  stepOf(*system, 0);
-  system->linearize(example.problem, refused);
-  EXPECT_EQ(stepOf(*system, kDamping), expected);
-  EXPECT_EQ(stepOf(*system, kDamping), expected) << "the diagonal is raised once";
-}
-
 /// A solution whose factor is given back, and one that keeps its own.
 struct GivenBack {
   JointCase example = sheetInPoses(3);
@@ -152,12 +122,7 @@ TEST(LivingJointSolver, WhatIsMadeInTheFactorsOwnMemoryIsTheSame) {
 }
 
 TEST(LivingJointSolver, WhatAResultIsAskedLaterOutlivesTheResultAndItsSkin) {
-  const auto solve = [] {
-    SimulatedSkinOptions options;
-    options.patch = "sheet:3x4";
-    SimulatedSkin skin(builtInCellModel("hex-bma150"), options);
-    return reconstruct(*simulateSession(skin, 3).snapshot());
-  };
+  const auto solve = [] { return reconstruct(*test::simulatedSession(test::skinOptions("sheet:3x4"), 3).snapshot()); };
   const auto whole = solve();
   const PatchReconstruction& patch = whole->patches.front();
   const auto covariance = solve()->patches.front().covariance;

@@ -1,9 +1,8 @@
 #include "hexoderm/reconstruction/result/patch_placements.h"
 
-#include "hexoderm/device/simulation/simulated_skin.h"
 #include "hexoderm/reconstruction/reconstructor.h"
-#include "hexoderm/session/simulated_session.h"
 #include "tests/support/session_matchers.h"
+#include "tests/support/simulated_skins.h"
 
 #include <gtest/gtest.h>
 
@@ -80,8 +79,7 @@ TEST(PatchPlacements, WhatNoPatchHoldsAndWhatComesTwiceIsLeftOut) {
 }
 
 TEST(PatchPlacements, AResultHasThoseOfItsSessionAndCanBeGivenLaterOnes) {
-  SimulatedSkin skin(builtInCellModel("hex-bma150"), {});
-  Session session = simulateSession(skin, 3, 10);
+  Session session = test::simulatedSession({}, 3, 10);
   const auto bare = reconstruct(*session.snapshot());
   EXPECT_TRUE(bare->placements.empty());
   EXPECT_TRUE(placedPatches(*bare).empty());

@@ -2,8 +2,7 @@
 
 // Patches on the links of an arm, which see gravity with errors that are known exactly.
 
-#include "hexoderm/robot/links/links.h"
-#include "tests/core/robot/parts/gravity_draw.h"
+#include "tests/core/robot/links/links_tally.h"
 
 #include <memory>
 #include <string>
@@ -82,49 +81,61 @@ struct DrawnArmOptions {
   std::string urdf = armUrdf();
 };
 
+/// What the patches see is drawn without a lever.
+inline LinksOptions withoutLever() {
+  LinksOptions options;
+  options.test_lever_m = 0;
+  return options;
+}
+
 struct DrawnArm {
   RobotModel robot;
+  std::vector<std::string> links;        ///< of the patches
   std::map<PoseId, JointAngles> angles;  ///< as reported
-  std::map<std::string, double> zeros;
+  JointAngles zeros;
   Eigen::Vector3d up_w = Eigen::Vector3d::UnitZ();
   std::vector<Eigen::Matrix3d> R_l_o;  ///< of the patches
+  std::vector<GravitySeen> seen;       ///< by the patches
   Reconstruction reconstruction;
 
-  explicit DrawnArm(const DrawnArmOptions& options) : robot(RobotModel::parse(options.urdf, "arm.urdf")) {
+  explicit DrawnArm(const DrawnArmOptions& options)
+      : robot(RobotModel::parse(options.urdf, "arm.urdf")), links(options.links) {
     GravityDraw draw(options.seed);
     for (const std::string& joint : robot.freeJointNames()) {
-      zeros[joint] = joint == "slide" ? 0 : options.zero_sigma_rad * draw.normal();
+      zeros.positions[joint] = joint == "slide" ? 0 : options.zero_sigma_rad * draw.normal();
     }
     up_w = expSO3({options.tilt_sigma_rad * draw.normal(), options.tilt_sigma_rad * draw.normal(), 0}) * up_w;
     std::vector<std::vector<SE3>> T_w_l;
     for (std::uint32_t pose = 1; pose <= options.poses; ++pose) {
-      JointAngles truth;
+      JointAngles true_angles;
       for (const std::string& joint : robot.freeJointNames()) {
         const double angle = joint == "slide" ? 0.05 : options.range_rad * std::tanh(draw.normal());
         angles[PoseId(pose)].positions[joint] = angle;
-        truth.positions[joint] = angle + zeros.at(joint);
+        true_angles.positions[joint] = angle + zeros.positions.at(joint);
       }
-      T_w_l.push_back(robot.forward(truth));
+      T_w_l.push_back(robot.forward(true_angles));
     }
     for (std::size_t k = 0; k < options.links.size(); ++k) {
       R_l_o.push_back(draw.rotation());
       std::vector<Eigen::Vector3d> up;
-      for (const std::vector<SE3>& links : T_w_l) {
-        const SE3& T_w_link = links[robot.linkNamed(options.links[k])];
+      for (const std::vector<SE3>& of_pose : T_w_l) {
+        const SE3& T_w_link = of_pose[robot.linkNamed(options.links[k])];
         up.emplace_back((T_w_link.R * R_l_o.back()).transpose() * up_w);
       }
-      reconstruction.patches.push_back(
-          patchThatSaw(draw.see(up, options.errors, options.error_scale), static_cast<std::uint32_t>(k)));
+      seen.push_back(draw.see(up, options.errors, options.error_scale));
+      reconstruction.patches.push_back(patchThatSaw(seen.back(), static_cast<std::uint32_t>(k)));
     }
   }
 
-  [[nodiscard]] LinksResult find(const LinksOptions& options) const {
+  [[nodiscard]] LinksResult find(const LinksOptions& options = withoutLever()) const {
     return findLinks(reconstruction, robot, angles, options);
   }
-  [[nodiscard]] LinksResult find() const {
-    LinksOptions options;
-    options.test_lever_m = 0;  // what the patches see is drawn without it
-    return find(options);
+  [[nodiscard]] LinksTruth truth() const {
+    LinksTruth result{{}, zeros, up_w};
+    for (std::size_t k = 0; k < links.size(); ++k) {
+      result.cells[reconstruction.patches[k].origin] = {links[k], R_l_o[k]};
+    }
+    return result;
   }
 };
 

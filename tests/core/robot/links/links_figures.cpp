@@ -24,11 +24,6 @@ int main(int argc, char** argv) {
     options.motors = c.motors;
     options.zero_sigma_rad = c.zero_sigma_deg * kDegree;
     options.find.lever_m = lever_m;
-    LinksTally tally;
-    for (int seed = 1; seed <= seeds; ++seed) {
-      SimulatedRobot robot = simulatedArm(static_cast<std::uint64_t>(seed), options);
-      tally.add(robot, options);
-    }
-    std::cout << c.name << ": " << inWords(tally) << std::endl;
+    std::cout << c.name << ": " << inWords(tallySimulatedLinks(options, seeds)) << std::endl;
   }
 }

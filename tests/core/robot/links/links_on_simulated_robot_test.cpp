@@ -12,16 +12,6 @@ constexpr int kSimulatedRobots = 20;
 constexpr int kSimulatedRobots = 1;
 #endif
 
-LinksTally tallyOf(const SimulatedLinksOptions& options, const std::string& name) {
-  LinksTally tally;
-  for (int seed = 1; seed <= kSimulatedRobots; ++seed) {
-    SimulatedRobot robot = simulatedArm(static_cast<std::uint64_t>(seed), options);
-    tally.add(robot, options);
-  }
-  ::testing::Test::RecordProperty(name, inWords(tally));
-  return tally;
-}
-
 // Sensors of 60 mg, joints off by 0.5 degrees and a base tilted by 1 degree (1 sigma each), three
 // patches.
 TEST(LinksOnSimulatedRobot, AreRightAndStateHowWellTheyKnow) {
@@ -35,29 +25,17 @@ TEST(LinksOnSimulatedRobot, AreRightAndStateHowWellTheyKnow) {
     SimulatedLinksOptions options;
     options.poses = c.poses;
     options.motors = c.motors;
-    const LinksTally tally = tallyOf(options, c.name);
+    const LinksTally tally = tallySimulatedLinks(options, kSimulatedRobots);
+    RecordProperty(c.name, inWords(tally));
     EXPECT_EQ(tally.wrong, 0) << c.name;
     EXPECT_LE(tally.none, 0.01 * tally.patches) << c.name;
     if (kSimulatedRobots < 20) continue;
     EXPECT_GT(meanOf(tally.turn_nees), 0.7) << c.name;
     EXPECT_LT(meanOf(tally.turn_nees), 1.5) << c.name;
-    EXPECT_LE(medianOf(tally.errors_rad), 1.2 * medianOf(tally.stated_rad)) << c.name;
+    EXPECT_LE(median(tally.errors_rad), 1.2 * median(tally.stated_rad)) << c.name;
     EXPECT_LT(meanOf(tally.zero_nees), 1.8) << c.name;
     EXPECT_LT(meanOf(tally.tilt_nees), 1.8) << c.name;
   }
-}
-
-// Four times the prior.
-TEST(LinksOnSimulatedRobot, ZerosOfTwoDegreesAreFoundWithinTheirStatedSigma) {
-  SimulatedLinksOptions options;
-  options.zero_sigma_rad = 2 * kDegree;
-  const LinksTally tally = tallyOf(options, "zeros of 2 degrees, 8 poses");
-  EXPECT_EQ(tally.wrong, 0);
-  EXPECT_LE(tally.none, 0.01 * tally.patches);
-  if (kSimulatedRobots < 20) return;
-  EXPECT_FALSE(tally.zero_nees.empty());
-  EXPECT_LT(meanOf(tally.zero_nees), 1.8);
-  EXPECT_LT(meanOf(tally.turn_nees), 1.5);
 }
 
 }  // namespace

@@ -3,14 +3,11 @@
 // Gravity as rigid bodies see it, drawn with errors that are known exactly: an offset and a turn that are the same in
 // all poses, and noise.
 
-#include "hexoderm/geometry/se3.h"
 #include "hexoderm/robot/parts/gravity_seen.h"
-#include "hexoderm/util/units.h"
+#include "tests/support/normal_draw.h"
 
 #include <Eigen/Dense>
 #include <cmath>
-#include <cstdint>
-#include <random>
 #include <vector>
 
 namespace hexoderm {
@@ -21,18 +18,9 @@ struct GravityErrors {
   double noise_rad = 0.003;
 };
 
-class GravityDraw {
+class GravityDraw : public test::NormalDraw {
  public:
-  explicit GravityDraw(std::uint64_t seed) : random_(seed) {}
-
-  double normal() { return normal_(random_); }
-  Eigen::Vector3d vector() {
-    const double x = normal();
-    const double y = normal();
-    return {x, y, normal()};
-  }
-  Eigen::Vector3d direction() { return vector().normalized(); }
-  Eigen::Matrix3d rotation() { return expSO3(kPi * vector()); }
+  using NormalDraw::NormalDraw;
   std::vector<Eigen::Vector3d> directions(std::size_t poses) {
     std::vector<Eigen::Vector3d> result;
     for (std::size_t k = 0; k < poses; ++k) result.push_back(direction());
@@ -61,10 +49,6 @@ class GravityDraw {
     }
     return seen;
   }
-
- private:
-  std::mt19937_64 random_;
-  std::normal_distribution<double> normal_;
 };
 
 /// Directions as a body sees them that is turned by R against the frame in which they are given: x = R x_body.
@@ -72,6 +56,20 @@ inline std::vector<Eigen::Vector3d> seenFrom(const Eigen::Matrix3d& R, const std
   std::vector<Eigen::Vector3d> result;
   for (const Eigen::Vector3d& g : up) result.emplace_back(R.transpose() * g);
   return result;
+}
+
+/// What a body sees, with the same covariances, in a frame that is turned: x_turned = Q x.
+inline GravitySeen turnedBy(const Eigen::Matrix3d& Q, const GravitySeen& seen) {
+  GravitySeen turned = seen;
+  const auto rows = static_cast<Eigen::Index>(2 * seen.size());
+  Eigen::MatrixXd across = Eigen::MatrixXd::Zero(rows, rows);  // from the one frame's components to the other's
+  for (std::size_t k = 0; k < seen.size(); ++k) {
+    const auto at = static_cast<Eigen::Index>(2 * k);
+    turned.up[k] = Q * seen.up[k];
+    across.block<2, 2>(at, at) = acrossBasis(turned.up[k]).transpose() * Q * acrossBasis(seen.up[k]);
+  }
+  turned.covariance = across * seen.covariance * across.transpose();
+  return turned;
 }
 
 /// Two bodies on a hinge: R_p = exp(u angle_p) R_0 maps b into a.
@@ -93,6 +91,20 @@ inline DrawnHinge drawHinge(GravityDraw& draw, std::size_t poses, double spread_
     hinge.up_b.emplace_back((expSO3(hinge.angle.back() * hinge.u_a) * R_0).transpose() * hinge.up_a[k]);
   }
   return hinge;
+}
+
+/// The square of the error of a unit vector in its covariance, by its two degrees of freedom. Its sign does not count.
+inline double neesOfAxis(const Eigen::Vector3d& u, const Eigen::Matrix3d& covariance, const Eigen::Vector3d& truth) {
+  const Eigen::Matrix<double, 3, 2> across = acrossBasis(u);
+  const Eigen::Vector2d e = across.transpose() * truth;
+  const Eigen::Matrix2d C = across.transpose() * covariance * across;
+  return e.dot(C.llt().solve(e)) / 2;
+}
+
+inline double meanOf(const std::vector<double>& values) {
+  double sum = 0;
+  for (const double value : values) sum += value;
+  return values.empty() ? 0 : sum / static_cast<double>(values.size());
 }
 
 }  // namespace hexoderm

@@ -24,14 +24,6 @@ double missOf(const Eigen::Vector3d& u, const Eigen::Vector3d& truth) {
   return std::min(angle, kPi - angle);
 }
 
-double neesOf(const HingeAxis& axis, Eigen::Vector3d truth) {
-  if (axis.u.dot(truth) < 0) truth = -truth;
-  const Eigen::Matrix<double, 3, 2> across = acrossBasis(axis.u);
-  const Eigen::Vector2d e = across.transpose() * truth;
-  const Eigen::Matrix2d C = across.transpose() * axis.covariance * across;
-  return e.dot(C.llt().solve(e)) / 2;
-}
-
 TEST(Hinge, ExactDirectionsGiveTheExactAxisAndAngles) {
   for (const std::size_t poses : {6U, 8U, 12U}) {
     for (std::uint64_t seed = 1; seed <= 10; ++seed) {
@@ -68,7 +60,8 @@ TEST(Hinge, ErrorsAndMisfitsAreAsLargeAsStated) {
     const Hinge hinge = fitDrawn(draw, truth.up_a, truth.up_b);
     if (hinge.knowledge != HingeKnowledge::Found) continue;
     ++found;
-    axes += (neesOf(hinge.a, truth.u_a) + neesOf(hinge.b, truth.u_b)) / 2;
+    axes += neesOfAxis(hinge.a.u, hinge.a.covariance, truth.u_a) / 2;
+    axes += neesOfAxis(hinge.b.u, hinge.b.covariance, truth.u_b) / 2;
     misfit += hinge.chi_squared / hinge.freedom;
     const double sign = hinge.a.u.dot(truth.u_a) < 0 ? -1 : 1;
     for (const HingeAngle& angle : hinge.angles) {

@@ -21,7 +21,7 @@ struct JointedSkinsOptions {
   /// The bodies of the patches, 0 or 1.
   std::vector<std::size_t> body_of_patch = {0, 0, 1, 1};
   std::string patch = "x17";
-  std::string surface;
+  std::string surface{};
   std::uint64_t seed = 1;
   bool hand_held = true;
   double offset_sigma_g = 0.06;

@@ -64,7 +64,7 @@ TEST(RigidFit, DoesNotDependOnTheFramesOfTheBodies) {
   GravityDraw draw(3);
   const std::vector<Eigen::Vector3d> up = draw.directions(4);
   const GravitySeen a = draw.see(up, {});
-  GravitySeen b = draw.see(seenFrom(draw.rotation(), up), {});
+  const GravitySeen b = draw.see(seenFrom(draw.rotation(), up), {});
   const std::array<GravitySeen, 2> both = {a, b};
   const std::array<GravitySeen, 2> swapped = {b, a};
   const RigidFit fit = fitRigid(both);
@@ -74,17 +74,7 @@ TEST(RigidFit, DoesNotDependOnTheFramesOfTheBodies) {
 
   // The same directions in another frame, with the same covariances there.
   const Eigen::Matrix3d Q = draw.rotation();
-  GravitySeen turned = b;
-  for (std::size_t k = 0; k < b.size(); ++k) turned.up[k] = Q * b.up[k];
-  for (std::size_t j = 0; j < b.size(); ++j) {
-    for (std::size_t k = 0; k < b.size(); ++k) {
-      const auto at_j = static_cast<Eigen::Index>(2 * j);
-      const auto at_k = static_cast<Eigen::Index>(2 * k);
-      const Eigen::Matrix2d from_j = acrossBasis(turned.up[j]).transpose() * Q * acrossBasis(b.up[j]);
-      const Eigen::Matrix2d from_k = acrossBasis(turned.up[k]).transpose() * Q * acrossBasis(b.up[k]);
-      turned.covariance.block<2, 2>(at_j, at_k) = from_j * b.covariance.block<2, 2>(at_j, at_k) * from_k.transpose();
-    }
-  }
+  const GravitySeen turned = turnedBy(Q, b);
   const std::array<GravitySeen, 2> with_turned = {a, turned};
   const RigidFit other = fitRigid(with_turned);
   EXPECT_NEAR(fit.misfit.chi_squared, other.misfit.chi_squared, 1e-6);

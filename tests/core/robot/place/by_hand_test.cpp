@@ -41,6 +41,7 @@ class PatchByHandTest : public ::testing::Test {
   TriangleMesh mesh = meshOfCylinder(kHandRadius_m, 0.4);
   LaidPatch laid = layPatch(mesh, kLaidOnCylinder);
   PatchByHand hand{mesh, laid.patch, thickness()};
+  PlaceTask task = surfaceTask(mesh, laid);
 
   void expectOnSurface(const SE3& T_l_o) const {
     const auto [height_m, tilt_rad] = offSurface(mesh, laid, T_l_o);
@@ -153,10 +154,7 @@ TEST_F(PatchByHandTest, TakesAMeshThatIsInsideOutTheOtherWayRound) {
 
 // --- the fit from there
 
-TEST(PlaceByHand, WhatIsOpenStaysWhereItWasPut) {
-  const TriangleMesh mesh = meshOfCylinder(kHandRadius_m, 0.4);
-  const LaidPatch laid = layPatch(mesh, kLaidOnCylinder);
-  PlaceTask task = surfaceTask(mesh, laid);
+TEST_F(PatchByHandTest, WhatIsOpenStaysWhereItWasPut) {
   const PlaceResult without = placePatches(task);
   ASSERT_FALSE(without.candidates.empty());
   ASSERT_EQ(without.verdict, PlaceVerdict::Open) << without.summary;
@@ -193,11 +191,7 @@ TEST(PlaceByHand, APlaceThatWasFoundAnywayIsMarked) {
   EXPECT_EQ(result.verdict, without.verdict);
 }
 
-TEST(PlaceByHand, GravityTurnsThePatchBackAndSaysSo) {
-  const TriangleMesh mesh = meshOfCylinder(kHandRadius_m, 0.4);
-  const LaidPatch laid = layPatch(mesh, kLaidOnCylinder);
-  PlaceTask task = surfaceTask(mesh, laid);
-  const PatchByHand hand(mesh, laid.patch, thickness());
+TEST_F(PatchByHandTest, GravityTurnsThePatchBackInTheFitAndSaysSo) {
   task.patches[0].start = hand.turned(laid.T_l_o, 30 * kDegree);
   const PlaceResult result = placePatches(task);
   ASSERT_THAT(result.remarks, SizeIs(1));
@@ -208,10 +202,8 @@ TEST(PlaceByHand, GravityTurnsThePatchBackAndSaysSo) {
   EXPECT_LT(rotationAngle(by_hand->patches[0].place.T_l_o.R.transpose() * laid.T_l_o.R), 5 * kDegree);
 }
 
-TEST(PlaceByHand, WhatFitsNowhereIsGivenWhereItWasPutToo) {
-  const LaidPatch laid = layPatch(meshOfCylinder(kHandRadius_m, 0.4), kLaidOnCylinder);
-  const TriangleMesh box = meshOfBox({0.4, 0.4, 0.4});
-  PlaceTask task = surfaceTask(box, laid);
+TEST_F(PatchByHandTest, WhatFitsNowhereIsGivenWhereItWasPutToo) {
+  task.surface = meshOfBox({0.4, 0.4, 0.4});
   task.patches[0].start = SE3{laid.T_l_o.R, {0.21, 0.05, 0.05}};
   const PlaceResult result = placePatches(task);
   EXPECT_EQ(result.verdict, PlaceVerdict::NoneFits);

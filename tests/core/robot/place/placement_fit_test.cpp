@@ -103,19 +103,6 @@ TEST(PlacementFit, AWayBeginsAndEndsWhereItIsTold) {
   EXPECT_LT(distanceBetween(problem, moved(problem, a, stepBetween(problem, a, b)), b), 1e-9);
 }
 
-TEST(PlacementFit, SomeCellsHaveTheSameEquations) {
-  std::mt19937_64 random(3);
-  const FitProblem problem = anyProblem(random);
-  const FitState state = nearRotations(problem, random);
-  const FitProblem few = onlyCells(problem, {{}, {}});
-  EXPECT_EQ(few.patches[0].T_o_u.size(), 3U);  // the origin, one of a point and one of a distance
-  const FitEquations all = equationsAt(problem, state);
-  const FitEquations some = equationsAt(few, state);
-  EXPECT_LT((all.r - some.r).norm(), 1e-15);
-  EXPECT_LT((all.J - some.J).norm(), 1e-12);
-  EXPECT_LT((all.S - some.S).norm(), 1e-15);
-}
-
 /// The mean of the squared deviates of the cells' places, per degree of freedom.
 double neesOfCells(bool joint) {
   constexpr int kSeeds = 200;

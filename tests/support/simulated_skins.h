@@ -1,0 +1,30 @@
+#pragma once
+
+#include "hexoderm/session/simulated_session.h"
+
+#include <string>
+
+namespace hexoderm::test {
+
+/// Options of a simulated skin, the others as by default.
+inline SimulatedSkinOptions skinOptions(const std::string& patch, const std::string& surface = "",
+                                        std::uint64_t seed = 1) {
+  SimulatedSkinOptions options;
+  options.patch = patch;
+  options.surface = surface;
+  options.seed = seed;
+  return options;
+}
+
+/// A simulated skin of the built-in cell model.
+inline SimulatedSkin simulatedSkin(const SimulatedSkinOptions& options = {}) {
+  return {builtInCellModel("hex-bma150"), options};
+}
+
+/// A scripted calibration of it: so many poses, each the mean of so many readings.
+inline Session simulatedSession(const SimulatedSkinOptions& options, std::size_t poses, std::size_t readings = 100) {
+  SimulatedSkin skin = simulatedSkin(options);
+  return simulateSession(skin, poses, readings);
+}
+
+}  // namespace hexoderm::test
