@@ -2,14 +2,13 @@
 
 // A panel as the window shows it: in a column that scrolls, with the application's style.
 
-#include "tests/support/paths.h"
+#include "tests/support/kept_picture.h"
 #include "tests/support/qt_wait.h"
 #include "widgets/controls/selection.h"
 #include "widgets/style/palette.h"
 
 #include <gtest/gtest.h>
 #include <QApplication>
-#include <QDir>
 #include <QScrollArea>
 
 namespace hexoderm::test {
@@ -38,12 +37,7 @@ class PanelOnScreen : public testing::Test {
     EXPECT_NE(found, nullptr) << name;
     return found;
   }
-  /// Its picture, to be looked at.
-  void keep(const QString& name) {
-    const QDir folder(QStringLiteral(HEXODERM_SCREENSHOTS));
-    ASSERT_TRUE(folder.mkpath("."));
-    EXPECT_TRUE(panel_->grab().save(folder.filePath(name + ".png")));
-  }
+  void keep(const QString& name) { keepPicture(panel_->grab().toImage(), name); }
 
   Selection selection_;
   QScrollArea scroll_;
