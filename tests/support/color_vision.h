@@ -42,4 +42,18 @@ inline Rgb seenBy(const ColorMatrix& eyes, const Rgb& color) {
   return seen;
 }
 
+/// CIE L*a*b*.
+using Lab = std::array<double, 3>;
+inline Lab toLab(const Rgb& color) {
+  constexpr ColorMatrix kToXyz = {{{0.4124564, 0.3575761, 0.1804375},  //
+                                   {0.2126729, 0.7151522, 0.0721750},
+                                   {0.0193339, 0.1191920, 0.9503041}}};
+  const Rgb xyz = times(kToXyz, {toLinear(color[0]), toLinear(color[1]), toLinear(color[2])});
+  const auto f = [](double t) { return t > 0.008856 ? std::cbrt(t) : 7.787 * t + 16.0 / 116; };
+  const double x = f(xyz[0] / 0.95047);
+  const double y = f(xyz[1]);
+  const double z = f(xyz[2] / 1.08883);
+  return {116 * y - 16, 500 * (x - y), 200 * (y - z)};
+}
+
 }  // namespace hexoderm

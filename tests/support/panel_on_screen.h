@@ -3,12 +3,11 @@
 // A panel as the window shows it: in a column that scrolls, with the application's style.
 
 #include "tests/support/app_theme.h"
-#include "tests/support/paths.h"
+#include "tests/support/kept_picture.h"
 #include "tests/support/qt_wait.h"
 #include "widgets/controls/selection.h"
 
 #include <gtest/gtest.h>
-#include <QDir>
 #include <QScrollArea>
 
 namespace hexoderm::test {
@@ -30,12 +29,7 @@ class PanelOnScreen : public testing::Test {
     EXPECT_NE(found, nullptr) << name;
     return found;
   }
-  /// Its picture, to be looked at.
-  void keep(const QString& name) {
-    const QDir folder(QStringLiteral(HEXODERM_SCREENSHOTS));
-    ASSERT_TRUE(folder.mkpath("."));
-    EXPECT_TRUE(panel_->grab().save(folder.filePath(name + ".png")));
-  }
+  void keep(const QString& name) { keepPicture(panel_->grab().toImage(), name); }
 
   AppTheme theme_;
   Selection selection_;

@@ -11,6 +11,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <array>
 #include <cstdio>
 #include <filesystem>
@@ -40,6 +41,13 @@ class Cli : public ::testing::Test {
     result.exit_code = WEXITSTATUS(::pclose(pipe));
     result.err = readFile(errors);
     return result;
+  }
+  /// What it says on standard error where it has to end with this code, in one line.
+  std::string complaint(const std::string& arguments, int exit_code) const {
+    const Outcome outcome = run(arguments);
+    EXPECT_EQ(outcome.exit_code, exit_code) << arguments << '\n' << outcome.err;
+    EXPECT_EQ(std::ranges::count(outcome.err, '\n'), 1) << arguments << '\n' << outcome.err;
+    return outcome.err;
   }
   [[nodiscard]] std::string path(const std::string& name) const { return (folder_.path() / name).string(); }
   [[nodiscard]] bool exists(const std::string& name) const { return std::filesystem::exists(path(name)); }

@@ -1,29 +1,25 @@
 // Ctrl+C ends the programs whatever holds them up: each row of the table holds one up in a way of its own.
 
 #include "hexoderm/io/calibration_json.h"
-
+#include "hexoderm/util/text.h"
+#include "tests/support/child_process.h"
 #include "tests/support/paths.h"
-#include "tests/support/patience.h"
 #include "tests/support/temporary_folder.h"
 
 #include <arpa/inet.h>
 #include <fcntl.h>
 #include <netinet/in.h>
 #include <poll.h>
-#include <signal.h>
 #include <sys/socket.h>
 #include <sys/stat.h>
-#include <sys/wait.h>
 #include <unistd.h>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <array>
-#include <chrono>
 #include <filesystem>
-#include <fstream>
 #include <functional>
+#include <optional>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -32,120 +28,9 @@
 namespace hexoderm {
 namespace {
 
-using testing::HasSubstr;
-
-struct Pipe {
-  Pipe() {
-    if (::pipe2(ends.data(), O_CLOEXEC) != 0) throw std::runtime_error("no pipe");
-  }
-  ~Pipe() {
-    for (const int end : ends) {
-      if (end >= 0) ::close(end);
-    }
-  }
-  Pipe(const Pipe&) = delete;
-  Pipe& operator=(const Pipe&) = delete;
-
-  void closeEnd(int which) { ::close(std::exchange(ends.at(static_cast<std::size_t>(which)), -1)); }
-  /// Until nobody could write another byte.
-  void fill() const {
-    ::fcntl(ends[1], F_SETFL, O_NONBLOCK);
-    const std::array<char, 4096> bytes{};
-    while (::write(ends[1], bytes.data(), bytes.size()) > 0) continue;
-    while (::write(ends[1], bytes.data(), 1) > 0) continue;
-    ::fcntl(ends[1], F_SETFL, 0);
-  }
-
-  std::array<int, 2> ends{-1, -1};
-};
-
-/// A program with a pipe for each of its standard streams, in a folder of its own.
-class Started {
- public:
-  enum class Read { Yes, Never };
-
-  Started(std::vector<std::string> words, const std::string& folder, Read out = Read::Yes, Read err = Read::Yes) {
-    if (out == Read::Never) out_.fill();
-    if (err == Read::Never) err_.fill();
-    std::vector<char*> arguments;
-    for (std::string& word : words) arguments.push_back(word.data());
-    arguments.push_back(nullptr);
-    process_ = ::fork();
-    if (process_ == 0) {
-      ::dup2(in_.ends[0], STDIN_FILENO);
-      ::dup2(out_.ends[1], STDOUT_FILENO);
-      ::dup2(err_.ends[1], STDERR_FILENO);
-      // As in a terminal, not as behind the & of a script.
-      ::signal(SIGINT, SIG_DFL);
-      if (::chdir(folder.c_str()) != 0) ::_exit(126);
-      ::execv(arguments[0], arguments.data());
-      ::_exit(127);
-    }
-    in_.closeEnd(0);
-    out_.closeEnd(1);
-    err_.closeEnd(1);
-  }
-  ~Started() {
-    if (process_ <= 0) return;
-    ::kill(process_, SIGKILL);
-    ::waitpid(process_, nullptr, 0);
-  }
-  Started(const Started&) = delete;
-  Started& operator=(const Started&) = delete;
-
-  void write(const std::string& text) const {
-    if (::write(in_.ends[1], text.data(), text.size()) < 0) throw std::runtime_error("nothing is read");
-  }
-  /// Reads until the text has come.
-  std::string readLine() {
-    std::string line;
-    for (char c = 0; ::read(out_.ends[0], &c, 1) == 1 && c != '\n';) line += c;
-    return line;
-  }
-  void waitForOutput(const std::string& text) { waitFor(text, out_.ends[0]); }
-  void waitForError(const std::string& text) { waitFor(text, err_.ends[0]); }
-  /// As a terminal does for Ctrl+C.
-  void interrupt() const { ::kill(process_, SIGINT); }
-
-  struct End {
-    bool has_ended = false;
-    int exit_code = -1;  ///< 128 and its number, if a signal ended it
-  };
-  End wait() {
-    const auto until = std::chrono::steady_clock::now() + test::kPatience;
-    int status = 0;
-    while (::waitpid(process_, &status, WNOHANG) == 0) {
-      if (std::chrono::steady_clock::now() > until) return {};
-      ::poll(nullptr, 0, 5);
-    }
-    process_ = -1;
-    return {true, WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status)};
-  }
-  /// Sleeps in the kernel, or has ended: it does nothing by itself any more.
-  void waitUntilIdle() const {
-    const auto until = std::chrono::steady_clock::now() + test::kPatience;
-    int idle = 0;
-    while (idle < 10 && std::chrono::steady_clock::now() < until) {
-      std::ifstream file("/proc/" + std::to_string(process_) + "/stat");
-      std::string line;
-      std::getline(file, line);
-      const std::size_t state = line.rfind(')');
-      idle = state != std::string::npos && line.at(state + 2) != 'R' ? idle + 1 : 0;
-      ::poll(nullptr, 0, 5);
-    }
-  }
-
- private:
-  static void waitFor(const std::string& text, int from) {
-    std::string all;
-    for (char c = 0; all.find(text) == std::string::npos; all += c) {
-      if (::read(from, &c, 1) != 1) throw std::runtime_error("ended after: " + all);
-    }
-  }
-
-  Pipe in_, out_, err_;
-  pid_t process_ = -1;
-};
+using Stream = test::ChildProcess::Stream;
+/// An exit code, or 128 and the number of a signal; nothing of what does not end.
+using End = std::optional<int>;
 
 /// Listens and accepts, and says nothing.
 class SilentServer {
@@ -190,31 +75,68 @@ int connectTo(std::uint16_t port) {
 
 constexpr int kByForce = 130;
 
+/// A program that holds itself up in a folder of its own, and is interrupted then.
+using Run = std::function<End(const std::string& folder)>;
+
 struct Case {
   std::string name;
   /// The program's end: its own (0, 1 or 4), or by force.
   std::vector<int> exit_codes;
-  std::function<Started::End(const std::string& folder)> run;
+  Run run;
 };
 
-Started::End interruptWhenIdle(std::vector<std::string> words, const std::string& folder,
-                               Started::Read out = Started::Read::Yes) {
-  Started program(std::move(words), folder, out);
-  program.waitUntilIdle();
-  program.interrupt();
-  return program.wait();
+/// The program and its arguments, of which none has a blank.
+std::vector<std::string> cli(const std::string& arguments, const char* program = HEXODERM_CLI) {
+  std::vector<std::string> words = split(arguments, ' ');
+  words.insert(words.begin(), program);
+  return words;
 }
+std::vector<std::string> emulator(const std::string& arguments) { return cli(arguments, HEXODERM_EMULATOR); }
 
-std::string fifoIn(const std::string& folder, const std::string& name) {
-  if (::mkfifo((folder + "/" + name).c_str(), 0600) != 0) throw std::runtime_error("no pipe with a name");
-  return name;
+/// Interrupted at the moment for which `wait` waits.
+Run interrupted(const std::vector<std::string>& words, const std::function<void(test::ChildProcess&)>& wait,
+                Stream out = Stream::Read, Stream err = Stream::Read) {
+  return [=](const std::string& folder) {
+    test::ChildProcess program(words, folder, out, err);
+    wait(program);
+    program.interrupt();
+    return program.wait();
+  };
 }
-
+Run atOnce(const std::vector<std::string>& words) {
+  return interrupted(words, [](auto& /*program*/) {});
+}
+/// When it does nothing by itself any more.
+Run whenIdle(const std::vector<std::string>& words, Stream out = Stream::Read, Stream err = Stream::Read) {
+  return interrupted(
+      words, [](auto& program) { program.waitUntilIdle(); }, out, err);
+}
+/// As soon as it has written this on standard error, or on its output.
+Run afterError(const std::vector<std::string>& words, const std::string& text, Stream out = Stream::Read) {
+  return interrupted(
+      words, [=](auto& program) { program.waitForError(text); }, out);
+}
+Run afterOutput(const std::vector<std::string>& words, const std::string& text) {
+  return interrupted(words, [=](auto& program) { program.waitForOutput(text); });
+}
+/// With a pipe of this name, of which nobody holds the other end.
+Run withFifo(const std::string& name, const Run& run) {
+  return [=](const std::string& folder) {
+    if (::mkfifo((folder + "/" + name).c_str(), 0600) != 0) throw std::runtime_error("no pipe with a name");
+    return run(folder);
+  };
+}
 /// Runs to its end; the files it makes are there.
 void prepare(const std::string& command, const std::string& folder) {
   if (std::system(("cd '" + folder + "' && '" HEXODERM_CLI "' " + command + " >/dev/null 2>&1").c_str()) != 0) {
     throw std::runtime_error(command);
   }
+}
+Run after(const std::vector<std::string>& commands, const Run& run) {
+  return [=](const std::string& folder) {
+    for (const std::string& command : commands) prepare(command, folder);
+    return run(folder);
+  };
 }
 
 std::string rowOfCells(int count) {
@@ -231,179 +153,91 @@ std::string rowOfCells(int count) {
   return lines + "]}}\n";
 }
 
-std::vector<std::string> cli(std::vector<std::string> words) {
-  words.insert(words.begin(), HEXODERM_CLI);
-  return words;
+End captureFromADeviceThatSaysNothing(const std::string& folder) {
+  const SilentServer device;
+  test::ChildProcess program(cli("capture -o a.hexo --source " + device.address()), folder);
+  device.waitForCaller();
+  program.interrupt();
+  return program.wait();
 }
-std::vector<std::string> emulator(std::vector<std::string> words) {
-  words.insert(words.begin(), HEXODERM_EMULATOR);
-  return words;
+End captureFromASerialPortWithoutAWord(const std::string& folder) {
+  const int terminal = ::posix_openpt(O_RDWR | O_NOCTTY | O_CLOEXEC);
+  if (terminal < 0 || ::grantpt(terminal) != 0 || ::unlockpt(terminal) != 0) throw std::runtime_error("no pty");
+  const End end = whenIdle(cli(std::string("capture -o a.hexo --source serial:") + ::ptsname(terminal)))(folder);
+  ::close(terminal);
+  return end;
 }
-
+End emulatorWithAHostThatDoesNotRead(const std::string& folder) {
+  test::ChildProcess program(emulator("--tcp 0 --patch sheet:15x20 --speed 50"), folder);
+  const std::string line = program.readLine();
+  const int host = connectTo(static_cast<std::uint16_t>(std::stoul(line.substr(line.rfind(':') + 1))));
+  program.waitForOutput("messages\n");
+  char byte = 0;
+  EXPECT_EQ(::recv(host, &byte, 1, 0), 1) << "it is served";
+  program.interrupt();
+  const End end = program.wait();
+  ::close(host);
+  return end;
+}
 std::vector<Case> cases() {
-  using Read = Started::Read;
+  const std::string two_poses = "capture --source sim:x17?speed=max --auto --poses 2 -o a.hexo";
+  std::string many = "solve -o out a.session.json";
+  for (int k = 0; k < 50; ++k) many += " b.session.json";
+  const std::string small = "simulate -o a.session.json";
+  const std::string large = "simulate --patch sheet:30x30 --poses 4 -o b.session.json";
   return {
-      {"CaptureFromADeviceThatSaysNothing",
-       {4},
-       [](const std::string& folder) {
-         const SilentServer device;
-         Started program(cli({"capture", "--source", device.address(), "-o", "a.hexo"}), folder);
-         device.waitForCaller();
-         program.interrupt();
-         return program.wait();
-       }},
-      {"CaptureFromANameThatIsLookedUp",
-       {4},
-       [](const std::string& folder) {
-         return interruptWhenIdle(cli({"capture", "--source", "tcp://nobody.invalid:7700", "-o", "a.hexo"}), folder);
-       }},
-      {"CaptureFromStandardInputWithoutAWord",
-       {4},
-       [](const std::string& folder) {
-         return interruptWhenIdle(cli({"capture", "--source", "stdin", "-o", "a.hexo"}), folder);
-       }},
-      {"CaptureFromASerialPortWithoutAWord",
-       {4},
-       [](const std::string& folder) {
-         const int terminal = ::posix_openpt(O_RDWR | O_NOCTTY | O_CLOEXEC);
-         if (terminal < 0 || ::grantpt(terminal) != 0 || ::unlockpt(terminal) != 0) throw std::runtime_error("no pty");
-         const std::string source = std::string("serial:") + ::ptsname(terminal);
-         const Started::End end = interruptWhenIdle(cli({"capture", "--source", source, "-o", "a.hexo"}), folder);
-         ::close(terminal);
-         return end;
-       }},
+      {"CaptureFromADeviceThatSaysNothing", {4}, captureFromADeviceThatSaysNothing},
+      {"CaptureFromANameThatIsLookedUp", {4}, whenIdle(cli("capture --source tcp://nobody.invalid:7700 -o a.hexo"))},
+      {"CaptureFromStandardInputWithoutAWord", {4}, whenIdle(cli("capture --source stdin -o a.hexo"))},
+      {"CaptureFromASerialPortWithoutAWord", {4}, captureFromASerialPortWithoutAWord},
       {"CaptureFromARecordingThatNobodyWrites",
        {kByForce},
-       [](const std::string& folder) {
-         const std::string fifo = fifoIn(folder, "in.skinrec");
-         return interruptWhenIdle(cli({"capture", "--source", "replay:" + fifo, "-o", "a.hexo"}), folder);
-       }},
+       withFifo("in.skinrec", whenIdle(cli("capture --source replay:in.skinrec -o a.hexo")))},
       {"CaptureIntoARecordingThatNobodyReads",
        {kByForce},
-       [](const std::string& folder) {
-         const std::string fifo = fifoIn(folder, "out.skinrec");
-         return interruptWhenIdle(cli({"capture", "--source", "sim:x17", "--record", fifo, "-o", "a.hexo"}), folder);
-       }},
+       withFifo("out.skinrec", whenIdle(cli("capture --source sim:x17 --record out.skinrec -o a.hexo")))},
       {"CaptureWhileTheStreamRunsAtFullSpeed",
        {0, 1},
-       [](const std::string& folder) {
-         Started program(cli({"capture", "--source", "sim:x17?speed=max", "--keep-raw", "-o", "a.hexo"}), folder);
-         program.waitForError("Pose 1 captured");
-         program.interrupt();
-         return program.wait();
-       }},
-      {"CaptureWhoseResultNobodyReads",
-       {kByForce},
-       [](const std::string& folder) {
-         Started program(cli({"capture", "--source", "sim:x17?speed=max", "--auto", "--poses", "2", "-o", "a.hexo"}),
-                         folder, Read::Never);
-         program.waitForError("Pose 2 captured");
-         program.interrupt();
-         return program.wait();
-       }},
+       afterError(cli("capture --source sim:x17?speed=max --keep-raw -o a.hexo"), "Pose 1 captured")},
+      {"CaptureWhoseResultNobodyReads", {kByForce}, afterError(cli(two_poses), "Pose 2 captured", Stream::Never)},
       {"CaptureWhoseRemarksNobodyReads",
        {kByForce},
-       [](const std::string& folder) {
-         Started program(cli({"capture", "--source", "sim:x17", "-o", "a.hexo"}), folder, Read::Yes, Read::Never);
-         program.waitUntilIdle();
-         program.interrupt();
-         return program.wait();
-       }},
+       whenIdle(cli("capture --source sim:x17 -o a.hexo"), Stream::Read, Stream::Never)},
       {"CaptureThatIsSolvingAHugeSkin",
        {0, 1, kByForce},
-       [](const std::string& folder) {
-         Started program(cli({"capture", "--source", "stdin", "-o", "a.hexo"}), folder);
-         program.write(rowOfCells(8'000));
-         program.waitForError("8000 cells");
-         program.interrupt();
-         return program.wait();
-       }},
-      {"SolveOfAFileThatNobodyWrites",
-       {kByForce},
-       [](const std::string& folder) {
-         const std::string fifo = fifoIn(folder, "in.session.json");
-         return interruptWhenIdle(cli({"solve", fifo}), folder);
-       }},
+       interrupted(cli("capture --source stdin -o a.hexo"),
+                   [](auto& program) {
+                     program.write(rowOfCells(8'000));
+                     program.waitForError("8000 cells");
+                   })},
+      {"SolveOfAFileThatNobodyWrites", {kByForce}, withFifo("in.session.json", whenIdle(cli("solve in.session.json")))},
       {"SolveWhoseResultNobodyReads",
        {kByForce},
-       [](const std::string& folder) {
-         prepare("simulate -o a.session.json", folder);
-         return interruptWhenIdle(cli({"solve", "a.session.json", "--json"}), folder, Read::Never);
-       }},
-      {"SolveInTheMiddleOfIt",
-       {kByForce},
-       [](const std::string& folder) {
-         prepare("simulate --patch sheet:30x30 --poses 4 -o a.session.json", folder);
-         Started program(cli({"solve", "a.session.json"}), folder);
-         program.interrupt();
-         return program.wait();
-       }},
+       after({small}, whenIdle(cli("solve a.session.json --json"), Stream::Never))},
+      {"SolveInTheMiddleOfIt", {kByForce}, after({large}, atOnce(cli("solve b.session.json")))},
       {"SolveOfManySessionsInTheMiddleOfIt",
        {kByForce},
-       [](const std::string& folder) {
-         prepare("simulate -o a.session.json", folder);
-         prepare("simulate --patch sheet:30x30 --poses 4 -o b.session.json", folder);
-         std::vector<std::string> words = cli({"solve", "-o", "out"});
-         words.emplace_back("a.session.json");
-         for (int k = 0; k < 50; ++k) words.emplace_back("b.session.json");
-         Started program(std::move(words), folder);
-         program.waitForOutput("out/a.calibration.json");
-         program.interrupt();
-         return program.wait();
-       }},
+       after({small, large}, afterOutput(cli(many), "out/a.calibration.json"))},
       {"SolveOfManySessionsOfWhichNobodyWritesOne",
        {kByForce},
-       [](const std::string& folder) {
-         const std::string fifo = fifoIn(folder, "in.session.json");
-         prepare("simulate -o a.session.json", folder);
-         Started program(cli({"solve", "a.session.json", fifo, "-o", "out"}), folder);
-         program.waitForOutput("out/a.calibration.json");
-         program.interrupt();
-         return program.wait();
-       }},
+       after({small}, withFifo("in.session.json", afterOutput(cli("solve a.session.json in.session.json -o out"),
+                                                              "out/a.calibration.json")))},
       {"ConvertOfAFileThatNobodyWrites",
        {kByForce},
-       [](const std::string& folder) {
-         const std::string fifo = fifoIn(folder, "in.session.json");
-         return interruptWhenIdle(cli({"convert", fifo, "-o", "a.hexo"}), folder);
-       }},
+       withFifo("in.session.json", whenIdle(cli("convert in.session.json -o a.hexo")))},
       {"ExportOfAFileThatNobodyWrites",
        {kByForce},
-       [](const std::string& folder) {
-         const std::string fifo = fifoIn(folder, "in.calibration.json");
-         return interruptWhenIdle(cli({"export", fifo, "--to", "urdf", "-o", "a.urdf"}), folder);
-       }},
-      {"ReproduceInTheMiddleOfIt",
-       {kByForce},
-       [](const std::string& folder) {
-         Started program(cli({"reproduce"}), folder);
-         program.interrupt();
-         return program.wait();
-       }},
-      {"EmulatorWithAHostThatDoesNotRead",
-       {0},
-       [](const std::string& folder) {
-         Started program(emulator({"--tcp", "0", "--patch", "sheet:15x20", "--speed", "50"}), folder);
-         const std::string line = program.readLine();
-         const int host = connectTo(static_cast<std::uint16_t>(std::stoul(line.substr(line.rfind(':') + 1))));
-         program.waitForOutput("messages\n");
-         char byte = 0;
-         EXPECT_EQ(::recv(host, &byte, 1, 0), 1) << "it is served";
-         program.interrupt();
-         const Started::End end = program.wait();
-         ::close(host);
-         return end;
-       }},
+       withFifo("in.calibration.json", whenIdle(cli("export in.calibration.json --to urdf -o a.urdf")))},
+      {"ReproduceInTheMiddleOfIt", {kByForce}, atOnce(cli("reproduce"))},
+      {"EmulatorWithAHostThatDoesNotRead", {0}, emulatorWithAHostThatDoesNotRead},
       {"EmulatorWhoseAnswersNobodyReads",
        {kByForce},
-       [](const std::string& folder) {
-         Started program(emulator({"--tcp", "0"}), folder);
-         program.waitForOutput("messages\n");
-         for (int k = 0; k < 100; ++k) program.write("help\n");  // a kilobyte each, more than a pipe holds
-         program.waitUntilIdle();
-         program.interrupt();
-         return program.wait();
-       }},
+       interrupted(emulator("--tcp 0"),
+                   [](auto& program) {
+                     program.waitForOutput("messages\n");
+                     for (int k = 0; k < 100; ++k) program.write("help\n");  // a kilobyte each, more than a pipe holds
+                     program.waitUntilIdle();
+                   })},
   };
 }
 
@@ -411,9 +245,9 @@ class Interrupt : public testing::TestWithParam<Case> {};
 
 TEST_P(Interrupt, EndsTheProgram) {
   const test::TemporaryFolder folder;
-  const Started::End end = GetParam().run(folder.path().string());
-  ASSERT_TRUE(end.has_ended);
-  EXPECT_THAT(GetParam().exit_codes, testing::Contains(end.exit_code));
+  const End end = GetParam().run(folder.path().string());
+  ASSERT_TRUE(end.has_value());
+  EXPECT_THAT(GetParam().exit_codes, testing::Contains(*end));
 }
 
 INSTANTIATE_TEST_SUITE_P(WhateverHoldsItUp, Interrupt, testing::ValuesIn(cases()),
@@ -421,26 +255,26 @@ INSTANTIATE_TEST_SUITE_P(WhateverHoldsItUp, Interrupt, testing::ValuesIn(cases()
 
 TEST(InterruptTwice, EndsAtOnceAndSaysWhatIsKept) {
   const test::TemporaryFolder folder;
-  Started program(cli({"capture", "--source", "sim:x17?speed=max", "--auto", "--poses", "2", "-o", "a.hexo"}),
-                  folder.path().string(), Started::Read::Never);
+  test::ChildProcess program(cli("capture --source sim:x17?speed=max --auto --poses 2 -o a.hexo"),
+                             folder.path().string(), Stream::Never, Stream::Read);
   program.waitForError("Pose 2 captured");
   program.interrupt();
   program.interrupt();
   program.waitForError("is in the file");
-  EXPECT_EQ(program.wait().exit_code, kByForce);
+  EXPECT_EQ(program.wait(), kByForce);
 }
 
 TEST(InterruptOfManySessions, LeavesWhatIsWrittenWhole) {
   const test::TemporaryFolder folder;
   const std::string in = folder.path().string();
   prepare("simulate --patch sheet:10x10 --poses 3 -o a.session.json", in);
-  std::vector<std::string> words = cli({"solve", "-o", "out", "--jobs", "2"});
+  std::vector<std::string> words = cli("solve -o out --jobs 2");
   words.insert(words.end(), 1000, "a.session.json");
-  Started program(std::move(words), in);
+  test::ChildProcess program(std::move(words), in, Stream::Read, Stream::Read);
   program.waitForOutput("out/a-3.calibration.json");
   program.interrupt();
   program.waitForError("nterrupted");  // in order, with how many were solved, or on a busy computer by force
-  EXPECT_EQ(program.wait().exit_code, kByForce);
+  EXPECT_EQ(program.wait(), kByForce);
   std::size_t written = 0;
   for (const auto& entry : std::filesystem::directory_iterator(folder.path() / "out")) {
     EXPECT_NO_THROW(readCalibrationJson(entry.path())) << entry.path();

@@ -1,6 +1,7 @@
 // `hexoderm-cli links`: on which link of a simulated robot a patch is.
 
 #include "tests/app/cli/cli_program.h"
+#include "tests/app/cli/robot_truth.h"
 
 #include "hexoderm/geometry/se3.h"
 #include "hexoderm/util/units.h"
@@ -8,9 +9,7 @@
 #include <gmock/gmock.h>
 #include <nlohmann/json.hpp>
 
-#include <cmath>
 #include <stdexcept>
-#include <vector>
 
 namespace hexoderm {
 namespace {
@@ -31,18 +30,6 @@ class CliLinks : public Cli {
   }
 };
 
-/// The true rotation of a cell in the frame of its link.
-Eigen::Matrix3d trueRotationOf(const nlohmann::json& truth, const nlohmann::json& cell) {
-  for (const auto& patch : truth.at("patches")) {
-    for (const auto& placed : patch.at("cells")) {
-      if (placed.at("id") != cell) continue;
-      const auto R = placed.at("R").get<std::vector<double>>();
-      return Eigen::Map<const Eigen::Matrix<double, 3, 3, Eigen::RowMajor>>(R.data());
-    }
-  }
-  throw std::runtime_error("the truth holds no cell " + cell.dump());
-}
-
 TEST_F(CliLinks, PutsPatchesOnTheirLinks) {
   takePoses(8);
   const Outcome text = run("links arm.session.json --robot demo");
@@ -55,9 +42,8 @@ TEST_F(CliLinks, PutsPatchesOnTheirLinks) {
   ASSERT_EQ(json.at("patches").size(), 2U);
   for (const auto& patch : json.at("patches")) {
     const auto& placed = patch.at("placed");
-    const auto& q = placed.at("q_l_o_wxyz");
-    const Eigen::Matrix3d R = Eigen::Quaterniond(q.at(0), q.at(1), q.at(2), q.at(3)).toRotationMatrix();
-    const Eigen::Matrix3d off = R.transpose() * trueRotationOf(truth, patch.at("origin"));
+    const Eigen::Matrix3d off =
+        rotationOf(placed.at("q_l_o_wxyz")).transpose() * trueRotation(truth, patch.at("origin"));
     EXPECT_LT(toDegrees(Eigen::AngleAxisd(off).angle()), 4 * placed.at("sigma_deg").get<double>());
     EXPECT_EQ(patch.at("residuals").size(), 8U);
   }
@@ -83,15 +69,12 @@ TEST_F(CliLinks, BadInputIsRefused) {
   EXPECT_EQ(run("links arm.session.json").exit_code, 2) << "no robot";
   EXPECT_EQ(run("links arm.session.json --robot no.urdf").exit_code, 3);
   EXPECT_EQ(run("links no.session.json --robot demo").exit_code, 3);
-  const Outcome link = run("links arm.session.json --robot demo --put 1=upperarm");
-  EXPECT_EQ(link.exit_code, 2);
-  EXPECT_THAT(link.err, HasSubstr("upper_arm")) << "what may have been meant";
+  EXPECT_THAT(complaint("links arm.session.json --robot demo --put 1=upperarm", 2), HasSubstr("upper_arm"))
+      << "what may have been meant";
   EXPECT_EQ(run("links arm.session.json --robot demo --put upper_arm").exit_code, 2);
   EXPECT_EQ(run("links arm.session.json --robot demo --up 0,0,0").exit_code, 2);
   writeFileAtomically(path("joints.csv"), "pose,elbow\n1,30\n");
-  const Outcome unit = run("links arm.session.json --robot demo --joints joints.csv");
-  EXPECT_EQ(unit.exit_code, 3);
-  EXPECT_THAT(unit.err, HasSubstr("joints.csv"));
+  EXPECT_THAT(complaint("links arm.session.json --robot demo --joints joints.csv", 3), HasSubstr("joints.csv"));
 }
 
 }  // namespace

@@ -8,11 +8,10 @@
 #include "hexoderm/io/session_json.h"
 #include "tests/app/cli/cli_program.h"
 #include "tests/core/device/skinwire/collecting_listener.h"
+#include "tests/support/child_process.h"
 #include "tests/support/paths.h"
 
 #include <fcntl.h>
-#include <signal.h>
-#include <sys/prctl.h>
 #include <termios.h>
 
 #include <nlohmann/json.hpp>
@@ -21,56 +20,24 @@ namespace hexoderm {
 namespace {
 
 /// The emulated board with the firmware, from power-up to the end of the test.
-class Board {
- public:
-  Board() {
-    std::array<int, 2> ends{};
-    if (::pipe2(ends.data(), O_CLOEXEC) != 0) throw std::runtime_error("no pipe");
-    process_ = ::fork();
-    if (process_ == 0) {
-      ::prctl(PR_SET_PDEATHSIG, SIGKILL);  // a test that is killed leaves no board behind
-      ::dup2(ends[1], STDOUT_FILENO);
-      ::dup2(ends[1], STDERR_FILENO);
-      ::execl(HEXODERM_QEMU, HEXODERM_QEMU, "-M", "mps2-an385", "-kernel", HEXODERM_FIRMWARE, "-display", "none",
-              "-monitor", "none", "-serial", "pty", nullptr);
-      ::_exit(127);
-    }
-    ::close(ends[1]);
-    output_ = ends[0];
+struct Board : test::ChildProcess {
+  Board()
+      : ChildProcess({HEXODERM_QEMU, "-M", "mps2-an385", "-kernel", HEXODERM_FIRMWARE, "-display", "none", "-monitor",
+                      "none", "-serial", "pty"},
+                     ".", Stream::Read, Stream::AsOutput) {
     // "char device redirected to /dev/pts/3 (label serial0)"
     const std::string beginning = "redirected to ";
     for (std::string line = readLine(); !line.empty(); line = readLine()) {
+      said += line + '\n';
       const std::size_t at = line.find(beginning);
-      said_ += line + '\n';
       if (at == std::string::npos) continue;
       const std::string rest = line.substr(at + beginning.size());
-      address_ = "serial:" + rest.substr(0, rest.find(' '));
+      address = "serial:" + rest.substr(0, rest.find(' '));
       break;
     }
   }
-  ~Board() {
-    ::kill(process_, SIGKILL);
-    ::waitpid(process_, nullptr, 0);
-    ::close(output_);
-  }
-  Board(const Board&) = delete;
-  Board& operator=(const Board&) = delete;
-
-  /// Empty if QEMU did not start; then `said` tells why.
-  [[nodiscard]] const std::string& address() const { return address_; }
-  [[nodiscard]] const std::string& said() const { return said_; }
-
- private:
-  [[nodiscard]] std::string readLine() const {
-    std::string line;
-    for (char c = 0; ::read(output_, &c, 1) == 1 && c != '\n';) line += c;
-    return line;
-  }
-
-  pid_t process_ = -1;
-  int output_ = -1;
-  std::string address_;
-  std::string said_;
+  std::string address;  ///< empty if QEMU did not start; then `said` tells why
+  std::string said;
 };
 
 CellId idOf(std::size_t cell) { return CellId(static_cast<std::uint32_t>(cell + 1)); }
@@ -128,9 +95,9 @@ class Microcontroller : public Cli {
 
 TEST_F(Microcontroller, IsCapturedAndSolved) {
   const Board board;
-  ASSERT_FALSE(board.address().empty()) << board.said();
+  ASSERT_FALSE(board.address.empty()) << board.said;
   const Outcome capture =
-      run("capture --source " + board.address() + " --auto --poses 3 --timeout 600 --json -o arm.hexo");
+      run("capture --source " + board.address + " --auto --poses 3 --timeout 600 --json -o arm.hexo");
   ASSERT_EQ(capture.exit_code, 0) << capture.err;
   const auto json = nlohmann::json::parse(capture.out);
   EXPECT_EQ(json.at("device"), "seven cells on a Cortex-M3");
@@ -159,11 +126,11 @@ TEST_F(Microcontroller, IsCapturedAndSolved) {
 TEST_F(Microcontroller, AnswersCommands) {
   using Delivered = CollectingListener::Delivered;
   const Board board;
-  ASSERT_FALSE(board.address().empty()) << board.said();
+  ASSERT_FALSE(board.address.empty()) << board.said;
   CollectingListener listener;
   WireOptions patient;
   patient.silent_after = patient.reconnect_after = patient.command_timeout = test::kForever;
-  WireSource source(board.address(), patient);
+  WireSource source(board.address, patient);
   source.start(listener);
   ASSERT_TRUE(listener.waitFor([](const Delivered& d) { return d.frames.size() >= 20; })) << "nothing came";
   EXPECT_EQ(listener.delivered().skins.at(0).neighbors, trueNeighbors());
@@ -247,8 +214,8 @@ class RawHost {
 
 TEST_F(Microcontroller, ACommandThatComesAgainIsNotBegunAnew) {
   const Board board;
-  ASSERT_FALSE(board.address().empty()) << board.said();
-  RawHost host(board.address());
+  ASSERT_FALSE(board.address.empty()) << board.said;
+  RawHost host(board.address);
   const skinwire::Command turn{7, skinwire::TurnTo{2, -Eigen::Vector3d::UnitX()}};
   host.send({turn, turn});  // in one piece: the board turns for little more than a second
   const skinwire::Ack working{7, false, "", true};

@@ -1,6 +1,7 @@
 // `hexoderm-cli parts`: which patches of a simulated robot move together.
 
 #include "tests/app/cli/cli_program.h"
+#include "tests/app/cli/robot_truth.h"
 
 #include "hexoderm/geometry/se3.h"
 #include "hexoderm/util/units.h"
@@ -38,22 +39,6 @@ struct RotationError {
   double angle_deg = 0;
   double sigma_deg = 0;
 };
-
-Eigen::Matrix3d rotationOf(const nlohmann::json& q) {
-  return Eigen::Quaterniond(q.at(0), q.at(1), q.at(2), q.at(3)).toRotationMatrix();
-}
-
-/// The true rotation of a cell in the frame of its link.
-Eigen::Matrix3d trueRotation(const nlohmann::json& truth, const nlohmann::json& cell) {
-  for (const auto& patch : truth.at("patches")) {
-    for (const auto& placed : patch.at("cells")) {
-      if (placed.at("id") != cell) continue;
-      const auto R = placed.at("R").get<std::vector<double>>();
-      return Eigen::Map<const Eigen::Matrix<double, 3, 3, Eigen::RowMajor>>(R.data());
-    }
-  }
-  throw std::runtime_error("the truth holds no cell " + cell.dump());
-}
 
 RotationError errorOf(const nlohmann::json& part, const nlohmann::json& truth) {
   const auto& patch = part.at("patches").at(1);
@@ -123,14 +108,8 @@ TEST_F(CliParts, ASkinOfOnePatchIsOnePart) {
 TEST_F(CliParts, WrongFilesGetOneLine) {
   ASSERT_EQ(run("simulate --poses 3 -o arm.session.json").exit_code, 0);
   ASSERT_EQ(run("solve arm.session.json -o arm.calibration.json").exit_code, 0);
-  const auto complaint = [&](const std::string& arguments, int exit_code) {
-    const Outcome outcome = run("parts " + arguments);
-    EXPECT_EQ(outcome.exit_code, exit_code) << arguments;
-    EXPECT_EQ(std::ranges::count(outcome.err, '\n'), 1) << outcome.err;
-    return outcome.err;
-  };
-  EXPECT_THAT(complaint("arm.calibration.json", 3), HasSubstr("this is a calibration"));
-  EXPECT_THAT(complaint("none.session.json", 3), HasSubstr("none.session.json"));
+  EXPECT_THAT(complaint("parts arm.calibration.json", 3), HasSubstr("this is a calibration"));
+  EXPECT_THAT(complaint("parts none.session.json", 3), HasSubstr("none.session.json"));
 }
 
 }  // namespace

@@ -5,12 +5,12 @@
 #include "hexoderm/util/text.h"
 #include "hexoderm/util/units.h"
 #include "tests/app/cli/cli_program.h"
+#include "tests/app/cli/robot_truth.h"
 #include "tests/support/paths.h"
 
 #include <gmock/gmock.h>
 #include <nlohmann/json.hpp>
 
-#include <algorithm>
 #include <string>
 
 namespace hexoderm {
@@ -111,8 +111,7 @@ TEST_F(CliPlace, TakesTheRotationThatLinksFinds) {
   const auto links = nlohmann::json::parse(
       run("links arm.session.json --robot demo --put " + std::to_string(origin_) + "=forearm --json").out);
   const auto& turn = links["patches"][0]["placed"];
-  const auto& q = turn["q_l_o_wxyz"];
-  const Eigen::Matrix3d R_links = Eigen::Quaterniond(q[0], q[1], q[2], q[3]).toRotationMatrix();
+  const Eigen::Matrix3d R_links = rotationOf(turn["q_l_o_wxyz"]);
   const auto by_point = nlohmann::json::parse(run(place + " --rotation links --no-surface" + point()).out);
   const auto& alone = by_point["candidates"][0]["patches"][0];
   Eigen::Matrix3d R;
@@ -127,29 +126,23 @@ TEST_F(CliPlace, TakesTheRotationThatLinksFinds) {
 }
 
 TEST_F(CliPlace, SaysWhereGravityGivesNoRotation) {
-  const auto fails = [&](const std::string& arguments, int code) {
-    const Outcome outcome = run("place " + arguments);
-    EXPECT_EQ(outcome.exit_code, code) << arguments << outcome.err;
-    return outcome.err;
-  };
-  EXPECT_THAT(fails("arm.calibration.json --robot demo --link forearm --rotation links", 3),
+  EXPECT_THAT(complaint("place arm.calibration.json --robot demo --link forearm --rotation links", 3),
               HasSubstr("arm.calibration.json"));
-  EXPECT_THAT(fails("arm.session.json --robot demo --link forearm --joints arm.joints.csv", 2),
+  EXPECT_THAT(complaint("place arm.session.json --robot demo --link forearm --joints arm.joints.csv", 2),
               HasSubstr("go with --rotation links"));
-  EXPECT_THAT(fails("arm.session.json --robot demo --link hand --rotation links", 1), HasSubstr("link hand"));
+  const Outcome hand = run("place arm.session.json --robot demo --link hand --rotation links");
+  EXPECT_EQ(hand.exit_code, 1);
+  EXPECT_THAT(hand.err, HasSubstr("link hand"));
   auto session = nlohmann::json::parse(readFile(path("arm.session.json")));
   for (auto& pose : session["poses"]) pose.erase("joint_angles");
   writeFileAtomically(path("bare.session.json"), session.dump());
-  EXPECT_THAT(fails("bare.session.json --robot demo --link forearm --rotation links", 3),
+  EXPECT_THAT(complaint("place bare.session.json --robot demo --link forearm --rotation links", 3),
               AllOf(HasSubstr("no pose has joint angles"), HasSubstr("--joints")));
 }
 
 TEST_F(CliPlace, RefusesWhatMakesNoSense) {
-  const auto says = [&](const std::string& arguments, int code) {
-    const Outcome outcome = run("place arm.calibration.json --robot demo " + arguments);
-    EXPECT_EQ(outcome.exit_code, code) << arguments << outcome.err;
-    EXPECT_EQ(std::ranges::count(outcome.err, '\n'), 1) << outcome.err;
-    return outcome.err;
+  const auto says = [this](const std::string& arguments, int code) {
+    return complaint("place arm.calibration.json --robot demo " + arguments, code);
   };
   EXPECT_THAT(says("--link fourarm", 2), HasSubstr("has no link fourarm"));
   EXPECT_THAT(says("--link forearm --point 1:0,0", 2), HasSubstr("--point: expected CELL:x,y,z[:sigma]"));
@@ -166,10 +159,8 @@ TEST_F(CliPlace, RefusesAMeshThatCannotBeReadInOneLine) {
                                  "trunc.glb", "none.stl"}) {
     writeFileAtomically(path("r.urdf"), R"(<robot name="r"><link name="base"><visual><geometry><mesh filename=")" +
                                             (corpus / mesh).string() + R"("/></geometry></visual></link></robot>)");
-    const Outcome outcome = run("place arm.calibration.json --robot r.urdf --link base --rotation 0,0,0:5");
-    EXPECT_EQ(outcome.exit_code, 3) << mesh << outcome.err;
-    EXPECT_EQ(std::ranges::count(outcome.err, '\n'), 1) << outcome.err;
-    EXPECT_THAT(outcome.err, AllOf(HasSubstr("r.urdf: link base: "), HasSubstr(mesh)));
+    EXPECT_THAT(complaint("place arm.calibration.json --robot r.urdf --link base --rotation 0,0,0:5", 3),
+                AllOf(HasSubstr("r.urdf: link base: "), HasSubstr(mesh)));
   }
 }
 

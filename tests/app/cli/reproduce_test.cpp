@@ -1,15 +1,11 @@
 // `hexoderm-cli reproduce` with so few skins that it is quick: its form, and what few skins can tell.
 
-#include "tests/support/paths.h"
+#include "tests/app/cli/cli_program.h"
 
 #include <gmock/gmock.h>
 #include <nlohmann/json.hpp>
 
-#include <sys/wait.h>
-
-#include <array>
 #include <cmath>
-#include <cstdio>
 #include <string>
 #include <vector>
 
@@ -20,16 +16,14 @@ using ::testing::AllOf;
 using ::testing::HasSubstr;
 using ::testing::Not;
 
-std::string outputOf(const std::string& arguments) {
-  std::FILE* pipe = ::popen(("'" HEXODERM_CLI "' reproduce --quiet " + arguments).c_str(), "r");
-  std::string output;
-  std::array<char, 4096> buffer{};
-  while (const std::size_t count = std::fread(buffer.data(), 1, buffer.size(), pipe)) {
-    output.append(buffer.data(), count);
+class Reproduce : public Cli {
+ protected:
+  [[nodiscard]] std::string outputOf(const std::string& arguments) const {
+    const Outcome outcome = run("reproduce --quiet " + arguments);
+    EXPECT_EQ(outcome.exit_code, 0) << arguments;
+    return outcome.out;
   }
-  EXPECT_EQ(WEXITSTATUS(::pclose(pipe)), 0) << arguments;
-  return output;
-}
+};
 
 /// JSON has no words for NaN and infinity: they are written as null, which only some keys may be.
 void expectFinite(const nlohmann::json& row, const std::vector<std::string>& keys) {
@@ -39,7 +33,7 @@ void expectFinite(const nlohmann::json& row, const std::vector<std::string>& key
   }
 }
 
-TEST(Reproduce, PrintsThePapersFiguresBesideOurs) {
+TEST_F(Reproduce, PrintsThePapersFiguresBesideOurs) {
   const std::string text = outputOf("--seeds 3 --only paper");
   EXPECT_THAT(text, AllOf(HasSubstr("-0.30"), HasSubstr("1.62"), HasSubstr("10.46"), HasSubstr("4.71"),
                           HasSubstr("20 mg"), HasSubstr("60 mg"), HasSubstr("100 mg"), HasSubstr("imulated")));
@@ -55,7 +49,7 @@ TEST(Reproduce, PrintsThePapersFiguresBesideOurs) {
   }
 }
 
-TEST(Reproduce, PlacesOnEveryLinkAreCounted) {
+TEST_F(Reproduce, PlacesOnEveryLinkAreCounted) {
   const auto json = nlohmann::json::parse(outputOf("--seeds 1 --only place --json"));
   const auto& rows = json.at("place").at("rows");
   ASSERT_EQ(rows.size(), 3 * 2 + 1);
@@ -65,7 +59,7 @@ TEST(Reproduce, PlacesOnEveryLinkAreCounted) {
   }
 }
 
-TEST(Reproduce, AccuracyTableIsWholeAndTheGlobalSolverBeatsThePapersMethod) {
+TEST_F(Reproduce, AccuracyTableIsWholeAndTheGlobalSolverBeatsThePapersMethod) {
   const auto json = nlohmann::json::parse(outputOf("--seeds 2 --only accuracy --json"));
   const auto& rows = json.at("accuracy").at("rows");
   // 4 of orientation; per law 2 of X17, 3 of the ring twice, 2 of the closed one, 1 of 1,000 cells.
@@ -84,7 +78,7 @@ TEST(Reproduce, AccuracyTableIsWholeAndTheGlobalSolverBeatsThePapersMethod) {
   EXPECT_TRUE(compared);
 }
 
-TEST(Reproduce, UncertaintyAndDetectionAreCounted) {
+TEST_F(Reproduce, UncertaintyAndDetectionAreCounted) {
   const auto uncertainty = nlohmann::json::parse(outputOf("--seeds 1 --only uncertainty --json")).at("uncertainty");
   EXPECT_EQ(uncertainty.at("rows").size(), 4 * 2 * 2 * 3);
   EXPECT_EQ(uncertainty.at("wrong_prior").size(), 4);
@@ -98,14 +92,14 @@ TEST(Reproduce, UncertaintyAndDetectionAreCounted) {
   for (const auto& row : detection.at("rows")) expectFinite(row, {"false_per_link_percent", "false_per_cell_percent"});
 }
 
-TEST(Reproduce, TextHasEveryPart) {
+TEST_F(Reproduce, TextHasEveryPart) {
   EXPECT_THAT(outputOf("--seeds 1"),
               AllOf(HasSubstr("The paper's two experiments"), HasSubstr("Accuracy on simulated skins"),
                     HasSubstr("Stated uncertainty"), HasSubstr("What is broken is found"), HasSubstr("By hand"),
                     Not(HasSubstr("nan")), Not(HasSubstr("inf "))));
 }
 
-TEST(Reproduce, ChecksOfCalibrationsAreCountedWithIntervals) {
+TEST_F(Reproduce, ChecksOfCalibrationsAreCountedWithIntervals) {
   const std::string text = outputOf("--seeds 3 --only check");
   EXPECT_THAT(text, AllOf(HasSubstr("turned by 10 deg"), HasSubstr("offset drifted by 60 mg"), HasSubstr("healthy"),
                           HasSubstr("imulated")));

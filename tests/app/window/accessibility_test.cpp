@@ -2,7 +2,6 @@
 // nothing is cut off.
 
 #include "tests/app/window/window_test.h"
-#include "tests/support/qt_wait.h"
 
 #include <QAbstractButton>
 #include <QAbstractItemView>
@@ -72,39 +71,6 @@ class AccessibilityTest : public WindowTest {
       }
     }
   }
-
-  template <class Check>
-  void forEachDialog(Check check) {
-    struct Opened {
-      const char* action;
-      const char* dialog;
-    };
-    for (const Opened& opened :
-         {Opened{"actionPreferences", "preferencesDialog"}, Opened{"actionKeys", "keysDialog"},
-          Opened{"actionConnect", nullptr}, Opened{"actionExport", "exportDialog"}, Opened{"actionAbout", nullptr}}) {
-      action(opened.action)->trigger();
-      QDialog* dialog = nullptr;
-      ASSERT_TRUE(waitUntil([&] {
-        for (auto* candidate : window_->findChildren<QDialog*>()) {
-          if (candidate->isVisible()) dialog = candidate;
-        }
-        return dialog != nullptr;
-      })) << opened.action;
-      ASSERT_TRUE(test::waitUntilExposed(*dialog));
-      if (auto* tabs = dialog->findChild<QTabWidget*>()) {
-        for (int k = 0; k < tabs->count(); ++k) {
-          tabs->setCurrentIndex(k);
-          QCoreApplication::processEvents();
-          check(dialog, QStringLiteral("%1, page %2").arg(opened.action).arg(k));
-        }
-      } else {
-        check(dialog, QLatin1String(opened.action));
-      }
-      dialog->close();
-      QPointer<QDialog> closing(dialog);
-      ASSERT_TRUE(waitUntil([&] { return closing.isNull(); })) << opened.action;
-    }
-  }
 };
 
 TEST_F(AccessibilityTest, EverythingThatTakesTheFocusHasAName) {
@@ -126,11 +92,27 @@ TEST_F(AccessibilityTest, EverythingThatTakesTheFocusHasAName) {
 
 TEST_F(AccessibilityTest, EverythingInDialogsHasANameAndRoom) {
   ASSERT_NO_FATAL_FAILURE(takeDemoPoses(2));
-  forEachDialog([](QWidget* dialog, const QString& where) {
-    EXPECT_EQ(nameless(dialog).join("\n").toStdString(), "") << where.toStdString();
-    EXPECT_EQ(cutOff(dialog).join("\n").toStdString(), "") << where.toStdString();
-    EXPECT_FALSE(dialog->windowTitle().isEmpty()) << where.toStdString();
-  });
+  for (const char* name : {"actionPreferences", "actionKeys", "actionConnect", "actionExport", "actionAbout"}) {
+    action(name)->trigger();
+    QPointer<QDialog> dialog;
+    ASSERT_TRUE(waitUntil([&] {
+      for (auto* candidate : window_->findChildren<QDialog*>()) {
+        if (candidate->isVisible()) dialog = candidate;
+      }
+      return !dialog.isNull();
+    })) << name;
+    ASSERT_TRUE(test::waitUntilExposed(*dialog));
+    EXPECT_FALSE(dialog->windowTitle().isEmpty()) << name;
+    auto* tabs = dialog->findChild<QTabWidget*>();
+    for (int page = 0; page < (tabs ? tabs->count() : 1); ++page) {
+      if (tabs) tabs->setCurrentIndex(page);
+      QCoreApplication::processEvents();
+      EXPECT_EQ(nameless(dialog).join("\n").toStdString(), "") << name << ", page " << page;
+      EXPECT_EQ(cutOff(dialog).join("\n").toStdString(), "") << name << ", page " << page;
+    }
+    dialog->close();
+    ASSERT_TRUE(waitUntil([&] { return dialog.isNull(); })) << name;
+  }
 }
 
 TEST_F(AccessibilityTest, EveryActionIsInAMenuAndSaysWhatItIsFor) {

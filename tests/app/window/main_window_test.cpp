@@ -4,47 +4,22 @@
 #include "hexoderm/io/calibration_json.h"
 #include "hexoderm/reconstruction/advice/pose_advisor.h"
 #include "hexoderm/reconstruction/evaluation/evaluation.h"
-#include "hexoderm/session/session_store.h"
 #include "hexoderm/util/units.h"
 #include "tests/app/window/window_test.h"
 #include "widgets/capture/coverage_view.h"
+#include "widgets/controls/view_mark.h"
 #include "widgets/patch/patch_view.h"
 
-#include <QComboBox>
-#include <QDockWidget>
 #include <QListWidget>
-#include <cmath>
 
 namespace hexoderm {
 namespace {
 
 using MainWindowTest = WindowTest;
 
-// Two hand-held poses, 60 mg offsets, the paper's method and a fixed seed: the median of the orientation error over
-// many seeds is 5.3 degrees, and the paper has 1 to 2 mm of shape. Twice that is a result gone wrong.
-constexpr double kOrientationBound = 10.6 * kDegree;
-constexpr double kPositionBound_m = 6 * kMillimetre;
-
-void expectNearTruth(const Reconstruction& calibration, const GroundTruth& truth) {
-  const std::vector<Comparison> comparisons = compareToTruth(calibration, truth);
-  ASSERT_EQ(comparisons.size(), 1U);
-  EXPECT_EQ(comparisons[0].cells.size(), 17U);
-  EXPECT_LT(comparisons[0].orientation_rms_rad, kOrientationBound);
-  EXPECT_LT(comparisons[0].position_rms_m, kPositionBound_m);
-  // Sensors have errors: a result without any would have been taken from the truth.
-  EXPECT_GT(comparisons[0].orientation_rms_rad, 0.01 * kDegree);
-}
-
-TEST_F(MainWindowTest, StartsEmptyWithTheDemoOneClickAway) {
-  EXPECT_EQ(find<QPushButton>("bannerButton")->text(), "Start the demo skin");
-  EXPECT_TRUE(find<QPushButton>("bannerButton")->isEnabled());
+TEST_F(MainWindowTest, GoesFromTheDemoSkinThroughTwoPosesToAnExportedFile) {
   EXPECT_FALSE(action("actionExport")->isEnabled());
   EXPECT_FALSE(action("actionCapture")->isEnabled());
-  EXPECT_EQ(QApplication::activeModalWidget(), nullptr);
-  keepPicture(window_->picture(), "start-light");
-}
-
-TEST_F(MainWindowTest, GoesFromTheDemoSkinThroughTwoPosesToAnExportedFile) {
   ASSERT_NO_FATAL_FAILURE(takeDemoPoses(0));
   EXPECT_EQ(controller().file().name(), "Demo skin (simulated)");
   EXPECT_EQ(find<QPushButton>("bannerButton")->text(), "Let the simulated robot take the poses");
@@ -60,53 +35,32 @@ TEST_F(MainWindowTest, GoesFromTheDemoSkinThroughTwoPosesToAnExportedFile) {
             controller().reconstruction()->assessment.reason.english());
 
   press(Qt::Key_E, Qt::ControlModifier);
-  auto* dialog = waitForDialog<QDialog>("exportDialog");
-  ASSERT_NE(dialog, nullptr);
+  auto* dialog = waitForDialog("exportDialog");
   const QString path = pathTo("forearm.calibration.json");
   auto* edit = dialog->findChild<QLineEdit*>("exportPath");
   ASSERT_TRUE(edit->hasFocus());
   QTest::keyClick(edit, Qt::Key_A, Qt::ControlModifier);
   QTest::keyClicks(edit, path);
   QTest::keyClick(edit, Qt::Key_Return);
-  ASSERT_TRUE(waitForMessage("Exported to " + path)) << message().toStdString();
+  ASSERT_TRUE(waitForMessage("Exported to " + path));
 
+  // Two hand-held poses, 60 mg offsets, the paper's method and a fixed seed: the median of the orientation error over
+  // many seeds is 5.3 degrees, and the paper has 1 to 2 mm of shape. Twice that is a result gone wrong.
   const auto calibration = readCalibrationJson(path.toStdString());
-  ASSERT_NE(controller().session()->truth(), nullptr);
-  expectNearTruth(*calibration, *controller().session()->truth());
   EXPECT_EQ(calibration->poses.size(), 2U);
-}
-
-TEST_F(MainWindowTest, ExportsTablesAndReplacesThemWhenAsked) {
-  ASSERT_NO_FATAL_FAILURE(takeDemoPoses(2));
-  for (const QString& label : {QStringLiteral("Export"), QStringLiteral("Replace")}) {
-    press(Qt::Key_E, Qt::ControlModifier);
-    auto* dialog = waitForDialog<QDialog>("exportDialog");
-    ASSERT_NE(dialog, nullptr);
-    auto* formats = dialog->findChild<QListWidget*>("exportFormats");
-    const QList<QListWidgetItem*> csv = formats->findItems("CSV", Qt::MatchExactly);
-    ASSERT_EQ(csv.size(), 1);
-    QTest::mouseClick(formats->viewport(), Qt::LeftButton, Qt::NoModifier, formats->visualItemRect(csv[0]).center());
-    auto* edit = dialog->findChild<QLineEdit*>("exportPath");
-    edit->selectAll();
-    QTest::keyClicks(edit, pathTo("tables"));
-    auto* button = dialog->findChild<QPushButton*>("exportButton");
-    EXPECT_EQ(button->text(), label);
-    click(button);
-    ASSERT_TRUE(waitForMessage("Exported to " + pathTo("tables"))) << message().toStdString();
-    // Close the message, so that the next round waits for its own.
-    click(find<QWidget>("messageClose"));
-    ASSERT_TRUE(waitUntil([&] { return window_->findChild<QDialog*>("exportDialog") == nullptr; }));
-  }
-  for (const char* table : {"cells.csv", "links.csv", "poses.csv", "residuals.csv", "covariances.csv"}) {
-    EXPECT_TRUE(QFile::exists(pathTo("tables/") + table)) << table;
-  }
+  ASSERT_NE(controller().session()->truth(), nullptr);
+  const std::vector<Comparison> comparisons = compareToTruth(*calibration, *controller().session()->truth());
+  ASSERT_EQ(comparisons.size(), 1U);
+  EXPECT_EQ(comparisons[0].cells.size(), 17U);
+  EXPECT_LT(comparisons[0].orientation_rms_rad, 10.6 * kDegree);
+  EXPECT_LT(comparisons[0].position_rms_m, 6 * kMillimetre);
+  EXPECT_GT(comparisons[0].orientation_rms_rad, 0.01 * kDegree) << "without any error it is taken from the truth";
 }
 
 TEST_F(MainWindowTest, ExportDialogSaysWhatIsMissing) {
   ASSERT_NO_FATAL_FAILURE(takeDemoPoses(1));
   press(Qt::Key_E, Qt::ControlModifier);
-  auto* dialog = waitForDialog<QDialog>("exportDialog");
-  ASSERT_NE(dialog, nullptr);
+  auto* dialog = waitForDialog("exportDialog");
   auto* edit = dialog->findChild<QLineEdit*>("exportPath");
   auto* button = dialog->findChild<QPushButton*>("exportButton");
   auto* note = dialog->findChild<QLabel*>("exportNote");
@@ -127,67 +81,27 @@ TEST_F(MainWindowTest, ExportDialogSaysWhatIsMissing) {
   prefix->clear();
   EXPECT_FALSE(button->isEnabled()) << "a link needs a name";
   QTest::keyClick(dialog, Qt::Key_Escape);
-  EXPECT_TRUE(waitUntil([&] { return window_->findChild<QDialog*>("exportDialog") == nullptr; }));
+  EXPECT_TRUE(waitUntilGone("exportDialog"));
   EXPECT_TRUE(window_->isVisible());
 }
 
-TEST_F(MainWindowTest, PosesAreDisabledDeletedAndBroughtBackByKeys) {
-  ASSERT_NO_FATAL_FAILURE(takeDemoPoses(2));
-  EXPECT_FALSE(action("actionTogglePose")->isEnabled());
-  EXPECT_TRUE(action("actionTogglePose")->toolTip().contains("Pick a pose"));
-
-  clickRow("poseView", 1);
-  press(Qt::Key_Delete);
-  ASSERT_TRUE(waitUntilIdle());
-  EXPECT_FALSE(controller().reconstruction()->poses[1].enabled);
-  EXPECT_EQ(controller().reconstruction()->assessment.level, VerdictLevel::NotEnough);
-
-  // The same row is still picked although the table was filled again.
-  press(Qt::Key_Delete);
-  ASSERT_TRUE(waitUntilIdle());
-  EXPECT_TRUE(controller().reconstruction()->poses[1].enabled);
-
-  press(Qt::Key_Delete, Qt::ShiftModifier);
-  ASSERT_TRUE(waitForPoses(1));
-  EXPECT_EQ(controller().reconstruction()->poses[0].pose, PoseId(1));
-
-  press(Qt::Key_Z, Qt::ControlModifier);
-  ASSERT_TRUE(waitForPoses(2));
-  EXPECT_EQ(controller().reconstruction()->poses[1].pose, PoseId(2));
-  press(Qt::Key_Z, Qt::ControlModifier | Qt::ShiftModifier);
-  ASSERT_TRUE(waitForPoses(1));
-
-  for (int k = 0; k < 5; ++k) press(Qt::Key_Z, Qt::ControlModifier);
-  ASSERT_TRUE(waitForPoses(0));
-  EXPECT_FALSE(action("actionUndo")->isEnabled());
-  EXPECT_FALSE(controller().file().hasUnsavedChanges());
-}
-
-TEST_F(MainWindowTest, SpaceTakesAPoseUnlessAButtonHasTheFocus) {
-  ASSERT_NO_FATAL_FAILURE(takeDemoPoses(0));
-  find<QTableView>("poseView")->setFocus();
-  window_->setFocus();
-  press(Qt::Key_Space);
-  ASSERT_TRUE(waitForPoses(1));
-
+TEST_F(MainWindowTest, KeysGoToTheButtonOrFieldThatHasTheFocus) {
+  ASSERT_NO_FATAL_FAILURE(takeDemoPoses(1));
   find<QAbstractButton>("stepHead1")->setFocus(Qt::TabFocusReason);
   press(Qt::Key_Space);
   ASSERT_TRUE(waitUntilIdle());
   EXPECT_EQ(posesShown(), 1U) << "the step was to be opened";
-}
-
-TEST_F(MainWindowTest, TheRobotTakesAllPosesAndStopsByItself) {
-  clickBanner();
-  ASSERT_TRUE(waitUntil([this] { return find<QPushButton>("bannerButton")->text().startsWith("Let the simulated"); }));
-  clickBanner();
-  ASSERT_TRUE(waitUntil([this] { return controller().poseGuide().isRobotOn(); }));
-  EXPECT_EQ(find<QPushButton>("bannerButton")->text(), "Stop the robot");
-  ASSERT_TRUE(waitUntil([this] { return !controller().poseGuide().isRobotOn(); })) << message().toStdString();
+  clickRow("poseView", 0);
+  press(Qt::Key_F, Qt::ControlModifier);
+  auto* field = qobject_cast<QLineEdit*>(QApplication::focusWidget());
+  ASSERT_NE(field, nullptr);
+  QTest::keyClicks(field, "12");
+  EXPECT_EQ(window_->selection().cell(), CellId(12));
+  QTest::keyClick(field, Qt::Key_Home);
+  QTest::keyClick(field, Qt::Key_Delete);
+  EXPECT_EQ(field->text(), "2");
   ASSERT_TRUE(waitUntilIdle());
-  EXPECT_FALSE(controller().poseGuide().wantsMorePoses());
-  EXPECT_EQ(find<QPushButton>("bannerButton")->text(), "Export…");
-  EXPECT_FALSE(controller().reconstruction()->assessment.wantsPose())
-      << posesShown() << " poses: " << controller().reconstruction()->assessment.reason;
+  EXPECT_FALSE(controller().session()->poses()[0].disabled);
 }
 
 TEST_F(MainWindowTest, FourKeysLeadFromTheStartToAnExportedCalibrationWithinAMinute) {
@@ -197,19 +111,18 @@ TEST_F(MainWindowTest, FourKeysLeadFromTheStartToAnExportedCalibrationWithinAMin
   ASSERT_TRUE(waitUntil([this] { return action("actionRobot")->isEnabled(); }));
   press(Qt::Key_B);
   EXPECT_TRUE(controller().poseGuide().isRobotOn());
-  ASSERT_TRUE(waitUntil([this] { return !controller().poseGuide().isRobotOn(); })) << message().toStdString();
+  ASSERT_TRUE(waitUntil([this] { return !controller().poseGuide().isRobotOn(); }));
   // By the skin's clock: a busy computer is no fault of the window.
   const double rate_hz = controller().session()->model().accelerometer.rate_hz;
   EXPECT_LT(static_cast<double>(controller().liveSession().source().status().frames) / rate_hz, 60);
   ASSERT_TRUE(waitUntilIdle());
   press(Qt::Key_E, Qt::ControlModifier);
-  auto* dialog = waitForDialog<QDialog>("exportDialog");
-  ASSERT_NE(dialog, nullptr);
+  waitForDialog("exportDialog");
   QTest::keyClick(QApplication::focusWidget(), Qt::Key_Return);
-  ASSERT_TRUE(waitForMessage("Exported to ")) << message().toStdString();
+  ASSERT_TRUE(waitForMessage("Exported to "));
 }
 
-TEST_F(MainWindowTest, NoTurnIsAskedForBeforeTheFirstPoseAndNoneIsSkippedWhenThereAreEnough) {
+TEST_F(MainWindowTest, TheRobotTakesAllPosesAfterTheFirstAndNoneIsSkippedWhenThereAreEnough) {
   ASSERT_NO_FATAL_FAILURE(takeDemoPoses(0));
   ASSERT_TRUE(waitUntil([this] { return controller().poseGuide().nextPose().has_value(); }));
   const auto isAsked = [this] { return action("actionTurn")->isEnabled() && action("actionSkipPose")->isEnabled(); };
@@ -221,10 +134,18 @@ TEST_F(MainWindowTest, NoTurnIsAskedForBeforeTheFirstPoseAndNoneIsSkippedWhenThe
   controller().liveSession().captureNow();
   ASSERT_TRUE(waitForPoses(1));
   ASSERT_TRUE(waitUntil(isAsked));
-  press(Qt::Key_B);
-  ASSERT_TRUE(waitUntil([this] { return !controller().poseGuide().isRobotOn(); })) << message().toStdString();
+
+  ASSERT_TRUE(waitUntil([this] { return find<QPushButton>("bannerButton")->text().startsWith("Let the simulated"); }));
+  clickBanner();
+  ASSERT_TRUE(waitUntil([this] { return controller().poseGuide().isRobotOn(); }));
+  EXPECT_EQ(find<QPushButton>("bannerButton")->text(), "Stop the robot");
+  ASSERT_TRUE(waitUntil([this] { return !controller().poseGuide().isRobotOn(); }));
   ASSERT_TRUE(waitUntilIdle());
   ASSERT_TRUE(waitUntil([&] { return !isAsked(); }));
+  EXPECT_FALSE(controller().poseGuide().wantsMorePoses());
+  EXPECT_EQ(find<QPushButton>("bannerButton")->text(), "Export…");
+  EXPECT_FALSE(controller().reconstruction()->assessment.wantsPose())
+      << posesShown() << " poses: " << controller().reconstruction()->assessment.reason;
   EXPECT_FALSE(action("actionSkipPose")->isEnabled());
   EXPECT_TRUE(action("actionSkipPose")->toolTip().contains("enough poses"))
       << action("actionSkipPose")->toolTip().toStdString();
@@ -232,51 +153,38 @@ TEST_F(MainWindowTest, NoTurnIsAskedForBeforeTheFirstPoseAndNoneIsSkippedWhenThe
       << "for a result that is better than good";
 }
 
-TEST_F(MainWindowTest, ASkippedPoseIsNotAdvisedAgain) {
-  ASSERT_NO_FATAL_FAILURE(takeDemoPoses(1));
-  ASSERT_TRUE(waitUntil([this] { return action("actionSkipPose")->isEnabled(); }));
-  const Eigen::Vector3d first = controller().poseGuide().nextPose()->up;
-  press(Qt::Key_N);
-  ASSERT_TRUE(waitUntil([&] { return !controller().poseGuide().nextPose()->up.isApprox(first); }));
-  EXPECT_LT(controller().poseGuide().nextPose()->up.dot(first), std::cos(29.9 * kDegree));
-}
-
-TEST_F(MainWindowTest, APoseIsTakenAgainInItsPlaceAndUndoBringsTheOldOneBack) {
+TEST_F(MainWindowTest, APoseIsTakenAgainInItsPlaceAndEverythingIsUndone) {
   ASSERT_NO_FATAL_FAILURE(takeDemoPoses(2));
   const auto first = controller().session()->poses()[0].capture;
   EXPECT_FALSE(action("actionRecapture")->isEnabled());
   clickRow("poseView", 0);
   press(Qt::Key_R);
   EXPECT_EQ(controller().liveSession().recapturing(), PoseId(1));
-  EXPECT_TRUE(message().contains("takes the place of pose 1")) << message().toStdString();
+  ASSERT_TRUE(waitForMessage("takes the place of pose 1"));
+  press(Qt::Key_R);
+  EXPECT_TRUE(waitUntil([this] { return find<QWidget>("messageBar")->isHidden(); })) << "it is called off";
+  press(Qt::Key_R);
+  ASSERT_TRUE(waitForMessage("takes the place of pose 1"));
   press(Qt::Key_Space);
   ASSERT_TRUE(waitUntil([&] { return controller().session()->poses()[0].capture != first; }));
   ASSERT_TRUE(waitForPoses(2));
   EXPECT_EQ(controller().liveSession().recapturing(), std::nullopt);
-  EXPECT_EQ(controller().session()->poses()[0].capture->id, PoseId(1)) << "it keeps its number";
-  ASSERT_TRUE(waitForMessage("Pose 1 captured")) << message().toStdString();
+  ASSERT_TRUE(waitForMessage("Pose 1 captured"));
+  EXPECT_TRUE(find<QWidget>("messageBar")->isHidden()) << "there is nothing to call off any more";
   EXPECT_FALSE(message().contains("repeats pose 1")) << message().toStdString();
   press(Qt::Key_Z, Qt::ControlModifier);
   ASSERT_TRUE(waitForPoses(2));
   EXPECT_EQ(controller().session()->poses()[0].capture, first);
+  for (int k = 0; k < 2; ++k) press(Qt::Key_Z, Qt::ControlModifier);
+  ASSERT_TRUE(waitForPoses(0));
+  EXPECT_FALSE(action("actionUndo")->isEnabled());
+  EXPECT_FALSE(controller().file().hasUnsavedChanges());
 }
 
-TEST_F(MainWindowTest, WhatOffersToCallARecaptureOffGoesWithIt) {
-  ASSERT_NO_FATAL_FAILURE(takeDemoPoses(1));
-  clickRow("poseView", 0);
-  press(Qt::Key_R);
-  ASSERT_TRUE(waitForMessage("takes the place of pose 1")) << message().toStdString();
-  press(Qt::Key_R);
-  EXPECT_TRUE(waitUntil([this] { return find<QWidget>("messageBar")->isHidden(); })) << message().toStdString();
-  press(Qt::Key_R);
-  ASSERT_TRUE(waitForMessage("takes the place of pose 1")) << message().toStdString();
-  press(Qt::Key_Space);
-  EXPECT_TRUE(waitForMessage("Pose 1 captured")) << message().toStdString();
-  EXPECT_TRUE(find<QWidget>("messageBar")->isHidden()) << message().toStdString();
-}
-
-TEST_F(MainWindowTest, LiveModeShowsTheMomentAndGoesBackToTheResult) {
+TEST_F(MainWindowTest, LiveModeShowsTheMomentUnmistakablyAndGoesBackToTheResult) {
   ASSERT_NO_FATAL_FAILURE(takeDemoPoses(2));
+  const auto* mark = find<ViewMark>("middleMark");
+  EXPECT_FALSE(mark->content().has_value());
   std::size_t moments = 0;
   std::shared_ptr<const Reconstruction> moment;
   QObject::connect(&controller().liveMode(), &LiveMode::momentSolved, window_.get(), [&](const auto& solved) {
@@ -284,15 +192,23 @@ TEST_F(MainWindowTest, LiveModeShowsTheMomentAndGoesBackToTheResult) {
     moment = solved;
   });
   press(Qt::Key_L);
-  ASSERT_TRUE(waitUntil([&] { return moments >= 5; }));
+  ASSERT_TRUE(waitUntil([&] { return moments >= 5 && mark->content().has_value(); }));
   EXPECT_EQ(moment->poses.size(), 1U);
   EXPECT_EQ(moment->solver, "tree");
+  EXPECT_TRUE(mark->content()->has_frame);
+  EXPECT_TRUE(mark->content()->words.contains("Live")) << mark->content()->words.toStdString();
+  EXPECT_TRUE(mark->isVisible());
+  EXPECT_TRUE(find<ViewMark>("sideMark")->isVisible());
+  keepPicture(window_->picture(), "live-mode");
+
   int results = 0;
   QObject::connect(&controller(), &SessionController::reconstructionChanged, window_.get(), [&] { ++results; });
   press(Qt::Key_L);
   EXPECT_FALSE(controller().liveMode().isOn());
   EXPECT_EQ(posesShown(), 2U);
   EXPECT_EQ(results, 0) << "the result is the same as before";
+  EXPECT_TRUE(waitUntil([&] { return !mark->content(); }));
+  EXPECT_FALSE(mark->isVisible());
 }
 
 TEST_F(MainWindowTest, LiveModeSaysOnceThatTheMomentCanNotBeSolved) {
@@ -321,21 +237,6 @@ TEST_F(MainWindowTest, WhatWasNotSavedIsInAScratchFileUntilItIsGivenUp) {
   controller().undoStack()->setClean();
   window_.reset();
   EXPECT_TRUE(files().isEmpty()) << "closed knowingly";
-}
-
-TEST_F(MainWindowTest, DelWhileTypingEditsTheText) {
-  ASSERT_NO_FATAL_FAILURE(takeDemoPoses(1));
-  clickRow("poseView", 0);
-  press(Qt::Key_F, Qt::ControlModifier);
-  auto* field = qobject_cast<QLineEdit*>(QApplication::focusWidget());
-  ASSERT_NE(field, nullptr);
-  QTest::keyClicks(field, "12");
-  EXPECT_EQ(window_->selection().cell(), CellId(12));
-  QTest::keyClick(field, Qt::Key_Home);
-  QTest::keyClick(field, Qt::Key_Delete);
-  EXPECT_EQ(field->text(), "2");
-  ASSERT_TRUE(waitUntilIdle());
-  EXPECT_FALSE(controller().session()->poses()[0].disabled);
 }
 
 TEST_F(MainWindowTest, WhatIsPickedAnywhereIsPickedEverywhere) {
@@ -381,48 +282,6 @@ TEST_F(MainWindowTest, ThemesSwitchAndAreRemembered) {
   openWindow();
   EXPECT_EQ(window_->theme(), Theme::Dark);
   EXPECT_TRUE(action("actionThemeDark")->isChecked());
-}
-
-TEST_F(MainWindowTest, PanelsAreRemembered) {
-  auto* graph = find<QDockWidget>("graphDock");
-  ASSERT_TRUE(graph->isVisible());
-  graph->toggleViewAction()->trigger();
-  EXPECT_FALSE(graph->isVisible());
-  window_->close();
-  openWindow();
-  EXPECT_FALSE(find<QDockWidget>("graphDock")->isVisible());
-  EXPECT_TRUE(find<QDockWidget>("poseDock")->isVisible());
-}
-
-TEST_F(MainWindowTest, EveryKeyIsListedAndEscapeClosesTheListOnly) {
-  press(Qt::Key_H);
-  auto* keys = waitForDialog<QDialog>("keysDialog");
-  ASSERT_NE(keys, nullptr);
-  QStringList texts;
-  for (const QLabel* label : keys->findChildren<QLabel*>()) texts << label->text();
-  for (const char* key : {"Space", "Del", "Shift+Del", "Ctrl+Z", "Ctrl+E", "F12"}) {
-    EXPECT_FALSE(texts.filter(key).isEmpty()) << key;
-  }
-  QTest::keyClick(keys, Qt::Key_Escape);
-  EXPECT_TRUE(waitUntil([&] { return window_->findChild<QDialog*>("keysDialog") == nullptr; }));
-  press(Qt::Key_Escape);
-  EXPECT_TRUE(window_->isVisible());
-}
-
-TEST_F(MainWindowTest, PicturesOfBothThemesAreKept) {
-  ASSERT_NO_FATAL_FAILURE(takeDemoPoses(3));
-  for (const QString& theme : {QStringLiteral("light"), QStringLiteral("dark")}) {
-    action(theme == "light" ? "actionThemeLight" : "actionThemeDark")->trigger();
-    const QImage picture = window_->picture();
-    EXPECT_EQ(picture.size(), window_->size() * window_->devicePixelRatioF());
-    keepPicture(picture, "window-" + theme);
-    press(Qt::Key_E, Qt::ControlModifier);
-    auto* dialog = waitForDialog<QDialog>("exportDialog");
-    ASSERT_NE(dialog, nullptr);
-    keepPicture(dialog->grab().toImage(), "export-" + theme);
-    QTest::keyClick(dialog, Qt::Key_Escape);
-    ASSERT_TRUE(waitUntil([&] { return window_->findChild<QDialog*>("exportDialog") == nullptr; }));
-  }
 }
 
 }  // namespace

@@ -2,7 +2,6 @@
 // the one assessment. What that agrees with in core is checked by tests/core/reconstruction/agreement_test.cpp.
 
 #include "app/window/report/report.h"
-#include "hexoderm/io/session_json.h"
 #include "hexoderm/reconstruction/advice/assess.h"
 #include "tests/app/window/window_test.h"
 #include "tests/support/random_session.h"
@@ -15,14 +14,6 @@ namespace {
 
 class WindowAgreementTest : public WindowTest {
  protected:
-  void open(const Session& session, const QString& name) {
-    const QString path = pathTo(name);
-    writeSessionJson(session, path.toStdString());
-    window_->openFile(path);
-    ASSERT_TRUE(waitUntil([&] { return controller().file().name() == name; })) << message().toStdString();
-    ASSERT_TRUE(waitUntilIdle()) << message().toStdString();
-  }
-
   QString stateOf(int step) {
     return find<QWidget>(qPrintable(QStringLiteral("stepHead%1").arg(step)))->accessibleName();
   }
@@ -78,7 +69,7 @@ TEST_F(WindowAgreementTest, OfBannerStepsActionsAndReportInRandomSessions) {
     SCOPED_TRACE("session " + std::to_string(seed));
     // Seeds that agreement_test does not draw.
     const Session session = test::RandomSession(100'000 + seed).draw();
-    ASSERT_NO_FATAL_FAILURE(open(session, QStringLiteral("random%1.session.json").arg(seed)));
+    ASSERT_NO_FATAL_FAILURE(openSession(QStringLiteral("random%1.session.json").arg(seed), session));
     ASSERT_NO_FATAL_FAILURE(expectAgreement());
     ++levels.at(static_cast<std::size_t>(controller().reconstruction()->assessment.level));
   }

@@ -1,15 +1,8 @@
-#include "hexoderm/device/simulation/simulated_skin.h"
-#include "hexoderm/io/session_json.h"
-#include "hexoderm/session/session_store.h"
-#include "hexoderm/session/simulated_session.h"
 #include "tests/app/window/window_test.h"
 #include "tests/support/paths.h"
 #include "widgets/controls/finding_card.h"
 #include "widgets/tables/finding_table.h"
 
-#include <QDragEnterEvent>
-#include <QDropEvent>
-#include <QMimeData>
 #include <QProcess>
 #include <QToolButton>
 #include <QUrl>
@@ -28,49 +21,15 @@ const QByteArray kSessionWithOneSidedLink = R"({"format": "hexoderm-session", "v
   "poses": [{"id": 1, "label": "standing", "samples": [{"cell": 1, "mean_g": [0, 0, 1]},
              {"cell": 2, "mean_g": [0, 0.1, 0.99]}, {"cell": 3, "mean_g": [0, 0.2, 0.98]}]}]})";
 
-void drop(QWidget* target, const QString& path) {
-  QMimeData data;
-  data.setUrls({QUrl::fromLocalFile(path)});
-  QDragEnterEvent enter(target->rect().center(), Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
-  QApplication::sendEvent(target, &enter);
-  EXPECT_TRUE(enter.isAccepted());
-  QDropEvent event(target->rect().center(), Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
-  QApplication::sendEvent(target, &event);
-}
-
-TEST_F(WindowFilesTest, OpensADroppedSession) {
-  drop(window_.get(), writeFile("row.session.json", kSessionWithOneSidedLink));
+TEST_F(WindowFilesTest, ADroppedSessionIsOpenedAndAClickOnAFindingPicksWhatItIsAbout) {
+  dropFile(writeFile("row.session.json", kSessionWithOneSidedLink));
   ASSERT_TRUE(waitForPoses(1));
   EXPECT_EQ(controller().file().name(), "row.session.json");
   EXPECT_EQ(controller().reconstruction()->cellCount(), 3U);
   EXPECT_FALSE(action("actionCapture")->isEnabled());
   EXPECT_TRUE(action("actionCapture")->toolTip().contains("No skin is connected"));
   EXPECT_FALSE(controller().file().hasUnsavedChanges());
-}
 
-TEST_F(WindowFilesTest, AChangeOfThemeLeavesNothingBehind) {
-  const QString path = writeFile("row.session.json", kSessionWithOneSidedLink);
-  const auto openAtReview = [&] {
-    window_->openFile(path);
-    ASSERT_TRUE(waitForPoses(1));
-    press(Qt::Key_4, Qt::ControlModifier);
-    EXPECT_TRUE(std::ranges::any_of(window_->findChildren<FindingCard*>(), &QWidget::isVisible));
-  };
-  ASSERT_NO_FATAL_FAILURE(openAtReview());
-  action("actionThemeDark")->trigger();
-  const QImage changed = window_->picture();
-  window_->close();
-  openWindow();
-  ASSERT_NO_FATAL_FAILURE(openAtReview());
-  const QImage dark_from_the_start = window_->picture();
-  keepPicture(changed, "theme-changed");
-  keepPicture(dark_from_the_start, "theme-from-the-start");
-  EXPECT_EQ(changed, dark_from_the_start);
-}
-
-TEST_F(WindowFilesTest, AClickOnAFindingPicksWhatItIsAbout) {
-  window_->openFile(writeFile("row.session.json", kSessionWithOneSidedLink));
-  ASSERT_TRUE(waitForPoses(1));
   const auto* findings = qobject_cast<FindingTable*>(find<QTableView>("findingView")->model());
   ASSERT_NE(findings, nullptr);
   bool seen_one_sided = false;
@@ -90,29 +49,13 @@ TEST_F(WindowFilesTest, AClickOnAFindingPicksWhatItIsAbout) {
   EXPECT_TRUE(seen_one_sided);
 }
 
-TEST_F(WindowFilesTest, ABadFileIsNamedAndNothingIsLost) {
-  ASSERT_NO_FATAL_FAILURE(takeDemoPoses(1));
-  controller().undoStack()->setClean();
-  const QString bad = writeFile("broken.session.json", "{\"format\": \"hexoderm-session\", \"version\": 1,");
-  drop(window_.get(), bad);
-  ASSERT_TRUE(waitForMessage("broken.session.json")) << message().toStdString();
-  EXPECT_EQ(controller().file().name(), "Demo skin (simulated)");
-  EXPECT_EQ(posesShown(), 1U);
-  keepPicture(window_->picture(), "message-light");
-
-  window_->openFile(pathTo("missing.session.json"));
-  ASSERT_TRUE(waitForMessage("missing.session.json")) << message().toStdString();
-  press(Qt::Key_Space);
-  EXPECT_TRUE(waitForPoses(2)) << "work goes on";
-}
-
 TEST_F(WindowFilesTest, SavesByKeysAndReopensTheSame) {
   ASSERT_NO_FATAL_FAILURE(takeDemoPoses(2));
   EXPECT_TRUE(window_->isWindowModified());
   press(Qt::Key_S, Qt::ControlModifier);
   const QString path = pathTo("mine.session.json");
   ASSERT_NO_FATAL_FAILURE(typeIntoFileDialog("saveDialog", path));
-  ASSERT_TRUE(waitForMessage("Saved to " + path)) << message().toStdString();
+  ASSERT_TRUE(waitForMessage("Saved to " + path));
   EXPECT_FALSE(controller().file().hasUnsavedChanges());
   EXPECT_FALSE(window_->isWindowModified());
   EXPECT_EQ(readSessionJson(path.toStdString()).poses().size(), 2U);
@@ -133,94 +76,53 @@ TEST_F(WindowFilesTest, SavesByKeysAndReopensTheSame) {
   EXPECT_FALSE(controller().reconstruction()->poses[0].enabled);
 }
 
-TEST_F(WindowFilesTest, AKeyThatIsHitTwiceOpensOneDialogAndAClosedOneIsNotKept) {
-  ASSERT_NO_FATAL_FAILURE(takeDemoPoses(1));
-  press(Qt::Key_S, Qt::ControlModifier);
-  press(Qt::Key_S, Qt::ControlModifier);
-  auto* dialog = waitForDialog<QDialog>("saveDialog");
-  ASSERT_NE(dialog, nullptr);
-  EXPECT_EQ(window_->findChildren<QDialog*>("saveDialog").size(), 1);
-  QTest::keyClick(dialog, Qt::Key_Escape);
-  EXPECT_TRUE(waitUntil([this] { return window_->findChildren<QDialog*>("saveDialog").isEmpty(); }));
-  press(Qt::Key_S, Qt::ControlModifier);
-  EXPECT_NE(waitForDialog<QDialog>("saveDialog"), nullptr) << "and another can be opened";
-}
-
-TEST_F(WindowFilesTest, TheButtonsOfAFileDialogHaveRoomForTheirPictures) {
+TEST_F(WindowFilesTest, AKeyThatIsHitTwiceOpensOneFileDialogInWhichButtonsHaveRoomAndAClosedOneIsNotKept) {
   press(Qt::Key_O, Qt::ControlModifier);
-  auto* dialog = waitForDialog<QDialog>("openDialog");
-  ASSERT_NE(dialog, nullptr);
+  press(Qt::Key_O, Qt::ControlModifier);
+  auto* dialog = waitForDialog("openDialog");
+  EXPECT_EQ(window_->findChildren<QDialog*>("openDialog").size(), 1);
   const auto buttons = dialog->findChildren<QToolButton*>();
   ASSERT_FALSE(buttons.isEmpty());
   for (const QToolButton* button : buttons) {
     EXPECT_LE(button->sizeHint().width(), button->width()) << button->objectName().toStdString();
     EXPECT_LE(button->sizeHint().height(), button->height()) << button->objectName().toStdString();
   }
+  QTest::keyClick(dialog, Qt::Key_Escape);
+  EXPECT_TRUE(waitUntilGone("openDialog"));
+  press(Qt::Key_O, Qt::ControlModifier);
+  waitForDialog("openDialog");
 }
 
-TEST_F(WindowFilesTest, AFailedSaveIsSaidAndTheWorkStaysUnsaved) {
+TEST_F(WindowFilesTest, ClosingAsksForWhatAFailedSaveLeftUnsavedGoesBackByEscapeAndCanSaveFirst) {
   ASSERT_NO_FATAL_FAILURE(takeDemoPoses(1));
   controller().file().saveSession(pathTo("no/such/folder/a.session.json"));
-  ASSERT_TRUE(waitForMessage("a.session.json")) << message().toStdString();
+  ASSERT_TRUE(waitForMessage("a.session.json"));
   EXPECT_TRUE(controller().file().hasUnsavedChanges());
-}
-
-TEST_F(WindowFilesTest, ACalibrationIsShownWithoutASession) {
-  ASSERT_NO_FATAL_FAILURE(takeDemoPoses(2));
-  const QString path = pathTo("arm.calibration.json");
-  controller().resultFiles().exportTo({std::nullopt, path, {}});
-  ASSERT_TRUE(waitForMessage("Exported to " + path)) << message().toStdString();
-  controller().undoStack()->setClean();
-  window_->openFile(path);
-  ASSERT_TRUE(waitUntil([this] { return controller().file().name() == "arm.calibration.json"; }));
-  EXPECT_EQ(controller().session(), nullptr);
-  EXPECT_EQ(controller().reconstruction()->cellCount(), 17U);
-  EXPECT_FALSE(action("actionSave")->isEnabled());
-  EXPECT_TRUE(action("actionSave")->toolTip().contains("calibration is open"))
-      << action("actionSave")->toolTip().toStdString();
-  EXPECT_TRUE(action("actionExport")->isEnabled());
-  clickRow("poseView", 0);
-  EXPECT_FALSE(action("actionTogglePose")->isEnabled());
-}
-
-TEST_F(WindowFilesTest, ClosingAsksForUnsavedPosesAndEscapeGoesBack) {
-  ASSERT_NO_FATAL_FAILURE(takeDemoPoses(1));
   press(Qt::Key_Q, Qt::ControlModifier);
-  auto* box = waitForDialog<QMessageBox>("unsavedBox");
-  ASSERT_NE(box, nullptr);
-  QTest::keyClick(box, Qt::Key_Escape);
-  ASSERT_TRUE(waitUntil([&] { return window_->findChild<QMessageBox*>("unsavedBox") == nullptr; }));
+  QTest::keyClick(waitForDialog<QMessageBox>("unsavedBox"), Qt::Key_Escape);
+  ASSERT_TRUE(waitUntilGone("unsavedBox"));
   EXPECT_TRUE(window_->isVisible());
-
-  press(Qt::Key_Q, Qt::ControlModifier);
-  box = waitForDialog<QMessageBox>("unsavedBox");
-  ASSERT_NE(box, nullptr);
-  click(box->button(QMessageBox::Discard));
-  EXPECT_TRUE(waitUntil([&] { return !window_->isVisible(); }));
-}
-
-TEST_F(WindowFilesTest, ClosingCanSaveFirst) {
-  ASSERT_NO_FATAL_FAILURE(takeDemoPoses(1));
   window_->close();
-  auto* box = waitForDialog<QMessageBox>("unsavedBox");
-  ASSERT_NE(box, nullptr);
-  click(box->button(QMessageBox::Save));
+  click(waitForDialog<QMessageBox>("unsavedBox")->button(QMessageBox::Save));
   const QString path = pathTo("last.session.json");
   ASSERT_NO_FATAL_FAILURE(typeIntoFileDialog("saveDialog", path));
   EXPECT_TRUE(waitUntil([&] { return !window_->isVisible(); }));
   EXPECT_EQ(readSessionJson(path.toStdString()).poses().size(), 1U);
 }
 
-TEST_F(WindowFilesTest, AnotherFileAsksForUnsavedPosesToo) {
+TEST_F(WindowFilesTest, AnotherFileAsksForUnsavedPosesTooAndBothCanDiscardThem) {
   ASSERT_NO_FATAL_FAILURE(takeDemoPoses(1));
-  const QString path = writeFile("row.session.json", kSessionWithOneSidedLink);
-  drop(window_.get(), path);
+  dropFile(writeFile("row.session.json", kSessionWithOneSidedLink));
   auto* box = waitForDialog<QMessageBox>("unsavedBox");
-  ASSERT_NE(box, nullptr);
   EXPECT_TRUE(controller().liveSession().isDemo());
   click(box->button(QMessageBox::Discard));
   ASSERT_TRUE(waitUntil([this] { return controller().file().name() == "row.session.json"; }));
-  EXPECT_TRUE(waitForPoses(1));
+  ASSERT_TRUE(waitForPoses(1));
+  ASSERT_TRUE(waitUntilGone("unsavedBox"));
+  controller().setPoseDisabled(0, true);
+  press(Qt::Key_Q, Qt::ControlModifier);
+  click(waitForDialog<QMessageBox>("unsavedBox")->button(QMessageBox::Discard));
+  EXPECT_TRUE(waitUntil([&] { return !window_->isVisible(); }));
 }
 
 /// The program as a user starts it.
@@ -244,22 +146,15 @@ Finished runProgram(const QStringList& arguments, const QString& demo_source = {
           QString::fromUtf8(process.readAllStandardError())};
 }
 
-TEST(WindowProgram, PicturesTheDemo) {
+TEST(WindowProgram, PicturesTheDemoWithAsManyPosesAsItIsToldThoughFewerAreEnough) {
   const QTemporaryDir folder;
   const QString path = folder.filePath("demo.png");
-  const Finished run = runProgram({"--demo", "--poses", "2", "--theme", "dark", "--screenshot", path});
+  const Finished run =
+      runProgram({"--demo", "--poses", "8", "--theme", "dark", "--screenshot", path}, "sim:x17?speed=20");
   EXPECT_EQ(run.code, 0) << run.errors.toStdString();
   const QImage picture(path);
   ASSERT_FALSE(picture.isNull());
   EXPECT_LT(picture.pixelColor(3, picture.height() / 2).lightness(), 60);
-}
-
-TEST(WindowProgram, TheDemoTakesAsManyPosesAsItIsToldThoughFewerAreEnough) {
-  const QTemporaryDir folder;
-  const QString path = folder.filePath("demo.png");
-  const Finished run = runProgram({"--demo", "--poses", "8", "--screenshot", path}, "sim:x17?speed=20");
-  EXPECT_EQ(run.code, 0) << run.errors.toStdString();
-  EXPECT_FALSE(QImage(path).isNull());
 }
 
 TEST(WindowProgram, RefusesWhatItDoesNotUnderstand) {
@@ -290,6 +185,26 @@ TEST(WindowProgram, ThePictureReplacesNeitherTheFileThatIsShownNorASession) {
   EXPECT_EQ(kept.code, 5);
   EXPECT_TRUE(kept.errors.contains("as a Hexoderm session")) << kept.errors.toStdString();
   EXPECT_TRUE(isSessionStore(other.toStdString()));
+}
+
+TEST_F(WindowFilesTest, AChangeOfThemeLeavesNothingBehind) {
+  const QString path = writeFile("row.session.json", kSessionWithOneSidedLink);
+  const auto openAtReview = [&] {
+    window_->openFile(path);
+    ASSERT_TRUE(waitForPoses(1));
+    press(Qt::Key_4, Qt::ControlModifier);
+    EXPECT_TRUE(std::ranges::any_of(window_->findChildren<FindingCard*>(), &QWidget::isVisible));
+  };
+  ASSERT_NO_FATAL_FAILURE(openAtReview());
+  action("actionThemeDark")->trigger();
+  const QImage changed = window_->picture();
+  window_->close();
+  openWindow();
+  ASSERT_NO_FATAL_FAILURE(openAtReview());
+  const QImage dark_from_the_start = window_->picture();
+  keepPicture(changed, "theme-changed");
+  keepPicture(dark_from_the_start, "theme-from-the-start");
+  EXPECT_EQ(changed, dark_from_the_start);
 }
 
 }  // namespace

@@ -2,11 +2,8 @@
 // can be done about it.
 
 #include "app/window/toolkit/result_tables.h"
-#include "hexoderm/device/simulation/simulated_skin.h"
-#include "hexoderm/io/session_json.h"
 #include "hexoderm/reconstruction/advice/assess.h"
 #include "hexoderm/reconstruction/figures/cell_links.h"
-#include "hexoderm/session/simulated_session.h"
 #include "tests/app/window/window_test.h"
 #include "widgets/controls/figure_card.h"
 #include "widgets/controls/finding_card.h"
@@ -37,11 +34,7 @@ class WindowInspectTest : public WindowTest {
   }
 
   void open(const SimulatedSkinOptions& options, std::size_t poses = 4) {
-    SimulatedSkin skin(builtInCellModel("hex-bma150"), options);
-    writeSessionJson(simulateSession(skin, poses), pathTo("arm.session.json").toStdString());
-    window_->openFile(pathTo("arm.session.json"));
-    ASSERT_TRUE(waitUntil([&] { return controller().file().name() == QStringLiteral("arm.session.json"); }));
-    ASSERT_TRUE(waitForPoses(poses));
+    ASSERT_NO_FATAL_FAILURE(openSession("arm.session.json", simulated(poses, options, 100)));
     patch_->drawNow();
   }
   Eigen::Vector3d cameraAt() {
@@ -133,10 +126,10 @@ TEST_F(WindowInspectTest, ADoubleClickOnARowAndTheFindFieldGoToTheCell) {
   EXPECT_TRUE(table->viewport()->rect().intersects(table->visualRect(rows.front())));
 }
 
-TEST_F(WindowInspectTest, AFindingIsACardThatLeadsToItsCell) {
+TEST_F(WindowInspectTest, AFindingIsACardThatLeadsToItsCellAndSoDoesTheBanner) {
   SimulatedSkinOptions options;
   options.faults = {{SkinFault::Dead, CellId(7)}};
-  ASSERT_NO_FATAL_FAILURE(open(options));
+  ASSERT_NO_FATAL_FAILURE(open(options, 6));
   press(Qt::Key_4, Qt::ControlModifier);
   auto* cards = find<FindingCards>("reviewFindings");
   ASSERT_TRUE(waitUntil([&] { return cards->isVisible() && !cards->cards().empty(); }));
@@ -154,6 +147,11 @@ TEST_F(WindowInspectTest, AFindingIsACardThatLeadsToItsCell) {
   ASSERT_NE(beside, nullptr);
   EXPECT_TRUE(beside->isVisible());
   EXPECT_EQ(beside->finding().code, FindingCode::DeadSensor);
+  // And on top.
+  window_->selection().clear();
+  EXPECT_EQ(find<QPushButton>("bannerButton")->text(), "Show what does not fit");
+  clickBanner();
+  EXPECT_EQ(picked(), CellId(7));
 }
 
 TEST_F(WindowInspectTest, WhatCanBeDoneAboutALinkIsDoneFromItsCard) {

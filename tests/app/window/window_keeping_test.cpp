@@ -1,9 +1,7 @@
 // Sessions that are undone, saved and connected in any order are whole in their files, and nothing of one skin is left
 // for the next.
+
 #include "app/window/files/session_paths.h"
-#include "hexoderm/io/session_json.h"
-#include "hexoderm/session/session_store.h"
-#include "hexoderm/session/simulated_session.h"
 #include "tests/app/window/window_test.h"
 #include "tests/support/failing_disk.h"
 #include "widgets/capture/capture_tone.h"
@@ -33,17 +31,6 @@ class WindowKeepingTest : public WindowTest {
     QFile::remove(unsavedFolder());
   }
 
-  static Session simulated(std::size_t poses) {
-    SimulatedSkin skin(builtInCellModel("hex-bma150"), {});
-    return simulateSession(skin, poses, 20);
-  }
-  void open(const QString& name, const Session& session) {
-    const std::string path = pathTo(name).toStdString();
-    name.endsWith(".hexo") ? writeSessionStore(session, path) : writeSessionJson(session, path);
-    controller().file().openFile(pathTo(name));
-    ASSERT_TRUE(waitUntil([&] { return controller().file().name() == name; })) << message().toStdString();
-    ASSERT_TRUE(waitForPoses(session.poses().size())) << message().toStdString();
-  }
   static Session read(const QString& path) { return readSessionStore(path.toStdString()); }
   /// The scratch file of a session that came from NAME.session.json; empty if there is none.
   static QString scratchOf(const QString& name) {
@@ -56,7 +43,7 @@ class WindowKeepingTest : public WindowTest {
 };
 
 TEST_F(WindowKeepingTest, APoseThatWasDeletedBeforeTheScratchFileComesBackInItToo) {
-  ASSERT_NO_FATAL_FAILURE(open("three.session.json", simulated(3)));
+  ASSERT_NO_FATAL_FAILURE(openSession("three.session.json", simulated(3)));
   QSignalSpy noticed(&controller(), &SessionController::noticed);
   clickRow("poseView", 1);
   press(Qt::Key_Delete, Qt::ShiftModifier);
@@ -74,7 +61,7 @@ TEST_F(WindowKeepingTest, APoseThatWasDeletedBeforeTheScratchFileComesBackInItTo
 }
 
 TEST_F(WindowKeepingTest, WhatIsUndoneAfterSavingIsUndoneInTheFile) {
-  ASSERT_NO_FATAL_FAILURE(open("three.session.json", simulated(3)));
+  ASSERT_NO_FATAL_FAILURE(openSession("three.session.json", simulated(3)));
   clickRow("poseView", 0);
   press(Qt::Key_Delete, Qt::ShiftModifier);
   ASSERT_TRUE(waitForPoses(2));
@@ -109,15 +96,18 @@ TEST_F(WindowKeepingTest, ASessionGetsItsScratchFileAlthoughTheOneBeforeGotNone)
   ASSERT_TRUE(QDir().mkpath(QFileInfo(unsavedFolder()).absolutePath()));
   QFile in_the_way(unsavedFolder());
   ASSERT_TRUE(in_the_way.open(QIODevice::WriteOnly));
-  ASSERT_NO_FATAL_FAILURE(open("first.session.json", simulated(2)));
+  ASSERT_NO_FATAL_FAILURE(openSession("first.session.json", simulated(2)));
   controller().setPoseDisabled(0, true);
-  ASSERT_TRUE(waitForMessage("kept in memory only")) << message().toStdString();
+  ASSERT_TRUE(waitForMessage("kept in memory only"));
   ASSERT_TRUE(in_the_way.remove());
   controller().setPoseDisabled(1, true);
   ASSERT_TRUE(waitUntilWritten());
   EXPECT_EQ(scratchOf("first"), QString()) << "it was said to be kept in memory only";
 
-  ASSERT_NO_FATAL_FAILURE(open("second.session.json", simulated(2)));
+  // The window would ask about the first.
+  controller().file().openFile(writeSession("second.session.json", simulated(2)));
+  ASSERT_TRUE(waitUntil([this] { return controller().file().name() == "second.session.json"; }));
+  ASSERT_TRUE(waitForPoses(2));
   controller().setPoseDisabled(1, true);
   ASSERT_TRUE(waitUntilWritten());
   ASSERT_FALSE(scratchOf("second").isEmpty());
@@ -125,7 +115,7 @@ TEST_F(WindowKeepingTest, ASessionGetsItsScratchFileAlthoughTheOneBeforeGotNone)
 }
 
 TEST_F(WindowKeepingTest, WhatChangesBetweenTwoSavesIsInBothFiles) {
-  ASSERT_NO_FATAL_FAILURE(open("four.session.json", simulated(4)));
+  ASSERT_NO_FATAL_FAILURE(openSession("four.session.json", simulated(4)));
   const QString first = pathTo("first.hexo");
   const QString second = pathTo("second.hexo");
   // Nothing is saved before the event loop runs again.
@@ -150,7 +140,7 @@ TEST_F(WindowKeepingTest, WhatChangesBetweenTwoSavesIsInBothFiles) {
 TEST_F(WindowKeepingTest, AReasonComesBackWithWhatItIsFor) {
   Session session = simulated(2);
   session.setPoseDisabled(0, true, "someone leaned on the arm");
-  ASSERT_NO_FATAL_FAILURE(open("why.hexo", session));
+  ASSERT_NO_FATAL_FAILURE(openSession("why.hexo", session));
   controller().setPoseDisabled(0, false);
   controller().undoStack()->undo();
   EXPECT_EQ(controller().session()->poses()[0].why_disabled, "someone leaned on the arm");
@@ -163,7 +153,7 @@ TEST_F(WindowKeepingTest, RingToneAndStatusSayCapturedWhenThePoseIsOnDiskAndNotB
   LiveSession& live = controller().liveSession();
   live.setAutomatic(false);
   window_->connectTo({QStringLiteral("sim:x17?speed=20"), pathTo("arm.hexo")});
-  ASSERT_TRUE(waitForPoses(0)) << message().toStdString();
+  ASSERT_TRUE(waitForPoses(0));
   ASSERT_TRUE(waitUntilWritten());
   const auto* ring = find<HoldRing>("holdRing");
   QObject listener;
@@ -190,7 +180,7 @@ TEST_F(WindowKeepingTest, RingToneAndStatusSayCapturedWhenThePoseIsOnDiskAndNotB
           }
         });
     press(Qt::Key_Space);
-    ASSERT_TRUE(waitForMessage("Not on disk yet")) << message().toStdString();
+    ASSERT_TRUE(waitForMessage("Not on disk yet"));
     EXPECT_EQ(controller().session()->poses().size(), 1U);
     ASSERT_TRUE(waitForPoses(1)) << "the work goes on";
     EXPECT_EQ(word_while_written, "Writing");
@@ -199,7 +189,7 @@ TEST_F(WindowKeepingTest, RingToneAndStatusSayCapturedWhenThePoseIsOnDiskAndNotB
     EXPECT_EQ(read(pathTo("arm.hexo")).poses().size(), 0U);
   }
   click(find<QPushButton>("messageButton"));
-  ASSERT_TRUE(waitUntil([&] { return std::ranges::count(tones, ToneKind::Captured) == 1; })) << message().toStdString();
+  ASSERT_TRUE(waitUntil([&] { return std::ranges::count(tones, ToneKind::Captured) == 1; }));
   EXPECT_TRUE(is_ring_captured);
   EXPECT_EQ(labelText("saidStatus"), "Pose 1 captured: 17 cells.");
   EXPECT_FALSE(was_captured_too_early);

@@ -1,11 +1,7 @@
 // The whole demo by the keyboard alone, and what makes that possible: an order of Tab that follows the eye, F6 from
 // part to part, a focus that is seen.
 
-#include "hexoderm/device/simulation/simulated_skin.h"
 #include "hexoderm/io/calibration_json.h"
-#include "hexoderm/io/session_json.h"
-#include "hexoderm/session/session_store.h"
-#include "hexoderm/session/simulated_session.h"
 #include "hexoderm/util/units.h"
 #include "tests/app/window/keyboard.h"
 
@@ -26,7 +22,6 @@ class DemoByKeys : public KeyboardTest {
     EXPECT_EQ(mouse_.events, 0) << "this is a run without a mouse";
   }
 
-  QString text(const char* label) { return find<QLabel>(label)->text(); }
   bool isStillAndNew() {
     const Stillness& still = controller().liveSession().source().hold().stillness;
     return still.armed && still.blocker == Blocker::None;
@@ -58,8 +53,7 @@ class DemoByKeys : public KeyboardTest {
   }
   /// Types into the field of a file dialog, which has the keyboard when it opens.
   void typePath(const char* dialog_name, const QString& path) {
-    const auto* dialog = waitForDialog<QDialog>(dialog_name);
-    ASSERT_NE(dialog, nullptr);
+    waitForDialog(dialog_name);
     ASSERT_EQ(QApplication::focusWidget()->objectName(), "fileNameEdit") << focusName().toStdString();
     key(Qt::Key_A, Qt::ControlModifier);
     keys(path);
@@ -78,7 +72,7 @@ class DemoByKeys : public KeyboardTest {
 
 void DemoByKeys::startDemo() {
   ASSERT_NO_FATAL_FAILURE(pressButton("Start the demo skin"));
-  ASSERT_TRUE(waitUntil([this] { return controller().liveSession().isLive(); })) << message().toStdString();
+  ASSERT_TRUE(waitUntil([this] { return controller().liveSession().isLive(); }));
   ASSERT_TRUE(waitForPoses(1)) << "it takes the first one where it lies";
   key(Qt::Key_A);
   EXPECT_FALSE(controller().liveSession().isAutomatic());
@@ -88,7 +82,7 @@ void DemoByKeys::checkSkin() {
   key(Qt::Key_1, Qt::ControlModifier);
   EXPECT_EQ(QApplication::focusWidget()->objectName(), "stepHead1");
   key(Qt::Key_2, Qt::ControlModifier);
-  EXPECT_EQ(text("stepBecause2"), "✓ Ready: Every cell sends.");
+  EXPECT_EQ(labelText("stepBecause2"), "✓ Ready: Every cell sends.");
   // A cell is picked by arrows, and by its number; its light follows.
   ASSERT_NO_FATAL_FAILURE(tabTo("graphView"));
   key(Qt::Key_Right);
@@ -111,10 +105,10 @@ void DemoByKeys::captureByButtons(std::size_t poses) {
   ASSERT_TRUE(waitUntil([this] { return action("actionTurn")->isEnabled(); }));
   ASSERT_NO_FATAL_FAILURE(tabTo("captureTurnForMe"));
   key(Qt::Key_Space);
-  ASSERT_TRUE(waitUntil([this] { return isStillAndNew(); })) << text("captureWait").toStdString();
+  ASSERT_TRUE(waitUntil([this] { return isStillAndNew(); }));
   ASSERT_NO_FATAL_FAILURE(tabTo("captureNow"));
   key(Qt::Key_Space);
-  ASSERT_TRUE(waitForPoses(poses)) << text("captureWait").toStdString();
+  ASSERT_TRUE(waitForPoses(poses));
 }
 
 void DemoByKeys::capturePoses() {
@@ -124,18 +118,19 @@ void DemoByKeys::capturePoses() {
   key(Qt::Key_N);
   ASSERT_TRUE(waitUntil([&] { return !controller().poseGuide().nextPose()->up.isApprox(advised); }))
       << "another one is advised";
+  EXPECT_LT(controller().poseGuide().nextPose()->up.dot(advised), std::cos(29.9 * kDegree));
   ASSERT_NO_FATAL_FAILURE(captureByButtons(2));
   // The robot takes what is still wanted.
   key(Qt::Key_B);
   EXPECT_TRUE(controller().poseGuide().isRobotOn());
-  ASSERT_TRUE(waitUntil([this] { return !controller().poseGuide().isRobotOn(); })) << text("captureWait").toStdString();
+  ASSERT_TRUE(waitUntil([this] { return !controller().poseGuide().isRobotOn(); }));
   ASSERT_TRUE(waitUntilIdle());
   ASSERT_GE(posesShown(), 3U);
   // One more than the result asks for, so that one can be held out later.
   const std::size_t enough = posesShown();
   ASSERT_TRUE(waitUntil([this] { return action("actionTurn")->isEnabled(); }));
   key(Qt::Key_T);
-  ASSERT_TRUE(waitForPoses(enough + 1)) << text("captureWait").toStdString();
+  ASSERT_TRUE(waitForPoses(enough + 1));
   ASSERT_NO_FATAL_FAILURE(tabTo("captureAutomatic"));
   key(Qt::Key_Space);
   EXPECT_FALSE(controller().liveSession().isAutomatic());
@@ -147,8 +142,7 @@ void DemoByKeys::capturePoses() {
   const auto second = controller().session()->poses()[1].capture;
   key(Qt::Key_R);
   EXPECT_EQ(controller().liveSession().recapturing(), second->id);
-  ASSERT_TRUE(waitUntil([&] { return controller().session()->poses()[1].capture != second; }))
-      << text("captureWait").toStdString();
+  ASSERT_TRUE(waitUntil([&] { return controller().session()->poses()[1].capture != second; }));
   ASSERT_TRUE(waitUntilIdle());
   ASSERT_GE(posesShown(), 3U);
   key(Qt::Key_A);
@@ -203,19 +197,17 @@ void DemoByKeys::verify() {
   EXPECT_EQ(find<QComboBox>("holdOutPose")->currentIndex(), 0);
   ASSERT_NO_FATAL_FAILURE(tabTo("holdOutRun"));
   key(Qt::Key_Space);
-  ASSERT_TRUE(waitUntil([this] { return text("holdOutSentence").contains("predict pose 1"); }))
-      << text("holdOutSentence").toStdString();
+  ASSERT_TRUE(waitUntil([this] { return labelText("holdOutSentence").contains("predict pose 1"); }));
   ASSERT_NO_FATAL_FAILURE(tabTo("holdOutTable"));
   ASSERT_NO_FATAL_FAILURE(tabTo("surfaceKind"));
   key(Qt::Key_Down);  // the most probable one
-  ASSERT_TRUE(waitUntil([this] { return text("surfaceSentence").startsWith("Cylinder, radius"); }))
-      << text("surfaceSentence").toStdString();
+  ASSERT_TRUE(waitUntil([this] { return labelText("surfaceSentence").startsWith("Cylinder, radius"); }));
 }
 
 void DemoByKeys::exportIt() {
   key(Qt::Key_7, Qt::ControlModifier);
   ASSERT_NO_FATAL_FAILURE(pressButton("Export…"));
-  ASSERT_NE(waitForDialog<QDialog>("exportDialog"), nullptr);
+  waitForDialog("exportDialog");
   EXPECT_EQ(QApplication::focusWidget()->objectName(), "exportPath");
   ASSERT_NO_FATAL_FAILURE(tabTo("exportFormats", Qt::Key_Backtab));
   keys("urdf");
@@ -227,11 +219,11 @@ void DemoByKeys::exportIt() {
   keys("elbow");
   key(Qt::Key_Return);
   ASSERT_NO_FATAL_FAILURE(comeBack());
-  ASSERT_TRUE(waitForMessage("Exported to " + pathTo("arm.urdf"))) << message().toStdString();
+  ASSERT_TRUE(waitForMessage("Exported to " + pathTo("arm.urdf")));
 
   ASSERT_NO_FATAL_FAILURE(pressButton("Save calibration…"));
   ASSERT_NO_FATAL_FAILURE(typePath("saveDialog", pathTo("arm.calibration.json")));
-  ASSERT_TRUE(waitForMessage("Exported to " + pathTo("arm.calibration.json"))) << message().toStdString();
+  ASSERT_TRUE(waitForMessage("Exported to " + pathTo("arm.calibration.json")));
   EXPECT_EQ(readCalibrationJson(pathTo("arm.calibration.json").toStdString())->cellCount(), 17U);
   // The message itself is reached, and closed.
   ASSERT_NO_FATAL_FAILURE(tabTo("messageClose"));
@@ -240,15 +232,15 @@ void DemoByKeys::exportIt() {
 
   key(Qt::Key_E, Qt::ControlModifier | Qt::ShiftModifier);
   // The first report asks for its title.
-  ASSERT_NE(waitForDialog<QDialog>("reportTitleDialog"), nullptr);
+  waitForDialog("reportTitleDialog");
   keys("elbow");
   key(Qt::Key_Return);
   ASSERT_NO_FATAL_FAILURE(typePath("saveDialog", pathTo("arm.pdf")));
-  ASSERT_TRUE(waitForMessage("Exported to " + pathTo("arm.pdf"))) << message().toStdString();
+  ASSERT_TRUE(waitForMessage("Exported to " + pathTo("arm.pdf")));
   EXPECT_GT(QFileInfo(pathTo("arm.pdf")).size(), 10000);
   key(Qt::Key_S, Qt::ControlModifier);
   ASSERT_NO_FATAL_FAILURE(typePath("saveDialog", pathTo("arm.session.json")));
-  ASSERT_TRUE(waitForMessage("Saved to " + pathTo("arm.session.json"))) << message().toStdString();
+  ASSERT_TRUE(waitForMessage("Saved to " + pathTo("arm.session.json")));
 }
 
 TEST_F(DemoByKeys, LeadFromTheStartThroughEveryStepToFilesAndOut) {
@@ -270,10 +262,7 @@ class KeyboardOnASession : public KeyboardTest {
     KeyboardTest::SetUp();
     SimulatedSkinOptions options;
     options.faults = {{SkinFault::Dead, CellId(7)}};
-    SimulatedSkin skin(builtInCellModel("hex-bma150"), options);
-    writeSessionStore(simulateSession(skin, 4, 20), pathTo("arm.hexo").toStdString());
-    window_->openFile(pathTo("arm.hexo"));
-    ASSERT_TRUE(waitForPoses(4)) << message().toStdString();
+    ASSERT_NO_FATAL_FAILURE(openSession("arm.hexo", simulated(4, options)));
     activateWindow();
   }
   /// The part of the window that a widget is in.
@@ -301,7 +290,7 @@ class KeyboardOnASession : public KeyboardTest {
   }
 };
 
-TEST_F(KeyboardOnASession, TabGoesThroughTheWindowAsItIsRead) {
+TEST_F(KeyboardOnASession, TabGoesThroughTheWindowAsItIsReadAndShiftTabTheSameWayBack) {
   for (int step = 1; step <= 6; ++step) {
     key(Qt::Key_0 + step, Qt::ControlModifier);
     window_->setFocus();
@@ -323,20 +312,16 @@ TEST_F(KeyboardOnASession, TabGoesThroughTheWindowAsItIsRead) {
     if (step != 5) expected << QStringList({"graphDock", "coverageDock", "poseDock", "detailsDock"});
     EXPECT_EQ(parts, expected) << "step " << step << '\n' << order.toStdString();
   }
-}
-
-TEST_F(KeyboardOnASession, ShiftTabGoesTheSameWayBack) {
-  window_->setFocus();
-  std::vector<QWidget*> forth = tabStops();
-  ASSERT_GT(forth.size(), 10U);
   // The focus is on the first again.
+  const std::vector<QWidget*> forth = tabStops();
+  ASSERT_GT(forth.size(), 10U);
   for (std::size_t k = forth.size(); k-- > 0;) {
     key(Qt::Key_Backtab, Qt::ShiftModifier);
     EXPECT_EQ(QApplication::focusWidget(), forth[k]) << nameOf(forth[k]).toStdString();
   }
 }
 
-TEST_F(KeyboardOnASession, TheFocusIsSeenWhereverItIs) {
+TEST_F(KeyboardOnASession, TheFocusIsSeenWhereverItIsAndTabChangesNothing) {
   QSet<QWidget*> seen;
   auto* tabs = find<QTabBar>("detailTabs");
   const auto look = [&](const QString& where) {
@@ -355,26 +340,24 @@ TEST_F(KeyboardOnASession, TheFocusIsSeenWhereverItIs) {
     key(Qt::Key_0 + step, Qt::ControlModifier);
     look(QStringLiteral("step %1").arg(step));
   }
-  for (int page = 0; page < tabs->count(); ++page) {
-    tabs->setCurrentIndex(page);
-    look(tabs->tabText(page));
-  }
-  EXPECT_GT(seen.size(), 25);
-}
-
-TEST_F(KeyboardOnASession, TabPicksNothingAndChangesNothing) {
-  auto* tabs = find<QTabBar>("detailTabs");
   window_->selection().selectCell(CellId(5));
   for (int page = 0; page < tabs->count(); ++page) {
     tabs->setCurrentIndex(page);
-    tabStops();
+    look(tabs->tabText(page));
     EXPECT_EQ(window_->selection().cell(), CellId(5)) << tabs->tabText(page).toStdString();
   }
+  EXPECT_GT(seen.size(), 25);
   EXPECT_EQ(controller().undoStack()->count(), 0);
   EXPECT_TRUE(find<QTableView>("poseView")->selectionModel()->selectedRows().isEmpty());
 }
 
-TEST_F(KeyboardOnASession, F6GoesFromPartToPartAndComesBackToWhereItWas) {
+TEST_F(KeyboardOnASession, F6GoesFromPartToPartAndAltWithALetterOpensAMenu) {
+  key(Qt::Key_F, Qt::AltModifier);
+  ASSERT_TRUE(waitUntil([] { return QApplication::activePopupWidget() != nullptr; }));
+  key(Qt::Key_Escape);
+  key(Qt::Key_Escape);
+  EXPECT_TRUE(waitUntil([] { return QApplication::activePopupWidget() == nullptr; }));
+  EXPECT_TRUE(window_->isVisible()) << "Esc cancels and never quits";
   window_->setFocus();
   const QStringList expected = {"banner",       "stepsDock", "centre",     "graphDock",
                                 "coverageDock", "poseDock",  "detailsDock"};
@@ -400,10 +383,7 @@ TEST_F(KeyboardOnASession, F6GoesFromPartToPartAndComesBackToWhereItWas) {
 }
 
 TEST_F(KeyboardOnASession, TheOnlyRowOfATableIsPickedByReturn) {
-  SimulatedSkin skin(builtInCellModel("hex-bma150"), {});
-  writeSessionStore(simulateSession(skin, 1, 20), pathTo("one.hexo").toStdString());
-  window_->openFile(pathTo("one.hexo"));
-  ASSERT_TRUE(waitForPoses(1));
+  ASSERT_NO_FATAL_FAILURE(openSession("one.hexo", simulated(1)));
   ASSERT_NO_FATAL_FAILURE(tabTo("poseView"));
   EXPECT_FALSE(action("actionTogglePose")->isEnabled());
   key(Qt::Key_Return);
@@ -411,15 +391,6 @@ TEST_F(KeyboardOnASession, TheOnlyRowOfATableIsPickedByReturn) {
   key(Qt::Key_Delete);
   ASSERT_TRUE(waitUntilIdle());
   EXPECT_TRUE(controller().session()->poses()[0].disabled);
-}
-
-TEST_F(KeyboardOnASession, TheMenusAreReachedByTheirLetters) {
-  key(Qt::Key_F, Qt::AltModifier);
-  ASSERT_TRUE(waitUntil([] { return QApplication::activePopupWidget() != nullptr; }));
-  key(Qt::Key_Escape);
-  key(Qt::Key_Escape);
-  EXPECT_TRUE(waitUntil([] { return QApplication::activePopupWidget() == nullptr; }));
-  EXPECT_TRUE(window_->isVisible()) << "Esc cancels and never quits";
 }
 
 }  // namespace

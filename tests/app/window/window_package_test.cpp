@@ -1,10 +1,7 @@
 // A package by the export dialog: what is said before and after, what is in it, and that a cancelled or failed one
 // leaves nothing.
 
-#include "hexoderm/device/simulation/simulated_skin.h"
 #include "hexoderm/io/calibration_json.h"
-#include "hexoderm/session/session_store.h"
-#include "hexoderm/session/simulated_session.h"
 #include "tests/app/window/window_test.h"
 #include "tests/support/failing_disk.h"
 
@@ -21,15 +18,9 @@ namespace {
 
 class WindowPackageTest : public WindowTest {
  protected:
-  void openCalibrated() {
-    SimulatedSkin skin(builtInCellModel("hex-bma150"), {});
-    writeSessionStore(simulateSession(skin, 4, 20), pathTo("arm.hexo").toStdString());
-    window_->openFile(pathTo("arm.hexo"));
-    ASSERT_TRUE(waitForPoses(4)) << message().toStdString();
-  }
   QDialog* openDialog() {
     press(Qt::Key_E, Qt::ControlModifier);
-    return waitForDialog<QDialog>("exportDialog");
+    return waitForDialog("exportDialog");
   }
   static void choosePackage(QDialog* dialog) { dialog->findChild<QTabBar*>("exportKinds")->setCurrentIndex(1); }
   static void tick(QDialog* dialog, const QStringList& names) {
@@ -49,25 +40,22 @@ class WindowPackageTest : public WindowTest {
   /// Ticks the files, and starts to write them.
   void exportPackage(const QStringList& names, const QString& path) {
     QDialog* dialog = openDialog();
-    ASSERT_NE(dialog, nullptr);
     choosePackage(dialog);
     tick(dialog, names);
     auto* edit = dialog->findChild<QLineEdit*>("exportPath");
     edit->setFocus();
-    edit->selectAll();
-    QTest::keyClicks(edit, path);
+    typeInto(edit, path);
     auto* button = dialog->findChild<QPushButton*>("exportButton");
     ASSERT_TRUE(button->isEnabled()) << dialog->findChild<QLabel*>("exportNote")->text().toStdString();
     click(button);
-    ASSERT_TRUE(waitUntil([this] { return window_->findChild<QDialog*>("exportDialog") == nullptr; }));
+    ASSERT_TRUE(waitUntilGone("exportDialog"));
   }
-  void sayNoTitle() {
-    auto* form = waitForDialog<QDialog>("reportTitleDialog");
-    ASSERT_NE(form, nullptr);
-    click(form->findChild<QPushButton*>("reportTitleButton"));
-  }
-  static bool isDone(QDialog* dialog) {
-    return dialog->findChild<QTreeWidget*>("packageFiles")->topLevelItemCount() > 0;
+  void sayNoTitle() { click(waitForDialog("reportTitleDialog")->findChild<QPushButton*>("reportTitleButton")); }
+  QDialog* waitUntilWritten() {
+    auto* dialog = waitForDialog("packageDialog");
+    const auto* files = dialog->findChild<QTreeWidget*>("packageFiles");
+    EXPECT_TRUE(waitUntil([&] { return files->topLevelItemCount() > 0; }));
+    return dialog;
   }
   [[nodiscard]] QStringList filesIn(const QString& folder) const {
     return QDir(pathTo(folder)).entryList(QDir::AllEntries | QDir::Hidden | QDir::NoDotAndDotDot, QDir::Name);
@@ -75,9 +63,8 @@ class WindowPackageTest : public WindowTest {
 };
 
 TEST_F(WindowPackageTest, IsPreviewedWrittenAndListed) {
-  ASSERT_NO_FATAL_FAILURE(openCalibrated());
+  ASSERT_NO_FATAL_FAILURE(openSession("arm.hexo", simulated(4)));
   QDialog* dialog = openDialog();
-  ASSERT_NE(dialog, nullptr);
   choosePackage(dialog);
   tick(dialog, {"URDF", "Calibration"});
   const QString preview = dialog->findChild<QTextBrowser*>("packagePreview")->toPlainText();
@@ -86,31 +73,25 @@ TEST_F(WindowPackageTest, IsPreviewedWrittenAndListed) {
     EXPECT_TRUE(preview.contains(QLatin1String(part))) << part << " is not in\n" << preview.toStdString();
   }
   QTest::keyClick(dialog, Qt::Key_Escape);
-  ASSERT_TRUE(waitUntil([this] { return window_->findChild<QDialog*>("exportDialog") == nullptr; }));
+  ASSERT_TRUE(waitUntilGone("exportDialog"));
 
   ASSERT_NO_FATAL_FAILURE(exportPackage({"Report, PDF", "URDF", "Calibration"}, pathTo("out")));
   ASSERT_NO_FATAL_FAILURE(sayNoTitle());
-  auto* written = waitForDialog<QDialog>("packageDialog");
-  ASSERT_NE(written, nullptr);
-  ASSERT_TRUE(waitUntil([&] { return isDone(written); }));
+  QDialog* written = waitUntilWritten();
   EXPECT_EQ(written->findChild<QTreeWidget*>("packageFiles")->topLevelItemCount(), 4);
   const QString sentence = written->findChild<QLabel*>("packageSentence")->text();
   EXPECT_TRUE(sentence.contains("4 files. Each was read back")) << sentence.toStdString();
   EXPECT_EQ(filesIn("out"), QStringList({"manifest.json", "report.pdf", "skin.calibration.json", "skin.urdf"}));
   EXPECT_EQ(readCalibrationJson(pathTo("out/skin.calibration.json").toStdString())->cellCount(), 17U);
-  QFile pdf(pathTo("out/report.pdf"));
-  ASSERT_TRUE(pdf.open(QIODevice::ReadOnly));
-  EXPECT_TRUE(pdf.readAll().startsWith("%PDF"));
+  EXPECT_TRUE(contentOf(pathTo("out/report.pdf")).startsWith("%PDF"));
   keepPicture(written->grab().toImage(), "package-written");
 }
 
 TEST_F(WindowPackageTest, IsAnArchiveThatAnotherProgramReads) {
-  ASSERT_NO_FATAL_FAILURE(openCalibrated());
+  ASSERT_NO_FATAL_FAILURE(openSession("arm.hexo", simulated(4)));
   ASSERT_NO_FATAL_FAILURE(exportPackage({"Report, HTML", "GLTF"}, pathTo("arm.zip")));
   ASSERT_NO_FATAL_FAILURE(sayNoTitle());
-  auto* written = waitForDialog<QDialog>("packageDialog");
-  ASSERT_NE(written, nullptr);
-  ASSERT_TRUE(waitUntil([&] { return isDone(written); }));
+  QDialog* written = waitUntilWritten();
   EXPECT_TRUE(written->findChild<QLabel*>("packageSentence")->text().contains("The archive was read back"));
   QProcess python;
   python.start("python3", {"-c",
@@ -127,7 +108,7 @@ TEST_F(WindowPackageTest, IsAnArchiveThatAnotherProgramReads) {
 }
 
 TEST_F(WindowPackageTest, ThatIsCancelledLeavesNothing) {
-  ASSERT_NO_FATAL_FAILURE(openCalibrated());
+  ASSERT_NO_FATAL_FAILURE(openSession("arm.hexo", simulated(4)));
   const QStringList before = filesIn(".");
   for (const char* name : {"out", "arm.zip"}) {
     // The thread for files is kept busy until the operator has pressed the button.
@@ -139,53 +120,47 @@ TEST_F(WindowPackageTest, ThatIsCancelledLeavesNothing) {
         },
         "busy");
     ASSERT_NO_FATAL_FAILURE(exportPackage({"CSV", "PLY", "URDF"}, pathTo(name)));
-    auto* writing = waitForDialog<QDialog>("packageDialog");
-    ASSERT_NE(writing, nullptr);
+    auto* writing = waitForDialog("packageDialog");
     click(writing->findChild<QPushButton*>("packageCancel"));
     EXPECT_EQ(writing->findChild<QLabel*>("packageSentence")->text(), "Cancelling …");
     pressed.set_value();
-    ASSERT_TRUE(waitUntil([this] { return window_->findChild<QDialog*>("packageDialog") == nullptr; }));
+    ASSERT_TRUE(waitUntilGone("packageDialog"));
     EXPECT_FALSE(controller().work().isWriting());
     EXPECT_EQ(filesIn("."), before) << name;
   }
 }
 
 TEST_F(WindowPackageTest, OnAFullDiskSaysSoAndLeavesNothing) {
-  ASSERT_NO_FATAL_FAILURE(openCalibrated());
+  ASSERT_NO_FATAL_FAILURE(openSession("arm.hexo", simulated(4)));
   const QStringList before = filesIn(".");
   for (const char* name : {"out", "arm.zip"}) {
     const test::NoFileGrows full;
     ASSERT_NO_FATAL_FAILURE(exportPackage({"CSV", "PLY"}, pathTo(name)));
-    auto* writing = waitForDialog<QDialog>("packageDialog");
-    ASSERT_NE(writing, nullptr);
+    auto* writing = waitForDialog("packageDialog");
     const auto* sentence = writing->findChild<QLabel*>("packageSentence");
     ASSERT_TRUE(waitUntil([&] { return sentence->text().startsWith("Nothing was written."); }))
         << sentence->text().toStdString();
     QTest::keyClick(writing, Qt::Key_Escape);
-    ASSERT_TRUE(waitUntil([this] { return window_->findChild<QDialog*>("packageDialog") == nullptr; }));
+    ASSERT_TRUE(waitUntilGone("packageDialog"));
     EXPECT_EQ(filesIn("."), before) << name;
   }
 }
 
 TEST_F(WindowPackageTest, IntoAFolderThatTakesNothingSaysSo) {
-  ASSERT_NO_FATAL_FAILURE(openCalibrated());
+  ASSERT_NO_FATAL_FAILURE(openSession("arm.hexo", simulated(4)));
   ASSERT_NO_FATAL_FAILURE(exportPackage({"PLY"}, "/proc/out"));
-  auto* writing = waitForDialog<QDialog>("packageDialog");
-  ASSERT_NE(writing, nullptr);
+  auto* writing = waitForDialog("packageDialog");
   ASSERT_TRUE(waitUntil(
       [&] { return writing->findChild<QLabel*>("packageSentence")->text().startsWith("Nothing was written."); }));
 }
 
 TEST_F(WindowPackageTest, RemembersWhatWasChosen) {
-  ASSERT_NO_FATAL_FAILURE(openCalibrated());
+  ASSERT_NO_FATAL_FAILURE(openSession("arm.hexo", simulated(4)));
   ASSERT_NO_FATAL_FAILURE(exportPackage({"PLY", "TF-YAML"}, pathTo("arm.zip")));
-  auto* written = waitForDialog<QDialog>("packageDialog");
-  ASSERT_NE(written, nullptr);
-  ASSERT_TRUE(waitUntil([&] { return isDone(written); }));
+  QDialog* written = waitUntilWritten();
   QTest::keyClick(written, Qt::Key_Escape);
-  ASSERT_TRUE(waitUntil([this] { return window_->findChild<QDialog*>("packageDialog") == nullptr; }));
+  ASSERT_TRUE(waitUntilGone("packageDialog"));
   QDialog* dialog = openDialog();
-  ASSERT_NE(dialog, nullptr);
   EXPECT_EQ(dialog->findChild<QTabBar*>("exportKinds")->currentIndex(), 1);
   EXPECT_EQ(ticked(dialog), QStringList({"PLY", "TF-YAML"}));
   EXPECT_EQ(dialog->findChild<QComboBox*>("exportContainer")->currentText(), "Zip archive");
@@ -193,16 +168,14 @@ TEST_F(WindowPackageTest, RemembersWhatWasChosen) {
   dialog->findChild<QTabBar*>("exportKinds")->setCurrentIndex(0);
   EXPECT_TRUE(dialog->findChild<QLineEdit*>("exportPath")->text().endsWith(".calibration.json"));
   click(dialog->findChild<QPushButton*>("exportButton"));
-  ASSERT_TRUE(waitForMessage("Exported to ")) << message().toStdString();
+  ASSERT_TRUE(waitForMessage("Exported to "));
   dialog = openDialog();
-  ASSERT_NE(dialog, nullptr);
   EXPECT_EQ(dialog->findChild<QTabBar*>("exportKinds")->currentIndex(), 0);
 }
 
 TEST_F(WindowPackageTest, IsMadeByTheKeyboardAlone) {
-  ASSERT_NO_FATAL_FAILURE(openCalibrated());
+  ASSERT_NO_FATAL_FAILURE(openSession("arm.hexo", simulated(4)));
   QDialog* dialog = openDialog();
-  ASSERT_NE(dialog, nullptr);
   const auto* button = dialog->findChild<QPushButton*>("exportButton");
   const auto tabTo = [&](const QString& name) {
     for (int k = 0; k < 40; ++k) {
@@ -225,9 +198,7 @@ TEST_F(WindowPackageTest, IsMadeByTheKeyboardAlone) {
   ASSERT_TRUE(tabTo("packagePreview"));
   ASSERT_TRUE(tabTo("exportPath"));
   QTest::keyClick(QApplication::focusWidget(), Qt::Key_Return);
-  auto* written = waitForDialog<QDialog>("packageDialog");
-  ASSERT_NE(written, nullptr);
-  ASSERT_TRUE(waitUntil([&] { return isDone(written); }));
+  waitUntilWritten();
   EXPECT_TRUE(QFile::exists(pathTo("arm.zip")));
 }
 

@@ -7,8 +7,6 @@
 
 #include <QClipboard>
 #include <QFileInfo>
-#include <QMimeData>
-#include <QUrl>
 
 namespace hexoderm {
 namespace {
@@ -74,22 +72,12 @@ TEST_F(WindowPlaceTest, AnglesAreTypedAndPastedIntoTheTableOfPoses) {
 
 TEST_F(WindowPlaceTest, AFileThatIsDroppedIsTakenByTheStep) {
   ASSERT_NO_FATAL_FAILURE(openSession());
-  const auto drop = [this](const QString& path) {
-    QMimeData data;
-    data.setUrls({QUrl::fromLocalFile(path)});
-    QDragEnterEvent enter(QPoint(200, 200), Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
-    QApplication::sendEvent(window_.get(), &enter);
-    EXPECT_TRUE(enter.isAccepted());
-    QDropEvent event(QPointF(200, 200), Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
-    QApplication::sendEvent(window_.get(), &event);
-    EXPECT_TRUE(event.isAccepted());
-  };
-  drop(pathTo("arm.csv"));
+  dropFile(pathTo("arm.csv"));
   EXPECT_THAT(stand().robot.text.toStdString(), HasSubstr("Choose the robot first"));
-  drop(HEXODERM_DEMO_ROBOT);
+  dropFile(HEXODERM_DEMO_ROBOT);
   ASSERT_TRUE(waitForWork());
   EXPECT_TRUE(stand().has_robot);
-  drop(pathTo("arm.csv"));
+  dropFile(pathTo("arm.csv"));
   ASSERT_TRUE(waitForWork());
   EXPECT_THAT(stand().joints.text.toStdString(), HasSubstr("8 of 8 poses"));
 }

@@ -2,12 +2,10 @@
 
 #include "app/window/guide/guide.h"
 #include "hexoderm/device/simulation/simulated_robot.h"
-#include "hexoderm/io/session_json.h"
 #include "hexoderm/kinematics/joint_angles_csv.h"
 #include "hexoderm/kinematics/robot_model.h"
 #include "hexoderm/reconstruction/result/patch_placements.h"
 #include "hexoderm/session/session_joint_angles.h"
-#include "hexoderm/session/simulated_session.h"
 #include "hexoderm/util/file.h"
 #include "hexoderm/util/units.h"
 #include "tests/app/window/keyboard.h"
@@ -71,8 +69,7 @@ class WindowPlaceTest : public KeyboardTest {
     ASSERT_TRUE(waitUntil([this] { return panel().isVisible(); }));
   }
   void openSession() {
-    window_->openFile(pathTo("arm.session.json"));
-    ASSERT_TRUE(waitForPoses(8)) << message().toStdString();
+    ASSERT_NO_FATAL_FAILURE(openFile(pathTo("arm.session.json")));
     openStep();
   }
   /// Scrolls to it first, as a person does.
@@ -90,20 +87,15 @@ class WindowPlaceTest : public KeyboardTest {
     QCoreApplication::processEvents();
     QTest::mouseClick(list->viewport(), Qt::LeftButton, Qt::NoModifier, list->visualItemRect(list->item(row)).center());
   }
-  void chooseRobot(const QString& path) {
-    ASSERT_NO_FATAL_FAILURE(pressInPanel<QPushButton>("placeChooseRobot"));
-    ASSERT_NO_FATAL_FAILURE(typeIntoFileDialog("robotDialog", path));
-    ASSERT_TRUE(waitUntil([this] { return window_->findChild<QDialog*>("robotDialog") == nullptr; }));
+  void chooseFile(const char* button, const char* dialog, const QString& path) {
+    ASSERT_NO_FATAL_FAILURE(pressInPanel<QPushButton>(button));
+    ASSERT_NO_FATAL_FAILURE(typeIntoFileDialog(dialog, path));
+    ASSERT_TRUE(waitUntilGone(dialog));
     ASSERT_NO_FATAL_FAILURE(activateWindow());
     ASSERT_TRUE(waitForWork());
   }
-  void chooseJoints(const QString& path) {
-    ASSERT_NO_FATAL_FAILURE(pressInPanel<QPushButton>("placeChooseJoints"));
-    ASSERT_NO_FATAL_FAILURE(typeIntoFileDialog("jointsDialog", path));
-    ASSERT_TRUE(waitUntil([this] { return window_->findChild<QDialog*>("jointsDialog") == nullptr; }));
-    ASSERT_NO_FATAL_FAILURE(activateWindow());
-    ASSERT_TRUE(waitForWork());
-  }
+  void chooseRobot(const QString& path) { chooseFile("placeChooseRobot", "robotDialog", path); }
+  void chooseJoints(const QString& path) { chooseFile("placeChooseJoints", "jointsDialog", path); }
   void openWithRobot() {
     ASSERT_NO_FATAL_FAILURE(openSession());
     ASSERT_NO_FATAL_FAILURE(chooseRobot(HEXODERM_DEMO_ROBOT));
@@ -144,6 +136,13 @@ class WindowPlaceTest : public KeyboardTest {
       ASSERT_NO_FATAL_FAILURE(pressInPanel<QPushButton>("placeAddPoint"));
       ASSERT_TRUE(waitForWork());
     }
+  }
+  /// With the robot, its angles and the points of one patch: takes the first place that is offered for it.
+  void openPlaced() {
+    ASSERT_NO_FATAL_FAILURE(openWithRobot());
+    ASSERT_NO_FATAL_FAILURE(typePoints(CellId(stand().patch)));
+    ASSERT_NO_FATAL_FAILURE(clickRowOf(inPanel<QListWidget>("placePlaceList"), 0));
+    ASSERT_TRUE(waitForWork());
   }
   void expectPlacedWell() {
     const std::vector<PatchOnLink> placed = placedPatches(*controller().reconstruction());

@@ -5,7 +5,6 @@
 #include "tests/app/window/window_place_fixture.h"
 #include "tests/support/paths.h"
 
-#include <QDialog>
 #include <QLineEdit>
 
 namespace hexoderm {
@@ -48,8 +47,7 @@ TEST_F(WindowPlaceTest, FromTwoPatchesToTheRobotsUrdfWithTheSkinOnItByMouse) {
   keepPicture(window_->picture(), "place-dark");
 
   press(Qt::Key_E, Qt::ControlModifier);
-  auto* dialog = waitForDialog<QDialog>("exportDialog");
-  ASSERT_NE(dialog, nullptr);
+  auto* dialog = waitForDialog("exportDialog");
   auto* formats = dialog->findChild<QListWidget*>("exportFormats");
   const QList<QListWidgetItem*> found = formats->findItems("ROBOT-URDF", Qt::MatchFixedString);
   ASSERT_EQ(found.size(), 1);
@@ -58,7 +56,7 @@ TEST_F(WindowPlaceTest, FromTwoPatchesToTheRobotsUrdfWithTheSkinOnItByMouse) {
       << "the robot is known";
   typeInto(dialog->findChild<QLineEdit*>("exportPath"), pathTo("merged.urdf"));
   click(dialog->findChild<QPushButton*>("exportButton"));
-  ASSERT_TRUE(waitForMessage("Exported to " + pathTo("merged.urdf"))) << message().toStdString();
+  ASSERT_TRUE(waitForMessage("Exported to " + pathTo("merged.urdf")));
   const RobotModel merged = RobotModel::read(pathTo("merged.urdf").toStdString());
   EXPECT_GT(merged.links().size(), robot_->robot().links().size() + 33) << "34 cells are on it";
   for (const RobotLink& link : robot_->robot().links()) EXPECT_TRUE(merged.findLink(link.name)) << link.name;
@@ -66,7 +64,7 @@ TEST_F(WindowPlaceTest, FromTwoPatchesToTheRobotsUrdfWithTheSkinOnItByMouse) {
 
 TEST_F(WindowPlaceTest, TheSameByTheKeyboard) {
   window_->openFile(pathTo("arm.session.json"));
-  ASSERT_TRUE(waitForPoses(8)) << message().toStdString();
+  ASSERT_TRUE(waitForPoses(8));
   key(Qt::Key_6, Qt::ControlModifier);
   ASSERT_TRUE(waitUntil([this] { return panel().isVisible(); }));
   ASSERT_NO_FATAL_FAILURE(tabTo("placeChooseRobot"));
@@ -121,8 +119,7 @@ TEST_F(WindowPlaceTest, TheSameByTheKeyboard) {
     EXPECT_NE(window_->robotView()->screenshot(), before);
   }
   key(Qt::Key_E, Qt::ControlModifier);
-  auto* dialog = waitForDialog<QDialog>("exportDialog");
-  ASSERT_NE(dialog, nullptr);
+  auto* dialog = waitForDialog("exportDialog");
   auto* formats = dialog->findChild<QListWidget*>("exportFormats");
   ASSERT_NO_FATAL_FAILURE(tabTo("exportFormats"));
   key(Qt::Key_Home);
@@ -131,16 +128,12 @@ TEST_F(WindowPlaceTest, TheSameByTheKeyboard) {
   key(Qt::Key_A, Qt::ControlModifier);
   keys(pathTo("merged.urdf"));
   key(Qt::Key_Return);
-  ASSERT_TRUE(waitForMessage("Exported to " + pathTo("merged.urdf"))) << message().toStdString();
+  ASSERT_TRUE(waitForMessage("Exported to " + pathTo("merged.urdf")));
   EXPECT_NO_THROW(RobotModel::read(pathTo("merged.urdf").toStdString()));
 }
 
 TEST_F(WindowPlaceTest, EveryDecisionCanBeUndoneAndIsKept) {
-  ASSERT_NO_FATAL_FAILURE(openWithRobot());
-  const CellId origin(stand().patch);
-  ASSERT_NO_FATAL_FAILURE(typePoints(origin));
-  ASSERT_NO_FATAL_FAILURE(clickRowOf(inPanel<QListWidget>("placePlaceList"), 0));
-  ASSERT_TRUE(waitForWork());
+  ASSERT_NO_FATAL_FAILURE(openPlaced());
   ASSERT_TRUE(stand().is_placed);
   const std::uint64_t solved = controller().submittedRevision();
   press(Qt::Key_Z, Qt::ControlModifier);
@@ -178,10 +171,7 @@ TEST_F(WindowPlaceTest, EveryDecisionCanBeUndoneAndIsKept) {
 }
 
 TEST_F(WindowPlaceTest, BeforeTheExportTheCellsAreLookedAtWithTheirNumbers) {
-  ASSERT_NO_FATAL_FAILURE(openWithRobot());
-  ASSERT_NO_FATAL_FAILURE(typePoints(CellId(stand().patch)));
-  ASSERT_NO_FATAL_FAILURE(clickRowOf(inPanel<QListWidget>("placePlaceList"), 0));
-  ASSERT_TRUE(waitForWork());
+  ASSERT_NO_FATAL_FAILURE(openPlaced());
   const bool draws = window_->robotView()->canDraw();
   window_->robotView()->fit();
   const QImage whole = draws ? window_->robotView()->screenshot() : QImage();
@@ -197,8 +187,7 @@ TEST_F(WindowPlaceTest, BeforeTheExportTheCellsAreLookedAtWithTheirNumbers) {
 
 TEST_F(WindowPlaceTest, TheDemoBeginsAtTheStepWithItsRobot) {
   action("actionRobotDemo")->trigger();
-  ASSERT_TRUE(waitUntil([this] { return controller().session() && controller().session()->robot(); }))
-      << message().toStdString();
+  ASSERT_TRUE(waitUntil([this] { return controller().session() && controller().session()->robot(); }));
   ASSERT_TRUE(waitForWork());
   EXPECT_EQ(window_->findChild<StepPanel*>()->openIndex(), static_cast<int>(GuideStep::Place));
   EXPECT_TRUE(window_->robotView()->isVisible());
@@ -209,10 +198,7 @@ TEST_F(WindowPlaceTest, TheDemoBeginsAtTheStepWithItsRobot) {
 }
 
 TEST_F(WindowPlaceTest, ACalibrationShowsItsPlacesButDecidesNothing) {
-  ASSERT_NO_FATAL_FAILURE(openWithRobot());
-  ASSERT_NO_FATAL_FAILURE(typePoints(CellId(stand().patch)));
-  ASSERT_NO_FATAL_FAILURE(clickRowOf(inPanel<QListWidget>("placePlaceList"), 0));
-  ASSERT_TRUE(waitForWork());
+  ASSERT_NO_FATAL_FAILURE(openPlaced());
   controller().resultFiles().exportTo({std::nullopt, pathTo("arm.calibration.json"), {}});
   ASSERT_TRUE(waitForMessage("Exported to"));
   controller().undoStack()->setClean();

@@ -1,12 +1,8 @@
 // Recordings that are not what they should be: what is whole is played, and what is wrong is said with the file's name.
 
 #include "hexoderm/device/skinwire/codec.h"
-#include "hexoderm/session/session_store.h"
-#include "hexoderm/session/simulated_session.h"
 #include "tests/app/window/recorded_skin.h"
 #include "tests/app/window/window_test.h"
-
-#include <algorithm>
 
 namespace hexoderm {
 namespace {
@@ -63,8 +59,8 @@ TEST_F(WindowRecordingTest, OneThatWasCutOffIsPlayedAsFarAsItIsWhole) {
   const std::size_t whole = records_.size() / 2;
   const QString path = writeFile("cut.skinrec", content_.left(static_cast<int>(records_[whole].end - 5)));
   ASSERT_NO_FATAL_FAILURE(play(path));
-  ASSERT_TRUE(waitUntilEnded()) << labelText("liveText").toStdString() << message().toStdString();
-  ASSERT_TRUE(waitForPoses(1)) << message().toStdString();
+  ASSERT_TRUE(waitUntilEnded());
+  ASSERT_TRUE(waitForPoses(1));
   EXPECT_EQ(controller().liveSession().source().status().frames, frames(whole));
   EXPECT_EQ(controller().reconstruction()->cellCount(), kCells);
   const QString said =
@@ -90,8 +86,8 @@ TEST_F(WindowRecordingTest, ADamagedRecordIsLeftOutAndCounted) {
   ASSERT_GT(damaged.frames, 0U);
   content_[static_cast<int>(damaged.end - 8)] = static_cast<char>(content_[static_cast<int>(damaged.end - 8)] ^ 0x10);
   ASSERT_NO_FATAL_FAILURE(play(writeFile("damaged.skinrec", content_)));
-  ASSERT_TRUE(waitUntilEnded()) << labelText("liveText").toStdString() << message().toStdString();
-  ASSERT_TRUE(waitForPoses(1)) << message().toStdString();
+  ASSERT_TRUE(waitUntilEnded());
+  ASSERT_TRUE(waitForPoses(1));
   EXPECT_TRUE(labelText("liveText").contains("damaged.skinrec: the recording is over"))
       << labelText("liveText").toStdString();
   EXPECT_EQ(controller().liveSession().source().status().frames, frames() - damaged.frames);
@@ -102,12 +98,6 @@ TEST_F(WindowRecordingTest, ADamagedRecordIsLeftOutAndCounted) {
 /// With a session open, which must stay.
 class WindowBrokenRecordingTest : public WindowRecordingTest {
  protected:
-  void openSession() {
-    SimulatedSkin skin(builtInCellModel("hex-bma150"), {});
-    writeSessionStore(simulateSession(skin, 2, 20), pathTo("open.hexo").toStdString());
-    window_->openFile(pathTo("open.hexo"));
-    ASSERT_TRUE(waitForPoses(2)) << message().toStdString();
-  }
   void expectTheSessionStays() {
     EXPECT_EQ(controller().file().name(), "open.hexo");
     EXPECT_EQ(posesShown(), 2U);
@@ -127,10 +117,10 @@ TEST_F(WindowBrokenRecordingTest, WhatIsNoRecordingIsRefusedInWords) {
       {"noise.skinrec", QByteArray(5000, '#'), "is no recording of a skin"},
       {"newer.skinrec", QByteArray("SKINREC2") + QByteArray(100, '\0'), "version 2"},
   };
-  ASSERT_NO_FATAL_FAILURE(openSession());
+  ASSERT_NO_FATAL_FAILURE(openSession("open.hexo", simulated(2)));
   for (const Refused& file : refused) {
     ASSERT_NO_FATAL_FAILURE(play(writeFile(file.name, file.content)));
-    ASSERT_TRUE(waitForMessage(QLatin1String(file.name))) << message().toStdString();
+    ASSERT_TRUE(waitForMessage(QLatin1String(file.name)));
     EXPECT_TRUE(message().contains(file.said)) << message().toStdString();
     EXPECT_TRUE(find<QWidget>("messageBar")->isVisible()) << "it stays until somebody has read it";
     EXPECT_FALSE(controller().liveSession().source().isRunning());
@@ -141,7 +131,7 @@ TEST_F(WindowBrokenRecordingTest, WhatIsNoRecordingIsRefusedInWords) {
 
 TEST_F(WindowBrokenRecordingTest, OneInWhichThereIsNoSkinEndsAndIsNotWaitedFor) {
   ASSERT_NO_FATAL_FAILURE(record());
-  ASSERT_NO_FATAL_FAILURE(openSession());
+  ASSERT_NO_FATAL_FAILURE(openSession("open.hexo", simulated(2)));
   const struct {
     const char* name;
     QByteArray content;
@@ -153,8 +143,7 @@ TEST_F(WindowBrokenRecordingTest, OneInWhichThereIsNoSkinEndsAndIsNotWaitedFor) 
   };
   for (const auto& file : endings) {
     ASSERT_NO_FATAL_FAILURE(play(writeFile(file.name, file.content)));
-    ASSERT_TRUE(waitUntil([&] { return labelText("liveText").contains(file.said); }))
-        << labelText("liveText").toStdString();
+    ASSERT_TRUE(waitUntil([&] { return labelText("liveText").contains(file.said); }));
     EXPECT_TRUE(labelText("liveText").contains(file.name)) << labelText("liveText").toStdString();
     EXPECT_EQ(labelText("liveState"), "Ended");
     EXPECT_TRUE(find<QWidget>("liveStrip")->isVisible());

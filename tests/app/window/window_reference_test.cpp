@@ -8,18 +8,10 @@ namespace {
 
 const QString kData = QStringLiteral(HEXODERM_REFERENCE_DATA);
 
-class WindowReferenceTest : public WindowTest {
- protected:
-  void open(const QString& path) {
-    window_->openFile(kData + path);
-    ASSERT_TRUE(waitUntil([&] { return controller().file().name() == QFileInfo(path).fileName(); }))
-        << message().toStdString();
-    ASSERT_TRUE(waitUntilIdle());
-  }
-};
+using WindowReferenceTest = WindowTest;
 
 TEST_F(WindowReferenceTest, ARealTumFileIsShownAsACalibration) {
-  ASSERT_NO_FATAL_FAILURE(open("/real/tum_skin_config.xml"));
+  ASSERT_NO_FATAL_FAILURE(openFile(kData + "/real/tum_skin_config.xml"));
   EXPECT_EQ(controller().session(), nullptr);
   EXPECT_EQ(controller().reconstruction()->cellCount(), 4U);
   EXPECT_TRUE(action("actionExport")->isEnabled());
@@ -28,7 +20,7 @@ TEST_F(WindowReferenceTest, ARealTumFileIsShownAsACalibration) {
 TEST_F(WindowReferenceTest, WhatHexodermDoesNotReadIsSaidAndNamed) {
   for (const char* name : {"icub_left_forearm_V2.txt", "xsens_static_poses_part1.csv"}) {
     window_->openFile(kData + "/real/" + name);
-    ASSERT_TRUE(waitForMessage(name)) << message().toStdString();
+    ASSERT_TRUE(waitForMessage(name));
     EXPECT_TRUE(message().contains("none of the files")) << message().toStdString();
     EXPECT_TRUE(controller().isEmpty());
   }

@@ -1,8 +1,5 @@
-// Skins of every size in the window: none, one cell, a hundred thousand cells.
+// Large and small skins in the window: one cell, a thousand poses, a hundred thousand cells.
 
-#include "hexoderm/device/simulation/simulated_skin.h"
-#include "hexoderm/session/session_store.h"
-#include "hexoderm/session/simulated_session.h"
 #include "tests/app/window/window_test.h"
 
 namespace hexoderm {
@@ -18,15 +15,12 @@ class WindowSizesTest : public WindowTest {
   }
   void open(const QString& path) {
     window_->openFile(path);
-    ASSERT_TRUE(waitLong([&] { return controller().file().name() == QFileInfo(path).fileName(); }))
-        << message().toStdString();
+    ASSERT_TRUE(waitLong([&] { return controller().file().name() == QFileInfo(path).fileName(); }));
     ASSERT_TRUE(waitLong([this] { return controller().isCurrent() && controller().work().activity().isEmpty(); }));
   }
   QString writeSkin(const QString& patch, std::size_t poses, std::size_t frames, SimulatedSkinOptions options = {}) {
     options.patch = patch.toStdString();
-    SimulatedSkin skin(builtInCellModel("hex-bma150"), options);
-    writeSessionStore(simulateSession(skin, poses, frames), pathTo("skin.hexo").toStdString());
-    return pathTo("skin.hexo");
+    return writeSession("skin.hexo", simulated(poses, options, frames));
   }
   /// The pictures and the keys still do what they are for.
   void expectUsable(CellId cell) {
@@ -39,16 +33,6 @@ class WindowSizesTest : public WindowTest {
     EXPECT_TRUE(action("actionExport")->isEnabled()) << action("actionExport")->toolTip().toStdString();
   }
 };
-
-TEST_F(WindowSizesTest, AnEmptySkinIsSaidToBeEmpty) {
-  ASSERT_NO_FATAL_FAILURE(
-      open(writeFile("empty.session.json", R"({"format": "hexoderm-session", "version": 1, "cell_model": "hex-bma150",
-                                              "cells": [], "poses": []})")));
-  EXPECT_EQ(controller().reconstruction()->cellCount(), 0U);
-  EXPECT_FALSE(find<QLabel>("bannerSentence")->text().isEmpty());
-  for (int step = 1; step <= 6; ++step) press(Qt::Key_0 + step, Qt::ControlModifier);
-  EXPECT_FALSE(window_->picture().isNull());
-}
 
 TEST_F(WindowSizesTest, ASingleCellIsShownAndPicked) {
   ASSERT_NO_FATAL_FAILURE(
@@ -65,13 +49,10 @@ TEST_F(WindowSizesTest, ASingleCellIsShownAndPicked) {
 
 TEST_F(WindowSizesTest, AThousandPosesAreLeftForAnotherSessionAndForTheEndWhileTheyAreSolved) {
   const QString many = writeSkin("sheet:10x10", 1000, 2);
-  const QString few = pathTo("few.hexo");
-  SimulatedSkin x17(builtInCellModel("hex-bma150"), {});
-  writeSessionStore(simulateSession(x17, 3, 2), few.toStdString());
+  const QString few = writeSession("few.hexo", simulated(3, {}, 2));
   const auto beginSolving = [&] {
     window_->openFile(many);
-    ASSERT_TRUE(waitLong([&] { return controller().file().name() == QFileInfo(many).fileName(); }))
-        << message().toStdString();
+    ASSERT_TRUE(waitLong([&] { return controller().file().name() == QFileInfo(many).fileName(); }));
     ASSERT_FALSE(controller().isCurrent());
   };
   ASSERT_NO_FATAL_FAILURE(beginSolving());

@@ -1,7 +1,12 @@
 #pragma once
 
 #include "app/window/main_window/main_window.h"
+#include "hexoderm/device/simulation/simulated_skin.h"
+#include "hexoderm/io/session_json.h"
+#include "hexoderm/session/session_store.h"
+#include "hexoderm/session/simulated_session.h"
 #include "tests/app/window/keyboard_keeper.h"
+#include "tests/support/kept_picture.h"
 #include "tests/support/paths.h"
 #include "tests/support/qt_wait.h"
 #include "widgets/graph/graph_view.h"
@@ -12,18 +17,24 @@
 #include <QCheckBox>
 #include <QComboBox>
 #include <QDir>
+#include <QDragEnterEvent>
+#include <QDropEvent>
 #include <QFile>
+#include <QFileInfo>
 #include <QLabel>
 #include <QLineEdit>
 #include <QMessageBox>
+#include <QMimeData>
 #include <QPushButton>
 #include <QSettings>
 #include <QSignalSpy>
 #include <QTableView>
 #include <QTemporaryDir>
 #include <QTest>
+#include <iostream>
 #include <memory>
 #include <optional>
+#include <stdexcept>
 #include <string>
 
 namespace hexoderm {
@@ -57,11 +68,19 @@ class WindowTest : public testing::Test {
   }
   QAction* action(const char* object_name) { return find<QAction>(object_name); }
 
-  /// Lets the event loop run until it is so; false if it never comes. The window shows it then.
+  /// Lets the event loop run until it is so; the window shows it then. False if it never comes: then what the window
+  /// says instead is printed.
   template <class Condition>
   bool waitUntil(Condition condition) {
     const bool came = test::waitUntil(condition);
     if (window_) window_->showChanges();
+    if (!came && window_) {
+      for (const char* label :
+           {"messageText", "saidStatus", "bannerSentence", "liveState", "liveText", "captureWait"}) {
+        const auto* said = window_->findChild<QLabel*>(QLatin1String(label));
+        if (said != nullptr) std::cout << label << ": " << said->text().toStdString() << '\n';
+      }
+    }
     return came;
   }
   bool waitUntilIdle() {
@@ -69,9 +88,53 @@ class WindowTest : public testing::Test {
       return controller().work().activity().isEmpty() && !controller().isSolving() && controller().reconstruction();
     });
   }
+  /// Until nothing waits any more to be written into the session's file.
+  bool waitUntilKept() {
+    return waitUntilIdle() && waitUntil([this] {
+             return controller().file().isKept() && !controller().file().isWriting() &&
+                    !controller().file().hasUnsavedChanges();
+           });
+  }
   std::size_t posesShown() { return controller().reconstruction() ? controller().reconstruction()->poses.size() : 0; }
   bool waitForPoses(std::size_t count) {
     return waitUntilIdle() && waitUntil([&] { return posesShown() == count; });
+  }
+
+  static Session simulated(std::size_t poses, const SimulatedSkinOptions& options = {}, std::size_t frames = 20) {
+    SimulatedSkin skin(builtInCellModel("hex-bma150"), options);
+    return simulateSession(skin, poses, frames);
+  }
+  /// Into a file of the kind that its name has; returns its path.
+  QString writeSession(const QString& name, const Session& session) {
+    const QString path = pathTo(name);
+    if (name.endsWith(QLatin1String(".json"))) {
+      writeSessionJson(session, path.toStdString());
+    } else {
+      writeSessionStore(session, path.toStdString());
+    }
+    return path;
+  }
+  /// Opens a file and waits for its result.
+  void openFile(const QString& path) {
+    window_->openFile(path);
+    const QString name = QFileInfo(path).fileName();
+    ASSERT_TRUE(waitUntil([&] { return controller().file().name() == name; })) << name.toStdString();
+    ASSERT_TRUE(waitUntilIdle()) << name.toStdString();
+  }
+  void openSession(const QString& name, const Session& session) {
+    ASSERT_NO_FATAL_FAILURE(openFile(writeSession(name, session)));
+    ASSERT_TRUE(waitForPoses(session.poses().size())) << name.toStdString();
+  }
+  void dropFile(const QString& path) {
+    QMimeData data;
+    data.setUrls({QUrl::fromLocalFile(path)});
+    const QPoint at(200, 200);
+    QDragEnterEvent enter(at, Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
+    QApplication::sendEvent(window_.get(), &enter);
+    EXPECT_TRUE(enter.isAccepted());
+    QDropEvent event(at, Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
+    QApplication::sendEvent(window_.get(), &event);
+    EXPECT_TRUE(event.isAccepted());
   }
 
   void click(QWidget* widget) { QTest::mouseClick(widget, Qt::LeftButton); }
@@ -127,36 +190,40 @@ class WindowTest : public testing::Test {
       }
     }));
     controller().liveSession().captureNow();
-    ASSERT_TRUE(waitForPoses(before + 1)) << message().toStdString();
+    ASSERT_TRUE(waitForPoses(before + 1));
   }
 
   /// The demo with so many poses and no more: the first where the skin lies, the others where the advice says.
   void takeDemoPoses(std::size_t count) {
     controller().liveSession().setAutomatic(false);
     clickBanner();
-    ASSERT_TRUE(waitUntil([this] { return controller().liveSession().isLive(); })) << message().toStdString();
+    ASSERT_TRUE(waitUntil([this] { return controller().liveSession().isLive(); }));
     ASSERT_TRUE(waitForPoses(0));
     if (count == 0) return;
     controller().liveSession().captureNow();
-    ASSERT_TRUE(waitForPoses(1)) << message().toStdString();
+    ASSERT_TRUE(waitForPoses(1));
     for (std::size_t taken = 1; taken < count; ++taken) ASSERT_NO_FATAL_FAILURE(takeNextPose());
   }
 
-  template <class T>
+  /// Throws, which ends the test, if it does not come.
+  template <class T = QDialog>
   T* waitForDialog(const char* object_name) {
     T* dialog = nullptr;
-    EXPECT_TRUE(waitUntil([&] {
+    const bool came = waitUntil([&] {
       dialog = window_->findChild<T*>(QLatin1String(object_name));
       return dialog && dialog->isVisible() && dialog->isActiveWindow();
-    })) << object_name;
+    });
+    if (!came) throw std::runtime_error(std::string("there is no dialog ") + object_name);
     return dialog;
+  }
+  bool waitUntilGone(const char* object_name) {
+    return waitUntil([&] { return window_->findChild<QDialog*>(QLatin1String(object_name)) == nullptr; });
   }
   /// Fills in the dialog that connects, and accepts it, as a person does. Without a path, the poses go to the session
   /// that is open.
   void connectByDialog(const QString& kind_name, const QString& address, const QString& path = {}) {
     press(Qt::Key_K, Qt::ControlModifier);
-    auto* dialog = waitForDialog<QDialog>("connectDialog");
-    ASSERT_NE(dialog, nullptr);
+    auto* dialog = waitForDialog("connectDialog");
     auto* kind = dialog->findChild<QComboBox*>("connectKind");
     QTest::keyClick(kind, Qt::Key_Home);
     for (int k = 1; k < kind->count() && kind->currentText() != kind_name; ++k) QTest::keyClick(kind, Qt::Key_Down);
@@ -168,7 +235,7 @@ class WindowTest : public testing::Test {
     auto* button = dialog->findChild<QPushButton*>("connectButton");
     ASSERT_TRUE(button->isEnabled()) << button->toolTip().toStdString();
     click(button);
-    ASSERT_TRUE(waitUntil([this] { return window_->findChild<QDialog*>("connectDialog") == nullptr; }));
+    ASSERT_TRUE(waitUntilGone("connectDialog"));
   }
   static void typeInto(QLineEdit* edit, const QString& text) {
     edit->selectAll();
@@ -177,20 +244,10 @@ class WindowTest : public testing::Test {
 
   /// Types a path into Qt's own file dialog and confirms it.
   void typeIntoFileDialog(const char* object_name, const QString& path) {
-    auto* dialog = waitForDialog<QDialog>(object_name);
-    ASSERT_NE(dialog, nullptr);
-    auto* edit = dialog->findChild<QLineEdit*>(QStringLiteral("fileNameEdit"));
+    auto* edit = waitForDialog(object_name)->findChild<QLineEdit*>(QStringLiteral("fileNameEdit"));
     ASSERT_NE(edit, nullptr);
-    edit->selectAll();
-    QTest::keyClicks(edit, path);
+    typeInto(edit, path);
     QTest::keyClick(edit, Qt::Key_Return);
-  }
-
-  /// Keeps a picture of a window or dialog as a build artefact.
-  static void keepPicture(const QImage& picture, const QString& name) {
-    const QDir folder(QStringLiteral(HEXODERM_SCREENSHOTS));
-    ASSERT_TRUE(folder.mkpath("."));
-    EXPECT_TRUE(picture.save(folder.filePath(name + ".png")));
   }
 
   bool waitForMessage(const QString& part) {
@@ -206,6 +263,11 @@ class WindowTest : public testing::Test {
     EXPECT_TRUE(file.open(QIODevice::WriteOnly));
     file.write(content);
     return file.fileName();
+  }
+  static QByteArray contentOf(const QString& path) {
+    QFile file(path);
+    EXPECT_TRUE(file.open(QIODevice::ReadOnly)) << path.toStdString();
+    return file.readAll();
   }
 
   QTemporaryDir folder_;

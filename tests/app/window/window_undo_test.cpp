@@ -1,8 +1,5 @@
 // Undo and redo of every command that changes a session: in the window, in its result and in its file.
 
-#include "hexoderm/device/simulation/simulated_skin.h"
-#include "hexoderm/session/session_store.h"
-#include "hexoderm/session/simulated_session.h"
 #include "tests/app/window/window_test.h"
 
 #include <functional>
@@ -37,22 +34,13 @@ class WindowUndoTest : public WindowTest {
  protected:
   /// A session of four poses that is kept in a file, with one link that was set aside for a reason.
   void openKept() {
-    SimulatedSkin skin(builtInCellModel("hex-bma150"), {});
-    Session session = simulateSession(skin, 4, 20);
+    Session session = simulated(4);
     const CellReport& cell = session.neighbors().back();
     const NeighborReport& link = cell.neighbors.front();
     aside_ = {{cell.id, link.port}, {link.cell, link.cell_port.value()}};
     session.setLinkMuted(aside_.first, aside_.second, true, "the wire at the elbow");
-    writeSessionStore(session, path_.toStdString());
-    window_->openFile(path_);
-    ASSERT_TRUE(waitForPoses(4)) << message().toStdString();
+    ASSERT_NO_FATAL_FAILURE(openSession("arm.hexo", session));
     ASSERT_TRUE(waitUntilKept());
-  }
-  bool waitUntilKept() {
-    return waitUntilIdle() && waitUntil([this] {
-             return controller().file().isKept() && !controller().file().isWriting() &&
-                    !controller().file().hasUnsavedChanges();
-           });
   }
   State now() { return stateOf(*controller().session()); }
   /// The session, its result and its file are all like this.
@@ -102,65 +90,48 @@ class WindowUndoTest : public WindowTest {
   Selection::Link aside_;
 };
 
-TEST_F(WindowUndoTest, APoseThatIsDisabled) {
+TEST_F(WindowUndoTest, APoseThatIsDisabledEnabledAgainOrDeletedWhileItIsDisabled) {
   ASSERT_NO_FATAL_FAILURE(openKept());
+  EXPECT_FALSE(action("actionTogglePose")->isEnabled());
+  EXPECT_TRUE(action("actionTogglePose")->toolTip().contains("Pick a pose"));
   ASSERT_NO_FATAL_FAILURE(pickPose(1));
-  expectUndoAndRedo([this] { press(Qt::Key_Delete); }, "disable pose 2");
-}
-
-TEST_F(WindowUndoTest, APoseThatIsEnabledAgain) {
-  ASSERT_NO_FATAL_FAILURE(openKept());
-  ASSERT_NO_FATAL_FAILURE(pickPose(1));
-  press(Qt::Key_Delete);
-  ASSERT_TRUE(waitUntilKept());
-  expectUndoAndRedo([this] { press(Qt::Key_Delete); }, "enable pose 2");
-}
-
-TEST_F(WindowUndoTest, ADisabledPoseThatIsDeletedComesBackDisabledAndInItsPlace) {
-  ASSERT_NO_FATAL_FAILURE(openKept());
-  ASSERT_NO_FATAL_FAILURE(pickPose(1));
-  press(Qt::Key_Delete);
+  const auto toggle = [this] { press(Qt::Key_Delete); };
+  expectUndoAndRedo(toggle, "disable pose 2");
+  expectUndoAndRedo(toggle, "enable pose 2");
+  toggle();
   ASSERT_TRUE(waitUntilKept());
   expectUndoAndRedo([this] { press(Qt::Key_Delete, Qt::ShiftModifier); }, "delete pose 2");
 }
 
-TEST_F(WindowUndoTest, ALinkThatIsSetAside) {
-  ASSERT_NO_FATAL_FAILURE(openKept());
-  const LinkEstimate& link = controller().reconstruction()->patches.front().links.front();
-  window_->selection().selectLink(link.source, link.target);
-  expectUndoAndRedo([this] { press(Qt::Key_M); }, "aside");
-}
-
-TEST_F(WindowUndoTest, ALinkThatIsTakenBackAndTheReasonThatItWasSetAsideFor) {
+TEST_F(WindowUndoTest, ALinkThatIsSetAsideAndOneThatIsTakenBackWithTheReasonThatItWasSetAsideFor) {
   ASSERT_NO_FATAL_FAILURE(openKept());
   ASSERT_EQ(now().muted.size(), 1U);
   EXPECT_EQ(now().muted[0].why, "the wire at the elbow");
+  const auto mute = [this] { press(Qt::Key_M); };
+  const LinkEstimate& link = controller().reconstruction()->patches.front().links.front();
+  window_->selection().selectLink(link.source, link.target);
+  expectUndoAndRedo(mute, "aside");
   window_->selection().selectLink(aside_.first, aside_.second);
-  expectUndoAndRedo([this] { press(Qt::Key_M); }, "back");
+  expectUndoAndRedo(mute, "back");
 }
 
 class WindowUndoOfCapturesTest : public WindowUndoTest {
  protected:
   void connectSkin() {
     window_->connectTo({QStringLiteral("sim:x17?speed=20"), path_, false});
-    ASSERT_TRUE(waitForPoses(1)) << message().toStdString();
+    ASSERT_TRUE(waitForPoses(1));
     controller().liveSession().setAutomatic(false);
     ASSERT_TRUE(waitUntilKept());
   }
   void capture(std::size_t expected) {
     press(Qt::Key_Space);
-    ASSERT_TRUE(waitForPoses(expected)) << message().toStdString();
+    ASSERT_TRUE(waitForPoses(expected));
   }
 };
 
-TEST_F(WindowUndoOfCapturesTest, APoseThatIsTaken) {
+TEST_F(WindowUndoOfCapturesTest, APoseThatIsTakenAndOneThatIsTakenAgainInOneStep) {
   ASSERT_NO_FATAL_FAILURE(connectSkin());
   expectUndoAndRedo([this] { capture(2); }, "take pose 2");
-}
-
-TEST_F(WindowUndoOfCapturesTest, APoseThatIsTakenAgainIsOneStep) {
-  ASSERT_NO_FATAL_FAILURE(connectSkin());
-  ASSERT_NO_FATAL_FAILURE(capture(2));
   const int steps = controller().undoStack()->count();
   expectUndoAndRedo(
       [this] {
@@ -168,8 +139,7 @@ TEST_F(WindowUndoOfCapturesTest, APoseThatIsTakenAgainIsOneStep) {
         press(Qt::Key_R);
         const auto before = controller().session()->poses()[0].capture;
         press(Qt::Key_Space);
-        ASSERT_TRUE(waitUntil([&] { return controller().session()->poses()[0].capture != before; }))
-            << message().toStdString();
+        ASSERT_TRUE(waitUntil([&] { return controller().session()->poses()[0].capture != before; }));
       },
       "recapture pose 1");
   EXPECT_EQ(controller().undoStack()->count(), steps + 1);

@@ -1,7 +1,6 @@
 // Devices on real wires: the emulator is a program of its own, as a device is, and the window is connected to it by its
 // dialog. Nothing here is about how fast this computer is.
 
-#include "hexoderm/session/session_store.h"
 #include "hexoderm/util/units.h"
 #include "tests/app/emulator/emulator_program.h"
 #include "tests/app/window/window_test.h"
@@ -77,12 +76,10 @@ class WindowWiresTest : public WindowTest, public testing::WithParamInterface<Wi
   /// The first pose is captured automatically, where the part lies.
   void connectDevice() {
     ASSERT_NO_FATAL_FAILURE(connectByDialog(GetParam().kind, device_->address(), path()));
-    ASSERT_TRUE(waitUntil([this] { return controller().liveSession().isLive(); }))
-        << labelText("liveText").toStdString();
+    ASSERT_TRUE(waitUntil([this] { return controller().liveSession().isLive(); }));
     // What went well is said for a moment only, and solving may take longer.
-    ASSERT_TRUE(waitForMessage("Pose 1 captured: 17 cells."))
-        << message().toStdString() << labelText("captureWait").toStdString();
-    ASSERT_TRUE(waitForPoses(1)) << message().toStdString();
+    ASSERT_TRUE(waitForMessage("Pose 1 captured: 17 cells."));
+    ASSERT_TRUE(waitForPoses(1));
   }
   /// The second where the device is asked to turn itself to, as soon as it is there.
   void turnToTheSecondPose() {
@@ -90,26 +87,18 @@ class WindowWiresTest : public WindowTest, public testing::WithParamInterface<Wi
         << action("actionTurn")->toolTip().toStdString();
     advised_o_ = controller().poseGuide().nextPose()->up;
     press(Qt::Key_T);
-    ASSERT_TRUE(waitForMessage("Pose 2 captured: 17 cells."))
-        << message().toStdString() << labelText("captureWait").toStdString();
+    ASSERT_TRUE(waitForMessage("Pose 2 captured: 17 cells."));
     EXPECT_FALSE(message().contains("repeats")) << message().toStdString();
-    ASSERT_TRUE(waitForPoses(2)) << message().toStdString();
+    ASSERT_TRUE(waitForPoses(2));
   }
   void captureBySpace(std::size_t poses) {
     ASSERT_TRUE(waitUntil([this] { return action("actionCapture")->isEnabled(); }))
         << action("actionCapture")->toolTip().toStdString();
     press(Qt::Key_Space);
-    ASSERT_TRUE(waitForPoses(poses)) << labelText("captureWait").toStdString();
+    ASSERT_TRUE(waitForPoses(poses));
   }
   [[nodiscard]] QString path() const { return pathTo("arm.hexo"); }
   [[nodiscard]] std::size_t posesInFile() const { return readSessionStore(path().toStdString()).poses().size(); }
-  /// Once nothing waits to be written any more.
-  bool waitUntilKept() {
-    return waitUntil([this] {
-      return controller().file().isKept() && !controller().file().isWriting() &&
-             !controller().file().hasUnsavedChanges();
-    });
-  }
   bool isSaidByTheCheck(const QString& text) {
     for (const QLabel* label : find<CheckList>("checkList")->findChildren<QLabel*>()) {
       if (label->isVisible() && label->text().contains(text)) return true;
@@ -159,12 +148,11 @@ TEST_P(WindowWiresTest, ADeviceIsConnectedCheckedCapturedAndLeft) {
 
   // Once more, as the dialog proposes: the same device, and the session that is open.
   press(Qt::Key_K, Qt::ControlModifier);
-  auto* dialog = waitForDialog<QDialog>("connectDialog");
-  ASSERT_NE(dialog, nullptr);
+  auto* dialog = waitForDialog("connectDialog");
   QTest::keyClick(dialog->findChild<QComboBox*>("connectAddress"), Qt::Key_Return);
-  ASSERT_TRUE(waitUntil([this] { return controller().liveSession().isLive(); })) << labelText("liveText").toStdString();
+  ASSERT_TRUE(waitUntil([this] { return controller().liveSession().isLive(); }));
   ASSERT_NO_FATAL_FAILURE(captureBySpace(3));
-  ASSERT_TRUE(waitForMessage("Pose 3 captured: 17 cells. It repeats pose 2")) << message().toStdString();
+  ASSERT_TRUE(waitForMessage("Pose 3 captured: 17 cells. It repeats pose 2"));
   ASSERT_TRUE(waitUntilKept());
   EXPECT_EQ(posesInFile(), 3U);
 }
@@ -175,8 +163,7 @@ TEST_P(WindowWiresTest, ADeviceThatIsPulledOutIsSaidAndTheWorkGoesOnWhenItIsBack
   press(Qt::Key_A);
   ASSERT_FALSE(controller().liveSession().isAutomatic());
   device_->pullOut();
-  ASSERT_TRUE(waitUntil([this] { return labelText("liveText").contains(GetParam().gone); }))
-      << labelText("liveText").toStdString();
+  ASSERT_TRUE(waitUntil([this] { return labelText("liveText").contains(GetParam().gone); }));
   EXPECT_EQ(labelText("liveState"), "Connecting");
   EXPECT_TRUE(find<QLabel>("liveText")->isVisible());
   EXPECT_TRUE(labelText("liveText").contains(device_->address())) << labelText("liveText").toStdString();
@@ -191,11 +178,10 @@ TEST_P(WindowWiresTest, ADeviceThatIsPulledOutIsSaidAndTheWorkGoesOnWhenItIsBack
   keepPicture(window_->picture(), QStringLiteral("wire-pulled-out-%1").arg(GetParam().name));
 
   ASSERT_NO_FATAL_FAILURE(device_->plugIn());
-  ASSERT_TRUE(waitUntil([this] { return labelText("liveState") == "Streaming"; }))
-      << labelText("liveText").toStdString();
+  ASSERT_TRUE(waitUntil([this] { return labelText("liveState") == "Streaming"; }));
   EXPECT_GE(controller().liveSession().source().status().reconnects, 1U);
   ASSERT_NO_FATAL_FAILURE(captureBySpace(3));
-  ASSERT_TRUE(waitForMessage("Pose 3 captured: 17 cells. It repeats pose 1")) << message().toStdString();
+  ASSERT_TRUE(waitForMessage("Pose 3 captured: 17 cells. It repeats pose 1"));
   EXPECT_FALSE(find<QWidget>("liveStrip")->isVisible());
   EXPECT_FALSE(labelText("lossesStatus").contains("late")) << labelText("lossesStatus").toStdString();
   ASSERT_TRUE(waitUntilKept());

@@ -230,6 +230,7 @@ TEST_F(GraphColorsTest, TheToolTipOfACellHasAllItsFigures) {
         "Accelerometer offset 61; −12; 0 mg", "Accelerometer scale 1.010; 0.980; 1.000"}) {
     EXPECT_THAT(text, testing::HasSubstr(part));
   }
+  EXPECT_THAT(toolTipAt(cell(1)), testing::HasSubstr("Origin of patch 1"));
   QLocale::setDefault(QLocale(QLocale::German, QLocale::Germany));
   EXPECT_THAT(toolTipAt(cell(13)), testing::HasSubstr("12,3; −4,0; 0,0 mm"));
   QLocale::setDefault(QLocale::system());

@@ -76,34 +76,32 @@ double differenceToBaseline(const QImage& image, const QString& name) {
   return share;
 }
 
-TEST(GraphPicture, LooksLikeTheBaselineInTheLight) {
-  EXPECT_LE(differenceToBaseline(draw(sample(), Coloring::LinkQuality, Theme::Light), "graph_quality_light"),
-            kMaxDifferingShare);
-}
-
-TEST(GraphPicture, LooksLikeTheBaselineInTheDark) {
-  EXPECT_LE(differenceToBaseline(draw(sample(), Coloring::LinkQuality, Theme::Dark), "graph_quality_dark"),
-            kMaxDifferingShare);
-}
-
-TEST(GraphPicture, LooksLikeTheBaselineColouredByPatch) {
-  EXPECT_LE(differenceToBaseline(draw(sample(), Coloring::Patch, Theme::Light), "graph_patches"), kMaxDifferingShare);
+TEST(GraphPicture, LooksLikeTheBaselines) {
+  const struct {
+    const char* name;
+    Coloring coloring;
+    Theme theme;
+  } baselines[] = {{"graph_quality_light", Coloring::LinkQuality, Theme::Light},
+                   {"graph_quality_dark", Coloring::LinkQuality, Theme::Dark},
+                   {"graph_patches", Coloring::Patch, Theme::Light}};
+  for (const auto& [name, coloring, theme] : baselines) {
+    EXPECT_LE(differenceToBaseline(draw(sample(), coloring, theme), name), kMaxDifferingShare) << name;
+  }
 }
 
 /// The negative controls: small changes must be seen.
-TEST(GraphPicture, TheBaselineComparisonSeesOneLinkOfAnotherClass) {
-  auto changed = sample();
-  changed->patches[0].links[0].quality = EdgeQuality::Partially;
-  const QImage before = draw(sample(), Coloring::LinkQuality, Theme::Light);
-  EXPECT_GT(differingShare(before, draw(changed, Coloring::LinkQuality, Theme::Light)), 1.5 * kMaxDifferingShare);
-  EXPECT_LE(differingShare(before, draw(sample(), Coloring::LinkQuality, Theme::Light)), 0);
-}
-
-TEST(GraphPicture, TheBaselineComparisonSeesOneMovedCell) {
-  auto changed = sample();
-  changed->layout.cells.front().center.x() += 0.01;
-  const QImage before = draw(sample(), Coloring::LinkQuality, Theme::Light);
-  EXPECT_GT(differingShare(before, draw(changed, Coloring::LinkQuality, Theme::Light)), 1.5 * kMaxDifferingShare);
+TEST(GraphPicture, TheBaselineComparisonSeesOneLinkOfAnotherClassAndOneMovedCell) {
+  const auto drawn = [](const std::shared_ptr<Reconstruction>& result) {
+    return draw(result, Coloring::LinkQuality, Theme::Light);
+  };
+  const QImage before = drawn(sample());
+  EXPECT_LE(differingShare(before, drawn(sample())), 0);
+  auto other_class = sample();
+  other_class->patches[0].links[0].quality = EdgeQuality::Partially;
+  EXPECT_GT(differingShare(before, drawn(other_class)), 1.5 * kMaxDifferingShare);
+  auto moved = sample();
+  moved->layout.cells.front().center.x() += 0.01;
+  EXPECT_GT(differingShare(before, drawn(moved)), 1.5 * kMaxDifferingShare);
 }
 
 TEST(GraphPicture, IsWrittenAsShapesOrAsPixels) {

@@ -6,8 +6,6 @@
 
 #include <QLineEdit>
 
-#include <array>
-
 namespace hexoderm {
 namespace {
 
@@ -262,16 +260,6 @@ TEST_F(GraphViewTest, CtrlFOpensTheFieldAndTheFoundCellIsBroughtIntoView) {
   EXPECT_FALSE(field->isVisible());
   EXPECT_EQ(selection_.cell(), CellId(900));
   EXPECT_TRUE(view_.rect().contains(cell(900)));
-}
-
-TEST_F(GraphViewTest, ToolTipsTellTheFiguresOfLinkAndCell) {
-  show(sampleX17());
-  const std::string link = toolTipAt(view_.positionOf(kLink5, kLink9).value());
-  EXPECT_THAT(link, testing::HasSubstr("Link 5 · port 3 — 9 · port 2"));
-  EXPECT_THAT(link, testing::HasSubstr("partially defined"));
-  EXPECT_THAT(link, testing::HasSubstr("Bend 12.1°, twist −0.4°, yaw 0.0°"));
-  EXPECT_THAT(toolTipAt(cell(1)), testing::HasSubstr("Origin of patch 1"));
-  QToolTip::hideText();
 }
 
 TEST_F(GraphViewTest, TellsScreenReadersWhatItShowsAndWhatIsPicked) {

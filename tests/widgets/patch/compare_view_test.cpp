@@ -2,7 +2,7 @@
 
 #include "hexoderm/geometry/se3.h"
 #include "tests/support/hand_made_skins.h"
-#include "tests/support/paths.h"
+#include "tests/support/kept_picture.h"
 #include "tests/support/qt_wait.h"
 #include "widgets/controls/selection.h"
 #include "widgets/patch/patch_view.h"
@@ -10,7 +10,6 @@
 
 #include <gtest/gtest.h>
 #include <vtkCamera.h>
-#include <QDir>
 #include <QLabel>
 #include <QSignalSpy>
 #include <QSlider>
@@ -41,8 +40,7 @@ class CompareViewTest : public testing::Test {
   void keep(const QString& name) {
     view.before().drawNow();
     view.now().drawNow();
-    const QDir folder(QStringLiteral(HEXODERM_SCREENSHOTS));
-    EXPECT_TRUE(folder.mkpath(".") && view.grab().save(folder.filePath(name + ".png")));
+    keepPicture(view.grab().toImage(), name);
   }
   /// Where the camera looks from, in the patch's frame.
   static Eigen::Vector3d from(const PatchView& patch) {

@@ -1,23 +1,15 @@
 #include "hexoderm/geometry/se3.h"
 #include "hexoderm/util/units.h"
-#include "tests/support/hand_made_skins.h"
-#include "tests/support/qt_wait.h"
+#include "tests/support/picture_counter.h"
 #include "tests/support/random_vector.h"
-#include "widgets/controls/selection.h"
-#include "widgets/patch/patch_view.h"
-#include "widgets/patch/scene_widget.h"
+#include "tests/widgets/patch/patch_view_fixture.h"
 #include "widgets/scene/part_camera.h"
 #include "widgets/scene/patch_scene.h"
 #include "widgets/scene/scene_ghost.h"
 
-#include <gtest/gtest.h>
-#include <vtkCallbackCommand.h>
 #include <vtkCamera.h>
-#include <vtkCommand.h>
-#include <vtkGenericOpenGLRenderWindow.h>
 #include <vtkNew.h>
 #include <QElapsedTimer>
-#include <QTest>
 #include <QToolButton>
 #include <random>
 
@@ -83,15 +75,12 @@ TEST(PartCamera, SpinningTurnsTheFrontToTheRight) {
   EXPECT_NEAR(inPicture(camera, up).x(), 0, 1e-9);
 }
 
-class PartMotionTest : public testing::Test {
+class PartMotionTest : public PatchViewFixture {
  protected:
-  void show(std::shared_ptr<const Reconstruction> shown = nullptr) {
-    view.resize(720, 560);
-    view.show();
-    ASSERT_TRUE(test::waitUntilExposed(view));
-    canvas = view.findChild<SceneWidget*>();
-    ASSERT_NE(canvas, nullptr);
-    view.setReconstruction(shown ? shown : std::make_shared<const Reconstruction>(demoReconstruction()));
+  PartMotionTest() : PatchViewFixture({720, 560}) {}
+  void SetUp() override {
+    ASSERT_NO_FATAL_FAILURE(PatchViewFixture::SetUp());
+    view.setReconstruction(std::make_shared<const Reconstruction>(demoReconstruction()));
     view.setAnimated(false);
   }
   void drag(const QPoint& by, Qt::KeyboardModifiers keys = {}, int steps = 10) {
@@ -116,17 +105,12 @@ class PartMotionTest : public testing::Test {
   }
   QToolButton* turnButton() { return view.findChild<QToolButton*>(QStringLiteral("turnThePart")); }
 
-  Selection selection;
-  PatchView view{&selection};
-  SceneWidget* canvas = nullptr;
-  PatchMoment moment;
   std::vector<Eigen::Vector3d> asked;
   QMetaObject::Connection kept =
       QObject::connect(&view, &PatchView::turnRequested, [this](const Eigen::Vector3d& up) { asked.push_back(up); });
 };
 
 TEST_F(PartMotionTest, ThePictureFollowsThePart) {
-  show();
   const QImage still = view.screenshot();
   turnTo(Eigen::Vector3d::UnitY());
   const QImage standing = view.screenshot();
@@ -136,30 +120,13 @@ TEST_F(PartMotionTest, ThePictureFollowsThePart) {
 }
 
 TEST_F(PartMotionTest, TremorDoesNotMoveThePicture) {
-  show();
   turnTo(Eigen::Vector3d::UnitY());
   const QImage before = view.screenshot();
   turnTo(Eigen::Vector3d(0.001, 1, 0.0005).normalized());
   EXPECT_EQ(view.screenshot(), before);
 }
 
-/// Counts the pictures that are drawn.
-class PictureCounter {
- public:
-  explicit PictureCounter(SceneWidget& canvas) {
-    command_->SetClientData(&count_);
-    command_->SetCallback([](vtkObject*, unsigned long, void* count, void*) { ++*static_cast<int*>(count); });
-    canvas.renderWindow()->AddObserver(vtkCommand::StartEvent, command_);
-  }
-  [[nodiscard]] int count() const { return count_; }
-
- private:
-  int count_ = 0;
-  vtkNew<vtkCallbackCommand> command_;
-};
-
 TEST_F(PartMotionTest, APartThatIsHeldIsNotDrawnAgainAndAgain) {
-  show();
   std::mt19937 random(3);
   std::normal_distribution<double> tremor(0, 0.5 * kDegree);
   const auto hold = [&](int readings) {
@@ -171,7 +138,7 @@ TEST_F(PartMotionTest, APartThatIsHeldIsNotDrawnAgainAndAgain) {
     }
   };
   hold(20);  // until it has come to rest
-  const PictureCounter drawn(*canvas);
+  const test::PictureCounter drawn(*canvas);
   hold(60);
   const int at_rest = drawn.count();
   EXPECT_LT(at_rest, 6);
@@ -180,7 +147,6 @@ TEST_F(PartMotionTest, APartThatIsHeldIsNotDrawnAgainAndAgain) {
 }
 
 TEST_F(PartMotionTest, GoingRoundAndBackGivesTheSamePicture) {
-  show();
   turnTo(Eigen::Vector3d::UnitY());
   const QImage before = view.screenshot();
   // There and back again along the same way, in steps that are followed at once.
@@ -197,7 +163,6 @@ TEST_F(PartMotionTest, GoingRoundAndBackGivesTheSamePicture) {
 }
 
 TEST_F(PartMotionTest, TheGhostComesAndGoes) {
-  show();
   turnTo(Eigen::Vector3d::UnitY());
   const QImage before = view.screenshot();
   showNext(Eigen::Vector3d::UnitX());
@@ -212,7 +177,6 @@ TEST_F(PartMotionTest, TheGhostComesAndGoes) {
 }
 
 TEST_F(PartMotionTest, TheGhostShowsTheAxisItTurnsAbout) {
-  show();
   turnTo(Eigen::Vector3d::UnitY());
   view.showStandardView(PatchView::StandardView::Front);
   const QImage before = view.screenshot();
@@ -237,7 +201,6 @@ TEST_F(PartMotionTest, TheGhostShowsTheAxisItTurnsAbout) {
 }
 
 TEST_F(PartMotionTest, TheGhostTurnsAndThenRests) {
-  show();
   turnTo(Eigen::Vector3d::UnitY());
   showNext(Eigen::Vector3d::UnitX());
   const QImage target = view.screenshot();
@@ -249,7 +212,6 @@ TEST_F(PartMotionTest, TheGhostTurnsAndThenRests) {
 }
 
 TEST_F(PartMotionTest, NothingMovesWhileTheViewIsHiddenOrMotionIsUnwanted) {
-  show();
   showNext(Eigen::Vector3d::UnitX());
   EXPECT_FALSE(view.isAnimating()) << "switched off";
   view.setAnimated(true);
@@ -261,7 +223,7 @@ TEST_F(PartMotionTest, NothingMovesWhileTheViewIsHiddenOrMotionIsUnwanted) {
 }
 
 TEST_F(PartMotionTest, ALargeSkinGetsAnArrowInstead) {
-  show(std::make_shared<const Reconstruction>(sheetReconstruction(50, 41)));
+  view.setReconstruction(std::make_shared<const Reconstruction>(sheetReconstruction(50, 41)));
   ASSERT_TRUE(test::waitUntil([&] { return view.isUpToDate(); }));
   const QImage before = view.screenshot();
   showNext(Eigen::Vector3d::UnitX());
@@ -269,7 +231,6 @@ TEST_F(PartMotionTest, ALargeSkinGetsAnArrowInstead) {
 }
 
 TEST_F(PartMotionTest, DraggingInTurnModeAsksForTheTurnAndLeavesTheCameraAlone) {
-  show();
   turnTo(Eigen::Vector3d::UnitY());
   view.setTurnable(true);
   ASSERT_TRUE(turnButton()->isVisible());
@@ -282,7 +243,6 @@ TEST_F(PartMotionTest, DraggingInTurnModeAsksForTheTurnAndLeavesTheCameraAlone) 
 }
 
 TEST_F(PartMotionTest, DraggingDownBringsTheUpperEdgeNearer) {
-  show();
   turnTo(Eigen::Vector3d::UnitY());
   view.showStandardView(PatchView::StandardView::Front);
   ASSERT_FALSE(view.screenshot().isNull());
@@ -293,7 +253,6 @@ TEST_F(PartMotionTest, DraggingDownBringsTheUpperEdgeNearer) {
 }
 
 TEST_F(PartMotionTest, ShiftTurnsThePartWithoutTheModeAndPlainDraggingTurnsTheCamera) {
-  show();
   turnTo(Eigen::Vector3d::UnitY());
   view.setTurnable(true);
   const QImage before = view.screenshot();
@@ -305,7 +264,6 @@ TEST_F(PartMotionTest, ShiftTurnsThePartWithoutTheModeAndPlainDraggingTurnsTheCa
 }
 
 TEST_F(PartMotionTest, RequestsComeAtMostTwentyTimesASecondAndTheLastIsNotLost) {
-  show();
   turnTo(Eigen::Vector3d::UnitY());
   view.setTurnable(true);
   QElapsedTimer clock;
@@ -316,7 +274,6 @@ TEST_F(PartMotionTest, RequestsComeAtMostTwentyTimesASecondAndTheLastIsNotLost) 
 }
 
 TEST_F(PartMotionTest, ArrowKeysTurnThePartInTurnMode) {
-  show();
   view.activateWindow();
   ASSERT_TRUE(test::waitUntilActive(view));
   turnTo(Eigen::Vector3d::UnitY());
@@ -333,7 +290,6 @@ TEST_F(PartMotionTest, ArrowKeysTurnThePartInTurnMode) {
 }
 
 TEST_F(PartMotionTest, WhereNobodyObeysNothingCanBeTurned) {
-  show();
   EXPECT_FALSE(turnButton()->isVisible());
   drag({0, 80}, Qt::ShiftModifier);
   EXPECT_TRUE(asked.empty());

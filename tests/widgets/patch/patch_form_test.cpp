@@ -1,14 +1,8 @@
 // The 3D view's menu, its directions to look from, the cut, and pictures that are smoothed as they come.
-#include "tests/support/hand_made_skins.h"
-#include "tests/support/qt_wait.h"
-#include "widgets/controls/selection.h"
+#include "tests/widgets/patch/patch_view_fixture.h"
 #include "widgets/patch/cut_bar.h"
-#include "widgets/patch/patch_controls.h"
-#include "widgets/patch/patch_view.h"
-#include "widgets/patch/scene_widget.h"
 #include "widgets/scene/scene_corners.h"
 
-#include <gtest/gtest.h>
 #include <vtkRenderWindow.h>
 #include <QAction>
 #include <QApplication>
@@ -16,20 +10,15 @@
 #include <QContextMenuEvent>
 #include <QMenu>
 #include <QSlider>
-#include <QTest>
 #include <QToolButton>
 
 namespace hexoderm {
 namespace {
 
-class PatchFormTest : public testing::Test {
+class PatchFormTest : public PatchViewFixture {
  protected:
   void SetUp() override {
-    view.resize(640, 480);
-    view.show();
-    ASSERT_TRUE(test::waitUntilExposed(view));
-    canvas = view.findChild<SceneWidget*>();
-    ASSERT_NE(canvas, nullptr);
+    ASSERT_NO_FATAL_FAILURE(PatchViewFixture::SetUp());
     view.setReconstruction(std::make_shared<const Reconstruction>(demoReconstruction()));
     view.showStandardView(PatchView::StandardView::Front);
     static_cast<void>(view.screenshot());
@@ -38,7 +27,6 @@ class PatchFormTest : public testing::Test {
     if (QMenu* menu = openMenu()) menu->close();
   }
 
-  PatchControls& controls() { return *view.findChild<PatchControls*>(); }
   QMenu* openMenu() { return view.findChild<QMenu*>(QStringLiteral("patchMenu")); }
   void clickRight(const QPoint& at, const QPoint& to) {
     QTest::mousePress(canvas, Qt::RightButton, {}, at);
@@ -51,13 +39,9 @@ class PatchFormTest : public testing::Test {
     }
     return nullptr;
   }
-
-  Selection selection;
-  PatchView view{&selection};
-  SceneWidget* canvas = nullptr;
 };
 
-TEST_F(PatchFormTest, TheRightButtonOpensAMenuForTheCellUnderIt) {
+TEST_F(PatchFormTest, TheRightButtonOpensAMenuForTheCellUnderItAndThePicture) {
   clickRight(canvas->rect().center(), canvas->rect().center());
   QMenu* menu = openMenu();
   ASSERT_NE(menu, nullptr);
@@ -72,6 +56,11 @@ TEST_F(PatchFormTest, TheRightButtonOpensAMenuForTheCellUnderIt) {
         controls().pictureAction(), controls().coloringMenu()->menuAction(), controls().showMenu()->menuAction()}) {
     EXPECT_TRUE(menu->actions().contains(const_cast<QAction*>(action))) << action->text().toStdString();
   }
+  QAction* copy = entry(*menu, "actionCopyPicture");
+  ASSERT_NE(copy, nullptr);
+  QApplication::clipboard()->clear();
+  copy->trigger();
+  EXPECT_EQ(QApplication::clipboard()->image().size(), canvas->size() * canvas->devicePixelRatioF());
 }
 
 TEST_F(PatchFormTest, BesideTheSkinTheMenuIsAboutThePictureAlone) {
@@ -105,8 +94,7 @@ TEST_F(PatchFormTest, ACellIsBroughtIntoTheMiddleByTheMenu) {
   QPoint beside;
   for (int x = 40; x < 200 && beside.isNull(); x += 5) {
     const QPoint at = canvas->rect().center() + QPoint(x, -x / 2);
-    QTest::mousePress(canvas, Qt::LeftButton, {}, at);
-    QTest::mouseRelease(canvas, Qt::LeftButton, {}, at);
+    click(at);
     if (selection.cell() && selection.cell() != CellId(1)) beside = at;
   }
   ASSERT_FALSE(beside.isNull());
@@ -118,16 +106,6 @@ TEST_F(PatchFormTest, ACellIsBroughtIntoTheMiddleByTheMenu) {
   center->trigger();
   EXPECT_NE(view.screenshot(), before);
   EXPECT_EQ(selection.cell(), std::nullopt);
-}
-
-TEST_F(PatchFormTest, CopiesThePicture) {
-  clickRight(canvas->rect().center(), canvas->rect().center());
-  ASSERT_NE(openMenu(), nullptr);
-  QAction* copy = entry(*openMenu(), "actionCopyPicture");
-  ASSERT_NE(copy, nullptr);
-  QApplication::clipboard()->clear();
-  copy->trigger();
-  EXPECT_EQ(QApplication::clipboard()->image().size(), canvas->size() * canvas->devicePixelRatioF());
 }
 
 TEST_F(PatchFormTest, EveryDirectionOfTheMenuIsAnotherPicture) {
@@ -153,8 +131,7 @@ TEST_F(PatchFormTest, AClickOnAKnobOfTheAxesTurnsThePictureAndPicksNothing) {
                       canvas->height() - SceneCorners::kBottom - SceneCorners::kSize / 2);
   const QPoint knob = corner + QPoint(qRound(0.8 / 1.15 * SceneCorners::kSize / 2), 0);
   selection.selectCell(CellId(3));
-  QTest::mousePress(canvas, Qt::LeftButton, {}, knob);
-  QTest::mouseRelease(canvas, Qt::LeftButton, {}, knob);
+  click(knob);
   EXPECT_EQ(selection.cell(), CellId(3));
   const QImage side = view.screenshot();
   EXPECT_NE(side, front);

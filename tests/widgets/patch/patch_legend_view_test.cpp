@@ -1,34 +1,24 @@
 // The legend over the 3D view: its scale, pointed at by mouse and keys, and its range, fixed by a click or typed.
 #include "widgets/patch/patch_legend_view.h"
 
-#include "tests/support/hand_made_skins.h"
-#include "tests/support/qt_wait.h"
-#include "widgets/coloring/scale_ranges.h"
-#include "widgets/controls/selection.h"
-#include "widgets/patch/patch_controls.h"
-#include "widgets/patch/patch_view.h"
+#include "tests/widgets/patch/patch_view_fixture.h"
 #include "widgets/scene/scene_corners.h"
 
-#include <gtest/gtest.h>
 #include <QDoubleSpinBox>
 #include <QRadioButton>
-#include <QTest>
 #include <QToolButton>
 
 namespace hexoderm {
 namespace {
 
-class PatchLegendViewTest : public testing::Test {
+class PatchLegendViewTest : public PatchViewFixture {
  protected:
+  PatchLegendViewTest() : PatchViewFixture({720, 480}) { view.setScaleRanges(&ranges); }
   void SetUp() override {
-    view_.setScaleRanges(&ranges_);
-    view_.resize(720, 480);
-    view_.show();
-    ASSERT_TRUE(test::waitUntilExposed(view_));
-    view_.activateWindow();
-    ASSERT_TRUE(test::waitUntilActive(view_));
-    view_.setReconstruction(skin());
-    view_.setColoring(Coloring::PositionUncertainty);
+    ASSERT_NO_FATAL_FAILURE(PatchViewFixture::SetUp());
+    ASSERT_NO_FATAL_FAILURE(activate());
+    view.setReconstruction(skin());
+    view.setColoring(Coloring::PositionUncertainty);
   }
   /// Cells known to 0.39 mm and less often more the further out, one to 11.8 mm; and one of which nothing is known.
   static std::shared_ptr<const Reconstruction> skin() {
@@ -42,7 +32,7 @@ class PatchLegendViewTest : public testing::Test {
     return std::make_shared<const Reconstruction>(demo);
   }
 
-  PatchLegendView& legend() { return *view_.findChild<PatchLegendView*>(); }
+  PatchLegendView& legend() { return *view.findChild<PatchLegendView*>(); }
   QString said() { return legend().accessibleDescription(); }
   QToolButton* button() { return legend().findChild<QToolButton*>(QStringLiteral("scaleRange")); }
   template <class T>
@@ -52,10 +42,6 @@ class PatchLegendViewTest : public testing::Test {
   void key(int key) { QTest::keyClick(&legend(), Qt::Key(key)); }
   /// In the middle of the bar.
   QPoint bar() { return {legend().width() / 2, legend().height() - 36}; }
-
-  Selection selection_;
-  ScaleRanges ranges_;
-  PatchView view_{&selection_};
 };
 
 TEST_F(PatchLegendViewTest, SaysRangeUnitGoalAndWhatLiesBeyond) {
@@ -65,7 +51,7 @@ TEST_F(PatchLegendViewTest, SaysRangeUnitGoalAndWhatLiesBeyond) {
     EXPECT_TRUE(said().contains(QLatin1String(part))) << part << " in " << qPrintable(said());
   }
   EXPECT_EQ(button()->text(), QStringLiteral("fitted range ▾"));
-  EXPECT_TRUE(view_.rect().contains(legend().geometry()));
+  EXPECT_TRUE(view.rect().contains(legend().geometry()));
   EXPECT_TRUE(legend().rect().contains(button()->geometry()));
 }
 
@@ -73,7 +59,7 @@ TEST_F(PatchLegendViewTest, WhereNothingIsKnownThereIsNoRange) {
   ASSERT_TRUE(button()->isVisible());
   Reconstruction unknown = *skin();
   for (CellPlacement& cell : unknown.patches[0].cells) cell.cov_t_r = std::nullopt;
-  view_.setReconstruction(std::make_shared<const Reconstruction>(unknown));
+  view.setReconstruction(std::make_shared<const Reconstruction>(unknown));
   EXPECT_TRUE(legend().isVisible());
   EXPECT_FALSE(button()->isVisible());
   EXPECT_FALSE(said().contains(QStringLiteral("from"))) << qPrintable(said());
@@ -81,14 +67,14 @@ TEST_F(PatchLegendViewTest, WhereNothingIsKnownThereIsNoRange) {
 
 TEST_F(PatchLegendViewTest, InANarrowViewTheTitleHasLinesOfItsOwnAndTheAxesTheirPlace) {
   const int wide = legend().height();
-  view_.resize(400, 400);
+  view.resize(400, 400);
   ASSERT_TRUE(test::waitUntil([&] { return legend().height() > wide; }));
   EXPECT_LT(legend().width(), 400 - 2 * SceneCorners::kSize);
-  EXPECT_TRUE(view_.rect().contains(legend().geometry()));
+  EXPECT_TRUE(view.rect().contains(legend().geometry()));
   EXPECT_TRUE(legend().rect().contains(button()->geometry()));
   EXPECT_GE(button()->geometry().top(), legend().fontMetrics().height()) << "the title stands above it";
   // Higher than wide: above the axes, as wide as it likes.
-  view_.resize(300, 640);
+  view.resize(300, 640);
   ASSERT_TRUE(test::waitUntil([&] { return legend().width() > 250; }));
   EXPECT_LT(legend().geometry().bottom(), 640 - SceneCorners::kSize - SceneCorners::kBottom);
 }
@@ -121,26 +107,26 @@ TEST_F(PatchLegendViewTest, TheMouseReadsTheScale) {
 }
 
 TEST_F(PatchLegendViewTest, AClickOrEnterFixesTheRangeAndTheNextReleasesIt) {
-  const QImage fitted = view_.screenshot();
+  const QImage fitted = view.screenshot();
   QTest::mouseClick(&legend(), Qt::LeftButton, {}, bar());
-  ASSERT_TRUE(ranges_.fixed(Coloring::PositionUncertainty).has_value());
-  EXPECT_NEAR(ranges_.fixed(Coloring::PositionUncertainty)->high, 1.96, 0.05);
+  ASSERT_TRUE(ranges.fixed(Coloring::PositionUncertainty).has_value());
+  EXPECT_NEAR(ranges.fixed(Coloring::PositionUncertainty)->high, 1.96, 0.05);
   EXPECT_EQ(button()->text(), QStringLiteral("fixed range ▾"));
-  EXPECT_NE(view_.screenshot(), fitted) << "the picture says so, too";
+  EXPECT_NE(view.screenshot(), fitted) << "the picture says so, too";
   legend().setFocus();
   key(Qt::Key_Return);
-  EXPECT_EQ(ranges_.fixed(Coloring::PositionUncertainty), std::nullopt);
-  EXPECT_EQ(view_.screenshot(), fitted);
+  EXPECT_EQ(ranges.fixed(Coloring::PositionUncertainty), std::nullopt);
+  EXPECT_EQ(view.screenshot(), fitted);
 }
 
 TEST_F(PatchLegendViewTest, AFixedRangeOutlivesTheResultAndIsThatOfItsColouring) {
-  ranges_.fix(Coloring::PositionUncertainty, {0, 20});
+  ranges.fix(Coloring::PositionUncertainty, {0, 20});
   EXPECT_TRUE(said().contains(QStringLiteral("from 0.0 to 20.0 mm, range fixed"))) << qPrintable(said());
-  view_.setReconstruction(std::make_shared<const Reconstruction>(demoReconstruction()));
+  view.setReconstruction(std::make_shared<const Reconstruction>(demoReconstruction()));
   EXPECT_TRUE(said().contains(QStringLiteral("from 0.0 to 20.0 mm, range fixed")));
-  view_.setColoring(Coloring::Residual);
+  view.setColoring(Coloring::Residual);
   EXPECT_TRUE(said().contains(QStringLiteral("range fitted")));
-  view_.setColoring(Coloring::PositionUncertainty);
+  view.setColoring(Coloring::PositionUncertainty);
   EXPECT_TRUE(said().contains(QStringLiteral("range fixed")));
 }
 
@@ -151,48 +137,48 @@ TEST_F(PatchLegendViewTest, ARangeIsChosenOrTypedInThePopup) {
   ASSERT_TRUE(popup->isVisible());
   EXPECT_TRUE(inPopup<QRadioButton>("rangeFitted")->isChecked());
   QTest::mouseClick(inPopup<QRadioButton>("rangeUsual"), Qt::LeftButton, {}, QPoint(8, 8));
-  EXPECT_EQ(ranges_.fixed(Coloring::PositionUncertainty), (ColorRange{0, 6}));
+  EXPECT_EQ(ranges.fixed(Coloring::PositionUncertainty), (ColorRange{0, 6}));
   auto* high = inPopup<QDoubleSpinBox>("rangeHigh");
   high->setValue(2.5);
-  EXPECT_EQ(ranges_.fixed(Coloring::PositionUncertainty), (ColorRange{0, 2.5}));
+  EXPECT_EQ(ranges.fixed(Coloring::PositionUncertainty), (ColorRange{0, 2.5}));
   EXPECT_TRUE(inPopup<QRadioButton>("rangeTyped")->isChecked());
   inPopup<QDoubleSpinBox>("rangeLow")->setValue(3);
-  EXPECT_EQ(ranges_.fixed(Coloring::PositionUncertainty), (ColorRange{0, 2.5})) << "that is no range";
+  EXPECT_EQ(ranges.fixed(Coloring::PositionUncertainty), (ColorRange{0, 2.5})) << "that is no range";
   inPopup<QDoubleSpinBox>("rangeLow")->setValue(1);
-  EXPECT_EQ(ranges_.fixed(Coloring::PositionUncertainty), (ColorRange{1, 2.5}));
+  EXPECT_EQ(ranges.fixed(Coloring::PositionUncertainty), (ColorRange{1, 2.5}));
   QTest::mouseClick(inPopup<QRadioButton>("rangeFitted"), Qt::LeftButton, {}, QPoint(8, 8));
-  EXPECT_EQ(ranges_.fixed(Coloring::PositionUncertainty), std::nullopt);
+  EXPECT_EQ(ranges.fixed(Coloring::PositionUncertainty), std::nullopt);
   QTest::keyClick(popup, Qt::Key_Escape);
   EXPECT_FALSE(popup->isVisible());
-  EXPECT_TRUE(view_.isVisible()) << "Esc closes the popup alone";
+  EXPECT_TRUE(view.isVisible()) << "Esc closes the popup alone";
 }
 
 TEST_F(PatchLegendViewTest, PointsAtThePickedCellsValueOrAtTheOneThatIsGiven) {
   EXPECT_EQ(legend().markedValue(), std::nullopt);
-  selection_.selectCell(CellId(1));
+  selection.selectCell(CellId(1));
   EXPECT_NEAR(legend().markedValue().value_or(0), 0.392, 1e-3);
-  view_.setMarkedValue(1.2, QStringLiteral("cell 9: 1.20 mm"));
+  view.setMarkedValue(1.2, QStringLiteral("cell 9: 1.20 mm"));
   EXPECT_EQ(legend().markedValue(), 1.2);
-  selection_.selectCell(CellId(2));
+  selection.selectCell(CellId(2));
   EXPECT_EQ(legend().markedValue(), 1.2) << "what is pointed at comes first";
-  view_.setMarkedValue(std::nullopt);
+  view.setMarkedValue(std::nullopt);
   EXPECT_NEAR(legend().markedValue().value_or(0), 0.784, 1e-3);
-  view_.setColoring(Coloring::Patch);
+  view.setColoring(Coloring::Patch);
   EXPECT_EQ(legend().markedValue(), std::nullopt);
-  view_.setColoring(Coloring::PositionUncertainty);
-  selection_.selectCell(CellId(13));
+  view.setColoring(Coloring::PositionUncertainty);
+  selection.selectCell(CellId(13));
   EXPECT_EQ(legend().markedValue(), std::nullopt) << "nothing is known of it";
-  selection_.clear();
+  selection.clear();
   EXPECT_EQ(legend().markedValue(), std::nullopt);
 }
 
 TEST_F(PatchLegendViewTest, ALegendOfClassesIsNoObstacleAndHasNoRange) {
-  view_.setColoring(Coloring::LinkQuality);
+  view.setColoring(Coloring::LinkQuality);
   EXPECT_TRUE(legend().testAttribute(Qt::WA_TransparentForMouseEvents));
   EXPECT_EQ(legend().focusPolicy(), Qt::NoFocus);
   EXPECT_FALSE(button()->isVisible());
   EXPECT_TRUE(legend().isVisible());
-  view_.setReconstruction(nullptr);
+  view.setReconstruction(nullptr);
   EXPECT_FALSE(legend().isVisible());
 }
 
@@ -202,20 +188,11 @@ TEST_F(PatchLegendViewTest, SignsOnCellsAreExplainedWhereThereAreAny) {
   faulty.patches[0].cells[4].placed_by = PlacedBy::Links;
   faulty.findings = {makeFinding(FindingCode::TurnedSensor, Message::verbatim("turned"), {CellId(5)})};
   const int height = legend().height();
-  view_.setReconstruction(std::make_shared<const Reconstruction>(faulty));
+  view.setReconstruction(std::make_shared<const Reconstruction>(faulty));
   EXPECT_TRUE(said().contains(QStringLiteral("crossed cells: an error was found in their readings")));
   EXPECT_TRUE(said().contains(QStringLiteral("hatched cells: placed through their links alone")));
   EXPECT_FALSE(said().contains(QStringLiteral("triangle")));
   EXPECT_GT(legend().height(), height);
-}
-
-TEST_F(PatchLegendViewTest, FitsIntoViewsOfAnyWidth) {
-  for (const int width : {320, 430, 640, 1200}) {
-    view_.resize(width, 400);
-    ASSERT_TRUE(test::waitUntil([&] { return view_.width() == width; }));
-    EXPECT_TRUE(view_.rect().contains(legend().geometry())) << width;
-    EXPECT_TRUE(legend().rect().contains(button()->geometry())) << width;
-  }
 }
 
 }  // namespace

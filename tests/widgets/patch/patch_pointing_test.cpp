@@ -1,30 +1,22 @@
 // Pointing in the 3D view: what is under the mouse, what is picked, and how the camera gets there.
 
 #include "hexoderm/reconstruction/figures/cell_links.h"
-#include "tests/support/hand_made_skins.h"
-#include "tests/support/qt_wait.h"
+#include "tests/support/picture_counter.h"
+#include "tests/widgets/patch/patch_view_fixture.h"
 #include "widgets/controls/figure_card.h"
-#include "widgets/controls/selection.h"
-#include "widgets/patch/patch_controls.h"
 #include "widgets/patch/patch_marks.h"
-#include "widgets/patch/patch_view.h"
-#include "widgets/patch/scene_widget.h"
 #include "widgets/style/palette.h"
 #include "widgets/style/scene_colors.h"
 #include "widgets/words/formatting.h"
 
 #include <gmock/gmock.h>
-#include <vtkCallbackCommand.h>
 #include <vtkCamera.h>
-#include <vtkCommand.h>
-#include <vtkNew.h>
 #include <vtkRenderWindow.h>
 #include <vtkRenderer.h>
 #include <vtkRendererCollection.h>
 #include <QAction>
 #include <QLabel>
 #include <QMouseEvent>
-#include <QTest>
 #include <QToolButton>
 #include <algorithm>
 #include <cmath>
@@ -32,14 +24,10 @@
 namespace hexoderm {
 namespace {
 
-class PatchPointingTest : public testing::Test {
+class PatchPointingTest : public PatchViewFixture {
  protected:
   void SetUp() override {
-    view.resize(640, 480);
-    view.show();
-    ASSERT_TRUE(test::waitUntilExposed(view));
-    canvas = view.findChild<SceneWidget*>();
-    ASSERT_NE(canvas, nullptr);
+    ASSERT_NO_FATAL_FAILURE(PatchViewFixture::SetUp());
     view.setAnimated(false);
     show(std::make_shared<const Reconstruction>(demoReconstruction()));
   }
@@ -86,9 +74,6 @@ class PatchPointingTest : public testing::Test {
     return hoverUntil(at, [&] { return hoverCard()->isVisible() && hoverCard()->text().contains(title); });
   }
 
-  Selection selection;
-  PatchView view{&selection};
-  SceneWidget* canvas = nullptr;
   std::shared_ptr<const Reconstruction> skin;
 };
 
@@ -127,20 +112,15 @@ TEST_F(PatchPointingTest, BesideAPortItIsTheLink) {
 TEST_F(PatchPointingTest, PointingDrawsNothingOfTheSceneAnew) {
   ASSERT_TRUE(test::waitUntil([this] { return canvas->isPictureSmoothed(); }));
   test::letTurnsPass();
-  int pictures = 0;
-  vtkNew<vtkCallbackCommand> count;
-  count->SetClientData(&pictures);
-  count->SetCallback([](vtkObject*, unsigned long, void* client, void*) { ++*static_cast<int*>(client); });
-  const unsigned long observer = canvas->renderWindow()->AddObserver(vtkCommand::StartEvent, count);
+  const test::PictureCounter drawn(*canvas);
   for (const CellId cell : {CellId(1), CellId(2), CellId(3)}) {
     ASSERT_TRUE(hover(positionOf(cell), QStringLiteral("<b>Cell %1</b>").arg(cell.value())));
   }
   leave();
   test::letTurnsPass();
-  EXPECT_EQ(pictures, 0);
+  EXPECT_EQ(drawn.count(), 0);
   selection.selectCell(CellId(2));  // so that it would be counted
-  EXPECT_TRUE(test::waitUntil([&] { return pictures > 0; }));
-  canvas->renderWindow()->RemoveObserver(observer);
+  EXPECT_TRUE(test::waitUntil([&] { return drawn.count() > 0; }));
 }
 
 TEST_F(PatchPointingTest, WhileTheSceneIsTurnedNothingIsPointedAt) {
@@ -197,14 +177,13 @@ double leastContrastAcross(const QImage& picture, const QPolygonF& outline) {
 TEST_F(PatchPointingTest, ThePickedCellStandsOutOnEveryMapInBothThemes) {
   constexpr double kStandsOut = 7;  // the WCAG's for text that has to be read
   view.showStandardView(PatchView::StandardView::Front);
-  auto* controls = view.findChild<PatchControls*>();
   int maps = 0;
   int would_not = 0;
   for (const Theme theme : {Theme::Light, Theme::Dark}) {
     view.setPalette(qtPalette(theme));
     for (const ColoringRow& row : coloringTable()) {
-      if (row.patch_title == nullptr || !controls->action(row.coloring)->isEnabled()) continue;
-      controls->action(row.coloring)->setChecked(true);
+      if (row.patch_title == nullptr || !controls().action(row.coloring)->isEnabled()) continue;
+      controls().action(row.coloring)->setChecked(true);
       ++maps;
       for (const CellId cell : {CellId(1), CellId(7)}) {
         selection.selectCell(cell);
@@ -280,8 +259,7 @@ TEST_F(PatchPointingTest, WhatIsSeenAlreadyIsNotTurnedTo) {
 }
 
 TEST_F(PatchPointingTest, ADoubleClickGoesToTheCellAndEscComesBack) {
-  view.activateWindow();
-  ASSERT_TRUE(test::waitUntilActive(view));
+  ASSERT_NO_FATAL_FAILURE(activate());
   const Eigen::Vector3d before = cameraAt();
   const QPoint at = positionOf(CellId(10));
   QTest::mouseDClick(canvas, Qt::LeftButton, {}, at);
@@ -298,8 +276,7 @@ TEST_F(PatchPointingTest, ADoubleClickGoesToTheCellAndEscComesBack) {
 }
 
 TEST_F(PatchPointingTest, AfterFitThereIsNothingToComeBackTo) {
-  view.activateWindow();
-  ASSERT_TRUE(test::waitUntilActive(view));
+  ASSERT_NO_FATAL_FAILURE(activate());
   selection.seekCell(CellId(16));
   view.fit();
   view.drawNow();
@@ -360,8 +337,7 @@ TEST_F(PatchPointingTest, ArrowKeysWalkToTheNeighbourThatLiesThere) {
 }
 
 TEST_F(PatchPointingTest, TheFiguresOfWhatIsPickedAreKeptAndLeadToTheNeighbours) {
-  view.activateWindow();
-  ASSERT_TRUE(test::waitUntilActive(view));
+  ASSERT_NO_FATAL_FAILURE(activate());
   selection.selectCell(CellId(6));
   EXPECT_FALSE(figureCard()->isVisible());
   QTest::keyClick(&view, Qt::Key_Return);
@@ -385,15 +361,13 @@ TEST_F(PatchPointingTest, TheFiguresOfWhatIsPickedAreKeptAndLeadToTheNeighbours)
 }
 
 TEST_F(PatchPointingTest, TheColourOfTheCellIsOnItsCardAsAFigure) {
-  auto* controls = view.findChild<PatchControls*>();
-  controls->action(Coloring::Residual)->setChecked(true);
+  controls().action(Coloring::Residual)->setChecked(true);
   selection.selectCell(CellId(2));
   view.setFiguresShown(true);
   EXPECT_TRUE(figureCard()->text().contains(QStringLiteral("0.40°"))) << figureCard()->text().toStdString();
-  PatchMoment moment = view.moment();
   moment.readings = readingsOf({{CellId(2), {0.1, 0.2, 0.93}}});
   view.setMoment(moment);
-  controls->action(Coloring::ReadingZ)->setChecked(true);
+  controls().action(Coloring::ReadingZ)->setChecked(true);
   EXPECT_TRUE(figureCard()->text().contains(QStringLiteral("0.93"))) << figureCard()->text().toStdString();
   moment.readings = readingsOf({{CellId(2), {0.1, 0.2, -0.51}}});
   view.setMoment(moment);
@@ -404,7 +378,6 @@ TEST_F(PatchPointingTest, TheCellThatAnInstructionSpeaksOfIsLitAndNamed) {
   view.showStandardView(PatchView::StandardView::Front);
   const QImage before = view.screenshot();
   const QPoint at = positionOf(CellId(7));
-  PatchMoment moment = view.moment();
   moment.told_cell = CellId(7);
   view.setMoment(moment);
   const QImage told = view.screenshot();
@@ -447,7 +420,7 @@ TEST_F(PatchPointingTest, WhileMeasuringLinksAreNotPicked) {
   view.showStandardView(PatchView::StandardView::Front);
   view.drawNow();
   const QPoint between = positionOf(0.5 * (centerOf(CellId(1)) + centerOf(CellId(2)))) + QPoint(1, 0);
-  view.findChild<PatchControls*>()->measureAction()->trigger();
+  controls().measureAction()->trigger();
   moveMouse(between);
   QTest::mouseClick(canvas, Qt::LeftButton, {}, between);
   EXPECT_FALSE(selection.link());

@@ -1,28 +1,18 @@
 #include "widgets/patch/patch_view.h"
 
 #include "hexoderm/reconstruction/evaluation/evaluation.h"
-#include "tests/support/hand_made_skins.h"
-#include "tests/support/qt_wait.h"
-#include "widgets/controls/selection.h"
+#include "tests/support/picture_counter.h"
+#include "tests/widgets/patch/patch_view_fixture.h"
 #include "widgets/patch/opengl_info.h"
 #include "widgets/patch/patch_captions.h"
-#include "widgets/patch/patch_controls.h"
-#include "widgets/patch/scene_widget.h"
 #include "widgets/style/palette.h"
 
-#include <gtest/gtest.h>
-#include <vtkCallbackCommand.h>
-#include <vtkCommand.h>
-#include <vtkNew.h>
 #include <vtkRenderWindow.h>
-#include <vtkRenderer.h>
-#include <vtkRendererCollection.h>
 #include <vtkWeakPointer.h>
 #include <QAction>
 #include <QMenu>
 #include <QRegularExpression>
 #include <QSignalSpy>
-#include <QTest>
 #include <QToolButton>
 #include <set>
 
@@ -35,21 +25,8 @@ std::shared_ptr<const Reconstruction> demo(std::uint32_t arm_cells = 4) {
   return std::make_shared<const Reconstruction>(demoReconstruction(options));
 }
 
-class PatchViewTest : public testing::Test {
+class PatchViewTest : public PatchViewFixture {
  protected:
-  void show() {
-    view.resize(640, 480);
-    view.show();
-    ASSERT_TRUE(test::waitUntilExposed(view));
-    canvas = view.findChild<SceneWidget*>();
-    ASSERT_NE(canvas, nullptr);
-  }
-
-  void click(const QPoint& at) {
-    QTest::mousePress(canvas, Qt::LeftButton, {}, at);
-    QTest::mouseRelease(canvas, Qt::LeftButton, {}, at);
-  }
-
   QToolButton* button(const QString& text) {
     for (QToolButton* candidate : view.findChildren<QToolButton*>()) {
       if (candidate->text() == text) return candidate;
@@ -57,14 +34,9 @@ class PatchViewTest : public testing::Test {
     return nullptr;
   }
 
-  PatchControls& controls() { return *view.findChild<PatchControls*>(); }
   QString words() { return view.findChild<PatchCaptions*>()->accessibleDescription(); }
 
-  Selection selection;
-  PatchView view{&selection};
-  SceneWidget* canvas = nullptr;
   PatchOverlays overlays;
-  PatchMoment moment;
 };
 
 template <class Value>
@@ -81,7 +53,6 @@ std::size_t coloursIn(const QImage& image) {
 }
 
 TEST_F(PatchViewTest, ScreenshotShowsTheSkinInBothThemes) {
-  show();
   view.setReconstruction(demo());
   const QImage light = view.screenshot();
   view.setPalette(qtPalette(Theme::Dark));
@@ -94,7 +65,6 @@ TEST_F(PatchViewTest, ScreenshotShowsTheSkinInBothThemes) {
 }
 
 TEST_F(PatchViewTest, IsSmoothedWhenItRestsAndNotWhileItIsResized) {
-  ASSERT_NO_FATAL_FAILURE(show());
   canvas->setSmoothingBudget(0);
   view.setReconstruction(demo());
   ASSERT_TRUE(test::waitUntil([this] { return canvas->isPictureSmoothed(); }));
@@ -110,29 +80,22 @@ TEST_F(PatchViewTest, IsSmoothedWhenItRestsAndNotWhileItIsResized) {
 }
 
 TEST_F(PatchViewTest, SeveralSizesAndColoursOneAfterTheOtherMakeOnePictureWhichIsSmoothedThen) {
-  ASSERT_NO_FATAL_FAILURE(show());
   view.setReconstruction(demo());
   ASSERT_TRUE(test::waitUntil([this] { return canvas->isPictureSmoothed(); }));
   QCoreApplication::processEvents();
-  int pictures = 0;
-  vtkNew<vtkCallbackCommand> count;
-  count->SetClientData(&pictures);
-  count->SetCallback([](vtkObject*, unsigned long, void* client, void*) { ++*static_cast<int*>(client); });
-  const unsigned long observer = canvas->renderWindow()->AddObserver(vtkCommand::StartEvent, count);
+  const test::PictureCounter drawn(*canvas);
   for (const int width : {700, 660, 720, 680}) view.setFixedSize(width, 500);
   view.setPalette(qtPalette(Theme::Dark));
   EXPECT_EQ(canvas->width(), 680);
-  EXPECT_EQ(pictures, 0);
-  EXPECT_TRUE(test::waitUntil([&] { return pictures > 0; }));
+  EXPECT_EQ(drawn.count(), 0);
+  EXPECT_TRUE(test::waitUntil([&] { return drawn.count() > 0; }));
   EXPECT_EQ(canvas->renderWindow()->GetSize()[0], qRound(680 * canvas->devicePixelRatioF()));
   EXPECT_TRUE(test::waitUntil([this] { return canvas->picture().width() > 640 && canvas->isPictureSmoothed(); }));
   test::letTurnsPass();
-  EXPECT_EQ(pictures, 1);
-  canvas->renderWindow()->RemoveObserver(observer);
+  EXPECT_EQ(drawn.count(), 1);
 }
 
 TEST_F(PatchViewTest, AnotherSizeShowsThePictureThereIsUntilItIsDrawn) {
-  ASSERT_NO_FATAL_FAILURE(show());
   view.setReconstruction(demo());
   const QSize small = canvas->picture().size();
   view.resize(700, 540);
@@ -170,21 +133,14 @@ TEST(PatchViewInAWindow, LeavesNothingOfVtkBehind) {
   {
     PatchView view(&selection);
     view.setReconstruction(demo());
-    EXPECT_FALSE(view.screenshot().isNull());
+    EXPECT_GT(coloursIn(view.screenshot()), 60U) << "although it was never shown";
     window = view.findChild<SceneWidget*>()->renderWindow();
     ASSERT_NE(window, nullptr);
   }
   EXPECT_EQ(window, nullptr);
 }
 
-TEST_F(PatchViewTest, ScreenshotWorksBeforeTheViewWasShown) {
-  view.resize(400, 300);
-  view.setReconstruction(demo());
-  EXPECT_GT(coloursIn(view.screenshot()), 60U);
-}
-
 TEST_F(PatchViewTest, ClickPicksTheCellAndClickBesideClears) {
-  show();
   view.setReconstruction(demo(0));
   QSignalSpy changed(&selection, &Selection::changed);
   click(canvas->rect().center());
@@ -196,7 +152,6 @@ TEST_F(PatchViewTest, ClickPicksTheCellAndClickBesideClears) {
 }
 
 TEST_F(PatchViewTest, DragTurnsTheSceneAndPicksNothing) {
-  show();
   view.setReconstruction(demo());
   const QImage before = view.screenshot();
   const QPoint from = canvas->rect().center();
@@ -208,40 +163,20 @@ TEST_F(PatchViewTest, DragTurnsTheSceneAndPicksNothing) {
   EXPECT_NE(view.screenshot(), before);
 }
 
-TEST_F(PatchViewTest, SelectionMadeElsewhereIsOutlined) {
-  show();
+TEST_F(PatchViewTest, TheWheelZoomsAndTheButtonFitsAgain) {
   view.setReconstruction(demo());
-  const QImage before = view.screenshot();
-  selection.selectCell(CellId(2));
-  const QImage cell = view.screenshot();
-  EXPECT_NE(cell, before);
-  selection.selectLink({CellId(1), PortNumber(1)}, {CellId(2), PortNumber(4)});
-  EXPECT_NE(view.screenshot(), cell);
-  selection.clear();
-  EXPECT_EQ(view.screenshot(), before);
-}
-
-TEST_F(PatchViewTest, ButtonsMoveTheCamera) {
-  show();
-  view.setReconstruction(demo());
-  QImage last = view.screenshot();
-  for (QAction* standard : controls().viewActions()) {
-    standard->trigger();
-    const QImage now = view.screenshot();
-    EXPECT_NE(now, last) << standard->text().toStdString();
-    last = now;
-  }
+  view.showStandardView(PatchView::StandardView::Front);
+  const QImage fitted = view.screenshot();
   QWheelEvent zoom(QPointF(canvas->rect().center()), canvas->mapToGlobal(canvas->rect().center()), {}, QPoint(0, 120),
                    Qt::NoButton, Qt::NoModifier, Qt::NoScrollPhase, false);
   QCoreApplication::sendEvent(canvas, &zoom);
-  EXPECT_NE(view.screenshot(), last);
+  EXPECT_NE(view.screenshot(), fitted);
   ASSERT_NE(button("Fit"), nullptr);
   QTest::mouseClick(button("Fit"), Qt::LeftButton);
-  EXPECT_EQ(view.screenshot(), last);
+  EXPECT_EQ(view.screenshot(), fitted);
 }
 
 TEST_F(PatchViewTest, ColourModesChangeThePictureAndTheLegend) {
-  show();
   Reconstruction skin = demoReconstruction();
   for (CellPlacement& cell : skin.patches[0].cells) {
     cell.body_part = cell.cell.value() < 9 ? "forearm" : "upper arm";
@@ -271,7 +206,6 @@ TEST_F(PatchViewTest, ColourModesChangeThePictureAndTheLegend) {
 }
 
 TEST_F(PatchViewTest, WhatCantBeShownSaysWhy) {
-  show();
   view.setReconstruction(demo());
   const auto expectReason = [](const QAction* action) {
     EXPECT_FALSE(action->isEnabled()) << action->text().toStdString();
@@ -297,7 +231,6 @@ TEST_F(PatchViewTest, WhatCantBeShownSaysWhy) {
 }
 
 TEST_F(PatchViewTest, ReadingsRecolourTheCellsAtOnce) {
-  show();
   view.setReconstruction(demo());
   moment.readings = readingsOf({{CellId(1), {0, 0, 1}}});
   view.setMoment(moment);
@@ -313,7 +246,6 @@ TEST_F(PatchViewTest, ReadingsRecolourTheCellsAtOnce) {
 }
 
 TEST_F(PatchViewTest, OverlaysAreNamedWithTheirEnlargement) {
-  show();
   const auto skin = demo();
   view.setReconstruction(skin);
   GroundTruth truth;
@@ -337,7 +269,6 @@ TEST_F(PatchViewTest, OverlaysAreNamedWithTheirEnlargement) {
 }
 
 TEST_F(PatchViewTest, PatchesThatAreNotPlacedAreSaidInWords) {
-  show();
   view.setReconstruction(demo());
   EXPECT_FALSE(words().contains(QStringLiteral("not placed")));
   DemoOptions lonely;
@@ -362,7 +293,6 @@ TEST_F(PatchViewTest, PatchesThatAreNotPlacedAreSaidInWords) {
 }
 
 TEST_F(PatchViewTest, MeasuresBetweenTwoClickedCellsUntilEsc) {
-  show();
   view.setReconstruction(demo());
   view.showStandardView(PatchView::StandardView::Front);
   static_cast<void>(view.screenshot());
@@ -378,8 +308,7 @@ TEST_F(PatchViewTest, MeasuresBetweenTwoClickedCellsUntilEsc) {
   EXPECT_TRUE(words().contains(QRegularExpression(QStringLiteral("[0-9.]+ mm apart.*[0-9.]+°"))))
       << words().toStdString();
   EXPECT_NE(view.screenshot(), one);
-  view.activateWindow();
-  ASSERT_TRUE(test::waitUntilActive(view));
+  ASSERT_NO_FATAL_FAILURE(activate());
   QTest::keyClick(&view, Qt::Key_Escape);
   EXPECT_FALSE(controls().measureAction()->isChecked());
   EXPECT_FALSE(words().contains(QStringLiteral("mm apart")));
@@ -389,7 +318,6 @@ TEST_F(PatchViewTest, MeasuresBetweenTwoClickedCellsUntilEsc) {
 }
 
 TEST_F(PatchViewTest, LargeSkinIsPreparedBesideTheWindowAndTheNewestWins) {
-  show();
   view.setReconstruction(std::make_shared<const Reconstruction>(cylinderSheet(100, 80)));
   EXPECT_FALSE(view.isUpToDate());
   EXPECT_TRUE(view.findChild<PatchCaptions*>()->accessibleName().contains(QStringLiteral("Preparing")));
@@ -424,7 +352,8 @@ TEST_F(PatchViewTest, LargeSkinIsPreparedBesideTheWindowAndTheNewestWins) {
   EXPECT_EQ(view.screenshot(), single);
 }
 
-TEST_F(PatchViewTest, IsClosedWhileALargeSkinIsPreparedAndLeavesNothingBehind) {
+TEST(PatchViewInAWindow, IsClosedWhileALargeSkinIsPreparedAndLeavesNothingBehind) {
+  Selection selection;
   const auto widgets = QApplication::allWidgets().size();
   const auto large = std::make_shared<const Reconstruction>(cylinderSheet(100, 80));
   auto other = std::make_unique<PatchView>(&selection);
@@ -437,9 +366,6 @@ TEST_F(PatchViewTest, IsClosedWhileALargeSkinIsPreparedAndLeavesNothingBehind) {
 }
 
 TEST_F(PatchViewTest, NoButtonIsCutOffInASmallView) {
-  view.resize(320, 240);
-  view.show();
-  ASSERT_TRUE(test::waitUntilExposed(view));
   view.setReconstruction(demo());
   for (const int width : {320, 430, 640, 1200}) {
     view.resize(width, 300);
@@ -454,41 +380,21 @@ TEST_F(PatchViewTest, NoButtonIsCutOffInASmallView) {
   }
 }
 
-TEST_F(PatchViewTest, OffersToSaveAPicture) {
-  show();
+TEST_F(PatchViewTest, TheMenuOffersToSaveAPictureAndSaysWhatDraws) {
   view.setReconstruction(demo());
-  QSignalSpy requested(&view, &PatchView::pictureRequested);
-  for (QAction* action : view.findChild<QMenu*>(QStringLiteral("showMenu"))->actions()) {
-    if (action->objectName() == QStringLiteral("actionScenePicture")) action->trigger();
-  }
-  EXPECT_EQ(requested.count(), 1);
-}
-
-TEST_F(PatchViewTest, SaysWhatDraws) {
-  show();
   const QString renderer = openGlInWords(queryOpenGl());
   ASSERT_FALSE(renderer.isEmpty());
+  QSignalSpy requested(&view, &PatchView::pictureRequested);
   bool said = false;
   for (QAction* action : view.findChild<QMenu*>(QStringLiteral("showMenu"))->actions()) {
+    if (action->objectName() == QStringLiteral("actionScenePicture")) action->trigger();
     said = said || action->text().contains(renderer);
   }
+  EXPECT_EQ(requested.count(), 1);
   EXPECT_TRUE(said);
 }
 
-TEST_F(PatchViewTest, PoseDecidesWhereGravityPoints) {
-  show();
-  view.setReconstruction(demo());
-  const QImage last = view.screenshot();
-  moment.pose = PoseId(1);
-  view.setMoment(moment);
-  EXPECT_NE(view.screenshot(), last);
-  moment.pose = std::nullopt;
-  view.setMoment(moment);
-  EXPECT_EQ(view.screenshot(), last);
-}
-
 TEST_F(PatchViewTest, KeysGoOnToTheWindow) {
-  show();
   view.setReconstruction(demo());
   const QImage before = view.screenshot();
   for (const char key : {'w', 'e', 'q', 's', 'r'}) {
@@ -500,7 +406,6 @@ TEST_F(PatchViewTest, KeysGoOnToTheWindow) {
 }
 
 TEST_F(PatchViewTest, NothingToShowIsSaidAndDoesNotCrash) {
-  show();
   const QImage hint = view.screenshot();
   EXPECT_GT(coloursIn(hint.copy(100, 200, 440, 80)), 20U);  // its letters over the plain ground
   view.setReconstruction(nullptr);

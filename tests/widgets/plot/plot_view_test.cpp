@@ -2,13 +2,12 @@
 
 #include "tests/support/app_theme.h"
 #include "tests/support/hand_made_skins.h"
-#include "tests/support/paths.h"
+#include "tests/support/kept_picture.h"
 #include "tests/support/qt_wait.h"
 
 #include <gmock/gmock.h>
 #include <qwt_plot.h>
 #include <QComboBox>
-#include <QDir>
 #include <QLabel>
 #include <QSignalSpy>
 #include <QStandardItemModel>
@@ -55,12 +54,7 @@ class PlotViewTest : public testing::Test {
     EXPECT_TRUE(test::waitUntilExposed(view_));
     canvas_ = view_.plot()->canvas();
   }
-  QImage keep(const QString& name) {
-    const QDir folder(QStringLiteral(HEXODERM_SCREENSHOTS));
-    const QImage picture = view_.grab().toImage();
-    EXPECT_TRUE(folder.mkpath(".") && picture.save(folder.filePath(name + ".png")));
-    return picture;
-  }
+  QImage keep(const QString& name) { return keepPicture(view_.grab().toImage(), name); }
   void drag(const QPoint& from, const QPoint& to, Qt::KeyboardModifiers keys = {}) {
     QTest::mousePress(canvas_, Qt::LeftButton, keys, from);
     test::dragMouseTo(canvas_, (from + to) / 2, Qt::LeftButton, keys);

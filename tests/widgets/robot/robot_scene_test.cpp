@@ -3,8 +3,6 @@
 #include "hexoderm/util/units.h"
 #include "tests/widgets/scene/patch_scene_test.h"
 
-#include <vtkRendererCollection.h>
-
 namespace hexoderm {
 namespace {
 
@@ -16,84 +14,62 @@ constexpr int kShade = 8;
 constexpr int kPixels = kWidth * kHeight;
 
 /// Two boxes side by side: link 0 about the base's origin, link 1 to its right.
-class RobotSceneTest : public testing::Test {
+class RobotSceneTest : public OffScreenTest {
  protected:
   RobotSceneTest() {
-    window->SetOffScreenRendering(1);
-    window->SetSize(kWidth, kHeight);
-    window->SetDPI(72);
     scene.setColors(testColors(false));
     scene.attachTo(window);
     const TriangleMesh box = meshOfBox({kBox_m, kBox_m, kBox_m});
-    picture.bodies = std::make_shared<const LinkBodies>(LinkBodies{box, box});
-    picture.T_w_l = {SE3{}, SE3{rotationFromRpy({0, 0, kPi / 2}), {2 * kBox_m, 0, 0}}};
-    picture.skin = shared(demoReconstruction());
+    robot.bodies = std::make_shared<const LinkBodies>(LinkBodies{box, box});
+    robot.T_w_l = {SE3{}, SE3{rotationFromRpy({0, 0, kPi / 2}), {2 * kBox_m, 0, 0}}};
+    robot.skin = shared(demoReconstruction());
   }
 
-  vtkSmartPointer<vtkImageData> draw() {
-    window->Render();
-    vtkNew<vtkWindowToImageFilter> filter;
-    filter->SetInput(window);
-    filter->SetInputBufferTypeToRGB();
-    filter->ReadFrontBufferOff();
-    filter->Update();
-    return filter->GetOutput();
-  }
-  vtkRenderer* renderer() { return window->GetRenderers()->GetFirstRenderer(); }
-  /// The pixel at which a point of the base's frame is drawn.
-  std::array<double, 2> pixelOf(const Eigen::Vector3d& x_w) {
-    renderer()->SetWorldPoint(x_w.x(), x_w.y(), x_w.z(), 1);
-    renderer()->WorldToDisplay();
-    const double* display = renderer()->GetDisplayPoint();
-    return {display[0], display[1]};
-  }
-
-  vtkNew<vtkRenderWindow> window;
   RobotScene scene;
-  RobotPicture picture;
+  RobotPicture robot;
 };
 
 TEST_F(RobotSceneTest, APickedPointIsInTheFrameOfItsLink) {
-  scene.setPicture(picture);
-  draw();
+  scene.setPicture(robot);
+  window->Render();
   for (std::size_t link = 0; link < 2; ++link) {
     SCOPED_TRACE(link);
     // The middle of the top, which the camera looks down on.
-    const Eigen::Vector3d top_w = picture.T_w_l[link].t + Eigen::Vector3d(0, 0, kBox_m / 2);
+    const Eigen::Vector3d top_w = robot.T_w_l[link].t + Eigen::Vector3d(0, 0, kBox_m / 2);
     const auto [x, y] = pixelOf(top_w);
     const auto picked = scene.pick(x, y);
     ASSERT_TRUE(picked);
     EXPECT_EQ(picked->link, link);
-    const Eigen::Vector3d expected = picture.T_w_l[link].inverse() * top_w;
+    const Eigen::Vector3d expected = robot.T_w_l[link].inverse() * top_w;
     EXPECT_LT((picked->x_l - expected).norm(), 0.005) << "within a pixel";
   }
   EXPECT_FALSE(scene.pick(1, 1)) << "beside the robot";
 }
 
 TEST_F(RobotSceneTest, CellsAreDrawnOnTheLinkThatTheirPatchIsOn) {
-  scene.setPicture(picture);
+  scene.setPicture(robot);
   EXPECT_EQ(scene.cellsDrawn(), 0U) << "nothing is placed yet";
-  const auto bare = draw();
-  RobotPicture placed = picture;
+  const auto bare = picture();
+  RobotPicture placed = robot;
   placed.patches = {{0, 0, SE3{Eigen::Matrix3d::Identity(), {0, 0, kAbove_m}}, false}};
   scene.setPicture(placed);
   EXPECT_EQ(scene.cellsDrawn(), 17U);
-  const auto with_skin = draw();
+  const auto with_skin = picture();
   EXPECT_GT(differingShare(bare, with_skin, kShade), 0.005);
   placed.patches[0].is_proposal = true;
   scene.setPicture(placed);
-  EXPECT_GT(differingShare(with_skin, draw(), kShade), 0.003) << "what nobody has chosen looks otherwise";
+  EXPECT_GT(differingShare(with_skin, picture(), kShade), 0.003) << "what nobody has chosen looks otherwise";
   placed.patches[0].link = 7;
   scene.setPicture(placed);
   EXPECT_EQ(scene.cellsDrawn(), 0U) << "a link that is not there";
 }
 
 TEST_F(RobotSceneTest, WaysInWhichAPatchCanBeMovedAreArrows) {
-  RobotPicture placed = picture;
+  RobotPicture placed = robot;
   placed.patches = {{0, 0, SE3{Eigen::Matrix3d::Identity(), {0, 0, kAbove_m}}, false}};
   scene.setPicture(placed);
   scene.lookAtSkin(0);
-  const auto without = draw();
+  const auto without = picture();
   FreeDirection free;
   free.shift_m = Eigen::Vector3d::UnitX();
   for (int k = -5; k <= 5; ++k) {
@@ -103,53 +79,49 @@ TEST_F(RobotSceneTest, WaysInWhichAPatchCanBeMovedAreArrows) {
   }
   placed.free = {{placed.patches[0], free}};
   scene.setPicture(placed);
-  const auto with_arrow = draw();
+  const auto with_arrow = picture();
   EXPECT_GT(differingShare(without, with_arrow), 0.001);
   // Where no way was followed, a short arrow gives the direction.
   placed.free[0].direction.way.clear();
   scene.setPicture(placed);
-  EXPECT_GT(kPixels * differingShare(without, draw()), 20);
+  EXPECT_GT(kPixels * differingShare(without, picture()), 20);
 }
 
 TEST_F(RobotSceneTest, KnownPointsAreSeenAndTheLinkThatIsSpokenOfStandsOut) {
-  scene.setPicture(picture);
-  const auto plain = draw();
-  RobotPicture other = picture;
+  scene.setPicture(robot);
+  const auto plain = picture();
+  RobotPicture other = robot;
   other.link = 1;
   scene.setPicture(other);
-  const auto link = draw();
+  const auto link = picture();
   EXPECT_GT(differingShare(plain, link, kShade), 0.02);
   other.points = {{1, Eigen::Vector3d(0, 0, kBox_m / 2)}};
   scene.setPicture(other);
-  EXPECT_GT(kPixels * differingShare(link, draw(), kShade), 10);
+  EXPECT_GT(kPixels * differingShare(link, picture(), kShade), 10);
 }
 
 TEST_F(RobotSceneTest, TheCameraStaysWhereItIsUntilThereIsAnotherRobot) {
-  scene.setPicture(picture);
-  draw();
+  scene.setPicture(robot);
+  window->Render();
   scene.turn(30, 10);
   scene.zoom(1.2);
-  std::array<double, 3> before{};
-  renderer()->GetActiveCamera()->GetPosition(before.data());
-  RobotPicture moved = picture;
+  const auto before = cameraPosition();
+  RobotPicture moved = robot;
   moved.T_w_l[1].t.z() = 0.1;
   scene.setPicture(moved);
-  draw();
-  std::array<double, 3> after{};
-  renderer()->GetActiveCamera()->GetPosition(after.data());
-  EXPECT_EQ(after, before);
-  moved.bodies = std::make_shared<const LinkBodies>(*picture.bodies);
+  window->Render();
+  EXPECT_EQ(cameraPosition(), before);
+  moved.bodies = std::make_shared<const LinkBodies>(*robot.bodies);
   scene.setPicture(moved);
-  draw();
-  renderer()->GetActiveCamera()->GetPosition(after.data());
-  EXPECT_NE(after, before);
+  window->Render();
+  EXPECT_NE(cameraPosition(), before);
 }
 
 TEST_F(RobotSceneTest, APatchIsGrippedAtThePointOfItsLinkThatLiesBelow) {
-  RobotPicture placed = picture;
+  RobotPicture placed = robot;
   placed.patches = {{0, 1, SE3{Eigen::Matrix3d::Identity(), {0, 0, kBox_m / 2 + 0.003}}, false}};
   scene.setPicture(placed);
-  draw();
+  window->Render();
   const CellPlacement& cell = placed.skin->patches[0].cells[0];
   const Eigen::Vector3d front_w = placed.T_w_l[1] * placed.patches[0].T_l_o * cell.T_o_u.t;
   const auto [x, y] = pixelOf(front_w);
@@ -164,14 +136,14 @@ TEST_F(RobotSceneTest, APatchIsGrippedAtThePointOfItsLinkThatLiesBelow) {
 }
 
 TEST_F(RobotSceneTest, WaysOnTheScreenAreGivenInTheFrameOfTheLink) {
-  scene.setPicture(picture);
-  draw();
+  scene.setPicture(robot);
+  window->Render();
   for (std::size_t link = 0; link < 2; ++link) {
     SCOPED_TRACE(link);
-    const Eigen::Vector3d from_w = picture.T_w_l[link].t;
+    const Eigen::Vector3d from_w = robot.T_w_l[link].t;
     const auto [x, y] = pixelOf(from_w);
     const auto after = [&](double right_m, double up_m) {
-      return pixelOf(from_w + picture.T_w_l[link].R * scene.wayOnScreen(right_m, up_m, link));
+      return pixelOf(from_w + robot.T_w_l[link].R * scene.wayOnScreen(right_m, up_m, link));
     };
     const auto right = after(0.01, 0);
     EXPECT_GT(right[0], x + 1);
@@ -184,10 +156,10 @@ TEST_F(RobotSceneTest, WaysOnTheScreenAreGivenInTheFrameOfTheLink) {
 }
 
 TEST_F(RobotSceneTest, TheSkinIsLookedAtSoCloselyThatItsNumbersCanBeRead) {
-  RobotPicture placed = picture;
+  RobotPicture placed = robot;
   placed.patches = {{0, 1, SE3{Eigen::Matrix3d::Identity(), {0, 0, kBox_m / 2 + 0.003}}, false}};
   scene.setPicture(placed);
-  draw();
+  window->Render();
   const auto pixelsPerSide = [&] {
     const SE3 T_w_u = placed.T_w_l[1] * placed.patches[0].T_l_o * placed.skin->patches[0].cells[0].T_o_u;
     const auto a = pixelOf(T_w_u.t);
@@ -196,7 +168,7 @@ TEST_F(RobotSceneTest, TheSkinIsLookedAtSoCloselyThatItsNumbersCanBeRead) {
   };
   const double before = pixelsPerSide();
   scene.lookAtSkin(0);
-  draw();
+  window->Render();
   EXPECT_GT(pixelsPerSide(), 1.5 * before);
   for (const CellPlacement& cell : placed.skin->patches[0].cells) {
     const auto [x, y] = pixelOf(placed.T_w_l[1] * placed.patches[0].T_l_o * cell.T_o_u.t);
@@ -205,10 +177,10 @@ TEST_F(RobotSceneTest, TheSkinIsLookedAtSoCloselyThatItsNumbersCanBeRead) {
   // Of a patch that is not drawn nothing can be looked at.
   const double near = pixelsPerSide();
   scene.lookAtSkin(5);
-  draw();
+  window->Render();
   EXPECT_DOUBLE_EQ(pixelsPerSide(), near);
   scene.fit();
-  draw();
+  window->Render();
   EXPECT_NEAR(pixelsPerSide(), before, 0.01 * before);
 }
 

@@ -32,26 +32,19 @@ double differenceToBaseline(vtkImageData* image, const std::string& name) {
   return share;
 }
 
-TEST_F(PatchSceneTest, LooksLikeTheBaselineInTheDark) {
+TEST_F(PatchSceneTest, LooksLikeTheBaselineInBothThemesAndColouredByDeviation) {
   scene.setReconstruction(shared(demoReconstruction(mixedQualities())));
   EXPECT_LE(differenceToBaseline(picture(), "patch_scene_dark"), kMaxDifferingShare);
-}
-
-TEST_F(PatchSceneTest, LooksLikeTheBaselineInTheLight) {
   scene.setColors(testColors(false));
-  scene.setReconstruction(shared(demoReconstruction(mixedQualities())));
   EXPECT_LE(differenceToBaseline(picture(), "patch_scene_light"), kMaxDifferingShare);
-}
-
-TEST_F(PatchSceneTest, LooksLikeTheBaselineColouredByDeviation) {
-  scene.setReconstruction(shared(demoReconstruction(mixedQualities())));
+  scene.setColors(testColors(true));
   scene.setColoring(Coloring::Deviation);
   scene.showStandardView(PatchScene::View::Front);
   EXPECT_LE(differenceToBaseline(picture(), "patch_scene_deviation"), kMaxDifferingShare);
 }
 
-/// The negative controls of the three tests above: small changes must be seen.
-TEST_F(PatchSceneTest, TheBaselineComparisonSeesOneMovedCell) {
+/// The negative controls of the test above: small changes must be seen.
+TEST_F(PatchSceneTest, TheBaselineComparisonSeesOneMovedCellAndOneChangedColour) {
   const Reconstruction demo = demoReconstruction(mixedQualities());
   scene.setReconstruction(shared(demo));
   const auto before = picture();
@@ -59,12 +52,6 @@ TEST_F(PatchSceneTest, TheBaselineComparisonSeesOneMovedCell) {
   moved.patches[0].cells[1].T_o_u.t.z() += 0.004;
   scene.setReconstruction(shared(moved));
   EXPECT_GT(differingShare(before, picture()), 1.5 * kMaxDifferingShare);
-}
-
-TEST_F(PatchSceneTest, TheBaselineComparisonSeesOneChangedColour) {
-  const Reconstruction demo = demoReconstruction(mixedQualities());
-  scene.setReconstruction(shared(demo));
-  const auto before = picture();
   Reconstruction changed = demo;
   changed.patches[0].links[3].quality = EdgeQuality::Undefined;  // the last link of an arm that was fully defined
   scene.setReconstruction(shared(changed));

@@ -10,9 +10,12 @@
 #include <vtkNew.h>
 #include <vtkRenderWindow.h>
 #include <vtkRenderer.h>
+#include <vtkRendererCollection.h>
 #include <vtkWindowToImageFilter.h>
+#include <algorithm>
 #include <array>
 #include <cstdlib>
+#include <optional>
 
 namespace hexoderm {
 
@@ -83,17 +86,16 @@ std::shared_ptr<const Value> shared(Value value) {
   return std::make_shared<const Value>(std::move(value));
 }
 
-/// A scene in a window of its own that is never shown.
-class PatchSceneTest : public testing::Test {
+/// A window that is never shown, to draw a scene in.
+class OffScreenTest : public testing::Test {
  protected:
-  PatchSceneTest() {
+  OffScreenTest() {
     window->SetOffScreenRendering(1);
     window->SetSize(kWidth, kHeight);
     window->SetDPI(72);
-    scene.setTextVisible(false);
-    scene.setColors(testColors(true));
-    scene.attachTo(window);
   }
+
+  [[nodiscard]] vtkRenderer* renderer() const { return window->GetRenderers()->GetFirstRenderer(); }
 
   vtkSmartPointer<vtkImageData> picture() {
     window->Render();
@@ -107,41 +109,70 @@ class PatchSceneTest : public testing::Test {
 
   std::array<double, 3> cameraPosition() const {
     std::array<double, 3> position{};
-    scene.renderer()->GetActiveCamera()->GetPosition(position.data());
+    renderer()->GetActiveCamera()->GetPosition(position.data());
     return position;
   }
 
-  /// Pixel at which the centre of a cell's front face is drawn.
-  std::array<double, 2> pixelOf(const Reconstruction& reconstruction, CellId id) {
-    const Eigen::Vector3d center = reconstruction.find(id).cell->T_o_u.t;
-    scene.renderer()->SetWorldPoint(center.x(), center.y(), center.z(), 1);
-    scene.renderer()->WorldToDisplay();
-    const double* display = scene.renderer()->GetDisplayPoint();
+  /// Pixel at which a point of the scene is drawn.
+  [[nodiscard]] std::array<double, 2> pixelOf(const Eigen::Vector3d& point) const {
+    renderer()->SetWorldPoint(point.x(), point.y(), point.z(), 1);
+    renderer()->WorldToDisplay();
+    const double* display = renderer()->GetDisplayPoint();
     return {display[0], display[1]};
   }
 
   vtkNew<vtkRenderWindow> window;
+};
+
+class PatchSceneTest : public OffScreenTest {
+ protected:
+  PatchSceneTest() {
+    scene.setTextVisible(false);
+    scene.setColors(testColors(true));
+    scene.attachTo(window);
+  }
+
+  using OffScreenTest::pixelOf;
+  /// Pixel at which the centre of a cell's front face is drawn.
+  [[nodiscard]] std::array<double, 2> pixelOf(const Reconstruction& reconstruction, CellId id) const {
+    return pixelOf(reconstruction.find(id).cell->T_o_u.t);
+  }
+
   PatchScene scene;
   PatchOverlays overlays;
   PatchMoment moment;
 };
 
-/// Share of the pixels that differ by more than so much in any channel; 1 if the sizes do.
-inline double differingShare(vtkImageData* a, vtkImageData* b, int slack = kChannelSlack) {
+/// Red, green and blue, each up to 255.
+inline std::array<int, 3> colorAt(vtkImageData* image, int x, int y) {
+  const auto* p = static_cast<const unsigned char*>(image->GetScalarPointer(x, y, 0));
+  return {p[0], p[1], p[2]};
+}
+
+/// Pixels from the lower left corner up to, without, the upper right one.
+struct PixelArea {
+  int left = 0;
+  int bottom = 0;
+  int right = 0;
+  int top = 0;
+};
+
+/// Share of the area's pixels, or of all, that differ by more than so much in any channel; 1 if the sizes do.
+inline double differingShare(vtkImageData* a, vtkImageData* b, int slack = kChannelSlack,
+                             std::optional<PixelArea> area = std::nullopt) {
   const int* size = a->GetDimensions();
   const int* other = b->GetDimensions();
   if (size[0] != other[0] || size[1] != other[1]) return 1;
+  const PixelArea in = area.value_or(PixelArea{0, 0, size[0], size[1]});
   int differing = 0;
-  for (int y = 0; y < size[1]; ++y) {
-    for (int x = 0; x < size[0]; ++x) {
-      const auto* p = static_cast<const unsigned char*>(a->GetScalarPointer(x, y, 0));
-      const auto* q = static_cast<const unsigned char*>(b->GetScalarPointer(x, y, 0));
-      bool same = true;
-      for (int channel = 0; channel < 3; ++channel) same = same && std::abs(p[channel] - q[channel]) <= slack;
-      if (!same) ++differing;
+  for (int y = in.bottom; y < in.top; ++y) {
+    for (int x = in.left; x < in.right; ++x) {
+      const auto p = colorAt(a, x, y);
+      const auto q = colorAt(b, x, y);
+      differing += !std::ranges::equal(p, q, [slack](int c, int d) { return std::abs(c - d) <= slack; });
     }
   }
-  return static_cast<double>(differing) / (static_cast<double>(size[0]) * size[1]);
+  return differing / (static_cast<double>(in.right - in.left) * (in.top - in.bottom));
 }
 
 }  // namespace hexoderm

@@ -1,5 +1,6 @@
 // The colours of figures, measured: against the grounds of both themes, against each other, and as eyes see them that
 // can't tell all colours apart.
+
 #include "widgets/style/color_maps.h"
 #include "tests/support/color_vision.h"
 
@@ -11,23 +12,9 @@
 namespace hexoderm {
 namespace {
 
-using Lab = std::array<double, 3>;
-
 constexpr std::array kThemes = {Theme::Light, Theme::Dark};
 /// Least share of its colour that a front face keeps where no light falls on it (scene_skin.cpp).
 constexpr double kDarkestShade = 0.58;
-
-Lab toLab(const Rgb& color) {
-  constexpr ColorMatrix kToXyz = {{{0.4124564, 0.3575761, 0.1804375},  //
-                                   {0.2126729, 0.7151522, 0.0721750},
-                                   {0.0193339, 0.1191920, 0.9503041}}};
-  const Rgb xyz = times(kToXyz, {toLinear(color[0]), toLinear(color[1]), toLinear(color[2])});
-  const auto f = [](double t) { return t > 0.008856 ? std::cbrt(t) : 7.787 * t + 16.0 / 116; };
-  const double x = f(xyz[0] / 0.95047);
-  const double y = f(xyz[1]);
-  const double z = f(xyz[2] / 1.08883);
-  return {116 * y - 16, 500 * (x - y), 200 * (y - z)};
-}
 
 /// CIE94, which weighs differences between strong colours less.
 double difference(const Rgb& a, const Rgb& b) {

@@ -1,9 +1,10 @@
 #include "widgets/style/palette.h"
 
 #include "hexoderm/reconstruction/result/quality_colors.h"
+#include "tests/support/color_vision.h"
+#include "widgets/style/color_maps.h"
 
 #include <gmock/gmock.h>
-#include <Eigen/Core>
 #include <QApplication>
 #include <QImage>
 #include <QLineF>
@@ -20,18 +21,7 @@
 namespace hexoderm {
 namespace {
 
-/// Relative luminance and contrast ratio of WCAG 2.1.
-double luminance(const QColor& color) {
-  const auto linear = [](double value) {
-    return value <= 0.04045 ? value / 12.92 : std::pow((value + 0.055) / 1.055, 2.4);
-  };
-  return 0.2126 * linear(color.redF()) + 0.7152 * linear(color.greenF()) + 0.0722 * linear(color.blueF());
-}
-double contrast(const QColor& a, const QColor& b) {
-  const double brighter = std::max(luminance(a), luminance(b));
-  const double darker = std::min(luminance(a), luminance(b));
-  return (brighter + 0.05) / (darker + 0.05);
-}
+double contrast(const QColor& a, const QColor& b) { return hexoderm::contrast(toRgb(a), toRgb(b)); }
 
 class PaletteOfTheme : public testing::TestWithParam<Theme> {
  protected:
@@ -40,7 +30,10 @@ class PaletteOfTheme : public testing::TestWithParam<Theme> {
 INSTANTIATE_TEST_SUITE_P(Both, PaletteOfTheme, testing::Values(Theme::Light, Theme::Dark),
                          [](const auto& theme) { return theme.param == Theme::Dark ? "Dark" : "Light"; });
 
-TEST(Contrast, IsTwentyOneForBlackOnWhite) { EXPECT_NEAR(contrast(Qt::black, Qt::white), 21, 1e-9); }
+TEST(Contrast, IsThatOfWcag) {
+  EXPECT_NEAR(contrast(Qt::black, Qt::white), 21, 1e-9);
+  EXPECT_NEAR(contrast(QColor(0x77, 0x77, 0x77), Qt::white), 4.48, 0.01);
+}
 
 TEST_P(PaletteOfTheme, TextIsReadableOnEveryGround) {
   const std::vector<std::pair<QColor, const char*>> texts = {{colors_.text, "text"},
@@ -85,32 +78,12 @@ TEST_P(PaletteOfTheme, QualityHasTheColoursThatExportedFilesHave) {
   EXPECT_EQ(colors_.muted_link, QColor::fromRgb(unusedColor(background)));
 }
 
-/// CIE L*a*b* of what an eye without one of the three cones sees (Machado, Oliveira, Fernandes 2009); none: as it is.
-Eigen::Vector3d seen(const QColor& color, const Eigen::Matrix3d& cones) {
-  const auto linear = [](double value) {
-    return value <= 0.04045 ? value / 12.92 : std::pow((value + 0.055) / 1.055, 2.4);
-  };
-  Eigen::Matrix3d xyz;
-  xyz << 0.4124, 0.3576, 0.1805, 0.2126, 0.7152, 0.0722, 0.0193, 0.1192, 0.9505;
-  const Eigen::Vector3d rgb =
-      (cones * Eigen::Vector3d(linear(color.redF()), linear(color.greenF()), linear(color.blueF())))
-          .cwiseMax(0)
-          .cwiseMin(1);
-  const Eigen::Vector3d f = (xyz * rgb).cwiseQuotient(Eigen::Vector3d(0.9505, 1, 1.0888)).unaryExpr([](double t) {
-    return t > 0.008856 ? std::cbrt(t) : 7.787 * t + 16.0 / 116;
-  });
-  return {116 * f.y() - 16, 500 * (f.x() - f.y()), 200 * (f.y() - f.z())};
-}
-
 TEST_P(PaletteOfTheme, AxesAreToldApartByEveryEye) {
-  Eigen::Matrix3d no_red, no_green, no_blue;
-  no_red << 0.152286, 1.052583, -0.204868, 0.114503, 0.786281, 0.099216, -0.003882, -0.048116, 1.051998;
-  no_green << 0.367322, 0.860646, -0.227968, 0.280085, 0.672501, 0.047413, -0.011820, 0.042940, 0.968881;
-  no_blue << 1.255528, -0.076749, -0.178779, -0.078411, 0.930809, 0.147602, 0.004733, 0.691367, 0.303900;
-  for (const Eigen::Matrix3d& cones : {Eigen::Matrix3d(Eigen::Matrix3d::Identity()), no_red, no_green, no_blue}) {
+  for (const ColorMatrix& eyes : {kAllColours, kProtanopia, kDeuteranopia, kTritanopia}) {
     for (std::size_t k = 0; k < 3; ++k) {
-      const double apart = (seen(colors_.axis.at(k), cones) - seen(colors_.axis.at((k + 1) % 3), cones)).norm();
-      EXPECT_GE(apart, 20) << "a difference of 2 is just seen; axis " << k;
+      const Lab a = toLab(seenBy(eyes, toRgb(colors_.axis.at(k))));
+      const Lab b = toLab(seenBy(eyes, toRgb(colors_.axis.at((k + 1) % 3))));
+      EXPECT_GE(std::hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]), 20) << "a difference of 2 is just seen; axis " << k;
     }
   }
   for (const QColor& axis : colors_.axis) {
@@ -206,11 +179,8 @@ TEST(Viridis, RunsFromDarkVioletToYellowAndGetsBrighterAllTheWay) {
   EXPECT_NEAR(middle.red(), 32.5, 1.6);
   EXPECT_NEAR(middle.green(), 144.6, 1.6);
   EXPECT_NEAR(middle.blue(), 140.4, 1.6);
-  double previous = luminance(viridis(0));
   for (int k = 1; k <= 100; ++k) {
-    const double next = luminance(viridis(k / 100.0));
-    EXPECT_GT(next, previous) << k;
-    previous = next;
+    EXPECT_GT(contrast(viridis(k / 100.0), Qt::black), contrast(viridis((k - 1) / 100.0), Qt::black)) << k;
   }
 }
 

@@ -3,7 +3,7 @@
 #include "hexoderm/util/units.h"
 #include "tests/support/app_theme.h"
 #include "tests/support/hand_made_skins.h"
-#include "tests/support/paths.h"
+#include "tests/support/kept_picture.h"
 #include "tests/support/qt_wait.h"
 #include "widgets/controls/selection.h"
 #include "widgets/tables/sorted_table.h"
@@ -15,12 +15,10 @@
 #include <gmock/gmock.h>
 #include <qwt_plot.h>
 #include <QAbstractItemModelTester>
-#include <QDir>
 #include <QHeaderView>
 #include <QTableView>
 #include <QTest>
 #include <QToolButton>
-#include <cmath>
 
 namespace hexoderm {
 namespace {
@@ -36,13 +34,7 @@ class ResidualViewTest : public testing::Test {
     QTest::mouseClick(view_.matrix()->viewport(), Qt::LeftButton, Qt::NoModifier,
                       view_.matrix()->visualRect(index).center());
   }
-  /// The picture of the view, which is also kept in a file.
-  QImage keep(const QString& name) {
-    const QDir folder(QStringLiteral(HEXODERM_SCREENSHOTS));
-    const QImage picture = view_.grab().toImage();
-    EXPECT_TRUE(folder.mkpath(".") && picture.save(folder.filePath(name + ".png")));
-    return picture;
-  }
+  QImage keep(const QString& name) { return keepPicture(view_.grab().toImage(), name); }
 
   test::AppTheme theme_;
   Selection selection_;

@@ -2,7 +2,6 @@
 #include "app/window/settings/theme.h"
 #include "app/window/settings/translation.h"
 #include "tests/app/window/window_test.h"
-#include "tests/support/qt_wait.h"
 
 #include <QListWidget>
 #include <QRegularExpression>
@@ -153,7 +152,6 @@ class GuideFromTheWindow : public WindowTest {};
 TEST_F(GuideFromTheWindow, OpensWithF1AtThePageAboutWhatIsToBeDone) {
   press(Qt::Key_F1);
   auto* guide = waitForDialog<GuideWindow>("guideWindow");
-  ASSERT_NE(guide, nullptr);
   EXPECT_EQ(guide->currentPage(), QStringLiteral("demo"));
   keepPicture(guide->grab().toImage(), QStringLiteral("guide"));
   QTest::keyClick(guide, Qt::Key_Escape);
@@ -162,7 +160,6 @@ TEST_F(GuideFromTheWindow, OpensWithF1AtThePageAboutWhatIsToBeDone) {
   takeDemoPoses(1);
   press(Qt::Key_F1);
   guide = waitForDialog<GuideWindow>("guideWindow");
-  ASSERT_NE(guide, nullptr);
   EXPECT_EQ(guide->currentPage(), QStringLiteral("capture"));
   guide->showPage(QStringLiteral("keys"));
   const QString keys = guide->findChild<QTextBrowser*>(QStringLiteral("guidePage"))->toPlainText();

@@ -18,8 +18,7 @@ class ColoringPresenterTest : public PresenterTest {
   /// A session of the X17 in three poses, all links of which are of one class.
   void openSession() {
     const QString path = pathTo("one_class.hexo");
-    window_->openFile(QFile::exists(path) ? path : writeSession(path, 3));
-    ASSERT_TRUE(waitForPoses(3));
+    ASSERT_NO_FATAL_FAILURE(openFile(QFile::exists(path) ? path : writeSession(path, 3)));
     ASSERT_TRUE(waitUntil([this] { return patch().isUpToDate(); }));
   }
   PatchView& patch() { return *window_->findChild<PatchView*>(); }
@@ -56,20 +55,18 @@ TEST_F(ColoringPresenterTest, WhatTheOperatorChoosesStands) {
   open(GuideStep::Capture);
   open(GuideStep::Review);
   EXPECT_EQ(patch().coloring(), Coloring::Residual);
-  window_->openFile(writeSession(pathTo("another.hexo"), 4));
-  ASSERT_TRUE(waitForPoses(4));
+  ASSERT_NO_FATAL_FAILURE(openFile(writeSession(pathTo("another.hexo"), 4)));
   EXPECT_EQ(patch().coloring(), Coloring::Residual);
 }
 
-TEST_F(ColoringPresenterTest, AFixedRangeStaysWithOtherResultsAndStarts) {
+TEST_F(ColoringPresenterTest, AFixedRangeStaysWithOtherResultsAndStartsUntilItIsReleased) {
   ASSERT_NO_FATAL_FAILURE(openSession());
   choose(Coloring::PositionUncertainty);
   EXPECT_TRUE(legend().accessibleDescription().contains("range fitted"))
       << qPrintable(legend().accessibleDescription());
   emit legend().rangeFixed({0, 5});
   EXPECT_TRUE(legend().accessibleDescription().contains("range fixed"));
-  window_->openFile(writeSession(pathTo("another.hexo"), 4));
-  ASSERT_TRUE(waitForPoses(4));
+  ASSERT_NO_FATAL_FAILURE(openFile(writeSession(pathTo("another.hexo"), 4)));
   EXPECT_TRUE(legend().accessibleDescription().contains("from 0.00 to 5.00 mm, range fixed"))
       << qPrintable(legend().accessibleDescription());
   reopenWindow();
@@ -77,18 +74,13 @@ TEST_F(ColoringPresenterTest, AFixedRangeStaysWithOtherResultsAndStarts) {
   choose(Coloring::PositionUncertainty);
   EXPECT_TRUE(legend().accessibleDescription().contains("from 0.00 to 5.00 mm, range fixed"))
       << qPrintable(legend().accessibleDescription());
+  window_->preferences().restoreDefaults();
+  EXPECT_TRUE(legend().accessibleDescription().contains("range fitted"));
+  emit legend().rangeFixed({0, 5});
   emit legend().rangeReleased();
   reopenWindow();
   ASSERT_NO_FATAL_FAILURE(openSession());
   choose(Coloring::PositionUncertainty);
-  EXPECT_TRUE(legend().accessibleDescription().contains("range fitted"));
-}
-
-TEST_F(ColoringPresenterTest, RestoringTheDefaultsFixesNoRange) {
-  ASSERT_NO_FATAL_FAILURE(openSession());
-  choose(Coloring::PositionUncertainty);
-  emit legend().rangeFixed({0, 5});
-  window_->preferences().restoreDefaults();
   EXPECT_TRUE(legend().accessibleDescription().contains("range fitted"));
 }
 

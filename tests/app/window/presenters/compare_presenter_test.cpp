@@ -9,7 +9,7 @@ class ComparePresenterTest : public PresenterTest {
  protected:
   CompareView* openComparison() {
     press(Qt::Key_C);
-    waitForDialog<QDialog>("compareDialog");
+    waitForDialog("compareDialog");
     return window_->findChild<CompareView*>();
   }
 };

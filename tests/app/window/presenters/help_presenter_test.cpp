@@ -1,17 +1,14 @@
 #include "app/window/presenters/help_presenter.h"
 #include "tests/app/window/presenters/presenter_test.h"
 
-#include <QDialog>
-
 namespace hexoderm {
 namespace {
 
 class HelpPresenterTest : public PresenterTest {};
 
-TEST_F(HelpPresenterTest, TheListOfKeysIsSearched) {
+TEST_F(HelpPresenterTest, TheListOfKeysHasEveryKeyIsSearchedAndIsAllThatEscapeCloses) {
   press(Qt::Key_H);
-  auto* dialog = waitForDialog<QDialog>("keysDialog");
-  ASSERT_NE(dialog, nullptr);
+  auto* dialog = waitForDialog("keysDialog");
   keepPicture(dialog->grab().toImage(), "keys-light");
   const auto shownTexts = [&] {
     QStringList texts;
@@ -21,9 +18,16 @@ TEST_F(HelpPresenterTest, TheListOfKeysIsSearched) {
     return texts;
   };
   EXPECT_GT(shownTexts().size(), 40);
+  for (const char* key : {"Space", "Del", "Shift+Del", "Ctrl+Z", "Ctrl+E", "F12"}) {
+    EXPECT_FALSE(shownTexts().filter(key).isEmpty()) << key;
+  }
   QTest::keyClicks(dialog->findChild<QLineEdit*>("keysSearch"), "undo");
   EXPECT_TRUE(shownTexts().contains("Ctrl+Z"));
   EXPECT_FALSE(shownTexts().contains("F12"));
+  QTest::keyClick(dialog, Qt::Key_Escape);
+  EXPECT_TRUE(waitUntilGone("keysDialog"));
+  press(Qt::Key_Escape);
+  EXPECT_TRUE(window_->isVisible());
 }
 
 }  // namespace

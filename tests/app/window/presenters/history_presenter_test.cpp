@@ -43,10 +43,8 @@ TEST_F(HistoryPresenterTest, StartsWithAWelcomeThatGoesWhenSomethingIsOpen) {
 TEST_F(HistoryPresenterTest, RemembersRecentFilesAcrossStarts) {
   const QString first = writeSession(pathTo("first.hexo"), 2);
   const QString second = writeSession(pathTo("second.hexo"), 3);
-  window_->openFile(first);
-  ASSERT_TRUE(waitForPoses(2));
-  window_->openFile(second);
-  ASSERT_TRUE(waitForPoses(3));
+  ASSERT_NO_FATAL_FAILURE(openFile(first));
+  ASSERT_NO_FATAL_FAILURE(openFile(second));
   reopenWindow();
   ASSERT_EQ(window_->recentFiles().files().size(), 2U);
   EXPECT_EQ(window_->recentFiles().files()[0].title, "second.hexo");
@@ -62,36 +60,26 @@ TEST_F(HistoryPresenterTest, RemembersRecentFilesAcrossStarts) {
 }
 
 TEST_F(HistoryPresenterTest, RecentFilesWithNamesOfAnyLengthLeaveTheStepsNarrow) {
-  const QString with_half_its_length = writeSession(pathTo("left-forearm-of-the-second-robot-after-repair.hexo"), 2);
-  window_->openFile(with_half_its_length);
-  ASSERT_TRUE(waitForPoses(2));
-  reopenWindow();
-  press(Qt::Key_1, Qt::ControlModifier);
-  ASSERT_TRUE(
-      waitUntil([this] { return recentButton(QStringLiteral("left-forearm-of-the-second-robot-after-repair.hexo")); }));
-  window_->openFile(with_half_its_length);
-  ASSERT_TRUE(waitForPoses(2));
-  const int narrow = find<QWidget>("stepsDock")->width();
-  EXPECT_LT(narrow, window_->width() / 3);
+  const auto openRecent = [this](const QString& name) {
+    const QString file = writeSession(pathTo(name), 2);
+    ASSERT_NO_FATAL_FAILURE(openFile(file));
+    reopenWindow();
+    press(Qt::Key_1, Qt::ControlModifier);
+    ASSERT_TRUE(waitUntil([&] { return recentButton(name); }));
+    ASSERT_NO_FATAL_FAILURE(openFile(file));
+  };
+  const auto stepsWidth = [this] { return find<QWidget>("stepsDock")->width(); };
+  ASSERT_NO_FATAL_FAILURE(openRecent(QStringLiteral("left-forearm-of-the-second-robot-after-repair.hexo")));
+  EXPECT_LT(stepsWidth(), window_->width() / 3);
   // Names are cut to whole letters.
-  const int widest = narrow + window_->fontMetrics().horizontalAdvance(QLatin1Char('M'));
-  const QString file = writeSession(
-      pathTo("left-forearm-of-the-second-robot-after-its-repair-in-the-winter-before-last-with-new-cells.hexo"), 2);
-  window_->openFile(file);
-  ASSERT_TRUE(waitForPoses(2));
-  reopenWindow();
-  press(Qt::Key_1, Qt::ControlModifier);
-  ASSERT_TRUE(waitUntil([this] {
-    return recentButton(QStringLiteral(
-        "left-forearm-of-the-second-robot-after-its-repair-in-the-winter-before-last-with-new-cells.hexo"));
-  }));
-  window_->openFile(file);
-  ASSERT_TRUE(waitForPoses(2));
-  EXPECT_LE(find<QWidget>("stepsDock")->width(), widest);
+  const int widest = stepsWidth() + window_->fontMetrics().horizontalAdvance(QLatin1Char('M'));
+  ASSERT_NO_FATAL_FAILURE(openRecent(QStringLiteral(
+      "left-forearm-of-the-second-robot-after-its-repair-in-the-winter-before-last-with-new-cells.hexo")));
+  EXPECT_LE(stepsWidth(), widest);
   keepPicture(window_->picture(), "recent-light");
   press(Qt::Key_1, Qt::ControlModifier);
   test::letTurnsPass();
-  EXPECT_LE(find<QWidget>("stepsDock")->width(), widest);
+  EXPECT_LE(stepsWidth(), widest);
   keepPicture(window_->picture(), "recent-step-light");
 }
 
@@ -211,26 +199,23 @@ TEST_F(HistoryPresenterTest, AnUnsavedSessionStaysInTheListUntilItIsOpen) {
 
   window_->unsavedSessions().recover(path);
   auto* box = waitForDialog<QMessageBox>("unsavedBox");
-  ASSERT_NE(box, nullptr);
   click(box->button(QMessageBox::Cancel));
-  ASSERT_TRUE(waitUntil([&] { return !window_->findChild<QMessageBox*>("unsavedBox"); }));
+  ASSERT_TRUE(waitUntilGone("unsavedBox"));
   EXPECT_EQ(window_->unsavedSessions().all().size(), 1U) << "nothing was opened";
 
   // It is not there for a moment: it can't be opened, and can be tried again.
   ASSERT_TRUE(QFile::rename(path, path + ".away"));
   window_->unsavedSessions().recover(path);
   box = waitForDialog<QMessageBox>("unsavedBox");
-  ASSERT_NE(box, nullptr);
   click(box->button(QMessageBox::Discard));
-  ASSERT_TRUE(waitForMessage("one.hexo")) << message().toStdString();
+  ASSERT_TRUE(waitForMessage("one.hexo"));
   EXPECT_EQ(window_->unsavedSessions().all().size(), 1U);
   ASSERT_TRUE(QFile::rename(path + ".away", path));
-  ASSERT_TRUE(waitUntil([&] { return !window_->findChild<QMessageBox*>("unsavedBox"); }));
+  ASSERT_TRUE(waitUntilGone("unsavedBox"));
   window_->unsavedSessions().recover(path);
   box = waitForDialog<QMessageBox>("unsavedBox");
-  ASSERT_NE(box, nullptr);
   click(box->button(QMessageBox::Discard));
-  ASSERT_TRUE(waitForPoses(3)) << message().toStdString();
+  ASSERT_TRUE(waitForPoses(3));
   EXPECT_TRUE(window_->unsavedSessions().all().empty());
 }
 

@@ -1,7 +1,6 @@
 #include "app/window/presenters/preferences_presenter.h"
 #include "tests/app/window/presenters/presenter_test.h"
 
-#include <QDialog>
 #include <QDoubleSpinBox>
 #include <QTabWidget>
 
@@ -12,14 +11,16 @@ class PreferencesPresenterTest : public PresenterTest {};
 
 TEST_F(PreferencesPresenterTest, PreferencesActAtOnceAndAreRemembered) {
   press(Qt::Key_Comma, Qt::ControlModifier);
-  auto* dialog = waitForDialog<QDialog>("preferencesDialog");
-  ASSERT_NE(dialog, nullptr);
+  auto* dialog = waitForDialog("preferencesDialog");
   EXPECT_FALSE(dialog->isModal());
   EXPECT_EQ(QApplication::activeModalWidget(), nullptr);
   QSignalSpy solver(&window_->preferences(), &Preferences::solverOptionsChanged);
   QSignalSpy recorder(&window_->preferences(), &Preferences::recorderOptionsChanged);
   QSignalSpy tone(&window_->preferences(), &Preferences::toneChanged);
   auto* tabs = dialog->findChild<QTabWidget*>("preferencesTabs");
+  // Where an empty 3D view sends people.
+  EXPECT_EQ(dialog->findChild<QAbstractButton*>("preferenceSoftwareOpenGl")->text().remove('&'),
+            "Draw without the graphics card");
   keepPicture(dialog->grab().toImage(), "preferences-appearance-light");
 
   auto* theme = dialog->findChild<QComboBox*>("preferenceTheme");
@@ -54,14 +55,13 @@ TEST_F(PreferencesPresenterTest, PreferencesActAtOnceAndAreRemembered) {
   EXPECT_EQ(tone.size(), 1);
   EXPECT_FALSE(window_->preferences().tone());
   QTest::keyClick(dialog, Qt::Key_Escape);
-  ASSERT_TRUE(waitUntil([&] { return window_->findChild<QDialog*>("preferencesDialog") == nullptr; }));
+  ASSERT_TRUE(waitUntilGone("preferencesDialog"));
 
   reopenWindow();
   EXPECT_EQ(window_->preferences().solverOptions().solver, Solver::Tree);
   EXPECT_EQ(window_->theme(), Theme::Dark);
   press(Qt::Key_Comma, Qt::ControlModifier);
-  dialog = waitForDialog<QDialog>("preferencesDialog");
-  ASSERT_NE(dialog, nullptr);
+  dialog = waitForDialog("preferencesDialog");
   click(dialog->findChild<QPushButton*>("preferencesDefaults"));
   EXPECT_EQ(window_->preferences().solverOptions().solver, Solver::Global);
   EXPECT_TRUE(window_->preferences().tone());

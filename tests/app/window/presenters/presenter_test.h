@@ -2,8 +2,6 @@
 
 #include "app/window/files/session_paths.h"
 #include "app/window/log/event_log.h"
-#include "hexoderm/session/session_store.h"
-#include "hexoderm/session/simulated_session.h"
 #include "tests/app/window/window_test.h"
 
 #include <QDir>
@@ -26,11 +24,9 @@ class PresenterTest : public WindowTest {
     window_.reset();
     openWindow();
   }
-  static QString writeSession(const QString& path, std::size_t poses) {
-    SimulatedSkin skin(builtInCellModel("hex-bma150"), SimulatedSkinOptions());
+  QString writeSession(const QString& path, std::size_t poses) {
     QDir().mkpath(QFileInfo(path).absolutePath());
-    writeSessionStore(simulateSession(skin, poses, 20), path.toStdString());
-    return path;
+    return WindowTest::writeSession(path, simulated(poses));
   }
   QString logText() {
     QString text;

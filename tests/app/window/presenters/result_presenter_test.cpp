@@ -1,7 +1,5 @@
 #include "app/window/presenters/result_presenter.h"
 
-#include "hexoderm/session/session_store.h"
-#include "hexoderm/session/simulated_session.h"
 #include "tests/app/window/window_test.h"
 #include "widgets/controls/view_mark.h"
 #include "widgets/patch/patch_captions.h"
@@ -65,9 +63,7 @@ class LargeSkinTest : public ResultPresenterTest {
     SimulatedSkinOptions options;
     options.patch = patch;
     options.surface = "cylinder:r=0.35";
-    SimulatedSkin skin(builtInCellModel("hex-bma150"), options);
-    const QString path = pathTo("large.hexo");
-    writeSessionStore(simulateSession(skin, 2, 20), path.toStdString());
+    const QString path = writeSession("large.hexo", simulated(2, options));
     results_.emplace(controller()).addPicture(&picture_);
     results_->add(&table_);
     // Its result comes with a later turn of the event loop.
@@ -124,9 +120,7 @@ TEST_F(LargeSkinTest, IsSeenNoMoreOnceTheOperatorGivesUpItsResult) {
 }
 
 TEST_F(LargeSkinTest, IsSeenNoMoreWhereAnotherSessionIsOpened) {
-  SimulatedSkin other(builtInCellModel("hex-bma150"), {});
-  const QString path = pathTo("other.hexo");
-  writeSessionStore(simulateSession(other, 3, 20), path.toStdString());
+  const QString path = writeSession("other.hexo", simulated(3));
   openLargeSkin([&] { window_->openFile(path); });
   ASSERT_TRUE(waitForPoses(3));
   EXPECT_EQ(controller().firstPlacements(), nullptr);
@@ -141,9 +135,7 @@ TEST_F(LargeSkinTest, OfFewerCellsIsNotSeenBeforeItsResult) {
 }
 
 TEST_F(ResultPresenterTest, UntilThereIsAResultEveryViewSaysWhatIsGoingOn) {
-  SimulatedSkin skin(builtInCellModel("hex-bma150"), {});
-  const QString path = pathTo("arm.hexo");
-  writeSessionStore(simulateSession(skin, 2, 20), path.toStdString());
+  const QString path = writeSession("arm.hexo", simulated(2));
   const auto said = [this] {
     window_->showChanges();
     QStringList texts = {labelText("bannerSentence"), window_->findChild<GraphView*>()->accessibleDescription(),

@@ -26,8 +26,7 @@ TEST_F(SpeechPresenterTest, IsOffAtFirstAndSpeaksWhatTheStepCaptureSaysOnceItIsW
 
 TEST_F(SpeechPresenterTest, ThePreferencesSayWhyItIsNotAvailable) {
   press(Qt::Key_Comma, Qt::ControlModifier);
-  auto* dialog = waitForDialog<QDialog>("preferencesDialog");
-  ASSERT_NE(dialog, nullptr);
+  auto* dialog = waitForDialog("preferencesDialog");
   auto* speech = dialog->findChild<QCheckBox*>("preferenceSpeech");
   auto* why = dialog->findChild<QLabel*>("preferenceWhyNoSpeech");
   EXPECT_FALSE(speech->isChecked());
