@@ -15,19 +15,16 @@ using DotAttributes = std::map<std::string, std::string>;
 struct DotNode {
   std::string name;
   DotAttributes attributes;
-  friend bool operator==(const DotNode&, const DotNode&) = default;
 };
 struct DotEdge {
   std::string tail;
   std::string head;
   DotAttributes attributes;
-  friend bool operator==(const DotEdge&, const DotEdge&) = default;
 };
 struct DotCluster {
   std::string name;
   DotAttributes attributes;
   std::vector<DotNode> nodes;
-  friend bool operator==(const DotCluster&, const DotCluster&) = default;
 };
 struct DotGraph {
   std::string name;
@@ -36,7 +33,6 @@ struct DotGraph {
   DotAttributes edge_defaults;
   std::vector<DotCluster> clusters;
   std::vector<DotEdge> edges;
-  friend bool operator==(const DotGraph&, const DotGraph&) = default;
 };
 
 /// A cluster per patch, a node per cell at its place in the flat layout (real size; `neato` and `fdp` read `pos` in
@@ -44,12 +40,5 @@ struct DotGraph {
 DotGraph dotGraph(const Reconstruction& reconstruction);
 
 std::string dotText(const DotGraph& graph);
-
-/// Reads the part of the DOT language that dotText writes, and refuses everything else. Throws FormatError naming the
-/// line. (Boost's read_graphviz drops the clusters; the tests use it as a second opinion.)
-DotGraph parseDot(std::string_view bytes, const std::string& file);
-
-/// Throws FormatError unless the bytes say what the graph says.
-void verifyDot(std::string_view bytes, const DotGraph& graph, const std::string& file);
 
 }  // namespace hexoderm
