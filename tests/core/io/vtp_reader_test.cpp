@@ -29,7 +29,8 @@ void expectArrays(vtkFieldData& found, const std::vector<VtpArray>& meant) {
     if (const auto* texts = std::get_if<std::vector<std::string>>(&array.values)) {
       ASSERT_EQ(of_vtk->GetNumberOfValues(), static_cast<vtkIdType>(texts->size())) << array.name;
       for (std::size_t k = 0; k < texts->size(); ++k) {
-        EXPECT_EQ(of_vtk->GetVariantValue(static_cast<vtkIdType>(k)).ToString(), (*texts)[k]) << array.name;
+        const std::string text = of_vtk->GetVariantValue(static_cast<vtkIdType>(k)).ToString();
+        EXPECT_EQ(text, (*texts)[k]) << array.name;
       }
       continue;
     }
@@ -68,7 +69,7 @@ TEST(VtpReader, VtkReadsWhatTheExporterMeant) {
 
   const VtpData meant = vtpData(reconstruction);
   expectArrays(*mesh->GetFieldData(), meant.field_data);
-  const auto cell_data = std::ranges::find(meant.sections, "CellData", &VtpSection::name);
+  const auto cell_data = std::ranges::find(meant.sections, std::string("CellData"), &VtpSection::name);
   ASSERT_NE(cell_data, meant.sections.end());
   expectArrays(*mesh->GetCellData(), cell_data->arrays);
 }
