@@ -1,6 +1,5 @@
 #include "hexoderm/io/export_csv.h"
 
-#include "hexoderm/io/export_support.h"
 #include "hexoderm/util/csv.h"
 #include "hexoderm/util/error.h"
 #include "hexoderm/util/text.h"
