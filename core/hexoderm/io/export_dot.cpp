@@ -6,7 +6,6 @@
 #include "hexoderm/util/hex.h"
 #include "hexoderm/util/text.h"
 
-#include <algorithm>
 #include <array>
 #include <unordered_map>
 #include <unordered_set>

@@ -4,7 +4,6 @@
 #include "hexoderm/io/skin_tree.h"
 #include "hexoderm/reconstruction/figures/patch_mesh.h"
 
-#include <array>
 #include <bit>
 #include <cmath>
 #include <nlohmann/json.hpp>
