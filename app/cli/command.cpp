@@ -184,7 +184,7 @@ int exitCodeOf(const Assessment& verdict) { return verdict.isUsable() ? kDone : 
 
 std::optional<int> exitCodeOf(const std::exception& error) {
   if (isA<BadInput>(error)) return kBadInput;
-  if (isA<FormatError>(error)) return kStorage;  // the written file did not read back as intended
+  if (isA<FormatError>(error)) return kStorage;  // what is written can't be made; what is read is BadInput
   if (isA<InvalidArgument>(error)) return kUsage;
   if (isA<DeviceError>(error)) return kDevice;
   if (isA<StorageError>(error)) return kStorage;

@@ -13,6 +13,7 @@
 #include <filesystem>
 #include <iostream>
 #include <map>
+#include <system_error>
 
 namespace hexoderm::cli {
 namespace {
@@ -170,7 +171,11 @@ int run(ExportCommandOptions command, bool one_patch, const Common& common) {
     printJson(
         {{"format", command.formats}, {"files", names}, {"left_out", toJson(left_out)}, {"not_carried", not_carried}});
   } else {
-    for (const auto& file : files) std::cout << "Written and read back: " << forTerminal(file.string()) << '\n';
+    for (const auto& file : files) {
+      std::error_code ignored;  // a device or a pipe is not read
+      const bool is_file = std::filesystem::is_regular_file(file, ignored);
+      std::cout << (is_file ? "Written and read back: " : "Written: ") << forTerminal(file.string()) << '\n';
+    }
     sayWhatIsMissing();
   }
   return kDone;

@@ -164,7 +164,7 @@ void bindExports(py::module_& module) {
   calibration.def(
       "export", &exportTo, py::arg("to"), py::arg("path"), py::kw_only(), py::arg("patch") = py::none(),
       py::arg("all_patches") = false, py::arg("placements") = std::vector<PatchOnLink>(), py::arg("in_link") = "",
-      "Writes it in a form that other software reads; the file is read back and compared.\n\n"
+      "Writes it in a form that other software reads; the file is read back and compared byte for byte.\n\n"
       "to: a name of export_formats(); csv, or several, make a folder, or with the ending .zip an archive, with a\n"
       "manifest.json.\n"
       "patch: a cell whose patch is written. all_patches: every patch to a vtp file too.\n"

@@ -2722,8 +2722,8 @@ Die Balken sagen, wie sehr sich die gesehenen Richtungen in drei Achsen untersch
         <translation>ist eine Datei, erwartet ist ein Ordner</translation>
     </message>
     <message>
-        <source>read back after writing, it does not hold what was meant: {}</source>
-        <translation>nach dem Schreiben zurückgelesen, enthält sie nicht, was geschrieben werden sollte: {}</translation>
+        <source>read back after writing, it holds other bytes than were written</source>
+        <translation>nach dem Schreiben zurückgelesen, enthält sie andere Bytes, als geschrieben wurden</translation>
     </message>
     <message>
         <source>skin graph for Graphviz, with ports and quality</source>
@@ -3812,6 +3812,14 @@ Die Balken sagen, wie sehr sich die gesehenen Richtungen in drei Achsen untersch
     <message>
         <source>cell {}: {} is not a finite number, nothing written</source>
         <translation>Zelle {}: {} ist keine endliche Zahl, nichts wurde geschrieben</translation>
+    </message>
+    <message>
+        <source>row {}, {} is not a finite number, nothing written</source>
+        <translation>Zeile {}, {} ist keine endliche Zahl, nichts wurde geschrieben</translation>
+    </message>
+    <message>
+        <source>cell {}: the single precision of a {} file can&apos;t hold how far away it is</source>
+        <translation>Zelle {}: Sie liegt weiter entfernt, als eine Datei in {} mit ihrer einfachen Genauigkeit aufnehmen kann</translation>
     </message>
     <message>
         <source>its placement</source>
@@ -5097,14 +5105,6 @@ Die Balken sagen, wie sehr sich die gesehenen Richtungen in drei Achsen untersch
     <message>
         <source>&quot;{}&quot; is no name for a xacro macro: leave out the /</source>
         <translation>„{}“ ist kein Name für ein xacro-Makro: lassen Sie den / weg</translation>
-    </message>
-    <message>
-        <source>expected each {} once, found {} again</source>
-        <translation>jedes Element {} darf nur einmal vorkommen, {} gibt es noch einmal</translation>
-    </message>
-    <message>
-        <source>the link {} hangs on two joints</source>
-        <translation>das Glied {} hängt an zwei Gelenken</translation>
     </message>
     <message>
         <source>already has a {} {}: if this is an earlier skin, give the robot&apos;s own file, else choose another prefix of names</source>
@@ -6803,10 +6803,6 @@ Die Balken sagen, wie sehr sich die gesehenen Richtungen in drei Achsen untersch
         <translation>Das Zip-Archiv konnte nicht erstellt werden: {}</translation>
     </message>
     <message>
-        <source>is no whole zip archive: {}</source>
-        <translation>ist kein vollständiges Zip-Archiv: {}</translation>
-    </message>
-    <message>
         <source>report with verdict, pictures, checks and tables, to be sent or printed</source>
         <translation>Bericht mit Urteil, Bildern, Prüfungen und Tabellen, zum Versenden oder Drucken</translation>
     </message>
@@ -7177,12 +7173,12 @@ Die Balken sagen, wie sehr sich die gesehenen Richtungen in drei Achsen untersch
         <translation>Schließen</translation>
     </message>
     <message>
-        <source>%1 is written: %2 files. The archive was read back from the disk, and each file in it compared with what it was to hold.</source>
-        <translation>%1 ist geschrieben: %2 Dateien. Das Archiv wurde vom Datenträger zurückgelesen und jede Datei darin mit dem verglichen, was sie enthalten sollte.</translation>
+        <source>%1 is written: %2 files. The archive was read back from the disk and compared byte for byte.</source>
+        <translation>%1 ist geschrieben: %2 Dateien. Das Archiv wurde vom Datenträger zurückgelesen und Byte für Byte verglichen.</translation>
     </message>
     <message>
-        <source>%1 is written: %2 files. Each was read back from the disk and compared with what it was to hold.</source>
-        <translation>%1 ist geschrieben: %2 Dateien. Jede wurde vom Datenträger zurückgelesen und mit dem verglichen, was sie enthalten sollte.</translation>
+        <source>%1 is written: %2 files. Each was read back from the disk and compared byte for byte.</source>
+        <translation>%1 ist geschrieben: %2 Dateien. Jede wurde vom Datenträger zurückgelesen und Byte für Byte verglichen.</translation>
     </message>
     <message>
         <source>Nothing was written. %1</source>

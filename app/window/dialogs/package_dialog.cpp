@@ -104,11 +104,10 @@ void PackageDialog::showWritten(const QString& path, const std::vector<PackageEn
   open_->show();
   const QString where = QDir::toNativeSeparators(path);
   finish(isZip(path.toStdString())
-             ? tr("%1 is written: %2 files. The archive was read back from the disk, and each file in it compared with "
-                  "what it was to hold.")
+             ? tr("%1 is written: %2 files. The archive was read back from the disk and compared byte for byte.")
                    .arg(where)
                    .arg(entries.size())
-             : tr("%1 is written: %2 files. Each was read back from the disk and compared with what it was to hold.")
+             : tr("%1 is written: %2 files. Each was read back from the disk and compared byte for byte.")
                    .arg(where)
                    .arg(entries.size()));
 }

@@ -32,13 +32,7 @@ struct CsvContents {
 };
 CsvContents csvContents(std::string_view file);
 
-/// RFC 4180 quoting, UTF-8, lines ended by a line feed, every number exact.
+/// RFC 4180 quoting, UTF-8, lines ended by a line feed, every number exact. InvalidArgument: a number is not finite.
 std::string csvText(const CsvTable& table);
-
-/// The fields of a text, strictly by RFC 4180 (lines may end in LF or CRLF). Throws FormatError naming file and line.
-std::vector<std::vector<std::string>> parseCsv(std::string_view bytes, const std::string& file);
-
-/// Throws FormatError unless the bytes hold the table, every number to the last bit.
-void verifyCsv(std::string_view bytes, const CsvTable& table);
 
 }  // namespace hexoderm

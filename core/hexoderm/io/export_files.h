@@ -8,7 +8,7 @@
 
 namespace hexoderm {
 
-/// The files of one format with what checks them; one, or for CSV several.
+/// The files of one format: one, or for CSV several.
 struct FormatFiles {
   std::vector<StagedFile> files;
   ExportSelection selection;  ///< of the reconstruction

@@ -3,18 +3,10 @@
 #include "hexoderm/io/export_support.h"
 #include "hexoderm/io/skin_tree.h"
 #include "hexoderm/reconstruction/figures/patch_mesh.h"
-#include "hexoderm/util/error.h"
 
-#include <assimp/scene.h>
-
-#include <algorithm>
-#include <array>
-#include <assimp/Importer.hpp>
 #include <bit>
 #include <cmath>
-#include <map>
 #include <nlohmann/json.hpp>
-#include <set>
 
 namespace hexoderm {
 namespace {
@@ -90,37 +82,6 @@ Json node(const std::string& name, const SE3& T) {
 double linear(std::uint32_t byte) {
   const double c = byte / 255.0;
   return c <= 0.04045 ? c / 12.92 : std::pow((c + 0.055) / 1.055, 2.4);
-}
-
-SE3 fromAssimp(const aiMatrix4x4& m) {
-  const Eigen::Matrix4d T = Eigen::Map<const Eigen::Matrix<float, 4, 4, Eigen::RowMajor>>(&m.a1).cast<double>();
-  return {T.topLeftCorner<3, 3>(), T.topRightCorner<3, 1>()};
-}
-
-/// The place of every node below one, by its name.
-void collect(const aiNode& at, const SE3& T_parent, std::map<std::string, std::vector<SE3>>& places) {
-  const SE3 T = T_parent * fromAssimp(at.mTransformation);
-  places[at.mName.C_Str()].push_back(T);
-  for (unsigned k = 0; k < at.mNumChildren; ++k) collect(*at.mChildren[k], T, places);
-}
-
-struct MeantNode {
-  std::string name;
-  SE3 T;
-};
-
-/// The nodes of cells and sensors; a sensor's name has its cell's in front.
-std::vector<MeantNode> meantNodes(const Reconstruction& reconstruction) {
-  std::vector<MeantNode> nodes;
-  for (const PatchReconstruction& patch : reconstruction.patches) {
-    for (const CellPlacement& cell : patch.cells) {
-      nodes.push_back({cellNode(cell.cell), rigid(cell.T_o_u)});
-      for (std::size_t k = 0; k < cell.sensors.size(); ++k) {
-        nodes.push_back({cellNode(cell.cell) + "_sensor_" + std::to_string(k + 1), rigid(cell.sensors[k].T_o_s)});
-      }
-    }
-  }
-  return nodes;
 }
 
 }  // namespace
@@ -207,37 +168,6 @@ std::string gltfBytes(const Reconstruction& reconstruction, const std::string& f
   appendWord(bytes, 2);
   appendWord(bytes, static_cast<std::uint32_t>(kHeader + chunks.size()));
   return bytes + chunks;
-}
-
-void verifyGltf(const std::string& bytes, const Reconstruction& reconstruction, const std::string& file) {
-  Assimp::Importer importer;
-  const aiScene* scene = importer.ReadFileFromMemory(bytes.data(), bytes.size(), 0, "glb");
-  if (scene == nullptr) throw FormatError(file + ": cannot be read back as a scene: " + importer.GetErrorString());
-  std::map<std::string, std::vector<SE3>> places;
-  collect(*scene->mRootNode, {}, places);
-  const std::vector<MeantNode> meant = meantNodes(reconstruction);
-  double largest = 1;
-  for (const MeantNode& cell : meant) largest = std::max(largest, cell.T.t.cwiseAbs().maxCoeff());
-  constexpr double kSingle = 1e-6;
-  const SE3 T_gltf_skin{upright(), Eigen::Vector3d::Zero()};
-  for (const MeantNode& expected : meant) {
-    const auto found = places.find(expected.name);
-    requireMeant(found != places.end() && found->second.size() == 1, file, "node " + expected.name + " is missing");
-    const SE3 T = T_gltf_skin * expected.T;
-    requireMeant((found->second[0].R - T.R).cwiseAbs().maxCoeff() <= 4 * kSingle &&
-                     (found->second[0].t - T.t).cwiseAbs().maxCoeff() <= 4 * kSingle * largest,
-                 file, "node " + expected.name + " is elsewhere");
-  }
-  const CellTriangles triangles = cellTriangles(*reconstruction.model);
-  for (unsigned k = 0; k < scene->mNumMeshes; ++k) {
-    const aiMesh& mesh = *scene->mMeshes[k];
-    requireMeant(mesh.mNumVertices == triangles.points.size(), file, "a cell has other corners");
-    for (unsigned v = 0; v < mesh.mNumVertices; ++v) {
-      const Eigen::Vector3f found(mesh.mVertices[v].x, mesh.mVertices[v].y, mesh.mVertices[v].z);
-      requireMeant(found == triangles.points[v], file, "a cell has another shape");
-    }
-  }
-  requireMeant(scene->mNumMeshes > 0, file, "expected the shape of a cell");
 }
 
 }  // namespace hexoderm

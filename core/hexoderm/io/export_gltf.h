@@ -10,8 +10,5 @@ namespace hexoderm {
 /// that +Y. Below it a node "cell_N" for each cell, with its place as translation and rotation and one of five shared
 /// meshes, one a colour, and below that a node for each sensor. The frame is said in the root node's extras.
 std::string gltfBytes(const Reconstruction& reconstruction, const std::string& frame);
-/// Reads it with Assimp and compares the place of every cell and sensor, and the corners of every mesh, in single
-/// precision. Throws FormatError.
-void verifyGltf(const std::string& bytes, const Reconstruction& reconstruction, const std::string& file);
 
 }  // namespace hexoderm

@@ -147,9 +147,4 @@ std::string manifestText(const Reconstruction& reconstruction, std::span<const M
   return dumped(json);
 }
 
-void verifyManifest(std::string_view bytes, const std::string& text, const std::string& file) {
-  const ManifestJson found = ManifestJson::parse(bytes, nullptr, false);
-  requireMeant(!found.is_discarded() && dumped(found) == text, file, "expected other values");
-}
-
 }  // namespace hexoderm

@@ -4,7 +4,6 @@
 
 #include <span>
 #include <string>
-#include <string_view>
 #include <vector>
 
 namespace hexoderm {
@@ -24,8 +23,6 @@ struct ManifestFile {
 /// not hold, and for every cell in words and numbers into which frame its placement maps, with its covariance.
 std::string manifestText(const Reconstruction& reconstruction, std::span<const ManifestFile> files,
                          const ExportOptions& options);
-/// Throws FormatError unless the bytes are JSON that says the same as `text`.
-void verifyManifest(std::string_view bytes, const std::string& text, const std::string& file);
 
 inline constexpr const char* kManifestFile = "manifest.json";
 

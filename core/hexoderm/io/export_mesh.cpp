@@ -1,14 +1,11 @@
 #include "hexoderm/io/export_mesh.h"
 
-#include "hexoderm/io/export_support.h"
 #include "hexoderm/util/error.h"
 
 #include <assimp/scene.h>
 
 #include <algorithm>
 #include <assimp/Exporter.hpp>
-#include <assimp/Importer.hpp>
-#include <cmath>
 #include <memory>
 
 namespace hexoderm {
@@ -66,11 +63,6 @@ void setFlatNormals(const ExportMesh& mesh, aiMesh& out) {
   }
 }
 
-std::uint32_t colorOf(const aiColor4D& color) {
-  const auto byte = [](float channel) { return static_cast<std::uint32_t>(std::lround(channel * 255.0F)); };
-  return byte(color.r) << 16U | byte(color.g) << 8U | byte(color.b);
-}
-
 }  // namespace
 
 std::string meshBytes(const ExportMesh& mesh, const std::string& assimp_format, const std::string& file) {
@@ -80,42 +72,6 @@ std::string meshBytes(const ExportMesh& mesh, const std::string& assimp_format, 
   const aiExportDataBlob* blob = exporter.ExportToBlob(scene.get(), assimp_format);
   if (blob == nullptr) throw FormatError(file + ": the mesh could not be made: " + exporter.GetErrorString());
   return {static_cast<const char*>(blob->data), blob->size};
-}
-
-void verifyMesh(const std::string& bytes, const ExportMesh& meant, const std::string& extension,
-                const std::string& file) {
-  Assimp::Importer importer;
-  const aiScene* scene = importer.ReadFileFromMemory(bytes.data(), bytes.size(), 0, extension.c_str());
-  if (scene == nullptr) throw FormatError(file + ": cannot be read back as a mesh: " + importer.GetErrorString());
-  requireMeant(scene->mNumMeshes == 1, file, "expected one mesh");
-  const aiMesh& found = *scene->mMeshes[0];
-  requireMeant(found.mNumVertices == meant.points.size(), file,
-               "expected " + std::to_string(meant.points.size()) + " points");
-  requireMeant(found.mNumFaces == meant.polygons.size(), file,
-               "expected " + std::to_string(meant.polygons.size()) + " polygons");
-
-  // Mesh files are in single precision, and Assimp's text parser may be a digit off.
-  double largest = 0;
-  for (const Eigen::Vector3d& point : meant.points) largest = std::max(largest, point.cwiseAbs().maxCoeff());
-  const double tolerance = 1e-6 * largest;
-  for (std::size_t k = 0; k < meant.points.size(); ++k) {
-    const aiVector3D& point = found.mVertices[k];
-    const double off =
-        (Eigen::Vector3f(point.x, point.y, point.z).cast<double>() - meant.points[k]).cwiseAbs().maxCoeff();
-    requireMeant(off <= tolerance, file, "point " + std::to_string(k) + " is elsewhere");  // false for NaN, too
-  }
-  for (std::size_t k = 0; k < meant.polygons.size(); ++k) {
-    const aiFace& face = found.mFaces[k];
-    requireMeant(
-        std::equal(face.mIndices, face.mIndices + face.mNumIndices, meant.polygons[k].begin(), meant.polygons[k].end()),
-        file, "polygon " + std::to_string(k) + " joins other points");
-  }
-  if (meant.colors.empty()) return;
-  requireMeant(found.HasVertexColors(0), file, "expected a colour for each point");
-  for (std::size_t k = 0; k < meant.points.size(); ++k) {
-    requireMeant(colorOf(found.mColors[0][k]) == meant.colors[k], file,
-                 "point " + std::to_string(k) + " has another colour");
-  }
 }
 
 }  // namespace hexoderm

@@ -1,7 +1,5 @@
 #include "hexoderm/io/export_models.h"
 
-#include "hexoderm/io/export_support.h"
-#include "hexoderm/util/error.h"
 #include "hexoderm/util/text.h"
 
 #include <cmath>
@@ -23,11 +21,6 @@ void declareXml(pugi::xml_document& document) {
   pugi::xml_node declaration = document.append_child(pugi::node_declaration);
   declaration.append_attribute("version") = "1.0";
   declaration.append_attribute("encoding") = "UTF-8";
-}
-
-void parseInto(pugi::xml_document& document, std::string_view bytes, const std::string& file) {
-  const pugi::xml_parse_result parsed = document.load_buffer(bytes.data(), bytes.size());
-  if (!parsed) throw FormatError(file + ": cannot be read back as XML: " + parsed.description());
 }
 
 std::uint32_t colorOfMaterial(const std::string& name) {
@@ -53,14 +46,6 @@ void appendPose(pugi::xml_node node, const SE3& T) {
   node.append_child("pose").text().set((vectorText(T.t) + " " + vectorText(rpyFromRotation(T.R))).c_str());
 }
 
-SE3 readPose(pugi::xml_node node, const std::string& file) {
-  const std::string text = node.child("pose").text().get();
-  std::size_t third = 0;
-  for (int k = 0; k < 3 && third != std::string::npos; ++k) third = text.find(' ', third + (k > 0 ? 1 : 0));
-  requireMeant(third != std::string::npos, file, "expected six numbers in \"" + text + "\"");
-  return transformOf(vectorFromText(text.substr(0, third), file), vectorFromText(text.substr(third + 1), file));
-}
-
 void appendFrame(pugi::xml_node model, const std::string& name, const std::string& parent, const SE3& T) {
   pugi::xml_node frame = model.append_child("frame");
   frame.append_attribute("name") = name.c_str();
@@ -76,21 +61,6 @@ void placeMjcf(pugi::xml_node node, const SE3& T) {
   const Eigen::Quaterniond q = quaternionOf(T.R);
   node.append_attribute("pos") = vectorText(T.t).c_str();
   node.append_attribute("quat") = (formatExact(q.w()) + " " + vectorText(q.vec())).c_str();
-}
-
-SE3 readMjcfPlace(pugi::xml_node node, const std::string& file) {
-  const std::string quat = node.attribute("quat").value();
-  const std::size_t space = quat.find(' ');
-  requireMeant(space != std::string::npos, file, "expected four numbers in \"" + quat + "\"");
-  const Eigen::Vector3d xyz = vectorFromText(quat.substr(space + 1), file);
-  double w = 0;
-  try {
-    w = parseNumber(quat.substr(0, space), "quat");
-  } catch (const InvalidArgument& error) {
-    throw FormatError(file + ": " + error.what());
-  }
-  return {Eigen::Quaterniond(w, xyz.x(), xyz.y(), xyz.z()).toRotationMatrix(),
-          vectorFromText(node.attribute("pos").value(), file)};
 }
 
 pugi::xml_node appendBody(pugi::xml_node parent, const std::string& name, const SE3& T) {
@@ -111,13 +81,6 @@ std::string hexagonVertices(const SkinTree& tree) {
     }
   }
   return text;
-}
-
-pugi::xml_node requireBody(pugi::xml_node parent, const std::string& name, const SE3& T, const std::string& file) {
-  const pugi::xml_node body = parent.find_child_by_attribute("body", "name", name.c_str());
-  requireMeant(!body.empty(), file, "body " + name + " is missing");
-  requireMeant(near(readMjcfPlace(body, file), T), file, "body " + name + " is elsewhere");
-  return body;
 }
 
 }  // namespace
@@ -159,39 +122,6 @@ std::string sdfBytes(const SkinTree& tree) {
     appendFrame(model, frame.name, frame.parent, frame.T_parent_frame);
   }
   return savedText(document);
-}
-
-void verifySdf(std::string_view bytes, const SkinTree& tree, const std::string& file) {
-  pugi::xml_document document;
-  parseInto(document, bytes, file);
-  const pugi::xml_node model = document.child("sdf").child("model");
-  requireMeant(model.attribute("name").value() == tree.model, file, "expected model " + tree.model);
-  const pugi::xml_node link = model.child("link");
-  requireMeant(link.attribute("name").value() == tree.links.front() && !link.next_sibling("link"), file,
-               "expected the link " + tree.links.front() + " alone");
-  pugi::xml_node found = model.child("frame");
-  for (const SkinFrame& frame : skinFrames(tree, true)) {
-    requireMeant(found.attribute("name").value() == frame.name &&
-                     found.attribute("attached_to").value() == frame.parent &&
-                     near(readPose(found, file), frame.T_parent_frame),
-                 file, "frame " + frame.name + " is missing or elsewhere");
-    found = found.next_sibling("frame");
-  }
-  requireMeant(!found, file, "expected no further frame");
-  const CellBoxes boxes = cellBoxes(tree);
-  pugi::xml_node visual = link.child("visual");
-  for (const SkinTreePatch& patch : tree.patches) {
-    for (const SkinTreeCell& cell : patch.cells) {
-      for (std::size_t k = 0; k < boxes.T_u_box.size(); ++k) {
-        requireMeant(visual.attribute("name").value() == visualName(cell, k) &&
-                         near(readPose(visual, file), patch.T_l_o * cell.T_o_u * boxes.T_u_box[k]) &&
-                         visual.child("geometry").child("box").child("size").text().get() == vectorText(boxes.size_m),
-                     file, "visual " + visualName(cell, k) + " is missing or elsewhere");
-        visual = visual.next_sibling("visual");
-      }
-    }
-  }
-  requireMeant(!visual, file, "expected no further visual");
 }
 
 std::string mjcfBytes(const SkinTree& tree) {
@@ -237,41 +167,6 @@ std::string mjcfBytes(const SkinTree& tree) {
     sensor.append_attribute("site") = site.c_str();
   }
   return savedText(document);
-}
-
-void verifyMjcf(std::string_view bytes, const SkinTree& tree, const std::string& file) {
-  pugi::xml_document document;
-  parseInto(document, bytes, file);
-  const pugi::xml_node mujoco = document.child("mujoco");
-  requireMeant(mujoco.attribute("model").value() == tree.model, file, "expected model " + tree.model);
-  requireMeant(mujoco.child("asset").child("mesh").attribute("vertex").value() == hexagonVertices(tree), file,
-               "cells have another size");
-  const pugi::xml_node robot_link = requireBody(mujoco.child("worldbody"), tree.links.front(), {}, file);
-  const auto count = [](pugi::xml_node node, const char* name) {
-    const auto children = node.children(name);
-    return static_cast<std::size_t>(std::distance(children.begin(), children.end()));
-  };
-  requireMeant(count(robot_link, "body") == tree.patches.size(), file, "expected as many bodies as patches");
-  for (const SkinTreePatch& patch : tree.patches) {
-    const pugi::xml_node patch_body = requireBody(robot_link, patch.name, patch.T_l_o, file);
-    requireMeant(count(patch_body, "body") == patch.cells.size(), file, "expected as many bodies as cells");
-    pugi::xml_node next = patch_body.child("body");
-    for (const SkinTreeCell& cell : patch.cells) {
-      requireMeant(next.attribute("name").value() == cell.name && near(readMjcfPlace(next, file), cell.T_o_u), file,
-                   "body " + cell.name + " is missing or elsewhere");
-      requireMeant(next.child("geom").attribute("material").value() == cell.material, file,
-                   "body " + cell.name + " has another colour");
-      pugi::xml_node site = next.child("site");
-      for (const SkinTreeSensor& sensor : cell.sensors) {
-        requireMeant(
-            site.attribute("name").value() == sensor.name && near(cell.T_o_u * readMjcfPlace(site, file), sensor.T_o_s),
-            file, "site " + sensor.name + " is missing or elsewhere");
-        site = site.next_sibling("site");
-      }
-      requireMeant(!site, file, "body " + cell.name + " has further sites");
-      next = next.next_sibling("body");
-    }
-  }
 }
 
 }  // namespace hexoderm

@@ -15,7 +15,5 @@ struct ObjMesh {
 };
 ObjMesh objMesh(const Reconstruction& reconstruction, const ExportSelection& selection = {});
 std::string objText(const ObjMesh& obj);
-/// Reads it with Assimp and compares every corner of every polygon, in single precision. Throws FormatError.
-void verifyObj(const std::string& bytes, const ObjMesh& meant, const std::string& file);
 
 }  // namespace hexoderm

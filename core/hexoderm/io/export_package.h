@@ -55,10 +55,10 @@ struct WrittenPackage {
 
 /// Several formats, each as "skin" with its extension, and what else is asked for, with manifest.json (frames in words,
 /// units, versions and hashes): in a folder or, if `path` ends in .zip, in an archive, there in a folder of the
-/// archive's name. All of it or nothing: every file is read back, from the archive too, and compared with what was
-/// meant before anything gets its name. `stop` is looked at before every file and before the names are given; a stopped
-/// one leaves nothing and returns no entries. Throws as exportReconstruction(); InvalidArgument for a package of
-/// nothing or with a name twice.
+/// archive's name. All of it or nothing: every file, or the archive, is read back and compared byte for byte before
+/// anything gets its name. `stop` is looked at before every file, before the archive, and before the names of a folder
+/// are given; a stopped one leaves nothing and returns no entries. Throws as exportReconstruction(); InvalidArgument
+/// for a package of nothing or with a name twice.
 WrittenPackage exportPackage(const Reconstruction& reconstruction, const PackageContent& content,
                              const std::filesystem::path& path, const ExportOptions& options = {},
                              const std::stop_token& stop = {}, const PackageProgress& progress = {});

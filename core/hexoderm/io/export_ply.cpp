@@ -36,8 +36,4 @@ std::string plyBytes(const ExportMesh& mesh, const std::string& file) {
   return bytes.insert(at, "comment metres, " + mesh.frame + "\n");
 }
 
-void verifyPly(const std::string& bytes, const ExportMesh& meant, const std::string& file) {
-  verifyMesh(bytes, meant, "ply", file);
-}
-
 }  // namespace hexoderm

@@ -11,6 +11,5 @@ ExportMesh plyMesh(const Reconstruction& reconstruction, const ExportSelection& 
 
 /// ASCII PLY with uchar colours and a comment that names unit and frame.
 std::string plyBytes(const ExportMesh& mesh, const std::string& file);
-void verifyPly(const std::string& bytes, const ExportMesh& meant, const std::string& file);
 
 }  // namespace hexoderm

@@ -1,6 +1,5 @@
 #include "hexoderm/io/export_stl.h"
 
-#include "hexoderm/io/export_support.h"
 #include "hexoderm/reconstruction/figures/patch_mesh.h"
 #include "hexoderm/util/units.h"
 
@@ -22,13 +21,5 @@ ExportMesh stlMesh(const Reconstruction& reconstruction, LengthUnit unit) {
 }
 
 std::string stlBytes(const ExportMesh& mesh, const std::string& file) { return meshBytes(mesh, "stlb", file); }
-
-void verifyStl(const std::string& bytes, const ExportMesh& meant, const std::string& file) {
-  constexpr std::size_t kHeader = 84;
-  constexpr std::size_t kTriangle = 50;
-  requireMeant(bytes.size() == kHeader + kTriangle * meant.polygons.size(), file,
-               "expected " + std::to_string(meant.polygons.size()) + " triangles and nothing else");
-  verifyMesh(bytes, meant, "stl", file);
-}
 
 }  // namespace hexoderm

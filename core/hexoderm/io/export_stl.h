@@ -9,6 +9,5 @@ ExportMesh stlMesh(const Reconstruction& reconstruction, LengthUnit unit);
 
 /// Binary STL.
 std::string stlBytes(const ExportMesh& mesh, const std::string& file);
-void verifyStl(const std::string& bytes, const ExportMesh& meant, const std::string& file);
 
 }  // namespace hexoderm

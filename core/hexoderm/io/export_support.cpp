@@ -1,7 +1,5 @@
 #include "hexoderm/io/export_support.h"
 
-#include "hexoderm/util/error.h"
-
 #include <algorithm>
 
 namespace hexoderm {
@@ -30,10 +28,5 @@ std::string frameInWords(const Reconstruction& reconstruction, const ExportSelec
 }
 
 SE3 rigid(const SE3& T) { return {projectToSO3(T.R), T.t}; }
-
-void requireMeant(bool holds, const std::string& file, const std::string& what) {
-  if (!holds)
-    throw FormatError(located(file, message("read back after writing, it does not hold what was meant: {}", what)));
-}
 
 }  // namespace hexoderm

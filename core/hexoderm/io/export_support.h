@@ -7,8 +7,7 @@
 
 namespace hexoderm {
 
-// Functions shared by the exporters. Each exporter is a pair of functions: one makes the bytes of the file, the other
-// reads bytes back and throws FormatError unless they hold the intended content.
+// Functions shared by the exporters.
 
 /// Class of each cell's worst used link; cells without a used link are not in the map.
 std::unordered_map<CellId, EdgeQuality> worstUsedQuality(const Reconstruction& reconstruction);
@@ -20,8 +19,5 @@ std::string frameInWords(const Reconstruction& reconstruction, const ExportSelec
 /// The placement with its rotation made orthogonal to rounding: files may state rotations with few decimals, and
 /// quaternions and angles can only say true ones.
 SE3 rigid(const SE3& T);
-
-/// Throws FormatError saying that `file` does not hold what was meant, unless `holds`.
-void requireMeant(bool holds, const std::string& file, const std::string& what);
 
 }  // namespace hexoderm

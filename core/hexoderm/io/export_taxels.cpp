@@ -1,12 +1,10 @@
 #include "hexoderm/io/export_taxels.h"
 
 #include "hexoderm/io/export_support.h"
-#include "hexoderm/util/error.h"
 #include "hexoderm/util/text.h"
 
 #include <algorithm>
 #include <cmath>
-#include <sstream>
 
 namespace hexoderm {
 namespace {
@@ -73,34 +71,6 @@ std::string icubText(const TaxelMap& map) {
   return text + "\n";
 }
 
-void verifyIcub(std::string_view bytes, const TaxelMap& map, const std::string& file) {
-  const std::vector<std::string> lines = split(bytes, '\n');
-  constexpr std::size_t kHeaderLines = 4;
-  const std::size_t rows = icubRows(map);
-  // The text behind the last line break is empty, and so is the line before it.
-  requireMeant(lines.size() == kHeaderLines + rows + 2 && lines[lines.size() - 2].empty(), file,
-               "expected " + std::to_string(rows) + " rows and an empty line");
-  std::istringstream representatives(lines[2]);
-  std::string word;
-  representatives >> word >> word;
-  for (std::size_t row = 0; row < rows; ++row) {
-    representatives >> word;
-    requireMeant(word == (row < map.taxels.size() ? std::to_string(row) : "-1"), file,
-                 "row " + std::to_string(row) + " has another representative");
-  }
-  const double tolerance = 0.6 * std::pow(10.0, -kIcubDecimals);
-  for (std::size_t row = 0; row < rows; ++row) {
-    const std::vector<std::string> numbers = split(lines[kHeaderLines + row], '\t');
-    requireMeant(numbers.size() == 6, file, "row " + std::to_string(row) + " has no six numbers");
-    const Taxel meant = row < map.taxels.size() ? map.taxels[row] : Taxel{};
-    for (std::size_t k = 0; k < 6; ++k) {
-      const double expected = (k < 3 ? meant.position : meant.normal)[static_cast<Eigen::Index>(k % 3)];
-      requireMeant(std::abs(parseNumber(numbers[k], "row") - expected) <= tolerance, file,
-                   "row " + std::to_string(row) + " is elsewhere");
-    }
-  }
-}
-
 std::string skinwareText(const TaxelMap& map) {
   std::string text = std::to_string(map.taxels.size()) + "\n";
   for (const Taxel& taxel : map.taxels) {
@@ -111,22 +81,6 @@ std::string skinwareText(const TaxelMap& map) {
     text += line + "\n";
   }
   return text;
-}
-
-void verifySkinware(std::string_view bytes, const TaxelMap& map, const std::string& file) {
-  std::istringstream in{std::string(bytes)};
-  std::size_t count = 0;
-  requireMeant(static_cast<bool>(in >> count) && count == map.taxels.size(), file,
-               "expected " + std::to_string(map.taxels.size()) + " cells");
-  for (const Taxel& taxel : map.taxels) {
-    for (const std::int64_t meant : skinwareNumbers(taxel, map)) {
-      std::int64_t number = 0;
-      requireMeant(static_cast<bool>(in >> number) && number == meant, file,
-                   "cell " + toString(taxel.cell) + " has another number");
-    }
-  }
-  std::string more;
-  requireMeant(!(in >> more), file, "expected no further number");
 }
 
 }  // namespace hexoderm

@@ -4,7 +4,6 @@
 
 #include <cstdint>
 #include <string>
-#include <string_view>
 #include <vector>
 
 namespace hexoderm {
@@ -28,11 +27,9 @@ TaxelMap taxelMap(const CellModel& model, const std::vector<ExportMount>& mounte
 /// line, loses no cell. Each cell is its own representative in taxel2Repr, -1 a row without. The file's `name` is that
 /// of the link.
 std::string icubText(const TaxelMap& map);
-void verifyIcub(std::string_view bytes, const TaxelMap& map, const std::string& file);
 
 /// Skinware map: the number of cells, then a line of ten integers each: type (0), uid (the cell), position (nm), normal
 /// (a unit vector times 10^9), radius (nm), link (0 for the first of `map`).
 std::string skinwareText(const TaxelMap& map);
-void verifySkinware(std::string_view bytes, const TaxelMap& map, const std::string& file);
 
 }  // namespace hexoderm

@@ -1,7 +1,5 @@
 #include "hexoderm/io/export_transforms.h"
 
-#include "hexoderm/io/export_support.h"
-#include "hexoderm/util/error.h"
 #include "hexoderm/util/text.h"
 
 #include <array>
@@ -43,51 +41,6 @@ std::string yamlNumber(double value) {
   return exponent == std::string::npos ? text + ".0" : text.insert(exponent, ".0");
 }
 
-double readNumber(std::string_view text, const std::string& file) {
-  try {
-    return parseNumber(text, "number");
-  } catch (const InvalidArgument& error) {
-    throw FormatError(file + ": " + error.what());
-  }
-}
-
-/// The next frame that was read is the next one that was meant.
-class FrameCheck {
- public:
-  FrameCheck(const std::vector<SkinFrame>& frames, const std::string& file) : frames_(frames), file_(file) {}
-
-  void add(const std::string& parent, const std::string& name, const std::array<double, 7>& n) {
-    requireMeant(next_ < frames_.size(), file_, "expected no further frame than those of the skin, found " + name);
-    const SkinFrame& meant = frames_[next_++];
-    requireMeant(meant.name == name && meant.parent == parent, file_,
-                 "expected frame " + meant.name + " in " + meant.parent + ", found " + name + " in " + parent);
-    const SE3 found{Eigen::Quaterniond(n[6], n[3], n[4], n[5]).toRotationMatrix(), {n[0], n[1], n[2]}};
-    requireMeant(near(found, meant.T_parent_frame), file_, "frame " + name + " is elsewhere");
-  }
-  void finish() const { requireMeant(next_ == frames_.size(), file_, "frames are missing"); }
-
- private:
-  const std::vector<SkinFrame>& frames_;
-  const std::string& file_;
-  std::size_t next_ = 0;
-};
-
-/// The texts between double quotes in a line.
-std::vector<std::string> quotedTexts(const std::string& line) {
-  const std::vector<std::string> parts = split(line, '"');
-  std::vector<std::string> texts;
-  for (std::size_t k = 1; k < parts.size(); k += 2) texts.push_back(parts[k]);
-  return texts;
-}
-
-/// The number after `key` in a line such as "translation: {x: 1.0, y: 2.0}".
-double numberAfter(const std::string& line, const std::string& key, const std::string& file) {
-  const std::size_t at = line.find(key);
-  requireMeant(at != std::string::npos, file, "expected " + key + " in \"" + line + "\"");
-  const std::size_t begin = at + key.size();
-  return readNumber(line.substr(begin, line.find_first_of(",}", begin) - begin), file);
-}
-
 }  // namespace
 
 std::string rosLaunchText(const std::vector<SkinFrame>& frames) {
@@ -110,23 +63,6 @@ std::string rosLaunchText(const std::vector<SkinFrame>& frames) {
   std::ostringstream out;
   document.save(out, "  ");
   return std::move(out).str();
-}
-
-void verifyRosLaunch(std::string_view bytes, const std::vector<SkinFrame>& frames, const std::string& file) {
-  pugi::xml_document document;
-  const pugi::xml_parse_result parsed = document.load_buffer(bytes.data(), bytes.size());
-  if (!parsed) throw FormatError(file + ": cannot be read back as XML: " + parsed.description());
-  FrameCheck check(frames, file);
-  std::set<std::string> names;
-  for (const pugi::xml_node node : document.child("launch").children("node")) {
-    const std::vector<std::string> words = split(node.attribute("args").value(), ' ');
-    requireMeant(words.size() == 9, file, "expected nine words in args");
-    requireMeant(names.insert(node.attribute("name").value()).second, file, "a node's name is there twice");
-    std::array<double, 7> numbers{};
-    for (std::size_t k = 0; k < numbers.size(); ++k) numbers[k] = readNumber(words[k], file);
-    check.add(words[7], words[8], numbers);
-  }
-  check.finish();
 }
 
 std::string ros2LaunchText(const std::vector<SkinFrame>& frames) {
@@ -161,20 +97,6 @@ std::string ros2LaunchText(const std::vector<SkinFrame>& frames) {
          "    ])\n";
 }
 
-void verifyRos2Launch(std::string_view bytes, const std::vector<SkinFrame>& frames, const std::string& file) {
-  FrameCheck check(frames, file);
-  for (const std::string& line : split(bytes, '\n')) {
-    if (!line.starts_with("    (\"")) continue;
-    const std::vector<std::string> words = quotedTexts(line);
-    requireMeant(words.size() == 10, file, "expected ten texts in a row");
-    std::array<double, 7> numbers{};
-    for (std::size_t k = 0; k < numbers.size(); ++k) numbers[k] = readNumber(words[k + 1], file);
-    check.add(words[8], words[9], numbers);
-  }
-  check.finish();
-  requireMeant(bytes.ends_with("for name, *values in TRANSFORMS\n    ])\n"), file, "its end is missing");
-}
-
 std::string transformsYaml(const std::vector<SkinFrame>& frames) {
   std::string text = "# geometry_msgs/TransformStamped of each frame of the skin, metres.\n";
   if (frames.empty()) return text + "[]\n";
@@ -186,34 +108,6 @@ std::string transformsYaml(const std::vector<SkinFrame>& frames) {
             ", z: " + yamlNumber(n[5]) + ", w: " + yamlNumber(n[6]) + "}\n";
   }
   return text;
-}
-
-void verifyTransformsYaml(std::string_view bytes, const std::vector<SkinFrame>& frames, const std::string& file) {
-  FrameCheck check(frames, file);
-  std::string parent;
-  std::string name;
-  std::array<double, 7> n{};
-  const auto textIn = [&](const std::string& line) {
-    const std::vector<std::string> texts = quotedTexts(line);
-    requireMeant(texts.size() == 1, file, "expected one text in \"" + line + "\"");
-    return texts[0];
-  };
-  for (const std::string& line : split(bytes, '\n')) {
-    if (line.starts_with("    frame_id: ")) parent = textIn(line);
-    if (line.starts_with("  child_frame_id: ")) name = textIn(line);
-    if (line.starts_with("    translation: ")) {
-      n[0] = numberAfter(line, "{x: ", file);
-      n[1] = numberAfter(line, ", y: ", file);
-      n[2] = numberAfter(line, ", z: ", file);
-    }
-    if (!line.starts_with("    rotation: ")) continue;
-    n[3] = numberAfter(line, "{x: ", file);
-    n[4] = numberAfter(line, ", y: ", file);
-    n[5] = numberAfter(line, ", z: ", file);
-    n[6] = numberAfter(line, ", w: ", file);
-    check.add(parent, name, n);
-  }
-  check.finish();
 }
 
 }  // namespace hexoderm

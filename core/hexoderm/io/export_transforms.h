@@ -3,7 +3,6 @@
 #include "hexoderm/io/skin_tree.h"
 
 #include <string>
-#include <string_view>
 #include <vector>
 
 namespace hexoderm {
@@ -14,10 +13,5 @@ std::string rosLaunchText(const std::vector<SkinFrame>& frames);   ///< ROS 1: s
 std::string ros2LaunchText(const std::vector<SkinFrame>& frames);  ///< ROS 2, in Python
 /// A list of geometry_msgs/TransformStamped, for a node that sends all of them at once.
 std::string transformsYaml(const std::vector<SkinFrame>& frames);
-
-/// Compare every number of every frame, to 1e-9 (m and matrix elements). Throw FormatError.
-void verifyRosLaunch(std::string_view bytes, const std::vector<SkinFrame>& frames, const std::string& file);
-void verifyRos2Launch(std::string_view bytes, const std::vector<SkinFrame>& frames, const std::string& file);
-void verifyTransformsYaml(std::string_view bytes, const std::vector<SkinFrame>& frames, const std::string& file);
 
 }  // namespace hexoderm

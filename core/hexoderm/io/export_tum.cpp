@@ -2,11 +2,8 @@
 
 #include "hexoderm/io/export_selection.h"
 #include "hexoderm/io/export_support.h"
-#include "hexoderm/io/tum_xml.h"
 #include "hexoderm/util/text.h"
 
-#include <cmath>
-#include <limits>
 #include <map>
 #include <pugixml.hpp>
 #include <sstream>
@@ -15,7 +12,6 @@ namespace hexoderm {
 namespace {
 
 constexpr int kTumDecimals = 12;
-constexpr double kTumTolerance = 1e-11;
 /// The tool counts patches from 1.
 std::uint32_t tumPatchId(const PatchReconstruction& patch) { return patch.id.value() + 1; }
 
@@ -107,60 +103,6 @@ std::string tumBytes(const Reconstruction& reconstruction, const ExportOptions& 
   std::ostringstream out;
   document.save(out, "    ");
   return std::move(out).str();
-}
-
-void verifyTum(std::string_view bytes, const Reconstruction& reconstruction, const ExportOptions& options,
-               const std::string& file) {
-  const TumSkinConfig found = parseTumXml(bytes, file);
-  requireMeant(found.cells.size() == reconstruction.cellCount(), file,
-               "expected " + std::to_string(reconstruction.cellCount()) + " cells");
-  const auto neighbors = neighborsOf(reconstruction);
-  std::size_t next = 0;
-  for (const PatchReconstruction& patch : reconstruction.patches) {
-    for (const CellPlacement& meant : patch.cells) {
-      const TumSkinConfig::Cell& cell = found.cells[next++];
-      const std::string what = "cell " + toString(meant.cell);
-      requireMeant(cell.report.id == meant.cell && cell.patch == tumPatchId(patch) && cell.root == patch.origin, file,
-                   what + " is missing or in another patch");
-      const SE3 T = rigid(meant.T_o_u);
-      requireMeant((cell.T_root_u.t - T.t).cwiseAbs().maxCoeff() <= kTumTolerance &&
-                       (cell.T_root_u.R - T.R).cwiseAbs().maxCoeff() <= kTumTolerance,
-                   file, what + " is elsewhere");
-      requireMeant(cell.report.neighbors.size() == reconstruction.model->ports.size(), file, what + " has other ports");
-      for (const NeighborReport& neighbor : cell.report.neighbors) {
-        const auto expected = neighbors.find({meant.cell, neighbor.port});
-        requireMeant(neighbor.cell == (expected == neighbors.end() ? CellId(0) : expected->second), file,
-                     what + " has another neighbour");
-      }
-    }
-  }
-  pugi::xml_document document;
-  document.load_buffer(bytes.data(), bytes.size());
-  pugi::xml_node extrinsics = document.child("SkinConfig").child("patchExtrinsics");
-  for (const PatchReconstruction& patch : reconstruction.patches) {
-    const PatchOnLink* place = placementOf(patch, options);
-    const std::string frame = place != nullptr ? place->link : options.parent_link;
-    const SE3 T = place != nullptr ? rigid(place->T_l_o) : SE3{};
-    const pugi::xml_node transform = extrinsics.child("tf_rootCell_base");
-    const auto element = [&](const char* matrix, Eigen::Index row, Eigen::Index col) {
-      for (const pugi::xml_node node : transform.child(matrix).child("matrix").children("element")) {
-        if (node.attribute("row").as_int() == row && node.attribute("col").as_int() == col) {
-          return node.text().as_double();
-        }
-      }
-      return std::numeric_limits<double>::quiet_NaN();  // which is near nothing
-    };
-    bool same = extrinsics.attribute("baseFrame").value() == frame &&
-                extrinsics.attribute("patchId").as_uint() == tumPatchId(patch);
-    for (Eigen::Index row = 0; row < 3; ++row) {
-      same = same && std::abs(element("pos", row, 0) - T.t[row]) <= kTumTolerance;
-      for (Eigen::Index col = 0; col < 3; ++col) {
-        same = same && std::abs(element("rot", row, col) - T.R(row, col)) <= kTumTolerance;
-      }
-    }
-    requireMeant(same, file, "patch " + std::to_string(tumPatchId(patch)) + " is elsewhere");
-    extrinsics = extrinsics.next_sibling("patchExtrinsics");
-  }
 }
 
 }  // namespace hexoderm

@@ -3,15 +3,11 @@
 #include "hexoderm/io/exporter.h"
 
 #include <string>
-#include <string_view>
 
 namespace hexoderm {
 
 /// TUM SkinConfig XML: every patch with its cells in the frame of its origin (the root cell), their neighbours at each
 /// port, and a patchExtrinsics element with where the root cell is in the link it is placed on. Metres, 12 decimals.
 std::string tumBytes(const Reconstruction& reconstruction, const ExportOptions& options);
-/// Reads it as any file of that tool and compares patches, cells, neighbours and placements. Throws FormatError.
-void verifyTum(std::string_view bytes, const Reconstruction& reconstruction, const ExportOptions& options,
-               const std::string& file);
 
 }  // namespace hexoderm

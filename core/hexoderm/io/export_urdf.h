@@ -3,8 +3,8 @@
 #include "hexoderm/io/skin_tree.h"
 #include "hexoderm/kinematics/robot_model.h"
 
+#include <filesystem>
 #include <string>
-#include <string_view>
 
 namespace hexoderm {
 
@@ -18,9 +18,6 @@ struct UrdfContent {
 
 /// The skin in a file of its own. InvalidArgument: the name of a patch is none that a xacro macro can have.
 std::string urdfBytes(const UrdfContent& content);
-/// Chains the joints of the file, of macros with the defaults of their parameters, and compares where every link,
-/// visual and sensor ends up, to 1e-9 (m and matrix elements). Throws FormatError.
-void verifyUrdf(std::string_view bytes, const UrdfContent& content, const std::string& file);
 
 /// The description of a robot: its text, and what urdfdom and KDL make of it.
 struct RobotUrdf {
@@ -34,8 +31,5 @@ RobotUrdf readRobotUrdf(const std::filesystem::path& path);
 /// InvalidArgument: the robot has no link of the name that a patch is placed on. FormatError: it has a link, joint or
 /// sensor already of the name of one that would be added. Materials that it has, of an earlier skin, are used.
 std::string robotUrdfBytes(const RobotUrdf& robot, const UrdfContent& content);
-/// As verifyUrdf(), that nothing else differs from the robot's text, and that KDL puts every link where it is meant.
-void verifyRobotUrdf(std::string_view bytes, const RobotUrdf& robot, const UrdfContent& content,
-                     const std::string& file);
 
 }  // namespace hexoderm

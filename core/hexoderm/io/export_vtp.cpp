@@ -2,7 +2,6 @@
 
 #include "hexoderm/io/export_support.h"
 #include "hexoderm/reconstruction/figures/patch_mesh.h"
-#include "hexoderm/util/error.h"
 #include "hexoderm/util/text.h"
 
 #include <openssl/evp.h>
@@ -94,23 +93,6 @@ std::string base64(std::string_view bytes) {
   return text;
 }
 
-/// Empty if the text is no base64: no array here is empty, each starts with its length.
-std::string fromBase64(std::string_view text) {
-  const std::size_t padding = text.ends_with("==") ? 2 : text.ends_with('=') ? 1 : 0;
-  std::string bytes;
-  for (; !text.empty(); text.remove_prefix(std::min(text.size(), 4 * kBlockGroups))) {
-    const std::string_view block = text.substr(0, 4 * kBlockGroups);
-    std::string decoded(block.size() / 4 * 3, '\0');
-    const int length =
-        EVP_DecodeBlock(reinterpret_cast<unsigned char*>(decoded.data()),
-                        reinterpret_cast<const unsigned char*>(block.data()), static_cast<int>(block.size()));
-    if (length < 0) return {};
-    bytes.append(decoded, 0, static_cast<std::size_t>(length));
-  }
-  bytes.resize(bytes.size() - std::min(bytes.size(), padding));  // OpenSSL counts the padding as zeros
-  return bytes;
-}
-
 /// Length as UInt64, then the values; strings end in a zero byte.
 std::string arrayBytes(const VtpArray& array) {
   std::string values;
@@ -149,26 +131,6 @@ void appendArrays(pugi::xml_node parent, const std::vector<VtpArray>& arrays, bo
     node.append_attribute("format") = "binary";
     node.text() = base64(arrayBytes(array)).c_str();
   }
-}
-
-/// Every array of `arrays` below `parent`, and no other.
-void verifyArrays(pugi::xml_node parent, const std::vector<VtpArray>& arrays, bool field_data,
-                  const std::string& file) {
-  const std::string where = std::string(parent.name()) + ": ";
-  pugi::xml_node node = parent.first_child();
-  for (const VtpArray& array : arrays) {
-    requireMeant(std::string_view(node.attribute("Name").value()) == array.name, file,
-                 where + "expected array " + array.name);
-    requireMeant(std::string_view(node.attribute("type").value()) == typeName(array) &&
-                     node.attribute("NumberOfComponents").as_ullong(1) == array.components &&
-                     (!field_data || node.attribute("NumberOfTuples").as_ullong() == tuples(array)) &&
-                     std::string_view(node.attribute("format").value()) == "binary",
-                 file, where + "array " + array.name + " has another type or size");
-    requireMeant(fromBase64(node.text().get()) == arrayBytes(array), file,
-                 where + "array " + array.name + " has other values");
-    node = node.next_sibling();
-  }
-  requireMeant(!node, file, where + "expected no further array");
 }
 
 VtpArray textArray(std::string name, std::string text) {
@@ -269,27 +231,6 @@ std::string vtpBytes(const VtpData& data) {
   std::ostringstream out;
   document.save(out, " ");
   return std::move(out).str();
-}
-
-void verifyVtp(std::string_view bytes, const VtpData& data, const std::string& file) {
-  pugi::xml_document document;
-  const pugi::xml_parse_result parsed = document.load_buffer(bytes.data(), bytes.size());
-  if (!parsed) throw FormatError(file + ": cannot be read back as XML: " + parsed.description());
-  const pugi::xml_node root = document.child("VTKFile");
-  requireMeant(std::string_view(root.attribute("type").value()) == "PolyData" &&
-                   std::string_view(root.attribute("byte_order").value()) == "LittleEndian" &&
-                   std::string_view(root.attribute("header_type").value()) == "UInt64",
-               file, "expected little-endian PolyData with lengths of 64 bits");
-  verifyArrays(root.child("PolyData").child("FieldData"), data.field_data, true, file);
-  const pugi::xml_node piece = root.child("PolyData").child("Piece");
-  requireMeant(piece.attribute("NumberOfPoints").as_ullong() == data.points &&
-                   piece.attribute("NumberOfVerts").as_ullong() == data.verts &&
-                   piece.attribute("NumberOfPolys").as_ullong() == data.polys,
-               file,
-               "expected " + std::to_string(data.points) + " points and " + std::to_string(data.polys) + " polygons");
-  for (const VtpSection& section : data.sections) {
-    verifyArrays(piece.child(section.name.c_str()), section.arrays, false, file);
-  }
 }
 
 }  // namespace hexoderm

@@ -44,7 +44,4 @@ VtpData vtpData(const Reconstruction& reconstruction, const ExportSelection& sel
 /// XML with base64 blocks (no number loses a bit), as vtkXMLPolyDataReader reads it.
 std::string vtpBytes(const VtpData& data);
 
-/// Throws FormatError unless the bytes hold every array, bit for bit.
-void verifyVtp(std::string_view bytes, const VtpData& data, const std::string& file);
-
 }  // namespace hexoderm

@@ -19,9 +19,11 @@
 #include "hexoderm/util/error.h"
 #include "hexoderm/util/file.h"
 #include "hexoderm/util/kept_files.h"
+#include "hexoderm/util/limits.h"
 
 #include <algorithm>
 #include <array>
+#include <limits>
 #include <set>
 #include <utility>
 
@@ -121,124 +123,77 @@ void requireFinite(const Reconstruction& reconstruction) {
   }
 }
 
-void requireCells(const Reconstruction& reconstruction, std::string_view format) {
+/// There are cells, and a mesh, whose numbers are in single precision, can hold where they are.
+void requireMesh(const Reconstruction& reconstruction, std::string_view format) {
   if (reconstruction.cellCount() == 0) {
     throw InvalidArgument(message(
         "there are no cells, and so nothing to draw in a {} file: export csv, dot, vtp or urdf instead", format));
   }
+  constexpr double kFarthest_m = std::numeric_limits<float>::max() / 1e4;  // in millimetres, and with what is around it
+  for (const PatchReconstruction& patch : reconstruction.patches) {
+    for (const CellPlacement& cell : patch.cells) {
+      bool is_held = isWithin(cell.T_o_u.t, kFarthest_m);
+      for (const SensorPlacement& sensor : cell.sensors) is_held = is_held && isWithin(sensor.T_o_s.t, kFarthest_m);
+      if (is_held) continue;
+      throw InvalidArgument(
+          message("cell {}: the single precision of a {} file can't hold how far away it is", cell.cell, format));
+    }
+  }
 }
-
-/// The bytes of a file, and what checks them.
-struct ExportedFile {
-  std::string bytes;
-  VerifyBytes verify;
-};
 
 UrdfContent urdfContent(SkinTree tree, const ExportOptions& options) {
   return {std::move(tree), options.link_per_cell, options.urdf_form};
 }
 
-ExportedFile exportedFile(const Reconstruction& reconstruction, const ExportSelection& selection, ExportFormat format,
-                          const ExportOptions& options, const std::string& file) {
-  const auto exported = [&file](auto content, std::string bytes, auto verify) {
-    return ExportedFile{std::move(bytes), [content = std::move(content), file, verify](const std::string& found) {
-                          verify(found, content, file);
-                        }};
-  };
+/// The bytes of a format that is one file; `file` is named in errors.
+std::string bytesOf(const Reconstruction& reconstruction, const ExportSelection& selection, ExportFormat format,
+                    const ExportOptions& options, const std::string& file) {
   const auto tree = [&] { return skinTree(*reconstruction.model, selection.mounted, reconstruction, options); };
   const auto frames = [&] { return skinFrames(tree(), options.link_per_cell); };
   const auto taxels = [&] { return taxelMap(*reconstruction.model, selection.mounted, options); };
   switch (format) {
     case ExportFormat::Csv:
       break;
-    case ExportFormat::Dot: {
-      const std::string bytes = dotText(reconstruction);
-      return exported(bytes, bytes, [](const std::string& found, const std::string& meant, const std::string& name) {
-        requireMeant(found == meant, name, "the graph differs");
-      });
-    }
-    case ExportFormat::Ply: {
-      requireCells(reconstruction, "PLY");
-      ExportMesh mesh = plyMesh(reconstruction, selection);
-      std::string bytes = plyBytes(mesh, file);
-      return exported(std::move(mesh), std::move(bytes), verifyPly);
-    }
-    case ExportFormat::Stl: {
-      requireCells(reconstruction, "STL");
-      ExportMesh mesh = stlMesh(reconstruction, options.stl_unit);
-      std::string bytes = stlBytes(mesh, file);
-      return exported(std::move(mesh), std::move(bytes), verifyStl);
-    }
-    case ExportFormat::Vtp: {
-      VtpData data = vtpData(reconstruction, selection);
-      std::string bytes = vtpBytes(data);
-      return exported(std::move(data), std::move(bytes), verifyVtp);
-    }
-    case ExportFormat::Urdf: {
-      UrdfContent content = urdfContent(tree(), options);
-      std::string bytes = urdfBytes(content);
-      return exported(std::move(content), std::move(bytes), verifyUrdf);
-    }
+    case ExportFormat::Dot:
+      return dotText(reconstruction);
+    case ExportFormat::Ply:
+      requireMesh(reconstruction, "PLY");
+      return plyBytes(plyMesh(reconstruction, selection), file);
+    case ExportFormat::Stl:
+      requireMesh(reconstruction, "STL");
+      return stlBytes(stlMesh(reconstruction, options.stl_unit), file);
+    case ExportFormat::Vtp:
+      return vtpBytes(vtpData(reconstruction, selection));
+    case ExportFormat::Urdf:
+      return urdfBytes(urdfContent(tree(), options));
     case ExportFormat::RobotUrdf: {
-      RobotUrdf robot = readRobotUrdf(options.robot_urdf);
+      const RobotUrdf robot = readRobotUrdf(options.robot_urdf);
       UrdfContent content = urdfContent(tree(), options);
       content.form = UrdfForm::Part;
-      std::string bytes = robotUrdfBytes(robot, content);
-      return exported(
-          std::move(content), std::move(bytes),
-          [robot = std::move(robot)](const std::string& found, const UrdfContent& meant, const std::string& name) {
-            verifyRobotUrdf(found, robot, meant, name);
-          });
+      return robotUrdfBytes(robot, content);
     }
-    case ExportFormat::TfRos1: {
-      std::vector<SkinFrame> list = frames();
-      std::string bytes = rosLaunchText(list);
-      return exported(std::move(list), std::move(bytes), verifyRosLaunch);
-    }
-    case ExportFormat::TfRos2: {
-      std::vector<SkinFrame> list = frames();
-      std::string bytes = ros2LaunchText(list);
-      return exported(std::move(list), std::move(bytes), verifyRos2Launch);
-    }
-    case ExportFormat::TfYaml: {
-      std::vector<SkinFrame> list = frames();
-      std::string bytes = transformsYaml(list);
-      return exported(std::move(list), std::move(bytes), verifyTransformsYaml);
-    }
+    case ExportFormat::TfRos1:
+      return rosLaunchText(frames());
+    case ExportFormat::TfRos2:
+      return ros2LaunchText(frames());
+    case ExportFormat::TfYaml:
+      return transformsYaml(frames());
     case ExportFormat::Tum:
-      return exported(reconstruction, tumBytes(reconstruction, options),
-                      [options](const std::string& found, const Reconstruction& meant, const std::string& name) {
-                        verifyTum(found, meant, options, name);
-                      });
-    case ExportFormat::Icub: {
-      TaxelMap map = taxels();
-      std::string bytes = icubText(map);
-      return exported(std::move(map), std::move(bytes), verifyIcub);
-    }
-    case ExportFormat::Skinware: {
-      TaxelMap map = taxels();
-      std::string bytes = skinwareText(map);
-      return exported(std::move(map), std::move(bytes), verifySkinware);
-    }
-    case ExportFormat::Obj: {
-      requireCells(reconstruction, "OBJ");
-      ObjMesh mesh = objMesh(reconstruction, selection);
-      std::string bytes = objText(mesh);
-      return exported(std::move(mesh), std::move(bytes), verifyObj);
-    }
+      return tumBytes(reconstruction, options);
+    case ExportFormat::Icub:
+      return icubText(taxels());
+    case ExportFormat::Skinware:
+      return skinwareText(taxels());
+    case ExportFormat::Obj:
+      requireMesh(reconstruction, "OBJ");
+      return objText(objMesh(reconstruction, selection));
     case ExportFormat::Gltf:
-      requireCells(reconstruction, "glTF");
-      return exported(reconstruction, gltfBytes(reconstruction, frameInWords(reconstruction, selection)), verifyGltf);
-    case ExportFormat::Sdf: {
-      SkinTree model = tree();
-      std::string bytes = sdfBytes(model);
-      return exported(std::move(model), std::move(bytes), verifySdf);
-    }
-    case ExportFormat::Mjcf: {
-      SkinTree model = tree();
-      std::string bytes = mjcfBytes(model);
-      return exported(std::move(model), std::move(bytes), verifyMjcf);
-    }
+      requireMesh(reconstruction, "glTF");
+      return gltfBytes(reconstruction, frameInWords(reconstruction, selection));
+    case ExportFormat::Sdf:
+      return sdfBytes(tree());
+    case ExportFormat::Mjcf:
+      return mjcfBytes(tree());
   }
   throw InvalidArgument(message("csv is a folder of several files and can't be written as one: give a folder"));
 }
@@ -347,8 +302,7 @@ std::vector<std::filesystem::path> exportReconstruction(const Reconstruction& re
       reconstruction, format, options,
       [&](const Reconstruction& part, const ExportSelection& selection) -> std::vector<std::filesystem::path> {
         requireFinite(part);
-        const ExportedFile file = exportedFile(part, selection, format, options, path.string());
-        writeFileAtomically(path, file.bytes, file.verify);
+        writeFileAtomically(path, bytesOf(part, selection, format, options, path.string()));
         return {path};
       });
 }
@@ -356,22 +310,19 @@ std::vector<std::filesystem::path> exportReconstruction(const Reconstruction& re
 FormatFiles formatFiles(const Reconstruction& reconstruction, ExportFormat format, const ExportOptions& options,
                         const std::string& stem) {
   const ExportFormatDescription& description = exportFormatDescription(format);
-  return withExported(
-      reconstruction, format, options, [&](const Reconstruction& part, const ExportSelection& selection) {
-        requireFinite(part);
-        FormatFiles made{{}, selection};
-        if (format == ExportFormat::Csv) {
-          for (const CsvTable& table : csvTables(part)) {
-            made.files.push_back(
-                {table.file, csvText(table), [table](const std::string& bytes) { verifyCsv(bytes, table); }});
-          }
-          return made;
-        }
-        const std::string name = stem + std::string(description.extension);
-        ExportedFile file = exportedFile(part, selection, format, options, name);
-        made.files.push_back({name, std::move(file.bytes), std::move(file.verify)});
-        return made;
-      });
+  return withExported(reconstruction, format, options,
+                      [&](const Reconstruction& part, const ExportSelection& selection) {
+                        requireFinite(part);
+                        FormatFiles made{{}, selection};
+                        if (format == ExportFormat::Csv) {
+                          for (const CsvTable& table : csvTables(part))
+                            made.files.push_back({table.file, csvText(table)});
+                          return made;
+                        }
+                        const std::string name = stem + std::string(description.extension);
+                        made.files.push_back({name, bytesOf(part, selection, format, options, name)});
+                        return made;
+                      });
 }
 
 std::string exportBytes(const Reconstruction& reconstruction, ExportFormat format, const ExportOptions& options,
@@ -380,9 +331,7 @@ std::string exportBytes(const Reconstruction& reconstruction, ExportFormat forma
   return withExported(reconstruction, format, options,
                       [&](const Reconstruction& part, const ExportSelection& selection) {
                         requireFinite(part);
-                        ExportedFile exported = exportedFile(part, selection, format, options, file);
-                        exported.verify(exported.bytes);
-                        return std::move(exported.bytes);
+                        return bytesOf(part, selection, format, options, file);
                       });
 }
 

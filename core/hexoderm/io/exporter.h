@@ -129,12 +129,12 @@ std::vector<PatchLeftOut> patchesLeftOut(const Reconstruction& reconstruction, E
 /// "Not in the file: the patch of cell 20 (1 cell), because ..."; empty if nothing is left out.
 Message leftOutInWords(const std::vector<PatchLeftOut>& patches);
 
-/// Writes the reconstruction in one format, reads the file back and compares it with what was meant. Returns the files
-/// written (one; for CSV the tables that resources/formats/README.md describes and a manifest in the folder `path`).
-/// All-or-nothing: a failed comparison throws FormatError and leaves no file, an earlier one stays as it was; storage
-/// problems throw StorageError. Links and what is no file are treated as by writeFileAtomically(). InvalidArgument: an
-/// option or number makes no sense, or a mesh format (PLY, STL, OBJ) is asked for without any cells; the other formats
-/// then hold none. Of several patches a format holds what patchesLeftOut() does not name.
+/// Writes the reconstruction in one format. Returns the files written (one; for CSV the tables that
+/// resources/formats/README.md describes and a manifest in the folder `path`). All-or-nothing: what fails leaves no
+/// file, an earlier one stays as it was; storage problems, a file that reads back with other bytes among them, throw
+/// StorageError. Links and what is no file are treated as by writeFileAtomically(). InvalidArgument: an option or
+/// number makes no sense, or a mesh format (PLY, STL, OBJ, glTF) is asked for without any cells; the other formats then
+/// hold none. Of several patches a format holds what patchesLeftOut() does not name.
 std::vector<std::filesystem::path> exportReconstruction(const Reconstruction& reconstruction, ExportFormat format,
                                                         const std::filesystem::path& path,
                                                         const ExportOptions& options = {});
@@ -146,8 +146,8 @@ std::vector<std::filesystem::path> exportBundle(const Reconstruction& reconstruc
                                                 std::span<const ExportFormat> formats,
                                                 const std::filesystem::path& folder, const ExportOptions& options = {});
 
-/// The bytes of a format that is one file, checked in the same way; `file` is named in errors. InvalidArgument for CSV,
-/// which is a folder of files.
+/// The bytes of a format that is one file; `file` is named in errors. InvalidArgument for CSV, which is a folder of
+/// files.
 std::string exportBytes(const Reconstruction& reconstruction, ExportFormat format, const ExportOptions& options,
                         const std::string& file);
 

@@ -13,7 +13,6 @@
 namespace hexoderm {
 namespace {
 
-constexpr double kTransformTolerance = 1e-9;
 constexpr const char* kMaterialPrefix = "hexoderm_";
 
 bool isNameCharacter(char c) {
@@ -145,37 +144,10 @@ std::string vectorText(const Eigen::Vector3d& v) {
   return formatExact(w.x()) + " " + formatExact(w.y()) + " " + formatExact(w.z());
 }
 
-Eigen::Vector3d vectorFromText(std::string_view text, const std::string& file) {
-  const std::vector<std::string> parts = split(text, ' ');
-  if (parts.size() != 3) requireMeant(false, file, "expected three numbers in \"" + std::string(text) + "\"");
-  Eigen::Vector3d v;
-  for (Eigen::Index k = 0; k < 3; ++k) {
-    try {
-      v[k] = parseNumber(parts[static_cast<std::size_t>(k)], "number");
-    } catch (const InvalidArgument& error) {
-      throw FormatError(file + ": " + error.what());
-    }
-  }
-  return v;
-}
-
 Eigen::Quaterniond quaternionOf(const Eigen::Matrix3d& R) {
   Eigen::Quaterniond q(R);
   if (q.w() < 0) q.coeffs() = -q.coeffs();
   return q.normalized();
-}
-
-SE3 transformOf(const Eigen::Vector3d& xyz, const Eigen::Vector3d& rpy_rad) {
-  const auto about = [](const Eigen::Vector3d& axis, double angle) { return expSO3(angle * axis); };
-  return {about(Eigen::Vector3d::UnitZ(), rpy_rad.z()) * about(Eigen::Vector3d::UnitY(), rpy_rad.y()) *
-              about(Eigen::Vector3d::UnitX(), rpy_rad.x()),
-          xyz};
-}
-
-bool near(const SE3& a, const SE3& b) {
-  const double size_m = std::max(1.0, b.t.cwiseAbs().maxCoeff());
-  return (a.R - b.R).cwiseAbs().maxCoeff() <= kTransformTolerance &&
-         (a.t - b.t).cwiseAbs().maxCoeff() <= kTransformTolerance * size_m;
 }
 
 bool isLinkName(std::string_view name) {

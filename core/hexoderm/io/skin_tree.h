@@ -74,16 +74,8 @@ std::string rgbaText(std::uint32_t rgb);
 
 /// "0 0.1 -0.02", each number exact, no "-0".
 std::string vectorText(const Eigen::Vector3d& v);
-/// The three numbers of a text. Throws FormatError naming the file.
-Eigen::Vector3d vectorFromText(std::string_view text, const std::string& file);
 /// The quaternion of a rotation with w >= 0.
 Eigen::Quaterniond quaternionOf(const Eigen::Matrix3d& R);
-/// The transform of x y z and roll, pitch, yaw by the definition R = Rz(yaw) Ry(pitch) Rx(roll) written out,
-/// independent of the code that made the angles.
-SE3 transformOf(const Eigen::Vector3d& xyz, const Eigen::Vector3d& rpy_rad);
-/// Every number of both is the same to 1e-9, beyond a metre of its size.
-bool near(const SE3& a, const SE3& b);
-
 /// Not empty, and only letters, digits and _ - . / with no slash in front: what URDF and TF accept.
 bool isLinkName(std::string_view name);
 

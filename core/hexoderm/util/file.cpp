@@ -81,21 +81,22 @@ void writeInto(const std::filesystem::path& path, const ProduceBytes& produce) {
 }
 
 void writeNew(const std::filesystem::path& path, const std::string& name, const ProduceBytes& produce,
-              const VerifyBytes& verify, const std::optional<struct stat>& earlier) {
+              const std::optional<std::string_view>& whole, const std::optional<struct stat>& earlier) {
   TemporaryFile file(path, name);
   produce([&](std::string_view bytes) { file.write(bytes); });
-  if (verify) verify(file.readBack());
+  if (whole) file.requireContent(*whole);
   if (!earlier && file.becomeTarget()) return;
   if (earlier) file.keepOwnerAndRights(earlier->st_uid, earlier->st_gid, earlier->st_mode);
   file.replaceTarget();
 }
 
-/// `before_device` is called before the first byte goes where it can't be taken back.
-void writeDocument(const std::filesystem::path& path, const ProduceBytes& produce, const VerifyBytes& verify,
-                   const std::function<void()>& before_device) {
+/// `whole`: what `produce` gives, where it is in memory. `before_device` is called before the first byte goes where it
+/// can't be taken back.
+void writeDocument(const std::filesystem::path& path, const ProduceBytes& produce,
+                   const std::optional<std::string_view>& whole, const std::function<void()>& before_device) {
   requireReplaceable(path, path.string());
   const std::optional<struct stat> earlier = statusAt(path);
-  if (!earlier) return writeNew(path, path.string(), produce, verify, earlier);
+  if (!earlier) return writeNew(path, path.string(), produce, whole, earlier);
   if (S_ISDIR(earlier->st_mode))
     throw StorageError(located(path.string(), message("is a folder, cannot be written as a file")));
   if (S_ISFIFO(earlier->st_mode) || S_ISCHR(earlier->st_mode)) {
@@ -105,7 +106,7 @@ void writeDocument(const std::filesystem::path& path, const ProduceBytes& produc
   if (!S_ISREG(earlier->st_mode))
     throw StorageError(located(path.string(), message("is a disk or a socket, nothing is written to it")));
   if (::faccessat(AT_FDCWD, path.c_str(), W_OK, AT_EACCESS) != 0) failToWrite(path, systemReason(errno));
-  writeNew(fileItself(path), path.string(), produce, verify, earlier);
+  writeNew(fileItself(path), path.string(), produce, whole, earlier);
 }
 
 }  // namespace
@@ -138,16 +139,13 @@ std::string readFile(const std::filesystem::path& path, std::uintmax_t most) {
   }
 }
 
-void writeFileAtomically(const std::filesystem::path& path, std::string_view content, const VerifyBytes& verify) {
-  const auto verify_content = [&] {
-    if (verify) verify(std::string(content));
-  };
+void writeFileAtomically(const std::filesystem::path& path, std::string_view content) {
   writeDocument(
-      path, [&](const WriteBytes& write) { write(content); }, verify, verify_content);
+      path, [&](const WriteBytes& write) { write(content); }, content, [] {});
 }
 
 void writeFileAtomically(const std::filesystem::path& path, const ProduceBytes& produce) {
-  writeDocument(path, produce, {}, [&] { produce([](std::string_view /*bytes*/) {}); });
+  writeDocument(path, produce, std::nullopt, [&] { produce([](std::string_view /*bytes*/) {}); });
 }
 
 }  // namespace hexoderm

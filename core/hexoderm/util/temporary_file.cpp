@@ -128,20 +128,20 @@ void TemporaryFile::makeHidden() {
 
 void TemporaryFile::write(std::string_view content) { writeAll(file_.get(), content, name_); }
 
-std::string TemporaryFile::readBack() const {
-  struct stat status {};
-  if (::fstat(file_.get(), &status) != 0) fail();
-  std::string content(static_cast<std::size_t>(status.st_size), '\0');
-  std::size_t at = 0;
-  while (at < content.size()) {
-    const ssize_t count = ::pread(file_.get(), content.data() + at, content.size() - at, static_cast<off_t>(at));
+void TemporaryFile::requireContent(std::string_view content) const {
+  std::array<char, 65536> buffer{};
+  for (std::size_t at = 0; true;) {
+    const ssize_t count = ::pread(file_.get(), buffer.data(), buffer.size(), static_cast<off_t>(at));
     if (count < 0 && errno == EINTR) continue;
     if (count < 0) fail();
-    if (count == 0) break;
-    at += static_cast<std::size_t>(count);
+    const std::string_view found(buffer.data(), static_cast<std::size_t>(count));
+    const bool is_same = found.empty() ? at == content.size() : content.substr(at, found.size()) == found;
+    if (!is_same) {
+      throw StorageError(located(name_, message("read back after writing, it holds other bytes than were written")));
+    }
+    if (found.empty()) return;
+    at += found.size();
   }
-  content.resize(at);
-  return content;
 }
 
 void TemporaryFile::keepOwnerAndRights(uid_t owner, gid_t group, mode_t rights) noexcept {

@@ -53,8 +53,8 @@ class TemporaryFile {
   [[nodiscard]] const std::filesystem::path& path() const { return path_; }
 
   void write(std::string_view content);
-  /// All of it, from the beginning.
-  [[nodiscard]] std::string readBack() const;
+  /// Reads it from the beginning. Throws unless it holds exactly these bytes.
+  void requireContent(std::string_view content) const;
   /// Gives it the rights of a file that it is to replace, and its owner and group as far as this user may.
   void keepOwnerAndRights(uid_t owner, gid_t group, mode_t rights) noexcept;
   /// Syncs it and gives it the target's name, in place of a file of that name if requireReplaceable() lets it.

@@ -27,9 +27,6 @@ struct ZipSourceFree {
 struct ZipDiscard {
   void operator()(zip_t* archive) const { zip_discard(archive); }
 };
-struct ZipFileClose {
-  void operator()(zip_file_t* file) const { zip_fclose(file); }
-};
 using ZipSource = std::unique_ptr<zip_source_t, ZipSourceFree>;
 using ZipArchive = std::unique_ptr<zip_t, ZipDiscard>;
 
@@ -72,37 +69,6 @@ std::string zipBytes(std::span<const ZipEntry> entries) {
   if (zip_close(archive.get()) != 0) failToZip(zip_strerror(archive.get()));
   static_cast<void>(archive.release());  // closing has freed it
   return bytesOf(target.get());
-}
-
-std::vector<ZipEntry> zipEntries(std::string_view bytes, const std::string& file) {
-  const auto fail = [&file](const std::string& why) {
-    throw FormatError(located(file, message("is no whole zip archive: {}", why)));
-  };
-  if (bytes.empty()) fail("it is empty");  // libzip would begin a new one
-  ZipFault fault;
-  ZipSource source(zip_source_buffer_create(bytes.data(), bytes.size(), 0, fault.get()));
-  if (!source) fail(fault.words());
-  const ZipArchive archive(zip_open_from_source(source.get(), ZIP_RDONLY | ZIP_CHECKCONS, fault.get()));
-  if (!archive) fail(fault.words());
-  static_cast<void>(source.release());  // the archive's now
-  std::vector<ZipEntry> entries;
-  const zip_int64_t count = zip_get_num_entries(archive.get(), 0);
-  for (zip_int64_t k = 0; k < count; ++k) {
-    const auto index = static_cast<zip_uint64_t>(k);
-    zip_stat_t stat;
-    zip_stat_init(&stat);
-    if (zip_stat_index(archive.get(), index, 0, &stat) != 0) fail(zip_strerror(archive.get()));
-    const std::unique_ptr<zip_file_t, ZipFileClose> opened(zip_fopen_index(archive.get(), index, 0));
-    if (!opened) fail(zip_strerror(archive.get()));
-    ZipEntry& entry = entries.emplace_back(ZipEntry{stat.name, std::string(stat.size, '\0')});
-    // One byte more than there is: only a read to the very end compares the checksum.
-    char beyond = 0;
-    if (zip_fread(opened.get(), entry.content.data(), stat.size) != static_cast<zip_int64_t>(stat.size) ||
-        zip_fread(opened.get(), &beyond, 1) != 0) {
-      fail(zip_file_strerror(opened.get()));
-    }
-  }
-  return entries;
 }
 
 }  // namespace hexoderm

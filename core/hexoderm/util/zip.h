@@ -18,8 +18,4 @@ struct ZipEntry {
 /// The bytes of a zip archive of these files, compressed. Throws StorageError if there is no memory for them.
 std::string zipBytes(std::span<const ZipEntry> entries);
 
-/// The files of an archive in their order, their checksums compared. Throws FormatError, which names `file`, if the
-/// bytes are no whole archive.
-std::vector<ZipEntry> zipEntries(std::string_view bytes, const std::string& file);
-
 }  // namespace hexoderm

@@ -215,6 +215,7 @@ TEST_F(CliFiles, OutputsAreWrittenIntoWhatIsNoFile) {
       run("export arm.calibration.json --to stl -o fifo >/dev/null; wait", "{ timeout 60 cat fifo & } && ");
   EXPECT_EQ(exported.out, run("export arm.calibration.json --to stl -o -").out);
   EXPECT_TRUE(std::filesystem::is_fifo(path("fifo")));
+  EXPECT_THAT(run("export arm.calibration.json --to stl -o /dev/null").out, HasSubstr("Written: /dev/null"));
   if (::mknod(path("null").c_str(), S_IFCHR | 0666, makedev(1, 3)) == 0) {
     EXPECT_EQ(run("solve arm.session.json -o null").exit_code, 0);
     EXPECT_TRUE(std::filesystem::is_character_file(path("null")));

@@ -6,17 +6,18 @@
 #include "hexoderm/util/units.h"
 #include "tests/core/io/export_test_folder.h"
 #include "tests/support/hand_made_skins.h"
+#include "tests/support/other_programs.h"
 
 #include <gmock/gmock.h>
 
 #include <limits>
+#include <nlohmann/json.hpp>
 
 namespace hexoderm {
 namespace {
 
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
-using ::testing::IsEmpty;
 using ExportCsv = ExportTest;
 
 /// The fields of column `name` below the header, by a reader of the test's own that knows no quoting.
@@ -27,6 +28,25 @@ std::vector<std::string> column(const std::string& text, const std::string& name
   std::vector<std::string> values;
   for (std::size_t k = 1; k + 1 < lines.size(); ++k) values.push_back(split(lines[k], ',').at(at));
   return values;
+}
+
+/// The rows of a file with its header, as Python's csv reads them strictly.
+std::vector<std::vector<std::string>> rowsByPython(const std::filesystem::path& file) {
+  const auto outcome = test::runProgram(
+      "python3 -c 'import csv, json, sys; print(json.dumps(list(csv.reader(open(sys.argv[1], encoding=\"utf-8\", "
+      "newline=\"\"), strict=True))))' " +
+      file.string());
+  EXPECT_TRUE(outcome && outcome->exit_code == 0) << (outcome ? outcome->out : "there is no python3");
+  if (!outcome || outcome->exit_code != 0) return {};
+  return nlohmann::json::parse(outcome->out).get<std::vector<std::vector<std::string>>>();
+}
+
+/// Whether a field of a file says what was meant, a number to the last bit.
+bool isMeant(const std::string& found, const CsvField& meant) {
+  if (const auto* value = std::get_if<double>(&meant)) return std::stod(found) == *value;
+  if (const auto* value = std::get_if<std::uint64_t>(&meant)) return found == std::to_string(*value);
+  const auto* text = std::get_if<std::string>(&meant);
+  return found == (text != nullptr ? *text : "");
 }
 
 TEST_F(ExportCsv, WritesSixTablesAndWhatTheyAre) {
@@ -69,9 +89,28 @@ TEST_F(ExportCsv, QuotesTextsOfUsers) {
   EXPECT_THAT(poses, HasSubstr("\n4,\" größer\",0,4,0.002,,,"));
 }
 
+TEST_F(ExportCsv, HoldsEveryFieldForPython) {
+  const Reconstruction reconstruction = makeTestReconstruction();
+  exportReconstruction(reconstruction, ExportFormat::Csv, in("out"));
+  for (const CsvTable& table : csvTables(reconstruction)) {
+    const auto rows = rowsByPython(in("out") / table.file);
+    ASSERT_EQ(rows.size(), 1 + table.rows.size()) << table.file;
+    EXPECT_EQ(rows.front(), table.header);
+    for (std::size_t row = 0; row < table.rows.size(); ++row) {
+      ASSERT_EQ(rows[row + 1].size(), table.header.size()) << table.file;
+      ASSERT_EQ(table.rows[row].size(), table.header.size()) << table.file;
+      for (std::size_t k = 0; k < table.header.size(); ++k) {
+        EXPECT_TRUE(isMeant(rows[row + 1][k], table.rows[row][k]))
+            << table.file << ", row " << row + 1 << ", " << table.header[k] << ": " << rows[row + 1][k];
+      }
+    }
+  }
+}
+
 TEST_F(ExportCsv, HoldsPlacementsToTheLastBit) {
   const Reconstruction reconstruction = makeTestReconstruction();
-  const auto rows = parseCsv(csvText(csvTables(reconstruction).front()), "cells.csv");
+  exportReconstruction(reconstruction, ExportFormat::Csv, in("out"));
+  const auto rows = rowsByPython(in("out/cells.csv"));
   ASSERT_EQ(rows.size(), 5U);
   EXPECT_EQ(rows[3][5], "0.0123456789012345");
   EXPECT_EQ(rows[3][7], "-0.012");
@@ -103,7 +142,7 @@ TEST_F(ExportCsv, HoldsDeviationsAndSensorErrorsWhereTheyAreKnown) {
 
   const std::string covariances = read(in("out/covariances.csv"));
   EXPECT_THAT(column(covariances, "cell"), ElementsAre("3", "7", "12", "20"));
-  EXPECT_EQ(parseCsv(covariances, "covariances.csv").front().size(), 3U + 21U);
+  EXPECT_EQ(split(split(covariances, '\n').front(), ',').size(), 3U + 21U);
   EXPECT_EQ(column(covariances, "cov_y_y_m2")[0], "4e-06");
   EXPECT_EQ(column(covariances, "cov_y_ry_m_rad")[0], "-2e-05");
   EXPECT_EQ(column(covariances, "cov_rz_rz_rad2")[0], "0.09");
@@ -111,7 +150,9 @@ TEST_F(ExportCsv, HoldsDeviationsAndSensorErrorsWhereTheyAreKnown) {
 }
 
 TEST_F(ExportCsv, HoldsTheUpDirectionOfEveryPatch) {
-  const auto rows = parseCsv(csvText(csvTables(makeTestReconstruction())[3]), "poses.csv");
+  exportReconstruction(makeTestReconstruction(), ExportFormat::Csv, in("out"));
+  const auto rows = rowsByPython(in("out/poses.csv"));
+  ASSERT_EQ(rows.size(), 4U);
   EXPECT_EQ(rows[0][7], "patch0_up_x");
   EXPECT_THAT(rows[2], ElementsAre("2", "", "1", "3", "0.0015", formatExact(toDegrees(0.6435011087932844)),
                                    formatExact(toDegrees(0.02)), "0.6", "0", "0.8", formatExact(toDegrees(0.02)), "",
@@ -128,39 +169,15 @@ TEST_F(ExportCsv, EmptyReconstructionGivesHeadersOnly) {
   }
 }
 
-TEST_F(ExportCsv, DetectsATamperedTable) {
-  const CsvTable table = csvTables(makeTestReconstruction()).front();
-  const std::string text = csvText(table);
-  EXPECT_NO_THROW(verifyCsv(text, table));
-  const std::vector<std::string> tampered = {replaced(text, "0.0123456789012345", "0.0123456789012346"),
-                                             replaced(text, "0.0123456789012345", "0.0123456789012345x"),
-                                             replaced(text, "\"\"arm\"\"", "\"\"leg\"\""),
-                                             replaced(text, "\"\"arm\"\"", "\"arm\""),
-                                             replaced(text, "x_m", "x_mm"),
-                                             replaced(text, ",links,", ",links,,"),
-                                             text + text.substr(text.find('\n') + 1),
-                                             text.substr(0, text.size() / 2),
-                                             ""};
-  for (const std::string& bytes : tampered) EXPECT_THROW(verifyCsv(bytes, table), FormatError) << bytes;
-}
-
-TEST_F(ExportCsv, ParserIsStrict) {
-  EXPECT_THAT(parseCsv("a,\"b\r\n\"\r\n,\n", "t.csv"), ElementsAre(ElementsAre("a", "b\r\n"), ElementsAre("", "")));
-  EXPECT_THAT(parseCsv("", "t.csv"), IsEmpty());
-  for (const char* bytes : {"a", "a\"b\n", "\"a\n", "\"a\"b\n", "a\rb\n", "a,b\n\"c"}) {
-    EXPECT_THAT(messageOf<FormatError>([&] { parseCsv(bytes, "t.csv"); }), HasSubstr("t.csv: line "));
-  }
-}
-
-TEST_F(ExportCsv, FailedComparisonLeavesNoFolderAndKeepsAnEarlierOne) {
+TEST_F(ExportCsv, ANumberThatIsNotFiniteLeavesNoFolderAndKeepsAnEarlierOne) {
   Reconstruction reconstruction = makeTestReconstruction();
   exportReconstruction(reconstruction, ExportFormat::Csv, in("earlier"));
   const std::string earlier = read(in("earlier/cells.csv"));
   reconstruction.patches[0].cells[0].T_o_u.t.x() = 1;
   reconstruction.patches[0].links[0].sigma_rad = std::numeric_limits<double>::quiet_NaN();
-  EXPECT_THAT(messageOf<FormatError>([&] { exportReconstruction(reconstruction, ExportFormat::Csv, in("new")); }),
-              HasSubstr("links.csv: read back after writing"));
-  EXPECT_THROW(exportReconstruction(reconstruction, ExportFormat::Csv, in("earlier")), FormatError);
+  EXPECT_THAT(messageOf<InvalidArgument>([&] { exportReconstruction(reconstruction, ExportFormat::Csv, in("new")); }),
+              HasSubstr("links.csv: row 1, sigma_deg is not a finite number"));
+  EXPECT_THROW(exportReconstruction(reconstruction, ExportFormat::Csv, in("earlier")), InvalidArgument);
   EXPECT_FALSE(std::filesystem::exists(in("new")));
   EXPECT_EQ(read(in("earlier/cells.csv")), earlier);
   EXPECT_EQ(names().size(), 8U) << "the earlier folder with its tables and manifest";

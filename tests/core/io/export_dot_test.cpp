@@ -1,7 +1,6 @@
 #include "hexoderm/io/export_dot.h"
 
 #include "hexoderm/io/exporter.h"
-#include "hexoderm/util/error.h"
 #include "tests/core/io/export_test_folder.h"
 #include "tests/support/hand_made_skins.h"
 
@@ -16,7 +15,6 @@ namespace hexoderm {
 namespace {
 
 using ::testing::HasSubstr;
-using ::testing::IsEmpty;
 using ExportDot = ExportTest;
 
 struct BoostNode {

@@ -1,11 +1,10 @@
-// Packages: what is in them, that it was read back, and that a stopped or failed one leaves nothing.
+// Packages: what is in them, and that a stopped or failed one leaves nothing.
 
 #include "hexoderm/io/export_package.h"
 
 #include "hexoderm/io/calibration_json.h"
 #include "hexoderm/util/error.h"
 #include "hexoderm/util/sha256.h"
-#include "hexoderm/util/zip.h"
 #include "tests/core/io/export_test_folder.h"
 #include "tests/support/failing_disk.h"
 #include "tests/support/hand_made_skins.h"
@@ -28,7 +27,8 @@ class ExportPackage : public ExportTest {
   static PackageContent severalFiles() {
     return {{ExportFormat::Urdf, ExportFormat::Csv, ExportFormat::Ply},
             true,
-            {{"report.pdf", std::string("%PDF-1.4\0binary", 15), message("a report")}}};
+            {{"report.pdf", std::string("%PDF-1.4\0binary", 15), message("a report")},
+             {"Grüße.txt", "", message("nothing at all")}}};
   }
   static std::vector<std::string> namesOf(const std::vector<PackageEntry>& entries) {
     std::vector<std::string> names;
@@ -92,7 +92,7 @@ TEST_F(ExportPackage, IsPreviewedWithFramesInWordsBeforeAnythingIsWritten) {
   const std::vector<PackageEntry> entries = previewPackage(skin_, severalFiles());
   EXPECT_THAT(names(), IsEmpty());
   ASSERT_THAT(namesOf(entries), ElementsAre("skin.urdf", "cells.csv, links.csv, ...", "skin.ply",
-                                            "skin.calibration.json", "report.pdf", "manifest.json"));
+                                            "skin.calibration.json", "report.pdf", "Grüße.txt", "manifest.json"));
   EXPECT_THAT(entries[0].frame.english(), HasSubstr("its place on the robot is not known"));
   EXPECT_THAT(entries[2].frame.english(), HasSubstr("in the frame of cell 1, the origin of the patch"));
   EXPECT_THAT(entries[2].not_carried.english(), HasSubstr("no uncertainties"));
@@ -160,32 +160,6 @@ TEST_F(ExportPackage, OfNothingOrWithANameTwiceIsRefused) {
 TEST_F(ExportPackage, HasEachFormatOnce) {
   const WrittenPackage written = exportPackage(skin_, {{ExportFormat::Dot, ExportFormat::Dot}, false, {}}, in("out"));
   EXPECT_THAT(namesOf(written.entries), ElementsAre("skin.dot", "manifest.json"));
-}
-
-TEST(Zip, GivesBackWhatWasPutIn) {
-  const std::vector<ZipEntry> entries = {
-      {"a/empty.txt", ""}, {"a/Grüße.txt", "text"}, {"a/big.bin", std::string(300000, '\7')}};
-  const std::string bytes = zipBytes(entries);
-  EXPECT_LT(bytes.size(), 10000U) << "compressed";
-  const std::vector<ZipEntry> found = zipEntries(bytes, "f.zip");
-  ASSERT_EQ(found.size(), entries.size());
-  for (std::size_t k = 0; k < entries.size(); ++k) {
-    EXPECT_EQ(found[k].name, entries[k].name);
-    EXPECT_EQ(found[k].content, entries[k].content);
-  }
-}
-
-TEST(Zip, ThatIsDamagedIsRefused) {
-  std::string text;
-  for (int k = 0; k < 5000; ++k) text += static_cast<char>((k * 7919) >> 3);
-  const std::vector<ZipEntry> entries = {{"a.bin", text}};
-  const std::string whole = zipBytes(entries);
-  EXPECT_THAT(messageOf<FormatError>([&] { zipEntries(whole.substr(0, whole.size() / 2), "f.zip"); }),
-              HasSubstr("f.zip"));
-  EXPECT_THROW(zipEntries("", "f.zip"), FormatError);
-  std::string flipped = whole;
-  flipped[whole.size() / 3] = static_cast<char>(flipped[whole.size() / 3] ^ 0x55);
-  EXPECT_THROW(zipEntries(flipped, "f.zip"), FormatError) << "its checksum does not fit";
 }
 
 }  // namespace

@@ -78,6 +78,13 @@ TEST_F(ExportPly, HoldsThePrismsInMetres) {
   EXPECT_LT((ply.vertices[0].point - T * Eigen::Vector3d(0.01502, 0, 0)).norm(), 1e-8);
   EXPECT_LT((ply.vertices[6].point - T * Eigen::Vector3d(0.01502, 0, -0.0034)).norm(), 1e-8);
   EXPECT_THAT(ply.faces[0], ElementsAre(0, 1, 2, 3, 4, 5));
+  Reconstruction one = reconstruction;
+  one.patches.resize(1);
+  const ExportMesh meant = plyMesh(one);
+  EXPECT_EQ(ply.faces, meant.polygons);
+  for (std::size_t k = 0; k < ply.vertices.size(); ++k) {
+    EXPECT_LT((ply.vertices[k].point - meant.points[k]).norm(), 1e-8) << k;
+  }
   EXPECT_THAT(read(in("skin.ply")), HasSubstr("\ncomment metres, in the frame of cell 7, the origin of the patch\n"));
 }
 
@@ -104,10 +111,8 @@ TEST_F(ExportPly, KeepsEveryByteOfEveryColour) {
     mesh.colors.push_back(byte << 16U | (255 - byte) << 8U | byte);
   }
   for (std::uint32_t k = 0; k + 2 < 256; ++k) mesh.polygons.push_back({k, k + 1, k + 2});
-  const std::string bytes = plyBytes(mesh, "colours.ply");
-  const PlainPly ply = readPly(bytes);
+  const PlainPly ply = readPly(plyBytes(mesh, "colours.ply"));
   for (std::size_t k = 0; k < 256; ++k) EXPECT_EQ(ply.vertices[k].color, mesh.colors[k]);
-  EXPECT_NO_THROW(verifyPly(bytes, mesh, "colours.ply"));
 }
 
 TEST_F(ExportPly, RefusesAReconstructionWithoutCells) {
@@ -115,21 +120,6 @@ TEST_F(ExportPly, RefusesAReconstructionWithoutCells) {
                   [&] { exportReconstruction(test::ResultBuilder().build(), ExportFormat::Ply, in("a.ply")); }),
               HasSubstr("no cells"));
   EXPECT_TRUE(names().empty());
-}
-
-TEST_F(ExportPly, DetectsATamperedMesh) {
-  const ExportMesh mesh = plyMesh(makeTestReconstruction());
-  const std::string text = plyBytes(mesh, "skin.ply");
-  EXPECT_NO_THROW(verifyPly(text, mesh, "skin.ply"));
-  const std::vector<std::string> tampered = {replaced(text, " 23 161 202 255", " 23 161 203 255"),
-                                             replaced(text, "-0.00972227938", "-0.00972327938"),
-                                             replaced(text, "-0.00972227938", "nan"),
-                                             replaced(text, "6 0 1 2 3 4 5", "6 0 1 2 3 5 4"),
-                                             replaced(text, "element vertex 48", "element vertex 47"),
-                                             replaced(text, "6 0 1 2 3 4 5\n", "5 0 1 2 3 4\n"),
-                                             text.substr(0, text.size() / 2),
-                                             ""};
-  for (const std::string& bytes : tampered) EXPECT_THROW(verifyPly(bytes, mesh, "skin.ply"), FormatError) << bytes;
 }
 
 }  // namespace

@@ -2,7 +2,6 @@
 
 #include "hexoderm/io/export_selection.h"
 
-#include "hexoderm/io/export_manifest.h"
 #include "hexoderm/util/error.h"
 #include "hexoderm/util/sha256.h"
 #include "tests/core/io/export_test_folder.h"
@@ -173,13 +172,6 @@ TEST_F(ExportSelections, ABundleIsWholeOrNotThere) {
   options_.robot_urdf = in("missing.urdf");
   EXPECT_THROW(exportBundle(reconstruction_, formats, in("out"), options_), StorageError);
   EXPECT_THAT(names(), IsEmpty());
-}
-
-TEST_F(ExportSelections, AManifestThatWasChangedIsDetected) {
-  const std::string text = manifestText(reconstruction_, {}, options_);
-  EXPECT_NO_THROW(verifyManifest(text, text, "f"));
-  EXPECT_THROW(verifyManifest(replaced(text, "\"m\"", "\"mm\""), text, "f"), FormatError);
-  EXPECT_THROW(verifyManifest(text.substr(0, 100), text, "f"), FormatError);
 }
 
 TEST(ExportOptionDescriptions, ReadAndWriteTheirOptions) {

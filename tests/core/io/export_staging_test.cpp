@@ -2,6 +2,7 @@
 
 #include "hexoderm/util/error.h"
 #include "tests/core/io/export_test_folder.h"
+#include "tests/support/failing_disk.h"
 
 #include <gmock/gmock.h>
 
@@ -13,11 +14,8 @@ using ::testing::HasSubstr;
 using ::testing::IsEmpty;
 using ExportStaging = ExportTest;
 
-void accept(const std::string& /*bytes*/) {}
-void refuse(const std::string& /*bytes*/) { throw FormatError("differs"); }
-
 TEST_F(ExportStaging, MakesAFolderForItsFiles) {
-  const auto paths = publishFolder(in("out/"), {{"a.csv", "1", accept}, {"b.csv", "2", accept}});
+  const auto paths = publishFolder(in("out/"), {{"a.csv", "1"}, {"b.csv", "2"}});
   EXPECT_THAT(paths, ElementsAre(in("out/a.csv"), in("out/b.csv")));
   EXPECT_EQ(read(paths[1]), "2");
   EXPECT_THAT(names(), ElementsAre("out", "out/a.csv", "out/b.csv"));
@@ -30,21 +28,27 @@ TEST_F(ExportStaging, ReplacesOnlyItsOwnFilesInAFolder) {
   std::filesystem::create_directory(in("out"));
   write(in("out/a.csv"), "earlier");
   write(in("out/notes.txt"), "mine");
-  publishFolder(in("out"), {{"a.csv", "1", accept}, {"b.csv", "2", accept}});
+  publishFolder(in("out"), {{"a.csv", "1"}, {"b.csv", "2"}});
   EXPECT_EQ(read(in("out/a.csv")), "1");
   EXPECT_EQ(read(in("out/notes.txt")), "mine");
   EXPECT_THAT(names(), ElementsAre("out", "out/a.csv", "out/b.csv", "out/notes.txt"));
 }
 
 TEST_F(ExportStaging, LeavesNoFolderIfOneOfItsFilesFails) {
-  EXPECT_THROW(publishFolder(in("out"), {{"a.csv", "1", accept}, {"b.csv", "2", refuse}}), FormatError);
+  {
+    const test::NoFileGrows full(1);
+    EXPECT_THROW(publishFolder(in("out"), {{"a.csv", "1"}, {"b.csv", "two"}}), StorageError);
+  }
   EXPECT_THAT(names(), IsEmpty());
 }
 
 TEST_F(ExportStaging, KeepsEarlierFilesOfAFolderIfOneFails) {
   std::filesystem::create_directory(in("out"));
   write(in("out/a.csv"), "earlier");
-  EXPECT_THROW(publishFolder(in("out"), {{"a.csv", "1", accept}, {"b.csv", "2", refuse}}), FormatError);
+  {
+    const test::NoFileGrows full(1);
+    EXPECT_THROW(publishFolder(in("out"), {{"a.csv", "1"}, {"b.csv", "two"}}), StorageError);
+  }
   EXPECT_EQ(read(in("out/a.csv")), "earlier");
   EXPECT_THAT(names(), ElementsAre("out", "out/a.csv"));
 }
@@ -52,8 +56,7 @@ TEST_F(ExportStaging, KeepsEarlierFilesOfAFolderIfOneFails) {
 TEST_F(ExportStaging, PutsFilesBackIfALaterOneCannotBeReplaced) {
   std::filesystem::create_directories(in("out/c.csv"));  // a folder where the third file should go
   write(in("out/a.csv"), "earlier");
-  EXPECT_THROW(publishFolder(in("out"), {{"a.csv", "1", accept}, {"b.csv", "2", accept}, {"c.csv", "3", accept}}),
-               StorageError);
+  EXPECT_THROW(publishFolder(in("out"), {{"a.csv", "1"}, {"b.csv", "2"}, {"c.csv", "3"}}), StorageError);
   EXPECT_EQ(read(in("out/a.csv")), "earlier");
   EXPECT_THAT(names(), ElementsAre("out", "out/a.csv", "out/c.csv"));
 }
@@ -61,7 +64,7 @@ TEST_F(ExportStaging, PutsFilesBackIfALaterOneCannotBeReplaced) {
 TEST_F(ExportStaging, RefusesAFileWhereAFolderIsMeant) {
   write(in("out"), "mine");
   EXPECT_THAT(messageOf<StorageError>([&] {
-                publishFolder(in("out"), {{"a.csv", "1", accept}});
+                publishFolder(in("out"), {{"a.csv", "1"}});
               }),
               HasSubstr("is a file, expected a folder"));
   EXPECT_EQ(read(in("out")), "mine");
@@ -73,7 +76,7 @@ TEST_F(ExportStaging, ReplacesNothingThatIsNoFile) {
   write(in("out/a.csv"), "earlier");
   std::filesystem::create_symlink("../elsewhere.csv", in("out/b.csv"));
   EXPECT_THAT(messageOf<StorageError>([&] {
-                publishFolder(in("out"), {{"a.csv", "1", accept}, {"b.csv", "2", accept}});
+                publishFolder(in("out"), {{"a.csv", "1"}, {"b.csv", "2"}});
               }),
               HasSubstr("b.csv: is not a file"));
   EXPECT_EQ(read(in("elsewhere.csv")), "mine");
@@ -85,7 +88,7 @@ TEST_F(ExportStaging, KeepsTheRightsOfFilesThatItReplaces) {
   std::filesystem::create_directory(in("out"));
   write(in("out/a.csv"), "earlier");
   std::filesystem::permissions(in("out/a.csv"), std::filesystem::perms(0640));
-  publishFolder(in("out"), {{"a.csv", "1", accept}});
+  publishFolder(in("out"), {{"a.csv", "1"}});
   EXPECT_EQ(std::filesystem::status(in("out/a.csv")).permissions(), std::filesystem::perms(0640));
 }
 
@@ -95,7 +98,7 @@ TEST_F(ExportStaging, NamesAFolderThatCannotBe) {
   for (const std::string& name :
        {std::string(256, 'n'), std::string("loop"), std::string("file/out"), std::string("missing/out")}) {
     EXPECT_THAT(messageOf<StorageError>([&] {
-                  publishFolder(in(name), {{"a.csv", "1", accept}});
+                  publishFolder(in(name), {{"a.csv", "1"}});
                 }),
                 HasSubstr(in(name).string()));
   }

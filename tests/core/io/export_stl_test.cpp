@@ -63,6 +63,12 @@ TEST_F(ExportStl, WritesMetresIfAskedFor) {
   EXPECT_NEAR(volume(triangles), 3 * kPrismVolume_m3, 1e-6 * kPrismVolume_m3 * 3);
   const SE3& T = reconstruction.patches[0].cells[0].T_o_u;
   EXPECT_EQ(triangles[0].corners[0], (T * Eigen::Vector3d(0.01502, 0, 0)).cast<float>());
+  Reconstruction one = reconstruction;
+  one.patches.resize(1);
+  const ExportMesh meant = stlMesh(one, LengthUnit::Metres);
+  for (std::size_t k = 0; k < 3 * triangles.size(); ++k) {
+    EXPECT_EQ(triangles[k / 3].corners.at(k % 3), meant.points[k].cast<float>()) << k;
+  }
 }
 
 TEST_F(ExportStl, NormalsPointOutOfTheSkin) {
@@ -82,22 +88,6 @@ TEST_F(ExportStl, RefusesAReconstructionWithoutCells) {
                   [&] { exportReconstruction(test::ResultBuilder().build(), ExportFormat::Stl, in("a.stl")); }),
               HasSubstr("no cells"));
   EXPECT_TRUE(names().empty());
-}
-
-TEST_F(ExportStl, DetectsATamperedMesh) {
-  const ExportMesh mesh = stlMesh(makeTestReconstruction(), LengthUnit::Millimetres);
-  const std::string bytes = stlBytes(mesh, "skin.stl");
-  EXPECT_NO_THROW(verifyStl(bytes, mesh, "skin.stl"));
-  std::string moved = bytes;
-  const float elsewhere = 1.5F;
-  std::memcpy(moved.data() + 84 + 12, &elsewhere, sizeof elsewhere);
-  std::string fewer = bytes;
-  const std::uint32_t count = 79;
-  std::memcpy(fewer.data() + 80, &count, sizeof count);
-  for (const std::string& tampered :
-       {moved, fewer, bytes + "x", bytes.substr(0, bytes.size() - 50), bytes.substr(0, 60), std::string()}) {
-    EXPECT_THROW(verifyStl(tampered, mesh, "skin.stl"), FormatError);
-  }
 }
 
 }  // namespace

@@ -1,5 +1,4 @@
-#include "hexoderm/io/export_taxels.h"
-
+#include "hexoderm/io/exporter.h"
 #include "hexoderm/util/error.h"
 #include "tests/core/io/export_test_folder.h"
 #include "tests/core/io/taxel_readers.h"
@@ -95,24 +94,6 @@ TEST_F(ExportTaxels, OfSkinwareAreNanometresAndNameTheLinkByNumber) {
   EXPECT_EQ(numbers[9], 0);
   EXPECT_EQ((*cells)[3].numbers[1], 20);
   EXPECT_EQ((*cells)[3].numbers[9], 1);
-}
-
-TEST_F(ExportTaxels, ATamperedFileIsDetected) {
-  const ExportSelection selection =
-      selectForExport(reconstruction_, exportFormatDescription(ExportFormat::Icub), options_);
-  const TaxelMap map = taxelMap(*reconstruction_.model, selection.mounted, options_);
-  const std::string icub = icubText(map);
-  EXPECT_NO_THROW(verifyIcub(icub, map, "f"));
-  for (const std::string& bytes : {replaced(icub, "-1", "-2"), replaced(icub, "0.03", "0.04"), icub.substr(0, 200),
-                                   icub.substr(0, icub.size() - 1), icub + "0\t0\t0\t0\t0\t0\n"}) {
-    EXPECT_THROW(verifyIcub(bytes, map, "f"), FormatError) << bytes;
-  }
-  const std::string skinware = skinwareText(map);
-  EXPECT_NO_THROW(verifySkinware(skinware, map, "f"));
-  for (const std::string& bytes :
-       {replaced(skinware, "3\n", "4\n"), replaced(skinware, "30000000", "30000001"), skinware + "1"}) {
-    EXPECT_THROW(verifySkinware(bytes, map, "f"), FormatError) << bytes;
-  }
 }
 
 }  // namespace

@@ -4,6 +4,7 @@
 #include "hexoderm/reconstruction/reconstructor.h"
 #include "hexoderm/session/simulated_session.h"
 #include "hexoderm/util/error.h"
+#include "hexoderm/util/limits.h"
 #include "tests/core/io/export_test_folder.h"
 #include "tests/support/hand_made_skins.h"
 
@@ -214,6 +215,17 @@ TEST(PatchesLeftOut, AreNamedOrCounted) {
             "not known.");
   EXPECT_THAT(leftOutInWords(std::vector<PatchLeftOut>(4000, one)).english(),
               HasSubstr("Not in the file: 4000 patches (4000 cells)"));
+}
+
+TEST(MeshFormats, RefusePlacesThatSinglePrecisionCannotHold) {
+  Reconstruction reconstruction = makeTestReconstruction();
+  for (const ExportFormat format : {ExportFormat::Ply, ExportFormat::Stl, ExportFormat::Obj, ExportFormat::Gltf}) {
+    reconstruction.patches[0].cells[2].T_o_u.t.x() = kMostLength_m;
+    EXPECT_NO_THROW(exportBytes(reconstruction, format, {}, "f"));
+    reconstruction.patches[0].cells[2].T_o_u.t.x() = -1e36;
+    EXPECT_THAT(messageOf<InvalidArgument>([&] { exportBytes(reconstruction, format, {}, "f"); }),
+                HasSubstr("cell 12: the single precision"));
+  }
 }
 
 TEST(ExportFormats, AreFoundByName) {

@@ -7,9 +7,11 @@
 #include <gmock/gmock.h>
 #include <mujoco/mujoco.h>
 
+#include <algorithm>
 #include <array>
 #include <memory>
 #include <string>
+#include <vector>
 
 namespace hexoderm {
 namespace {
@@ -51,8 +53,24 @@ TEST_F(MujocoReader, PlacesEveryBodyAndSite) {
   expectNear(fromMujoco(data->site_xpos + 3 * site, data->site_xmat + 9 * site),
              T_l_o * reconstruction.patches[0].cells[0].sensors[0].T_o_s, sensor);
   EXPECT_GE(mj_name2id(model.get(), mjOBJ_SENSOR, sensor.c_str()), 0);
-  // The mesh is the hexagon: as high as the cell is thick, as wide as from corner to corner.
+  // The mesh is the prism, wherever MuJoCo has put its origin.
   ASSERT_EQ(model->nmeshvert, 12);
+  const CellPlacement& cell = reconstruction.patches[0].cells[2];
+  const int geom = model->body_geomadr[mj_name2id(model.get(), mjOBJ_BODY, "skin_cell12")];
+  EXPECT_STREQ(mj_id2name(model.get(), mjOBJ_MATERIAL, model->geom_matid[geom]), "hexoderm_over");
+  const SE3 T_w_mesh = fromMujoco(data->geom_xpos + 3 * geom, data->geom_xmat + 9 * geom);
+  const SE3 T_u_mesh = (T_l_o * cell.T_o_u).inverse() * T_w_mesh;
+  std::vector<Eigen::Vector3d> corners;
+  for (int k = 0; k < 12; ++k) {
+    corners.emplace_back(T_u_mesh * Eigen::Map<const Eigen::Vector3f>(model->mesh_vert + 3 * k).cast<double>());
+  }
+  const CellModel cell_model = builtInCellModel("hex-bma150");
+  for (const Eigen::Vector3d& front : cell_model.outline()) {
+    for (const double z : {0.0, -cell_model.thickness_m}) {
+      const Eigen::Vector3d meant(front.x(), front.y(), z);
+      EXPECT_TRUE(std::ranges::any_of(corners, [&](const auto& corner) { return (corner - meant).norm() < 1e-6; }));
+    }
+  }
 }
 
 }  // namespace

@@ -6,6 +6,9 @@
 #include <gmock/gmock.h>
 #include <sdf/sdf.hh>
 
+#include <algorithm>
+#include <string>
+
 namespace hexoderm {
 namespace {
 
@@ -42,7 +45,23 @@ TEST(SdformatReader, FindsEveryCellAndSensorInTheLink) {
   const sdf::Link* link = model->LinkByName("forearm");
   ASSERT_NE(link, nullptr);
   EXPECT_EQ(link->VisualCount(), 9U) << "three boxes a cell";
-  EXPECT_EQ(link->VisualByIndex(0)->Geom()->Type(), sdf::GeometryType::BOX);
+  // The corners of the boxes are those of the prisms.
+  const CellModel cell_model = builtInCellModel("hex-bma150");
+  for (std::uint64_t k = 0; k < link->VisualCount(); ++k) {
+    const sdf::Visual* visual = link->VisualByIndex(k);
+    const CellPlacement& cell = reconstruction.patches[0].cells[k / 3];
+    EXPECT_EQ(visual->Name(), "skin_cell" + toString(cell.cell) + "_" + std::to_string(k % 3 + 1));
+    ASSERT_EQ(visual->Geom()->Type(), sdf::GeometryType::BOX);
+    const ignition::math::Vector3d& size = visual->Geom()->BoxShape()->Size();
+    const SE3 T_u_box = (T_l_o * cell.T_o_u).inverse() * fromPose(visual->RawPose());
+    for (const double sign : {-0.5, 0.5}) {
+      const Eigen::Vector3d corner = T_u_box * Eigen::Vector3d(sign * size.X(), 0.5 * size.Y(), 0.5 * size.Z());
+      const auto outline = cell_model.outline();
+      EXPECT_TRUE(std::ranges::any_of(outline, [&](const auto& of_cell) { return (of_cell - corner).norm() < 1e-9; }))
+          << visual->Name();
+    }
+    EXPECT_NEAR(size.Z(), cell_model.thickness_m, 1e-12);
+  }
 }
 
 }  // namespace

@@ -242,21 +242,16 @@ TEST(WriteFileAtomically, RefusesASocket) {
   ::close(socket);
 }
 
-TEST(WriteFileAtomically, VerifiesWhatIsOnTheDiskBeforeTheFileHasItsName) {
+TEST(TemporaryFile, TellsItsContentFromOtherBytes) {
   const test::TemporaryFolder folder;
-  const auto file = folder.path() / "a.stl";
-  std::string seen;
-  writeFileAtomically(file, "content", [&](const std::string& bytes) {
-    seen = bytes;
-    EXPECT_FALSE(std::filesystem::exists(file));
-  });
-  EXPECT_EQ(seen, "content");
-  EXPECT_EQ(readFile(file), "content");
-  const auto refuse = [](const std::string& /*bytes*/) { throw FormatError("differs"); };
-  EXPECT_THROW(writeFileAtomically(file, "other", refuse), FormatError);
-  EXPECT_EQ(readFile(file), "content");
-  EXPECT_THROW(writeFileAtomically(folder.path() / "b.stl", "other", refuse), FormatError);
-  EXPECT_EQ(folder.entryCount(), 1U);
+  TemporaryFile file(folder.path() / "a.stl", "a.stl");
+  const std::string content(200'000, 'x');
+  file.write(content);
+  EXPECT_NO_THROW(file.requireContent(content));
+  for (const std::string& other :
+       {content.substr(1), content + "x", content.substr(1) + "y", "y" + content.substr(1), std::string()}) {
+    EXPECT_THAT(messageOf<StorageError>([&] { file.requireContent(other); }), saysAll("a.stl", "other bytes"));
+  }
 }
 
 /// Leaves a hidden file as a killed writer does where no file can be without a name.
@@ -306,7 +301,10 @@ TEST(WriteFileAtomically, HasNoHiddenNameWhileItWrites) {
   // Where a file system has no files without a name, there is the hidden one.
   const std::size_t named = unnamed < 0 ? 1 : 0;
   if (unnamed >= 0) ::close(unnamed);
-  writeFileAtomically(file, "x", [&](const std::string&) { EXPECT_EQ(folder.entryCount(), named); });
+  writeFileAtomically(file, [&](const WriteBytes& write) {
+    write("x");
+    EXPECT_EQ(folder.entryCount(), named);
+  });
   EXPECT_EQ(folder.entryCount(), 1U);
 }
 
