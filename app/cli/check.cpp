@@ -80,8 +80,8 @@ Json toJson(const CalibrationCheck& check, const CheckOptions& options) {
 }
 
 void print(const CalibrationCheck& check) {
-  std::cout << check.poses.size() << (check.poses.size() == 1 ? " pose" : " poses") << " against the calibration of "
-            << check.cells.size() << (check.cells.size() == 1 ? " cell\n" : " cells\n");
+  std::cout << counted(check.poses.size(), "pose") << " against the calibration of "
+            << counted(check.cells.size(), "cell") << '\n';
   std::cout << "  cell   a turn is noticed from   now\n";
   for (const CheckedCell& cell : check.cells) {
     const std::string id = toString(cell.cell);

@@ -248,6 +248,9 @@ void printJsonText(std::string_view text) {
   for (const std::string& line : split(text, '\n')) std::cout << forTerminal(line) << '\n';
 }
 
+std::string counted(std::uint64_t count, const std::string& noun) {
+  return std::to_string(count) + " " + noun + (count == 1 ? "" : "s");
+}
 std::string millimetres(double length_m, int decimals) {
   return formatFixed(toMillimetres(length_m), decimals) + " mm";
 }

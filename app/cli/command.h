@@ -10,6 +10,7 @@
 
 #include <CLI/CLI.hpp>
 
+#include <cstdint>
 #include <exception>
 #include <functional>
 #include <map>
@@ -157,6 +158,8 @@ void printJsonText(std::string_view text);
 /// "tcp://HOST:PORT, udp://HOST:PORT, ...": all kinds of sources there are.
 std::string sourceKindsInWords();
 
+/// "1 pose", "2 poses".
+std::string counted(std::uint64_t count, const std::string& noun);
 std::string millimetres(double length_m, int decimals = 2);
 std::string degrees(double angle_rad, int decimals = 2);
 
