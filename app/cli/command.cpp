@@ -40,6 +40,7 @@ void Common::progress(const std::string& text) const {
 void Common::endProgress() const { progress(""); }
 
 void Common::note(const std::string& text) const {
+  endProgress();
   if (!quiet) std::cerr << forTerminal(text) << '\n';
 }
 
@@ -88,7 +89,6 @@ void Output::write(const ProduceBytes& produce) const {
 
 void OffenceNotes::show(const std::vector<Offence>& offences) {
   for (; shown_ < offences.size(); ++shown_) {
-    common_.endProgress();
     common_.note("The device does something wrong (" + std::string(offenceName(offences[shown_].kind)) +
                  "): " + inWords(offences[shown_]).english());
   }
