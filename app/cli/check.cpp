@@ -1,5 +1,6 @@
-#include "app/cli/capture.h"
+#include "app/cli/command.h"
 
+#include "hexoderm/course/live_capture.h"
 #include "hexoderm/reconstruction/check/calibration_check.h"
 #include "hexoderm/util/temporary_file.h"
 #include "hexoderm/util/text.h"
@@ -17,18 +18,17 @@ using Json = nlohmann::ordered_json;
 struct CheckOptions {
   std::string calibration;
   std::string session;
-  CaptureOptions live;
+  LiveCaptureOptions live;
 };
 
 /// Poses that are taken for the check; without -o they are kept only as long as it takes.
 Session takePoses(const CheckOptions& options, const Common& common) {
-  CaptureOptions live = options.live;
+  LiveCaptureOptions live = options.live;
   std::optional<TemporaryFolder> folder;
-  if (live.output.empty()) {
+  if (live.file.empty()) {
     folder.emplace(std::filesystem::temp_directory_path(), "the poses to check");
-    live.output = (folder->path() / "check.hexo").string();
+    live.file = folder->path() / "check.hexo";
   }
-  requireNewSession(live.output);
   return captureSession(live, common);
 }
 
@@ -80,8 +80,8 @@ Json toJson(const CalibrationCheck& check, const CheckOptions& options) {
 }
 
 void print(const CalibrationCheck& check) {
-  std::cout << check.poses.size() << (check.poses.size() == 1 ? " pose" : " poses") << " against the calibration of "
-            << check.cells.size() << (check.cells.size() == 1 ? " cell\n" : " cells\n");
+  std::cout << counted(check.poses.size(), "pose") << " against the calibration of "
+            << counted(check.cells.size(), "cell") << '\n';
   std::cout << "  cell   a turn is noticed from   now\n";
   for (const CheckedCell& cell : check.cells) {
     const std::string id = toString(cell.cell);
@@ -135,7 +135,7 @@ void addCheck(CLI::App& app, Common& common) {
       ->check(CLI::PositiveNumber)
       ->capture_default_str()
       ->needs(source);
-  command->add_option("-o,--output", options->live.output, "Keep the poses that are taken in a session (*.hexo)")
+  command->add_option("-o,--output", options->live.file, "Keep the poses that are taken in a session (*.hexo)")
       ->type_name(kOutput)
       ->needs(source);
   common.addTo(*command);

@@ -41,6 +41,7 @@ void Common::progress(const std::string& text) const {
 void Common::endProgress() const { progress(""); }
 
 void Common::note(const std::string& text) const {
+  endProgress();
   if (!quiet) std::cerr << forTerminal(text) << '\n';
 }
 
@@ -113,7 +114,6 @@ void Output::write(const ProduceBytes& produce) const {
 
 void OffenceNotes::show(const std::vector<Offence>& offences) {
   for (; shown_ < offences.size(); ++shown_) {
-    common_.endProgress();
     common_.note("The device does something wrong (" + std::string(offenceName(offences[shown_].kind)) +
                  "): " + inWords(offences[shown_]).english());
   }
@@ -296,6 +296,9 @@ void printJsonText(std::string_view text) {
   for (const std::string& line : split(text, '\n')) std::cout << forTerminal(line) << '\n';
 }
 
+std::string counted(std::uint64_t count, const std::string& noun) {
+  return std::to_string(count) + " " + noun + (count == 1 ? "" : "s");
+}
 std::string millimetres(double length_m, int decimals) {
   return formatFixed(toMillimetres(length_m), decimals) + " mm";
 }

@@ -10,6 +10,7 @@
 
 #include <CLI/CLI.hpp>
 
+#include <cstdint>
 #include <exception>
 #include <functional>
 #include <map>
@@ -21,6 +22,10 @@
 #include <string>
 #include <string_view>
 #include <vector>
+
+namespace hexoderm {
+struct LiveCaptureOptions;
+}
 
 namespace hexoderm::cli {
 
@@ -49,7 +54,8 @@ struct Common {
   /// A line on stderr that replaces the one before, if stderr is a terminal and --quiet is not given.
   void progress(const std::string& text) const;
   void endProgress() const;
-  /// A remark on stderr, unless --quiet. Both write what a terminal may be given (forTerminal()).
+  /// A remark on stderr in the place of the progress, unless --quiet. Both write what a terminal may be given
+  /// (forTerminal()).
   void note(const std::string& text) const;
   /// A remark where stderr is no terminal, which would show progress().
   void logNote(const std::string& text) const;
@@ -102,6 +108,9 @@ void addParts(CLI::App& app, Common& common);
 void addLinks(CLI::App& app, Common& common);
 void addPlace(CLI::App& app, Common& common);
 void addReproduce(CLI::App& app, Common& common);
+
+/// Captures as `capture` does and returns the session, which may have no pose. Says on standard error what goes on.
+Session captureSession(const LiveCaptureOptions& options, const Common& common);
 
 /// Says every offence of a device once, as soon as it is known.
 class OffenceNotes {
@@ -158,6 +167,8 @@ void printJsonText(std::string_view text);
 /// "tcp://HOST:PORT, udp://HOST:PORT, ...": all kinds of sources there are.
 std::string sourceKindsInWords();
 
+/// "1 pose", "2 poses".
+std::string counted(std::uint64_t count, const std::string& noun);
 std::string millimetres(double length_m, int decimals = 2);
 std::string degrees(double angle_rad, int decimals = 2);
 

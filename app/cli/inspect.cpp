@@ -58,8 +58,8 @@ void print(const Reconstruction& r, const std::string& path, const std::string& 
   if (!r.source.text.empty()) std::cout << "Source: " << forTerminal(r.source.text.english()) << '\n';
   std::cout << "Skin: " << sizeInWords(r) << ", " << freePorts(r) << " free ports\n";
   for (const PatchReconstruction& patch : r.patches) {
-    std::cout << "  patch " << patch.id << ": " << patch.cells.size() << (patch.cells.size() == 1 ? " cell" : " cells")
-              << ", origin cell " << patch.origin << '\n';
+    std::cout << "  patch " << patch.id << ": " << counted(patch.cells.size(), "cell") << ", origin cell "
+              << patch.origin << '\n';
   }
   std::cout << "Poses: " << r.poses.size() << '\n';
   for (const PoseSummary& pose : r.poses) {

@@ -61,10 +61,9 @@ void printCandidate(const LinkCandidate& candidate) {
 }
 
 void printPatch(const Reconstruction& r, const PatchLinks& patch) {
-  const std::size_t cells = r.patches[patch.patch.value()].cells.size();
-  std::cout << "Patch " << patch.patch << ", origin cell " << patch.origin << ", " << cells
-            << (cells == 1 ? " cell, " : " cells, ") << patch.poses << (patch.poses == 1 ? " pose: " : " poses: ")
-            << forTerminal(patch.why.english()) << '\n';
+  std::cout << "Patch " << patch.patch << ", origin cell " << patch.origin << ", "
+            << counted(r.patches[patch.patch.value()].cells.size(), "cell") << ", " << counted(patch.poses, "pose")
+            << ": " << forTerminal(patch.why.english()) << '\n';
   for (const LinkCandidate& candidate : patch.candidates) printCandidate(candidate);
   if (patch.nearest) {
     std::cout << "  Comes nearest:\n";

@@ -201,8 +201,8 @@ void printCells(const std::vector<CellHeard>& cells) {
 void print(const ListeningReport& report, const CommandTrial& trial) {
   const SourceStatus& status = report.status;
   if (report.is_described) {
-    std::cout << report.device << ": " << report.cells.size() << (report.cells.size() == 1 ? " cell" : " cells")
-              << " of model " << report.cell_model << '\n';
+    std::cout << report.device << ": " << counted(report.cells.size(), "cell") << " of model " << report.cell_model
+              << '\n';
     std::cout << "Links: " << report.links_agreed << " that both ends report, " << report.links_one_sided
               << " that only one end reports, " << report.links_unusable << " that can't be used otherwise\n";
     printSpread("Rate of a cell", report.rate_hz, "Hz", 1);

@@ -44,8 +44,8 @@ void printParts(const Reconstruction& r, const PartsResult& result) {
     const Part& part = result.parts[k];
     std::cout << "Part " << k + 1 << ", in the frame of cell " << part.patches.front().origin << ":\n";
     for (const PatchOfPart& patch : part.patches) {
-      std::cout << "  patch " << patch.patch << ", origin cell " << patch.origin << ", " << cellsOf(r, patch.patch)
-                << (cellsOf(r, patch.patch) == 1 ? " cell" : " cells");
+      std::cout << "  patch " << patch.patch << ", origin cell " << patch.origin << ", "
+                << counted(cellsOf(r, patch.patch), "cell");
       if (&patch != &part.patches.front()) {
         std::cout << ": turned by roll, pitch, yaw " << rpy(patch.R_part_o) << ", +- " << sigmaOf(patch.covariance);
       }

@@ -58,9 +58,9 @@ void printSigma(const std::string& name, const SigmaEstimate& estimate, double m
 }
 
 void print(const SensorStatistics& statistics, const Accelerometer& model, std::size_t sessions) {
-  std::cout << sessions << (sessions == 1 ? " session, " : " sessions, ") << statistics.cells_used << " of "
-            << statistics.cells << " accelerometers, " << statistics.readings << " mean readings, solved "
-            << statistics.rounds << " times" << (statistics.settled ? "" : " and not settled") << '\n';
+  std::cout << counted(sessions, "session") << ", " << statistics.cells_used << " of " << statistics.cells
+            << " accelerometers, " << statistics.readings << " mean readings, solved " << statistics.rounds << " times"
+            << (statistics.settled ? "" : " and not settled") << '\n';
   std::cout << "Errors of the accelerometers, 1 sigma an axis:\n";
   const SensorSigmas& sigmas = statistics.sigmas;
   printSigma("offset", sigmas.offset_g, model.offset_sigma_g, kMilliG);

@@ -29,8 +29,8 @@ void printSummary(const Reconstruction& r, const Session& session) {
   std::cout << sizeInWords(r) << ", " << session.poses().size() << " poses, solved in "
             << formatFixed(r.solve_seconds * 1000, 1) << " ms (" << r.solver << ")\n";
   for (const PatchReconstruction& patch : r.patches) {
-    std::cout << "Patch " << patch.id << ": " << patch.cells.size() << (patch.cells.size() == 1 ? " cell" : " cells")
-              << ", origin cell " << patch.origin;
+    std::cout << "Patch " << patch.id << ": " << counted(patch.cells.size(), "cell") << ", origin cell "
+              << patch.origin;
     if (patch.gap_share && patch.gap_share->sigma > 0) {
       std::cout << ", gap share " << formatFixed(patch.gap_share->share, 2) << " +- "
                 << formatFixed(patch.gap_share->sigma, 2) << " (0 pivot, 1 arc)";

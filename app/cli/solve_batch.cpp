@@ -78,10 +78,9 @@ struct EndedSession {
 std::string lineOf(const std::string& input, const Reconstruction& result, const std::filesystem::path& written) {
   std::string verdict(verdictName(result.assessment.level));
   std::ranges::replace(verdict, '_', ' ');
-  const std::size_t poses = result.poses.size();
-  std::string line = input + ": " + verdict + ". " + sizeInWords(result).english() + ", " + std::to_string(poses) +
-                     (poses == 1 ? " pose" : " poses") + ", solved in " + formatFixed(result.solve_seconds * 1000, 1) +
-                     " ms (" + result.solver + ")";
+  std::string line = input + ": " + verdict + ". " + sizeInWords(result).english() + ", " +
+                     counted(result.poses.size(), "pose") + ", solved in " +
+                     formatFixed(result.solve_seconds * 1000, 1) + " ms (" + result.solver + ")";
   if (!written.empty()) line += ". Written to " + written.string();
   return line;
 }
@@ -209,9 +208,9 @@ class BatchReport {
   [[nodiscard]] std::size_t count() const { return count_; }
   [[nodiscard]] int exitCode() const { return exit_code_; }
   [[nodiscard]] std::string inWords() const {
-    return std::to_string(count_) + (count_ == 1 ? " session: " : " sessions: ") +
-           std::to_string(count_ - not_good_enough_ - failed_) + " good or usable, " +
-           std::to_string(not_good_enough_) + " not enough or failed, " + std::to_string(failed_) + " with an error";
+    return counted(count_, "session") + ": " + std::to_string(count_ - not_good_enough_ - failed_) +
+           " good or usable, " + std::to_string(not_good_enough_) + " not enough or failed, " +
+           std::to_string(failed_) + " with an error";
   }
 
  private:

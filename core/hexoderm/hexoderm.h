@@ -1,6 +1,7 @@
 #pragma once
 
 // The whole library: every public header.
+#include "hexoderm/capture/hold_ledger.h"
 #include "hexoderm/capture/pose_capture.h"
 #include "hexoderm/capture/pose_recorder.h"
 #include "hexoderm/capture/stillness.h"

@@ -6840,6 +6840,10 @@ Die Balken sagen, wie sehr sich die gesehenen Richtungen in drei Achsen untersch
         <translation>die Automatik braucht ein Gerät, das sich selbst dreht, und dieses kann es nicht</translation>
     </message>
     <message>
+        <source>The device does not turn there: {}</source>
+        <translation>Das Gerät dreht sich nicht dorthin: {}</translation>
+    </message>
+    <message>
         <source>refused to turn {} times, the last time: {}</source>
         <translation>hat sich {}-mal geweigert, sich zu drehen, zuletzt: {}</translation>
     </message>

@@ -182,8 +182,7 @@ nlohmann::ordered_json countChanges(const Trials& trials, bool prints) {
                      "error / stated", "reached"});
     for (const ChangeRow& row : rows) {
       const bool healthy = row.what.change == Change::None;
-      table.add({row.what.name, std::to_string(row.what.calibration_poses) + " poses",
-                 std::to_string(row.what.poses) + (row.what.poses == 1 ? " pose" : " poses"),
+      table.add({row.what.name, std::to_string(row.what.calibration_poses) + " poses", counted(row.what.poses, "pose"),
                  healthy ? "-" : inWords(row.found, 1), healthy ? "-" : inWords(row.right, 1),
                  healthy ? "-" : formatFixed(row.ambiguous.percent(), 1) + " %", inWords(row.blamed, 2),
                  row.deviates.empty() ? "-" : formatFixed(rootMeanSquare(row.deviates), 2),

@@ -1,17 +1,21 @@
 #pragma once
 
+#include "hexoderm/capture/hold_ledger.h"
 #include "hexoderm/capture/pose_recorder.h"
 #include "hexoderm/course/capture_course.h"
+#include "hexoderm/device/skin_source.h"
 #include "hexoderm/reconstruction/result/reconstruction.h"
 #include "hexoderm/session/session.h"
 #include "hexoderm/util/message.h"
 
 #include <cstddef>
 #include <filesystem>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <stop_token>
 #include <string>
+#include <variant>
 
 namespace hexoderm {
 
@@ -31,14 +35,44 @@ struct LiveCaptureOptions {
 /// The state of a live capture. Copies share what is large. What to do next is result->assessment.next_action; `advice`
 /// is the same without the forecast.
 struct LiveCaptureState {
-  std::optional<Session> session{};                ///< since a skin described itself
-  std::shared_ptr<const Reconstruction> result{};  ///< of all poses; null before the first
-  std::optional<PoseKept> last{};                  ///< the pose that next() gave last, and what was odd about it
-  bool can_turn = false;                           ///< the device can be asked to, see turnToNextPose()
-  Message status{};                                ///< what is waited for, or that nothing is, one line
-  Message advice{};                                ///< the pose that would help most; empty: none is known, or wanted
-  std::optional<Eigen::Vector3d> up{};             ///< the same: what to turn up, unit, frame of the largest patch
+  std::optional<Session> session{};  ///< since a skin described itself
+  /// Of all poses; null before the first, and at the end where solving them was stopped.
+  std::shared_ptr<const Reconstruction> result{};
+  std::optional<PoseKept> last{};       ///< the pose that next() gave last, and what was odd about it
+  bool can_turn = false;                ///< the device can be asked to, see turnToNextPose()
+  Message status{};                     ///< what is waited for, or that nothing is, one line
+  Message advice{};                     ///< the pose that would help most; empty: none is known, or wanted
+  std::optional<Eigen::Vector3d> up{};  ///< the same: what to turn up, unit, frame of the largest patch
+  Message device{};                     ///< what the device calls itself; empty: no skin described itself
+  SourceStatus source{};                ///< of the source, up to the end of the capture
+  HoldLedger holds{};                   ///< where the time went, in which the part was watched
 };
+
+/// A skin described itself for the first time: the session is begun, and its file made.
+struct CaptureBegun {
+  SkinDescription skin;
+};
+/// One obstacle alone has kept a capture from starting for so long, in device time. Told after 5 s, and then ever more
+/// rarely.
+struct NoPose {
+  double duration_s = 0;
+  Message why;
+};
+/// The device is connected and has sent no readings for so long. Told after 3 s, and then ever more rarely.
+struct NoReadings {
+  double duration_s = 0;
+  Message why;
+};
+/// The pose that would help most is another one now, whether or not more poses are wanted.
+struct PoseAdvised {
+  Message advice;
+};
+
+/// Everything that a live capture tells while it goes on: what the device says of itself (SkinDescription, before
+/// anything is made of it, and SourceStatus), what the recorder says of the part (HoldStatus), of either only the
+/// newest where they come faster than they are told, and what its course tells.
+using LiveCaptureEvent =
+    std::variant<SkinDescription, CaptureBegun, SourceStatus, HoldStatus, NoPose, NoReadings, PoseAdvised, CourseEvent>;
 
 /// A live capture with a loop of its own: a CaptureCourse with its source, its session, the file that keeps it, and the
 /// solver, for programs that have no event loop. Poses are taken from it one by one:
@@ -50,24 +84,35 @@ struct LiveCaptureState {
 /// and close() wait for each other.
 class LiveCapture {
  public:
+  /// Is told what happens, in the calls of next() and close(). What it throws ends the capture and comes back to their
+  /// caller. It must call neither.
+  using Listener = std::function<void(const LiveCaptureEvent&)>;
+
   /// Connects. Throws as openSkinSource() and SkinSource::start(), InvalidArgument for a name that does not end in
   /// .hexo, and StorageError for a file that exists.
   explicit LiveCapture(LiveCaptureOptions options);
+  /// The same with a source that was opened and not started, which start() does; `options.source` only names it.
+  LiveCapture(LiveCaptureOptions options, std::unique_ptr<SkinSource> source, Listener listener);
   /// Ends the capture as close() does, and throws nothing.
   ~LiveCapture();
   LiveCapture(const LiveCapture&) = delete;
   LiveCapture& operator=(const LiveCapture&) = delete;
 
+  /// Connects, as SkinSource::start(). Call once, and only for a source that was handed over.
+  void start();
   /// Waits for the next pose that counts as captured, and solves all poses; nullopt if there are enough, the stream is
   /// over, or `stop` or close() was called. Without `automatic` it waits for a pose without limit. Throws DeviceError
   /// or StorageError; what was captured stays.
-  std::optional<CapturedPose> next(const std::stop_token& stop = {});
+  std::optional<CapturedPose> next(const std::stop_token& stop = {}) { return next(stop, stop); }
+  /// The same where the solver is stopped by `stop_solving`, which comes later than `stop`.
+  std::optional<CapturedPose> next(const std::stop_token& stop, const std::stop_token& stop_solving);
   /// Asks the device to turn to the pose that would help most. It is next() that does so, the call that waits in
   /// another thread or else the next one. Throws InvalidArgument if the device can't turn, or did not describe itself
   /// yet.
   void turnToNextPose();
-  /// Ends the capture and waits until all poses are on disk. Throws StorageError if one is not. Idempotent.
-  void close();
+  /// Ends the capture, waits until all poses are on disk, and solves them if that is still to be done. Throws
+  /// StorageError if one is not on disk. Idempotent.
+  void close(const std::stop_token& stop_solving = {});
   /// The state as next() saw it last, also while another thread waits there.
   [[nodiscard]] LiveCaptureState state() const;
 

@@ -1,16 +1,21 @@
 #include "hexoderm/course/live_capture.h"
 
+#include "hexoderm/device/simulation/simulated_skin.h"
+#include "hexoderm/device/sources/open_source.h"
 #include "hexoderm/io/open_file.h"
 #include "hexoderm/util/error.h"
 #include "tests/support/error_matchers.h"
 #include "tests/support/temporary_folder.h"
 
 #include <gmock/gmock.h>
+#include <Eigen/Geometry>
 
 #include <chrono>
 #include <future>
+#include <memory>
 #include <stop_token>
 #include <thread>
+#include <utility>
 #include <variant>
 #include <vector>
 
@@ -19,6 +24,7 @@ namespace {
 
 using test::messageOf;
 using test::saysAll;
+using testing::DoubleNear;
 using testing::ElementsAre;
 using testing::IsEmpty;
 using testing::SizeIs;
@@ -38,6 +44,92 @@ std::vector<PoseId> posesOf(LiveCapture& capture) {
   while (const auto pose = capture.next()) poses.push_back(pose->pose->id);
   return poses;
 }
+
+/// Says what the test says, before the capture waits for it, and refuses as many turns as the test says.
+class ScriptedSource final : public SkinSource {
+ public:
+  void start(SkinListener& listener) override { listener_ = &listener; }
+  void stop() noexcept override {}
+  std::uint32_t send(const SkinCommand& /*command*/) override {
+    ++commands_;
+    if (commands_ <= refusals) {
+      listener_->onCommandOutcome({commands_, false, Message::verbatim("its motors are off")});
+    }
+    return commands_;
+  }
+  [[nodiscard]] std::string address() const override { return "script"; }
+
+  void describe(bool can_turn) {
+    SkinDescription description;
+    description.device = Message::verbatim("test skin");
+    description.model = std::make_shared<const CellModel>(skin_.model());
+    description.neighbors = skin_.neighbors();
+    description.can_turn = can_turn;
+    listener_->onSkin(description);
+    say(SourceState::Streaming);
+  }
+  void say(SourceState state) {
+    SourceStatus status;
+    status.state = state;
+    status.message = Message::verbatim("as the script says");
+    listener_->onStatus(status);
+  }
+  /// 20 readings a second of every cell, all of which turn alike.
+  void read(double duration_s, double turn_rad_s) {
+    for (; duration_s > 0; duration_s -= kEvery_s) {
+      SampleFrame frame{time_s_ += kEvery_s};
+      angle_rad_ += turn_rad_s * kEvery_s;
+      const Eigen::AngleAxisd turned(angle_rad_, Eigen::Vector3d::UnitY());
+      for (const GravitySample& sample : at_rest_.samples) {
+        frame.samples.push_back({sample.cell, turned * sample.mean_g});
+      }
+      listener_->onFrame(frame);
+    }
+  }
+
+  std::uint32_t refusals = 0;
+
+ private:
+  static constexpr double kEvery_s = 0.05;
+  SimulatedSkin skin_{builtInCellModel("hex-bma150"), {}};
+  PoseCapture at_rest_ = averageFrames(skin_.record(Eigen::Vector3d::UnitZ()), PoseId(1), {});
+  SkinListener* listener_ = nullptr;
+  std::uint32_t commands_ = 0;
+  double time_s_ = 0;
+  double angle_rad_ = 0;
+};
+
+/// A capture from a script, and all that it tells.
+struct Scripted {
+  explicit Scripted(LiveCaptureOptions options) {
+    options.source = "script";
+    auto owned = std::make_unique<ScriptedSource>();
+    source = owned.get();
+    capture = std::make_unique<LiveCapture>(std::move(options), std::move(owned),
+                                            [this](const LiveCaptureEvent& event) { events.push_back(event); });
+    capture->start();
+  }
+  template <class Event>
+  [[nodiscard]] std::vector<Event> told() const {
+    std::vector<Event> found;
+    for (const LiveCaptureEvent& event : events) {
+      if (const auto* own = std::get_if<Event>(&event)) found.push_back(*own);
+    }
+    return found;
+  }
+  template <class Event>
+  [[nodiscard]] std::vector<Event> toldByCourse() const {
+    std::vector<Event> found;
+    for (const CourseEvent& event : told<CourseEvent>()) {
+      if (const auto* own = std::get_if<Event>(&event)) found.push_back(*own);
+    }
+    return found;
+  }
+
+  ScriptedSource* source = nullptr;
+  std::vector<LiveCaptureEvent> events;
+  std::unique_ptr<LiveCapture> capture;
+};
 
 TEST(LiveCapture, GivesEachPoseWithTheResultOfAll) {
   LiveCapture capture(fourPoses());
@@ -125,6 +217,115 @@ TEST(LiveCapture, KeepsThePosesInItsFileAndWhatTheDeviceSentInARecording) {
   replay.source = "replay:" + options.record_to.string() + "?speed=max";
   LiveCapture again(replay);
   EXPECT_THAT(posesOf(again), ElementsAre(PoseId(1), PoseId(2), PoseId(3), PoseId(4)));
+  const Session recorded = openSession(options.file);
+  for (std::size_t pose = 0; pose < 4; ++pose) {
+    const auto& live = recorded.poses()[pose].capture->samples;
+    const auto& replayed = again.state().session->poses()[pose].capture->samples;
+    ASSERT_EQ(live.size(), replayed.size());
+    for (std::size_t cell = 0; cell < live.size(); ++cell) EXPECT_EQ(live[cell].mean_g, replayed[cell].mean_g);
+  }
+}
+
+TEST(LiveCapture, TellsWhatHappensInItsOrder) {
+  LiveCaptureOptions options;
+  options.poses = 1;
+  Scripted scripted(options);
+  scripted.source->describe(false);
+  scripted.source->read(5, 0);
+  EXPECT_THAT(scripted.events, IsEmpty()) << "next() tells";
+  EXPECT_THAT(posesOf(*scripted.capture), ElementsAre(PoseId(1)));
+  ASSERT_THAT(scripted.told<SkinDescription>(), SizeIs(1));
+  ASSERT_THAT(scripted.told<CaptureBegun>(), SizeIs(1));
+  EXPECT_THAT(scripted.told<CaptureBegun>().front().skin.neighbors, SizeIs(17));
+  EXPECT_THAT(scripted.told<SourceStatus>(), SizeIs(1));
+  EXPECT_THAT(scripted.told<HoldStatus>(), SizeIs(testing::Le(2U))) << "one before the pose and one after it";
+  EXPECT_THAT(scripted.toldByCourse<PoseTaken>(), SizeIs(1));
+  EXPECT_THAT(scripted.toldByCourse<PoseKept>(), SizeIs(1));
+  EXPECT_TRUE(std::holds_alternative<SkinDescription>(scripted.events.front()));
+  EXPECT_THAT(scripted.toldByCourse<CourseFinished>(), SizeIs(1));
+  const LiveCaptureState state = scripted.capture->state();
+  EXPECT_EQ(state.device.english(), "test skin");
+  EXPECT_EQ(state.source.state, SourceState::Streaming);
+  EXPECT_NEAR(state.holds.watched_s(), 5, 0.5);
+}
+
+TEST(LiveCapture, SaysEverMoreRarelyThatTheSameKeepsAPoseFromBeingTaken) {
+  Scripted scripted({});
+  scripted.source->describe(false);
+  constexpr double kTurning_rad_s = 0.14;
+  scripted.source->read(30, kTurning_rad_s);
+  scripted.source->read(5, 0);
+  scripted.source->read(8, kTurning_rad_s);
+  scripted.source->say(SourceState::Ended);
+  EXPECT_THAT(posesOf(*scripted.capture), SizeIs(1));
+  std::vector<double> durations_s;
+  for (const NoPose& wait : scripted.told<NoPose>()) {
+    durations_s.push_back(wait.duration_s);
+    EXPECT_THAT(wait.why.english(), testing::HasSubstr("the part turns by"));
+  }
+  EXPECT_THAT(durations_s,
+              ElementsAre(DoubleNear(5, 0.2), DoubleNear(10, 0.4), DoubleNear(20, 0.8), DoubleNear(5, 0.2)));
+}
+
+TEST(LiveCapture, GivesUpADeviceThatRefusesEveryTurn) {
+  LiveCaptureOptions options;
+  options.automatic = true;
+  Scripted scripted(options);
+  scripted.source->refusals = 100;
+  scripted.source->describe(true);
+  scripted.source->read(5, 0);
+  EXPECT_TRUE(scripted.capture->next());
+  EXPECT_EQ(messageOf<DeviceError>([&] { scripted.capture->next(); }),
+            "script: refused to turn 11 times, the last time: its motors are off");
+  EXPECT_THAT(scripted.toldByCourse<TurnRefused>(), SizeIs(11));
+  EXPECT_THAT(scripted.told<PoseAdvised>(), SizeIs(testing::Ge(11U)));
+  EXPECT_NE(scripted.capture->state().result, nullptr);
+}
+
+TEST(LiveCapture, SaysWhichTurnWasRefusedWhereNoPoseComesInTime) {
+  LiveCaptureOptions options;
+  options.automatic = true;
+  options.timeout_s = 0.4;
+  Scripted scripted(options);
+  scripted.source->refusals = 1;
+  scripted.source->describe(true);
+  scripted.source->read(5, 0);
+  EXPECT_TRUE(scripted.capture->next());
+  EXPECT_THAT(messageOf<DeviceError>([&] { scripted.capture->next(); }),
+              saysAll("script: no pose for 0.4 s: ", "The device does not turn there: its motors are off",
+                      "as the script says"));
+}
+
+TEST(LiveCapture, WhatItsListenerThrowsEndsIt) {
+  const test::TemporaryFolder folder;
+  LiveCaptureOptions options = fourPoses();
+  options.file = folder.path() / "live.hexo";
+  LiveCapture capture(options, openSkinSource(kSkin), [](const LiveCaptureEvent& event) {
+    const auto* course = std::get_if<CourseEvent>(&event);
+    if (course != nullptr && std::holds_alternative<PoseKept>(*course)) throw DeviceError("enough of it");
+  });
+  capture.start();
+  EXPECT_EQ(messageOf<DeviceError>([&] { capture.next(); }), "enough of it");
+  EXPECT_FALSE(capture.next());
+  EXPECT_THAT(openSession(options.file).poses(), SizeIs(1));
+}
+
+TEST(LiveCapture, PosesThatNobodyLetsItSolveAreKeptWithoutAResult) {
+  for (const bool goes_on : {false, true}) {
+    std::stop_source stop;
+    LiveCapture capture(fourPoses(), openSkinSource(kSkin), [&](const LiveCaptureEvent& event) {
+      const auto* course = std::get_if<CourseEvent>(&event);
+      if (course != nullptr && std::holds_alternative<PoseKept>(*course)) stop.request_stop();
+    });
+    capture.start();
+    EXPECT_FALSE(capture.next(stop.get_token(), stop.get_token()));
+    if (goes_on) {
+      EXPECT_EQ(capture.next()->pose->id, PoseId(1));
+    }
+    capture.close(stop.get_token());
+    ASSERT_THAT(capture.state().session->poses(), SizeIs(1));
+    EXPECT_EQ(capture.state().result != nullptr, goes_on);
+  }
 }
 
 TEST(LiveCapture, RefusesWhatCanNotBe) {
