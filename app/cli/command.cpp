@@ -12,8 +12,12 @@
 
 #include <algorithm>
 #include <cctype>
+#include <cerrno>
+#include <cmath>
+#include <cstdlib>
 #include <filesystem>
 #include <iostream>
+#include <limits>
 #include <map>
 #include <new>
 #include <system_error>
@@ -21,6 +25,16 @@
 
 namespace hexoderm::cli {
 namespace {
+
+/// The values of all options whose type is called so; what is checked of them follows its name.
+template <class Action>
+void forEachValue(const CLI::App& command, const std::string& type, const Action& action) {
+  for (const CLI::Option* option : command.get_options()) {
+    const std::string name = option->get_type_name();
+    if (name != type && !name.starts_with(type + ":")) continue;
+    for (const std::string& value : option->results()) action(*option, value);
+  }
+}
 
 template <class Kind>
 bool isA(const std::exception& error) {
@@ -70,21 +84,32 @@ void requireApart(const std::string& a, const std::string& b) {
 }  // namespace
 
 void requireReplaceableOutputs(const CLI::App& command) {
-  const auto forEachValue = [&](const char* type, const auto& action) {
-    for (const CLI::Option* option : command.get_options()) {
-      if (option->get_type_name() != type) continue;
-      for (const std::string& value : option->results()) action(*option, value);
-    }
-  };
   noteRead("/dev/stdin");
-  forEachValue(kInput, [](const CLI::Option& /*option*/, const std::string& file) { noteRead(file); });
+  forEachValue(command, kInput, [](const CLI::Option& /*option*/, const std::string& file) { noteRead(file); });
   std::vector<std::string> outputs;
-  forEachValue(kOutput, [&](const CLI::Option& option, const std::string& file) {
+  forEachValue(command, kOutput, [&](const CLI::Option& option, const std::string& file) {
     if (file == kStandardOutput) return;
     const auto& letters = option.get_snames();
     requireReplaceable(file, (letters.empty() ? option.get_name() : "-" + letters.front()) + " " + file);
     for (const std::string& other : outputs) requireApart(file, other);
     outputs.push_back(file);
+  });
+}
+
+void requireSoundNumbers(const CLI::App& command) {
+  forEachValue(command, "FLOAT", [](const CLI::Option& option, const std::string& value) {
+    if (!std::isfinite(std::strtod(value.c_str(), nullptr))) {
+      throw InvalidArgument(option.get_name() + ": expected a finite number, found " + value);
+    }
+  });
+  forEachValue(command, "UINT", [](const CLI::Option& option, const std::string& value) {
+    errno = 0;
+    static_cast<void>(std::strtoull(value.c_str(), nullptr, 0));
+    if (errno == ERANGE || value.find('-') != std::string::npos) {
+      throw InvalidArgument(option.get_name() + ": expected a whole number from 0 to " +
+                            std::to_string(std::numeric_limits<std::uint64_t>::max()) + ", found " +
+                            shortened(value, 80));
+    }
   });
 }
 
@@ -178,6 +203,13 @@ std::map<PoseId, JointAngles> anglesOfPoses(const Session& session, const std::s
     angles[session.poses()[edit.index].capture->id] = edit.angles;
   }
   return angles;
+}
+
+void setUp(const std::vector<double>& up, LinksOptions& options) {
+  if (up.empty()) return;
+  options.up_w = {up[0], up[1], up[2]};
+  checkOption("--up", formatExact(up[0]) + "," + formatExact(up[1]) + "," + formatExact(up[2]),
+              [&] { options.validate(); });
 }
 
 int exitCodeOf(const Assessment& verdict) { return verdict.isUsable() ? kDone : kNotGoodEnough; }

@@ -4,9 +4,11 @@
 #include "hexoderm/io/open_file.h"
 #include "hexoderm/kinematics/robot_model.h"
 #include "hexoderm/reconstruction/result/reconstruction.h"
+#include "hexoderm/robot/links/links.h"
 #include "hexoderm/session/session.h"
 #include "hexoderm/util/error.h"
 #include "hexoderm/util/file.h"
+#include "hexoderm/util/text.h"
 
 #include <CLI/CLI.hpp>
 
@@ -67,6 +69,19 @@ inline constexpr const char* kOutput = "OUTPUT";
 /// Before any work: InvalidArgument if an output is one of the inputs, standard input among them, or another output,
 /// StorageError if it is a session.
 void requireReplaceableOutputs(const CLI::App& command);
+
+/// InvalidArgument naming the option if its number is not finite, or is whole and negative or beyond 64 bits, all of
+/// which the parser lets pass.
+void requireSoundNumbers(const CLI::App& command);
+/// Runs `check` and names the option, with its value, in what it throws.
+template <class Check>
+void checkOption(const std::string& option, const std::string& value, Check check) {
+  try {
+    check();
+  } catch (const InvalidArgument& error) {
+    throw InvalidArgument(located(option + " " + shortened(value, 80), error.message()));
+  }
+}
 
 /// As `-o`: standard output.
 inline constexpr std::string_view kStandardOutput = "-";
@@ -149,6 +164,9 @@ RobotModel openRobot(const std::string& robot, const std::vector<std::string>& p
 /// The joint angles of a session's poses: those of the table `file` (as `--joints`; may be empty) where it has a pose,
 /// else those of the session.
 std::map<PoseId, JointAngles> anglesOfPoses(const Session& session, const std::string& file, const RobotModel& robot);
+
+/// `--up`, three numbers or none. Throws InvalidArgument naming it where they are no direction.
+void setUp(const std::vector<double>& up, LinksOptions& options);
 
 int exitCodeOf(const Assessment& verdict);
 /// Of an error that ends a command; nothing for what no command should throw.

@@ -37,7 +37,7 @@ void addChoice(const std::string& text, LinksOptions& options) {
 LinksOptions optionsOf(const LinksArguments& arguments) {
   LinksOptions options;
   options.joint_zeros = !arguments.exact_joints;
-  if (!arguments.up.empty()) options.up_w = {arguments.up[0], arguments.up[1], arguments.up[2]};
+  setUp(arguments.up, options);
   for (const std::string& choice : arguments.chosen) addChoice(choice, options);
   options.validate();
   return options;

@@ -61,7 +61,10 @@ int main(int argc, char** argv) {
   cli::addPlace(app, common);
   cli::addReproduce(app, common);
   app.parse_complete_callback([&app] {
-    for (const CLI::App* command : app.get_subcommands()) cli::requireReplaceableOutputs(*command);
+    for (const CLI::App* command : app.get_subcommands()) {
+      cli::requireSoundNumbers(*command);
+      cli::requireReplaceableOutputs(*command);
+    }
   });
 
   try {

@@ -65,6 +65,7 @@ KnownPoint pointFrom(const std::string& text) {
   const std::vector<double> x = numbersFrom(parts[1], 3, "--point", kPointSyntax, text);
   point.x_l = {x[0], x[1], x[2]};
   if (parts.size() == 3) point.sigma_m = parseNumber(parts[2], "--point");
+  checkOption("--point", text, [&] { requirePlaceable(point); });
   return point;
 }
 
@@ -76,6 +77,7 @@ KnownDistance distanceFrom(const std::string& text) {
   distance.b = CellId(parseUnsigned(parts[1], "--distance"));
   distance.distance_m = parseNumber(parts[2], "--distance");
   if (parts.size() == 4) distance.sigma_m = parseNumber(parts[3], "--distance");
+  checkOption("--distance", text, [&] { requirePlaceable(distance); });
   return distance;
 }
 
@@ -125,7 +127,9 @@ void addRotation(const Reconstruction& r, const std::string& text, PlaceTask& ta
   if (parts.size() > 2) refuse("--rotation", kRotationSyntax, text);
   const std::vector<double> rpy = numbersFrom(parts[0], 3, "--rotation", kRotationSyntax, text);
   const double sigma_deg = parts.size() == 2 ? parseNumber(parts[1], "--rotation") : 1;
-  if (!(sigma_deg > 0)) throw InvalidArgument("--rotation \"" + text + "\": expected a sigma above 0");
+  if (!(sigma_deg >= 0.001 && sigma_deg <= 360)) {
+    throw InvalidArgument("--rotation \"" + text + "\": expected a sigma from 0.001 to 360 degrees");
+  }
   KnownRotation rotation;
   rotation.R_l_o = rotationFromRpy({rpy[0] * kDegree, rpy[1] * kDegree, rpy[2] * kDegree});
   rotation.covariance = std::pow(sigma_deg * kDegree, 2) * Eigen::Matrix3d::Identity();
@@ -182,7 +186,7 @@ bool takeRotationsOfLinks(const PlaceCommandOptions& options, const SolvedInput&
                    "--joints FILE");
   }
   LinksOptions links_options;
-  if (!options.up.empty()) links_options.up_w = {options.up[0], options.up[1], options.up[2]};
+  setUp(options.up, links_options);
   for (const PatchToPlace& patch : task.patches) links_options.chosen[patch.origin] = options.link;
   links_options.validate();
   common.progress("Comparing with the robot ...");
@@ -337,20 +341,30 @@ PlaceTask taskFrom(const PlaceCommandOptions& options, const Reconstruction& r) 
   return task;
 }
 
+PlaceOptions placeOptionsFrom(const PlaceCommandOptions& options) {
+  PlaceOptions place_options;
+  // One after the other, so that what is refused is the one that was set last.
+  const auto set = [&](const char* option, double given, double unit, double& value) {
+    value = given * unit;
+    checkOption(option, formatExact(given), [&] { place_options.validate(); });
+  };
+  set("--surface-sigma", options.surface_sigma_mm, kMillimetre, place_options.surface_sigma_m);
+  set("--normal-sigma", options.normal_sigma_deg, kDegree, place_options.normal_sigma_rad);
+  set("--gap", options.gap_mm, kMillimetre, place_options.gap_m);
+  return place_options;
+}
+
 int run(const PlaceCommandOptions& options, const Common& common) {
   std::optional<Output> output;
   if (!options.output.empty()) output.emplace(options.output, common);
   const bool by_links = wantsLinks(options);
+  const PlaceOptions place_options = placeOptionsFrom(options);
   const SolvedInput input = solved(options.input, common);
   PlaceTask task = taskFrom(options, *input.result);
   const RobotModel robot = openRobot(options.robot, options.packages);
   const std::size_t link = robot.linkNamed(options.link);
   const bool fits_link = !by_links || takeRotationsOfLinks(options, input, robot, task, common);
   if (!options.no_surface) task.surface = surfaceOf(options, robot, link, common);
-  PlaceOptions place_options;
-  place_options.surface_sigma_m = options.surface_sigma_mm * kMillimetre;
-  place_options.normal_sigma_rad = options.normal_sigma_deg * kDegree;
-  place_options.gap_m = options.gap_mm * kMillimetre;
   common.progress("Looking for places ...");
   const PlaceResult result = placePatches(task, place_options);
   common.endProgress();

@@ -5,12 +5,16 @@
 
 #include <boost/geometry.hpp>
 #include <boost/geometry/index/rtree.hpp>
+#include <boost/iterator/function_output_iterator.hpp>
 
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 #include <iterator>
 #include <limits>
+#include <map>
+#include <optional>
+#include <utility>
 #include <vector>
 
 namespace hexoderm {
@@ -23,12 +27,52 @@ using BoxOfTriangle = std::pair<MeshBox, std::uint32_t>;
 using BoxTree = bg::index::rtree<BoxOfTriangle, bg::index::rstar<8>>;
 
 constexpr double kEdge = 40 * kDegree;
-/// A triangle of less area has no direction.
-constexpr double kLeastArea_m2 = 1e-14;
 
 MeshPoint toBoost(const Eigen::Vector3d& x) { return {x.x(), x.y(), x.z()}; }
 
 using Corners = std::array<Eigen::Vector3d, 3>;
+using CornerIndices = std::array<std::uint32_t, 3>;
+
+/// The triangles in their order without those that repeat an earlier one. Otherwise every foot would be looked for in
+/// all that repeat it.
+std::vector<CornerIndices> withoutRepeats(std::vector<CornerIndices> triangles) {
+  std::vector<std::pair<CornerIndices, std::uint32_t>> sorted;
+  sorted.reserve(triangles.size());
+  for (CornerIndices corners : triangles) {
+    std::ranges::rotate(corners, std::ranges::min_element(corners));
+    sorted.emplace_back(corners, static_cast<std::uint32_t>(sorted.size()));
+  }
+  std::ranges::sort(sorted);
+  const auto repeats = std::ranges::unique(sorted, {}, &std::pair<CornerIndices, std::uint32_t>::first);
+  if (repeats.empty()) return triangles;
+  sorted.erase(repeats.begin(), repeats.end());
+  std::ranges::sort(sorted, {}, &std::pair<CornerIndices, std::uint32_t>::second);
+  std::vector<CornerIndices> once;
+  for (const auto& [corners, index] : sorted) once.push_back(triangles[index]);
+  return once;
+}
+
+/// A triangle at one of its corners, or several of about the same normal.
+struct Meeting {
+  Eigen::Vector3d normal;
+  double angle_rad;
+};
+
+/// Where many triangles meet, as at the apex of a fine cone, those within about 14 degrees become one: each will be
+/// compared with all.
+void joinDirections(std::vector<Meeting>& meeting) {
+  constexpr std::size_t kMany = 64;
+  constexpr double kPerUnit = 4;
+  if (meeting.size() <= kMany) return;
+  std::map<std::array<double, 3>, Eigen::Vector3d> joined;
+  for (const Meeting& one : meeting) {
+    const Eigen::Vector3d cell = (kPerUnit * one.normal).array().round();
+    joined.try_emplace({cell.x(), cell.y(), cell.z()}, Eigen::Vector3d::Zero()).first->second +=
+        one.angle_rad * one.normal;
+  }
+  meeting.clear();
+  for (const auto& [cell, sum] : joined) meeting.push_back({sum.normalized(), sum.norm()});
+}
 
 /// Barycentric coordinates of the point of a triangle that is nearest to x (Ericson, Real-Time Collision Detection,
 /// 5.1.5).
@@ -72,25 +116,22 @@ struct MeshFeet::State {
 };
 
 void MeshFeet::State::addTriangles(const TriangleMesh& mesh) {
-  struct Meeting {
-    Eigen::Vector3d normal;
-    double angle_rad;
-  };
   std::vector<std::vector<Meeting>> meeting(mesh.points.size());
   std::vector<Eigen::Vector3d> face_normals;
-  std::vector<std::array<std::uint32_t, 3>> kept;
-  for (const auto& triangle : mesh.triangles) {
+  std::vector<CornerIndices> kept;
+  for (const auto& triangle : withoutRepeats(mesh.triangles)) {
     const Corners corners{mesh.points.at(triangle[0]), mesh.points.at(triangle[1]), mesh.points.at(triangle[2])};
-    const Eigen::Vector3d area = (corners[1] - corners[0]).cross(corners[2] - corners[0]);
-    if (!(area.norm() > kLeastArea_m2)) continue;
+    const std::optional<Eigen::Vector3d> normal = normalOf(corners);
+    if (!normal) continue;
     triangles.push_back(corners);
-    face_normals.push_back(area.normalized());
+    face_normals.push_back(*normal);
     kept.push_back(triangle);
     for (std::size_t k = 0; k < 3; ++k) {
       const double angle = angleBetween(corners[(k + 1) % 3] - corners[k], corners[(k + 2) % 3] - corners[k]);
       meeting[triangle[k]].push_back({face_normals.back(), angle});
     }
   }
+  for (std::vector<Meeting>& at_point : meeting) joinDirections(at_point);
   const double cos_edge = std::cos(kEdge);
   std::vector<BoxOfTriangle> boxes;
   for (std::size_t t = 0; t < triangles.size(); ++t) {
@@ -142,29 +183,35 @@ bool MeshFeet::empty() const { return state_->triangles.empty(); }
 
 MeshFoot MeshFeet::footOf(const Eigen::Vector3d& x) const {
   constexpr unsigned kFirst = 32;
+  constexpr double kRounding = 1e-9;
   const MeshPoint point = toBoost(x);
   double nearest_m2 = std::numeric_limits<double>::infinity();
   std::uint32_t nearest = 0;
   Eigen::Vector3d weights = Eigen::Vector3d::Zero();
+  const auto look = [&](std::uint32_t triangle) {
+    const Corners& corners = state_->triangles[triangle];
+    const Eigen::Vector3d w = nearestInTriangle(corners, x);
+    const Eigen::Vector3d position = w[0] * corners[0] + w[1] * corners[1] + w[2] * corners[2];
+    const double distance_m2 = (position - x).squaredNorm();
+    if (distance_m2 >= nearest_m2) return;
+    nearest_m2 = distance_m2;
+    nearest = triangle;
+    weights = w;
+  };
   std::vector<BoxOfTriangle> near;
-  const auto all = static_cast<unsigned>(state_->triangles.size());
-  // The boxes that are nearest; more of them, until one is farther than the nearest triangle: then all others are, too.
-  for (unsigned count = std::min(kFirst, all);; count = std::min(4 * count, all)) {
-    near.clear();
-    state_->tree.query(bg::index::nearest(point, count), std::back_inserter(near));
-    double farthest_m2 = 0;
-    for (const auto& [box, triangle] : near) {
-      farthest_m2 = std::max(farthest_m2, bg::comparable_distance(point, box));
-      const Corners& corners = state_->triangles[triangle];
-      const Eigen::Vector3d w = nearestInTriangle(corners, x);
-      const Eigen::Vector3d position = w[0] * corners[0] + w[1] * corners[1] + w[2] * corners[2];
-      const double distance_m2 = (position - x).squaredNorm();
-      if (distance_m2 >= nearest_m2) continue;
-      nearest_m2 = distance_m2;
-      nearest = triangle;
-      weights = w;
-    }
-    if (count == all || farthest_m2 > nearest_m2) break;
+  state_->tree.query(bg::index::nearest(point, kFirst), std::back_inserter(near));
+  double farthest_m2 = 0;
+  for (const auto& [box, triangle] : near) {
+    farthest_m2 = std::max(farthest_m2, bg::comparable_distance(point, box));
+    look(triangle);
+  }
+  // The boxes that are nearest; and where none is farther than the nearest triangle, all that reach as near as that.
+  if (near.size() < state_->triangles.size() && farthest_m2 <= nearest_m2) {
+    const Eigen::Vector3d reach = Eigen::Vector3d::Constant((1 + kRounding) * std::sqrt(nearest_m2) + kRounding);
+    const auto look_closely = boost::make_function_output_iterator([&](const BoxOfTriangle& found) {
+      if (bg::comparable_distance(point, found.first) <= nearest_m2) look(found.second);
+    });
+    state_->tree.query(bg::index::intersects(MeshBox(toBoost(x - reach), toBoost(x + reach))), look_closely);
   }
   return state_->footIn(nearest, weights);
 }

@@ -3,6 +3,7 @@
 #include "hexoderm/util/units.h"
 
 #include <Eigen/Geometry>
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -29,6 +30,19 @@ BoundingBox boundingBox(const TriangleMesh& mesh) {
     box.high = box.high.cwiseMax(point);
   }
   return box;
+}
+
+std::optional<Eigen::Vector3d> normalOf(const std::array<Eigen::Vector3d, 3>& corners) {
+  constexpr double kLeastArea_m2 = 1e-14;  // twice that of the triangle
+  const Eigen::Vector3d area = (corners[1] - corners[0]).cross(corners[2] - corners[0]);
+  if (!(area.norm() > kLeastArea_m2)) return std::nullopt;
+  return area.normalized();
+}
+
+bool hasArea(const TriangleMesh& mesh) {
+  return std::ranges::any_of(mesh.triangles, [&](const auto& triangle) {
+    return normalOf({mesh.points[triangle[0]], mesh.points[triangle[1]], mesh.points[triangle[2]]}).has_value();
+  });
 }
 
 TriangleMesh transformed(TriangleMesh mesh, const SE3& T_a_b) {

@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 namespace hexoderm {
@@ -24,6 +25,11 @@ struct BoundingBox {
   [[nodiscard]] Eigen::Vector3d size() const { return high - low; }  ///< the lengths of its edges
 };
 BoundingBox boundingBox(const TriangleMesh& mesh);  ///< the smallest box that holds all points of a mesh
+
+/// The unit normal of a triangle, to the side from which its corners are counter-clockwise; nullopt where it has no
+/// area.
+std::optional<Eigen::Vector3d> normalOf(const std::array<Eigen::Vector3d, 3>& corners);
+bool hasArea(const TriangleMesh& mesh);  ///< any of its triangles has one
 
 /// Maps all points by T_a_b, from frame b to frame a.
 TriangleMesh transformed(TriangleMesh mesh, const SE3& T_a_b);

@@ -8,6 +8,7 @@
 #include "hexoderm/util/text.h"
 
 #include <algorithm>
+#include <new>
 #include <system_error>
 #include <utility>
 
@@ -38,6 +39,10 @@ std::string readRegularFile(const std::filesystem::path& file, std::uintmax_t ma
   if (error) throw StorageError(located(file.string(), message("cannot be read: {}", systemReason(error))));
   if (status.type() != std::filesystem::file_type::regular) {
     throw StorageError(located(file.string(), message("expected a mesh file, but this is none")));
+  }
+  // The kernel's own files state no size, and reading some of them waits for events that never come.
+  if (std::filesystem::file_size(file, error) == 0) {
+    throw StorageError(located(file.string(), message("expected a mesh file, but this one is empty")));
   }
   return readFile(file, max_bytes);
 }
@@ -70,7 +75,11 @@ TriangleMesh readMesh(std::string bytes, const std::filesystem::path& file) {
 }
 
 TriangleMesh readMeshFile(const std::filesystem::path& file) {
-  return readMesh(readRegularFile(file, kMostFileBytes), file);
+  try {
+    return readMesh(readRegularFile(file, kMostFileBytes), file);
+  } catch (const std::bad_alloc&) {
+    throw StorageError(located(file.string(), message("takes more memory than there is")));
+  }
 }
 
 }  // namespace hexoderm

@@ -26,8 +26,9 @@
 namespace hexoderm {
 namespace {
 
-/// No robot is larger.
-constexpr double kFarthestJoint_m = 1000;
+/// The most triangles of a link's body, and what shapes that repeat may add to those of its mesh files.
+constexpr std::size_t kMostLinkTriangles = 10'000'000;
+constexpr std::size_t kMostRepeatedLinkTriangles = 2'000'000;
 
 KDL::Vector toKdl(const Eigen::Vector3d& v) { return {v.x(), v.y(), v.z()}; }
 KDL::Frame toKdl(const SE3& T) {
@@ -84,28 +85,16 @@ class UrdfConverter {
  public:
   UrdfConverter(const urdf::ModelInterface& model, const UrdfDocument& document, const std::string& file)
       : model_(model), document_(document), file_(file) {
-    for (std::size_t k = 0; k < document.links.size(); ++k) link_index_.emplace(document.links[k], k);
+    for (std::size_t k = 0; k < document.links.size(); ++k) link_index_.emplace(document.links[k].name, k);
     for (std::size_t k = 0; k < document.joints.size(); ++k) joint_index_.emplace(document.joints[k], k);
     requireSameNames();
   }
 
   std::vector<RobotLink> links() const {
-    std::vector<RobotLink> links;
-    for (const std::string& name : document_.links) {
-      const urdf::LinkConstSharedPtr link = model_.getLink(name);
-      place_ = message("link {}", name);
-      line_ = document_.line_of_link.at(name);
-      RobotLink& result = links.emplace_back();
-      result.name = name;
-      if (link->parent_joint) result.joint = joint_index_.at(link->parent_joint->name);
-      for (const auto& visual : link->visual_array) {
-        if (visual && visual->geometry) result.visuals.push_back(shapeOf(*visual->geometry, visual->origin));
-      }
-      for (const auto& collision : link->collision_array) {
-        if (collision && collision->geometry) {
-          result.collisions.push_back(shapeOf(*collision->geometry, collision->origin));
-        }
-      }
+    std::vector<RobotLink> links = document_.links;
+    for (RobotLink& link : links) {
+      const urdf::JointConstSharedPtr carrier = model_.getLink(link.name)->parent_joint;
+      if (carrier) link.joint = joint_index_.at(carrier->name);
     }
     return links;
   }
@@ -158,40 +147,6 @@ class UrdfConverter {
     return T;
   }
 
-  [[nodiscard]] double lengthOf(double value, Message expected) const {
-    if (!(value > 0 && value <= kFarthestJoint_m)) fail(std::move(expected));
-    return value;
-  }
-  [[nodiscard]] double sizeOf(double value) const {
-    return lengthOf(value, message("expected a size above 0 and at most {} m", Number{kFarthestJoint_m, 0}));
-  }
-  [[nodiscard]] double radiusOf(double value) const {
-    return lengthOf(value, message("expected a radius above 0 and at most {} m", Number{kFarthestJoint_m, 0}));
-  }
-  [[nodiscard]] double cylinderLengthOf(double value) const {
-    return lengthOf(value, message("expected a length above 0 and at most {} m", Number{kFarthestJoint_m, 0}));
-  }
-
-  [[nodiscard]] LinkShape shapeOf(const urdf::Geometry& geometry, const urdf::Pose& origin) const {
-    LinkShape result{placementOf(origin), {}};
-    if (const auto* box = dynamic_cast<const urdf::Box*>(&geometry)) {
-      result.shape = BoxShape{{sizeOf(box->dim.x), sizeOf(box->dim.y), sizeOf(box->dim.z)}};
-    } else if (const auto* cylinder = dynamic_cast<const urdf::Cylinder*>(&geometry)) {
-      result.shape = CylinderShape{radiusOf(cylinder->radius), cylinderLengthOf(cylinder->length)};
-    } else if (const auto* sphere = dynamic_cast<const urdf::Sphere*>(&geometry)) {
-      result.shape = SphereShape{radiusOf(sphere->radius)};
-    } else if (const auto* mesh = dynamic_cast<const urdf::Mesh*>(&geometry)) {
-      MeshShape shape{mesh->filename, vectorOf(mesh->scale, kMostJointPosition, badScale())};
-      if ((shape.scale.array() == 0).any()) fail(badScale());
-      result.shape = std::move(shape);
-    } else {
-      fail(message("expected a box, cylinder, sphere or mesh"));
-    }
-    return result;
-  }
-
-  static Message badScale() { return message("expected a scale of three numbers, none of them 0"); }
-
   [[nodiscard]] RobotJoint jointOf(const urdf::Joint& joint, std::vector<Message>& notes) const {
     RobotJoint result;
     result.name = joint.name;
@@ -240,7 +195,7 @@ class UrdfConverter {
   [[nodiscard]] JointMimic mimicOf(const urdf::JointMimic& mimic) const {
     const auto joint = joint_index_.find(mimic.joint_name);
     if (joint == joint_index_.end()) {
-      fail(message("mimics joint {}, which is not among the robot's joints", mimic.joint_name));
+      fail(message("mimics joint {}, which is not among the robot's joints", shortened(mimic.joint_name, 80)));
     }
     if (!(std::abs(mimic.multiplier) <= kMostJointPosition && std::abs(mimic.offset) <= kMostJointPosition)) {
       fail(message("expected a multiplier and an offset that are finite"));
@@ -330,14 +285,16 @@ struct RobotModel::State {
 
   [[nodiscard]] double positionOf(std::size_t joint, const JointAngles& angles) const;
   void orderJoints();
-  [[nodiscard]] TriangleMesh meshOf(const MeshShape& mesh, std::size_t link) const;
+  [[nodiscard]] TriangleMesh readMesh(const std::filesystem::path& path, std::size_t link) const;
   [[nodiscard]] std::filesystem::path fileOf(const MeshShape& mesh, std::size_t link) const;
   [[nodiscard]] std::filesystem::path packageFolder(const PackageFile& wanted, const MeshShape& mesh,
                                                     std::size_t link) const;
+  class BodyBuilder;
+  [[nodiscard]] Message inLink(std::size_t link, Message what) const {
+    return located(file.string(), located(message("link {}", links[link].name), std::move(what)));
+  }
   [[noreturn]] void failMesh(const MeshShape& mesh, std::size_t link, Message why) const {
-    throw FormatError(located(
-        file.string(), located(message("link {}", links[link].name),
-                               message("the mesh {} can't be found: {}", excerptOf(mesh.file), std::move(why)))));
+    throw FormatError(inLink(link, message("the mesh {} can't be found: {}", excerptOf(mesh.file), std::move(why))));
   }
 };
 
@@ -375,7 +332,8 @@ std::filesystem::path RobotModel::State::packageFolder(const PackageFile& wanted
     if (at.filename() == wanted.package) return at;
   }
   failMesh(mesh, link,
-           message("say which folder is the package {}, as --package {}=FOLDER", wanted.package, wanted.package));
+           message("say which folder is the package {}, as --package {}=FOLDER", shortened(wanted.package, 80),
+                   shortened(wanted.package, 80)));
 }
 
 std::filesystem::path RobotModel::State::fileOf(const MeshShape& mesh, std::size_t link) const {
@@ -389,19 +347,79 @@ std::filesystem::path RobotModel::State::fileOf(const MeshShape& mesh, std::size
   return file.parent_path() / address;  // an absolute one stays as it is
 }
 
-TriangleMesh RobotModel::State::meshOf(const MeshShape& mesh, std::size_t link) const {
-  const std::filesystem::path path = fileOf(mesh, link);
-  const auto inLink = [&](const Error& error) {
-    return located(file.string(), located(message("link {}", links[link].name), error.message()));
-  };
+TriangleMesh RobotModel::State::readMesh(const std::filesystem::path& path, std::size_t link) const {
   try {
-    return scaled(readMeshFile(path), mesh.scale);
+    return readMeshFile(path);
   } catch (const StorageError& error) {
-    throw StorageError(inLink(error));
+    throw StorageError(inLink(link, error.message()));
   } catch (const FormatError& error) {
-    throw FormatError(inLink(error));
+    throw FormatError(inLink(link, error.message()));
   }
 }
+
+/// Collects the shapes of a link, reads each mesh file once, and makes triangles when it is known how many.
+class RobotModel::State::BodyBuilder {
+ public:
+  BodyBuilder(const State& state, std::size_t link) : state_(state), link_(link) {}
+
+  void add(const LinkShape& shape) {
+    pieces_.push_back(std::visit([this](const auto& of) { return pieceOf(of); }, shape.shape));
+    pieces_.back().T_l_shape = shape.T_l_shape;
+    triangles_ += pieces_.back().mesh->triangles.size();
+  }
+
+  TriangleMesh build() const {
+    requireAtMost(std::min(kMostLinkTriangles, file_triangles_ + kMostRepeatedLinkTriangles), triangles_);
+    TriangleMesh body;
+    for (const Piece& piece : pieces_) append(body, transformed(scaled(*piece.mesh, piece.scale), piece.T_l_shape));
+    if (!body.empty() && !hasArea(body)) {
+      fail(files_.empty() ? message("has no triangle with an area")
+                          : located(files_.begin()->first.string(), message("the mesh has no triangle with an area")));
+    }
+    return body;
+  }
+
+ private:
+  struct Piece {
+    const TriangleMesh* mesh;
+    Eigen::Vector3d scale;
+    SE3 T_l_shape{};
+  };
+
+  [[noreturn]] void fail(Message what) const { throw FormatError(state_.inLink(link_, std::move(what))); }
+
+  void requireAtMost(std::size_t most, std::size_t triangles) const {
+    if (triangles > most) {
+      fail(message("its shapes have {} triangles together, but at most {} are read", triangles, most));
+    }
+  }
+
+  Piece pieceOf(const BoxShape& box) const { return {&box_, box.size_m}; }
+  Piece pieceOf(const CylinderShape& cylinder) const {
+    return {&cylinder_, {cylinder.radius_m, cylinder.radius_m, cylinder.length_m}};
+  }
+  Piece pieceOf(const SphereShape& sphere) const { return {&sphere_, Eigen::Vector3d::Constant(sphere.radius_m)}; }
+  Piece pieceOf(const MeshShape& mesh) {
+    const auto [file, is_new] = files_.try_emplace(state_.fileOf(mesh, link_));
+    if (is_new) {
+      file->second = state_.readMesh(file->first, link_);
+      file_triangles_ += file->second.triangles.size();
+      requireAtMost(kMostLinkTriangles, file_triangles_);
+    }
+    return {&file->second, mesh.scale};
+  }
+  static Piece pieceOf(const UnreadShape& shape) { throw FormatError(shape.why); }
+
+  const State& state_;
+  std::size_t link_;
+  TriangleMesh box_ = meshOfBox({1, 1, 1});
+  TriangleMesh cylinder_ = meshOfCylinder(1, 1);
+  TriangleMesh sphere_ = meshOfSphere(1);
+  std::map<std::filesystem::path, TriangleMesh> files_;
+  std::vector<Piece> pieces_;
+  std::size_t triangles_ = 0;       ///< of all shapes
+  std::size_t file_triangles_ = 0;  ///< of the files, each counted once
+};
 
 RobotModel::RobotModel(std::shared_ptr<const State> state) : state_(std::move(state)) {}
 
@@ -515,21 +533,9 @@ bool RobotModel::hasBody(std::size_t link, LinkBody body) const {
 TriangleMesh RobotModel::bodyOf(std::size_t link, LinkBody body) const {
   const RobotLink& described = links().at(link);
   const bool by_visuals = body == LinkBody::Visual || (body == LinkBody::Any && !described.visuals.empty());
-  TriangleMesh result;
-  for (const LinkShape& piece : by_visuals ? described.visuals : described.collisions) {
-    struct ToMesh {
-      const State& state;
-      std::size_t link;
-      TriangleMesh operator()(const BoxShape& box) const { return meshOfBox(box.size_m); }
-      TriangleMesh operator()(const CylinderShape& shape) const {
-        return meshOfCylinder(shape.radius_m, shape.length_m);
-      }
-      TriangleMesh operator()(const SphereShape& sphere) const { return meshOfSphere(sphere.radius_m); }
-      TriangleMesh operator()(const MeshShape& mesh) const { return state.meshOf(mesh, link); }
-    };
-    append(result, transformed(std::visit(ToMesh{*state_, link}, piece.shape), piece.T_l_shape));
-  }
-  return result;
+  State::BodyBuilder builder(*state_, link);
+  for (const LinkShape& shape : by_visuals ? described.visuals : described.collisions) builder.add(shape);
+  return builder.build();
 }
 
 std::filesystem::path RobotModel::meshFile(const MeshShape& mesh, std::size_t link) const {

@@ -1,5 +1,6 @@
 #include "hexoderm/kinematics/urdf_document.h"
 
+#include "hexoderm/kinematics/urdf_shapes.h"
 #include "hexoderm/util/error.h"
 #include "hexoderm/util/near_match.h"
 #include "hexoderm/util/text.h"
@@ -8,6 +9,7 @@
 
 #include <algorithm>
 #include <cstring>
+#include <iterator>
 #include <optional>
 #include <set>
 
@@ -19,6 +21,9 @@ constexpr std::size_t kMostUrdfLinks = 10'000;
 constexpr std::size_t kMostUrdfMegabytes = 20;
 /// URDF nests five deep, extensions for simulators a little more; urdfdom's reader is recursive.
 constexpr int kDeepestElement = 100;
+/// The reader compares each attribute with those before it.
+constexpr std::ptrdiff_t kMostAttributes = 100;
+constexpr std::size_t kLongestUrdfName = 1000;
 
 class UrdfChecker {
  public:
@@ -39,6 +44,7 @@ class UrdfChecker {
     if (std::strcmp(robot.name(), "robot") != 0) {
       fail(robot, message("expected a URDF, whose root element is <robot>, found <{}>", excerptOf(robot.name())));
     }
+    requireShortName(robot);
     readLinks(robot);
     readJoints(robot);
     requireTree();
@@ -53,12 +59,15 @@ class UrdfChecker {
     pugi::xml_node node;
   };
 
-  /// Fails for elements that are nested deeply, and for xacro's.
+  /// Fails for elements that are nested deeply or have many attributes, and for xacro's.
   class DeepAndXacro : public pugi::xml_tree_walker {
    public:
     explicit DeepAndXacro(const UrdfChecker& checker) : checker_(checker) {}
     bool for_each(pugi::xml_node& node) override {
       if (depth() > kDeepestElement) checker_.fail(node, message("the elements are nested too deeply for a URDF"));
+      if (std::distance(node.attributes_begin(), node.attributes_end()) > kMostAttributes) {
+        checker_.fail(node, message("an element has more than {} attributes", kMostAttributes));
+      }
       if (std::string_view(node.name()).starts_with("xacro:")) failXacro(node, node.name());
       if (std::strcmp(node.name(), "link") != 0 && std::strcmp(node.name(), "joint") != 0) return true;
       const std::string_view name = node.attribute("name").value();
@@ -74,18 +83,36 @@ class UrdfChecker {
     const UrdfChecker& checker_;
   };
 
+  /// Counts on from where it was asked last: most ask in the order of the text.
   [[nodiscard]] std::ptrdiff_t lineAt(std::ptrdiff_t offset) const {
     const auto end = std::min(static_cast<std::size_t>(std::max<std::ptrdiff_t>(offset, 0)), text_.size());
-    return std::ranges::count(text_.substr(0, end), '\n') + 1;
+    if (end < counted_to_) {
+      counted_to_ = 0;
+      line_ = 0;
+    }
+    line_ += std::ranges::count(text_.substr(counted_to_, end - counted_to_), '\n');
+    counted_to_ = end;
+    return line_ + 1;
+  }
+  [[nodiscard]] Message inLine(std::ptrdiff_t line, Message what) const {
+    return located(file_, located(message("line {}", line), std::move(what)));
   }
   [[noreturn]] void failAt(std::ptrdiff_t line, Message what) const {
-    throw FormatError(located(file_, located(message("line {}", line), std::move(what))));
+    throw FormatError(inLine(line, std::move(what)));
   }
   [[noreturn]] void fail(const pugi::xml_node& node, Message what) const {
     failAt(lineAt(node.offset_debug()), std::move(what));
   }
 
+  void requireShortName(const pugi::xml_node& node) const {
+    const std::string_view name = node.attribute("name").value();
+    if (name.size() <= kLongestUrdfName) return;
+    fail(node,
+         message("<{} name=\"{}\">: expected at most {} characters", node.name(), excerptOf(name), kLongestUrdfName));
+  }
+
   std::string nameOf(const pugi::xml_node& node, const std::map<std::string, std::ptrdiff_t>& known) const {
+    requireShortName(node);
     std::string name = node.attribute("name").value();
     if (name.empty()) fail(node, message("<{}> has no name", node.name()));
     const auto earlier = known.find(name);
@@ -100,10 +127,25 @@ class UrdfChecker {
     for (const pugi::xml_node node : robot.children("link")) {
       const std::string name = nameOf(node, result_.line_of_link);
       result_.line_of_link.emplace(name, lineAt(node.offset_debug()));
-      result_.links.push_back(name);
+      result_.links.push_back({name, std::nullopt, shapesOf(node, name, "visual"), shapesOf(node, name, "collision")});
       if (result_.links.size() > kMostUrdfLinks) fail(node, message("there are more than {} links", kMostUrdfLinks));
     }
     if (result_.links.empty()) fail(robot, message("expected links, but the robot has none"));
+  }
+
+  [[nodiscard]] std::vector<LinkShape> shapesOf(const pugi::xml_node& link, const std::string& name,
+                                                const char* element) const {
+    std::vector<LinkShape> shapes;
+    for (const pugi::xml_node node : link.children(element)) {
+      try {
+        shapes.push_back(urdfShape(node));
+      } catch (const UrdfFault& fault) {
+        shapes.push_back(
+            {{},
+             UnreadShape{inLine(lineAt(fault.element.offset_debug()), located(message("link {}", name), fault.what))}});
+      }
+    }
+    return shapes;
   }
 
   std::string linkOf(const JointEnds& joint, const char* end) const {
@@ -111,11 +153,14 @@ class UrdfChecker {
     const std::string name = node.attribute("link").value();
     if (name.empty()) fail(joint.node, message("joint {} has no <{} link=\"...\">", joint.name, end));
     if (!result_.line_of_link.contains(name)) {
-      const std::optional<std::string> meant = nearMatch(name, result_.links);
+      std::vector<std::string> names;
+      for (const RobotLink& link : result_.links) names.push_back(link.name);
+      const std::optional<std::string> meant = nearMatch(name, names);
       const Message hint = meant ? message("did you mean {}?", *meant) : Message();
-      fail(node,
-           inRow({message("joint {}: <{} link=\"{}\"> names none of the robot's links", joint.name, end, name), hint},
-                 "; "));
+      fail(node, inRow({message("joint {}: <{} link=\"{}\"> names none of the robot's links", joint.name, end,
+                                excerptOf(name)),
+                        hint},
+                       "; "));
     }
     return name;
   }
@@ -140,9 +185,9 @@ class UrdfChecker {
   void requireTree() const {
     std::map<std::string, std::string> root_of;
     std::string first_root;
-    for (const std::string& link : result_.links) {
+    for (const RobotLink& link : result_.links) {
       std::set<std::string> way;
-      std::string at = link;
+      std::string at = link.name;
       while (!root_of.contains(at)) {
         if (!way.insert(at).second) failLoop(at);
         const auto joint = carrier_.find(at);
@@ -180,6 +225,8 @@ class UrdfChecker {
   UrdfDocument result_;
   std::vector<JointEnds> ends_;
   std::map<std::string, std::size_t> carrier_;  ///< of a link: index of the joint that it is the child of
+  mutable std::size_t counted_to_ = 0;          ///< of lineAt(): so far
+  mutable std::ptrdiff_t line_ = 0;             ///< of lineAt(): ends of lines before
 };
 
 }  // namespace

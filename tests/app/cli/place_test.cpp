@@ -151,6 +151,14 @@ TEST_F(CliPlace, RefusesWhatMakesNoSense) {
               HasSubstr("--rotation: expected [CELL@]roll,pitch,yaw[:sigma]"));
   EXPECT_THAT(says("--link forearm --distance 1:2:0.1", 2), HasSubstr("cells 1 and 2 are of one patch"));
   EXPECT_THAT(says("--link forearm --no-surface", 2), HasSubstr("nothing says where on the link the patch lies"));
+  EXPECT_THAT(says("--link forearm --gap 1e163", 2), HasSubstr("--gap 1e+163: the gap must be from 0 to 100 m"));
+  EXPECT_THAT(says("--link forearm --gap nan", 2), HasSubstr("--gap: expected a finite number, found nan"));
+  EXPECT_THAT(says("--link forearm --surface-sigma 0", 2), HasSubstr("--surface-sigma 0: the sigma of the surface"));
+  EXPECT_THAT(says("--link forearm --normal-sigma 1e9", 2),
+              HasSubstr("--normal-sigma 1e+09: the sigma of the normals"));
+  EXPECT_THAT(says("--link forearm --point 1:1e100,0,0", 2), HasSubstr("--point 1:1e100,0,0: each coordinate"));
+  EXPECT_THAT(says("--link forearm --distance 1:2:1e9", 2), HasSubstr("--distance 1:2:1e9: the distance between"));
+  EXPECT_THAT(says("--link forearm --rotation 0,0,0:1e200", 2), HasSubstr("a sigma from 0.001 to 360 degrees"));
 }
 
 TEST_F(CliPlace, RefusesAMeshThatCannotBeReadInOneLine) {
@@ -162,6 +170,22 @@ TEST_F(CliPlace, RefusesAMeshThatCannotBeReadInOneLine) {
     EXPECT_THAT(complaint("place arm.calibration.json --robot r.urdf --link base --rotation 0,0,0:5", 3),
                 AllOf(HasSubstr("r.urdf: link base: "), HasSubstr(mesh)));
   }
+}
+
+TEST_F(CliPlace, RefusesABodyThatIsNoneAndNamesWhereItStands) {
+  writeFileAtomically(path("flat.obj"), "v 0 0 0\nv 1 0 0\nv 2 0 0\nf 1 2 3\n");
+  const auto says = [&](const std::string& shape, int code) {
+    writeFileAtomically(path("r.urdf"), "<robot name='r'><link name='base'>\n<visual><geometry>" + shape +
+                                            "</geometry></visual><collision><geometry><box size='1 1 1'/></geometry>"
+                                            "</collision></link></robot>");
+    const Outcome outcome = run("place arm.calibration.json --robot r.urdf --link base --rotation 0,0,0:5");
+    EXPECT_EQ(outcome.exit_code, code) << shape << outcome.err;
+    return outcome.out + outcome.err;
+  };
+  EXPECT_THAT(says("<box size='0,3 0,3 0,3'/>", 3), HasSubstr("r.urdf: line 2: link base: <box size=\"0,3 0,3 0,3\">"));
+  EXPECT_THAT(says("<mesh filename='flat.obj'/>", 3),
+              HasSubstr("r.urdf: link base: flat.obj: the mesh has no triangle"));
+  EXPECT_THAT(says("<cylinder radius='50' length='300'/>", 1), HasSubstr("Link base is too large"));
 }
 
 TEST_F(CliPlace, WritesNoPlaceThatDoesNotFit) {

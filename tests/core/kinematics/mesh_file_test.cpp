@@ -52,6 +52,9 @@ TEST(MeshFile, RefusesWhatIsNoRegularFileOrTooLarge) {
   const std::filesystem::path loop = folder.path() / "loop.stl";
   std::filesystem::create_symlink("loop.stl", loop);
   EXPECT_THAT(complaint(loop), saysAll("loop.stl", "cannot be read"));
+  EXPECT_THAT(complaint(folder.put("empty.stl", "")), saysAll("empty.stl", "this one is empty"));
+  // As /proc/kmsg, which a reader would wait at: a regular file by its mode.
+  EXPECT_THAT(complaint("/proc/version"), saysAll("/proc/version", "this one is empty"));
   const auto sparse = folder.put("sparse.stl", "");
   std::filesystem::resize_file(sparse, 4'000'000'000);
   EXPECT_THAT(complaint(sparse), saysAll("sparse.stl", "too large"));

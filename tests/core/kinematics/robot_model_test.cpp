@@ -237,10 +237,75 @@ TEST(RobotModel, NamesNumbersThatMakeNoRobot) {
   EXPECT_THAT(complaint(twoLinks("", "ball")), saysAll("j", "ball"));
   EXPECT_THAT(complaint(twoLinks("<mimic joint=\"k\"/>" + kLimit)), saysAll("joint j", "mimics joint k"));
   EXPECT_THAT(complaint(twoLinks("<mimic joint=\"j\"/>" + kLimit)), saysAll("joint j", "circle"));
-  EXPECT_THAT(complaint(oneLink("<box size=\"0 1 1\"/>")), saysAll("link a", "size"));
-  EXPECT_THAT(complaint(oneLink("<sphere radius=\"-1\"/>")), saysAll("link a", "radius"));
-  EXPECT_THAT(complaint(oneLink("<cylinder radius=\"1\" length=\"1e9\"/>")), saysAll("link a", "length"));
-  EXPECT_THAT(complaint(oneLink("<mesh filename=\"m.stl\" scale=\"0 1 1\"/>")), saysAll("link a", "scale"));
+}
+
+TEST(RobotModel, AMalformedShapeIsRefusedWithItsPlaceOnceItsBodyIsAskedFor) {
+  struct Malformed {
+    const char* geometry;
+    std::string says;
+  };
+  const std::string length = "expected a length above 0 and at most 1000 m";
+  const std::string lengths = "expected three lengths above 0 and at most 1000 m, separated by blanks";
+  const std::string scale = "expected three finite numbers, none of them 0, separated by blanks";
+  for (const Malformed& shape : std::vector<Malformed>{
+           {"<box size='0 1 1'/>", "<box size=\"0 1 1\">: " + lengths},
+           {"<box size='0,3 0,3 0,3'/>", "<box size=\"0,3 0,3 0,3\">: " + lengths},
+           {"<box size='1 1 1 1'/>", "<box size=\"1 1 1 1\">: " + lengths},
+           {"<box/>", "<box> has no size: " + lengths},
+           {"<sphere radius='-1'/>", "<sphere radius=\"-1\">: " + length},
+           {"<sphere radius='x'/>", "<sphere radius=\"x\">: " + length},
+           {"<cylinder radius='1' length='1e9'/>", "<cylinder length=\"1e9\">: " + length},
+           {"<cylinder radius='1'/>", "<cylinder> has no length: " + length},
+           {"<mesh filename='m.stl' scale='0 1 1'/>", "<mesh scale=\"0 1 1\">: " + scale},
+           {"<mesh filename='m.stl' scale='nan nan nan'/>", "<mesh scale=\"nan nan nan\">: " + scale},
+           {"<mesh filename='m.stl' scale='1 1'/>", "<mesh scale=\"1 1\">: " + scale},
+           {"<mesh filename='m.stl' scale='a b c'/>", "<mesh scale=\"a b c\">: " + scale},
+           {"<mesh/>", "<mesh> has no filename: expected package://NAME/FILE, file:///FILE or a path"},
+           {"<capsule radius='1' length='1'/>", "<capsule>: expected a box, cylinder, sphere or mesh"},
+           {"<!-- none -->", "<visual> has no <geometry> with a box, cylinder, sphere or mesh"},
+           {"<box size='1 1 1'/></geometry><origin xyz='nan 0 0'/><geometry>",
+            "<origin xyz=\"nan 0 0\">: expected three coordinates within 1000 m, separated by blanks"},
+           {"<box size='1 1 1'/></geometry><origin rpy='0,5 0 0'/><geometry>",
+            "<origin rpy=\"0,5 0 0\">: expected three finite angles in rad, separated by blanks"}}) {
+    const RobotModel robot = parsed(oneLink(shape.geometry));
+    EXPECT_TRUE(robot.hasBody(0));
+    EXPECT_EQ(messageOf<FormatError>([&] { static_cast<void>(robot.bodyOf(0)); }),
+              "r.urdf: line 1: link a: " + shape.says);
+  }
+}
+
+TEST(RobotModel, AMalformedShapeStandsInTheWayOfNothingElse) {
+  const std::string box = "<geometry><box size='1 1 1'/></geometry>";
+  const RobotModel robot =
+      parsed("<robot name='r'><link name='a'>\n<visual>" + box + "</visual>\n<visual><origin xyz='0,5 0 0'/>" + box +
+             "</visual><collision>" + box + "</collision></link>\n<link name='b'><inertial/><visual><material/>" + box +
+             "</visual></link><joint name='j' type='fixed'><parent link='a'/><child link='b'/></joint></robot>");
+  EXPECT_THAT(messageOf<FormatError>([&] { static_cast<void>(robot.bodyOf(0)); }),
+              saysAll("line 3", "link a", "<origin xyz=\"0,5 0 0\">"));
+  EXPECT_EQ(robot.bodyOf(0, LinkBody::Collision).triangles.size(), 12U);
+  EXPECT_EQ(robot.bodyOf(1).triangles.size(), 12U) << "what is no shape may be malformed";
+}
+
+TEST(RobotModel, TheTrianglesOfALinkAreLimitedHoweverOftenShapesRepeat) {
+  std::string link = "<robot name='r'><link name='a'>";
+  for (int k = 0; k < 1000; ++k) link += "<visual><geometry><sphere radius='1'/></geometry></visual>";
+  const RobotModel robot = parsed(link + "</link></robot>");
+  EXPECT_THAT(messageOf<FormatError>([&] { static_cast<void>(robot.bodyOf(0)); }),
+              saysAll("r.urdf: link a", "2208000 triangles", "at most 2000000"));
+}
+
+TEST(RobotModel, AbsurdSizesOfElementsAreRefused) {
+  std::string attributes;
+  for (int k = 0; k < 101; ++k) attributes += " a" + std::to_string(k) + "='1'";
+  EXPECT_THAT(complaint("<robot name='r'>\n<link name='a'" + attributes + "/></robot>"),
+              saysAll("r.urdf: line 2", "more than 100 attributes"));
+  const std::string name(1'000'000, 'n');
+  for (const std::string& urdf :
+       {"<robot name='" + name + "'><link name='a'/></robot>", "<robot name='r'><link name='" + name + "'/></robot>"}) {
+    const std::string what = complaint(urdf);
+    EXPECT_THAT(what, saysAll("r.urdf: line 1", "at most 1000 characters"));
+    EXPECT_LT(what.size(), 200U);
+  }
 }
 
 TEST(RobotModel, RefusesAnglesOfUnknownJointsAndThoseThatAreNoNumbers) {
@@ -297,6 +362,19 @@ TEST(RobotModel, OpensMeshesOnlyWhenTheyAreAskedForAndNamesThemThen) {
   folder.put("points.obj", "v 0 0 0\nv 1 0 0\n");
   EXPECT_THAT(messageOf<FormatError>([&] { body("points.obj"); }), saysAll("link a", "points.obj"));
   EXPECT_THAT(messageOf<StorageError>([&] { body("."); }), saysAll("link a", "expected a mesh file"));
+}
+
+TEST(RobotModel, RefusesABodyOfTrianglesWithoutAnArea) {
+  const TemporaryFolder folder;
+  folder.put("flat.obj", "v 0 0 0\nv 1 0 0\nv 2 0 0\nf 1 2 3\n");
+  folder.put("m.obj", kTriangleObj);
+  const std::string flat = "<mesh filename=\"flat.obj\"/>";
+  const RobotModel alone = RobotModel::read(folder.put("r.urdf", oneLink(flat)));
+  EXPECT_THAT(messageOf<FormatError>([&] { static_cast<void>(alone.bodyOf(0)); }),
+              saysAll("r.urdf: link a", "flat.obj", "no triangle with an area"));
+  const RobotModel beside = RobotModel::read(
+      folder.put("r.urdf", oneLink(flat + "</geometry></visual><visual><geometry><mesh filename=\"m.obj\"/>")));
+  EXPECT_EQ(beside.bodyOf(0).triangles.size(), 5U);
 }
 
 TEST(RobotModel, ScalesMeshesAndKeepsTheOutsideOfMirroredOnes) {

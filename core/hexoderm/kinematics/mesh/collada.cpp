@@ -111,6 +111,7 @@ class ColladaReader {
     eachColladaWord(element, [&](std::string_view word) {
       const std::optional<double> value = meshNumber(word);
       if (!value) failNumbers(element);
+      mesh_.requireFewPoints(values.size() / 3);
       values.push_back(*value);
     });
     return values;

@@ -20,6 +20,8 @@ namespace {
 
 /// A mesh takes a few hundred.
 constexpr std::size_t kMaxGltfValues = 1'000'000;
+/// No file system has longer ones.
+constexpr std::size_t kLongestGltfPath = 4096;
 
 template <class Component>
 double readGltfNumber(MeshBytes& in, bool is_normalized) {
@@ -260,14 +262,21 @@ class GltfReader {
       return std::move(*bytes);
     }
     const std::filesystem::path path = pathOfUri(text);
-    if (text.empty() || text.find(':') != std::string::npos || path.is_absolute()) {
+    if (text.empty() || text.find(':') != std::string::npos || path.is_absolute() || text.size() > kLongestGltfPath ||
+        path.native().find('\0') != std::string::npos) {
       uri.fail(message("a data URI or a relative path"));
     }
     // All buffers together are no more than a file may be.
-    std::string bytes = readRegularFile(folder_ / path, max_bytes_);
-    max_bytes_ -= bytes.size();
-    mesh_.allowFor(bytes.size());
-    return bytes;
+    try {
+      std::string bytes = readRegularFile(folder_ / path, max_bytes_);
+      max_bytes_ -= bytes.size();
+      mesh_.allowFor(bytes.size());
+      return bytes;
+    } catch (const StorageError& error) {
+      throw StorageError(located(mesh_.file(), error.message()));
+    } catch (const FormatError& error) {
+      throw FormatError(located(mesh_.file(), error.message()));
+    }
   }
 
   const nlohmann::json json_;

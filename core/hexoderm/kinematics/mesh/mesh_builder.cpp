@@ -41,6 +41,10 @@ MeshBuilder MeshBuilder::forPart() const {
 
 void MeshBuilder::fail(Message why) const { throw FormatError(located(file_, std::move(why))); }
 
+void MeshBuilder::failTooMany(std::size_t count, Message what) const {
+  fail(message("has {} {}, but at most {} are read", count, std::move(what), kMostOfAKind));
+}
+
 void MeshBuilder::add(const Eigen::Vector3d& a, const Eigen::Vector3d& b, const Eigen::Vector3d& c) {
   const std::size_t count = mesh_.triangles.size();
   if (count >= max_triangles_) fail(message("has more than {} triangles", max_triangles_));

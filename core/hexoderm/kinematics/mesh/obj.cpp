@@ -28,10 +28,12 @@ void readObj(std::string_view text, MeshBuilder& mesh) {
   do {
     const std::string_view keyword = in.wordInLine();
     if (keyword == "v") {
+      mesh.requireFewPoints(points.size() + 1);
       points.push_back(in.point());
     } else if (keyword == "f") {
       corners.clear();
       for (std::string_view corner = in.wordInLine(); !corner.empty(); corner = in.wordInLine()) {
+        mesh.requireFewCorners(corners.size() + 1);
         corners.push_back(objPoint(in, corner, points.size()));
       }
       mesh.addFan(corners.size(), [&](std::size_t k) { return points[corners[k]]; });

@@ -53,9 +53,13 @@ class PlyReader {
   void read() {
     readHeader();
     for (const PlyElement& element : elements_) {
+      if (element.properties.empty()) continue;  // rows of no bytes, and there may be billions
       if (element.name == "vertex") {
         readPoints(element);
       } else {
+        if (element.count > MeshBuilder::kMostOfAKind) {
+          mesh_.failTooMany(element.count, message("rows of the element \"{}\"", excerptOf(element.name)));
+        }
         readLists(element);
       }
     }
@@ -116,14 +120,17 @@ class PlyReader {
     return static_cast<std::int64_t>(value);
   }
 
-  /// A list of numbers, each given to `take`; a single one is a list of one.
-  template <class Take>
-  void readProperty(const PlyProperty& property, Take take) {
-    const std::int64_t count = property.count != nullptr ? wholeNumber(*property.count) : 1;
-    for (std::int64_t k = 0; k < count; ++k) take(*property.type);
+  /// How many numbers follow; a single one is a list of one.
+  std::uint64_t lengthOf(const PlyProperty& property) {
+    return property.count != nullptr ? static_cast<std::uint64_t>(wholeNumber(*property.count)) : 1;
   }
   void skip(const PlyProperty& property) {
-    readProperty(property, [this](const PlyType& type) { static_cast<void>(number(type)); });
+    const std::uint64_t count = lengthOf(property);
+    if (bytes_) {
+      bytes_->take(count * property.type->size);
+    } else {
+      for (std::uint64_t k = 0; k < count; ++k) text_.number();
+    }
   }
 
   void readPoints(const PlyElement& element) {
@@ -136,6 +143,7 @@ class PlyReader {
         mesh_.fail(message("expected the properties x, y and z of each vertex"));
       }
     }
+    mesh_.requireFewPoints(points_.size() + element.count);
     for (std::uint32_t k = 0; k < element.count; ++k) {
       Eigen::Vector3d& point = points_.emplace_back();
       for (const PlyProperty& property : element.properties) {
@@ -150,7 +158,6 @@ class PlyReader {
   }
 
   void readLists(const PlyElement& element) {
-    if (element.properties.empty()) return;  // rows of no bytes, and there may be billions
     const bool are_strips = element.name == "tristrips";
     for (std::uint32_t k = 0; k < element.count; ++k) {
       for (const PlyProperty& property : element.properties) {
@@ -159,19 +166,29 @@ class PlyReader {
           skip(property);
           continue;
         }
-        corners_.clear();
-        readProperty(property, [&](const PlyType& type) {
-          const std::int64_t corner = wholeNumber(type, are_strips ? kPlyStripEnd : 0);
-          if (corner == kPlyStripEnd) return addStrip();
-          if (static_cast<std::size_t>(corner) >= points_.size()) mesh_.fail(noSuchPoint(corner, points_.size()));
-          corners_.push_back(static_cast<std::size_t>(corner));
-        });
+        readCorners(property, are_strips);
         if (are_strips) {
           addStrip();
         } else {
           mesh_.addFan(corners_.size(), [&](std::size_t corner) { return points_[corners_[corner]]; });
         }
       }
+    }
+  }
+
+  /// Into corners_, without the strips that end on the way.
+  void readCorners(const PlyProperty& property, bool are_strips) {
+    corners_.clear();
+    const std::uint64_t count = lengthOf(property);
+    mesh_.requireFewCorners(count);
+    for (std::uint64_t k = 0; k < count; ++k) {
+      const std::int64_t corner = wholeNumber(*property.type, are_strips ? kPlyStripEnd : 0);
+      if (corner == kPlyStripEnd) {
+        addStrip();
+        continue;
+      }
+      if (static_cast<std::size_t>(corner) >= points_.size()) mesh_.fail(noSuchPoint(corner, points_.size()));
+      corners_.push_back(static_cast<std::size_t>(corner));
     }
   }
 

@@ -44,6 +44,7 @@ void readAsciiStl(std::string_view text, MeshBuilder& mesh) {
   std::vector<Eigen::Vector3d> corners;
   for (std::string_view word = in.word(); !word.empty(); word = in.word()) {
     if (isStlWord(word, "vertex")) {
+      mesh.requireFewCorners(corners.size() + 1);
       corners.push_back(in.point());
     } else if (isStlWord(word, "endloop")) {
       mesh.addFan(corners.size(), [&](std::size_t k) { return corners[k]; });

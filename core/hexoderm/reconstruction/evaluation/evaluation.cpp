@@ -4,6 +4,7 @@
 #include "hexoderm/geometry/covariance.h"
 #include "hexoderm/reconstruction/evaluation/link_chain.h"
 #include "hexoderm/util/error.h"
+#include "hexoderm/util/limits.h"
 #include "hexoderm/util/units.h"
 
 #include <algorithm>
@@ -186,8 +187,9 @@ SurfaceEvaluation evaluateSurface(const PatchReconstruction& patch, SurfaceKind 
   if ((kind == SurfaceKind::Plane || kind == SurfaceKind::Cone) && true_radius_m) {
     throw InvalidArgument(message("a {} has no one radius to compare with", surfaceKindName(kind)));
   }
-  if (true_radius_m && !(*true_radius_m > 0 && std::isfinite(*true_radius_m))) {
-    throw InvalidArgument(message("true radius: expected metres above 0"));
+  if (true_radius_m && !(*true_radius_m > 0 && *true_radius_m <= kMostLength_m)) {
+    throw InvalidArgument(message("true radius: expected metres above 0 and at most {}, found {}",
+                                  Number{kMostLength_m, 0}, Number{*true_radius_m}));
   }
   SurfaceEvaluation evaluation;
   evaluation.kind = kind;

@@ -11,6 +11,7 @@
 #include "hexoderm/robot/parts/compared_poses.h"
 #include "hexoderm/robot/parts/hand_share.h"
 #include "hexoderm/util/error.h"
+#include "hexoderm/util/limits.h"
 #include "hexoderm/util/units.h"
 
 #include <Eigen/Eigenvalues>
@@ -387,7 +388,10 @@ class LinksFinder {
 LinksOptions::LinksOptions() : zero_sigma_rad(0.5 * kDegree), tilt_sigma_rad(1 * kDegree) {}
 
 void LinksOptions::validate() const {
-  if (!(up_w.norm() > 1e-6) || !up_w.allFinite()) throw InvalidArgument(message("up_w must be a direction"));
+  constexpr double kMostUp = 1e6;
+  if (!isWithin(up_w, kMostUp) || !(up_w.norm() > 1 / kMostUp)) {
+    throw InvalidArgument(message("up_w must be a direction"));
+  }
   if (!(false_alarm > 0 && false_alarm < 1)) throw InvalidArgument(message("false_alarm must be between 0 and 1"));
   const auto isSigma = [](double value) { return value >= 0 && value <= kPi; };
   if (!(zero_sigma_rad > 0 && isSigma(zero_sigma_rad))) {

@@ -26,8 +26,10 @@ constexpr std::size_t kMostPlacedCells = 150;
 
 // --- what was given
 
-void requirePositive(double value, const Message& what) {
-  if (!(value > 0 && std::isfinite(value))) throw InvalidArgument(message("{} must be above 0", what));
+void requireLength(double value_m, double least_m, const Message& what) {
+  if (value_m >= least_m && value_m <= kMostPlaceLength_m) return;
+  throw InvalidArgument(message("{} must be from {} to {} m, found {} m", what, Number{least_m},
+                                Number{kMostPlaceLength_m}, Number{value_m}));
 }
 
 /// Which patch and which of its cells a cell is.
@@ -126,9 +128,7 @@ class Placement {
           message("nothing says where on the link the patch lies: it takes the link's surface, or "
                   "points, or distances to another patch"));
     }
-    if (!(task.thickness_m >= 0 && std::isfinite(task.thickness_m))) {
-      throw InvalidArgument(message("the cells' thickness must be 0 or more"));
-    }
+    requireLength(task.thickness_m, 0, message("the cells' thickness"));
     if (task.surface) takeSurface(*task.surface);
     takePatches();
     takePoints();
@@ -145,7 +145,8 @@ class Placement {
                   "were taken for each.",
                   patch.origin));
     }
-    if (const std::optional<Message> too_large = patchLargerThanLink()) {
+    for (const std::optional<Message>& too_large : {patchLargerThanLink(), linkTooLargeToSearch()}) {
+      if (!too_large) continue;
       result.verdict = PlaceVerdict::TooLarge;
       result.summary = *too_large;
       return result;
@@ -209,8 +210,7 @@ class Placement {
   void takePoints() {
     for (const KnownPoint& point : task_.points) {
       const CellAt at = indexOf(cells_, point.cell);
-      requirePositive(point.sigma_m, message("the sigma of the point of cell {}", point.cell));
-      if (!point.x_l.allFinite()) throw InvalidArgument(message("the point of cell {} is not finite", point.cell));
+      requirePlaceable(point);
       problem_.points.push_back({at.patch, at.cell, point.x_l, point.sigma_m});
     }
   }
@@ -223,9 +223,7 @@ class Placement {
         throw InvalidArgument(message("cells {} and {} are of one patch: their distance says nothing of its place",
                                       distance.a, distance.b));
       }
-      requirePositive(distance.distance_m, message("the distance between cells {} and {}", distance.a, distance.b));
-      requirePositive(distance.sigma_m,
-                      message("the sigma of the distance between cells {} and {}", distance.a, distance.b));
+      requirePlaceable(distance);
       problem_.distances.push_back({a.patch, a.cell, b.patch, b.cell, distance.distance_m, distance.sigma_m});
     }
   }
@@ -239,6 +237,26 @@ class Placement {
           "The patch of cell {} is larger than link {}: {} from cell to cell, where the link's box measures "
           "{} from corner to corner. It belongs on another link, or the mesh is not in metres.",
           task_.patches[p].origin, task_.link, Millimetres{extent_m, 0}, Millimetres{link_size_m_, 0});
+    }
+    return std::nullopt;
+  }
+
+  /// The search would begin at points that lie farther apart than the patch is long, and find no place but by chance.
+  [[nodiscard]] std::optional<Message> linkTooLargeToSearch() const {
+    constexpr double kShortestPatch_m = 0.1;
+    if (!feet_) return std::nullopt;
+    const double spacing_m = spacingOn(surface_, kSampleSpacing_m);
+    for (std::size_t p = 0; p < problem_.patches.size(); ++p) {
+      const bool begins_at_points =
+          std::ranges::any_of(problem_.points, [&](const FitPoint& point) { return point.patch == p; });
+      const double extent_m = extentOf(problem_.patches[p]);
+      if (begins_at_points || spacing_m <= std::max(extent_m, kShortestPatch_m)) continue;
+      return message(
+          "Link {} is too large to look for the patch of cell {} all over it: {} m from corner to corner, where the "
+          "patch measures {} from cell to cell. A URDF counts in metres: a mesh in millimetres needs "
+          "scale=\"0.001 0.001 0.001\" there, with which the link would measure {}.",
+          task_.link, task_.patches[p].origin, Number{link_size_m_, 1}, Millimetres{extent_m, 0},
+          Millimetres{link_size_m_ / 1000, 0});
     }
     return std::nullopt;
   }
@@ -451,13 +469,33 @@ Eigen::MatrixXd covarianceOf(const PatchReconstruction& patch, const std::vector
 
 }  // namespace
 
+void requirePlaceable(const KnownPoint& point) {
+  for (const double coordinate : point.x_l) {
+    requireLength(coordinate, -kMostPlaceLength_m, message("each coordinate of the point of cell {}", point.cell));
+  }
+  requireLength(point.sigma_m, kLeastPlaceSigma_m, message("the sigma of the point of cell {}", point.cell));
+}
+
+void requirePlaceable(const KnownDistance& distance) {
+  requireLength(distance.distance_m, kLeastPlaceSigma_m,
+                message("the distance between cells {} and {}", distance.a, distance.b));
+  requireLength(distance.sigma_m, kLeastPlaceSigma_m,
+                message("the sigma of the distance between cells {} and {}", distance.a, distance.b));
+}
+
 PlaceOptions::PlaceOptions() : normal_sigma_rad(3 * kDegree) {}
 
 void PlaceOptions::validate() const {
-  requirePositive(surface_sigma_m, message("the sigma of the surface"));
-  requirePositive(normal_sigma_rad, message("the sigma of the normals"));
-  requirePositive(free_m, message("the length beyond which a direction is free"));
-  if (!(gap_m >= 0 && std::isfinite(gap_m))) throw InvalidArgument(message("the gap must be 0 or more"));
+  constexpr double kLeastNormalSigma_rad = 1e-3 * kDegree;
+  constexpr double kMostNormalSigma_rad = 2 * kPi;
+  requireLength(surface_sigma_m, kLeastPlaceSigma_m, message("the sigma of the surface"));
+  if (!(normal_sigma_rad >= kLeastNormalSigma_rad && normal_sigma_rad <= kMostNormalSigma_rad)) {
+    throw InvalidArgument(message("the sigma of the normals must be from {} to {}, found {}°",
+                                  Degrees{kLeastNormalSigma_rad, 3}, Degrees{kMostNormalSigma_rad, 0},
+                                  Number{toDegrees(normal_sigma_rad)}));
+  }
+  requireLength(free_m, kLeastPlaceSigma_m, message("the length beyond which a direction is free"));
+  requireLength(gap_m, 0, message("the gap"));
   if (!(false_alarm > 0 && false_alarm < 1)) {
     throw InvalidArgument(message("the probability of a false alarm must be between 0 and 1"));
   }

@@ -49,6 +49,13 @@ struct PlaceTask {
   std::vector<KnownDistance> distances;
 };
 
+/// The most that any length of a task or its options may be, and the least that a sigma may be, m.
+inline constexpr double kMostPlaceLength_m = 100;
+inline constexpr double kLeastPlaceSigma_m = 1e-6;
+/// Throw InvalidArgument naming what is out of these limits, its value and the range.
+void requirePlaceable(const KnownPoint& point);
+void requirePlaceable(const KnownDistance& distance);
+
 /// What a patch is placed by.
 struct PlaceOptions {
   double surface_sigma_m = 0.001;  ///< how far a cell's back lies off the mesh, 1 sigma
@@ -61,7 +68,7 @@ struct PlaceOptions {
   std::size_t most_candidates = 20;
 
   PlaceOptions();
-  /// Throws InvalidArgument naming the option.
+  /// Throws InvalidArgument naming the option, its value and the range.
   void validate() const;
 };
 
@@ -126,7 +133,7 @@ enum class PlaceVerdict {
   Open,      ///< one place fits, and the patch can be moved along it
   Several,   ///< several places fit
   NoneFits,  ///< the best is given, though it does not fit
-  TooLarge,  ///< the patch is larger than the link: no candidates
+  TooLarge,  ///< the patch is larger than the link, or the link too large to be searched: no candidates
 };
 std::string_view placeVerdictName(PlaceVerdict verdict);  ///< "placed", "open", "several", "none_fits", "too_large"
 
@@ -142,8 +149,8 @@ struct PlaceResult {
 /// with the covariances of the cells' own places. The rule is in core/hexoderm/robot/place/README.md.
 ///
 /// Throws InvalidArgument for a task that makes none: no patches, nothing known but rotations, cells that no patch has
-/// or two have, a distance inside a patch, sigmas that are not above 0, a mesh in which no triangle has an area,
-/// numbers that are not finite.
+/// or two have, a distance inside a patch, lengths and sigmas out of their ranges, a mesh in which no triangle has an
+/// area, numbers that are not finite.
 PlaceResult placePatches(const PlaceTask& task, const PlaceOptions& options = {});
 
 }  // namespace hexoderm

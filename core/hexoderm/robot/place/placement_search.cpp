@@ -312,6 +312,7 @@ bool fitsAllTheWay(const FitProblem& problem, const FitState& from, const FitSta
   constexpr int kRefinements = 4;
   FitState at = from;
   double left_m = distanceBetween(problem, at, to);
+  if (left_m > kMostStrides * kStride_m) return false;
   for (int k = 0; k < kMostStrides; ++k) {
     const bool is_last = left_m < kNear_m;
     const double share = is_last ? 0.5 : kStride_m / left_m;
@@ -374,12 +375,16 @@ std::vector<FitSolution> basinsOf(const FitProblem& problem, std::vector<FitSolu
 
 }  // namespace
 
-std::vector<SurfaceSample> samplesOf(const TriangleMesh& mesh, const MeshFeet& feet, double spacing_m) {
+double spacingOn(const TriangleMesh& mesh, double spacing_m) {
   double area_m2 = 0;
   for (const auto& [a, b, c] : mesh.triangles) {
     area_m2 += (mesh.points[b] - mesh.points[a]).cross(mesh.points[c] - mesh.points[a]).norm() / 2;
   }
-  const double step_m = std::max(spacing_m, std::sqrt(area_m2 / static_cast<double>(kMostSamples)));
+  return std::max(spacing_m, std::sqrt(area_m2 / static_cast<double>(kMostSamples)));
+}
+
+std::vector<SurfaceSample> samplesOf(const TriangleMesh& mesh, const MeshFeet& feet, double spacing_m) {
+  const double step_m = spacingOn(mesh, spacing_m);
   std::vector<SurfaceSample> samples;
   // One in every cube of a grid and for every side that the surface faces.
   std::set<std::array<std::int64_t, 4>> taken;

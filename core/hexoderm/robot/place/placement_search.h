@@ -14,8 +14,9 @@ struct SurfaceSample {
   Eigen::Vector3d x;
   Eigen::Vector3d normal;
 };
-/// Points all over a surface, `spacing_m` apart or, where that makes too many of them, farther. The same for the same
-/// mesh.
+/// How far apart points all over a surface are that are to be `spacing_m` apart: farther where that makes too many.
+double spacingOn(const TriangleMesh& mesh, double spacing_m);
+/// Points all over a surface, spacingOn() apart. The same for the same mesh.
 std::vector<SurfaceSample> samplesOf(const TriangleMesh& mesh, const MeshFeet& feet, double spacing_m);
 
 /// From which misfit on a place doesn't fit.

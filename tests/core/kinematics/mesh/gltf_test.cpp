@@ -170,11 +170,11 @@ TEST(Gltf, RefusesBuffersThatAreNoFileFromItsFolder) {
     const auto file = folder.put("m.gltf", json.dump());
     return test::messageOf<Error>([&] { readMeshFile(file); });
   };
-  for (const char* uri :
-       {"/dev/zero", "file:///etc/passwd", "https://example.org/m.bin", "", "data:;base64,A*", "data:AAAA"}) {
+  for (const char* uri : {"/dev/zero", "file:///etc/passwd", "https://example.org/m.bin", "", "data:;base64,A*",
+                          "data:AAAA", "m.bin%00", "m%00.bin"}) {
     EXPECT_THAT(complaint(uri), saysAll("m.gltf", "buffers[0].uri")) << uri;
   }
-  EXPECT_THAT(complaint("none.bin"), saysAll("none.bin", "no such"));
+  EXPECT_THAT(complaint("none.bin"), saysAll("m.gltf", "none.bin", "no such"));
   EXPECT_THAT(complaint("../../../../../../dev/zero"), saysAll("dev/zero", "none"));
   EXPECT_THAT(complaint("."), saysAll("none"));
   EXPECT_THAT(complaint(std::string("data:;base64,") + std::string(kSquareInBase64).substr(0, 80)),

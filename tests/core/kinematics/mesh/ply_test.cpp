@@ -85,10 +85,23 @@ TEST(Ply, RefusesNumbersThatDoNotFit) {
   EXPECT_THAT(ply("3", "1", points + "3 0 1 -1"), saysAll("m.ply", "-1"));
   EXPECT_THAT(ply("3", "1", points + "3 0 1 1.5"), saysAll("m.ply", "1.5"));
   EXPECT_THAT(ply("3", "1", points + "-3 0 1 2"), saysAll("m.ply", "-3"));
-  EXPECT_THAT(ply("3", "1", points + "4000000000 0 1 2"), saysAll("truncated"));
-  EXPECT_THAT(ply("4000000000", "1", points), saysAll("truncated"));
+  EXPECT_THAT(ply("3", "1", points + "4000000 0 1 2"), saysAll("truncated"));
+  EXPECT_THAT(ply("4000000", "1", points), saysAll("truncated"));
   EXPECT_THAT(ply("4294967296", "1", points), saysAll("line 3", "4294967296"));
   EXPECT_THAT(ply("3", "1", "0 0 0 1 0 0 0 inf 0 3 0 1 2"), saysAll("not finite"));
+}
+
+TEST(Ply, RefusesMoreOfAnythingThanItReads) {
+  const std::string header = "ply\nformat binary_little_endian 1.0\n";
+  const std::string points = "property uchar x\nproperty uchar y\nproperty uchar z\n";
+  EXPECT_THAT(refusalOf("m.ply", header + "element vertex 84999900\n" + points + "end_header\n"),
+              saysAll("m.ply", "84999900 points", "at most 10000000"));
+  EXPECT_THAT(refusalOf("m.ply", header + "element vertex 1\n" + points +
+                                     "element face 1\nproperty list uint uchar vertex_index\nend_header\n123" +
+                                     littleEndian(255'000'000U)),
+              saysAll("m.ply", "255000000 corners", "at most 10000000"));
+  EXPECT_THAT(refusalOf("m.ply", header + "element edge 200000000\nproperty uchar a\nend_header\n"),
+              saysAll("m.ply", "200000000 rows", "\"edge\"", "at most 10000000"));
 }
 
 TEST(Ply, RefusesAHeaderThatMakesNoSense) {

@@ -36,6 +36,8 @@ TEST(Evaluation, CentresOfAnUntwistedRingLieInAPlaneAndOnNoSphere) {
 
 TEST(Evaluation, PaperMetricsFollowEquations20And21) {
   const auto result = solved(bentX17());
+  EXPECT_NO_THROW(evaluateSurface(result->patches.front(), SurfaceKind::Cylinder, 1e6));
+  EXPECT_THROW(evaluateSurface(result->patches.front(), SurfaceKind::Cylinder, 1e308), InvalidArgument);
   const SurfaceEvaluation sphere = evaluateSurface(result->patches.front(), SurfaceKind::Sphere, 0.05);
   ASSERT_TRUE(sphere.delta_m && sphere.epsilon_m && sphere.radius_m);
   EXPECT_NEAR(*sphere.delta_m, *sphere.radius_m - 0.05, 1e-15);

@@ -170,6 +170,21 @@ TEST(Place, SaysWhenThePatchIsLargerThanTheLink) {
   EXPECT_THAT(result.summary.english(), saysAll("is larger than link link", "from corner to corner"));
 }
 
+TEST(Place, SaysWhenTheLinkIsTooLargeToBeSearched) {
+  const LaidPatch laid = layPatch(meshOfBox({0.5, 0.5, 0.1}), {Eigen::Matrix3d::Identity(), {0, 0, 0.06}});
+  TriangleMesh far_away = meshOfBox({1, 1, 1});
+  far_away.points.back() *= 1e6;
+  for (const TriangleMesh& mesh :
+       {meshOfCylinder(50, 280), TriangleMesh{{{0, 0, 0}, {100, 0, 0}, {0, 100, 0}}, {{0, 1, 2}}},
+        meshOfBox({1000, 1000, 1000}), far_away}) {
+    const PlaceResult result = placePatches(surfaceTask(mesh, laid));
+    EXPECT_EQ(result.verdict, PlaceVerdict::TooLarge);
+    EXPECT_THAT(result.candidates, IsEmpty());
+    EXPECT_THAT(result.summary.english(), saysAll("Link link is too large", " m from corner to corner",
+                                                  " mm from cell to cell", "scale=\"0.001 0.001 0.001\""));
+  }
+}
+
 TEST(Place, NoticesAMeshThatIsInsideOut) {
   TriangleMesh mesh = demoBody("forearm");
   const LaidPatch laid = layPatch(mesh, kOnForearm);
@@ -201,7 +216,7 @@ TEST(Place, RefusesTasksThatMakeNone) {
   EXPECT_THAT(says([](PlaceTask& task) {
                 task.points = {{CellId(1), {0, 0, 0}, 0}};
               }),
-              HasSubstr("the sigma of the point of cell 1 must be above 0"));
+              HasSubstr("the sigma of the point of cell 1 must be from 1e-06 to 100 m, found 0 m"));
   EXPECT_THAT(says([](PlaceTask& task) {
                 task.distances = {{CellId(1), CellId(2), 0.1, 0.001}};
               }),
@@ -212,10 +227,34 @@ TEST(Place, RefusesTasksThatMakeNone) {
   EXPECT_THAT(says([](PlaceTask& task) { task.patches[0].covariance[0] = -1; }), HasSubstr("positive semidefinite"));
   EXPECT_THAT(says([](PlaceTask& task) { task.patches[0].rotation->R_l_o *= 2; }), HasSubstr("must be a rotation"));
   EXPECT_THAT(says([](PlaceTask& task) { task.patches[0].T_o_u[3].t.x() = std::nan(""); }), HasSubstr("not finite"));
-  PlaceOptions options;
-  options.surface_sigma_m = 0;
-  EXPECT_THAT(messageOf<InvalidArgument>([&] { placePatches(good, options); }),
-              HasSubstr("the sigma of the surface must be above 0"));
+}
+
+TEST(Place, RefusesLengthsOutOfTheirRanges) {
+  const auto says = [](double PlaceOptions::*option, double value) {
+    PlaceOptions options;
+    options.*option = value;
+    return messageOf<InvalidArgument>([&] { options.validate(); });
+  };
+  EXPECT_EQ(says(&PlaceOptions::gap_m, 1e160), "the gap must be from 0 to 100 m, found 1e+160 m");
+  EXPECT_EQ(says(&PlaceOptions::gap_m, -0.001), "the gap must be from 0 to 100 m, found -0.001 m");
+  EXPECT_EQ(says(&PlaceOptions::gap_m, std::nan("")), "the gap must be from 0 to 100 m, found nan m");
+  EXPECT_EQ(says(&PlaceOptions::surface_sigma_m, 0), "the sigma of the surface must be from 1e-06 to 100 m, found 0 m");
+  EXPECT_THAT(says(&PlaceOptions::free_m, 101), HasSubstr("must be from 1e-06 to 100 m, found 101 m"));
+  EXPECT_THAT(says(&PlaceOptions::normal_sigma_rad, 1e200),
+              HasSubstr("the sigma of the normals must be from 0.001° to 360°"));
+  const auto point = [](const Eigen::Vector3d& x_l, double sigma_m) {
+    return messageOf<InvalidArgument>([&] { requirePlaceable(KnownPoint{CellId(1), x_l, sigma_m}); });
+  };
+  EXPECT_EQ(point({0, 1e100, 0}, 0.001),
+            "each coordinate of the point of cell 1 must be from -100 to 100 m, found 1e+100 m");
+  EXPECT_THAT(point({0, 0, 0}, 1e200), HasSubstr("the sigma of the point of cell 1 must be from 1e-06 to 100 m"));
+  const auto distance = [](double distance_m, double sigma_m) {
+    return messageOf<InvalidArgument>([&] {
+      requirePlaceable(KnownDistance{CellId(1), CellId(101), distance_m, sigma_m});
+    });
+  };
+  EXPECT_THAT(distance(101, 0.001), HasSubstr("the distance between cells 1 and 101 must be from 1e-06 to 100 m"));
+  EXPECT_THAT(distance(1, 0), HasSubstr("the sigma of the distance between cells 1 and 101 must be from 1e-06"));
 }
 
 TEST(Place, ASingleCellCanLieAlmostAnywhere) {

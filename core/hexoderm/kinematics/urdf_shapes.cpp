@@ -1,0 +1,102 @@
+#include "hexoderm/kinematics/urdf_shapes.h"
+
+#include "hexoderm/kinematics/mesh/mesh_input.h"
+#include "hexoderm/kinematics/urdf_document.h"
+#include "hexoderm/util/text.h"
+
+#include <cmath>
+#include <utility>
+
+namespace hexoderm {
+namespace {
+
+/// No file system has longer ones.
+constexpr std::size_t kLongestMeshAddress = 4096;
+
+[[noreturn]] void refuseUrdfAttribute(const pugi::xml_node& element, const char* name, Message expected) {
+  const pugi::xml_attribute found = element.attribute(name);
+  if (!found) {
+    throw UrdfFault{element, message("<{}> has no {}: expected {}", element.name(), name, std::move(expected))};
+  }
+  throw UrdfFault{element, message("<{} {}=\"{}\">: expected {}", element.name(), name, excerptOf(found.value()),
+                                   std::move(expected))};
+}
+
+/// The numbers of an attribute: `N` of them, separated by blanks, that all fit.
+template <int N>
+Eigen::Matrix<double, N, 1> urdfNumbers(const pugi::xml_node& element, const char* name, bool (*fits)(double),
+                                        const Message& expected) {
+  std::string_view text = element.attribute(name).value();
+  Eigen::Matrix<double, N, 1> numbers;
+  for (double& number : numbers) {
+    const std::optional<double> value = meshNumber(takeWord(text));
+    if (!value || !fits(*value)) refuseUrdfAttribute(element, name, expected);
+    number = *value;
+  }
+  if (!takeWord(text).empty()) refuseUrdfAttribute(element, name, expected);
+  return numbers;
+}
+
+bool isUrdfLength(double value) { return value > 0 && value <= kFarthestJoint_m; }
+
+double urdfLength(const pugi::xml_node& element, const char* name) {
+  return urdfNumbers<1>(element, name, isUrdfLength,
+                        message("a length above 0 and at most {} m", Number{kFarthestJoint_m, 0}))[0];
+}
+
+SE3 urdfOrigin(const pugi::xml_node& origin) {
+  SE3 T;
+  if (origin.attribute("xyz")) {
+    T.t = urdfNumbers<3>(
+        origin, "xyz", [](double value) { return std::abs(value) <= kFarthestJoint_m; },
+        message("three coordinates within {} m, separated by blanks", Number{kFarthestJoint_m, 0}));
+  }
+  if (origin.attribute("rpy")) {
+    T.R = rotationFromRpy(urdfNumbers<3>(
+        origin, "rpy", [](double value) { return std::abs(value) <= kMostJointPosition; },
+        message("three finite angles in rad, separated by blanks")));
+  }
+  return T;
+}
+
+MeshShape urdfMesh(const pugi::xml_node& mesh) {
+  MeshShape shape;
+  shape.file = mesh.attribute("filename").value();
+  if (shape.file.empty() || shape.file.size() > kLongestMeshAddress) {
+    refuseUrdfAttribute(mesh, "filename", message("package://NAME/FILE, file:///FILE or a path"));
+  }
+  if (mesh.attribute("scale")) {
+    shape.scale = urdfNumbers<3>(
+        mesh, "scale", [](double value) { return value != 0 && std::abs(value) <= kMostJointPosition; },
+        message("three finite numbers, none of them 0, separated by blanks"));
+  }
+  return shape;
+}
+
+}  // namespace
+
+LinkShape urdfShape(const pugi::xml_node& element) {
+  LinkShape result{urdfOrigin(element.child("origin")), {}};
+  const pugi::xml_node shape = element.child("geometry").find_child([](const pugi::xml_node& child) {
+    return child.type() == pugi::node_element;
+  });
+  const std::string_view kind = shape.name();
+  if (kind == "box") {
+    result.shape = BoxShape{urdfNumbers<3>(
+        shape, "size", isUrdfLength,
+        message("three lengths above 0 and at most {} m, separated by blanks", Number{kFarthestJoint_m, 0}))};
+  } else if (kind == "cylinder") {
+    result.shape = CylinderShape{urdfLength(shape, "radius"), urdfLength(shape, "length")};
+  } else if (kind == "sphere") {
+    result.shape = SphereShape{urdfLength(shape, "radius")};
+  } else if (kind == "mesh") {
+    result.shape = urdfMesh(shape);
+  } else if (shape) {
+    throw UrdfFault{shape, message("<{}>: expected a box, cylinder, sphere or mesh", excerptOf(kind))};
+  } else {
+    throw UrdfFault{element, message("<{}> has no <geometry> with a box, cylinder, sphere or mesh", element.name())};
+  }
+  return result;
+}
+
+}  // namespace hexoderm

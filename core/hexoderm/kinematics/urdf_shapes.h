@@ -1,0 +1,22 @@
+#pragma once
+
+// Private to kinematics: what links of a URDF look like.
+
+#include "hexoderm/kinematics/robot_model.h"
+#include "hexoderm/util/message.h"
+
+#include <pugixml.hpp>
+
+namespace hexoderm {
+
+/// What is wrong with an element of a URDF, or with one of its attributes.
+struct UrdfFault {
+  pugi::xml_node element;
+  Message what;
+};
+
+/// The shape in a <visual> or <collision>. Throws UrdfFault for what is missing or malformed: urdfdom would leave out
+/// that shape and all that follow it in the link.
+LinkShape urdfShape(const pugi::xml_node& element);
+
+}  // namespace hexoderm
