@@ -54,7 +54,7 @@ namespace {
 void requireApart(const std::string& a, const std::string& b) {
   const auto fileOf = [](const std::string& name) {
     std::error_code error;
-    return std::filesystem::weakly_canonical(name, error).string();
+    return std::filesystem::weakly_canonical(std::filesystem::absolute(name, error), error).string();
   };
   const auto isBeside = [](const std::string& file, const std::string& database) {
     return std::ranges::any_of(kBesideDatabases, [&](const char* suffix) { return file == database + suffix; });

@@ -7099,6 +7099,18 @@ Die Balken sagen, wie sehr sich die gesehenen Richtungen in drei Achsen untersch
         <source>a data URI or a relative path</source>
         <translation>ein Data-URI oder ein relativer Pfad</translation>
     </message>
+    <message>
+        <source>{} lies beside it, and would be taken for a part of it: move that file away, or take another name</source>
+        <translation>{} liegt daneben und würde für einen Teil davon gehalten: Verschieben Sie diese Datei, oder nehmen Sie einen anderen Namen</translation>
+    </message>
+    <message>
+        <source>belongs to a session, and what that has captured is never replaced: take another name</source>
+        <translation>gehört zu einer Sitzung, und was diese aufgenommen hat, wird nie ersetzt: Nehmen Sie einen anderen Namen</translation>
+    </message>
+    <message>
+        <source>{} lies beside it, with what a session of that name has captured: move that file away, or take another name</source>
+        <translation>{} liegt daneben, mit dem, was eine Sitzung dieses Namens aufgenommen hat: Verschieben Sie diese Datei, oder nehmen Sie einen anderen Namen</translation>
+    </message>
 </context>
 <context>
     <name>hexoderm::MessageBar</name>

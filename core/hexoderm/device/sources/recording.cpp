@@ -48,6 +48,7 @@ struct StreamRecorder::Impl {
   std::ofstream file;
   bool is_new = false;  ///< the file was not there before
   bool begun = false;
+  bool described = false;  ///< a skin has described itself
   Clock::time_point began = Clock::now();
   Clock::time_point flushed = began;
   mutable std::mutex mutex;
@@ -121,7 +122,9 @@ StreamRecorder::StreamRecorder(std::filesystem::path path, SkinListener& next)
     : impl_(std::make_unique<Impl>(std::move(path), next)) {
   requireReplaceable(impl_->path, impl_->path.string());
   impl_->is_new = !std::filesystem::exists(impl_->path);
+  const bool replaces = std::filesystem::is_regular_file(impl_->path);
   impl_->file.open(impl_->path, std::ios::binary | std::ios::app);
+  if (impl_->file.is_open() && !replaces) impl_->begin();
   if (!impl_->file) {
     throw StorageError(
         located(impl_->path.string(), message("a recording can't be written there: {}", systemReason(errno))));
@@ -129,13 +132,14 @@ StreamRecorder::StreamRecorder(std::filesystem::path path, SkinListener& next)
 }
 
 StreamRecorder::~StreamRecorder() {
-  if (impl_->begun || !impl_->is_new) return;
+  if (impl_->described || !impl_->is_new) return;
   std::error_code ignored;
   std::filesystem::remove(impl_->path, ignored);
 }
 
 void StreamRecorder::onSkin(const SkinDescription& skin) {
   impl_->next.onSkin(skin);
+  impl_->described = true;
   if (impl_->file.is_open()) impl_->begin();
   impl_->guarded([&] {
     const bool new_model = !impl_->skin.model || impl_->skin.model != skin.model;
