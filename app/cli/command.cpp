@@ -63,7 +63,7 @@ void requireApart(const std::string& a, const std::string& b) {
   const std::string file_b = fileOf(b);
   const bool same = file_a == file_b || (identityOf(a) && identityOf(a) == identityOf(b));
   if (!same && !isBeside(file_a, file_b) && !isBeside(file_b, file_a)) return;
-  throw InvalidArgument(located(a, message("is written by two options: give each a name of its own")));
+  throw InvalidArgument(located(a, message("collides with {}, which another option writes: take another name", b)));
 }
 
 }  // namespace

@@ -48,7 +48,6 @@ struct StreamRecorder::Impl {
   std::ofstream file;
   bool is_new = false;  ///< the file was not there before
   bool begun = false;
-  bool described = false;  ///< a skin has described itself
   Clock::time_point began = Clock::now();
   Clock::time_point flushed = began;
   mutable std::mutex mutex;
@@ -132,14 +131,13 @@ StreamRecorder::StreamRecorder(std::filesystem::path path, SkinListener& next)
 }
 
 StreamRecorder::~StreamRecorder() {
-  if (impl_->described || !impl_->is_new) return;
+  if (impl_->skin.model || !impl_->is_new) return;
   std::error_code ignored;
   std::filesystem::remove(impl_->path, ignored);
 }
 
 void StreamRecorder::onSkin(const SkinDescription& skin) {
   impl_->next.onSkin(skin);
-  impl_->described = true;
   if (impl_->file.is_open()) impl_->begin();
   impl_->guarded([&] {
     const bool new_model = !impl_->skin.model || impl_->skin.model != skin.model;
