@@ -69,7 +69,7 @@ namespace {
 void requireApart(const std::string& a, const std::string& b) {
   const auto fileOf = [](const std::string& name) {
     std::error_code error;
-    return std::filesystem::weakly_canonical(name, error).string();
+    return std::filesystem::weakly_canonical(std::filesystem::absolute(name, error), error).string();
   };
   const auto isBeside = [](const std::string& file, const std::string& database) {
     return std::ranges::any_of(kBesideDatabases, [&](const char* suffix) { return file == database + suffix; });
@@ -78,7 +78,7 @@ void requireApart(const std::string& a, const std::string& b) {
   const std::string file_b = fileOf(b);
   const bool same = file_a == file_b || (identityOf(a) && identityOf(a) == identityOf(b));
   if (!same && !isBeside(file_a, file_b) && !isBeside(file_b, file_a)) return;
-  throw InvalidArgument(located(a, message("is written by two options: give each a name of its own")));
+  throw InvalidArgument(located(a, message("collides with {}, which another option writes: take another name", b)));
 }
 
 }  // namespace

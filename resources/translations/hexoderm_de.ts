@@ -333,8 +333,8 @@
         <translation>Eine dritte Richtung ist noch nicht gesehen: Ihr Wert ist %1 von %2.</translation>
     </message>
     <message>
-        <source>Not all values reach %1, yet no further direction is asked for.</source>
-        <translation>Nicht alle Werte erreichen %1, doch eine weitere Richtung wird nicht verlangt.</translation>
+        <source>The result does not need all three values to reach %1.</source>
+        <translation>Für das Ergebnis müssen nicht alle drei Werte %1 erreichen.</translation>
     </message>
 </context>
 <context>
@@ -7110,6 +7110,18 @@ Die Balken sagen, wie sehr sich die gesehenen Richtungen in drei Achsen untersch
     <message>
         <source>With all other links the ends of the {} come to lie {} apart, and a skin link leaves no more than {}: it is probably a cable, since no other link is in all of its loops. The link is not used.</source>
         <translation>Mit allen anderen Verbindungen liegen die Enden der {} {} auseinander, bei einer Hautverbindung höchstens {}: Wahrscheinlich ist sie ein Kabel, denn keine andere Verbindung liegt in allen ihren Schleifen. Die Verbindung wird nicht benutzt.</translation>
+    </message>
+    <message>
+        <source>{} lies beside it, and would be taken for a part of it: move that file away, or take another name</source>
+        <translation>{} liegt daneben und würde für einen Teil davon gehalten: Verschieben Sie diese Datei, oder nehmen Sie einen anderen Namen</translation>
+    </message>
+    <message>
+        <source>belongs to a session, and what that has captured is never replaced: take another name</source>
+        <translation>gehört zu einer Sitzung, und was diese aufgenommen hat, wird nie ersetzt: Nehmen Sie einen anderen Namen</translation>
+    </message>
+    <message>
+        <source>{} lies beside it, with what a session of that name has captured: move that file away, or take another name</source>
+        <translation>{} liegt daneben, mit dem, was eine Sitzung dieses Namens aufgenommen hat: Verschieben Sie diese Datei, oder nehmen Sie einen anderen Namen</translation>
     </message>
 </context>
 <context>

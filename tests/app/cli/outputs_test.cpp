@@ -269,7 +269,7 @@ TEST_F(CliOutputs, NoFileIsWrittenByTwoOptions) {
         "simulate --robot demo --poses 2 -o a.session.json --joints j.csv --truth j.csv",
         "simulate --robot demo --poses 2 -o c.hexo --joints c.hexo",
         "capture --source sim:x17 --auto --poses 2 -o live.hexo --record live.hexo-wal"}) {
-    expectRefused(arguments, 2, {"is written by two options"});
+    expectRefused(arguments, 2, {"which another option writes"});
   }
 }
 

@@ -121,7 +121,9 @@ StreamRecorder::StreamRecorder(std::filesystem::path path, SkinListener& next)
     : impl_(std::make_unique<Impl>(std::move(path), next)) {
   requireReplaceable(impl_->path, impl_->path.string());
   impl_->is_new = !std::filesystem::exists(impl_->path);
+  const bool replaces = std::filesystem::is_regular_file(impl_->path);
   impl_->file.open(impl_->path, std::ios::binary | std::ios::app);
+  if (impl_->file.is_open() && !replaces) impl_->begin();
   if (!impl_->file) {
     throw StorageError(
         located(impl_->path.string(), message("a recording can't be written there: {}", systemReason(errno))));
@@ -129,7 +131,7 @@ StreamRecorder::StreamRecorder(std::filesystem::path path, SkinListener& next)
 }
 
 StreamRecorder::~StreamRecorder() {
-  if (impl_->begun || !impl_->is_new) return;
+  if (impl_->skin.model || !impl_->is_new) return;
   std::error_code ignored;
   std::filesystem::remove(impl_->path, ignored);
 }
