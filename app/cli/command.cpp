@@ -12,6 +12,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <filesystem>
 #include <iostream>
 #include <map>
 #include <new>
@@ -47,6 +48,26 @@ void Common::logNote(const std::string& text) const {
   if (::isatty(STDERR_FILENO) == 0) note(text);
 }
 
+namespace {
+
+/// Not the same file, nor what SQLite keeps beside the other.
+void requireApart(const std::string& a, const std::string& b) {
+  const auto fileOf = [](const std::string& name) {
+    std::error_code error;
+    return std::filesystem::weakly_canonical(std::filesystem::absolute(name, error), error).string();
+  };
+  const auto isBeside = [](const std::string& file, const std::string& database) {
+    return std::ranges::any_of(kBesideDatabases, [&](const char* suffix) { return file == database + suffix; });
+  };
+  const std::string file_a = fileOf(a);
+  const std::string file_b = fileOf(b);
+  const bool same = file_a == file_b || (identityOf(a) && identityOf(a) == identityOf(b));
+  if (!same && !isBeside(file_a, file_b) && !isBeside(file_b, file_a)) return;
+  throw InvalidArgument(located(a, message("collides with {}, which another option writes: take another name", b)));
+}
+
+}  // namespace
+
 void requireReplaceableOutputs(const CLI::App& command) {
   const auto forEachValue = [&](const char* type, const auto& action) {
     for (const CLI::Option* option : command.get_options()) {
@@ -54,11 +75,15 @@ void requireReplaceableOutputs(const CLI::App& command) {
       for (const std::string& value : option->results()) action(*option, value);
     }
   };
+  noteRead("/dev/stdin");
   forEachValue(kInput, [](const CLI::Option& /*option*/, const std::string& file) { noteRead(file); });
-  forEachValue(kOutput, [](const CLI::Option& option, const std::string& file) {
+  std::vector<std::string> outputs;
+  forEachValue(kOutput, [&](const CLI::Option& option, const std::string& file) {
     if (file == kStandardOutput) return;
     const auto& letters = option.get_snames();
     requireReplaceable(file, (letters.empty() ? option.get_name() : "-" + letters.front()) + " " + file);
+    for (const std::string& other : outputs) requireApart(file, other);
+    outputs.push_back(file);
   });
 }
 
@@ -110,8 +135,31 @@ std::shared_ptr<const Reconstruction> openCalibration(const std::string& path, c
   return asInput([&] { return hexoderm::openCalibration(path, model); });
 }
 
+namespace {
+
+/// That they are inputs too, wherever they can be found.
+void noteMeshes(const RobotModel& robot) {
+  for (std::size_t link = 0; link < robot.links().size(); ++link) {
+    for (const std::vector<LinkShape>* shapes : {&robot.links()[link].visuals, &robot.links()[link].collisions}) {
+      for (const LinkShape& shape : *shapes) {
+        const auto* mesh = std::get_if<MeshShape>(&shape.shape);
+        if (mesh == nullptr) continue;
+        try {
+          noteRead(robot.meshFile(*mesh, link));
+        } catch (const FormatError&) {
+          continue;  // of a package that is not known: said where the mesh is needed
+        }
+      }
+    }
+  }
+}
+
+}  // namespace
+
 RobotModel openRobot(const std::string& robot, const std::vector<std::string>& packages) {
-  return asInput([&] { return robotNamed(robot, packages); });
+  RobotModel model = asInput([&] { return robotNamed(robot, packages); });
+  noteMeshes(model);
+  return model;
 }
 
 std::map<PoseId, JointAngles> anglesOfPoses(const Session& session, const std::string& file, const RobotModel& robot) {

@@ -58,7 +58,8 @@ struct Common {
 /// What the help calls the value of an option: a file that the command reads, and what it writes.
 inline constexpr const char* kInput = "FILE";
 inline constexpr const char* kOutput = "OUTPUT";
-/// Before any work: InvalidArgument if an output is one of the inputs, StorageError if it is a session.
+/// Before any work: InvalidArgument if an output is one of the inputs, standard input among them, or another output,
+/// StorageError if it is a session.
 void requireReplaceableOutputs(const CLI::App& command);
 
 /// As `-o`: standard output.

@@ -4,6 +4,7 @@
 #include "hexoderm/util/interrupt.h"
 #include "hexoderm/util/kept_files.h"
 #include "hexoderm/util/parallel.h"
+#include "hexoderm/util/system_reason.h"
 #include "hexoderm/util/text.h"
 
 #include <algorithm>
@@ -15,6 +16,7 @@
 #include <optional>
 #include <set>
 #include <stop_token>
+#include <system_error>
 #include <thread>
 #include <utility>
 
@@ -223,7 +225,11 @@ class BatchReport {
 void makeFolders(const std::vector<std::filesystem::path>& files) {
   std::set<std::filesystem::path> folders;
   for (const std::filesystem::path& file : files) folders.insert(file.parent_path());
-  for (const std::filesystem::path& folder : folders) std::filesystem::create_directories(folder);
+  for (const std::filesystem::path& folder : folders) {
+    std::error_code error;
+    std::filesystem::create_directories(folder, error);
+    if (error) throw StorageError(located(folder.string(), message("cannot be made: {}", systemReason(error))));
+  }
 }
 
 void requireFolder(const std::string& name) {
@@ -232,8 +238,10 @@ void requireFolder(const std::string& name) {
         "-o -: several calibrations are several files, which standard output can't be: give a "
         "folder, or take --json, which prints one in a line");
   }
-  if (std::filesystem::is_directory(name)) return;
-  if (name.ends_with(".json") || std::filesystem::exists(name)) {
+  const std::filesystem::path path(name);
+  const std::filesystem::path folder = path.has_filename() ? path : path.parent_path();
+  if (std::filesystem::is_directory(folder)) return;
+  if (name.ends_with(".json") || std::filesystem::exists(folder)) {
     throw InvalidArgument("-o: expected a folder for the calibrations of several sessions, found \"" + name + "\"");
   }
 }

@@ -7111,6 +7111,18 @@ Die Balken sagen, wie sehr sich die gesehenen Richtungen in drei Achsen untersch
         <source>With all other links the ends of the {} come to lie {} apart, and a skin link leaves no more than {}: it is probably a cable, since no other link is in all of its loops. The link is not used.</source>
         <translation>Mit allen anderen Verbindungen liegen die Enden der {} {} auseinander, bei einer Hautverbindung höchstens {}: Wahrscheinlich ist sie ein Kabel, denn keine andere Verbindung liegt in allen ihren Schleifen. Die Verbindung wird nicht benutzt.</translation>
     </message>
+    <message>
+        <source>{} lies beside it, and would be taken for a part of it: move that file away, or take another name</source>
+        <translation>{} liegt daneben und würde für einen Teil davon gehalten: Verschieben Sie diese Datei, oder nehmen Sie einen anderen Namen</translation>
+    </message>
+    <message>
+        <source>belongs to a session, and what that has captured is never replaced: take another name</source>
+        <translation>gehört zu einer Sitzung, und was diese aufgenommen hat, wird nie ersetzt: Nehmen Sie einen anderen Namen</translation>
+    </message>
+    <message>
+        <source>{} lies beside it, with what a session of that name has captured: move that file away, or take another name</source>
+        <translation>{} liegt daneben, mit dem, was eine Sitzung dieses Namens aufgenommen hat: Verschieben Sie diese Datei, oder nehmen Sie einen anderen Namen</translation>
+    </message>
 </context>
 <context>
     <name>hexoderm::MessageBar</name>

@@ -60,7 +60,7 @@ class _End:
         threading.Thread(target=self._end_at_last, daemon=True).start()
 
     def _end_at_last(self):
-        """While it begins, rospy swallows a KeyboardInterrupt and then asks a master that does not answer for ever."""
+        """Ends the process: while it begins, rospy swallows a KeyboardInterrupt and then waits for a silent master for ever."""
         while not self.is_asked_for:
             time.sleep(LOOK_EVERY_S)
         time.sleep(2 * LEAVES_S)

@@ -4,6 +4,7 @@
 #include "hexoderm/session/store_file.h"
 #include "hexoderm/util/error.h"
 #include "hexoderm/util/file.h"
+#include "hexoderm/util/kept_files.h"
 #include "hexoderm/util/sha256.h"
 #include "hexoderm/util/system_reason.h"
 #include "hexoderm/util/temporary_file.h"
@@ -126,6 +127,7 @@ void requireNothingAt(const std::filesystem::path& path) {
   if (::lstat(path.c_str(), &status) == 0) failExists(path);
   if (errno != ENOENT)
     throw StorageError(located(path.string(), message("cannot be written: {}", systemReason(errno))));
+  requireNothingBeside(path);
 }
 
 }  // namespace

@@ -57,7 +57,7 @@ void removeIfLeft(const fs::path& path) {
   const FileDescriptor left(::open(path.c_str(), O_RDONLY | O_NONBLOCK | O_NOFOLLOW | O_CLOEXEC));
   struct stat status {};
   if (!left.valid() || ::fstat(left.get(), &status) != 0 || status.st_uid != ::geteuid()) return;
-  if (!S_ISREG(status.st_mode) && !S_ISDIR(status.st_mode)) return;
+  if ((!S_ISREG(status.st_mode) && !S_ISDIR(status.st_mode)) || isKept(path)) return;
   if (::flock(left.get(), LOCK_EX | LOCK_NB) != 0 || !isStillAt(path, left.get())) return;
   for (const char* suffix : kBesideDatabases) ::unlink((path.string() + suffix).c_str());
   std::error_code ignored;

@@ -253,6 +253,73 @@ TEST_F(CliOutputs, ARecordingIsNotRecordedIntoItself) {
   }
 }
 
+TEST_F(CliOutputs, StandardInputIsAnInput) {
+  ASSERT_EQ(run("capture --source sim:x17?speed=20 --auto --poses 3 --record arm.skinrec -o first.hexo").exit_code, 0);
+  const auto before = contents();
+  const Outcome outcome = run("capture --source stdin --record arm.skinrec -o second.hexo <arm.skinrec");
+  EXPECT_EQ(outcome.exit_code, 2) << outcome.err;
+  EXPECT_THAT(outcome.err, AllOf(HasSubstr("--record arm.skinrec"), HasSubstr("is one of the inputs")));
+  EXPECT_TRUE(contents() == before);
+}
+
+TEST_F(CliOutputs, NoFileIsWrittenByTwoOptions) {
+  for (const std::string arguments :
+       {"simulate --robot demo --poses 2 -o a.session.json --joints a.session.json",
+        "simulate --robot demo --poses 2 -o a.session.json --truth ./a.session.json",
+        "simulate --robot demo --poses 2 -o a.session.json --joints j.csv --truth j.csv",
+        "simulate --robot demo --poses 2 -o c.hexo --joints c.hexo",
+        "capture --source sim:x17 --auto --poses 2 -o live.hexo --record live.hexo-wal"}) {
+    expectRefused(arguments, 2, {"which another option writes"});
+  }
+}
+
+TEST_F(CliOutputs, ASessionIsNotMadeBesideTheLogOfAnother) {
+  const auto refuses = [&](const std::string& made) {
+    expectRefused("convert arm.session.json -o " + made, 5, {made, "-wal lies beside it"});
+    expectRefused("simulate --poses 2 -o " + made, 5, {made, "-wal lies beside it"});
+  };
+  std::ofstream(path("notes.hexo-wal")) << "somebody's notes";
+  refuses("notes.hexo");
+  // What a killed program leaves, and nobody has the session itself any more.
+  std::ofstream(path("lost.hexo-wal"), std::ios::binary) << std::string("\x37\x7f\x06\x82\x00\x2d\xe2\x18", 8);
+  refuses("lost.hexo");
+  std::ofstream(path("lost.hexo"));
+  for (const std::string name : {"lost.hexo", "lost.hexo-wal"}) {
+    expectRefused("solve arm.session.json -o " + name, 5, {name, "captured"});
+  }
+  fs::create_hard_link(path("lost.hexo-wal"), path("hard.skinrec"));
+  expectRefused("capture --source sim:x17 --auto --poses 2 -o new.hexo --record hard.skinrec", 5,
+                {"hard.skinrec", "belongs to a session"});
+}
+
+TEST_F(CliOutputs, ARecordingStaysUntilASkinHasDescribedItself) {
+  std::ofstream(path("earlier.skinrec")) << "earlier";
+  EXPECT_EQ(run("capture --source tcp://localhost:1 --timeout 1 --record earlier.skinrec -o new.hexo").exit_code, 4);
+  EXPECT_EQ(readFile(path("earlier.skinrec")), "earlier");
+  EXPECT_EQ(run("capture --source tcp://localhost:1 --timeout 1 --record none.skinrec -o new.hexo").exit_code, 4);
+  EXPECT_FALSE(exists("none.skinrec"));
+}
+
+TEST_F(CliOutputs, MeshesOfTheRobotStay) {
+  fs::create_directory(path("m"));
+  std::ofstream(path("m/box.obj")) << "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
+  std::ofstream(path("r.urdf")) << R"(<robot name="r"><link name="l1"><visual><geometry><mesh filename="m/box.obj"/>)"
+                                   R"(</geometry></visual></link></robot>)";
+  expectRefused("export arm.calibration.json --to robot-urdf --robot r.urdf --place l1:0,0,0,0,0,0 -o m/box.obj", 2,
+                {"m/box.obj", "is one of the inputs"});
+}
+
+TEST_F(CliOutputs, AnInputIsNotTakenForLeftBehind) {
+  const std::string hidden = ".hexoderm-0123456789abcdef.tmp";
+  fs::copy_file(path("arm.session.json"), path(hidden));
+  EXPECT_EQ(run("solve " + hidden + " -o other.calibration.json").exit_code, 0);
+  EXPECT_TRUE(exists(hidden));
+}
+
+TEST_F(CliOutputs, AFileIsNoFolderForCalibrations) {
+  expectRefused("solve arm.session.json -o arm.session.json/", 2, {"expected a folder", "arm.session.json"});
+}
+
 TEST_F(CliOutputs, NothingIsWrittenInThePlaceOfASessionThatAnotherProcessCapturesInto) {
   std::thread capturing([&] {
     std::ignore =

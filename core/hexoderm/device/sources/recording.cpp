@@ -15,6 +15,8 @@
 #include <fstream>
 #include <mutex>
 #include <string_view>
+#include <system_error>
+#include <utility>
 
 namespace hexoderm {
 namespace {
@@ -44,6 +46,8 @@ struct StreamRecorder::Impl {
   std::filesystem::path path;
   SkinListener& next;
   std::ofstream file;
+  bool is_new = false;  ///< the file was not there before
+  bool begun = false;
   Clock::time_point began = Clock::now();
   Clock::time_point flushed = began;
   mutable std::mutex mutex;
@@ -87,10 +91,18 @@ struct StreamRecorder::Impl {
     joints.nameAgain();
   }
 
+  /// In the place of what was there.
+  void begin() {
+    if (std::exchange(begun, true)) return;
+    std::error_code no_regular_file;
+    std::filesystem::resize_file(path, 0, no_regular_file);
+    file << kMagic << kVersion << std::flush;
+  }
+
   /// Recording must not take listening down with it.
   template <class Action>
   void guarded(const Action& action) {
-    if (!file.is_open()) return;
+    if (!file.is_open() || !begun) return;
     try {
       action();
       const Clock::time_point now = Clock::now();
@@ -108,18 +120,25 @@ struct StreamRecorder::Impl {
 StreamRecorder::StreamRecorder(std::filesystem::path path, SkinListener& next)
     : impl_(std::make_unique<Impl>(std::move(path), next)) {
   requireReplaceable(impl_->path, impl_->path.string());
-  impl_->file.open(impl_->path, std::ios::binary | std::ios::trunc);
-  impl_->file << kMagic << kVersion << std::flush;
+  impl_->is_new = !std::filesystem::exists(impl_->path);
+  const bool replaces = std::filesystem::is_regular_file(impl_->path);
+  impl_->file.open(impl_->path, std::ios::binary | std::ios::app);
+  if (impl_->file.is_open() && !replaces) impl_->begin();
   if (!impl_->file) {
     throw StorageError(
         located(impl_->path.string(), message("a recording can't be written there: {}", systemReason(errno))));
   }
 }
 
-StreamRecorder::~StreamRecorder() = default;
+StreamRecorder::~StreamRecorder() {
+  if (impl_->skin.model || !impl_->is_new) return;
+  std::error_code ignored;
+  std::filesystem::remove(impl_->path, ignored);
+}
 
 void StreamRecorder::onSkin(const SkinDescription& skin) {
   impl_->next.onSkin(skin);
+  if (impl_->file.is_open()) impl_->begin();
   impl_->guarded([&] {
     const bool new_model = !impl_->skin.model || impl_->skin.model != skin.model;
     impl_->skin = skin;

@@ -22,7 +22,8 @@ namespace hexoderm {
 /// second; a recording that was cut off is good up to its last whole record.
 class StreamRecorder final : public SkinListener {
  public:
-  /// Replaces a file that is there. Throws StorageError if it can't be written. `next` must outlive the recorder.
+  /// Replaces a file that is there as soon as a skin has described itself. Throws StorageError if it can't be written.
+  /// `next` must outlive the recorder.
   StreamRecorder(std::filesystem::path path, SkinListener& next);
   ~StreamRecorder() override;
   StreamRecorder(const StreamRecorder&) = delete;
