@@ -3,6 +3,7 @@
 #include "hexoderm/graph/cut_elements.h"
 
 #include <algorithm>
+#include <array>
 #include <optional>
 #include <set>
 #include <utility>
@@ -12,10 +13,27 @@ namespace {
 
 using PatchPair = std::pair<PatchId, PatchId>;
 
+/// A link that the skin would have if it were one.
+bool isAboutUsableLink(FindingCode code) {
+  constexpr std::array kCodes = {FindingCode::ImplausibleBend,  FindingCode::ImplausibleTwist,
+                                 FindingCode::ImplausibleYaw,   FindingCode::LinkNotRigid,
+                                 FindingCode::LinkDoesNotClose, FindingCode::LinkSetAside};
+  return std::ranges::count(kCodes, code) > 0;
+}
+
+/// A cell that is placed by its links.
+bool isAboutReadings(FindingCode code) {
+  constexpr std::array kCodes = {
+      FindingCode::NoSamples,       FindingCode::DeadSensor,  FindingCode::StuckSensor,
+      FindingCode::SaturatedSensor, FindingCode::NoisySensor, FindingCode::WrongNorm,
+      FindingCode::DeadAxis,        FindingCode::WrongGain,   FindingCode::InconsistentSensor,
+      FindingCode::TurnedSensor,    FindingCode::MovedCell,   FindingCode::LeftOut};
+  return std::ranges::count(kCodes, code) > 0;
+}
+
 /// The patches at the two ends of the link that a finding muted, where these are two.
 std::optional<PatchPair> splitBy(const SkinGraph& graph, const Finding& finding) {
-  if (finding.code == FindingCode::BodyPartBoundary) return std::nullopt;  // which says that the patch ends there
-  if (finding.cells.size() != 2 || finding.ports.size() != 2) return std::nullopt;
+  if (!isAboutUsableLink(finding.code) || finding.cells.size() != 2 || finding.ports.size() != 2) return std::nullopt;
   const auto link = graph.indexOf({finding.cells[0], finding.ports[0]}, {finding.cells[1], finding.ports[1]});
   if (!link || graph.links()[*link].muted_by != finding.code) return std::nullopt;
   const PatchId source = graph.cells()[graph.links()[*link].source].patch;
@@ -29,7 +47,7 @@ void addConsequences(const SkinLinks& skin, std::vector<Finding>& findings) {
   const SkinGraph& graph = skin.graph();
   std::optional<CutElements> cuts;
   const auto joinsParts = [&](const Finding& finding) {
-    if (finding.cells.size() != 1 || !finding.ports.empty()) return false;
+    if (!isAboutReadings(finding.code) || finding.cells.size() != 1) return false;
     const auto cell = graph.indexOf(finding.cells.front());
     if (!cell || skin.readings().measured(*cell)) return false;
     if (!cuts) cuts = findCutElements(graph);
