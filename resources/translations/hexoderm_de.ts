@@ -333,8 +333,8 @@
         <translation>Eine dritte Richtung ist noch nicht gesehen: Ihr Wert ist %1 von %2.</translation>
     </message>
     <message>
-        <source>Not all values reach %1, yet no further direction is asked for.</source>
-        <translation>Nicht alle Werte erreichen %1, doch eine weitere Richtung wird nicht verlangt.</translation>
+        <source>The result does not need all three values to reach %1.</source>
+        <translation>Für das Ergebnis müssen nicht alle drei Werte %1 erreichen.</translation>
     </message>
 </context>
 <context>

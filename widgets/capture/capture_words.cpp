@@ -125,7 +125,7 @@ QString missingInWords(const PoseCoverage& coverage, const std::optional<Eigen::
     return coverage.quality == EdgeQuality::Over
                ? CaptureWords::tr("No direction is missing: all three values reach %1.")
                      .arg(figureInWords(coverage.threshold, 2))
-               : CaptureWords::tr("Not all values reach %1, yet no further direction is asked for.")
+               : CaptureWords::tr("The result does not need all three values to reach %1.")
                      .arg(figureInWords(coverage.threshold, 2));
   }
   const MissingDirection& missing = *coverage.missing;
