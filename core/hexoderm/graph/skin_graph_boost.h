@@ -66,6 +66,7 @@ struct Traits {
   using edges_size_type = std::size_t;
   using degree_size_type = std::size_t;
   using out_edge_iterator = OutEdges;
+  using in_edge_iterator = OutEdges;  // boost::filtered_graph names it; the edges are undirected
   using edge_iterator = Edges;
   static vertex_descriptor null_vertex() { return static_cast<std::size_t>(-1); }
 };
