@@ -3978,10 +3978,6 @@ Die Balken sagen, wie sehr sich die gesehenen Richtungen in drei Achsen untersch
         <translation>zur Form {} gehört kein einzelner Radius zum Vergleichen</translation>
     </message>
     <message>
-        <source>true radius: expected metres above 0</source>
-        <translation>wahrer Radius: erwartet sind Meter über 0</translation>
-    </message>
-    <message>
         <source>loop: there is no cell {}</source>
         <translation>Schleife: Es gibt keine Zelle {}</translation>
     </message>
@@ -5487,14 +5483,6 @@ Die Balken sagen, wie sehr sich die gesehenen Richtungen in drei Achsen untersch
         <translation>Für rpy werden endliche Winkel in Radiant erwartet</translation>
     </message>
     <message>
-        <source>expected a box, cylinder, sphere or mesh</source>
-        <translation>Ein Quader, ein Zylinder, eine Kugel oder ein Netz wird erwartet</translation>
-    </message>
-    <message>
-        <source>expected a scale of three numbers, none of them 0</source>
-        <translation>Ein Maßstab aus drei Zahlen ungleich 0 wird erwartet</translation>
-    </message>
-    <message>
         <source>expected an axis of three finite numbers</source>
         <translation>Eine Achse aus drei endlichen Zahlen wird erwartet</translation>
     </message>
@@ -5613,18 +5601,6 @@ Die Balken sagen, wie sehr sich die gesehenen Richtungen in drei Achsen untersch
     <message>
         <source>each joint once</source>
         <translation>jedes Gelenk nur einmal</translation>
-    </message>
-    <message>
-        <source>expected a size above 0 and at most {} m</source>
-        <translation>Eine Größe über 0 und bis höchstens {} m wird erwartet</translation>
-    </message>
-    <message>
-        <source>expected a radius above 0 and at most {} m</source>
-        <translation>Ein Radius über 0 und bis höchstens {} m wird erwartet</translation>
-    </message>
-    <message>
-        <source>expected a length above 0 and at most {} m</source>
-        <translation>Eine Länge über 0 und bis höchstens {} m wird erwartet</translation>
     </message>
     <message>
         <source>joint {} has no &lt;{} link=&quot;...&quot;&gt;</source>
@@ -6135,10 +6111,6 @@ Die Balken sagen, wie sehr sich die gesehenen Richtungen in drei Achsen untersch
         <translation>nichts sagt, wo am Glied das Hautstück liegt: es braucht die Oberfläche des Glieds, oder Punkte, oder Abstände zu einem anderen Hautstück</translation>
     </message>
     <message>
-        <source>the cells&apos; thickness must be 0 or more</source>
-        <translation>die Dicke der Zellen muss mindestens 0 sein</translation>
-    </message>
-    <message>
         <source>How certain the cells of the patch of cell {} are is not stated; 2 mm and 3° were taken for each.</source>
         <translation>Wie sicher die Zellen des Hautstücks von Zelle {} sind, ist nicht angegeben; für jede wurden 2 mm und 3° angenommen.</translation>
     </message>
@@ -6165,10 +6137,6 @@ Die Balken sagen, wie sehr sich die gesehenen Richtungen in drei Achsen untersch
     <message>
         <source>the sigma of the point of cell {}</source>
         <translation>das Sigma des Punkts von Zelle {}</translation>
-    </message>
-    <message>
-        <source>the point of cell {} is not finite</source>
-        <translation>der Punkt von Zelle {} ist nicht endlich</translation>
     </message>
     <message>
         <source>cells {} and {} are of one patch: their distance says nothing of its place</source>
@@ -6223,16 +6191,8 @@ Die Balken sagen, wie sehr sich die gesehenen Richtungen in drei Achsen untersch
         <translation>das Sigma der Oberfläche</translation>
     </message>
     <message>
-        <source>the sigma of the normals</source>
-        <translation>das Sigma der Normalen</translation>
-    </message>
-    <message>
         <source>the length beyond which a direction is free</source>
         <translation>die Länge, ab der eine Richtung frei ist</translation>
-    </message>
-    <message>
-        <source>the gap must be 0 or more</source>
-        <translation>der Spalt muss mindestens 0 sein</translation>
     </message>
     <message>
         <source>the probability of a false alarm must be between 0 and 1</source>
@@ -7122,6 +7082,118 @@ Die Balken sagen, wie sehr sich die gesehenen Richtungen in drei Achsen untersch
     <message>
         <source>{} lies beside it, with what a session of that name has captured: move that file away, or take another name</source>
         <translation>{} liegt daneben, mit dem, was eine Sitzung dieses Namens aufgenommen hat: Verschieben Sie diese Datei, oder nehmen Sie einen anderen Namen</translation>
+    </message>
+    <message>
+        <source>has {} {}, but at most {} are read</source>
+        <translation>hat {} {}, gelesen werden höchstens {}</translation>
+    </message>
+    <message>
+        <source>points</source>
+        <translation>Punkte</translation>
+    </message>
+    <message>
+        <source>corners in one polygon</source>
+        <translation>Ecken in einem Vieleck</translation>
+    </message>
+    <message>
+        <source>rows of the element &quot;{}&quot;</source>
+        <translation>Zeilen des Elements „{}“</translation>
+    </message>
+    <message>
+        <source>expected a mesh file, but this one is empty</source>
+        <translation>erwartet ist eine Netzdatei, doch diese ist leer</translation>
+    </message>
+    <message>
+        <source>takes more memory than there is</source>
+        <translation>braucht mehr Speicher, als da ist</translation>
+    </message>
+    <message>
+        <source>has no triangle with an area</source>
+        <translation>hat kein Dreieck mit einer Fläche</translation>
+    </message>
+    <message>
+        <source>the mesh has no triangle with an area</source>
+        <translation>das Netz hat kein Dreieck mit einer Fläche</translation>
+    </message>
+    <message>
+        <source>its shapes have {} triangles together, but at most {} are read</source>
+        <translation>seine Formen haben zusammen {} Dreiecke, gelesen werden höchstens {}</translation>
+    </message>
+    <message>
+        <source>an element has more than {} attributes</source>
+        <translation>ein Element hat mehr als {} Attribute</translation>
+    </message>
+    <message>
+        <source>&lt;{} name=&quot;{}&quot;&gt;: expected at most {} characters</source>
+        <translation>&lt;{} name=&quot;{}&quot;&gt;: erwartet sind höchstens {} Zeichen</translation>
+    </message>
+    <message>
+        <source>&lt;{}&gt; has no {}: expected {}</source>
+        <translation>&lt;{}&gt; hat kein {}: erwartet ist {}</translation>
+    </message>
+    <message>
+        <source>&lt;{} {}=&quot;{}&quot;&gt;: expected {}</source>
+        <translation>&lt;{} {}=&quot;{}&quot;&gt;: erwartet ist {}</translation>
+    </message>
+    <message>
+        <source>a length above 0 and at most {} m</source>
+        <translation>eine Länge über 0 und bis {} m</translation>
+    </message>
+    <message>
+        <source>three coordinates within {} m, separated by blanks</source>
+        <translation>drei Koordinaten bis {} m, durch Leerzeichen getrennt</translation>
+    </message>
+    <message>
+        <source>three finite angles in rad, separated by blanks</source>
+        <translation>drei endliche Winkel in rad, durch Leerzeichen getrennt</translation>
+    </message>
+    <message>
+        <source>package://NAME/FILE, file:///FILE or a path</source>
+        <translation>package://NAME/DATEI, file:///DATEI oder ein Pfad</translation>
+    </message>
+    <message>
+        <source>three finite numbers, none of them 0, separated by blanks</source>
+        <translation>drei endliche Zahlen, keine davon 0, durch Leerzeichen getrennt</translation>
+    </message>
+    <message>
+        <source>three lengths above 0 and at most {} m, separated by blanks</source>
+        <translation>drei Längen über 0 und bis {} m, durch Leerzeichen getrennt</translation>
+    </message>
+    <message>
+        <source>&lt;{}&gt;: expected a box, cylinder, sphere or mesh</source>
+        <translation>&lt;{}&gt;: erwartet ist box, cylinder, sphere oder mesh</translation>
+    </message>
+    <message>
+        <source>&lt;{}&gt; has no &lt;geometry&gt; with a box, cylinder, sphere or mesh</source>
+        <translation>&lt;{}&gt; hat keine &lt;geometry&gt; mit box, cylinder, sphere oder mesh</translation>
+    </message>
+    <message>
+        <source>true radius: expected metres above 0 and at most {}, found {}</source>
+        <translation>wahrer Radius: erwartet sind Meter über 0 und bis {}, gefunden {}</translation>
+    </message>
+    <message>
+        <source>{} must be from {} to {} m, found {} m</source>
+        <translation>{}: erwartet ist {} bis {} m, gefunden {} m</translation>
+    </message>
+    <message>
+        <source>the cells&apos; thickness</source>
+        <translation>die Dicke der Zellen</translation>
+    </message>
+    <message>
+        <source>Link {} is too large to look for the patch of cell {} all over it: {} m from corner to corner, where the patch measures {} from cell to cell. A URDF counts in metres: a mesh in millimetres needs scale=&quot;0.001 0.001 0.001&quot; there, with which the link would measure {}.</source>
+        <translation>Glied {} ist zu groß, um das Hautstück von Zelle {} überall darauf zu suchen: {} m von Ecke zu Ecke, während das Hautstück von Zelle zu Zelle {} misst. Eine URDF zählt in Metern: Ein Netz in Millimetern braucht dort scale=&quot;0.001 0.001 0.001&quot;; damit wäre das Glied {} groß.</translation>
+    </message>
+    <message>
+        <source>each coordinate of the point of cell {}</source>
+        <translation>jede Koordinate des Punkts von Zelle {}</translation>
+    </message>
+    <message>
+        <source>the sigma of the normals must be from {} to {}, found {}°</source>
+        <translation>das Sigma der Normalen: erwartet ist {} bis {}, gefunden {}°</translation>
+    </message>
+    <message>
+        <source>the gap</source>
+        <translation>der Spalt</translation>
     </message>
 </context>
 <context>
