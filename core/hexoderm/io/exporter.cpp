@@ -130,7 +130,7 @@ void requireMesh(const Reconstruction& reconstruction, std::string_view format) 
         "there are no cells, and so nothing to draw in a {} file: export csv, dot, vtp or urdf instead", format));
   }
   // In millimetres, and with what is around it.
-  constexpr double kFarthest_m = double{std::numeric_limits<float>::max()} / 1e4;
+  constexpr double kFarthest_m = static_cast<double>(std::numeric_limits<float>::max()) / 1e4;
   for (const PatchReconstruction& patch : reconstruction.patches) {
     for (const CellPlacement& cell : patch.cells) {
       bool is_held = isWithin(cell.T_o_u.t, kFarthest_m);
