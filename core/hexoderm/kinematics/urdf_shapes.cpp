@@ -7,6 +7,8 @@
 #include <cmath>
 #include <utility>
 
+#include <pugixml.hpp>
+
 namespace hexoderm {
 namespace {
 
@@ -16,10 +18,11 @@ constexpr std::size_t kLongestMeshAddress = 4096;
 [[noreturn]] void refuseUrdfAttribute(const pugi::xml_node& element, const char* name, Message expected) {
   const pugi::xml_attribute found = element.attribute(name);
   if (!found) {
-    throw UrdfFault{element, message("<{}> has no {}: expected {}", element.name(), name, std::move(expected))};
+    throw UrdfFault{element.offset_debug(),
+                    message("<{}> has no {}: expected {}", element.name(), name, std::move(expected))};
   }
-  throw UrdfFault{element, message("<{} {}=\"{}\">: expected {}", element.name(), name, excerptOf(found.value()),
-                                   std::move(expected))};
+  throw UrdfFault{element.offset_debug(), message("<{} {}=\"{}\">: expected {}", element.name(), name,
+                                                  excerptOf(found.value()), std::move(expected))};
 }
 
 /// The numbers of an attribute: `N` of them, separated by blanks, that all fit.
@@ -92,9 +95,10 @@ LinkShape urdfShape(const pugi::xml_node& element) {
   } else if (kind == "mesh") {
     result.shape = urdfMesh(shape);
   } else if (shape) {
-    throw UrdfFault{shape, message("<{}>: expected a box, cylinder, sphere or mesh", excerptOf(kind))};
+    throw UrdfFault{shape.offset_debug(), message("<{}>: expected a box, cylinder, sphere or mesh", excerptOf(kind))};
   } else {
-    throw UrdfFault{element, message("<{}> has no <geometry> with a box, cylinder, sphere or mesh", element.name())};
+    throw UrdfFault{element.offset_debug(),
+                    message("<{}> has no <geometry> with a box, cylinder, sphere or mesh", element.name())};
   }
   return result;
 }

@@ -5,13 +5,17 @@
 #include "hexoderm/kinematics/robot_model.h"
 #include "hexoderm/util/message.h"
 
-#include <pugixml.hpp>
+#include <cstddef>
+
+namespace pugi {
+class xml_node;
+}
 
 namespace hexoderm {
 
 /// What is wrong with an element of a URDF, or with one of its attributes.
 struct UrdfFault {
-  pugi::xml_node element;
+  std::ptrdiff_t offset = 0;  ///< of the element, from the beginning of the document
   Message what;
 };
 
