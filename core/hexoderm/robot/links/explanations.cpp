@@ -17,9 +17,9 @@ constexpr double kZeroStep_rad = 5 * kDegree;
 
 using ChangeAngle = std::function<double(double)>;
 
-class Explainer {
+class MismatchSearch {
  public:
-  Explainer(const std::vector<const SeenByPatch*>& without_link, const ComparedRobot& compared)
+  MismatchSearch(const std::vector<const SeenByPatch*>& without_link, const ComparedRobot& compared)
       : patches_(without_link.begin(),
                  without_link.begin() + static_cast<std::ptrdiff_t>(std::min(kMostExplained, without_link.size()))),
         compared_(compared) {
@@ -31,8 +31,8 @@ class Explainer {
   }
 
   std::optional<Message> explain() const {
-    for (const auto& kind : {&Explainer::otherUnit, &Explainer::otherUp, &Explainer::otherRow, &Explainer::onePose,
-                             &Explainer::otherSign, &Explainer::otherZero}) {
+    for (const auto& kind : {&MismatchSearch::otherUnit, &MismatchSearch::otherUp, &MismatchSearch::otherRow,
+                             &MismatchSearch::onePose, &MismatchSearch::otherSign, &MismatchSearch::otherZero}) {
       if (std::optional<Message> words = std::invoke(kind, *this)) return words;
     }
     return std::nullopt;
@@ -243,7 +243,7 @@ class Explainer {
 }  // namespace
 
 std::optional<Message> explain(const std::vector<const SeenByPatch*>& without_link, const ComparedRobot& compared) {
-  return Explainer(without_link, compared).explain();
+  return MismatchSearch(without_link, compared).explain();
 }
 
 }  // namespace hexoderm
