@@ -74,7 +74,7 @@ class Remarks {
     common_.note("The device does not turn there: " + refused.why.english());
   }
   template <class Other>
-  void operator()(const Other& /*event*/) {}  // not const: it must not compete with that of CourseEvent
+  void operator()(const Other& /*event*/) const {}  // const, as it would win over all that are
 
  private:
   const LiveCaptureOptions& options_;

@@ -25,8 +25,8 @@ class HoldLedger {
 
   /// The obstacles that there were, the longest first.
   [[nodiscard]] std::vector<BlockedTime> blocked() const;
-  [[nodiscard]] double still_s() const { return still_s_; }  ///< while still, or being sampled
-  [[nodiscard]] double watched_s() const { return watched_s_; }
+  [[nodiscard]] double still_s() const { return still_s_; }      ///< while still, or being sampled
+  [[nodiscard]] double watched_s() const { return watched_s_; }  ///< in all
   /// The last state; nullopt before the first.
   [[nodiscard]] const std::optional<HoldStatus>& last() const { return last_; }
 

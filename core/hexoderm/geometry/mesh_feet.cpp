@@ -182,7 +182,7 @@ MeshFeet& MeshFeet::operator=(MeshFeet&&) noexcept = default;
 bool MeshFeet::empty() const { return state_->triangles.empty(); }
 
 MeshFoot MeshFeet::footOf(const Eigen::Vector3d& x) const {
-  constexpr unsigned kFirst = 32;
+  const auto first = static_cast<unsigned>(std::min<std::size_t>(32, state_->triangles.size()));
   constexpr double kRounding = 1e-9;
   const MeshPoint point = toBoost(x);
   double nearest_m2 = std::numeric_limits<double>::infinity();
@@ -199,7 +199,7 @@ MeshFoot MeshFeet::footOf(const Eigen::Vector3d& x) const {
     weights = w;
   };
   std::vector<BoxOfTriangle> near;
-  state_->tree.query(bg::index::nearest(point, kFirst), std::back_inserter(near));
+  state_->tree.query(bg::index::nearest(point, first), std::back_inserter(near));
   double farthest_m2 = 0;
   for (const auto& [box, triangle] : near) {
     farthest_m2 = std::max(farthest_m2, bg::comparable_distance(point, box));

@@ -79,7 +79,7 @@ class ScriptedSource final : public SkinSource {
     for (; duration_s > 0; duration_s -= kEvery_s) {
       SampleFrame frame{time_s_ += kEvery_s};
       angle_rad_ += turn_rad_s * kEvery_s;
-      const Eigen::AngleAxisd turned(angle_rad_, Eigen::Vector3d::UnitY());
+      const Eigen::AngleAxisd turned(angle_rad_, Eigen::Vector3d::UnitZ());
       for (const GravitySample& sample : at_rest_.samples) {
         frame.samples.push_back({sample.cell, turned * sample.mean_g});
       }

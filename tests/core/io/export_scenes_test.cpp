@@ -93,7 +93,8 @@ TEST_F(ExportScenes, ObjNamesEveryCellAtItsPlace) {
     words >> corner.x() >> corner.y() >> corner.z();
   }
   EXPECT_EQ(corners.size(), 3U);
-  for (const CellPlacement& cell : onePatch().patches[0].cells) {
+  const Reconstruction one = onePatch();
+  for (const CellPlacement& cell : one.patches[0].cells) {
     const std::vector<Eigen::Vector3d>& found = corners["cell_" + toString(cell.cell)];
     ASSERT_EQ(found.size(), 12U) << cell.cell;
     EXPECT_LT((found[0] - cell.T_o_u * Eigen::Vector3d(0.01502, 0, 0)).norm(), 1e-12) << cell.cell;

@@ -49,12 +49,11 @@ struct PlaceTask {
   std::vector<KnownDistance> distances;
 };
 
-/// The most that any length of a task or its options may be, and the least that a sigma may be, m.
-inline constexpr double kMostPlaceLength_m = 100;
-inline constexpr double kLeastPlaceSigma_m = 1e-6;
-/// Throw InvalidArgument naming what is out of these limits, its value and the range.
+inline constexpr double kMostPlaceLength_m = 100;   ///< no length of a task or its options may be larger
+inline constexpr double kLeastPlaceSigma_m = 1e-6;  ///< nor a sigma smaller
+/// Throws InvalidArgument naming what is out of these limits, its value and the range.
 void requirePlaceable(const KnownPoint& point);
-void requirePlaceable(const KnownDistance& distance);
+void requirePlaceable(const KnownDistance& distance);  ///< likewise
 
 /// What a patch is placed by.
 struct PlaceOptions {

@@ -142,7 +142,8 @@ TEST_P(BadCell, NotANumberIsNoReading) {
   expectPlacedThroughLinks(session, FindingCode::NoSamples);
   EXPECT_THAT(*solve(session),
               HasFinding(FindingCode::NoSamples,
-                         says("The readings of cell 3 are no finite numbers; it is placed through its links.")));
+                         says("The readings of cell 3 are no finite numbers; it is placed through its links. It alone "
+                              "connects parts of the patch, whose relative placement is less certain.")));
 }
 
 TEST_P(BadCell, NotANumberInOnePoseIsNamedWithIt) {
