@@ -19,13 +19,13 @@ namespace {
 constexpr const char* kLastWords =
     "hexoderm-cli: ended while something was held up; every pose that was reported as captured is in the file\n";
 
-/// Says on standard error what goes on.
+/// Says on standard error what goes on. No overload is const: that of all other events would be the better match.
 class Remarks {
  public:
   Remarks(const LiveCaptureOptions& options, const Common& common)
       : options_(options), common_(common), offences_(common) {}
 
-  void operator()(const SkinDescription& skin) const {
+  void operator()(const SkinDescription& skin) {
     if (is_begun_ || !options_.automatic || skin.can_turn) return;
     throw DeviceError(options_.source + ": --auto needs a device that turns by itself, and this one can't");
   }
@@ -42,16 +42,16 @@ class Remarks {
       common_.note(status.message.english());
     }
   }
-  void operator()(const HoldStatus& hold) const { common_.progress(hold.message.english()); }
-  void operator()(const NoPose& wait) const {
+  void operator()(const HoldStatus& hold) { common_.progress(hold.message.english()); }
+  void operator()(const NoPose& wait) {
     common_.logNote("No pose for " + formatFixed(wait.duration_s, 0) + " s. " + wait.why.english());
   }
-  void operator()(const NoReadings& wait) const {
+  void operator()(const NoReadings& wait) {
     common_.note("No readings for " + formatFixed(wait.duration_s, 0) + " s. " + wait.why.english());
   }
-  void operator()(const PoseAdvised& next) const { common_.note("Next: " + next.advice.english()); }
+  void operator()(const PoseAdvised& next) { common_.note("Next: " + next.advice.english()); }
   void operator()(const CourseEvent& event) { std::visit(*this, event); }
-  void operator()(const PoseKept& kept) const {
+  void operator()(const PoseKept& kept) {
     const CapturedPose& captured = kept.captured;
     const std::string pose = "Pose " + toString(captured.pose->id);
     std::string text = pose + " captured: " + counted(captured.pose->samples.size(), "cell");
@@ -65,16 +65,16 @@ class Remarks {
       common_.note(pose + " is kept without its raw samples: " + kept.without_raw.english());
     }
   }
-  void operator()(const FileRefused& refused) const { common_.note(refused.why.english() + ". Trying again."); }
-  void operator()(const SkinChanged& changed) const {
+  void operator()(const FileRefused& refused) { common_.note(refused.why.english() + ". Trying again."); }
+  void operator()(const SkinChanged& changed) {
     common_.note(changed.other_model ? "The device says that it has another cell model; poses stay."
                                      : "The device says that its topology has changed; poses stay.");
   }
-  void operator()(const TurnRefused& refused) const {
+  void operator()(const TurnRefused& refused) {
     common_.note("The device does not turn there: " + refused.why.english());
   }
   template <class Other>
-  void operator()(const Other& /*event*/) const {}  // const, as it would win over all that are
+  void operator()(const Other& /*event*/) {}
 
  private:
   const LiveCaptureOptions& options_;
