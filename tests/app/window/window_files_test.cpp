@@ -195,9 +195,10 @@ TEST_F(WindowFilesTest, AChangeOfThemeLeavesNothingBehind) {
     press(Qt::Key_4, Qt::ControlModifier);
   };
   const auto cards = [&] {
+    const QImage all = keepPicture(window_->picture(), "theme-changed");
     std::vector<QImage> pictures;
-    for (FindingCard* card : window_->findChildren<FindingCard*>()) {
-      if (card->isVisible()) pictures.push_back(card->grab().toImage());
+    for (const FindingCard* card : window_->findChildren<FindingCard*>()) {
+      if (card->isVisible()) pictures.push_back(all.copy(QRect(card->mapTo(window_.get(), QPoint()), card->size())));
     }
     return pictures;
   };
@@ -205,7 +206,6 @@ TEST_F(WindowFilesTest, AChangeOfThemeLeavesNothingBehind) {
   action("actionThemeDark")->trigger();
   const std::vector<QImage> changed = cards();
   EXPECT_FALSE(changed.empty());
-  keepPicture(window_->picture(), "theme-changed");
   window_->close();
   openWindow();
   ASSERT_NO_FATAL_FAILURE(openAtReview());
