@@ -67,8 +67,7 @@ struct LinearizeKernels {
   std::size_t lanes;
   /// Bit k: cell k has a reading beyond the loss's threshold. If any has, nothing is computed.
   unsigned (*cells)(const LinearizeSetting& setting, const CellLanes& cells);
-  /// Bit k: link k is turned too far, by more than 120 degrees. Its numbers are meaningless.
-  unsigned (*links)(const LinearizeSetting& setting, const LinkLanes& links);
+  void (*links)(const LinearizeSetting& setting, const LinkLanes& links);
 };
 
 /// The same on any machine.

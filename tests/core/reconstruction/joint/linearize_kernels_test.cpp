@@ -37,7 +37,7 @@ void expectTheSame(const JointProblem& problem, const JointState& state, const s
   EXPECT_LT(differenceBetween(problem, portable, fast), 1e-12) << what;
 }
 
-TEST(LinearizeKernels, GiveTheSameAsCellsAndLinksOneByOne) {
+TEST(LinearizeKernels, GiveTheSameAsCellsOneByOne) {
   for (const char* patch : {"x17", "ring8:closed", "sheet:3x3"}) {
     for (const GapShare& gap : {kPivotGap, kArcGap, kFitGap}) {
       for (const std::size_t poses : {0U, 1U, 2U, 4U, 7U}) {
@@ -74,7 +74,7 @@ TEST(LinearizeKernels, TakeMissingReadingsTurnedSensorsAndAnyOrigin) {
   expectTheSame(example.problem, perturbed(example.problem, example.truth, 0.1, 0.001, 5), "missing");
 }
 
-TEST(LinearizeKernels, LeaveGrossErrorsAndOverturnedLinksToOthers) {
+TEST(LinearizeKernels, TakeOverturnedLinksAndLeaveGrossErrorsToCellsOneByOne) {
   JointCase example = simulatedCase(test::skinOptions("x17"), 5, kFitGap);
   example.problem.readings[3][2].y_g = {1.5, -1.5, 0.4};
   example.problem.readings[16][0].y_g = {-1, 0.2, 1};
