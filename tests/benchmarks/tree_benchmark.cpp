@@ -89,8 +89,12 @@ void measure(int rows, int columns, double svd_ms) {
   ShortestPaths paths;
   table.row("paths", least_ms([&] { paths = findShortestPaths(skin.graph(), weights, found.origin); }));
   std::vector<Eigen::Matrix3d> attitudes;
-  table.row("attitudes",
-            least_ms([&] { attitudes = skin.attitudeCovariances(skin.graph().patches().front(), paths.link); }));
+  table.row("attitudes", least_ms([&] {
+              attitudes.clear();
+              for (const std::size_t cell : skin.graph().patches().front()) {
+                attitudes.push_back(skin.attitudeCovariance(cell, paths.link[skin.graph().cells()[cell].place]));
+              }
+            }));
   table.row("placements", least_ms([&] {
               static_cast<void>(placeAlongTree(skin.graph(), skin.model(), paths, skin.edges(), attitudes,
                                                gapShareOf(options.gap_model)));

@@ -6,9 +6,4 @@ void estimateEdgesByOne(const EdgeKernelOptions& options, const EdgeKernelInput&
   for (int lane = 0; lane < kLanes; ++lane) edge_kernel::estimate<Lane1>(options, in, lane, out);
 }
 
-void estimateAttitudesByOne(const EdgeKernelOptions& options, const AttitudeKernelInput& in,
-                            AttitudeKernelOutput& out) {
-  for (int lane = 0; lane < kLanes; ++lane) edge_kernel::estimateAttitudes<Lane1>(options, in, lane, out);
-}
-
 }  // namespace hexoderm

@@ -48,22 +48,6 @@ void estimateEdgesByOne(const EdgeKernelOptions& options, const EdgeKernelInput&
 /// All at once; only where hasFourLanes().
 void estimateEdgesByFour(const EdgeKernelOptions& options, const EdgeKernelInput& in, EdgeKernelOutput& out);
 
-/// Covariances of the attitudes of kLanes cells, as cellAttitudeCovariance() has them without support axes; laid out in
-/// the same way.
-struct AttitudeKernelInput {
-  int poses = 0;
-  const double* g_g = nullptr;          ///< poses x 3
-  const double* variance_g2 = nullptr;  ///< poses
-  bool centred = false;
-};
-struct AttitudeKernelOutput {
-  double covariance[6 * kLanes];
-  double usual[kLanes];  ///< 1, or 0 where the cell needs a more careful look
-};
-void estimateAttitudesByOne(const EdgeKernelOptions& options, const AttitudeKernelInput& in, AttitudeKernelOutput& out);
-void estimateAttitudesByFour(const EdgeKernelOptions& options, const AttitudeKernelInput& in,
-                             AttitudeKernelOutput& out);
-
 namespace edge_kernel {
 
 /// Sums over the poses of one way of solving an edge: v are the source's vectors, unit or less their mean.
@@ -295,55 +279,6 @@ HEXODERM_LANES_INLINE typename L::Mask predict(const EdgeKernelOptions& options,
   multiplyBothSides(inverse, unit, prior_part);
   for (int k = 0; k < 6; ++k) covariance[k] = covariance[k] + prior_part[k];
   return is_known;
-}
-
-/// The attitudes of the cells in the lanes from `lane` on, as many as L has.
-template <class L>
-HEXODERM_LANES_INLINE void estimateAttitudes(const EdgeKernelOptions& options, const AttitudeKernelInput& in, int lane,
-                                             AttitudeKernelOutput& out) {
-  const auto at = [lane](const double* values, int k) { return L::load(values + kLanes * k + lane); };
-  const L one(1.0);
-  const L zero(0.0);
-  L mean[3] = {zero, zero, zero};
-  if (in.centred) {
-    for (int p = 0; p < in.poses; ++p) {
-      for (int k = 0; k < 3; ++k) mean[k] = mean[k] + at(in.g_g, 3 * p + k);
-    }
-    for (int k = 0; k < 3; ++k) mean[k] = mean[k] * L(1.0 / in.poses);
-  }
-  L square[6] = {zero, zero, zero, zero, zero, zero};
-  L noise[6] = {zero, zero, zero, zero, zero, zero};
-  L sum[3] = {zero, zero, zero};
-  L by_g[9] = {zero, zero, zero, zero, zero, zero, zero, zero, zero};
-  L squares = zero;
-  L noises = zero;
-  for (int p = 0; p < in.poses; ++p) {
-    const L g[3] = {at(in.g_g, 3 * p), at(in.g_g, 3 * p + 1), at(in.g_g, 3 * p + 2)};
-    const L scale = in.centred ? one : one / root(dot(g, g));
-    const L v[3] = {(g[0] - mean[0]) * scale, (g[1] - mean[1]) * scale, (g[2] - mean[2]) * scale};
-    const L variance = at(in.variance_g2, p);
-    int k = 0;
-    for (int i = 0; i < 3; ++i) {
-      sum[i] = sum[i] + v[i];
-      for (int j = i; j < 3; ++j, ++k) {
-        square[k] = square[k] + v[i] * v[j];
-        noise[k] = noise[k] + variance * v[i] * v[j];
-      }
-      for (int j = 0; j < 3; ++j) by_g[3 * i + j] = by_g[3 * i + j] + v[i] * g[j];
-    }
-    squares = squares + dot(v, v);
-    noises = noises + variance * dot(v, v);
-  }
-  L inverse[6];
-  const typename L::Mask is_known = invertInformation(options.support, squares, square, inverse);
-  const L identity[9] = {one, zero, zero, zero, one, zero, zero, zero, one};
-  L scatter[6];
-  startScatter(options.offset_variance_g2, noises, noise, sum, scatter);
-  addSensor(options, by_g, identity, scatter);
-  L covariance[6];
-  multiplyBothSides(inverse, scatter, covariance);
-  for (int k = 0; k < 6; ++k) covariance[k].store(out.covariance + kLanes * k + lane);
-  L::select(is_known, one, zero).store(out.usual + lane);
 }
 
 /// atan(t) / t, for 0 <= t <= kMostTangent.

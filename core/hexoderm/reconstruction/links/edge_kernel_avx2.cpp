@@ -12,13 +12,4 @@ void estimateEdgesByFour(const EdgeKernelOptions& options, const EdgeKernelInput
 #endif
 }
 
-void estimateAttitudesByFour(const EdgeKernelOptions& options, const AttitudeKernelInput& in,
-                             AttitudeKernelOutput& out) {
-#ifdef __AVX2__
-  edge_kernel::estimateAttitudes<Lane4>(options, in, 0, out);
-#else
-  estimateAttitudesByOne(options, in, out);
-#endif
-}
-
 }  // namespace hexoderm

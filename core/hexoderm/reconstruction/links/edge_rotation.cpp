@@ -222,16 +222,14 @@ EdgeRotation estimateEdgeRotation(const CellModel& model, const Port& source, co
 }
 
 Eigen::Matrix3d cellAttitudeCovariance(const Accelerometer& accelerometer, const Eigen::Matrix3Xd& g_g,
-                                       const std::vector<double>& variance_g2, bool centred, bool supported,
-                                       double prior_sigma_rad) {
+                                       const std::vector<double>& variance_g2, bool centred, bool supported) {
   if (g_g.cols() == 0) return Eigen::Matrix3d::Zero();
   const Eigen::Matrix3Xd v = centred ? lessMean(g_g) : unitColumns(g_g);
   const double support = supported ? 2 * kSupportScale * kSupportScale : kUnsupportedInformation;
   const Eigen::Matrix3d inverse = (rotationInformation(v) + support * Eigen::Matrix3d::Identity()).inverse();
   const Eigen::Matrix3d scatter =
       noiseScatter(v, variance_g2) + sensorScatter(accelerometer, v, g_g, Eigen::Matrix3d::Identity());
-  const double pull = support * prior_sigma_rad;
-  return inverse * (scatter + pull * pull * Eigen::Matrix3d::Identity()) * inverse;
+  return inverse * scatter * inverse;
 }
 
 }  // namespace hexoderm

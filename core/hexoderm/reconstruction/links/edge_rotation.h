@@ -47,11 +47,9 @@ EdgeRotation estimateEdgeRotation(const CellModel& model, const Port& source, co
 
 /// Error of a cell's own attitude due to its noise, offset and gains: R_true = exp(e) R in the cell frame. Errors of
 /// edges are differences of these, which is why offsets telescope along a chain instead of adding up.
-/// `g_g`: 3 x P raw readings; `variance_g2` per pose; empty: zero (what is missing is the links' to say).
-/// `prior_sigma_rad`: what a direction that the poses leave open is uncertain by where support axes hold it; 0 leaves
-/// that to the edges (EdgeRotation::prior_part).
+/// `g_g`: 3 x P raw readings; `variance_g2` per pose; empty: zero (what is missing is the links' to say). A direction
+/// that the poses leave open is left to the edges (EdgeRotation::prior_part).
 Eigen::Matrix3d cellAttitudeCovariance(const Accelerometer& accelerometer, const Eigen::Matrix3Xd& g_g,
-                                       const std::vector<double>& variance_g2, bool centred, bool supported,
-                                       double prior_sigma_rad = 0);
+                                       const std::vector<double>& variance_g2, bool centred, bool supported);
 
 }  // namespace hexoderm
