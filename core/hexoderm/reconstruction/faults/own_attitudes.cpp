@@ -2,6 +2,7 @@
 
 #include "hexoderm/util/parallel.h"
 #include "hexoderm/util/units.h"
+#include "hexoderm/util/vector_instructions.h"
 
 #include <Eigen/Cholesky>
 #include <Eigen/LU>
@@ -189,7 +190,7 @@ class OwnAttitudeBatches {
       const OwnAttitudeKernelInput in{
           static_cast<int>(batches_.poses_), f_o_.data(), batches_.y_g_.data() + 3 * batches_.poses_ * first,
           batches_.precision_.data() + batches_.poses_ * first, batches_.R_.data() + 9 * first};
-      (hasFourLanes() ? findAttitudesByFour : findAttitudesByOne)(kernel_, in, out_);
+      (hasVectorInstructions() ? findAttitudesByFour : findAttitudesByTwo)(kernel_, in, out_);
     }
 
     /// Nothing for a cell that needs a more careful look.

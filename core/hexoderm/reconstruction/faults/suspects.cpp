@@ -4,6 +4,7 @@
 #include "hexoderm/reconstruction/links/link_batches.h"
 #include "hexoderm/util/text.h"
 #include "hexoderm/util/units.h"
+#include "hexoderm/util/vector_instructions.h"
 
 #include <algorithm>
 #include <array>
@@ -87,7 +88,7 @@ void SuspectSearch::judge(std::span<const std::size_t> links) {
       const Eigen::Matrix3d& R = edges_[batch.linkIn(lane)].R_c_n;
       for (int k = 0; k < 9; ++k) R_c_n.at(static_cast<std::size_t>(kLanes * k + lane)) = R(k / 3, k % 3);
     }
-    (hasFourLanes() ? testRigidityByFour : testRigidityByOne)(
+    (hasVectorInstructions() ? testRigidityByFour : testRigidityByTwo)(
         options, {batch.poses, batch.c_g.data(), batch.n_g.data(), batch.variance_g2.data(), R_c_n.data()}, out);
     for (int lane = 0; lane < batch.size; ++lane) {
       const std::size_t link = batch.linkIn(lane);

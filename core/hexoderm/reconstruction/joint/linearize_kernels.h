@@ -72,14 +72,9 @@ struct LinearizeKernels {
 
 /// The same on any machine.
 const LinearizeKernels& portableLinearizeKernels();
-/// With AVX2 and FMA; null where the machine has none. Differs from the portable form by rounding.
-const LinearizeKernels* vectorLinearizeKernels();
-/// The fastest that there is.
-const LinearizeKernels& linearizeKernels();
-
-#ifdef HEXODERM_AVX2
-/// For vectorLinearizeKernels() alone: the machine may not have what these need.
+/// With AVX2 and FMA; only where hasVectorInstructions(). Differs from the portable form by rounding.
 const LinearizeKernels& avx2LinearizeKernels();
-#endif
+/// The faster that the machine can run.
+const LinearizeKernels& linearizeKernels();
 
 }  // namespace hexoderm

@@ -1,55 +1,26 @@
-// The text of the kernels in linearize_kernels.h. Each source that includes it compiles it for one kind of machine,
-// with HEXODERM_LANES cells or links in a vector. Nothing here may have a name that others see, nor use a function of a
-// library that a linker could take for the other machines, too.
+// The text of the kernels in linearize_kernels.h (lanes_text.h says what that is), with kWidth cells or links in a
+// vector.
 
+#include "hexoderm/geometry/lanes_text.h"
 #include "hexoderm/reconstruction/joint/linearize_kernels.h"
-
-// Short loops over what stays in registers.
-#if defined(__clang__)
-#define HEXODERM_UNROLL _Pragma("unroll")
-#else
-#define HEXODERM_UNROLL _Pragma("GCC unroll 6")
-#endif
 
 namespace hexoderm {
 namespace {
 
-using Lanes = double __attribute__((vector_size(8 * HEXODERM_LANES)));
-
-constexpr int kLanes = HEXODERM_LANES;
-
-inline Lanes load(const double* numbers, std::size_t element) {
-  Lanes values;
-  __builtin_memcpy(&values, numbers + element * kLanes, sizeof values);
-  return values;
-}
-inline void store(double* numbers, std::size_t element, Lanes values) {
-  __builtin_memcpy(numbers + element * kLanes, &values, sizeof values);
-}
+inline Lanes load(const double* numbers, std::size_t element) { return load(numbers + element * kWidth); }
+inline void store(double* numbers, std::size_t element, Lanes values) { store(numbers + element * kWidth, values); }
 inline void add(double* numbers, std::size_t element, Lanes values) {
   store(numbers, element, load(numbers, element) + values);
 }
-inline Lanes all(double value) {
-#if HEXODERM_LANES == 4
-  return Lanes{value, value, value, value};
-#else
-  return Lanes{value, value};
-#endif
-}
-inline Lanes rootOf(Lanes values) {
-  Lanes roots;
-  for (int k = 0; k < kLanes; ++k) roots[k] = __builtin_sqrt(values[k]);
-  return roots;
-}
 inline Lanes angleOf(Lanes y, Lanes x) {
   Lanes angles;
-  for (int k = 0; k < kLanes; ++k) angles[k] = __builtin_atan2(y[k], x[k]);
+  for (int k = 0; k < kWidth; ++k) angles[k] = __builtin_atan2(y[k], x[k]);
   return angles;
 }
 /// The bits of the lanes in which the first is not at most the second.
 inline unsigned notAtMost(Lanes values, double most) {
   unsigned bits = 0;
-  for (int k = 0; k < kLanes; ++k) bits |= (values[k] <= most ? 0U : 1U) << k;
+  for (int k = 0; k < kWidth; ++k) bits |= (values[k] <= most ? 0U : 1U) << k;
   return bits;
 }
 
@@ -351,7 +322,7 @@ unsigned cellsWith(const LinearizeSetting& setting, const CellLanes& cells) {
               share[0] * squares[0][i][j] + share[1] * squares[1][i][j] + share[2] * squares[2][i][j]);
         }
       }
-      pair += kColumns * kColumns * kLanes;
+      pair += kColumns * kColumns * kWidth;
     }
   }
   return 0;

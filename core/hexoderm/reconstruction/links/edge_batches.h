@@ -3,6 +3,7 @@
 #include "hexoderm/reconstruction/links/edge_kernel.h"
 #include "hexoderm/reconstruction/links/edge_rotation.h"
 #include "hexoderm/reconstruction/links/link_batches.h"
+#include "hexoderm/util/vector_instructions.h"
 
 #include <optional>
 #include <span>
@@ -20,7 +21,7 @@ class EdgeBatches {
   using Kernel = void (*)(const EdgeKernelOptions&, const EdgeKernelInput&, EdgeKernelOutput&);
 
   /// The fastest kernel that the computer can run.
-  static Kernel fastest() { return hasFourLanes() ? estimateEdgesByFour : estimateEdgesByOne; }
+  static Kernel fastest() { return hasVectorInstructions() ? estimateEdgesByFour : estimateEdgesByTwo; }
 
   /// All must outlive it.
   EdgeBatches(const CellModel& model, const SkinGraph& graph, const GravityTable& table, const SkinReadings& readings,

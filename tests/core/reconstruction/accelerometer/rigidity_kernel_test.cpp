@@ -3,6 +3,7 @@
 
 #include "hexoderm/geometry/se3.h"
 #include "hexoderm/reconstruction/accelerometer/rigidity.h"
+#include "hexoderm/util/vector_instructions.h"
 
 #include <gmock/gmock.h>
 
@@ -56,9 +57,9 @@ TEST(RigidityKernel, AgreesWithTheTestOfOnePair) {
     for (const int poses : {2, 3, 4, 9}) {
       const Pairs pairs = drawPairs(poses, random);
       RigidityKernelOutput one{};
-      testRigidityByOne(options, pairs.input(), one);
+      testRigidityByTwo(options, pairs.input(), one);
       RigidityKernelOutput four = one;
-      if (hasFourLanes()) testRigidityByFour(options, pairs.input(), four);
+      if (hasVectorInstructions()) testRigidityByFour(options, pairs.input(), four);
       for (int lane = 0; lane < kLanes; ++lane) {
         const auto l = static_cast<std::size_t>(lane);
         EXPECT_EQ(four.usual[lane], one.usual[lane]);
@@ -89,7 +90,7 @@ TEST(RigidityKernel, LeavesPairsThatDoNotShowATurnToTheCarefulWay) {
   }
   const RigidityKernelOptions options =
       rigidityKernelOptions(AccelerometerPrior(pairOf(Accelerometer{})), Eigen::Matrix3d::Identity());
-  for (const auto kernel : {testRigidityByOne, hasFourLanes() ? testRigidityByFour : testRigidityByOne}) {
+  for (const auto kernel : {testRigidityByTwo, hasVectorInstructions() ? testRigidityByFour : testRigidityByTwo}) {
     RigidityKernelOutput out{};
     kernel(options, pairs.input(), out);
     for (int lane = 0; lane < kLanes; ++lane) EXPECT_EQ(out.usual[lane], lane == 2 ? 0 : 1) << lane;

@@ -26,13 +26,12 @@ double differenceBetween(const JointProblem& problem, const NormalEquations& a, 
 }
 
 void expectTheSame(const JointProblem& problem, const JointState& state, const std::string& what) {
-  const LinearizeKernels* const vector = vectorLinearizeKernels();
   NormalEquations one_by_one;
   NormalEquations portable;
   NormalEquations fast;
   linearize(problem, state, one_by_one, nullptr);
   linearize(problem, state, portable, &portableLinearizeKernels());
-  linearize(problem, state, fast, vector != nullptr ? vector : &portableLinearizeKernels());
+  linearize(problem, state, fast, &linearizeKernels());
   EXPECT_LT(differenceBetween(problem, one_by_one, portable), 1e-12) << what;
   EXPECT_LT(differenceBetween(problem, portable, fast), 1e-12) << what;
 }

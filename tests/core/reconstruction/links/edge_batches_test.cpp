@@ -18,8 +18,8 @@ struct Kernels {
 };
 
 std::vector<Kernels> kernels() {
-  std::vector<Kernels> all = {{"one", estimateEdgesByOne}};
-  if (hasFourLanes()) all.push_back({"four", estimateEdgesByFour});
+  std::vector<Kernels> all = {{"two", estimateEdgesByTwo}};
+  if (hasVectorInstructions()) all.push_back({"four", estimateEdgesByFour});
   return all;
 }
 
