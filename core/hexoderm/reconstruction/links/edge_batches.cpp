@@ -77,7 +77,7 @@ void EdgeBatches::run(const LinkBatch& batch, std::vector<EdgeRotation>& edges,
     const GraphLink& link = graph_.links()[index];
     EdgeRotation edge;
     if (out_.usual[lane] != 0) edge = edgeIn(lane, link);
-    if (out_.usual[lane] == 0 || needsSupport(edge)) {
+    if (out_.usual[lane] == 0 || needsSupport(edge, options_.support_axes, model_)) {
       unusual.push_back(index);
       continue;
     }
@@ -109,14 +109,6 @@ EdgeRotation EdgeBatches::edgeIn(int lane, const GraphLink& link) const {
                     ? LinkAngles{at(out_.angles_rad, 0), at(out_.angles_rad, 1), at(out_.angles_rad, 2)}
                     : linkAngles(edge.R_c_n, model_.port(link.source_port), model_.port(link.target_port));
   return edge;
-}
-
-/// As estimateEdgeRotation() decides it.
-bool EdgeBatches::needsSupport(const EdgeRotation& edge) const {
-  if (options_.support_axes != SupportAxes::Auto) return false;
-  const bool leaves_open = edge.quality == EdgeQuality::Undefined || edge.quality == EdgeQuality::Partially;
-  return leaves_open &&
-         edge.deviation_rad > std::max({model_.twist_sigma_rad, model_.bend_sigma_rad, model_.yaw_sigma_rad});
 }
 
 }  // namespace hexoderm

@@ -41,7 +41,6 @@ class EdgeBatches {
   void run(const LinkBatch& batch, std::vector<EdgeRotation>& edges, std::vector<std::optional<double>>& pose_residuals,
            std::vector<std::size_t>& unusual);
   [[nodiscard]] EdgeRotation edgeIn(int lane, const GraphLink& link) const;
-  [[nodiscard]] bool needsSupport(const EdgeRotation& edge) const;
 
   const CellModel& model_;
   const SkinGraph& graph_;

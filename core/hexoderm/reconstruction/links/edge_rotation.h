@@ -37,6 +37,10 @@ EdgeQuality classifyEdge(const Eigen::Vector3d& singular_values, double threshol
 /// The paper's weight of a class: 3, 2, 1, 1.
 double paperWeight(EdgeQuality quality);
 
+/// Whether support axes belong to an edge that was estimated without. They pull towards the nominal alignment, also
+/// where the poses know better: they are for links of which the poses tell less than the elastomer does.
+bool needsSupport(const EdgeRotation& unsupported, SupportAxes axes, const CellModel& model);
+
 /// Estimates R_c_n by the constrained orthogonal Procrustes solution, eqs. (13) to (15), of unit vectors or, where
 /// centring applies, of raw vectors less their mean; with the gap's axes appended where support axes apply.
 /// `centring` Auto takes whichever has the smaller predicted deviation; `support_axes` Auto appends them to an edge
