@@ -106,8 +106,8 @@ TEST(JointCost, GradientIsRightWhereLinksAreStraight) {
 
 TEST(JointCost, GradientIsRightWhereLinksAreOverturned) {
   for (const GapShare& gap : kGaps) {
-    for (const Eigen::Vector3d& turn : {Eigen::Vector3d(2.7, 0.1, 0.2), Eigen::Vector3d(0.1, 2.6, 0.2),
-                                        Eigen::Vector3d(0.3, -0.2, 2.6), Eigen::Vector3d(-0.3, 0.2, -2.3)}) {
+    for (const Eigen::Vector3d& turn : {Eigen::Vector3d(2.4, 0.1, 0.2), Eigen::Vector3d(0.1, 2.4, 0.2),
+                                        Eigen::Vector3d(0.3, -0.2, 2.4), Eigen::Vector3d(-0.3, 0.2, -2.3)}) {
       JointCase example = simulatedCase(test::skinOptions("x17"), 3, gap);
       example.problem.loss.threshold = std::numeric_limits<double>::infinity();
       JointState state = perturbed(example.problem, example.truth, 0.1, 0.001, 5);
