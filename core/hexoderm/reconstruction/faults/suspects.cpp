@@ -1,5 +1,6 @@
 #include "hexoderm/reconstruction/faults/suspects.h"
 
+#include "hexoderm/geometry/lane_numbers.h"
 #include "hexoderm/reconstruction/faults/link_plausibility.h"
 #include "hexoderm/reconstruction/links/link_batches.h"
 #include "hexoderm/util/text.h"
@@ -85,8 +86,7 @@ void SuspectSearch::judge(std::span<const std::size_t> links) {
   std::vector<std::size_t> unusual;
   const auto test = [&](const LinkBatch& batch) {
     for (int lane = 0; lane < kLanes; ++lane) {
-      const Eigen::Matrix3d& R = edges_[batch.linkIn(lane)].R_c_n;
-      for (int k = 0; k < 9; ++k) R_c_n.at(static_cast<std::size_t>(kLanes * k + lane)) = R(k / 3, k % 3);
+      matrixOfLane(R_c_n.data(), static_cast<std::size_t>(lane)) = edges_[batch.linkIn(lane)].R_c_n;
     }
     (hasVectorInstructions() ? testRigidityByFour : testRigidityByTwo)(
         options, {batch.poses, batch.c_g.data(), batch.n_g.data(), batch.variance_g2.data(), R_c_n.data()}, out);

@@ -34,8 +34,8 @@ class EdgeBatches {
 
  private:
   struct PortPair {
-    std::array<double, 9> R_nom{};
-    std::array<double, 3> outward{};
+    Eigen::Matrix3d R_nom;
+    Eigen::Vector3d outward;
   };
   [[nodiscard]] std::size_t portIndex(PortNumber number) const;
   void run(const LinkBatch& batch, std::vector<EdgeRotation>& edges, std::vector<std::optional<double>>& pose_residuals,
