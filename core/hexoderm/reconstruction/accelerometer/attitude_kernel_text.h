@@ -41,10 +41,8 @@ HEXODERM_INLINE void find(const AttitudeKernelOptions& options, const OwnAttitud
 
   // With q = (1, f) and V = 1 / precision: sums of q q^T / V and of q y^T / V. In a cell with the attitude R the forces
   // are v = R^T f, and everything follows from these sums turned, however many readings there are.
-  Lanes forces[16];
-  Lanes read[12];
-  for (int k = 0; k < 16; ++k) forces[k] = zero;
-  for (int k = 0; k < 12; ++k) read[k] = zero;
+  Lanes forces[16] = {};
+  Lanes read[12] = {};
   for (int p = 0; p < in.readings; ++p) {
     const Lanes precision = at(in.precision, p);
     const Lanes q[4] = {one, at(in.f_o, 3 * p), at(in.f_o, 3 * p + 1), at(in.f_o, 3 * p + 2)};

@@ -20,10 +20,8 @@ HEXODERM_INLINE void test(const RigidityKernelOptions& options, const RigidityKe
                      all(options.R_a_u[3 * i + 2]) * at(in.R_c_n, 6 + j);
     }
   }
-  Lanes rows[16];   // sum of r r^T / V, r = (1, v)
-  Lanes mixed[12];  // sum of r (y - v)^T / V, row by row
-  for (int k = 0; k < 16; ++k) rows[k] = zero;
-  for (int k = 0; k < 12; ++k) mixed[k] = zero;
+  Lanes rows[16] = {};   // sum of r r^T / V, r = (1, v)
+  Lanes mixed[12] = {};  // sum of r (y - v)^T / V, row by row
   Lanes squares = zero;
   for (int p = 0; p < in.poses; ++p) {
     const Lanes c[3] = {at(in.c_g, 3 * p), at(in.c_g, 3 * p + 1), at(in.c_g, 3 * p + 2)};

@@ -17,13 +17,6 @@ struct Sums {
   Lanes by_c[9];  ///< of v c^T, with c as it was read
   Lanes by_n[9];
 
-  HEXODERM_INLINE void clear() {
-    for (int k = 0; k < 9; ++k) H[k] = by_c[k] = by_n[k] = all(0.0);
-    for (int k = 0; k < 6; ++k) square[k] = noise[k] = all(0.0);
-    for (int k = 0; k < 3; ++k) v[k] = all(0.0);
-    squares = noises = all(0.0);
-  }
-
   HEXODERM_INLINE void add(const Lanes* n_fit, const Lanes* v_fit, const Lanes* c, const Lanes* n, Lanes variance) {
     for (int i = 0; i < 3; ++i) {
       for (int j = 0; j < 3; ++j) {
@@ -242,9 +235,7 @@ HEXODERM_INLINE void estimate(const EdgeKernelOptions& options, const EdgeKernel
   constexpr double kLeastSquare = 1e-12;
 
   // Both ways of solving the edge: 0 by unit vectors, 1 less the mean.
-  Sums sums[2];
-  sums[0].clear();
-  sums[1].clear();
+  Sums sums[2] = {};
   Lanes mean_c[3] = {zero, zero, zero};
   Lanes mean_n[3] = {zero, zero, zero};
   Lanes shortest = one;
