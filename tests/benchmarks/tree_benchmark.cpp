@@ -5,7 +5,6 @@
 //   build/core/tests/benchmarks/tree_benchmark [MOST_CELLS]
 
 #include "hexoderm/device/simulation/simulated_skin.h"
-#include "hexoderm/geometry/lanes.h"
 #include "hexoderm/graph/origin_search.h"
 #include "hexoderm/reconstruction/explain/explainer.h"
 #include "hexoderm/reconstruction/faults/cell_health.h"
@@ -17,6 +16,7 @@
 #include "hexoderm/reconstruction/reconstructor.h"
 #include "hexoderm/session/simulated_session.h"
 #include "hexoderm/util/parallel.h"
+#include "hexoderm/util/vector_instructions.h"
 #include "tests/benchmarks/boost_all_pairs.h"
 #include "tests/benchmarks/cpu_time.h"
 
@@ -68,11 +68,11 @@ void measure(int rows, int columns, double svd_ms) {
     std::iota(all.begin(), all.end(), std::size_t{0});
     std::vector<EdgeRotation> edges(all.size());
     std::vector<std::optional<double>> residuals(all.size() * skin.table().poseCount());
-    table.row("  of these one by one, no vectors", least_ms([&] {
-                EdgeBatches(skin.model(), skin.graph(), skin.table(), skin.readings(), options, estimateEdgesByOne)
+    table.row("  of these two at a time", least_ms([&] {
+                EdgeBatches(skin.model(), skin.graph(), skin.table(), skin.readings(), options, estimateEdgesByTwo)
                     .estimate(all, edges, residuals);
               }));
-    if (hasFourLanes()) {
+    if (hasVectorInstructions()) {
       table.row("  of these four at a time", least_ms([&] {
                   EdgeBatches(skin.model(), skin.graph(), skin.table(), skin.readings(), options, estimateEdgesByFour)
                       .estimate(all, edges, residuals);
@@ -89,8 +89,12 @@ void measure(int rows, int columns, double svd_ms) {
   ShortestPaths paths;
   table.row("paths", least_ms([&] { paths = findShortestPaths(skin.graph(), weights, found.origin); }));
   std::vector<Eigen::Matrix3d> attitudes;
-  table.row("attitudes",
-            least_ms([&] { attitudes = skin.attitudeCovariances(skin.graph().patches().front(), paths.link); }));
+  table.row("attitudes", least_ms([&] {
+              attitudes.clear();
+              for (const std::size_t cell : skin.graph().patches().front()) {
+                attitudes.push_back(skin.attitudeCovariance(cell, paths.link[skin.graph().cells()[cell].place]));
+              }
+            }));
   table.row("placements", least_ms([&] {
               static_cast<void>(placeAlongTree(skin.graph(), skin.model(), paths, skin.edges(), attitudes,
                                                gapShareOf(options.gap_model)));
@@ -124,7 +128,7 @@ int main(int argc, char** argv) {
   hexoderm::setCores(1);
   const double svd_ms = hexoderm::yardstick_ms();
   std::printf("100,000 JacobiSVD<Matrix3d>: %.1f ms of CPU time; %d numbers at a time\n", svd_ms,
-              hexoderm::hasFourLanes() ? 4 : 1);
+              hexoderm::hasVectorInstructions() ? 4 : 2);
   if (most >= 1260) hexoderm::measure(35, 36, svd_ms);
   if (most >= 10'000) hexoderm::measure(100, 100, svd_ms);
   if (most >= 99'856) hexoderm::measure(316, 316, svd_ms);

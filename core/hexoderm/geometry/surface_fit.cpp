@@ -154,65 +154,10 @@ struct SphereEstimate {
   }
 };
 
-struct CylinderEstimate {
-  static constexpr int kParameters = 5;
-  Eigen::Vector3d axis = Eigen::Vector3d::UnitZ();
-  Eigen::Vector3d point = Eigen::Vector3d::Zero();  ///< on the axis, nearest to the centroid
-  double radius = 1;
-
-  [[nodiscard]] double distance(const Eigen::Vector3d& x) const { return armTo(x, point, axis).norm() - radius; }
-  using Hessian = Eigen::Matrix<double, 5, 5>;
-  using Vector = Eigen::Matrix<double, 5, 1>;
-  /// Parameters: turn of the axis towards the two perpendicular directions, shift along them, radius.
-  void linearise(const Eigen::Matrix3Xd& points, Hessian& H, Vector& g) const {
-    H.setZero();
-    g.setZero();
-    const Eigen::Matrix<double, 3, 2> basis = perpendicularBasis(axis);
-    for (const auto& x : points.colwise()) {
-      const Eigen::Vector3d arm = armTo(x, point, axis);
-      const double length = arm.norm();
-      if (length < 1e-300) continue;
-      const double along = axis.dot(x - point);
-      const Eigen::Vector2d outward = basis.transpose() * arm / length;
-      Vector row;
-      row << -along * outward, -outward, -1;
-      H += row * row.transpose();
-      g += row * (length - radius);
-    }
-  }
-  [[nodiscard]] CylinderEstimate moved(const Vector& step) const {
-    const Eigen::Matrix<double, 3, 2> basis = perpendicularBasis(axis);
-    CylinderEstimate next;
-    next.axis = (axis + basis * step.head<2>()).normalized();
-    next.point = point + basis * step.segment<2>(2);
-    next.point -= next.axis * next.axis.dot(next.point);
-    next.radius = radius + step(4);
-    return next;
-  }
-};
-
-/// The algebraic (Kasa) circle through the points seen along `axis`: a start, biased for short arcs.
-CylinderEstimate cylinderAlong(const Eigen::Vector3d& axis, const Eigen::Matrix3Xd& points) {
-  const Eigen::Matrix<double, 3, 2> basis = perpendicularBasis(axis);
-  Eigen::Matrix3d H = Eigen::Matrix3d::Zero();
-  Eigen::Vector3d g = Eigen::Vector3d::Zero();
-  for (const auto& x : points.colwise()) {
-    const Eigen::Vector2d flat = basis.transpose() * x;
-    const Eigen::Vector3d row(2 * flat.x(), 2 * flat.y(), 1);
-    H += row * row.transpose();
-    g += row * flat.squaredNorm();
-  }
-  // Minimum norm: seen along an axis that lies in a flat patch the circle is not determined.
-  const Eigen::Vector3d solution = leastSquares(H, g);
-  CylinderEstimate cylinder;
-  cylinder.axis = axis;
-  cylinder.point = basis * solution.head<2>();
-  cylinder.radius = std::sqrt(std::max(solution.z() + solution.head<2>().squaredNorm(), 1e-12));
-  return cylinder;
-}
-
-struct ConeEstimate {
-  static constexpr int kParameters = 6;
+/// A cone of six parameters, or one of five whose angle stays 0: a cylinder.
+template <int kCount>
+struct RoundEstimate {
+  static constexpr int kParameters = kCount;
   static constexpr double kSteepest = kPi / 2 - 1e-3;  ///< beyond that it would be a plane
   Eigen::Vector3d axis = Eigen::Vector3d::UnitZ();
   Eigen::Vector3d point = Eigen::Vector3d::Zero();  ///< on the axis, nearest to the centroid
@@ -222,9 +167,9 @@ struct ConeEstimate {
   [[nodiscard]] double distance(const Eigen::Vector3d& x) const {
     return (armTo(x, point, axis).norm() - radius) * std::cos(angle) - axis.dot(x - point) * std::sin(angle);
   }
-  using Hessian = Eigen::Matrix<double, 6, 6>;
-  using Vector = Eigen::Matrix<double, 6, 1>;
-  /// Parameters: those of the cylinder, then the angle.
+  using Hessian = Eigen::Matrix<double, kCount, kCount>;
+  using Vector = Eigen::Matrix<double, kCount, 1>;
+  /// Parameters: turn of the axis towards the two perpendicular directions, shift along them, radius, angle.
   void linearise(const Eigen::Matrix3Xd& points, Hessian& H, Vector& g) const {
     H.setZero();
     g.setZero();
@@ -237,47 +182,54 @@ struct ConeEstimate {
       if (length < 1e-300) continue;
       const double along = axis.dot(x - point);
       const Eigen::Vector2d outward = basis.transpose() * arm / length;
-      Vector row;
-      row << -(along * cosine + length * sine) * outward, -cosine * outward, -cosine,
+      Eigen::Matrix<double, 6, 1> all;
+      all << -(along * cosine + length * sine) * outward, -cosine * outward, -cosine,
           -(length - radius) * sine - along * cosine;
+      const Vector row = all.head<kCount>();
       H += row * row.transpose();
       g += row * distance(x);
     }
   }
-  [[nodiscard]] ConeEstimate moved(const Vector& step) const {
+  [[nodiscard]] RoundEstimate moved(const Vector& step) const {
     const Eigen::Matrix<double, 3, 2> basis = perpendicularBasis(axis);
-    ConeEstimate next;
-    next.axis = (axis + basis * step.head<2>()).normalized();
-    next.point = point + basis * step.segment<2>(2);
-    next.angle = std::clamp(angle + step(5), -kSteepest, kSteepest);
+    RoundEstimate next;
+    next.axis = (axis + basis * step.template head<2>()).normalized();
+    next.point = point + basis * step.template segment<2>(2);
+    if constexpr (kCount == 6) next.angle = std::clamp(angle + step(5), -kSteepest, kSteepest);
     const double back = next.axis.dot(next.point);
     next.point -= back * next.axis;
     next.radius = radius + step(4) - back * std::tan(next.angle);
     return next;
   }
 };
+using CylinderEstimate = RoundEstimate<5>;
+using ConeEstimate = RoundEstimate<6>;
 
-/// The algebraic cone with its axis along `axis`: |flat|^2 = 2 c.flat + k + 2 r t z + t^2 z^2, where r is the radius at
-/// z = 0 and t the tangent of the angle. Its two terms in z are fitted as if they were independent.
-ConeEstimate coneAlong(const Eigen::Vector3d& axis, const Eigen::Matrix3Xd& points) {
+/// The algebraic estimate with its axis along `axis`, a start that is biased for short arcs. Of the cone
+/// |flat|^2 = 2 c.flat + k + 2 r t z + t^2 z^2, where r is the radius at z = 0 and t the tangent of the angle; its two
+/// terms in z are fitted as if they were independent. Of the cylinder without them: Kasa's circle.
+template <int kCount>
+RoundEstimate<kCount> roundAlong(const Eigen::Vector3d& axis, const Eigen::Matrix3Xd& points) {
+  constexpr int kTerms = kCount == 6 ? 5 : 3;
+  using Vector = Eigen::Matrix<double, kTerms, 1>;
   const Eigen::Matrix<double, 3, 2> basis = perpendicularBasis(axis);
-  Eigen::Matrix<double, 5, 5> H = Eigen::Matrix<double, 5, 5>::Zero();
-  Eigen::Matrix<double, 5, 1> g = Eigen::Matrix<double, 5, 1>::Zero();
+  Eigen::Matrix<double, kTerms, kTerms> H = Eigen::Matrix<double, kTerms, kTerms>::Zero();
+  Vector g = Vector::Zero();
   for (const auto& x : points.colwise()) {
     const Eigen::Vector2d flat = basis.transpose() * x;
     const double z = axis.dot(x);
-    Eigen::Matrix<double, 5, 1> row;
-    row << 2 * flat.x(), 2 * flat.y(), 1, 2 * z, z * z;
+    const Vector row = Eigen::Matrix<double, 5, 1>(2 * flat.x(), 2 * flat.y(), 1, 2 * z, z * z).template head<kTerms>();
     H += row * row.transpose();
     g += row * flat.squaredNorm();
   }
-  const Eigen::Matrix<double, 5, 1> solution = leastSquares(H, g);
-  ConeEstimate cone;
-  cone.axis = axis;
-  cone.point = basis * solution.head<2>();
-  cone.radius = std::sqrt(std::max(solution(2) + solution.head<2>().squaredNorm(), 1e-12));
-  cone.angle = std::atan(solution(3) / cone.radius);
-  return cone;
+  // Minimum norm: seen along an axis that lies in a flat patch the circle is not determined.
+  const Vector solution = leastSquares(H, g);
+  RoundEstimate<kCount> estimate;
+  estimate.axis = axis;
+  estimate.point = basis * solution.template head<2>();
+  estimate.radius = std::sqrt(std::max(solution(2) + solution.template head<2>().squaredNorm(), 1e-12));
+  if constexpr (kCount == 6) estimate.angle = std::atan(solution(3) / estimate.radius);
+  return estimate;
 }
 
 /// Directions spread over the half sphere (golden-angle spiral).
@@ -364,7 +316,7 @@ CylinderFit fitCylinder(std::span<const Eigen::Vector3d> points_m) {
   const Cloud cloud = normalise(points_m, 5, message("cylinder fit"));
   requireSolid(cloud, message("cylinder fit"));
   std::vector<CylinderEstimate> starts;
-  for (const Eigen::Vector3d& axis : startingAxes(cloud)) starts.push_back(cylinderAlong(axis, cloud.points));
+  for (const Eigen::Vector3d& axis : startingAxes(cloud)) starts.push_back(roundAlong<5>(axis, cloud.points));
   const CylinderEstimate best = bestFrom(starts, cloud);
   CylinderFit fit;
   fit.axis = canonicalSign(best.axis);
@@ -379,8 +331,8 @@ ConeFit fitCone(std::span<const Eigen::Vector3d> points_m) {
   requireSolid(cloud, message("cone fit"));
   std::vector<ConeEstimate> starts;
   for (const Eigen::Vector3d& axis : startingAxes(cloud)) {
-    starts.push_back(coneAlong(axis, cloud.points));
-    const CylinderEstimate cylinder = cylinderAlong(axis, cloud.points);
+    starts.push_back(roundAlong<6>(axis, cloud.points));
+    const CylinderEstimate cylinder = roundAlong<5>(axis, cloud.points);
     starts.push_back({axis, cylinder.point, cylinder.radius, 0});
   }
   const ConeEstimate best = bestFrom(starts, cloud);

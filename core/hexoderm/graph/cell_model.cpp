@@ -18,9 +18,6 @@ namespace {
 constexpr double kLeast = 1e-12;
 constexpr double kMost = 1e9;
 
-/// Direction of a port in the surface: ports lie in the cell's plane but for what a model's vector says.
-Eigen::Vector3d outwardDirection(const Port& port) { return port.vector_m.normalized(); }
-
 double headingOf(const Port& port) { return std::atan2(port.vector_m.y(), port.vector_m.x()); }
 
 }  // namespace
@@ -120,11 +117,17 @@ Eigen::Matrix3d nominalAlignment(const Port& source, const Port& target) {
   return R;
 }
 
+Eigen::Matrix3d linkAxes(const Port& port) {
+  const Eigen::Vector3d u = port.vector_m.normalized();
+  Eigen::Matrix3d axes;
+  axes << u, Eigen::Vector3d::UnitZ().cross(u), Eigen::Vector3d::UnitZ();
+  return axes;
+}
+
 LinkAngles linkAngles(const Eigen::Matrix3d& R_c_n, const Port& source, const Port& target) {
-  const Eigen::Vector3d u = outwardDirection(source);
-  const Eigen::Vector3d z = Eigen::Vector3d::UnitZ();
+  const Eigen::Matrix3d axes = linkAxes(source);
   const Eigen::Vector3d w = logSO3(R_c_n * nominalAlignment(source, target).transpose());
-  return {w.dot(u), w.dot(z.cross(u)), w.dot(z)};
+  return {w.dot(axes.col(0)), w.dot(axes.col(1)), w.dot(axes.col(2))};
 }
 
 SE3 linkTransform(const Eigen::Matrix3d& R_c_n, const Port& source, const Port& target) {

@@ -81,6 +81,10 @@ struct CellModel {
 /// The nominal alignment of a link: the rotation about z that turns p_n onto -p_c, from the model's vectors.
 Eigen::Matrix3d nominalAlignment(const Port& source, const Port& target);
 
+/// What twist, bend and yaw of a link are about, in the columns: the port's outward direction u, z x u, and z. Ports
+/// lie in the cell's plane but for what a model's vector says.
+Eigen::Matrix3d linkAxes(const Port& port);
+
 /// Twist, bend and yaw of a link: with u_c the outward port direction of the source cell and R_c_n R_nom^T = exp(w),
 /// the parts of w along u_c, z x u_c and z. Radians.
 struct LinkAngles {

@@ -1,10 +1,11 @@
-#include "hexoderm/reconstruction/accelerometer/attitude_kernel.h"
+#define HEXODERM_LANES 2
+#include "hexoderm/reconstruction/accelerometer/attitude_kernel_text.h"
 
 namespace hexoderm {
 
-void findAttitudesByOne(const AttitudeKernelOptions& options, const OwnAttitudeKernelInput& in,
+void findAttitudesByTwo(const AttitudeKernelOptions& options, const OwnAttitudeKernelInput& in,
                         OwnAttitudeKernelOutput& out) {
-  for (int lane = 0; lane < kLanes; ++lane) attitude_kernel::find<Lane1>(options, in, lane, out);
+  for (int lane = 0; lane < kLanes; lane += kWidth) find(options, in, lane, out);
 }
 
 }  // namespace hexoderm

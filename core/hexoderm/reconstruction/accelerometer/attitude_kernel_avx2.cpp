@@ -1,16 +1,13 @@
-// Compiled with -mavx2 and -mfma where there is such a thing: nothing but the kernel may be in here (lanes.h says why).
+// Compiled with -mavx2 and -mfma where there is such a thing: nothing but the kernel may be in here.
 
-#include "hexoderm/reconstruction/accelerometer/attitude_kernel.h"
+#define HEXODERM_LANES 4
+#include "hexoderm/reconstruction/accelerometer/attitude_kernel_text.h"
 
 namespace hexoderm {
 
 void findAttitudesByFour(const AttitudeKernelOptions& options, const OwnAttitudeKernelInput& in,
                          OwnAttitudeKernelOutput& out) {
-#ifdef __AVX2__
-  attitude_kernel::find<Lane4>(options, in, 0, out);
-#else
-  findAttitudesByOne(options, in, out);
-#endif
+  for (int lane = 0; lane < kLanes; lane += kWidth) find(options, in, lane, out);
 }
 
 }  // namespace hexoderm

@@ -175,23 +175,23 @@ OwnAttitude findAttitude(const AccelerometerPrior& prior, std::span<const CellRe
   return own;
 }
 
-Misfit RigidityTest::misfit() const {
+Misfit testRigidity(const AccelerometerPrior& prior, const ReadingSums& sums) {
   Misfit misfit;
-  if (sums_.readings < 2) return misfit;
-  SensorAndTurn solved = solveSensorAndTurn(prior_, sums_);
-  const double twice_cost = twiceCost(sums_, solved);
+  if (sums.readings < 2) return misfit;
+  SensorAndTurn solved = solveSensorAndTurn(prior, sums);
+  const double twice_cost = twiceCost(sums, solved);
   solved.information.diagonal().array() += kLeastInformation;
   misfit.chi_squared =
       std::max(0.0, twice_cost - solved.gradient.dot(solved.information.ldlt().solve(solved.gradient)));
-  misfit.degrees = 3 * sums_.readings - 3;
+  misfit.degrees = 3 * sums.readings - 3;
   return misfit;
 }
 
 Misfit testRigidity(const AccelerometerPrior& prior, std::span<const CellReading> readings,
                     std::span<const Eigen::Vector3d> v_g) {
-  RigidityTest test(prior);
-  for (std::size_t k = 0; k < readings.size(); ++k) test.add(readings[k], v_g[k]);
-  return test.misfit();
+  ReadingSums sums;
+  for (std::size_t k = 0; k < readings.size(); ++k) sums.add(readings[k], v_g[k]);
+  return testRigidity(prior, sums);
 }
 
 double misfitWith(const AccelerometerPrior& prior, std::span<const CellReading> readings,

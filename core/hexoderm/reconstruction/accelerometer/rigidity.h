@@ -30,23 +30,11 @@ struct ReadingSums {
   void add(const CellReading& reading, const Eigen::Vector3d& v_g, double sign = 1);
 };
 
-/// Do a cell's readings move as one rigid body with the specific forces `v_g` (accelerometer axes)? The misfit that is
-/// left when the cell may turn freely, and its offset, gains and cross-axis sensitivity are whatever fits best under
-/// their priors. Losses are quadratic. One Gauss-Newton step from the given attitude: good to a few degrees from the
-/// best one. Keeps sums, so that readings can be taken away one by one without going through all again.
-class RigidityTest {
- public:
-  explicit RigidityTest(const AccelerometerPrior& prior) : prior_(prior) {}
-  void add(const CellReading& reading, const Eigen::Vector3d& v_g) { sums_.add(reading, v_g); }
-  void remove(const CellReading& reading, const Eigen::Vector3d& v_g) { sums_.add(reading, v_g, -1); }
-  [[nodiscard]] Misfit misfit() const;  ///< none of fewer than two readings
-
- private:
-  AccelerometerPrior prior_;
-  ReadingSums sums_;
-};
-
-/// The same for all readings at once.
+/// Do a cell's readings move as one rigid body with the specific forces (accelerometer axes)? The misfit that is left
+/// when the cell may turn freely, and its offset, gains and cross-axis sensitivity are whatever fits best under their
+/// priors; none of fewer than two readings. Losses are quadratic. One Gauss-Newton step from the given attitude: good
+/// to a few degrees from the best one.
+Misfit testRigidity(const AccelerometerPrior& prior, const ReadingSums& sums);
 Misfit testRigidity(const AccelerometerPrior& prior, std::span<const CellReading> readings,
                     std::span<const Eigen::Vector3d> v_g);
 

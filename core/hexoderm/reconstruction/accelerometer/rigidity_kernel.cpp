@@ -1,9 +1,10 @@
-#include "hexoderm/reconstruction/accelerometer/rigidity_kernel.h"
+#define HEXODERM_LANES 2
+#include "hexoderm/reconstruction/accelerometer/rigidity_kernel_text.h"
 
 namespace hexoderm {
 
-void testRigidityByOne(const RigidityKernelOptions& options, const RigidityKernelInput& in, RigidityKernelOutput& out) {
-  for (int lane = 0; lane < kLanes; ++lane) rigidity_kernel::test<Lane1>(options, in, lane, out);
+void testRigidityByTwo(const RigidityKernelOptions& options, const RigidityKernelInput& in, RigidityKernelOutput& out) {
+  for (int lane = 0; lane < kLanes; lane += kWidth) test(options, in, lane, out);
 }
 
 }  // namespace hexoderm

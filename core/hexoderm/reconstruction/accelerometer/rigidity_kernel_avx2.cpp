@@ -1,16 +1,13 @@
-// Compiled with -mavx2 and -mfma where there is such a thing: nothing but the kernel may be in here (lanes.h says why).
+// Compiled with -mavx2 and -mfma where there is such a thing: nothing but the kernel may be in here.
 
-#include "hexoderm/reconstruction/accelerometer/rigidity_kernel.h"
+#define HEXODERM_LANES 4
+#include "hexoderm/reconstruction/accelerometer/rigidity_kernel_text.h"
 
 namespace hexoderm {
 
 void testRigidityByFour(const RigidityKernelOptions& options, const RigidityKernelInput& in,
                         RigidityKernelOutput& out) {
-#ifdef __AVX2__
-  rigidity_kernel::test<Lane4>(options, in, 0, out);
-#else
-  testRigidityByOne(options, in, out);
-#endif
+  for (int lane = 0; lane < kLanes; lane += kWidth) test(options, in, lane, out);
 }
 
 }  // namespace hexoderm

@@ -25,14 +25,11 @@ CellJacobian readingJacobian(const Eigen::Matrix3d& gain, const Eigen::Vector3d&
 Eigen::Matrix3d elastomerInformation(const CellModel& model, std::span<const PortNumber> ports) {
   Eigen::Matrix3d information = Eigen::Matrix3d::Identity();
   for (const PortNumber port : ports) {
-    const Eigen::Vector3d u = model.port(port).vector_m.normalized();
-    const Eigen::Vector3d z = Eigen::Vector3d::UnitZ();
-    const auto add = [&information](const Eigen::Vector3d& axis, double sigma) {
-      if (sigma > 0) information += axis * axis.transpose() / (sigma * sigma);
-    };
-    add(u, model.twist_sigma_rad);
-    add(z.cross(u), model.bend_sigma_rad);
-    add(z, model.yaw_sigma_rad);
+    const Eigen::Matrix3d axes = linkAxes(model.port(port));
+    const Eigen::Vector3d sigma(model.twist_sigma_rad, model.bend_sigma_rad, model.yaw_sigma_rad);
+    for (int k = 0; k < 3; ++k) {
+      if (sigma[k] > 0) information += axes.col(k) * axes.col(k).transpose() / (sigma[k] * sigma[k]);
+    }
   }
   const Eigen::Matrix3d& R_u_a = model.accelerometer.T_u_a.R;
   return R_u_a.transpose() * information * R_u_a;

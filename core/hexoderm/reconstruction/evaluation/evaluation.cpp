@@ -44,23 +44,12 @@ std::size_t parametersOf(SurfaceKind kind) {
   return 0;
 }
 
-/// Unit, out of the surface, at a place near it.
-Eigen::Vector3d normalAt(const SurfaceEvaluation& surface, const Eigen::Vector3d& place) {
-  if (surface.kind == SurfaceKind::Plane) return surface.axis;
-  const Eigen::Vector3d from = place - surface.point;
-  if (surface.kind == SurfaceKind::Sphere) return from.normalized();
-  const Eigen::Vector3d radial = (from - surface.axis * surface.axis.dot(from)).normalized();
-  if (surface.kind == SurfaceKind::Cylinder) return radial;
-  const double half_angle = surface.half_angle_rad.value_or(0);
-  return std::cos(half_angle) * radial - std::sin(half_angle) * surface.axis;
-}
-
 /// Fills in tilts and BIC.
 void judge(const PatchReconstruction& patch, SurfaceEvaluation& surface) {
   double squares = 0;
   for (std::size_t k = 0; k < patch.cells.size(); ++k) {
     const CellPlacement& cell = patch.cells[k];
-    const Eigen::Vector3d normal = normalAt(surface, cell.T_o_u.t);
+    const Eigen::Vector3d normal = surface.normalAt(cell.T_o_u.t);
     const double angle = angleBetween(normal, cell.T_o_u.R.col(2));
     const double tilt = std::min(angle, kPi - angle);
     surface.tilt_rad.push_back(tilt);
@@ -361,6 +350,16 @@ std::optional<std::pair<CellId, CellId>> farApart(const PatchReconstruction& pat
   const CellPlacement& other = furthestFrom(one);
   if (one.cell == other.cell) return std::nullopt;
   return std::pair(std::min(one.cell, other.cell), std::max(one.cell, other.cell));
+}
+
+Eigen::Vector3d SurfaceEvaluation::normalAt(const Eigen::Vector3d& place) const {
+  if (kind == SurfaceKind::Plane) return axis;
+  const Eigen::Vector3d from = place - point;
+  if (kind == SurfaceKind::Sphere) return from.normalized();
+  const Eigen::Vector3d radial = (from - axis * axis.dot(from)).normalized();
+  if (kind == SurfaceKind::Cylinder) return radial;
+  const double half_angle = half_angle_rad.value_or(0);
+  return std::cos(half_angle) * radial - std::sin(half_angle) * axis;
 }
 
 std::size_t SurfaceEvaluation::furthest() const {

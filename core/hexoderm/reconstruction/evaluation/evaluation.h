@@ -44,6 +44,8 @@ struct SurfaceEvaluation {
   std::optional<double> delta_m;
   std::optional<double> epsilon_m;
 
+  /// The surface's unit normal at a place near it, to the side where distances are positive.
+  [[nodiscard]] Eigen::Vector3d normalAt(const Eigen::Vector3d& place) const;
   /// Index in `cells` of the cell that is furthest from the surface; there must be one.
   [[nodiscard]] std::size_t furthest() const;
   /// No cell is further from the surface than positions are stated to err (95 %, the worst cell's).

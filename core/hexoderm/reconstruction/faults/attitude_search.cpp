@@ -109,8 +109,7 @@ void AttitudeSearch::findJoints() {
       joint.source = place;
       joint.target = placeOf(link.target);
       joint.R_nom = nominalAlignment(skin_.sourcePort(link), skin_.targetPort(link));
-      const Eigen::Vector3d u = skin_.sourcePort(link).vector_m.normalized();
-      joint.axes << u, Eigen::Vector3d::UnitZ().cross(u), Eigen::Vector3d::UnitZ();
+      joint.axes = linkAxes(skin_.sourcePort(link));
       joint.heading_rad = heading[place] + headingOf(skin_.sourcePort(link));
       at_[joint.source].push_back(joints_.size());
       at_[joint.target].push_back(joints_.size());

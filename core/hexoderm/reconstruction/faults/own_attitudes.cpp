@@ -1,7 +1,9 @@
 #include "hexoderm/reconstruction/faults/own_attitudes.h"
 
+#include "hexoderm/geometry/lane_numbers.h"
 #include "hexoderm/util/parallel.h"
 #include "hexoderm/util/units.h"
+#include "hexoderm/util/vector_instructions.h"
 
 #include <Eigen/Cholesky>
 #include <Eigen/LU>
@@ -145,25 +147,17 @@ class OwnAttitudeBatches {
 
   void put(std::size_t cell, std::span<const CellReading> readings, const Eigen::Matrix3d& R_start) {
     for (const CellReading& reading : readings) {
-      number(precision_, poses_, cell, reading.pose) = 1 / reading.variance_g2;
-      for (std::size_t axis = 0; axis < 3; ++axis) {
-        number(y_g_, 3 * poses_, cell, 3 * reading.pose + axis) = reading.y_g[static_cast<Eigen::Index>(axis)];
-      }
+      precision_[kLanes * (poses_ * (cell / kLanes) + reading.pose) + cell % kLanes] = 1 / reading.variance_g2;
+      vectorOfLane(&y_g_[3 * kLanes * (poses_ * (cell / kLanes) + reading.pose)], cell % kLanes) = reading.y_g;
     }
     start(cell, R_start);
   }
   /// Where the next search begins.
   void start(std::size_t cell, const Eigen::Matrix3d& R) {
-    for (std::size_t k = 0; k < 9; ++k) {
-      number(R_, 9, cell, k) = R(static_cast<Eigen::Index>(k / 3), static_cast<Eigen::Index>(k % 3));
-    }
+    matrixOfLane(&R_[9 * kLanes * (cell / kLanes)], cell % kLanes) = R;
   }
   [[nodiscard]] Eigen::Matrix3d startOf(std::size_t cell) const {
-    Eigen::Matrix3d R;
-    for (std::size_t k = 0; k < 9; ++k) {
-      R(static_cast<Eigen::Index>(k / 3), static_cast<Eigen::Index>(k % 3)) = R_[indexOf(9, cell, k)];
-    }
-    return R;
+    return matrixOfLane(&R_[9 * kLanes * (cell / kLanes)], cell % kLanes);
   }
 
   /// One batch at a time.
@@ -179,35 +173,22 @@ class OwnAttitudeBatches {
       for (std::size_t lane = 0; lane < kLanes; ++lane) {
         const std::size_t cell = std::min(kLanes * batch + lane, placements.size() - 1);
         for (std::size_t pose = 0; pose < forces.size(); ++pose) {
-          const Eigen::Vector3d f_o = forces[pose].at_origin_o + forces[pose].swing_o.cross(placements[cell].t);
-          for (std::size_t axis = 0; axis < 3; ++axis) {
-            f_o_[kLanes * (3 * pose + axis) + lane] = f_o[static_cast<Eigen::Index>(axis)];
-          }
+          vectorOfLane(&f_o_[3 * kLanes * pose], lane) =
+              forces[pose].at_origin_o + forces[pose].swing_o.cross(placements[cell].t);
         }
       }
       const std::size_t first = kLanes * batch;  // cell
       const OwnAttitudeKernelInput in{
           static_cast<int>(batches_.poses_), f_o_.data(), batches_.y_g_.data() + 3 * batches_.poses_ * first,
           batches_.precision_.data() + batches_.poses_ * first, batches_.R_.data() + 9 * first};
-      (hasFourLanes() ? findAttitudesByFour : findAttitudesByOne)(kernel_, in, out_);
+      (hasVectorInstructions() ? findAttitudesByFour : findAttitudesByTwo)(kernel_, in, out_);
     }
 
     /// Nothing for a cell that needs a more careful look.
     [[nodiscard]] std::optional<OwnAttitude> found(std::size_t lane) const {
       if (out_.usual[lane] == 0) return std::nullopt;
-      const auto at = [lane](const double* values, std::size_t k) { return values[kLanes * k + lane]; };
-      OwnAttitude own;
-      for (std::size_t k = 0; k < 9; ++k) {
-        const auto row = static_cast<Eigen::Index>(k / 3);
-        const auto column = static_cast<Eigen::Index>(k % 3);
-        own.R(row, column) = at(out_.R, k);
-        own.gain(row, column) = at(out_.gain, k);
-      }
-      for (std::size_t k = 0; k < 3; ++k) own.offset_g[static_cast<Eigen::Index>(k)] = at(out_.offset_g, k);
-      const auto information = [&](std::size_t k) { return at(out_.information, k); };
-      own.information << information(0), information(1), information(2), information(1), information(3), information(4),
-          information(2), information(4), information(5);
-      return own;
+      return OwnAttitude{matrixOfLane(out_.R, lane), symmetricOfLane(out_.information, lane),
+                         vectorOfLane(out_.offset_g, lane), matrixOfLane(out_.gain, lane)};
     }
 
    private:
@@ -218,14 +199,6 @@ class OwnAttitudeBatches {
   };
 
  private:
-  /// Of `count` numbers per cell, a cell's number k.
-  static std::size_t indexOf(std::size_t count, std::size_t cell, std::size_t k) {
-    return kLanes * (cell / kLanes * count + k) + cell % kLanes;
-  }
-  static double& number(std::vector<double>& numbers, std::size_t count, std::size_t cell, std::size_t k) {
-    return numbers[indexOf(count, cell, k)];
-  }
-
   AttitudeKernelOptions kernel_;
   std::size_t poses_;
   std::size_t batches_;

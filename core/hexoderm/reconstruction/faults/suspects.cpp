@@ -1,9 +1,11 @@
 #include "hexoderm/reconstruction/faults/suspects.h"
 
+#include "hexoderm/geometry/lane_numbers.h"
 #include "hexoderm/reconstruction/faults/link_plausibility.h"
 #include "hexoderm/reconstruction/links/link_batches.h"
 #include "hexoderm/util/text.h"
 #include "hexoderm/util/units.h"
+#include "hexoderm/util/vector_instructions.h"
 
 #include <algorithm>
 #include <array>
@@ -84,10 +86,9 @@ void SuspectSearch::judge(std::span<const std::size_t> links) {
   std::vector<std::size_t> unusual;
   const auto test = [&](const LinkBatch& batch) {
     for (int lane = 0; lane < kLanes; ++lane) {
-      const Eigen::Matrix3d& R = edges_[batch.linkIn(lane)].R_c_n;
-      for (int k = 0; k < 9; ++k) R_c_n.at(static_cast<std::size_t>(kLanes * k + lane)) = R(k / 3, k % 3);
+      matrixOfLane(R_c_n.data(), static_cast<std::size_t>(lane)) = edges_[batch.linkIn(lane)].R_c_n;
     }
-    (hasFourLanes() ? testRigidityByFour : testRigidityByOne)(
+    (hasVectorInstructions() ? testRigidityByFour : testRigidityByTwo)(
         options, {batch.poses, batch.c_g.data(), batch.n_g.data(), batch.variance_g2.data(), R_c_n.data()}, out);
     for (int lane = 0; lane < batch.size; ++lane) {
       const std::size_t link = batch.linkIn(lane);
@@ -101,7 +102,8 @@ void SuspectSearch::judge(std::span<const std::size_t> links) {
   };
   const std::vector<std::size_t> others = forBatches(graph_, table_, readings_, tested, test);
   unusual.insert(unusual.end(), others.begin(), others.end());
-  for (const std::size_t link : unusual) verdicts_[link] = judgeBy(link, readingsOf(link).test.misfit().deviate());
+  for (const std::size_t link : unusual)
+    verdicts_[link] = judgeBy(link, testRigidity(pair_prior_, readingsOf(link).sums).deviate());
 }
 
 SuspectSearch::Verdict SuspectSearch::judgeBy(std::size_t link_index, double misfit) const {
@@ -122,13 +124,13 @@ SuspectSearch::PairReadings SuspectSearch::readingsOf(std::size_t link_index) co
   const GraphLink& link = graph_.links()[link_index];
   const Eigen::Matrix3d R_a_u = model_.accelerometer.T_u_a.R.transpose();
   const Eigen::Matrix3d R_a_n = R_a_u * edges_[link_index].R_c_n;
-  PairReadings pair{{}, {}, RigidityTest(pair_prior_)};
+  PairReadings pair;
   for (const std::size_t pose : readings_.posesOf(link)) {
     const GravityTable::Entry& at_c = table_.at(link.source, pose);
     const GravityTable::Entry& at_n = table_.at(link.target, pose);
     pair.source.push_back({pose, R_a_u * at_c.mean_g, at_c.variance_g2 + at_n.variance_g2});
     pair.target_g.push_back(R_a_n * at_n.mean_g);
-    pair.test.add(pair.source.back(), pair.target_g.back());
+    pair.sums.add(pair.source.back(), pair.target_g.back());
   }
   return pair;
 }
@@ -149,9 +151,9 @@ std::optional<std::size_t> SuspectSearch::worstPose() const {
   for (const std::size_t link : tested) {
     const PairReadings pair = readingsOf(link);
     for (std::size_t k = 0; k < pair.source.size(); ++k) {
-      RigidityTest without = pair.test;
-      without.remove(pair.source[k], pair.target_g[k]);
-      const bool is_rigid = without.misfit().deviate() <= options_.max_misfit;
+      ReadingSums without = pair.sums;
+      without.add(pair.source[k], pair.target_g[k], -1);
+      const bool is_rigid = testRigidity(pair_prior_, without).deviate() <= options_.max_misfit;
       std::size_t& still_moving = moving_without[pair.source[k].pose];
       if (is_rigid && !verdicts_[link].rigid) --still_moving;
       if (!is_rigid && verdicts_[link].rigid) ++still_moving;

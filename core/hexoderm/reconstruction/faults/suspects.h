@@ -57,7 +57,7 @@ class SuspectSearch {
   struct PairReadings {
     std::vector<CellReading> source;
     std::vector<Eigen::Vector3d> target_g;
-    RigidityTest test;
+    ReadingSums sums;
   };
   [[nodiscard]] PairReadings readingsOf(std::size_t link) const;
 

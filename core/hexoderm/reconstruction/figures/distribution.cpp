@@ -10,13 +10,6 @@ namespace {
 constexpr double kMedian = 0.5;
 constexpr double kNearlyAll = 0.95;
 
-double quantileOf(const std::vector<double>& sorted, double share) {
-  const double at = share * static_cast<double>(sorted.size() - 1);
-  const auto below = static_cast<std::size_t>(at);
-  const std::size_t above = std::min(below + 1, sorted.size() - 1);
-  return sorted[below] + (at - static_cast<double>(below)) * (sorted[above] - sorted[below]);
-}
-
 /// Edges are multiples of a width, so that a range may need one bin more than its length says.
 std::size_t binsOf(double least, double largest, double width) {
   const double first = std::floor(least / width);
@@ -39,6 +32,13 @@ double roundWidth(double least, double largest, std::size_t most_bins) {
 }
 
 }  // namespace
+
+double quantileOf(const std::vector<double>& sorted, double share) {
+  const double at = share * static_cast<double>(sorted.size() - 1);
+  const auto below = static_cast<std::size_t>(at);
+  const std::size_t above = std::min(below + 1, sorted.size() - 1);
+  return sorted[below] + (at - static_cast<double>(below)) * (sorted[above] - sorted[below]);
+}
 
 Distribution distributionOf(std::vector<double> values, std::size_t most_bins) {
   if (most_bins < 2) throw std::logic_error("a distribution needs two bins");

@@ -5,6 +5,9 @@
 
 namespace hexoderm {
 
+/// The value that a share of ascending values is below, interpolated linearly; there must be one.
+double quantileOf(const std::vector<double>& sorted, double share);
+
 /// How values are spread, for a histogram: in bins of one width, which is 1, 2 or 5 times a power of ten, whose edges
 /// are multiples of it. In the unit of the values.
 struct Distribution {

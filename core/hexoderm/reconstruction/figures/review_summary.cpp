@@ -1,5 +1,6 @@
 #include "hexoderm/reconstruction/figures/review_summary.h"
 
+#include "hexoderm/reconstruction/figures/distribution.h"
 #include "hexoderm/util/units.h"
 
 #include <algorithm>
@@ -8,13 +9,6 @@
 
 namespace hexoderm {
 namespace {
-
-double quantile(const std::vector<double>& sorted, double share) {
-  const double place = share * static_cast<double>(sorted.size() - 1);
-  const auto below = static_cast<std::size_t>(place);
-  const std::size_t above = std::min(below + 1, sorted.size() - 1);
-  return sorted[below] + (place - static_cast<double>(below)) * (sorted[above] - sorted[below]);
-}
 
 double furthestFromZero(const Eigen::Vector3d& values) {
   Eigen::Index axis = 0;
@@ -28,9 +22,9 @@ PoseResiduals describe(std::size_t index, PoseId pose, std::vector<double> resid
           pose,
           residuals.size(),
           residuals.front(),
-          quantile(residuals, 0.25),
-          quantile(residuals, 0.5),
-          quantile(residuals, 0.75),
+          quantileOf(residuals, 0.25),
+          quantileOf(residuals, 0.5),
+          quantileOf(residuals, 0.75),
           residuals.back()};
 }
 

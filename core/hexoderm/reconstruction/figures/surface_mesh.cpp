@@ -127,18 +127,6 @@ void meshSphere(const SurfaceEvaluation& evaluation, double margin_m, SurfaceMes
   }
 }
 
-/// Normal towards the side of positive distances.
-Eigen::Vector3d normalAt(const SurfaceEvaluation& evaluation, const Eigen::Vector3d& x) {
-  Eigen::Vector3d out = evaluation.axis;
-  if (evaluation.kind != SurfaceKind::Plane) {
-    out = x - evaluation.point;
-    if (evaluation.kind != SurfaceKind::Sphere) out -= out.dot(evaluation.axis) * evaluation.axis;
-  }
-  if (evaluation.kind != SurfaceKind::Cone) return out.normalized();
-  return std::cos(*evaluation.half_angle_rad) * out.normalized() -
-         std::sin(*evaluation.half_angle_rad) * evaluation.axis;
-}
-
 }  // namespace
 
 SurfaceMesh meshSurface(const SurfaceEvaluation& evaluation, const PatchReconstruction& patch, double margin_m) {
@@ -148,7 +136,7 @@ SurfaceMesh meshSurface(const SurfaceEvaluation& evaluation, const PatchReconstr
     if (cell == nullptr) continue;
     const Eigen::Vector3d center = cell->T_o_u.t;
     mesh.centers.push_back(center);
-    mesh.feet.emplace_back(center - evaluation.distance_m[k] * normalAt(evaluation, center));
+    mesh.feet.emplace_back(center - evaluation.distance_m[k] * evaluation.normalAt(center));
   }
   if (mesh.feet.empty()) return mesh;
   switch (evaluation.kind) {

@@ -6,6 +6,7 @@
 
 #include <Eigen/Cholesky>
 #include <cassert>
+#include <cmath>
 #include <mutex>
 #include <stdexcept>
 #include <utility>
@@ -123,9 +124,9 @@ struct FactorOrigin {
   double damping = 0;
 };
 
-class CellsFirstInverse : public JointInverse {
+class CellsFirstCovariance : public JointCovariance {
  public:
-  CellsFirstInverse(const JointProblem& problem, std::shared_ptr<BorderedFactor> factor, FactorOrigin made)
+  CellsFirstCovariance(const JointProblem& problem, std::shared_ptr<BorderedFactor> factor, FactorOrigin made)
       : origin_(problem.origin),
         cells_(problem.cellCount()),
         layout_(problem),
@@ -174,8 +175,8 @@ class CellsFirstInverse : public JointInverse {
     return border().block<3, 3>(at, at);
   }
 
-  [[nodiscard]] double gapShareVariance() const override {
-    return estimates_gap_share_ ? border()(layout_.gapShare(), layout_.gapShare()) : 0;
+  [[nodiscard]] double gapShareSigma() const override {
+    return estimates_gap_share_ ? std::sqrt(border()(layout_.gapShare(), layout_.gapShare())) : 0;
   }
 
   void keepProblemInstead(std::shared_ptr<const JointProblem> problem) const override {
@@ -309,8 +310,8 @@ class CellsFirst : public JointSystem {
     factor_->solve(equations_, cells, border);
     return -(equations_.gradient_cells.dot(cells) + equations_.gradient_border.dot(border)) / 2;
   }
-  std::shared_ptr<const JointInverse> inverse() override {
-    return std::make_shared<CellsFirstInverse>(*problem_, factor_, made_);
+  std::shared_ptr<const JointCovariance> inverse() override {
+    return std::make_shared<CellsFirstCovariance>(*problem_, factor_, made_);
   }
   void releaseWorkspace() override {
     factor_.reset();

@@ -11,7 +11,7 @@ namespace hexoderm {
 /// poses' unknowns and the gap share. For skins of any size in few poses.
 std::unique_ptr<JointSystem> makeCellsFirst();
 
-/// The covariances of all cells at a given state (JointInverse::cell()), by the least memory that they take. Throws
+/// The covariances of all cells at a given state (JointCovariance::cell()), by the least memory that they take. Throws
 /// Error if its information matrix is not positive definite, which priors prevent.
 std::vector<Matrix6d> cellCovariancesAt(const JointProblem& problem, const JointState& state);
 

@@ -11,77 +11,29 @@ namespace {
 
 using Matrix3x6d = Eigen::Matrix<double, 3, 6>;
 
-/// Inverse of the left Jacobian of SO(3): log(exp(d) exp(w)) = w + J d to first order.
-Eigen::Matrix3d inverseLeftJacobian(const Eigen::Vector3d& w) {
-  const double angle = w.norm();
-  const Eigen::Matrix3d W = skew(w);
-  constexpr double kSmall = 1e-4;
-  const double second = angle < kSmall ? 1.0 / 12.0 : 1 / (angle * angle) - 1 / (2 * angle * std::tan(angle / 2));
-  return Eigen::Matrix3d::Identity() - 0.5 * W + second * W * W;
-}
-
-/// Whitened residuals of one link and, on request, their derivatives.
-struct LinkResidual {
-  Eigen::Vector3d closure;
-  Eigen::Vector3d elastomer;  // twist, bend, yaw
-  Matrix3x6d closure_c, closure_n;
-  Eigen::Vector3d closure_s;
-  Eigen::Matrix3d elastomer_c, elastomer_n;  // rotations only
-};
-
 bool linksBend(const JointProblem& problem) { return problem.gap.sigma.has_value() || problem.gap.mean != 0; }
 
-/// What the gap share moves.
-ArcShift arcOf(const JointProblem& problem, const JointState& state, const JointLink& link, bool derivatives) {
-  if (linksBend(problem)) {
-    const double e = (link.p_c.norm() + link.p_n.norm()) / 2;
-    return arcShift(state.cells[link.c].R * link.p_c.normalized(), state.cells[link.n].R * link.p_n.normalized(), e,
-                    derivatives);
-  }
-  ArcShift none;
-  none.k.setZero();
-  return none;
-}
-
 /// The distance between the end points of a link, less the arc's share.
-Eigen::Vector3d openingOf_m(const JointState& state, const JointLink& link, const ArcShift& arc) {
-  return state.cells[link.n] * link.p_n - state.cells[link.c] * link.p_c - state.gap_share * arc.k;
-}
-
-void evaluateLink(const JointProblem& problem, const JointState& state, const JointLink& link, bool derivatives,
-                  LinkResidual& r) {
-  const CellModel& model = *problem.model;
+Eigen::Vector3d openingOf_m(const JointProblem& problem, const JointState& state, const JointLink& link) {
   const SE3& T_c = state.cells[link.c];
   const SE3& T_n = state.cells[link.n];
+  const Eigen::Vector3d opening_m = T_n * link.p_n - T_c * link.p_c;
+  if (!linksBend(problem)) return opening_m;
+  const double e_m = (link.p_c.norm() + link.p_n.norm()) / 2;
+  return opening_m - state.gap_share * arcOpening_m(T_c.R * link.p_c.normalized(), T_n.R * link.p_n.normalized(), e_m);
+}
+
+/// Twice the cost of one link.
+double twiceCostOf(const JointProblem& problem, const JointState& state, const JointLink& link) {
+  const CellModel& model = *problem.model;
   const Eigen::Vector3d u_c = link.p_c.normalized();
-  const Eigen::Vector3d u_n = link.p_n.normalized();
-  const double precision = 1 / problem.link_sigma_m;
-  const ArcShift arc = arcOf(problem, state, link, derivatives);
-  r.closure = precision * openingOf_m(state, link, arc);
-
-  const Eigen::Matrix3d R_c_n = T_c.R.transpose() * T_n.R;
+  const Eigen::Matrix3d R_c_n = state.cells[link.c].R.transpose() * state.cells[link.n].R;
   const Eigen::Vector3d w = logSO3(R_c_n * link.R_nom.transpose());
-  Eigen::Matrix3d axes;
-  axes << u_c / model.twist_sigma_rad, Eigen::Vector3d::UnitZ().cross(u_c) / model.bend_sigma_rad,
-      Eigen::Vector3d::UnitZ() / model.yaw_sigma_rad;
-  r.elastomer = axes.transpose() * w;
-  if (!derivatives) return;
-
-  r.closure_c.leftCols<3>() = -precision * Eigen::Matrix3d::Identity();
-  r.closure_n.leftCols<3>() = precision * Eigen::Matrix3d::Identity();
-  r.closure_c.rightCols<3>() = precision * T_c.R * skew(link.p_c);
-  r.closure_n.rightCols<3>() = -precision * T_n.R * skew(link.p_n);
-  r.closure_s.setZero();
-  if (linksBend(problem)) {
-    // d(R u) = -R [u]x d.
-    const double share = precision * state.gap_share;
-    r.closure_c.rightCols<3>() += share * arc.dk_dUc * T_c.R * skew(u_c);
-    r.closure_n.rightCols<3>() += share * arc.dk_dUn * T_n.R * skew(u_n);
-    r.closure_s = -precision * arc.k;
-  }
-  const Eigen::Matrix3d whitened = axes.transpose() * inverseLeftJacobian(w);
-  r.elastomer_c = -whitened;
-  r.elastomer_n = whitened * R_c_n;
+  const Eigen::Vector3d elastomer(w.dot(u_c) / model.twist_sigma_rad,
+                                  w.dot(Eigen::Vector3d::UnitZ().cross(u_c)) / model.bend_sigma_rad,
+                                  w.z() / model.yaw_sigma_rad);
+  const Eigen::Vector3d closure = openingOf_m(problem, state, link) / problem.link_sigma_m;
+  return problem.loss.cost(closure.squaredNorm()) + problem.loss.cost(elastomer.squaredNorm());
 }
 
 /// Adds what one cell's readings say.
@@ -222,61 +174,6 @@ class CellLinearizer {
   SensorState sensor_;
 };
 
-/// Second derivative of half the loss to a whitened residual. Beyond the threshold a Huber loss rises linearly, so it
-/// has no curvature along the residual; a little is kept, lest a link that nothing else holds lets go.
-Eigen::Matrix3d lossHessian(const HuberLoss& loss, const Eigen::Vector3d& residual) {
-  constexpr double kKeptCurvature = 0.05;
-  const double squared = residual.squaredNorm();
-  const double weight = loss.weight(squared);
-  if (weight == 1) return Eigen::Matrix3d::Identity();
-  return weight * (Eigen::Matrix3d::Identity() - (1 - kKeptCurvature) / squared * residual * residual.transpose());
-}
-
-void addLink(const JointProblem& problem, const JointState& state, std::size_t index, Eigen::Index share_column,
-             LinkResidual& r, NormalEquations& equations) {
-  const JointLink& link = problem.links[index];
-  evaluateLink(problem, state, link, true, r);
-  const double closure_squared = r.closure.squaredNorm();
-  const double elastomer_squared = r.elastomer.squaredNorm();
-  equations.cost += (problem.loss.cost(closure_squared) + problem.loss.cost(elastomer_squared)) / 2;
-  const Eigen::Matrix3d closure_hessian = lossHessian(problem.loss, r.closure);
-  const Eigen::Matrix3d elastomer_hessian = lossHessian(problem.loss, r.elastomer);
-  const Eigen::Vector3d closure_force = problem.loss.weight(closure_squared) * r.closure;
-  const Eigen::Vector3d elastomer_force = problem.loss.weight(elastomer_squared) * r.elastomer;
-
-  const bool moves_c = link.c != problem.origin;
-  const bool moves_n = link.n != problem.origin;
-  const auto c = static_cast<Eigen::Index>(6 * link.c);
-  const auto n = static_cast<Eigen::Index>(6 * link.n);
-  const Matrix3x6d weighted_c = closure_hessian * r.closure_c;
-  const Matrix3x6d weighted_n = closure_hessian * r.closure_n;
-  const Eigen::Matrix3d elastomer_n = elastomer_hessian * r.elastomer_n;
-  if (moves_c) {
-    equations.cells[link.c].noalias() += weighted_c.transpose() * r.closure_c;
-    equations.cells[link.c].bottomRightCorner<3, 3>().noalias() +=
-        r.elastomer_c.transpose() * elastomer_hessian * r.elastomer_c;
-    equations.gradient_cells.segment<6>(c).noalias() += r.closure_c.transpose() * closure_force;
-    equations.gradient_cells.segment<3>(c + 3).noalias() += r.elastomer_c.transpose() * elastomer_force;
-  }
-  if (moves_n) {
-    equations.cells[link.n].noalias() += weighted_n.transpose() * r.closure_n;
-    equations.cells[link.n].bottomRightCorner<3, 3>().noalias() += r.elastomer_n.transpose() * elastomer_n;
-    equations.gradient_cells.segment<6>(n).noalias() += r.closure_n.transpose() * closure_force;
-    equations.gradient_cells.segment<3>(n + 3).noalias() += r.elastomer_n.transpose() * elastomer_force;
-  }
-  if (moves_c && moves_n) {
-    Matrix6d& block = equations.links[index];
-    block.noalias() = weighted_c.transpose() * r.closure_n;
-    block.bottomRightCorner<3, 3>().noalias() += r.elastomer_c.transpose() * elastomer_n;
-  }
-  if (problem.gap.sigma) {
-    equations.border(share_column, share_column) += r.closure_s.dot(closure_hessian * r.closure_s);
-    equations.gradient_border[share_column] += r.closure_s.dot(closure_force);
-    if (moves_c) equations.border_cells.block<6, 1>(c, share_column).noalias() += weighted_c.transpose() * r.closure_s;
-    if (moves_n) equations.border_cells.block<6, 1>(n, share_column).noalias() += weighted_n.transpose() * r.closure_s;
-  }
-}
-
 }  // namespace
 
 BorderLayout::BorderLayout(const JointProblem& problem)
@@ -322,40 +219,26 @@ double jointCost(const JointProblem& problem, const JointState& state) {
     fitCell(problem, prior, state, cell, sensor);
     cost += sensor.fit.cost;
   }
-  LinkResidual residual;
-  for (const JointLink& link : problem.links) {
-    evaluateLink(problem, state, link, false, residual);
-    cost +=
-        (problem.loss.cost(residual.closure.squaredNorm()) + problem.loss.cost(residual.elastomer.squaredNorm())) / 2;
-  }
+  for (const JointLink& link : problem.links) cost += twiceCostOf(problem, state, link) / 2;
   return cost;
 }
 
 double closureCost(const JointProblem& problem, const JointState& state) {
-  const double precision = 1 / problem.link_sigma_m;
   double cost = 0;
   for (const JointLink& link : problem.links) {
-    const Eigen::Vector3d closure = precision * openingOf_m(state, link, arcOf(problem, state, link, false));
+    const Eigen::Vector3d closure = openingOf_m(problem, state, link) / problem.link_sigma_m;
     cost += problem.loss.cost(closure.squaredNorm());
   }
   return cost;
 }
 
 double linkOpening_m(const JointProblem& problem, const JointState& state, std::size_t link) {
-  const JointLink& at = problem.links[link];
-  return openingOf_m(state, at, arcOf(problem, state, at, false)).norm();
+  return openingOf_m(problem, state, problem.links[link]).norm();
 }
 
 void addLinks(const JointProblem& problem, const JointState& state, Eigen::Index share, NormalEquations& equations,
-              const LinearizeKernels* kernels) {
-  LinkResidual residual;
-  if (kernels == nullptr) {
-    for (std::size_t k = 0; k < problem.links.size(); ++k) addLink(problem, state, k, share, residual, equations);
-  } else {
-    for (const std::size_t k : linearizeLinksInLanes(*kernels, problem, state, share, equations)) {
-      addLink(problem, state, k, share, residual, equations);
-    }
-  }
+              const LinearizeKernels& kernels) {
+  linearizeLinksInLanes(kernels, problem, state, share, equations);
   if (!problem.gap.sigma) return;
   const double precision = 1 / (*problem.gap.sigma * *problem.gap.sigma);
   equations.border(share, share) += precision;
@@ -399,7 +282,7 @@ void linearize(const JointProblem& problem, const JointState& state, NormalEquat
     for (const std::size_t cell : linearizeCellsInLanes(*kernels, problem, state, equations)) cells.add(cell);
   }
   cells.finish();
-  addLinks(problem, state, layout.gapShare(), equations, kernels);
+  addLinks(problem, state, layout.gapShare(), equations, kernels != nullptr ? *kernels : portableLinearizeKernels());
   if (problem.accelerations) {
     const double precision = 1 / (problem.acceleration_sigma * problem.acceleration_sigma);
     for (std::size_t pose = 0; pose < problem.poses; ++pose) {

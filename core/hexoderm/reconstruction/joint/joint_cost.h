@@ -102,7 +102,7 @@ double closureCost(const JointProblem& problem, const JointState& state);
 double linkOpening_m(const JointProblem& problem, const JointState& state, std::size_t link);
 
 /// jointCost() with its gradient (exact) and its Gauss-Newton matrix (of the eliminated problem: Kaufman's). `kernels`:
-/// null for cells and links one by one, which is the same but for rounding.
+/// null for the cells one by one, which is the same but for rounding.
 void linearize(const JointProblem& problem, const JointState& state, NormalEquations& equations,
                const LinearizeKernels* kernels = &linearizeKernels());
 
@@ -113,7 +113,7 @@ double priorCost(const JointProblem& problem, const JointState& state);
 /// Adds the cost of all links, their blocks and gradients, and the prior of the gap share, which stands at `share` in
 /// the border; without its cost, which priorCost() has.
 void addLinks(const JointProblem& problem, const JointState& state, Eigen::Index share, NormalEquations& equations,
-              const LinearizeKernels* kernels = &linearizeKernels());
+              const LinearizeKernels& kernels = linearizeKernels());
 /// Adds the prior of one pose's force.
 void addForcePrior(const JointProblem& problem, const Eigen::Vector3d& force_o, Eigen::Ref<Eigen::Matrix3d> matrix,
                    Eigen::Ref<Eigen::Vector3d> gradient);

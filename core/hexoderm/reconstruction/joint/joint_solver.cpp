@@ -35,24 +35,6 @@ JointOrder cheaperOrder(const JointProblem& problem) {
   return workOfPosesFirst(problem) < workOfCellsFirst(problem) ? JointOrder::PosesFirst : JointOrder::CellsFirst;
 }
 
-JointCovariance::JointCovariance(std::shared_ptr<const JointInverse> inverse) : inverse_(std::move(inverse)) {}
-JointCovariance::~JointCovariance() = default;
-
-const Matrix6d& JointCovariance::cell(std::size_t cell) const { return inverse_->cell(cell); }
-const Matrix6d& JointCovariance::link(std::size_t link) const { return inverse_->link(link); }
-Matrix6d JointCovariance::between(std::size_t a, std::size_t b) const { return inverse_->between(a, b); }
-Eigen::MatrixXd JointCovariance::timesCells(Eigen::MatrixXd B) const { return inverse_->timesCells(std::move(B)); }
-Eigen::Matrix3d JointCovariance::force(std::size_t pose) const { return inverse_->force(pose); }
-Eigen::Matrix3d JointCovariance::forces(std::size_t a, std::size_t b) const { return inverse_->forces(a, b); }
-Eigen::Matrix3d JointCovariance::acceleration(std::size_t pose) const { return inverse_->acceleration(pose); }
-double JointCovariance::gapShareSigma() const { return std::sqrt(inverse_->gapShareVariance()); }
-void JointCovariance::keepProblemInstead(std::shared_ptr<const JointProblem> problem) const {
-  inverse_->keepProblemInstead(std::move(problem));
-}
-
-JointSolver::JointSolver() = default;
-JointSolver::~JointSolver() = default;
-
 JointSystem& JointSolver::systemFor(JointOrder order) {
   if (system_ == nullptr || order_ != order) {
     system_ = order == JointOrder::CellsFirst ? makeCellsFirst() : makePosesFirst();
@@ -70,7 +52,7 @@ std::shared_ptr<const JointCovariance> JointSolver::covarianceAt(const JointProb
   system.linearize(problem, state);
   system.accept();
   factorizeWithLeastDamping([&](double least) { return system.factorize(least); });
-  auto covariance = std::make_shared<const JointCovariance>(system.inverse());
+  auto covariance = system.inverse();
   system.releaseWorkspace();
   return covariance;
 }
@@ -146,7 +128,7 @@ bool JointSolver::descend(const JointProblem& problem, Refusal refusal, End end,
   }
   if (!options.covariance || solution.termination == JointTermination::Stopped) return true;
   if (!factor_is_at_optimum) factorizeWithLeastDamping([&](double least) { return system->factorize(least); });
-  solution.covariance = std::make_shared<const JointCovariance>(system->inverse());
+  solution.covariance = system->inverse();
   return true;
 }
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "hexoderm/reconstruction/joint/joint_cost.h"
+#include "hexoderm/reconstruction/joint/joint_system.h"
 
 #include <memory>
 #include <optional>
@@ -26,52 +26,10 @@ struct JointSolverOptions {
   std::stop_token stop;             ///< checked before every step; the state so far is the result, without covariance
 };
 
-class JointInverse;  // joint_system.h
-class JointSystem;
-
 enum class JointTermination {
   Converged,
   Stopped,
   StepLimit,  ///< not converged: there is a lower cost nearby
-};
-
-/// The inverse of the information matrix at the optimum: how uncertain every unknown is, and how they depend on each
-/// other. Keeps the factor, so that the covariance of any two cells can still be asked for. The rest is computed when
-/// it is first asked for.
-class JointCovariance {
- public:
-  explicit JointCovariance(std::shared_ptr<const JointInverse> inverse);
-  ~JointCovariance();
-  JointCovariance(const JointCovariance&) = delete;
-  JointCovariance& operator=(const JointCovariance&) = delete;
-
-  /// 6 x 6 per cell: position in the patch frame, then rotation (R_true = R exp(e)); zero for the origin.
-  [[nodiscard]] const Matrix6d& cell(std::size_t cell) const;
-  /// Cross-covariance of a link's two cells, rows c, columns n.
-  [[nodiscard]] const Matrix6d& link(std::size_t link) const;
-  /// Cross-covariance of any two cells, rows a, columns b. Two triangular solves each.
-  [[nodiscard]] Matrix6d between(std::size_t a, std::size_t b) const;
-  /// The covariance of all cells, 6 N x 6 N in the order of cell() with the origin's rows and columns zero, times B
-  /// (6 N x m). Takes a solution with the factor.
-  [[nodiscard]] Eigen::MatrixXd timesCells(Eigen::MatrixXd B) const;
-  /// Covariance of the specific force of a pose, patch frame, g^2.
-  [[nodiscard]] Eigen::Matrix3d force(std::size_t pose) const;
-  /// Cross-covariance of the specific forces of two poses, rows a, columns b: the sensors' errors are the same in all
-  /// poses.
-  [[nodiscard]] Eigen::Matrix3d forces(std::size_t a, std::size_t b) const;
-  /// Covariance of the angular acceleration of a pose, patch frame, (rad/s^2)^2; only if they are estimated.
-  [[nodiscard]] Eigen::Matrix3d acceleration(std::size_t pose) const;
-  [[nodiscard]] double gapShareSigma() const;  ///< 0 if it is not estimated
-
-  /// Computes what is to be asked for often, and gives back the factor, which is most of the memory: between() and
-  /// timesCells() make it once more from the problem, the same to the last bit, when they are first called. `problem`:
-  /// that of the solution, which must not change any more; it has to keep its model alive. After
-  /// JointSolver::releaseWorkspace() the factor's memory serves for what is computed: nobody else may ask anything
-  /// while the first call goes on.
-  void keepProblemInstead(std::shared_ptr<const JointProblem> problem) const;
-
- private:
-  std::shared_ptr<const JointInverse> inverse_;
 };
 
 struct JointSolution {
@@ -86,16 +44,11 @@ struct JointSolution {
 /// that a covariance still has is not taken from it.
 class JointSolver {
  public:
-  JointSolver();
-  ~JointSolver();
-  JointSolver(const JointSolver&) = delete;
-  JointSolver& operator=(const JointSolver&) = delete;
-
   /// Levenberg-Marquardt on jointCost from `initial`: plain Gauss-Newton steps while they lower the cost, damped ones
   /// where they don't; first with softer links where they are far from closed, which stiffen in stages if that is not
   /// enough. Every step solves one linear system.
   JointSolution solve(const JointProblem& problem, const JointState& initial, const JointSolverOptions& options = {});
-  /// At a given state, without a step. Throws Error as JointCovariance does.
+  /// At a given state, without a step. Throws Error if its information matrix is not positive definite.
   std::shared_ptr<const JointCovariance> covarianceAt(const JointProblem& problem, const JointState& state);
   /// Gives back the memory that only further solutions would need.
   void releaseWorkspace();

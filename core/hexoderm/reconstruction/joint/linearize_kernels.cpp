@@ -7,16 +7,6 @@ namespace hexoderm {
 
 const LinearizeKernels& portableLinearizeKernels() { return kKernels; }
 
-const LinearizeKernels* vectorLinearizeKernels() {
-#ifdef HEXODERM_AVX2
-  if (hasVectorInstructions()) return &avx2LinearizeKernels();
-#endif
-  return nullptr;
-}
-
-const LinearizeKernels& linearizeKernels() {
-  const LinearizeKernels* const vector = vectorLinearizeKernels();
-  return vector != nullptr ? *vector : kKernels;
-}
+const LinearizeKernels& linearizeKernels() { return hasVectorInstructions() ? avx2LinearizeKernels() : kKernels; }
 
 }  // namespace hexoderm

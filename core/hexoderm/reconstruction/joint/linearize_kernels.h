@@ -67,20 +67,14 @@ struct LinearizeKernels {
   std::size_t lanes;
   /// Bit k: cell k has a reading beyond the loss's threshold. If any has, nothing is computed.
   unsigned (*cells)(const LinearizeSetting& setting, const CellLanes& cells);
-  /// Bit k: link k is turned too far, by more than 120 degrees. Its numbers are meaningless.
-  unsigned (*links)(const LinearizeSetting& setting, const LinkLanes& links);
+  void (*links)(const LinearizeSetting& setting, const LinkLanes& links);
 };
 
 /// The same on any machine.
 const LinearizeKernels& portableLinearizeKernels();
-/// With AVX2 and FMA; null where the machine has none. Differs from the portable form by rounding.
-const LinearizeKernels* vectorLinearizeKernels();
-/// The fastest that there is.
-const LinearizeKernels& linearizeKernels();
-
-#ifdef HEXODERM_AVX2
-/// For vectorLinearizeKernels() alone: the machine may not have what these need.
+/// With AVX2 and FMA; only where hasVectorInstructions(). Differs from the portable form by rounding.
 const LinearizeKernels& avx2LinearizeKernels();
-#endif
+/// The faster that the machine can run.
+const LinearizeKernels& linearizeKernels();
 
 }  // namespace hexoderm

@@ -1,55 +1,26 @@
-// The text of the kernels in linearize_kernels.h. Each source that includes it compiles it for one kind of machine,
-// with HEXODERM_LANES cells or links in a vector. Nothing here may have a name that others see, nor use a function of a
-// library that a linker could take for the other machines, too.
+// The text of the kernels in linearize_kernels.h (lanes_text.h says what that is), with kWidth cells or links in a
+// vector.
 
+#include "hexoderm/geometry/lanes_text.h"
 #include "hexoderm/reconstruction/joint/linearize_kernels.h"
-
-// Short loops over what stays in registers.
-#if defined(__clang__)
-#define HEXODERM_UNROLL _Pragma("unroll")
-#else
-#define HEXODERM_UNROLL _Pragma("GCC unroll 6")
-#endif
 
 namespace hexoderm {
 namespace {
 
-using Lanes = double __attribute__((vector_size(8 * HEXODERM_LANES)));
-
-constexpr int kLanes = HEXODERM_LANES;
-
-inline Lanes load(const double* numbers, std::size_t element) {
-  Lanes values;
-  __builtin_memcpy(&values, numbers + element * kLanes, sizeof values);
-  return values;
-}
-inline void store(double* numbers, std::size_t element, Lanes values) {
-  __builtin_memcpy(numbers + element * kLanes, &values, sizeof values);
-}
+inline Lanes load(const double* numbers, std::size_t element) { return load(numbers + element * kWidth); }
+inline void store(double* numbers, std::size_t element, Lanes values) { store(numbers + element * kWidth, values); }
 inline void add(double* numbers, std::size_t element, Lanes values) {
   store(numbers, element, load(numbers, element) + values);
 }
-inline Lanes all(double value) {
-#if HEXODERM_LANES == 4
-  return Lanes{value, value, value, value};
-#else
-  return Lanes{value, value};
-#endif
-}
-inline Lanes rootOf(Lanes values) {
-  Lanes roots;
-  for (int k = 0; k < kLanes; ++k) roots[k] = __builtin_sqrt(values[k]);
-  return roots;
-}
 inline Lanes angleOf(Lanes y, Lanes x) {
   Lanes angles;
-  for (int k = 0; k < kLanes; ++k) angles[k] = __builtin_atan2(y[k], x[k]);
+  for (int k = 0; k < kWidth; ++k) angles[k] = __builtin_atan2(y[k], x[k]);
   return angles;
 }
 /// The bits of the lanes in which the first is not at most the second.
 inline unsigned notAtMost(Lanes values, double most) {
   unsigned bits = 0;
-  for (int k = 0; k < kLanes; ++k) bits |= (values[k] <= most ? 0U : 1U) << k;
+  for (int k = 0; k < kWidth; ++k) bits |= (values[k] <= most ? 0U : 1U) << k;
   return bits;
 }
 
@@ -351,7 +322,7 @@ unsigned cellsWith(const LinearizeSetting& setting, const CellLanes& cells) {
               share[0] * squares[0][i][j] + share[1] * squares[1][i][j] + share[2] * squares[2][i][j]);
         }
       }
-      pair += kColumns * kColumns * kLanes;
+      pair += kColumns * kColumns * kWidth;
     }
   }
   return 0;
@@ -391,7 +362,7 @@ inline Weighed weigh(const Vector& residual, double threshold_squared) {
   return weighed;
 }
 
-/// The arc's share in a link's closure, as arcShift() in joint_cost.cpp has it: k, and its derivatives to the outward
+/// The arc's share in a link's closure, as arcOpening_m() in gap_share.h has it: k, and its derivatives to the outward
 /// directions.
 struct Arc {
   Vector k;
@@ -439,7 +410,47 @@ inline void storeVector(double* to, std::size_t at, const Vector& a) {
   for (std::size_t i = 0; i < 3; ++i) store(to, at + i, a.x[i]);
 }
 
-unsigned links(const LinearizeSetting& setting, const LinkLanes& links) {
+/// A rotation vector, with sine and cosine of half its angle.
+struct Turn {
+  Vector w;
+  Lanes sine;
+  Lanes cosine;
+};
+
+/// By way of the quaternion q: four times q q^T stands in R, and q is along each of its columns. Beyond 120 degrees the
+/// longest of the last three is taken, so that half a turn is nothing special.
+inline Turn turnOf(const Matrix& R) {
+  const Lanes trace = R.m[0][0] + R.m[1][1] + R.m[2][2];
+  const auto is_far = trace < all(1e-3);
+  const Vector first = {{R.m[2][1] - R.m[1][2], R.m[0][2] - R.m[2][0], R.m[1][0] - R.m[0][1]}};
+  Vector vec = first;
+  Lanes real = all(0);
+  Lanes square = trace + 1.0;
+  Lanes longest = all(0);
+  for (int k = 0; k < 3; ++k) {
+    const Lanes diagonal = 1.0 + 2.0 * R.m[k][k] - trace;
+    const auto is_longer = is_far & (diagonal > longest);
+    for (int i = 0; i < 3; ++i) vec.x[i] = is_longer ? (i == k ? diagonal : R.m[i][k] + R.m[k][i]) : vec.x[i];
+    real = is_longer ? first.x[k] : real;
+    square = is_longer ? diagonal : square;
+    longest = is_longer ? diagonal : longest;
+  }
+  const Lanes root = rootOf(square);
+  const Lanes scale = 0.5 / root;
+  vec = scale * vec;
+  real = is_far ? scale * real : 0.5 * root;
+  const Lanes sign = real < all(0) ? all(-1) : all(1);
+  const Lanes norm = rootOf(dot(vec, vec) + real * real);
+  vec = (sign / norm) * vec;
+  Turn turn;
+  turn.cosine = sign * real / norm;
+  turn.sine = rootOf(dot(vec, vec));
+  const Lanes half_angle = angleOf(turn.sine, turn.cosine);
+  turn.w = (turn.sine < all(1e-12) ? all(2.0) : 2.0 * half_angle / turn.sine) * vec;
+  return turn;
+}
+
+void links(const LinearizeSetting& setting, const LinkLanes& links) {
   const Matrix R_c = loadMatrix(links.R_c);
   const Matrix R_n = loadMatrix(links.R_n);
   const Vector p_c = loadVector(links.p_c);
@@ -450,27 +461,15 @@ unsigned links(const LinearizeSetting& setting, const LinkLanes& links) {
   const Vector u_n = (1.0 / length_n) * p_n;
   const Lanes precision = all(setting.link_precision);
 
-  // The rotation beyond the nominal one, by way of the quaternion.
+  // The rotation beyond the nominal one.
   const Matrix R_c_n = transposedTimes(R_c, R_n);
-  const Matrix turned = R_c_n * transposed(loadMatrix(links.R_nom));
-  const Lanes trace = turned.m[0][0] + turned.m[1][1] + turned.m[2][2];
-  const unsigned too_far = notAtMost(-trace, -1e-3);
-  const Lanes root = rootOf(trace + 1.0);
-  const Lanes scale = 0.5 / root;
-  Vector vec = {{(turned.m[2][1] - turned.m[1][2]) * scale, (turned.m[0][2] - turned.m[2][0]) * scale,
-                 (turned.m[1][0] - turned.m[0][1]) * scale}};
-  Lanes real = 0.5 * root;
-  const Lanes norm = rootOf(dot(vec, vec) + real * real);
-  vec = (1.0 / norm) * vec;
-  real /= norm;
-  const Lanes sine = rootOf(dot(vec, vec));
-  const Lanes half_angle = angleOf(sine, real);
-  const auto is_tiny = sine < all(1e-12);
-  const Vector w = (is_tiny ? all(2.0) : 2.0 * half_angle / sine) * vec;
+  const Turn turn = turnOf(R_c_n * transposed(loadMatrix(links.R_nom)));
+  const Vector& w = turn.w;
   const Lanes angle_squared = dot(w, w);
-  // Of the inverse of the left Jacobian; the tangent of half the angle is sine / real.
+  // Of the inverse of the left Jacobian; the tangent of half the angle is sine / cosine.
   const auto is_small = angle_squared < all(1e-8);
-  const Lanes second = is_small ? all(1.0 / 12.0) : 1.0 / angle_squared - real / (2.0 * rootOf(angle_squared) * sine);
+  const Lanes second =
+      is_small ? all(1.0 / 12.0) : 1.0 / angle_squared - turn.cosine / (2.0 * rootOf(angle_squared) * turn.sine);
 
   Vector elastomer;
   Matrix whitened;  // axes^T (1 - [w]x / 2 + second [w]x^2), axes: u_c, z x u_c and z in their precisions
@@ -530,7 +529,6 @@ unsigned links(const LinearizeSetting& setting, const LinkLanes& links) {
     store(links.share, 12, dot(to_share, weighed_share));
     store(links.share, 13, dot(to_share, closure.force));
   }
-  return too_far;
 }
 
 constexpr LinearizeKernels kKernels{HEXODERM_LANES, cells, links};

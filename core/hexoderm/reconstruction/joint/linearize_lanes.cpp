@@ -239,24 +239,16 @@ class LinksInLanes {
         gradient_(12, kernels.lanes),
         of_share_(14, kernels.lanes) {}
 
-  std::vector<std::size_t> run() {
+  void run() {
     const LinkLanes lanes{R_c_.data(),      R_n_.data(),        t_c_n_.data(),    p_c_.data(),
                           p_n_.data(),      R_nom_.data(),      cost_.data(),     matrix_c_.data(),
                           matrix_n_.data(), matrix_c_n_.data(), gradient_.data(), of_share_.data()};
-    std::vector<std::size_t> left;
     const std::size_t count = problem_.links.size();
     for (std::size_t begin = 0; begin < count; begin += kernels_.lanes) {
       for (std::size_t lane = 0; lane < kernels_.lanes; ++lane) fill(lane, std::min(begin + lane, count - 1));
-      const unsigned too_far = kernels_.links(setting_.numbers, lanes);
-      for (std::size_t lane = 0; lane < kernels_.lanes && begin + lane < count; ++lane) {
-        if ((too_far >> lane & 1U) != 0) {
-          left.push_back(begin + lane);
-        } else {
-          add(lane, begin + lane);
-        }
-      }
+      kernels_.links(setting_.numbers, lanes);
+      for (std::size_t lane = 0; lane < kernels_.lanes && begin + lane < count; ++lane) add(lane, begin + lane);
     }
-    return left;
   }
 
  private:
@@ -330,10 +322,9 @@ std::vector<std::size_t> linearizeCellsInLanes(const LinearizeKernels& kernels, 
   return CellsInLanes(kernels, problem, state, equations).run();
 }
 
-std::vector<std::size_t> linearizeLinksInLanes(const LinearizeKernels& kernels, const JointProblem& problem,
-                                               const JointState& state, Eigen::Index share,
-                                               NormalEquations& equations) {
-  return LinksInLanes(kernels, problem, state, share, equations).run();
+void linearizeLinksInLanes(const LinearizeKernels& kernels, const JointProblem& problem, const JointState& state,
+                           Eigen::Index share, NormalEquations& equations) {
+  LinksInLanes(kernels, problem, state, share, equations).run();
 }
 
 }  // namespace hexoderm

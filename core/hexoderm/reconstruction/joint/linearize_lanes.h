@@ -7,16 +7,16 @@
 
 namespace hexoderm {
 
-// The bulk of linearize(), several cells or links at once. Both return those that are left to be done one by one.
+// The bulk of linearize(), several cells or links at once.
 
-/// Adds what the readings of cells say. Left: cells with a reading beyond the loss's threshold, and all if there are
-/// more poses than the kernels take. Of the border's matrix only the lower triangle is added to.
+/// Adds what the readings of cells say. Returns those that are left to be done one by one: cells with a reading beyond
+/// the loss's threshold, and all if there are more poses than the kernels take. Of the border's matrix only the lower
+/// triangle is added to.
 std::vector<std::size_t> linearizeCellsInLanes(const LinearizeKernels& kernels, const JointProblem& problem,
                                                const JointState& state, NormalEquations& equations);
 
-/// Adds what links say, with the gap share at `share` in the border. Left: links that are turned by more than 120
-/// degrees.
-std::vector<std::size_t> linearizeLinksInLanes(const LinearizeKernels& kernels, const JointProblem& problem,
-                                               const JointState& state, Eigen::Index share, NormalEquations& equations);
+/// Adds what links say, with the gap share at `share` in the border.
+void linearizeLinksInLanes(const LinearizeKernels& kernels, const JointProblem& problem, const JointState& state,
+                           Eigen::Index share, NormalEquations& equations);
 
 }  // namespace hexoderm

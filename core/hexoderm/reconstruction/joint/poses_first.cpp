@@ -3,6 +3,7 @@
 #include "hexoderm/reconstruction/joint/poses_first_factor.h"
 
 #include <cassert>
+#include <cmath>
 #include <mutex>
 #include <stdexcept>
 #include <utility>
@@ -14,9 +15,9 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-class PosesFirstInverse : public JointInverse {
+class PosesFirstCovariance : public JointCovariance {
  public:
-  explicit PosesFirstInverse(std::shared_ptr<const poses_first::Factor> factor)
+  explicit PosesFirstCovariance(std::shared_ptr<const poses_first::Factor> factor)
       : origin_(factor->origin()), estimates_gap_share_(factor->estimatesGapShare()), factor_(std::move(factor)) {}
 
   [[nodiscard]] const Matrix6d& cell(std::size_t cell) const override { return parts().cells[cell]; }
@@ -35,9 +36,9 @@ class PosesFirstInverse : public JointInverse {
   [[nodiscard]] Eigen::Matrix3d acceleration(std::size_t) const override {
     throw std::logic_error("no acceleration was estimated");
   }
-  [[nodiscard]] double gapShareVariance() const override {
+  [[nodiscard]] double gapShareSigma() const override {
     const MatrixXd& rest = parts().rest;
-    return estimates_gap_share_ ? rest(rest.rows() - 1, rest.cols() - 1) : 0;
+    return estimates_gap_share_ ? std::sqrt(rest(rest.rows() - 1, rest.cols() - 1)) : 0;
   }
 
  private:
@@ -92,8 +93,8 @@ class PosesFirst : public JointSystem {
   void accept() override { equations_ = std::move(next_); }
   bool factorize(double damping) override { return factor_->factorize(equations_, damping); }
   double step(VectorXd& cells, VectorXd& border) const override { return factor_->step(*equations_, cells, border); }
-  std::shared_ptr<const JointInverse> inverse() override {
-    return std::make_shared<PosesFirstInverse>(std::exchange(factor_, nullptr));
+  std::shared_ptr<const JointCovariance> inverse() override {
+    return std::make_shared<PosesFirstCovariance>(std::exchange(factor_, nullptr));
   }
   void releaseWorkspace() override {}
 

@@ -1,6 +1,7 @@
 #include "hexoderm/reconstruction/links/edge_batches.h"
 
 #include "hexoderm/geometry/covariance.h"
+#include "hexoderm/geometry/lane_numbers.h"
 
 #include <algorithm>
 
@@ -8,13 +9,6 @@ namespace hexoderm {
 namespace {
 
 constexpr std::size_t kMostPorts = 16;  // of a model whose pairs are worth a table
-
-Eigen::Matrix3d symmetricIn(const double* values, int lane) {
-  const auto at = [&](int k) { return values[kLanes * k + lane]; };
-  Eigen::Matrix3d m;
-  m << at(0), at(1), at(2), at(1), at(3), at(4), at(2), at(4), at(5);
-  return m;
-}
 
 }  // namespace
 
@@ -31,13 +25,8 @@ EdgeBatches::EdgeBatches(const CellModel& model, const SkinGraph& graph, const G
       residual_rad_(kLanes * table.enabledPoses().size()) {
   if (model.ports.size() > kMostPorts) return;
   for (const Port& source : model.ports) {
-    const Eigen::Vector3d u = source.vector_m.normalized();
     for (const Port& target : model.ports) {
-      PortPair pair;
-      const Eigen::Matrix3d R_nom = nominalAlignment(source, target);
-      for (int k = 0; k < 9; ++k) pair.R_nom.at(static_cast<std::size_t>(k)) = R_nom(k / 3, k % 3);
-      for (int k = 0; k < 3; ++k) pair.outward.at(static_cast<std::size_t>(k)) = u[k];
-      pairs_.push_back(pair);
+      pairs_.push_back({nominalAlignment(source, target), source.vector_m.normalized()});
     }
   }
 }
@@ -62,8 +51,8 @@ void EdgeBatches::run(const LinkBatch& batch, std::vector<EdgeRotation>& edges,
   for (int lane = 0; lane < kLanes; ++lane) {
     const GraphLink& link = graph_.links()[batch.linkIn(lane)];
     const PortPair& pair = pairs_[portIndex(link.source_port) * model_.ports.size() + portIndex(link.target_port)];
-    for (std::size_t k = 0; k < 9; ++k) R_nom_[kLanes * k + static_cast<std::size_t>(lane)] = pair.R_nom[k];
-    for (std::size_t k = 0; k < 3; ++k) outward_[kLanes * k + static_cast<std::size_t>(lane)] = pair.outward[k];
+    matrixOfLane(R_nom_.data(), static_cast<std::size_t>(lane)) = pair.R_nom;
+    vectorOfLane(outward_.data(), static_cast<std::size_t>(lane)) = pair.outward;
   }
   EdgeKernelOptions options = edgeKernelOptions(model_, options_);
   // Two vectors less their mean are one difference and its opposite: a single direction.
@@ -77,7 +66,7 @@ void EdgeBatches::run(const LinkBatch& batch, std::vector<EdgeRotation>& edges,
     const GraphLink& link = graph_.links()[index];
     EdgeRotation edge;
     if (out_.usual[lane] != 0) edge = edgeIn(lane, link);
-    if (out_.usual[lane] == 0 || needsSupport(edge)) {
+    if (out_.usual[lane] == 0 || needsSupport(edge, options_.support_axes, model_)) {
       unusual.push_back(index);
       continue;
     }
@@ -94,29 +83,22 @@ void EdgeBatches::run(const LinkBatch& batch, std::vector<EdgeRotation>& edges,
 }
 
 EdgeRotation EdgeBatches::edgeIn(int lane, const GraphLink& link) const {
-  const auto at = [lane](const double* values, int k) { return values[kLanes * k + lane]; };
+  const auto at = static_cast<std::size_t>(lane);
   EdgeRotation edge;
-  for (int k = 0; k < 9; ++k) edge.R_c_n(k / 3, k % 3) = at(out_.R_c_n, k);
-  for (int k = 0; k < 3; ++k) edge.singular_values[k] = at(out_.singular_values, k);
+  edge.R_c_n = matrixOfLane(out_.R_c_n, at);
+  edge.singular_values = vectorOfLane(out_.singular_values, at);
   edge.quality = classifyEdge(edge.singular_values, options_.class_threshold);
   edge.centred = out_.centred[lane] != 0;
-  edge.covariance = symmetricIn(out_.covariance, lane);
-  edge.prior_part = symmetricIn(out_.prior_part, lane);
+  edge.covariance = symmetricOfLane(out_.covariance, at);
+  edge.prior_part = symmetricOfLane(out_.prior_part, at);
   edge.residual_rad = out_.residual_rad[lane];
   edge.expected_residual_rad = out_.expected_residual_rad[lane];
   edge.deviation_rad = largestDeviation(edge.covariance);
+  const Eigen::Vector3d angles = vectorOfLane(out_.angles_rad, at);
   edge.angles = out_.has_angles[lane] != 0
-                    ? LinkAngles{at(out_.angles_rad, 0), at(out_.angles_rad, 1), at(out_.angles_rad, 2)}
+                    ? LinkAngles{angles.x(), angles.y(), angles.z()}
                     : linkAngles(edge.R_c_n, model_.port(link.source_port), model_.port(link.target_port));
   return edge;
-}
-
-/// As estimateEdgeRotation() decides it.
-bool EdgeBatches::needsSupport(const EdgeRotation& edge) const {
-  if (options_.support_axes != SupportAxes::Auto) return false;
-  const bool leaves_open = edge.quality == EdgeQuality::Undefined || edge.quality == EdgeQuality::Partially;
-  return leaves_open &&
-         edge.deviation_rad > std::max({model_.twist_sigma_rad, model_.bend_sigma_rad, model_.yaw_sigma_rad});
 }
 
 }  // namespace hexoderm

@@ -3,6 +3,7 @@
 #include "hexoderm/reconstruction/links/edge_kernel.h"
 #include "hexoderm/reconstruction/links/edge_rotation.h"
 #include "hexoderm/reconstruction/links/link_batches.h"
+#include "hexoderm/util/vector_instructions.h"
 
 #include <optional>
 #include <span>
@@ -20,7 +21,7 @@ class EdgeBatches {
   using Kernel = void (*)(const EdgeKernelOptions&, const EdgeKernelInput&, EdgeKernelOutput&);
 
   /// The fastest kernel that the computer can run.
-  static Kernel fastest() { return hasFourLanes() ? estimateEdgesByFour : estimateEdgesByOne; }
+  static Kernel fastest() { return hasVectorInstructions() ? estimateEdgesByFour : estimateEdgesByTwo; }
 
   /// All must outlive it.
   EdgeBatches(const CellModel& model, const SkinGraph& graph, const GravityTable& table, const SkinReadings& readings,
@@ -33,14 +34,13 @@ class EdgeBatches {
 
  private:
   struct PortPair {
-    std::array<double, 9> R_nom{};
-    std::array<double, 3> outward{};
+    Eigen::Matrix3d R_nom;
+    Eigen::Vector3d outward;
   };
   [[nodiscard]] std::size_t portIndex(PortNumber number) const;
   void run(const LinkBatch& batch, std::vector<EdgeRotation>& edges, std::vector<std::optional<double>>& pose_residuals,
            std::vector<std::size_t>& unusual);
   [[nodiscard]] EdgeRotation edgeIn(int lane, const GraphLink& link) const;
-  [[nodiscard]] bool needsSupport(const EdgeRotation& edge) const;
 
   const CellModel& model_;
   const SkinGraph& graph_;

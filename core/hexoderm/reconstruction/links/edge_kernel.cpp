@@ -1,14 +1,10 @@
-#include "hexoderm/reconstruction/links/edge_kernel.h"
+#define HEXODERM_LANES 2
+#include "hexoderm/reconstruction/links/edge_kernel_text.h"
 
 namespace hexoderm {
 
-void estimateEdgesByOne(const EdgeKernelOptions& options, const EdgeKernelInput& in, EdgeKernelOutput& out) {
-  for (int lane = 0; lane < kLanes; ++lane) edge_kernel::estimate<Lane1>(options, in, lane, out);
-}
-
-void estimateAttitudesByOne(const EdgeKernelOptions& options, const AttitudeKernelInput& in,
-                            AttitudeKernelOutput& out) {
-  for (int lane = 0; lane < kLanes; ++lane) edge_kernel::estimateAttitudes<Lane1>(options, in, lane, out);
+void estimateEdgesByTwo(const EdgeKernelOptions& options, const EdgeKernelInput& in, EdgeKernelOutput& out) {
+  for (int lane = 0; lane < kLanes; lane += kWidth) estimate(options, in, lane, out);
 }
 
 }  // namespace hexoderm

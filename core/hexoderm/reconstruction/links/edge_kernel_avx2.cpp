@@ -1,24 +1,12 @@
-// Compiled with -mavx2 and -mfma where there is such a thing: nothing but the kernel may be in here (lanes.h says why).
+// Compiled with -mavx2 and -mfma where there is such a thing: nothing but the kernel may be in here.
 
-#include "hexoderm/reconstruction/links/edge_kernel.h"
+#define HEXODERM_LANES 4
+#include "hexoderm/reconstruction/links/edge_kernel_text.h"
 
 namespace hexoderm {
 
 void estimateEdgesByFour(const EdgeKernelOptions& options, const EdgeKernelInput& in, EdgeKernelOutput& out) {
-#ifdef __AVX2__
-  edge_kernel::estimate<Lane4>(options, in, 0, out);
-#else
-  estimateEdgesByOne(options, in, out);
-#endif
-}
-
-void estimateAttitudesByFour(const EdgeKernelOptions& options, const AttitudeKernelInput& in,
-                             AttitudeKernelOutput& out) {
-#ifdef __AVX2__
-  edge_kernel::estimateAttitudes<Lane4>(options, in, 0, out);
-#else
-  estimateAttitudesByOne(options, in, out);
-#endif
+  for (int lane = 0; lane < kLanes; lane += kWidth) estimate(options, in, lane, out);
 }
 
 }  // namespace hexoderm

@@ -150,15 +150,6 @@ class EdgeSolver {
   const EdgeReadings& readings_;
 };
 
-/// Support axes pull towards the nominal alignment, also where the poses know better: they are for links of which the
-/// poses tell less than the elastomer does.
-bool needsSupport(const EdgeRotation& unsupported, SupportAxes axes, EdgeQuality quality, const CellModel& model) {
-  if (axes != SupportAxes::Auto) return axes == SupportAxes::On;
-  const bool leaves_open = quality == EdgeQuality::Undefined || quality == EdgeQuality::Partially;
-  return leaves_open && largestDeviation(unsupported.covariance) >
-                            std::max({model.twist_sigma_rad, model.bend_sigma_rad, model.yaw_sigma_rad});
-}
-
 }  // namespace
 
 EdgeQuality classifyEdge(const Eigen::Vector3d& singular_values, double threshold) {
@@ -196,6 +187,14 @@ EdgeKernelOptions edgeKernelOptions(const CellModel& model, const SolverOptions&
   return kernel;
 }
 
+bool needsSupport(const EdgeRotation& unsupported, SupportAxes axes, const CellModel& model) {
+  if (axes != SupportAxes::Auto) return axes == SupportAxes::On;
+  const bool leaves_open =
+      unsupported.quality == EdgeQuality::Undefined || unsupported.quality == EdgeQuality::Partially;
+  return leaves_open && largestDeviation(unsupported.covariance) >
+                            std::max({model.twist_sigma_rad, model.bend_sigma_rad, model.yaw_sigma_rad});
+}
+
 EdgeRotation estimateEdgeRotation(const CellModel& model, const Port& source, const Port& target,
                                   const EdgeReadings& readings, const SolverOptions& options) {
   const Eigen::Index poses = readings.n_g.cols();
@@ -212,7 +211,8 @@ EdgeRotation estimateEdgeRotation(const CellModel& model, const Port& source, co
     return centred.covariance.trace() < edge.covariance.trace() ? centred : edge;
   };
   EdgeRotation edge = solve(false);
-  if (needsSupport(edge, options.support_axes, quality, model)) edge = solve(true);
+  edge.quality = quality;
+  if (needsSupport(edge, options.support_axes, model)) edge = solve(true);
   edge.singular_values = plain.singular_values;
   edge.quality = quality;
   edge.deviation_rad = largestDeviation(edge.covariance);
@@ -222,16 +222,14 @@ EdgeRotation estimateEdgeRotation(const CellModel& model, const Port& source, co
 }
 
 Eigen::Matrix3d cellAttitudeCovariance(const Accelerometer& accelerometer, const Eigen::Matrix3Xd& g_g,
-                                       const std::vector<double>& variance_g2, bool centred, bool supported,
-                                       double prior_sigma_rad) {
+                                       const std::vector<double>& variance_g2, bool centred, bool supported) {
   if (g_g.cols() == 0) return Eigen::Matrix3d::Zero();
   const Eigen::Matrix3Xd v = centred ? lessMean(g_g) : unitColumns(g_g);
   const double support = supported ? 2 * kSupportScale * kSupportScale : kUnsupportedInformation;
   const Eigen::Matrix3d inverse = (rotationInformation(v) + support * Eigen::Matrix3d::Identity()).inverse();
   const Eigen::Matrix3d scatter =
       noiseScatter(v, variance_g2) + sensorScatter(accelerometer, v, g_g, Eigen::Matrix3d::Identity());
-  const double pull = support * prior_sigma_rad;
-  return inverse * (scatter + pull * pull * Eigen::Matrix3d::Identity()) * inverse;
+  return inverse * scatter * inverse;
 }
 
 }  // namespace hexoderm

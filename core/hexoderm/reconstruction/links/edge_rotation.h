@@ -37,6 +37,10 @@ EdgeQuality classifyEdge(const Eigen::Vector3d& singular_values, double threshol
 /// The paper's weight of a class: 3, 2, 1, 1.
 double paperWeight(EdgeQuality quality);
 
+/// Whether support axes belong to an edge that was estimated without. They pull towards the nominal alignment, also
+/// where the poses know better: they are for links of which the poses tell less than the elastomer does.
+bool needsSupport(const EdgeRotation& unsupported, SupportAxes axes, const CellModel& model);
+
 /// Estimates R_c_n by the constrained orthogonal Procrustes solution, eqs. (13) to (15), of unit vectors or, where
 /// centring applies, of raw vectors less their mean; with the gap's axes appended where support axes apply.
 /// `centring` Auto takes whichever has the smaller predicted deviation; `support_axes` Auto appends them to an edge
@@ -47,11 +51,9 @@ EdgeRotation estimateEdgeRotation(const CellModel& model, const Port& source, co
 
 /// Error of a cell's own attitude due to its noise, offset and gains: R_true = exp(e) R in the cell frame. Errors of
 /// edges are differences of these, which is why offsets telescope along a chain instead of adding up.
-/// `g_g`: 3 x P raw readings; `variance_g2` per pose; empty: zero (what is missing is the links' to say).
-/// `prior_sigma_rad`: what a direction that the poses leave open is uncertain by where support axes hold it; 0 leaves
-/// that to the edges (EdgeRotation::prior_part).
+/// `g_g`: 3 x P raw readings; `variance_g2` per pose; empty: zero (what is missing is the links' to say). A direction
+/// that the poses leave open is left to the edges (EdgeRotation::prior_part).
 Eigen::Matrix3d cellAttitudeCovariance(const Accelerometer& accelerometer, const Eigen::Matrix3Xd& g_g,
-                                       const std::vector<double>& variance_g2, bool centred, bool supported,
-                                       double prior_sigma_rad = 0);
+                                       const std::vector<double>& variance_g2, bool centred, bool supported);
 
 }  // namespace hexoderm

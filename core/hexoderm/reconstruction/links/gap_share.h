@@ -19,16 +19,8 @@ struct GapShare {
 GapShare gapShareOf(GapModel model);
 
 /// The arc's share in a link's opening, k = (2/3) e a^2 m, for outward directions U_c and U_n of its ends in one frame
-/// (unit), with its derivatives to these; e: mean length of the extended port vectors, metres; a: half the angle
-/// between U_c and -U_n; m = unit(U_c - U_n).
-struct ArcShift {
-  Eigen::Vector3d k;
-  Eigen::Matrix3d dk_dUc;
-  Eigen::Matrix3d dk_dUn;
-};
-/// Without `derivatives` these are anything.
-ArcShift arcShift(const Eigen::Vector3d& U_c, const Eigen::Vector3d& U_n, double e_m, bool derivatives);
-/// ArcShift::k alone.
+/// (unit); e: mean length of the extended port vectors, metres; a: half the angle between U_c and -U_n; m = unit(U_c -
+/// U_n).
 Eigen::Vector3d arcOpening_m(const Eigen::Vector3d& U_c, const Eigen::Vector3d& U_n, double e_m);
 
 }  // namespace hexoderm

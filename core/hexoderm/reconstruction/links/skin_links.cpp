@@ -106,10 +106,7 @@ void SkinLinks::markAsGuessed(EdgeRotation& edge, const GraphLink& link) const {
 
 /// How far a link may bend, twist and yaw, as a covariance in the frame of the cell that the port belongs to.
 Eigen::Matrix3d SkinLinks::elastomerPrior(const Port& port) const {
-  const Eigen::Vector3d u = port.vector_m.normalized();
-  const Eigen::Vector3d z = Eigen::Vector3d::UnitZ();
-  Eigen::Matrix3d axes;
-  axes << u, z.cross(u), z;
+  const Eigen::Matrix3d axes = linkAxes(port);
   const Eigen::Vector3d prior(model_.twist_sigma_rad, model_.bend_sigma_rad, model_.yaw_sigma_rad);
   return axes * prior.cwiseAbs2().asDiagonal() * axes.transpose();
 }

@@ -59,9 +59,6 @@ class SkinLinks {
   /// neighbours' where it has none. `link`: the one that the cell is placed by; of the origin one of its own; kNoIndex
   /// if it has none.
   [[nodiscard]] Eigen::Matrix3d attitudeCovariance(std::size_t cell, std::size_t link) const;
-  /// The same of many cells: `links[k]` is the one of `cells[k]`.
-  [[nodiscard]] std::vector<Eigen::Matrix3d> attitudeCovariances(std::span<const std::size_t> cells,
-                                                                 std::span<const std::size_t> links) const;
 
  private:
   void estimate(std::span<const std::size_t> links);

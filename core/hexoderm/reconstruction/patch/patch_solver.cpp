@@ -12,7 +12,12 @@ std::vector<Eigen::Matrix3d> attitudeCovariances(const SkinLinks& skin, const Sh
   const auto place = [&skin](std::size_t cell) { return skin.graph().cells()[cell].place; };
   std::vector<std::size_t> links = paths.link;
   if (paths.order.size() > 1) links[place(paths.root)] = paths.link[place(paths.order[1])];
-  return skin.attitudeCovariances(skin.graph().patches()[skin.graph().cells()[paths.root].patch.value()], links);
+  std::vector<Eigen::Matrix3d> covariances;
+  covariances.reserve(links.size());
+  for (const std::size_t cell : skin.graph().patches()[skin.graph().cells()[paths.root].patch.value()]) {
+    covariances.push_back(skin.attitudeCovariance(cell, links[place(cell)]));
+  }
+  return covariances;
 }
 
 /// Per cell of a patch. Everything is placed relative to the origin, so it must be a cell that measures, in at least as

@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <limits>
 #include <numbers>
+#include <unordered_map>
 
 namespace hexoderm {
 namespace {
@@ -34,7 +35,7 @@ FlatCell placeNeighbor(const FlatCell& cell, const FlatPort& port, CellId neighb
   return placed;
 }
 
-/// Occupied places of a sheet: a grid of squares of the least distance between two hexagons' centres, found by hashing.
+/// Occupied places of a sheet, by squares of the least distance between two hexagons' centres.
 class TakenPlaces {
  public:
   explicit TakenPlaces(double least_distance_m) : least_distance_m_(least_distance_m) {}
@@ -42,43 +43,19 @@ class TakenPlaces {
   [[nodiscard]] bool isFree(const Vector2d& center) const {
     for (int dx = -1; dx <= 1; ++dx) {
       for (int dy = -1; dy <= 1; ++dy) {
-        const Square square = squareOf(center, dx, dy);
-        for (std::uint32_t k = first_in_[slotOf(square)]; k != kNone; k = places_[k].next) {
-          if (places_[k].square == square && (places_[k].center - center).norm() < least_distance_m_) return false;
-        }
+        const auto [first, last] = places_.equal_range(squareOf(center, dx, dy));
+        const auto isNear = [&](const auto& place) { return (place.second - center).norm() < least_distance_m_; };
+        if (std::any_of(first, last, isNear)) return false;
       }
     }
     return true;
   }
 
-  void take(const Vector2d& center) {
-    places_.push_back({center, squareOf(center, 0, 0), kNone});
-    if (2 * places_.size() > first_in_.size()) {
-      first_in_.assign(2 * first_in_.size(), kNone);
-      for (std::size_t k = 0; k < places_.size(); ++k) enter(k);
-    } else {
-      enter(places_.size() - 1);
-    }
-  }
+  void take(const Vector2d& center) { places_.emplace(squareOf(center, 0, 0), center); }
 
  private:
-  using Square = std::uint64_t;
-  struct Place {
-    Vector2d center;
-    Square square;
-    std::uint32_t next;  ///< in the same slot
-  };
-  static constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
-
-  void enter(std::size_t k) {
-    std::uint32_t& first = first_in_[slotOf(places_[k].square)];
-    places_[k].next = first;
-    first = static_cast<std::uint32_t>(k);
-  }
-  [[nodiscard]] Square squareOf(const Vector2d& center, int dx, int dy) const {
-    const std::uint32_t x = squareAt(center.x(), dx);
-    const std::uint32_t y = squareAt(center.y(), dy);
-    return static_cast<std::uint64_t>(x) << 32 | y;
+  [[nodiscard]] std::uint64_t squareOf(const Vector2d& center, int dx, int dy) const {
+    return static_cast<std::uint64_t>(squareAt(center.x(), dx)) << 32 | squareAt(center.y(), dy);
   }
   [[nodiscard]] std::uint32_t squareAt(double coordinate_m, int step) const {
     // Ports that are a world longer than the cells are wide lead anywhere: what is that far out shares a square.
@@ -86,14 +63,9 @@ class TakenPlaces {
     const double square = std::floor(coordinate_m / least_distance_m_) + step;
     return static_cast<std::uint32_t>(static_cast<std::int32_t>(std::clamp(square, -kFarthest, kFarthest)));
   }
-  [[nodiscard]] std::size_t slotOf(Square square) const {
-    constexpr std::uint64_t kGolden = 0x9e3779b97f4a7c15;  // 2^64 over the golden ratio spreads neighbours (Knuth)
-    return static_cast<std::size_t>((square * kGolden) >> 32) & (first_in_.size() - 1);
-  }
 
   double least_distance_m_;
-  std::vector<std::uint32_t> first_in_ = std::vector(16, kNone);  ///< per slot; a power of two
-  std::vector<Place> places_;
+  std::unordered_multimap<std::uint64_t, Vector2d> places_;
 };
 
 /// Things that keep their shape while they are laid side by side: an island of cells, or a patch of islands.

@@ -7,16 +7,6 @@ namespace hexoderm {
 
 const FrontKernels& portableFrontKernels() { return kKernels; }
 
-const FrontKernels* vectorFrontKernels() {
-#ifdef HEXODERM_AVX2
-  if (hasVectorInstructions()) return &avx2FrontKernels();
-#endif
-  return nullptr;
-}
-
-const FrontKernels& frontKernels() {
-  const FrontKernels* const vector = vectorFrontKernels();
-  return vector != nullptr ? *vector : kKernels;
-}
+const FrontKernels& frontKernels() { return hasVectorInstructions() ? avx2FrontKernels() : kKernels; }
 
 }  // namespace hexoderm

@@ -56,14 +56,9 @@ struct FrontKernels {
 
 /// The same on any machine.
 const FrontKernels& portableFrontKernels();
-/// With AVX2 and FMA; null where the machine has none. Differs from the portable form by rounding.
-const FrontKernels* vectorFrontKernels();
-/// The fastest that there is; the choice is made once.
-const FrontKernels& frontKernels();
-
-#ifdef HEXODERM_AVX2
-/// For vectorFrontKernels() alone: the machine may not have what these need.
+/// With AVX2 and FMA; only where hasVectorInstructions(). Differs from the portable form by rounding.
 const FrontKernels& avx2FrontKernels();
-#endif
+/// The faster that the machine can run.
+const FrontKernels& frontKernels();
 
 }  // namespace hexoderm

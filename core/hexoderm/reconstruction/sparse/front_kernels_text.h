@@ -1,23 +1,12 @@
-// The text of the kernels in front_kernels.h. Each source that includes it compiles it for one kind of machine, with
-// HEXODERM_LANES numbers in a vector. Nothing here may have a name that others see, nor use a function of a library
-// that a linker could take for the other machines, too.
+// The text of the kernels in front_kernels.h (lanes_text.h says what that is).
 
+#include "hexoderm/geometry/lanes_text.h"
 #include "hexoderm/reconstruction/sparse/front_kernels.h"
-
-// Short loops over what stays in registers.
-#if defined(__clang__)
-#define HEXODERM_UNROLL _Pragma("unroll")
-#else
-#define HEXODERM_UNROLL _Pragma("GCC unroll 6")
-#endif
 
 namespace hexoderm {
 namespace {
 
 using Size = FrontKernels::Size;
-using Lanes = double __attribute__((vector_size(8 * HEXODERM_LANES)));
-
-constexpr Size kLanes = HEXODERM_LANES;
 constexpr Size kBlock = 6;
 constexpr Size kWide = FrontKernels::kMostPivotsAtOnce;
 /// Of a long product so many columns at a time stay in the cache.
@@ -25,19 +14,6 @@ constexpr Size kDeep = 192;
 /// Shorter products are not worth rearranging.
 constexpr Size kShallow = 36;
 
-inline Lanes load(const double* at) {
-  Lanes values;
-  __builtin_memcpy(&values, at, sizeof values);
-  return values;
-}
-inline void store(double* at, Lanes values) { __builtin_memcpy(at, &values, sizeof values); }
-inline Lanes all(double value) {
-#if HEXODERM_LANES == 4
-  return Lanes{value, value, value, value};
-#else
-  return Lanes{value, value};
-#endif
-}
 inline double sumOf(Lanes values) {
 #if HEXODERM_LANES == 4
   return (values[0] + values[1]) + (values[2] + values[3]);
@@ -62,7 +38,7 @@ inline void subtractTile(double* c, Size ldc, const double* a, Size lda, const F
   for (Size k = 0; k < depth; ++k) {
     Lanes column[kVectors];
     HEXODERM_UNROLL
-    for (int v = 0; v < kVectors; ++v) column[v] = load(a + v * kLanes);
+    for (int v = 0; v < kVectors; ++v) column[v] = load(a + v * kWidth);
     HEXODERM_UNROLL
     for (Size j = 0; j < kBlock; ++j) {
       const Lanes factor = all(factors[j * across]);
@@ -76,7 +52,7 @@ inline void subtractTile(double* c, Size ldc, const double* a, Size lda, const F
   for (Size j = 0; j < kBlock; ++j) {
     HEXODERM_UNROLL
     for (int v = 0; v < kVectors; ++v) {
-      double* at = c + j * ldc + v * kLanes;
+      double* at = c + j * ldc + v * kWidth;
       store(at, load(at) - sum[j][v]);
     }
   }
@@ -86,7 +62,7 @@ inline void subtractTile(double* c, Size ldc, const double* a, Size lda, const F
 template <bool kDense>
 inline void subtractColumns(double* c, Size ldc, const double* a, Size lda, const Factor& b, Size rows, Size depth) {
   Size i = 0;
-  for (; i + kLanes < rows; i += 2 * kLanes) subtractTile<2, kDense>(c + i, ldc, a + i, lda, b, depth);
+  for (; i + kWidth < rows; i += 2 * kWidth) subtractTile<2, kDense>(c + i, ldc, a + i, lda, b, depth);
   if (i < rows) subtractTile<1, kDense>(c + i, ldc, a + i, lda, b, depth);
 }
 
@@ -99,7 +75,7 @@ inline void packColumns(double* packed, const Factor& b, Size depth) {
 template <int kVectors>
 inline void packRows(double* packed, const double* a, Size lda, Size depth) {
   for (Size k = 0; k < depth; ++k) {
-    for (int v = 0; v < kVectors; ++v) store(packed + (k * kVectors + v) * kLanes, load(a + k * lda + v * kLanes));
+    for (int v = 0; v < kVectors; ++v) store(packed + (k * kVectors + v) * kWidth, load(a + k * lda + v * kWidth));
   }
 }
 
@@ -121,7 +97,7 @@ void subtractProduct(double* c, Size ldc, const double* a, Size lda, const Facto
     return;
   }
   double packed_columns[kDeep * kWide];
-  double packed_rows[kDeep * 2 * kLanes];
+  double packed_rows[kDeep * 2 * kWidth];
   for (Size k = 0; k < depth; k += kDeep) {
     const Size deep = depth - k < kDeep ? depth - k : kDeep;
     for (Size left = 0; left < columns; left += kWide) {
@@ -130,20 +106,20 @@ void subtractProduct(double* c, Size ldc, const double* a, Size lda, const Facto
         const Factor six{b.at + k * b.step + j / kBlock * next, b.step, b.across};
         packColumns(packed_columns + (j - left) * kDeep, six, deep);
       }
-      for (Size i = kLower ? left : 0; i < rows; i += 2 * kLanes) {
-        const bool both = i + kLanes < rows;
+      for (Size i = kLower ? left : 0; i < rows; i += 2 * kWidth) {
+        const bool both = i + kWidth < rows;
         if (both) {
           packRows<2>(packed_rows, a + k * lda + i, lda, deep);
         } else {
           packRows<1>(packed_rows, a + k * lda + i, lda, deep);
         }
         for (Size j = left; j < right; j += kBlock) {
-          if (kLower && i + 2 * kLanes <= j) break;
+          if (kLower && i + 2 * kWidth <= j) break;
           const Factor six{packed_columns + (j - left) * kDeep, kBlock, 1};
           if (both) {
-            subtractTile<2, true>(c + j * ldc + i, ldc, packed_rows, 2 * kLanes, six, deep);
+            subtractTile<2, true>(c + j * ldc + i, ldc, packed_rows, 2 * kWidth, six, deep);
           } else {
-            subtractTile<1, true>(c + j * ldc + i, ldc, packed_rows, kLanes, six, deep);
+            subtractTile<1, true>(c + j * ldc + i, ldc, packed_rows, kWidth, six, deep);
           }
         }
       }
@@ -178,7 +154,7 @@ inline void divideTile(double* x, Size ldx, const Triangle& triangle) {
   HEXODERM_UNROLL
   for (Size j = 0; j < kBlock; ++j) {
     HEXODERM_UNROLL
-    for (int v = 0; v < kVectors; ++v) columns[j][v] = load(x + j * ldx + v * kLanes);
+    for (int v = 0; v < kVectors; ++v) columns[j][v] = load(x + j * ldx + v * kWidth);
   }
   HEXODERM_UNROLL
   for (Size step = 0; step < kBlock; ++step) {
@@ -194,7 +170,7 @@ inline void divideTile(double* x, Size ldx, const Triangle& triangle) {
     HEXODERM_UNROLL
     for (int v = 0; v < kVectors; ++v) {
       columns[j][v] *= inverse;
-      store(x + j * ldx + v * kLanes, columns[j][v]);
+      store(x + j * ldx + v * kWidth, columns[j][v]);
     }
   }
 }
@@ -202,7 +178,7 @@ inline void divideTile(double* x, Size ldx, const Triangle& triangle) {
 template <bool kTransposed>
 inline void divide(double* x, Size ldx, Size rows, const Triangle& triangle) {
   Size i = 0;
-  for (; i + kLanes < rows; i += 2 * kLanes) divideTile<2, kTransposed>(x + i, ldx, triangle);
+  for (; i + kWidth < rows; i += 2 * kWidth) divideTile<2, kTransposed>(x + i, ldx, triangle);
   if (i < rows) divideTile<1, kTransposed>(x + i, ldx, triangle);
 }
 
@@ -269,7 +245,7 @@ inline void invertSix(double* z, Size ldz, const Triangle& triangle) {
 inline void subtractInnerTile(double* c, Size ldc, const double* w, Size ldw, const double* z, Size ldz, Size depth) {
   Lanes sum[2][kBlock] = {};
   Size k = 0;
-  for (; k + kLanes <= depth; k += kLanes) {
+  for (; k + kWidth <= depth; k += kWidth) {
     const Lanes first = load(z + k);
     const Lanes second = load(z + ldz + k);
     HEXODERM_UNROLL
@@ -311,7 +287,7 @@ void divideByColumns(double* w, Size ldw, const double* square, Size ld, Size ro
 
 inline void copyColumns(double* to, Size ld_to, const double* from, Size ld_from, Size rows, Size columns) {
   for (Size j = 0; j < columns; ++j) {
-    for (Size i = 0; i < rows; i += kLanes) store(to + j * ld_to + i, load(from + j * ld_from + i));
+    for (Size i = 0; i < rows; i += kWidth) store(to + j * ld_to + i, load(from + j * ld_from + i));
   }
 }
 
@@ -319,7 +295,7 @@ inline void copyColumns(double* to, Size ld_to, const double* from, Size ld_from
 void negativeProduct(double* c, Size ldc, const double* a, Size lda, const double* b, Size ldb, Size rows, Size columns,
                      Size depth) {
   for (Size j = 0; j < columns; ++j) {
-    for (Size i = 0; i < rows; i += kLanes) store(c + j * ldc + i, Lanes{});
+    for (Size i = 0; i < rows; i += kWidth) store(c + j * ldc + i, Lanes{});
   }
   subtractProduct<false>(c, ldc, a, lda, {b, 1, ldb}, kBlock * ldb, rows, columns, depth);
 }
@@ -403,7 +379,7 @@ void substituteBack(const double* panel, Size ld, Size pivots, std::size_t first
   for (std::size_t k = 0; k < count; ++k) {
     const double* from = x + static_cast<Size>(places[k]) * block;
     double* to = workspace + static_cast<Size>(k) * block;
-    for (Size i = 0; i < block; i += kLanes) store(to + i, load(from + i));
+    for (Size i = 0; i < block; i += kWidth) store(to + i, load(from + i));
   }
   const Size rows = kBlock * static_cast<Size>(count);
   for (Size j = pivots - kBlock; j >= 0; j -= kBlock) {
@@ -422,7 +398,7 @@ inline void subtractSixColumns(double* y, const double* a, Size lda, const doubl
   HEXODERM_UNROLL
   for (Size j = 0; j < kBlock; ++j) factor[j] = all(x[j]);
   Size i = 0;
-  for (; i + kLanes <= rows; i += kLanes) {
+  for (; i + kWidth <= rows; i += kWidth) {
     Lanes sum = load(a + i) * factor[0];
     HEXODERM_UNROLL
     for (Size j = 1; j < kBlock; ++j) sum += load(a + j * lda + i) * factor[j];
@@ -439,7 +415,7 @@ inline void subtractSixColumns(double* y, const double* a, Size lda, const doubl
 inline void subtractSixProducts(double* x, const double* a, Size lda, const double* y, Size rows) {
   Lanes sum[kBlock] = {};
   Size i = 0;
-  for (; i + kLanes <= rows; i += kLanes) {
+  for (; i + kWidth <= rows; i += kWidth) {
     const Lanes numbers = load(y + i);
     HEXODERM_UNROLL
     for (Size j = 0; j < kBlock; ++j) sum[j] += load(a + j * lda + i) * numbers;

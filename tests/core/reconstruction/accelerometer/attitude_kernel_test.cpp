@@ -3,6 +3,7 @@
 
 #include "hexoderm/geometry/se3.h"
 #include "hexoderm/reconstruction/accelerometer/rigidity.h"
+#include "hexoderm/util/vector_instructions.h"
 
 #include <gmock/gmock.h>
 
@@ -75,9 +76,9 @@ TEST(AttitudeKernel, FindsWhatIsFoundCellByCell) {
     for (const int poses : {2, 3, 6, 20}) {
       const Cells cells = drawCells(poses, random);
       OwnAttitudeKernelOutput one{};
-      findAttitudesByOne(options, cells.input(), one);
+      findAttitudesByTwo(options, cells.input(), one);
       OwnAttitudeKernelOutput four = one;
-      if (hasFourLanes()) findAttitudesByFour(options, cells.input(), four);
+      if (hasVectorInstructions()) findAttitudesByFour(options, cells.input(), four);
       for (int lane = 0; lane < kLanes; ++lane) {
         EXPECT_EQ(four.usual[lane], one.usual[lane]);
         if (one.usual[lane] == 0) continue;
@@ -106,7 +107,7 @@ TEST(AttitudeKernel, LeavesCellsWithASingleDirectionToTheCarefulWay) {
   cells.precision.col(2).tail<2>().setZero();
   const AttitudeKernelOptions options = attitudeKernelOptions(AccelerometerPrior{Accelerometer{}});
   for (const Kernel kernel :
-       {Kernel{findAttitudesByOne}, Kernel{hasFourLanes() ? findAttitudesByFour : findAttitudesByOne}}) {
+       {Kernel{findAttitudesByTwo}, Kernel{hasVectorInstructions() ? findAttitudesByFour : findAttitudesByTwo}}) {
     OwnAttitudeKernelOutput out{};
     kernel(options, cells.input(), out);
     for (int lane = 0; lane < kLanes; ++lane) EXPECT_EQ(out.usual[lane], lane == 2 ? 0 : 1) << lane;

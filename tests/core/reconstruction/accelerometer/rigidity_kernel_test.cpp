@@ -3,6 +3,7 @@
 
 #include "hexoderm/geometry/se3.h"
 #include "hexoderm/reconstruction/accelerometer/rigidity.h"
+#include "hexoderm/util/vector_instructions.h"
 
 #include <gmock/gmock.h>
 
@@ -56,22 +57,22 @@ TEST(RigidityKernel, AgreesWithTheTestOfOnePair) {
     for (const int poses : {2, 3, 4, 9}) {
       const Pairs pairs = drawPairs(poses, random);
       RigidityKernelOutput one{};
-      testRigidityByOne(options, pairs.input(), one);
+      testRigidityByTwo(options, pairs.input(), one);
       RigidityKernelOutput four = one;
-      if (hasFourLanes()) testRigidityByFour(options, pairs.input(), four);
+      if (hasVectorInstructions()) testRigidityByFour(options, pairs.input(), four);
       for (int lane = 0; lane < kLanes; ++lane) {
         const auto l = static_cast<std::size_t>(lane);
         EXPECT_EQ(four.usual[lane], one.usual[lane]);
         if (one.usual[lane] == 0) continue;
         ++usual;
-        RigidityTest test(prior);
+        ReadingSums sums;
         for (int pose = 0; pose < poses; ++pose) {
           const Eigen::Vector3d c = pairs.c_g.col(lane).segment<3>(3 * pose);
           const Eigen::Vector3d n = pairs.n_g.col(lane).segment<3>(3 * pose);
-          test.add({static_cast<std::size_t>(pose), R_a_u * c, 2e-5 * (1 + lane)}, R_a_u * pairs.R[l] * n);
+          sums.add({static_cast<std::size_t>(pose), R_a_u * c, 2e-5 * (1 + lane)}, R_a_u * pairs.R[l] * n);
         }
         // What is left is the difference of sums that are up to some ten thousand.
-        const double expected = test.misfit().chi_squared;
+        const double expected = testRigidity(prior, sums).chi_squared;
         EXPECT_NEAR(one.chi_squared[lane], expected, 1e-9 * (1 + expected));
         EXPECT_NEAR(four.chi_squared[lane], one.chi_squared[lane], 1e-9 * (1 + expected));
       }
@@ -89,7 +90,7 @@ TEST(RigidityKernel, LeavesPairsThatDoNotShowATurnToTheCarefulWay) {
   }
   const RigidityKernelOptions options =
       rigidityKernelOptions(AccelerometerPrior(pairOf(Accelerometer{})), Eigen::Matrix3d::Identity());
-  for (const auto kernel : {testRigidityByOne, hasFourLanes() ? testRigidityByFour : testRigidityByOne}) {
+  for (const auto kernel : {testRigidityByTwo, hasVectorInstructions() ? testRigidityByFour : testRigidityByTwo}) {
     RigidityKernelOutput out{};
     kernel(options, pairs.input(), out);
     for (int lane = 0; lane < kLanes; ++lane) EXPECT_EQ(out.usual[lane], lane == 2 ? 0 : 1) << lane;

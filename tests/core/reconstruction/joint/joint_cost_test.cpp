@@ -104,6 +104,19 @@ TEST(JointCost, GradientIsRightWhereLinksAreStraight) {
   }
 }
 
+TEST(JointCost, GradientIsRightWhereLinksAreOverturned) {
+  for (const GapShare& gap : kGaps) {
+    for (const Eigen::Vector3d& turn : {Eigen::Vector3d(2.4, 0.1, 0.2), Eigen::Vector3d(0.1, 2.4, 0.2),
+                                        Eigen::Vector3d(0.3, -0.2, 2.4), Eigen::Vector3d(-0.3, 0.2, -2.3)}) {
+      JointCase example = simulatedCase(test::skinOptions("x17"), 3, gap);
+      example.problem.loss.threshold = std::numeric_limits<double>::infinity();
+      JointState state = perturbed(example.problem, example.truth, 0.1, 0.001, 5);
+      state.cells[7].R = state.cells[7].R * expSO3(turn);
+      EXPECT_LT(gradientError(example.problem, state), 1e-6) << nameOf(gap) << ", " << turn.transpose();
+    }
+  }
+}
+
 TEST(JointCost, GradientIsRightWithATurnedAccelerometerAndMissingReadings) {
   JointCase example = simulatedCase(test::skinOptions("x17"), 4, kFitGap);
   CellModel model = *example.model;

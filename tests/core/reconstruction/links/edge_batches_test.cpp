@@ -1,8 +1,7 @@
-// Edges and attitudes several at a time against those one by one, with vector instructions and without.
+// Edges several at a time against those one by one, with vector instructions and without.
 
 #include "hexoderm/reconstruction/links/edge_batches.h"
 
-#include "hexoderm/graph/shortest_paths.h"
 #include "hexoderm/reconstruction/links/skin_links.h"
 #include "tests/support/simulated_skins.h"
 
@@ -19,8 +18,8 @@ struct Kernels {
 };
 
 std::vector<Kernels> kernels() {
-  std::vector<Kernels> all = {{"one", estimateEdgesByOne}};
-  if (hasFourLanes()) all.push_back({"four", estimateEdgesByFour});
+  std::vector<Kernels> all = {{"two", estimateEdgesByTwo}};
+  if (hasVectorInstructions()) all.push_back({"four", estimateEdgesByFour});
   return all;
 }
 
@@ -176,45 +175,6 @@ TEST(EdgeBatches, SupportAxesAreLeftToTheCarefulWay) {
   options.support_axes = SupportAxes::On;
   Sheet sheet(3, options);
   EXPECT_EQ(sheet.estimate(EdgeBatches::fastest(), sheet.all()).unusual, sheet.all());
-}
-
-TEST(AttitudeBatches, AgreeWithAttitudesOneByOne) {
-  for (const Centring centring : {Centring::Auto, Centring::On}) {
-    SolverOptions options;
-    options.centring = centring;
-    Sheet sheet(4, options);
-    SkinLinks& links = sheet.links();
-    links.table().at(11, 2).usable = false;
-    links.dropCell(30);
-    links.estimateEdges();
-    std::vector<std::size_t> cells;
-    std::vector<std::size_t> of;
-    for (std::size_t cell = 0; cell < links.graph().cells().size(); ++cell) {
-      cells.push_back(cell);
-      of.push_back(cell == 3 ? kNoIndex : links.graph().linksAt(cell).front());
-    }
-    const std::vector<Eigen::Matrix3d> found = links.attitudeCovariances(cells, of);
-    ASSERT_EQ(found.size(), cells.size());
-    for (std::size_t k = 0; k < cells.size(); ++k) {
-      const Eigen::Matrix3d expected = links.attitudeCovariance(cells[k], of[k]);
-      EXPECT_LT((found[k] - expected).norm(), 1e-12 * expected.norm()) << k;
-    }
-  }
-}
-
-TEST(AttitudeBatches, AgreeWithAndWithoutVectorInstructions) {
-  if (!hasFourLanes()) return;  // there is nothing to compare
-  const double g_g[] = {0.1, 0.2, 0.9,  0.3, 0.9, -0.2, 0.1, 0.5, 0.9, 0.1,  0.1, 0.4,
-                        0.8, 0.1, -0.1, 0.9, 0.3, 0.1,  1.1, 0.2, 0.1, -0.9, 0.2, 0.8};
-  const double variance_g2[] = {1e-5, 2e-5, 1e-5, 3e-5, 1e-5, 1e-5, 2e-5, 1e-5};
-  const EdgeKernelOptions options = edgeKernelOptions(builtInCellModel("hex-bma150"), {});
-  AttitudeKernelOutput one{};
-  AttitudeKernelOutput four{};
-  estimateAttitudesByOne(options, {2, g_g, variance_g2, false}, one);
-  estimateAttitudesByFour(options, {2, g_g, variance_g2, false}, four);
-  for (int k = 0; k < 6 * kLanes; ++k)
-    EXPECT_NEAR(four.covariance[k], one.covariance[k], 1e-12 * std::abs(one.covariance[k % kLanes]));
-  for (int k = 0; k < kLanes; ++k) EXPECT_EQ(four.usual[k], one.usual[k]);
 }
 
 }  // namespace
