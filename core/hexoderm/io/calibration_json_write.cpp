@@ -1,5 +1,6 @@
 #include "hexoderm/io/calibration_json.h"
 
+#include "hexoderm/geometry/covariance.h"
 #include "hexoderm/graph/cell_model_json.h"
 #include "hexoderm/session/session_parts_json.h"
 #include "hexoderm/util/file.h"
@@ -70,11 +71,7 @@ Json poseJson(const PoseSummary& pose) {
 }
 
 void writeCovariance(const Matrix6d& cov_t_r, JsonWriter& json) {
-  std::array<double, 21> values{};
-  std::size_t next = 0;
-  for (int row = 0; row < 6; ++row) {
-    for (int col = row; col < 6; ++col) values.at(next++) = cov_t_r(row, col);
-  }
+  const std::array<double, 21> values = upperTriangle(cov_t_r);
   json.value(std::span<const double>(values));
 }
 

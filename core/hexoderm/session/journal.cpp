@@ -176,8 +176,7 @@ bool JournalState::applyLarge(const JournalEntry& entry) {
     const auto model = [&] {
       skin.model = std::make_shared<const CellModel>(readCellModel(JsonReader(json.document(), "cell model")));
     };
-    json.object(JsonScanner::required("cell_model", model),
-                JsonScanner::required("cells", [&] { skin.neighbors = scanNeighbors(json); }));
+    json.object(member("cell_model", model), member("cells", [&] { skin.neighbors = scanNeighbors(json); }));
     json.finish();
     apply(SessionEdit(std::move(skin)), entry.entry);
     return true;

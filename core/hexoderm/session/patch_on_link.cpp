@@ -1,8 +1,8 @@
 #include "hexoderm/session/patch_on_link.h"
 
 #include "hexoderm/geometry/covariance.h"
-#include "hexoderm/geometry/is_rotation.h"
 #include "hexoderm/util/error.h"
+#include "hexoderm/util/is_rotation.h"
 #include "hexoderm/util/limits.h"
 #include "hexoderm/util/message.h"
 

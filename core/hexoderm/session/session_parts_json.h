@@ -38,10 +38,6 @@ nlohmann::ordered_json placementJson(const PatchPlacement& placement);
 std::vector<PatchPlacement> readPlacements(const JsonReader& json);
 nlohmann::ordered_json placementsJson(const std::vector<PatchPlacement>& placements);
 
-/// As JsonReader::vector3() and rotation().
-Eigen::Vector3d scanVector3(JsonScanner& json, double most);
-Eigen::Matrix3d scanRotation(JsonScanner& json);
-
 GroundTruth readTruth(const JsonReader& json);
 GroundTruth scanTruth(JsonScanner& json);
 void writeTruth(const GroundTruth& truth, JsonWriter& json);

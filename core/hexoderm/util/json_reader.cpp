@@ -2,20 +2,17 @@
 
 #include "hexoderm/util/error.h"
 #include "hexoderm/util/file.h"
+#include "hexoderm/util/is_rotation.h"
 #include "hexoderm/util/json_writer.h"
 #include "hexoderm/util/near_match.h"
 #include "hexoderm/util/text.h"
 
-#include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
 namespace hexoderm {
 namespace {
-
-/// How far the numbers of a rotation may be off.
-constexpr double kOrthogonalTo = 1e-6;
 
 /// A value in a complaint.
 Message inFewWords(const nlohmann::json& value) {
@@ -465,10 +462,9 @@ std::array<double, 4> quaternionWxyz(const Eigen::Matrix3d& R) {
   return {q.w(), q.x(), q.y(), q.z()};
 }
 
-bool isRotation(const Eigen::Matrix3d& R) {
-  return (R * R.transpose()).isIdentity(kOrthogonalTo) && std::abs(R.determinant() - 1) <= kOrthogonalTo;
+bool isUnitQuaternion(const Eigen::Quaterniond& q) {
+  constexpr double kUnitTo = 1e-6;
+  return std::abs(q.norm() - 1) <= kUnitTo;
 }
-
-bool isUnitQuaternion(const Eigen::Quaterniond& q) { return std::abs(q.norm() - 1) <= kOrthogonalTo; }
 
 }  // namespace hexoderm

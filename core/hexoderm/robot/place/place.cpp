@@ -1,7 +1,7 @@
 #include "hexoderm/robot/place/place.h"
 
 #include "hexoderm/geometry/covariance.h"
-#include "hexoderm/geometry/is_rotation.h"
+#include "hexoderm/util/is_rotation.h"
 #include "hexoderm/robot/place/by_gravity.h"
 #include "hexoderm/robot/place/by_hand.h"
 #include "hexoderm/robot/place/freedom.h"
