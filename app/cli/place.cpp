@@ -6,6 +6,7 @@
 #include "hexoderm/reconstruction/reconstructor.h"
 #include "hexoderm/robot/links/links.h"
 #include "hexoderm/robot/place/by_gravity.h"
+#include "hexoderm/util/enum_names.h"
 #include "hexoderm/util/text.h"
 #include "hexoderm/util/units.h"
 
@@ -258,20 +259,10 @@ PlaceJson covarianceJson(const Matrix6d& covariance) {
   return json;
 }
 
-std::string_view kindName(FreeDirection::Kind kind) {
-  switch (kind) {
-    case FreeDirection::Kind::Slide:
-      return "slide";
-    case FreeDirection::Kind::Turn:
-      return "turn";
-    case FreeDirection::Kind::Screw:
-      break;
-  }
-  return "screw";
-}
+constexpr EnumNames<FreeDirection::Kind, 3> kFreeKinds = {{"slide", "turn", "screw"}};
 
 PlaceJson freeJson(const FreeDirection& free) {
-  return {{"kind", kindName(free.kind)},
+  return {{"kind", kFreeKinds.of(free.kind)},
           {"words", free.words.english()},
           {"axis", vectorJson(free.axis)},
           {"through_m", vectorJson(free.through_m)},

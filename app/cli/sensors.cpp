@@ -1,6 +1,7 @@
 #include "app/cli/command.h"
 
 #include "hexoderm/reconstruction/sensor_statistics.h"
+#include "hexoderm/util/enum_names.h"
 #include "hexoderm/util/text.h"
 
 #include <iostream>
@@ -28,17 +29,7 @@ std::string figure(double value, PrintedUnit unit) {
   return formatFixed(value * unit.factor, unit.decimals) + " " + unit.name;
 }
 
-const char* nameOf(SigmaKnowledge knowledge) {
-  switch (knowledge) {
-    case SigmaKnowledge::Measured:
-      return "measured";
-    case SigmaKnowledge::AtMost:
-      return "at_most";
-    case SigmaKnowledge::Unknown:
-      break;
-  }
-  return "unknown";
-}
+constexpr EnumNames<SigmaKnowledge, 3> kKnowledge = {{"measured", "at_most", "unknown"}};
 
 void printSigma(const std::string& name, const SigmaEstimate& estimate, double model_sigma, PrintedUnit unit) {
   std::cout << name << std::string(name.size() < 14 ? 14 - name.size() : 1, ' ');
@@ -78,7 +69,7 @@ void print(const SensorStatistics& statistics, const Accelerometer& model, std::
 }
 
 Json toJson(const SigmaEstimate& estimate, double model_sigma) {
-  Json json = {{"knowledge", nameOf(estimate.knowledge)}};
+  Json json = {{"knowledge", kKnowledge.of(estimate.knowledge)}};
   const bool is_measured = estimate.knowledge == SigmaKnowledge::Measured;
   json["sigma"] = is_measured ? Json(estimate.sigma) : Json(nullptr);
   json["low_95"] = is_measured ? Json(estimate.low_95) : Json(nullptr);

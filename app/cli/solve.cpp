@@ -8,6 +8,7 @@
 #include "hexoderm/util/text.h"
 
 #include <iostream>
+#include <map>
 
 namespace hexoderm::cli {
 namespace {
@@ -16,11 +17,7 @@ struct SolveOptions {
   std::vector<std::string> inputs;
   std::string output;
   std::size_t jobs = cores();
-  std::string solver = "global";
-  std::string centring = "auto";
-  std::string support_axes = "auto";
-  std::string weights = "paper";
-  std::string gap_model = "fit";
+  std::map<std::string_view, std::string> choices;  ///< of solverChoices(), by name
   std::vector<std::uint32_t> without;
   double class_threshold = SolverOptions().class_threshold;
 };
@@ -51,11 +48,7 @@ void printSummary(const Reconstruction& r, const Session& session) {
 
 int run(const SolveOptions& options, const Common& common) {
   SolverOptions solver;
-  solver.solver = solverFromName(options.solver);
-  solver.centring = centringFromName(options.centring);
-  solver.support_axes = supportAxesFromName(options.support_axes);
-  solver.weights = linkWeightsFromName(options.weights);
-  solver.gap_model = gapModelFromName(options.gap_model);
+  for (const SolverChoice& choice : solverChoices()) choice.set(solver, options.choices.at(choice.name));
   for (const std::uint32_t id : options.without) solver.left_out.emplace_back(id);
   solver.class_threshold = options.class_threshold;
   solver.validate();
@@ -96,22 +89,11 @@ void addSolve(CLI::App& app, Common& common) {
                    "Calibration to write (*.calibration.json; - is standard output); of several sessions, or with "
                    "a / at its end, the folder for their calibrations")
       ->type_name(kOutput);
-  command
-      ->add_option("--solver", options->solver,
-                   "global: all cells, poses and links together; tree: the paper's way, along shortest paths")
-      ->capture_default_str();
-  command->add_option("--centre", options->centring, "Subtract each cell's mean reading: auto, on or off")
-      ->capture_default_str();
-  command
-      ->add_option("--support-axes", options->support_axes,
-                   "Support weakly defined edges by the gap's axes: auto, on, off")
-      ->capture_default_str();
-  command->add_option("--weights", options->weights, "What makes a path short: paper (classes) or residual")
-      ->capture_default_str();
-  command
-      ->add_option("--gap-model", options->gap_model,
-                   "What the mould does when it is bent: arc (the pitch stays), pivot (nothing stretches) or fit")
-      ->capture_default_str();
+  for (const SolverChoice& choice : solverChoices()) {
+    std::string& value = options->choices[choice.name];
+    value = choice.get(SolverOptions());
+    command->add_option("--" + std::string(choice.name), value, std::string(choice.help))->capture_default_str();
+  }
   command->add_option("--without", options->without, "Leave this cell's readings out; may be repeated");
   command
       ->add_option("--class-threshold", options->class_threshold,

@@ -33,11 +33,11 @@ PatchOf patchOf(const Calibration& self, std::uint32_t cell) {
 py::dict optionsOf(const Calibration& self) {
   const SolverOptions& options = self.result->options;
   py::dict dict;
-  dict["solver"] = solverName(options.solver);
-  dict["centre"] = centringName(options.centring);
-  dict["support_axes"] = supportAxesName(options.support_axes);
-  dict["weights"] = linkWeightsName(options.weights);
-  dict["gap_model"] = gapModelName(options.gap_model);
+  for (const SolverChoice& choice : solverChoices()) {
+    std::string name(choice.name);
+    std::ranges::replace(name, '-', '_');
+    dict[py::str(name)] = choice.get(options);
+  }
   dict["without"] = valuesOf(options.left_out);
   dict["class_threshold"] = options.class_threshold;
   return dict;

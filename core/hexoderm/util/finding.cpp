@@ -1,5 +1,7 @@
 #include "hexoderm/util/finding.h"
 
+#include "hexoderm/util/enum_names.h"
+
 #include <algorithm>
 #include <array>
 #include <cstddef>
@@ -128,8 +130,7 @@ const auto& table() {
   return the_table;
 }
 
-constexpr std::array<std::pair<Severity, std::string_view>, 3> kSeverities = {
-    {{Severity::Info, "info"}, {Severity::Warning, "warning"}, {Severity::Error, "error"}}};
+constexpr EnumNames<Severity, 3> kSeverities = {{"info", "warning", "error"}};
 
 }  // namespace
 
@@ -138,20 +139,13 @@ std::span<const FindingDescription> findingTable() { return table(); }
 std::string_view codeName(FindingCode code) { return table().at(static_cast<std::size_t>(code)).name; }
 
 std::optional<FindingCode> codeFromName(std::string_view name) {
-  for (const FindingDescription& entry : table()) {
-    if (entry.name == name) return entry.code;
-  }
-  return std::nullopt;
+  const auto found = std::ranges::find(table(), name, &FindingDescription::name);
+  return found == table().end() ? std::nullopt : std::optional(found->code);
 }
 
-std::string_view severityName(Severity severity) { return kSeverities.at(static_cast<std::size_t>(severity)).second; }
+std::string_view severityName(Severity severity) { return kSeverities.of(severity); }
 
-std::optional<Severity> severityFromName(std::string_view name) {
-  for (const auto& [severity, severity_name] : kSeverities) {
-    if (severity_name == name) return severity;
-  }
-  return std::nullopt;
-}
+std::optional<Severity> severityFromName(std::string_view name) { return kSeverities.find(name); }
 
 Finding makeFinding(FindingCode code, Message message, std::vector<CellId> cells, std::vector<PortNumber> ports,
                     std::vector<PoseId> poses) {

@@ -3,6 +3,7 @@
 #include "hexoderm/geometry/covariance.h"
 #include "hexoderm/geometry/se3.h"
 #include "hexoderm/robot/parts/rigid_fit.h"
+#include "hexoderm/util/enum_names.h"
 #include "hexoderm/util/units.h"
 
 #include <Eigen/Cholesky>
@@ -326,15 +327,8 @@ void judgeHinge(Hinge& hinge, bool ambiguous, double least_probable) {
 }  // namespace
 
 std::string_view hingeKnowledgeName(HingeKnowledge knowledge) {
-  switch (knowledge) {
-    case HingeKnowledge::Found:
-      return "found";
-    case HingeKnowledge::NoAxis:
-      return "no_axis";
-    case HingeKnowledge::NotDetermined:
-      break;
-  }
-  return "not_determined";
+  constexpr EnumNames<HingeKnowledge, 3> kNames = {{"found", "no_axis", "not_determined"}};
+  return kNames.of(knowledge);
 }
 
 Hinge fitHinge(const GravitySeen& all_a, const GravitySeen& all_b, double least_probable) {

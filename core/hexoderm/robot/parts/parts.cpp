@@ -5,6 +5,7 @@
 #include "hexoderm/robot/parts/hand_share.h"
 #include "hexoderm/robot/parts/hinge_fit.h"
 #include "hexoderm/robot/parts/movement.h"
+#include "hexoderm/util/enum_names.h"
 #include "hexoderm/util/error.h"
 #include "hexoderm/util/units.h"
 
@@ -323,15 +324,8 @@ class PartsFinder {
 }  // namespace
 
 std::string_view movementName(Movement movement) {
-  switch (movement) {
-    case Movement::Together:
-      return "together";
-    case Movement::Apart:
-      return "apart";
-    case Movement::CantTell:
-      break;
-  }
-  return "cant_tell";
+  constexpr EnumNames<Movement, 3> kNames = {{"together", "apart", "cant_tell"}};
+  return kNames.of(movement);
 }
 
 void PartsOptions::validate() const {

@@ -1,13 +1,14 @@
 #include "hexoderm/robot/place/place.h"
 
 #include "hexoderm/geometry/covariance.h"
-#include "hexoderm/util/is_rotation.h"
 #include "hexoderm/robot/place/by_gravity.h"
 #include "hexoderm/robot/place/by_hand.h"
 #include "hexoderm/robot/place/freedom.h"
 #include "hexoderm/robot/place/placement_fit.h"
 #include "hexoderm/robot/place/placement_search.h"
+#include "hexoderm/util/enum_names.h"
 #include "hexoderm/util/error.h"
+#include "hexoderm/util/is_rotation.h"
 #include "hexoderm/util/units.h"
 
 #include <boost/math/distributions/chi_squared.hpp>
@@ -503,19 +504,8 @@ void PlaceOptions::validate() const {
 }
 
 std::string_view placeVerdictName(PlaceVerdict verdict) {
-  switch (verdict) {
-    case PlaceVerdict::Placed:
-      return "placed";
-    case PlaceVerdict::Open:
-      return "open";
-    case PlaceVerdict::Several:
-      return "several";
-    case PlaceVerdict::NoneFits:
-      return "none_fits";
-    case PlaceVerdict::TooLarge:
-      return "too_large";
-  }
-  return "";
+  constexpr EnumNames<PlaceVerdict, 5> kNames = {{"placed", "open", "several", "none_fits", "too_large"}};
+  return kNames.of(verdict);
 }
 
 PatchToPlace patchToPlace(const PatchReconstruction& patch) {
