@@ -1,4 +1,5 @@
 #include "app/cli/command.h"
+#include "app/cli/json.h"
 
 #include "hexoderm/course/live_capture.h"
 #include "hexoderm/reconstruction/check/calibration_check.h"
@@ -12,8 +13,6 @@
 
 namespace hexoderm::cli {
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 struct CheckOptions {
   std::string calibration;
@@ -42,41 +41,32 @@ CalibrationCheck checkAgainst(const Reconstruction& calibration, const Session& 
 }
 
 Json toJson(const CheckedCell& cell) {
-  Json json = {{"cell", cell.cell.value()},     {"change", cellChangeName(cell.change)},
-               {"words", cell.words.english()}, {"poses", cell.poses},
-               {"deviate", cell.deviate},       {"turn_deg", nullptr},
-               {"turn_sigma_deg", nullptr},     {"turn_at_least", nullptr},
-               {"offset_drift_mg", nullptr},    {"offset_drift_sigma_mg", nullptr},
-               {"noticed_turn_deg", nullptr}};
-  if (cell.turn) {
-    json["turn_deg"] = toDegrees(cell.turn->angle_rad);
-    json["turn_sigma_deg"] = toDegrees(cell.turn->sigma_rad);
-    json["turn_at_least"] = cell.turn->at_least;
-  }
-  if (cell.drift) {
-    constexpr double kMilli = 1000;
-    const Eigen::Vector3d drift_mg = kMilli * cell.drift->offset_g;
-    json["offset_drift_mg"] = {drift_mg.x(), drift_mg.y(), drift_mg.z()};
-    json["offset_drift_sigma_mg"] = kMilli * cell.drift->sigma_g;
-  }
-  if (cell.noticed_turn_rad) json["noticed_turn_deg"] = toDegrees(*cell.noticed_turn_rad);
-  return json;
+  constexpr double kMilli = 1000;
+  const auto& turn = cell.turn;
+  const auto& drift = cell.drift;
+  return {{"cell", cell.cell.value()},
+          {"change", cellChangeName(cell.change)},
+          {"words", cell.words.english()},
+          {"poses", cell.poses},
+          {"deviate", cell.deviate},
+          {"turn_deg", turn ? Json(toDegrees(turn->angle_rad)) : Json()},
+          {"turn_sigma_deg", turn ? Json(toDegrees(turn->sigma_rad)) : Json()},
+          {"turn_at_least", turn ? Json(turn->at_least) : Json()},
+          {"offset_drift_mg", drift ? listOf(kMilli * drift->offset_g) : Json()},
+          {"offset_drift_sigma_mg", drift ? Json(kMilli * drift->sigma_g) : Json()},
+          {"noticed_turn_deg", orNull(cell.noticed_turn_rad, toDegrees)}};
 }
 
 Json toJson(const CalibrationCheck& check, const CheckOptions& options) {
-  Json json = {{"calibration", options.calibration},
-               {"poses_of", options.session.empty() ? options.live.source : options.session},
-               {"poses", Json::array()},
-               {"changed", check.changed},
-               {"compared", check.compared},
-               {"summary", check.summary.english()},
-               {"advice", check.advice.english()},
-               {"remarks", Json::array()},
-               {"cells", Json::array()}};
-  for (const PoseId pose : check.poses) json["poses"].push_back(pose.value());
-  for (const Message& remark : check.remarks) json["remarks"].push_back(remark.english());
-  for (const CheckedCell& cell : check.cells) json["cells"].push_back(toJson(cell));
-  return json;
+  return {{"calibration", options.calibration},
+          {"poses_of", options.session.empty() ? options.live.source : options.session},
+          {"poses", numbersOf(check.poses)},
+          {"changed", check.changed},
+          {"compared", check.compared},
+          {"summary", check.summary.english()},
+          {"advice", check.advice.english()},
+          {"remarks", textsOf(check.remarks)},
+          {"cells", arrayOf(check.cells, [](const CheckedCell& cell) { return toJson(cell); })}};
 }
 
 void print(const CalibrationCheck& check) {

@@ -1,5 +1,6 @@
 #include "app/cli/command.h"
 #include "app/cli/export_robot.h"
+#include "app/cli/json.h"
 
 #include "hexoderm/io/export_package.h"
 #include "hexoderm/io/placements_json.h"
@@ -29,14 +30,10 @@ struct ExportCommandOptions {
   ExportOptions options;
 };
 
-nlohmann::ordered_json toJson(const std::vector<PatchLeftOut>& patches) {
-  auto array = nlohmann::ordered_json::array();
-  for (const PatchLeftOut& patch : patches) {
-    auto cells = nlohmann::ordered_json::array();
-    for (const CellId cell : patch.cells) cells.push_back(cell.value());
-    array.push_back({{"patch", patch.patch.value()}, {"origin", patch.origin.value()}, {"cells", cells}});
-  }
-  return array;
+Json toJson(const std::vector<PatchLeftOut>& patches) {
+  return arrayOf(patches, [](const PatchLeftOut& patch) -> Json {
+    return {{"patch", patch.patch.value()}, {"origin", patch.origin.value()}, {"cells", numbersOf(patch.cells)}};
+  });
 }
 
 /// "[CELL@]LINK:x,y,z,roll,pitch,yaw"; without a cell the patch that is exported alone.
@@ -166,10 +163,10 @@ int run(ExportCommandOptions command, bool one_patch, const Common& common) {
   });
   common.endProgress();
   if (common.json) {
-    auto names = nlohmann::ordered_json::array();
-    for (const auto& file : files) names.push_back(file.string());
-    printJson(
-        {{"format", command.formats}, {"files", names}, {"left_out", toJson(left_out)}, {"not_carried", not_carried}});
+    printJson({{"format", command.formats},
+               {"files", arrayOf(files, [](const std::filesystem::path& file) { return file.string(); })},
+               {"left_out", toJson(left_out)},
+               {"not_carried", not_carried}});
   } else {
     for (const auto& file : files) {
       std::error_code ignored;  // a device or a pipe is not read

@@ -1,4 +1,5 @@
 #include "app/cli/command.h"
+#include "app/cli/json.h"
 #include "app/cli/listen_commands.h"
 
 #include "hexoderm/device/diagnosis/listening.h"
@@ -14,8 +15,6 @@
 
 namespace hexoderm::cli {
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 struct ListenOptions {
   std::string source;
@@ -97,37 +96,30 @@ void listenTo(const Ear& ear, SkinSource& source, CommandTrial& trial, double ti
   common.endProgress();
 }
 
-Json spreadJson(const std::optional<Spread>& spread, double factor = 1) {
-  if (!spread) return nullptr;
-  return {{"min", spread->least * factor}, {"median", spread->median * factor}, {"max", spread->most * factor}};
-}
-
-Json optionalJson(const std::optional<double>& value, double factor = 1) {
-  return value ? Json(*value * factor) : Json(nullptr);
-}
-
 constexpr double kMilli = 1000;
+
+Json spreadJson(const std::optional<Spread>& spread, double factor = 1) {
+  return orNull(spread, [&](const Spread& s) -> Json {
+    return {{"min", s.least * factor}, {"median", s.median * factor}, {"max", s.most * factor}};
+  });
+}
+
+Json toJson(const CellHeard& cell) {
+  return {{"cell", cell.cell.value()},
+          {"readings", cell.readings},
+          {"rate_hz", orNull(cell.rate_hz)},
+          {"norm_g", spreadJson(cell.norm_g)},
+          {"mean_g", orNull(cell.mean_u, listOf)},
+          {"noise_mg", orNull(cell.noise_g, kMilli)}};
+}
 
 Json toJson(const ListeningReport& report, const CommandTrial& trial, const ListenOptions& options) {
   const SourceStatus& status = report.status;
-  auto cells = Json::array();
-  for (const CellHeard& cell : report.cells) {
-    cells.push_back({{"cell", cell.cell.value()},
-                     {"readings", cell.readings},
-                     {"rate_hz", optionalJson(cell.rate_hz)},
-                     {"norm_g", spreadJson(cell.norm_g)},
-                     {"mean_g", cell.mean_u ? Json({cell.mean_u->x(), cell.mean_u->y(), cell.mean_u->z()}) : Json()},
-                     {"noise_mg", optionalJson(cell.noise_g, kMilli)}});
-  }
-  auto remarks = Json::array();
-  for (const Message& remark : report.remarks) remarks.push_back(remark.english());
-  auto silent = Json::array();
-  for (const CellId cell : report.silent_cells) silent.push_back(cell.value());
   return {
       {"source", options.source},
       {"ready", report.obstacle.empty()},
       {"obstacle", report.obstacle.english()},
-      {"remarks", std::move(remarks)},
+      {"remarks", textsOf(report.remarks)},
       {"status", status.message.english()},
       {"device", report.device},
       {"cell_model", report.cell_model},
@@ -144,9 +136,9 @@ Json toJson(const ListeningReport& report, const CommandTrial& trial, const List
       {"unknown_samples", status.unknown_samples},
       {"rejected_messages", status.rejected_messages},
       {"reconnects", status.reconnects},
-      {"silent_cells", std::move(silent)},
-      {"cells", std::move(cells)},
-      {"slowness", optionalJson(report.slowness)},
+      {"silent_cells", numbersOf(report.silent_cells)},
+      {"cells", arrayOf(report.cells, [](const CellHeard& cell) { return toJson(cell); })},
+      {"slowness", orNull(report.slowness)},
       {"commands", trial.toJson()},
       {"offences", cli::toJson(report.offences)}};
 }

@@ -11,6 +11,7 @@
 #include "hexoderm/util/units.h"
 
 #include "app/cli/command.h"
+#include "app/cli/json.h"
 
 #include <algorithm>
 #include <array>
@@ -212,16 +213,6 @@ bool takeRotationsOfLinks(const PlaceCommandOptions& options, const SolvedInput&
 
 // --- as text
 
-std::string xyz(const Eigen::Vector3d& v) {
-  return formatFixed(v.x(), 4) + " " + formatFixed(v.y(), 4) + " " + formatFixed(v.z(), 4) + " m";
-}
-
-std::string rpyOf(const Eigen::Matrix3d& R) {
-  const Eigen::Vector3d angles = rpyFromRotation(R);
-  return formatFixed(toDegrees(angles.x()), 2) + " " + formatFixed(toDegrees(angles.y()), 2) + " " +
-         formatFixed(toDegrees(angles.z()), 2) + " deg";
-}
-
 double sigmaOfPosition(const Matrix6d& covariance) { return largestDeviation(covariance.topLeftCorner<3, 3>()); }
 double sigmaOfRotation(const Matrix6d& covariance) { return largestDeviation(covariance.bottomRightCorner<3, 3>()); }
 
@@ -232,42 +223,28 @@ void printCandidate(const PlaceCandidate& candidate, std::size_t number) {
   for (const PlacedPatch& patch : candidate.patches) {
     const Matrix6d& covariance = *patch.place.cov_t_r;
     std::cout << "  cell " << patch.place.origin << " on " << forTerminal(patch.place.link) << ": at "
-              << xyz(patch.place.T_l_o.t) << " +- " << millimetres(sigmaOfPosition(covariance), 1)
-              << ", roll, pitch, yaw " << rpyOf(patch.place.T_l_o.R) << " +- "
-              << degrees(sigmaOfRotation(covariance), 1) << '\n';
+              << inWords(patch.place.T_l_o.t, 4, " ") << " m"
+              << " +- " << millimetres(sigmaOfPosition(covariance), 1) << ", roll, pitch, yaw "
+              << rollPitchYaw(patch.place.T_l_o.R, 2) << " +- " << degrees(sigmaOfRotation(covariance), 1) << '\n';
     for (const FreeDirection& free : patch.free) std::cout << "    " << forTerminal(free.words.english()) << '\n';
   }
 }
 
 // --- as JSON
 
-using PlaceJson = nlohmann::ordered_json;
-
-PlaceJson vectorJson(const Eigen::Vector3d& v) { return {v.x(), v.y(), v.z()}; }
-
-PlaceJson rotationJson(const Eigen::Matrix3d& R) {
-  PlaceJson json = PlaceJson::array();
-  for (Eigen::Index k = 0; k < 9; ++k) json.push_back(R(k / 3, k % 3));
-  return json;
-}
-
-PlaceJson covarianceJson(const Matrix6d& covariance) {
-  PlaceJson json = PlaceJson::array();
-  for (Eigen::Index row = 0; row < 6; ++row) {
-    for (Eigen::Index column = row; column < 6; ++column) json.push_back(covariance(row, column));
-  }
-  return json;
+Json rotationJson(const Eigen::Matrix3d& R) {
+  return arrayOf(R.transpose().reshaped(), [](double x) { return x; });
 }
 
 constexpr EnumNames<FreeDirection::Kind, 3> kFreeKinds = {{"slide", "turn", "screw"}};
 
-PlaceJson freeJson(const FreeDirection& free) {
+Json freeJson(const FreeDirection& free) {
   return {{"kind", kFreeKinds.of(free.kind)},
           {"words", free.words.english()},
-          {"axis", vectorJson(free.axis)},
-          {"through_m", vectorJson(free.through_m)},
-          {"shift_m", vectorJson(free.shift_m)},
-          {"turn_rad", vectorJson(free.turn_rad)},
+          {"axis", listOf(free.axis)},
+          {"through_m", listOf(free.through_m)},
+          {"shift_m", listOf(free.shift_m)},
+          {"turn_rad", listOf(free.turn_rad)},
           {"sigma_mm", toMillimetres(free.sigma_m)},
           {"held_by_rotation", free.held_by_rotation},
           {"forward_mm", toMillimetres(free.forward_m)},
@@ -277,43 +254,35 @@ PlaceJson freeJson(const FreeDirection& free) {
           {"all_the_way", free.all_the_way}};
 }
 
-PlaceJson patchJson(const PlacedPatch& patch) {
-  PlaceJson json = {{"origin_cell", patch.place.origin.value()},
-                    {"link", patch.place.link},
-                    {"R", rotationJson(patch.place.T_l_o.R)},
-                    {"t_m", vectorJson(patch.place.T_l_o.t)},
-                    {"cov_t_r", covarianceJson(*patch.place.cov_t_r)},
-                    {"free", PlaceJson::array()},
-                    {"cells", PlaceJson::array()}};
-  for (const FreeDirection& free : patch.free) json["free"].push_back(freeJson(free));
-  for (const CellOnLink& cell : patch.cells) {
-    json["cells"].push_back(
-        {{"id", cell.cell.value()},
-         {"R", rotationJson(cell.T_l_u.R)},
-         {"t_m", vectorJson(cell.T_l_u.t)},
-         {"cov_t_r", covarianceJson(cell.cov_t_r)},
-         {"above_mm", cell.above_m ? PlaceJson(toMillimetres(*cell.above_m)) : PlaceJson(nullptr)}});
-  }
-  return json;
+Json cellJson(const CellOnLink& cell) {
+  return {{"id", cell.cell.value()},
+          {"R", rotationJson(cell.T_l_u.R)},
+          {"t_m", listOf(cell.T_l_u.t)},
+          {"cov_t_r", upperTriangle(cell.cov_t_r)},
+          {"above_mm", orNull(cell.above_m, toMillimetres)}};
 }
 
-PlaceJson resultJson(const PlaceResult& result) {
-  PlaceJson json = {{"verdict", placeVerdictName(result.verdict)},
-                    {"summary", result.summary.english()},
-                    {"remarks", PlaceJson::array()},
-                    {"candidates", PlaceJson::array()}};
-  for (const Message& remark : result.remarks) json["remarks"].push_back(remark.english());
-  for (const PlaceCandidate& candidate : result.candidates) {
-    PlaceJson item = {{"fits", candidate.fits},
-                      {"chi_squared", candidate.chi_squared},
-                      {"freedom", candidate.freedom},
-                      {"probability", candidate.probability},
-                      {"rms_mm", toMillimetres(candidate.rms_m)},
-                      {"patches", PlaceJson::array()}};
-    for (const PlacedPatch& patch : candidate.patches) item["patches"].push_back(patchJson(patch));
-    json["candidates"].push_back(std::move(item));
-  }
-  return json;
+Json patchJson(const PlacedPatch& patch) {
+  return {{"origin_cell", patch.place.origin.value()},      {"link", patch.place.link},
+          {"R", rotationJson(patch.place.T_l_o.R)},         {"t_m", listOf(patch.place.T_l_o.t)},
+          {"cov_t_r", upperTriangle(*patch.place.cov_t_r)}, {"free", arrayOf(patch.free, freeJson)},
+          {"cells", arrayOf(patch.cells, cellJson)}};
+}
+
+Json candidateJson(const PlaceCandidate& candidate) {
+  return {{"fits", candidate.fits},
+          {"chi_squared", candidate.chi_squared},
+          {"freedom", candidate.freedom},
+          {"probability", candidate.probability},
+          {"rms_mm", toMillimetres(candidate.rms_m)},
+          {"patches", arrayOf(candidate.patches, patchJson)}};
+}
+
+Json resultJson(const PlaceResult& result) {
+  return {{"verdict", placeVerdictName(result.verdict)},
+          {"summary", result.summary.english()},
+          {"remarks", textsOf(result.remarks)},
+          {"candidates", arrayOf(result.candidates, candidateJson)}};
 }
 
 PlaceTask taskFrom(const PlaceCommandOptions& options, const Reconstruction& r) {

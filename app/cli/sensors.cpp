@@ -1,4 +1,5 @@
 #include "app/cli/command.h"
+#include "app/cli/json.h"
 
 #include "hexoderm/reconstruction/sensor_statistics.h"
 #include "hexoderm/util/enum_names.h"
@@ -8,8 +9,6 @@
 
 namespace hexoderm::cli {
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 struct SensorsOptions {
   std::vector<std::string> inputs;
@@ -69,35 +68,32 @@ void print(const SensorStatistics& statistics, const Accelerometer& model, std::
 }
 
 Json toJson(const SigmaEstimate& estimate, double model_sigma) {
-  Json json = {{"knowledge", kKnowledge.of(estimate.knowledge)}};
   const bool is_measured = estimate.knowledge == SigmaKnowledge::Measured;
-  json["sigma"] = is_measured ? Json(estimate.sigma) : Json(nullptr);
-  json["low_95"] = is_measured ? Json(estimate.low_95) : Json(nullptr);
-  json["high_95"] = estimate.knowledge == SigmaKnowledge::Unknown ? Json(nullptr) : Json(estimate.high_95);
-  json["worth_errors"] = estimate.worth;
-  json["model"] = model_sigma;
-  return json;
+  return {{"knowledge", kKnowledge.of(estimate.knowledge)},
+          {"sigma", is_measured ? Json(estimate.sigma) : Json()},
+          {"low_95", is_measured ? Json(estimate.low_95) : Json()},
+          {"high_95", estimate.knowledge == SigmaKnowledge::Unknown ? Json() : Json(estimate.high_95)},
+          {"worth_errors", estimate.worth},
+          {"model", model_sigma}};
 }
 
 Json toJson(const SensorStatistics& statistics, const Accelerometer& model, const SensorsOptions& options) {
   const SensorSigmas& sigmas = statistics.sigmas;
-  Json json = {{"sessions", options.inputs},
-               {"cells", statistics.cells},
-               {"cells_used", statistics.cells_used},
-               {"readings", statistics.readings},
-               {"rounds", statistics.rounds},
-               {"settled", statistics.settled},
-               {"offset_g", toJson(sigmas.offset_g, model.offset_sigma_g)},
-               {"shared_offset_g", toJson(sigmas.shared_offset_g, model.shared_offset_sigma_g)},
-               {"scale", toJson(sigmas.scale, model.scale_sigma)},
-               {"cross_axis", toJson(sigmas.cross_axis, model.cross_axis_sigma)}};
-  json["lot"] = nullptr;
-  if (sigmas.lot) {
-    const auto list = [](const Eigen::Vector3d& v) { return Json{v.x(), v.y(), v.z()}; };
-    json["lot"] = {{"offset_g", list(sigmas.lot->offset_g)}, {"sigma_g", list(sigmas.lot->sigma_g)}};
-  }
-  json["file"] = options.output.empty() ? Json(nullptr) : Json(options.output);
-  return json;
+  const auto lot_json = [](const auto& lot) -> Json {
+    return {{"offset_g", listOf(lot.offset_g)}, {"sigma_g", listOf(lot.sigma_g)}};
+  };
+  return {{"sessions", options.inputs},
+          {"cells", statistics.cells},
+          {"cells_used", statistics.cells_used},
+          {"readings", statistics.readings},
+          {"rounds", statistics.rounds},
+          {"settled", statistics.settled},
+          {"offset_g", toJson(sigmas.offset_g, model.offset_sigma_g)},
+          {"shared_offset_g", toJson(sigmas.shared_offset_g, model.shared_offset_sigma_g)},
+          {"scale", toJson(sigmas.scale, model.scale_sigma)},
+          {"cross_axis", toJson(sigmas.cross_axis, model.cross_axis_sigma)},
+          {"lot", orNull(sigmas.lot, lot_json)},
+          {"file", options.output.empty() ? Json() : Json(options.output)}};
 }
 
 SensorStatistics estimateFrom(const std::vector<std::shared_ptr<const SessionSnapshot>>& sessions) {

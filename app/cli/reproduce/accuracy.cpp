@@ -186,7 +186,7 @@ class AccuracyTable {
 
   void addCase(const std::string& name, const SkinCase& skin_case, const std::vector<Line>& lines) {
     const auto results =
-        trials_.run(name + ", " + std::string(lawName(skin_case.law)), trials_.seeds(), [&](std::size_t seed) {
+        trials_.run(name + ", " + std::string(linkLawName(skin_case.law)), trials_.seeds(), [&](std::size_t seed) {
           SimulatedSkin skin = makeSkin(skin_case, seed);
           const Session session = measure(skin, skin_case);
           const auto snapshot = session.snapshot();
@@ -265,7 +265,7 @@ void print(const std::vector<AccuracyRow>& rows, std::size_t seeds) {
   TextTable table({"figure", "law", "poses", "paper", "match", "other", "fit", "unit", "bars", "bound", "reached"});
   for (const AccuracyRow& row : rows) {
     const int decimals = row.bar_matching == row.bar_fit && row.bar_fit ? 3 : 2;
-    table.add({row.figure, std::string(lawName(row.law)), std::to_string(row.poses), numberOrDash(row.papers),
+    table.add({row.figure, std::string(linkLawName(row.law)), std::to_string(row.poses), numberOrDash(row.papers),
                numberOrDash(row.matching, decimals), numberOrDash(row.other, decimals), numberOrDash(row.fit, decimals),
                row.unit, row.hasBar() ? numberOrDash(row.bar_matching) + " / " + numberOrDash(row.bar_fit) : "-",
                numberOrDash(row.bound), row.hasBar() ? (row.reached() ? "yes" : "NO") : "-"});
@@ -294,16 +294,16 @@ nlohmann::ordered_json tabulateAccuracy(const Trials& trials, bool prints) {
   for (const AccuracyRow& row : rows) {
     nlohmann::ordered_json entry = {{"figure", row.figure},
                                     {"unit", row.unit},
-                                    {"link_law", lawName(row.law)},
+                                    {"link_law", linkLawName(row.law)},
                                     {"poses", row.poses},
                                     {"skins", row.skins},
-                                    {"papers_method", numberOrNull(row.papers)},
-                                    {"matching", numberOrNull(row.matching)},
-                                    {"mismatching", numberOrNull(row.other)},
-                                    {"fit", numberOrNull(row.fit)},
-                                    {"bar_matching", numberOrNull(row.bar_matching)},
-                                    {"bar_fit", numberOrNull(row.bar_fit)},
-                                    {"bound", numberOrNull(row.bound)},
+                                    {"papers_method", orNull(row.papers)},
+                                    {"matching", orNull(row.matching)},
+                                    {"mismatching", orNull(row.other)},
+                                    {"fit", orNull(row.fit)},
+                                    {"bar_matching", orNull(row.bar_matching)},
+                                    {"bar_fit", orNull(row.bar_fit)},
+                                    {"bound", orNull(row.bound)},
                                     {"reached", nullptr}};
     if (row.hasBar()) entry["reached"] = row.reached();
     json["rows"].push_back(std::move(entry));

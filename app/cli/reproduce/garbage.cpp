@@ -194,8 +194,8 @@ nlohmann::ordered_json countGarbage(const Trials& trials, bool prints) {
     json["rows"].push_back({{"garbage", what.name},
                             {"poses", what.poses},
                             {"found", toJson(found)},
-                            {"best_test_cell_known_percent", numberOrNull(bound_known)},
-                            {"best_test_percent", numberOrNull(bound)},
+                            {"best_test_cell_known_percent", orNull(bound_known)},
+                            {"best_test_percent", orNull(bound)},
                             {"bar_percent", bar},
                             {"reached", reached}});
   }
