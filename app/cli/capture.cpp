@@ -243,26 +243,23 @@ void addCapture(CLI::App& app, Common& common) {
                       "End after so many (default: at the stream's end or Ctrl+C; with --auto when they are good)");
   command->add_flag("--auto", options->automatic, "The device turns itself, to where each pose helps most");
   command->add_flag("--keep-raw", options->keep_raw, "Keep every sample of the poses in the session too");
-  command->add_option("--record", options->record_to, "Write all that the device sends to this file, for replay:FILE")
-      ->type_name(kOutput);
-  command
-      ->add_option(
-          "--timeout", options->timeout_s,
-          "Seconds to wait for a device to describe itself; with --auto also for each pose, whatever turns it refuses")
-      ->check(CLI::PositiveNumber)
-      ->capture_default_str();
-  command->add_option("-o,--output", options->file, "Session to make (*.hexo)")->type_name(kOutput)->required();
-  common.addTo(*command);
-  command->footer(
-      "A pose is captured when the part is held still. Ctrl+C ends and keeps what there is.\n"
-      "Example:\n  hexoderm-cli capture --source sim:x17 --auto --poses 4 -o arm.hexo\n"
-      "  hexoderm-cli capture --source sim:robot --auto --poses 8 -o arm.hexo\n"
-      "  hexoderm-cli solve arm.hexo -o arm.calibration.json");
-  command->callback([options, &common] {
+  addOutput(*command, "--record", options->record_to, "Write all that the device sends to this file, for replay:FILE");
+  addWithDefault(
+      *command, "--timeout", options->timeout_s,
+      "Seconds to wait for a device to describe itself; with --auto also for each pose, whatever turns it refuses")
+      ->check(CLI::PositiveNumber);
+  addOutput(*command, "-o,--output", options->file, "Session to make (*.hexo)")->required();
+  const auto run = [options, &common] {
     const LiveCaptureState capture = takePoses(*options, common);
     print(capture, *options, common);
-    common.exit_code = capture.result ? exitCodeOf(capture.result->assessment) : kNotGoodEnough;
-  });
+    return capture.result ? exitCodeOf(capture.result->assessment) : static_cast<int>(kNotGoodEnough);
+  };
+  finish(*command, common,
+         "A pose is captured when the part is held still. Ctrl+C ends and keeps what there is.\n"
+         "Example:\n  hexoderm-cli capture --source sim:x17 --auto --poses 4 -o arm.hexo\n"
+         "  hexoderm-cli capture --source sim:robot --auto --poses 8 -o arm.hexo\n"
+         "  hexoderm-cli solve arm.hexo -o arm.calibration.json",
+         run);
 }
 
 }  // namespace hexoderm::cli

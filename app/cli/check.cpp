@@ -107,34 +107,24 @@ void addCheck(CLI::App& app, Common& common) {
   options->live.poses = 2;
   CLI::App* command = app.add_subcommand(
       "check", "Does an old calibration still hold? Compare it, cell by cell, with one to three new poses");
-  command->add_option("calibration", options->calibration, "Calibration (*.calibration.json)")
-      ->type_name(kInput)
-      ->required();
-  command->add_option("session", options->session, "Session with the new poses (*.hexo or *.session.json)")
-      ->type_name(kInput);
+  addInput(*command, "calibration", options->calibration, "Calibration (*.calibration.json)")->required();
+  addInput(*command, "session", options->session, "Session with the new poses (*.hexo or *.session.json)");
   CLI::Option* source =
       command->add_option("--source", options->live.source, "Take the poses now: " + sourceKindsInWords());
-  command->add_option("--poses", options->live.poses, "Poses to take")
-      ->check(CLI::Range(1, 100))
-      ->capture_default_str()
-      ->needs(source);
+  addWithDefault(*command, "--poses", options->live.poses, "Poses to take")->check(CLI::Range(1, 100))->needs(source);
   command->add_flag("--auto", options->live.automatic, "The device turns itself")->needs(source);
-  command
-      ->add_option("--timeout", options->live.timeout_s,
-                   "Seconds to wait for a device to describe itself; with --auto also for each pose")
+  addWithDefault(*command, "--timeout", options->live.timeout_s,
+                 "Seconds to wait for a device to describe itself; with --auto also for each pose")
       ->check(CLI::PositiveNumber)
-      ->capture_default_str()
       ->needs(source);
-  command->add_option("-o,--output", options->live.file, "Keep the poses that are taken in a session (*.hexo)")
-      ->type_name(kOutput)
+  addOutput(*command, "-o,--output", options->live.file, "Keep the poses that are taken in a session (*.hexo)")
       ->needs(source);
-  common.addTo(*command);
-  command->footer(
-      "The calibration is not changed. A part that sits otherwise on the robot as a whole is no change.\n"
-      "Exit code 1: something is not as calibrated, or nothing could be told.\n"
-      "Example:\n  hexoderm-cli check arm.calibration.json today.session.json\n"
-      "  hexoderm-cli check arm.calibration.json --source tcp://localhost:7700 --poses 2");
-  command->callback([options, &common] { common.exit_code = run(*options, common); });
+  finish(*command, common,
+         "The calibration is not changed. A part that sits otherwise on the robot as a whole is no change.\n"
+         "Exit code 1: something is not as calibrated, or nothing could be told.\n"
+         "Example:\n  hexoderm-cli check arm.calibration.json today.session.json\n"
+         "  hexoderm-cli check arm.calibration.json --source tcp://localhost:7700 --poses 2",
+         [options, &common] { return run(*options, common); });
 }
 
 }  // namespace hexoderm::cli

@@ -201,18 +201,14 @@ void addEvaluate(CLI::App& app, Common& common) {
   const auto options = std::make_shared<EvaluateOptions>();
   CLI::App* command =
       app.add_subcommand("evaluate", "Surface fits, loop closure, comparison with a truth or a calibration");
-  command->add_option("calibration", options->input, "Calibration (*.calibration.json, or TUM XML)")
-      ->type_name(kInput)
-      ->required();
+  addInput(*command, "calibration", options->input, "Calibration (*.calibration.json, or TUM XML)")->required();
   command->add_option("--fit", options->fit, "plane, sphere, cylinder or cone through the cell centres");
   CLI::Option* radius =
       command->add_option("--true-radius", options->true_radius_m, "Known radius in metres: gives eqs. (20), (21)");
   command->add_option("--loop", options->loop, "Gap between two free ports: CELL:PORT,CELL:PORT");
-  command->add_option("--against", options->against, "Calibration, or session with truth, to compare with")
-      ->type_name(kInput);
-  common.addTo(*command);
-  command->footer("Example:\n  hexoderm-cli evaluate arm.calibration.json --fit cylinder --true-radius 0.0501");
-  command->callback([options, radius, &common] { common.exit_code = run(*options, radius->count() > 0, common); });
+  addInput(*command, "--against", options->against, "Calibration, or session with truth, to compare with");
+  finish(*command, common, "Example:\n  hexoderm-cli evaluate arm.calibration.json --fit cylinder --true-radius 0.0501",
+         [options, radius, &common] { return run(*options, radius->count() > 0, common); });
 }
 
 }  // namespace hexoderm::cli

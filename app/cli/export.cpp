@@ -210,30 +210,24 @@ void addExport(CLI::App& app, Common& common) {
     formats += "\n  " + std::string(format.name) + ": " + format.summary.english();
     if (!format.not_carried.empty()) formats += ". " + format.not_carried.english();
   }
-  command->add_option("calibration", options->input, "Calibration (*.calibration.json, or TUM XML)")
-      ->type_name(kInput)
-      ->required();
+  addInput(*command, "calibration", options->input, "Calibration (*.calibration.json, or TUM XML)")->required();
   command
       ->add_option(
           "--to", options->formats,
           "Format, or several with commas between for a folder or archive with all of them and a manifest.json:" +
               formats)
       ->required();
-  command
-      ->add_option("-o,--output", options->output,
-                   "File to write; for csv and for several formats a folder, or with the ending .zip an archive; - is "
-                   "standard output")
-      ->type_name(kOutput)
+  addOutput(*command, "-o,--output", options->output,
+            "File to write; for csv and for several formats a folder, or with the ending .zip an archive; - is "
+            "standard output")
       ->required();
   addFormatOptions(*command, options);
   command->add_option(
       "--place", options->placements,
       "[CELL@]LINK:x,y,z,roll,pitch,yaw: where the patch of a cell is on a link of the robot, in metres and "
       "radians as the origin of a URDF joint; once for each patch");
-  command
-      ->add_option("--placements", options->placements_file,
-                   "File of hexoderm-cli place, which says where patches are on links of the robot")
-      ->type_name(kInput);
+  addInput(*command, "--placements", options->placements_file,
+           "File of hexoderm-cli place, which says where patches are on links of the robot");
   command->add_option("--in-link", options->options.in_link,
                       "Write coordinates in the frame of this link, of the patches that are placed on it");
   CLI::Option* patch = command->add_option("--patch", options->patch_of_cell,
@@ -243,13 +237,12 @@ void addExport(CLI::App& app, Common& common) {
       ->add_flag("--all-patches", options->options.all_patches,
                  "Write every patch to a vtp file too, each in its own frame, their origins at one place")
       ->excludes(patch);
-  common.addTo(*command);
-  command->footer(
-      "Where --robot is given, the names of links are those of the robot, with every format.\n"
-      "Examples:\n  hexoderm-cli export arm.calibration.json --to urdf -o arm.urdf\n"
-      "  hexoderm-cli export arm.calibration.json --to robot-urdf --robot robot.urdf "
-      "--place r_forearm:0.02,0,0.1,0,1.5708,0 -o robot_with_skin.urdf");
-  command->callback([options, patch, &common] { common.exit_code = run(*options, patch->count() > 0, common); });
+  finish(*command, common,
+         "Where --robot is given, the names of links are those of the robot, with every format.\n"
+         "Examples:\n  hexoderm-cli export arm.calibration.json --to urdf -o arm.urdf\n"
+         "  hexoderm-cli export arm.calibration.json --to robot-urdf --robot robot.urdf "
+         "--place r_forearm:0.02,0,0.1,0,1.5708,0 -o robot_with_skin.urdf",
+         [options, patch, &common] { return run(*options, patch->count() > 0, common); });
 }
 
 }  // namespace hexoderm::cli

@@ -98,17 +98,13 @@ int run(const InspectOptions& options, const Common& common) {
 void addInspect(CLI::App& app, Common& common) {
   const auto options = std::make_shared<InspectOptions>();
   CLI::App* command = app.add_subcommand("inspect", "Say what is in a file, what is wrong with it and what to do next");
-  command->add_option("input", options->input, "Session, calibration or TUM XML")->type_name(kInput)->required();
-  command->add_option("--cell-model", options->cell_model, "Of a TUM file: built-in name or JSON file")
-      ->type_name(kInput)
+  addInput(*command, "input", options->input, "Session, calibration or TUM XML")->required();
+  addInput(*command, "--cell-model", options->cell_model, "Of a TUM file: built-in name or JSON file")
       ->capture_default_str();
-  command
-      ->add_option("--solver", options->solver,
-                   "Of a session: global, as 'solve' does; or tree, which is quicker and finds less")
-      ->capture_default_str();
-  common.addTo(*command);
-  command->footer("Example:\n  hexoderm-cli inspect arm.session.json");
-  command->callback([options, &common] { common.exit_code = run(*options, common); });
+  addWithDefault(*command, "--solver", options->solver,
+                 "Of a session: global, as 'solve' does; or tree, which is quicker and finds less");
+  finish(*command, common, "Example:\n  hexoderm-cli inspect arm.session.json",
+         [options, &common] { return run(*options, common); });
 }
 
 }  // namespace hexoderm::cli

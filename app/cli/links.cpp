@@ -211,14 +211,10 @@ void addLinks(CLI::App& app, Common& common) {
   const auto arguments = std::make_shared<LinksArguments>();
   CLI::App* command =
       app.add_subcommand("links", "Tell on which link of a robot each patch is, and how it is turned there");
-  command->add_option("session", arguments->session, "Session (*.hexo or *.session.json)")
-      ->type_name(kInput)
-      ->required();
-  command->add_option("--robot", arguments->robot, "The robot as URDF, or demo")->type_name(kInput)->required();
-  command
-      ->add_option("--joints", arguments->joints,
-                   "Joint angles of the poses as CSV (default: those that the session holds)")
-      ->type_name(kInput);
+  addInput(*command, "session", arguments->session, "Session (*.hexo or *.session.json)")->required();
+  addInput(*command, "--robot", arguments->robot, "The robot as URDF, or demo")->required();
+  addInput(*command, "--joints", arguments->joints,
+           "Joint angles of the poses as CSV (default: those that the session holds)");
   command->add_option("--package", arguments->packages, "NAME=FOLDER of meshes at package://NAME/...; may be repeated");
   command->add_option("--put", arguments->chosen,
                       "CELL=LINK: take the patch of a cell to be on a link, whatever fits; may be repeated");
@@ -226,12 +222,11 @@ void addLinks(CLI::App& app, Common& common) {
       ->expected(3)
       ->delimiter(',');
   command->add_flag("--exact-joints", arguments->exact_joints, "Joints have no zero errors");
-  common.addTo(*command);
-  command->footer(
-      "From gravity and joint angles: the base stands still, and where on its link a patch lies is not told.\n"
-      "Exit code 1: some patch is on no link that is known.\n"
-      "Example:\n  hexoderm-cli links robot.session.json --robot robot.urdf --joints robot.joints.csv");
-  command->callback([arguments, &common] { common.exit_code = run(*arguments, common); });
+  finish(*command, common,
+         "From gravity and joint angles: the base stands still, and where on its link a patch lies is not told.\n"
+         "Exit code 1: some patch is on no link that is known.\n"
+         "Example:\n  hexoderm-cli links robot.session.json --robot robot.urdf --joints robot.joints.csv",
+         [arguments, &common] { return run(*arguments, common); });
 }
 
 }  // namespace hexoderm::cli

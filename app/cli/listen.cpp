@@ -251,21 +251,20 @@ void addListen(CLI::App& app, Common& common) {
   CLI::App* command =
       app.add_subcommand("listen", "Listen to a device, and say what it does wrong: for those who make one");
   command->add_option("source", options->source, sourceKindsInWords())->required();
-  command->add_option("--for", options->time_s, "Seconds to listen; Ctrl+C ends it before, with its report")
-      ->check(CLI::PositiveNumber)
-      ->capture_default_str();
+  addWithDefault(*command, "--for", options->time_s, "Seconds to listen; Ctrl+C ends it before, with its report")
+      ->check(CLI::PositiveNumber);
   command->add_option("--light", options->light, "Light this cell, and say how the device answers (SetLed)")
       ->check(CLI::PositiveNumber);
   command->add_option("--rate", options->rate_hz, "Ask for so many samples a second of each cell (SetRate)")
       ->check(CLI::PositiveNumber);
   command->add_flag("--explore", options->explore, "Ask the device to explore its neighbours again (ExploreAgain)");
-  common.addTo(*command);
-  command->footer(
+  finish(
+      *command, common,
       "The first offence of each kind is said at once on standard error; rates, losses, norms, noise, links and the\n"
       "counts of all offences follow at the end. Exit code 0: a calibration could begin; 1: it could not, and why;\n"
       "4: no device there.\n"
-      "Example:\n  hexoderm-cli listen sim:x17 --for 1");
-  command->callback([options, &common] { common.exit_code = run(*options, common); });
+      "Example:\n  hexoderm-cli listen sim:x17 --for 1",
+      [options, &common] { return run(*options, common); });
 }
 
 }  // namespace hexoderm::cli

@@ -200,15 +200,15 @@ void addParts(CLI::App& app, Common& common) {
   const auto input = std::make_shared<std::string>();
   CLI::App* command = app.add_subcommand(
       "parts", "Tell which patches move together, how they are turned against each other, and where hinges are");
-  command->add_option("session", *input, "Session (*.hexo or *.session.json)")->type_name(kInput)->required();
-  common.addTo(*command);
-  command->footer(
+  addInput(*command, "session", *input, "Session (*.hexo or *.session.json)")->required();
+  finish(
+      *command, common,
       "From gravity alone: where patches and hinges lie, it doesn't say. A joint that stood still in all poses can't "
       "be\n"
       "seen. Hinges take five poses.\n"
       "Exit code 1: of some parts the poses can't tell whether they move together.\n"
-      "Example:\n  hexoderm-cli parts robot.session.json --json");
-  command->callback([input, &common] { common.exit_code = run(*input, common); });
+      "Example:\n  hexoderm-cli parts robot.session.json --json",
+      [input, &common] { return run(*input, common); });
 }
 
 }  // namespace hexoderm::cli

@@ -355,15 +355,11 @@ void addPlace(CLI::App& app, Common& common) {
   const auto options = std::make_shared<PlaceCommandOptions>();
   CLI::App* command = app.add_subcommand(
       "place", "Find where on a link of the robot a patch lies: by the link's surface, points, distances");
-  command
-      ->add_option("skin", options->input,
-                   "Calibration (*.calibration.json), or session (*.hexo or *.session.json), which says better how "
-                   "certain the cells are")
-      ->type_name(kInput)
+  addInput(*command, "skin", options->input,
+           "Calibration (*.calibration.json), or session (*.hexo or *.session.json), which says better how "
+           "certain the cells are")
       ->required();
-  command->add_option("--robot", options->robot, "URDF of the robot; demo is the built-in arm")
-      ->type_name(kInput)
-      ->required();
+  addInput(*command, "--robot", options->robot, "URDF of the robot; demo is the built-in arm")->required();
   command->add_option("--package", options->packages, "NAME=FOLDER: where the files of package://NAME/ are");
   command->add_option("--link", options->link, "Link that the patch is on")->required();
   command->add_option(
@@ -375,10 +371,8 @@ void addPlace(CLI::App& app, Common& common) {
                           ": how the patch is turned on the link, as rpy of a URDF, in degrees, and 1 sigma about each "
                           "axis (1). Or links: as gravity and the joint angles say, which takes a session. Without it "
                           "any");
-  command
-      ->add_option("--joints", options->joints,
-                   "With --rotation links: joint angles of the poses as CSV (default: those that the session holds)")
-      ->type_name(kInput);
+  addInput(*command, "--joints", options->joints,
+           "With --rotation links: joint angles of the poses as CSV (default: those that the session holds)");
   command->add_option("--up", options->up, "With --rotation links: what points up in the frame of the base, x,y,z")
       ->expected(3)
       ->delimiter(',');
@@ -389,29 +383,23 @@ void addPlace(CLI::App& app, Common& common) {
                       std::string(kDistanceSyntax) +
                           ": between the middles of the fronts of cells of two patches on the link, m (sigma 0.001)");
   command->add_flag("--no-surface", options->no_surface, "Do without the link's surface");
-  command->add_option("--body", options->body, "Which of the link's descriptions is its surface")
-      ->check(CLI::IsMember({"any", "visual", "collision"}))
-      ->capture_default_str();
-  command
-      ->add_option("--surface-sigma", options->surface_sigma_mm, "How far backs of cells are off the mesh, 1 sigma, mm")
-      ->capture_default_str();
-  command->add_option("--normal-sigma", options->normal_sigma_deg, "How far cells are tilted against it, 1 sigma, deg")
-      ->capture_default_str();
-  command->add_option("--gap", options->gap_mm, "Glue or cloth between the backs and the mesh, mm")
-      ->capture_default_str();
-  command
-      ->add_option("-o,--output", options->output,
-                   "File for the best place, which export takes with --placements; - is standard output")
-      ->type_name(kOutput);
-  common.addTo(*command);
-  command->footer(
-      "All places that fit are given, the best first, with what is left open and how far the patch can be moved.\n"
-      "Exit code 1: no place fits, several do, or one from which the patch can be moved; or gravity says that\n"
-      "the patch is on another link.\n"
-      "Example:\n  hexoderm-cli place arm.calibration.json --robot robot.urdf --link r_forearm --rotation 0,90,12:1 "
-      "-o placements.json\n"
-      "  hexoderm-cli place arm.hexo --robot robot.urdf --link r_forearm --rotation links --joints joints.csv");
-  command->callback([options, &common] { common.exit_code = run(*options, common); });
+  addWithDefault(*command, "--body", options->body, "Which of the link's descriptions is its surface")
+      ->check(CLI::IsMember({"any", "visual", "collision"}));
+  addWithDefault(*command, "--surface-sigma", options->surface_sigma_mm,
+                 "How far backs of cells are off the mesh, 1 sigma, mm");
+  addWithDefault(*command, "--normal-sigma", options->normal_sigma_deg,
+                 "How far cells are tilted against it, 1 sigma, deg");
+  addWithDefault(*command, "--gap", options->gap_mm, "Glue or cloth between the backs and the mesh, mm");
+  addOutput(*command, "-o,--output", options->output,
+            "File for the best place, which export takes with --placements; - is standard output");
+  finish(*command, common,
+         "All places that fit are given, the best first, with what is left open and how far the patch can be moved.\n"
+         "Exit code 1: no place fits, several do, or one from which the patch can be moved; or gravity says that\n"
+         "the patch is on another link.\n"
+         "Example:\n  hexoderm-cli place arm.calibration.json --robot robot.urdf --link r_forearm --rotation 0,90,12:1 "
+         "-o placements.json\n"
+         "  hexoderm-cli place arm.hexo --robot robot.urdf --link r_forearm --rotation links --joints joints.csv",
+         [options, &common] { return run(*options, common); });
 }
 
 }  // namespace hexoderm::cli

@@ -142,23 +142,18 @@ void addSensors(CLI::App& app, Common& common) {
   const auto options = std::make_shared<SensorsOptions>();
   CLI::App* command = app.add_subcommand(
       "sensors", "Estimate how large the errors of the accelerometers are, and write a cell model that says so");
-  command
-      ->add_option("sessions", options->inputs,
-                   "Sessions (*.hexo or *.session.json) with one cell model, of chips of one lot")
-      ->type_name(kInput)
+  addInput(*command, "sessions", options->inputs,
+           "Sessions (*.hexo or *.session.json) with one cell model, of chips of one lot")
       ->required();
-  command
-      ->add_option("-o,--output", options->output,
-                   "Cell model to write: the sessions' with the estimated sigmas (*.json; - is standard output)")
-      ->type_name(kOutput);
-  common.addTo(*command);
-  command->footer(
-      "One pose tells nothing, two the offsets, three the scale errors too, and six, as of a cube's faces, all.\n"
-      "Exit code 1: nothing can be told; the model is written all the same.\n"
-      "Example:\n  hexoderm-cli simulate --poses 6 -o arm.session.json\n"
-      "  hexoderm-cli sensors arm.session.json -o chip.json\n"
-      "  hexoderm-cli simulate --poses 6 --cell-model chip.json -o next.session.json");
-  command->callback([options, &common] { common.exit_code = run(*options, common); });
+  addOutput(*command, "-o,--output", options->output,
+            "Cell model to write: the sessions' with the estimated sigmas (*.json; - is standard output)");
+  finish(*command, common,
+         "One pose tells nothing, two the offsets, three the scale errors too, and six, as of a cube's faces, all.\n"
+         "Exit code 1: nothing can be told; the model is written all the same.\n"
+         "Example:\n  hexoderm-cli simulate --poses 6 -o arm.session.json\n"
+         "  hexoderm-cli sensors arm.session.json -o chip.json\n"
+         "  hexoderm-cli simulate --poses 6 --cell-model chip.json -o next.session.json",
+         [options, &common] { return run(*options, common); });
 }
 
 }  // namespace hexoderm::cli

@@ -81,30 +81,24 @@ int run(const SolveOptions& options, const Common& common) {
 void addSolve(CLI::App& app, Common& common) {
   const auto options = std::make_shared<SolveOptions>();
   CLI::App* command = app.add_subcommand("solve", "Find the placement of every cell of a session");
-  command->add_option("input", options->inputs, "Session (*.hexo or *.session.json), or many")
-      ->type_name(kInput)
-      ->required();
-  command
-      ->add_option("-o,--output", options->output,
-                   "Calibration to write (*.calibration.json; - is standard output); of several sessions, or with "
-                   "a / at its end, the folder for their calibrations")
-      ->type_name(kOutput);
+  addInput(*command, "input", options->inputs, "Session (*.hexo or *.session.json), or many")->required();
+  addOutput(*command, "-o,--output", options->output,
+            "Calibration to write (*.calibration.json; - is standard output); of several sessions, or with "
+            "a / at its end, the folder for their calibrations");
   for (const SolverChoice& choice : solverChoices()) {
     std::string& value = options->choices[choice.name];
     value = choice.get(SolverOptions());
-    command->add_option("--" + std::string(choice.name), value, std::string(choice.help))->capture_default_str();
+    addWithDefault(*command, "--" + std::string(choice.name), value, std::string(choice.help));
   }
   command->add_option("--without", options->without, "Leave this cell's readings out; may be repeated");
-  command
-      ->add_option("--class-threshold", options->class_threshold,
-                   "Singular value from which a direction counts as defined; 1 is the paper's")
-      ->capture_default_str();
+  addWithDefault(*command, "--class-threshold", options->class_threshold,
+                 "Singular value from which a direction counts as defined; 1 is the paper's");
   command
       ->add_option("-j,--jobs", options->jobs,
                    "Of many sessions, so many at the same time (default: as the computer has threads)")
       ->check(CLI::Range(1, 1024));
-  common.addTo(*command);
-  command->footer(
+  finish(
+      *command, common,
       "Many sessions are solved at the same time, each as if it were alone. Each gets a line on standard output, with\n"
       "--json an object in a line; the exit code is the largest of all.\n"
       "Example:\n  hexoderm-cli solve arm.session.json -o arm.calibration.json\n"
@@ -112,8 +106,8 @@ void addSolve(CLI::App& app, Common& common) {
       "  hexoderm-cli solve arm.session.json --gap-model arc --without 7\n"
       "The paper's own method:\n  hexoderm-cli solve arm.session.json --solver tree --centre off\n"
       "All sessions of a folder, arm.session.json to out/arm.calibration.json:\n"
-      "  hexoderm-cli solve *.session.json -o out/");
-  command->callback([options, &common] { common.exit_code = run(*options, common); });
+      "  hexoderm-cli solve *.session.json -o out/",
+      [options, &common] { return run(*options, common); });
 }
 
 }  // namespace hexoderm::cli
