@@ -1,4 +1,4 @@
-#include "hexoderm/io/export_dot.h"
+#include "hexoderm/io/export_formats.h"
 
 #include "hexoderm/reconstruction/result/quality_colors.h"
 #include "hexoderm/reconstruction/result/result_graph.h"

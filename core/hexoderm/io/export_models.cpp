@@ -1,4 +1,4 @@
-#include "hexoderm/io/export_models.h"
+#include "hexoderm/io/export_formats.h"
 
 #include "hexoderm/util/text.h"
 

@@ -1,4 +1,4 @@
-#include "hexoderm/io/export_tum.h"
+#include "hexoderm/io/export_formats.h"
 
 #include "hexoderm/io/export_selection.h"
 #include "hexoderm/io/export_support.h"

@@ -57,24 +57,19 @@ NeighborList readNeighbors(const JsonReader& json) { return neighborsFrom(json);
 NeighborList scanNeighbors(JsonScanner& json) { return neighborsFrom(json); }
 
 void writeNeighbors(const NeighborList& neighbors, JsonWriter& json) {
-  json.beginArray();
-  for (const CellReport& report : neighbors) {
+  json.array(neighbors, [&](const CellReport& report) {
     json.beginObject();
     json.member("id", report.id.value());
     if (!report.body_part.empty()) json.member("body_part", report.body_part);
-    json.key("ports");
-    json.beginArray();
-    for (const NeighborReport& neighbor : report.neighbors) {
+    json.arrayMember("ports", report.neighbors, [&](const NeighborReport& neighbor) {
       json.beginObject();
       json.member("port", neighbor.port.value());
       json.member("cell", neighbor.cell.value());
       if (neighbor.cell_port) json.member("cell_port", neighbor.cell_port->value());
       json.endObject();
-    }
-    json.endArray();
+    });
     json.endObject();
-  }
-  json.endArray();
+  });
 }
 
 MutedLink readMutedLink(const JsonReader& json) {
@@ -251,16 +246,13 @@ GroundTruth scanTruth(JsonScanner& json) {
 void writeTruth(const GroundTruth& truth, JsonWriter& json) {
   json.beginObject();
   json.member("frame", truth.frame);
-  json.key("cells");
-  json.beginArray();
-  for (const TrueCellPlacement& cell : truth.cells) {
+  json.arrayMember("cells", truth.cells, [&](const TrueCellPlacement& cell) {
     json.beginObject();
     json.member("id", cell.id.value());
     json.member("R", cell.T_b_u.R);
     json.member("t_m", cell.T_b_u.t);
     json.endObject();
-  }
-  json.endArray();
+  });
   json.endObject();
 }
 
