@@ -121,6 +121,8 @@ CellBoxes cellBoxes(const SkinTree& tree) {
   return boxes;
 }
 
+std::string boxName(const SkinTreeCell& cell, std::size_t box) { return cell.name + "_" + std::to_string(box + 1); }
+
 std::vector<SkinMaterial> skinMaterials() {
   std::vector<SkinMaterial> list;
   for (const EdgeQuality quality :
