@@ -22,13 +22,6 @@ constexpr double kFarthest_m = 1000;
 /// Tens of thousands of cells; an element of four bytes takes about 70 in memory.
 constexpr std::size_t kMostXmlMegabytes = 50;
 
-std::string_view trimmed(std::string_view text) {
-  constexpr std::string_view kSpace = " \t\r\n";
-  const std::size_t begin = text.find_first_not_of(kSpace);
-  if (begin == std::string_view::npos) return {};
-  return text.substr(begin, text.find_last_not_of(kSpace) - begin + 1);
-}
-
 /// Reads one file; knows where it is for its complaints.
 class TumReader {
  public:

@@ -3,6 +3,7 @@
 #include "hexoderm/util/error.h"
 
 #include <fmt/format.h>
+#include <algorithm>
 #include <array>
 #include <charconv>
 #include <cmath>
@@ -115,6 +116,12 @@ std::string excerptOf(std::string_view bytes, std::size_t most) {
     text += next;
   }
   return text;
+}
+
+std::string_view trimmed(std::string_view text) {
+  constexpr std::string_view kBlanks = " \t\r\n";
+  text.remove_prefix(std::min(text.find_first_not_of(kBlanks), text.size()));
+  return text.substr(0, text.find_last_not_of(kBlanks) + 1);
 }
 
 std::vector<std::string> split(std::string_view text, char separator) {

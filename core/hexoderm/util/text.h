@@ -23,6 +23,9 @@ unsigned parseUnsigned(std::string_view text, std::string_view what);
 /// all else as `\n`, `\r`, `\t` or `\xNN`, at most `most` characters and then "...".
 std::string excerptOf(std::string_view bytes, std::size_t most = 80);
 
+/// Without the blanks and the ends of lines around it.
+std::string_view trimmed(std::string_view text);
+
 /// The parts between separators, empty ones too.
 std::vector<std::string> split(std::string_view text, char separator);
 

@@ -113,6 +113,15 @@ void fill(const Joints& from, v1::Joints& to) {
   assign(to.mutable_position(), from.position);
 }
 
+/// The field of a line for such a message.
+v1::Hello& fieldFor(const Hello& /*message*/, v1::Line& line) { return *line.mutable_hello(); }
+v1::Topology& fieldFor(const Topology& /*message*/, v1::Line& line) { return *line.mutable_topology(); }
+v1::Samples& fieldFor(const Samples& /*message*/, v1::Line& line) { return *line.mutable_samples(); }
+v1::Status& fieldFor(const Status& /*message*/, v1::Line& line) { return *line.mutable_status(); }
+v1::Command& fieldFor(const Command& /*message*/, v1::Line& line) { return *line.mutable_command(); }
+v1::Ack& fieldFor(const Ack& /*message*/, v1::Line& line) { return *line.mutable_ack(); }
+v1::Joints& fieldFor(const Joints& /*message*/, v1::Line& line) { return *line.mutable_joints(); }
+
 // ---- protobuf to plain types; nullopt where a plain type can't hold it
 
 std::optional<Message> plain(const v1::Hello& from) {
@@ -384,30 +393,21 @@ Bytes encodeBody(const Message& message) {
   const NoWordsOfProtobuf quiet;
   return std::visit(
       [&](const auto& m) {
-        auto proto = [&] {
-          using Plain = std::decay_t<decltype(m)>;
-          if constexpr (std::is_same_v<Plain, Hello>) return v1::Hello();
-          if constexpr (std::is_same_v<Plain, Topology>) return v1::Topology();
-          if constexpr (std::is_same_v<Plain, Samples>) return v1::Samples();
-          if constexpr (std::is_same_v<Plain, Status>) return v1::Status();
-          if constexpr (std::is_same_v<Plain, Command>) return v1::Command();
-          if constexpr (std::is_same_v<Plain, Ack>) return v1::Ack();
-          if constexpr (std::is_same_v<Plain, Joints>) return v1::Joints();
-        }();
+        std::decay_t<decltype(fieldFor(m, std::declval<v1::Line&>()))> proto;
         fill(m, proto);
         const std::size_t payload = proto.ByteSizeLong();
         if (payload > kMaxBody - kHead - kTail) {
           throw InvalidArgument("a message of " + std::to_string(payload) + " bytes can't be sent, the limit is " +
                                 std::to_string(kMaxBody - kHead - kTail) + "; expected it to be sent in parts");
         }
-        Bytes body(kHead + payload + kTail);
+        Bytes body;
+        body.reserve(kHead + payload + kTail);
+        body.resize(kHead + payload);
         body[0] = kMajor;
         body[1] = static_cast<std::uint8_t>(message.index() + 1);
         proto.SerializeWithCachedSizesToArray(body.data() + kHead);
-        const std::uint32_t crc = crc32c(ByteView(body).first(kHead + payload));
-        for (std::size_t k = 0; k < kTail; ++k) {
-          body[kHead + payload + k] = static_cast<std::uint8_t>(crc >> (8 * k));
-        }
+        const std::uint32_t crc = crc32c(body);
+        appendLittleEndian(crc, body);
         return body;
       },
       message);
@@ -430,18 +430,7 @@ std::string encodeLine(const Message& message) {
   checkBeforeEncoding(message);
   const NoWordsOfProtobuf quiet;
   v1::Line line;
-  std::visit(
-      [&](const auto& m) {
-        using Plain = std::decay_t<decltype(m)>;
-        if constexpr (std::is_same_v<Plain, Hello>) fill(m, *line.mutable_hello());
-        if constexpr (std::is_same_v<Plain, Topology>) fill(m, *line.mutable_topology());
-        if constexpr (std::is_same_v<Plain, Samples>) fill(m, *line.mutable_samples());
-        if constexpr (std::is_same_v<Plain, Status>) fill(m, *line.mutable_status());
-        if constexpr (std::is_same_v<Plain, Command>) fill(m, *line.mutable_command());
-        if constexpr (std::is_same_v<Plain, Ack>) fill(m, *line.mutable_ack());
-        if constexpr (std::is_same_v<Plain, Joints>) fill(m, *line.mutable_joints());
-      },
-      message);
+  std::visit([&](const auto& m) { fill(m, fieldFor(m, line)); }, message);
   google::protobuf::util::JsonPrintOptions options;
   options.preserve_proto_field_names = true;
   std::string text;

@@ -2,6 +2,7 @@
 
 #include "hexoderm/device/skinwire/codec.h"
 #include "hexoderm/device/skinwire/description.h"
+#include "hexoderm/device/skinwire/little_endian.h"
 #include "hexoderm/device/skinwire/sample_messages.h"
 #include "hexoderm/util/error.h"
 #include "hexoderm/util/kept_files.h"
@@ -25,18 +26,6 @@ constexpr std::string_view kMagic = "SKINREC";
 constexpr char kVersion = '1';
 constexpr std::size_t kHead = 12;  // arrival time, length
 constexpr std::chrono::seconds kFlushEvery(1);
-
-template <class Number>
-void putLittleEndian(Number value, std::vector<std::uint8_t>& out) {
-  for (std::size_t k = 0; k < sizeof(Number); ++k) out.push_back(static_cast<std::uint8_t>(value >> (8 * k)));
-}
-
-template <class Number>
-Number getLittleEndian(const std::uint8_t* bytes) {
-  Number value = 0;
-  for (std::size_t k = 0; k < sizeof(Number); ++k) value |= static_cast<Number>(Number{bytes[k]} << (8 * k));
-  return value;
-}
 
 }  // namespace
 
@@ -75,8 +64,8 @@ struct StreamRecorder::Impl {
     const std::vector<std::uint8_t> body = skinwire::encodeBody(message);
     const auto arrived = std::chrono::duration_cast<std::chrono::microseconds>(Clock::now() - began);
     std::vector<std::uint8_t> head;
-    putLittleEndian(static_cast<std::uint64_t>(arrived.count()), head);
-    putLittleEndian(static_cast<std::uint32_t>(body.size()), head);
+    skinwire::appendLittleEndian(static_cast<std::uint64_t>(arrived.count()), head);
+    skinwire::appendLittleEndian(static_cast<std::uint32_t>(body.size()), head);
     put(head);
     put(body);
   }
@@ -251,8 +240,8 @@ std::optional<RecordedBody> RecordingReader::next() {
   if (!impl_->damage.empty()) return std::nullopt;
   std::array<std::uint8_t, kHead> head{};
   if (!impl_->read(head.data(), head.size(), true)) return std::nullopt;
-  const auto arrived_us = getLittleEndian<std::uint64_t>(head.data());
-  const auto length = getLittleEndian<std::uint32_t>(head.data() + 8);
+  const auto arrived_us = skinwire::littleEndian<std::uint64_t>(head);
+  const auto length = skinwire::littleEndian(skinwire::ByteView(head).subspan(8));
   if (length > skinwire::kMaxBody || arrived_us > skinwire::kMaxTime_us) {
     impl_->damage =
         located(impl_->path,
