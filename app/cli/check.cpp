@@ -2,6 +2,7 @@
 #include "app/cli/json.h"
 
 #include "hexoderm/course/live_capture.h"
+#include "hexoderm/device/sources/open_source.h"
 #include "hexoderm/reconstruction/check/calibration_check.h"
 #include "hexoderm/util/temporary_file.h"
 #include "hexoderm/util/text.h"

@@ -1,7 +1,6 @@
 #include "app/cli/command.h"
 #include "app/cli/json.h"
 
-#include "hexoderm/device/sources/open_source.h"
 #include "hexoderm/kinematics/demo_robot.h"
 #include "hexoderm/kinematics/joint_angles_csv.h"
 #include "hexoderm/session/session_joint_angles.h"
@@ -288,12 +287,6 @@ nlohmann::ordered_json toJson(const std::vector<Offence>& offences) {
             {"reason", offence.reason.english()},
             {"message_begins", offence.excerpt}};
   });
-}
-
-std::string sourceKindsInWords() {
-  std::string kinds;
-  for (const SourceKind& kind : sourceKinds()) kinds += (kinds.empty() ? "" : ", ") + std::string(kind.example);
-  return kinds;
 }
 
 void printJson(const nlohmann::ordered_json& json) {

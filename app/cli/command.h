@@ -204,8 +204,6 @@ nlohmann::ordered_json toJson(const std::vector<Offence>& offences);
 void printJson(const nlohmann::ordered_json& json);
 /// JSON as text, without what steers a terminal: JSON itself escapes the control characters of ASCII only.
 void printJsonText(std::string_view text);
-/// "tcp://HOST:PORT, udp://HOST:PORT, ...": all kinds of sources there are.
-std::string sourceKindsInWords();
 
 /// "1 pose", "2 poses".
 std::string counted(std::uint64_t count, const std::string& noun);

@@ -180,11 +180,7 @@ int run(ExportCommandOptions command, bool one_patch, const Common& common) {
 
 /// "urdf, robot-urdf: URDF of the robot" for the help.
 std::string helpOf(const ExportOptionDescription& option) {
-  std::string names;
-  for (const ExportFormat format : option.formats) {
-    names += (names.empty() ? "" : ", ") + std::string(exportFormatDescription(format).name);
-  }
-  return option.help.english() + " (" + names + ")";
+  return option.help.english() + " (" + inWords(option.formats) + ")";
 }
 
 void addFormatOptions(CLI::App& command, const std::shared_ptr<ExportCommandOptions>& options) {

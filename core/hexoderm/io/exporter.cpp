@@ -14,6 +14,7 @@
 #include "hexoderm/util/file.h"
 #include "hexoderm/util/kept_files.h"
 #include "hexoderm/util/limits.h"
+#include "hexoderm/util/text.h"
 
 #include <algorithm>
 #include <array>
@@ -230,11 +231,12 @@ const ExportFormatDescription& exportFormatDescription(ExportFormat format) {
 ExportFormat exportFormatFromName(std::string_view name) {
   const auto found = std::ranges::find(formats(), name, &ExportFormatDescription::name);
   if (found != formats().end()) return found->format;
-  std::string names;
-  for (const ExportFormatDescription& format : formats()) {
-    names += (names.empty() ? "" : ", ") + std::string(format.name);
-  }
-  throw InvalidArgument(message("export format \"{}\" is not known, expected one of {}", name, names));
+  throw InvalidArgument(message("export format \"{}\" is not known, expected one of {}", name,
+                                inARow(formats(), &ExportFormatDescription::name)));
+}
+
+std::string inWords(const std::vector<ExportFormat>& formats) {
+  return inARow(formats, [](ExportFormat format) { return exportFormatDescription(format).name; });
 }
 
 std::vector<PatchLeftOut> patchesLeftOut(const Reconstruction& reconstruction, ExportFormat format,

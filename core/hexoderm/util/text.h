@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <functional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -37,6 +38,17 @@ std::string shortened(std::string_view text, std::size_t most);
 /// move the cursor or hide what was said, marks that turn the direction of writing, and bytes that are not UTF-8 become
 /// escapes (`\n`, `\u001b`, `\xff`).
 std::string forTerminal(std::string_view text);
+
+/// "a, b, c" of what `text_of`, a function or a member, says of items.
+template <class Items, class TextOf = std::identity>
+std::string inARow(const Items& items, TextOf text_of = {}, std::string_view separator = ", ") {
+  std::string row;
+  for (const auto& item : items) {
+    if (!row.empty()) row += separator;
+    row += std::invoke(text_of, item);
+  }
+  return row;
+}
 
 /// "1, 2 and 3" of items that have a `toString`.
 template <class Items>
