@@ -136,21 +136,17 @@ void print(const std::vector<UncertaintyRow>& rows, const std::vector<Uncertaint
   wrong.print();
 }
 
-nlohmann::ordered_json toJson(const std::vector<UncertaintyRow>& rows) {
-  auto array = nlohmann::ordered_json::array();
-  for (const UncertaintyRow& row : rows) {
-    array.push_back({{"skin", nameOf(row.skin)},
-                     {"link_law", linkLawName(row.skin.law)},
-                     {"poses", row.skin.poses},
-                     {"offset_sigma_mg", row.skin.offset_sigma_mg},
-                     {"prior_sigma_mg", row.prior_mg},
-                     {"skins", row.skins},
-                     {"nees_position", row.nees.position},
-                     {"nees_orientation", row.nees.orientation},
-                     {"bar", {row.band.low, row.band.high}},
-                     {"reached", row.reached()}});
-  }
-  return array;
+Json toJson(const UncertaintyRow& row) {
+  return {{"skin", nameOf(row.skin)},
+          {"link_law", linkLawName(row.skin.law)},
+          {"poses", row.skin.poses},
+          {"offset_sigma_mg", row.skin.offset_sigma_mg},
+          {"prior_sigma_mg", row.prior_mg},
+          {"skins", row.skins},
+          {"nees_position", row.nees.position},
+          {"nees_orientation", row.nees.orientation},
+          {"bar", {row.band.low, row.band.high}},
+          {"reached", row.reached()}};
 }
 
 }  // namespace
@@ -178,7 +174,8 @@ nlohmann::ordered_json checkUncertainty(const Trials& trials, bool prints) {
     }
   }
   if (prints) print(rows, wrong_prior, trials.seeds());
-  return {{"rows", toJson(rows)}, {"wrong_prior", toJson(wrong_prior)}};
+  const auto row_json = [](const UncertaintyRow& row) { return toJson(row); };
+  return {{"rows", arrayOf(rows, row_json)}, {"wrong_prior", arrayOf(wrong_prior, row_json)}};
 }
 
 }  // namespace hexoderm::cli
