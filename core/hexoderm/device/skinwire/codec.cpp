@@ -240,15 +240,48 @@ Decoded checked(std::optional<Message> message) {
   return decoded;
 }
 
-template <class Proto>
-Decoded parsePayload(ByteView payload, Proto& proto) {
+Decoded messageIn(const v1::Line& line) {
+  switch (line.message_case()) {
+    case v1::Line::kHello:
+      return checked(plain(line.hello()));
+    case v1::Line::kTopology:
+      return checked(plain(line.topology()));
+    case v1::Line::kSamples:
+      return checked(plain(line.samples()));
+    case v1::Line::kStatus:
+      return checked(plain(line.status()));
+    case v1::Line::kCommand:
+      return checked(plain(line.command()));
+    case v1::Line::kAck:
+      return checked(plain(line.ack()));
+    case v1::Line::kJoints:
+      return checked(plain(line.joints()));
+    case v1::Line::MESSAGE_NOT_SET:
+      break;
+  }
+  Decoded unknown;
+  unknown.outcome = DecodeOutcome::UnknownType;
+  unknown.major = kMajor;
+  return unknown;
+}
+
+Decoded parsePayload(std::uint8_t type, ByteView payload) {
+  // Kept, so that the arrays of samples need not grow again for every one of a thousand messages a second.
+  thread_local v1::Line line;
+  const google::protobuf::FieldDescriptor* field = v1::Line::descriptor()->FindFieldByNumber(type + 1);
+  if (field == nullptr || field->containing_oneof() == nullptr) {
+    return failed(
+        DecodeOutcome::UnknownType,
+        {OffenceKind::UnknownMessage, message("there is no message of type {}; expected 1 to 7", std::uint32_t{type})});
+  }
   const NoWordsOfProtobuf quiet;
+  google::protobuf::Message& proto = *line.GetReflection()->MutableMessage(&line, field);
   if (!proto.ParseFromArray(payload.data(), static_cast<int>(payload.size()))) {
     return failed(DecodeOutcome::Broken,
                   {OffenceKind::WrongType, message("the payload is not the protobuf message {} that its type says",
                                                    proto.GetDescriptor()->name())});
   }
-  Decoded decoded = checked(plain(proto));
+  Decoded decoded = messageIn(line);
   const auto& unknown = proto.GetReflection()->GetUnknownFields(proto);
   if (!unknown.empty()) {
     decoded.offences.insert(
@@ -257,38 +290,6 @@ Decoded parsePayload(ByteView payload, Proto& proto) {
          message("{} has no field with the number {}", proto.GetDescriptor()->name(), unknown.field(0).number())});
   }
   return decoded;
-}
-
-template <class Proto>
-Decoded parsePayload(ByteView payload) {
-  Proto proto;
-  return parsePayload(payload, proto);
-}
-
-Decoded parsePayload(std::uint8_t type, ByteView payload) {
-  switch (type) {
-    case 1:
-      return parsePayload<v1::Hello>(payload);
-    case 2:
-      return parsePayload<v1::Topology>(payload);
-    case 3: {
-      // Kept, so that its arrays need not grow again for every one of a thousand messages a second.
-      thread_local v1::Samples samples;
-      return parsePayload(payload, samples);
-    }
-    case 4:
-      return parsePayload<v1::Status>(payload);
-    case 5:
-      return parsePayload<v1::Command>(payload);
-    case 6:
-      return parsePayload<v1::Ack>(payload);
-    case 7:
-      return parsePayload<v1::Joints>(payload);
-    default:
-      return failed(DecodeOutcome::UnknownType,
-                    {OffenceKind::UnknownMessage,
-                     message("there is no message of type {}; expected 1 to 7", std::uint32_t{type})});
-  }
 }
 
 void checkBeforeEncoding(const Message& message) {
@@ -353,31 +354,6 @@ std::optional<std::uint32_t> majorOfLine(std::string_view line) {
   if (major == json.end() || !major->is_number_unsigned()) return std::nullopt;
   const auto value = major->get<std::uint64_t>();
   return value <= UINT32_MAX ? std::optional(static_cast<std::uint32_t>(value)) : std::nullopt;
-}
-
-Decoded messageIn(const v1::Line& line) {
-  switch (line.message_case()) {
-    case v1::Line::kHello:
-      return checked(plain(line.hello()));
-    case v1::Line::kTopology:
-      return checked(plain(line.topology()));
-    case v1::Line::kSamples:
-      return checked(plain(line.samples()));
-    case v1::Line::kStatus:
-      return checked(plain(line.status()));
-    case v1::Line::kCommand:
-      return checked(plain(line.command()));
-    case v1::Line::kAck:
-      return checked(plain(line.ack()));
-    case v1::Line::kJoints:
-      return checked(plain(line.joints()));
-    case v1::Line::MESSAGE_NOT_SET:
-      break;
-  }
-  Decoded unknown;
-  unknown.outcome = DecodeOutcome::UnknownType;
-  unknown.major = kMajor;
-  return unknown;
 }
 
 }  // namespace
