@@ -209,7 +209,7 @@ LiveCaptureState takePoses(const LiveCaptureOptions& options, const Common& comm
   try {
     while (capture.next(interrupted.get_token(), out_of_time.get_token())) continue;
     capture.close(out_of_time.get_token());
-    if (!capture.state().session) throw DeviceError(located(options.source, capture.state().status));
+    if (!capture.state().session) throw DeviceError(options.source, capture.state().status);
   } catch (...) {
     common.endProgress();
     const LiveCaptureState end = capture.state();

@@ -78,7 +78,7 @@ void requireApart(const std::string& a, const std::string& b) {
   const std::string file_b = fileOf(b);
   const bool same = file_a == file_b || (identityOf(a) && identityOf(a) == identityOf(b));
   if (!same && !isBeside(file_a, file_b) && !isBeside(file_b, file_a)) return;
-  throw InvalidArgument(located(a, message("collides with {}, which another option writes: take another name", b)));
+  throw InvalidArgument(a, message("collides with {}, which another option writes: take another name", b));
 }
 
 }  // namespace
@@ -196,7 +196,7 @@ std::map<PoseId, JointAngles> anglesOfPoses(const Session& session, const std::s
   const JointAnglesTable table = asInput([&] {
     JointAnglesTable read = readJointAnglesCsv(file, robot);
     const Message why = whyNoPoseHasAngles(session, read);
-    if (!why.empty()) throw FormatError(located(file, why));
+    if (!why.empty()) throw FormatError(file, why);
     return read;
   });
   for (const SetJointAngles& edit : jointAnglesFor(session, table).edits) {

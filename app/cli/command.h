@@ -93,7 +93,7 @@ void checkOption(const std::string& option, const std::string& value, Check chec
   try {
     check();
   } catch (const InvalidArgument& error) {
-    throw InvalidArgument(located(option + " " + shortened(value, 80), error.message()));
+    throw InvalidArgument(option + " " + shortened(value, 80), error.message());
   }
 }
 

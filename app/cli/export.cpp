@@ -38,7 +38,7 @@ Json toJson(const std::vector<PatchLeftOut>& patches) {
 
 /// "[CELL@]LINK:x,y,z,roll,pitch,yaw"; without a cell the patch that is exported alone.
 PatchOnLink placementFrom(const std::string& text, const Reconstruction& reconstruction, const ExportOptions& options) {
-  const auto fail = [&text](const Message& what) { throw InvalidArgument(located("--place \"" + text + "\"", what)); };
+  const auto fail = [&text](const Message& what) { throw InvalidArgument("--place \"" + text + "\"", what); };
   const std::size_t colon = text.rfind(':');
   if (colon == std::string::npos) fail(message("expected [CELL@]LINK:x,y,z,roll,pitch,yaw in metres and radians"));
   const std::vector<std::string> numbers = split(text.substr(colon + 1), ',');
@@ -119,9 +119,7 @@ int run(ExportCommandOptions command, bool one_patch, const Common& common) {
                           " is a folder of several files, which standard output can't be: give a folder");
   }
   const auto calibration = openCalibration(command.input);
-  if (!command.placements_file.empty()) {
-    options.placements = placementsOf(*calibration, command.placements_file);
-  }
+  if (!command.placements_file.empty()) options.placements = placementsOf(*calibration, command.placements_file);
   for (const std::string& text : command.placements) {
     options.placements.push_back(placementFrom(text, *calibration, options));
   }

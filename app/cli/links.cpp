@@ -71,9 +71,7 @@ void printPatch(const Reconstruction& r, const PatchLinks& patch) {
     }
     std::cout << '\n';
   }
-  if (!patch.what_would_tell.empty()) {
-    std::cout << "  Next: " << forTerminal(patch.what_would_tell.english()) << '\n';
-  }
+  if (!patch.what_would_tell.empty()) std::cout << "  Next: " << forTerminal(patch.what_would_tell.english()) << '\n';
 }
 
 void printRobot(const RobotEstimate& robot) {
@@ -88,9 +86,7 @@ void printRobot(const RobotEstimate& robot) {
 
 void printAll(const Reconstruction& r, const LinksResult& result) {
   std::cout << forTerminal(result.summary.english()) << '\n';
-  for (const Message& finding : result.findings) {
-    std::cout << "Note: " << forTerminal(finding.english()) << '\n';
-  }
+  for (const Message& finding : result.findings) std::cout << "Note: " << forTerminal(finding.english()) << '\n';
   for (const PatchId patch : result.not_compared) {
     std::cout << "Not compared: patch " << patch << ", origin cell " << r.patches[patch.value()].origin << '\n';
   }

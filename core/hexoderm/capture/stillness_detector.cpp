@@ -430,9 +430,7 @@ struct StillnessDetector::State {
       const CellState& cell = cells[k];
       if (!cell.is_captured || isStuck(k)) continue;
       const auto now_g = recentForMove_g(k);
-      if (now_g) {
-        scratch.push_back(static_cast<float>(angleBetweenReadings(*now_g, cell.captured_g.cast<double>())));
-      }
+      if (now_g) scratch.push_back(static_cast<float>(angleBetweenReadings(*now_g, cell.captured_g.cast<double>())));
     }
     if (scratch.empty()) return;
     result.moved_rad = static_cast<double>(median(scratch));

@@ -497,9 +497,7 @@ Reconstruction scanCalibration(JsonScanner& json, const std::string& file) {
   requireReferences(result);
   result.poses = readPoseTable(reader, result.patches);
   for (const PatchReconstruction& patch : result.patches) {
-    for (const LinkEstimate& link : patch.links) {
-      requireUsual(link.pose_residual_rad.size() == result.poses.size());
-    }
+    for (const LinkEstimate& link : patch.links) requireUsual(link.pose_residual_rad.size() == result.poses.size());
   }
   readTail(reader, result);
   return result;

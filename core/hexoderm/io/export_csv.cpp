@@ -206,8 +206,8 @@ std::string fieldText(const CsvField& field) {
 void requireFinite(const CsvTable& table, std::size_t row, std::size_t column) {
   const auto* value = std::get_if<double>(&table.rows[row][column]);
   if (value == nullptr || std::isfinite(*value)) return;
-  throw InvalidArgument(located(
-      table.file, message("row {}, {} is not a finite number, nothing written", row + 1, table.header[column])));
+  throw InvalidArgument(table.file,
+                        message("row {}, {} is not a finite number, nothing written", row + 1, table.header[column]));
 }
 
 }  // namespace

@@ -87,8 +87,7 @@ constexpr const char* kXacroNamespace = "http://www.ros.org/wiki/xacro";
 
 void appendMacro(pugi::xml_node robot, const SkinTreePatch& patch, const CellBoxes& boxes, bool link_per_cell) {
   if (patch.name.find('/') != std::string::npos) {
-    throw InvalidArgument(
-        located("prefix", message("\"{}\" is no name for a xacro macro: leave out the /", patch.name)));
+    throw InvalidArgument("prefix", message("\"{}\" is no name for a xacro macro: leave out the /", patch.name));
   }
   pugi::xml_node macro = appendElement(robot, "xacro:macro",
                                        {{"name", patch.name},
@@ -132,11 +131,10 @@ std::optional<std::size_t> endOfRobot(std::string_view text) {
 
 /// A name of the skin that the robot has already: a second one would make the file useless.
 [[noreturn]] void failTaken(const RobotUrdf& robot, const Message& what, const std::string& name) {
-  throw FormatError(
-      located(robot.model.file().string(),
-              message("already has a {} {}: if this is an earlier skin, give the robot's own file, else choose "
-                      "another prefix of names",
-                      what, name)));
+  throw FormatError(robot.model.file().string(),
+                    message("already has a {} {}: if this is an earlier skin, give the robot's own file, else choose "
+                            "another prefix of names",
+                            what, name));
 }
 
 /// Names of the elements of a kind in the robot.
@@ -207,8 +205,7 @@ RobotUrdf readRobotUrdf(const std::filesystem::path& path) {
 
 std::string robotUrdfBytes(const RobotUrdf& robot, const UrdfContent& content) {
   const std::optional<std::size_t> end = endOfRobot(robot.text);
-  if (!end)
-    throw FormatError(located(robot.model.file().string(), message("expected an end tag </robot>, but there is none")));
+  if (!end) throw FormatError(robot.model.file().string(), message("expected an end tag </robot>, but there is none"));
   pugi::xml_document document;
   document.load_buffer(robot.text.data(), robot.text.size());  // well-formed, for the model was made of it
   const pugi::xml_node root = document.document_element();

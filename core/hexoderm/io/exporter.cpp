@@ -89,7 +89,7 @@ auto withExported(const Reconstruction& reconstruction, ExportFormat format, con
 
 void requireName(const char* option, const std::string& name) {
   if (!isLinkName(name)) {
-    throw InvalidArgument(located(option, message("expected letters, digits and _ - . /, found \"{}\"", name)));
+    throw InvalidArgument(option, message("expected letters, digits and _ - . /, found \"{}\"", name));
   }
 }
 
@@ -206,11 +206,10 @@ void ExportOptions::validate() const {
   for (const PatchOnLink& place : placements) {
     requireName("placements", place.link);
     if (!place.T_l_o.R.allFinite() || !place.T_l_o.t.allFinite() || (place.cov_t_r && !place.cov_t_r->allFinite())) {
-      throw InvalidArgument(
-          located("placements", message("expected finite numbers for the patch of cell {}", place.origin)));
+      throw InvalidArgument("placements", message("expected finite numbers for the patch of cell {}", place.origin));
     }
     if (!origins.insert(place.origin).second) {
-      throw InvalidArgument(located("placements", message("the patch of cell {} is placed twice", place.origin)));
+      throw InvalidArgument("placements", message("the patch of cell {} is placed twice", place.origin));
     }
   }
 }
@@ -218,7 +217,7 @@ void ExportOptions::validate() const {
 void ExportOptions::validateFor(ExportFormat format) const {
   validate();
   if (format == ExportFormat::RobotUrdf && robot_urdf.empty()) {
-    throw InvalidArgument(located("robot", message("expected the URDF of the robot that gets the skin")));
+    throw InvalidArgument("robot", message("expected the URDF of the robot that gets the skin"));
   }
 }
 

@@ -54,7 +54,7 @@ void writePose(const SessionPose& pose, JsonWriter& json) {
   try {
     json.arrayMember("samples", pose.capture->samples, [&](const GravitySample& s) { writeSample(s, json); });
   } catch (const InvalidArgument& error) {
-    throw InvalidArgument(located(message("pose {}", pose.capture->id), error.message()));
+    throw InvalidArgument(message("pose {}", pose.capture->id), error.message());
   }
   json.endObject();
 }
@@ -98,7 +98,7 @@ void writeSessionJson(const Session& session, const std::filesystem::path& path)
   try {
     writeFileAtomically(path, [&](const WriteBytes& write) { writeSessionJson(session, write); });
   } catch (const InvalidArgument& error) {
-    throw InvalidArgument(located(path.string(), error.message()));
+    throw InvalidArgument(path.string(), error.message());
   }
 }
 

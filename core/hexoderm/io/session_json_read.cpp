@@ -84,7 +84,7 @@ void requireG(const Session& session, const std::string& file) {
   if (!first) return;
   const std::string place = "poses[" + std::to_string(*first) + "].samples[0].mean_g";
   const std::optional<Offence> offence = offenceOfNorm(median(norms), session.model().accelerometer, place.c_str());
-  if (offence && offence->kind == OffenceKind::AccelerationUnit) throw FormatError(located(file, offence->reason));
+  if (offence && offence->kind == OffenceKind::AccelerationUnit) throw FormatError(file, offence->reason);
 }
 
 SessionPose scanPose(JsonScanner& json, const std::string& file, std::size_t usual_samples) {

@@ -40,7 +40,7 @@ class Names {
   /// The name of a patch or a cell, which no link of the robot may have.
   std::string ofOwnLink(const std::string& wanted) {
     if (links_.contains(wanted)) {
-      throw InvalidArgument(located("parent_link", message("\"{}\" is also the name of a link of the skin", wanted)));
+      throw InvalidArgument("parent_link", message("\"{}\" is also the name of a link of the skin", wanted));
     }
     return unique(wanted);
   }

@@ -7,9 +7,7 @@ namespace hexoderm {
 namespace {
 
 void appendAttributes(pugi::xml_node node, std::initializer_list<XmlAttribute> attributes) {
-  for (const XmlAttribute& attribute : attributes) {
-    node.append_attribute(attribute.name) = attribute.value.c_str();
-  }
+  for (const XmlAttribute& attribute : attributes) node.append_attribute(attribute.name) = attribute.value.c_str();
 }
 
 }  // namespace

@@ -87,8 +87,7 @@ class JointAnglesReader {
         fail(message("the table is too large"));
       }
     }
-    if (table.rows.empty())
-      throw FormatError(located(file_, message("expected a line for each pose, but there is none")));
+    if (table.rows.empty()) throw FormatError(file_, message("expected a line for each pose, but there is none"));
     return table;
   }
 
@@ -100,7 +99,7 @@ class JointAnglesReader {
   };
 
   [[noreturn]] void fail(Message what) const {
-    throw FormatError(located(file_, located(message("line {}", line_number_), std::move(what))));
+    throw FormatError(file_, located(message("line {}", line_number_), std::move(what)));
   }
   [[noreturn]] void failIn(std::string_view column, Message what) const {
     fail(located(message("column {}", excerptOf(column)), std::move(what)));
@@ -143,9 +142,7 @@ class JointAnglesReader {
   }
 
   void readHeader() {
-    if (!nextLine()) {
-      throw FormatError(located(file_, message("is empty; expected a line with the names of the joints")));
-    }
+    if (!nextLine()) throw FormatError(file_, message("is empty; expected a line with the names of the joints"));
     for (const char separator : {',', ';', '\t'}) {
       if (line_.find(separator) == std::string_view::npos) continue;
       separator_ = separator;

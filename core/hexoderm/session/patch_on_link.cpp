@@ -10,7 +10,7 @@ namespace hexoderm {
 namespace {
 
 [[noreturn]] void failPlacement(CellId origin, Message why) {
-  throw InvalidArgument(located(message("the patch of cell {}", origin), std::move(why)));
+  throw InvalidArgument(message("the patch of cell {}", origin), std::move(why));
 }
 
 bool isSigmaOfLength(double sigma_m) { return sigma_m > 0 && sigma_m <= kMostLength_m; }

@@ -134,9 +134,7 @@ Json robotJson(const std::optional<RobotDescription>& robot) {
   if (!robot) return json;
   json["urdf"] = robot->urdf;
   json["sha256"] = robot->sha256;
-  for (const auto& [name, folder] : robot->packages) {
-    json["packages"].push_back({{"name", name}, {"folder", folder}});
-  }
+  for (const auto& [name, folder] : robot->packages) json["packages"].push_back({{"name", name}, {"folder", folder}});
   return json;
 }
 
@@ -226,9 +224,7 @@ GroundTruth readTruth(const JsonReader& json) {
   GroundTruth truth = truthFrom(json);
   std::set<CellId> known;
   for (std::size_t k = 0; k < truth.cells.size(); ++k) {
-    if (!known.insert(truth.cells[k].id).second) {
-      json.at("cells").items()[k].failAt("id", message("each cell once"));
-    }
+    if (!known.insert(truth.cells[k].id).second) json.at("cells").items()[k].failAt("id", message("each cell once"));
   }
   return truth;
 }

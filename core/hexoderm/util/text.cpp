@@ -18,7 +18,7 @@ Number parseWhole(std::string_view text, std::string_view what, const Message& e
   Number value{};
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
   if (error != std::errc() || end != text.data() + text.size() || text.empty()) {
-    throw InvalidArgument(located(what, message("expected {}, found \"{}\"", expected, text)));
+    throw InvalidArgument(what, message("expected {}, found \"{}\"", expected, text));
   }
   return value;
 }
@@ -87,7 +87,7 @@ std::string formatExact(double value) {
 
 double parseNumber(std::string_view text, std::string_view what) {
   const auto value = parseWhole<double>(text, what, message("a number"));
-  if (!std::isfinite(value)) throw InvalidArgument(located(what, message("expected a finite number")));
+  if (!std::isfinite(value)) throw InvalidArgument(what, message("expected a finite number"));
   return value;
 }
 

@@ -114,8 +114,7 @@ StreamRecorder::StreamRecorder(std::filesystem::path path, SkinListener& next)
   impl_->file.open(impl_->path, std::ios::binary | std::ios::app);
   if (impl_->file.is_open() && !replaces) impl_->begin();
   if (!impl_->file) {
-    throw StorageError(
-        located(impl_->path.string(), message("a recording can't be written there: {}", systemReason(errno))));
+    throw StorageError(impl_->path.string(), message("a recording can't be written there: {}", systemReason(errno)));
   }
 }
 
@@ -205,9 +204,7 @@ struct RecordingReader::Impl {
     file.read(reinterpret_cast<char*>(bytes), static_cast<std::streamsize>(size));
     const auto count = static_cast<std::size_t>(file.gcount());
     if (count == size) return true;
-    if (count > 0 || !may_end) {
-      damage = located(path, message("is cut off; all before byte {} was played", position));
-    }
+    if (count > 0 || !may_end) damage = located(path, message("is cut off; all before byte {} was played", position));
     return false;
   }
 };
@@ -216,20 +213,19 @@ RecordingReader::RecordingReader(const std::filesystem::path& path) : impl_(std:
   impl_->path = path.string();
   std::error_code ignored;
   if (std::filesystem::is_directory(path, ignored)) {
-    throw StorageError(located(impl_->path, message("is a folder, expected a recording")));
+    throw StorageError(impl_->path, message("is a folder, expected a recording"));
   }
   impl_->file.open(path, std::ios::binary);
-  if (!impl_->file) throw StorageError(located(impl_->path, message("can't be read: {}", systemReason(errno))));
+  if (!impl_->file) throw StorageError(impl_->path, message("can't be read: {}", systemReason(errno)));
   std::array<std::uint8_t, kMagic.size() + 1> magic{};
   const bool whole = impl_->read(magic.data(), magic.size(), false);
   const char version = static_cast<char>(magic.back());
   if (!whole || !std::equal(kMagic.begin(), kMagic.end(), magic.begin()) || version < kVersion || version > '9') {
-    throw FormatError(
-        located(impl_->path, message("is no recording of a skin, expected it to begin with \"SKINREC1\"")));
+    throw FormatError(impl_->path, message("is no recording of a skin, expected it to begin with \"SKINREC1\""));
   }
   if (version > kVersion) {
-    throw FormatError(located(impl_->path, message("this recording has version {}, this program reads version {}",
-                                                   std::string(1, version), std::string(1, kVersion))));
+    throw FormatError(impl_->path, message("this recording has version {}, this program reads version {}",
+                                           std::string(1, version), std::string(1, kVersion)));
   }
   impl_->position = magic.size();
 }

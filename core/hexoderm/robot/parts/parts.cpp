@@ -79,9 +79,7 @@ class PartsFinder {
     std::ranges::stable_sort(seeing, [](const PatchReconstruction* a, const PatchReconstruction* b) {
       return a->cells.size() > b->cells.size();
     });
-    for (; seeing.size() > options_.most_patches; seeing.pop_back()) {
-      result_.not_compared.push_back(seeing.back()->id);
-    }
+    for (; seeing.size() > options_.most_patches; seeing.pop_back()) result_.not_compared.push_back(seeing.back()->id);
     // Of patches with hundreds of poses only those that are compared get their covariance.
     poses_ = differentPoses(seeing, posesOf(seeing), options_.most_poses);
     for (const PatchReconstruction* patch : seeing) {
