@@ -32,17 +32,13 @@ constexpr EnumNames<SigmaKnowledge, 3> kKnowledge = {{"measured", "at_most", "un
 
 void printSigma(const std::string& name, const SigmaEstimate& estimate, double model_sigma, PrintedUnit unit) {
   std::cout << name << std::string(name.size() < 14 ? 14 - name.size() : 1, ' ');
-  switch (estimate.knowledge) {
-    case SigmaKnowledge::Measured:
-      std::cout << figure(estimate.sigma, unit) << " (95 %: " << figure(estimate.low_95, unit) << " to "
-                << figure(estimate.high_95, unit) << "), worth " << formatFixed(estimate.worth, 0) << " errors";
-      break;
-    case SigmaKnowledge::AtMost:
-      std::cout << "at most " << figure(estimate.high_95, unit) << " (95 %)";
-      break;
-    case SigmaKnowledge::Unknown:
-      std::cout << "can't tell: the readings are worth " << formatFixed(estimate.worth, 1) << " errors";
-      break;
+  if (estimate.knowledge == SigmaKnowledge::Measured) {
+    std::cout << figure(estimate.sigma, unit) << " (95 %: " << figure(estimate.low_95, unit) << " to "
+              << figure(estimate.high_95, unit) << "), worth " << formatFixed(estimate.worth, 0) << " errors";
+  } else if (estimate.knowledge == SigmaKnowledge::AtMost) {
+    std::cout << "at most " << figure(estimate.high_95, unit) << " (95 %)";
+  } else {
+    std::cout << "can't tell: the readings are worth " << formatFixed(estimate.worth, 1) << " errors";
   }
   std::cout << "; the sessions' model says " << figure(model_sigma, unit) << '\n';
 }

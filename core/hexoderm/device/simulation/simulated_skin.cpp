@@ -323,15 +323,15 @@ void SimulatedSkin::State::sense(Hold& holding, Noise& noise, SampleFrame& frame
   for (std::size_t c = 0; c < truth.size(); ++c) {
     const SensorChain& sensor = chains[c];
     CellHealth& cell = health[c];
-    all_send_their_own = all_send_their_own && !cell.echoes && !cell.swapped;
+    all_send_their_own = all_send_their_own && !cell.sendsAnothers();
     // Drawn also where it is not used: a fault of one cell leaves the others' noise as it was.
     const Eigen::Vector3d unit_noise =
-        options.sensor_noise || cell.noisy ? noise.nextVector() : Eigen::Vector3d::Zero();
+        options.sensor_noise || cell.has(SkinFault::Noisy) ? noise.nextVector() : Eigen::Vector3d::Zero();
     const Eigen::Vector3d vibration =
         robot ? robot->vibration(c, 1 / rate_hz(), noise.nextVector()) : Eigen::Vector3d::Zero();
-    if (cell.silent) continue;
+    if (cell.has(SkinFault::NoSamples)) continue;
     Eigen::Vector3d force_b = body.up_b + body.field_b * (sensor.position_b - holding.hand_b);
-    if (cell.turn && (!cell.turned_later || holding.recording >= options.reglued_before)) {
+    if (cell.turn && (!cell.has(SkinFault::Reglued) || holding.recording >= options.reglued_before)) {
       const Eigen::Matrix3d& R_b_u = truth[c].T_b_u.R;
       force_b = R_b_u * cell.turn->transpose() * R_b_u.transpose() * force_b;
     }
