@@ -213,16 +213,10 @@ LinkFaults::LinkFaults(const PatchPlan& plan, const CellModel& model, const Simu
     const bool is_new =
         fault.kind == LinkFaultKind::WrongPort ? renamed.insert(fault.at).second : cut.insert(link).second;
     if (!is_new) throw InvalidArgument(message("simulated skin: the link at {} is broken already", inWords(fault.at)));
-    switch (fault.kind) {
-      case LinkFaultKind::WrongPort:
-        reportWrongPort(fault.at, link, model, options.seed);
-        break;
-      case LinkFaultKind::Joint:
-        joints_.push_back(cutAt(plan, links, link));
-        break;
-      case LinkFaultKind::Cable:
-        cables_.push_back(cutAt(plan, links, link));
-        break;
+    if (fault.kind == LinkFaultKind::WrongPort) {
+      reportWrongPort(fault.at, link, model, options.seed);
+    } else {
+      (fault.kind == LinkFaultKind::Joint ? joints_ : cables_).push_back(cutAt(plan, links, link));
     }
   }
   for (const WholeSkinFault fault : options.whole_skin_faults) {
