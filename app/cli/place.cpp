@@ -184,8 +184,7 @@ bool takeRotationsOfLinks(const PlaceCommandOptions& options, const SolvedInput&
   const std::map<PoseId, JointAngles> angles = anglesOfPoses(*input.session, options.joints, robot);
   if (angles.empty()) {
     throw BadInput(options.input +
-                   ": no pose has joint angles, by which --rotation links goes: give a table of them, "
-                   "--joints FILE");
+                   ": no pose has joint angles, by which --rotation links goes: give a table of them, --joints FILE");
   }
   LinksOptions links_options;
   setUp(options.up, links_options);

@@ -22,6 +22,8 @@ struct GravitySeen {
   Eigen::MatrixXd covariance;       ///< 2P x 2P, rad^2, positive definite
 
   [[nodiscard]] std::size_t size() const { return poses.size(); }
+  /// Of a pose, along the worst direction across `up`.
+  [[nodiscard]] double worstDeviation(std::size_t pose) const;
 };
 
 /// Of a patch in a fresh result of the global solver, in those of its poses (indices of PatchReconstruction::gravity,

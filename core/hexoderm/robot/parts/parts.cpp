@@ -1,6 +1,5 @@
 #include "hexoderm/robot/parts/parts.h"
 
-#include "hexoderm/geometry/covariance.h"
 #include "hexoderm/robot/parts/compared_poses.h"
 #include "hexoderm/robot/parts/hand_share.h"
 #include "hexoderm/robot/parts/hinge_fit.h"
@@ -193,10 +192,7 @@ class PartsFinder {
       }
       const GravitySeen& seen = group.fit.gravity;
       for (std::size_t k = 0; k < seen.size(); ++k) {
-        const auto at = static_cast<Eigen::Index>(2 * k);
-        Eigen::Matrix3d padded = Eigen::Matrix3d::Zero();
-        padded.topLeftCorner<2, 2>() = seen.covariance.block<2, 2>(at, at);
-        part.gravity.push_back({seen.poses[k], seen.up[k], largestDeviation(padded)});
+        part.gravity.push_back({seen.poses[k], seen.up[k], seen.worstDeviation(k)});
       }
       std::ranges::sort(part.gravity, {}, &GravityDirection::pose);
     }

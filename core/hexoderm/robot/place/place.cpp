@@ -67,8 +67,7 @@ Eigen::MatrixXd covarianceOf(const PatchToPlace& patch) {
   Eigen::MatrixXd C = Eigen::Map<const RowMajor>(patch.covariance.data(), size, size);
   if (!isJointCovariance(C)) {
     throw InvalidArgument(
-        message("the covariance of the patch of cell {} is none: it must be symmetric and positive "
-                "semidefinite",
+        message("the covariance of the patch of cell {} is none: it must be symmetric and positive semidefinite",
                 patch.origin));
   }
   return C;
@@ -89,10 +88,8 @@ FitPatch fitPatchOf(const PatchToPlace& given, double least_radius_m) {
     const bool is_sure = patch.rotation->covariance.allFinite() && isCovariance(patch.rotation->covariance) &&
                          patch.rotation->covariance.llt().info() == Eigen::Success;
     if (!isRotation(patch.rotation->R_l_o) || !is_sure) {
-      throw InvalidArgument(
-          message("the rotation of the patch of cell {} must be a rotation with a positive definite "
-                  "covariance",
-                  given.origin));
+      throw InvalidArgument(message(
+          "the rotation of the patch of cell {} must be a rotation with a positive definite covariance", given.origin));
     }
   }
   if (given.start && !(isRotation(given.start->R) && given.start->t.allFinite())) {
@@ -142,8 +139,7 @@ class Placement {
     for (const PatchToPlace& patch : task_.patches) {
       if (!patch.covariance_assumed) continue;
       result.remarks.push_back(
-          message("How certain the cells of the patch of cell {} are is not stated; 2 mm and 3° "
-                  "were taken for each.",
+          message("How certain the cells of the patch of cell {} are is not stated; 2 mm and 3° were taken for each.",
                   patch.origin));
     }
     for (const std::optional<Message>& too_large : {patchLargerThanLink(), linkTooLargeToSearch()}) {
@@ -378,10 +374,9 @@ class Placement {
     }
     if (result.candidates.size() > 1) {
       result.verdict = PlaceVerdict::Several;
-      result.summary = message(
-          "{}: {} places on link {} fit. A point whose place on the link is known would tell them "
-          "apart.",
-          patchesInWords(), result.candidates.size(), task_.link);
+      result.summary =
+          message("{}: {} places on link {} fit. A point whose place on the link is known would tell them apart.",
+                  patchesInWords(), result.candidates.size(), task_.link);
       return;
     }
     std::vector<Message> sentences;
