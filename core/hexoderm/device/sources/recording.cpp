@@ -13,7 +13,6 @@
 #include <cerrno>
 #include <cmath>
 #include <cstring>
-#include <fstream>
 #include <mutex>
 #include <string_view>
 #include <system_error>
@@ -192,68 +191,53 @@ Message StreamRecorder::error() const {
   return impl_->failure;
 }
 
-struct RecordingReader::Impl {
-  std::string path;
-  std::ifstream file;
-  std::uint64_t position = 0;
-  std::chrono::microseconds last{};
-  Message damage;
-
-  /// False, with `damage`, if there are fewer bytes; an end before the first byte is none where that is allowed.
-  bool read(std::uint8_t* bytes, std::size_t size, bool may_end) {
-    file.read(reinterpret_cast<char*>(bytes), static_cast<std::streamsize>(size));
-    const auto count = static_cast<std::size_t>(file.gcount());
-    if (count == size) return true;
-    if (count > 0 || !may_end) damage = located(path, message("is cut off; all before byte {} was played", position));
-    return false;
-  }
-};
-
-RecordingReader::RecordingReader(const std::filesystem::path& path) : impl_(std::make_unique<Impl>()) {
-  impl_->path = path.string();
-  std::error_code ignored;
-  if (std::filesystem::is_directory(path, ignored)) {
-    throw StorageError(impl_->path, message("is a folder, expected a recording"));
-  }
-  impl_->file.open(path, std::ios::binary);
-  if (!impl_->file) throw StorageError(impl_->path, message("can't be read: {}", systemReason(errno)));
-  std::array<std::uint8_t, kMagic.size() + 1> magic{};
-  const bool whole = impl_->read(magic.data(), magic.size(), false);
-  const char version = static_cast<char>(magic.back());
-  if (!whole || !std::equal(kMagic.begin(), kMagic.end(), magic.begin()) || version < kVersion || version > '9') {
-    throw FormatError(impl_->path, message("is no recording of a skin, expected it to begin with \"SKINREC1\""));
-  }
-  if (version > kVersion) {
-    throw FormatError(impl_->path, message("this recording has version {}, this program reads version {}",
-                                           std::string(1, version), std::string(1, kVersion)));
-  }
-  impl_->position = magic.size();
+bool RecordingReader::read(std::span<std::uint8_t> bytes, bool may_end) {
+  file_.read(reinterpret_cast<char*>(bytes.data()), static_cast<std::streamsize>(bytes.size()));
+  const auto count = static_cast<std::size_t>(file_.gcount());
+  if (count == bytes.size()) return true;
+  if (count > 0 || !may_end) damage_ = located(path_, message("is cut off; all before byte {} was played", position_));
+  return false;
 }
 
-RecordingReader::~RecordingReader() = default;
+RecordingReader::RecordingReader(const std::filesystem::path& path) : path_(path.string()) {
+  std::error_code ignored;
+  if (std::filesystem::is_directory(path, ignored)) {
+    throw StorageError(path_, message("is a folder, expected a recording"));
+  }
+  file_.open(path, std::ios::binary);
+  if (!file_) throw StorageError(path_, message("can't be read: {}", systemReason(errno)));
+  std::array<std::uint8_t, kMagic.size() + 1> magic{};
+  const bool whole = read(magic, false);
+  const char version = static_cast<char>(magic.back());
+  if (!whole || !std::equal(kMagic.begin(), kMagic.end(), magic.begin()) || version < kVersion || version > '9') {
+    throw FormatError(path_, message("is no recording of a skin, expected it to begin with \"SKINREC1\""));
+  }
+  if (version > kVersion) {
+    throw FormatError(path_, message("this recording has version {}, this program reads version {}",
+                                     std::string(1, version), std::string(1, kVersion)));
+  }
+  position_ = magic.size();
+}
 
 std::optional<RecordedBody> RecordingReader::next() {
-  if (!impl_->damage.empty()) return std::nullopt;
+  if (!damage_.empty()) return std::nullopt;
   std::array<std::uint8_t, kHead> head{};
-  if (!impl_->read(head.data(), head.size(), true)) return std::nullopt;
+  if (!read(head, true)) return std::nullopt;
   const auto arrived_us = skinwire::littleEndian<std::uint64_t>(head);
   const auto length = skinwire::littleEndian(skinwire::ByteView(head).subspan(8));
   if (length > skinwire::kMaxBody || arrived_us > skinwire::kMaxTime_us) {
-    impl_->damage =
-        located(impl_->path,
-                message("byte {}: a record says that it has {} bytes, at most {} were expected; the rest can't be read",
-                        impl_->position, length, skinwire::kMaxBody));
+    damage_ = located(
+        path_, message("byte {}: a record says that it has {} bytes, at most {} were expected; the rest can't be read",
+                       position_, length, skinwire::kMaxBody));
     return std::nullopt;
   }
   RecordedBody record;
   record.body.resize(length);
-  if (!impl_->read(record.body.data(), length, false)) return std::nullopt;
-  impl_->position += kHead + length;
-  impl_->last = std::max(impl_->last, std::chrono::microseconds(arrived_us));
-  record.arrived = impl_->last;
+  if (!read(record.body, false)) return std::nullopt;
+  position_ += kHead + length;
+  last_ = std::max(last_, std::chrono::microseconds(arrived_us));
+  record.arrived = last_;
   return record;
 }
-
-const Message& RecordingReader::damage() const { return impl_->damage; }
 
 }  // namespace hexoderm
