@@ -294,13 +294,8 @@ std::vector<std::filesystem::path> exportReconstruction(const Reconstruction& re
   if (path.empty()) throw InvalidArgument(message("expected the name of a file or folder to export to"));
   if (format == ExportFormat::Csv) return exportBundle(reconstruction, std::array{format}, path, options);
   const KeptFile robot(options.robot_urdf);
-  return withExported(
-      reconstruction, format, options,
-      [&](const Reconstruction& part, const ExportSelection& selection) -> std::vector<std::filesystem::path> {
-        requireFinite(part);
-        writeFileAtomically(path, bytesOf(part, selection, format, options, path.string()));
-        return {path};
-      });
+  writeFileAtomically(path, exportBytes(reconstruction, format, options, path.string()));
+  return {path};
 }
 
 FormatFiles formatFiles(const Reconstruction& reconstruction, ExportFormat format, const ExportOptions& options,
