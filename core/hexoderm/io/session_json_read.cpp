@@ -57,22 +57,6 @@ std::vector<GravitySample> readSamples(In&& json, std::size_t usual) {
   return samples;
 }
 
-/// The pose with the samples that `take_samples` returns.
-template <class TakeSamples>
-SessionPose readSessionPose(const JsonReader& json, TakeSamples take_samples) {
-  PoseCapture capture;
-  // One below the largest number, so that there is always an ID for the next pose.
-  capture.id = PoseId(json.at("id").unsignedInteger(0, UINT32_MAX - 1));
-  if (json.find("label")) capture.label = readMessage(json, "label");
-  if (const auto taken = json.find("taken_at_ms")) capture.taken_at_ms = taken->integer();
-  capture.samples = take_samples();
-  const auto disabled = json.find("disabled");
-  const auto why = json.find("why_disabled");
-  const auto joints = json.find("joint_angles");
-  return {std::make_shared<const PoseCapture>(std::move(capture)), disabled && disabled->boolean(),
-          why ? why->string() : std::string(), joints ? readJointAngles(*joints) : JointAngles()};
-}
-
 /// Somebody's program wrote another unit: no reading would count, and nothing would say why. Throws FormatError.
 void requireG(const Session& session, const std::string& file) {
   std::vector<double> norms;
@@ -92,7 +76,7 @@ SessionPose scanPose(JsonScanner& json, const std::string& file, std::size_t usu
   std::vector<GravitySample> samples;
   json.objectWith([&](std::string_view key) { json.keep(key, rest); },
                   member("samples", [&](auto& in) { samples = readSamples(in, usual_samples); }));
-  return readSessionPose(JsonReader(rest, file), [&] { return std::move(samples); });
+  return readPose(JsonReader(rest, file), "id", [&] { return std::move(samples); });
 }
 
 std::vector<SessionPose> scanPoses(JsonScanner& json, const std::string& file) {
@@ -173,7 +157,7 @@ Session sessionFromDocument(std::string_view text, const std::string& file) {
   NeighborList neighbors = readNeighbors(json.at("cells"));
   Session session(std::move(head.model), std::move(neighbors), std::move(head.source));
   for (const JsonReader& pose : json.at("poses").items()) {
-    session.addPose(readSessionPose(pose, [&] { return readSamples(pose.at("samples"), 0); }));
+    session.addPose(readPose(pose, "id", [&] { return readSamples(pose.at("samples"), 0); }));
   }
   readTail(json, file, session);
   if (const auto truth = json.find("truth")) session.setTruth(readTruth(*truth));

@@ -193,18 +193,7 @@ std::optional<SessionEdit> JournalState::editIn(const JournalEntry& entry, const
                    readNeighbors(json.at("cells"))};
   }
   if (kind == "capture") {
-    PoseCapture capture;
-    // One below the largest number, so that there is always an ID for the next pose.
-    capture.id = PoseId(json.at("pose").unsignedInteger(0, UINT32_MAX - 1));
-    if (json.find("label")) capture.label = readMessage(json, "label");
-    if (const auto taken = json.find("taken_at_ms")) capture.taken_at_ms = taken->integer();
-    capture.samples = decodeSamples(*entry.samples, where);
-    const auto disabled = json.find("disabled");
-    const auto why = json.find("why_disabled");
-    const auto joints = json.find("joint_angles");
-    return AddPose{{std::make_shared<const PoseCapture>(std::move(capture)), disabled && disabled->boolean(),
-                    why ? why->string() : std::string(), joints ? readJointAngles(*joints) : JointAngles()},
-                   placeIn(json)};
+    return AddPose{readPose(json, "pose", [&] { return decodeSamples(*entry.samples, where); }), placeIn(json)};
   }
   if (kind == "remove") return RemovePose{placeOf(captureOf(json))};
   if (kind == "restore") return RestorePose{removedBy(captureOf(json)).pose, placeIn(json)};

@@ -3,6 +3,7 @@
 #include "hexoderm/geometry/covariance.h"
 #include "hexoderm/util/error.h"
 #include "hexoderm/util/limits.h"
+#include "hexoderm/util/message_json.h"
 
 #include <algorithm>
 #include <cmath>
@@ -218,6 +219,21 @@ Json placementsJson(const std::vector<PatchPlacement>& placements) {
   Json json = Json::array();
   for (const PatchPlacement& placement : placements) json.push_back(placementJson(placement));
   return json;
+}
+
+SessionPose readPose(const JsonReader& json, const std::string& id_key,
+                     const std::function<std::vector<GravitySample>()>& take_samples) {
+  PoseCapture capture;
+  // One below the largest number, so that there is always an ID for the next pose.
+  capture.id = PoseId(json.at(id_key).unsignedInteger(0, UINT32_MAX - 1));
+  if (json.find("label")) capture.label = readMessage(json, "label");
+  if (const auto taken = json.find("taken_at_ms")) capture.taken_at_ms = taken->integer();
+  capture.samples = take_samples();
+  SessionPose pose{std::make_shared<const PoseCapture>(std::move(capture))};
+  if (const auto disabled = json.find("disabled")) pose.disabled = disabled->boolean();
+  if (const auto why = json.find("why_disabled")) pose.why_disabled = why->string();
+  if (const auto joints = json.find("joint_angles")) pose.joint_angles = readJointAngles(*joints);
+  return pose;
 }
 
 GroundTruth readTruth(const JsonReader& json) {
