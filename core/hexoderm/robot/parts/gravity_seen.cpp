@@ -49,6 +49,17 @@ Eigen::Matrix<double, 3, 2> acrossBasis(const Eigen::Vector3d& up) {
   return basis;
 }
 
+std::vector<Eigen::Vector3d> axesAllAround(int count) {
+  const double golden = kPi * (3 - std::sqrt(5.0));
+  std::vector<Eigen::Vector3d> axes;
+  for (int k = 0; k < count; ++k) {
+    const double z = (k + 0.5) / count;
+    const double s = std::sqrt(1 - z * z);
+    axes.emplace_back(s * std::cos(golden * k), s * std::sin(golden * k), z);
+  }
+  return axes;
+}
+
 double GravitySeen::worstDeviation(std::size_t pose) const {
   const auto at = static_cast<Eigen::Index>(2 * pose);
   Eigen::Matrix3d padded = Eigen::Matrix3d::Zero();
