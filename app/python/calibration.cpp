@@ -11,7 +11,9 @@
 #include <pybind11/stl.h>
 #include <pybind11/stl/filesystem.h>
 
+#include <algorithm>
 #include <filesystem>
+#include <string>
 
 namespace hexoderm::python {
 namespace {
