@@ -1,4 +1,5 @@
 #include "app/cli/command.h"
+#include "app/cli/json.h"
 
 #include "hexoderm/course/live_capture.h"
 #include "hexoderm/device/sources/open_source.h"
@@ -84,28 +85,25 @@ class Remarks {
   SourceState state_{};
 };
 
-nlohmann::ordered_json toJson(const HoldLedger& ledger) {
-  nlohmann::ordered_json json = {{"watched_s", ledger.watched_s()}, {"still_s", ledger.still_s()}};
-  auto blocked = nlohmann::ordered_json::array();
-  for (const BlockedTime& time : ledger.blocked()) {
-    nlohmann::ordered_json entry = {{"by", blockerName(time.blocker)}, {"for_s", time.duration_s}};
-    if (time.cell != CellId()) {
-      entry["cell"] = time.cell.value();
-      entry["cell_for_s"] = time.cell_s;
-    }
-    entry["message"] = time.message.english();
-    blocked.push_back(std::move(entry));
+Json toJson(const BlockedTime& time) {
+  Json json = {{"by", blockerName(time.blocker)}, {"for_s", time.duration_s}};
+  if (time.cell != CellId()) {
+    json["cell"] = time.cell.value();
+    json["cell_for_s"] = time.cell_s;
   }
-  json["blocked"] = std::move(blocked);
-  auto odd_cells = nlohmann::ordered_json::array();
-  if (ledger.last()) {
-    for (const OddCell& odd : ledger.last()->stillness.odd_cells) {
-      odd_cells.push_back(
-          {{"cell", odd.cell.value()}, {"is", oddCellName(odd.kind)}, {"message", describe(odd).english()}});
-    }
-    json["restarts"] = ledger.last()->restarts;
-  }
-  json["odd_cells"] = std::move(odd_cells);
+  json["message"] = time.message.english();
+  return json;
+}
+
+Json toJson(const HoldLedger& ledger) {
+  const auto odd_json = [](const OddCell& odd) -> Json {
+    return {{"cell", odd.cell.value()}, {"is", oddCellName(odd.kind)}, {"message", describe(odd).english()}};
+  };
+  Json json = {{"watched_s", ledger.watched_s()},
+               {"still_s", ledger.still_s()},
+               {"blocked", arrayOf(ledger.blocked(), [](const BlockedTime& time) { return toJson(time); })}};
+  if (ledger.last()) json["restarts"] = ledger.last()->restarts;
+  json["odd_cells"] = ledger.last() ? arrayOf(ledger.last()->stillness.odd_cells, odd_json) : Json::array();
   return json;
 }
 
@@ -130,22 +128,21 @@ void print(const LiveCaptureState& capture, const LiveCaptureOptions& options, c
   const Session& session = *capture.session;
   const SourceStatus& status = capture.source;
   if (common.json) {
-    nlohmann::ordered_json json = {{"file", options.file.string()},
-                                   {"device", capture.device.english()},
-                                   {"cells", session.neighbors().size()},
-                                   {"poses", session.poses().size()},
-                                   {"frames", status.frames},
-                                   {"lost_samples", status.lost_samples},
-                                   {"dropped_by_device", status.dropped_by_device},
-                                   {"late_frames", status.late_frames},
-                                   {"rejected_messages", status.rejected_messages},
-                                   {"reconnects", status.reconnects},
-                                   {"skin_changes", status.skin_changes},
-                                   {"clock_restarts", status.clock_restarts},
-                                   {"offences", cli::toJson(status.offences)}};
-    json["hold"] = toJson(capture.holds);
-    json["verdict"] = capture.result ? cli::toJson(capture.result->assessment) : nlohmann::ordered_json();
-    printJson(json);
+    printJson({{"file", options.file.string()},
+               {"device", capture.device.english()},
+               {"cells", session.neighbors().size()},
+               {"poses", session.poses().size()},
+               {"frames", status.frames},
+               {"lost_samples", status.lost_samples},
+               {"dropped_by_device", status.dropped_by_device},
+               {"late_frames", status.late_frames},
+               {"rejected_messages", status.rejected_messages},
+               {"reconnects", status.reconnects},
+               {"skin_changes", status.skin_changes},
+               {"clock_restarts", status.clock_restarts},
+               {"offences", cli::toJson(status.offences)},
+               {"hold", toJson(capture.holds)},
+               {"verdict", capture.result ? cli::toJson(capture.result->assessment) : Json()}});
     return;
   }
   std::cout << counted(session.poses().size(), "pose") << " of " << counted(session.neighbors().size(), "cell")
@@ -212,7 +209,7 @@ LiveCaptureState takePoses(const LiveCaptureOptions& options, const Common& comm
   try {
     while (capture.next(interrupted.get_token(), out_of_time.get_token())) continue;
     capture.close(out_of_time.get_token());
-    if (!capture.state().session) throw DeviceError(located(options.source, capture.state().status));
+    if (!capture.state().session) throw DeviceError(options.source, capture.state().status);
   } catch (...) {
     common.endProgress();
     const LiveCaptureState end = capture.state();
@@ -246,26 +243,23 @@ void addCapture(CLI::App& app, Common& common) {
                       "End after so many (default: at the stream's end or Ctrl+C; with --auto when they are good)");
   command->add_flag("--auto", options->automatic, "The device turns itself, to where each pose helps most");
   command->add_flag("--keep-raw", options->keep_raw, "Keep every sample of the poses in the session too");
-  command->add_option("--record", options->record_to, "Write all that the device sends to this file, for replay:FILE")
-      ->type_name(kOutput);
-  command
-      ->add_option(
-          "--timeout", options->timeout_s,
-          "Seconds to wait for a device to describe itself; with --auto also for each pose, whatever turns it refuses")
-      ->check(CLI::PositiveNumber)
-      ->capture_default_str();
-  command->add_option("-o,--output", options->file, "Session to make (*.hexo)")->type_name(kOutput)->required();
-  common.addTo(*command);
-  command->footer(
-      "A pose is captured when the part is held still. Ctrl+C ends and keeps what there is.\n"
-      "Example:\n  hexoderm-cli capture --source sim:x17 --auto --poses 4 -o arm.hexo\n"
-      "  hexoderm-cli capture --source sim:robot --auto --poses 8 -o arm.hexo\n"
-      "  hexoderm-cli solve arm.hexo -o arm.calibration.json");
-  command->callback([options, &common] {
+  addOutput(*command, "--record", options->record_to, "Write all that the device sends to this file, for replay:FILE");
+  addWithDefault(
+      *command, "--timeout", options->timeout_s,
+      "Seconds to wait for a device to describe itself; with --auto also for each pose, whatever turns it refuses")
+      ->check(CLI::PositiveNumber);
+  addOutput(*command, "-o,--output", options->file, "Session to make (*.hexo)")->required();
+  const auto run = [options, &common] {
     const LiveCaptureState capture = takePoses(*options, common);
     print(capture, *options, common);
-    common.exit_code = capture.result ? exitCodeOf(capture.result->assessment) : kNotGoodEnough;
-  });
+    return capture.result ? exitCodeOf(capture.result->assessment) : static_cast<int>(kNotGoodEnough);
+  };
+  finish(*command, common,
+         "A pose is captured when the part is held still. Ctrl+C ends and keeps what there is.\n"
+         "Example:\n  hexoderm-cli capture --source sim:x17 --auto --poses 4 -o arm.hexo\n"
+         "  hexoderm-cli capture --source sim:robot --auto --poses 8 -o arm.hexo\n"
+         "  hexoderm-cli solve arm.hexo -o arm.calibration.json",
+         run);
 }
 
 }  // namespace hexoderm::cli

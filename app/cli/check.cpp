@@ -1,6 +1,8 @@
 #include "app/cli/command.h"
+#include "app/cli/json.h"
 
 #include "hexoderm/course/live_capture.h"
+#include "hexoderm/device/sources/open_source.h"
 #include "hexoderm/reconstruction/check/calibration_check.h"
 #include "hexoderm/util/temporary_file.h"
 #include "hexoderm/util/text.h"
@@ -12,8 +14,6 @@
 
 namespace hexoderm::cli {
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 struct CheckOptions {
   std::string calibration;
@@ -42,41 +42,32 @@ CalibrationCheck checkAgainst(const Reconstruction& calibration, const Session& 
 }
 
 Json toJson(const CheckedCell& cell) {
-  Json json = {{"cell", cell.cell.value()},     {"change", cellChangeName(cell.change)},
-               {"words", cell.words.english()}, {"poses", cell.poses},
-               {"deviate", cell.deviate},       {"turn_deg", nullptr},
-               {"turn_sigma_deg", nullptr},     {"turn_at_least", nullptr},
-               {"offset_drift_mg", nullptr},    {"offset_drift_sigma_mg", nullptr},
-               {"noticed_turn_deg", nullptr}};
-  if (cell.turn) {
-    json["turn_deg"] = toDegrees(cell.turn->angle_rad);
-    json["turn_sigma_deg"] = toDegrees(cell.turn->sigma_rad);
-    json["turn_at_least"] = cell.turn->at_least;
-  }
-  if (cell.drift) {
-    constexpr double kMilli = 1000;
-    const Eigen::Vector3d drift_mg = kMilli * cell.drift->offset_g;
-    json["offset_drift_mg"] = {drift_mg.x(), drift_mg.y(), drift_mg.z()};
-    json["offset_drift_sigma_mg"] = kMilli * cell.drift->sigma_g;
-  }
-  if (cell.noticed_turn_rad) json["noticed_turn_deg"] = toDegrees(*cell.noticed_turn_rad);
-  return json;
+  constexpr double kMilli = 1000;
+  const auto& turn = cell.turn;
+  const auto& drift = cell.drift;
+  return {{"cell", cell.cell.value()},
+          {"change", cellChangeName(cell.change)},
+          {"words", cell.words.english()},
+          {"poses", cell.poses},
+          {"deviate", cell.deviate},
+          {"turn_deg", turn ? Json(toDegrees(turn->angle_rad)) : Json()},
+          {"turn_sigma_deg", turn ? Json(toDegrees(turn->sigma_rad)) : Json()},
+          {"turn_at_least", turn ? Json(turn->at_least) : Json()},
+          {"offset_drift_mg", drift ? listOf(kMilli * drift->offset_g) : Json()},
+          {"offset_drift_sigma_mg", drift ? Json(kMilli * drift->sigma_g) : Json()},
+          {"noticed_turn_deg", orNull(cell.noticed_turn_rad, toDegrees)}};
 }
 
 Json toJson(const CalibrationCheck& check, const CheckOptions& options) {
-  Json json = {{"calibration", options.calibration},
-               {"poses_of", options.session.empty() ? options.live.source : options.session},
-               {"poses", Json::array()},
-               {"changed", check.changed},
-               {"compared", check.compared},
-               {"summary", check.summary.english()},
-               {"advice", check.advice.english()},
-               {"remarks", Json::array()},
-               {"cells", Json::array()}};
-  for (const PoseId pose : check.poses) json["poses"].push_back(pose.value());
-  for (const Message& remark : check.remarks) json["remarks"].push_back(remark.english());
-  for (const CheckedCell& cell : check.cells) json["cells"].push_back(toJson(cell));
-  return json;
+  return {{"calibration", options.calibration},
+          {"poses_of", options.session.empty() ? options.live.source : options.session},
+          {"poses", numbersOf(check.poses)},
+          {"changed", check.changed},
+          {"compared", check.compared},
+          {"summary", check.summary.english()},
+          {"advice", check.advice.english()},
+          {"remarks", textsOf(check.remarks)},
+          {"cells", arrayOf(check.cells, [](const CheckedCell& cell) { return toJson(cell); })}};
 }
 
 void print(const CalibrationCheck& check) {
@@ -117,34 +108,24 @@ void addCheck(CLI::App& app, Common& common) {
   options->live.poses = 2;
   CLI::App* command = app.add_subcommand(
       "check", "Does an old calibration still hold? Compare it, cell by cell, with one to three new poses");
-  command->add_option("calibration", options->calibration, "Calibration (*.calibration.json)")
-      ->type_name(kInput)
-      ->required();
-  command->add_option("session", options->session, "Session with the new poses (*.hexo or *.session.json)")
-      ->type_name(kInput);
+  addInput(*command, "calibration", options->calibration, "Calibration (*.calibration.json)")->required();
+  addInput(*command, "session", options->session, "Session with the new poses (*.hexo or *.session.json)");
   CLI::Option* source =
       command->add_option("--source", options->live.source, "Take the poses now: " + sourceKindsInWords());
-  command->add_option("--poses", options->live.poses, "Poses to take")
-      ->check(CLI::Range(1, 100))
-      ->capture_default_str()
-      ->needs(source);
+  addWithDefault(*command, "--poses", options->live.poses, "Poses to take")->check(CLI::Range(1, 100))->needs(source);
   command->add_flag("--auto", options->live.automatic, "The device turns itself")->needs(source);
-  command
-      ->add_option("--timeout", options->live.timeout_s,
-                   "Seconds to wait for a device to describe itself; with --auto also for each pose")
+  addWithDefault(*command, "--timeout", options->live.timeout_s,
+                 "Seconds to wait for a device to describe itself; with --auto also for each pose")
       ->check(CLI::PositiveNumber)
-      ->capture_default_str()
       ->needs(source);
-  command->add_option("-o,--output", options->live.file, "Keep the poses that are taken in a session (*.hexo)")
-      ->type_name(kOutput)
+  addOutput(*command, "-o,--output", options->live.file, "Keep the poses that are taken in a session (*.hexo)")
       ->needs(source);
-  common.addTo(*command);
-  command->footer(
-      "The calibration is not changed. A part that sits otherwise on the robot as a whole is no change.\n"
-      "Exit code 1: something is not as calibrated, or nothing could be told.\n"
-      "Example:\n  hexoderm-cli check arm.calibration.json today.session.json\n"
-      "  hexoderm-cli check arm.calibration.json --source tcp://localhost:7700 --poses 2");
-  command->callback([options, &common] { common.exit_code = run(*options, common); });
+  finish(*command, common,
+         "The calibration is not changed. A part that sits otherwise on the robot as a whole is no change.\n"
+         "Exit code 1: something is not as calibrated, or nothing could be told.\n"
+         "Example:\n  hexoderm-cli check arm.calibration.json today.session.json\n"
+         "  hexoderm-cli check arm.calibration.json --source tcp://localhost:7700 --poses 2",
+         [options, &common] { return run(*options, common); });
 }
 
 }  // namespace hexoderm::cli

@@ -1,6 +1,6 @@
 #include "app/cli/command.h"
+#include "app/cli/json.h"
 
-#include "hexoderm/device/sources/open_source.h"
 #include "hexoderm/kinematics/demo_robot.h"
 #include "hexoderm/kinematics/joint_angles_csv.h"
 #include "hexoderm/session/session_joint_angles.h"
@@ -78,7 +78,7 @@ void requireApart(const std::string& a, const std::string& b) {
   const std::string file_b = fileOf(b);
   const bool same = file_a == file_b || (identityOf(a) && identityOf(a) == identityOf(b));
   if (!same && !isBeside(file_a, file_b) && !isBeside(file_b, file_a)) return;
-  throw InvalidArgument(located(a, message("collides with {}, which another option writes: take another name", b)));
+  throw InvalidArgument(a, message("collides with {}, which another option writes: take another name", b));
 }
 
 }  // namespace
@@ -196,7 +196,7 @@ std::map<PoseId, JointAngles> anglesOfPoses(const Session& session, const std::s
   const JointAnglesTable table = asInput([&] {
     JointAnglesTable read = readJointAnglesCsv(file, robot);
     const Message why = whyNoPoseHasAngles(session, read);
-    if (!why.empty()) throw FormatError(located(file, why));
+    if (!why.empty()) throw FormatError(file, why);
     return read;
   });
   for (const SetJointAngles& edit : jointAnglesFor(session, table).edits) {
@@ -258,65 +258,35 @@ void printVerdict(const Assessment& assessment) {
   if (!assessment.next_action.empty()) std::cout << "Next: " << forTerminal(assessment.next_action.english()) << '\n';
 }
 
-namespace {
-
-template <class Ids>
-nlohmann::ordered_json numbersOf(const Ids& ids) {
-  auto array = nlohmann::ordered_json::array();
-  for (const auto& id : ids) array.push_back(id.value());
-  return array;
-}
-
-}  // namespace
-
 nlohmann::ordered_json toJson(const Finding& finding) {
-  nlohmann::ordered_json json;
-  json["code"] = codeName(finding.code);
-  json["severity"] = severityName(finding.severity);
-  json["text"] = finding.message.english();
-  json["cells"] = numbersOf(finding.cells);
-  json["ports"] = numbersOf(finding.ports);
-  json["poses"] = numbersOf(finding.poses);
-  return json;
+  return {{"code", codeName(finding.code)},    {"severity", severityName(finding.severity)},
+          {"text", finding.message.english()}, {"cells", numbersOf(finding.cells)},
+          {"ports", numbersOf(finding.ports)}, {"poses", numbersOf(finding.poses)}};
 }
 
 nlohmann::ordered_json toJson(const std::vector<Finding>& findings) {
-  auto array = nlohmann::ordered_json::array();
-  for (const Finding& finding : findings) array.push_back(toJson(finding));
-  return array;
+  return arrayOf(findings, [](const Finding& finding) { return toJson(finding); });
 }
 
 nlohmann::ordered_json toJson(const Assessment& verdict) {
-  nlohmann::ordered_json json;
-  json["level"] = verdictName(verdict.level);
-  json["reason"] = verdict.reason.english();
-  json["position_95_mm"] = nullptr;
-  json["orientation_95_deg"] = nullptr;
-  if (verdict.position_95_m) json["position_95_mm"] = toMillimetres(*verdict.position_95_m);
-  if (verdict.orientation_95_rad) json["orientation_95_deg"] = toDegrees(*verdict.orientation_95_rad);
-  json["limit"] = limitName(verdict.limit);
-  json["remedy"] = remedyName(verdict.remedy);
-  json["limiting_cells"] = numbersOf(verdict.limiting_cells);
-  json["retake"] = numbersOf(verdict.retake);
-  json["next_action"] = verdict.next_action.english();
-  return json;
+  return {{"level", verdictName(verdict.level)},
+          {"reason", verdict.reason.english()},
+          {"position_95_mm", orNull(verdict.position_95_m, toMillimetres)},
+          {"orientation_95_deg", orNull(verdict.orientation_95_rad, toDegrees)},
+          {"limit", limitName(verdict.limit)},
+          {"remedy", remedyName(verdict.remedy)},
+          {"limiting_cells", numbersOf(verdict.limiting_cells)},
+          {"retake", numbersOf(verdict.retake)},
+          {"next_action", verdict.next_action.english()}};
 }
 
 nlohmann::ordered_json toJson(const std::vector<Offence>& offences) {
-  auto array = nlohmann::ordered_json::array();
-  for (const Offence& offence : offences) {
-    array.push_back({{"kind", offenceName(offence.kind)},
-                     {"count", offence.count},
-                     {"reason", offence.reason.english()},
-                     {"message_begins", offence.excerpt}});
-  }
-  return array;
-}
-
-std::string sourceKindsInWords() {
-  std::string kinds;
-  for (const SourceKind& kind : sourceKinds()) kinds += (kinds.empty() ? "" : ", ") + std::string(kind.example);
-  return kinds;
+  return arrayOf(offences, [](const Offence& offence) -> Json {
+    return {{"kind", offenceName(offence.kind)},
+            {"count", offence.count},
+            {"reason", offence.reason.english()},
+            {"message_begins", offence.excerpt}};
+  });
 }
 
 void printJson(const nlohmann::ordered_json& json) {

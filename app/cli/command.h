@@ -66,6 +66,20 @@ struct Common {
 /// What the help calls the value of an option: a file that the command reads, and what it writes.
 inline constexpr const char* kInput = "FILE";
 inline constexpr const char* kOutput = "OUTPUT";
+/// An option, or what stands without one, for a file to read, for a file to write, and with its default in the help.
+template <class Value>
+CLI::Option* addInput(CLI::App& command, const std::string& names, Value& file, const std::string& help) {
+  return command.add_option(names, file, help)->type_name(kInput);
+}
+template <class Value>
+CLI::Option* addOutput(CLI::App& command, const std::string& names, Value& file, const std::string& help) {
+  return command.add_option(names, file, help)->type_name(kOutput);
+}
+template <class Value>
+CLI::Option* addWithDefault(CLI::App& command, const std::string& names, Value& value, const std::string& help) {
+  return command.add_option(names, value, help)->capture_default_str();
+}
+
 /// Before any work: InvalidArgument if an output is one of the inputs, standard input among them, or another output,
 /// StorageError if it is a session.
 void requireReplaceableOutputs(const CLI::App& command);
@@ -79,7 +93,7 @@ void checkOption(const std::string& option, const std::string& value, Check chec
   try {
     check();
   } catch (const InvalidArgument& error) {
-    throw InvalidArgument(located(option + " " + shortened(value, 80), error.message()));
+    throw InvalidArgument(option + " " + shortened(value, 80), error.message());
   }
 }
 
@@ -108,6 +122,14 @@ class Output {
   std::streambuf* standard_ = nullptr;  ///< of std::cout, while something else is in its place
   std::ostringstream nowhere_;
 };
+
+/// Ends a command that `run` does, which returns the exit code: with the options that every command has, and a footer.
+template <class Run>
+void finish(CLI::App& command, Common& common, const std::string& footer, Run run) {
+  common.addTo(command);
+  command.footer(footer);
+  command.callback([&common, run] { common.exit_code = run(); });
+}
 
 void addSimulate(CLI::App& app, Common& common);
 void addCapture(CLI::App& app, Common& common);
@@ -182,8 +204,6 @@ nlohmann::ordered_json toJson(const std::vector<Offence>& offences);
 void printJson(const nlohmann::ordered_json& json);
 /// JSON as text, without what steers a terminal: JSON itself escapes the control characters of ASCII only.
 void printJsonText(std::string_view text);
-/// "tcp://HOST:PORT, udp://HOST:PORT, ...": all kinds of sources there are.
-std::string sourceKindsInWords();
 
 /// "1 pose", "2 poses".
 std::string counted(std::uint64_t count, const std::string& noun);

@@ -69,22 +69,15 @@ void addConvert(CLI::App& app, Common& common) {
   CLI::App* command = app.add_subcommand(
       "convert",
       "*.hexo to *.session.json and back; TUM SkinConfig XML to a calibration, or its topology to a session");
-  command->add_option("input", options->input, "*.hexo, *.session.json, *.calibration.json or TUM *.xml")
-      ->type_name(kInput)
+  addInput(*command, "input", options->input, "*.hexo, *.session.json, *.calibration.json or TUM *.xml")->required();
+  addOutput(*command, "-o,--output", options->output,
+            "*.hexo (must not exist yet), *.session.json or *.calibration.json; - is standard output, which gets the "
+            "JSON of what the input is")
       ->required();
-  command
-      ->add_option(
-          "-o,--output", options->output,
-          "*.hexo (must not exist yet), *.session.json or *.calibration.json; - is standard output, which gets the "
-          "JSON of what the input is")
-      ->type_name(kOutput)
-      ->required();
-  command->add_option("--cell-model", options->cell_model, "Of a TUM file: built-in name or JSON file")
-      ->type_name(kInput)
+  addInput(*command, "--cell-model", options->cell_model, "Of a TUM file: built-in name or JSON file")
       ->capture_default_str();
-  common.addTo(*command);
-  command->footer("Example:\n  hexoderm-cli convert skin_config.xml -o skin.calibration.json");
-  command->callback([options, &common] { common.exit_code = run(*options, common); });
+  finish(*command, common, "Example:\n  hexoderm-cli convert skin_config.xml -o skin.calibration.json",
+         [options, &common] { return run(*options, common); });
 }
 
 }  // namespace hexoderm::cli

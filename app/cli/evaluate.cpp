@@ -1,4 +1,5 @@
 #include "app/cli/command.h"
+#include "app/cli/json.h"
 
 #include "hexoderm/reconstruction/evaluation/evaluation.h"
 #include "hexoderm/util/text.h"
@@ -24,14 +25,9 @@ LinkEnd parseEnd(const std::string& text) {
   return {CellId(parseUnsigned(parts[0], "--loop")), PortNumber(parseUnsigned(parts[1], "--loop"))};
 }
 
-nlohmann::ordered_json vectorInMm(const Eigen::Vector3d& v) {
-  return {toMillimetres(v.x()), toMillimetres(v.y()), toMillimetres(v.z())};
-}
+Json vectorInMm(const Eigen::Vector3d& v) { return listOf(v / kMillimetre); }
 
-std::string inMm(const Eigen::Vector3d& v) {
-  return "[" + formatFixed(toMillimetres(v.x()), 2) + "; " + formatFixed(toMillimetres(v.y()), 2) + "; " +
-         formatFixed(toMillimetres(v.z()), 2) + "] mm";
-}
+std::string inMm(const Eigen::Vector3d& v) { return "[" + inWords(v / kMillimetre, 2, "; ") + "] mm"; }
 
 class Evaluation {
  public:
@@ -46,7 +42,7 @@ class Evaluation {
   }
 
   void fit(SurfaceKind kind, std::optional<double> true_radius_m) {
-    auto fits = nlohmann::ordered_json::array();
+    auto fits = Json::array();
     std::size_t fitted = 0;
     for (const PatchReconstruction& patch : calibration_.patches) {
       SurfaceEvaluation surface;
@@ -73,8 +69,7 @@ class Evaluation {
       }
       std::cout << "  point " << inMm(surface.point);
       if (kind != SurfaceKind::Sphere) {
-        std::cout << (kind == SurfaceKind::Plane ? ", normal [" : ", axis [") << formatFixed(surface.axis.x(), 4)
-                  << "; " << formatFixed(surface.axis.y(), 4) << "; " << formatFixed(surface.axis.z(), 4) << "]";
+        std::cout << (kind == SurfaceKind::Plane ? ", normal [" : ", axis [") << inWords(surface.axis, 4, "; ") << "]";
       }
       if (surface.half_angle_rad) std::cout << ", half angle " << degrees(*surface.half_angle_rad, 2);
       std::cout << '\n';
@@ -107,12 +102,8 @@ class Evaluation {
       comparisons = compareToReconstruction(calibration_, *std::get<std::shared_ptr<const Reconstruction>>(other));
     }
     if (comparisons.empty()) throw BadInput(path + ": has no cell in common with the calibration");
-    auto array = nlohmann::ordered_json::array();
-    for (const Comparison& comparison : comparisons) {
-      array.push_back(toJson(comparison));
-      if (!json_) print(comparison);
-    }
-    result_["against"] = array;
+    result_["against"] = arrayOf(comparisons, [](const Comparison& comparison) { return toJson(comparison); });
+    if (!json_) std::ranges::for_each(comparisons, print);
   }
 
   void findingsAndVerdict() {
@@ -126,12 +117,12 @@ class Evaluation {
   }
 
  private:
-  static nlohmann::ordered_json toJson(const SurfaceEvaluation& surface) {
-    nlohmann::ordered_json json;
+  static Json toJson(const SurfaceEvaluation& surface) {
+    Json json;
     json["patch"] = surface.patch.value();
     json["surface"] = surfaceKindName(surface.kind);
     json["point_mm"] = vectorInMm(surface.point);
-    if (surface.kind != SurfaceKind::Sphere) json["axis"] = {surface.axis.x(), surface.axis.y(), surface.axis.z()};
+    if (surface.kind != SurfaceKind::Sphere) json["axis"] = listOf(surface.axis);
     if (surface.radius_m) json["radius_mm"] = toMillimetres(*surface.radius_m);
     if (surface.half_angle_rad) json["half_angle_deg"] = toDegrees(*surface.half_angle_rad);
     json["rms_mm"] = toMillimetres(surface.rms_m);
@@ -139,7 +130,7 @@ class Evaluation {
     if (surface.better) json["more_probable"] = surfaceKindName(surface.better->kind);
     if (surface.delta_m) json["delta_mm"] = toMillimetres(*surface.delta_m);
     if (surface.epsilon_m) json["epsilon_mm"] = toMillimetres(*surface.epsilon_m);
-    json["cells"] = nlohmann::ordered_json::array();
+    json["cells"] = Json::array();
     for (std::size_t k = 0; k < surface.cells.size(); ++k) {
       json["cells"].push_back(
           {{"id", surface.cells[k].value()}, {"distance_mm", toMillimetres(surface.distance_m[k])}});
@@ -147,22 +138,19 @@ class Evaluation {
     return json;
   }
 
-  static nlohmann::ordered_json toJson(const Comparison& comparison) {
-    nlohmann::ordered_json json;
-    json["patch"] = comparison.patch.value();
-    json["position_rms_mm"] = toMillimetres(comparison.position_rms_m);
-    json["orientation_rms_deg"] = toDegrees(comparison.orientation_rms_rad);
-    json["cells"] = nlohmann::ordered_json::array();
-    for (const CellDifference& cell : comparison.cells) {
-      nlohmann::ordered_json entry;
-      entry["id"] = cell.cell.value();
-      entry["position_mm"] = vectorInMm(cell.position_m);
-      entry["orientation_deg"] = toDegrees(cell.orientation_rad);
-      if (cell.sigma_t_m) entry["sigma_t_mm"] = toMillimetres(*cell.sigma_t_m);
-      if (cell.sigma_r_rad) entry["sigma_r_deg"] = toDegrees(*cell.sigma_r_rad);
-      json["cells"].push_back(std::move(entry));
-    }
-    return json;
+  static Json toJson(const Comparison& comparison) {
+    const auto cell_json = [](const CellDifference& cell) {
+      Json json = {{"id", cell.cell.value()},
+                   {"position_mm", vectorInMm(cell.position_m)},
+                   {"orientation_deg", toDegrees(cell.orientation_rad)}};
+      if (cell.sigma_t_m) json["sigma_t_mm"] = toMillimetres(*cell.sigma_t_m);
+      if (cell.sigma_r_rad) json["sigma_r_deg"] = toDegrees(*cell.sigma_r_rad);
+      return json;
+    };
+    return {{"patch", comparison.patch.value()},
+            {"position_rms_mm", toMillimetres(comparison.position_rms_m)},
+            {"orientation_rms_deg", toDegrees(comparison.orientation_rms_rad)},
+            {"cells", arrayOf(comparison.cells, cell_json)}};
   }
 
   static void print(const Comparison& comparison) {
@@ -187,7 +175,7 @@ class Evaluation {
 
   const Reconstruction& calibration_;
   bool json_;
-  nlohmann::ordered_json result_;
+  Json result_;
 };
 
 int run(const EvaluateOptions& options, bool has_radius, const Common& common) {
@@ -213,18 +201,14 @@ void addEvaluate(CLI::App& app, Common& common) {
   const auto options = std::make_shared<EvaluateOptions>();
   CLI::App* command =
       app.add_subcommand("evaluate", "Surface fits, loop closure, comparison with a truth or a calibration");
-  command->add_option("calibration", options->input, "Calibration (*.calibration.json, or TUM XML)")
-      ->type_name(kInput)
-      ->required();
+  addInput(*command, "calibration", options->input, "Calibration (*.calibration.json, or TUM XML)")->required();
   command->add_option("--fit", options->fit, "plane, sphere, cylinder or cone through the cell centres");
   CLI::Option* radius =
       command->add_option("--true-radius", options->true_radius_m, "Known radius in metres: gives eqs. (20), (21)");
   command->add_option("--loop", options->loop, "Gap between two free ports: CELL:PORT,CELL:PORT");
-  command->add_option("--against", options->against, "Calibration, or session with truth, to compare with")
-      ->type_name(kInput);
-  common.addTo(*command);
-  command->footer("Example:\n  hexoderm-cli evaluate arm.calibration.json --fit cylinder --true-radius 0.0501");
-  command->callback([options, radius, &common] { common.exit_code = run(*options, radius->count() > 0, common); });
+  addInput(*command, "--against", options->against, "Calibration, or session with truth, to compare with");
+  finish(*command, common, "Example:\n  hexoderm-cli evaluate arm.calibration.json --fit cylinder --true-radius 0.0501",
+         [options, radius, &common] { return run(*options, radius->count() > 0, common); });
 }
 
 }  // namespace hexoderm::cli

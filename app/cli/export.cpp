@@ -1,5 +1,6 @@
 #include "app/cli/command.h"
 #include "app/cli/export_robot.h"
+#include "app/cli/json.h"
 
 #include "hexoderm/io/export_package.h"
 #include "hexoderm/io/placements_json.h"
@@ -29,19 +30,15 @@ struct ExportCommandOptions {
   ExportOptions options;
 };
 
-nlohmann::ordered_json toJson(const std::vector<PatchLeftOut>& patches) {
-  auto array = nlohmann::ordered_json::array();
-  for (const PatchLeftOut& patch : patches) {
-    auto cells = nlohmann::ordered_json::array();
-    for (const CellId cell : patch.cells) cells.push_back(cell.value());
-    array.push_back({{"patch", patch.patch.value()}, {"origin", patch.origin.value()}, {"cells", cells}});
-  }
-  return array;
+Json toJson(const std::vector<PatchLeftOut>& patches) {
+  return arrayOf(patches, [](const PatchLeftOut& patch) -> Json {
+    return {{"patch", patch.patch.value()}, {"origin", patch.origin.value()}, {"cells", numbersOf(patch.cells)}};
+  });
 }
 
 /// "[CELL@]LINK:x,y,z,roll,pitch,yaw"; without a cell the patch that is exported alone.
 PatchOnLink placementFrom(const std::string& text, const Reconstruction& reconstruction, const ExportOptions& options) {
-  const auto fail = [&text](const Message& what) { throw InvalidArgument(located("--place \"" + text + "\"", what)); };
+  const auto fail = [&text](const Message& what) { throw InvalidArgument("--place \"" + text + "\"", what); };
   const std::size_t colon = text.rfind(':');
   if (colon == std::string::npos) fail(message("expected [CELL@]LINK:x,y,z,roll,pitch,yaw in metres and radians"));
   const std::vector<std::string> numbers = split(text.substr(colon + 1), ',');
@@ -122,9 +119,7 @@ int run(ExportCommandOptions command, bool one_patch, const Common& common) {
                           " is a folder of several files, which standard output can't be: give a folder");
   }
   const auto calibration = openCalibration(command.input);
-  if (!command.placements_file.empty()) {
-    options.placements = placementsOf(*calibration, command.placements_file);
-  }
+  if (!command.placements_file.empty()) options.placements = placementsOf(*calibration, command.placements_file);
   for (const std::string& text : command.placements) {
     options.placements.push_back(placementFrom(text, *calibration, options));
   }
@@ -166,10 +161,10 @@ int run(ExportCommandOptions command, bool one_patch, const Common& common) {
   });
   common.endProgress();
   if (common.json) {
-    auto names = nlohmann::ordered_json::array();
-    for (const auto& file : files) names.push_back(file.string());
-    printJson(
-        {{"format", command.formats}, {"files", names}, {"left_out", toJson(left_out)}, {"not_carried", not_carried}});
+    printJson({{"format", command.formats},
+               {"files", arrayOf(files, [](const std::filesystem::path& file) { return file.string(); })},
+               {"left_out", toJson(left_out)},
+               {"not_carried", not_carried}});
   } else {
     for (const auto& file : files) {
       std::error_code ignored;  // a device or a pipe is not read
@@ -183,11 +178,7 @@ int run(ExportCommandOptions command, bool one_patch, const Common& common) {
 
 /// "urdf, robot-urdf: URDF of the robot" for the help.
 std::string helpOf(const ExportOptionDescription& option) {
-  std::string names;
-  for (const ExportFormat format : option.formats) {
-    names += (names.empty() ? "" : ", ") + std::string(exportFormatDescription(format).name);
-  }
-  return option.help.english() + " (" + names + ")";
+  return option.help.english() + " (" + inWords(option.formats) + ")";
 }
 
 void addFormatOptions(CLI::App& command, const std::shared_ptr<ExportCommandOptions>& options) {
@@ -213,30 +204,24 @@ void addExport(CLI::App& app, Common& common) {
     formats += "\n  " + std::string(format.name) + ": " + format.summary.english();
     if (!format.not_carried.empty()) formats += ". " + format.not_carried.english();
   }
-  command->add_option("calibration", options->input, "Calibration (*.calibration.json, or TUM XML)")
-      ->type_name(kInput)
-      ->required();
+  addInput(*command, "calibration", options->input, "Calibration (*.calibration.json, or TUM XML)")->required();
   command
       ->add_option(
           "--to", options->formats,
           "Format, or several with commas between for a folder or archive with all of them and a manifest.json:" +
               formats)
       ->required();
-  command
-      ->add_option("-o,--output", options->output,
-                   "File to write; for csv and for several formats a folder, or with the ending .zip an archive; - is "
-                   "standard output")
-      ->type_name(kOutput)
+  addOutput(*command, "-o,--output", options->output,
+            "File to write; for csv and for several formats a folder, or with the ending .zip an archive; - is "
+            "standard output")
       ->required();
   addFormatOptions(*command, options);
   command->add_option(
       "--place", options->placements,
       "[CELL@]LINK:x,y,z,roll,pitch,yaw: where the patch of a cell is on a link of the robot, in metres and "
       "radians as the origin of a URDF joint; once for each patch");
-  command
-      ->add_option("--placements", options->placements_file,
-                   "File of hexoderm-cli place, which says where patches are on links of the robot")
-      ->type_name(kInput);
+  addInput(*command, "--placements", options->placements_file,
+           "File of hexoderm-cli place, which says where patches are on links of the robot");
   command->add_option("--in-link", options->options.in_link,
                       "Write coordinates in the frame of this link, of the patches that are placed on it");
   CLI::Option* patch = command->add_option("--patch", options->patch_of_cell,
@@ -246,13 +231,12 @@ void addExport(CLI::App& app, Common& common) {
       ->add_flag("--all-patches", options->options.all_patches,
                  "Write every patch to a vtp file too, each in its own frame, their origins at one place")
       ->excludes(patch);
-  common.addTo(*command);
-  command->footer(
-      "Where --robot is given, the names of links are those of the robot, with every format.\n"
-      "Examples:\n  hexoderm-cli export arm.calibration.json --to urdf -o arm.urdf\n"
-      "  hexoderm-cli export arm.calibration.json --to robot-urdf --robot robot.urdf "
-      "--place r_forearm:0.02,0,0.1,0,1.5708,0 -o robot_with_skin.urdf");
-  command->callback([options, patch, &common] { common.exit_code = run(*options, patch->count() > 0, common); });
+  finish(*command, common,
+         "Where --robot is given, the names of links are those of the robot, with every format.\n"
+         "Examples:\n  hexoderm-cli export arm.calibration.json --to urdf -o arm.urdf\n"
+         "  hexoderm-cli export arm.calibration.json --to robot-urdf --robot robot.urdf "
+         "--place r_forearm:0.02,0,0.1,0,1.5708,0 -o robot_with_skin.urdf",
+         [options, patch, &common] { return run(*options, patch->count() > 0, common); });
 }
 
 }  // namespace hexoderm::cli

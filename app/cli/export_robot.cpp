@@ -34,7 +34,7 @@ void requireLinksOfTheRobot(const std::vector<ExportFormat>& formats, const Expo
     try {
       static_cast<void>(robot.linkNamed(link));
     } catch (const InvalidArgument& error) {
-      throw InvalidArgument(located(std::string(option), error.message()));
+      throw InvalidArgument(std::string(option), error.message());
     }
   };
   for (const PatchOnLink& place : options.placements) require(place.link, "the place of a patch");

@@ -1,4 +1,5 @@
 #include "app/cli/command.h"
+#include "app/cli/json.h"
 
 #include "hexoderm/reconstruction/reconstructor.h"
 #include "hexoderm/util/text.h"
@@ -24,33 +25,30 @@ std::size_t freePorts(const Reconstruction& r) {
   return r.cellCount() * r.model->ports.size() - joined;
 }
 
-nlohmann::ordered_json describe(const Reconstruction& r, const std::string& kind) {
-  nlohmann::ordered_json json;
-  json["kind"] = kind;
-  json["cell_model"] = r.model->name;
-  json["cells"] = r.cellCount();
-  json["links"] = r.linkCount();
-  json["free_ports"] = freePorts(r);
-  json["patches"] = nlohmann::ordered_json::array();
-  for (const PatchReconstruction& patch : r.patches) {
-    json["patches"].push_back(
-        {{"id", patch.id.value()}, {"cells", patch.cells.size()}, {"origin", patch.origin.value()}});
-  }
-  json["poses"] = nlohmann::ordered_json::array();
-  for (const PoseSummary& pose : r.poses) {
-    nlohmann::ordered_json entry = {{"id", pose.pose.value()},
-                                    {"label", pose.label.english()},
-                                    {"enabled", pose.enabled},
-                                    {"cells_measured", pose.cells_measured},
-                                    {"noise_mg", pose.noise_g * 1000}};
-    if (pose.new_by_rad) entry["new_by_deg"] = toDegrees(*pose.new_by_rad);
-    if (pose.residual_rad) entry["residual_deg"] = toDegrees(*pose.residual_rad);
-    json["poses"].push_back(std::move(entry));
-  }
-  json["solver"] = r.solver;
-  json["findings"] = cli::toJson(r.findings);
-  json["verdict"] = cli::toJson(r.assessment);
-  return json;
+Json describe(const Reconstruction& r, const std::string& kind) {
+  const auto patch_json = [](const PatchReconstruction& patch) -> Json {
+    return {{"id", patch.id.value()}, {"cells", patch.cells.size()}, {"origin", patch.origin.value()}};
+  };
+  const auto pose_json = [](const PoseSummary& pose) {
+    Json json = {{"id", pose.pose.value()},
+                 {"label", pose.label.english()},
+                 {"enabled", pose.enabled},
+                 {"cells_measured", pose.cells_measured},
+                 {"noise_mg", pose.noise_g * 1000}};
+    if (pose.new_by_rad) json["new_by_deg"] = toDegrees(*pose.new_by_rad);
+    if (pose.residual_rad) json["residual_deg"] = toDegrees(*pose.residual_rad);
+    return json;
+  };
+  return {{"kind", kind},
+          {"cell_model", r.model->name},
+          {"cells", r.cellCount()},
+          {"links", r.linkCount()},
+          {"free_ports", freePorts(r)},
+          {"patches", arrayOf(r.patches, patch_json)},
+          {"poses", arrayOf(r.poses, pose_json)},
+          {"solver", r.solver},
+          {"findings", cli::toJson(r.findings)},
+          {"verdict", cli::toJson(r.assessment)}};
 }
 
 void print(const Reconstruction& r, const std::string& path, const std::string& kind) {
@@ -100,17 +98,13 @@ int run(const InspectOptions& options, const Common& common) {
 void addInspect(CLI::App& app, Common& common) {
   const auto options = std::make_shared<InspectOptions>();
   CLI::App* command = app.add_subcommand("inspect", "Say what is in a file, what is wrong with it and what to do next");
-  command->add_option("input", options->input, "Session, calibration or TUM XML")->type_name(kInput)->required();
-  command->add_option("--cell-model", options->cell_model, "Of a TUM file: built-in name or JSON file")
-      ->type_name(kInput)
+  addInput(*command, "input", options->input, "Session, calibration or TUM XML")->required();
+  addInput(*command, "--cell-model", options->cell_model, "Of a TUM file: built-in name or JSON file")
       ->capture_default_str();
-  command
-      ->add_option("--solver", options->solver,
-                   "Of a session: global, as 'solve' does; or tree, which is quicker and finds less")
-      ->capture_default_str();
-  common.addTo(*command);
-  command->footer("Example:\n  hexoderm-cli inspect arm.session.json");
-  command->callback([options, &common] { common.exit_code = run(*options, common); });
+  addWithDefault(*command, "--solver", options->solver,
+                 "Of a session: global, as 'solve' does; or tree, which is quicker and finds less");
+  finish(*command, common, "Example:\n  hexoderm-cli inspect arm.session.json",
+         [options, &common] { return run(*options, common); });
 }
 
 }  // namespace hexoderm::cli

@@ -1,4 +1,5 @@
 #include "app/cli/command.h"
+#include "app/cli/json.h"
 
 #include "hexoderm/reconstruction/reconstructor.h"
 #include "hexoderm/reconstruction/result/uncertainty.h"
@@ -12,8 +13,6 @@
 
 namespace hexoderm::cli {
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 struct LinksArguments {
   std::string session;
@@ -45,17 +44,11 @@ LinksOptions optionsOf(const LinksArguments& arguments) {
 
 // --- as text
 
-std::string rollPitchYaw(const Eigen::Matrix3d& R) {
-  const Eigen::Vector3d angles = rpyFromRotation(R);
-  return formatFixed(toDegrees(angles.x()), 1) + " " + formatFixed(toDegrees(angles.y()), 1) + " " +
-         formatFixed(toDegrees(angles.z()), 1) + " deg";
-}
-
 void printCandidate(const LinkCandidate& candidate) {
   std::cout << "  misfit " << formatFixed(candidate.chi_squared, 1) << " / " << candidate.freedom << ", p "
             << formatFixed(candidate.probability, 4) << ", odds 10^" << formatFixed(candidate.log10_odds, 1) << '\n';
   for (const PatchTurn& turn : candidate.links) {
-    std::cout << "    " << forTerminal(turn.link) << ": turned by roll, pitch, yaw " << rollPitchYaw(turn.R_l_o)
+    std::cout << "    " << forTerminal(turn.link) << ": turned by roll, pitch, yaw " << rollPitchYaw(turn.R_l_o, 1)
               << ", +- " << degrees(rotationSigma(turn.covariance), 1) << '\n';
   }
 }
@@ -78,9 +71,7 @@ void printPatch(const Reconstruction& r, const PatchLinks& patch) {
     }
     std::cout << '\n';
   }
-  if (!patch.what_would_tell.empty()) {
-    std::cout << "  Next: " << forTerminal(patch.what_would_tell.english()) << '\n';
-  }
+  if (!patch.what_would_tell.empty()) std::cout << "  Next: " << forTerminal(patch.what_would_tell.english()) << '\n';
 }
 
 void printRobot(const RobotEstimate& robot) {
@@ -95,9 +86,7 @@ void printRobot(const RobotEstimate& robot) {
 
 void printAll(const Reconstruction& r, const LinksResult& result) {
   std::cout << forTerminal(result.summary.english()) << '\n';
-  for (const Message& finding : result.findings) {
-    std::cout << "Note: " << forTerminal(finding.english()) << '\n';
-  }
+  for (const Message& finding : result.findings) std::cout << "Note: " << forTerminal(finding.english()) << '\n';
   for (const PatchId patch : result.not_compared) {
     std::cout << "Not compared: patch " << patch << ", origin cell " << r.patches[patch.value()].origin << '\n';
   }
@@ -107,56 +96,61 @@ void printAll(const Reconstruction& r, const LinksResult& result) {
 
 // --- as JSON
 
-Json listOf(const Eigen::Vector3d& v) { return {v.x(), v.y(), v.z()}; }
-
-Json rowsOf(const Eigen::Matrix3d& M) {
-  Json json = Json::array();
-  for (Eigen::Index row = 0; row < 3; ++row) json.push_back(listOf(M.row(row).transpose()));
-  return json;
-}
-
 Json toJson(const PatchTurn& turn) {
-  const Eigen::Quaterniond q(turn.R_l_o);
   return {{"link", turn.link},
-          {"q_l_o_wxyz", {q.w(), q.x(), q.y(), q.z()}},
+          {"q_l_o_wxyz", quaternionOf(turn.R_l_o)},
           {"covariance_rad2", rowsOf(turn.covariance)},
           {"sigma_deg", toDegrees(rotationSigma(turn.covariance))}};
 }
 
 Json toJson(const LinkCandidate& candidate) {
-  Json json = {{"chi_squared", candidate.chi_squared},
-               {"freedom", candidate.freedom},
-               {"probability", candidate.probability},
-               {"log10_odds", candidate.log10_odds},
-               {"links", Json::array()}};
-  for (const PatchTurn& turn : candidate.links) json["links"].push_back(toJson(turn));
-  return json;
+  return {{"chi_squared", candidate.chi_squared},
+          {"freedom", candidate.freedom},
+          {"probability", candidate.probability},
+          {"log10_odds", candidate.log10_odds},
+          {"links", arrayOf(candidate.links, [](const PatchTurn& turn) { return toJson(turn); })}};
+}
+
+Json toJson(const LinkResidual& residual) {
+  return {{"pose", residual.pose.value()},
+          {"angle_deg", toDegrees(residual.angle_rad)},
+          {"sigma_deg", toDegrees(residual.sigma_rad)}};
 }
 
 Json toJson(const Reconstruction& r, const PatchLinks& patch) {
-  Json json = {{"id", patch.patch.value()},
-               {"origin", patch.origin.value()},
-               {"cells", r.patches[patch.patch.value()].cells.size()},
-               {"poses", patch.poses},
-               {"placed", patch.placed ? toJson(*patch.placed) : Json(nullptr)},
-               {"chosen", patch.chosen},
-               {"candidates", Json::array()},
-               {"nearest", patch.nearest ? toJson(*patch.nearest) : Json(nullptr)},
-               {"open_axis_l", patch.open_axis_l ? listOf(*patch.open_axis_l) : Json(nullptr)},
-               {"residuals", Json::array()},
-               {"why", patch.why.english()},
-               {"what_would_tell", patch.what_would_tell.english()}};
-  for (const LinkCandidate& candidate : patch.candidates) json["candidates"].push_back(toJson(candidate));
-  for (const LinkResidual& residual : patch.residuals) {
-    json["residuals"].push_back({{"pose", residual.pose.value()},
-                                 {"angle_deg", toDegrees(residual.angle_rad)},
-                                 {"sigma_deg", toDegrees(residual.sigma_rad)}});
-  }
-  return json;
+  const auto json_of = [](const auto& part) { return toJson(part); };
+  return {{"id", patch.patch.value()},
+          {"origin", patch.origin.value()},
+          {"cells", r.patches[patch.patch.value()].cells.size()},
+          {"poses", patch.poses},
+          {"placed", orNull(patch.placed, json_of)},
+          {"chosen", patch.chosen},
+          {"candidates", arrayOf(patch.candidates, json_of)},
+          {"nearest", orNull(patch.nearest, json_of)},
+          {"open_axis_l", orNull(patch.open_axis_l, listOf)},
+          {"residuals", arrayOf(patch.residuals, json_of)},
+          {"why", patch.why.english()},
+          {"what_would_tell", patch.what_would_tell.english()}};
+}
+
+Json toJson(const JointZero& zero) {
+  return {{"joint", zero.joint},
+          {"zero_deg", toDegrees(zero.zero_rad)},
+          {"sigma_deg", toDegrees(zero.sigma_rad)},
+          {"prior_sigma_deg", toDegrees(zero.prior_sigma_rad)},
+          {"shown", zero.shown}};
+}
+
+Json toJson(const JointResidual& residual) {
+  return {{"pose", residual.pose.value()},
+          {"joint", residual.joint},
+          {"turn_deg", toDegrees(residual.turn_rad)},
+          {"sigma_deg", toDegrees(residual.sigma_rad)}};
 }
 
 Json toJson(const RobotEstimate& robot) {
-  Json json = {{"patches", Json::array()},
+  const auto json_of = [](const auto& part) { return toJson(part); };
+  Json json = {{"patches", numbersOf(robot.patches)},
                {"chi_squared", robot.chi_squared},
                {"freedom", robot.freedom},
                {"probability", robot.probability},
@@ -164,23 +158,9 @@ Json toJson(const RobotEstimate& robot) {
                {"up_covariance_rad2", rowsOf(robot.up_covariance)},
                {"tilt_deg", toDegrees(robot.tilt_rad)},
                {"tilt_sigma_deg", toDegrees(robot.tilt_sigma_rad)},
-               {"zeros", Json::array()},
-               {"residuals", Json::array()},
+               {"zeros", arrayOf(robot.zeros, json_of)},
+               {"residuals", arrayOf(robot.residuals, json_of)},
                {"covariance_rad2", Json::array()}};
-  for (const PatchId patch : robot.patches) json["patches"].push_back(patch.value());
-  for (const JointZero& zero : robot.zeros) {
-    json["zeros"].push_back({{"joint", zero.joint},
-                             {"zero_deg", toDegrees(zero.zero_rad)},
-                             {"sigma_deg", toDegrees(zero.sigma_rad)},
-                             {"prior_sigma_deg", toDegrees(zero.prior_sigma_rad)},
-                             {"shown", zero.shown}});
-  }
-  for (const JointResidual& residual : robot.residuals) {
-    json["residuals"].push_back({{"pose", residual.pose.value()},
-                                 {"joint", residual.joint},
-                                 {"turn_deg", toDegrees(residual.turn_rad)},
-                                 {"sigma_deg", toDegrees(residual.sigma_rad)}});
-  }
   const std::size_t size = robot.unknowns();
   for (std::size_t row = 0; row < size; ++row) {
     const auto begin = robot.covariance.begin() + static_cast<std::ptrdiff_t>(row * size);
@@ -190,17 +170,12 @@ Json toJson(const RobotEstimate& robot) {
 }
 
 Json toJson(const Reconstruction& r, const LinksResult& result) {
-  Json json = {{"summary", result.summary.english()},
-               {"findings", Json::array()},
-               {"poses", Json::array()},
-               {"patches", Json::array()},
-               {"robot", result.robot ? toJson(*result.robot) : Json(nullptr)},
-               {"not_compared", Json::array()}};
-  for (const Message& finding : result.findings) json["findings"].push_back(finding.english());
-  for (const PoseId pose : result.poses) json["poses"].push_back(pose.value());
-  for (const PatchLinks& patch : result.patches) json["patches"].push_back(toJson(r, patch));
-  for (const PatchId patch : result.not_compared) json["not_compared"].push_back(patch.value());
-  return json;
+  return {{"summary", result.summary.english()},
+          {"findings", textsOf(result.findings)},
+          {"poses", numbersOf(result.poses)},
+          {"patches", arrayOf(result.patches, [&](const PatchLinks& patch) { return toJson(r, patch); })},
+          {"robot", orNull(result.robot, [](const RobotEstimate& robot) { return toJson(robot); })},
+          {"not_compared", numbersOf(result.not_compared)}};
 }
 
 bool placesAll(const LinksResult& result) {
@@ -232,14 +207,10 @@ void addLinks(CLI::App& app, Common& common) {
   const auto arguments = std::make_shared<LinksArguments>();
   CLI::App* command =
       app.add_subcommand("links", "Tell on which link of a robot each patch is, and how it is turned there");
-  command->add_option("session", arguments->session, "Session (*.hexo or *.session.json)")
-      ->type_name(kInput)
-      ->required();
-  command->add_option("--robot", arguments->robot, "The robot as URDF, or demo")->type_name(kInput)->required();
-  command
-      ->add_option("--joints", arguments->joints,
-                   "Joint angles of the poses as CSV (default: those that the session holds)")
-      ->type_name(kInput);
+  addInput(*command, "session", arguments->session, "Session (*.hexo or *.session.json)")->required();
+  addInput(*command, "--robot", arguments->robot, "The robot as URDF, or demo")->required();
+  addInput(*command, "--joints", arguments->joints,
+           "Joint angles of the poses as CSV (default: those that the session holds)");
   command->add_option("--package", arguments->packages, "NAME=FOLDER of meshes at package://NAME/...; may be repeated");
   command->add_option("--put", arguments->chosen,
                       "CELL=LINK: take the patch of a cell to be on a link, whatever fits; may be repeated");
@@ -247,12 +218,11 @@ void addLinks(CLI::App& app, Common& common) {
       ->expected(3)
       ->delimiter(',');
   command->add_flag("--exact-joints", arguments->exact_joints, "Joints have no zero errors");
-  common.addTo(*command);
-  command->footer(
-      "From gravity and joint angles: the base stands still, and where on its link a patch lies is not told.\n"
-      "Exit code 1: some patch is on no link that is known.\n"
-      "Example:\n  hexoderm-cli links robot.session.json --robot robot.urdf --joints robot.joints.csv");
-  command->callback([arguments, &common] { common.exit_code = run(*arguments, common); });
+  finish(*command, common,
+         "From gravity and joint angles: the base stands still, and where on its link a patch lies is not told.\n"
+         "Exit code 1: some patch is on no link that is known.\n"
+         "Example:\n  hexoderm-cli links robot.session.json --robot robot.urdf --joints robot.joints.csv",
+         [arguments, &common] { return run(*arguments, common); });
 }
 
 }  // namespace hexoderm::cli

@@ -1,4 +1,5 @@
 #include "app/cli/command.h"
+#include "app/cli/json.h"
 #include "app/cli/listen_commands.h"
 
 #include "hexoderm/device/diagnosis/listening.h"
@@ -14,8 +15,6 @@
 
 namespace hexoderm::cli {
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 struct ListenOptions {
   std::string source;
@@ -97,37 +96,30 @@ void listenTo(const Ear& ear, SkinSource& source, CommandTrial& trial, double ti
   common.endProgress();
 }
 
-Json spreadJson(const std::optional<Spread>& spread, double factor = 1) {
-  if (!spread) return nullptr;
-  return {{"min", spread->least * factor}, {"median", spread->median * factor}, {"max", spread->most * factor}};
-}
-
-Json optionalJson(const std::optional<double>& value, double factor = 1) {
-  return value ? Json(*value * factor) : Json(nullptr);
-}
-
 constexpr double kMilli = 1000;
+
+Json spreadJson(const std::optional<Spread>& spread, double factor = 1) {
+  return orNull(spread, [&](const Spread& s) -> Json {
+    return {{"min", s.least * factor}, {"median", s.median * factor}, {"max", s.most * factor}};
+  });
+}
+
+Json toJson(const CellHeard& cell) {
+  return {{"cell", cell.cell.value()},
+          {"readings", cell.readings},
+          {"rate_hz", orNull(cell.rate_hz)},
+          {"norm_g", spreadJson(cell.norm_g)},
+          {"mean_g", orNull(cell.mean_u, listOf)},
+          {"noise_mg", orNull(cell.noise_g, kMilli)}};
+}
 
 Json toJson(const ListeningReport& report, const CommandTrial& trial, const ListenOptions& options) {
   const SourceStatus& status = report.status;
-  auto cells = Json::array();
-  for (const CellHeard& cell : report.cells) {
-    cells.push_back({{"cell", cell.cell.value()},
-                     {"readings", cell.readings},
-                     {"rate_hz", optionalJson(cell.rate_hz)},
-                     {"norm_g", spreadJson(cell.norm_g)},
-                     {"mean_g", cell.mean_u ? Json({cell.mean_u->x(), cell.mean_u->y(), cell.mean_u->z()}) : Json()},
-                     {"noise_mg", optionalJson(cell.noise_g, kMilli)}});
-  }
-  auto remarks = Json::array();
-  for (const Message& remark : report.remarks) remarks.push_back(remark.english());
-  auto silent = Json::array();
-  for (const CellId cell : report.silent_cells) silent.push_back(cell.value());
   return {
       {"source", options.source},
       {"ready", report.obstacle.empty()},
       {"obstacle", report.obstacle.english()},
-      {"remarks", std::move(remarks)},
+      {"remarks", textsOf(report.remarks)},
       {"status", status.message.english()},
       {"device", report.device},
       {"cell_model", report.cell_model},
@@ -144,9 +136,9 @@ Json toJson(const ListeningReport& report, const CommandTrial& trial, const List
       {"unknown_samples", status.unknown_samples},
       {"rejected_messages", status.rejected_messages},
       {"reconnects", status.reconnects},
-      {"silent_cells", std::move(silent)},
-      {"cells", std::move(cells)},
-      {"slowness", optionalJson(report.slowness)},
+      {"silent_cells", numbersOf(report.silent_cells)},
+      {"cells", arrayOf(report.cells, [](const CellHeard& cell) { return toJson(cell); })},
+      {"slowness", orNull(report.slowness)},
       {"commands", trial.toJson()},
       {"offences", cli::toJson(report.offences)}};
 }
@@ -259,21 +251,20 @@ void addListen(CLI::App& app, Common& common) {
   CLI::App* command =
       app.add_subcommand("listen", "Listen to a device, and say what it does wrong: for those who make one");
   command->add_option("source", options->source, sourceKindsInWords())->required();
-  command->add_option("--for", options->time_s, "Seconds to listen; Ctrl+C ends it before, with its report")
-      ->check(CLI::PositiveNumber)
-      ->capture_default_str();
+  addWithDefault(*command, "--for", options->time_s, "Seconds to listen; Ctrl+C ends it before, with its report")
+      ->check(CLI::PositiveNumber);
   command->add_option("--light", options->light, "Light this cell, and say how the device answers (SetLed)")
       ->check(CLI::PositiveNumber);
   command->add_option("--rate", options->rate_hz, "Ask for so many samples a second of each cell (SetRate)")
       ->check(CLI::PositiveNumber);
   command->add_flag("--explore", options->explore, "Ask the device to explore its neighbours again (ExploreAgain)");
-  common.addTo(*command);
-  command->footer(
+  finish(
+      *command, common,
       "The first offence of each kind is said at once on standard error; rates, losses, norms, noise, links and the\n"
       "counts of all offences follow at the end. Exit code 0: a calibration could begin; 1: it could not, and why;\n"
       "4: no device there.\n"
-      "Example:\n  hexoderm-cli listen sim:x17 --for 1");
-  command->callback([options, &common] { common.exit_code = run(*options, common); });
+      "Example:\n  hexoderm-cli listen sim:x17 --for 1",
+      [options, &common] { return run(*options, common); });
 }
 
 }  // namespace hexoderm::cli

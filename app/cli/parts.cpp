@@ -1,4 +1,5 @@
 #include "app/cli/command.h"
+#include "app/cli/json.h"
 
 #include "hexoderm/reconstruction/reconstructor.h"
 #include "hexoderm/reconstruction/result/uncertainty.h"
@@ -13,8 +14,6 @@
 namespace hexoderm::cli {
 namespace {
 
-using Json = nlohmann::ordered_json;
-
 // --- as text
 
 /// "1.2e-05", "0.43": a probability that may be tiny.
@@ -27,15 +26,7 @@ std::string probability(double value) {
 /// "2.0 deg", the worst way.
 std::string sigmaOf(const Eigen::Matrix3d& covariance) { return degrees(rotationSigma(covariance), 1); }
 
-std::string rpy(const Eigen::Matrix3d& R) {
-  const Eigen::Vector3d angles = rpyFromRotation(R);
-  return formatFixed(toDegrees(angles.x()), 1) + " " + formatFixed(toDegrees(angles.y()), 1) + " " +
-         formatFixed(toDegrees(angles.z()), 1) + " deg";
-}
-
-std::string direction(const Eigen::Vector3d& u) {
-  return "(" + formatFixed(u.x(), 3) + ", " + formatFixed(u.y(), 3) + ", " + formatFixed(u.z(), 3) + ")";
-}
+std::string direction(const HingeAxis& axis) { return "(" + inWords(axis.u, 3, ", ") + ")"; }
 
 std::size_t cellsOf(const Reconstruction& r, PatchId patch) { return r.patches[patch.value()].cells.size(); }
 
@@ -47,7 +38,8 @@ void printParts(const Reconstruction& r, const PartsResult& result) {
       std::cout << "  patch " << patch.patch << ", origin cell " << patch.origin << ", "
                 << counted(cellsOf(r, patch.patch), "cell");
       if (&patch != &part.patches.front()) {
-        std::cout << ": turned by roll, pitch, yaw " << rpy(patch.R_part_o) << ", +- " << sigmaOf(patch.covariance);
+        std::cout << ": turned by roll, pitch, yaw " << rollPitchYaw(patch.R_part_o, 1) << ", +- "
+                  << sigmaOf(patch.covariance);
       }
       std::cout << '\n';
     }
@@ -71,9 +63,9 @@ void printHinge(const PartsResult& result, const PartRelation& relation) {
   const Hinge& hinge = *relation.hinge;
   if (hinge.knowledge != HingeKnowledge::Found) return;
   const auto frame = [&](std::size_t part) { return result.parts[part].patches.front().origin; };
-  std::cout << "    axis " << direction(hinge.a.u) << " +- " << degrees(hinge.a.sigma_rad, 1)
-            << " in the frame of cell " << frame(relation.a) << ", " << direction(hinge.b.u) << " +- "
-            << degrees(hinge.b.sigma_rad, 1) << " in that of cell " << frame(relation.b) << '\n';
+  std::cout << "    axis " << direction(hinge.a) << " +- " << degrees(hinge.a.sigma_rad, 1) << " in the frame of cell "
+            << frame(relation.a) << ", " << direction(hinge.b) << " +- " << degrees(hinge.b.sigma_rad, 1)
+            << " in that of cell " << frame(relation.b) << '\n';
   std::cout << "    turned, against pose " << *hinge.reference << ", by";
   const char* separator = " ";
   for (const HingeAngle& angle : hinge.angles) {
@@ -100,38 +92,24 @@ void printRelations(const PartsResult& result) {
 
 // --- as JSON
 
-Json list(const Eigen::Vector3d& v) { return {v.x(), v.y(), v.z()}; }
-
-Json rows(const Eigen::Matrix3d& M) {
-  Json json = Json::array();
-  for (Eigen::Index row = 0; row < 3; ++row) json.push_back(list(M.row(row).transpose()));
-  return json;
-}
-
-Json quaternion(const Eigen::Matrix3d& R) {
-  const Eigen::Quaterniond q(R);
-  return {q.w(), q.x(), q.y(), q.z()};
-}
-
 Json toJson(const Reconstruction& r, const Part& part) {
-  Json json = {{"frame_of_cell", part.patches.front().origin.value()},
-               {"chi_squared", part.chi_squared},
-               {"freedom", part.freedom},
-               {"patches", Json::array()},
-               {"gravity", Json::array()}};
-  for (const PatchOfPart& patch : part.patches) {
-    json["patches"].push_back({{"id", patch.patch.value()},
-                               {"origin", patch.origin.value()},
-                               {"cells", cellsOf(r, patch.patch)},
-                               {"q_part_o_wxyz", quaternion(patch.R_part_o)},
-                               {"covariance_rad2", rows(patch.covariance)},
-                               {"sigma_deg", toDegrees(rotationSigma(patch.covariance))}});
-  }
-  for (const GravityDirection& gravity : part.gravity) {
-    json["gravity"].push_back(
-        {{"pose", gravity.pose.value()}, {"up_part", list(gravity.g_o)}, {"sigma_deg", toDegrees(gravity.sigma_rad)}});
-  }
-  return json;
+  const auto patch_json = [&](const PatchOfPart& patch) -> Json {
+    return {{"id", patch.patch.value()},
+            {"origin", patch.origin.value()},
+            {"cells", cellsOf(r, patch.patch)},
+            {"q_part_o_wxyz", quaternionOf(patch.R_part_o)},
+            {"covariance_rad2", rowsOf(patch.covariance)},
+            {"sigma_deg", toDegrees(rotationSigma(patch.covariance))}};
+  };
+  const auto gravity_json = [](const GravityDirection& gravity) -> Json {
+    return {
+        {"pose", gravity.pose.value()}, {"up_part", listOf(gravity.g_o)}, {"sigma_deg", toDegrees(gravity.sigma_rad)}};
+  };
+  return {{"frame_of_cell", part.patches.front().origin.value()},
+          {"chi_squared", part.chi_squared},
+          {"freedom", part.freedom},
+          {"patches", arrayOf(part.patches, patch_json)},
+          {"gravity", arrayOf(part.gravity, gravity_json)}};
 }
 
 Json toJson(const PatchPair& pair) {
@@ -139,8 +117,8 @@ Json toJson(const PatchPair& pair) {
           {"b", pair.b.value()},
           {"movement", movementName(pair.movement)},
           {"poses", pair.poses},
-          {"q_a_b_wxyz", quaternion(pair.R_a_b)},
-          {"covariance_rad2", rows(pair.covariance)},
+          {"q_a_b_wxyz", quaternionOf(pair.R_a_b)},
+          {"covariance_rad2", rowsOf(pair.covariance)},
           {"chi_squared", pair.chi_squared},
           {"freedom", pair.freedom},
           {"probability", pair.probability},
@@ -149,7 +127,8 @@ Json toJson(const PatchPair& pair) {
 }
 
 Json toJson(const HingeAxis& axis) {
-  return {{"u", list(axis.u)}, {"covariance_rad2", rows(axis.covariance)}, {"sigma_deg", toDegrees(axis.sigma_rad)}};
+  return {
+      {"u", listOf(axis.u)}, {"covariance_rad2", rowsOf(axis.covariance)}, {"sigma_deg", toDegrees(axis.sigma_rad)}};
 }
 
 Json toJson(const Hinge& hinge) {
@@ -160,41 +139,34 @@ Json toJson(const Hinge& hinge) {
   if (!hinge.reference) return json;
   json["axis_a"] = toJson(hinge.a);
   json["axis_b"] = toJson(hinge.b);
-  json["q_a_b_wxyz"] = quaternion(hinge.R_a_b);
+  json["q_a_b_wxyz"] = quaternionOf(hinge.R_a_b);
   json["reference_pose"] = hinge.reference->value();
-  json["angles"] = Json::array();
-  for (const HingeAngle& angle : hinge.angles) {
-    json["angles"].push_back({{"pose", angle.pose.value()},
-                              {"angle_deg", angle.angle_rad ? Json(toDegrees(*angle.angle_rad)) : Json(nullptr)},
-                              {"sigma_deg", toDegrees(angle.sigma_rad)}});
-  }
+  json["angles"] = arrayOf(hinge.angles, [](const HingeAngle& angle) -> Json {
+    return {{"pose", angle.pose.value()},
+            {"angle_deg", orNull(angle.angle_rad, toDegrees)},
+            {"sigma_deg", toDegrees(angle.sigma_rad)}};
+  });
   return json;
 }
 
 Json toJson(const PartRelation& relation) {
-  Json json = {{"a", relation.a},
-               {"b", relation.b},
-               {"movement", movementName(relation.movement)},
-               {"probability", relation.probability},
-               {"log10_odds", relation.log10_odds},
-               {"noticeable_deg", toDegrees(relation.noticeable_rad)},
-               {"why", relation.why.english()},
-               {"what_would_tell", relation.what_would_tell.english()}};
-  json["hinge"] = relation.hinge ? toJson(*relation.hinge) : Json(nullptr);
-  return json;
+  return {{"a", relation.a},
+          {"b", relation.b},
+          {"movement", movementName(relation.movement)},
+          {"probability", relation.probability},
+          {"log10_odds", relation.log10_odds},
+          {"noticeable_deg", toDegrees(relation.noticeable_rad)},
+          {"why", relation.why.english()},
+          {"what_would_tell", relation.what_would_tell.english()},
+          {"hinge", orNull(relation.hinge, [](const Hinge& hinge) { return toJson(hinge); })}};
 }
 
 Json toJson(const Reconstruction& r, const PartsResult& result) {
-  Json json = {{"summary", result.summary.english()},
-               {"parts", Json::array()},
-               {"pairs", Json::array()},
-               {"relations", Json::array()},
-               {"not_compared", Json::array()}};
-  for (const Part& part : result.parts) json["parts"].push_back(toJson(r, part));
-  for (const PatchPair& pair : result.pairs) json["pairs"].push_back(toJson(pair));
-  for (const PartRelation& relation : result.relations) json["relations"].push_back(toJson(relation));
-  for (const PatchId patch : result.not_compared) json["not_compared"].push_back(patch.value());
-  return json;
+  return {{"summary", result.summary.english()},
+          {"parts", arrayOf(result.parts, [&](const Part& part) { return toJson(r, part); })},
+          {"pairs", arrayOf(result.pairs, [](const PatchPair& pair) { return toJson(pair); })},
+          {"relations", arrayOf(result.relations, [](const PartRelation& relation) { return toJson(relation); })},
+          {"not_compared", numbersOf(result.not_compared)}};
 }
 
 bool tellsAll(const PartsResult& result) {
@@ -228,15 +200,15 @@ void addParts(CLI::App& app, Common& common) {
   const auto input = std::make_shared<std::string>();
   CLI::App* command = app.add_subcommand(
       "parts", "Tell which patches move together, how they are turned against each other, and where hinges are");
-  command->add_option("session", *input, "Session (*.hexo or *.session.json)")->type_name(kInput)->required();
-  common.addTo(*command);
-  command->footer(
+  addInput(*command, "session", *input, "Session (*.hexo or *.session.json)")->required();
+  finish(
+      *command, common,
       "From gravity alone: where patches and hinges lie, it doesn't say. A joint that stood still in all poses can't "
       "be\n"
       "seen. Hinges take five poses.\n"
       "Exit code 1: of some parts the poses can't tell whether they move together.\n"
-      "Example:\n  hexoderm-cli parts robot.session.json --json");
-  command->callback([input, &common] { common.exit_code = run(*input, common); });
+      "Example:\n  hexoderm-cli parts robot.session.json --json",
+      [input, &common] { return run(*input, common); });
 }
 
 }  // namespace hexoderm::cli

@@ -6,10 +6,12 @@
 #include "hexoderm/reconstruction/reconstructor.h"
 #include "hexoderm/robot/links/links.h"
 #include "hexoderm/robot/place/by_gravity.h"
+#include "hexoderm/util/enum_names.h"
 #include "hexoderm/util/text.h"
 #include "hexoderm/util/units.h"
 
 #include "app/cli/command.h"
+#include "app/cli/json.h"
 
 #include <algorithm>
 #include <array>
@@ -182,8 +184,7 @@ bool takeRotationsOfLinks(const PlaceCommandOptions& options, const SolvedInput&
   const std::map<PoseId, JointAngles> angles = anglesOfPoses(*input.session, options.joints, robot);
   if (angles.empty()) {
     throw BadInput(options.input +
-                   ": no pose has joint angles, by which --rotation links goes: give a table of them, "
-                   "--joints FILE");
+                   ": no pose has joint angles, by which --rotation links goes: give a table of them, --joints FILE");
   }
   LinksOptions links_options;
   setUp(options.up, links_options);
@@ -211,16 +212,6 @@ bool takeRotationsOfLinks(const PlaceCommandOptions& options, const SolvedInput&
 
 // --- as text
 
-std::string xyz(const Eigen::Vector3d& v) {
-  return formatFixed(v.x(), 4) + " " + formatFixed(v.y(), 4) + " " + formatFixed(v.z(), 4) + " m";
-}
-
-std::string rpyOf(const Eigen::Matrix3d& R) {
-  const Eigen::Vector3d angles = rpyFromRotation(R);
-  return formatFixed(toDegrees(angles.x()), 2) + " " + formatFixed(toDegrees(angles.y()), 2) + " " +
-         formatFixed(toDegrees(angles.z()), 2) + " deg";
-}
-
 double sigmaOfPosition(const Matrix6d& covariance) { return largestDeviation(covariance.topLeftCorner<3, 3>()); }
 double sigmaOfRotation(const Matrix6d& covariance) { return largestDeviation(covariance.bottomRightCorner<3, 3>()); }
 
@@ -231,52 +222,28 @@ void printCandidate(const PlaceCandidate& candidate, std::size_t number) {
   for (const PlacedPatch& patch : candidate.patches) {
     const Matrix6d& covariance = *patch.place.cov_t_r;
     std::cout << "  cell " << patch.place.origin << " on " << forTerminal(patch.place.link) << ": at "
-              << xyz(patch.place.T_l_o.t) << " +- " << millimetres(sigmaOfPosition(covariance), 1)
-              << ", roll, pitch, yaw " << rpyOf(patch.place.T_l_o.R) << " +- "
-              << degrees(sigmaOfRotation(covariance), 1) << '\n';
+              << inWords(patch.place.T_l_o.t, 4, " ") << " m"
+              << " +- " << millimetres(sigmaOfPosition(covariance), 1) << ", roll, pitch, yaw "
+              << rollPitchYaw(patch.place.T_l_o.R, 2) << " +- " << degrees(sigmaOfRotation(covariance), 1) << '\n';
     for (const FreeDirection& free : patch.free) std::cout << "    " << forTerminal(free.words.english()) << '\n';
   }
 }
 
 // --- as JSON
 
-using PlaceJson = nlohmann::ordered_json;
-
-PlaceJson vectorJson(const Eigen::Vector3d& v) { return {v.x(), v.y(), v.z()}; }
-
-PlaceJson rotationJson(const Eigen::Matrix3d& R) {
-  PlaceJson json = PlaceJson::array();
-  for (Eigen::Index k = 0; k < 9; ++k) json.push_back(R(k / 3, k % 3));
-  return json;
+Json rotationJson(const Eigen::Matrix3d& R) {
+  return arrayOf(R.transpose().reshaped(), [](double x) { return x; });
 }
 
-PlaceJson covarianceJson(const Matrix6d& covariance) {
-  PlaceJson json = PlaceJson::array();
-  for (Eigen::Index row = 0; row < 6; ++row) {
-    for (Eigen::Index column = row; column < 6; ++column) json.push_back(covariance(row, column));
-  }
-  return json;
-}
+constexpr EnumNames<FreeDirection::Kind, 3> kFreeKinds = {{"slide", "turn", "screw"}};
 
-std::string_view kindName(FreeDirection::Kind kind) {
-  switch (kind) {
-    case FreeDirection::Kind::Slide:
-      return "slide";
-    case FreeDirection::Kind::Turn:
-      return "turn";
-    case FreeDirection::Kind::Screw:
-      break;
-  }
-  return "screw";
-}
-
-PlaceJson freeJson(const FreeDirection& free) {
-  return {{"kind", kindName(free.kind)},
+Json freeJson(const FreeDirection& free) {
+  return {{"kind", kFreeKinds.of(free.kind)},
           {"words", free.words.english()},
-          {"axis", vectorJson(free.axis)},
-          {"through_m", vectorJson(free.through_m)},
-          {"shift_m", vectorJson(free.shift_m)},
-          {"turn_rad", vectorJson(free.turn_rad)},
+          {"axis", listOf(free.axis)},
+          {"through_m", listOf(free.through_m)},
+          {"shift_m", listOf(free.shift_m)},
+          {"turn_rad", listOf(free.turn_rad)},
           {"sigma_mm", toMillimetres(free.sigma_m)},
           {"held_by_rotation", free.held_by_rotation},
           {"forward_mm", toMillimetres(free.forward_m)},
@@ -286,43 +253,35 @@ PlaceJson freeJson(const FreeDirection& free) {
           {"all_the_way", free.all_the_way}};
 }
 
-PlaceJson patchJson(const PlacedPatch& patch) {
-  PlaceJson json = {{"origin_cell", patch.place.origin.value()},
-                    {"link", patch.place.link},
-                    {"R", rotationJson(patch.place.T_l_o.R)},
-                    {"t_m", vectorJson(patch.place.T_l_o.t)},
-                    {"cov_t_r", covarianceJson(*patch.place.cov_t_r)},
-                    {"free", PlaceJson::array()},
-                    {"cells", PlaceJson::array()}};
-  for (const FreeDirection& free : patch.free) json["free"].push_back(freeJson(free));
-  for (const CellOnLink& cell : patch.cells) {
-    json["cells"].push_back(
-        {{"id", cell.cell.value()},
-         {"R", rotationJson(cell.T_l_u.R)},
-         {"t_m", vectorJson(cell.T_l_u.t)},
-         {"cov_t_r", covarianceJson(cell.cov_t_r)},
-         {"above_mm", cell.above_m ? PlaceJson(toMillimetres(*cell.above_m)) : PlaceJson(nullptr)}});
-  }
-  return json;
+Json cellJson(const CellOnLink& cell) {
+  return {{"id", cell.cell.value()},
+          {"R", rotationJson(cell.T_l_u.R)},
+          {"t_m", listOf(cell.T_l_u.t)},
+          {"cov_t_r", upperTriangle(cell.cov_t_r)},
+          {"above_mm", orNull(cell.above_m, toMillimetres)}};
 }
 
-PlaceJson resultJson(const PlaceResult& result) {
-  PlaceJson json = {{"verdict", placeVerdictName(result.verdict)},
-                    {"summary", result.summary.english()},
-                    {"remarks", PlaceJson::array()},
-                    {"candidates", PlaceJson::array()}};
-  for (const Message& remark : result.remarks) json["remarks"].push_back(remark.english());
-  for (const PlaceCandidate& candidate : result.candidates) {
-    PlaceJson item = {{"fits", candidate.fits},
-                      {"chi_squared", candidate.chi_squared},
-                      {"freedom", candidate.freedom},
-                      {"probability", candidate.probability},
-                      {"rms_mm", toMillimetres(candidate.rms_m)},
-                      {"patches", PlaceJson::array()}};
-    for (const PlacedPatch& patch : candidate.patches) item["patches"].push_back(patchJson(patch));
-    json["candidates"].push_back(std::move(item));
-  }
-  return json;
+Json patchJson(const PlacedPatch& patch) {
+  return {{"origin_cell", patch.place.origin.value()},      {"link", patch.place.link},
+          {"R", rotationJson(patch.place.T_l_o.R)},         {"t_m", listOf(patch.place.T_l_o.t)},
+          {"cov_t_r", upperTriangle(*patch.place.cov_t_r)}, {"free", arrayOf(patch.free, freeJson)},
+          {"cells", arrayOf(patch.cells, cellJson)}};
+}
+
+Json candidateJson(const PlaceCandidate& candidate) {
+  return {{"fits", candidate.fits},
+          {"chi_squared", candidate.chi_squared},
+          {"freedom", candidate.freedom},
+          {"probability", candidate.probability},
+          {"rms_mm", toMillimetres(candidate.rms_m)},
+          {"patches", arrayOf(candidate.patches, patchJson)}};
+}
+
+Json resultJson(const PlaceResult& result) {
+  return {{"verdict", placeVerdictName(result.verdict)},
+          {"summary", result.summary.english()},
+          {"remarks", textsOf(result.remarks)},
+          {"candidates", arrayOf(result.candidates, candidateJson)}};
 }
 
 PlaceTask taskFrom(const PlaceCommandOptions& options, const Reconstruction& r) {
@@ -395,15 +354,11 @@ void addPlace(CLI::App& app, Common& common) {
   const auto options = std::make_shared<PlaceCommandOptions>();
   CLI::App* command = app.add_subcommand(
       "place", "Find where on a link of the robot a patch lies: by the link's surface, points, distances");
-  command
-      ->add_option("skin", options->input,
-                   "Calibration (*.calibration.json), or session (*.hexo or *.session.json), which says better how "
-                   "certain the cells are")
-      ->type_name(kInput)
+  addInput(*command, "skin", options->input,
+           "Calibration (*.calibration.json), or session (*.hexo or *.session.json), which says better how "
+           "certain the cells are")
       ->required();
-  command->add_option("--robot", options->robot, "URDF of the robot; demo is the built-in arm")
-      ->type_name(kInput)
-      ->required();
+  addInput(*command, "--robot", options->robot, "URDF of the robot; demo is the built-in arm")->required();
   command->add_option("--package", options->packages, "NAME=FOLDER: where the files of package://NAME/ are");
   command->add_option("--link", options->link, "Link that the patch is on")->required();
   command->add_option(
@@ -415,10 +370,8 @@ void addPlace(CLI::App& app, Common& common) {
                           ": how the patch is turned on the link, as rpy of a URDF, in degrees, and 1 sigma about each "
                           "axis (1). Or links: as gravity and the joint angles say, which takes a session. Without it "
                           "any");
-  command
-      ->add_option("--joints", options->joints,
-                   "With --rotation links: joint angles of the poses as CSV (default: those that the session holds)")
-      ->type_name(kInput);
+  addInput(*command, "--joints", options->joints,
+           "With --rotation links: joint angles of the poses as CSV (default: those that the session holds)");
   command->add_option("--up", options->up, "With --rotation links: what points up in the frame of the base, x,y,z")
       ->expected(3)
       ->delimiter(',');
@@ -429,29 +382,23 @@ void addPlace(CLI::App& app, Common& common) {
                       std::string(kDistanceSyntax) +
                           ": between the middles of the fronts of cells of two patches on the link, m (sigma 0.001)");
   command->add_flag("--no-surface", options->no_surface, "Do without the link's surface");
-  command->add_option("--body", options->body, "Which of the link's descriptions is its surface")
-      ->check(CLI::IsMember({"any", "visual", "collision"}))
-      ->capture_default_str();
-  command
-      ->add_option("--surface-sigma", options->surface_sigma_mm, "How far backs of cells are off the mesh, 1 sigma, mm")
-      ->capture_default_str();
-  command->add_option("--normal-sigma", options->normal_sigma_deg, "How far cells are tilted against it, 1 sigma, deg")
-      ->capture_default_str();
-  command->add_option("--gap", options->gap_mm, "Glue or cloth between the backs and the mesh, mm")
-      ->capture_default_str();
-  command
-      ->add_option("-o,--output", options->output,
-                   "File for the best place, which export takes with --placements; - is standard output")
-      ->type_name(kOutput);
-  common.addTo(*command);
-  command->footer(
-      "All places that fit are given, the best first, with what is left open and how far the patch can be moved.\n"
-      "Exit code 1: no place fits, several do, or one from which the patch can be moved; or gravity says that\n"
-      "the patch is on another link.\n"
-      "Example:\n  hexoderm-cli place arm.calibration.json --robot robot.urdf --link r_forearm --rotation 0,90,12:1 "
-      "-o placements.json\n"
-      "  hexoderm-cli place arm.hexo --robot robot.urdf --link r_forearm --rotation links --joints joints.csv");
-  command->callback([options, &common] { common.exit_code = run(*options, common); });
+  addWithDefault(*command, "--body", options->body, "Which of the link's descriptions is its surface")
+      ->check(CLI::IsMember({"any", "visual", "collision"}));
+  addWithDefault(*command, "--surface-sigma", options->surface_sigma_mm,
+                 "How far backs of cells are off the mesh, 1 sigma, mm");
+  addWithDefault(*command, "--normal-sigma", options->normal_sigma_deg,
+                 "How far cells are tilted against it, 1 sigma, deg");
+  addWithDefault(*command, "--gap", options->gap_mm, "Glue or cloth between the backs and the mesh, mm");
+  addOutput(*command, "-o,--output", options->output,
+            "File for the best place, which export takes with --placements; - is standard output");
+  finish(*command, common,
+         "All places that fit are given, the best first, with what is left open and how far the patch can be moved.\n"
+         "Exit code 1: no place fits, several do, or one from which the patch can be moved; or gravity says that\n"
+         "the patch is on another link.\n"
+         "Example:\n  hexoderm-cli place arm.calibration.json --robot robot.urdf --link r_forearm --rotation 0,90,12:1 "
+         "-o placements.json\n"
+         "  hexoderm-cli place arm.hexo --robot robot.urdf --link r_forearm --rotation links --joints joints.csv",
+         [options, &common] { return run(*options, common); });
 }
 
 }  // namespace hexoderm::cli

@@ -45,13 +45,12 @@ void addReproduce(CLI::App& app, Common& common) {
   const auto options = std::make_shared<ReproduceOptions>();
   CLI::App* command = app.add_subcommand(
       "reproduce", "The paper's experiments and the accuracy of every method, measured on simulated skins");
-  command->add_option("--seeds", options->seeds, "Skins per row")->check(CLI::Range(1, 100000))->capture_default_str();
+  addWithDefault(*command, "--seeds", options->seeds, "Skins per row")->check(CLI::Range(1, 100000));
   std::vector<std::string> names;
   for (const Part& part : kParts) names.emplace_back(part.name);
   command->add_option("--only", options->only, "One part of it")->check(CLI::IsMember(names));
-  common.addTo(*command);
-  command->footer("Example:\n  hexoderm-cli reproduce --seeds 200");
-  command->callback([options, &common] { common.exit_code = run(*options, common); });
+  finish(*command, common, "Example:\n  hexoderm-cli reproduce --seeds 200",
+         [options, &common] { return run(*options, common); });
 }
 
 }  // namespace hexoderm::cli

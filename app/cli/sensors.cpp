@@ -1,14 +1,14 @@
 #include "app/cli/command.h"
+#include "app/cli/json.h"
 
 #include "hexoderm/reconstruction/sensor_statistics.h"
+#include "hexoderm/util/enum_names.h"
 #include "hexoderm/util/text.h"
 
 #include <iostream>
 
 namespace hexoderm::cli {
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 struct SensorsOptions {
   std::vector<std::string> inputs;
@@ -28,31 +28,17 @@ std::string figure(double value, PrintedUnit unit) {
   return formatFixed(value * unit.factor, unit.decimals) + " " + unit.name;
 }
 
-const char* nameOf(SigmaKnowledge knowledge) {
-  switch (knowledge) {
-    case SigmaKnowledge::Measured:
-      return "measured";
-    case SigmaKnowledge::AtMost:
-      return "at_most";
-    case SigmaKnowledge::Unknown:
-      break;
-  }
-  return "unknown";
-}
+constexpr EnumNames<SigmaKnowledge, 3> kKnowledge = {{"measured", "at_most", "unknown"}};
 
 void printSigma(const std::string& name, const SigmaEstimate& estimate, double model_sigma, PrintedUnit unit) {
   std::cout << name << std::string(name.size() < 14 ? 14 - name.size() : 1, ' ');
-  switch (estimate.knowledge) {
-    case SigmaKnowledge::Measured:
-      std::cout << figure(estimate.sigma, unit) << " (95 %: " << figure(estimate.low_95, unit) << " to "
-                << figure(estimate.high_95, unit) << "), worth " << formatFixed(estimate.worth, 0) << " errors";
-      break;
-    case SigmaKnowledge::AtMost:
-      std::cout << "at most " << figure(estimate.high_95, unit) << " (95 %)";
-      break;
-    case SigmaKnowledge::Unknown:
-      std::cout << "can't tell: the readings are worth " << formatFixed(estimate.worth, 1) << " errors";
-      break;
+  if (estimate.knowledge == SigmaKnowledge::Measured) {
+    std::cout << figure(estimate.sigma, unit) << " (95 %: " << figure(estimate.low_95, unit) << " to "
+              << figure(estimate.high_95, unit) << "), worth " << formatFixed(estimate.worth, 0) << " errors";
+  } else if (estimate.knowledge == SigmaKnowledge::AtMost) {
+    std::cout << "at most " << figure(estimate.high_95, unit) << " (95 %)";
+  } else {
+    std::cout << "can't tell: the readings are worth " << formatFixed(estimate.worth, 1) << " errors";
   }
   std::cout << "; the sessions' model says " << figure(model_sigma, unit) << '\n';
 }
@@ -78,35 +64,32 @@ void print(const SensorStatistics& statistics, const Accelerometer& model, std::
 }
 
 Json toJson(const SigmaEstimate& estimate, double model_sigma) {
-  Json json = {{"knowledge", nameOf(estimate.knowledge)}};
   const bool is_measured = estimate.knowledge == SigmaKnowledge::Measured;
-  json["sigma"] = is_measured ? Json(estimate.sigma) : Json(nullptr);
-  json["low_95"] = is_measured ? Json(estimate.low_95) : Json(nullptr);
-  json["high_95"] = estimate.knowledge == SigmaKnowledge::Unknown ? Json(nullptr) : Json(estimate.high_95);
-  json["worth_errors"] = estimate.worth;
-  json["model"] = model_sigma;
-  return json;
+  return {{"knowledge", kKnowledge.of(estimate.knowledge)},
+          {"sigma", is_measured ? Json(estimate.sigma) : Json()},
+          {"low_95", is_measured ? Json(estimate.low_95) : Json()},
+          {"high_95", estimate.knowledge == SigmaKnowledge::Unknown ? Json() : Json(estimate.high_95)},
+          {"worth_errors", estimate.worth},
+          {"model", model_sigma}};
 }
 
 Json toJson(const SensorStatistics& statistics, const Accelerometer& model, const SensorsOptions& options) {
   const SensorSigmas& sigmas = statistics.sigmas;
-  Json json = {{"sessions", options.inputs},
-               {"cells", statistics.cells},
-               {"cells_used", statistics.cells_used},
-               {"readings", statistics.readings},
-               {"rounds", statistics.rounds},
-               {"settled", statistics.settled},
-               {"offset_g", toJson(sigmas.offset_g, model.offset_sigma_g)},
-               {"shared_offset_g", toJson(sigmas.shared_offset_g, model.shared_offset_sigma_g)},
-               {"scale", toJson(sigmas.scale, model.scale_sigma)},
-               {"cross_axis", toJson(sigmas.cross_axis, model.cross_axis_sigma)}};
-  json["lot"] = nullptr;
-  if (sigmas.lot) {
-    const auto list = [](const Eigen::Vector3d& v) { return Json{v.x(), v.y(), v.z()}; };
-    json["lot"] = {{"offset_g", list(sigmas.lot->offset_g)}, {"sigma_g", list(sigmas.lot->sigma_g)}};
-  }
-  json["file"] = options.output.empty() ? Json(nullptr) : Json(options.output);
-  return json;
+  const auto lot_json = [](const auto& lot) -> Json {
+    return {{"offset_g", listOf(lot.offset_g)}, {"sigma_g", listOf(lot.sigma_g)}};
+  };
+  return {{"sessions", options.inputs},
+          {"cells", statistics.cells},
+          {"cells_used", statistics.cells_used},
+          {"readings", statistics.readings},
+          {"rounds", statistics.rounds},
+          {"settled", statistics.settled},
+          {"offset_g", toJson(sigmas.offset_g, model.offset_sigma_g)},
+          {"shared_offset_g", toJson(sigmas.shared_offset_g, model.shared_offset_sigma_g)},
+          {"scale", toJson(sigmas.scale, model.scale_sigma)},
+          {"cross_axis", toJson(sigmas.cross_axis, model.cross_axis_sigma)},
+          {"lot", orNull(sigmas.lot, lot_json)},
+          {"file", options.output.empty() ? Json() : Json(options.output)}};
 }
 
 SensorStatistics estimateFrom(const std::vector<std::shared_ptr<const SessionSnapshot>>& sessions) {
@@ -155,23 +138,18 @@ void addSensors(CLI::App& app, Common& common) {
   const auto options = std::make_shared<SensorsOptions>();
   CLI::App* command = app.add_subcommand(
       "sensors", "Estimate how large the errors of the accelerometers are, and write a cell model that says so");
-  command
-      ->add_option("sessions", options->inputs,
-                   "Sessions (*.hexo or *.session.json) with one cell model, of chips of one lot")
-      ->type_name(kInput)
+  addInput(*command, "sessions", options->inputs,
+           "Sessions (*.hexo or *.session.json) with one cell model, of chips of one lot")
       ->required();
-  command
-      ->add_option("-o,--output", options->output,
-                   "Cell model to write: the sessions' with the estimated sigmas (*.json; - is standard output)")
-      ->type_name(kOutput);
-  common.addTo(*command);
-  command->footer(
-      "One pose tells nothing, two the offsets, three the scale errors too, and six, as of a cube's faces, all.\n"
-      "Exit code 1: nothing can be told; the model is written all the same.\n"
-      "Example:\n  hexoderm-cli simulate --poses 6 -o arm.session.json\n"
-      "  hexoderm-cli sensors arm.session.json -o chip.json\n"
-      "  hexoderm-cli simulate --poses 6 --cell-model chip.json -o next.session.json");
-  command->callback([options, &common] { common.exit_code = run(*options, common); });
+  addOutput(*command, "-o,--output", options->output,
+            "Cell model to write: the sessions' with the estimated sigmas (*.json; - is standard output)");
+  finish(*command, common,
+         "One pose tells nothing, two the offsets, three the scale errors too, and six, as of a cube's faces, all.\n"
+         "Exit code 1: nothing can be told; the model is written all the same.\n"
+         "Example:\n  hexoderm-cli simulate --poses 6 -o arm.session.json\n"
+         "  hexoderm-cli sensors arm.session.json -o chip.json\n"
+         "  hexoderm-cli simulate --poses 6 --cell-model chip.json -o next.session.json",
+         [options, &common] { return run(*options, common); });
 }
 
 }  // namespace hexoderm::cli

@@ -18,32 +18,20 @@ namespace hexoderm::cli {
 namespace {
 
 struct SimulateOptions {
-  SimulatedSkinOptions skin;
+  SimulateOptions() { words.robot.clear(); }
+
+  RobotInWords words;  ///< without a robot: of a skin alone
   std::string cell_model = "hex-bma150";
   std::string link_law = "bend";
   std::string motion = "hand";
   std::size_t poses = 2;
   std::size_t samples = 100;
   double offset_sigma_mg = -1;
-  bool ideal = false;
   std::vector<std::string> faults;
-  std::string robot;  ///< empty: a skin alone
-  RobotInWords robot_words;
   std::string joints;  ///< empty: beside the session
   std::string truth;
   std::string output;
 };
-
-SimulatedRobot robotOf(CellModel model, const SimulateOptions& options) {
-  RobotInWords words = options.robot_words;
-  words.robot = options.robot;
-  words.patch = options.skin.patch;
-  words.surface = options.skin.surface;
-  words.seed = options.skin.seed;
-  words.link_law = options.link_law == "surface" ? LinkLaw::Surface : LinkLaw::Bend;
-  words.ideal = options.ideal;
-  return asInput([&] { return makeRobot(std::move(model), words); });
-}
 
 /// "arm.joints.csv" beside "arm.session.json".
 std::string besideOutput(const SimulateOptions& options, const std::string& ending) {
@@ -104,17 +92,13 @@ int run(const SimulateOptions& options, const Common& common) {
   CellModel model = asInput([&] { return loadCellModel(options.cell_model); });
   if (options.offset_sigma_mg >= 0) model.accelerometer.offset_sigma_g = options.offset_sigma_mg / 1000;
   model.validate();
-  if (!options.robot.empty()) {
+  RobotInWords words = options.words;
+  words.link_law = linkLawFromName(options.link_law);
+  if (!words.robot.empty()) {
     common.progress("Laying the skins ...");
-    return runRobot(robotOf(std::move(model), options), options, output, common);
+    return runRobot(asInput([&] { return makeRobot(std::move(model), words); }), options, output, common);
   }
-  SimulatedSkinOptions skin_options = options.ideal               ? SimulatedSkinOptions::ideal()
-                                      : options.motion == "robot" ? SimulatedSkinOptions::robot()
-                                                                  : SimulatedSkinOptions();
-  skin_options.patch = options.skin.patch;
-  skin_options.surface = options.skin.surface;
-  skin_options.seed = options.skin.seed;
-  skin_options.link_law = options.link_law == "surface" ? LinkLaw::Surface : LinkLaw::Bend;
+  SimulatedSkinOptions skin_options = skinOptions(words, options.motion);
   for (const std::string& fault : options.faults) addFault(fault, "--fault", skin_options);
   // Between the last pose and the one before it.
   skin_options.reglued_before = options.poses == 0 ? 0 : options.poses - 1;
@@ -150,88 +134,67 @@ int run(const SimulateOptions& options, const Common& common) {
 void addSimulate(CLI::App& app, Common& common) {
   const auto options = std::make_shared<SimulateOptions>();
   CLI::App* command = app.add_subcommand("simulate", "Make a session of a simulated skin, with the truth beside it");
-  command
-      ->add_option("--patch", options->skin.patch,
-                   "x17, ringN, ringN:closed or sheet:ROWSxCOLS (1,000,000 cells at most)")
-      ->capture_default_str();
-  command->add_option("--surface", options->skin.surface,
+  addWithDefault(*command, "--patch", options->words.patch,
+                 "x17, ringN, ringN:closed or sheet:ROWSxCOLS (1,000,000 cells at most)");
+  command->add_option("--surface", options->words.surface,
                       "plane, cylinder:r=M, sphere:r=M, cone:r=M,angle=RAD or torus:R=M,r=M "
                       "(default: what suits the patch)");
-  command->add_option("--link-law", options->link_law, "How the mould lets neighbours lie: bend or surface")
-      ->check(CLI::IsMember({"bend", "surface"}))
-      ->capture_default_str();
-  command->add_option("--poses", options->poses, "Number of poses")->check(CLI::Range(0, 1000))->capture_default_str();
-  command->add_option("--samples", options->samples, "Samples averaged in a pose")
-      ->check(CLI::Range(1, 100000))
-      ->capture_default_str();
-  command->add_option("--seed", options->skin.seed, "Seed of everything random")->capture_default_str();
-  command->add_option("--cell-model", options->cell_model, "Built-in name or JSON file")
-      ->type_name(kInput)
-      ->capture_default_str();
+  addWithDefault(*command, "--link-law", options->link_law, "How the mould lets neighbours lie: bend or surface")
+      ->check(CLI::IsMember({"bend", "surface"}));
+  addWithDefault(*command, "--poses", options->poses, "Number of poses")->check(CLI::Range(0, 1000));
+  addWithDefault(*command, "--samples", options->samples, "Samples averaged in a pose")->check(CLI::Range(1, 100000));
+  addWithDefault(*command, "--seed", options->words.seed, "Seed of everything random");
+  addInput(*command, "--cell-model", options->cell_model, "Built-in name or JSON file")->capture_default_str();
   command
       ->add_option("--offset-sigma", options->offset_sigma_mg,
                    "Accelerometer offsets, 1 sigma, in mg (default: the cell model's)")
       ->check(CLI::NonNegativeNumber);
   CLI::Option* faults = command->add_option("--fault", options->faults, faultSyntax() + "; may be repeated");
   CLI::Option* motion =
-      command
-          ->add_option("--motion", options->motion,
-                       "What holds and turns the part: hand; or robot, with its motors on: 8 to 35 mg of vibration, 20 "
-                       "readings a second, and a single joint")
-          ->check(CLI::IsMember({"hand", "robot"}))
-          ->capture_default_str();
+      addWithDefault(*command, "--motion", options->motion,
+                     "What holds and turns the part: hand; or robot, with its motors on: 8 to 35 mg of vibration, 20 "
+                     "readings a second, and a single joint")
+          ->check(CLI::IsMember({"hand", "robot"}));
   CLI::Option* ideal =
-      command->add_flag("--ideal", options->ideal, "No jitter, no sensor errors, no noise, no hand")->excludes(motion);
+      command->add_flag("--ideal", options->words.ideal, "No jitter, no sensor errors, no noise, no hand")
+          ->excludes(motion);
   CLI::Option* robot =
-      command
-          ->add_option("--robot", options->robot,
-                       "A robot that wears the skin, as URDF, or demo: an arm with a patch on the upper arm and one on "
-                       "the forearm. In every pose its joints stand in angles drawn at random")
-          ->type_name(kInput)
+      addInput(*command, "--robot", options->words.robot,
+               "A robot that wears the skin, as URDF, or demo: an arm with a patch on the upper arm and one on "
+               "the forearm. In every pose its joints stand in angles drawn at random")
           ->excludes(motion)
           ->excludes(faults);
   command
       ->add_option(
-          "--mount", options->robot_words.mounts,
+          "--mount", options->words.mounts,
           "A patch on the robot: " + std::string(kMountSyntax) +
               ", the place of its middle in the link's frame in m and rad, z out of the skin; without --surface "
               "it lies on the link's body where that is nearest; may be repeated")
       ->needs(robot);
-  command
-      ->add_option(
-          "--base", options->robot_words.base,
-          "What holds the robot: fixed, on a base that holds still; motors, the same with its motors on, which "
-          "shake it by 8 to 35 mg; or hand, which turns the whole robot anew in every pose")
+  addWithDefault(*command, "--base", options->words.base,
+                 "What holds the robot: fixed, on a base that holds still; motors, the same with its motors on, which "
+                 "shake it by 8 to 35 mg; or hand, which turns the whole robot anew in every pose")
       ->check(CLI::IsMember({"fixed", "motors", "hand"}))
-      ->capture_default_str()
       ->needs(robot)
       ->excludes(ideal);
   command
-      ->add_option("--package", options->robot_words.packages,
-                   "NAME=FOLDER of meshes at package://NAME/...; may be repeated")
+      ->add_option("--package", options->words.packages, "NAME=FOLDER of meshes at package://NAME/...; may be repeated")
       ->needs(robot);
-  command
-      ->add_option("--joints", options->joints,
-                   "Joint angles to write (default: *.joints.csv beside the session; none beside -)")
-      ->type_name(kOutput)
+  addOutput(*command, "--joints", options->joints,
+            "Joint angles to write (default: *.joints.csv beside the session; none beside -)")
       ->needs(robot);
-  command
-      ->add_option("--truth", options->truth,
-                   "Truth to write: places of cells on links, errors of joints, links in every pose (default: "
-                   "*.truth.json beside the session; none beside -)")
-      ->type_name(kOutput)
+  addOutput(*command, "--truth", options->truth,
+            "Truth to write: places of cells on links, errors of joints, links in every pose (default: "
+            "*.truth.json beside the session; none beside -)")
       ->needs(robot);
-  command
-      ->add_option("-o,--output", options->output,
-                   "Session to write (*.session.json, or *.hexo, which must not exist yet; - is standard output)")
-      ->type_name(kOutput)
+  addOutput(*command, "-o,--output", options->output,
+            "Session to write (*.session.json, or *.hexo, which must not exist yet; - is standard output)")
       ->required();
-  common.addTo(*command);
-  command->footer(
-      "Example:\n  hexoderm-cli simulate --patch x17 --surface cylinder:r=0.0501 --poses 2 --seed 1 "
-      "-o arm.session.json\n"
-      "  hexoderm-cli simulate --robot demo --poses 8 -o arm.session.json");
-  command->callback([options, &common] { common.exit_code = run(*options, common); });
+  finish(*command, common,
+         "Example:\n  hexoderm-cli simulate --patch x17 --surface cylinder:r=0.0501 --poses 2 --seed 1 "
+         "-o arm.session.json\n"
+         "  hexoderm-cli simulate --robot demo --poses 8 -o arm.session.json",
+         [options, &common] { return run(*options, common); });
 }
 
 }  // namespace hexoderm::cli

@@ -8,6 +8,7 @@
 #include "hexoderm/util/text.h"
 
 #include <iostream>
+#include <map>
 
 namespace hexoderm::cli {
 namespace {
@@ -16,11 +17,7 @@ struct SolveOptions {
   std::vector<std::string> inputs;
   std::string output;
   std::size_t jobs = cores();
-  std::string solver = "global";
-  std::string centring = "auto";
-  std::string support_axes = "auto";
-  std::string weights = "paper";
-  std::string gap_model = "fit";
+  std::map<std::string_view, std::string> choices;  ///< of solverChoices(), by name
   std::vector<std::uint32_t> without;
   double class_threshold = SolverOptions().class_threshold;
 };
@@ -51,11 +48,7 @@ void printSummary(const Reconstruction& r, const Session& session) {
 
 int run(const SolveOptions& options, const Common& common) {
   SolverOptions solver;
-  solver.solver = solverFromName(options.solver);
-  solver.centring = centringFromName(options.centring);
-  solver.support_axes = supportAxesFromName(options.support_axes);
-  solver.weights = linkWeightsFromName(options.weights);
-  solver.gap_model = gapModelFromName(options.gap_model);
+  for (const SolverChoice& choice : solverChoices()) choice.set(solver, options.choices.at(choice.name));
   for (const std::uint32_t id : options.without) solver.left_out.emplace_back(id);
   solver.class_threshold = options.class_threshold;
   solver.validate();
@@ -88,41 +81,24 @@ int run(const SolveOptions& options, const Common& common) {
 void addSolve(CLI::App& app, Common& common) {
   const auto options = std::make_shared<SolveOptions>();
   CLI::App* command = app.add_subcommand("solve", "Find the placement of every cell of a session");
-  command->add_option("input", options->inputs, "Session (*.hexo or *.session.json), or many")
-      ->type_name(kInput)
-      ->required();
-  command
-      ->add_option("-o,--output", options->output,
-                   "Calibration to write (*.calibration.json; - is standard output); of several sessions, or with "
-                   "a / at its end, the folder for their calibrations")
-      ->type_name(kOutput);
-  command
-      ->add_option("--solver", options->solver,
-                   "global: all cells, poses and links together; tree: the paper's way, along shortest paths")
-      ->capture_default_str();
-  command->add_option("--centre", options->centring, "Subtract each cell's mean reading: auto, on or off")
-      ->capture_default_str();
-  command
-      ->add_option("--support-axes", options->support_axes,
-                   "Support weakly defined edges by the gap's axes: auto, on, off")
-      ->capture_default_str();
-  command->add_option("--weights", options->weights, "What makes a path short: paper (classes) or residual")
-      ->capture_default_str();
-  command
-      ->add_option("--gap-model", options->gap_model,
-                   "What the mould does when it is bent: arc (the pitch stays), pivot (nothing stretches) or fit")
-      ->capture_default_str();
+  addInput(*command, "input", options->inputs, "Session (*.hexo or *.session.json), or many")->required();
+  addOutput(*command, "-o,--output", options->output,
+            "Calibration to write (*.calibration.json; - is standard output); of several sessions, or with "
+            "a / at its end, the folder for their calibrations");
+  for (const SolverChoice& choice : solverChoices()) {
+    std::string& value = options->choices[choice.name];
+    value = choice.get(SolverOptions());
+    addWithDefault(*command, "--" + std::string(choice.name), value, std::string(choice.help));
+  }
   command->add_option("--without", options->without, "Leave this cell's readings out; may be repeated");
-  command
-      ->add_option("--class-threshold", options->class_threshold,
-                   "Singular value from which a direction counts as defined; 1 is the paper's")
-      ->capture_default_str();
+  addWithDefault(*command, "--class-threshold", options->class_threshold,
+                 "Singular value from which a direction counts as defined; 1 is the paper's");
   command
       ->add_option("-j,--jobs", options->jobs,
                    "Of many sessions, so many at the same time (default: as the computer has threads)")
       ->check(CLI::Range(1, 1024));
-  common.addTo(*command);
-  command->footer(
+  finish(
+      *command, common,
       "Many sessions are solved at the same time, each as if it were alone. Each gets a line on standard output, with\n"
       "--json an object in a line; the exit code is the largest of all.\n"
       "Example:\n  hexoderm-cli solve arm.session.json -o arm.calibration.json\n"
@@ -130,8 +106,8 @@ void addSolve(CLI::App& app, Common& common) {
       "  hexoderm-cli solve arm.session.json --gap-model arc --without 7\n"
       "The paper's own method:\n  hexoderm-cli solve arm.session.json --solver tree --centre off\n"
       "All sessions of a folder, arm.session.json to out/arm.calibration.json:\n"
-      "  hexoderm-cli solve *.session.json -o out/");
-  command->callback([options, &common] { common.exit_code = run(*options, common); });
+      "  hexoderm-cli solve *.session.json -o out/",
+      [options, &common] { return run(*options, common); });
 }
 
 }  // namespace hexoderm::cli

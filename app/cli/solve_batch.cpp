@@ -227,7 +227,7 @@ void makeFolders(const std::vector<std::filesystem::path>& files) {
   for (const std::filesystem::path& folder : folders) {
     std::error_code error;
     std::filesystem::create_directories(folder, error);
-    if (error) throw StorageError(located(folder.string(), message("cannot be made: {}", systemReason(error))));
+    if (error) throw StorageError(folder.string(), message("cannot be made: {}", systemReason(error)));
   }
 }
 

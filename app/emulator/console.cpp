@@ -34,9 +34,7 @@ auto kindNamed(const Kinds& kinds, std::string_view name) {
 
 template <class Kinds>
 std::string namesOf(const Kinds& kinds) {
-  std::string names;
-  for (const auto& kind : kinds) names += (names.empty() ? "" : ", ") + std::string(kind.first);
-  return names;
+  return inARow(kinds, [](const auto& kind) { return kind.first; });
 }
 
 class Words {

@@ -2,6 +2,7 @@
 
 #include "hexoderm/device/sources/write_queue.h"
 #include "hexoderm/util/error.h"
+#include "hexoderm/util/temporary_file.h"
 
 #include <fcntl.h>
 #include <stdlib.h>
@@ -39,6 +40,16 @@ constexpr std::size_t kMostBytes = 64U << 20U;
 constexpr std::chrono::seconds kUdpHostLives(5);
 constexpr std::chrono::seconds kStalledHostLives(3);
 constexpr std::chrono::milliseconds kWatchEvery(250);
+
+/// Runs a task again and again, until the timer goes.
+void repeat(asio::steady_timer& timer, const std::function<void()>& task) {
+  timer.expires_after(kWatchEvery);
+  timer.async_wait([&timer, task](const error_code& error) {
+    if (error) return;
+    task();
+    repeat(timer, task);
+  });
+}
 
 /// A stream of bytes in both directions, from when it is open until it is closed.
 template <class Channel>
@@ -149,7 +160,7 @@ class TcpLink final : public DeviceLink {
   void start(Callbacks callbacks) override {
     callbacks_ = std::move(callbacks);
     accept();
-    watch();
+    repeat(timer_, [this] { watch(); });
   }
   [[nodiscard]] Bytes framed(const skinwire::Message& message) const override {
     return skinwire::encodeFrame(framing_, message);
@@ -218,13 +229,8 @@ class TcpLink final : public DeviceLink {
   }
 
   void watch() {
-    timer_.expires_after(kWatchEvery);
-    timer_.async_wait([this](const error_code& error) {
-      if (error) return;
-      if (stream_ && stream_->isStalled(kStalledHostLives)) disconnect();
-      if (!next_) accept();
-      watch();
-    });
+    if (stream_ && stream_->isStalled(kStalledHostLives)) disconnect();
+    if (!next_) accept();
   }
 
   tcp::acceptor acceptor_;
@@ -254,7 +260,7 @@ class UdpLink final : public DeviceLink {
   void start(Callbacks callbacks) override {
     callbacks_ = std::move(callbacks);
     receive();
-    watch();
+    repeat(timer_, [this] { watch(); });
   }
   [[nodiscard]] Bytes framed(const skinwire::Message& message) const override { return skinwire::encodeBody(message); }
   [[nodiscard]] bool isFull() const override { return false; }
@@ -298,12 +304,7 @@ class UdpLink final : public DeviceLink {
   }
 
   void watch() {
-    timer_.expires_after(kWatchEvery);
-    timer_.async_wait([this](const error_code& error) {
-      if (error) return;
-      if (has_host_ && Clock::now() - asked_ > kUdpHostLives) disconnect();
-      watch();
-    });
+    if (has_host_ && Clock::now() - asked_ > kUdpHostLives) disconnect();
   }
 
   udp::socket socket_;
@@ -316,47 +317,30 @@ class UdpLink final : public DeviceLink {
   Clock::time_point asked_{};
 };
 
-/// Closes a descriptor.
-class Descriptor {
- public:
-  explicit Descriptor(int number) : number_(number) {}
-  ~Descriptor() {
-    if (number_ >= 0) ::close(number_);
-  }
-  Descriptor(const Descriptor&) = delete;
-  Descriptor& operator=(const Descriptor&) = delete;
-  [[nodiscard]] int get() const { return number_; }
-  int release() { return std::exchange(number_, -1); }
-
- private:
-  int number_;
-};
-
 class PseudoTerminalLink final : public DeviceLink {
  public:
-  explicit PseudoTerminalLink(asio::io_context& io) : timer_(io), io_(io), far_end_(-1) {}
+  explicit PseudoTerminalLink(asio::io_context& io) : timer_(io), io_(io) {}
 
   void open() {
-    Descriptor near_end(::posix_openpt(O_RDWR | O_NOCTTY | O_CLOEXEC));
+    FileDescriptor near_end(::posix_openpt(O_RDWR | O_NOCTTY | O_CLOEXEC));
     const auto failed = [] { fail("pseudo-terminal", std::strerror(errno)); };
     if (near_end.get() < 0 || ::grantpt(near_end.get()) != 0 || ::unlockpt(near_end.get()) != 0) failed();
     std::array<char, 256> name{};
     if (::ptsname_r(near_end.get(), name.data(), name.size()) != 0) failed();
     path_ = name.data();
     // Kept open: reading would end whenever a host goes.
-    far_end_ = ::open(path_.c_str(), O_RDWR | O_NOCTTY | O_CLOEXEC);
-    if (far_end_ < 0) failed();
+    far_end_ = FileDescriptor(::open(path_.c_str(), O_RDWR | O_NOCTTY | O_CLOEXEC));
+    if (!far_end_.valid()) failed();
     termios settings{};
-    if (::tcgetattr(far_end_, &settings) != 0) failed();
+    if (::tcgetattr(far_end_.get(), &settings) != 0) failed();
     ::cfmakeraw(&settings);
-    if (::tcsetattr(far_end_, TCSANOW, &settings) != 0) failed();
+    if (::tcsetattr(far_end_.get(), TCSANOW, &settings) != 0) failed();
     stream_ = std::make_shared<SerialStream>(
         asio::posix::stream_descriptor(io_, near_end.release()), skinwire::Framing::Cobs,
         SerialStream::Callbacks{[this](const skinwire::Command& command) { take(command); }, [this] { disconnect(); }});
   }
   ~PseudoTerminalLink() override {
     if (stream_) stream_->close();
-    if (far_end_ >= 0) ::close(far_end_);
   }
   PseudoTerminalLink(const PseudoTerminalLink&) = delete;
   PseudoTerminalLink& operator=(const PseudoTerminalLink&) = delete;
@@ -366,7 +350,7 @@ class PseudoTerminalLink final : public DeviceLink {
   void start(Callbacks callbacks) override {
     callbacks_ = std::move(callbacks);
     stream_->start();
-    watch();
+    repeat(timer_, [this] { watch(); });
   }
   [[nodiscard]] Bytes framed(const skinwire::Message& message) const override {
     return skinwire::encodeFrame(skinwire::Framing::Cobs, message);
@@ -376,7 +360,7 @@ class PseudoTerminalLink final : public DeviceLink {
   void disconnect() override {
     if (!std::exchange(has_host_, false)) return;
     stream_->forgetWaiting();
-    ::tcflush(far_end_, TCIFLUSH);
+    ::tcflush(far_end_.get(), TCIFLUSH);
     callbacks_.host_gone();
   }
 
@@ -397,18 +381,13 @@ class PseudoTerminalLink final : public DeviceLink {
 
   /// Nor when it closes it: but then nobody reads.
   void watch() {
-    timer_.expires_after(kWatchEvery);
-    timer_.async_wait([this](const error_code& error) {
-      if (error) return;
-      if (has_host_ && stream_->isStalled(kStalledHostLives)) disconnect();
-      watch();
-    });
+    if (has_host_ && stream_->isStalled(kStalledHostLives)) disconnect();
   }
 
   asio::steady_timer timer_;
   asio::io_context& io_;
   std::string path_;
-  int far_end_;
+  FileDescriptor far_end_;
   Callbacks callbacks_;
   std::shared_ptr<SerialStream> stream_;
   bool has_host_ = false;

@@ -28,13 +28,12 @@ constexpr int kBadInput = 3;
 constexpr int kDevice = 4;
 
 struct Options {
-  SimulatedSkinOptions skin;
-  std::string robot;  ///< empty: a skin alone
-  RobotInWords robot_words;
+  Options() { words.robot.clear(); }
+
+  RobotInWords words;  ///< without a robot: of a skin alone
   std::string cell_model = "hex-bma150";
   std::string link_law = "bend";
   double offset_sigma_mg = -1;
-  bool ideal = false;
   std::vector<std::string> faults;
   std::optional<std::uint16_t> tcp_port;
   std::optional<std::uint16_t> udp_port;
@@ -55,45 +54,44 @@ void addOptions(CLI::App& app, Options& options) {
       ->capture_default_str();
   app.add_flag("--json", options.json, "Speak lines of JSON instead of frames of bytes")->needs(tcp);
 
-  app.add_option("--patch", options.skin.patch,
+  app.add_option("--patch", options.words.patch,
                  "x17, ringN, ringN:closed or sheet:ROWSxCOLS (the paper's 31 cells: ring31:closed)")
       ->capture_default_str();
-  app.add_option("--surface", options.skin.surface,
+  app.add_option("--surface", options.words.surface,
                  "plane, cylinder:r=M, sphere:r=M, cone:r=M,angle=RAD or torus:R=M,r=M "
                  "(default: what suits the patch)");
   app.add_option("--link-law", options.link_law, "How the mould lets neighbours lie: bend or surface")
       ->check(CLI::IsMember({"bend", "surface"}))
       ->capture_default_str();
-  app.add_option("--seed", options.skin.seed, "Seed of everything random")->capture_default_str();
+  app.add_option("--seed", options.words.seed, "Seed of everything random")->capture_default_str();
   app.add_option("--cell-model", options.cell_model, "Built-in name or JSON file")
       ->type_name("FILE")
       ->capture_default_str();
   app.add_option("--offset-sigma", options.offset_sigma_mg,
                  "Accelerometer offsets, 1 sigma, in mg (default: the cell model's)")
       ->check(CLI::NonNegativeNumber);
-  CLI::Option* ideal = app.add_flag("--ideal", options.ideal, "No jitter, no sensor errors, no noise, no hand");
+  CLI::Option* ideal = app.add_flag("--ideal", options.words.ideal, "No jitter, no sensor errors, no noise, no hand");
   app.add_option("--fault", options.faults, faultSyntax() + "; may be repeated");
 
   CLI::Option* robot =
       app.add_option(
-             "--robot", options.robot,
+             "--robot", options.words.robot,
              "A robot that wears the skin, as URDF, or demo: an arm with a patch on the upper arm and one on the "
              "forearm. It moves its joints when it is asked to turn, and says where they stand")
           ->type_name("FILE");
-  app.add_option("--mount", options.robot_words.mounts,
+  app.add_option("--mount", options.words.mounts,
                  "A patch on the robot: " + std::string(kMountSyntax) +
                      ", the place of its middle in the link's frame in m and rad, z out of the skin; without --surface "
                      "it lies on the link's body where that is nearest; may be repeated")
       ->needs(robot);
-  app.add_option("--base", options.robot_words.base,
+  app.add_option("--base", options.words.base,
                  "What holds the robot: fixed, on a base that holds still; motors, the same with its motors on, which "
                  "shake it by 8 to 35 mg; or hand, which turns the whole robot")
       ->check(CLI::IsMember({"fixed", "motors", "hand"}))
       ->capture_default_str()
       ->needs(robot)
       ->excludes(ideal);
-  app.add_option("--package", options.robot_words.packages,
-                 "NAME=FOLDER of meshes at package://NAME/...; may be repeated")
+  app.add_option("--package", options.words.packages, "NAME=FOLDER of meshes at package://NAME/...; may be repeated")
       ->needs(robot);
 
   app.add_option("--rate", options.device.rate_hz, "Samples of each cell per second (default: the cell model's)")
@@ -107,25 +105,11 @@ void addOptions(CLI::App& app, Options& options) {
 std::unique_ptr<SimulatedBody> makeBody(const Options& options) {
   CellModel model = loadCellModel(options.cell_model);
   if (options.offset_sigma_mg >= 0) model.accelerometer.offset_sigma_g = options.offset_sigma_mg / 1000;
-  const LinkLaw link_law = options.link_law == "surface" ? LinkLaw::Surface : LinkLaw::Bend;
-  if (!options.robot.empty()) {
-    RobotInWords robot = options.robot_words;
-    robot.robot = options.robot;
-    robot.patch = options.skin.patch;
-    robot.surface = options.skin.surface;
-    robot.seed = options.skin.seed;
-    robot.link_law = link_law;
-    robot.ideal = options.ideal;
-    for (const std::string& fault : options.faults) addFault(fault, robot.faults, robot.link_faults);
-    return std::make_unique<SimulatedRobot>(makeRobot(std::move(model), robot));
-  }
-  SimulatedSkinOptions skin = options.ideal ? SimulatedSkinOptions::ideal() : SimulatedSkinOptions();
-  skin.patch = options.skin.patch;
-  skin.surface = options.skin.surface;
-  skin.seed = options.skin.seed;
-  skin.link_law = link_law;
-  for (const std::string& fault : options.faults) addFault(fault, skin.faults, skin.link_faults);
-  return std::make_unique<SimulatedSkin>(std::move(model), std::move(skin));
+  RobotInWords words = options.words;
+  words.link_law = linkLawFromName(options.link_law);
+  for (const std::string& fault : options.faults) addFault(fault, words.faults, words.link_faults);
+  if (!words.robot.empty()) return std::make_unique<SimulatedRobot>(makeRobot(std::move(model), words));
+  return std::make_unique<SimulatedSkin>(std::move(model), skinOptions(words));
 }
 
 std::unique_ptr<DeviceLink> openLink(boost::asio::io_context& io, const Options& options) {
@@ -159,7 +143,7 @@ void run(Options options) {
   boost::asio::io_context io(1);
   std::unique_ptr<DeviceLink> link = openLink(io, options);
   options.device.max_body = link->maxBody();
-  options.device.exploration.seed = options.skin.seed;
+  options.device.exploration.seed = options.words.seed;
   // The host's patience is of the wall's clock, the device's is its own.
   options.device.status_every_s *= options.speed;
   options.device.working_every_s *= options.speed;

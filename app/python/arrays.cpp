@@ -1,6 +1,7 @@
 #include "app/python/arrays.h"
 
 #include "hexoderm/util/error.h"
+#include "hexoderm/util/text.h"
 
 #include <algorithm>
 #include <cmath>
@@ -15,9 +16,7 @@ std::string axisInWords(const Axis& axis) {
 }
 
 std::string shapeInWords(const std::vector<Axis>& shape) {
-  std::string words;
-  for (const Axis& axis : shape) words += (words.empty() ? "" : ", ") + axisInWords(axis);
-  return "(" + words + (shape.size() == 1 ? ",)" : ")");
+  return "(" + inARow(shape, axisInWords) + (shape.size() == 1 ? ",)" : ")");
 }
 
 /// Exact: no fraction is cut off, and nothing is wrapped around.

@@ -7,10 +7,12 @@
 
 #include <Eigen/Core>
 #include <cstdint>
+#include <functional>
 #include <initializer_list>
 #include <limits>
 #include <optional>
 #include <string>
+#include <type_traits>
 #include <vector>
 
 namespace hexoderm::python {
@@ -35,16 +37,17 @@ Doubles arrayOf(const Eigen::Vector3d& vector);
 Doubles arrayOf(const Eigen::Matrix3d& matrix);
 Doubles arrayOf(const Matrix6d& matrix);
 
-/// (N, 3) or (N, n, n): what `get` says of each item, an optional vector or matrix. NaN where it says nothing.
+/// (N, 3) or (N, n, n): what `get`, a function or a member, says of each item, an optional vector or matrix. NaN where
+/// it says nothing.
 template <class Items, class Get>
 Doubles stacked(const Items& items, const Get& get) {
-  using Matrix = typename decltype(get(*items.begin()))::value_type;
+  using Matrix = typename std::remove_cvref_t<decltype(std::invoke(get, *items.begin()))>::value_type;
   constexpr std::size_t kRows = Matrix::RowsAtCompileTime;
   constexpr std::size_t kColumns = Matrix::ColsAtCompileTime;
   Doubles array = kColumns == 1 ? unknowns({items.size(), kRows}) : unknowns({items.size(), kRows, kColumns});
   double* out = array.mutable_data();
   for (const auto& item : items) {
-    if (const std::optional<Matrix> values = get(item)) copyTo(out, *values);
+    if (const std::optional<Matrix> values = std::invoke(get, item)) copyTo(out, *values);
     out += kRows * kColumns;
   }
   return array;

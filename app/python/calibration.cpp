@@ -11,7 +11,9 @@
 #include <pybind11/stl.h>
 #include <pybind11/stl/filesystem.h>
 
+#include <algorithm>
 #include <filesystem>
+#include <string>
 
 namespace hexoderm::python {
 namespace {
@@ -33,11 +35,11 @@ PatchOf patchOf(const Calibration& self, std::uint32_t cell) {
 py::dict optionsOf(const Calibration& self) {
   const SolverOptions& options = self.result->options;
   py::dict dict;
-  dict["solver"] = solverName(options.solver);
-  dict["centre"] = centringName(options.centring);
-  dict["support_axes"] = supportAxesName(options.support_axes);
-  dict["weights"] = linkWeightsName(options.weights);
-  dict["gap_model"] = gapModelName(options.gap_model);
+  for (const SolverChoice& choice : solverChoices()) {
+    std::string name(choice.name);
+    std::ranges::replace(name, '-', '_');
+    dict[py::str(name)] = choice.get(options);
+  }
   dict["without"] = valuesOf(options.left_out);
   dict["class_threshold"] = options.class_threshold;
   return dict;

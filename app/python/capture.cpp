@@ -79,12 +79,6 @@ void close(LiveCapture& self) {
   self.close();
 }
 
-std::string sourcesInWords() {
-  std::string kinds;
-  for (const SourceKind& kind : sourceKinds()) kinds += (kinds.empty() ? "" : ", ") + std::string(kind.example);
-  return kinds;
-}
-
 }  // namespace
 
 void bindCapture(py::module_& module) {
@@ -100,7 +94,7 @@ void bindCapture(py::module_& module) {
            py::arg("timeout") = LiveCaptureOptions().timeout_s,
            ("Connects to a skin; the options are those of `hexoderm-cli capture`.\n\n"
             "source: " +
-            sourcesInWords() +
+            sourceKindsInWords() +
             ".\n"
             "poses: end after so many; 0: at the stream's end, with auto when they are good.\n"
             "auto: the device turns itself, to where each pose helps most.\n"

@@ -6,6 +6,7 @@
 #include "hexoderm/io/exporter.h"
 #include "hexoderm/reconstruction/result/patch_placements.h"
 #include "hexoderm/util/error.h"
+#include "hexoderm/util/text.h"
 
 #include <pybind11/stl.h>
 #include <pybind11/stl/filesystem.h>
@@ -30,14 +31,6 @@ void addOnce(std::vector<std::string>& sentences, const std::string& sentence) {
   if (!sentence.empty() && is_new) sentences.push_back(sentence);
 }
 
-std::string namesOf(const std::vector<ExportFormat>& formats) {
-  std::string names;
-  for (const ExportFormat format : formats) {
-    names += (names.empty() ? "" : ", ") + std::string(exportFormatDescription(format).name);
-  }
-  return names;
-}
-
 /// Without one, the option would silently change nothing.
 void requireOneThatHas(const ExportOptionDescription& option, const std::vector<ExportFormat>& formats,
                        const std::string& given) {
@@ -45,7 +38,7 @@ void requireOneThatHas(const ExportOptionDescription& option, const std::vector<
     return std::ranges::find(option.formats, format) != option.formats.end();
   };
   if (std::ranges::any_of(formats, has_it)) return;
-  throw InvalidArgument(given + ": is an option of " + namesOf(option.formats) + ", found " + namesOf(formats));
+  throw InvalidArgument(given + ": is an option of " + inWords(option.formats) + ", found " + inWords(formats));
 }
 
 /// The names are those of the command line, with underscores.
@@ -53,20 +46,19 @@ void setOption(ExportOptions& options, const std::vector<ExportFormat>& formats,
                const std::string& value) {
   std::string name = given;
   std::ranges::replace(name, '_', '-');
-  std::string names;
   for (const ExportOptionDescription& option : exportOptions()) {
-    names += (names.empty() ? "" : ", ") + std::string(option.name);
     if (option.name != name) continue;
     requireOneThatHas(option, formats, given);
     const auto is_value = [&](const auto& choice) { return choice.value == value; };
     if (!option.choices.empty() && std::ranges::none_of(option.choices, is_value)) {
-      std::string values;
-      for (const auto& choice : option.choices) values += (values.empty() ? "" : ", ") + std::string(choice.value);
-      throw InvalidArgument(given + ": expected one of " + values + ", found \"" + value + "\"");
+      throw InvalidArgument(given + ": expected one of " +
+                            inARow(option.choices, [](const auto& choice) { return choice.value; }) + ", found \"" +
+                            value + "\"");
     }
     option.set(options, value);
     return;
   }
+  std::string names = inARow(exportOptions(), &ExportOptionDescription::name);
   std::ranges::replace(names, '-', '_');
   throw InvalidArgument(given + ": is no option of an export, expected one of " + names);
 }

@@ -1,6 +1,7 @@
 #include "app/python/given.h"
 
 #include "hexoderm/util/near_match.h"
+#include "hexoderm/util/text.h"
 
 #include <algorithm>
 #include <cstdlib>
@@ -39,12 +40,6 @@ Signature signatureOf(const py::detail::function_record& record, const char* nam
   }
   signature.by_place = record.nargs_pos - (signature.has_self ? 1 : 0);
   return signature;
-}
-
-std::string inARow(const std::vector<std::string>& names) {
-  std::string row;
-  for (const std::string& name : names) row += (row.empty() ? "" : ", ") + name;
-  return row;
 }
 
 [[noreturn]] void explain(const Signature& signature, const py::args& args, const py::kwargs& named) {

@@ -105,6 +105,9 @@ void bindPatch(py::module_& module) {
   bindLink(module);
   bindSensor(module);
   const auto cells = [](const PatchOf& self) -> const std::vector<CellPlacement>& { return self.patch().cells; };
+  const auto of_cells = [](auto get) {
+    return [get](const PatchOf& self) { return stacked(self.patch().cells, get); };
+  };
   py::class_<PatchOf>(
       module, "Patch",
       "Cells that are joined by links. All arrays are in the order of `cells`, and in the patch's frame,\n"
@@ -119,30 +122,18 @@ void bindPatch(py::module_& module) {
             return numbersOf(cells(self), [](const CellPlacement& cell) { return cell.cell.value(); });
           },
           "(N,): the cells' IDs, ascending.")
+      .def_property_readonly("positions",
+                             of_cells([](const CellPlacement& cell) { return std::optional(cell.T_o_u.t); }),
+                             "(N, 3): the centres of the cells' front faces, m.")
       .def_property_readonly(
-          "positions",
-          [cells](const PatchOf& self) {
-            return stacked(cells(self), [](const CellPlacement& cell) { return std::optional(cell.T_o_u.t); });
-          },
-          "(N, 3): the centres of the cells' front faces, m.")
-      .def_property_readonly(
-          "rotations",
-          [cells](const PatchOf& self) {
-            return stacked(cells(self), [](const CellPlacement& cell) { return std::optional(cell.T_o_u.R); });
-          },
+          "rotations", of_cells([](const CellPlacement& cell) { return std::optional(cell.T_o_u.R); }),
           "(N, 3, 3): from each cell's frame to the patch's; the last column is where the cell faces.")
       .def_property_readonly(
-          "covariances",
-          [cells](const PatchOf& self) {
-            return stacked(cells(self), [](const CellPlacement& cell) { return cell.cov_t_r; });
-          },
+          "covariances", of_cells(&CellPlacement::cov_t_r),
           "(N, 6, 6), relative to the origin: position (m, patch frame) before rotation (rad, right-multiplied error\n"
           "in the cell frame, R_true = R exp(e)). Zero for the origin; NaN where it is not stated.")
       .def_property_readonly(
-          "shape_covariances",
-          [cells](const PatchOf& self) {
-            return stacked(cells(self), [](const CellPlacement& cell) { return cell.shape_cov_t_r; });
-          },
+          "shape_covariances", of_cells(&CellPlacement::shape_cov_t_r),
           "(N, 6, 6), likewise, relative to the patch as a whole: it does not depend on which cell is the origin. Of\n"
           "the global solver; NaN from the tree.")
       .def_property_readonly(
@@ -155,17 +146,10 @@ void bindPatch(py::module_& module) {
           },
           "(N,): placed by readings of its own; else by its links alone.")
       .def_property_readonly(
-          "offsets",
-          [cells](const PatchOf& self) {
-            return stacked(cells(self), [](const CellPlacement& cell) { return cell.accel_offset_g; });
-          },
+          "offsets", of_cells(&CellPlacement::accel_offset_g),
           "(N, 3): estimated offsets of the accelerometers, g, along their axes; NaN where there are none.")
-      .def_property_readonly(
-          "scales",
-          [cells](const PatchOf& self) {
-            return stacked(cells(self), [](const CellPlacement& cell) { return cell.accel_scale; });
-          },
-          "(N, 3): their scales, reading = scale * force + offset; NaN where there are none.")
+      .def_property_readonly("scales", of_cells(&CellPlacement::accel_scale),
+                             "(N, 3): their scales, reading = scale * force + offset; NaN where there are none.")
       .def_property_readonly(
           "gravity",
           [](const PatchOf& self) {

@@ -72,6 +72,9 @@ void setLinkMuted(Session& session, const std::pair<std::uint32_t, std::uint32_t
 }
 
 void bindPose(py::module_& module) {
+  const auto of_samples = [](auto get) {
+    return [get](const SessionPose& pose) { return stacked(pose.capture->samples, get); };
+  };
   py::class_<SessionPose>(module, "Pose",
                           "A pose of a session: gravity as every cell saw it while the part was held still.")
       .def_property_readonly(
@@ -87,20 +90,12 @@ void bindPose(py::module_& module) {
             return numbersOf(pose.capture->samples, [](const GravitySample& sample) { return sample.cell.value(); });
           },
           "(N,): the cells that have a reading.")
-      .def_property_readonly(
-          "readings",
-          [](const SessionPose& pose) {
-            return stacked(pose.capture->samples,
-                           [](const GravitySample& sample) { return std::optional(sample.mean_g); });
-          },
-          "(N, 3): mean readings, g, along the axes of each accelerometer.")
-      .def_property_readonly(
-          "covariances",
-          [](const SessionPose& pose) {
-            return stacked(pose.capture->samples,
-                           [](const GravitySample& sample) { return std::optional(sample.cov_g2); });
-          },
-          "(N, 3, 3): covariances of the means, g^2; zero where they are not known.")
+      .def_property_readonly("readings",
+                             of_samples([](const GravitySample& sample) { return std::optional(sample.mean_g); }),
+                             "(N, 3): mean readings, g, along the axes of each accelerometer.")
+      .def_property_readonly("covariances",
+                             of_samples([](const GravitySample& sample) { return std::optional(sample.cov_g2); }),
+                             "(N, 3, 3): covariances of the means, g^2; zero where they are not known.")
       .def_property_readonly(
           "counts",
           [](const SessionPose& pose) {

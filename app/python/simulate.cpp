@@ -16,20 +16,6 @@ namespace {
 
 namespace py = pybind11;
 
-LinkLaw linkLawFromName(const std::string& name) {
-  if (name == "bend") return LinkLaw::Bend;
-  if (name == "surface") return LinkLaw::Surface;
-  throw InvalidArgument("link_law: expected bend or surface, found \"" + name + "\"");
-}
-
-SimulatedSkinOptions optionsFor(const std::string& motion, bool ideal) {
-  if (motion != "hand" && motion != "robot") {
-    throw InvalidArgument("motion: expected hand or robot, found \"" + motion + "\"");
-  }
-  if (ideal) return SimulatedSkinOptions::ideal();
-  return motion == "robot" ? SimulatedSkinOptions::robot() : SimulatedSkinOptions();
-}
-
 void requireSamples(std::size_t samples) {
   if (samples == 0) throw InvalidArgument("samples: expected at least 1, found 0");
 }
@@ -38,6 +24,18 @@ using Text = Given<std::string>;
 using Texts = Given<std::vector<std::string>>;
 using Count = Given<std::size_t>;
 constexpr const char* kTexts = "a list of strings";
+
+/// What simulations of a skin and of a robot have in common.
+RobotInWords wordsFrom(const Text& patch, const Text& surface, const Given<std::uint64_t>& seed, const Text& link_law,
+                       const Given<bool>& ideal) {
+  RobotInWords words;
+  words.patch = patch.as("patch");
+  words.surface = surface.as("surface");
+  words.seed = seed.as("seed");
+  words.link_law = linkLawFromName(link_law.as("link_law"));
+  words.ideal = ideal.as("ideal");
+  return words;
+}
 
 Session simulate(const Text& patch, const Text& surface, const Count& poses, const Count& samples,
                  const Given<std::uint64_t>& seed, const Text& link_law, const Given<ModelOrName>& cell_model,
@@ -49,11 +47,7 @@ Session simulate(const Text& patch, const Text& surface, const Count& poses, con
   CellModel model = modelFrom(cell_model);
   if (const auto sigma = offset_sigma_g.as("offset_sigma_g", "a number")) model.accelerometer.offset_sigma_g = *sigma;
   model.validate();
-  SimulatedSkinOptions options = optionsFor(motion.as("motion"), ideal.as("ideal"));
-  options.patch = patch.as("patch");
-  options.surface = surface.as("surface");
-  options.seed = seed.as("seed");
-  options.link_law = linkLawFromName(link_law.as("link_law"));
+  SimulatedSkinOptions options = skinOptions(wordsFrom(patch, surface, seed, link_law, ideal), motion.as("motion"));
   for (const std::string& fault : faults.as("faults", kTexts)) addFault(fault, "faults", options);
   // Between the last pose and the one before it.
   options.reglued_before = pose_count == 0 ? 0 : pose_count - 1;
@@ -69,16 +63,11 @@ Session simulateRobot(const Text& robot, const Count& poses, const Count& sample
   const std::size_t pose_count = poses.as("poses");
   const std::size_t sample_count = samples.as("samples");
   requireSamples(sample_count);
-  RobotInWords words;
+  RobotInWords words = wordsFrom(patch, surface, seed, link_law, ideal);
   words.robot = robot.as("robot");
   words.packages = packages.as("packages", kTexts);
   words.mounts = mounts.as("mounts", kTexts);
   words.base = base.as("base");
-  words.patch = patch.as("patch");
-  words.surface = surface.as("surface");
-  words.seed = seed.as("seed");
-  words.link_law = linkLawFromName(link_law.as("link_law"));
-  words.ideal = ideal.as("ideal");
   CellModel model = modelFrom(cell_model);
   const Unlocked unlocked;
   SimulatedRobot simulated = makeRobot(std::move(model), words);

@@ -3,7 +3,7 @@
 #include "app/python/given.h"
 
 #include "hexoderm/util/error.h"
-#include "hexoderm/util/json_reader.h"
+#include "hexoderm/util/is_rotation.h"
 
 #include <algorithm>
 #include <array>

@@ -102,7 +102,6 @@
 #include "hexoderm/util/error.h"
 #include "hexoderm/util/file.h"
 #include "hexoderm/util/finding.h"
-#include "hexoderm/util/finding_advice.h"
 #include "hexoderm/util/ids.h"
 #include "hexoderm/util/latest_worker.h"
 #include "hexoderm/util/limits.h"

@@ -85,7 +85,7 @@ FindingCard::FindingCard(QWidget* parent)
 
 void FindingCard::setFinding(const Finding& finding, const std::vector<FindingOffer>& offers) {
   finding_ = finding;
-  const FindingAdvice& advice = adviceOn(finding.code);
+  const FindingDescription& advice = adviceOn(finding.code);
   severity_->setText(severityWord(finding.severity));
   setTone(severity_, toneOf(finding.severity));
   what_->setText(unbroken(words(finding.message)));

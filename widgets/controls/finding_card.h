@@ -1,6 +1,6 @@
 #pragma once
 
-#include "hexoderm/util/finding_advice.h"
+#include "hexoderm/util/finding.h"
 
 #include <QFrame>
 #include <QString>

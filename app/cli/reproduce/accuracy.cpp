@@ -38,27 +38,6 @@ struct Methods {
   std::optional<double> chained_gap_mm;
 };
 
-struct AccuracyRow {
-  std::string figure;
-  std::string unit;
-  LinkLaw law{};
-  std::size_t poses = 0;
-  std::size_t skins = 0;  ///< with a result by every method that is shown
-  std::optional<double> papers = {};
-  std::optional<double> matching = {};
-  std::optional<double> other = {};
-  std::optional<double> fit = {};
-  std::optional<double> bar_matching = {};
-  std::optional<double> bar_fit = {};
-  std::optional<double> bound = {};
-
-  [[nodiscard]] bool hasBar() const { return bar_matching || bar_fit; }
-  [[nodiscard]] bool reached() const {
-    const auto within = [](const auto& value, const auto& bar) { return !bar || (value && *value <= *bar); };
-    return within(matching, bar_matching) && within(fit, bar_fit);
-  }
-};
-
 /// One line of the table of a case.
 struct Line {
   std::string figure;
@@ -67,6 +46,23 @@ struct Line {
   std::optional<double> bar_matching = {};
   std::optional<double> bar_fit = {};
   std::optional<double> bound = {};
+};
+
+struct AccuracyRow {
+  Line line;
+  LinkLaw law{};
+  std::size_t poses = 0;
+  std::size_t skins = 0;  ///< with a result by every method that is shown
+  std::optional<double> papers = {};
+  std::optional<double> matching = {};
+  std::optional<double> other = {};
+  std::optional<double> fit = {};
+
+  [[nodiscard]] bool hasBar() const { return line.bar_matching || line.bar_fit; }
+  [[nodiscard]] bool reached() const {
+    const auto within = [](const auto& value, const auto& bar) { return !bar || (value && *value <= *bar); };
+    return within(matching, line.bar_matching) && within(fit, line.bar_fit);
+  }
 };
 
 /// The link points of the loop's ends, apart, in the frame that `T` maps cells to.
@@ -186,7 +182,7 @@ class AccuracyTable {
 
   void addCase(const std::string& name, const SkinCase& skin_case, const std::vector<Line>& lines) {
     const auto results =
-        trials_.run(name + ", " + std::string(lawName(skin_case.law)), trials_.seeds(), [&](std::size_t seed) {
+        trials_.run(name + ", " + std::string(linkLawName(skin_case.law)), trials_.seeds(), [&](std::size_t seed) {
           SimulatedSkin skin = makeSkin(skin_case, seed);
           const Session session = measure(skin, skin_case);
           const auto snapshot = session.snapshot();
@@ -204,16 +200,12 @@ class AccuracyTable {
         });
     const auto add = [&](const Line& line, const auto& of_papers, const auto& of_matching, const auto& of_other,
                          const auto& of_fit) {
-      AccuracyRow row{
-          .figure = name + ": " + line.figure, .unit = line.unit, .law = skin_case.law, .poses = skin_case.poses};
-      row.skins = results.size();
+      AccuracyRow row{.line = line, .law = skin_case.law, .poses = skin_case.poses, .skins = results.size()};
+      row.line.figure = name + ": " + line.figure;
       row.papers = medianOf(results, of_papers, row.skins);
       row.matching = medianOf(results, of_matching, row.skins);
       row.other = medianOf(results, of_other, row.skins);
       row.fit = medianOf(results, of_fit, row.skins);
-      row.bar_matching = line.bar_matching;
-      row.bar_fit = line.bar_fit;
-      row.bound = line.bound;
       rows_.push_back(std::move(row));
     };
     for (const Line& line : lines) {
@@ -264,11 +256,12 @@ void print(const std::vector<AccuracyRow>& rows, std::size_t seeds) {
       << "and for fit. Bound: Cramer-Rao, rms, from an earlier study, not computed here; medians may lie below.\n\n";
   TextTable table({"figure", "law", "poses", "paper", "match", "other", "fit", "unit", "bars", "bound", "reached"});
   for (const AccuracyRow& row : rows) {
-    const int decimals = row.bar_matching == row.bar_fit && row.bar_fit ? 3 : 2;
-    table.add({row.figure, std::string(lawName(row.law)), std::to_string(row.poses), numberOrDash(row.papers),
+    const int decimals = row.line.bar_matching == row.line.bar_fit && row.line.bar_fit ? 3 : 2;
+    table.add({row.line.figure, std::string(linkLawName(row.law)), std::to_string(row.poses), numberOrDash(row.papers),
                numberOrDash(row.matching, decimals), numberOrDash(row.other, decimals), numberOrDash(row.fit, decimals),
-               row.unit, row.hasBar() ? numberOrDash(row.bar_matching) + " / " + numberOrDash(row.bar_fit) : "-",
-               numberOrDash(row.bound), row.hasBar() ? (row.reached() ? "yes" : "NO") : "-"});
+               row.line.unit,
+               row.hasBar() ? numberOrDash(row.line.bar_matching) + " / " + numberOrDash(row.line.bar_fit) : "-",
+               numberOrDash(row.line.bound), row.hasBar() ? (row.reached() ? "yes" : "NO") : "-"});
   }
   table.print();
   std::cout
@@ -289,26 +282,22 @@ void print(const std::vector<AccuracyRow>& rows, std::size_t seeds) {
 nlohmann::ordered_json tabulateAccuracy(const Trials& trials, bool prints) {
   const std::vector<AccuracyRow> rows = AccuracyTable(trials).run();
   if (prints) print(rows, trials.seeds());
-  nlohmann::ordered_json json = {{"jitter_bound_rms_mm", toMillimetres(jitterBound_m())},
-                                 {"rows", nlohmann::ordered_json::array()}};
-  for (const AccuracyRow& row : rows) {
-    nlohmann::ordered_json entry = {{"figure", row.figure},
-                                    {"unit", row.unit},
-                                    {"link_law", lawName(row.law)},
-                                    {"poses", row.poses},
-                                    {"skins", row.skins},
-                                    {"papers_method", numberOrNull(row.papers)},
-                                    {"matching", numberOrNull(row.matching)},
-                                    {"mismatching", numberOrNull(row.other)},
-                                    {"fit", numberOrNull(row.fit)},
-                                    {"bar_matching", numberOrNull(row.bar_matching)},
-                                    {"bar_fit", numberOrNull(row.bar_fit)},
-                                    {"bound", numberOrNull(row.bound)},
-                                    {"reached", nullptr}};
-    if (row.hasBar()) entry["reached"] = row.reached();
-    json["rows"].push_back(std::move(entry));
-  }
-  return json;
+  const auto row_json = [](const AccuracyRow& row) -> Json {
+    return {{"figure", row.line.figure},
+            {"unit", row.line.unit},
+            {"link_law", linkLawName(row.law)},
+            {"poses", row.poses},
+            {"skins", row.skins},
+            {"papers_method", orNull(row.papers)},
+            {"matching", orNull(row.matching)},
+            {"mismatching", orNull(row.other)},
+            {"fit", orNull(row.fit)},
+            {"bar_matching", orNull(row.line.bar_matching)},
+            {"bar_fit", orNull(row.line.bar_fit)},
+            {"bound", orNull(row.line.bound)},
+            {"reached", row.hasBar() ? Json(row.reached()) : Json()}};
+  };
+  return {{"jitter_bound_rms_mm", toMillimetres(jitterBound_m())}, {"rows", arrayOf(rows, row_json)}};
 }
 
 }  // namespace hexoderm::cli

@@ -144,24 +144,16 @@ double rootMeanSquare(const std::vector<double>& values) {
 
 nlohmann::ordered_json toJson(const ChangeRow& row) {
   const bool is_healthy = row.what.change == Change::None;
-  nlohmann::ordered_json json = {{"change", row.what.name},
-                                 {"calibration_poses", row.what.calibration_poses},
-                                 {"poses", row.what.poses},
-                                 {"found", nullptr},
-                                 {"right_kind", nullptr},
-                                 {"turned_or_drifted", nullptr},
-                                 {"blamed_per_cell", cli::toJson(row.blamed)},
-                                 {"false_alarms", cli::toJson(row.alarms)},
-                                 {"turn_error_over_stated", nullptr},
-                                 {"reached", nullptr}};
-  if (!is_healthy) {
-    json["found"] = cli::toJson(row.found);
-    json["right_kind"] = cli::toJson(row.right);
-    json["turned_or_drifted"] = cli::toJson(row.ambiguous);
-  }
-  if (!row.deviates.empty()) json["turn_error_over_stated"] = rootMeanSquare(row.deviates);
-  if (row.what.has_bar) json["reached"] = row.reached();
-  return json;
+  return {{"change", row.what.name},
+          {"calibration_poses", row.what.calibration_poses},
+          {"poses", row.what.poses},
+          {"found", is_healthy ? Json() : cli::toJson(row.found)},
+          {"right_kind", is_healthy ? Json() : cli::toJson(row.right)},
+          {"turned_or_drifted", is_healthy ? Json() : cli::toJson(row.ambiguous)},
+          {"blamed_per_cell", cli::toJson(row.blamed)},
+          {"false_alarms", cli::toJson(row.alarms)},
+          {"turn_error_over_stated", row.deviates.empty() ? Json() : Json(rootMeanSquare(row.deviates))},
+          {"reached", row.what.has_bar ? Json(row.reached()) : Json()}};
 }
 
 }  // namespace
@@ -190,9 +182,7 @@ nlohmann::ordered_json countChanges(const Trials& trials, bool prints) {
     }
     table.print();
   }
-  nlohmann::ordered_json json = {{"skins", trials.seeds()}, {"rows", nlohmann::ordered_json::array()}};
-  for (const ChangeRow& row : rows) json["rows"].push_back(toJson(row));
-  return json;
+  return {{"skins", trials.seeds()}, {"rows", arrayOf(rows, [](const ChangeRow& row) { return toJson(row); })}};
 }
 
 }  // namespace hexoderm::cli

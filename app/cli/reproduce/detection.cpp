@@ -23,27 +23,16 @@ struct Case {
   std::optional<double> bar_false;  ///< percent of links, at most
 };
 
-struct Count {
-  std::size_t sessions = 0;
-  std::size_t found = 0;
-  std::size_t links = 0;  ///< sound ones
-  std::size_t false_links = 0;
-  std::size_t cells = 0;
-  std::size_t false_cells = 0;
-};
-
 struct DetectionRow {
   Case what;
-  Count count;
-  [[nodiscard]] static double percent(std::size_t part, std::size_t whole) {
-    return whole == 0 ? 0 : 100.0 * static_cast<double>(part) / static_cast<double>(whole);
-  }
-  [[nodiscard]] double found() const { return percent(count.found, count.sessions); }
-  [[nodiscard]] double falseLinks() const { return percent(count.false_links, count.links); }
-  [[nodiscard]] double falseCells() const { return percent(count.false_cells, count.cells); }
+  Share found;        ///< of sessions
+  Share false_links;  ///< of sound ones
+  Share false_cells;
   [[nodiscard]] bool healthy() const { return what.cell.value() == 0; }
+  [[nodiscard]] bool hasBar() const { return what.bar_found || what.bar_false; }
   [[nodiscard]] bool reached() const {
-    return (!what.bar_found || found() >= *what.bar_found) && (!what.bar_false || falseLinks() <= *what.bar_false);
+    return (!what.bar_found || found.percent() >= *what.bar_found) &&
+           (!what.bar_false || false_links.percent() <= *what.bar_false);
   }
 };
 
@@ -59,8 +48,9 @@ std::pair<LinkEnd, LinkEnd> outwardLink(const NeighborList& neighbors, CellId ce
 
 using CellPair = std::pair<CellId, CellId>;
 
-Count judge(const Case& what, const std::optional<CellPair>& bad_link, bool is_leaf, const Reconstruction& result) {
-  Count count{.sessions = 1};
+DetectionRow judge(const Case& what, const std::optional<CellPair>& bad_link, bool is_leaf,
+                   const Reconstruction& result) {
+  DetectionRow row{what, {0, 1}, {}, {}};
   bool link_named = false;
   for (const PatchReconstruction& patch : result.patches) {
     for (const LinkEstimate& link : patch.links) {
@@ -69,8 +59,7 @@ Count judge(const Case& what, const std::optional<CellPair>& bad_link, bool is_l
       if (is_bad) {
         link_named = link_named || link.muted_by;
       } else {
-        ++count.links;
-        if (link.muted_by) ++count.false_links;
+        row.false_links += {link.muted_by ? 1U : 0U, 1};
       }
     }
   }
@@ -81,12 +70,12 @@ Count judge(const Case& what, const std::optional<CellPair>& bad_link, bool is_l
   const bool cell_named = blamed.contains(what.cell);
   // At a leaf, a turned link and a broken sensor look alike.
   const bool either = is_leaf && (link_named || cell_named);
-  if (what.link) count.found = link_named || either ? 1 : 0;
-  if (what.sensor) count.found = cell_named || either ? 1 : 0;
+  if (what.link) row.found.part = link_named || either ? 1 : 0;
+  if (what.sensor) row.found.part = cell_named || either ? 1 : 0;
   const bool cell_may_be_named = what.sensor || is_leaf;
-  count.cells = result.cellCount() - (cell_may_be_named ? 1 : 0);
-  count.false_cells = blamed.size() - (cell_may_be_named && cell_named ? 1 : 0);
-  return count;
+  row.false_cells = {blamed.size() - (cell_may_be_named && cell_named ? 1 : 0),
+                     result.cellCount() - (cell_may_be_named ? 1 : 0)};
+  return row;
 }
 
 DetectionRow runRow(const Trials& trials, const Case& what, std::size_t sessions) {
@@ -107,14 +96,11 @@ DetectionRow runRow(const Trials& trials, const Case& what, std::size_t sessions
     SimulatedSkin skin = makeSkin(skin_case, seed);
     return judge(what, bad_link, is_leaf, *reconstruct(*measure(skin, skin_case).snapshot(), globalSolver()));
   });
-  DetectionRow row{what, {}};
-  for (const Count& count : results) {
-    row.count.sessions += count.sessions;
-    row.count.found += count.found;
-    row.count.links += count.links;
-    row.count.false_links += count.false_links;
-    row.count.cells += count.cells;
-    row.count.false_cells += count.false_cells;
+  DetectionRow row{what, {}, {}, {}};
+  for (const DetectionRow& result : results) {
+    row.found += result.found;
+    row.false_links += result.false_links;
+    row.false_cells += result.false_cells;
   }
   return row;
 }
@@ -160,9 +146,9 @@ nlohmann::ordered_json countDetections(const Trials& trials, bool prints) {
     TextTable table({"fault", "poses", "found", "false, per link", "false, per cell", "bars", "reached"});
     for (const DetectionRow& row : rows) {
       table.add({row.what.name, std::to_string(row.what.poses),
-                 row.healthy() ? "-" : formatFixed(row.found(), 1) + " %", formatFixed(row.falseLinks(), 3) + " %",
-                 formatFixed(row.falseCells(), 3) + " %", barInWords(row.what),
-                 row.what.bar_found || row.what.bar_false ? (row.reached() ? "yes" : "NO") : "-"});
+                 row.healthy() ? "-" : formatFixed(row.found.percent(), 1) + " %",
+                 formatFixed(row.false_links.percent(), 3) + " %", formatFixed(row.false_cells.percent(), 3) + " %",
+                 barInWords(row.what), row.hasBar() ? (row.reached() ? "yes" : "NO") : "-"});
     }
     table.print();
   }
@@ -171,13 +157,13 @@ nlohmann::ordered_json countDetections(const Trials& trials, bool prints) {
     nlohmann::ordered_json entry = {{"fault", row.what.name},
                                     {"poses", row.what.poses},
                                     {"found_percent", nullptr},
-                                    {"false_per_link_percent", row.falseLinks()},
-                                    {"false_per_cell_percent", row.falseCells()},
-                                    {"bar_found_percent", numberOrNull(row.what.bar_found)},
-                                    {"bar_false_percent", numberOrNull(row.what.bar_false)},
+                                    {"false_per_link_percent", row.false_links.percent()},
+                                    {"false_per_cell_percent", row.false_cells.percent()},
+                                    {"bar_found_percent", orNull(row.what.bar_found)},
+                                    {"bar_false_percent", orNull(row.what.bar_false)},
                                     {"reached", nullptr}};
-    if (!row.healthy()) entry["found_percent"] = row.found();
-    if (row.what.bar_found || row.what.bar_false) entry["reached"] = row.reached();
+    if (!row.healthy()) entry["found_percent"] = row.found.percent();
+    if (row.hasBar()) entry["reached"] = row.reached();
     json["rows"].push_back(std::move(entry));
   }
   json["garbage"] = countGarbage(trials, prints);

@@ -194,8 +194,8 @@ nlohmann::ordered_json countGarbage(const Trials& trials, bool prints) {
     json["rows"].push_back({{"garbage", what.name},
                             {"poses", what.poses},
                             {"found", toJson(found)},
-                            {"best_test_cell_known_percent", numberOrNull(bound_known)},
-                            {"best_test_percent", numberOrNull(bound)},
+                            {"best_test_cell_known_percent", orNull(bound_known)},
+                            {"best_test_percent", orNull(bound)},
                             {"bar_percent", bar},
                             {"reached", reached}});
   }
@@ -219,10 +219,9 @@ nlohmann::ordered_json countGarbage(const Trials& trials, bool prints) {
   if (prints) {
     std::cout
         << "\nGarbage, on a simulated X17 (r = 50.1 mm), global solver, defaults: " << trials.seeds()
-        << " sessions per row.\nFound: a finding names it, and the verdict is lower; of what leaves nothing but "
-           "noise: the verdict is failed.\nBest test: a likelihood ratio with 0.2 % false alarms a session that knows "
-           "the fault, and its cell, or has to ask of every\ncell and axis. The bar is 95 %, or 5 % less than the "
-           "latter "
+        << " sessions per row.\nFound: a finding names it, and the verdict is lower; of what leaves nothing but noise: "
+           "the verdict is failed.\nBest test: a likelihood ratio with 0.2 % false alarms a session that knows the "
+           "fault, and its cell, or has to ask of every\ncell and axis. The bar is 95 %, or 5 % less than the latter "
            "where that is lower.\n\n";
     table.print();
     std::cout << "\nHealthy skins, hand-held, " << kHealthySkins.size() << " patches: " << sessions

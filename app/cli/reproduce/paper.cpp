@@ -111,16 +111,15 @@ nlohmann::ordered_json reproducePaper(const Trials& trials, bool prints) {
     }
     table.print();
   }
-  nlohmann::ordered_json json = {{"poses", kPapersPoses}, {"rows", nlohmann::ordered_json::array()}};
-  for (const PaperRow& row : rows) {
-    json["rows"].push_back({{"figure", row.figure},
-                            {"unit", row.unit},
-                            {"offset_sigma_mg", row.offset_sigma_mg},
-                            {"paper", row.paper},
-                            {"papers_method", toJson(row.papers_method)},
-                            {"global", toJson(row.global)}});
-  }
-  return json;
+  const auto row_json = [](const PaperRow& row) -> Json {
+    return {{"figure", row.figure},
+            {"unit", row.unit},
+            {"offset_sigma_mg", row.offset_sigma_mg},
+            {"paper", row.paper},
+            {"papers_method", toJson(row.papers_method)},
+            {"global", toJson(row.global)}};
+  };
+  return {{"poses", kPapersPoses}, {"rows", arrayOf(rows, row_json)}};
 }
 
 }  // namespace hexoderm::cli

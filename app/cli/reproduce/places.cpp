@@ -242,9 +242,7 @@ nlohmann::ordered_json placeOnLinks(const Trials& trials, bool prints) {
     }
     table.print();
   }
-  nlohmann::ordered_json json = {{"skins", trials.seeds()}, {"rows", nlohmann::ordered_json::array()}};
-  for (const PlaceRow& row : rows) json["rows"].push_back(toJson(row));
-  return json;
+  return {{"skins", trials.seeds()}, {"rows", arrayOf(rows, [](const PlaceRow& row) { return toJson(row); })}};
 }
 
 }  // namespace hexoderm::cli

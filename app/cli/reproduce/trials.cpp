@@ -48,7 +48,6 @@ SolverOptions globalSolver(GapModel gap_model) {
 
 GapModel matchingModel(LinkLaw law) { return law == LinkLaw::Bend ? GapModel::Pivot : GapModel::Arc; }
 GapModel otherModel(LinkLaw law) { return law == LinkLaw::Bend ? GapModel::Arc : GapModel::Pivot; }
-std::string_view lawName(LinkLaw law) { return law == LinkLaw::Bend ? "bend" : "surface"; }
 
 SE3 truePlacement(const GroundTruth& truth, CellId cell) {
   return std::ranges::find(truth.cells, cell, &TrueCellPlacement::id)->T_b_u;
@@ -141,10 +140,6 @@ void TextTable::print() const {
 
 std::string numberOrDash(const std::optional<double>& value, int decimals) {
   return value ? formatFixed(*value, decimals) : "-";
-}
-
-nlohmann::ordered_json numberOrNull(const std::optional<double>& value) {
-  return value ? nlohmann::ordered_json(*value) : nlohmann::ordered_json(nullptr);
 }
 
 }  // namespace hexoderm::cli

@@ -7,6 +7,7 @@
 #include "hexoderm/util/parallel.h"
 
 #include "app/cli/command.h"
+#include "app/cli/json.h"
 
 #include <atomic>
 #include <optional>
@@ -40,7 +41,6 @@ SolverOptions globalSolver(GapModel gap_model = GapModel::Fit);
 /// The gap model that the simulator's law obeys, and the one it doesn't.
 GapModel matchingModel(LinkLaw law);
 GapModel otherModel(LinkLaw law);
-std::string_view lawName(LinkLaw law);
 
 SE3 truePlacement(const GroundTruth& truth, CellId cell);
 /// Nothing where links taken for broken left too little of the skin.
@@ -110,6 +110,5 @@ class TextTable {
 
 /// "-" for what does not exist.
 std::string numberOrDash(const std::optional<double>& value, int decimals = 2);
-nlohmann::ordered_json numberOrNull(const std::optional<double>& value);
 
 }  // namespace hexoderm::cli

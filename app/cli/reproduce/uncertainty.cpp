@@ -117,7 +117,7 @@ void print(const std::vector<UncertaintyRow>& rows, const std::vector<Uncertaint
   TextTable table(head);
   for (std::size_t k = 0; k < rows.size(); k += kPoses.size()) {
     const SkinCase& skin = rows[k].skin;
-    std::vector<std::string> line = {nameOf(skin), std::string(lawName(skin.law)),
+    std::vector<std::string> line = {nameOf(skin), std::string(linkLawName(skin.law)),
                                      formatFixed(skin.offset_sigma_mg, 0) + " mg"};
     for (std::size_t pose = 0; pose < kPoses.size(); ++pose) line.push_back(inWords(rows[k + pose]));
     table.add(std::move(line));
@@ -129,27 +129,24 @@ void print(const std::vector<UncertaintyRow>& rows, const std::vector<Uncertaint
   std::cout << "\nThe offsets' sigma in the cell model is wrong (bar " << inWords(kWrongPrior) << "):\n";
   TextTable wrong({"skin", "law", "offsets", "cell model", "poses", "nees"});
   for (const UncertaintyRow& row : wrong_prior) {
-    wrong.add({nameOf(row.skin), std::string(lawName(row.skin.law)), formatFixed(row.skin.offset_sigma_mg, 0) + " mg",
-               formatFixed(row.prior_mg, 0) + " mg", std::to_string(row.skin.poses), inWords(row)});
+    wrong.add({nameOf(row.skin), std::string(linkLawName(row.skin.law)),
+               formatFixed(row.skin.offset_sigma_mg, 0) + " mg", formatFixed(row.prior_mg, 0) + " mg",
+               std::to_string(row.skin.poses), inWords(row)});
   }
   wrong.print();
 }
 
-nlohmann::ordered_json toJson(const std::vector<UncertaintyRow>& rows) {
-  auto array = nlohmann::ordered_json::array();
-  for (const UncertaintyRow& row : rows) {
-    array.push_back({{"skin", nameOf(row.skin)},
-                     {"link_law", lawName(row.skin.law)},
-                     {"poses", row.skin.poses},
-                     {"offset_sigma_mg", row.skin.offset_sigma_mg},
-                     {"prior_sigma_mg", row.prior_mg},
-                     {"skins", row.skins},
-                     {"nees_position", row.nees.position},
-                     {"nees_orientation", row.nees.orientation},
-                     {"bar", {row.band.low, row.band.high}},
-                     {"reached", row.reached()}});
-  }
-  return array;
+Json toJson(const UncertaintyRow& row) {
+  return {{"skin", nameOf(row.skin)},
+          {"link_law", linkLawName(row.skin.law)},
+          {"poses", row.skin.poses},
+          {"offset_sigma_mg", row.skin.offset_sigma_mg},
+          {"prior_sigma_mg", row.prior_mg},
+          {"skins", row.skins},
+          {"nees_position", row.nees.position},
+          {"nees_orientation", row.nees.orientation},
+          {"bar", {row.band.low, row.band.high}},
+          {"reached", row.reached()}};
 }
 
 }  // namespace
@@ -177,7 +174,8 @@ nlohmann::ordered_json checkUncertainty(const Trials& trials, bool prints) {
     }
   }
   if (prints) print(rows, wrong_prior, trials.seeds());
-  return {{"rows", toJson(rows)}, {"wrong_prior", toJson(wrong_prior)}};
+  const auto row_json = [](const UncertaintyRow& row) { return toJson(row); };
+  return {{"rows", arrayOf(rows, row_json)}, {"wrong_prior", arrayOf(wrong_prior, row_json)}};
 }
 
 }  // namespace hexoderm::cli

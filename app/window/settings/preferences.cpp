@@ -30,32 +30,18 @@ const QString kHold = QStringLiteral("capture/hold_s");
 const QString kSamples = QStringLiteral("capture/samples_per_cell");
 const QString kFolder = QStringLiteral("paths/sessions");
 const QString kLastFolder = QStringLiteral("paths/last");
-const QString kSolver = QStringLiteral("solver/solver");
-const QString kGapModel = QStringLiteral("solver/gap_model");
-const QString kCentring = QStringLiteral("solver/centre");
-const QString kSupportAxes = QStringLiteral("solver/support_axes");
-const QString kWeights = QStringLiteral("solver/weights");
 const QString kThreshold = QStringLiteral("solver/class_threshold");
 
-/// `read` of a setting's name; the default where there is none or it is no name.
-template <class Value, class Read>
-void readName(const QString& key, Value& value, Read read) {
-  const QString name = QSettings().value(key).toString();
-  if (name.isEmpty()) return;
-  try {
-    value = read(name.toStdString());
-  } catch (const InvalidArgument&) {
-  }
+/// "solver/gap_model" of gap-model.
+QString keyOf(const SolverChoice& choice) {
+  const QString name = QString::fromUtf8(choice.name.data(), static_cast<int>(choice.name.size()));
+  return QStringLiteral("solver/") + QString(name).replace(QLatin1Char('-'), QLatin1Char('_'));
 }
 
 void readNumber(const QString& key, double& value, double unit = 1) {
   bool is_number = false;
   const double read = QSettings().value(key).toDouble(&is_number);
   if (is_number && std::isfinite(read)) value = read * unit;
-}
-
-void set(const QString& key, std::string_view name) {
-  QSettings().setValue(key, QString::fromUtf8(name.data(), static_cast<int>(name.size())));
 }
 
 }  // namespace
@@ -121,11 +107,15 @@ void Preferences::setSessionFolder(const QString& folder) { QSettings().setValue
 
 SolverOptions Preferences::solverOptions() const {
   SolverOptions options;
-  readName(kSolver, options.solver, &solverFromName);
-  readName(kGapModel, options.gap_model, &gapModelFromName);
-  readName(kCentring, options.centring, &centringFromName);
-  readName(kSupportAxes, options.support_axes, &supportAxesFromName);
-  readName(kWeights, options.weights, &linkWeightsFromName);
+  for (const SolverChoice& choice : solverChoices()) {
+    const QString value = QSettings().value(keyOf(choice)).toString();
+    if (value.isEmpty()) continue;
+    try {
+      choice.set(options, value.toStdString());
+    } catch (const InvalidArgument&) {
+      continue;  // it is no name: the default stays
+    }
+  }
   readNumber(kThreshold, options.class_threshold);
   try {
     options.validate();
@@ -137,11 +127,10 @@ SolverOptions Preferences::solverOptions() const {
 
 void Preferences::setSolverOptions(const SolverOptions& options) {
   if (options == solverOptions()) return;
-  set(kSolver, solverName(options.solver));
-  set(kGapModel, gapModelName(options.gap_model));
-  set(kCentring, centringName(options.centring));
-  set(kSupportAxes, supportAxesName(options.support_axes));
-  set(kWeights, linkWeightsName(options.weights));
+  for (const SolverChoice& choice : solverChoices()) {
+    const std::string_view value = choice.get(options);
+    QSettings().setValue(keyOf(choice), QString::fromUtf8(value.data(), static_cast<int>(value.size())));
+  }
   QSettings().setValue(kThreshold, options.class_threshold);
   emit solverOptionsChanged(solverOptions());
 }

@@ -49,9 +49,7 @@ class GravityAccumulator {
  private:
   void addScatter(double factor, const Eigen::Vector3d& difference) {
     for (int column = 0; column < 3; ++column) {
-      for (int row = 0; row <= column; ++row) {
-        scatter_g2_(row, column) += factor * difference(row) * difference(column);
-      }
+      for (int row = 0; row <= column; ++row) scatter_g2_(row, column) += factor * difference(row) * difference(column);
     }
   }
 

@@ -2,27 +2,27 @@
 
 // Private to core.
 
+#include "hexoderm/capture/cell_index.h"
+#include "hexoderm/capture/gravity_accumulator.h"
 #include "hexoderm/capture/pose_capture.h"
 
-#include <memory>
+#include <limits>
+#include <vector>
 
 namespace hexoderm {
 
 /// averageFrames() of frames that come one by one and need not be kept.
 class PoseAverage {
  public:
-  PoseAverage();
-  ~PoseAverage();
-  PoseAverage(PoseAverage&&) noexcept;
-  PoseAverage& operator=(PoseAverage&&) noexcept;
-
   void add(const SampleFrame& frame);
   /// Of the frames so far.
   [[nodiscard]] PoseCapture pose(PoseId id, Message label) const;
 
  private:
-  struct State;
-  std::unique_ptr<State> state_;
+  GravityAccumulator& of(CellId cell);
+
+  CellIndex index_{std::numeric_limits<std::size_t>::max()};
+  std::vector<GravityAccumulator> cells_;  ///< by the index's numbers
 };
 
 }  // namespace hexoderm

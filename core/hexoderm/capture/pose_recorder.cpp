@@ -348,9 +348,7 @@ struct PoseRecorder::State {
     status.late_frames = late_frames;
     status.restarts = restarts;
     const Stillness& stillness = status.stillness;
-    if (window) {
-      status.phase = window->isComplete() ? HoldPhase::Confirming : HoldPhase::Collecting;
-    }
+    if (window) status.phase = window->isComplete() ? HoldPhase::Confirming : HoldPhase::Collecting;
     // The ring shows the time of waiting, of collecting and of confirming in one.
     const double rate_hz = stillness.rate_hz > 0 ? stillness.rate_hz : accelerometer.rate_hz;
     const double collect_s = samplesPerCell() / rate_hz;

@@ -1,5 +1,6 @@
 #include "hexoderm/capture/stillness.h"
 
+#include "hexoderm/util/enum_names.h"
 #include "hexoderm/util/error.h"
 #include "hexoderm/util/text.h"
 #include "hexoderm/util/units.h"
@@ -29,37 +30,13 @@ void StillnessOptions::validate() const {
 }
 
 std::string_view blockerName(Blocker blocker) {
-  switch (blocker) {
-    case Blocker::None:
-      return "none";
-    case Blocker::Waiting:
-      return "waiting";
-    case Blocker::NotMoved:
-      return "not_moved";
-    case Blocker::Turning:
-      return "turning";
-    case Blocker::Shaking:
-      return "shaking";
-    case Blocker::CellTurning:
-      return "cell_turning";
-  }
-  return "";
+  constexpr EnumNames<Blocker, 6> kNames = {{"none", "waiting", "not_moved", "turning", "shaking", "cell_turning"}};
+  return kNames.of(blocker);
 }
 
 std::string_view oddCellName(OddCellKind kind) {
-  switch (kind) {
-    case OddCellKind::Dead:
-      return "dead";
-    case OddCellKind::Stuck:
-      return "stuck";
-    case OddCellKind::Noisy:
-      return "noisy";
-    case OddCellKind::Restless:
-      return "restless";
-    case OddCellKind::Silent:
-      return "silent";
-  }
-  return "";
+  constexpr EnumNames<OddCellKind, 5> kNames = {{"dead", "stuck", "noisy", "restless", "silent"}};
+  return kNames.of(kind);
 }
 
 Message describe(const OddCell& odd) {

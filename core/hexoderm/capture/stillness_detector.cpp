@@ -430,9 +430,7 @@ struct StillnessDetector::State {
       const CellState& cell = cells[k];
       if (!cell.is_captured || isStuck(k)) continue;
       const auto now_g = recentForMove_g(k);
-      if (now_g) {
-        scratch.push_back(static_cast<float>(angleBetweenReadings(*now_g, cell.captured_g.cast<double>())));
-      }
+      if (now_g) scratch.push_back(static_cast<float>(angleBetweenReadings(*now_g, cell.captured_g.cast<double>())));
     }
     if (scratch.empty()) return;
     result.moved_rad = static_cast<double>(median(scratch));
@@ -442,37 +440,33 @@ struct StillnessDetector::State {
   void sayWhatBlocks() {
     // After a capture the operator is told to turn the part, not to hold it still.
     if (!result.armed && result.blocker != Blocker::Waiting) result.blocker = Blocker::NotMoved;
+    result.message = whatBlocks();
+  }
+
+  [[nodiscard]] Message whatBlocks() const {
     switch (result.blocker) {
       case Blocker::None:
-        result.message = {};
-        break;
+        return {};
       case Blocker::Waiting:
-        result.message = slots.count() == 0 || cells.empty() ? message("Waiting for samples")
-                         : slots.heardCount() == 0           ? message("Waiting for samples: all cells are silent")
-                         : is_longest
-                             ? message("Hold still: the readings scatter too much to tell whether the part turns")
-                             : message("Waiting for samples: fewer than {} s so far", limitInWords(window_s));
-        break;
+        return slots.count() == 0 || cells.empty() ? message("Waiting for samples")
+               : slots.heardCount() == 0           ? message("Waiting for samples: all cells are silent")
+               : is_longest ? message("Hold still: the readings scatter too much to tell whether the part turns")
+                            : message("Waiting for samples: fewer than {} s so far", limitInWords(window_s));
       case Blocker::NotMoved:
-        result.message =
-            message("Turn the part: it has moved {} deg since the last capture, more than {} are needed",
-                    Number{toDegrees(result.moved_rad), 1}, limitInWords(toDegrees(options.rearm_angle_rad)));
-        break;
+        return message("Turn the part: it has moved {} deg since the last capture, more than {} are needed",
+                       Number{toDegrees(result.moved_rad), 1}, limitInWords(toDegrees(options.rearm_angle_rad)));
       case Blocker::Turning:
-        result.message =
-            message("Hold still: the part turns by {} deg/s, limit {}", Number{toDegrees(result.drift_rad_s), 1},
-                    limitInWords(toDegrees(options.drift_limit_rad_s)));
-        break;
+        return message("Hold still: the part turns by {} deg/s, limit {}", Number{toDegrees(result.drift_rad_s), 1},
+                       limitInWords(toDegrees(options.drift_limit_rad_s)));
       case Blocker::Shaking:
-        result.message = message("Hold still: cell {} moves {} mg, limit {}", result.excess_cell,
-                                 Number{1000 * result.excess_g, 0}, Number{1000 * options.excess_limit_g, 0});
-        break;
+        return message("Hold still: cell {} moves {} mg, limit {}", result.excess_cell,
+                       Number{1000 * result.excess_g, 0}, Number{1000 * options.excess_limit_g, 0});
       case Blocker::CellTurning:
-        result.message = message("Hold still: cell {} turns by {} deg/s against the rest, limit {}",
-                                 result.turning_cell, Number{toDegrees(result.turning_rad_s), 1},
-                                 limitInWords(toDegrees(kRestlessTimesLimit * options.drift_limit_rad_s)));
-        break;
+        return message("Hold still: cell {} turns by {} deg/s against the rest, limit {}", result.turning_cell,
+                       Number{toDegrees(result.turning_rad_s), 1},
+                       limitInWords(toDegrees(kRestlessTimesLimit * options.drift_limit_rad_s)));
     }
+    return {};
   }
 };
 

@@ -42,10 +42,10 @@ void requireNewSession(const std::filesystem::path& file) {
   std::error_code error;
   const auto there = std::filesystem::symlink_status(file, error).type();
   if (there == std::filesystem::file_type::none) {
-    throw StorageError(located(file.string(), message("cannot be written: {}", systemReason(error))));
+    throw StorageError(file.string(), message("cannot be written: {}", systemReason(error)));
   }
   if (there != std::filesystem::file_type::not_found) {
-    throw StorageError(located(file.string(), message("exists already; a capture never replaces a session")));
+    throw StorageError(file.string(), message("exists already; a capture never replaces a session"));
   }
 }
 
@@ -129,12 +129,10 @@ class LiveCapture::Run final : public CaptureOwner, public SkinListener, public 
   void turnToNextPose() {
     if (!state().session) {
       throw InvalidArgument(
-          located(options_.source,
-                  message("no skin has described itself yet; that is noticed while the next pose is waited for")));
+          options_.source,
+          message("no skin has described itself yet; that is noticed while the next pose is waited for"));
     }
-    if (!state().can_turn) {
-      throw InvalidArgument(located(options_.source, message("this device does not turn by itself")));
-    }
+    if (!state().can_turn) throw InvalidArgument(options_.source, message("this device does not turn by itself"));
     push(Kind::Other, [this] { course_.turnToNextPose(); });
   }
 
@@ -226,8 +224,7 @@ class LiveCapture::Run final : public CaptureOwner, public SkinListener, public 
   // On the thread of next():
   void begin(const SkinDescription& skin) {
     if (options_.automatic && !skin.can_turn) {
-      throw DeviceError(
-          located(source_->address(), message("auto needs a device that turns by itself, and this one can't")));
+      throw DeviceError(source_->address(), message("auto needs a device that turns by itself, and this one can't"));
     }
     session_ = CaptureCourse::sessionOf(skin, source_->address());
     if (!options_.file.empty()) {
@@ -294,8 +291,8 @@ class LiveCapture::Run final : public CaptureOwner, public SkinListener, public 
     } else if (const auto* turn = std::get_if<TurnRefused>(&event)) {
       last_refusal_ = message("The device does not turn there: {}", turn->why);
       if (!turn->gave_up) return;
-      throw DeviceError(
-          located(source_->address(), message("refused to turn {} times, the last time: {}", turn->times, turn->why)));
+      throw DeviceError(source_->address(),
+                        message("refused to turn {} times, the last time: {}", turn->times, turn->why));
     }
   }
 
@@ -321,13 +318,13 @@ class LiveCapture::Run final : public CaptureOwner, public SkinListener, public 
     const SourceStatus& status = state_.source;
     if (!event) lookForReadings();  // after a long solution news wait that come first
     if (!event && !has_news_ && status.state == SourceState::Ended && course_.waiting() == 0) return end();
-    if (status.state == SourceState::Incompatible) throw DeviceError(located(source_->address(), status.message));
+    if (status.state == SourceState::Incompatible) throw DeviceError(source_->address(), status.message);
     if (Clock::now() - last_progress_ > std::chrono::duration<double>(options_.timeout_s) &&
         (!session_ || options_.automatic)) {
       const Seconds waited{options_.timeout_s, options_.timeout_s < 1 ? 1 : 0};
-      throw DeviceError(located(source_->address(), session_ ? message("no pose for {}: {}", waited, whyNothingComes())
-                                                             : message("the device did not describe itself for {}: {}",
-                                                                       waited, whyNothingComes())));
+      throw DeviceError(source_->address(),
+                        session_ ? message("no pose for {}: {}", waited, whyNothingComes())
+                                 : message("the device did not describe itself for {}: {}", waited, whyNothingComes()));
     }
   }
 
@@ -400,7 +397,7 @@ class LiveCapture::Run final : public CaptureOwner, public SkinListener, public 
     if (is_ended_) return;
     finish();
     if (recording_) recording_->finish();
-    if (!session_ && !is_closing_) throw DeviceError(located(options_.source, state_.status));
+    if (!session_ && !is_closing_) throw DeviceError(options_.source, state_.status);
   }
 
   LiveCaptureOptions options_;

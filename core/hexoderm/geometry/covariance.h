@@ -4,6 +4,8 @@
 
 #include <Eigen/Cholesky>
 #include <Eigen/Core>
+#include <array>
+#include <cstddef>
 
 namespace hexoderm {
 
@@ -21,6 +23,27 @@ bool isCovariance(const Eigen::MatrixBase<Derived>& values) {
   if (!isWithin(scaled - scaled.transpose(), kRounding)) return false;
   if (scaled.diagonal().minCoeff() < 0) return false;
   return Eigen::LLT<Matrix>(scaled + kRounding * Matrix::Identity()).info() == Eigen::Success;
+}
+
+/// The upper triangle of a symmetric matrix row by row, as files have it, and the matrix of it.
+template <class Derived, int Size = Derived::RowsAtCompileTime,
+          std::size_t Count = static_cast<std::size_t>(Size*(Size + 1) / 2)>
+std::array<double, Count> upperTriangle(const Eigen::MatrixBase<Derived>& matrix) {
+  std::array<double, Count> values{};
+  std::size_t next = 0;
+  for (int row = 0; row < Size; ++row) {
+    for (int column = row; column < Size; ++column) values[next++] = matrix(row, column);
+  }
+  return values;
+}
+template <int Size, std::size_t Count = static_cast<std::size_t>(Size*(Size + 1) / 2)>
+Eigen::Matrix<double, Size, Size> fromUpperTriangle(const std::array<double, Count>& values) {
+  Eigen::Matrix<double, Size, Size> matrix;
+  std::size_t next = 0;
+  for (int row = 0; row < Size; ++row) {
+    for (int column = row; column < Size; ++column) matrix(row, column) = matrix(column, row) = values[next++];
+  }
+  return matrix;
 }
 
 /// Standard deviation along the worst direction of a 3 x 3 covariance: the root of its largest eigenvalue, within 1e-7

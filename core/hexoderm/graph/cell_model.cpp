@@ -1,8 +1,8 @@
 #include "hexoderm/graph/cell_model.h"
 
-#include "hexoderm/geometry/is_rotation.h"
 #include "hexoderm/graph/cell_lengths.h"
 #include "hexoderm/util/error.h"
+#include "hexoderm/util/is_rotation.h"
 #include "hexoderm/util/limits.h"
 #include "hexoderm/util/text.h"
 #include "hexoderm/util/units.h"

@@ -14,17 +14,25 @@
 #include <cmath>
 #include <set>
 #include <unordered_map>
+#include <utility>
 
 namespace hexoderm {
 namespace {
 
-/// The value of an enumeration by its name in files.
-template <class FromName>
-auto named(const JsonReader& json, FromName from_name, const Message& expected) {
+/// The value of an enumeration by its name in files; `expected` says which names there are.
+template <class In, class FromName, class Expected>
+auto named(In&& json, FromName from_name, Expected expected) {
   const auto value = from_name(json.string());
-  if (!value) json.fail(expected);
+  if (!value) json.fail(expected());
   return *value;
 }
+
+std::optional<PlacedBy> placedByFromName(const std::string& name) {
+  if (name == "samples") return PlacedBy::Samples;
+  return name == "links" ? std::optional(PlacedBy::Links) : std::nullopt;
+}
+
+Message aFinding() { return message("the code of a finding"); }
 
 /// Reads a name, with the complaint of its own parser.
 template <class FromName>
@@ -37,10 +45,21 @@ auto option(const JsonReader& json, FromName from_name) {
   }
 }
 
-double angle(const JsonReader& json) { return json.number() * kDegree; }
-double nonNegativeAngle(const JsonReader& json) { return json.nonNegativeNumber() * kDegree; }
+template <class In>
+double nonNegativeAngle(In&& json) {
+  return json.nonNegativeNumber() * kDegree;
+}
 
-Eigen::Vector3d nonNegativeVector(const JsonReader& json) {
+/// Take members in degrees into variables in radians.
+auto intoAngle(double& angle_rad) {
+  return [&](auto& in) { angle_rad = in.number() * kDegree; };
+}
+auto intoNonNegativeAngle(double& angle_rad) {
+  return [&](auto& in) { angle_rad = nonNegativeAngle(in); };
+}
+
+template <class In>
+Eigen::Vector3d nonNegativeVector(In& json) {
   const Eigen::Vector3d v = json.vector3();
   if ((v.array() < 0).any()) json.fail(message("three numbers of at least 0"));
   return v;
@@ -121,29 +140,27 @@ std::vector<PoseSummary> posesOfGravity(const std::vector<PatchReconstruction>& 
   return poses;
 }
 
-Matrix6d readCovariance(const JsonReader& json) {
-  const std::vector<double> values = json.numbers(21);
-  Matrix6d cov_t_r;
-  std::size_t next = 0;
-  for (int row = 0; row < 6; ++row) {
-    if (values[next] < 0) json.fail(message("an upper triangle with variances of at least 0 on its diagonal"));
-    for (int col = row; col < 6; ++col) cov_t_r(row, col) = cov_t_r(col, row) = values[next++];
+template <class In>
+Matrix6d readCovariance(In& json) {
+  const Matrix6d cov_t_r = fromUpperTriangle<6>(json.template numbers<21>());
+  if ((cov_t_r.diagonal().array() < 0).any()) {
+    json.fail(message("an upper triangle with variances of at least 0 on its diagonal"));
   }
   if (!isCovariance(cov_t_r)) json.fail(message("a covariance (positive semidefinite)"));
   return cov_t_r;
 }
 
-SensorPlacement readSensor(const JsonReader& json) {
+template <class In>
+SensorPlacement readSensor(In& json) {
   SensorPlacement sensor;
-  sensor.name = json.at("name").string();
-  if (const auto type = json.find("type")) sensor.type = type->string();
-  sensor.T_o_s = {json.at("q_o_wxyz").unitQuaternion().toRotationMatrix(), json.at("t_o_m").vector3(kMostLength_m)};
+  json.object(member("name", into(sensor.name)), optionalMember("type", into(sensor.type)),
+              member("q_o_wxyz", [&](auto& in) { sensor.T_o_s.R = in.unitQuaternion().toRotationMatrix(); }),
+              member("t_o_m", [&](auto& in) { sensor.T_o_s.t = in.vector3(kMostLength_m); }));
   return sensor;
 }
 
-/// Version 1 has the whole path from the origin to the cell instead.
-std::optional<CellId> readPredecessor(const JsonReader& json) {
-  if (const auto predecessor = json.find("predecessor")) return CellId(predecessor->unsignedInteger());
+/// Version 1 has the whole path from the origin to the cell instead of its predecessor.
+std::optional<CellId> predecessorOfPath(const JsonReader& json) {
   const auto path = json.find("path");
   if (!path) return std::nullopt;
   const std::vector<CellId> cells = readIds<CellId>(*path);
@@ -153,59 +170,61 @@ std::optional<CellId> readPredecessor(const JsonReader& json) {
   return cells.size() > 1 ? std::optional(cells[cells.size() - 2]) : std::nullopt;
 }
 
-CellPlacement readCell(const JsonReader& json) {
+template <class In>
+CellPlacement readCell(In& json) {
   CellPlacement cell;
-  cell.cell = CellId(json.at("id").unsignedInteger());
-  if (const auto part = json.find("body_part")) cell.body_part = part->string();
-  const std::string placed_by = json.at("placed_by").string();
-  if (placed_by != "samples" && placed_by != "links") json.at("placed_by").fail(message("\"samples\" or \"links\""));
-  cell.placed_by = placed_by == "samples" ? PlacedBy::Samples : PlacedBy::Links;
-  cell.T_o_u = {json.at("R_o_u").rotation(), json.at("t_o_u_m").vector3(kMostLength_m)};
-  if (const auto q = json.find("q_o_u_wxyz")) {
-    if (rotationAngle(q->unitQuaternion().toRotationMatrix().transpose() * cell.T_o_u.R) > 1e-5) {
-      q->fail(message("the same rotation as R_o_u"));
-    }
+  std::optional<Eigen::Quaterniond> q;
+  const auto placed_by = [&](auto& in) {
+    cell.placed_by = named(in, placedByFromName, [] { return message("\"samples\" or \"links\""); });
+  };
+  const auto sensors = [&](auto& in) {
+    in.eachItem([&](auto& sensor) { cell.sensors.push_back(readSensor(sensor)); });
+  };
+  json.object(
+      member("id", into(cell.cell)), optionalMember("body_part", into(cell.body_part)), member("placed_by", placed_by),
+      member("R_o_u", [&](auto& in) { cell.T_o_u.R = in.rotation(); }),
+      optionalMember("q_o_u_wxyz", [&](auto& in) { q = in.unitQuaternion(); }),
+      member("t_o_u_m", [&](auto& in) { cell.T_o_u.t = in.vector3(kMostLength_m); }),
+      optionalMember("cov_t_r", [&](auto& in) { cell.cov_t_r = readCovariance(in); }),
+      optionalMember("sigma_t_m", [](auto& in) { nonNegativeVector(in); }),
+      optionalMember("sigma_r_rad", [](auto& in) { nonNegativeVector(in); }),
+      optionalMember("shape_cov_t_r", [&](auto& in) { cell.shape_cov_t_r = readCovariance(in); }),
+      optionalMember("accel_offset_g", [&](auto& in) { cell.accel_offset_g = in.vector3(kMostAcceleration_g); }),
+      optionalMember("accel_scale", [&](auto& in) { cell.accel_scale = in.vector3(kMostAcceleration_g); }),
+      optionalMember("predecessor", into(cell.predecessor)), member("sensors", sensors));
+  if (q && rotationAngle(q->toRotationMatrix().transpose() * cell.T_o_u.R) > 1e-5) {
+    json.failAt("q_o_u_wxyz", message("the same rotation as R_o_u"));
   }
-  if (const auto cov = json.find("cov_t_r")) cell.cov_t_r = readCovariance(*cov);
-  if (const auto cov = json.find("shape_cov_t_r")) cell.shape_cov_t_r = readCovariance(*cov);
-  if (const auto sigma = json.find("sigma_t_m")) static_cast<void>(nonNegativeVector(*sigma));
-  if (const auto sigma = json.find("sigma_r_rad")) static_cast<void>(nonNegativeVector(*sigma));
-  if (const auto offset = json.find("accel_offset_g")) cell.accel_offset_g = offset->vector3(kMostAcceleration_g);
-  if (const auto scale = json.find("accel_scale")) cell.accel_scale = scale->vector3(kMostAcceleration_g);
-  cell.predecessor = readPredecessor(json);
-  for (const JsonReader& sensor : json.at("sensors").items()) cell.sensors.push_back(readSensor(sensor));
   return cell;
 }
 
-LinkEnd readEnd(const JsonReader& json, const std::string& key, const CellModel& model) {
-  const LinkEnd end{CellId(json.at(key).unsignedInteger()), PortNumber(json.at(key + "_port").unsignedInteger())};
-  if (model.findPort(end.port) == nullptr) json.at(key + "_port").fail(message("a port of cell model {}", model.name));
-  return end;
+/// With more members that the caller takes.
+template <class In, class... More>
+void readLink(In& json, LinkEstimate& link, More... more) {
+  const auto quality = [&](auto& in) {
+    link.quality = named(in, qualityFromName, [] { return message("\"un\", \"partially\", \"fully\" or \"over\""); });
+  };
+  json.object(member("source", into(link.source.cell)), member("source_port", into(link.source.port)),
+              member("target", into(link.target.cell)), member("target_port", into(link.target.port)),
+              member("R_c_n", [&](auto& in) { link.R_c_n = in.rotation(); }), member("quality", quality),
+              member("singular_values", [&](auto& in) { link.singular_values = nonNegativeVector(in); }),
+              member("weight", [&](auto& in) { link.weight = in.positiveNumber(); }),
+              member("residual_deg", intoNonNegativeAngle(link.residual_rad)),
+              member("sigma_deg", intoNonNegativeAngle(link.sigma_rad)), member("bend_deg", intoAngle(link.bend_rad)),
+              member("twist_deg", intoAngle(link.twist_rad)), member("yaw_deg", intoAngle(link.yaw_rad)),
+              member("used", into(link.used)),
+              optionalMember("muted_by", [&](auto& in) { link.muted_by = named(in, codeFromName, aFinding); }),
+              optionalMember("centred", into(link.centred)), optionalMember("supported", into(link.supported)),
+              optionalMember("in_tree", into(link.in_tree)), more...);
+  if (!(link.source < link.target) || link.source.cell == link.target.cell) {
+    json.failAt("source", message("two cells, the smaller (ID, port) as source (target is {})", link.target.cell));
+  }
 }
 
-LinkEstimate readLink(const JsonReader& json, const CellModel& model) {
-  LinkEstimate link;
-  link.source = readEnd(json, "source", model);
-  link.target = readEnd(json, "target", model);
-  if (!(link.source < link.target) || link.source.cell == link.target.cell) {
-    json.at("source").fail(message("two cells, the smaller (ID, port) as source (target is {})", link.target.cell));
-  }
-  link.R_c_n = json.at("R_c_n").rotation();
-  link.quality = named(json.at("quality"), qualityFromName, message("\"un\", \"partially\", \"fully\" or \"over\""));
-  link.singular_values = nonNegativeVector(json.at("singular_values"));
-  link.weight = json.at("weight").positiveNumber();
-  link.residual_rad = nonNegativeAngle(json.at("residual_deg"));
-  link.sigma_rad = nonNegativeAngle(json.at("sigma_deg"));
-  link.bend_rad = angle(json.at("bend_deg"));
-  link.twist_rad = angle(json.at("twist_deg"));
-  link.yaw_rad = angle(json.at("yaw_deg"));
-  link.used = json.at("used").boolean();
-  if (const auto code = json.find("muted_by"))
-    link.muted_by = named(*code, codeFromName, message("the code of a finding"));
-  if (const auto value = json.find("centred")) link.centred = value->boolean();
-  if (const auto value = json.find("supported")) link.supported = value->boolean();
-  if (const auto value = json.find("in_tree")) link.in_tree = value->boolean();
-  return link;
+/// Null where a link has none in a pose.
+template <class In>
+std::optional<double> readPoseResidual(In& json) {
+  return json.takeNull() ? std::nullopt : std::optional(nonNegativeAngle(json));
 }
 
 void readPoseResiduals(const JsonReader& json, std::size_t pose_count, LinkEstimate& link) {
@@ -216,15 +235,14 @@ void readPoseResiduals(const JsonReader& json, std::size_t pose_count, LinkEstim
   }
   const std::vector<JsonReader> items = residuals->items();
   if (items.size() != pose_count) residuals->fail(message("one entry for each of the {} poses", pose_count));
-  for (const JsonReader& item : items) {
-    link.pose_residual_rad.push_back(item.isNull() ? std::nullopt : std::optional(nonNegativeAngle(item)));
-  }
+  for (const JsonReader& item : items) link.pose_residual_rad.push_back(readPoseResidual(item));
 }
 
 Finding readFinding(const JsonReader& json) {
   Finding finding;
-  finding.code = named(json.at("code"), codeFromName, message("the code of a finding"));
-  finding.severity = named(json.at("severity"), severityFromName, message("\"info\", \"warning\" or \"error\""));
+  finding.code = named(json.at("code"), codeFromName, aFinding);
+  finding.severity =
+      named(json.at("severity"), severityFromName, [] { return message("\"info\", \"warning\" or \"error\""); });
   finding.message = readMessage(json, "text");
   finding.cells = readIds<CellId>(json.at("cells"));
   finding.ports = readIds<PortNumber>(json.at("ports"));
@@ -235,18 +253,18 @@ Finding readFinding(const JsonReader& json) {
 /// Older files state neither what limits the result nor what helps: one that can't be used wanted poses.
 Assessment readVerdict(const JsonReader& json) {
   Assessment verdict;
-  verdict.level =
-      named(json.at("level"), verdictFromName, message("\"good\", \"usable\", \"not_enough\" or \"failed\""));
+  verdict.level = named(json.at("level"), verdictFromName,
+                        [] { return message("\"good\", \"usable\", \"not_enough\" or \"failed\""); });
   verdict.reason = readMessage(json, "reason");
   if (const auto value = json.find("position_95_mm")) verdict.position_95_m = value->nonNegativeNumber() * kMillimetre;
   if (const auto value = json.find("orientation_95_deg")) verdict.orientation_95_rad = nonNegativeAngle(*value);
   verdict.next_action = readMessage(json, "next_action");
   if (const auto limit = json.find("limit"))
-    verdict.limit = named(*limit, limitFromName, message("what limits a result"));
+    verdict.limit = named(*limit, limitFromName, [] { return message("what limits a result"); });
   if (const auto cells = json.find("limiting_cells")) verdict.limiting_cells = readIds<CellId>(*cells);
   if (const auto poses = json.find("retake")) verdict.retake = readIds<PoseId>(*poses);
   if (const auto remedy = json.find("remedy")) {
-    verdict.remedy = named(*remedy, remedyFromName, message("what helps a result"));
+    verdict.remedy = named(*remedy, remedyFromName, [] { return message("what helps a result"); });
   } else if (!verdict.isUsable()) {
     verdict.remedy = Remedy::TakePose;
   }
@@ -264,6 +282,74 @@ std::vector<PatchPlacement> readOrigins(const JsonReader& json, const Reconstruc
     }
   }
   return placements;
+}
+
+std::optional<GapShareEstimate> readGapShare(const JsonReader& json) {
+  const auto share = json.find("gap_s");
+  if (!share) return std::nullopt;
+  GapShareEstimate estimate{share->number(), 0};
+  if (const auto sigma = json.find("gap_s_sigma")) estimate.sigma = sigma->nonNegativeNumber();
+  return estimate;
+}
+
+GravityDirection readGravity(const JsonReader& json) {
+  GravityDirection gravity;
+  gravity.pose = PoseId(json.at("pose").unsignedInteger());
+  gravity.g_o = json.at("g_o").vector3();
+  if (std::abs(gravity.g_o.norm() - 1) > 1e-6) json.at("g_o").fail(message("a unit vector (to 1e-6)"));
+  gravity.sigma_rad = nonNegativeAngle(json.at("sigma_deg"));
+  return gravity;
+}
+
+/// A cell that has a predecessor, but whose predecessors don't lead to the origin, or that is the origin.
+std::optional<std::size_t> cellWithoutWay(const PatchReconstruction& patch) {
+  std::unordered_map<CellId, std::size_t> place;
+  for (std::size_t k = 0; k < patch.cells.size(); ++k) place.emplace(patch.cells[k].cell, k);
+  std::vector<bool> reaches(patch.cells.size(), false);
+  reaches[place.at(patch.origin)] = true;
+  std::vector<std::size_t> way;
+  for (std::size_t k = 0; k < patch.cells.size(); ++k) {
+    if (!patch.cells[k].predecessor) continue;
+    if (patch.cells[k].cell == patch.origin) return k;
+    way.clear();
+    for (std::size_t at = k; !reaches[at];) {
+      const auto& predecessor = patch.cells[at].predecessor;
+      const auto before = predecessor ? place.find(*predecessor) : place.end();
+      if (before == place.end() || way.size() >= patch.cells.size()) return k;
+      way.push_back(at);
+      at = before->second;
+    }
+    for (const std::size_t cell : way) reaches[cell] = true;
+  }
+  return std::nullopt;
+}
+
+/// From the format to the cell model.
+void readHead(const JsonReader& json, Reconstruction& result) {
+  json.requireFormat(kCalibrationFormat, kCalibrationVersion);
+  if (const auto options = json.find("options")) result.options = readOptions(*options);
+  readSolver(json, result);
+  if (const auto share = json.find("gap_s")) static_cast<void>(share->number());  // the patches have their own
+  if (const auto source = json.find("source")) result.source = readSource(*source);
+  result.model = std::make_shared<const CellModel>(readCellModel(json.at("cell_model")));
+}
+
+/// The table of poses, for patches that are there.
+std::vector<PoseSummary> readPoseTable(const JsonReader& json, const std::vector<PatchReconstruction>& patches) {
+  const auto table = json.find("poses");
+  if (!table) return posesOfGravity(patches);
+  std::vector<PoseSummary> poses;
+  for (const JsonReader& pose : table->items()) poses.push_back(readPose(pose));
+  return poses;
+}
+
+/// From the findings to the placements, and the layout.
+void readTail(const JsonReader& json, Reconstruction& result) {
+  for (const JsonReader& finding : json.at("findings").items()) result.findings.push_back(readFinding(finding));
+  result.assessment = readVerdict(json.at("verdict"));
+  if (const auto robot = json.find("robot")) result.robot = readRobot(*robot);
+  if (const auto placements = json.find("placements")) result.placements = readOrigins(*placements, result);
+  result.layout = computeFlatLayout(*result.model, result.patches);
 }
 
 /// Reads the patches and sees to it that what views and exporters look up is there.
@@ -287,17 +373,24 @@ class PatchReader {
     for (const JsonReader& item : json.at("gravity").items()) patch.gravity.push_back(readGravity(item));
     for (const JsonReader& item : json.at("cells").items()) {
       patch.cells.push_back(readCell(item));
-      if (!patch_of_.try_emplace(patch.cells.back().cell, patch.id).second)
-        item.at("id").fail(message("each cell once"));
+      CellPlacement& cell = patch.cells.back();
+      if (!cell.predecessor) cell.predecessor = predecessorOfPath(item);
+      if (!patch_of_.try_emplace(cell.cell, patch.id).second) item.at("id").fail(message("each cell once"));
     }
     if (!isIn(patch.origin, patch)) json.at("origin").fail(message("a cell of this patch"));
     for (const JsonReader& item : json.at("links").items()) {
-      patch.links.push_back(readLink(item, model_));
-      const LinkEstimate& link = patch.links.back();
+      LinkEstimate& link = patch.links.emplace_back();
+      readLink(item, link);
+      requirePort(item, "source_port", link.source.port);
+      requirePort(item, "target_port", link.target.port);
       if (!isIn(link.source.cell, patch)) item.at("source").fail(message("a cell of this patch"));
       if (!link_ends_.insert({link.source, link.target}).second) item.fail(message("each link once"));
     }
     return patch;
+  }
+
+  void requirePort(const JsonReader& link, const char* key, PortNumber port) const {
+    if (model_.findPort(port) == nullptr) link.failAt(key, message("a port of cell model {}", model_.name));
   }
 
   /// Checks references to cells of patches that may come later in the file.
@@ -328,77 +421,106 @@ class PatchReader {
   std::set<std::pair<LinkEnd, LinkEnd>> link_ends_;
 };
 
+// --- without a document of cells and links
+
+void requireUsual(bool is_usual) {
+  if (!is_usual) throw JsonScanner::Unusual();
+}
+
+PatchReconstruction scanPatch(JsonScanner& json, const std::string& file) {
+  PatchReconstruction patch;
+  const auto cells = [&](auto& items) {
+    items.eachItem([&](auto& item) { patch.cells.push_back(readCell(item)); });
+    patch.cells.shrink_to_fit();
+  };
+  const auto links = [&](auto& items) {
+    items.eachItem([&](auto& item) {
+      LinkEstimate& link = patch.links.emplace_back();
+      readLink(item, link, member("pose_residual_deg", [&](auto& residuals) {
+                 residuals.eachItem([&](auto& in) { link.pose_residual_rad.push_back(readPoseResidual(in)); });
+               }));
+    });
+    patch.links.shrink_to_fit();
+  };
+  nlohmann::json rest = nlohmann::json::object();
+  json.objectWith([&](std::string_view key) { json.keep(key, rest); }, member("cells", cells), member("links", links));
+  const JsonReader reader(rest, file);
+  patch.id = PatchId(reader.at("id").unsignedInteger());
+  patch.origin = CellId(reader.at("origin").unsignedInteger());
+  patch.gap_share = readGapShare(reader);
+  for (const JsonReader& item : reader.at("gravity").items()) patch.gravity.push_back(readGravity(item));
+  return patch;
+}
+
+/// What PatchReader sees to, without the words.
+void requireReferences(Reconstruction& result) {
+  std::set<PatchId> patch_ids;
+  std::unordered_map<CellId, PatchId> patch_of;
+  patch_of.reserve(result.cellCount());
+  std::vector<std::pair<LinkEnd, LinkEnd>> ends;
+  ends.reserve(result.linkCount());
+  for (const PatchReconstruction& patch : result.patches) {
+    requireUsual(patch_ids.insert(patch.id).second);
+    for (const CellPlacement& cell : patch.cells) requireUsual(patch_of.try_emplace(cell.cell, patch.id).second);
+    const auto is_here = [&](CellId cell) {
+      const auto found = patch_of.find(cell);
+      return found != patch_of.end() && found->second == patch.id;
+    };
+    requireUsual(is_here(patch.origin));
+    for (const LinkEstimate& link : patch.links) {
+      requireUsual(is_here(link.source.cell));
+      ends.emplace_back(link.source, link.target);
+    }
+  }
+  std::ranges::sort(ends);
+  requireUsual(std::ranges::adjacent_find(ends) == ends.end());
+  for (const auto& [source, target] : ends) {
+    requireUsual(patch_of.contains(target.cell));
+    requireUsual(result.model->findPort(source.port) != nullptr && result.model->findPort(target.port) != nullptr);
+  }
+  for (PatchReconstruction& patch : result.patches) {
+    requireUsual(!cellWithoutWay(patch));
+    std::ranges::sort(patch.cells, {}, &CellPlacement::cell);
+  }
+}
+
+Reconstruction scanCalibration(JsonScanner& json, const std::string& file) {
+  Reconstruction result;
+  const auto patches = [&](auto& items) {
+    items.eachItem([&](auto& item) { result.patches.push_back(scanPatch(item, file)); });
+  };
+  nlohmann::json rest = nlohmann::json::object();
+  json.objectWith([&](std::string_view key) { json.keep(key, rest); }, member("patches", patches));
+  json.finish();
+  const JsonReader reader(rest, file);
+  readHead(reader, result);
+  requireReferences(result);
+  result.poses = readPoseTable(reader, result.patches);
+  for (const PatchReconstruction& patch : result.patches) {
+    for (const LinkEstimate& link : patch.links) requireUsual(link.pose_residual_rad.size() == result.poses.size());
+  }
+  readTail(reader, result);
+  return result;
+}
+
 }  // namespace
 
-std::optional<GapShareEstimate> readGapShare(const JsonReader& json) {
-  const auto share = json.find("gap_s");
-  if (!share) return std::nullopt;
-  GapShareEstimate estimate{share->number(), 0};
-  if (const auto sigma = json.find("gap_s_sigma")) estimate.sigma = sigma->nonNegativeNumber();
-  return estimate;
-}
-
-GravityDirection readGravity(const JsonReader& json) {
-  GravityDirection gravity;
-  gravity.pose = PoseId(json.at("pose").unsignedInteger());
-  gravity.g_o = json.at("g_o").vector3();
-  if (std::abs(gravity.g_o.norm() - 1) > 1e-6) json.at("g_o").fail(message("a unit vector (to 1e-6)"));
-  gravity.sigma_rad = nonNegativeAngle(json.at("sigma_deg"));
-  return gravity;
-}
-
-std::optional<std::size_t> cellWithoutWay(const PatchReconstruction& patch) {
-  std::unordered_map<CellId, std::size_t> place;
-  for (std::size_t k = 0; k < patch.cells.size(); ++k) place.emplace(patch.cells[k].cell, k);
-  std::vector<bool> reaches(patch.cells.size(), false);
-  reaches[place.at(patch.origin)] = true;
-  std::vector<std::size_t> way;
-  for (std::size_t k = 0; k < patch.cells.size(); ++k) {
-    if (!patch.cells[k].predecessor) continue;
-    if (patch.cells[k].cell == patch.origin) return k;
-    way.clear();
-    for (std::size_t at = k; !reaches[at];) {
-      const auto& predecessor = patch.cells[at].predecessor;
-      const auto before = predecessor ? place.find(*predecessor) : place.end();
-      if (before == place.end() || way.size() >= patch.cells.size()) return k;
-      way.push_back(at);
-      at = before->second;
-    }
-    for (const std::size_t cell : way) reaches[cell] = true;
+std::shared_ptr<const Reconstruction> scanCalibrationJson(std::string_view text, const std::string& file) {
+  try {
+    JsonScanner json(text);
+    return std::make_shared<const Reconstruction>(scanCalibration(json, file));
+  } catch (const JsonScanner::Unusual&) {
+    return nullptr;
+  } catch (const Error&) {
+    return nullptr;  // the thorough reader says it with its place
   }
-  return std::nullopt;
-}
-
-void readCalibrationHead(const JsonReader& json, Reconstruction& result) {
-  json.requireFormat(kCalibrationFormat, kCalibrationVersion);
-  if (const auto options = json.find("options")) result.options = readOptions(*options);
-  readSolver(json, result);
-  if (const auto share = json.find("gap_s")) static_cast<void>(share->number());  // the patches have their own
-  if (const auto source = json.find("source")) result.source = readSource(*source);
-  result.model = std::make_shared<const CellModel>(readCellModel(json.at("cell_model")));
-}
-
-std::vector<PoseSummary> readPoseTable(const JsonReader& json, const std::vector<PatchReconstruction>& patches) {
-  const auto table = json.find("poses");
-  if (!table) return posesOfGravity(patches);
-  std::vector<PoseSummary> poses;
-  for (const JsonReader& pose : table->items()) poses.push_back(readPose(pose));
-  return poses;
-}
-
-void readCalibrationTail(const JsonReader& json, Reconstruction& result) {
-  for (const JsonReader& finding : json.at("findings").items()) result.findings.push_back(readFinding(finding));
-  result.assessment = readVerdict(json.at("verdict"));
-  if (const auto robot = json.find("robot")) result.robot = readRobot(*robot);
-  if (const auto placements = json.find("placements")) result.placements = readOrigins(*placements, result);
-  result.layout = computeFlatLayout(*result.model, result.patches);
 }
 
 std::shared_ptr<const Reconstruction> calibrationFromDocument(std::string_view text, const std::string& file) {
   const nlohmann::json document = parseJson(text, file);
   const JsonReader json(document, file);
   Reconstruction result;
-  readCalibrationHead(json, result);
+  readHead(json, result);
   const JsonReader patches = json.at("patches");
   result.patches = PatchReader(*result.model, patches).read();
   result.poses = readPoseTable(json, result.patches);
@@ -409,7 +531,7 @@ std::shared_ptr<const Reconstruction> calibrationFromDocument(std::string_view t
       readPoseResiduals(links[k], result.poses.size(), result.patches[p].links[k]);
     }
   }
-  readCalibrationTail(json, result);
+  readTail(json, result);
   return std::make_shared<const Reconstruction>(std::move(result));
 }
 

@@ -1,5 +1,6 @@
 #include "hexoderm/io/calibration_json.h"
 
+#include "hexoderm/geometry/covariance.h"
 #include "hexoderm/graph/cell_model_json.h"
 #include "hexoderm/session/session_parts_json.h"
 #include "hexoderm/util/file.h"
@@ -7,9 +8,7 @@
 #include "hexoderm/util/units.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <span>
 
 namespace hexoderm {
 namespace {
@@ -69,55 +68,32 @@ Json poseJson(const PoseSummary& pose) {
   return json;
 }
 
-void writeCovariance(const Matrix6d& cov_t_r, JsonWriter& json) {
-  std::array<double, 21> values{};
-  std::size_t next = 0;
-  for (int row = 0; row < 6; ++row) {
-    for (int col = row; col < 6; ++col) values.at(next++) = cov_t_r(row, col);
-  }
-  json.value(std::span<const double>(values));
-}
-
-void writeQuaternion(const Eigen::Matrix3d& R, JsonWriter& json) {
-  const std::array<double, 4> wxyz = quaternionWxyz(R);
-  json.value(std::span<const double>(wxyz));
-}
-
 void writeCell(const CellPlacement& cell, JsonWriter& json) {
   json.beginObject();
   json.member("id", cell.cell.value());
   if (!cell.body_part.empty()) json.member("body_part", cell.body_part);
   json.member("placed_by", cell.placed_by == PlacedBy::Samples ? "samples" : "links");
   json.member("R_o_u", cell.T_o_u.R);
-  json.key("q_o_u_wxyz");
-  writeQuaternion(cell.T_o_u.R, json);
+  json.member("q_o_u_wxyz", quaternionWxyz(cell.T_o_u.R));
   json.member("t_o_u_m", cell.T_o_u.t);
   if (cell.cov_t_r) {
-    json.key("cov_t_r");
-    writeCovariance(*cell.cov_t_r, json);
+    json.member("cov_t_r", upperTriangle(*cell.cov_t_r));
     const Eigen::Matrix<double, 6, 1> sigma = cell.cov_t_r->diagonal().cwiseMax(0).cwiseSqrt();
     json.member("sigma_t_m", Eigen::Vector3d(sigma.head<3>()));
     json.member("sigma_r_rad", Eigen::Vector3d(sigma.tail<3>()));
   }
-  if (cell.shape_cov_t_r) {
-    json.key("shape_cov_t_r");
-    writeCovariance(*cell.shape_cov_t_r, json);
-  }
+  if (cell.shape_cov_t_r) json.member("shape_cov_t_r", upperTriangle(*cell.shape_cov_t_r));
   if (cell.accel_offset_g) json.member("accel_offset_g", *cell.accel_offset_g);
   if (cell.accel_scale) json.member("accel_scale", *cell.accel_scale);
   if (cell.predecessor) json.member("predecessor", cell.predecessor->value());
-  json.key("sensors");
-  json.beginArray();
-  for (const SensorPlacement& sensor : cell.sensors) {
+  json.arrayMember("sensors", cell.sensors, [&](const SensorPlacement& sensor) {
     json.beginObject();
     json.member("name", sensor.name);
     json.member("type", sensor.type);
     json.member("t_o_m", sensor.T_o_s.t);
-    json.key("q_o_wxyz");
-    writeQuaternion(sensor.T_o_s.R, json);
+    json.member("q_o_wxyz", quaternionWxyz(sensor.T_o_s.R));
     json.endObject();
-  }
-  json.endArray();
+  });
   json.endObject();
 }
 
@@ -141,16 +117,9 @@ void writeLink(const LinkEstimate& link, JsonWriter& json) {
   json.member("centred", link.centred);
   json.member("supported", link.supported);
   json.member("in_tree", link.in_tree);
-  json.key("pose_residual_deg");
-  json.beginArray();
-  for (const std::optional<double>& residual_rad : link.pose_residual_rad) {
-    if (residual_rad) {
-      json.value(inDegrees(*residual_rad));
-    } else {
-      json.null();
-    }
-  }
-  json.endArray();
+  json.arrayMember("pose_residual_deg", link.pose_residual_rad, [&](const std::optional<double>& residual_rad) {
+    residual_rad ? json.value(inDegrees(*residual_rad)) : json.null();
+  });
   json.endObject();
 }
 
@@ -162,24 +131,15 @@ void writePatch(const PatchReconstruction& patch, JsonWriter& json) {
     json.member("gap_s", patch.gap_share->share);
     json.member("gap_s_sigma", patch.gap_share->sigma);
   }
-  json.key("gravity");
-  json.beginArray();
-  for (const GravityDirection& gravity : patch.gravity) {
+  json.arrayMember("gravity", patch.gravity, [&](const GravityDirection& gravity) {
     json.beginObject();
     json.member("pose", gravity.pose.value());
     json.member("g_o", gravity.g_o);
     json.member("sigma_deg", inDegrees(gravity.sigma_rad));
     json.endObject();
-  }
-  json.endArray();
-  json.key("cells");
-  json.beginArray();
-  for (const CellPlacement& cell : patch.cells) writeCell(cell, json);
-  json.endArray();
-  json.key("links");
-  json.beginArray();
-  for (const LinkEstimate& link : patch.links) writeLink(link, json);
-  json.endArray();
+  });
+  json.arrayMember("cells", patch.cells, [&](const CellPlacement& cell) { writeCell(cell, json); });
+  json.arrayMember("links", patch.links, [&](const LinkEstimate& link) { writeLink(link, json); });
   json.endObject();
 }
 
@@ -223,18 +183,9 @@ void writeCalibrationJson(const Reconstruction& reconstruction, const WriteBytes
   json.member("options", optionsJson(reconstruction.options));
   json.member("source", sourceJson(reconstruction.source));
   json.member("cell_model", cellModelJson(*reconstruction.model));
-  json.key("poses");
-  json.beginArray();
-  for (const PoseSummary& pose : reconstruction.poses) json.value(poseJson(pose));
-  json.endArray();
-  json.key("patches");
-  json.beginArray();
-  for (const PatchReconstruction& patch : reconstruction.patches) writePatch(patch, json);
-  json.endArray();
-  json.key("findings");
-  json.beginArray();
-  for (const Finding& finding : reconstruction.findings) json.value(findingJson(finding));
-  json.endArray();
+  json.arrayMember("poses", reconstruction.poses, [&](const PoseSummary& pose) { json.value(poseJson(pose)); });
+  json.arrayMember("patches", reconstruction.patches, [&](const PatchReconstruction& p) { writePatch(p, json); });
+  json.arrayMember("findings", reconstruction.findings, [&](const Finding& f) { json.value(findingJson(f)); });
   json.member("verdict", verdictJson(reconstruction.assessment));
   if (reconstruction.robot) json.member("robot", robotJson(reconstruction.robot));
   if (!reconstruction.placements.empty()) json.member("placements", placementsJson(reconstruction.placements));

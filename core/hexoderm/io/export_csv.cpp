@@ -1,5 +1,6 @@
 #include "hexoderm/io/export_csv.h"
 
+#include "hexoderm/geometry/covariance.h"
 #include "hexoderm/util/csv.h"
 #include "hexoderm/util/error.h"
 #include "hexoderm/util/text.h"
@@ -60,37 +61,12 @@ void appendSigmas(Row& row, const std::optional<Matrix6d>& cov_t_r) {
 
 CsvTable cellTable(const Reconstruction& reconstruction) {
   CsvTable table{"cells.csv",
-                 {"patch",
-                  "patch_origin_cell",
-                  "cell",
-                  "body_part",
-                  "placed_by",
-                  "x_m",
-                  "y_m",
-                  "z_m",
-                  "qw",
-                  "qx",
-                  "qy",
-                  "qz",
-                  "sigma_x_m",
-                  "sigma_y_m",
-                  "sigma_z_m",
-                  "sigma_rx_deg",
-                  "sigma_ry_deg",
-                  "sigma_rz_deg",
-                  "shape_sigma_x_m",
-                  "shape_sigma_y_m",
-                  "shape_sigma_z_m",
-                  "shape_sigma_rx_deg",
-                  "shape_sigma_ry_deg",
-                  "shape_sigma_rz_deg",
-                  "accel_offset_x_g",
-                  "accel_offset_y_g",
-                  "accel_offset_z_g",
-                  "accel_scale_x",
-                  "accel_scale_y",
-                  "accel_scale_z",
-                  "predecessor"},
+                 split("patch,patch_origin_cell,cell,body_part,placed_by,x_m,y_m,z_m,qw,qx,qy,qz,sigma_x_m,"
+                       "sigma_y_m,sigma_z_m,sigma_rx_deg,sigma_ry_deg,sigma_rz_deg,shape_sigma_x_m,"
+                       "shape_sigma_y_m,shape_sigma_z_m,shape_sigma_rx_deg,shape_sigma_ry_deg,shape_sigma_rz_deg,"
+                       "accel_offset_x_g,accel_offset_y_g,accel_offset_z_g,accel_scale_x,accel_scale_y,"
+                       "accel_scale_z,predecessor",
+                       ','),
                  {}};
   for (const PatchReconstruction& patch : reconstruction.patches) {
     for (const CellPlacement& cell : patch.cells) {
@@ -128,9 +104,8 @@ CsvTable covarianceTable(const Reconstruction& reconstruction) {
   for (const PatchReconstruction& patch : reconstruction.patches) {
     for (const CellPlacement& cell : patch.cells) {
       Row row{number(patch.id), number(patch.origin), number(cell.cell)};
-      for (Eigen::Index i = 0; i < 6; ++i) {
-        for (Eigen::Index j = i; j < 6; ++j) row.push_back(cell.cov_t_r ? CsvField((*cell.cov_t_r)(i, j)) : CsvField());
-      }
+      if (cell.cov_t_r) append(row, upperTriangle(*cell.cov_t_r));
+      row.resize(table.header.size());
       table.rows.push_back(std::move(row));
     }
   }
@@ -155,13 +130,12 @@ CsvTable sensorTable(const Reconstruction& reconstruction) {
 }
 
 CsvTable linkTable(const Reconstruction& reconstruction) {
-  CsvTable table{
-      kLinks,
-      {"patch",      "source_cell", "source_port",      "target_cell",      "target_port",      "quality",
-       "used",       "muted_by",    "in_tree",          "centred",          "supported",        "weight",
-       "singular_1", "singular_2",  "singular_3",       "residual_deg",     "sigma_deg",        "bend_deg",
-       "twist_deg",  "yaw_deg",     "qw_source_target", "qx_source_target", "qy_source_target", "qz_source_target"},
-      {}};
+  CsvTable table{kLinks,
+                 split("patch,source_cell,source_port,target_cell,target_port,quality,used,muted_by,in_tree,"
+                       "centred,supported,weight,singular_1,singular_2,singular_3,residual_deg,sigma_deg,bend_deg,"
+                       "twist_deg,yaw_deg,qw_source_target,qx_source_target,qy_source_target,qz_source_target",
+                       ','),
+                 {}};
   for (const PatchReconstruction& patch : reconstruction.patches) {
     for (const LinkEstimate& link : patch.links) {
       Row row{number(patch.id),         number(link.source.cell),
@@ -232,8 +206,8 @@ std::string fieldText(const CsvField& field) {
 void requireFinite(const CsvTable& table, std::size_t row, std::size_t column) {
   const auto* value = std::get_if<double>(&table.rows[row][column]);
   if (value == nullptr || std::isfinite(*value)) return;
-  throw InvalidArgument(located(
-      table.file, message("row {}, {} is not a finite number, nothing written", row + 1, table.header[column])));
+  throw InvalidArgument(table.file,
+                        message("row {}, {} is not a finite number, nothing written", row + 1, table.header[column]));
 }
 
 }  // namespace

@@ -1,4 +1,4 @@
-#include "hexoderm/io/export_dot.h"
+#include "hexoderm/io/export_formats.h"
 
 #include "hexoderm/reconstruction/result/quality_colors.h"
 #include "hexoderm/reconstruction/result/result_graph.h"
@@ -41,21 +41,11 @@ DotAttributes linkAttributes(const LinkEstimate& link) {
   const std::string color = colorName(qualityColor(link.quality, Background::Light));
   attributes["tooltip"] = std::string(qualityName(link.quality));
   attributes["color"] = color;
-  switch (link.quality) {
-    case EdgeQuality::Undefined:
-      attributes["style"] = "dotted";
-      break;
-    case EdgeQuality::Partially:
-      attributes["style"] = "dashed";
-      break;
-    case EdgeQuality::Fully:
-      attributes["style"] = "solid";
-      break;
-    case EdgeQuality::Over:  // DOT draws a list of colours as parallel lines
-      attributes["style"] = "solid";
-      attributes["color"] = color + ":" + color;
-      break;
-  }
+  attributes["style"] = link.quality == EdgeQuality::Undefined   ? "dotted"
+                        : link.quality == EdgeQuality::Partially ? "dashed"
+                                                                 : "solid";
+  // DOT draws a list of colours as parallel lines.
+  if (link.quality == EdgeQuality::Over) attributes["color"] = color + ":" + color;
   if (link.in_tree) attributes["penwidth"] = "2";
   if (!link.used) {
     attributes["color"] = colorName(unusedColor(Background::Light));
@@ -71,22 +61,7 @@ DotAttributes linkAttributes(const LinkEstimate& link) {
 std::string inQuotes(std::string_view text) {
   std::string result = "\"";
   for (const char c : text) {
-    switch (c) {
-      case '"':
-        result += "\\\"";
-        break;
-      case '\\':
-        result += "\\\\";
-        break;
-      case '\n':
-        result += "\\n";
-        break;
-      case '&':
-        result += "&amp;";
-        break;
-      default:
-        result += c;
-    }
+    result += c == '"' ? "\\\"" : c == '\\' ? "\\\\" : c == '\n' ? "\\n" : c == '&' ? "&amp;" : std::string(1, c);
   }
   return result + '"';
 }

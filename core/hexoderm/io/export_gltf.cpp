@@ -1,7 +1,6 @@
-#include "hexoderm/io/export_gltf.h"
+#include "hexoderm/io/export_formats.h"
 
 #include "hexoderm/io/export_support.h"
-#include "hexoderm/io/skin_tree.h"
 #include "hexoderm/reconstruction/figures/patch_mesh.h"
 
 #include <bit>

@@ -1,5 +1,6 @@
 #include "hexoderm/io/export_manifest.h"
 
+#include "hexoderm/geometry/covariance.h"
 #include "hexoderm/io/export_csv.h"
 #include "hexoderm/io/export_support.h"
 #include "hexoderm/io/export_taxels.h"
@@ -79,14 +80,6 @@ ManifestJson rowsOf(const Eigen::Matrix3d& R) {
     for (Eigen::Index col = 0; col < 3; ++col) rows.push_back(R(row, col));
   }
   return rows;
-}
-
-ManifestJson upperTriangle(const Matrix6d& matrix) {
-  ManifestJson values = ManifestJson::array();
-  for (Eigen::Index row = 0; row < 6; ++row) {
-    for (Eigen::Index col = row; col < 6; ++col) values.push_back(matrix(row, col));
-  }
-  return values;
 }
 
 ManifestJson frameJson(const PatchReconstruction& patch, const CellPlacement& in_patch, const ExportOptions& options) {

@@ -1,6 +1,12 @@
 #include "hexoderm/io/export_mesh.h"
 
+#include "hexoderm/io/export_support.h"
+#include "hexoderm/io/skin_tree.h"
+#include "hexoderm/reconstruction/figures/patch_mesh.h"
+#include "hexoderm/reconstruction/result/quality_colors.h"
 #include "hexoderm/util/error.h"
+#include "hexoderm/util/text.h"
+#include "hexoderm/util/units.h"
 
 #include <assimp/scene.h>
 
@@ -10,6 +16,8 @@
 
 namespace hexoderm {
 namespace {
+
+constexpr std::size_t kPointsPerCell = 12;
 
 /// Assimp's scenes own plain arrays.
 std::unique_ptr<aiScene> makeScene(const ExportMesh& mesh) {
@@ -63,8 +71,7 @@ void setFlatNormals(const ExportMesh& mesh, aiMesh& out) {
   }
 }
 
-}  // namespace
-
+/// Bytes of the mesh in a format of Assimp's ("ply", "stlb"). Throws FormatError with Assimp's reason.
 std::string meshBytes(const ExportMesh& mesh, const std::string& assimp_format, const std::string& file) {
   const auto scene = makeScene(mesh);
   if (assimp_format == "stlb") setFlatNormals(mesh, *scene->mMeshes[0]);
@@ -72,6 +79,84 @@ std::string meshBytes(const ExportMesh& mesh, const std::string& assimp_format, 
   const aiExportDataBlob* blob = exporter.ExportToBlob(scene.get(), assimp_format);
   if (blob == nullptr) throw FormatError(file + ": the mesh could not be made: " + exporter.GetErrorString());
   return {static_cast<const char*>(blob->data), blob->size};
+}
+
+std::string objName(CellId cell) { return "cell_" + toString(cell); }
+
+std::string objColor(std::uint32_t rgb) {
+  std::string text;
+  for (const unsigned shift : {16U, 8U, 0U}) text += " " + formatFixed(((rgb >> shift) & 0xFFU) / 255.0, 4);
+  return text;
+}
+
+}  // namespace
+
+ExportMesh plyMesh(const Reconstruction& reconstruction, const ExportSelection& selection) {
+  const PatchMesh prisms = makePatchMesh(reconstruction);
+  const auto quality = worstUsedQuality(reconstruction);
+  ExportMesh mesh;
+  mesh.points = prisms.points;
+  mesh.frame = frameInWords(reconstruction, selection);
+  for (const PatchMesh::Polygon& polygon : prisms.polygons) mesh.polygons.push_back(polygon.points);
+  for (const CellId cell : prisms.cells) {
+    const auto found = quality.find(cell);
+    const std::uint32_t color =
+        found == quality.end() ? unusedColor(Background::Light) : qualityColor(found->second, Background::Light);
+    mesh.colors.insert(mesh.colors.end(), kPointsPerCell, color);
+  }
+  return mesh;
+}
+
+std::string plyBytes(const ExportMesh& mesh, const std::string& file) {
+  std::string bytes = meshBytes(mesh, "ply", file);
+  const std::string before = "element vertex";
+  const std::size_t at = bytes.find(before);
+  if (at == std::string::npos) throw FormatError(file + ": the mesh could not be made: expected \"" + before + "\"");
+  return bytes.insert(at, "comment metres, " + mesh.frame + "\n");
+}
+
+ExportMesh stlMesh(const Reconstruction& reconstruction, LengthUnit unit) {
+  const double scale = unit == LengthUnit::Millimetres ? 1 / kMillimetre : 1.0;
+  const PatchMesh prisms = makePatchMesh(reconstruction);
+  ExportMesh mesh;
+  for (const auto& triangle : triangulate(prisms)) {
+    std::vector<std::uint32_t> polygon;
+    for (const std::uint32_t point : triangle) {
+      polygon.push_back(static_cast<std::uint32_t>(mesh.points.size()));
+      mesh.points.emplace_back(scale * prisms.points[point]);
+    }
+    mesh.polygons.push_back(std::move(polygon));
+  }
+  return mesh;
+}
+
+std::string stlBytes(const ExportMesh& mesh, const std::string& file) { return meshBytes(mesh, "stlb", file); }
+
+ObjMesh objMesh(const Reconstruction& reconstruction, const ExportSelection& selection) {
+  ObjMesh obj{plyMesh(reconstruction, selection), {}};
+  for (const PatchReconstruction& patch : reconstruction.patches) {
+    for (const CellPlacement& cell : patch.cells) obj.cells.push_back(cell.cell);
+  }
+  return obj;
+}
+
+std::string objText(const ObjMesh& obj) {
+  const auto& [mesh, cells] = obj;
+  std::string text = "# metres, " + mesh.frame + "\n";
+  std::size_t polygon = 0;
+  for (std::size_t k = 0; k < cells.size(); ++k) {
+    text += "o " + objName(cells[k]) + "\n";
+    const std::size_t end = (k + 1) * kPointsPerCell;
+    for (std::size_t point = k * kPointsPerCell; point < end; ++point) {
+      text += "v " + vectorText(mesh.points[point]) + objColor(mesh.colors[point]) + "\n";
+    }
+    for (; polygon < mesh.polygons.size() && mesh.polygons[polygon].front() < end; ++polygon) {
+      text += "f";
+      for (const std::uint32_t point : mesh.polygons[polygon]) text += " " + std::to_string(point + 1);  // from 1
+      text += "\n";
+    }
+  }
+  return text;
 }
 
 }  // namespace hexoderm

@@ -1,9 +1,9 @@
 #pragma once
 
-#include "hexoderm/io/exporter.h"
-#include "hexoderm/reconstruction/result/reconstruction.h"
+// The formats that hold a mesh of the cells.
 
-#include <array>
+#include "hexoderm/io/export_selection.h"
+
 #include <cstdint>
 #include <string>
 #include <vector>
@@ -18,7 +18,24 @@ struct ExportMesh {
   std::string frame;                  ///< frameInWords(), for formats that have comments
 };
 
-/// Bytes of the mesh in a format of Assimp's ("ply", "stlb"). Throws FormatError with Assimp's reason.
-std::string meshBytes(const ExportMesh& mesh, const std::string& assimp_format, const std::string& file);
+/// The prisms in metres, every point in the colour of its cell's worst used link (grey: the cell has none). The
+/// selection says in which frame the reconstruction is.
+ExportMesh plyMesh(const Reconstruction& reconstruction, const ExportSelection& selection = {});
+/// ASCII PLY with uchar colours and a comment that names unit and frame.
+std::string plyBytes(const ExportMesh& mesh, const std::string& file);
+
+/// The prisms as triangles that share no points, in the unit asked for.
+ExportMesh stlMesh(const Reconstruction& reconstruction, LengthUnit unit);
+/// Binary STL.
+std::string stlBytes(const ExportMesh& mesh, const std::string& file);
+
+/// Wavefront OBJ in metres: an object "cell_N" for each cell, its colour at each vertex ("v x y z r g b", which most
+/// programs read and others skip), no file of materials.
+struct ObjMesh {
+  ExportMesh mesh;
+  std::vector<CellId> cells;
+};
+ObjMesh objMesh(const Reconstruction& reconstruction, const ExportSelection& selection = {});
+std::string objText(const ObjMesh& obj);
 
 }  // namespace hexoderm

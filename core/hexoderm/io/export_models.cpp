@@ -1,27 +1,14 @@
-#include "hexoderm/io/export_models.h"
+#include "hexoderm/io/export_formats.h"
 
+#include "hexoderm/io/xml_writing.h"
 #include "hexoderm/util/text.h"
 
 #include <cmath>
-#include <pugixml.hpp>
-#include <sstream>
 
 namespace hexoderm {
 namespace {
 
 constexpr const char* kAccelerometerType = "accelerometer";
-
-std::string savedText(const pugi::xml_document& document) {
-  std::ostringstream out;
-  document.save(out, "  ");
-  return std::move(out).str();
-}
-
-void declareXml(pugi::xml_document& document) {
-  pugi::xml_node declaration = document.append_child(pugi::node_declaration);
-  declaration.append_attribute("version") = "1.0";
-  declaration.append_attribute("encoding") = "UTF-8";
-}
 
 std::uint32_t colorOfMaterial(const std::string& name) {
   for (const SkinMaterial& material : skinMaterials()) {
@@ -47,27 +34,17 @@ void appendPose(pugi::xml_node node, const SE3& T) {
 }
 
 void appendFrame(pugi::xml_node model, const std::string& name, const std::string& parent, const SE3& T) {
-  pugi::xml_node frame = model.append_child("frame");
-  frame.append_attribute("name") = name.c_str();
-  frame.append_attribute("attached_to") = parent.c_str();
-  appendPose(frame, T);
+  appendPose(appendElement(model, "frame", {{"name", name}, {"attached_to", parent}}), T);
 }
-
-std::string visualName(const SkinTreeCell& cell, std::size_t box) { return cell.name + "_" + std::to_string(box + 1); }
 
 // MJCF
 
-void placeMjcf(pugi::xml_node node, const SE3& T) {
+/// A body or a site at a place.
+pugi::xml_node appendPlaced(pugi::xml_node parent, const char* element, const std::string& name, const SE3& T) {
   const Eigen::Quaterniond q = quaternionOf(T.R);
-  node.append_attribute("pos") = vectorText(T.t).c_str();
-  node.append_attribute("quat") = (formatExact(q.w()) + " " + vectorText(q.vec())).c_str();
-}
-
-pugi::xml_node appendBody(pugi::xml_node parent, const std::string& name, const SE3& T) {
-  pugi::xml_node body = parent.append_child("body");
-  body.append_attribute("name") = name.c_str();
-  placeMjcf(body, T);
-  return body;
+  return appendElement(
+      parent, element,
+      {{"name", name}, {"pos", vectorText(T.t)}, {"quat", formatExact(q.w()) + " " + vectorText(q.vec())}});
 }
 
 /// The twelve corners of a cell in its frame.
@@ -88,14 +65,10 @@ std::string hexagonVertices(const SkinTree& tree) {
 std::string sdfBytes(const SkinTree& tree) {
   pugi::xml_document document;
   declareXml(document);
-  pugi::xml_node sdf = document.append_child("sdf");
-  sdf.append_attribute("version") = "1.9";
-  pugi::xml_node model = sdf.append_child("model");
-  model.append_attribute("name") = tree.model.c_str();
-  model.append_child(pugi::node_comment)
-      .set_value((massComment(tree) + " The mass of the skin is not known; 1 g stands for it. ").c_str());
-  pugi::xml_node link = model.append_child("link");
-  link.append_attribute("name") = tree.links.front().c_str();
+  pugi::xml_node model =
+      appendElement(appendElement(document, "sdf", {{"version", "1.9"}}), "model", {{"name", tree.model}});
+  appendComment(model, massComment(tree) + " The mass of the skin is not known; 1 g stands for it. ");
+  pugi::xml_node link = appendElement(model, "link", {{"name", tree.links.front()}});
   pugi::xml_node inertial = link.append_child("inertial");
   inertial.append_child("mass").text().set("0.001");
   pugi::xml_node inertia = inertial.append_child("inertia");
@@ -104,8 +77,7 @@ std::string sdfBytes(const SkinTree& tree) {
   for (const SkinTreePatch& patch : tree.patches) {
     for (const SkinTreeCell& cell : patch.cells) {
       for (std::size_t k = 0; k < boxes.T_u_box.size(); ++k) {
-        pugi::xml_node visual = link.append_child("visual");
-        visual.append_attribute("name") = visualName(cell, k).c_str();
+        pugi::xml_node visual = appendElement(link, "visual", {{"name", boxName(cell, k)}});
         appendPose(visual, patch.T_l_o * cell.T_o_u * boxes.T_u_box[k]);
         visual.append_child("geometry")
             .append_child("box")
@@ -121,52 +93,45 @@ std::string sdfBytes(const SkinTree& tree) {
   for (const SkinFrame& frame : skinFrames(tree, true)) {
     appendFrame(model, frame.name, frame.parent, frame.T_parent_frame);
   }
-  return savedText(document);
+  return xmlText(document, "  ");
 }
 
 std::string mjcfBytes(const SkinTree& tree) {
   pugi::xml_document document;
-  pugi::xml_node mujoco = document.append_child("mujoco");
-  mujoco.append_attribute("model") = tree.model.c_str();
-  mujoco.append_child(pugi::node_comment).set_value((massComment(tree) + " ").c_str());
-  mujoco.append_child("compiler").append_attribute("angle") = "radian";
+  pugi::xml_node mujoco = appendElement(document, "mujoco", {{"model", tree.model}});
+  appendComment(mujoco, massComment(tree) + " ");
+  appendElement(mujoco, "compiler", {{"angle", "radian"}});
   pugi::xml_node asset = mujoco.append_child("asset");
-  pugi::xml_node mesh = asset.append_child("mesh");
-  mesh.append_attribute("name") = "hexoderm_cell";
-  mesh.append_attribute("vertex") = hexagonVertices(tree).c_str();
+  appendElement(asset, "mesh", {{"name", "hexoderm_cell"}, {"vertex", hexagonVertices(tree)}});
   for (const SkinMaterial& material : skinMaterials()) {
-    pugi::xml_node node = asset.append_child("material");
-    node.append_attribute("name") = material.name.c_str();
-    node.append_attribute("rgba") = rgbaText(material.rgb).c_str();
+    appendElement(asset, "material", {{"name", material.name}, {"rgba", rgbaText(material.rgb)}});
   }
-  pugi::xml_node robot_link = appendBody(mujoco.append_child("worldbody"), tree.links.front(), {});
+  pugi::xml_node robot_link = appendPlaced(mujoco.append_child("worldbody"), "body", tree.links.front(), {});
   std::vector<std::string> accelerometers;
   for (const SkinTreePatch& patch : tree.patches) {
-    pugi::xml_node patch_body = appendBody(robot_link, patch.name, patch.T_l_o);
+    pugi::xml_node patch_body = appendPlaced(robot_link, "body", patch.name, patch.T_l_o);
     for (const SkinTreeCell& cell : patch.cells) {
-      pugi::xml_node body = appendBody(patch_body, cell.name, cell.T_o_u);
-      pugi::xml_node geom = body.append_child("geom");
-      geom.append_attribute("type") = "mesh";
-      geom.append_attribute("mesh") = "hexoderm_cell";
-      geom.append_attribute("material") = cell.material.c_str();
-      for (const char* zero : {"mass", "contype", "conaffinity"}) geom.append_attribute(zero) = "0";
+      pugi::xml_node body = appendPlaced(patch_body, "body", cell.name, cell.T_o_u);
+      appendElement(body, "geom",
+                    {{"type", "mesh"},
+                     {"mesh", "hexoderm_cell"},
+                     {"material", cell.material},
+                     {"mass", "0"},
+                     {"contype", "0"},
+                     {"conaffinity", "0"}});
       const SE3 T_u_o = cell.T_o_u.inverse();
       for (const SkinTreeSensor& sensor : cell.sensors) {
-        pugi::xml_node site = body.append_child("site");
-        site.append_attribute("name") = sensor.name.c_str();
-        placeMjcf(site, T_u_o * sensor.T_o_s);
+        appendPlaced(body, "site", sensor.name, T_u_o * sensor.T_o_s);
         if (sensor.type == kAccelerometerType) accelerometers.push_back(sensor.name);
       }
     }
   }
-  if (accelerometers.empty()) return savedText(document);
+  if (accelerometers.empty()) return xmlText(document, "  ");
   pugi::xml_node sensors = mujoco.append_child("sensor");
   for (const std::string& site : accelerometers) {
-    pugi::xml_node sensor = sensors.append_child(kAccelerometerType);
-    sensor.append_attribute("name") = site.c_str();
-    sensor.append_attribute("site") = site.c_str();
+    appendElement(sensors, kAccelerometerType, {{"name", site}, {"site", site}});
   }
-  return savedText(document);
+  return xmlText(document, "  ");
 }
 
 }  // namespace hexoderm

@@ -17,7 +17,7 @@ Value valueOf(const std::array<std::pair<std::string_view, Value>, Count>& value
   for (const auto& [name, value] : values) {
     if (name == text) return value;
   }
-  throw InvalidArgument(located(option, message("\"{}\" is none of its values", text)));
+  throw InvalidArgument(option, message("\"{}\" is none of its values", text));
 }
 
 template <class Value, std::size_t Count>

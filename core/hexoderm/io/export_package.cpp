@@ -166,9 +166,7 @@ class PackageMaker {
   }
 
   void add(StagedFile file, PackageEntry entry) {
-    if (!names_.insert(file.name).second) {
-      throw InvalidArgument(message("the package would hold {} twice", file.name));
-    }
+    if (!names_.insert(file.name).second) throw InvalidArgument(message("the package would hold {} twice", file.name));
     entry.name = file.name;
     entry.size = file.content.size();
     entries_.push_back(std::move(entry));

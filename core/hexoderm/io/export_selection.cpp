@@ -20,9 +20,7 @@ void requirePlacements(const Reconstruction& reconstruction, const ExportOptions
     const bool known = std::ranges::any_of(reconstruction.patches, [&](const PatchReconstruction& patch) {
       return patch.origin == place.origin && !patch.cells.empty();
     });
-    if (!known) {
-      throw InvalidArgument(located("placements", message("no patch has cell {} as its origin", place.origin)));
-    }
+    if (!known) throw InvalidArgument("placements", message("no patch has cell {} as its origin", place.origin));
   }
 }
 
@@ -30,7 +28,7 @@ void requirePlacements(const Reconstruction& reconstruction, const ExportOptions
 const PatchReconstruction* namedPatch(const Reconstruction& reconstruction, const ExportOptions& options) {
   if (!options.patch) return nullptr;
   const PatchReconstruction* patch = reconstruction.find(*options.patch).patch;
-  if (patch == nullptr) throw InvalidArgument(located("patch", message("no patch holds a cell {}", *options.patch)));
+  if (patch == nullptr) throw InvalidArgument("patch", message("no patch holds a cell {}", *options.patch));
   return patch;
 }
 
@@ -51,10 +49,10 @@ void requireOneLink(const std::vector<ExportMount>& mounted, const ExportFormatD
   std::set<std::string> links;
   for (const ExportMount& patch : mounted) links.insert(patch.link);
   if (links.size() <= 1) return;
-  throw InvalidArgument(located(
+  throw InvalidArgument(
       "in_link", message("the patches are placed on {} links, and {} as asked for holds one, for how links lie to each "
                          "other depends on the robot's joints: name one of them",
-                         links.size(), format.name)));
+                         links.size(), format.name));
 }
 
 ExportMount mounted(const PatchReconstruction& patch, const ExportOptions& options) {
@@ -74,20 +72,20 @@ ExportSelection selectForExport(const Reconstruction& reconstruction, const Expo
                                 const ExportOptions& options) {
   requirePlacements(reconstruction, options);
   if (options.all_patches && format.patches != PatchesInFile::All && format.patches != PatchesInFile::AllIfAsked) {
-    throw InvalidArgument(located(
+    throw InvalidArgument(
         "all_patches", message("{} has one frame, and how the patches lie to each other is not known: write each to a "
                                "file of its own",
-                               format.name)));
+                               format.name));
   }
   ExportSelection selection;
   if (!options.in_link.empty()) {
     if (holdsAllInTheirFrames(format, options)) {
-      throw InvalidArgument(
-          located("in_link", message("{} holds each patch in a frame of its own, not in that of a link", format.name)));
+      throw InvalidArgument("in_link",
+                            message("{} holds each patch in a frame of its own, not in that of a link", format.name));
     }
     selection.patches = placedPatches(reconstruction, options);
     if (selection.patches.empty()) {
-      throw InvalidArgument(located("in_link", message("no exported patch is placed on link {}", options.in_link)));
+      throw InvalidArgument("in_link", message("no exported patch is placed on link {}", options.in_link));
     }
     if (!hasLinks(format.patches)) selection.frame_link = options.in_link;
   } else if (hasLinks(format.patches)) {

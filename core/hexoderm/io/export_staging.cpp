@@ -18,7 +18,7 @@ void renameOver(const fs::path& from, const fs::path& to) {
   requireReplaceable(to, to.string());
   std::error_code error;
   fs::rename(from, to, error);
-  if (error) throw StorageError(located(to.string(), message("cannot be replaced: {}", systemReason(error))));
+  if (error) throw StorageError(to.string(), message("cannot be replaced: {}", systemReason(error)));
 }
 
 /// The kind of what has a name, itself if it is a link.
@@ -26,14 +26,14 @@ fs::file_status statusOf(const fs::path& path, bool follow) {
   std::error_code error;
   const fs::file_status status = follow ? fs::status(path, error) : fs::symlink_status(path, error);
   if (status.type() == fs::file_type::none)
-    throw StorageError(located(path.string(), message("cannot be written: {}", systemReason(error))));
+    throw StorageError(path.string(), message("cannot be written: {}", systemReason(error)));
   return status;
 }
 
 void makeFolder(const fs::path& folder, const fs::path& target) {
   std::error_code error;
   fs::create_directory(folder, error);
-  if (error) throw StorageError(located(target.string(), message("cannot be written: {}", systemReason(error))));
+  if (error) throw StorageError(target.string(), message("cannot be written: {}", systemReason(error)));
 }
 
 /// Puts back what was there before, unless told that all went well.
@@ -59,11 +59,11 @@ class Replacements {
     const bool had_earlier = fs::exists(earlier);
     if (had_earlier) {
       if (!fs::is_regular_file(earlier))
-        throw StorageError(located(target.string(), message("is not a file, and is not replaced by one")));
+        throw StorageError(target.string(), message("is not a file, and is not replaced by one"));
       std::error_code error;
       fs::copy_file(target, backups_ / target.filename(), error);
       if (!error) fs::permissions(staged, earlier.permissions() & fs::perms::all, error);
-      if (error) throw StorageError(located(target.string(), message("cannot be replaced: {}", systemReason(error))));
+      if (error) throw StorageError(target.string(), message("cannot be replaced: {}", systemReason(error)));
     }
     renameOver(staged, target);
     done_.push_back({target, had_earlier});
@@ -87,8 +87,7 @@ std::vector<fs::path> publishFolder(const fs::path& folder, const std::vector<St
   const fs::path target = folder.has_filename() ? folder : folder.parent_path();  // "out/" means "out"
   const fs::file_status status = statusOf(target, true);
   const bool there = fs::exists(status);
-  if (there && !fs::is_directory(status))
-    throw StorageError(located(target.string(), message("is a file, expected a folder")));
+  if (there && !fs::is_directory(status)) throw StorageError(target.string(), message("is a file, expected a folder"));
 
   for (const StagedFile& file : files) requireReplaceable(target / file.name, (target / file.name).string());
   const TemporaryFolder temporary(there ? target : folderOf(target), target.string());

@@ -17,13 +17,11 @@ constexpr double kNanometres = 1e9;
 std::size_t icubRows(const TaxelMap& map) { return (map.taxels.size() / kTaxelsPerTriangle + 1) * kTaxelsPerTriangle; }
 
 std::string icubNumbers(const Eigen::Vector3d& v) {
-  std::string text;
-  for (const double value : v) {
-    std::string number = formatFixed(value, kIcubDecimals);
-    if (number.find_first_not_of("-0.") == std::string::npos) number = formatFixed(0, kIcubDecimals);  // no "-0"
-    text += (text.empty() ? "" : "\t") + number;
-  }
-  return text;
+  const auto numberText = [](double value) {
+    const std::string number = formatFixed(value, kIcubDecimals);
+    return number.find_first_not_of("-0.") == std::string::npos ? formatFixed(0, kIcubDecimals) : number;  // no "-0"
+  };
+  return inARow(v, numberText, "\t");
 }
 
 std::int64_t nanometres(double value) { return std::llround(value * kNanometres); }
@@ -74,11 +72,9 @@ std::string icubText(const TaxelMap& map) {
 std::string skinwareText(const TaxelMap& map) {
   std::string text = std::to_string(map.taxels.size()) + "\n";
   for (const Taxel& taxel : map.taxels) {
-    std::string line;
-    for (const std::int64_t number : skinwareNumbers(taxel, map)) {
-      line += (line.empty() ? "" : " ") + std::to_string(number);
-    }
-    text += line + "\n";
+    text += inARow(
+                skinwareNumbers(taxel, map), [](std::int64_t number) { return std::to_string(number); }, " ") +
+            "\n";
   }
   return text;
 }

@@ -1,11 +1,10 @@
-#include "hexoderm/io/export_transforms.h"
+#include "hexoderm/io/export_formats.h"
 
+#include "hexoderm/io/xml_writing.h"
 #include "hexoderm/util/text.h"
 
 #include <array>
-#include <pugixml.hpp>
 #include <set>
-#include <sstream>
 
 namespace hexoderm {
 namespace {
@@ -46,23 +45,20 @@ std::string yamlNumber(double value) {
 std::string rosLaunchText(const std::vector<SkinFrame>& frames) {
   pugi::xml_document document;
   pugi::xml_node launch = document.append_child("launch");
-  launch.append_child(pugi::node_comment)
-      .set_value(
-          " Metres; x y z qx qy qz qw parent child. A node for each frame: of many cells, one link per patch, or "
-          "the list of transforms in YAML, starts faster. ");
+  appendComment(launch,
+                " Metres; x y z qx qy qz qw parent child. A node for each frame: of many cells, one link per patch, or "
+                "the list of transforms in YAML, starts faster. ");
   NodeNames names;
   for (const SkinFrame& frame : frames) {
     std::string args;
     for (const double number : transformNumbers(frame.T_parent_frame)) args += formatExact(number) + " ";
-    pugi::xml_node node = launch.append_child("node");
-    node.append_attribute("pkg") = "tf2_ros";
-    node.append_attribute("type") = "static_transform_publisher";
-    node.append_attribute("name") = names.of(frame.name).c_str();
-    node.append_attribute("args") = (args + frame.parent + " " + frame.name).c_str();
+    appendElement(launch, "node",
+                  {{"pkg", "tf2_ros"},
+                   {"type", "static_transform_publisher"},
+                   {"name", names.of(frame.name)},
+                   {"args", args + frame.parent + " " + frame.name}});
   }
-  std::ostringstream out;
-  document.save(out, "  ");
-  return std::move(out).str();
+  return xmlText(document, "  ");
 }
 
 std::string ros2LaunchText(const std::vector<SkinFrame>& frames) {

@@ -1,5 +1,6 @@
 #include "hexoderm/io/export_urdf.h"
 
+#include "hexoderm/io/xml_writing.h"
 #include "hexoderm/util/error.h"
 #include "hexoderm/util/file.h"
 #include "hexoderm/util/text.h"
@@ -7,7 +8,6 @@
 #include <algorithm>
 #include <array>
 #include <optional>
-#include <pugixml.hpp>
 #include <set>
 #include <sstream>
 #include <string>
@@ -21,46 +21,36 @@ namespace {
 constexpr std::uintmax_t kMostRobotBytes = 50'000'000;
 
 void appendOrigin(pugi::xml_node parent, const SE3& T) {
-  pugi::xml_node origin = parent.append_child("origin");
-  origin.append_attribute("xyz") = vectorText(T.t).c_str();
-  origin.append_attribute("rpy") = vectorText(rpyFromRotation(T.R)).c_str();
+  appendElement(parent, "origin", {{"xyz", vectorText(T.t)}, {"rpy", vectorText(rpyFromRotation(T.R))}});
 }
-
-std::string boxName(const SkinTreeCell& cell, std::size_t box) { return cell.name + "_" + std::to_string(box + 1); }
 
 /// The prism of a cell, in a link in whose frame the cell is at `T_link_u`.
 void appendVisuals(pugi::xml_node link, const SkinTreeCell& cell, const SE3& T_link_u, const CellBoxes& boxes) {
   for (std::size_t k = 0; k < boxes.T_u_box.size(); ++k) {
-    pugi::xml_node visual = link.append_child("visual");
-    visual.append_attribute("name") = boxName(cell, k).c_str();
+    pugi::xml_node visual = appendElement(link, "visual", {{"name", boxName(cell, k)}});
     appendOrigin(visual, T_link_u * boxes.T_u_box[k]);
-    visual.append_child("geometry").append_child("box").append_attribute("size") = vectorText(boxes.size_m).c_str();
-    visual.append_child("material").append_attribute("name") = cell.material.c_str();
+    appendElement(visual.append_child("geometry"), "box", {{"size", vectorText(boxes.size_m)}});
+    appendElement(visual, "material", {{"name", cell.material}});
   }
 }
 
 void appendMaterials(pugi::xml_node robot, const std::set<std::string>& there) {
   for (const SkinMaterial& material : skinMaterials()) {
     if (there.contains(material.name)) continue;
-    pugi::xml_node node = robot.append_child("material");
-    node.append_attribute("name") = material.name.c_str();
-    node.append_child("color").append_attribute("rgba") = rgbaText(material.rgb).c_str();
+    appendElement(appendElement(robot, "material", {{"name", material.name}}), "color",
+                  {{"rgba", rgbaText(material.rgb)}});
   }
 }
 
 pugi::xml_node appendJoint(pugi::xml_node robot, const std::string& child, const std::string& parent) {
-  pugi::xml_node joint = robot.append_child("joint");
-  joint.append_attribute("name") = (child + "_joint").c_str();
-  joint.append_attribute("type") = "fixed";
-  joint.append_child("parent").append_attribute("link") = parent.c_str();
-  joint.append_child("child").append_attribute("link") = child.c_str();
+  pugi::xml_node joint = appendElement(robot, "joint", {{"name", child + "_joint"}, {"type", "fixed"}});
+  appendElement(joint, "parent", {{"link", parent}});
+  appendElement(joint, "child", {{"link", child}});
   return joint;
 }
 
 pugi::xml_node appendLink(pugi::xml_node robot, const std::string& name) {
-  pugi::xml_node link = robot.append_child("link");
-  link.append_attribute("name") = name.c_str();
-  return link;
+  return appendElement(robot, "link", {{"name", name}});
 }
 
 /// The links of a patch and the joints within it, without the one that fixes it to the robot.
@@ -70,9 +60,8 @@ void appendInside(pugi::xml_node robot, const SkinTreePatch& patch, const CellBo
     for (const SkinTreeCell& cell : patch.cells) appendVisuals(patch_link, cell, cell.T_o_u, boxes);
     for (const SkinTreeCell& cell : patch.cells) {
       for (const SkinTreeSensor& sensor : cell.sensors) {
-        pugi::xml_node node = robot.append_child("sensor");
-        node.append_attribute("name") = sensor.name.c_str();
-        node.append_child("parent").append_attribute("link") = patch.name.c_str();
+        pugi::xml_node node = appendElement(robot, "sensor", {{"name", sensor.name}});
+        appendElement(node, "parent", {{"link", patch.name}});
         appendOrigin(node, sensor.T_o_s);
       }
     }
@@ -94,21 +83,17 @@ void appendPatch(pugi::xml_node robot, const SkinTreePatch& patch, const CellBox
   appendInside(robot, patch, boxes, link_per_cell);
 }
 
-constexpr std::string_view kXacroNamespace = "http://www.ros.org/wiki/xacro";
+constexpr const char* kXacroNamespace = "http://www.ros.org/wiki/xacro";
 
 void appendMacro(pugi::xml_node robot, const SkinTreePatch& patch, const CellBoxes& boxes, bool link_per_cell) {
   if (patch.name.find('/') != std::string::npos) {
-    throw InvalidArgument(
-        located("prefix", message("\"{}\" is no name for a xacro macro: leave out the /", patch.name)));
+    throw InvalidArgument("prefix", message("\"{}\" is no name for a xacro macro: leave out the /", patch.name));
   }
-  pugi::xml_node macro = robot.append_child("xacro:macro");
-  macro.append_attribute("name") = patch.name.c_str();
-  macro.append_attribute("params") = ("parent:=" + patch.link + " xyz:='" + vectorText(patch.T_l_o.t) + "' rpy:='" +
-                                      vectorText(rpyFromRotation(patch.T_l_o.R)) + "'")
-                                         .c_str();
-  pugi::xml_node origin = appendJoint(macro, patch.name, "${parent}").append_child("origin");
-  origin.append_attribute("xyz") = "${xyz}";
-  origin.append_attribute("rpy") = "${rpy}";
+  pugi::xml_node macro = appendElement(robot, "xacro:macro",
+                                       {{"name", patch.name},
+                                        {"params", "parent:=" + patch.link + " xyz:='" + vectorText(patch.T_l_o.t) +
+                                                       "' rpy:='" + vectorText(rpyFromRotation(patch.T_l_o.R)) + "'"}});
+  appendElement(appendJoint(macro, patch.name, "${parent}"), "origin", {{"xyz", "${xyz}"}, {"rpy", "${rpy}"}});
   appendInside(macro, patch, boxes, link_per_cell);
 }
 
@@ -122,12 +107,6 @@ std::string commentOf(const UrdfContent& content) {
   if (content.form == UrdfForm::Part) text += " The links that the patches are joined to are defined by the robot.";
   if (content.form == UrdfForm::Macro) text += " Include the file, then call the macro of each patch.";
   return text + " ";
-}
-
-std::string documentText(const pugi::xml_document& document) {
-  std::ostringstream out;
-  document.save(out, "  ");
-  return std::move(out).str();
 }
 
 /// Where the last </robot> stands that is neither in a comment nor in a CDATA section or an instruction.
@@ -152,11 +131,10 @@ std::optional<std::size_t> endOfRobot(std::string_view text) {
 
 /// A name of the skin that the robot has already: a second one would make the file useless.
 [[noreturn]] void failTaken(const RobotUrdf& robot, const Message& what, const std::string& name) {
-  throw FormatError(
-      located(robot.model.file().string(),
-              message("already has a {} {}: if this is an earlier skin, give the robot's own file, else choose "
-                      "another prefix of names",
-                      what, name)));
+  throw FormatError(robot.model.file().string(),
+                    message("already has a {} {}: if this is an earlier skin, give the robot's own file, else choose "
+                            "another prefix of names",
+                            what, name));
 }
 
 /// Names of the elements of a kind in the robot.
@@ -186,7 +164,7 @@ void requireFits(const RobotUrdf& robot, const std::set<std::string>& sensors, c
 /// The elements of the skin, indented, each line ended.
 std::string fragment(const UrdfContent& content, const std::set<std::string>& materials) {
   pugi::xml_document document;
-  document.append_child(pugi::node_comment).set_value(commentOf(content).c_str());
+  appendComment(document, commentOf(content));
   appendMaterials(document, materials);
   const CellBoxes boxes = cellBoxes(content.tree);
   for (const SkinTreePatch& patch : content.tree.patches) appendPatch(document, patch, boxes, content.link_per_cell);
@@ -200,13 +178,10 @@ std::string fragment(const UrdfContent& content, const std::set<std::string>& ma
 
 std::string urdfBytes(const UrdfContent& content) {
   pugi::xml_document document;
-  pugi::xml_node declaration = document.append_child(pugi::node_declaration);
-  declaration.append_attribute("version") = "1.0";
-  declaration.append_attribute("encoding") = "UTF-8";
-  pugi::xml_node robot = document.append_child("robot");
-  robot.append_attribute("name") = content.tree.model.c_str();
-  if (content.form == UrdfForm::Macro) robot.append_attribute("xmlns:xacro") = std::string(kXacroNamespace).c_str();
-  robot.append_child(pugi::node_comment).set_value(commentOf(content).c_str());
+  declareXml(document);
+  pugi::xml_node robot = appendElement(document, "robot", {{"name", content.tree.model}});
+  if (content.form == UrdfForm::Macro) robot.append_attribute("xmlns:xacro") = kXacroNamespace;
+  appendComment(robot, commentOf(content));
   appendMaterials(robot, {});
   if (content.form == UrdfForm::Alone) {
     for (const std::string& link : content.tree.links) appendLink(robot, link);
@@ -219,7 +194,7 @@ std::string urdfBytes(const UrdfContent& content) {
       appendPatch(robot, patch, boxes, content.link_per_cell);
     }
   }
-  return documentText(document);
+  return xmlText(document, "  ");
 }
 
 RobotUrdf readRobotUrdf(const std::filesystem::path& path) {
@@ -230,8 +205,7 @@ RobotUrdf readRobotUrdf(const std::filesystem::path& path) {
 
 std::string robotUrdfBytes(const RobotUrdf& robot, const UrdfContent& content) {
   const std::optional<std::size_t> end = endOfRobot(robot.text);
-  if (!end)
-    throw FormatError(located(robot.model.file().string(), message("expected an end tag </robot>, but there is none")));
+  if (!end) throw FormatError(robot.model.file().string(), message("expected an end tag </robot>, but there is none"));
   pugi::xml_document document;
   document.load_buffer(robot.text.data(), robot.text.size());  // well-formed, for the model was made of it
   const pugi::xml_node root = document.document_element();

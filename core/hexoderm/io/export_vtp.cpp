@@ -1,6 +1,8 @@
 #include "hexoderm/io/export_vtp.h"
 
+#include "hexoderm/geometry/covariance.h"
 #include "hexoderm/io/export_support.h"
+#include "hexoderm/io/xml_writing.h"
 #include "hexoderm/reconstruction/figures/patch_mesh.h"
 #include "hexoderm/util/text.h"
 
@@ -12,8 +14,6 @@
 #include <cmath>
 #include <cstring>
 #include <limits>
-#include <pugixml.hpp>
-#include <sstream>
 #include <utility>
 
 namespace hexoderm {
@@ -173,11 +173,8 @@ VtpData vtpData(const Reconstruction& reconstruction, const ExportSelection& sel
       accel_offsets.push_back(cell->accel_offset_g ? (*cell->accel_offset_g)(axis) : kUnknown);
       accel_scales.push_back(cell->accel_scale ? (*cell->accel_scale)(axis) : kUnknown);
     }
-    for (Eigen::Index row = 0; row < 6; ++row) {
-      for (Eigen::Index col = row; col < 6; ++col) {
-        covariances.push_back(cell->cov_t_r ? (*cell->cov_t_r)(row, col) : kUnknown);
-      }
-    }
+    const auto covariance = upperTriangle(cell->cov_t_r.value_or(Matrix6d::Constant(kUnknown)));
+    covariances.insert(covariances.end(), covariance.begin(), covariance.end());
   }
   Cells polys;
   for (const PatchMesh::Polygon& polygon : prisms.polygons) {
@@ -212,25 +209,21 @@ VtpData vtpData(const Reconstruction& reconstruction, const ExportSelection& sel
 
 std::string vtpBytes(const VtpData& data) {
   pugi::xml_document document;
-  pugi::xml_node root = document.append_child("VTKFile");
-  root.append_attribute("type") = "PolyData";
-  root.append_attribute("version") = "1.0";
-  root.append_attribute("byte_order") = "LittleEndian";
-  root.append_attribute("header_type") = "UInt64";
+  pugi::xml_node root = appendElement(
+      document, "VTKFile",
+      {{"type", "PolyData"}, {"version", "1.0"}, {"byte_order", "LittleEndian"}, {"header_type", "UInt64"}});
   pugi::xml_node poly_data = root.append_child("PolyData");
   appendArrays(poly_data.append_child("FieldData"), data.field_data, true);
-  pugi::xml_node piece = poly_data.append_child("Piece");
-  piece.append_attribute("NumberOfPoints") = data.points;
-  piece.append_attribute("NumberOfVerts") = data.verts;
-  piece.append_attribute("NumberOfLines") = 0;
-  piece.append_attribute("NumberOfStrips") = 0;
-  piece.append_attribute("NumberOfPolys") = data.polys;
+  pugi::xml_node piece = appendElement(poly_data, "Piece",
+                                       {{"NumberOfPoints", std::to_string(data.points)},
+                                        {"NumberOfVerts", std::to_string(data.verts)},
+                                        {"NumberOfLines", "0"},
+                                        {"NumberOfStrips", "0"},
+                                        {"NumberOfPolys", std::to_string(data.polys)}});
   for (const VtpSection& section : data.sections) {
     appendArrays(piece.append_child(section.name.c_str()), section.arrays, false);
   }
-  std::ostringstream out;
-  document.save(out, " ");
-  return std::move(out).str();
+  return xmlText(document, " ");
 }
 
 }  // namespace hexoderm

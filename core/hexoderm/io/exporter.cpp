@@ -1,25 +1,20 @@
 #include "hexoderm/io/exporter.h"
 
 #include "hexoderm/io/export_csv.h"
-#include "hexoderm/io/export_dot.h"
 #include "hexoderm/io/export_files.h"
-#include "hexoderm/io/export_gltf.h"
-#include "hexoderm/io/export_models.h"
-#include "hexoderm/io/export_obj.h"
-#include "hexoderm/io/export_ply.h"
+#include "hexoderm/io/export_formats.h"
+#include "hexoderm/io/export_mesh.h"
 #include "hexoderm/io/export_selection.h"
 #include "hexoderm/io/export_staging.h"
-#include "hexoderm/io/export_stl.h"
 #include "hexoderm/io/export_support.h"
 #include "hexoderm/io/export_taxels.h"
-#include "hexoderm/io/export_transforms.h"
-#include "hexoderm/io/export_tum.h"
 #include "hexoderm/io/export_urdf.h"
 #include "hexoderm/io/export_vtp.h"
 #include "hexoderm/util/error.h"
 #include "hexoderm/util/file.h"
 #include "hexoderm/util/kept_files.h"
 #include "hexoderm/util/limits.h"
+#include "hexoderm/util/text.h"
 
 #include <algorithm>
 #include <array>
@@ -94,7 +89,7 @@ auto withExported(const Reconstruction& reconstruction, ExportFormat format, con
 
 void requireName(const char* option, const std::string& name) {
   if (!isLinkName(name)) {
-    throw InvalidArgument(located(option, message("expected letters, digits and _ - . /, found \"{}\"", name)));
+    throw InvalidArgument(option, message("expected letters, digits and _ - . /, found \"{}\"", name));
   }
 }
 
@@ -211,11 +206,10 @@ void ExportOptions::validate() const {
   for (const PatchOnLink& place : placements) {
     requireName("placements", place.link);
     if (!place.T_l_o.R.allFinite() || !place.T_l_o.t.allFinite() || (place.cov_t_r && !place.cov_t_r->allFinite())) {
-      throw InvalidArgument(
-          located("placements", message("expected finite numbers for the patch of cell {}", place.origin)));
+      throw InvalidArgument("placements", message("expected finite numbers for the patch of cell {}", place.origin));
     }
     if (!origins.insert(place.origin).second) {
-      throw InvalidArgument(located("placements", message("the patch of cell {} is placed twice", place.origin)));
+      throw InvalidArgument("placements", message("the patch of cell {} is placed twice", place.origin));
     }
   }
 }
@@ -223,7 +217,7 @@ void ExportOptions::validate() const {
 void ExportOptions::validateFor(ExportFormat format) const {
   validate();
   if (format == ExportFormat::RobotUrdf && robot_urdf.empty()) {
-    throw InvalidArgument(located("robot", message("expected the URDF of the robot that gets the skin")));
+    throw InvalidArgument("robot", message("expected the URDF of the robot that gets the skin"));
   }
 }
 
@@ -236,11 +230,12 @@ const ExportFormatDescription& exportFormatDescription(ExportFormat format) {
 ExportFormat exportFormatFromName(std::string_view name) {
   const auto found = std::ranges::find(formats(), name, &ExportFormatDescription::name);
   if (found != formats().end()) return found->format;
-  std::string names;
-  for (const ExportFormatDescription& format : formats()) {
-    names += (names.empty() ? "" : ", ") + std::string(format.name);
-  }
-  throw InvalidArgument(message("export format \"{}\" is not known, expected one of {}", name, names));
+  throw InvalidArgument(message("export format \"{}\" is not known, expected one of {}", name,
+                                inARow(formats(), &ExportFormatDescription::name)));
+}
+
+std::string inWords(const std::vector<ExportFormat>& formats) {
+  return inARow(formats, [](ExportFormat format) { return exportFormatDescription(format).name; });
 }
 
 std::vector<PatchLeftOut> patchesLeftOut(const Reconstruction& reconstruction, ExportFormat format,
@@ -299,13 +294,8 @@ std::vector<std::filesystem::path> exportReconstruction(const Reconstruction& re
   if (path.empty()) throw InvalidArgument(message("expected the name of a file or folder to export to"));
   if (format == ExportFormat::Csv) return exportBundle(reconstruction, std::array{format}, path, options);
   const KeptFile robot(options.robot_urdf);
-  return withExported(
-      reconstruction, format, options,
-      [&](const Reconstruction& part, const ExportSelection& selection) -> std::vector<std::filesystem::path> {
-        requireFinite(part);
-        writeFileAtomically(path, bytesOf(part, selection, format, options, path.string()));
-        return {path};
-      });
+  writeFileAtomically(path, exportBytes(reconstruction, format, options, path.string()));
+  return {path};
 }
 
 FormatFiles formatFiles(const Reconstruction& reconstruction, ExportFormat format, const ExportOptions& options,

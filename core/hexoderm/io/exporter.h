@@ -92,6 +92,7 @@ struct ExportFormatDescription {
 /// All formats, in the order in which they are listed to people.
 std::span<const ExportFormatDescription> exportFormats();
 const ExportFormatDescription& exportFormatDescription(ExportFormat format);  ///< the description of a format
+std::string inWords(const std::vector<ExportFormat>& formats);                ///< "urdf, sdf"
 /// Throws InvalidArgument listing the formats there are.
 ExportFormat exportFormatFromName(std::string_view name);
 

@@ -25,8 +25,8 @@ Message expected() {
 constexpr std::string_view kRecordingBegins = "SKINREC";
 
 [[noreturn]] void refuseRecording(const std::filesystem::path& path) {
-  throw FormatError(
-      located(path.string(), message("is a recording, which is not opened but played: connect to it as replay:FILE")));
+  throw FormatError(path.string(),
+                    message("is a recording, which is not opened but played: connect to it as replay:FILE"));
 }
 
 /// Told by its first bytes alone, as it may be very large. A pipe is left as it is: it can be read only once.
@@ -64,16 +64,16 @@ OpenedFile openFile(const std::filesystem::path& path, const CellModel& model_fo
     case '{':
       break;
     case '\0':
-      throw FormatError(located(file, message("the file is empty, {}", expected())));
+      throw FormatError(file, message("the file is empty, {}", expected()));
     default:
-      throw FormatError(located(file, message("is none of the files that Hexoderm reads, {}", expected())));
+      throw FormatError(file, message("is none of the files that Hexoderm reads, {}", expected()));
   }
   const std::optional<std::string> format = findJsonFormat(text);
   if (format == kSessionFormat) return parseSessionJson(text, file);
   if (format == kCalibrationFormat) return parseCalibrationJson(text, file);
   if (!format) static_cast<void>(parseJson(text, file));  // a text that is not even JSON is reported first
-  throw FormatError(located(file, located("format", format ? message("{}, found \"{}\"", expected(), *format)
-                                                           : message("{}, but there is none", expected()))));
+  throw FormatError(file, located("format", format ? message("{}, found \"{}\"", expected(), *format)
+                                                   : message("{}, but there is none", expected())));
 }
 
 Session openSession(const std::filesystem::path& path) {

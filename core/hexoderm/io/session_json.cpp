@@ -1,5 +1,6 @@
 #include "hexoderm/io/session_json.h"
 
+#include "hexoderm/geometry/covariance.h"
 #include "hexoderm/graph/cell_model_json.h"
 #include "hexoderm/io/session_json_read.h"
 #include "hexoderm/session/session_parts_json.h"
@@ -9,9 +10,7 @@
 #include "hexoderm/util/message_json.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <span>
 
 namespace hexoderm {
 namespace {
@@ -38,11 +37,7 @@ void writeSample(const GravitySample& sample, JsonWriter& json) {
   json.beginObject();
   json.member("cell", sample.cell.value());
   json.member("mean_g", sample.mean_g);
-  const Eigen::Matrix3d& c = sample.cov_g2;
-  if (!isUnknown(c)) {
-    const std::array values = {c(0, 0), c(0, 1), c(0, 2), c(1, 1), c(1, 2), c(2, 2)};
-    json.member("cov_g2", std::span<const double>(values));
-  }
+  if (!isUnknown(sample.cov_g2)) json.member("cov_g2", upperTriangle(sample.cov_g2));
   if (sample.count > 0) json.member("count", sample.count);
   if (sample.temperature_c) json.member("temperature_c", *sample.temperature_c);
   json.endObject();
@@ -56,14 +51,11 @@ void writePose(const SessionPose& pose, JsonWriter& json) {
   if (pose.disabled) json.member("disabled", true);
   if (!pose.why_disabled.empty()) json.member("why_disabled", pose.why_disabled);
   if (!pose.joint_angles.positions.empty()) json.member("joint_angles", jointAnglesJson(pose.joint_angles));
-  json.key("samples");
-  json.beginArray();
   try {
-    for (const GravitySample& sample : pose.capture->samples) writeSample(sample, json);
+    json.arrayMember("samples", pose.capture->samples, [&](const GravitySample& s) { writeSample(s, json); });
   } catch (const InvalidArgument& error) {
-    throw InvalidArgument(located(message("pose {}", pose.capture->id), error.message()));
+    throw InvalidArgument(message("pose {}", pose.capture->id), error.message());
   }
-  json.endArray();
   json.endObject();
 }
 
@@ -87,15 +79,10 @@ void writeSessionJson(const Session& session, const WriteBytes& write) {
   json.member("cell_model", modelJson(session.model()));
   json.key("cells");
   writeNeighbors(session.neighbors(), json);
-  json.key("poses");
-  json.beginArray();
-  for (const SessionPose& pose : session.poses()) writePose(pose, json);
-  json.endArray();
+  json.arrayMember("poses", session.poses(), [&](const SessionPose& pose) { writePose(pose, json); });
   if (!session.mutedLinks().empty()) {
-    json.key("muted_links");
-    json.beginArray();
-    for (const MutedLink& link : session.mutedLinks()) json.value(mutedLinkJson(link));
-    json.endArray();
+    json.arrayMember("muted_links", session.mutedLinks(),
+                     [&](const MutedLink& link) { json.value(mutedLinkJson(link)); });
   }
   if (session.robot()) json.member("robot", robotJson(session.robot()));
   if (!session.placements().empty()) json.member("placements", placementsJson(session.placements()));
@@ -111,7 +98,7 @@ void writeSessionJson(const Session& session, const std::filesystem::path& path)
   try {
     writeFileAtomically(path, [&](const WriteBytes& write) { writeSessionJson(session, write); });
   } catch (const InvalidArgument& error) {
-    throw InvalidArgument(located(path.string(), error.message()));
+    throw InvalidArgument(path.string(), error.message());
   }
 }
 

@@ -32,76 +32,29 @@ CellModel readModel(const JsonReader& json) {
   return builtInCellModel(name);
 }
 
-/// Of xx, xy, xz, yy, yz, zz.
-Eigen::Matrix3d symmetricOf(std::span<const double> v) {
-  Eigen::Matrix3d matrix;
-  matrix << v[0], v[1], v[2], v[1], v[3], v[4], v[2], v[4], v[5];
-  return matrix;
-}
-
-Eigen::Matrix3d readSampleCovariance(const JsonReader& json) {
-  const std::vector<double> v = json.numbers(6, kMostVariance_g2);
-  if (v[0] < 0 || v[3] < 0 || v[5] < 0) json.fail(message("variances (xx, yy, zz) of at least 0"));
-  const Eigen::Matrix3d cov_g2 = symmetricOf(v);
+template <class In>
+Eigen::Matrix3d readSampleCovariance(In& json) {
+  const Eigen::Matrix3d cov_g2 = fromUpperTriangle<3>(json.template numbers<6>(kMostVariance_g2));
+  if ((cov_g2.diagonal().array() < 0).any()) json.fail(message("variances (xx, yy, zz) of at least 0"));
   if (!isCovariance(cov_g2)) json.fail(message("a covariance (positive semidefinite)"));
   return cov_g2;
 }
 
-Eigen::Matrix3d scanSampleCovariance(JsonScanner& json) {
-  std::array<double, 6> v{};
-  json.numbers(v);
-  const Eigen::Matrix3d cov_g2 = symmetricOf(v);
-  if (!isWithin(cov_g2, kMostVariance_g2) || (cov_g2.diagonal().array() < 0).any() || !isCovariance(cov_g2)) {
-    throw JsonScanner::Unusual();
-  }
-  return cov_g2;
-}
-
-std::vector<GravitySample> readSamples(const JsonReader& json) {
-  std::vector<GravitySample> samples;
-  for (const JsonReader& item : json.items()) {
-    GravitySample sample;
-    sample.cell = CellId(item.at("cell").unsignedInteger());
-    sample.mean_g = item.at("mean_g").vector3(kMostAcceleration_g);
-    if (const auto cov = item.find("cov_g2")) sample.cov_g2 = readSampleCovariance(*cov);
-    if (const auto count = item.find("count")) sample.count = count->unsignedInteger();
-    if (const auto temperature = item.find("temperature_c")) sample.temperature_c = temperature->number();
-    samples.push_back(sample);
-  }
-  return samples;
-}
-
 /// `usual`: how many there will be, as a rule.
-std::vector<GravitySample> scanSamples(JsonScanner& json, std::size_t usual) {
+template <class In>
+std::vector<GravitySample> readSamples(In&& json, std::size_t usual) {
   std::vector<GravitySample> samples;
   samples.reserve(usual);
-  json.beginArray();
-  while (json.nextItem()) {
+  json.eachItem([&](auto& item) {
     GravitySample& sample = samples.emplace_back();
-    json.object(JsonScanner::required("cell", [&] { sample.cell = CellId(json.unsignedInteger()); }),
-                JsonScanner::required("mean_g", [&] { sample.mean_g = scanVector3(json, kMostAcceleration_g); }),
-                JsonScanner::optional("cov_g2", [&] { sample.cov_g2 = scanSampleCovariance(json); }),
-                JsonScanner::optional("count", [&] { sample.count = json.unsignedInteger(); }),
-                JsonScanner::optional("temperature_c", [&] { sample.temperature_c = json.number(); }));
-  }
+    item.object(member("cell", into(sample.cell)),
+                member("mean_g", [&](auto& in) { sample.mean_g = in.vector3(kMostAcceleration_g); }),
+                optionalMember("cov_g2", [&](auto& in) { sample.cov_g2 = readSampleCovariance(in); }),
+                optionalMember("count", into(sample.count)),
+                optionalMember("temperature_c", into(sample.temperature_c)));
+  });
   samples.shrink_to_fit();
   return samples;
-}
-
-/// The pose with the samples that `take_samples` returns.
-template <class TakeSamples>
-SessionPose readSessionPose(const JsonReader& json, TakeSamples take_samples) {
-  PoseCapture capture;
-  // One below the largest number, so that there is always an ID for the next pose.
-  capture.id = PoseId(json.at("id").unsignedInteger(0, UINT32_MAX - 1));
-  if (json.find("label")) capture.label = readMessage(json, "label");
-  if (const auto taken = json.find("taken_at_ms")) capture.taken_at_ms = taken->integer();
-  capture.samples = take_samples();
-  const auto disabled = json.find("disabled");
-  const auto why = json.find("why_disabled");
-  const auto joints = json.find("joint_angles");
-  return {std::make_shared<const PoseCapture>(std::move(capture)), disabled && disabled->boolean(),
-          why ? why->string() : std::string(), joints ? readJointAngles(*joints) : JointAngles()};
 }
 
 /// Somebody's program wrote another unit: no reading would count, and nothing would say why. Throws FormatError.
@@ -115,24 +68,23 @@ void requireG(const Session& session, const std::string& file) {
   if (!first) return;
   const std::string place = "poses[" + std::to_string(*first) + "].samples[0].mean_g";
   const std::optional<Offence> offence = offenceOfNorm(median(norms), session.model().accelerometer, place.c_str());
-  if (offence && offence->kind == OffenceKind::AccelerationUnit) throw FormatError(located(file, offence->reason));
+  if (offence && offence->kind == OffenceKind::AccelerationUnit) throw FormatError(file, offence->reason);
 }
 
 SessionPose scanPose(JsonScanner& json, const std::string& file, std::size_t usual_samples) {
   nlohmann::json rest = nlohmann::json::object();
   std::vector<GravitySample> samples;
   json.objectWith([&](std::string_view key) { json.keep(key, rest); },
-                  JsonScanner::required("samples", [&] { samples = scanSamples(json, usual_samples); }));
-  return readSessionPose(JsonReader(rest, file), [&] { return std::move(samples); });
+                  member("samples", [&](auto& in) { samples = readSamples(in, usual_samples); }));
+  return readPose(JsonReader(rest, file), "id", [&] { return std::move(samples); });
 }
 
 std::vector<SessionPose> scanPoses(JsonScanner& json, const std::string& file) {
   std::vector<SessionPose> poses;
-  json.beginArray();
-  while (json.nextItem()) {
+  json.eachItem([&](JsonScanner& item) {
     const std::size_t before = poses.empty() ? 0 : poses.back().capture->samples.size();
-    poses.push_back(scanPose(json, file, before));
-  }
+    poses.push_back(scanPose(item, file, before));
+  });
   return poses;
 }
 
@@ -171,9 +123,9 @@ Session scanSession(JsonScanner& json, std::string_view text, const std::string&
   std::vector<SessionPose> poses;
   std::optional<GroundTruth> truth;
   json.objectWith([&](std::string_view key) { json.keep(key, rest); },
-                  JsonScanner::required("cells", [&] { cells = scanNeighbors(json); }),
-                  JsonScanner::required("poses", [&] { poses = scanPoses(json, file); }),
-                  JsonScanner::optional("truth", [&] { truth = scanTruth(json); }));
+                  member("cells", [&] { cells = scanNeighbors(json); }),
+                  member("poses", [&] { poses = scanPoses(json, file); }),
+                  optionalMember("truth", [&] { truth = scanTruth(json); }));
   json.finish();
 
   const JsonReader reader(rest, file);
@@ -205,7 +157,7 @@ Session sessionFromDocument(std::string_view text, const std::string& file) {
   NeighborList neighbors = readNeighbors(json.at("cells"));
   Session session(std::move(head.model), std::move(neighbors), std::move(head.source));
   for (const JsonReader& pose : json.at("poses").items()) {
-    session.addPose(readSessionPose(pose, [&] { return readSamples(pose.at("samples")); }));
+    session.addPose(readPose(pose, "id", [&] { return readSamples(pose.at("samples"), 0); }));
   }
   readTail(json, file, session);
   if (const auto truth = json.find("truth")) session.setTruth(readTruth(*truth));

@@ -40,7 +40,7 @@ class Names {
   /// The name of a patch or a cell, which no link of the robot may have.
   std::string ofOwnLink(const std::string& wanted) {
     if (links_.contains(wanted)) {
-      throw InvalidArgument(located("parent_link", message("\"{}\" is also the name of a link of the skin", wanted)));
+      throw InvalidArgument("parent_link", message("\"{}\" is also the name of a link of the skin", wanted));
     }
     return unique(wanted);
   }
@@ -120,6 +120,8 @@ CellBoxes cellBoxes(const SkinTree& tree) {
   }
   return boxes;
 }
+
+std::string boxName(const SkinTreeCell& cell, std::size_t box) { return cell.name + "_" + std::to_string(box + 1); }
 
 std::vector<SkinMaterial> skinMaterials() {
   std::vector<SkinMaterial> list;

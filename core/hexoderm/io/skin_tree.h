@@ -62,6 +62,8 @@ struct CellBoxes {
   std::array<SE3, 3> T_u_box;  ///< the front face is at z = 0 of the cell
 };
 CellBoxes cellBoxes(const SkinTree& tree);
+/// Of a box of a cell, counted from 1 in the name.
+std::string boxName(const SkinTreeCell& cell, std::size_t box);
 
 /// The colours of cells by the quality of their worst used link.
 struct SkinMaterial {

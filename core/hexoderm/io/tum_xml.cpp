@@ -22,13 +22,6 @@ constexpr double kFarthest_m = 1000;
 /// Tens of thousands of cells; an element of four bytes takes about 70 in memory.
 constexpr std::size_t kMostXmlMegabytes = 50;
 
-std::string_view trimmed(std::string_view text) {
-  constexpr std::string_view kSpace = " \t\r\n";
-  const std::size_t begin = text.find_first_not_of(kSpace);
-  if (begin == std::string_view::npos) return {};
-  return text.substr(begin, text.find_last_not_of(kSpace) - begin + 1);
-}
-
 /// Reads one file; knows where it is for its complaints.
 class TumReader {
  public:
@@ -36,14 +29,14 @@ class TumReader {
 
   TumSkinConfig read() {
     if (text_.size() > kMostXmlMegabytes * 1'000'000) {
-      throw FormatError(located(file_, message("is too large: at most {} MB of XML are read", kMostXmlMegabytes)));
+      throw FormatError(file_, message("is too large: at most {} MB of XML are read", kMostXmlMegabytes));
     }
     const pugi::xml_parse_result parsed = document_.load_buffer(text_.data(), text_.size());
     if (!parsed) {
-      throw FormatError(
-          located(file_, located(message("line {}", lineAt(parsed.offset)),
-                                 message("this is not well-formed XML ({}; truncated?), expected a TUM SkinConfig",
-                                         parsed.description()))));
+      throw FormatError(file_,
+                        located(message("line {}", lineAt(parsed.offset)),
+                                message("this is not well-formed XML ({}; truncated?), expected a TUM SkinConfig",
+                                        parsed.description())));
     }
     const pugi::xml_node root = document_.document_element();
     if (std::strcmp(root.name(), "SkinConfig") != 0) {
@@ -73,7 +66,7 @@ class TumReader {
 
   [[noreturn]] void fail(const pugi::xml_node& node, const std::string& where, Message what) const {
     if (!where.empty()) what = located(where, std::move(what));
-    throw FormatError(located(file_, located(message("line {}", lineAt(node.offset_debug())), std::move(what))));
+    throw FormatError(file_, located(message("line {}", lineAt(node.offset_debug())), std::move(what)));
   }
 
   [[nodiscard]] pugi::xml_node child(const pugi::xml_node& parent, const char* name, const std::string& where) const {
@@ -125,9 +118,7 @@ class TumReader {
 
   std::vector<NeighborReport> readNeighbors(const pugi::xml_node& node, CellId cell, const std::string& where) const {
     const unsigned id = wholeAttribute(node, "id", where + ", neighbors");
-    if (id != cell.value()) {
-      fail(node, where + ", neighbors", message("expected id=\"{}\", found {}", cell, id));
-    }
+    if (id != cell.value()) fail(node, where + ", neighbors", message("expected id=\"{}\", found {}", cell, id));
     std::vector<NeighborReport> neighbors;
     std::set<PortNumber> ports;
     for (const pugi::xml_node item : node.children("neighbor")) {

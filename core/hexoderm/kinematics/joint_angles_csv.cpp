@@ -21,13 +21,6 @@ constexpr std::size_t kMostRows = 1'000'000;
 constexpr std::size_t kMostColumns = 10'000;
 constexpr std::size_t kMostNumbers = 20'000'000;  // rows times columns, of 50 bytes each in memory
 
-std::string_view withoutBlanks(std::string_view text) {
-  constexpr std::string_view kBlanks = " \t\r";
-  const std::size_t begin = text.find_first_not_of(kBlanks);
-  if (begin == std::string_view::npos) return {};
-  return text.substr(begin, text.find_last_not_of(kBlanks) - begin + 1);
-}
-
 /// A unit as columns name it.
 struct ColumnUnit {
   std::string_view name;
@@ -61,8 +54,8 @@ std::optional<ColumnTitle> titleInBrackets(std::string_view title) {
   for (const std::string_view brackets : {"[]", "()"}) {
     const std::size_t open = title.rfind(brackets[0]);
     if (!title.ends_with(brackets[1]) || open == std::string_view::npos || open == 0) continue;
-    return ColumnTitle{std::string(withoutBlanks(title.substr(0, open))),
-                       std::string(withoutBlanks(title.substr(open + 1, title.size() - open - 2)))};
+    return ColumnTitle{std::string(trimmed(title.substr(0, open))),
+                       std::string(trimmed(title.substr(open + 1, title.size() - open - 2)))};
   }
   return std::nullopt;
 }
@@ -94,8 +87,7 @@ class JointAnglesReader {
         fail(message("the table is too large"));
       }
     }
-    if (table.rows.empty())
-      throw FormatError(located(file_, message("expected a line for each pose, but there is none")));
+    if (table.rows.empty()) throw FormatError(file_, message("expected a line for each pose, but there is none"));
     return table;
   }
 
@@ -107,7 +99,7 @@ class JointAnglesReader {
   };
 
   [[noreturn]] void fail(Message what) const {
-    throw FormatError(located(file_, located(message("line {}", line_number_), std::move(what))));
+    throw FormatError(file_, located(message("line {}", line_number_), std::move(what)));
   }
   [[noreturn]] void failIn(std::string_view column, Message what) const {
     fail(located(message("column {}", excerptOf(column)), std::move(what)));
@@ -117,11 +109,11 @@ class JointAnglesReader {
   bool nextLine() {
     while (!rest_.empty()) {
       const std::size_t end = std::min(rest_.find('\n'), rest_.size());
-      line_ = withoutBlanks(rest_.substr(0, end));
+      line_ = trimmed(rest_.substr(0, end));
       rest_.remove_prefix(std::min(end + 1, rest_.size()));
       ++line_number_;
       if (line_.starts_with('#')) {
-        readComment(withoutBlanks(line_.substr(1)));
+        readComment(trimmed(line_.substr(1)));
       } else if (!line_.empty()) {
         return true;
       }
@@ -132,7 +124,7 @@ class JointAnglesReader {
   void readComment(std::string_view comment) {
     for (const std::string_view word : {"units:", "unit:"}) {
       if (!comment.starts_with(word)) continue;
-      const std::string_view name = withoutBlanks(comment.substr(word.size()));
+      const std::string_view name = trimmed(comment.substr(word.size()));
       const ColumnUnit* unit = unitNamed(name);
       if (unit == nullptr || unit->of != ColumnUnit::Of::Angle) {
         fail(message("expected the unit of the angles, deg or rad, found {}", excerptOf(name)));
@@ -145,14 +137,12 @@ class JointAnglesReader {
   std::vector<std::string> fields() const {
     std::optional<std::vector<std::string>> result = csvFields(line_, separator_);
     if (!result) fail(message("expected fields separated by commas; a quote is not closed"));
-    for (std::string& field : *result) field = std::string(withoutBlanks(field));
+    for (std::string& field : *result) field = std::string(trimmed(field));
     return std::move(*result);
   }
 
   void readHeader() {
-    if (!nextLine()) {
-      throw FormatError(located(file_, message("is empty; expected a line with the names of the joints")));
-    }
+    if (!nextLine()) throw FormatError(file_, message("is empty; expected a line with the names of the joints"));
     for (const char separator : {',', ';', '\t'}) {
       if (line_.find(separator) == std::string_view::npos) continue;
       separator_ = separator;

@@ -34,15 +34,15 @@ std::string readRegularFile(const std::filesystem::path& file, std::uintmax_t ma
   std::error_code error;
   const auto status = std::filesystem::status(file, error);
   if (status.type() == std::filesystem::file_type::not_found) {
-    throw StorageError(located(file.string(), message("there is no such mesh file")));
+    throw StorageError(file.string(), message("there is no such mesh file"));
   }
-  if (error) throw StorageError(located(file.string(), message("cannot be read: {}", systemReason(error))));
+  if (error) throw StorageError(file.string(), message("cannot be read: {}", systemReason(error)));
   if (status.type() != std::filesystem::file_type::regular) {
-    throw StorageError(located(file.string(), message("expected a mesh file, but this is none")));
+    throw StorageError(file.string(), message("expected a mesh file, but this is none"));
   }
   // The kernel's own files state no size, and reading some of them waits for events that never come.
   if (std::filesystem::file_size(file, error) == 0) {
-    throw StorageError(located(file.string(), message("expected a mesh file, but this one is empty")));
+    throw StorageError(file.string(), message("expected a mesh file, but this one is empty"));
   }
   return readFile(file, max_bytes);
 }
@@ -78,7 +78,7 @@ TriangleMesh readMeshFile(const std::filesystem::path& file) {
   try {
     return readMesh(readRegularFile(file, kMostFileBytes), file);
   } catch (const std::bad_alloc&) {
-    throw StorageError(located(file.string(), message("takes more memory than there is")));
+    throw StorageError(file.string(), message("takes more memory than there is"));
   }
 }
 

@@ -75,7 +75,7 @@ urdf::ModelInterfaceSharedPtr parseByUrdfdom(std::string_view text, const std::s
   const urdf::ModelInterfaceSharedPtr model = urdf::parseURDF(std::string(text));
   if (!model) {
     const std::string why = words.first().empty() ? "no reason given" : shortened(words.first(), 300);
-    throw FormatError(located(file, message("this is no valid URDF; urdfdom says: {}", why)));
+    throw FormatError(file, message("this is no valid URDF; urdfdom says: {}", why));
   }
   return model;
 }
@@ -121,13 +121,12 @@ class UrdfConverter {
              link_index_.contains(joint->child_link_name);
     }
     if (same) return;
-    throw FormatError(
-        located(file_, message("urdfdom reads other links or joints in it than this program: an element or "
-                               "an attribute is probably malformed, or there twice")));
+    throw FormatError(file_, message("urdfdom reads other links or joints in it than this program: an element or "
+                                     "an attribute is probably malformed, or there twice"));
   }
 
   [[noreturn]] void fail(Message what) const {
-    throw FormatError(located(file_, located(message("line {}", line_), located(place_, std::move(what)))));
+    throw FormatError(file_, located(message("line {}", line_), located(place_, std::move(what))));
   }
 
   [[nodiscard]] Eigen::Vector3d vectorOf(const urdf::Vector3& v, double most, Message expected) const {
@@ -471,9 +470,9 @@ std::size_t RobotModel::linkNamed(std::string_view name) const {
   std::vector<std::string> names;
   for (const RobotLink& link : links()) names.push_back(link.name);
   const std::optional<std::string> meant = nearMatch(name, names);
-  throw InvalidArgument(located(file().string(), inRow({message("the robot has no link {}", excerptOf(name)),
-                                                        meant ? message("did you mean {}?", *meant) : Message()},
-                                                       "; ")));
+  throw InvalidArgument(file().string(), inRow({message("the robot has no link {}", excerptOf(name)),
+                                                meant ? message("did you mean {}?", *meant) : Message()},
+                                               "; "));
 }
 
 std::size_t RobotModel::jointNamed(std::string_view name) const {
@@ -481,9 +480,9 @@ std::size_t RobotModel::jointNamed(std::string_view name) const {
   std::vector<std::string> names;
   for (const RobotJoint& joint : joints()) names.push_back(joint.name);
   const std::optional<std::string> meant = nearMatch(name, names);
-  throw InvalidArgument(located(file().string(), inRow({message("the robot has no joint {}", excerptOf(name)),
-                                                        meant ? message("did you mean {}?", *meant) : Message()},
-                                                       "; ")));
+  throw InvalidArgument(file().string(), inRow({message("the robot has no joint {}", excerptOf(name)),
+                                                meant ? message("did you mean {}?", *meant) : Message()},
+                                               "; "));
 }
 
 std::vector<SE3> RobotModel::forward(const JointAngles& angles) const {

@@ -31,7 +31,7 @@ class UrdfChecker {
 
   UrdfDocument check() {
     if (text_.size() > kMostUrdfMegabytes * 1'000'000) {
-      throw FormatError(located(file_, message("is too large: at most {} MB of XML are read", kMostUrdfMegabytes)));
+      throw FormatError(file_, message("is too large: at most {} MB of XML are read", kMostUrdfMegabytes));
     }
     const pugi::xml_parse_result parsed = document_.load_buffer(text_.data(), text_.size());
     if (!parsed) {

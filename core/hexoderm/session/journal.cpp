@@ -60,7 +60,7 @@ Json sayCapture(const SessionPose& pose, std::size_t place, JournalEntry& entry)
   try {
     entry.samples = encodeSamples(capture.samples);
   } catch (const InvalidArgument& error) {
-    throw InvalidArgument(located(message("pose {}", capture.id), error.message()));
+    throw InvalidArgument(message("pose {}", capture.id), error.message());
   }
   Json detail = {{"pose", capture.id.value()}, {"place", place}, {"cells", capture.samples.size()}};
   if (!capture.label.empty()) writeMessage(detail, "label", capture.label);
@@ -91,9 +91,7 @@ std::int64_t JournalState::captureAt(std::size_t index) const {
 
 std::size_t JournalState::placeOf(std::int64_t capture) const {
   const auto found = std::ranges::find(captures_, capture);
-  if (found == captures_.end()) {
-    throw InvalidArgument(message("entry {} is no pose of the session", capture));
-  }
+  if (found == captures_.end()) throw InvalidArgument(message("entry {} is no pose of the session", capture));
   return static_cast<std::size_t>(found - captures_.begin());
 }
 
@@ -118,21 +116,21 @@ std::string JournalState::rawSha256(std::int64_t capture) const {
 void JournalState::read(const JournalEntry& entry, const std::string& file) {
   const std::string where = file + ": journal entry " + std::to_string(entry.entry);
   if (entry.entry != last_entry_ + 1) {
-    throw FormatError(located(where, message("the file is damaged: expected entry {}", last_entry_ + 1)));
+    throw FormatError(where, message("the file is damaged: expected entry {}", last_entry_ + 1));
   }
   if (entry.digest != entry.expectedDigest(digest_)) {
-    throw FormatError(located(where, message("the file is damaged: what it holds does not match its digest")));
+    throw FormatError(where, message("the file is damaged: what it holds does not match its digest"));
   }
   if (entry.samples.has_value() != (entry.kind == "capture")) {
-    throw FormatError(located(where, message("expected samples in captures and nowhere else")));
+    throw FormatError(where, message("expected samples in captures and nowhere else"));
   }
   if (!hasSkin() && entry.kind != "skin") {
-    throw FormatError(located(where, message("expected the skin first, found \"{}\"", entry.kind)));
+    throw FormatError(where, message("expected the skin first, found \"{}\"", entry.kind));
   }
   try {
     apply(entry, where);
   } catch (const InvalidArgument& error) {
-    throw FormatError(located(where, error.message()));
+    throw FormatError(where, error.message());
   }
   last_entry_ = entry.entry;
   edited_at_ms_ = entry.at_ms;
@@ -156,9 +154,9 @@ void JournalState::apply(const JournalEntry& entry, const std::string& where) {
   } else if (entry.kind == "options") {
     options_ = entry.detail;
   } else {
-    throw FormatError(located(where, message("kind: expected capture, remove, restore, disable, enable, joints, mute, "
-                                             "unmute, robot, placement, skin, source, truth or options, found \"{}\"",
-                                             entry.kind.substr(0, 40))));
+    throw FormatError(where, message("kind: expected capture, remove, restore, disable, enable, joints, mute, "
+                                     "unmute, robot, placement, skin, source, truth or options, found \"{}\"",
+                                     entry.kind.substr(0, 40)));
   }
 }
 
@@ -176,8 +174,7 @@ bool JournalState::applyLarge(const JournalEntry& entry) {
     const auto model = [&] {
       skin.model = std::make_shared<const CellModel>(readCellModel(JsonReader(json.document(), "cell model")));
     };
-    json.object(JsonScanner::required("cell_model", model),
-                JsonScanner::required("cells", [&] { skin.neighbors = scanNeighbors(json); }));
+    json.object(member("cell_model", model), member("cells", [&] { skin.neighbors = scanNeighbors(json); }));
     json.finish();
     apply(SessionEdit(std::move(skin)), entry.entry);
     return true;
@@ -196,18 +193,7 @@ std::optional<SessionEdit> JournalState::editIn(const JournalEntry& entry, const
                    readNeighbors(json.at("cells"))};
   }
   if (kind == "capture") {
-    PoseCapture capture;
-    // One below the largest number, so that there is always an ID for the next pose.
-    capture.id = PoseId(json.at("pose").unsignedInteger(0, UINT32_MAX - 1));
-    if (json.find("label")) capture.label = readMessage(json, "label");
-    if (const auto taken = json.find("taken_at_ms")) capture.taken_at_ms = taken->integer();
-    capture.samples = decodeSamples(*entry.samples, where);
-    const auto disabled = json.find("disabled");
-    const auto why = json.find("why_disabled");
-    const auto joints = json.find("joint_angles");
-    return AddPose{{std::make_shared<const PoseCapture>(std::move(capture)), disabled && disabled->boolean(),
-                    why ? why->string() : std::string(), joints ? readJointAngles(*joints) : JointAngles()},
-                   placeIn(json)};
+    return AddPose{readPose(json, "pose", [&] { return decodeSamples(*entry.samples, where); }), placeIn(json)};
   }
   if (kind == "remove") return RemovePose{placeOf(captureOf(json))};
   if (kind == "restore") return RestorePose{removedBy(captureOf(json)).pose, placeIn(json)};

@@ -1,8 +1,8 @@
 #include "hexoderm/session/patch_on_link.h"
 
 #include "hexoderm/geometry/covariance.h"
-#include "hexoderm/geometry/is_rotation.h"
 #include "hexoderm/util/error.h"
+#include "hexoderm/util/is_rotation.h"
 #include "hexoderm/util/limits.h"
 #include "hexoderm/util/message.h"
 
@@ -10,7 +10,7 @@ namespace hexoderm {
 namespace {
 
 [[noreturn]] void failPlacement(CellId origin, Message why) {
-  throw InvalidArgument(located(message("the patch of cell {}", origin), std::move(why)));
+  throw InvalidArgument(message("the patch of cell {}", origin), std::move(why));
 }
 
 bool isSigmaOfLength(double sigma_m) { return sigma_m > 0 && sigma_m <= kMostLength_m; }

@@ -68,7 +68,7 @@ class Reader {
     return value;
   }
   [[nodiscard]] bool atEnd() const { return rest_.empty(); }
-  [[noreturn]] void fail(const Message& what) const { throw FormatError(located(where_, what)); }
+  [[noreturn]] void fail(const Message& what) const { throw FormatError(where_, what); }
 
  private:
   std::span<const std::uint8_t> rest_;

@@ -6,9 +6,7 @@ namespace hexoderm {
 namespace {
 
 const SessionPose& poseAt(const Session& session, std::size_t index) {
-  if (index >= session.poses().size()) {
-    throw InvalidArgument(message("there is no pose at place {}", index));
-  }
+  if (index >= session.poses().size()) throw InvalidArgument(message("there is no pose at place {}", index));
   return session.poses()[index];
 }
 

@@ -3,6 +3,7 @@
 #include "hexoderm/geometry/covariance.h"
 #include "hexoderm/util/error.h"
 #include "hexoderm/util/limits.h"
+#include "hexoderm/util/message_json.h"
 
 #include <algorithm>
 #include <cmath>
@@ -13,25 +14,63 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-CellReport readCell(const JsonReader& json) {
-  CellReport report;
-  report.id = CellId(json.at("id").unsignedInteger());
-  if (const auto part = json.find("body_part")) report.body_part = part->string();
-  for (const JsonReader& port : json.at("ports").items()) {
-    NeighborReport neighbor{PortNumber(port.at("port").unsignedInteger()), CellId(port.at("cell").unsignedInteger()),
-                            std::nullopt};
-    if (const auto cell_port = port.find("cell_port")) neighbor.cell_port = PortNumber(cell_port->unsignedInteger());
-    report.neighbors.push_back(neighbor);
-  }
-  return report;
+/// What a cell has, as a rule.
+constexpr std::size_t kUsualPorts = 6;
+
+template <class In>
+NeighborList neighborsFrom(In& json) {
+  NeighborList neighbors;
+  json.eachItem([&](auto& cell) {
+    CellReport& report = neighbors.emplace_back();
+    const auto ports = [&](auto& items) {
+      report.neighbors.reserve(kUsualPorts);
+      items.eachItem([&](auto& port) {
+        NeighborReport& neighbor = report.neighbors.emplace_back();
+        port.object(member("port", into(neighbor.port)), member("cell", into(neighbor.cell)),
+                    optionalMember("cell_port", into(neighbor.cell_port)));
+      });
+    };
+    cell.object(member("id", into(report.id)), optionalMember("body_part", into(report.body_part)),
+                member("ports", ports));
+  });
+  neighbors.shrink_to_fit();
+  return neighbors;
+}
+
+template <class In>
+GroundTruth truthFrom(In& json) {
+  GroundTruth truth;
+  const auto cells = [&](auto& items) {
+    items.eachItem([&](auto& item) {
+      TrueCellPlacement& cell = truth.cells.emplace_back();
+      item.object(member("id", into(cell.id)), member("R", [&](auto& in) { cell.T_b_u.R = in.rotation(); }),
+                  member("t_m", [&](auto& in) { cell.T_b_u.t = in.vector3(kMostLength_m); }));
+    });
+  };
+  json.object(optionalMember("frame", into(truth.frame)), member("cells", cells));
+  truth.cells.shrink_to_fit();
+  return truth;
 }
 
 }  // namespace
 
-NeighborList readNeighbors(const JsonReader& json) {
-  NeighborList neighbors;
-  for (const JsonReader& cell : json.items()) neighbors.push_back(readCell(cell));
-  return neighbors;
+NeighborList readNeighbors(const JsonReader& json) { return neighborsFrom(json); }
+NeighborList scanNeighbors(JsonScanner& json) { return neighborsFrom(json); }
+
+void writeNeighbors(const NeighborList& neighbors, JsonWriter& json) {
+  json.array(neighbors, [&](const CellReport& report) {
+    json.beginObject();
+    json.member("id", report.id.value());
+    if (!report.body_part.empty()) json.member("body_part", report.body_part);
+    json.arrayMember("ports", report.neighbors, [&](const NeighborReport& neighbor) {
+      json.beginObject();
+      json.member("port", neighbor.port.value());
+      json.member("cell", neighbor.cell.value());
+      if (neighbor.cell_port) json.member("cell_port", neighbor.cell_port->value());
+      json.endObject();
+    });
+    json.endObject();
+  });
 }
 
 MutedLink readMutedLink(const JsonReader& json) {
@@ -96,9 +135,7 @@ Json robotJson(const std::optional<RobotDescription>& robot) {
   if (!robot) return json;
   json["urdf"] = robot->urdf;
   json["sha256"] = robot->sha256;
-  for (const auto& [name, folder] : robot->packages) {
-    json["packages"].push_back({{"name", name}, {"folder", folder}});
-  }
+  for (const auto& [name, folder] : robot->packages) json["packages"].push_back({{"name", name}, {"folder", folder}});
   return json;
 }
 
@@ -106,14 +143,7 @@ void readPlace(const JsonReader& json, PatchOnLink& place) {
   place.T_l_o = {json.at("R").rotation(), json.at("t_m").vector3(kMostLength_m)};
   const auto cov = json.find("cov_t_r");
   if (!cov) return;
-  const std::vector<double> values = cov->numbers(21);
-  Matrix6d cov_t_r;
-  std::size_t next = 0;
-  for (Eigen::Index row = 0; row < 6; ++row) {
-    for (Eigen::Index column = row; column < 6; ++column) {
-      cov_t_r(row, column) = cov_t_r(column, row) = values[next++];
-    }
-  }
+  const Matrix6d cov_t_r = fromUpperTriangle<6>(cov->numbers<21>());
   if (!isCovariance(cov_t_r)) cov->fail(message("a covariance (positive semidefinite)"));
   place.cov_t_r = cov_t_r;
 }
@@ -121,11 +151,7 @@ void readPlace(const JsonReader& json, PatchOnLink& place) {
 void writePlace(const PatchOnLink& place, Json& json) {
   json["R"] = toJson(place.T_l_o.R);
   json["t_m"] = toJson(place.T_l_o.t);
-  if (!place.cov_t_r) return;
-  json["cov_t_r"] = Json::array();
-  for (Eigen::Index row = 0; row < 6; ++row) {
-    for (Eigen::Index column = row; column < 6; ++column) json["cov_t_r"].push_back((*place.cov_t_r)(row, column));
-  }
+  if (place.cov_t_r) json["cov_t_r"] = upperTriangle(*place.cov_t_r);
 }
 
 PatchPlacement readPlacement(const JsonReader& json) {
@@ -195,16 +221,51 @@ Json placementsJson(const std::vector<PatchPlacement>& placements) {
   return json;
 }
 
+SessionPose readPose(const JsonReader& json, const std::string& id_key,
+                     const std::function<std::vector<GravitySample>()>& take_samples) {
+  PoseCapture capture;
+  // One below the largest number, so that there is always an ID for the next pose.
+  capture.id = PoseId(json.at(id_key).unsignedInteger(0, UINT32_MAX - 1));
+  if (json.find("label")) capture.label = readMessage(json, "label");
+  if (const auto taken = json.find("taken_at_ms")) capture.taken_at_ms = taken->integer();
+  capture.samples = take_samples();
+  SessionPose pose{std::make_shared<const PoseCapture>(std::move(capture))};
+  if (const auto disabled = json.find("disabled")) pose.disabled = disabled->boolean();
+  if (const auto why = json.find("why_disabled")) pose.why_disabled = why->string();
+  if (const auto joints = json.find("joint_angles")) pose.joint_angles = readJointAngles(*joints);
+  return pose;
+}
+
 GroundTruth readTruth(const JsonReader& json) {
-  GroundTruth truth;
-  if (const auto frame = json.find("frame")) truth.frame = frame->string();
+  GroundTruth truth = truthFrom(json);
   std::set<CellId> known;
-  for (const JsonReader& cell : json.at("cells").items()) {
-    const CellId id(cell.at("id").unsignedInteger());
-    if (!known.insert(id).second) cell.at("id").fail(message("each cell once"));
-    truth.cells.push_back({id, {cell.at("R").rotation(), cell.at("t_m").vector3(kMostLength_m)}});
+  for (std::size_t k = 0; k < truth.cells.size(); ++k) {
+    if (!known.insert(truth.cells[k].id).second) json.at("cells").items()[k].failAt("id", message("each cell once"));
   }
   return truth;
+}
+
+GroundTruth scanTruth(JsonScanner& json) {
+  GroundTruth truth = truthFrom(json);
+  std::vector<CellId> ids;
+  ids.reserve(truth.cells.size());
+  for (const TrueCellPlacement& cell : truth.cells) ids.push_back(cell.id);
+  std::ranges::sort(ids);
+  if (std::ranges::adjacent_find(ids) != ids.end()) throw JsonScanner::Unusual();
+  return truth;
+}
+
+void writeTruth(const GroundTruth& truth, JsonWriter& json) {
+  json.beginObject();
+  json.member("frame", truth.frame);
+  json.arrayMember("cells", truth.cells, [&](const TrueCellPlacement& cell) {
+    json.beginObject();
+    json.member("id", cell.id.value());
+    json.member("R", cell.T_b_u.R);
+    json.member("t_m", cell.T_b_u.t);
+    json.endObject();
+  });
+  json.endObject();
 }
 
 }  // namespace hexoderm

@@ -8,6 +8,10 @@
 #include "hexoderm/util/json_scanner.h"
 #include "hexoderm/util/json_writer.h"
 
+#include <functional>
+#include <string>
+#include <vector>
+
 namespace hexoderm {
 
 /// An array of cells as reported. Reading throws FormatError with the key path.
@@ -38,9 +42,9 @@ nlohmann::ordered_json placementJson(const PatchPlacement& placement);
 std::vector<PatchPlacement> readPlacements(const JsonReader& json);
 nlohmann::ordered_json placementsJson(const std::vector<PatchPlacement>& placements);
 
-/// As JsonReader::vector3() and rotation().
-Eigen::Vector3d scanVector3(JsonScanner& json, double most);
-Eigen::Matrix3d scanRotation(JsonScanner& json);
+/// A pose but for its samples, which `take_samples` returns; `id_key`: of its number.
+SessionPose readPose(const JsonReader& json, const std::string& id_key,
+                     const std::function<std::vector<GravitySample>()>& take_samples);
 
 GroundTruth readTruth(const JsonReader& json);
 GroundTruth scanTruth(JsonScanner& json);

@@ -109,24 +109,21 @@ void forEachOperationThatMakes(const Session& session, Visit visit) {
   visit(SetSource{session.source()});
   if (session.truth()) visit(SetTruth{*session.truth()});
   for (const SessionPose& pose : session.poses()) visit(AddPose{pose});
-  for (const MutedLink& link : session.mutedLinks()) {
-    visit(SetLinkMuted{link.source, link.target, true, link.why});
-  }
+  for (const MutedLink& link : session.mutedLinks()) visit(SetLinkMuted{link.source, link.target, true, link.why});
   if (session.robot()) visit(SetRobot{session.robot()});
   for (const PatchPlacement& placement : session.placements()) visit(SetPatchPlacement{placement});
 }
 
 [[noreturn]] void failExists(const std::filesystem::path& path) {
-  throw StorageError(located(path.string(), message("exists already, and what a session has captured is never "
-                                                    "replaced: take another name, or remove the file first")));
+  throw StorageError(path.string(), message("exists already, and what a session has captured is never "
+                                            "replaced: take another name, or remove the file first"));
 }
 
 /// Not even a link that leads nowhere: it is somebody's.
 void requireNothingAt(const std::filesystem::path& path) {
   struct stat status {};
   if (::lstat(path.c_str(), &status) == 0) failExists(path);
-  if (errno != ENOENT)
-    throw StorageError(located(path.string(), message("cannot be written: {}", systemReason(errno))));
+  if (errno != ENOENT) throw StorageError(path.string(), message("cannot be written: {}", systemReason(errno)));
   requireNothingBeside(path);
 }
 
@@ -164,7 +161,7 @@ void writeSessionStore(const Session& session, const std::filesystem::path& path
       forEachOperationThatMakes(session,
                                 [&](const StoreOperation& operation) { write(database, operation, at_ms, journal); });
     } catch (const InvalidArgument& error) {
-      throw InvalidArgument(located(path.string(), error.message()));
+      throw InvalidArgument(path.string(), error.message());
     }
     transaction.commit();
     database.run("PRAGMA journal_mode=WAL");
@@ -199,18 +196,17 @@ std::vector<SampleFrame> SessionStore::readRawSamples(std::size_t index) const {
   const std::string where = database.name() + ": raw samples of journal entry " + std::to_string(capture);
   Statement row(database, "SELECT frames FROM raw_samples WHERE entry = ?1");
   row.bind(1, capture);
-  if (!row.step()) throw FormatError(located(where, message("the file is damaged: they are missing")));
+  if (!row.step()) throw FormatError(where, message("the file is damaged: they are missing"));
   const auto frames = row.blob(0);
   if (sha256Hex({reinterpret_cast<const char*>(frames.data()), frames.size()}) != sha256) {
-    throw FormatError(located(where, message("the file is damaged: they do not match their digest")));
+    throw FormatError(where, message("the file is damaged: they do not match their digest"));
   }
   return decodeFrames(frames, where);
 }
 
 std::uint64_t SessionStore::append(std::span<const StoreOperation> operations) {
   if (state_->is_read_only) {
-    throw StorageError(
-        located(state_->path.string(), message("is open for reading only: save the session elsewhere to go on")));
+    throw StorageError(state_->path.string(), message("is open for reading only: save the session elsewhere to go on"));
   }
   if (operations.empty()) return revision();
   Database& database = state_->file.database;
@@ -251,10 +247,10 @@ bool isSessionStoreInUse(const std::filesystem::path& path) {
 
 void moveSessionStore(const std::filesystem::path& from, const std::filesystem::path& to) {
   const auto fail = [&](const Message& why) {
-    throw StorageError(located(from.string(), message("cannot be moved to {}: {}", to.string(), why)));
+    throw StorageError(from.string(), message("cannot be moved to {}: {}", to.string(), why));
   };
   if (isSessionStoreInUse(from))
-    throw StorageError(located(from.string(), message("is open in another window, close it there first")));
+    throw StorageError(from.string(), message("is open in another window, close it there first"));
   std::error_code error;
   for (const char* part : kParts) {
     if (std::filesystem::exists(with(to, part), error)) fail(message("something of that name is there"));

@@ -34,13 +34,13 @@ std::string immutableAddress(const std::string& path) {
 [[noreturn]] void throwError(int code, const std::string& name, const std::string& detail, int system_error) {
   const Message reason = system_error != 0 ? systemReason(system_error) : Message::verbatim(detail);
   const auto full = [&] {
-    return StorageError(
-        located(name, message("the disk is full: free some space and try again; what was stored before is intact")));
+    return StorageError(name,
+                        message("the disk is full: free some space and try again; what was stored before is intact"));
   };
   const auto read_only = [&] {
-    return StorageError(located(
+    return StorageError(
         name, message("cannot be written ({}): make the file and its folder writable, or save the session elsewhere",
-                      reason)));
+                      reason));
   };
   switch (code & 0xFF) {
     case SQLITE_NOMEM:
@@ -52,26 +52,24 @@ std::string immutableAddress(const std::string& path) {
     case SQLITE_AUTH:
       throw read_only();
     case SQLITE_CANTOPEN:
-      throw StorageError(located(name, message("cannot be opened: {}", reason)));
+      throw StorageError(name, message("cannot be opened: {}", reason));
     case SQLITE_BUSY:
     case SQLITE_LOCKED:
     case SQLITE_PROTOCOL:
-      throw StorageError(located(name, message("another program is writing to it: close that program and try again")));
+      throw StorageError(name, message("another program is writing to it: close that program and try again"));
     case SQLITE_IOERR:
       if (system_error == ENOSPC || system_error == EDQUOT) throw full();
       if (system_error == EROFS || system_error == EACCES) throw read_only();
       if (code == SQLITE_IOERR_SHORT_READ) {
-        throw FormatError(
-            located(name, message("the file ends in the middle (truncated?), expected a whole Hexoderm session")));
+        throw FormatError(name, message("the file ends in the middle (truncated?), expected a whole Hexoderm session"));
       }
-      throw StorageError(located(name, message("the disk does not read or write it ({}): check the disk and try again; "
-                                               "what was stored before is kept as far as the disk has it",
-                                               reason)));
+      throw StorageError(name, message("the disk does not read or write it ({}): check the disk and try again; "
+                                       "what was stored before is kept as far as the disk has it",
+                                       reason));
     case SQLITE_NOTADB:
-      throw FormatError(located(name, message("is not a Hexoderm session, expected an SQLite database (*.hexo)")));
+      throw FormatError(name, message("is not a Hexoderm session, expected an SQLite database (*.hexo)"));
     default:
-      throw FormatError(
-          located(name, message("the file is damaged, expected the database of a Hexoderm session ({})", detail)));
+      throw FormatError(name, message("the file is damaged, expected the database of a Hexoderm session ({})", detail));
   }
 }
 
@@ -173,7 +171,7 @@ void Database::fail(int code) const {
   throwError(code, name_, sqlite3_errmsg(handle()), from_system ? system_error : 0);
 }
 
-void Database::failFormat(const Message& what) const { throw FormatError(located(name_, what)); }
+void Database::failFormat(const Message& what) const { throw FormatError(name_, what); }
 
 void Statement::Finalize::operator()(sqlite3_stmt* statement) const noexcept { sqlite3_finalize(statement); }
 

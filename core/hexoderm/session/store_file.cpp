@@ -53,11 +53,9 @@ Locked tryLock(int descriptor, short type) {
 std::filesystem::path fileBehind(const std::filesystem::path& path, const std::string& name) {
   std::error_code error;
   std::filesystem::path real = std::filesystem::canonical(path, error);
-  if (error) throw StorageError(located(name, message("cannot be opened: {}", systemReason(error))));
-  if (std::filesystem::is_directory(real, error))
-    throw StorageError(located(name, message("is a folder, expected a file")));
-  if (!std::filesystem::is_regular_file(real, error))
-    throw StorageError(located(name, message("is not a file, expected one")));
+  if (error) throw StorageError(name, message("cannot be opened: {}", systemReason(error)));
+  if (std::filesystem::is_directory(real, error)) throw StorageError(name, message("is a folder, expected a file"));
+  if (!std::filesystem::is_regular_file(real, error)) throw StorageError(name, message("is not a file, expected one"));
   return real;
 }
 
@@ -71,7 +69,7 @@ bool hasJournal(const std::filesystem::path& file) {
 void requireContent(const std::filesystem::path& file, const std::string& name) {
   std::error_code error;
   if (std::filesystem::file_size(file, error) == 0 && !error && !hasJournal(file)) {
-    throw FormatError(located(name, message("the file is empty, expected a Hexoderm session")));
+    throw FormatError(name, message("the file is empty, expected a Hexoderm session"));
   }
 }
 
@@ -80,7 +78,7 @@ std::unique_ptr<StoreFile::RemoveFolder> copyToTemporaryFolder(const std::filesy
   try {
     std::string folder = (std::filesystem::temp_directory_path() / "hexoderm-read-XXXXXX").string();
     if (::mkdtemp(folder.data()) == nullptr)
-      throw StorageError(located(name, message("no copy can be made to read it: {}", systemReason(errno))));
+      throw StorageError(name, message("no copy can be made to read it: {}", systemReason(errno)));
     auto copy = std::make_unique<StoreFile::RemoveFolder>(folder);
     std::filesystem::copy_file(file, copy->path / "session.hexo");
     if (hasJournal(file)) std::filesystem::copy_file(file.string() + "-wal", copy->path / "session.hexo-wal");
@@ -90,7 +88,7 @@ std::unique_ptr<StoreFile::RemoveFolder> copyToTemporaryFolder(const std::filesy
     }
     return copy;
   } catch (const std::filesystem::filesystem_error& error) {
-    throw StorageError(located(name, message("no copy can be made to read it: {}", systemReason(error.code()))));
+    throw StorageError(name, message("no copy can be made to read it: {}", systemReason(error.code())));
   }
 }
 
@@ -142,14 +140,14 @@ StoreFile openUnchanged(const std::filesystem::path& path, const std::string& na
 
 StoreLock StoreLock::forWriting(const std::filesystem::path& path, const std::string& name) {
   const auto open_here = [&] {
-    return StorageError(located(name, message("is already open for writing in this Hexoderm: close it there first")));
+    return StorageError(name, message("is already open for writing in this Hexoderm: close it there first"));
   };
   if (isOpenDatabase(path)) throw open_here();
   StoreLock lock(::open(path.c_str(), O_RDWR | O_CLOEXEC));
   if (lock.descriptor_ < 0) {
-    throw StorageError(located(
+    throw StorageError(
         name, message("cannot be written: {}; make the file writable, or open it for reading and save it elsewhere",
-                      systemReason(errno))));
+                      systemReason(errno)));
   }
   const auto deadline = std::chrono::steady_clock::now() + kPatienceWithReaders;
   Locked locked = tryLock(lock.descriptor_, F_WRLCK);
@@ -162,15 +160,14 @@ StoreLock StoreLock::forWriting(const std::filesystem::path& path, const std::st
       break;
     case Locked::ByWriter:
       if (isOpenDatabase(path)) throw open_here();
-      throw StorageError(
-          located(name, message("another Hexoderm has it open for writing: close it there, or open it for reading")));
+      throw StorageError(name,
+                         message("another Hexoderm has it open for writing: close it there, or open it for reading"));
     case Locked::ByReader:
-      throw StorageError(
-          located(name, message("another Hexoderm is reading it: wait until it has done and try again")));
+      throw StorageError(name, message("another Hexoderm is reading it: wait until it has done and try again"));
     case Locked::NotPossible:
       throw StorageError(
-          located(name, message("cannot be locked against a second writer: {}; keep sessions on a disk of this machine",
-                                systemReason(errno))));
+          name, message("cannot be locked against a second writer: {}; keep sessions on a disk of this machine",
+                        systemReason(errno)));
   }
   addOpenDatabase(lock.descriptor_);
   lock.is_writer_ = true;
@@ -180,7 +177,7 @@ StoreLock StoreLock::forWriting(const std::filesystem::path& path, const std::st
 std::optional<StoreLock> StoreLock::forReading(const std::filesystem::path& path, const std::string& name) {
   if (isOpenDatabase(path)) return std::nullopt;
   StoreLock lock(::open(path.c_str(), O_RDONLY | O_CLOEXEC));
-  if (lock.descriptor_ < 0) throw StorageError(located(name, message("cannot be read: {}", systemReason(errno))));
+  if (lock.descriptor_ < 0) throw StorageError(name, message("cannot be read: {}", systemReason(errno)));
   // A file system without locks has no second reader to be careful of either.
   if (tryLock(lock.descriptor_, F_RDLCK) == Locked::ByWriter) return std::nullopt;
   return lock;
@@ -211,8 +208,8 @@ StoreFile openStoreForWriting(const std::filesystem::path& path, Migrations migr
   const std::string damage = database.text("PRAGMA quick_check(1)");
   if (damage != "ok") database.failFormat(message("the file is damaged, expected a whole database: {}", damage));
   if (database.text("PRAGMA journal_mode=WAL") != "wal") {
-    throw StorageError(
-        located(name, message("its file system can't keep a journal (WAL): keep sessions on a disk of this machine")));
+    throw StorageError(name,
+                       message("its file system can't keep a journal (WAL): keep sessions on a disk of this machine"));
   }
   database.run("PRAGMA synchronous=FULL");
   migrate(database, migrations);

@@ -66,7 +66,7 @@ void closeWhenHarmless(int descriptor, bool is_writer) {
 
 std::string firstBytes(const std::filesystem::path& path, std::size_t count) {
   const int descriptor = ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
-  if (descriptor < 0) throw StorageError(located(path.string(), message("cannot be read: {}", systemReason(errno))));
+  if (descriptor < 0) throw StorageError(path.string(), message("cannot be read: {}", systemReason(errno)));
   std::string bytes(count, '\0');
   const ssize_t found = ::pread(descriptor, bytes.data(), bytes.size(), 0);
   closeWhenHarmless(descriptor, false);

@@ -6,6 +6,7 @@
 #include <memory>
 #include <stdexcept>
 #include <string>
+#include <utility>
 
 namespace hexoderm {
 
@@ -16,6 +17,7 @@ namespace hexoderm {
 class Error : public std::runtime_error {
  public:
   explicit Error(Message message);  ///< a text that is translated where it is shown
+  Error(MessageArgument place, Message what) : Error(located(std::move(place), std::move(what))) {}
   /// A text that is not translated: for mistakes of a caller, and for the words of others.
   explicit Error(const std::string& verbatim) : Error(Message::verbatim(verbatim)) {}
   /// What is wrong, where, and what was expected.

@@ -21,7 +21,7 @@ namespace hexoderm {
 namespace {
 
 [[noreturn]] void failToWrite(const std::filesystem::path& path, const Message& why) {
-  throw StorageError(located(path.string(), message("cannot be written: {}", why)));
+  throw StorageError(path.string(), message("cannot be written: {}", why));
 }
 
 /// What lies at a path, links followed; nullopt if there is nothing.
@@ -32,9 +32,9 @@ std::optional<struct stat> statusAt(const std::filesystem::path& path) {
   std::error_code error;
   const std::filesystem::path target = std::filesystem::read_symlink(path, error);
   if (error) return std::nullopt;
-  throw StorageError(located(path.string(), message("is a link to {}, where there is nothing: make that file or remove "
-                                                    "the link first",
-                                                    target.string())));
+  throw StorageError(path.string(), message("is a link to {}, where there is nothing: make that file or remove "
+                                            "the link first",
+                                            target.string()));
 }
 
 /// The file itself where `path` is a link to it.
@@ -97,14 +97,13 @@ void writeDocument(const std::filesystem::path& path, const ProduceBytes& produc
   requireReplaceable(path, path.string());
   const std::optional<struct stat> earlier = statusAt(path);
   if (!earlier) return writeNew(path, path.string(), produce, whole, earlier);
-  if (S_ISDIR(earlier->st_mode))
-    throw StorageError(located(path.string(), message("is a folder, cannot be written as a file")));
+  if (S_ISDIR(earlier->st_mode)) throw StorageError(path.string(), message("is a folder, cannot be written as a file"));
   if (S_ISFIFO(earlier->st_mode) || S_ISCHR(earlier->st_mode)) {
     before_device();
     return writeInto(path, produce);
   }
   if (!S_ISREG(earlier->st_mode))
-    throw StorageError(located(path.string(), message("is a disk or a socket, nothing is written to it")));
+    throw StorageError(path.string(), message("is a disk or a socket, nothing is written to it"));
   if (::faccessat(AT_FDCWD, path.c_str(), W_OK, AT_EACCESS) != 0) failToWrite(path, systemReason(errno));
   writeNew(fileItself(path), path.string(), produce, whole, earlier);
 }
@@ -115,12 +114,11 @@ std::string readFile(const std::filesystem::path& path, std::uintmax_t most) {
   const FileDescriptor file(::open(path.c_str(), O_RDONLY | O_NOCTTY | O_CLOEXEC));
   struct stat status {};
   if (!file.valid() || ::fstat(file.get(), &status) != 0)
-    throw StorageError(located(path.string(), message("cannot be read: {}", systemReason(errno))));
-  if (S_ISDIR(status.st_mode)) throw StorageError(located(path.string(), message("is a folder, expected a file")));
+    throw StorageError(path.string(), message("cannot be read: {}", systemReason(errno)));
+  if (S_ISDIR(status.st_mode)) throw StorageError(path.string(), message("is a folder, expected a file"));
   const auto refuse = [&] {
     constexpr std::uintmax_t kMegabyte = 1'000'000;
-    throw FormatError(
-        located(path.string(), message("is too large or does not end: at most {} MB are read", most / kMegabyte)));
+    throw FormatError(path.string(), message("is too large or does not end: at most {} MB are read", most / kMegabyte));
   };
   noteRead(path);
   std::string content;
@@ -132,7 +130,7 @@ std::string readFile(const std::filesystem::path& path, std::uintmax_t most) {
   while (true) {
     const ssize_t count = ::read(file.get(), buffer.data(), buffer.size());
     if (count < 0 && errno == EINTR) continue;
-    if (count < 0) throw StorageError(located(path.string(), message("cannot be read: {}", systemReason(errno))));
+    if (count < 0) throw StorageError(path.string(), message("cannot be read: {}", systemReason(errno)));
     if (count == 0) return content;
     content.append(buffer.data(), static_cast<std::size_t>(count));
     if (content.size() > most) refuse();

@@ -68,16 +68,30 @@ enum class FindingCode {
   NotConverged,
 };
 
-/// A kind of finding, for documents and help.
+/// What an operator can do about a finding with the program itself, about the link, the pose or the cell that the
+/// finding names. Whether it can be done just now depends on the session and the device.
+enum class FindingRemedy {
+  MuteLink,       ///< or let it in again, where it is set aside
+  DisablePose,    ///< or enable it
+  RecapturePose,  ///< the next capture takes its place
+  TakePose,
+  LightCell,  ///< on the skin itself, to find it
+};
+
+/// A kind of finding, for documents and help: what stands behind it, and what helps.
 struct FindingDescription {
   FindingCode code;
   std::string_view name;  ///< as written in files, for example "one-sided-link"
   Severity severity;
-  Message meaning;  ///< one sentence
+  Message meaning;     ///< one sentence
+  Message why;         ///< why the program thinks so; one sentence or two
+  Message what_to_do;  ///< for a person at the skin
+  std::vector<FindingRemedy> remedies;
 };
 
 /// One entry per code, in the order of the enumeration.
 std::span<const FindingDescription> findingTable();
+const FindingDescription& adviceOn(FindingCode code);             ///< the entry of a kind of finding
 std::string_view codeName(FindingCode code);                      ///< the code's name in files
 std::optional<FindingCode> codeFromName(std::string_view name);   ///< nothing for a name that is none
 std::string_view severityName(Severity severity);                 ///< the severity's name in files

@@ -2,20 +2,17 @@
 
 #include "hexoderm/util/error.h"
 #include "hexoderm/util/file.h"
+#include "hexoderm/util/is_rotation.h"
 #include "hexoderm/util/json_writer.h"
 #include "hexoderm/util/near_match.h"
 #include "hexoderm/util/text.h"
 
-#include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
 namespace hexoderm {
 namespace {
-
-/// How far the numbers of a rotation may be off.
-constexpr double kOrthogonalTo = 1e-6;
 
 /// A value in a complaint.
 Message inFewWords(const nlohmann::json& value) {
@@ -230,19 +227,19 @@ bool isNotFinite(std::string_view word) {
 
 [[noreturn]] void throwParseError(std::string_view text, const std::string& file, const PathTracker& tracker) {
   if (text.find_first_not_of(" \t\r\n") == std::string_view::npos) {
-    throw FormatError(located(file, message("the file is empty, expected JSON")));
+    throw FormatError(file, message("the file is empty, expected JSON"));
   }
   constexpr std::size_t kLongestToken = 40;
   const PathTracker::Fault fault = tracker.fault().value_or(PathTracker::Fault());
   const std::string path = tracker.path();
   if (!fault.is_syntax) {
-    throw FormatError(located(file, located(placeOf(path), message("expected a finite number, found {}",
-                                                                   fault.last_token.substr(0, kLongestToken)))));
+    throw FormatError(file, located(placeOf(path), message("expected a finite number, found {}",
+                                                           fault.last_token.substr(0, kLongestToken))));
   }
   const std::size_t position = std::min(fault.position == 0 ? 0 : fault.position - 1, text.size());
   const std::string word = wordAround(text, position);
   if (isNotFinite(word)) {
-    throw FormatError(located(file, located(placeOf(path), message("expected a finite number, found {}", word))));
+    throw FormatError(file, located(placeOf(path), message("expected a finite number, found {}", word)));
   }
   const std::string_view before = text.substr(0, position);
   const auto line = std::ranges::count(before, '\n') + 1;
@@ -250,10 +247,10 @@ bool isNotFinite(std::string_view word) {
   const std::size_t column = before.size() - (line_start == std::string_view::npos ? 0 : line_start + 1) + 1;
   Message place = path.empty() ? message("line {}, column {}", line, column)
                                : message("line {}, column {}, at {}", line, column, path);
-  throw FormatError(located(
+  throw FormatError(
       file, located(std::move(place), fault.position > text.size()
                                           ? message("the file ends in the middle (truncated?), expected complete JSON")
-                                          : message("this is not JSON, expected a JSON value here"))));
+                                          : message("this is not JSON, expected a JSON value here")));
 }
 
 }  // namespace
@@ -261,15 +258,14 @@ bool isNotFinite(std::string_view word) {
 nlohmann::json parseJson(std::string_view text, const std::string& file, std::size_t most_values,
                          std::size_t levels_above) {
   if (text.size() > kMostFileBytes) {
-    throw FormatError(
-        located(file, message("something in it is wrong or unusual; what it is, is looked for in files of "
-                              "up to {} MB only",
-                              kMostFileBytes / 1'000'000)));
+    throw FormatError(file, message("something in it is wrong or unusual; what it is, is looked for in files of "
+                                    "up to {} MB only",
+                                    kMostFileBytes / 1'000'000));
   }
   DocumentBuilder builder(most_values, levels_above);
   if (nlohmann::json::sax_parse(text, &builder)) return builder.take();
   if (builder.refusal().empty()) throwParseError(text, file, builder);
-  throw FormatError(located(file, located(placeOf(builder.path()), builder.refusal())));
+  throw FormatError(file, located(placeOf(builder.path()), builder.refusal()));
 }
 
 std::optional<std::string> findJsonFormat(std::string_view text) {
@@ -288,7 +284,7 @@ JsonReader JsonReader::at(const std::string& key) const {
   if (!value_->is_object()) fail(message("an object"));
   const auto found = value_->find(key);
   const std::string path = path_.empty() ? key : path_ + "." + key;
-  if (found == value_->end()) throw FormatError(located(*file_, located(path, message("is missing"))));
+  if (found == value_->end()) throw FormatError(*file_, located(path, message("is missing")));
   return {*found, file_, path};
 }
 
@@ -307,9 +303,9 @@ void JsonReader::requireKeys(std::initializer_list<std::string_view> known) cons
     const std::vector<std::string> names(known.begin(), known.end());
     const std::string found = excerptOf(key, kMostOfAKey);
     const std::optional<std::string> meant = nearMatch(key, names);
-    throw FormatError(located(*file_, located(path_.empty() ? found : path_ + "." + found,
-                                              meant ? message("there is no such key; did you mean {}?", *meant)
-                                                    : message("there is no such key; there are {}", names))));
+    throw FormatError(*file_, located(path_.empty() ? found : path_ + "." + found,
+                                      meant ? message("there is no such key; did you mean {}?", *meant)
+                                            : message("there is no such key; there are {}", names)));
   }
 }
 
@@ -432,15 +428,15 @@ Eigen::Quaterniond JsonReader::unitQuaternion() const {
 void JsonReader::requireFormat(std::string_view format, std::uint32_t newest) const {
   const auto name = find("format");
   if (!name || !name->isString() || name->string() != format) {
-    throw FormatError(
-        located(*file_, located("format", name ? message("expected \"{}\", found {}", format, inFewWords(*name->value_))
-                                               : message("expected \"{}\", but there is none", format))));
+    throw FormatError(*file_,
+                      located("format", name ? message("expected \"{}\", found {}", format, inFewWords(*name->value_))
+                                             : message("expected \"{}\", but there is none", format)));
   }
   const std::uint32_t version = at("version").unsignedInteger(1);
   if (version > newest) {
-    throw FormatError(located(
+    throw FormatError(
         *file_,
-        located("version", message("this file has version {}, this program reads up to version {}", version, newest))));
+        located("version", message("this file has version {}, this program reads up to version {}", version, newest)));
   }
 }
 
@@ -465,10 +461,9 @@ std::array<double, 4> quaternionWxyz(const Eigen::Matrix3d& R) {
   return {q.w(), q.x(), q.y(), q.z()};
 }
 
-bool isRotation(const Eigen::Matrix3d& R) {
-  return (R * R.transpose()).isIdentity(kOrthogonalTo) && std::abs(R.determinant() - 1) <= kOrthogonalTo;
+bool isUnitQuaternion(const Eigen::Quaterniond& q) {
+  constexpr double kUnitTo = 1e-6;
+  return std::abs(q.norm() - 1) <= kUnitTo;
 }
-
-bool isUnitQuaternion(const Eigen::Quaterniond& q) { return std::abs(q.norm() - 1) <= kOrthogonalTo; }
 
 }  // namespace hexoderm

@@ -1,9 +1,11 @@
 #pragma once
 
+#include "hexoderm/util/json_scanner.h"
 #include "hexoderm/util/message.h"
 
 #include <Eigen/Core>
 #include <Eigen/Geometry>
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <initializer_list>
@@ -49,7 +51,17 @@ class JsonReader {
   [[nodiscard]] bool isObject() const { return value_->is_object(); }
   [[nodiscard]] bool isArray() const { return value_->is_array(); }
   [[nodiscard]] bool isString() const { return value_->is_string(); }
-  [[nodiscard]] bool isNull() const { return value_->is_null(); }
+  [[nodiscard]] bool takeNull() const { return value_->is_null(); }
+
+  // As those of JsonScanner, so that a template reads both; members of an object beside these are passed over.
+  template <class... Takes>
+  void object(JsonMember<Takes>... members) const {
+    (takeMember(members), ...);
+  }
+  template <class Take>
+  void eachItem(Take take) const {
+    for (const JsonReader& item : items()) take(item);
+  }
 
   [[nodiscard]] double number() const;             ///< finite
   [[nodiscard]] double number(double most) const;  ///< at most `most` in magnitude
@@ -61,6 +73,14 @@ class JsonReader {
   [[nodiscard]] std::string string() const;
   [[nodiscard]] std::vector<double> numbers(std::size_t count) const;               ///< exactly `count` finite numbers
   [[nodiscard]] std::vector<double> numbers(std::size_t count, double most) const;  ///< ... of at most this magnitude
+  template <std::size_t Count>
+  [[nodiscard]] std::array<double, Count> numbers() const {
+    return arrayOf<Count>(numbers(Count));
+  }
+  template <std::size_t Count>
+  [[nodiscard]] std::array<double, Count> numbers(double most) const {
+    return arrayOf<Count>(numbers(Count, most));
+  }
   [[nodiscard]] Eigen::Vector3d vector3() const;
   [[nodiscard]] Eigen::Vector3d vector3(double most) const;
   [[nodiscard]] Eigen::Matrix3d matrix3() const;            ///< nine numbers, row-major
@@ -73,8 +93,22 @@ class JsonReader {
 
   /// Throws FormatError: file, key path and what was expected.
   [[noreturn]] void fail(const Message& expected) const;
+  [[noreturn]] void failAt(const std::string& key, const Message& expected) const { at(key).fail(expected); }
 
  private:
+  template <class Member>
+  void takeMember(Member& member) const {
+    const std::string key(member.key);
+    const std::optional<JsonReader> value = member.is_required ? at(key) : find(key);
+    if (value) member.take(*value);
+  }
+  template <std::size_t Count>
+  static std::array<double, Count> arrayOf(const std::vector<double>& values) {
+    std::array<double, Count> array{};
+    std::ranges::copy(values, array.begin());
+    return array;
+  }
+
   /// "FILE: PATH: what is wrong there".
   [[nodiscard]] Message here(Message what) const;
 
@@ -93,8 +127,7 @@ nlohmann::json toJson(const Eigen::Vector3d& v);
 nlohmann::json toJson(const Eigen::Matrix3d& m);                 ///< row-major
 std::array<double, 4> quaternionWxyz(const Eigen::Matrix3d& R);  ///< w >= 0
 
-/// What rotation() and unitQuaternion() take.
-bool isRotation(const Eigen::Matrix3d& R);
+/// What unitQuaternion() takes.
 bool isUnitQuaternion(const Eigen::Quaterniond& q);
 
 }  // namespace hexoderm

@@ -1,5 +1,6 @@
 #include "hexoderm/util/json_scanner.h"
 
+#include "hexoderm/util/is_rotation.h"
 #include "hexoderm/util/json_reader.h"
 
 #include <algorithm>
@@ -33,17 +34,17 @@ bool JsonScanner::take(char c) {
   return true;
 }
 
-void JsonScanner::require(char c) {
+void JsonScanner::requireNext(char c) {
   if (!take(c)) throw Unusual();
 }
 
 void JsonScanner::requireWord(std::string_view word) {
-  for (const char c : word) require(c);
+  for (const char c : word) requireNext(c);
 }
 
 void JsonScanner::begin(char bracket) {
   skipSpace();
-  require(bracket);
+  requireNext(bracket);
   if (++levels_ > kMostJsonLevels) throw Unusual();
   ++values_;
   is_first_ = true;
@@ -57,17 +58,17 @@ std::optional<std::string_view> JsonScanner::nextKey() {
     return std::nullopt;
   }
   if (!is_first_) {
-    require(',');
+    requireNext(',');
     skipSpace();
   }
   is_first_ = false;
-  require('"');
+  requireNext('"');
   const char* const begin = at_;
   while (at_ != end_ && standsForItself(*at_)) ++at_;
   const std::string_view key(begin, static_cast<std::size_t>(at_ - begin));
-  require('"');
+  requireNext('"');
   skipSpace();
-  require(':');
+  requireNext(':');
   return key;
 }
 
@@ -78,7 +79,7 @@ bool JsonScanner::nextItem() {
     is_first_ = false;
     return false;
   }
-  if (!is_first_) require(',');
+  if (!is_first_) requireNext(',');
   is_first_ = false;
   return true;
 }
@@ -110,6 +111,18 @@ double JsonScanner::number() {
   return is_whole && value == 0 ? 0 : value;  // a -0 without a point is an integer, which has no sign
 }
 
+double JsonScanner::positiveNumber() {
+  const double value = number();
+  require(value > 0);
+  return value;
+}
+
+double JsonScanner::nonNegativeNumber() {
+  const double value = number();
+  require(value >= 0);
+  return value;
+}
+
 std::uint32_t JsonScanner::unsignedInteger(std::uint32_t min, std::uint32_t max) {
   skipSpace();
   ++values_;
@@ -138,7 +151,7 @@ bool JsonScanner::takeNull() {
 }
 
 void JsonScanner::skipText() {
-  require('"');
+  requireNext('"');
   while (!take('"')) {
     if (take('\\') && at_ == end_) throw Unusual();
     if (at_ == end_) throw Unusual();
@@ -166,6 +179,22 @@ void JsonScanner::numbers(std::span<double> values) {
     value = number();
   }
   if (nextItem()) throw Unusual();
+}
+
+Eigen::Vector3d JsonScanner::vector3(double most) { return Eigen::Vector3d(numbers<3>(most).data()); }
+
+Eigen::Matrix3d JsonScanner::rotation() {
+  const std::array<double, 9> by_rows = numbers<9>();
+  const Eigen::Matrix3d R = Eigen::Map<const Eigen::Matrix<double, 3, 3, Eigen::RowMajor>>(by_rows.data());
+  require(isRotation(R));
+  return R;
+}
+
+Eigen::Quaterniond JsonScanner::unitQuaternion() {
+  const auto [w, x, y, z] = numbers<4>();
+  const Eigen::Quaterniond q(w, x, y, z);
+  require(isUnitQuaternion(q));
+  return q.normalized();
 }
 
 std::string_view JsonScanner::textOfValue() {

@@ -2,26 +2,51 @@
 
 // Private to core: the quick way through large JSON files.
 
+#include "hexoderm/util/message.h"
+
+#include <Eigen/Core>
+#include <Eigen/Geometry>
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <exception>
+#include <limits>
 #include <nlohmann/json_fwd.hpp>
 #include <optional>
 #include <span>
 #include <string>
 #include <string_view>
+#include <type_traits>
 #include <utility>
 
 namespace hexoderm {
+
+/// A member of an object: `take` takes its value, from the JsonScanner or the JsonReader that it is called with.
+template <class Take>
+struct JsonMember {
+  std::string_view key;
+  bool is_required;
+  Take take;
+  bool is_taken = false;
+};
+template <class Take>
+JsonMember<Take> member(std::string_view key, Take take) {
+  return {key, true, std::move(take)};
+}
+template <class Take>
+JsonMember<Take> optionalMember(std::string_view key, Take take) {
+  return {key, false, std::move(take)};
+}
 
 /// Reads JSON from front to back, each value straight to where it belongs, with no document in memory. It has nothing
 /// to say about a text that is wrong: at whatever is not what the caller asks for, and at JSON that our files don't
 /// have, it throws Unusual, and parseJson() and JsonReader read the text instead. What it takes they take too, as the
 /// same values.
 ///
-///     scanner.object(required("id", [&] { id = scanner.unsignedInteger(); }),
-///                    optional("name", [&] { name = scanner.string(); }));
+///     scanner.object(member("id", into(id)), optionalMember("at_m", [&](auto& in) { at_m = in.vector3(); }));
 ///     scanner.finish();
+///
+/// Its functions are called as those of JsonReader are, so that a template reads both.
 class JsonScanner {
  public:
   class Unusual : public std::exception {
@@ -29,63 +54,81 @@ class JsonScanner {
     [[nodiscard]] const char* what() const noexcept override { return "JSON that a thorough reader has to look at"; }
   };
 
-  /// A member of an object: `take` takes its value.
-  template <class Take>
-  struct Member {
-    std::string_view key;
-    bool is_required;
-    Take take;
-    bool is_taken = false;
-  };
-  template <class Take>
-  static Member<Take> required(std::string_view key, Take take) {
-    return {key, true, std::move(take)};
-  }
-  template <class Take>
-  static Member<Take> optional(std::string_view key, Take take) {
-    return {key, false, std::move(take)};
-  }
-
   /// The text must outlive it.
   explicit JsonScanner(std::string_view text) : at_(text.data()), end_(text.data() + text.size()) {}
 
   /// An object of these members and no others, each once and in any order.
   template <class... Takes>
-  void object(Member<Takes>... members) {
+  void object(JsonMember<Takes>... members) {
     objectWith([](std::string_view /*key*/) { throw Unusual(); }, std::move(members)...);
   }
   /// The same with others beside them: `take_other` is called with the key of each, may be twice with the same one.
   template <class TakeOther, class... Takes>
-  void objectWith(TakeOther take_other, Member<Takes>... members);
+  void objectWith(TakeOther take_other, JsonMember<Takes>... members);
   void beginArray() { begin('['); }
   /// Whether there is another item, which has to be taken; if not, the array has ended.
   bool nextItem();
+  /// Calls `take` for every item of an array.
+  template <class Take>
+  void eachItem(Take take) {
+    beginArray();
+    while (nextItem()) take(*this);
+  }
 
   double number();  ///< finite
+  double positiveNumber();
+  double nonNegativeNumber();
   std::uint32_t unsignedInteger(std::uint32_t min = 0, std::uint32_t max = UINT32_MAX);
   bool boolean();
   bool takeNull();  ///< false if the next value is another one, which is left where it is
   std::string string();
   void numbers(std::span<double> values);  ///< an array of exactly so many
+  template <std::size_t Count>
+  std::array<double, Count> numbers(double most = kNoLimit) {
+    std::array<double, Count> values{};
+    numbers(values);
+    for (const double value : values) require(value >= -most && value <= most);
+    return values;
+  }
+  Eigen::Vector3d vector3(double most = kNoLimit);
+  Eigen::Matrix3d rotation();
+  Eigen::Quaterniond unitQuaternion();
   /// Any value, by parseJson(), which throws a FormatError if it is none.
   nlohmann::json document();
   /// The same as a new member of an object.
   void keep(std::string_view key, nlohmann::json& object);
 
+  [[noreturn]] static void fail(const Message& /*expected*/) { throw Unusual(); }
+  [[noreturn]] static void failAt(std::string_view /*key*/, const Message& /*expected*/) { throw Unusual(); }
+
   /// Nothing may follow, and there may not have been more than kMostScannedValues.
   void finish();
 
  private:
+  static constexpr double kNoLimit = std::numeric_limits<double>::max();
+
+  static void require(bool is_usual) {
+    if (!is_usual) throw Unusual();
+  }
   void begin(char bracket);
   std::optional<std::string_view> nextKey();
   void skipSpace();
   void skipText();
   /// Whether the next character is this one, which is taken then.
   bool take(char c);
-  void require(char c);
+  void requireNext(char c);
   void requireWord(std::string_view word);
   /// The text of a value of any kind, or of what looks like one.
   std::string_view textOfValue();
+
+  template <class Take>
+  void takeWith(Take& take) {
+    if constexpr (std::is_invocable_v<Take&>) {
+      take();
+    } else {
+      take(*this);
+    }
+  }
 
   const char* at_;
   const char* end_;
@@ -95,18 +138,50 @@ class JsonScanner {
 };
 
 template <class TakeOther, class... Takes>
-void JsonScanner::objectWith(TakeOther take_other, Member<Takes>... members) {
+void JsonScanner::objectWith(TakeOther take_other, JsonMember<Takes>... members) {
   begin('{');
   while (const auto key = nextKey()) {
     [[maybe_unused]] const auto takes = [&](auto& member) {  // there may be no members
       if (*key != member.key) return false;
       if (std::exchange(member.is_taken, true)) throw Unusual();
-      member.take();
+      takeWith(member.take);
       return true;
     };
     if (!(takes(members) || ...)) take_other(*key);
   }
   if (((members.is_required && !members.is_taken) || ...)) throw Unusual();
+}
+
+/// The value of a member as its type is: a text, true or false, a whole number, an ID, or a finite number.
+template <class In>
+void takeValue(In& in, std::string& value) {
+  value = in.string();
+}
+template <class In>
+void takeValue(In& in, bool& value) {
+  value = in.boolean();
+}
+template <class In>
+void takeValue(In& in, double& value) {
+  value = in.number();
+}
+template <class In>
+void takeValue(In& in, std::uint32_t& value) {
+  value = in.unsignedInteger();
+}
+template <class In, class Tag>
+void takeValue(In& in, StrongId<Tag>& value) {
+  value = StrongId<Tag>(in.unsignedInteger());
+}
+template <class In, class Value>
+void takeValue(In& in, std::optional<Value>& value) {
+  takeValue(in, value.emplace());
+}
+
+/// Takes the value of a member into a variable.
+template <class Value>
+auto into(Value& value) {
+  return [&value](auto& in) { takeValue(in, value); };
 }
 
 }  // namespace hexoderm

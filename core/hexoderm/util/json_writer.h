@@ -5,6 +5,7 @@
 #include "hexoderm/util/file.h"
 
 #include <Eigen/Core>
+#include <array>
 #include <concepts>
 #include <cstddef>
 #include <cstdint>
@@ -23,10 +24,7 @@ namespace hexoderm {
 ///
 ///     writer.beginObject();
 ///     writer.member("id", 7U);
-///     writer.key("cells");
-///     writer.beginArray();
-///     ...
-///     writer.endArray();
+///     writer.arrayMember("cells", cells, [&](const Cell& cell) { writer.value(cell.name); });
 ///     writer.endObject();
 ///     writer.finish();
 ///
@@ -53,6 +51,10 @@ class JsonWriter {
   void null() { addScalar("null"); }
   /// An array of them.
   void value(std::span<const double> numbers);
+  template <std::size_t Count>
+  void value(const std::array<double, Count>& numbers) {
+    value(std::span<const double>(numbers));
+  }
   void value(const Eigen::Vector3d& v) { value(std::span<const double>(v.data(), 3)); }
   void value(const Eigen::Matrix3d& m);  ///< row-major
 
@@ -60,6 +62,19 @@ class JsonWriter {
   void member(std::string_view name, const Value& its_value) {
     key(name);
     value(its_value);
+  }
+
+  /// An array, each item of which `write_item` writes.
+  template <class Items, class WriteItem>
+  void array(const Items& items, const WriteItem& write_item) {
+    beginArray();
+    for (const auto& item : items) write_item(item);
+    endArray();
+  }
+  template <class Items, class WriteItem>
+  void arrayMember(std::string_view name, const Items& items, const WriteItem& write_item) {
+    key(name);
+    array(items, write_item);
   }
 
   /// The end of the text, with a line break.

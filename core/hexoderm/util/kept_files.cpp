@@ -57,41 +57,39 @@ void requireNothingBeside(const std::filesystem::path& path) {
     const std::string beside = path.string() + suffix;
     std::error_code ignored;
     if (!std::filesystem::exists(std::filesystem::symlink_status(beside, ignored))) continue;
-    throw StorageError(
-        located(path.string(), message("{} lies beside it, and would be taken for a part of it: move that "
-                                       "file away, or take another name",
-                                       beside)));
+    throw StorageError(path.string(), message("{} lies beside it, and would be taken for a part of it: move that "
+                                              "file away, or take another name",
+                                              beside));
   }
 }
 
 void requireReplaceable(const std::filesystem::path& path, const std::string& name) {
   if (isSession(path)) {
-    throw StorageError(
-        located(name, message("exists already as a Hexoderm session, and what that has captured is never "
-                              "replaced: take another name")));
+    throw StorageError(name, message("exists already as a Hexoderm session, and what that has captured is never "
+                                     "replaced: take another name"));
   }
   if (isKept(path)) {
-    throw InvalidArgument(located(name, message("is one of the inputs, which are never replaced: take another name")));
+    throw InvalidArgument(name, message("is one of the inputs, which are never replaced: take another name"));
   }
   if (isKeptBySqlite(path)) {
-    throw StorageError(located(
-        name, message("belongs to a session, and what that has captured is never replaced: take another name")));
+    throw StorageError(
+        name, message("belongs to a session, and what that has captured is never replaced: take another name"));
   }
   std::error_code error;
   const std::string file = std::filesystem::weakly_canonical(path, error).string();
   for (const std::string_view beside : kBesideDatabases) {
     const std::string log = file + std::string(beside);
     if (isKeptBySqlite(log)) {
-      throw StorageError(located(name, message("{} lies beside it, with what a session of that name has captured: move "
-                                               "that file away, or take another name",
-                                               log)));
+      throw StorageError(name, message("{} lies beside it, with what a session of that name has captured: move "
+                                       "that file away, or take another name",
+                                       log));
     }
     if (!file.ends_with(beside)) continue;
     const std::string session = file.substr(0, file.size() - beside.size());
     if (!isSession(session)) continue;
-    throw StorageError(located(
-        name, message("belongs to the session {}, and what that has captured is never replaced: take another name",
-                      session)));
+    throw StorageError(
+        name,
+        message("belongs to the session {}, and what that has captured is never replaced: take another name", session));
   }
 }
 

@@ -1,5 +1,7 @@
 #include "hexoderm/util/library_versions.h"
 
+#include "hexoderm/util/text.h"
+
 #include <amd.h>
 #include <openssl/crypto.h>
 #include <sqlite3.h>
@@ -19,9 +21,8 @@ namespace hexoderm {
 namespace {
 
 std::string dotted(std::initializer_list<unsigned int> parts) {
-  std::string text;
-  for (const unsigned int part : parts) text += (text.empty() ? "" : ".") + std::to_string(part);
-  return text;
+  return inARow(
+      parts, [](unsigned int part) { return std::to_string(part); }, ".");
 }
 
 }  // namespace

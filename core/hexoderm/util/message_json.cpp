@@ -1,7 +1,7 @@
 #include "hexoderm/util/message_json.h"
 
-#include <algorithm>
-#include <array>
+#include "hexoderm/util/enum_names.h"
+
 #include <cmath>
 #include <utility>
 
@@ -14,8 +14,7 @@ constexpr std::uint32_t kMostDecimals = 17;
 /// Behind the key of the English.
 constexpr const char* kMessageKey = "_message";
 
-constexpr std::array<std::pair<Unit, std::string_view>, 4> kUnits = {
-    {{Unit::Degrees, "deg"}, {Unit::Millimetres, "mm"}, {Unit::MilliG, "mg"}, {Unit::Seconds, "s"}}};
+constexpr EnumNames<Unit, 5> kUnits = {{"", "deg", "mm", "mg", "s"}};
 
 nlohmann::ordered_json jsonOf(std::int64_t count) { return count; }
 nlohmann::ordered_json jsonOf(const std::string& text) { return text; }
@@ -25,8 +24,7 @@ nlohmann::ordered_json jsonOf(const Quantity& quantity) {
   if (!std::isfinite(quantity.value)) return MessageArgument(quantity).english();
   nlohmann::ordered_json json = {{"value", quantity.value}};
   if (quantity.decimals >= 0) json["decimals"] = quantity.decimals;
-  const auto unit = std::ranges::find(kUnits, quantity.unit, &std::pair<Unit, std::string_view>::first);
-  if (unit != kUnits.end()) json["unit"] = unit->second;
+  if (quantity.unit != Unit::None) json["unit"] = kUnits.of(quantity.unit);
   return json;
 }
 nlohmann::ordered_json jsonOf(const MessageArgument::List& items) {
@@ -49,9 +47,9 @@ Quantity readQuantity(const JsonReader& json) {
     quantity.decimals = static_cast<int>(decimals->unsignedInteger(0, kMostDecimals));
   }
   if (const auto unit = json.find("unit")) {
-    const auto known = std::ranges::find(kUnits, unit->string(), &std::pair<Unit, std::string_view>::second);
-    if (known == kUnits.end()) unit->fail(message("\"deg\", \"mm\", \"mg\" or \"s\""));
-    quantity.unit = known->first;
+    const std::optional<Unit> known = kUnits.find(unit->string());
+    if (!known || *known == Unit::None) unit->fail(message("\"deg\", \"mm\", \"mg\" or \"s\""));
+    quantity.unit = *known;
   }
   return quantity;
 }

@@ -1,42 +1,27 @@
 #include "hexoderm/util/system_reason.h"
 
 #include <cerrno>
+#include <map>
 
 namespace hexoderm {
 
 Message systemReason(int error_number) {
-  switch (error_number) {
-    case ENOENT:
-      return message("No such file or directory");
-    case EACCES:
-      return message("Permission denied");
-    case EROFS:
-      return message("Read-only file system");
-    case ENOSPC:
-      return message("No space left on device");
-    case EISDIR:
-      return message("Is a directory");
-    case ENOTDIR:
-      return message("Not a directory");
-    case EIO:
-      return message("Input/output error");
-    case ENODEV:
-      return message("No such device");
-    case EBUSY:
-      return message("Device or resource busy");
-    case ECONNREFUSED:
-      return message("Connection refused");
-    case ECONNRESET:
-      return message("Connection reset by peer");
-    case ETIMEDOUT:
-      return message("Connection timed out");
-    case EHOSTUNREACH:
-      return message("No route to host");
-    case ENETUNREACH:
-      return message("Network is unreachable");
-    default:
-      return Message::verbatim(std::generic_category().message(error_number));
-  }
+  static const std::map<int, Message> kReasons = {{ENOENT, message("No such file or directory")},
+                                                  {EACCES, message("Permission denied")},
+                                                  {EROFS, message("Read-only file system")},
+                                                  {ENOSPC, message("No space left on device")},
+                                                  {EISDIR, message("Is a directory")},
+                                                  {ENOTDIR, message("Not a directory")},
+                                                  {EIO, message("Input/output error")},
+                                                  {ENODEV, message("No such device")},
+                                                  {EBUSY, message("Device or resource busy")},
+                                                  {ECONNREFUSED, message("Connection refused")},
+                                                  {ECONNRESET, message("Connection reset by peer")},
+                                                  {ETIMEDOUT, message("Connection timed out")},
+                                                  {EHOSTUNREACH, message("No route to host")},
+                                                  {ENETUNREACH, message("Network is unreachable")}};
+  const auto known = kReasons.find(error_number);
+  return known != kReasons.end() ? known->second : Message::verbatim(std::generic_category().message(error_number));
 }
 
 Message systemReason(const std::error_code& error) {

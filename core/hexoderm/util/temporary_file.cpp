@@ -65,7 +65,7 @@ void removeIfLeft(const fs::path& path) {
 }
 
 [[noreturn]] void throwCannotBeWritten(const std::string& name) {
-  throw StorageError(located(name, message("cannot be written: {}", systemReason(errno))));
+  throw StorageError(name, message("cannot be written: {}", systemReason(errno)));
 }
 
 /// Whether a file without a name can get one later.
@@ -136,9 +136,7 @@ void TemporaryFile::requireContent(std::string_view content) const {
     if (count < 0) fail();
     const std::string_view found(buffer.data(), static_cast<std::size_t>(count));
     const bool is_same = found.empty() ? at == content.size() : content.substr(at, found.size()) == found;
-    if (!is_same) {
-      throw StorageError(located(name_, message("read back after writing, it holds other bytes than were written")));
-    }
+    if (!is_same) throw StorageError(name_, message("read back after writing, it holds other bytes than were written"));
     if (found.empty()) return;
     at += found.size();
   }
@@ -169,7 +167,7 @@ void TemporaryFile::replaceTarget() {
   }
   requireReplaceable(target_, name_);  // again: in the meantime a session may have got the name
   if (::rename(path_.c_str(), target_.c_str()) != 0)
-    throw StorageError(located(name_, message("cannot be replaced: {}", systemReason(errno))));
+    throw StorageError(name_, message("cannot be replaced: {}", systemReason(errno)));
   path_.clear();
   syncFolder(folder_);
 }

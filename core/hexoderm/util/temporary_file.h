@@ -1,12 +1,13 @@
 #pragma once
 
-// Private to core and the command line: files and folders on their way to their names.
+// Private to core and the programs: files and folders on their way to their names.
 
 #include <sys/types.h>
 
 #include <filesystem>
 #include <string>
 #include <string_view>
+#include <utility>
 
 namespace hexoderm {
 
@@ -23,6 +24,7 @@ class FileDescriptor {
   FileDescriptor(FileDescriptor&& other) noexcept;
   FileDescriptor& operator=(FileDescriptor&& other) noexcept;
   [[nodiscard]] int get() const { return descriptor_; }
+  int release() { return std::exchange(descriptor_, -1); }
   [[nodiscard]] bool valid() const { return descriptor_ >= 0; }
 
  private:

@@ -3,6 +3,7 @@
 #include "hexoderm/util/error.h"
 
 #include <fmt/format.h>
+#include <algorithm>
 #include <array>
 #include <charconv>
 #include <cmath>
@@ -17,7 +18,7 @@ Number parseWhole(std::string_view text, std::string_view what, const Message& e
   Number value{};
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
   if (error != std::errc() || end != text.data() + text.size() || text.empty()) {
-    throw InvalidArgument(located(what, message("expected {}, found \"{}\"", expected, text)));
+    throw InvalidArgument(what, message("expected {}, found \"{}\"", expected, text));
   }
   return value;
 }
@@ -86,7 +87,7 @@ std::string formatExact(double value) {
 
 double parseNumber(std::string_view text, std::string_view what) {
   const auto value = parseWhole<double>(text, what, message("a number"));
-  if (!std::isfinite(value)) throw InvalidArgument(located(what, message("expected a finite number")));
+  if (!std::isfinite(value)) throw InvalidArgument(what, message("expected a finite number"));
   return value;
 }
 
@@ -115,6 +116,12 @@ std::string excerptOf(std::string_view bytes, std::size_t most) {
     text += next;
   }
   return text;
+}
+
+std::string_view trimmed(std::string_view text) {
+  constexpr std::string_view kBlanks = " \t\r\n";
+  text.remove_prefix(std::min(text.find_first_not_of(kBlanks), text.size()));
+  return text.substr(0, text.find_last_not_of(kBlanks) + 1);
 }
 
 std::vector<std::string> split(std::string_view text, char separator) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <functional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -23,6 +24,9 @@ unsigned parseUnsigned(std::string_view text, std::string_view what);
 /// all else as `\n`, `\r`, `\t` or `\xNN`, at most `most` characters and then "...".
 std::string excerptOf(std::string_view bytes, std::size_t most = 80);
 
+/// Without the blanks and the ends of lines around it.
+std::string_view trimmed(std::string_view text);
+
 /// The parts between separators, empty ones too.
 std::vector<std::string> split(std::string_view text, char separator);
 
@@ -34,6 +38,17 @@ std::string shortened(std::string_view text, std::size_t most);
 /// move the cursor or hide what was said, marks that turn the direction of writing, and bytes that are not UTF-8 become
 /// escapes (`\n`, `\u001b`, `\xff`).
 std::string forTerminal(std::string_view text);
+
+/// "a, b, c" of what `text_of`, a function or a member, says of items.
+template <class Items, class TextOf = std::identity>
+std::string inARow(const Items& items, TextOf text_of = {}, std::string_view separator = ", ") {
+  std::string row;
+  for (const auto& item : items) {
+    if (!row.empty()) row += separator;
+    row += std::invoke(text_of, item);
+  }
+  return row;
+}
 
 /// "1, 2 and 3" of items that have a `toString`.
 template <class Items>

@@ -1,6 +1,6 @@
 #include "hexoderm/geometry/se3.h"
 
-#include "hexoderm/geometry/is_rotation.h"
+#include "hexoderm/util/is_rotation.h"
 #include "hexoderm/util/units.h"
 
 #include <gtest/gtest.h>

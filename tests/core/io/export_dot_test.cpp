@@ -1,4 +1,4 @@
-#include "hexoderm/io/export_dot.h"
+#include "hexoderm/io/export_formats.h"
 
 #include "hexoderm/io/exporter.h"
 #include "tests/core/io/export_test_folder.h"

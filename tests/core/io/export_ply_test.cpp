@@ -1,4 +1,4 @@
-#include "hexoderm/io/export_ply.h"
+#include "hexoderm/io/export_mesh.h"
 
 #include "hexoderm/reconstruction/figures/patch_mesh.h"
 #include "hexoderm/util/error.h"

@@ -1,4 +1,4 @@
-#include "hexoderm/io/export_stl.h"
+#include "hexoderm/io/export_mesh.h"
 
 #include "hexoderm/util/error.h"
 #include "tests/core/io/export_test_folder.h"

@@ -115,8 +115,8 @@ TEST(JsonScanner, ReadsTextsAsTheyAre) {
 std::optional<std::array<double, 2>> membersOf(std::string_view text) {
   return scanned(text, [](JsonScanner& scanner) {
     std::array<double, 2> values{};
-    scanner.object(JsonScanner::required("a", [&] { values[0] = scanner.number(); }),
-                   JsonScanner::optional("b", [&] { values[1] = scanner.number(); }));
+    scanner.object(member("a", [&] { values[0] = scanner.number(); }),
+                   optionalMember("b", [&] { values[1] = scanner.number(); }));
     return values;
   });
 }
@@ -175,7 +175,7 @@ TEST(JsonScanner, KeepsOtherMembersAsDocuments) {
     return scanned(text, [](JsonScanner& scanner) {
       nlohmann::json rest = nlohmann::json::object();
       scanner.objectWith([&](std::string_view key) { scanner.keep(key, rest); },
-                         JsonScanner::required("a", [&] { rest["taken"] = scanner.number(); }));
+                         member("a", [&] { rest["taken"] = scanner.number(); }));
       return rest;
     });
   };

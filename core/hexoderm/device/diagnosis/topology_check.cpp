@@ -2,32 +2,23 @@
 
 #include "hexoderm/graph/skin_graph.h"
 
-#include <optional>
+#include <algorithm>
+#include <array>
+#include <utility>
 
 namespace hexoderm {
 namespace {
 
-std::optional<OffenceKind> offenceOf(FindingCode code) {
-  switch (code) {
-    case FindingCode::ReservedCellId:
-      return OffenceKind::CellIdZero;
-    case FindingCode::DuplicateCell:
-      return OffenceKind::DuplicateCell;
-    case FindingCode::UnknownPort:
-      return OffenceKind::UnknownPort;
-    case FindingCode::UnknownCell:
-      return OffenceKind::UnknownNeighbour;
-    case FindingCode::OneSidedLink:
-      return OffenceKind::OneSidedLink;
-    case FindingCode::SelfLink:
-    case FindingCode::ContradictoryLink:
-    case FindingCode::DuplicateLink:
-    case FindingCode::ForbiddenPortPair:
-      return OffenceKind::ContradictoryLink;
-    default:
-      return std::nullopt;
-  }
-}
+constexpr std::array<std::pair<FindingCode, OffenceKind>, 9> kOffencesOfTopologies = {
+    {{FindingCode::ReservedCellId, OffenceKind::CellIdZero},
+     {FindingCode::DuplicateCell, OffenceKind::DuplicateCell},
+     {FindingCode::UnknownPort, OffenceKind::UnknownPort},
+     {FindingCode::UnknownCell, OffenceKind::UnknownNeighbour},
+     {FindingCode::OneSidedLink, OffenceKind::OneSidedLink},
+     {FindingCode::SelfLink, OffenceKind::ContradictoryLink},
+     {FindingCode::ContradictoryLink, OffenceKind::ContradictoryLink},
+     {FindingCode::DuplicateLink, OffenceKind::ContradictoryLink},
+     {FindingCode::ForbiddenPortPair, OffenceKind::ContradictoryLink}}};
 
 /// What a device's maker can't know from the finding alone.
 Message expectedOf(OffenceKind kind, const CellModel& model) {
@@ -52,12 +43,14 @@ std::vector<Offence> offencesOf(const CellModel& model, const NeighborList& neig
   std::vector<Offence> offences;
   const SkinGraph graph(model, neighbors);
   for (const Finding& finding : graph.findings()) {
-    const std::optional<OffenceKind> kind = offenceOf(finding.code);
-    if (!kind) continue;
-    const Message expected = expectedOf(*kind, model);
+    const auto* const offence =
+        std::ranges::find(kOffencesOfTopologies, finding.code, &decltype(kOffencesOfTopologies)::value_type::first);
+    if (offence == kOffencesOfTopologies.end()) continue;
+    const OffenceKind kind = offence->second;
+    const Message expected = expectedOf(kind, model);
     Message reason = located("topology", finding.message);
     if (!expected.empty()) reason = message("{} Expected: {}", std::move(reason), expected);
-    offences.push_back({*kind, std::move(reason)});
+    offences.push_back({kind, std::move(reason)});
   }
   if (graph.cells().empty()) {
     offences.push_back({OffenceKind::NoCells, located("topology.cells", message("expected at least one cell"))});

@@ -39,9 +39,7 @@ std::size_t LocalMessage::bytes() const {
       return kFrameBytes + kIdBytes * number_count;
     case Kind::Report: {
       std::size_t size = kFrameBytes;
-      for (const CellReport& cell : reports) {
-        size += kIdBytes + 1 + cell.neighbors.size() * (kIdBytes + 2 * kPortBytes);
-      }
+      for (const CellReport& cell : reports) size += kIdBytes + 1 + cell.neighbors.size() * (kIdBytes + 2 * kPortBytes);
       return size;
     }
     default:
@@ -233,9 +231,7 @@ void AutonomousCell::explore(Outlet& out) {
   for (std::size_t port = 0; port < ports_.size(); ++port) {
     if (ports_[port].is_branch) out.send(port, {Kind::Explore});
   }
-  for (std::size_t port = 0; port < ports_.size(); ++port) {
-    out.send(port, {Kind::Ask, 0, id_, ports_[port].number});
-  }
+  for (std::size_t port = 0; port < ports_.size(); ++port) out.send(port, {Kind::Ask, 0, id_, ports_[port].number});
   out.wakeAfter(options_.neighbor_wait_s, Alarm::Listened, 0);
 }
 

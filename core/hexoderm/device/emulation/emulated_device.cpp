@@ -97,9 +97,7 @@ void EmulatedDevice::restart(std::vector<LinkFault> link_faults, Messages& out) 
   encoder_ = skinwire::SampleEncoder(body_->model().accelerometer.lsb_g, options_.max_body);
   skipped_ = dropped_ = 0;
   dropTurn("the device was restarted", out);
-  for (const Turn& asked : std::exchange(exploring_, {})) {
-    answer(asked.command, false, "the device was restarted", out);
-  }
+  for (const Turn& asked : std::exchange(exploring_, {})) answer(asked.command, false, "the device was restarted", out);
   if (has_host_) out.emplace_back(hello());
   startExploring(out);
 }
@@ -362,9 +360,7 @@ std::size_t EmulatedDevice::sendMeans(Messages& out) {
     const double n = sums.count;
     const Eigen::Vector3d mean_g = sums.sum_g / n;
     Eigen::Vector3d variance_g2 = Eigen::Vector3d::Zero();
-    if (sums.count > 1) {
-      variance_g2 = ((sums.squares_g2 - n * mean_g.cwiseAbs2()) / (n - 1)).cwiseMax(0.0);
-    }
+    if (sums.count > 1) variance_g2 = ((sums.squares_g2 - n * mean_g.cwiseAbs2()) / (n - 1)).cwiseMax(0.0);
     means.means.push_back({CellId(static_cast<std::uint32_t>(k + 1)), mean_g, variance_g2, sums.count});
   }
   std::vector<skinwire::Samples> samples;

@@ -4,6 +4,7 @@
 #include "hexoderm/util/error.h"
 #include "hexoderm/util/text.h"
 
+#include <algorithm>
 #include <array>
 
 namespace hexoderm {
@@ -55,22 +56,19 @@ std::string faultSyntax() {
 void addFault(const std::string& text, const std::string& what, SimulatedSkinOptions& skin) {
   const std::vector<std::string> parts = split(text, ':');
   const auto number = [&](std::size_t part) { return parseUnsigned(parts[part], what + " " + text); };
-  for (const auto& [name, kind] : kSkinFaults) {
-    if (parts.size() != 2 || parts[0] != name) continue;
-    skin.faults.push_back({kind, CellId(number(1))});
-    return;
+  const auto kindIn = [&](const auto& kinds, std::size_t part_count) {
+    const auto* const found = std::ranges::find_if(kinds, [&](const auto& kind) { return kind.first == parts[0]; });
+    return found != kinds.end() && parts.size() == part_count ? &found->second : nullptr;
+  };
+  if (const SkinFault* kind = kindIn(kSkinFaults, 2)) {
+    skin.faults.push_back({*kind, CellId(number(1))});
+  } else if (const WholeSkinFault* of_all = kindIn(kWholeSkinFaults, 1)) {
+    skin.whole_skin_faults.push_back(*of_all);
+  } else if (const LinkFaultKind* of_link = kindIn(kLinkFaults, 3)) {
+    skin.link_faults.push_back({*of_link, {CellId(number(1)), PortNumber(number(2))}});
+  } else {
+    throw InvalidArgument(what + ": expected " + faultSyntax() + ", found \"" + text + "\"");
   }
-  for (const auto& [name, kind] : kWholeSkinFaults) {
-    if (parts.size() != 1 || parts[0] != name) continue;
-    skin.whole_skin_faults.push_back(kind);
-    return;
-  }
-  for (const auto& [name, kind] : kLinkFaults) {
-    if (parts.size() != 3 || parts[0] != name) continue;
-    skin.link_faults.push_back({kind, {CellId(number(1)), PortNumber(number(2))}});
-    return;
-  }
-  throw InvalidArgument(what + ": expected " + faultSyntax() + ", found \"" + text + "\"");
 }
 
 }  // namespace hexoderm

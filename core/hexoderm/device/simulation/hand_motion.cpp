@@ -85,9 +85,7 @@ Eigen::Matrix3d HandMotion::orientationAt(double time_s) const {
 }
 
 BodyMotion HandMotion::at(double time_s) const {
-  if (!moves_ && time_s >= arrival_s_) {
-    return {R_w_b_.transpose() * Eigen::Vector3d::UnitZ(), Eigen::Matrix3d::Zero()};
-  }
+  if (!moves_ && time_s >= arrival_s_) return {R_w_b_.transpose() * Eigen::Vector3d::UnitZ(), Eigen::Matrix3d::Zero()};
   const Approach approach = approachAt(time_s);
   const Eigen::Vector3d turn = turnAt(time_s);
   Eigen::Vector3d rate = drift_rad_s_ * driftAfter(time_s - arrival_s_).way;

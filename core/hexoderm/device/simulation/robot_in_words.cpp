@@ -32,6 +32,22 @@ PatchMount mountOf(const std::string& text, const RobotInWords& words) {
 
 }  // namespace
 
+SimulatedSkinOptions skinOptions(const RobotInWords& words, const std::string& motion) {
+  if (motion != "hand" && motion != "robot") {
+    throw InvalidArgument("motion: expected hand or robot, found \"" + motion + "\"");
+  }
+  SimulatedSkinOptions options = words.ideal         ? SimulatedSkinOptions::ideal()
+                                 : motion == "robot" ? SimulatedSkinOptions::robot()
+                                                     : SimulatedSkinOptions();
+  options.patch = words.patch;
+  options.surface = words.surface;
+  options.seed = words.seed;
+  options.link_law = words.link_law;
+  options.faults = words.faults;
+  options.link_faults = words.link_faults;
+  return options;
+}
+
 SimulatedRobotOptions robotOptions(const RobotInWords& words) {
   SimulatedRobotOptions options = words.ideal ? SimulatedRobotOptions::ideal() : SimulatedRobotOptions();
   if (words.base == "motors") {

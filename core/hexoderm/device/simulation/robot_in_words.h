@@ -28,6 +28,10 @@ struct RobotInWords {
   std::vector<LinkFault> link_faults;
 };
 
+/// The skin of these words alone. `motion` says what turns it: hand, or robot, with its motors on. Throws
+/// InvalidArgument for another.
+SimulatedSkinOptions skinOptions(const RobotInWords& words, const std::string& motion = "hand");
+
 /// Throws InvalidArgument for words that mean nothing. Opens nothing.
 SimulatedRobotOptions robotOptions(const RobotInWords& words);
 

@@ -95,63 +95,31 @@ SE3 turnAbout(const Eigen::Vector3d& point, const Eigen::Matrix3d& R) { return {
 }  // namespace
 
 Eigen::Vector3d CellHealth::sensed(const Eigen::Vector3d& reading_g) const {
-  if (dead) return Eigen::Vector3d::Zero();
-  Eigen::Vector3d reading = (saturated ? kSaturatedGain : 1) * (wrong_gain ? kWrongGain : 1) * reading_g;
+  if (has(SkinFault::Dead)) return Eigen::Vector3d::Zero();
+  Eigen::Vector3d reading =
+      (has(SkinFault::Saturated) ? kSaturatedGain : 1) * (has(SkinFault::WrongGain) ? kWrongGain : 1) * reading_g;
   if (dead_axis >= 0) reading(dead_axis) = 0;
   return reading;
 }
 
-double CellHealth::noiseFactor() const { return noisy ? kNoisyFactor : 1; }
+double CellHealth::noiseFactor() const { return has(SkinFault::Noisy) ? kNoisyFactor : 1; }
 
 Eigen::Vector3d CellHealth::sent(Eigen::Vector3d reading_g) {
-  if (!stuck && stuck_axis < 0) return reading_g;
+  const bool is_stuck = has(SkinFault::Stuck);
+  if (!is_stuck && stuck_axis < 0) return reading_g;
   if (!first_reading_g) first_reading_g = reading_g;
-  if (stuck) return *first_reading_g;
+  if (is_stuck) return *first_reading_g;
   reading_g(stuck_axis) = (*first_reading_g)(stuck_axis);
   return reading_g;
 }
 
 void addFault(CellHealth& cell, SkinFault kind, std::mt19937_64& random) {
   std::uniform_int_distribution<int> any_axis(0, 2);
-  switch (kind) {
-    case SkinFault::Dead:
-      cell.dead = true;
-      break;
-    case SkinFault::Stuck:
-      cell.stuck = true;
-      break;
-    case SkinFault::StuckAxis:
-      cell.stuck_axis = any_axis(random);
-      break;
-    case SkinFault::Saturated:
-      cell.saturated = true;
-      break;
-    case SkinFault::Noisy:
-      cell.noisy = true;
-      break;
-    case SkinFault::NoSamples:
-      cell.silent = true;
-      break;
-    case SkinFault::WrongGain:
-      cell.wrong_gain = true;
-      break;
-    case SkinFault::DeadAxis:
-      cell.dead_axis = any_axis(random);
-      break;
-    case SkinFault::Echo:
-      cell.echoes = true;
-      break;
-    case SkinFault::Swapped:
-      cell.swapped = true;
-      break;
-    case SkinFault::Yawed:
-      cell.turn = expSO3(kYawed * Eigen::Vector3d::UnitZ());
-      break;
-    case SkinFault::Reglued:
-      cell.turn = expSO3(kReglued * NormalSource(random).nextVector().normalized());
-      cell.turned_later = true;
-      break;
-  }
+  cell.faults.set(static_cast<std::size_t>(kind));
+  if (kind == SkinFault::StuckAxis) cell.stuck_axis = any_axis(random);
+  if (kind == SkinFault::DeadAxis) cell.dead_axis = any_axis(random);
+  if (kind == SkinFault::Yawed) cell.turn = expSO3(kYawed * Eigen::Vector3d::UnitZ());
+  if (kind == SkinFault::Reglued) cell.turn = expSO3(kReglued * NormalSource(random).nextVector().normalized());
 }
 
 std::vector<CellHealth> breakCells(const SimulatedSkinOptions& options, std::size_t cell_count) {
@@ -217,20 +185,20 @@ void WrongDelivery::apply(const std::vector<CellHealth>& cells, std::size_t reco
 }
 
 void WrongDelivery::exchange(const std::vector<CellHealth>& cells, std::vector<CellSample>& samples) const {
-  const bool any = std::ranges::any_of(cells, [](const CellHealth& cell) { return cell.echoes || cell.swapped; });
+  const bool any = std::ranges::any_of(cells, &CellHealth::sendsAnothers);
   if (!any) return;
   const std::vector<CellSample> sent = samples;
   const auto at = [](std::vector<CellSample>& in, CellId cell) {
     return std::ranges::find(in, cell, &CellSample::cell);
   };
   for (std::size_t k = 0; k < cells.size(); ++k) {
-    if (!(cells[k].echoes || cells[k].swapped) || !first_neighbor_[k]) continue;
+    if (!cells[k].sendsAnothers() || !first_neighbor_[k]) continue;
     const auto own = at(samples, idOf(k));
     const auto other = at(samples, *first_neighbor_[k]);
     if (own == samples.end() || other == samples.end()) continue;
     const Eigen::Vector3d own_g = sent[static_cast<std::size_t>(own - samples.begin())].acceleration_g;
     own->acceleration_g = sent[static_cast<std::size_t>(other - samples.begin())].acceleration_g;
-    if (cells[k].swapped) other->acceleration_g = own_g;
+    if (cells[k].has(SkinFault::Swapped)) other->acceleration_g = own_g;
   }
 }
 
@@ -245,16 +213,10 @@ LinkFaults::LinkFaults(const PatchPlan& plan, const CellModel& model, const Simu
     const bool is_new =
         fault.kind == LinkFaultKind::WrongPort ? renamed.insert(fault.at).second : cut.insert(link).second;
     if (!is_new) throw InvalidArgument(message("simulated skin: the link at {} is broken already", inWords(fault.at)));
-    switch (fault.kind) {
-      case LinkFaultKind::WrongPort:
-        reportWrongPort(fault.at, link, model, options.seed);
-        break;
-      case LinkFaultKind::Joint:
-        joints_.push_back(cutAt(plan, links, link));
-        break;
-      case LinkFaultKind::Cable:
-        cables_.push_back(cutAt(plan, links, link));
-        break;
+    if (fault.kind == LinkFaultKind::WrongPort) {
+      reportWrongPort(fault.at, link, model, options.seed);
+    } else {
+      (fault.kind == LinkFaultKind::Joint ? joints_ : cables_).push_back(cutAt(plan, links, link));
     }
   }
   for (const WholeSkinFault fault : options.whole_skin_faults) {

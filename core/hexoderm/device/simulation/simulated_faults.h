@@ -6,6 +6,7 @@
 #include "hexoderm/device/simulation/patch_plan.h"
 #include "hexoderm/device/simulation/simulated_skin.h"
 
+#include <bitset>
 #include <optional>
 #include <random>
 #include <utility>
@@ -15,14 +16,16 @@ namespace hexoderm {
 
 /// The defects of one cell's sensor.
 struct CellHealth {
-  bool dead = false, stuck = false, saturated = false, noisy = false, wrong_gain = false, silent = false;
-  bool echoes = false, swapped = false;  ///< see WrongDelivery
+  std::bitset<12> faults;  ///< by SkinFault
   int stuck_axis = -1;
   int dead_axis = -1;
-  std::optional<Eigen::Matrix3d> turn;             ///< from the cell as it lies now to the cell as it is said to lie
-  bool turned_later = false;                       ///< from the recording reglued_before on only
+  /// From the cell as it lies now to the cell as it is said to lie; of a reglued one, see reglued_before.
+  std::optional<Eigen::Matrix3d> turn;
   std::optional<Eigen::Vector3d> first_reading_g;  ///< set for a stuck cell
 
+  [[nodiscard]] bool has(SkinFault fault) const { return faults[static_cast<std::size_t>(fault)]; }
+  /// See WrongDelivery.
+  [[nodiscard]] bool sendsAnothers() const { return has(SkinFault::Echo) || has(SkinFault::Swapped); }
   /// Applies the defects to a reading before its noise is added.
   [[nodiscard]] Eigen::Vector3d sensed(const Eigen::Vector3d& reading_g) const;
   [[nodiscard]] double noiseFactor() const;

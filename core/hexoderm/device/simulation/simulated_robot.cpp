@@ -50,8 +50,7 @@ SimulatedSkin numberedFrom(std::uint32_t first, const std::string& link, const M
     return make();
   } catch (const InvalidArgument& error) {
     if (first == 1) throw;
-    throw InvalidArgument(
-        located(message("patch on {}, whose cell 1 is the robot's cell {}", link, first), error.message()));
+    throw InvalidArgument(message("patch on {}, whose cell 1 is the robot's cell {}", link, first), error.message());
   }
 }
 

@@ -6,6 +6,7 @@
 #include "hexoderm/device/simulation/random_streams.h"
 #include "hexoderm/device/simulation/robot_motion.h"
 #include "hexoderm/device/simulation/simulated_faults.h"
+#include "hexoderm/util/enum_names.h"
 #include "hexoderm/util/error.h"
 #include "hexoderm/util/rounding.h"
 #include "hexoderm/util/text.h"
@@ -30,9 +31,16 @@ struct SensorChain {
 
 CellId cellNumbered(std::size_t index) { return CellId(static_cast<std::uint32_t>(index + 1)); }
 
-std::string_view lawName(LinkLaw law) { return law == LinkLaw::Bend ? "bend" : "surface"; }
+constexpr EnumNames<LinkLaw, 2> kLinkLaws = {{"bend", "surface"}};
 
 }  // namespace
+
+std::string_view linkLawName(LinkLaw law) { return kLinkLaws.of(law); }
+
+LinkLaw linkLawFromName(std::string_view name) {
+  if (const std::optional<LinkLaw> law = kLinkLaws.find(name)) return *law;
+  throw InvalidArgument("link_law: expected bend or surface, found \"" + std::string(name) + "\"");
+}
 
 SimulatedSkinOptions::SimulatedSkinOptions()
     : yaw_jitter_rad(1 * kDegree),
@@ -266,10 +274,10 @@ std::vector<Eigen::Vector3d> SimulatedSkin::upDirections(std::size_t pose_count)
 Message SimulatedSkin::description() const {
   if (state_->robot) {
     return message("Simulated {} on {}, link law {}, seed {}, on a robot with its motors on", state_->options.patch,
-                   state_->surface_text, lawName(state_->options.link_law), state_->options.seed);
+                   state_->surface_text, linkLawName(state_->options.link_law), state_->options.seed);
   }
   return message("Simulated {} on {}, link law {}, seed {}", state_->options.patch, state_->surface_text,
-                 lawName(state_->options.link_law), state_->options.seed);
+                 linkLawName(state_->options.link_law), state_->options.seed);
 }
 
 /// A new hold, by hand unless it is the skin's first.
@@ -315,15 +323,15 @@ void SimulatedSkin::State::sense(Hold& holding, Noise& noise, SampleFrame& frame
   for (std::size_t c = 0; c < truth.size(); ++c) {
     const SensorChain& sensor = chains[c];
     CellHealth& cell = health[c];
-    all_send_their_own = all_send_their_own && !cell.echoes && !cell.swapped;
+    all_send_their_own = all_send_their_own && !cell.sendsAnothers();
     // Drawn also where it is not used: a fault of one cell leaves the others' noise as it was.
     const Eigen::Vector3d unit_noise =
-        options.sensor_noise || cell.noisy ? noise.nextVector() : Eigen::Vector3d::Zero();
+        options.sensor_noise || cell.has(SkinFault::Noisy) ? noise.nextVector() : Eigen::Vector3d::Zero();
     const Eigen::Vector3d vibration =
         robot ? robot->vibration(c, 1 / rate_hz(), noise.nextVector()) : Eigen::Vector3d::Zero();
-    if (cell.silent) continue;
+    if (cell.has(SkinFault::NoSamples)) continue;
     Eigen::Vector3d force_b = body.up_b + body.field_b * (sensor.position_b - holding.hand_b);
-    if (cell.turn && (!cell.turned_later || holding.recording >= options.reglued_before)) {
+    if (cell.turn && (!cell.has(SkinFault::Reglued) || holding.recording >= options.reglued_before)) {
       const Eigen::Matrix3d& R_b_u = truth[c].T_b_u.R;
       force_b = R_b_u * cell.turn->transpose() * R_b_u.transpose() * force_b;
     }

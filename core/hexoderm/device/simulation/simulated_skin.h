@@ -20,6 +20,8 @@ enum class LinkLaw {
   Bend,     ///< rigid cells; only the gap bends, as an arc of constant length: next centre (2/k) atan(k e) along
   Surface,  ///< neighbouring centres one pitch (2 e) apart along the surface
 };
+std::string_view linkLawName(LinkLaw law);       ///< "bend", "surface"
+LinkLaw linkLawFromName(std::string_view name);  ///< throws InvalidArgument for a name that is none
 
 /// A skin, its errors and how it is held.
 struct SimulatedSkinOptions {

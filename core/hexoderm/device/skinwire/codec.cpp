@@ -113,6 +113,15 @@ void fill(const Joints& from, v1::Joints& to) {
   assign(to.mutable_position(), from.position);
 }
 
+/// The field of a line for such a message.
+v1::Hello& fieldFor(const Hello& /*message*/, v1::Line& line) { return *line.mutable_hello(); }
+v1::Topology& fieldFor(const Topology& /*message*/, v1::Line& line) { return *line.mutable_topology(); }
+v1::Samples& fieldFor(const Samples& /*message*/, v1::Line& line) { return *line.mutable_samples(); }
+v1::Status& fieldFor(const Status& /*message*/, v1::Line& line) { return *line.mutable_status(); }
+v1::Command& fieldFor(const Command& /*message*/, v1::Line& line) { return *line.mutable_command(); }
+v1::Ack& fieldFor(const Ack& /*message*/, v1::Line& line) { return *line.mutable_ack(); }
+v1::Joints& fieldFor(const Joints& /*message*/, v1::Line& line) { return *line.mutable_joints(); }
+
 // ---- protobuf to plain types; nullopt where a plain type can't hold it
 
 std::optional<Message> plain(const v1::Hello& from) {
@@ -231,15 +240,48 @@ Decoded checked(std::optional<Message> message) {
   return decoded;
 }
 
-template <class Proto>
-Decoded parsePayload(ByteView payload, Proto& proto) {
+Decoded messageIn(const v1::Line& line) {
+  switch (line.message_case()) {
+    case v1::Line::kHello:
+      return checked(plain(line.hello()));
+    case v1::Line::kTopology:
+      return checked(plain(line.topology()));
+    case v1::Line::kSamples:
+      return checked(plain(line.samples()));
+    case v1::Line::kStatus:
+      return checked(plain(line.status()));
+    case v1::Line::kCommand:
+      return checked(plain(line.command()));
+    case v1::Line::kAck:
+      return checked(plain(line.ack()));
+    case v1::Line::kJoints:
+      return checked(plain(line.joints()));
+    case v1::Line::MESSAGE_NOT_SET:
+      break;
+  }
+  Decoded unknown;
+  unknown.outcome = DecodeOutcome::UnknownType;
+  unknown.major = kMajor;
+  return unknown;
+}
+
+Decoded parsePayload(std::uint8_t type, ByteView payload) {
+  // Kept, so that the arrays of samples need not grow again for every one of a thousand messages a second.
+  thread_local v1::Line line;
+  const google::protobuf::FieldDescriptor* field = v1::Line::descriptor()->FindFieldByNumber(type + 1);
+  if (field == nullptr || field->containing_oneof() == nullptr) {
+    return failed(
+        DecodeOutcome::UnknownType,
+        {OffenceKind::UnknownMessage, message("there is no message of type {}; expected 1 to 7", std::uint32_t{type})});
+  }
   const NoWordsOfProtobuf quiet;
+  google::protobuf::Message& proto = *line.GetReflection()->MutableMessage(&line, field);
   if (!proto.ParseFromArray(payload.data(), static_cast<int>(payload.size()))) {
     return failed(DecodeOutcome::Broken,
                   {OffenceKind::WrongType, message("the payload is not the protobuf message {} that its type says",
                                                    proto.GetDescriptor()->name())});
   }
-  Decoded decoded = checked(plain(proto));
+  Decoded decoded = messageIn(line);
   const auto& unknown = proto.GetReflection()->GetUnknownFields(proto);
   if (!unknown.empty()) {
     decoded.offences.insert(
@@ -248,38 +290,6 @@ Decoded parsePayload(ByteView payload, Proto& proto) {
          message("{} has no field with the number {}", proto.GetDescriptor()->name(), unknown.field(0).number())});
   }
   return decoded;
-}
-
-template <class Proto>
-Decoded parsePayload(ByteView payload) {
-  Proto proto;
-  return parsePayload(payload, proto);
-}
-
-Decoded parsePayload(std::uint8_t type, ByteView payload) {
-  switch (type) {
-    case 1:
-      return parsePayload<v1::Hello>(payload);
-    case 2:
-      return parsePayload<v1::Topology>(payload);
-    case 3: {
-      // Kept, so that its arrays need not grow again for every one of a thousand messages a second.
-      thread_local v1::Samples samples;
-      return parsePayload(payload, samples);
-    }
-    case 4:
-      return parsePayload<v1::Status>(payload);
-    case 5:
-      return parsePayload<v1::Command>(payload);
-    case 6:
-      return parsePayload<v1::Ack>(payload);
-    case 7:
-      return parsePayload<v1::Joints>(payload);
-    default:
-      return failed(DecodeOutcome::UnknownType,
-                    {OffenceKind::UnknownMessage,
-                     message("there is no message of type {}; expected 1 to 7", std::uint32_t{type})});
-  }
 }
 
 void checkBeforeEncoding(const Message& message) {
@@ -346,31 +356,6 @@ std::optional<std::uint32_t> majorOfLine(std::string_view line) {
   return value <= UINT32_MAX ? std::optional(static_cast<std::uint32_t>(value)) : std::nullopt;
 }
 
-Decoded messageIn(const v1::Line& line) {
-  switch (line.message_case()) {
-    case v1::Line::kHello:
-      return checked(plain(line.hello()));
-    case v1::Line::kTopology:
-      return checked(plain(line.topology()));
-    case v1::Line::kSamples:
-      return checked(plain(line.samples()));
-    case v1::Line::kStatus:
-      return checked(plain(line.status()));
-    case v1::Line::kCommand:
-      return checked(plain(line.command()));
-    case v1::Line::kAck:
-      return checked(plain(line.ack()));
-    case v1::Line::kJoints:
-      return checked(plain(line.joints()));
-    case v1::Line::MESSAGE_NOT_SET:
-      break;
-  }
-  Decoded unknown;
-  unknown.outcome = DecodeOutcome::UnknownType;
-  unknown.major = kMajor;
-  return unknown;
-}
-
 }  // namespace
 
 Decoded brokenPiece(OffenceKind kind, hexoderm::Message reason, ByteView beginning) {
@@ -384,30 +369,21 @@ Bytes encodeBody(const Message& message) {
   const NoWordsOfProtobuf quiet;
   return std::visit(
       [&](const auto& m) {
-        auto proto = [&] {
-          using Plain = std::decay_t<decltype(m)>;
-          if constexpr (std::is_same_v<Plain, Hello>) return v1::Hello();
-          if constexpr (std::is_same_v<Plain, Topology>) return v1::Topology();
-          if constexpr (std::is_same_v<Plain, Samples>) return v1::Samples();
-          if constexpr (std::is_same_v<Plain, Status>) return v1::Status();
-          if constexpr (std::is_same_v<Plain, Command>) return v1::Command();
-          if constexpr (std::is_same_v<Plain, Ack>) return v1::Ack();
-          if constexpr (std::is_same_v<Plain, Joints>) return v1::Joints();
-        }();
+        std::decay_t<decltype(fieldFor(m, std::declval<v1::Line&>()))> proto;
         fill(m, proto);
         const std::size_t payload = proto.ByteSizeLong();
         if (payload > kMaxBody - kHead - kTail) {
           throw InvalidArgument("a message of " + std::to_string(payload) + " bytes can't be sent, the limit is " +
                                 std::to_string(kMaxBody - kHead - kTail) + "; expected it to be sent in parts");
         }
-        Bytes body(kHead + payload + kTail);
+        Bytes body;
+        body.reserve(kHead + payload + kTail);
+        body.resize(kHead + payload);
         body[0] = kMajor;
         body[1] = static_cast<std::uint8_t>(message.index() + 1);
         proto.SerializeWithCachedSizesToArray(body.data() + kHead);
-        const std::uint32_t crc = crc32c(ByteView(body).first(kHead + payload));
-        for (std::size_t k = 0; k < kTail; ++k) {
-          body[kHead + payload + k] = static_cast<std::uint8_t>(crc >> (8 * k));
-        }
+        const std::uint32_t crc = crc32c(body);
+        appendLittleEndian(crc, body);
         return body;
       },
       message);
@@ -430,18 +406,7 @@ std::string encodeLine(const Message& message) {
   checkBeforeEncoding(message);
   const NoWordsOfProtobuf quiet;
   v1::Line line;
-  std::visit(
-      [&](const auto& m) {
-        using Plain = std::decay_t<decltype(m)>;
-        if constexpr (std::is_same_v<Plain, Hello>) fill(m, *line.mutable_hello());
-        if constexpr (std::is_same_v<Plain, Topology>) fill(m, *line.mutable_topology());
-        if constexpr (std::is_same_v<Plain, Samples>) fill(m, *line.mutable_samples());
-        if constexpr (std::is_same_v<Plain, Status>) fill(m, *line.mutable_status());
-        if constexpr (std::is_same_v<Plain, Command>) fill(m, *line.mutable_command());
-        if constexpr (std::is_same_v<Plain, Ack>) fill(m, *line.mutable_ack());
-        if constexpr (std::is_same_v<Plain, Joints>) fill(m, *line.mutable_joints());
-      },
-      message);
+  std::visit([&](const auto& m) { fill(m, fieldFor(m, line)); }, message);
   google::protobuf::util::JsonPrintOptions options;
   options.preserve_proto_field_names = true;
   std::string text;

@@ -178,9 +178,7 @@ std::optional<Decoded> FrameDecoder::nextByLength() {
 }
 
 Decoded FrameDecoder::decodePiece(ByteView piece) const {
-  if (*framing_ == Framing::Lines) {
-    return decodeLine({reinterpret_cast<const char*>(piece.data()), piece.size()});
-  }
+  if (*framing_ == Framing::Lines) return decodeLine({reinterpret_cast<const char*>(piece.data()), piece.size()});
   if (const std::optional<Bytes> body = decodeCobs(piece)) return decodeBody(*body);
   return brokenPiece(OffenceKind::BrokenFrame, message("the bytes before a 0x00 are not COBS"), piece);
 }

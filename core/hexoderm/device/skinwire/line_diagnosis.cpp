@@ -60,9 +60,7 @@ class LineInspector {
     }
     std::size_t messages = 0;
     for (const auto& [key, value] : line.items()) messages += isMessage(type, key) && !value.is_null() ? 1 : 0;
-    if (messages > 1) {
-      add(OffenceKind::NotAMessage, message("expected one message in a line, found {}", messages));
-    }
+    if (messages > 1) add(OffenceKind::NotAMessage, message("expected one message in a line, found {}", messages));
     for (const auto& [key, value] : line.items()) {
       if (const FieldDescriptor* field = findField(type, key)) {
         inspectField(*field, value, key);
@@ -127,9 +125,7 @@ class LineInspector {
     if (!value.is_array()) {
       return add(OffenceKind::WrongType, place, message("expected an array, found {}", valueInWords(value)));
     }
-    for (std::size_t k = 0; k < value.size(); ++k) {
-      inspectValue(field, value[k], place + "[" + std::to_string(k) + "]");
-    }
+    for (std::size_t k = 0; k < value.size(); ++k) inspectValue(field, value[k], place + "[" + std::to_string(k) + "]");
   }
 
   void inspectValue(const FieldDescriptor& field, const Json& value, const std::string& place) {

@@ -10,6 +10,7 @@
 #include <cassert>
 #include <cmath>
 #include <optional>
+#include <utility>
 
 namespace hexoderm::skinwire {
 namespace {
@@ -59,6 +60,30 @@ bool sameCells(const SampleFrame& a, const SampleFrame& b) {
                             [](const CellSample& x, const CellSample& y) { return x.cell == y.cell; });
 }
 
+/// A message of one tick, which is sent, and another one begun, where the next item would make it too large.
+template <class Send>
+class GrowingMessage {
+ public:
+  GrowingMessage(const SampleFrame& frame, std::size_t most, const Send& send)
+      : empty_{.time_us = microseconds(frame.time_s)}, most_(most), send_(send) {}
+  Samples& withRoomFor(std::size_t bytes) {
+    if (size_ + bytes > most_) end();
+    size_ += bytes;
+    return open_;
+  }
+  void end() {
+    if (size_ > kOverhead) send_(std::exchange(open_, empty_));
+    size_ = kOverhead;
+  }
+
+ private:
+  Samples empty_;
+  Samples open_ = empty_;
+  std::size_t size_ = kOverhead;
+  std::size_t most_;
+  const Send& send_;
+};
+
 }  // namespace
 
 void SampleEncoder::append(Samples message, std::vector<Samples>& out) {
@@ -70,90 +95,43 @@ void SampleEncoder::append(Samples message, std::vector<Samples>& out) {
 }
 
 void SampleEncoder::encode(const SampleFrame& frame, std::vector<Samples>& out) {
-  encodeSamples(frame, out);
-  encodeMeans(frame, out);
-  encodeTemperatures(frame, out);
-}
-
-void SampleEncoder::encodeSamples(const SampleFrame& frame, std::vector<Samples>& out) {
+  const auto send = [&](Samples message) { append(std::move(message), out); };
   // Either kind has messages of its own; at most two are open at any time.
-  Samples raw;
-  Samples floats;
-  raw.time_us = floats.time_us = microseconds(frame.time_s);
-  std::size_t raw_size = kOverhead;
-  std::size_t float_size = kOverhead;
-  const auto flush = [&](Samples& open, std::size_t& size) {
-    if (!open.cells.empty()) append(open, out);
-    open.cells.clear();
-    open.raw_lsb.clear();
-    open.acceleration_g.clear();
-    size = kOverhead;
-  };
+  GrowingMessage raw(frame, max_body_, send);
+  GrowingMessage floats(frame, max_body_, send);
   for (const CellSample& sample : frame.samples) {
     const std::size_t id_size = varintSize(sample.cell.value());
     if (const std::optional<Lsb> lsb = exactLsb(sample.acceleration_g, lsb_g_)) {
-      const std::size_t size = id_size + sizeOf(*lsb);
-      if (raw_size + size > max_body_) flush(raw, raw_size);
-      raw.cells.push_back(sample.cell.value());
-      raw.raw_lsb.insert(raw.raw_lsb.end(), lsb->begin(), lsb->end());
-      raw_size += size;
+      Samples& open = raw.withRoomFor(id_size + sizeOf(*lsb));
+      open.cells.push_back(sample.cell.value());
+      open.raw_lsb.insert(open.raw_lsb.end(), lsb->begin(), lsb->end());
     } else if (fitsFloats(sample.acceleration_g)) {
-      const std::size_t size = id_size + kFloatsPerCell;
-      if (float_size + size > max_body_) flush(floats, float_size);
-      floats.cells.push_back(sample.cell.value());
-      push(sample.acceleration_g, floats.acceleration_g);
-      float_size += size;
+      Samples& open = floats.withRoomFor(id_size + kFloatsPerCell);
+      open.cells.push_back(sample.cell.value());
+      push(sample.acceleration_g, open.acceleration_g);
     }
   }
-  flush(raw, raw_size);
-  flush(floats, float_size);
-}
-
-void SampleEncoder::encodeMeans(const SampleFrame& frame, std::vector<Samples>& out) {
-  Samples open;
-  open.time_us = microseconds(frame.time_s);
-  std::size_t size = kOverhead;
-  const auto flush = [&] {
-    if (!open.cells.empty()) append(open, out);
-    open.cells.clear();
-    open.mean_g.clear();
-    open.variance_g2.clear();
-    open.count.clear();
-    size = kOverhead;
-  };
+  raw.end();
+  floats.end();
+  GrowingMessage means(frame, max_body_, send);
   for (const CellMean& mean : frame.means) {
     if (!fitsFloats(mean.mean_g) || !fitsFloats(mean.variance_g2) || mean.count == 0) continue;
-    const std::size_t own = varintSize(mean.cell.value()) + 2 * kFloatsPerCell + varintSize(mean.count);
-    if (size + own > max_body_) flush();
+    Samples& open = means.withRoomFor(varintSize(mean.cell.value()) + 2 * kFloatsPerCell + varintSize(mean.count));
     open.cells.push_back(mean.cell.value());
     push(mean.mean_g, open.mean_g);
     push(mean.variance_g2, open.variance_g2);
     open.count.push_back(mean.count);
-    size += own;
   }
-  flush();
-}
-
-void SampleEncoder::encodeTemperatures(const SampleFrame& frame, std::vector<Samples>& out) {
-  Samples open;
-  open.time_us = microseconds(frame.time_s);
-  std::size_t size = kOverhead;
-  const auto flush = [&] {
-    if (!open.temperature_cells.empty()) append(open, out);
-    open.temperature_cells.clear();
-    open.temperature_c.clear();
-    size = kOverhead;
-  };
+  means.end();
+  GrowingMessage temperatures(frame, max_body_, send);
   for (const CellTemperature& temperature : frame.temperatures) {
     const auto celsius = static_cast<float>(temperature.temperature_c);
     if (!std::isfinite(celsius)) continue;
-    const std::size_t own = varintSize(temperature.cell.value()) + sizeof(float);
-    if (size + own > max_body_) flush();
+    Samples& open = temperatures.withRoomFor(varintSize(temperature.cell.value()) + sizeof(float));
     open.temperature_cells.push_back(temperature.cell.value());
     open.temperature_c.push_back(celsius);
-    size += own;
   }
-  flush();
+  temperatures.end();
 }
 
 void SampleEncoder::encodeBatch(std::span<const SampleFrame> frames, std::vector<Samples>& out) {

@@ -29,9 +29,6 @@ class SampleEncoder {
   [[nodiscard]] std::uint64_t sequence() const { return sequence_; }
 
  private:
-  void encodeSamples(const SampleFrame& frame, std::vector<Samples>& out);
-  void encodeMeans(const SampleFrame& frame, std::vector<Samples>& out);
-  void encodeTemperatures(const SampleFrame& frame, std::vector<Samples>& out);
   void append(Samples message, std::vector<Samples>& out);
 
   double lsb_g_;

@@ -43,15 +43,15 @@ std::unique_ptr<SkinSource> openReplay(const std::string& address) {
 }
 
 const SourceKind& kindOf(const std::string& address) {
-  std::string known;
   for (const SourceKind& kind : sourceKinds()) {
     if (address.starts_with(kind.prefix)) return kind;
-    known += (known.empty() ? "" : ", ") + std::string(kind.example);
   }
-  throw InvalidArgument(message("source \"{}\": expected one of {}", address, known));
+  throw InvalidArgument(message("source \"{}\": expected one of {}", address, sourceKindsInWords()));
 }
 
 }  // namespace
+
+std::string sourceKindsInWords() { return inARow(sourceKinds(), &SourceKind::example); }
 
 std::span<const SourceKind> sourceKinds() {
   // Until they are started these hold their address and no more, so that opening one is a check of it.

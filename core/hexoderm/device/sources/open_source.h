@@ -20,6 +20,7 @@ struct SourceKind {
 
 /// All kinds there are, in the order in which they are listed to people. A new kind of source is a new entry.
 std::span<const SourceKind> sourceKinds();
+std::string sourceKindsInWords();  ///< "tcp://HOST:PORT, udp://HOST:PORT, ..."
 
 /// A source, not yet started: "tcp://HOST:PORT", "udp://HOST:PORT", "serial:/dev/tty...[?baud=N]", "stdin",
 /// "replay:FILE[?speed=X|max|step]", "sim:PATCH[?surface=...&seed=N&speed=X|max&motion=hand|robot]" or

@@ -2,6 +2,7 @@
 
 #include "hexoderm/device/skinwire/codec.h"
 #include "hexoderm/device/skinwire/description.h"
+#include "hexoderm/device/skinwire/little_endian.h"
 #include "hexoderm/device/skinwire/sample_messages.h"
 #include "hexoderm/util/error.h"
 #include "hexoderm/util/kept_files.h"
@@ -12,7 +13,6 @@
 #include <cerrno>
 #include <cmath>
 #include <cstring>
-#include <fstream>
 #include <mutex>
 #include <string_view>
 #include <system_error>
@@ -25,18 +25,6 @@ constexpr std::string_view kMagic = "SKINREC";
 constexpr char kVersion = '1';
 constexpr std::size_t kHead = 12;  // arrival time, length
 constexpr std::chrono::seconds kFlushEvery(1);
-
-template <class Number>
-void putLittleEndian(Number value, std::vector<std::uint8_t>& out) {
-  for (std::size_t k = 0; k < sizeof(Number); ++k) out.push_back(static_cast<std::uint8_t>(value >> (8 * k)));
-}
-
-template <class Number>
-Number getLittleEndian(const std::uint8_t* bytes) {
-  Number value = 0;
-  for (std::size_t k = 0; k < sizeof(Number); ++k) value |= static_cast<Number>(Number{bytes[k]} << (8 * k));
-  return value;
-}
 
 }  // namespace
 
@@ -75,8 +63,8 @@ struct StreamRecorder::Impl {
     const std::vector<std::uint8_t> body = skinwire::encodeBody(message);
     const auto arrived = std::chrono::duration_cast<std::chrono::microseconds>(Clock::now() - began);
     std::vector<std::uint8_t> head;
-    putLittleEndian(static_cast<std::uint64_t>(arrived.count()), head);
-    putLittleEndian(static_cast<std::uint32_t>(body.size()), head);
+    skinwire::appendLittleEndian(static_cast<std::uint64_t>(arrived.count()), head);
+    skinwire::appendLittleEndian(static_cast<std::uint32_t>(body.size()), head);
     put(head);
     put(body);
   }
@@ -125,8 +113,7 @@ StreamRecorder::StreamRecorder(std::filesystem::path path, SkinListener& next)
   impl_->file.open(impl_->path, std::ios::binary | std::ios::app);
   if (impl_->file.is_open() && !replaces) impl_->begin();
   if (!impl_->file) {
-    throw StorageError(
-        located(impl_->path.string(), message("a recording can't be written there: {}", systemReason(errno))));
+    throw StorageError(impl_->path.string(), message("a recording can't be written there: {}", systemReason(errno)));
   }
 }
 
@@ -204,71 +191,53 @@ Message StreamRecorder::error() const {
   return impl_->failure;
 }
 
-struct RecordingReader::Impl {
-  std::string path;
-  std::ifstream file;
-  std::uint64_t position = 0;
-  std::chrono::microseconds last{};
-  Message damage;
-
-  /// False, with `damage`, if there are fewer bytes; an end before the first byte is none where that is allowed.
-  bool read(std::uint8_t* bytes, std::size_t size, bool may_end) {
-    file.read(reinterpret_cast<char*>(bytes), static_cast<std::streamsize>(size));
-    const auto count = static_cast<std::size_t>(file.gcount());
-    if (count == size) return true;
-    if (count > 0 || !may_end) {
-      damage = located(path, message("is cut off; all before byte {} was played", position));
-    }
-    return false;
-  }
-};
-
-RecordingReader::RecordingReader(const std::filesystem::path& path) : impl_(std::make_unique<Impl>()) {
-  impl_->path = path.string();
-  std::error_code ignored;
-  if (std::filesystem::is_directory(path, ignored)) {
-    throw StorageError(located(impl_->path, message("is a folder, expected a recording")));
-  }
-  impl_->file.open(path, std::ios::binary);
-  if (!impl_->file) throw StorageError(located(impl_->path, message("can't be read: {}", systemReason(errno))));
-  std::array<std::uint8_t, kMagic.size() + 1> magic{};
-  const bool whole = impl_->read(magic.data(), magic.size(), false);
-  const char version = static_cast<char>(magic.back());
-  if (!whole || !std::equal(kMagic.begin(), kMagic.end(), magic.begin()) || version < kVersion || version > '9') {
-    throw FormatError(
-        located(impl_->path, message("is no recording of a skin, expected it to begin with \"SKINREC1\"")));
-  }
-  if (version > kVersion) {
-    throw FormatError(located(impl_->path, message("this recording has version {}, this program reads version {}",
-                                                   std::string(1, version), std::string(1, kVersion))));
-  }
-  impl_->position = magic.size();
+bool RecordingReader::read(std::span<std::uint8_t> bytes, bool may_end) {
+  file_.read(reinterpret_cast<char*>(bytes.data()), static_cast<std::streamsize>(bytes.size()));
+  const auto count = static_cast<std::size_t>(file_.gcount());
+  if (count == bytes.size()) return true;
+  if (count > 0 || !may_end) damage_ = located(path_, message("is cut off; all before byte {} was played", position_));
+  return false;
 }
 
-RecordingReader::~RecordingReader() = default;
+RecordingReader::RecordingReader(const std::filesystem::path& path) : path_(path.string()) {
+  std::error_code ignored;
+  if (std::filesystem::is_directory(path, ignored)) {
+    throw StorageError(path_, message("is a folder, expected a recording"));
+  }
+  file_.open(path, std::ios::binary);
+  if (!file_) throw StorageError(path_, message("can't be read: {}", systemReason(errno)));
+  std::array<std::uint8_t, kMagic.size() + 1> magic{};
+  const bool whole = read(magic, false);
+  const char version = static_cast<char>(magic.back());
+  if (!whole || !std::equal(kMagic.begin(), kMagic.end(), magic.begin()) || version < kVersion || version > '9') {
+    throw FormatError(path_, message("is no recording of a skin, expected it to begin with \"SKINREC1\""));
+  }
+  if (version > kVersion) {
+    throw FormatError(path_, message("this recording has version {}, this program reads version {}",
+                                     std::string(1, version), std::string(1, kVersion)));
+  }
+  position_ = magic.size();
+}
 
 std::optional<RecordedBody> RecordingReader::next() {
-  if (!impl_->damage.empty()) return std::nullopt;
+  if (!damage_.empty()) return std::nullopt;
   std::array<std::uint8_t, kHead> head{};
-  if (!impl_->read(head.data(), head.size(), true)) return std::nullopt;
-  const auto arrived_us = getLittleEndian<std::uint64_t>(head.data());
-  const auto length = getLittleEndian<std::uint32_t>(head.data() + 8);
+  if (!read(head, true)) return std::nullopt;
+  const auto arrived_us = skinwire::littleEndian<std::uint64_t>(head);
+  const auto length = skinwire::littleEndian(skinwire::ByteView(head).subspan(8));
   if (length > skinwire::kMaxBody || arrived_us > skinwire::kMaxTime_us) {
-    impl_->damage =
-        located(impl_->path,
-                message("byte {}: a record says that it has {} bytes, at most {} were expected; the rest can't be read",
-                        impl_->position, length, skinwire::kMaxBody));
+    damage_ = located(
+        path_, message("byte {}: a record says that it has {} bytes, at most {} were expected; the rest can't be read",
+                       position_, length, skinwire::kMaxBody));
     return std::nullopt;
   }
   RecordedBody record;
   record.body.resize(length);
-  if (!impl_->read(record.body.data(), length, false)) return std::nullopt;
-  impl_->position += kHead + length;
-  impl_->last = std::max(impl_->last, std::chrono::microseconds(arrived_us));
-  record.arrived = impl_->last;
+  if (!read(record.body, false)) return std::nullopt;
+  position_ += kHead + length;
+  last_ = std::max(last_, std::chrono::microseconds(arrived_us));
+  record.arrived = last_;
   return record;
 }
-
-const Message& RecordingReader::damage() const { return impl_->damage; }
 
 }  // namespace hexoderm

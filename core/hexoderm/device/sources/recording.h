@@ -5,8 +5,10 @@
 #include <chrono>
 #include <cstdint>
 #include <filesystem>
+#include <fstream>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -57,15 +59,20 @@ class RecordingReader {
  public:
   /// Throws StorageError if the file can't be read, FormatError if it is no recording or one of a newer version.
   explicit RecordingReader(const std::filesystem::path& path);
-  ~RecordingReader();
   /// nullopt at the end, also at the first record that is not whole or claims an impossible length.
   std::optional<RecordedBody> next();
   /// The place and kind of damage if the file ends before its time, for people; empty otherwise.
-  [[nodiscard]] const Message& damage() const;
+  [[nodiscard]] const Message& damage() const { return damage_; }
 
  private:
-  struct Impl;
-  std::unique_ptr<Impl> impl_;
+  /// False, with `damage`, if there are fewer bytes; an end before the first byte is none where that is allowed.
+  bool read(std::span<std::uint8_t> bytes, bool may_end);
+
+  std::string path_;
+  std::ifstream file_;
+  std::uint64_t position_ = 0;
+  std::chrono::microseconds last_{};
+  Message damage_;
 };
 
 /// The speed at which a recording is played.

@@ -134,8 +134,7 @@ ReplaySource::ReplaySource(std::filesystem::path path, ReplayOptions options) : 
 ReplaySource::~ReplaySource() { stop(); }
 
 void ReplaySource::start(SkinListener& listener) {
-  if (impl_->listener != nullptr)
-    throw InvalidArgument(located(address(), message("a source can be started only once")));
+  if (impl_->listener != nullptr) throw InvalidArgument(address(), message("a source can be started only once"));
   impl_->reader.emplace(impl_->path);
   impl_->listener = &listener;
   impl_->gate.emplace(*impl_, listener);

@@ -139,9 +139,7 @@ SkinStream::Effect SkinStream::takeJoints(skinwire::Joints joints) {
   last_joints_us_ = joints.time_us;
   if (!announced_) return Effect::Alive;
   JointReport report{1e-6 * static_cast<double>(joints.time_us), {}};
-  for (std::size_t k = 0; k < joint_names_.size(); ++k) {
-    report.angles.positions[joint_names_[k]] = joints.position[k];
-  }
+  for (std::size_t k = 0; k < joint_names_.size(); ++k) report.angles.positions[joint_names_[k]] = joints.position[k];
   listener_.onJoints(report);
   return Effect::Alive;
 }

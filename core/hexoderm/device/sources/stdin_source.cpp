@@ -146,9 +146,9 @@ StdinSource::StdinSource(int descriptor, std::chrono::milliseconds silent_after)
 StdinSource::~StdinSource() { stop(); }
 
 void StdinSource::start(SkinListener& listener) {
-  if (impl_->stream) throw InvalidArgument(located("stdin", message("a source can be started only once")));
+  if (impl_->stream) throw InvalidArgument("stdin", message("a source can be started only once"));
   if (::pipe2(impl_->wake.data(), O_CLOEXEC | O_NONBLOCK) != 0) {
-    throw DeviceError(located("stdin", message("can't be read: {}", systemReason(errno))));
+    throw DeviceError("stdin", message("can't be read: {}", systemReason(errno)));
   }
   impl_->listener = &listener;
   impl_->stream.emplace(listener);

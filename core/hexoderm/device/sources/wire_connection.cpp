@@ -65,16 +65,10 @@ void WireConnection::connect() {
     stream_.report(SourceState::Connecting, named(message("connecting")), since_);
     scheduleTick();
   }
-  switch (address_.kind) {
-    case WireAddress::Kind::Serial:
-      decoder_ = skinwire::FrameDecoder(Framing::Cobs);
-      stream_.forgiveFirstPiece();
-      break;
-    case WireAddress::Kind::Tcp:
-    case WireAddress::Kind::Udp:  // which does not use it
-      decoder_ = skinwire::FrameDecoder(std::nullopt);
-      break;
-  }
+  // Over UDP it is not used.
+  const bool is_serial = address_.kind == WireAddress::Kind::Serial;
+  decoder_ = skinwire::FrameDecoder(is_serial ? std::optional(Framing::Cobs) : std::nullopt);
+  if (is_serial) stream_.forgiveFirstPiece();
   transport_ = makeWireTransport(io_, address_,
                                  {[this] { onOpened(); }, [this](skinwire::ByteView bytes) { onReceived(bytes); },
                                   [this](const Message& why) { retryLater(why); }});

@@ -52,7 +52,7 @@ WireSource::WireSource(const std::string& address, WireOptions options) : impl_(
 WireSource::~WireSource() { stop(); }
 
 void WireSource::start(SkinListener& listener) {
-  if (impl_->connection) throw InvalidArgument(located(impl_->address, message("a source can be started only once")));
+  if (impl_->connection) throw InvalidArgument(impl_->address, message("a source can be started only once"));
   impl_->connection = std::make_unique<WireConnection>(impl_->io, impl_->address, impl_->options, listener);
   impl_->thread = std::thread([impl = impl_.get()] { impl->run(); });
 }

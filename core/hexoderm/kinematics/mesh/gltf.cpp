@@ -273,9 +273,9 @@ class GltfReader {
       mesh_.allowFor(bytes.size());
       return bytes;
     } catch (const StorageError& error) {
-      throw StorageError(located(mesh_.file(), error.message()));
+      throw StorageError(mesh_.file(), error.message());
     } catch (const FormatError& error) {
-      throw FormatError(located(mesh_.file(), error.message()));
+      throw FormatError(mesh_.file(), error.message());
     }
   }
 

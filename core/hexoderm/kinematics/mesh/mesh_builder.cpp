@@ -39,7 +39,7 @@ MeshBuilder MeshBuilder::forPart() const {
   return part;
 }
 
-void MeshBuilder::fail(Message why) const { throw FormatError(located(file_, std::move(why))); }
+void MeshBuilder::fail(Message why) const { throw FormatError(file_, std::move(why)); }
 
 void MeshBuilder::failTooMany(std::size_t count, Message what) const {
   fail(message("has {} {}, but at most {} are read", count, std::move(what), kMostOfAKind));

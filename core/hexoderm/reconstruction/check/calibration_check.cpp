@@ -3,6 +3,7 @@
 #include "hexoderm/reconstruction/check/cell_change.h"
 #include "hexoderm/reconstruction/check/same_skin.h"
 #include "hexoderm/reconstruction/faults/cell_health.h"
+#include "hexoderm/util/enum_names.h"
 #include "hexoderm/util/error.h"
 
 #include <Eigen/Cholesky>
@@ -429,9 +430,9 @@ class CalibrationChecker {
 }  // namespace
 
 std::string_view cellChangeName(CellChange change) {
-  constexpr std::array<std::string_view, 6> kNames = {"none",   "turned",  "drifted", "turned_or_drifted",
-                                                      "broken", "not_told"};
-  return kNames.at(static_cast<std::size_t>(change));
+  constexpr EnumNames<CellChange, 6> kNames = {
+      {"none", "turned", "drifted", "turned_or_drifted", "broken", "not_told"}};
+  return kNames.of(change);
 }
 
 std::size_t CalibrationCheck::count(CellChange change) const {

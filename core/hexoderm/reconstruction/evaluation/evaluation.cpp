@@ -3,6 +3,7 @@
 #include "hexoderm/geometry/alignment.h"
 #include "hexoderm/geometry/covariance.h"
 #include "hexoderm/reconstruction/evaluation/link_chain.h"
+#include "hexoderm/util/enum_names.h"
 #include "hexoderm/util/error.h"
 #include "hexoderm/util/limits.h"
 #include "hexoderm/util/units.h"
@@ -74,7 +75,7 @@ bool canContradict(const PatchReconstruction& patch) {
          std::ranges::any_of(patch.cells, [](const CellPlacement& cell) { return cell.cov_t_r.has_value(); });
 }
 
-constexpr std::array<std::string_view, 4> kSurfaceNames = {"plane", "sphere", "cylinder", "cone"};
+constexpr EnumNames<SurfaceKind, 4> kSurfaceNames = {{"plane", "sphere", "cylinder", "cone"}};
 
 /// A caliper that is this many standard deviations off is not a matter of chance.
 constexpr double kContradictingSigmas = 4;
@@ -162,14 +163,11 @@ Message endInWords(LinkEnd end) { return message("cell {} port {}", end.cell, en
 }  // namespace
 
 SurfaceKind surfaceKindFromName(std::string_view name) {
-  const auto found = std::ranges::find(kSurfaceNames, name);
-  if (found == kSurfaceNames.end()) {
-    throw InvalidArgument(message("surface: expected plane, sphere, cylinder or cone, found \"{}\"", name));
-  }
-  return static_cast<SurfaceKind>(found - kSurfaceNames.begin());
+  if (const auto kind = kSurfaceNames.find(name)) return *kind;
+  throw InvalidArgument(message("surface: expected plane, sphere, cylinder or cone, found \"{}\"", name));
 }
 
-std::string_view surfaceKindName(SurfaceKind kind) { return kSurfaceNames.at(static_cast<std::size_t>(kind)); }
+std::string_view surfaceKindName(SurfaceKind kind) { return kSurfaceNames.of(kind); }
 
 SurfaceEvaluation evaluateSurface(const PatchReconstruction& patch, SurfaceKind kind,
                                   std::optional<double> true_radius_m) {

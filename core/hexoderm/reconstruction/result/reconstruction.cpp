@@ -1,12 +1,14 @@
 #include "hexoderm/reconstruction/result/reconstruction.h"
 
+#include "hexoderm/util/enum_names.h"
+
 #include <algorithm>
 #include <array>
 
 namespace hexoderm {
 namespace {
 
-constexpr std::array<std::string_view, 4> kQualityNames = {"un", "partially", "fully", "over"};
+constexpr EnumNames<EdgeQuality, 4> kQualities = {{"un", "partially", "fully", "over"}};
 
 }  // namespace
 
@@ -24,12 +26,8 @@ std::optional<double> LinkEstimate::knownSigma() const {
 
 bool LinkEstimate::hasFigures() const { return used || knownResidual() || knownSigma(); }
 
-std::string_view qualityName(EdgeQuality quality) { return kQualityNames.at(static_cast<std::size_t>(quality)); }
-std::optional<EdgeQuality> qualityFromName(std::string_view name) {
-  const auto found = std::ranges::find(kQualityNames, name);
-  if (found == kQualityNames.end()) return std::nullopt;
-  return static_cast<EdgeQuality>(found - kQualityNames.begin());
-}
+std::string_view qualityName(EdgeQuality quality) { return kQualities.of(quality); }
+std::optional<EdgeQuality> qualityFromName(std::string_view name) { return kQualities.find(name); }
 
 const CellPlacement* PatchReconstruction::findCell(CellId cell_id) const {
   const auto found = std::ranges::lower_bound(cells, cell_id, {}, &CellPlacement::cell);

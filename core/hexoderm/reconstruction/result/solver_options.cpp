@@ -1,5 +1,6 @@
 #include "hexoderm/reconstruction/result/solver_options.h"
 
+#include "hexoderm/util/enum_names.h"
 #include "hexoderm/util/error.h"
 #include "hexoderm/util/text.h"
 
@@ -9,20 +10,38 @@
 namespace hexoderm {
 namespace {
 
-constexpr std::array<std::string_view, 2> kSolvers = {"global", "tree"};
-constexpr std::array<std::string_view, 3> kGapModels = {"fit", "arc", "pivot"};
-constexpr std::array<std::string_view, 3> kAutoOnOff = {"auto", "on", "off"};
-constexpr std::array<std::string_view, 2> kWeights = {"paper", "residual"};
+constexpr EnumNames<Solver, 2> kSolvers = {{"global", "tree"}};
+constexpr EnumNames<GapModel, 3> kGapModels = {{"fit", "arc", "pivot"}};
+constexpr EnumNames<Centring, 3> kCentrings = {{"auto", "on", "off"}};
+constexpr EnumNames<SupportAxes, 3> kSupportAxes = {{"auto", "on", "off"}};
+constexpr EnumNames<LinkWeights, 2> kWeights = {{"paper", "residual"}};
 
 template <class Enum, std::size_t Count>
-Enum fromName(const std::array<std::string_view, Count>& names, std::string_view name, const std::string& option) {
+Enum fromName(const EnumNames<Enum, Count>& names, std::string_view name, const std::string& option) {
+  if (const std::optional<Enum> value = names.find(name)) return *value;
   std::string known;
   for (std::size_t i = 0; i < Count; ++i) {
-    if (names[i] == name) return static_cast<Enum>(i);
-    known += (i == 0 ? "" : i + 1 == Count ? " or " : ", ") + std::string(names[i]);
+    known += (i == 0 ? "" : i + 1 == Count ? " or " : ", ") + std::string(names.names[i]);
   }
   throw InvalidArgument(option + ": expected " + known + ", found \"" + std::string(name) + "\"");
 }
+
+template <auto Member, auto NameOf, auto FromName>
+constexpr SolverChoice choice(std::string_view name, std::string_view help) {
+  return {name, help, [](const SolverOptions& options) { return NameOf(options.*Member); },
+          [](SolverOptions& options, std::string_view value) { options.*Member = FromName(value); }};
+}
+constexpr std::array kChoices = {
+    choice<&SolverOptions::solver, solverName, solverFromName>(
+        "solver", "global: all cells, poses and links together; tree: the paper's way, along shortest paths"),
+    choice<&SolverOptions::centring, centringName, centringFromName>(
+        "centre", "Subtract each cell's mean reading: auto, on or off"),
+    choice<&SolverOptions::support_axes, supportAxesName, supportAxesFromName>(
+        "support-axes", "Support weakly defined edges by the gap's axes: auto, on, off"),
+    choice<&SolverOptions::weights, linkWeightsName, linkWeightsFromName>(
+        "weights", "What makes a path short: paper (classes) or residual"),
+    choice<&SolverOptions::gap_model, gapModelName, gapModelFromName>(
+        "gap-model", "What the mould does when it is bent: arc (the pitch stays), pivot (nothing stretches) or fit")};
 
 }  // namespace
 
@@ -42,18 +61,18 @@ void SolverOptions::validate() const {
   inRange(max_opening, 0, 1e6, "largest opening");
 }
 
-std::string_view solverName(Solver solver) { return kSolvers.at(static_cast<std::size_t>(solver)); }
-std::string_view gapModelName(GapModel model) { return kGapModels.at(static_cast<std::size_t>(model)); }
-std::string_view centringName(Centring centring) { return kAutoOnOff.at(static_cast<std::size_t>(centring)); }
-std::string_view supportAxesName(SupportAxes axes) { return kAutoOnOff.at(static_cast<std::size_t>(axes)); }
-std::string_view linkWeightsName(LinkWeights weights) { return kWeights.at(static_cast<std::size_t>(weights)); }
+std::span<const SolverChoice> solverChoices() { return kChoices; }
 
-Solver solverFromName(std::string_view name) { return fromName<Solver>(kSolvers, name, "solver"); }
-GapModel gapModelFromName(std::string_view name) { return fromName<GapModel>(kGapModels, name, "gap-model"); }
-Centring centringFromName(std::string_view name) { return fromName<Centring>(kAutoOnOff, name, "centre"); }
-SupportAxes supportAxesFromName(std::string_view name) {
-  return fromName<SupportAxes>(kAutoOnOff, name, "support-axes");
-}
-LinkWeights linkWeightsFromName(std::string_view name) { return fromName<LinkWeights>(kWeights, name, "weights"); }
+std::string_view solverName(Solver solver) { return kSolvers.of(solver); }
+std::string_view gapModelName(GapModel model) { return kGapModels.of(model); }
+std::string_view centringName(Centring centring) { return kCentrings.of(centring); }
+std::string_view supportAxesName(SupportAxes axes) { return kSupportAxes.of(axes); }
+std::string_view linkWeightsName(LinkWeights weights) { return kWeights.of(weights); }
+
+Solver solverFromName(std::string_view name) { return fromName(kSolvers, name, "solver"); }
+GapModel gapModelFromName(std::string_view name) { return fromName(kGapModels, name, "gap-model"); }
+Centring centringFromName(std::string_view name) { return fromName(kCentrings, name, "centre"); }
+SupportAxes supportAxesFromName(std::string_view name) { return fromName(kSupportAxes, name, "support-axes"); }
+LinkWeights linkWeightsFromName(std::string_view name) { return fromName(kWeights, name, "weights"); }
 
 }  // namespace hexoderm

@@ -2,6 +2,7 @@
 
 #include "hexoderm/util/ids.h"
 
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -67,5 +68,14 @@ GapModel gapModelFromName(std::string_view name);        ///< throws as solverFr
 Centring centringFromName(std::string_view name);        ///< throws as solverFromName()
 SupportAxes supportAxesFromName(std::string_view name);  ///< throws as solverFromName()
 LinkWeights linkWeightsFromName(std::string_view name);  ///< throws as solverFromName()
+
+/// An option with few values as a value, so that a command line and settings hold all of them without knowing any.
+struct SolverChoice {
+  std::string_view name;  ///< on the command line, after "--"
+  std::string_view help;
+  std::string_view (*get)(const SolverOptions& options);
+  void (*set)(SolverOptions& options, std::string_view value);  ///< throws as solverFromName()
+};
+std::span<const SolverChoice> solverChoices();  ///< all of them
 
 }  // namespace hexoderm

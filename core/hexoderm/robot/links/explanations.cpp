@@ -158,8 +158,7 @@ class MismatchSearch {
     if (found.size() != 1) return std::nullopt;
     return message(
         "Pose {} doesn't go with the others: without it every patch fits a link. Its joint angles are probably those "
-        "of "
-        "another moment.",
+        "of another moment.",
         found.front());
   }
 
@@ -206,8 +205,7 @@ class MismatchSearch {
     }
     return message(
         "One of the joints {} seems to count its angle the other way round: with its sign turned the angles fit what "
-        "the "
-        "patches see.",
+        "the patches see.",
         found);
   }
 

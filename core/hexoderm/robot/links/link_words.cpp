@@ -41,8 +41,7 @@ Message sayLink(const PatchLinks& patch, const RobotModel& robot) {
     const std::string& link = patch.placed->link;
     if (contradictsChoice(patch)) {
       return message(
-          "The patch of cell {} was put on link {}, which doesn't fit: what the patch saw of gravity is not what "
-          "that "
+          "The patch of cell {} was put on link {}, which doesn't fit: what the patch saw of gravity is not what that "
           "link would see.",
           patch.origin, link);
     }
@@ -53,8 +52,7 @@ Message sayLink(const PatchLinks& patch, const RobotModel& robot) {
   if (patch.candidates.empty()) {
     const LinkCandidate& nearest = *patch.nearest;
     return message(
-        "The patch of cell {} fits no link: link {} comes nearest, with a chi-squared of {} at {} degrees of "
-        "freedom.",
+        "The patch of cell {} fits no link: link {} comes nearest, with a chi-squared of {} at {} degrees of freedom.",
         patch.origin, nearest.links.front().link, Number{nearest.chi_squared, 1}, nearest.freedom);
   }
   const LinkCandidate& first = patch.candidates.front();

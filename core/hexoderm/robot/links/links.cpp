@@ -1,6 +1,5 @@
 #include "hexoderm/robot/links/links.h"
 
-#include "hexoderm/geometry/covariance.h"
 #include "hexoderm/kinematics/joint_check.h"
 #include "hexoderm/robot/links/explanations.h"
 #include "hexoderm/robot/links/link_test.h"
@@ -26,13 +25,6 @@ namespace {
 constexpr double kPriorsInTest = 4;
 /// A turn that is known to less is called open.
 constexpr double kOpenTurn_rad = 0.35;
-
-double worstAcross(const GravitySeen& seen, std::size_t k) {
-  const auto at = static_cast<Eigen::Index>(2 * k);
-  Eigen::Matrix3d padded = Eigen::Matrix3d::Zero();
-  padded.topLeftCorner<2, 2>() = seen.covariance.block<2, 2>(at, at);
-  return largestDeviation(padded);
-}
 
 class LinksFinder {
  public:
@@ -137,9 +129,7 @@ class LinksFinder {
         throw InvalidArgument(message("There is no cell {} to put on link {}.", cell, name));
       if (std::ranges::find(test_.parts, robot_.partOf(link)) == test_.parts.end()) {
         throw InvalidArgument(
-            message("Cell {} can't be put on link {}: the angle of a joint that carries it is not "
-                    "known.",
-                    cell, name));
+            message("Cell {} can't be put on link {}: the angle of a joint that carries it is not known.", cell, name));
       }
       for (Compared& compared : patches_) {
         if (compared.patch->id != located.patch->id) continue;
@@ -328,7 +318,7 @@ class LinksFinder {
       const Eigen::Vector3d expected =
           compared.turn->R_l_o.transpose() * fitted_->up(*compared.link, compared.seen.placeOf(k));
       const GravitySeen& seen = compared.seen.seen();
-      patch.residuals.push_back({seen.poses[k], angleBetween(seen.up[k], expected), worstAcross(seen, k)});
+      patch.residuals.push_back({seen.poses[k], angleBetween(seen.up[k], expected), seen.worstDeviation(k)});
     }
   }
 
@@ -352,8 +342,7 @@ class LinksFinder {
       } else if (without_link.size() == patches_.size()) {
         result_.findings.push_back(
             message("No patch fits any link: perhaps the robot's base did not stand still in all poses, or joint "
-                    "angles and URDF "
-                    "are those of another robot."));
+                    "angles and URDF are those of another robot."));
       }
     }
     if (!result_.robot) return;

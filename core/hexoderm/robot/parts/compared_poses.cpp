@@ -24,9 +24,7 @@ double differenceOf(const std::vector<UpByPose>& patches, PoseId a, PoseId b) {
   for (const UpByPose& up : patches) {
     const auto at_a = up.find(a);
     const auto at_b = up.find(b);
-    if (at_a != up.end() && at_b != up.end()) {
-      largest = std::max(largest, angleBetween(at_a->second, at_b->second));
-    }
+    if (at_a != up.end() && at_b != up.end()) largest = std::max(largest, angleBetween(at_a->second, at_b->second));
   }
   return largest;
 }

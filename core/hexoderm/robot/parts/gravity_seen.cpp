@@ -1,5 +1,6 @@
 #include "hexoderm/robot/parts/gravity_seen.h"
 
+#include "hexoderm/geometry/covariance.h"
 #include "hexoderm/util/units.h"
 
 #include <Eigen/Eigenvalues>
@@ -46,6 +47,24 @@ Eigen::Matrix<double, 3, 2> acrossBasis(const Eigen::Vector3d& up) {
   basis.col(0) = up.cross(Eigen::Vector3d::Unit(smallest)).normalized();
   basis.col(1) = up.cross(basis.col(0));
   return basis;
+}
+
+std::vector<Eigen::Vector3d> axesAllAround(int count) {
+  const double golden = kPi * (3 - std::sqrt(5.0));
+  std::vector<Eigen::Vector3d> axes;
+  for (int k = 0; k < count; ++k) {
+    const double z = (k + 0.5) / count;
+    const double s = std::sqrt(1 - z * z);
+    axes.emplace_back(s * std::cos(golden * k), s * std::sin(golden * k), z);
+  }
+  return axes;
+}
+
+double GravitySeen::worstDeviation(std::size_t pose) const {
+  const auto at = static_cast<Eigen::Index>(2 * pose);
+  Eigen::Matrix3d padded = Eigen::Matrix3d::Zero();
+  padded.topLeftCorner<2, 2>() = covariance.block<2, 2>(at, at);
+  return largestDeviation(padded);
 }
 
 GravitySeen gravityOf(const PatchReconstruction& patch, std::span<const std::size_t> used, double lever_m,

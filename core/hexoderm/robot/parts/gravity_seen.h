@@ -14,6 +14,9 @@ namespace hexoderm {
 /// The same for the same `up`.
 Eigen::Matrix<double, 3, 2> acrossBasis(const Eigen::Vector3d& up);
 
+/// Axes all around (either sign being the same), evenly.
+std::vector<Eigen::Vector3d> axesAllAround(int count);
+
 /// The direction of gravity (up, unit) in P poses in the frame of one rigid body. Errors are across the directions: up
 /// + acrossBasis(up) e, and e of all poses are jointly normal.
 struct GravitySeen {
@@ -22,6 +25,8 @@ struct GravitySeen {
   Eigen::MatrixXd covariance;       ///< 2P x 2P, rad^2, positive definite
 
   [[nodiscard]] std::size_t size() const { return poses.size(); }
+  /// Of a pose, along the worst direction across `up`.
+  [[nodiscard]] double worstDeviation(std::size_t pose) const;
 };
 
 /// Of a patch in a fresh result of the global solver, in those of its poses (indices of PatchReconstruction::gravity,

@@ -3,6 +3,7 @@
 #include "hexoderm/geometry/covariance.h"
 #include "hexoderm/geometry/se3.h"
 #include "hexoderm/robot/parts/rigid_fit.h"
+#include "hexoderm/util/enum_names.h"
 #include "hexoderm/util/units.h"
 
 #include <Eigen/Cholesky>
@@ -39,13 +40,9 @@ class AxisSearch {
   [[nodiscard]] std::vector<AxisCandidate> run() const {
     constexpr int kStarts = 48;
     constexpr double kSame_rad = 0.03;
-    const double golden = kPi * (3 - std::sqrt(5.0));
     std::vector<AxisCandidate> found;
-    for (int k = 0; k < kStarts; ++k) {  // (u_a, u_b) and (-u_a, -u_b) are one axis
-      const double z = (k + 0.5) / kStarts;
-      const double s = std::sqrt(1 - z * z);
-      const AxisCandidate candidate =
-          descend(startAt(Eigen::Vector3d(s * std::cos(golden * k), s * std::sin(golden * k), z)));
+    for (const Eigen::Vector3d& start : axesAllAround(kStarts)) {  // (u_a, u_b) and (-u_a, -u_b) are one axis
+      const AxisCandidate candidate = descend(startAt(start));
       const bool is_new = std::ranges::none_of(found, [&](const AxisCandidate& other) {
         const double sign = other.u_b.dot(candidate.u_b) < 0 ? -1 : 1;
         return angleBetween(other.u_b, sign * candidate.u_b) < kSame_rad &&
@@ -326,15 +323,8 @@ void judgeHinge(Hinge& hinge, bool ambiguous, double least_probable) {
 }  // namespace
 
 std::string_view hingeKnowledgeName(HingeKnowledge knowledge) {
-  switch (knowledge) {
-    case HingeKnowledge::Found:
-      return "found";
-    case HingeKnowledge::NoAxis:
-      return "no_axis";
-    case HingeKnowledge::NotDetermined:
-      break;
-  }
-  return "not_determined";
+  constexpr EnumNames<HingeKnowledge, 3> kNames = {{"found", "no_axis", "not_determined"}};
+  return kNames.of(knowledge);
 }
 
 Hinge fitHinge(const GravitySeen& all_a, const GravitySeen& all_b, double least_probable) {

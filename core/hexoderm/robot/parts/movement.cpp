@@ -13,6 +13,8 @@
 namespace hexoderm {
 namespace {
 
+constexpr int kAxesAround = 120;
+
 using Eigen::Index;
 
 /// What is seen of turns between the two bodies, with the constant turn between them taken out: r = J w_p in every
@@ -68,19 +70,6 @@ class TurnsOfBodies {
   Eigen::LLT<Eigen::MatrixXd> factor_;
 };
 
-/// Axes all around (either sign being the same), evenly.
-std::vector<Eigen::Vector3d> axesAllAround() {
-  constexpr int kAxesAround = 120;
-  const double golden = kPi * (3 - std::sqrt(5.0));
-  std::vector<Eigen::Vector3d> axes;
-  for (int k = 0; k < kAxesAround; ++k) {
-    const double z = (k + 0.5) / kAxesAround;
-    const double s = std::sqrt(1 - z * z);
-    axes.emplace_back(s * std::cos(golden * k), s * std::sin(golden * k), z);
-  }
-  return axes;
-}
-
 }  // namespace
 
 MovementTest testMovement(const GravitySeen& a, const GravitySeen& b) {
@@ -97,7 +86,7 @@ MovementTest testMovement(const GravitySeen& a, const GravitySeen& b) {
   const GravityMisfit& misfit = test.fit.misfit;
   const double stretch = misfit.freedom >= kShowsNoise ? std::max(1.0, misfit.chi_squared / misfit.freedom) : 1;
   const TurnsOfBodies turns(both[0], both[1], test.fit.R[1], stretch);
-  std::vector<Eigen::Vector3d> axes = axesAllAround();
+  std::vector<Eigen::Vector3d> axes = axesAllAround(kAxesAround);
   double least_odds = std::numeric_limits<double>::infinity();
   double least_information = std::numeric_limits<double>::infinity();
   std::vector<double> log_odds;

@@ -1,10 +1,10 @@
 #include "hexoderm/robot/parts/parts.h"
 
-#include "hexoderm/geometry/covariance.h"
 #include "hexoderm/robot/parts/compared_poses.h"
 #include "hexoderm/robot/parts/hand_share.h"
 #include "hexoderm/robot/parts/hinge_fit.h"
 #include "hexoderm/robot/parts/movement.h"
+#include "hexoderm/util/enum_names.h"
 #include "hexoderm/util/error.h"
 #include "hexoderm/util/units.h"
 
@@ -78,9 +78,7 @@ class PartsFinder {
     std::ranges::stable_sort(seeing, [](const PatchReconstruction* a, const PatchReconstruction* b) {
       return a->cells.size() > b->cells.size();
     });
-    for (; seeing.size() > options_.most_patches; seeing.pop_back()) {
-      result_.not_compared.push_back(seeing.back()->id);
-    }
+    for (; seeing.size() > options_.most_patches; seeing.pop_back()) result_.not_compared.push_back(seeing.back()->id);
     // Of patches with hundreds of poses only those that are compared get their covariance.
     poses_ = differentPoses(seeing, posesOf(seeing), options_.most_poses);
     for (const PatchReconstruction* patch : seeing) {
@@ -194,10 +192,7 @@ class PartsFinder {
       }
       const GravitySeen& seen = group.fit.gravity;
       for (std::size_t k = 0; k < seen.size(); ++k) {
-        const auto at = static_cast<Eigen::Index>(2 * k);
-        Eigen::Matrix3d padded = Eigen::Matrix3d::Zero();
-        padded.topLeftCorner<2, 2>() = seen.covariance.block<2, 2>(at, at);
-        part.gravity.push_back({seen.poses[k], seen.up[k], largestDeviation(padded)});
+        part.gravity.push_back({seen.poses[k], seen.up[k], seen.worstDeviation(k)});
       }
       std::ranges::sort(part.gravity, {}, &GravityDirection::pose);
     }
@@ -323,15 +318,8 @@ class PartsFinder {
 }  // namespace
 
 std::string_view movementName(Movement movement) {
-  switch (movement) {
-    case Movement::Together:
-      return "together";
-    case Movement::Apart:
-      return "apart";
-    case Movement::CantTell:
-      break;
-  }
-  return "cant_tell";
+  constexpr EnumNames<Movement, 3> kNames = {{"together", "apart", "cant_tell"}};
+  return kNames.of(movement);
 }
 
 void PartsOptions::validate() const {

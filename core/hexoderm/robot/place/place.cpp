@@ -1,13 +1,14 @@
 #include "hexoderm/robot/place/place.h"
 
 #include "hexoderm/geometry/covariance.h"
-#include "hexoderm/geometry/is_rotation.h"
 #include "hexoderm/robot/place/by_gravity.h"
 #include "hexoderm/robot/place/by_hand.h"
 #include "hexoderm/robot/place/freedom.h"
 #include "hexoderm/robot/place/placement_fit.h"
 #include "hexoderm/robot/place/placement_search.h"
+#include "hexoderm/util/enum_names.h"
 #include "hexoderm/util/error.h"
+#include "hexoderm/util/is_rotation.h"
 #include "hexoderm/util/units.h"
 
 #include <boost/math/distributions/chi_squared.hpp>
@@ -66,8 +67,7 @@ Eigen::MatrixXd covarianceOf(const PatchToPlace& patch) {
   Eigen::MatrixXd C = Eigen::Map<const RowMajor>(patch.covariance.data(), size, size);
   if (!isJointCovariance(C)) {
     throw InvalidArgument(
-        message("the covariance of the patch of cell {} is none: it must be symmetric and positive "
-                "semidefinite",
+        message("the covariance of the patch of cell {} is none: it must be symmetric and positive semidefinite",
                 patch.origin));
   }
   return C;
@@ -88,10 +88,8 @@ FitPatch fitPatchOf(const PatchToPlace& given, double least_radius_m) {
     const bool is_sure = patch.rotation->covariance.allFinite() && isCovariance(patch.rotation->covariance) &&
                          patch.rotation->covariance.llt().info() == Eigen::Success;
     if (!isRotation(patch.rotation->R_l_o) || !is_sure) {
-      throw InvalidArgument(
-          message("the rotation of the patch of cell {} must be a rotation with a positive definite "
-                  "covariance",
-                  given.origin));
+      throw InvalidArgument(message(
+          "the rotation of the patch of cell {} must be a rotation with a positive definite covariance", given.origin));
     }
   }
   if (given.start && !(isRotation(given.start->R) && given.start->t.allFinite())) {
@@ -141,8 +139,7 @@ class Placement {
     for (const PatchToPlace& patch : task_.patches) {
       if (!patch.covariance_assumed) continue;
       result.remarks.push_back(
-          message("How certain the cells of the patch of cell {} are is not stated; 2 mm and 3° "
-                  "were taken for each.",
+          message("How certain the cells of the patch of cell {} are is not stated; 2 mm and 3° were taken for each.",
                   patch.origin));
     }
     for (const std::optional<Message>& too_large : {patchLargerThanLink(), linkTooLargeToSearch()}) {
@@ -377,10 +374,9 @@ class Placement {
     }
     if (result.candidates.size() > 1) {
       result.verdict = PlaceVerdict::Several;
-      result.summary = message(
-          "{}: {} places on link {} fit. A point whose place on the link is known would tell them "
-          "apart.",
-          patchesInWords(), result.candidates.size(), task_.link);
+      result.summary =
+          message("{}: {} places on link {} fit. A point whose place on the link is known would tell them apart.",
+                  patchesInWords(), result.candidates.size(), task_.link);
       return;
     }
     std::vector<Message> sentences;
@@ -503,19 +499,8 @@ void PlaceOptions::validate() const {
 }
 
 std::string_view placeVerdictName(PlaceVerdict verdict) {
-  switch (verdict) {
-    case PlaceVerdict::Placed:
-      return "placed";
-    case PlaceVerdict::Open:
-      return "open";
-    case PlaceVerdict::Several:
-      return "several";
-    case PlaceVerdict::NoneFits:
-      return "none_fits";
-    case PlaceVerdict::TooLarge:
-      return "too_large";
-  }
-  return "";
+  constexpr EnumNames<PlaceVerdict, 5> kNames = {{"placed", "open", "several", "none_fits", "too_large"}};
+  return kNames.of(verdict);
 }
 
 PatchToPlace patchToPlace(const PatchReconstruction& patch) {

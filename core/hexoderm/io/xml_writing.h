@@ -1,0 +1,23 @@
+#pragma once
+
+#include <initializer_list>
+#include <pugixml.hpp>
+#include <string>
+
+namespace hexoderm {
+
+struct XmlAttribute {
+  const char* name;
+  std::string value;
+};
+
+/// A new last element of `parent`, its attributes in this order.
+pugi::xml_node appendElement(pugi::xml_node parent, const char* name,
+                             std::initializer_list<XmlAttribute> attributes = {});
+void appendComment(pugi::xml_node parent, const std::string& text);
+/// Version 1.0 in UTF-8.
+void declareXml(pugi::xml_document& document);
+/// The whole file.
+std::string xmlText(const pugi::xml_document& document, const char* indent);
+
+}  // namespace hexoderm
