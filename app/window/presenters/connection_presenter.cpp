@@ -8,6 +8,7 @@
 #include "app/window/settings/preferences.h"
 #include "app/window/toolkit/deferred_dialog.h"
 #include "app/window/toolkit/status_bar.h"
+#include "app/window/views/views.h"
 #include "widgets/capture/live_strip.h"
 #include "widgets/controls/message_bar.h"
 #include "widgets/words/words.h"
@@ -26,11 +27,10 @@ QString folderForSessions() {
 
 }  // namespace
 
-ConnectionPresenter::ConnectionPresenter(const Views& views, SessionController& controller,
-                                         const WindowActions& actions, FilePresenter& files, EventLog& log)
-    : views_(views), controller_(controller), files_(files), log_(log) {
-  connect(actions.connect_skin, &QAction::triggered, this, &ConnectionPresenter::showDialog);
-  connect(actions.disconnect_skin, &QAction::triggered, &controller_.liveSession(), &LiveSession::disconnectSource);
+ConnectionPresenter::ConnectionPresenter(const WindowParts& parts, FilePresenter& files)
+    : Presenter(parts), files_(files) {
+  connect(actions_.connect_skin, &QAction::triggered, this, &ConnectionPresenter::showDialog);
+  connect(actions_.disconnect_skin, &QAction::triggered, &controller_.liveSession(), &LiveSession::disconnectSource);
   // While readings come these follow each other quickly, so only what shows them is refreshed, if it is not the same.
   connect(&controller_.liveSession().source(), &LiveSource::holdChanged, this, [this] {
     if (controller_.liveSession().source().hold().late_frames != late_frames_shown_) refresh();
@@ -38,15 +38,15 @@ ConnectionPresenter::ConnectionPresenter(const Views& views, SessionController& 
   connect(&controller_.liveSession().source(), &LiveSource::statusChanged, this, &ConnectionPresenter::showOffences);
   connect(&controller_.liveSession(), &LiveSession::captured, this, &ConnectionPresenter::showCaptured);
   connect(&controller_, &SessionController::noticed, this,
-          [this](const QString& text) { views_.messages.showMessage(Tone::Caution, text); });
+          [this](const QString& text) { views_.messages->showMessage(Tone::Caution, text); });
 }
 
 void ConnectionPresenter::showCaptured(const QString& text, bool remarkable) {
-  if (remarkable && !views_.messages.isUrgent()) {
-    views_.messages.showMessage(Tone::Caution, text);
+  if (remarkable && !views_.messages->isUrgent()) {
+    views_.messages->showMessage(Tone::Caution, text);
   } else {
     // What went as it should is no reason to move the window's parts about.
-    views_.status.say(text);
+    views_.status->say(text);
     log_.add(Severity::Info, text);
   }
 }
@@ -57,8 +57,8 @@ void ConnectionPresenter::showOffences() {
   bool is_first = true;
   for (; offences_shown_ < offences.size(); ++offences_shown_) {
     const QString text = tr("The device does something wrong: %1").arg(words(inWords(offences[offences_shown_])));
-    if (std::exchange(is_first, false) && !views_.messages.isUrgent()) {
-      views_.messages.showMessage(Tone::Caution, text);  // which the log repeats
+    if (std::exchange(is_first, false) && !views_.messages->isUrgent()) {
+      views_.messages->showMessage(Tone::Caution, text);  // which the log repeats
     } else {
       log_.add(Severity::Warning, text);
     }
@@ -71,25 +71,25 @@ void ConnectionPresenter::refresh() {
   const SourceStatus& status = live.status();
   // While all is well the status bar says it, and the step Capture has a panel that says more.
   const bool is_well = controller_.liveSession().isLive() && status.state == SourceState::Streaming;
-  views_.strip.setVisible(live.isRunning() && !is_well);
-  views_.status.setLosses(
+  views_.live_strip->setVisible(live.isRunning() && !is_well);
+  views_.status->setLosses(
       live.isRunning() ? lossesInWords(status, live.hold()) : QString(),
       tr("Since the skin was connected: %1. Poses need no more than their own samples, so a few lost ones do no harm; "
          "many speak of a slow network or cable.")
           .arg(countersInWords(status, live.hold())));
   if (!live.isRunning()) return;
-  views_.strip.setStatus(status, live.hold());
+  views_.live_strip->setStatus(status, live.hold());
   const QString device = live.skin() ? words(live.skin()->device) + QStringLiteral(" · ") : QString();
   const QString where = controller_.liveSession().isDemo() ? tr("Demo skin") : device + live.address();
-  views_.status.setSource(
+  views_.status->setSource(
       QStringLiteral("%1 %2 · %3").arg(sourceStateSign(status.state), sourceStateWord(status.state), where),
       device + live.address() + QStringLiteral("\n") + words(status.message));
 }
 
 void ConnectionPresenter::showDialog() {
-  if (views_.window.findChild<ConnectDialog*>()) return;
+  if (window_.findChild<ConnectDialog*>()) return;
   auto* dialog = new ConnectDialog(folderForSessions(),
-                                   controller_.file().isKept() ? controller_.file().name() : QString(), &views_.window);
+                                   controller_.file().isKept() ? controller_.file().name() : QString(), &window_);
   connect(dialog, &ConnectDialog::connectRequested, this, &ConnectionPresenter::connectTo);
   openInTurns(dialog);
 }

@@ -5,6 +5,7 @@
 #include "app/window/settings/preferences.h"
 #include "app/window/toolkit/deferred_dialog.h"
 #include "app/window/toolkit/file_dialog.h"
+#include "app/window/views/views.h"
 #include "widgets/controls/message_bar.h"
 #include "widgets/tables/table_csv.h"
 
@@ -23,23 +24,21 @@ const QString kCalibrationExtension = QStringLiteral(".calibration.json");
 
 }  // namespace
 
-FilePresenter::FilePresenter(QWidget& window, SessionController& controller, const WindowActions& actions,
-                             MessageBar& messages)
-    : window_(window), controller_(controller), messages_(messages) {
-  connect(actions.demo, &QAction::triggered, this, &FilePresenter::startDemo);
-  connect(actions.robot_demo, &QAction::triggered, this, &FilePresenter::startRobotDemo);
-  connect(actions.open, &QAction::triggered, this, &FilePresenter::askToOpen);
-  connect(actions.save, &QAction::triggered, this, [this] { saveSession(false); });
-  connect(actions.save_as, &QAction::triggered, this, [this] { saveSession(true); });
-  connect(actions.save_calibration, &QAction::triggered, this, &FilePresenter::saveCalibration);
-  connect(actions.quit, &QAction::triggered, &window_, &QWidget::close);
+FilePresenter::FilePresenter(const WindowParts& parts) : Presenter(parts) {
+  connect(actions_.demo, &QAction::triggered, this, &FilePresenter::startDemo);
+  connect(actions_.robot_demo, &QAction::triggered, this, &FilePresenter::startRobotDemo);
+  connect(actions_.open, &QAction::triggered, this, &FilePresenter::askToOpen);
+  connect(actions_.save, &QAction::triggered, this, [this] { saveSession(false); });
+  connect(actions_.save_as, &QAction::triggered, this, [this] { saveSession(true); });
+  connect(actions_.save_calibration, &QAction::triggered, this, &FilePresenter::saveCalibration);
+  connect(actions_.quit, &QAction::triggered, &window_, &QWidget::close);
   connect(
       &controller_, &SessionController::changed, this,
       [this] {
         if (close_when_written_ && !controller_.file().isWriting()) window_.close();
       },
       Qt::QueuedConnection);
-  connect(&controller_, &SessionController::opened, &messages_, &QWidget::hide);
+  connect(&controller_, &SessionController::opened, views_.messages, &QWidget::hide);
   connect(&controller_.file(), &SessionFile::sessionSaved, this, [this](const QString& path) {
     showDone(tr("Saved to %1").arg(path), path);
     if (const auto proceed = std::exchange(after_saving_, nullptr)) proceed();
@@ -54,12 +53,13 @@ FilePresenter::FilePresenter(QWidget& window, SessionController& controller, con
           });
   connect(&controller_, &SessionController::failed, this, [this](const QString& message) {
     forgetPlans();
-    messages_.showMessage(Tone::Bad, message);
+    views_.messages->showMessage(Tone::Bad, message);
   });
   connect(&controller_.file(), &SessionFile::journalStuck, this, [this](const QString& why) {
     forgetPlans();
-    messages_.showMessage(Tone::Bad, tr("Not on disk yet; it waits in memory and the work can go on. %1").arg(why),
-                          tr("Try again"), [this] { controller_.file().retryWriting(); });
+    views_.messages->showMessage(Tone::Bad,
+                                 tr("Not on disk yet; it waits in memory and the work can go on. %1").arg(why),
+                                 tr("Try again"), [this] { controller_.file().retryWriting(); });
   });
 }
 
@@ -147,13 +147,14 @@ void FilePresenter::saveCalibration() {
 }
 
 void FilePresenter::showDone(const QString& text, const QString& path, Tone tone) {
-  messages_.showMessage(tone, text, tr("Open folder"), [this, path] { openFolderOf(path); });
+  views_.messages->showMessage(tone, text, tr("Open folder"), [this, path] { openFolderOf(path); });
 }
 
 void FilePresenter::openFolderOf(const QString& path) {
   const QString folder = QFileInfo(path).absolutePath();
   if (!QDesktopServices::openUrl(QUrl::fromLocalFile(folder))) {
-    messages_.showMessage(Tone::Caution, tr("No program to show folders was found. The folder is %1.").arg(folder));
+    views_.messages->showMessage(Tone::Caution,
+                                 tr("No program to show folders was found. The folder is %1.").arg(folder));
   }
 }
 

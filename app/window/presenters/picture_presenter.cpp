@@ -6,6 +6,7 @@
 #include "app/window/settings/preferences.h"
 #include "app/window/settings/theme.h"
 #include "app/window/toolkit/once_per_turn.h"
+#include "app/window/views/views.h"
 #include "widgets/graph/graph_view.h"
 #include "widgets/patch/patch_view.h"
 #include "widgets/robot/robot_view.h"
@@ -18,12 +19,10 @@
 
 namespace hexoderm {
 
-PicturePresenter::PicturePresenter(const Views& views, SessionController& controller, const WindowActions& actions,
-                                   FilePresenter& files, OncePerTurn& refresh)
-    : views_(views), controller_(controller), files_(files), refresh_(refresh) {
-  connect(actions.screenshot, &QAction::triggered, this, &PicturePresenter::savePicture);
-  connect(&views_.patch, &PatchView::pictureRequested, this, &PicturePresenter::savePatch);
-  connect(&views_.graph, &GraphView::pictureWanted, this, &PicturePresenter::saveGraph);
+PicturePresenter::PicturePresenter(const WindowParts& parts, FilePresenter& files) : Presenter(parts), files_(files) {
+  connect(actions_.screenshot, &QAction::triggered, this, &PicturePresenter::savePicture);
+  connect(views_.patch, &PatchView::pictureRequested, this, &PicturePresenter::savePatch);
+  connect(views_.graph, &GraphView::pictureWanted, this, &PicturePresenter::saveGraph);
 }
 
 /// Layouts have not caught up with a text that has just changed, inner ones ask outer ones for room; and a theme that
@@ -38,16 +37,16 @@ void PicturePresenter::settle() {
 QImage PicturePresenter::picture() {
   // Large views draw when there is time; until then a picture of the window would show their last state.
   settle();
-  views_.graph.drawNow();
-  views_.patch.waitUntilUpToDate();
-  views_.patch.drawNow();
-  if (views_.robot.isVisible()) views_.robot.drawNow();
+  views_.graph->drawNow();
+  views_.patch->waitUntilUpToDate();
+  views_.patch->drawNow();
+  if (views_.robot->isVisible()) views_.robot->drawNow();
   return pictureAsDrawn();
 }
 
 QImage PicturePresenter::pictureAsDrawn() {
   settle();
-  return views_.window.grab().toImage();
+  return window_.grab().toImage();
 }
 
 void PicturePresenter::savePicture() {
@@ -55,7 +54,7 @@ void PicturePresenter::savePicture() {
   const QDir folder(QDir(pictures).exists() ? pictures : lastFolder());
   const QString stamp = QDateTime::currentDateTime().toString(QStringLiteral("yyyyMMdd-HHmmss-zzz"));
   const QString path = folder.filePath(QStringLiteral("hexoderm-%1.png").arg(stamp));
-  views_.patch.whenUpToDate([this, path] { drawAndSave(path); });
+  views_.patch->whenUpToDate([this, path] { drawAndSave(path); });
 }
 
 /// In turns of their own, because a theme, drawing and the picture all take their time without a graphics card. A pause
@@ -64,9 +63,9 @@ void PicturePresenter::drawAndSave(const QString& path) {
   constexpr int kNextTurn_ms = 1;
   afterTheme([this, path] {
     settle();
-    views_.graph.drawNow();
+    views_.graph->drawNow();
     QTimer::singleShot(kNextTurn_ms, this, [this, path] {
-      views_.patch.drawNow();
+      views_.patch->drawNow();
       QTimer::singleShot(kNextTurn_ms, this, [this, path] {
         afterTheme([this, path] { controller_.resultFiles().saveImage(pictureAsDrawn(), path); });
       });
@@ -86,8 +85,8 @@ void PicturePresenter::afterTheme(std::function<void()> work) {
 void PicturePresenter::savePatch() {
   files_.askForPath(tr("Save a picture of the 3D view"), files_.suggestedName() + tr("-3d"), tr("Pictures (*.png)"),
                     QStringLiteral(".png"), [this](const QString& path) {
-                      views_.patch.whenUpToDate(
-                          [this, path] { controller_.resultFiles().saveImage(views_.patch.screenshot(), path); });
+                      views_.patch->whenUpToDate(
+                          [this, path] { controller_.resultFiles().saveImage(views_.patch->screenshot(), path); });
                     });
 }
 
@@ -96,7 +95,7 @@ void PicturePresenter::saveGraph() {
                     tr("Vector graphics (*.svg);;Pictures (*.png)"), QStringLiteral(".svg"),
                     [this](const QString& path) {
                       controller_.resultFiles().savePicture(
-                          [picture = views_.graph.picture(), path] { return picture.save(path); }, path);
+                          [picture = views_.graph->picture(), path] { return picture.save(path); }, path);
                     });
 }
 

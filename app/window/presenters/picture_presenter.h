@@ -1,35 +1,20 @@
 #pragma once
 
-#include <QImage>
-#include <QObject>
-#include <functional>
+#include "app/window/presenters/presenter.h"
 
-class QWidget;
+#include <QImage>
+#include <functional>
 
 namespace hexoderm {
 
 class FilePresenter;
-class GraphView;
-class OncePerTurn;
-class PatchView;
-class RobotView;
-class SessionController;
-class WindowActions;
 
 /// Takes the pictures that the operator saves: of the window and of its views.
-class PicturePresenter : public QObject {
+class PicturePresenter : public Presenter {
   Q_OBJECT
 
  public:
-  struct Views {
-    QWidget& window;
-    PatchView& patch;
-    RobotView& robot;
-    GraphView& graph;
-  };
-  /// All outlive the presenter. `refresh`: of the window, which is finished before a picture is taken.
-  PicturePresenter(const Views& views, SessionController& controller, const WindowActions& actions,
-                   FilePresenter& files, OncePerTurn& refresh);
+  PicturePresenter(const WindowParts& parts, FilePresenter& files);
 
   /// The whole window as it looks now. Waits for the 3D view to be up to date (PatchView::waitUntilUpToDate()).
   [[nodiscard]] QImage picture();
@@ -44,10 +29,7 @@ class PicturePresenter : public QObject {
   void savePatch();
   void saveGraph();
 
-  Views views_;
-  SessionController& controller_;
   FilePresenter& files_;
-  OncePerTurn& refresh_;
 };
 
 }  // namespace hexoderm

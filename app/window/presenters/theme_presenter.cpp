@@ -8,8 +8,7 @@
 
 namespace hexoderm {
 
-ThemePresenter::ThemePresenter(const WindowActions& actions, Preferences& preferences)
-    : actions_(actions), preferences_(preferences) {
+ThemePresenter::ThemePresenter(const WindowParts& parts) : Presenter(parts) {
   connect(actions_.themes, &QActionGroup::triggered, this, [this] { setChoice(choice(), true); });
   connect(&preferences_, &Preferences::textFactorChanged, this, [this](double factor) {
     applyTextFactor(factor);

@@ -1,4 +1,4 @@
-#include "app/window/main_window/views.h"
+#include "app/window/views/views.h"
 
 #include "app/window/files/earlier_panel.h"
 #include "app/window/guide/actions.h"

@@ -1,9 +1,9 @@
-#include "app/window/main_window/panels.h"
+#include "app/window/views/panels.h"
 
 #include "app/window/guide/guide.h"
 #include "app/window/guide/welcome_panel.h"
 #include "app/window/log/log_view.h"
-#include "app/window/main_window/views.h"
+#include "app/window/views/views.h"
 #include "app/window/toolkit/table_views.h"
 #include "app/window/toolkit/view_swap.h"
 #include "widgets/capture/coverage_view.h"
