@@ -34,8 +34,6 @@ class PatchScene {
 
   PatchScene();
   ~PatchScene();
-  PatchScene(const PatchScene&) = delete;
-  PatchScene& operator=(const PatchScene&) = delete;
 
   /// Adds the scene's renderers to the window; once. The scene must outlive the window's last rendering.
   void attachTo(vtkRenderWindow* window);

@@ -31,8 +31,6 @@ class SceneCorners {
 
   SceneCorners();
   ~SceneCorners();
-  SceneCorners(const SceneCorners&) = delete;
-  SceneCorners& operator=(const SceneCorners&) = delete;
 
   void attachTo(vtkRenderWindow* window);
   void detachFrom(vtkRenderWindow* window);

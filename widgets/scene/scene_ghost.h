@@ -23,8 +23,6 @@ class SceneGhost {
 
   SceneGhost();
   ~SceneGhost();
-  SceneGhost(const SceneGhost&) = delete;
-  SceneGhost& operator=(const SceneGhost&) = delete;
 
   void attachTo(vtkRenderWindow* window);
   void detachFrom(vtkRenderWindow* window);

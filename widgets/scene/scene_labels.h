@@ -18,8 +18,6 @@ class SceneLabels {
  public:
   explicit SceneLabels(vtkRenderer* renderer);
   ~SceneLabels();
-  SceneLabels(const SceneLabels&) = delete;
-  SceneLabels& operator=(const SceneLabels&) = delete;
 
   /// Null shows nothing.
   void setContent(const std::shared_ptr<const SceneContent>& content);

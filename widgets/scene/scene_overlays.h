@@ -41,8 +41,6 @@ class SceneOverlays {
 
   explicit SceneOverlays(vtkRenderer* renderer);
   ~SceneOverlays();
-  SceneOverlays(const SceneOverlays&) = delete;
-  SceneOverlays& operator=(const SceneOverlays&) = delete;
 
   void setContent(std::shared_ptr<const SceneContent> content);
   void setColors(const SceneColors& colors);

@@ -35,8 +35,6 @@ class SceneSkin {
 
   explicit SceneSkin(vtkRenderer* renderer);
   ~SceneSkin();
-  SceneSkin(const SceneSkin&) = delete;
-  SceneSkin& operator=(const SceneSkin&) = delete;
 
   /// Null shows nothing.
   void setContent(std::shared_ptr<const SceneContent> content);
