@@ -1,6 +1,7 @@
 #include "widgets/capture/live_strip.h"
 
 #include "widgets/controls/action_button.h"
+#include "widgets/controls/panel_parts.h"
 #include "widgets/words/words.h"
 
 #include <QAction>
@@ -123,8 +124,7 @@ LiveStrip::LiveStrip(QAction* end, QWidget* parent)
       word_(plainLabel("liveState", this)),
       text_(plainLabel("liveText", this)),
       counters_(plainLabel("liveCounters", this)) {
-  setObjectName(QStringLiteral("liveStrip"));
-  setAccessibleName(tr("Connected skin"));
+  setNames(this, QStringLiteral("liveStrip"), tr("Connected skin"));
   setProperty("card", true);
   word_->setProperty("headline", true);
   counters_->setProperty("muted", true);
@@ -141,14 +141,10 @@ LiveStrip::LiveStrip(QAction* end, QWidget* parent)
   disconnect->setAction(end);
   // A click leaves the keys where they were.
   disconnect->setFocusPolicy(Qt::TabFocus);
-  auto* row = new QHBoxLayout(this);
-  row->setContentsMargins(14, 8, 10, 8);
-  row->setSpacing(10);
-  row->addWidget(sign_);
-  row->addWidget(word_);
+  auto* row = spaced(new QHBoxLayout(this), {14, 8, 10, 8}, 10);
+  addWidgets(row, {sign_, word_});
   row->addWidget(text_, 1);
-  row->addWidget(counters_);
-  row->addWidget(disconnect);
+  addWidgets(row, {counters_, disconnect});
   hide();
 }
 

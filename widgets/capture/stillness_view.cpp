@@ -1,6 +1,7 @@
 #include "widgets/capture/stillness_view.h"
 
 #include "widgets/controls/elided_label.h"
+#include "widgets/controls/panel_parts.h"
 #include "widgets/style/palette.h"
 
 #include <qwt_plot.h>
@@ -226,8 +227,7 @@ void StillnessView::Parts::refresh() {
 }
 
 StillnessView::StillnessView(QWidget* parent) : QWidget(parent), parts_(std::make_unique<Parts>(this)) {
-  setObjectName(QStringLiteral("stillnessView"));
-  setAccessibleName(tr("Stillness of the last ten seconds"));
+  setNames(this, QStringLiteral("stillnessView"), tr("Stillness of the last ten seconds"));
   parts_->header = new ElidedLabel(1, this);
   parts_->header->setObjectName(QStringLiteral("stillnessHeader"));
   parts_->header->setProperty("muted", true);
@@ -256,9 +256,7 @@ StillnessView::StillnessView(QWidget* parent) : QWidget(parent), parts_(std::mak
   (new Ground(parts_->trace))->attach(plot);
   (new Curves(parts_->trace))->attach(plot);
 
-  auto* layout = new QVBoxLayout(this);
-  layout->setContentsMargins(0, 2, 8, 2);
-  layout->setSpacing(2);
+  auto* layout = spaced(new QVBoxLayout(this), {0, 2, 8, 2}, 2);
   layout->addWidget(parts_->header);
   layout->addWidget(plot, 1);
   layout->addWidget(parts_->nothing, 1);

@@ -2,6 +2,7 @@
 
 #include "widgets/controls/action_button.h"
 #include "widgets/controls/elided_label.h"
+#include "widgets/controls/panel_parts.h"
 
 #include <QHBoxLayout>
 #include <QLabel>
@@ -85,8 +86,7 @@ class Banner::Dot : public QWidget {
 
 Banner::Banner(QWidget* parent)
     : QFrame(parent), dot_(new Dot(this)), sentence_(new ElidedLabel(2, this)), button_(new ActionButton(this)) {
-  setObjectName(QStringLiteral("banner"));
-  setAccessibleName(tr("Where we stand"));
+  setNames(this, QStringLiteral("banner"), tr("Where we stand"));
   setProperty("banner", true);
 
   sentence_->setObjectName(QStringLiteral("bannerSentence"));
@@ -96,9 +96,7 @@ Banner::Banner(QWidget* parent)
   // A click leaves the keys where they were.
   button_->setFocusPolicy(Qt::TabFocus);
 
-  auto* layout = new QHBoxLayout(this);
-  layout->setContentsMargins(16, 6, 16, 6);
-  layout->setSpacing(14);
+  auto* layout = spaced(new QHBoxLayout(this), {16, 6, 16, 6}, 14);
   layout->addWidget(dot_);
   layout->addWidget(sentence_, 1);
   layout->addWidget(button_);

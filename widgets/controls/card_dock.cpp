@@ -1,6 +1,7 @@
 #include "widgets/controls/card_dock.h"
 
 #include "widgets/controls/elided_label.h"
+#include "widgets/controls/panel_parts.h"
 
 #include <QFrame>
 #include <QHBoxLayout>
@@ -12,8 +13,7 @@ namespace hexoderm {
 
 CardDock::CardDock(const QString& heading, const QString& object_name, QWidget* content, QWidget* parent)
     : QDockWidget(heading, parent), title_(new QLabel(heading.toUpper())), remark_(new ElidedLabel) {
-  setObjectName(object_name);
-  setAccessibleName(heading);
+  setNames(this, object_name, heading);
   content->setAccessibleName(heading);
   // The heading is inside the card, so that a dock looks like one thing; it is still what one drags.
   auto* bar = new QFrame;
@@ -22,8 +22,7 @@ CardDock::CardDock(const QString& heading, const QString& object_name, QWidget* 
   remark_->setProperty("muted", true);
   remark_->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
   remark_->hide();
-  auto* head = new QHBoxLayout(bar);
-  head->setContentsMargins(13, 9, 13, 5);
+  auto* head = spaced(new QHBoxLayout(bar), {13, 9, 13, 5});
   head->addWidget(title_);
   head->addStretch(1);
   head->addWidget(remark_, 100);  // all that is there, before the stretch has any
@@ -32,8 +31,7 @@ CardDock::CardDock(const QString& heading, const QString& object_name, QWidget* 
 
   auto* body = new QFrame;
   body->setProperty("cardBody", true);
-  auto* layout = new QVBoxLayout(body);
-  layout->setContentsMargins(1, 0, 1, 1);
+  auto* layout = spaced(new QVBoxLayout(body), {1, 0, 1, 1});
   layout->addWidget(content);
   setWidget(body);
 }

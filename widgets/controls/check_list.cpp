@@ -1,6 +1,7 @@
 #include "widgets/controls/check_list.h"
 
 #include "widgets/controls/banner.h"
+#include "widgets/controls/panel_parts.h"
 #include "widgets/words/words.h"
 
 #include <QHBoxLayout>
@@ -16,16 +17,12 @@ class CheckList::Row : public QWidget {
     QFont bold = sign_->font();
     bold.setBold(true);
     sign_->setFont(bold);
-    text_->setWordWrap(true);
-    text_->setTextFormat(Qt::PlainText);
+    setPlainParagraph(text_);
     show_->setText(CheckList::tr("Show"));
-    auto* words = new QVBoxLayout;
-    words->setSpacing(4);
+    auto* words = spaced(new QVBoxLayout, 4);
     words->addWidget(text_);
     words->addWidget(show_, 0, Qt::AlignLeft);
-    auto* layout = new QHBoxLayout(this);
-    layout->setContentsMargins(0, 0, 0, 0);
-    layout->setSpacing(8);
+    auto* layout = spaced(new QHBoxLayout(this), {0, 0, 0, 0}, 8);
     layout->addWidget(sign_, 0, Qt::AlignTop);
     layout->addLayout(words, 1);
     connect(show_, &QPushButton::clicked, list, [this, list] { emit list->cellPicked(item_.cells.front()); });

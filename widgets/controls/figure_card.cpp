@@ -1,6 +1,7 @@
 #include "widgets/controls/figure_card.h"
 
 #include "widgets/controls/flow_layout.h"
+#include "widgets/controls/panel_parts.h"
 #include "widgets/style/palette.h"
 
 #include <QEvent>
@@ -47,13 +48,10 @@ FigureCard::FigureCard(Kind kind, QWidget* parent)
   }
   text_->setObjectName(QStringLiteral("figureText"));
   value_->setObjectName(QStringLiteral("figureValue"));
-  auto* layout = new QVBoxLayout(this);
-  layout->setContentsMargins(12, 9, 12, 10);
-  layout->setSpacing(5);
+  auto* layout = spaced(new QVBoxLayout(this), {12, 9, 12, 10}, 5);
   if (kind == Kind::Passing) {
     setAttribute(Qt::WA_TransparentForMouseEvents);
-    layout->addWidget(text_);
-    layout->addWidget(value_);
+    addWidgets(layout, {text_, value_});
   } else {
     close_ = new QToolButton(this);
     close_->setObjectName(QStringLiteral("closeFigures"));

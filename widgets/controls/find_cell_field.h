@@ -1,6 +1,7 @@
 #pragma once
 
 #include "hexoderm/util/ids.h"
+#include "widgets/controls/panel_parts.h"
 
 #include <QFrame>
 #include <QHBoxLayout>
@@ -32,11 +33,8 @@ class FindCellField : public QFrame {
     field_->installEventFilter(this);
     answer_->setProperty("muted", true);
     answer_->hide();
-    auto* row = new QHBoxLayout(this);
-    row->setContentsMargins(5, 5, 5, 5);
-    row->setSpacing(6);
-    row->addWidget(field_);
-    row->addWidget(answer_);
+    auto* row = spaced(new QHBoxLayout(this), {5, 5, 5, 5}, 6);
+    addWidgets(row, {field_, answer_});
     connect(field_, &QLineEdit::textChanged, this, &FindCellField::look);
     connect(field_, &QLineEdit::returnPressed, this, &FindCellField::finish);
     hide();

@@ -2,6 +2,7 @@
 
 #include "widgets/controls/banner.h"
 #include "widgets/controls/flow_layout.h"
+#include "widgets/controls/panel_parts.h"
 #include "widgets/words/formatting.h"
 #include "widgets/words/words.h"
 
@@ -19,8 +20,7 @@ namespace {
 QLabel* paragraph(QWidget* parent, const char* name) {
   auto* label = new QLabel(parent);
   label->setObjectName(QLatin1String(name));
-  label->setWordWrap(true);
-  label->setTextFormat(Qt::PlainText);
+  setPlainParagraph(label);
   return label;
 }
 
@@ -56,26 +56,17 @@ FindingCard::FindingCard(QWidget* parent)
   connect(show_, &QPushButton::clicked, this, [this] { emit showWanted(Finding(finding_)); });
   connect(fold_, &QToolButton::toggled, this, &FindingCard::setUnfolded);
 
-  auto* head = new QHBoxLayout;
-  head->setSpacing(6);
+  auto* head = spaced(new QHBoxLayout, 6);
   head->addWidget(severity_);
   head->addWidget(where_, 1);
-  auto* actions = new QHBoxLayout;
-  actions->setSpacing(6);
-  actions->addWidget(show_);
-  actions->addWidget(fold_);
+  auto* actions = spaced(new QHBoxLayout, 6);
+  addWidgets(actions, {show_, fold_});
   actions->addStretch(1);
-  auto* details = new QVBoxLayout(details_);
-  details->setContentsMargins(0, 2, 0, 0);
-  details->setSpacing(6);
-  details->addWidget(why_);
-  details->addWidget(todo_);
-  details->addWidget(buttons_);
+  auto* details = spaced(new QVBoxLayout(details_), {0, 2, 0, 0}, 6);
+  addWidgets(details, {why_, todo_, buttons_});
   button_layout_->setContentsMargins(0, 0, 0, 0);
   button_layout_->setSpacing(6);
-  auto* layout = new QVBoxLayout(this);
-  layout->setContentsMargins(14, 9, 10, 10);
-  layout->setSpacing(6);
+  auto* layout = spaced(new QVBoxLayout(this), {14, 9, 10, 10}, 6);
   layout->addLayout(head);
   layout->addWidget(what_);
   layout->addLayout(actions);

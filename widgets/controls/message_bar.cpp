@@ -1,5 +1,7 @@
 #include "widgets/controls/message_bar.h"
 
+#include "widgets/controls/panel_parts.h"
+
 #include <QAccessible>
 #include <QHBoxLayout>
 #include <QKeyEvent>
@@ -16,8 +18,7 @@ MessageBar::MessageBar(QWidget* parent) : QFrame(parent), text_(new QLabel(this)
   setObjectName(QStringLiteral("messageBar"));
   setProperty("card", true);
   text_->setObjectName(QStringLiteral("messageText"));
-  text_->setWordWrap(true);
-  text_->setTextFormat(Qt::PlainText);
+  setPlainParagraph(text_);
   text_->setTextInteractionFlags(Qt::TextSelectableByMouse);
   button_->setObjectName(QStringLiteral("messageButton"));
   connect(button_, &QPushButton::clicked, this, [this] {
@@ -32,11 +33,9 @@ MessageBar::MessageBar(QWidget* parent) : QFrame(parent), text_(new QLabel(this)
   close->setAccessibleName(tr("Close this message"));
   connect(close, &QToolButton::clicked, this, &QWidget::hide);
 
-  auto* layout = new QHBoxLayout(this);
-  layout->setContentsMargins(16, 6, 8, 6);
+  auto* layout = spaced(new QHBoxLayout(this), {16, 6, 8, 6});
   layout->addWidget(text_, 1);
-  layout->addWidget(button_);
-  layout->addWidget(close);
+  addWidgets(layout, {button_, close});
   hide();
 }
 

@@ -2,6 +2,7 @@
 
 #include "widgets/controls/action_button.h"
 #include "widgets/controls/flow_layout.h"
+#include "widgets/controls/panel_parts.h"
 #include "widgets/style/palette.h"
 #include "widgets/words/formatting.h"
 
@@ -162,28 +163,18 @@ class StepPanel::Row : public QWidget {
     setObjectName(QStringLiteral("step%1").arg(number));
     head_->setObjectName(QStringLiteral("stepHead%1").arg(number));
     body_->setProperty("stepBody", true);
-    what_->setWordWrap(true);
-    what_->setTextFormat(Qt::PlainText);
+    setPlainParagraph(what_);
     what_->setProperty("stepWhat", true);
-    why_->setWordWrap(true);
-    why_->setTextFormat(Qt::PlainText);
+    setPlainParagraph(why_);
     why_->setProperty("muted", true);
     because_->setObjectName(QStringLiteral("stepBecause%1").arg(number));
-    because_->setWordWrap(true);
-    because_->setTextFormat(Qt::PlainText);
-    auto* body = new QVBoxLayout(body_);
-    body->setContentsMargins(kMargin + 6, 2, kMargin, 14);
-    body->setSpacing(8);
-    body->addWidget(what_);
-    body->addWidget(why_);
-    body->addWidget(because_);
+    setPlainParagraph(because_);
+    auto* body = spaced(new QVBoxLayout(body_), {kMargin + 6, 2, kMargin, 14}, 8);
+    addWidgets(body, {what_, why_, because_});
     body->addLayout(content_);
     body->addLayout(buttons_);
-    auto* layout = new QVBoxLayout(this);
-    layout->setContentsMargins(0, 0, 0, 0);
-    layout->setSpacing(0);
-    layout->addWidget(head_);
-    layout->addWidget(body_);
+    auto* layout = spaced(new QVBoxLayout(this), {0, 0, 0, 0}, 0);
+    addWidgets(layout, {head_, body_});
   }
 
   void set(const Step& step) {
@@ -232,8 +223,7 @@ class StepPanel::Row : public QWidget {
 };
 
 StepPanel::StepPanel(QWidget* parent) : QScrollArea(parent), layout_(nullptr) {
-  setObjectName(QStringLiteral("stepPanel"));
-  setAccessibleName(tr("Steps"));
+  setNames(this, QStringLiteral("stepPanel"), tr("Steps"));
   setWidgetResizable(true);
   setFrameShape(QFrame::NoFrame);
   setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);

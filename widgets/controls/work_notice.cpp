@@ -1,5 +1,7 @@
 #include "widgets/controls/work_notice.h"
 
+#include "widgets/controls/panel_parts.h"
+
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QProgressBar>
@@ -12,11 +14,9 @@ WorkNotice::WorkNotice(QWidget* parent)
       text_(new QLabel(this)),
       bar_(new QProgressBar(this)),
       cancel_(new QPushButton(tr("Cancel"), this)) {
-  setObjectName(QStringLiteral("workNotice"));
-  setAccessibleName(tr("Work that takes a while"));
+  setNames(this, QStringLiteral("workNotice"), tr("Work that takes a while"));
   text_->setObjectName(QStringLiteral("workText"));
-  text_->setTextFormat(Qt::PlainText);
-  text_->setWordWrap(true);
+  setPlainParagraph(text_);
   bar_->setTextVisible(false);
   bar_->setAccessibleName(tr("Progress"));
   bar_->setFixedWidth(14 * fontMetrics().averageCharWidth());
@@ -25,12 +25,9 @@ WorkNotice::WorkNotice(QWidget* parent)
   // A click leaves the keys where they were.
   cancel_->setFocusPolicy(Qt::TabFocus);
   connect(cancel_, &QPushButton::clicked, this, &WorkNotice::cancelled);
-  auto* layout = new QHBoxLayout(this);
-  layout->setContentsMargins(16, 6, 8, 6);
-  layout->setSpacing(12);
+  auto* layout = spaced(new QHBoxLayout(this), {16, 6, 8, 6}, 12);
   layout->addWidget(text_, 1);
-  layout->addWidget(bar_);
-  layout->addWidget(cancel_);
+  addWidgets(layout, {bar_, cancel_});
   hide();
 }
 

@@ -2,6 +2,7 @@
 
 #include "hexoderm/util/units.h"
 #include "widgets/controls/flow_layout.h"
+#include "widgets/controls/panel_parts.h"
 #include "widgets/patch/camera_link.h"
 #include "widgets/patch/patch_view.h"
 #include "widgets/words/formatting.h"
@@ -74,26 +75,19 @@ struct CompareView::Parts {
 };
 
 void CompareView::Parts::build() {
-  auto* layout = new QVBoxLayout(view);
-  layout->setContentsMargins(10, 8, 10, 8);
-  layout->setSpacing(6);
+  auto* layout = spaced(new QVBoxLayout(view), {10, 8, 10, 8}, 6);
   buildHead(layout);
   const auto pane = [](QWidget* holder, QLabel* title, PatchView* patch) {
-    auto* column = new QVBoxLayout(holder);
-    column->setContentsMargins(0, 0, 0, 0);
-    column->setSpacing(2);
+    auto* column = spaced(new QVBoxLayout(holder), {0, 0, 0, 0}, 2);
     column->addWidget(title);
     column->addWidget(patch, 1);
   };
   pane(before_pane, caption("compareBeforeTitle", CompareView::tr("BEFORE")), before);
   auto* now_pane = new QWidget;
   pane(now_pane, caption("compareNowTitle", CompareView::tr("NOW")), now);
-  before->setObjectName(QStringLiteral("compareBefore"));
-  before->setAccessibleName(CompareView::tr("The patch before"));
-  now->setObjectName(QStringLiteral("compareNow"));
-  now->setAccessibleName(CompareView::tr("The patch now"));
-  auto* panes = new QHBoxLayout;
-  panes->setSpacing(8);
+  setNames(before, QStringLiteral("compareBefore"), CompareView::tr("The patch before"));
+  setNames(now, QStringLiteral("compareNow"), CompareView::tr("The patch now"));
+  auto* panes = spaced(new QHBoxLayout, 8);
   panes->addWidget(before_pane, 1);
   panes->addWidget(now_pane, 1);
   layout->addLayout(panes, 1);
@@ -126,8 +120,7 @@ void CompareView::Parts::buildHead(QVBoxLayout* layout) {
   side_by_side->setChecked(true);
   connect(side_by_side, &QToolButton::clicked, view, [this] { view->setMode(Mode::SideBySide); });
   connect(arrows, &QToolButton::clicked, view, [this] { view->setMode(Mode::Arrows); });
-  slider->setObjectName(QStringLiteral("compareFactor"));
-  slider->setAccessibleName(CompareView::tr("Enlargement of the arrows"));
+  setNames(slider, QStringLiteral("compareFactor"), CompareView::tr("Enlargement of the arrows"));
   slider->setRange(0, static_cast<int>(kFactors.size()) - 1);
   slider->setPageStep(3);
   slider->setMinimumWidth(24 * view->fontMetrics().averageCharWidth());
@@ -137,11 +130,9 @@ void CompareView::Parts::buildHead(QVBoxLayout* layout) {
     showFactor();
   });
   factor_label->setObjectName(QStringLiteral("compareFactorLabel"));
-  auto* row = new QHBoxLayout(enlarged);
-  row->setContentsMargins(8, 0, 0, 0);
+  auto* row = spaced(new QHBoxLayout(enlarged), {8, 0, 0, 0});
   row->addWidget(new QLabel(CompareView::tr("Arrows enlarged")));
-  row->addWidget(slider);
-  row->addWidget(factor_label);
+  addWidgets(row, {slider, factor_label});
   auto* head = new FlowLayout;
   for (QWidget* widget : std::initializer_list<QWidget*>{from, source, side_by_side, arrows, enlarged}) {
     head->addWidget(widget);
@@ -192,8 +183,7 @@ QString CompareView::Parts::inWords() const {
 
 CompareView::CompareView(Selection* selection, QWidget* parent)
     : QWidget(parent), parts_(std::make_unique<Parts>(this, selection)) {
-  setObjectName(QStringLiteral("compareView"));
-  setAccessibleName(tr("Before and after"));
+  setNames(this, QStringLiteral("compareView"), tr("Before and after"));
   parts_->build();
 }
 

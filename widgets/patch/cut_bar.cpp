@@ -1,5 +1,7 @@
 #include "widgets/patch/cut_bar.h"
 
+#include "widgets/controls/panel_parts.h"
+
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QSlider>
@@ -12,9 +14,7 @@ CutBar::CutBar(QWidget* parent) : QFrame(parent), slider_(new QSlider(Qt::Horizo
   // A plate, so that it is seen over cells.
   setAutoFillBackground(true);
   setBackgroundRole(QPalette::Base);
-  auto* layout = new QHBoxLayout(this);
-  layout->setContentsMargins(8, 0, 0, 0);
-  layout->setSpacing(6);
+  auto* layout = spaced(new QHBoxLayout(this), {8, 0, 0, 0}, 6);
   auto* label = new QLabel(tr("Cut"), this);
   label->setBuddy(slider_);
   slider_->setObjectName(QStringLiteral("cutDepth"));
@@ -30,9 +30,7 @@ CutBar::CutBar(QWidget* parent) : QFrame(parent), slider_(new QSlider(Qt::Horizo
   align->setText(tr("Face me"));
   align->setToolTip(tr("Turns the cut so that it faces you as you look now"));
   align->setFocusPolicy(Qt::TabFocus);
-  layout->addWidget(label);
-  layout->addWidget(slider_);
-  layout->addWidget(align);
+  addWidgets(layout, {label, slider_, align});
   connect(slider_, &QSlider::valueChanged, this, [this] { emit shareChanged(share()); });
   connect(align, &QToolButton::clicked, this, &CutBar::alignRequested);
 }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "widgets/coloring/scale_legend.h"
+#include "widgets/controls/panel_parts.h"
 
 #include <QDoubleSpinBox>
 #include <QFrame>
@@ -39,14 +40,11 @@ class RangePopup : public QFrame {
     complaint_->setProperty("muted", true);
     complaint_->setWordWrap(true);
     auto* ends = new QHBoxLayout;
-    ends->addWidget(typed_);
-    ends->addWidget(low_);
+    addWidgets(ends, {typed_, low_});
     ends->addWidget(new QLabel(tr("to")));
-    ends->addWidget(high_);
-    ends->addWidget(unit_);
+    addWidgets(ends, {high_, unit_});
     auto* layout = new QVBoxLayout(this);
-    layout->addWidget(fitted_);
-    layout->addWidget(usual_);
+    addWidgets(layout, {fitted_, usual_});
     layout->addLayout(ends);
     layout->addWidget(complaint_);
     for (QRadioButton* choice : {fitted_, usual_, typed_}) {
@@ -108,8 +106,7 @@ class RangePopup : public QFrame {
   static constexpr double kLargestEnd = 1e6;
   static QDoubleSpinBox* makeEnd(const QString& name, const QString& words) {
     auto* end = new QDoubleSpinBox;
-    end->setObjectName(name);
-    end->setAccessibleName(words);
+    setNames(end, name, words);
     end->setRange(-kLargestEnd, kLargestEnd);
     end->setKeyboardTracking(false);  // a number that is half typed is none
     return end;

@@ -1,6 +1,7 @@
 #include "widgets/plot/plot_view.h"
 
 #include "widgets/coloring/coloring_words.h"
+#include "widgets/controls/panel_parts.h"
 #include "widgets/plot/plot_items.h"
 #include "widgets/plot/plot_pointing.h"
 #include "widgets/style/palette.h"
@@ -43,8 +44,7 @@ class PlotScale : public QwtScaleDraw {
 
 QComboBox* figureBox(const char* name, const QString& accessible_name) {
   auto* box = new QComboBox;
-  box->setObjectName(QLatin1String(name));
-  box->setAccessibleName(accessible_name);
+  setNames(box, QLatin1String(name), accessible_name);
   box->setToolTip(accessible_name);
   box->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
   constexpr int kShown = 16;
@@ -54,8 +54,7 @@ QComboBox* figureBox(const char* name, const QString& accessible_name) {
 
 /// A row of its own, which is as narrow as the boxes in it may be.
 QHBoxLayout* rowOf(std::initializer_list<std::pair<QWidget*, int>> widgets) {
-  auto* row = new QHBoxLayout;
-  row->setSpacing(6);
+  auto* row = spaced(new QHBoxLayout, 6);
   for (const auto& [widget, stretch] : widgets) row->addWidget(widget, stretch);
   return row;
 }
@@ -116,8 +115,7 @@ void PlotView::Parts::build() {
   canvas->setFrameStyle(QFrame::NoFrame);
   canvas->setFocusIndicator(QwtPlotCanvas::CanvasFocusIndicator);
   canvas->setFocusPolicy(Qt::StrongFocus);
-  canvas->setObjectName(QStringLiteral("figurePlotCanvas"));
-  canvas->setAccessibleName(PlotView::tr("Plot"));
+  setNames(canvas, QStringLiteral("figurePlotCanvas"), PlotView::tr("Plot"));
   canvas->setBackgroundRole(QPalette::Base);
   plot->setToolTip(PlotView::tr("Drag a rectangle to mark cells in all views, or use the arrow keys with Shift"));
   canvas->setMouseTracking(true);
@@ -132,13 +130,10 @@ void PlotView::Parts::build() {
   picture->show(&data, &marks);
   summary->setObjectName(QStringLiteral("plotSummary"));
   summary->setProperty("muted", true);
-  summary->setWordWrap(true);
-  summary->setTextFormat(Qt::PlainText);
+  setPlainParagraph(summary);
 
   // The boxes are the titles of the axes, and stand where these would.
-  auto* layout = new QVBoxLayout(view);
-  layout->setContentsMargins(10, 4, 10, 6);
-  layout->setSpacing(3);
+  auto* layout = spaced(new QVBoxLayout(view), {10, 4, 10, 6}, 3);
   layout->addLayout(rowOf({{new QLabel(QStringLiteral("\u2191")), 0}, {y_box, 1}}));
   layout->addWidget(plot, 1);
   layout->addLayout(rowOf({{x_box, 1}, {new QLabel(QStringLiteral("\u2192")), 0}}));
@@ -288,8 +283,7 @@ void PlotView::Parts::dress() {
 
 PlotView::PlotView(Selection* selection, QWidget* parent)
     : QWidget(parent), parts_(std::make_unique<Parts>(this, selection)) {
-  setObjectName(QStringLiteral("plotView"));
-  setAccessibleName(tr("Plot of the figures of cells and links"));
+  setNames(this, QStringLiteral("plotView"), tr("Plot of the figures of cells and links"));
   parts_->build();
 }
 

@@ -1,6 +1,7 @@
 #include "widgets/robot/place_panel.h"
 
 #include "hexoderm/util/units.h"
+#include "widgets/controls/panel_parts.h"
 #include "widgets/controls/selection.h"
 #include "widgets/controls/typed_values.h"
 #include "widgets/tables/joint_table_view.h"
@@ -32,8 +33,7 @@ constexpr double kMostLength_mm = 1e5;
 
 template <class Widget>
 Widget* namedField(Widget* widget, const char* object_name, const QString& accessible_name) {
-  widget->setObjectName(QLatin1String(object_name));
-  widget->setAccessibleName(accessible_name);
+  setNames(widget, QLatin1String(object_name), accessible_name);
   return widget;
 }
 
@@ -150,9 +150,7 @@ PlacePanel::PlacePanel(Selection* selection, QWidget* parent)
   buildLink();
   buildKnown();
   buildPlaces();
-  auto* layout = new QVBoxLayout(this);
-  layout->setContentsMargins(0, 4, 0, 4);
-  layout->setSpacing(16);
+  auto* layout = spaced(new QVBoxLayout(this), {0, 4, 0, 4}, 16);
   for (VerifySection* part : {robot_, joints_, patch_, link_, known_, places_}) layout->addWidget(part);
   layout->addStretch();
   for (const PlaceWork work : {PlaceWork::Robot, PlaceWork::Joints, PlaceWork::Links, PlaceWork::Places}) {
@@ -188,8 +186,7 @@ void PlacePanel::buildRobot() {
   package_->setToolTip(tr("Where a URDF says package://NAME/…: the folder called NAME"));
   remove_robot_ = namedField(new QPushButton(tr("Remove")), "placeRemoveRobot", tr("Remove the robot"));
   QHBoxLayout* row = robot_->addRow();
-  row->addWidget(choose_robot_);
-  row->addWidget(remove_robot_);
+  addWidgets(row, {choose_robot_, remove_robot_});
   row->addStretch();
   QHBoxLayout* second = robot_->addRow();
   second->addWidget(package_);
@@ -369,8 +366,7 @@ void PlacePanel::buildPlaces() {
   row->addWidget(move_);
   row->addStretch();
   QHBoxLayout* second = places_->addRow();
-  second->addWidget(look_);
-  second->addWidget(remove_place_);
+  addWidgets(second, {look_, remove_place_});
   second->addStretch();
   connect(move_, &QPushButton::toggled, this, &PlacePanel::movingChanged);
   connect(look_, &QPushButton::clicked, this, &PlacePanel::lookWanted);

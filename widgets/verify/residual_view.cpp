@@ -1,6 +1,7 @@
 #include "widgets/verify/residual_view.h"
 
 #include "widgets/coloring/coloring.h"
+#include "widgets/controls/panel_parts.h"
 #include "widgets/controls/selection.h"
 #include "widgets/tables/row_picking.h"
 #include "widgets/tables/sorted_table.h"
@@ -105,8 +106,7 @@ ResidualView::ResidualView(Selection* selection, QWidget* parent)
       matrix_button_(new QToolButton),
       plots_button_(new QToolButton),
       legend_(new ResidualLegend) {
-  matrix_->setObjectName(QStringLiteral("residualMatrix"));
-  matrix_->setAccessibleName(tr("Residuals per link and pose"));
+  setNames(matrix_, QStringLiteral("residualMatrix"), tr("Residuals per link and pose"));
   matrix_->setModel(sorted_);
   matrix_->setItemDelegate(new ResidualMatrixDelegate(matrix_));
   matrix_->setSelectionMode(QAbstractItemView::SingleSelection);
@@ -120,12 +120,9 @@ ResidualView::ResidualView(Selection* selection, QWidget* parent)
   matrix_->horizontalHeader()->setHighlightSections(true);
   // In the order of the links until a header is clicked: "All" brings the worst to the top.
   SortedTable::enableIn(matrix_);
-  pages_->addWidget(matrix_);
-  pages_->addWidget(plots_);
+  addWidgets(pages_, {matrix_, plots_});
 
-  auto* layout = new QVBoxLayout(this);
-  layout->setContentsMargins(0, 0, 0, 0);
-  layout->setSpacing(0);
+  auto* layout = spaced(new QVBoxLayout(this), {0, 0, 0, 0}, 0);
   layout->addWidget(buildHeader());
   layout->addWidget(pages_, 1);
 
@@ -141,8 +138,7 @@ ResidualView::~ResidualView() = default;
 
 QWidget* ResidualView::buildHeader() {
   auto* header = new QWidget;
-  auto* row = new QHBoxLayout(header);
-  row->setContentsMargins(6, 2, 8, 2);
+  auto* row = spaced(new QHBoxLayout(header), {6, 2, 8, 2});
   auto* group = new QButtonGroup(this);
   const auto add = [&](QToolButton* button, const QString& text, const QString& explanation, const char* name) {
     button->setText(text);

@@ -3,6 +3,7 @@
 #include "hexoderm/util/error.h"
 #include "hexoderm/util/units.h"
 #include "widgets/controls/column_layout.h"
+#include "widgets/controls/panel_parts.h"
 #include "widgets/controls/typed_values.h"
 #include "widgets/words/surface_words.h"
 #include "widgets/words/words.h"
@@ -120,8 +121,7 @@ VerifyPanel::VerifyPanel(Selection* selection, QWidget* parent)
 }
 
 void VerifyPanel::buildHoldOut() {
-  pose_->setObjectName(QStringLiteral("holdOutPose"));
-  pose_->setAccessibleName(tr("Pose that is held out"));
+  setNames(pose_, QStringLiteral("holdOutPose"), tr("Pose that is held out"));
   pose_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
   pose_->setMinimumContentsLength(8);
   run_->setObjectName(QStringLiteral("holdOutRun"));
@@ -151,15 +151,13 @@ void VerifyPanel::buildHoldOut() {
 }
 
 void VerifyPanel::buildSurface() {
-  kind_->setObjectName(QStringLiteral("surfaceKind"));
-  kind_->setAccessibleName(tr("Surface through the cells"));
+  setNames(kind_, QStringLiteral("surfaceKind"), tr("Surface through the cells"));
   kind_->addItem(tr("None"), kNoSurface);
   kind_->addItem(tr("Most probable"), kAnySurface);
   for (const SurfaceKind kind : {SurfaceKind::Plane, SurfaceKind::Cylinder, SurfaceKind::Sphere, SurfaceKind::Cone}) {
     kind_->addItem(surfaceKindWord(kind), static_cast<int>(kind));
   }
-  radius_mm_->setObjectName(QStringLiteral("surfaceRadius"));
-  radius_mm_->setAccessibleName(tr("True radius of the surface"));
+  setNames(radius_mm_, QStringLiteral("surfaceRadius"), tr("True radius of the surface"));
   radius_mm_->setRange(0, 100000);
   radius_mm_->setDecimals(2);
   radius_mm_->setSuffix(tr(" mm"));
@@ -179,8 +177,7 @@ void VerifyPanel::buildSurface() {
 
 void VerifyPanel::buildCaliper() {
   const auto makeCell = [this](QSpinBox* cell, const char* name, const QString& accessible_name) {
-    cell->setObjectName(QLatin1String(name));
-    cell->setAccessibleName(accessible_name);
+    setNames(cell, QLatin1String(name), accessible_name);
     cell->setRange(0, std::numeric_limits<int>::max());
     cell->setKeyboardTracking(false);
     cell->setGroupSeparatorShown(false);
@@ -189,8 +186,7 @@ void VerifyPanel::buildCaliper() {
   };
   makeCell(first_, "caliperFirst", tr("One cell"));
   makeCell(second_, "caliperSecond", tr("The other cell"));
-  distance_mm_->setObjectName(QStringLiteral("caliperDistance"));
-  distance_mm_->setAccessibleName(tr("Measured distance"));
+  setNames(distance_mm_, QStringLiteral("caliperDistance"), tr("Measured distance"));
   distance_mm_->setRange(0, 100000);
   distance_mm_->setDecimals(1);
   distance_mm_->setSuffix(tr(" mm"));
@@ -250,8 +246,7 @@ void VerifyPanel::buildComparison() {
   choose_->setObjectName(QStringLiteral("comparisonChoose"));
   drop_->setObjectName(QStringLiteral("comparisonRemove"));
   QHBoxLayout* row = comparison_->addRow();
-  row->addWidget(choose_);
-  row->addWidget(drop_);
+  addWidgets(row, {choose_, drop_});
   row->addStretch();
   connect(choose_, &QPushButton::clicked, this, &VerifyPanel::comparisonFileWanted);
   connect(drop_, &QPushButton::clicked, this, &VerifyPanel::dropComparison);
@@ -273,12 +268,9 @@ void VerifyPanel::dropComparison() {
 }
 
 void VerifyPanel::buildOldCalibration() {
-  choose_old_->setObjectName(QStringLiteral("oldCalibrationChoose"));
-  choose_old_->setAccessibleName(tr("Choose the file of the old calibration"));
-  drop_old_->setObjectName(QStringLiteral("oldCalibrationRemove"));
-  drop_old_->setAccessibleName(tr("Remove the old calibration"));
-  old_poses_->setObjectName(QStringLiteral("oldCalibrationPoses"));
-  old_poses_->setAccessibleName(tr("Poses that the old calibration is compared with"));
+  setNames(choose_old_, QStringLiteral("oldCalibrationChoose"), tr("Choose the file of the old calibration"));
+  setNames(drop_old_, QStringLiteral("oldCalibrationRemove"), tr("Remove the old calibration"));
+  setNames(old_poses_, QStringLiteral("oldCalibrationPoses"), tr("Poses that the old calibration is compared with"));
   old_poses_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
   old_poses_->setMinimumContentsLength(8);
   old_poses_->addItem(tr("The newest pose"), 1);
@@ -289,8 +281,7 @@ void VerifyPanel::buildOldCalibration() {
   old_poses_->setCurrentIndex(old_poses_->findData(kUsualPoses));
   old_->addRow()->addWidget(old_poses_, 1);
   QHBoxLayout* row = old_->addRow();
-  row->addWidget(choose_old_);
-  row->addWidget(drop_old_);
+  addWidgets(row, {choose_old_, drop_old_});
   row->addStretch();
   connect(old_poses_, qOverload<int>(&QComboBox::currentIndexChanged), this, &VerifyPanel::requestOldCalibration);
   connect(choose_old_, &QPushButton::clicked, this, &VerifyPanel::oldCalibrationWanted);

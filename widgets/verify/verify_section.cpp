@@ -1,5 +1,6 @@
 #include "widgets/verify/verify_section.h"
 
+#include "widgets/controls/panel_parts.h"
 #include "widgets/controls/selection.h"
 #include "widgets/tables/result_table.h"
 #include "widgets/tables/row_picking.h"
@@ -50,8 +51,7 @@ VerifySection::VerifySection(const QString& heading, const QString& question, co
       table_(new ResultTable(this)),
       sorted_(new SortedTable(table_, this)),
       patience_(new QTimer(this)) {
-  setObjectName(name);
-  setAccessibleName(heading);
+  setNames(this, name, heading);
   auto* title = new QLabel(heading);
   QFont bold = title->font();
   bold.setBold(true);
@@ -59,9 +59,7 @@ VerifySection::VerifySection(const QString& heading, const QString& question, co
   auto* asked = new QLabel(question);
   asked->setProperty("muted", true);
   asked->setWordWrap(true);
-  auto* rows = new QVBoxLayout(rows_);
-  rows->setContentsMargins(0, 0, 0, 0);
-  rows->setSpacing(5);
+  auto* rows = spaced(new QVBoxLayout(rows_), {0, 0, 0, 0}, 5);
 
   auto* bar = new QProgressBar;
   bar->setRange(0, 0);
@@ -70,8 +68,7 @@ VerifySection::VerifySection(const QString& heading, const QString& question, co
   auto* cancel = new QPushButton(tr("Cancel"));
   cancel->setObjectName(name + QStringLiteral("Cancel"));
   connect(cancel, &QPushButton::clicked, this, &VerifySection::cancelled);
-  auto* progress = new QHBoxLayout(progress_);
-  progress->setContentsMargins(0, 0, 0, 0);
+  auto* progress = spaced(new QHBoxLayout(progress_), {0, 0, 0, 0});
   progress->addWidget(bar, 1);
   progress->addWidget(cancel);
   progress_->hide();
@@ -81,13 +78,11 @@ VerifySection::VerifySection(const QString& heading, const QString& question, co
   sentence_->setWordWrap(true);
   sentence_->setTextInteractionFlags(Qt::TextSelectableByMouse | Qt::TextSelectableByKeyboard);
   sentence_->setTextFormat(Qt::PlainText);
-  auto* said = new QHBoxLayout;
-  said->setSpacing(7);
+  auto* said = spaced(new QHBoxLayout, 7);
   said->addWidget(sign_);
   said->addWidget(sentence_, 1);
 
-  view_->setObjectName(name + QStringLiteral("Table"));
-  view_->setAccessibleName(tr("Figures: %1").arg(heading));
+  setNames(view_, name + QStringLiteral("Table"), tr("Figures: %1").arg(heading));
   view_->setModel(sorted_);
   view_->setSelectionBehavior(QAbstractItemView::SelectRows);
   view_->setSelectionMode(QAbstractItemView::SingleSelection);
@@ -108,13 +103,8 @@ VerifySection::VerifySection(const QString& heading, const QString& question, co
     if (!view_->selectionModel()->hasSelection()) pick(-1);
   });
 
-  auto* layout = new QVBoxLayout(this);
-  layout->setContentsMargins(0, 0, 0, 0);
-  layout->setSpacing(5);
-  layout->addWidget(title);
-  layout->addWidget(asked);
-  layout->addWidget(rows_);
-  layout->addWidget(progress_);
+  auto* layout = spaced(new QVBoxLayout(this), {0, 0, 0, 0}, 5);
+  addWidgets(layout, {title, asked, rows_, progress_});
   layout->addLayout(said);
   layout->addWidget(view_);
   constexpr int kBlink_ms = 200;
@@ -128,8 +118,7 @@ VerifySection::VerifySection(const QString& heading, const QString& question, co
 }
 
 QHBoxLayout* VerifySection::addRow() {
-  auto* row = new QHBoxLayout;
-  row->setSpacing(6);
+  auto* row = spaced(new QHBoxLayout, 6);
   static_cast<QVBoxLayout*>(rows_->layout())->addLayout(row);
   return row;
 }

@@ -6,6 +6,7 @@
 #include "app/window/toolkit/file_dialog.h"
 #include "hexoderm/device/sources/open_source.h"
 #include "hexoderm/util/error.h"
+#include "widgets/controls/panel_parts.h"
 #include "widgets/words/words.h"
 
 #include <QCheckBox>
@@ -50,11 +51,9 @@ class ConnectDialog : public QDialog {
     setModal(true);
     auto* title = new QLabel(tr("Where is the skin?"), this);
     title->setProperty("headline", true);
-    kind_->setObjectName(QStringLiteral("connectKind"));
-    kind_->setAccessibleName(tr("Kind of connection"));
+    setNames(kind_, QStringLiteral("connectKind"), tr("Kind of connection"));
     for (const Kind& kind : kKinds) kind_->addItem(tr(kind.name));
-    address_->setObjectName(QStringLiteral("connectAddress"));
-    address_->setAccessibleName(tr("Address"));
+    setNames(address_, QStringLiteral("connectAddress"), tr("Address"));
     address_->setEditable(true);
     constexpr int kLongestPath = 4096;
     address_->lineEdit()->setMaxLength(kLongestPath);
@@ -66,8 +65,7 @@ class ConnectDialog : public QDialog {
     continue_->setText(tr("Add the poses to the session that is open, %1").arg(open_session));
     continue_->setChecked(!open_session.isEmpty());
     continue_->setVisible(!open_session.isEmpty());
-    path_->setObjectName(QStringLiteral("connectPath"));
-    path_->setAccessibleName(tr("File that the poses are kept in"));
+    setNames(path_, QStringLiteral("connectPath"), tr("File that the poses are kept in"));
     path_->setText(newSessionPath(folder));
     note_->setObjectName(QStringLiteral("connectNote"));
     note_->setWordWrap(true);
@@ -81,8 +79,7 @@ class ConnectDialog : public QDialog {
     connect_->style()->unpolish(connect_);
     connect_->style()->polish(connect_);
 
-    auto* layout = new QGridLayout(this);
-    layout->setContentsMargins(20, 18, 20, 16);
+    auto* layout = spaced(new QGridLayout(this), {20, 18, 20, 16});
     layout->setHorizontalSpacing(14);
     layout->setVerticalSpacing(10);
     const auto caption = [this](const QString& text, QWidget* buddy) {

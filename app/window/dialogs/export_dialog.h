@@ -7,6 +7,7 @@
 #include "app/window/toolkit/file_dialog.h"
 #include "hexoderm/reconstruction/result/patch_placements.h"
 #include "hexoderm/util/error.h"
+#include "widgets/controls/panel_parts.h"
 #include "widgets/words/words.h"
 
 #include <QComboBox>
@@ -67,8 +68,7 @@ class ExportDialog : public QDialog {
     setWindowTitle(tr("Export the calibration"));
     setModal(true);
 
-    kinds_->setObjectName(QStringLiteral("exportKinds"));
-    kinds_->setAccessibleName(tr("One file or several"));
+    setNames(kinds_, QStringLiteral("exportKinds"), tr("One file or several"));
     kinds_->addTab(tr("One &file"));
     kinds_->addTab(tr("&Package"));
     kinds_->setExpanding(false);
@@ -89,27 +89,21 @@ class ExportDialog : public QDialog {
     note_->setObjectName(QStringLiteral("exportNote"));
     note_->setMinimumHeight(2 * fontMetrics().lineSpacing());
 
-    auto* layout = new QGridLayout(this);
-    layout->setContentsMargins(20, 18, 20, 16);
+    auto* layout = spaced(new QGridLayout(this), {20, 18, 20, 16});
     layout->setHorizontalSpacing(18);
     layout->setVerticalSpacing(12);
-    lists_->addWidget(makeFormatList());
-    lists_->addWidget(package_);
+    addWidgets(lists_, {makeFormatList(), package_});
     lists_->setFixedWidth(kListWidth);
     summary_->setAlignment(Qt::AlignTop | Qt::AlignLeft);
-    preview_->setObjectName(QStringLiteral("packagePreview"));
-    preview_->setAccessibleName(tr("What each file will hold"));
-    contents_->addWidget(summary_);
-    contents_->addWidget(preview_);
+    setNames(preview_, QStringLiteral("packagePreview"), tr("What each file will hold"));
+    addWidgets(contents_, {summary_, preview_});
     layout->addWidget(kinds_, 0, 0, 1, 3);
     layout->addWidget(lists_, 1, 0, 2, 1);
     layout->addWidget(contents_, 1, 1, 1, 2);
     auto* choices = new QVBoxLayout;
-    choices->addWidget(makePatchRow());
-    choices->addWidget(makeOptions());
+    addWidgets(choices, {makePatchRow(), makeOptions()});
     layout->addLayout(choices, 2, 1, 1, 2);
-    container_->setObjectName(QStringLiteral("exportContainer"));
-    container_->setAccessibleName(tr("Folder or archive"));
+    setNames(container_, QStringLiteral("exportContainer"), tr("Folder or archive"));
     container_->addItems({tr("Folder"), tr("Zip archive")});
     auto* where = new QHBoxLayout;
     where->addStretch(1);
@@ -199,14 +193,12 @@ class ExportDialog : public QDialog {
   }
 
   static QLineEdit* named(QLineEdit* edit, const char* object_name, const QString& accessible_name) {
-    edit->setObjectName(QLatin1String(object_name));
-    edit->setAccessibleName(accessible_name);
+    setNames(edit, QLatin1String(object_name), accessible_name);
     return edit;
   }
 
   QWidget* makeFormatList() {
-    formats_->setObjectName(QStringLiteral("exportFormats"));
-    formats_->setAccessibleName(tr("Format"));
+    setNames(formats_, QStringLiteral("exportFormats"), tr("Format"));
     formats_->addItem(tr("Calibration"));
     for (const ExportFormatDescription& format : exportFormats()) formats_->addItem(toQString(format.name).toUpper());
     return formats_;
@@ -214,8 +206,7 @@ class ExportDialog : public QDialog {
 
   QWidget* makeOptions() {
     auto* page = new QWidget;
-    auto* form = new QFormLayout(page);
-    form->setContentsMargins(0, 0, 0, 0);
+    auto* form = spaced(new QFormLayout(page), {0, 0, 0, 0});
     for (const ExportOptionDescription& option : exportOptions()) {
       auto* label = new QLabel(words(option.label));
       QWidget* field = makeOptionField(option);
@@ -232,8 +223,7 @@ class ExportDialog : public QDialog {
     const auto* const described = &option;  // lives as long as the program
     if (option.kind == ExportOptionDescription::Kind::Choice) {
       auto* box = new QComboBox;
-      box->setObjectName(object_name);
-      box->setAccessibleName(words(option.label));
+      setNames(box, object_name, words(option.label));
       box->setToolTip(words(option.help));
       for (const ExportOptionDescription::Choice& choice : option.choices) {
         box->addItem(words(choice.label), toQString(choice.value));
@@ -246,8 +236,7 @@ class ExportDialog : public QDialog {
       return box;
     }
     auto* edit = new QLineEdit(value);
-    edit->setObjectName(object_name);
-    edit->setAccessibleName(words(option.label));
+    setNames(edit, object_name, words(option.label));
     edit->setToolTip(words(option.help));
     connect(edit, &QLineEdit::textChanged, this, [this, described](const QString& text) {
       described->set(options_, text.trimmed().toStdString());
@@ -258,8 +247,7 @@ class ExportDialog : public QDialog {
 
   QWidget* makeFileField(const ExportOptionDescription& option, QLineEdit* edit) {
     auto* field = new QWidget;
-    auto* row = new QHBoxLayout(field);
-    row->setContentsMargins(0, 0, 0, 0);
+    auto* row = spaced(new QHBoxLayout(field), {0, 0, 0, 0});
     auto* browse = new QPushButton(tr("Browse…"));
     browse->setObjectName(edit->objectName() + QStringLiteral("-browse"));
     row->addWidget(edit, 1);
@@ -285,12 +273,10 @@ class ExportDialog : public QDialog {
   }
 
   QWidget* makePatchRow() {
-    patch_->setObjectName(QStringLiteral("exportPatch"));
-    patch_->setAccessibleName(tr("Patch"));
+    setNames(patch_, QStringLiteral("exportPatch"), tr("Patch"));
     patch_->setToolTip(tr("How the patches lie to each other is not known, so that a file with one frame holds one"));
     patch_row_ = new QWidget;
-    auto* form = new QFormLayout(patch_row_);
-    form->setContentsMargins(0, 0, 0, 0);
+    auto* form = spaced(new QFormLayout(patch_row_), {0, 0, 0, 0});
     form->addRow(tr("Patch"), patch_);
     return patch_row_;
   }

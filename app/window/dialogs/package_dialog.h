@@ -2,6 +2,7 @@
 
 #include "app/window/session/result_files.h"
 #include "hexoderm/io/export_package.h"
+#include "widgets/controls/panel_parts.h"
 #include "widgets/words/words.h"
 
 #include <QDialog>
@@ -34,13 +35,11 @@ class PackageDialog : public QDialog {
     setObjectName(QStringLiteral("packageDialog"));
     setWindowTitle(tr("Export package"));
     sentence_->setObjectName(QStringLiteral("packageSentence"));
-    sentence_->setWordWrap(true);
-    sentence_->setTextFormat(Qt::PlainText);
+    setPlainParagraph(sentence_);
     sentence_->setText(tr("Writing %1 …").arg(QDir::toNativeSeparators(path)));
     progress_->setAccessibleName(tr("Progress"));
     progress_->setRange(0, 0);
-    list_->setObjectName(QStringLiteral("packageFiles"));
-    list_->setAccessibleName(tr("Files of the package"));
+    setNames(list_, QStringLiteral("packageFiles"), tr("Files of the package"));
     list_->setHeaderLabels({tr("File"), tr("Size"), tr("What it holds")});
     list_->setRootIsDecorated(false);
     list_->setUniformRowHeights(true);
@@ -51,11 +50,8 @@ class PackageDialog : public QDialog {
     open_ = buttons->addButton(tr("Open folder"), QDialogButtonBox::ActionRole);
     open_->setObjectName(QStringLiteral("packageOpen"));
     open_->hide();
-    auto* layout = new QVBoxLayout(this);
-    layout->setContentsMargins(20, 18, 20, 16);
-    layout->setSpacing(12);
-    layout->addWidget(sentence_);
-    layout->addWidget(progress_);
+    auto* layout = spaced(new QVBoxLayout(this), {20, 18, 20, 16}, 12);
+    addWidgets(layout, {sentence_, progress_});
     layout->addWidget(list_, 1);
     layout->addWidget(buttons);
     resize(720, 420);

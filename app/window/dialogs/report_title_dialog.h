@@ -1,6 +1,7 @@
 #pragma once
 
 #include "app/window/report/report.h"
+#include "widgets/controls/panel_parts.h"
 
 #include <QDialog>
 #include <QDialogButtonBox>
@@ -36,13 +37,11 @@ class ReportTitleDialog : public QDialog {
                       "out.")
                        .arg(session),
                    this);
-    remark->setTextFormat(Qt::PlainText);
-    remark->setWordWrap(true);
+    setPlainParagraph(remark);
     remark->setProperty("muted", true);
     robot_->setPlaceholderText(tr("its name or serial number"));
     part_->setPlaceholderText(tr("the body part that wears the skin"));
-    notes_->setObjectName(QStringLiteral("reportNotes"));
-    notes_->setAccessibleName(tr("Notes"));
+    setNames(notes_, QStringLiteral("reportNotes"), tr("Notes"));
     notes_->setTabChangesFocus(true);
     notes_->setFixedHeight(kNoteLines * notes_->fontMetrics().lineSpacing() + 14);
     auto* form = new QFormLayout;
@@ -60,11 +59,8 @@ class ReportTitleDialog : public QDialog {
     // The button box has already had it styled as any other.
     go_on->style()->unpolish(go_on);
     go_on->style()->polish(go_on);
-    auto* layout = new QVBoxLayout(this);
-    layout->setContentsMargins(20, 18, 20, 16);
-    layout->setSpacing(12);
-    layout->addWidget(headline);
-    layout->addWidget(remark);
+    auto* layout = spaced(new QVBoxLayout(this), {20, 18, 20, 16}, 12);
+    addWidgets(layout, {headline, remark});
     layout->addLayout(form);
     layout->addWidget(buttons);
     resize(460, sizeHint().height());
@@ -82,8 +78,7 @@ class ReportTitleDialog : public QDialog {
   static constexpr int kNoteLines = 4;
   static QLineEdit* titleField(const char* object_name, const QString& text, const QString& accessible_name) {
     auto* edit = new QLineEdit(text);
-    edit->setObjectName(QLatin1String(object_name));
-    edit->setAccessibleName(accessible_name);
+    setNames(edit, QLatin1String(object_name), accessible_name);
     return edit;
   }
 

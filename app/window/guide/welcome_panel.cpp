@@ -4,6 +4,7 @@
 #include "app/window/files/recovery.h"
 #include "app/window/guide/actions.h"
 #include "widgets/controls/action_button.h"
+#include "widgets/controls/panel_parts.h"
 
 #include <QAction>
 #include <QGridLayout>
@@ -30,17 +31,14 @@ QLabel* makeLabel(const QString& text, const char* look) {
 WelcomePanel::WelcomePanel(const std::vector<QAction*>& choices, RecentFiles& recent, UnsavedSessions& unsaved,
                            QWidget* parent)
     : QScrollArea(parent) {
-  setObjectName(QStringLiteral("welcomePanel"));
-  setAccessibleName(tr("Welcome"));
+  setNames(this, QStringLiteral("welcomePanel"), tr("Welcome"));
   setWidgetResizable(true);
   setFrameShape(QFrame::NoFrame);
   setFocusPolicy(Qt::NoFocus);
   setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
   auto* column = new QWidget;
   column->setMaximumWidth(kWidestInCharacters * fontMetrics().averageCharWidth());
-  auto* list = new QVBoxLayout(column);
-  list->setContentsMargins(0, 0, 0, 0);
-  list->setSpacing(6);
+  auto* list = spaced(new QVBoxLayout(column), {0, 0, 0, 0}, 6);
   list->addWidget(makeLabel(tr("Where is every cell of your skin?"), "headline"));
   list->addWidget(makeLabel(tr("Hold the part still in a few poses; Hexoderm finds out from gravity."), "muted"));
   list->addSpacing(14);
@@ -71,8 +69,7 @@ WelcomePanel::WelcomePanel(const std::vector<QAction*>& choices, RecentFiles& re
 
   auto* content = new QWidget;
   content->setObjectName(QStringLiteral("welcomeContent"));
-  auto* sides = new QHBoxLayout(content);
-  sides->setContentsMargins(28, 36, 28, 24);
+  auto* sides = spaced(new QHBoxLayout(content), {28, 36, 28, 24});
   sides->addStretch(1);
   sides->addWidget(column, 100);
   sides->addStretch(1);

@@ -1,6 +1,7 @@
 #include "app/window/log/log_view.h"
 
 #include "widgets/controls/flow_layout.h"
+#include "widgets/controls/panel_parts.h"
 #include "widgets/words/formatting.h"
 
 #include <QComboBox>
@@ -123,13 +124,11 @@ LogView::LogView(const EventLog& log, QWidget* parent)
       table_(new QTableView),
       count_(new QLabel) {
   setObjectName(QStringLiteral("logView"));
-  severity_->setObjectName(QStringLiteral("logSeverity"));
-  severity_->setAccessibleName(tr("Which lines of the log are shown"));
+  setNames(severity_, QStringLiteral("logSeverity"), tr("Which lines of the log are shown"));
   severity_->addItem(tr("Everything"));
   severity_->addItem(tr("Warnings and errors"));
   severity_->addItem(tr("Errors"));
-  text_->setObjectName(QStringLiteral("logText"));
-  text_->setAccessibleName(tr("Search the log"));
+  setNames(text_, QStringLiteral("logText"), tr("Search the log"));
   text_->setPlaceholderText(tr("Search"));
   text_->setClearButtonEnabled(true);
   count_->setProperty("muted", true);
@@ -143,8 +142,7 @@ LogView::LogView(const EventLog& log, QWidget* parent)
   connect(copy, &QPushButton::clicked, this, &LogView::reportWanted);
   connect(folder, &QPushButton::clicked, this, &LogView::folderWanted);
 
-  table_->setObjectName(QStringLiteral("logTable"));
-  table_->setAccessibleName(tr("Log"));
+  setNames(table_, QStringLiteral("logTable"), tr("Log"));
   table_->setModel(model_);
   table_->setSelectionBehavior(QAbstractItemView::SelectRows);
   table_->setEditTriggers(QAbstractItemView::NoEditTriggers);
@@ -163,15 +161,10 @@ LogView::LogView(const EventLog& log, QWidget* parent)
   auto* bar = new FlowLayout;
   bar->setContentsMargins(12, 6, 12, 6);
   bar->setSpacing(8);
-  bar->addWidget(severity_);
-  bar->addWidget(text_);
+  addWidgets(bar, {severity_, text_});
   bar->beginSecondGroup();
-  bar->addWidget(count_);
-  bar->addWidget(copy);
-  bar->addWidget(folder);
-  auto* layout = new QVBoxLayout(this);
-  layout->setContentsMargins(0, 0, 0, 0);
-  layout->setSpacing(0);
+  addWidgets(bar, {count_, copy, folder});
+  auto* layout = spaced(new QVBoxLayout(this), {0, 0, 0, 0}, 0);
   layout->addLayout(bar);
   layout->addWidget(table_, 1);
 

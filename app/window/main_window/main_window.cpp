@@ -23,6 +23,7 @@
 #include "widgets/controls/card_dock.h"
 #include "widgets/controls/message_bar.h"
 #include "widgets/controls/notice_stack.h"
+#include "widgets/controls/panel_parts.h"
 #include "widgets/controls/step_panel.h"
 #include "widgets/controls/work_notice.h"
 #include "widgets/graph/graph_view.h"
@@ -146,14 +147,10 @@ MainWindow::~MainWindow() {
 }
 
 void MainWindow::layOut() {
-  auto* work = new QVBoxLayout;
-  work->setContentsMargins(8, 8, 8, 8);
-  work->setSpacing(8);
+  auto* work = spaced(new QVBoxLayout, {8, 8, 8, 8}, 8);
   work->addWidget(panels_, 1);
   auto* centre = new QWidget;
-  auto* layout = new QVBoxLayout(centre);
-  layout->setContentsMargins(0, 0, 0, 0);
-  layout->setSpacing(0);
+  auto* layout = spaced(new QVBoxLayout(centre), {0, 0, 0, 0}, 0);
   layout->addWidget(views_->banner);
   layout->addLayout(work, 1);
   setCentralWidget(centre);
@@ -173,11 +170,9 @@ QWidget* MainWindow::makeTopBar() {
   actions_.fillMenuBar(views_->menus, panels_->toggleActions());
   auto* top_bar = new QFrame;
   top_bar->setObjectName(QStringLiteral("topBar"));
-  auto* layout = new QHBoxLayout(top_bar);
-  layout->setContentsMargins(0, 0, 0, 1);  // the line below
+  auto* layout = spaced(new QHBoxLayout(top_bar), {0, 0, 0, 1});  // the line below
   layout->setSpacing(0);
-  layout->addWidget(app_name);
-  layout->addWidget(views_->menus);
+  addWidgets(layout, {app_name, views_->menus});
   layout->addWidget(views_->session_name, 1);
   return top_bar;
 }

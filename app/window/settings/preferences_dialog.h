@@ -6,6 +6,7 @@
 #include "app/window/toolkit/deferred_dialog.h"
 #include "app/window/toolkit/file_dialog.h"
 #include "hexoderm/util/units.h"
+#include "widgets/controls/panel_parts.h"
 #include "widgets/controls/typed_values.h"
 
 #include <QCheckBox>
@@ -43,8 +44,7 @@ class PreferencesDialog : public QDialog {
     setObjectName(QStringLiteral("preferencesDialog"));
     setWindowTitle(tr("Preferences"));
     auto* tabs = new QTabWidget(this);
-    tabs->setObjectName(QStringLiteral("preferencesTabs"));
-    tabs->setAccessibleName(tr("Groups of preferences"));
+    setNames(tabs, QStringLiteral("preferencesTabs"), tr("Groups of preferences"));
     tabs->tabBar()->setAccessibleName(tr("Groups of preferences"));
     fillAppearance(addPage(tabs, tr("Appearance")));
     fillCapture(addPage(tabs, tr("Capture")));
@@ -63,11 +63,9 @@ class PreferencesDialog : public QDialog {
       emit themeChosen(ThemeChoice::System);
     });
     connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
-    auto* layout = new QVBoxLayout(this);
-    layout->setContentsMargins(10, 10, 10, 12);
+    auto* layout = spaced(new QVBoxLayout(this), {10, 10, 10, 12});
     layout->addWidget(tabs, 1);
-    layout->addWidget(note);
-    layout->addWidget(buttons);
+    addWidgets(layout, {note, buttons});
     connect(&preferences_, &Preferences::restored, this, &PreferencesDialog::showAll);
     showAll();
     showTheme(theme);
@@ -120,8 +118,7 @@ class PreferencesDialog : public QDialog {
     area->setFocusPolicy(Qt::NoFocus);
     auto* content = new QWidget;
     area->setWidget(content);
-    auto* form = new QFormLayout(content);
-    form->setContentsMargins(18, 16, 18, 16);
+    auto* form = spaced(new QFormLayout(content), {18, 16, 18, 16});
     form->setHorizontalSpacing(18);
     form->setVerticalSpacing(6);
     form->setFieldGrowthPolicy(QFormLayout::AllNonFixedFieldsGrow);
@@ -242,8 +239,7 @@ class PreferencesDialog : public QDialog {
 
   void fillFiles(QFormLayout* form) {
     auto* field = new QWidget;
-    auto* row = new QHBoxLayout(field);
-    row->setContentsMargins(0, 0, 0, 0);
+    auto* row = spaced(new QHBoxLayout(field), {0, 0, 0, 0});
     folder_ = new QLineEdit;
     folder_->setObjectName(QStringLiteral("preferenceFolder"));
     folder_->setPlaceholderText(tr("the folder of the last file"));

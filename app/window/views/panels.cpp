@@ -3,13 +3,14 @@
 #include "app/window/guide/guide.h"
 #include "app/window/guide/welcome_panel.h"
 #include "app/window/log/log_view.h"
-#include "app/window/views/views.h"
 #include "app/window/toolkit/table_views.h"
 #include "app/window/toolkit/view_swap.h"
+#include "app/window/views/views.h"
 #include "widgets/capture/coverage_view.h"
 #include "widgets/capture/stillness_view.h"
 #include "widgets/controls/card_dock.h"
 #include "widgets/controls/finding_card.h"
+#include "widgets/controls/panel_parts.h"
 #include "widgets/controls/step_panel.h"
 #include "widgets/controls/view_mark.h"
 #include "widgets/graph/graph_view.h"
@@ -47,9 +48,7 @@ constexpr int kSideCharacters = 32;
 class TableAndCard : public QWidget {
  public:
   explicit TableAndCard(QWidget* table, QWidget* card) : card_(card) {
-    auto* row = new QHBoxLayout(this);
-    row->setContentsMargins(0, 0, 0, 0);
-    row->setSpacing(8);
+    auto* row = spaced(new QHBoxLayout(this), {0, 0, 0, 0}, 8);
     constexpr int kTableShare = 3;
     constexpr int kCardShare = 2;
     row->addWidget(table, kTableShare);
@@ -119,13 +118,11 @@ QWidget* Panels::makeCentre(const Views& views) {
   views.patch->setAccessibleName(tr("The patch in three dimensions"));
   views.patch->setMinimumSize(280, 200);
   middle_ = new QWidget;
-  auto* place_layout = new QVBoxLayout(middle_);
-  place_layout->setContentsMargins(0, 0, 0, 0);
+  auto* place_layout = spaced(new QVBoxLayout(middle_), {0, 0, 0, 0});
   place_layout->addWidget(views.patch);
   // One above the other, so that the 3D view gets its graphics ready while nobody waits for it.
   auto* stack = new QWidget;
-  auto* stack_layout = new QGridLayout(stack);
-  stack_layout->setContentsMargins(0, 0, 0, 0);
+  auto* stack_layout = spaced(new QGridLayout(stack), {0, 0, 0, 0});
   stack_layout->addWidget(middle_, 0, 0);
   stack_layout->addWidget(views.robot, 0, 0);
   views.robot->hide();
@@ -133,8 +130,7 @@ QWidget* Panels::makeCentre(const Views& views) {
   views.welcome->raise();
   auto* card = new QFrame;
   card->setProperty("card", true);
-  auto* layout = new QVBoxLayout(card);
-  layout->setContentsMargins(1, 1, 1, 1);
+  auto* layout = spaced(new QVBoxLayout(card), {1, 1, 1, 1});
   layout->addWidget(stack);
   auto* checks_card = new QFrame;
   checks_card->setProperty("card", true);
@@ -145,15 +141,13 @@ QWidget* Panels::makeCentre(const Views& views) {
   checks_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
   checks_->setWidgetResizable(true);
   checks_->setWidget(views.verify_panel);
-  auto* checks_layout = new QVBoxLayout(checks_card);
-  checks_layout->setContentsMargins(1, 1, 1, 1);
+  auto* checks_layout = spaced(new QVBoxLayout(checks_card), {1, 1, 1, 1});
   checks_layout->addWidget(checks_);
   checks_card->hide();
   centre_ = new QSplitter;
   centre_->setChildrenCollapsible(false);
   centre_->setHandleWidth(8);
-  centre_->addWidget(card);
-  centre_->addWidget(checks_card);
+  addWidgets(centre_, {card, checks_card});
   // The checks have the greater part.
   centre_->setStretchFactor(0, 9);
   centre_->setStretchFactor(1, 11);
@@ -220,8 +214,7 @@ QWidget* Panels::makeFindings(const Views& views) {
   room->setWidgetResizable(true);
   room->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
   auto* content = new QWidget;
-  auto* column = new QVBoxLayout(content);
-  column->setContentsMargins(0, 0, 8, 8);
+  auto* column = spaced(new QVBoxLayout(content), {0, 0, 8, 8});
   column->addWidget(views.finding_card);
   column->addStretch(1);
   room->setWidget(content);
