@@ -190,41 +190,38 @@ struct StillnessView::Parts {
   QLabel* nothing = nullptr;
   QTimer refresh_soon;
 
-  void refresh();
+  void refresh() {
+    refresh_soon.stop();
+    if (!view->isVisible()) return;
+    const bool empty = trace.points().empty();
+    if (nothing->isHidden() == empty) {
+      nothing->setVisible(empty);
+      plot->setVisible(!empty);
+    }
+    const QString text = view->header();
+    if (header->text() != text) {
+      header->setText(text);
+      header->setAccessibleName(text);
+    }
+    if (empty) return;
+    // Over the lanes and under the ribbon their words have room, however high the strip is.
+    const double words = view->fontMetrics().height() + 6;
+    const double lanes = std::max(10.0, plot->canvas()->height() - 2 * words);
+    const double room = words * (kTop - kRibbon) / lanes;
+    plot->setAxisScale(QwtPlot::yLeft, kRibbon - room, kTop + room);
+    plot->replot();
+  }
+
   /// At once if nothing is drawn yet.
-  void refreshSoon();
+  void refreshSoon() {
+    if (!view->isVisible()) return;
+    if (plot->isHidden()) {
+      refresh();
+    } else if (!refresh_soon.isActive()) {
+      refresh_soon.start();
+    }
+  }
 };
-
-void StillnessView::Parts::refreshSoon() {
-  if (!view->isVisible()) return;
-  if (plot->isHidden()) {
-    refresh();
-  } else if (!refresh_soon.isActive()) {
-    refresh_soon.start();
-  }
-}
-
-void StillnessView::Parts::refresh() {
-  refresh_soon.stop();
-  if (!view->isVisible()) return;
-  const bool empty = trace.points().empty();
-  if (nothing->isHidden() == empty) {
-    nothing->setVisible(empty);
-    plot->setVisible(!empty);
-  }
-  const QString text = view->header();
-  if (header->text() != text) {
-    header->setText(text);
-    header->setAccessibleName(text);
-  }
-  if (empty) return;
-  // Over the lanes and under the ribbon their words have room, however high the strip is.
-  const double words = view->fontMetrics().height() + 6;
-  const double lanes = std::max(10.0, plot->canvas()->height() - 2 * words);
-  const double room = words * (kTop - kRibbon) / lanes;
-  plot->setAxisScale(QwtPlot::yLeft, kRibbon - room, kTop + room);
-  plot->replot();
-}
 
 StillnessView::StillnessView(QWidget* parent) : QWidget(parent), parts_(std::make_unique<Parts>(this)) {
   setNames(this, QStringLiteral("stillnessView"), tr("Stillness of the last ten seconds"));

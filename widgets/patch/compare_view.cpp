@@ -67,119 +67,113 @@ struct CompareView::Parts {
   QWidget* before_pane = new QWidget;
   QLabel* summary = new QLabel;
 
-  void build();
-  void buildHead(QVBoxLayout* layout);
-  void show();
-  void showFactor();
-  [[nodiscard]] QString inWords() const;
-};
+  void build() {
+    auto* layout = spaced(new QVBoxLayout(view), {10, 8, 10, 8}, 6);
+    buildHead(layout);
+    const auto pane = [](QWidget* holder, QLabel* title, PatchView* patch) {
+      auto* column = spaced(new QVBoxLayout(holder), {0, 0, 0, 0}, 2);
+      column->addWidget(title);
+      column->addWidget(patch, 1);
+    };
+    pane(before_pane, caption("compareBeforeTitle", CompareView::tr("BEFORE")), before);
+    auto* now_pane = new QWidget;
+    pane(now_pane, caption("compareNowTitle", CompareView::tr("NOW")), now);
+    setNames(before, QStringLiteral("compareBefore"), CompareView::tr("The patch before"));
+    setNames(now, QStringLiteral("compareNow"), CompareView::tr("The patch now"));
+    auto* panes = spaced(new QHBoxLayout, 8);
+    panes->addWidget(before_pane, 1);
+    panes->addWidget(now_pane, 1);
+    layout->addLayout(panes, 1);
+    summary->setObjectName(QStringLiteral("compareSummary"));
+    summary->setWordWrap(true);
+    layout->addWidget(summary);
+    cameras = std::make_unique<CameraLink>(*before, *now);
+    connect(before, &PatchView::coloringChanged, now, &PatchView::setColoring);
+    connect(now, &PatchView::coloringChanged, before, &PatchView::setColoring);
+  }
 
-void CompareView::Parts::build() {
-  auto* layout = spaced(new QVBoxLayout(view), {10, 8, 10, 8}, 6);
-  buildHead(layout);
-  const auto pane = [](QWidget* holder, QLabel* title, PatchView* patch) {
-    auto* column = spaced(new QVBoxLayout(holder), {0, 0, 0, 0}, 2);
-    column->addWidget(title);
-    column->addWidget(patch, 1);
-  };
-  pane(before_pane, caption("compareBeforeTitle", CompareView::tr("BEFORE")), before);
-  auto* now_pane = new QWidget;
-  pane(now_pane, caption("compareNowTitle", CompareView::tr("NOW")), now);
-  setNames(before, QStringLiteral("compareBefore"), CompareView::tr("The patch before"));
-  setNames(now, QStringLiteral("compareNow"), CompareView::tr("The patch now"));
-  auto* panes = spaced(new QHBoxLayout, 8);
-  panes->addWidget(before_pane, 1);
-  panes->addWidget(now_pane, 1);
-  layout->addLayout(panes, 1);
-  summary->setObjectName(QStringLiteral("compareSummary"));
-  summary->setWordWrap(true);
-  layout->addWidget(summary);
-  cameras = std::make_unique<CameraLink>(*before, *now);
-  connect(before, &PatchView::coloringChanged, now, &PatchView::setColoring);
-  connect(now, &PatchView::coloringChanged, before, &PatchView::setColoring);
-}
+  void buildHead(QVBoxLayout* layout) {
+    source->setObjectName(QStringLiteral("compareSource"));
+    source->setSizeAdjustPolicy(QComboBox::AdjustToContents);
+    source->setAccessibleName(CompareView::tr("What the result of now is compared with"));
+    auto* from = new QLabel(CompareView::tr("Before:"));
+    from->setBuddy(source);
+    auto* modes = new QButtonGroup(view);
+    const auto add = [&](QToolButton* button, const char* name, const QString& text, const QString& tip) {
+      button->setObjectName(QLatin1String(name));
+      button->setText(text);
+      button->setToolTip(tip);
+      button->setCheckable(true);
+      modes->addButton(button);
+    };
+    add(side_by_side, "compareSideBySide", CompareView::tr("Side by side"),
+        CompareView::tr("Both results, seen from the same side"));
+    add(arrows, "compareArrows", CompareView::tr("Arrows"),
+        CompareView::tr("The result of now, with an arrow from where each cell was"));
+    side_by_side->setChecked(true);
+    connect(side_by_side, &QToolButton::clicked, view, [this] { view->setMode(Mode::SideBySide); });
+    connect(arrows, &QToolButton::clicked, view, [this] { view->setMode(Mode::Arrows); });
+    setNames(slider, QStringLiteral("compareFactor"), CompareView::tr("Enlargement of the arrows"));
+    slider->setRange(0, static_cast<int>(kFactors.size()) - 1);
+    slider->setPageStep(3);
+    slider->setMinimumWidth(24 * view->fontMetrics().averageCharWidth());
+    connect(slider, &QSlider::valueChanged, view, [this](int step) {
+      if (is_filling) return;
+      now->setShiftFactor(kFactors.at(static_cast<std::size_t>(step)));
+      showFactor();
+    });
+    factor_label->setObjectName(QStringLiteral("compareFactorLabel"));
+    auto* row = spaced(new QHBoxLayout(enlarged), {8, 0, 0, 0});
+    row->addWidget(new QLabel(CompareView::tr("Arrows enlarged")));
+    addWidgets(row, {slider, factor_label});
+    auto* head = new FlowLayout;
+    for (QWidget* widget : std::initializer_list<QWidget*>{from, source, side_by_side, arrows, enlarged}) {
+      head->addWidget(widget);
+    }
+    layout->addLayout(head);
+    enlarged->hide();
+  }
 
-void CompareView::Parts::buildHead(QVBoxLayout* layout) {
-  source->setObjectName(QStringLiteral("compareSource"));
-  source->setSizeAdjustPolicy(QComboBox::AdjustToContents);
-  source->setAccessibleName(CompareView::tr("What the result of now is compared with"));
-  auto* from = new QLabel(CompareView::tr("Before:"));
-  from->setBuddy(source);
-  auto* modes = new QButtonGroup(view);
-  const auto add = [&](QToolButton* button, const char* name, const QString& text, const QString& tip) {
-    button->setObjectName(QLatin1String(name));
-    button->setText(text);
-    button->setToolTip(tip);
-    button->setCheckable(true);
-    modes->addButton(button);
-  };
-  add(side_by_side, "compareSideBySide", CompareView::tr("Side by side"),
-      CompareView::tr("Both results, seen from the same side"));
-  add(arrows, "compareArrows", CompareView::tr("Arrows"),
-      CompareView::tr("The result of now, with an arrow from where each cell was"));
-  side_by_side->setChecked(true);
-  connect(side_by_side, &QToolButton::clicked, view, [this] { view->setMode(Mode::SideBySide); });
-  connect(arrows, &QToolButton::clicked, view, [this] { view->setMode(Mode::Arrows); });
-  setNames(slider, QStringLiteral("compareFactor"), CompareView::tr("Enlargement of the arrows"));
-  slider->setRange(0, static_cast<int>(kFactors.size()) - 1);
-  slider->setPageStep(3);
-  slider->setMinimumWidth(24 * view->fontMetrics().averageCharWidth());
-  connect(slider, &QSlider::valueChanged, view, [this](int step) {
-    if (is_filling) return;
-    now->setShiftFactor(kFactors.at(static_cast<std::size_t>(step)));
+  void show() {
+    const bool with_arrows = mode == Mode::Arrows;
+    before_pane->setVisible(!with_arrows);
+    enlarged->setVisible(with_arrows);
+    (with_arrows ? arrows : side_by_side)->setChecked(true);
+    before->setReconstruction(with_arrows ? nullptr : content.before);
+    if (now->overlays().comparison != nullptr || with_arrows) {
+      PatchOverlays overlays;
+      if (with_arrows) overlays.comparison = content.comparison;
+      now->setOverlays(overlays);
+    }
+    now->setReconstruction(content.now);
+    summary->setText(inWords());
     showFactor();
-  });
-  factor_label->setObjectName(QStringLiteral("compareFactorLabel"));
-  auto* row = spaced(new QHBoxLayout(enlarged), {8, 0, 0, 0});
-  row->addWidget(new QLabel(CompareView::tr("Arrows enlarged")));
-  addWidgets(row, {slider, factor_label});
-  auto* head = new FlowLayout;
-  for (QWidget* widget : std::initializer_list<QWidget*>{from, source, side_by_side, arrows, enlarged}) {
-    head->addWidget(widget);
   }
-  layout->addLayout(head);
-  enlarged->hide();
-}
 
-void CompareView::Parts::show() {
-  const bool with_arrows = mode == Mode::Arrows;
-  before_pane->setVisible(!with_arrows);
-  enlarged->setVisible(with_arrows);
-  (with_arrows ? arrows : side_by_side)->setChecked(true);
-  before->setReconstruction(with_arrows ? nullptr : content.before);
-  if (now->overlays().comparison != nullptr || with_arrows) {
-    PatchOverlays overlays;
-    if (with_arrows) overlays.comparison = content.comparison;
-    now->setOverlays(overlays);
+  void showFactor() {
+    const std::optional<double> shown = now->shiftFactor();
+    slider->setEnabled(shown.has_value());
+    factor_label->setText(shown ? CompareView::tr("%1 times").arg(QLocale().toString(*shown, 'f', 0)) : noValue());
+    if (!shown) return;
+    is_filling = true;
+    const auto step = std::ranges::lower_bound(kFactors, *shown - 0.5) - kFactors.begin();
+    slider->setValue(static_cast<int>(step));
+    is_filling = false;
   }
-  now->setReconstruction(content.now);
-  summary->setText(inWords());
-  showFactor();
-}
 
-void CompareView::Parts::showFactor() {
-  const std::optional<double> shown = now->shiftFactor();
-  slider->setEnabled(shown.has_value());
-  factor_label->setText(shown ? CompareView::tr("%1 times").arg(QLocale().toString(*shown, 'f', 0)) : noValue());
-  if (!shown) return;
-  is_filling = true;
-  const auto step = std::ranges::lower_bound(kFactors, *shown - 0.5) - kFactors.begin();
-  slider->setValue(static_cast<int>(step));
-  is_filling = false;
-}
-
-QString CompareView::Parts::inWords() const {
-  if (!content.before || !content.comparison) return {};
-  const ComparisonSummary all = summariseComparisons(*content.comparison);
-  const CellDifference* farthest = farthestMoved(*content.comparison);
-  if (all.cells == 0 || farthest == nullptr) return CompareView::tr("The two have no cells in common.");
-  return CompareView::tr(
-             "%1 cells in common. Between before and now they lie %2 apart and are turned by %3 (rms, after "
-             "the best fit of both); cell %4 has moved most, by %5.")
-      .arg(QString::number(all.cells), millimetresInWords(all.position_rms_m, 2),
-           degreesInWords(all.orientation_rms_rad), QString::number(farthest->cell.value()),
-           millimetresInWords(farthest->position_m.norm(), 2));
-}
+  QString inWords() const {
+    if (!content.before || !content.comparison) return {};
+    const ComparisonSummary all = summariseComparisons(*content.comparison);
+    const CellDifference* farthest = farthestMoved(*content.comparison);
+    if (all.cells == 0 || farthest == nullptr) return CompareView::tr("The two have no cells in common.");
+    return CompareView::tr(
+               "%1 cells in common. Between before and now they lie %2 apart and are turned by %3 (rms, after "
+               "the best fit of both); cell %4 has moved most, by %5.")
+        .arg(QString::number(all.cells), millimetresInWords(all.position_rms_m, 2),
+             degreesInWords(all.orientation_rms_rad), QString::number(farthest->cell.value()),
+             millimetresInWords(farthest->position_m.norm(), 2));
+  }
+};
 
 CompareView::CompareView(Selection* selection, QWidget* parent)
     : QWidget(parent), parts_(std::make_unique<Parts>(this, selection)) {

@@ -53,18 +53,123 @@ struct PatchScene::Parts {
   Parts();
   ~Parts();
 
-  [[nodiscard]] SceneCamera::Surroundings surroundings() const;
-  void beforeRender();
-  void recolor();
-  void updateItems();
-  void updateBrushed();
-  void updateGravity();
-  void updateGhost();
-  void updateCut();
-  void showGhostOfLargestPatch();
+  SceneCamera::Surroundings surroundings() const {
+    SceneCamera::Surroundings around;
+    if (window) {
+      const int* pixels = window->GetSize();
+      around.window = {pixels[0], pixels[1]};
+      around.pixels_per_point = window->GetDPI() / 72.0;
+    }
+    around.ghost = ghost.isVisible();
+    around.arrow_of_gravity = upShown().has_value();
+    return around;
+  }
+
+  void beforeRender() {
+    const SceneCamera::Surroundings around = surroundings();
+    if (drawn_overlays.update()) camera.setMore(drawn_overlays.points());
+    camera.prepare(around);
+    renderer->ResetCameraClippingRange();
+    if (!window) return;
+    skin.update(around.window[1]);
+    labels.update(around.window, window->GetDPI());
+    corners.follow(renderer->GetActiveCamera(), window);
+    ghost.follow(renderer->GetActiveCamera(), window);
+  }
+
+  void recolor() {
+    renderer->SetBackground2(colors.background_top.data());
+    renderer->SetBackground(colors.background_bottom.data());
+    corners.setColors(colors);
+    ghost.setColors(colors);
+    labels.setColors(skin.frontColors(), colors);
+    updateBrushed();
+  }
+
+  void updateItems() {
+    skin.setPortsVisible(shown.at(indexOf(SceneItem::Ports)));
+    labels.setVisible(text_visible && shown.at(indexOf(SceneItem::Ids)));
+    corners.setAxesVisible(content && !content->layout.cells.empty() && shown.at(indexOf(SceneItem::Axes)));
+    updateGravity();
+  }
+
+  void updateBrushed() {
+    const bool any = content && !brushed.empty();
+    brush_actor->SetVisibility(any);
+    if (any) brush_mapper->SetInputData(makeBrushMarks(*content, brushed, skin.frontColors(), colors));
+  }
+
+  void updateGravity() {
+    const std::optional<Eigen::Vector3d> up = upShown();
+    corners.setDown(up ? std::optional<Eigen::Vector3d>(-*up) : std::nullopt);
+  }
+
+  void updateGhost() {
+    const bool was_there = ghost.isVisible();
+    ghost.setTurn(upShown().value_or(Eigen::Vector3d::UnitZ()), upShown() ? moment.next_up_o : std::nullopt);
+    // The skin makes room for it.
+    if (ghost.isVisible() != was_there) camera.fitIfUntouched();
+  }
+
+  void updateCut() {
+    if (!cut_share || !content || content->layout.points.empty()) {
+      cut.reset();
+    } else {
+      if (!cut) cut = SceneCut{-Eigen::Vector3d(renderer->GetActiveCamera()->GetDirectionOfProjection()), 0};
+      double least = std::numeric_limits<double>::infinity();
+      double most = -least;
+      for (const Eigen::Vector3d& p : content->layout.points) {
+        least = std::min(least, cut->normal.dot(p));
+        most = std::max(most, cut->normal.dot(p));
+      }
+      // At the ends everything is there, or nothing.
+      constexpr double kBeyond = 0.001;
+      const double beyond = kBeyond * (most - least);
+      cut->offset_m = most + beyond - *cut_share * (most - least + 2 * beyond);
+    }
+    skin.setCut(cut);
+    drawn_overlays.setCut(cut);
+    labels.setCut(cut);
+  }
+
+  void showGhostOfLargestPatch() {
+    std::size_t first = 0;
+    const Reconstruction* shown_skin = content ? content->reconstruction.get() : nullptr;
+    const PatchReconstruction* largest = shown_skin ? largestPatch(*shown_skin) : nullptr;
+    if (largest != nullptr) {
+      for (const PatchReconstruction* patch = shown_skin->patches.data(); patch != largest; ++patch) {
+        first += patch->cells.size();
+      }
+    }
+    ghost.setPatch(content ? content->layout : SceneLayout{}, first, largest == nullptr ? 0 : largest->cells.size());
+    updateGhost();
+  }
+
   /// The present up, else that of the pose whose gravity is shown; none without either.
-  [[nodiscard]] std::optional<Eigen::Vector3d> upShown() const;
-  [[nodiscard]] const GravityDirection* gravity() const;
+  std::optional<Eigen::Vector3d> upShown() const {
+    if (moment.up_o) return moment.up_o;
+    const GravityDirection* direction = gravity();
+    return direction == nullptr ? std::nullopt : std::optional<Eigen::Vector3d>(direction->g_o);
+  }
+
+  /// Every patch has a frame of its own: this is the gravity of the picked cell's patch, or else of the largest patch,
+  /// or of the first that has one.
+  const GravityDirection* gravity() const {
+    if (!content || content->layout.cells.empty() || !shown.at(indexOf(SceneItem::Gravity))) return nullptr;
+    const Reconstruction* reconstruction = content->reconstruction.get();
+    const PatchReconstruction* patch = picked_cell ? reconstruction->find(*picked_cell).patch : nullptr;
+    if (patch == nullptr) patch = largestPatch(*reconstruction);
+    if (patch->gravity.empty() && !picked_cell) {
+      const auto found =
+          std::ranges::find_if(reconstruction->patches, [](const auto& p) { return !p.gravity.empty(); });
+      if (found == reconstruction->patches.end()) return nullptr;
+      patch = &*found;
+    }
+    if (patch->gravity.empty()) return nullptr;
+    if (!moment.pose) return &patch->gravity.back();
+    const auto found = std::ranges::find(patch->gravity, *moment.pose, &GravityDirection::pose);
+    return found == patch->gravity.end() ? nullptr : &*found;
+  }
 };
 
 PatchScene::Parts::Parts() {
@@ -87,122 +192,6 @@ PatchScene::Parts::~Parts() {
     ghost.detachFrom(window);
     window->RemoveRenderer(renderer);
   }
-}
-
-SceneCamera::Surroundings PatchScene::Parts::surroundings() const {
-  SceneCamera::Surroundings around;
-  if (window) {
-    const int* pixels = window->GetSize();
-    around.window = {pixels[0], pixels[1]};
-    around.pixels_per_point = window->GetDPI() / 72.0;
-  }
-  around.ghost = ghost.isVisible();
-  around.arrow_of_gravity = upShown().has_value();
-  return around;
-}
-
-void PatchScene::Parts::beforeRender() {
-  const SceneCamera::Surroundings around = surroundings();
-  if (drawn_overlays.update()) camera.setMore(drawn_overlays.points());
-  camera.prepare(around);
-  renderer->ResetCameraClippingRange();
-  if (!window) return;
-  skin.update(around.window[1]);
-  labels.update(around.window, window->GetDPI());
-  corners.follow(renderer->GetActiveCamera(), window);
-  ghost.follow(renderer->GetActiveCamera(), window);
-}
-
-void PatchScene::Parts::updateGhost() {
-  const bool was_there = ghost.isVisible();
-  ghost.setTurn(upShown().value_or(Eigen::Vector3d::UnitZ()), upShown() ? moment.next_up_o : std::nullopt);
-  // The skin makes room for it.
-  if (ghost.isVisible() != was_there) camera.fitIfUntouched();
-}
-
-void PatchScene::Parts::showGhostOfLargestPatch() {
-  std::size_t first = 0;
-  const Reconstruction* shown_skin = content ? content->reconstruction.get() : nullptr;
-  const PatchReconstruction* largest = shown_skin ? largestPatch(*shown_skin) : nullptr;
-  if (largest != nullptr) {
-    for (const PatchReconstruction* patch = shown_skin->patches.data(); patch != largest; ++patch) {
-      first += patch->cells.size();
-    }
-  }
-  ghost.setPatch(content ? content->layout : SceneLayout{}, first, largest == nullptr ? 0 : largest->cells.size());
-  updateGhost();
-}
-
-std::optional<Eigen::Vector3d> PatchScene::Parts::upShown() const {
-  if (moment.up_o) return moment.up_o;
-  const GravityDirection* direction = gravity();
-  return direction == nullptr ? std::nullopt : std::optional<Eigen::Vector3d>(direction->g_o);
-}
-
-void PatchScene::Parts::recolor() {
-  renderer->SetBackground2(colors.background_top.data());
-  renderer->SetBackground(colors.background_bottom.data());
-  corners.setColors(colors);
-  ghost.setColors(colors);
-  labels.setColors(skin.frontColors(), colors);
-  updateBrushed();
-}
-
-void PatchScene::Parts::updateItems() {
-  skin.setPortsVisible(shown.at(indexOf(SceneItem::Ports)));
-  labels.setVisible(text_visible && shown.at(indexOf(SceneItem::Ids)));
-  corners.setAxesVisible(content && !content->layout.cells.empty() && shown.at(indexOf(SceneItem::Axes)));
-  updateGravity();
-}
-
-void PatchScene::Parts::updateCut() {
-  if (!cut_share || !content || content->layout.points.empty()) {
-    cut.reset();
-  } else {
-    if (!cut) cut = SceneCut{-Eigen::Vector3d(renderer->GetActiveCamera()->GetDirectionOfProjection()), 0};
-    double least = std::numeric_limits<double>::infinity();
-    double most = -least;
-    for (const Eigen::Vector3d& p : content->layout.points) {
-      least = std::min(least, cut->normal.dot(p));
-      most = std::max(most, cut->normal.dot(p));
-    }
-    // At the ends everything is there, or nothing.
-    constexpr double kBeyond = 0.001;
-    const double beyond = kBeyond * (most - least);
-    cut->offset_m = most + beyond - *cut_share * (most - least + 2 * beyond);
-  }
-  skin.setCut(cut);
-  drawn_overlays.setCut(cut);
-  labels.setCut(cut);
-}
-
-void PatchScene::Parts::updateBrushed() {
-  const bool any = content && !brushed.empty();
-  brush_actor->SetVisibility(any);
-  if (any) brush_mapper->SetInputData(makeBrushMarks(*content, brushed, skin.frontColors(), colors));
-}
-
-/// Every patch has a frame of its own: this is the gravity of the picked cell's patch, or else of the largest patch, or
-/// of the first that has one.
-const GravityDirection* PatchScene::Parts::gravity() const {
-  if (!content || content->layout.cells.empty() || !shown.at(indexOf(SceneItem::Gravity))) return nullptr;
-  const Reconstruction* reconstruction = content->reconstruction.get();
-  const PatchReconstruction* patch = picked_cell ? reconstruction->find(*picked_cell).patch : nullptr;
-  if (patch == nullptr) patch = largestPatch(*reconstruction);
-  if (patch->gravity.empty() && !picked_cell) {
-    const auto found = std::ranges::find_if(reconstruction->patches, [](const auto& p) { return !p.gravity.empty(); });
-    if (found == reconstruction->patches.end()) return nullptr;
-    patch = &*found;
-  }
-  if (patch->gravity.empty()) return nullptr;
-  if (!moment.pose) return &patch->gravity.back();
-  const auto found = std::ranges::find(patch->gravity, *moment.pose, &GravityDirection::pose);
-  return found == patch->gravity.end() ? nullptr : &*found;
-}
-
-void PatchScene::Parts::updateGravity() {
-  const std::optional<Eigen::Vector3d> up = upShown();
-  corners.setDown(up ? std::optional<Eigen::Vector3d>(-*up) : std::nullopt);
 }
 
 PatchScene::PatchScene() : parts_(std::make_unique<Parts>()) { setSmoothed(true); }

@@ -59,38 +59,36 @@ struct SceneGhost::Parts {
 
   [[nodiscard]] bool isVisible() const { return to_up && cells > 0; }
   [[nodiscard]] bool isArrow() const { return cells > kMaxCells; }
-  void update();
-};
-
-/// The ghost turns in the frame of the part as it is held now, in which the camera stands too.
-void SceneGhost::Parts::update() {
-  renderer->SetDraw(isVisible());
-  fill.actor->SetVisibility(!isArrow());
-  outline.actor->SetVisibility(!isArrow());
-  arrow.actor->SetVisibility(isArrow());
-  if (!isVisible()) return;
-  const Eigen::Vector3d turn = logSO3(shortestRotation(*to_up, from_up));
-  const Eigen::Matrix3d R = expSO3(phase * turn);
-  axis.actor->SetVisibility(turn.norm() >= kThere_rad);
-  if (turn.norm() >= kThere_rad) {
-    const Eigen::Vector3d end = radius_m * turn.normalized();
-    axis_line->SetPoint1(-end.x(), -end.y(), -end.z());
-    axis_line->SetPoint2(end.x(), end.y(), end.z());
-  }
-  const auto set = [](vtkActor* actor, const Eigen::Matrix3d& rotation, const Eigen::Vector3d& translation) {
-    vtkNew<vtkMatrix4x4> matrix;
-    for (int row = 0; row < 3; ++row) {
-      for (int column = 0; column < 3; ++column) matrix->SetElement(row, column, rotation(row, column));
-      matrix->SetElement(row, 3, translation(row));
+  /// The ghost turns in the frame of the part as it is held now, in which the camera stands too.
+  void update() {
+    renderer->SetDraw(isVisible());
+    fill.actor->SetVisibility(!isArrow());
+    outline.actor->SetVisibility(!isArrow());
+    arrow.actor->SetVisibility(isArrow());
+    if (!isVisible()) return;
+    const Eigen::Vector3d turn = logSO3(shortestRotation(*to_up, from_up));
+    const Eigen::Matrix3d R = expSO3(phase * turn);
+    axis.actor->SetVisibility(turn.norm() >= kThere_rad);
+    if (turn.norm() >= kThere_rad) {
+      const Eigen::Vector3d end = radius_m * turn.normalized();
+      axis_line->SetPoint1(-end.x(), -end.y(), -end.z());
+      axis_line->SetPoint2(end.x(), end.y(), end.z());
     }
-    actor->SetUserMatrix(matrix);
-  };
-  set(fill.actor, R, -(R * center));
-  set(outline.actor, R, -(R * center));
-  // The arrow is as large as the patch would be, with its middle in the middle.
-  const Eigen::Matrix3d along = R * shortestRotation(Eigen::Vector3d::UnitX(), *to_up);
-  set(arrow.actor, 1.4 * radius_m * along, -0.7 * radius_m * along.col(0));
-}
+    const auto set = [](vtkActor* actor, const Eigen::Matrix3d& rotation, const Eigen::Vector3d& translation) {
+      vtkNew<vtkMatrix4x4> matrix;
+      for (int row = 0; row < 3; ++row) {
+        for (int column = 0; column < 3; ++column) matrix->SetElement(row, column, rotation(row, column));
+        matrix->SetElement(row, 3, translation(row));
+      }
+      actor->SetUserMatrix(matrix);
+    };
+    set(fill.actor, R, -(R * center));
+    set(outline.actor, R, -(R * center));
+    // The arrow is as large as the patch would be, with its middle in the middle.
+    const Eigen::Matrix3d along = R * shortestRotation(Eigen::Vector3d::UnitX(), *to_up);
+    set(arrow.actor, 1.4 * radius_m * along, -0.7 * radius_m * along.col(0));
+  }
+};
 
 SceneGhost::SceneGhost() : parts_(std::make_unique<Parts>()) {
   vtkRenderer* renderer = parts_->renderer;

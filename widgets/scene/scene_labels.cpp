@@ -94,26 +94,24 @@ struct SceneLabels::Parts {
   bool stale = true;
   LabelSight sight;
 
-  void write(Sheets& sheets, const PlacedLabel& label, const Rgba& color) const;
-};
-
-void SceneLabels::Parts::write(Sheets& sheets, const PlacedLabel& label, const Rgba& color) const {
-  const std::string id = toString(choice.content()->layout.cells[label.cell].id);
-  const int advance = atlas.advance(label.font_px);
-  const int* size = atlas.picture()->GetDimensions();
-  // On whole pixels the letters are as sharp as they were drawn.
-  double left = std::round(label.at_px.x() - 0.5 * advance * static_cast<double>(id.size()));
-  for (const char letter : id) {
-    const LabelAtlas::Glyph& glyph = atlas.glyph(label.font_px, letter - '0');
-    const Eigen::Vector2d from(left + std::floor(0.5 * (advance - glyph.width)),
-                               std::round(label.at_px.y() - 0.5 * glyph.height));
-    const auto share = [](int pixel, int of) { return static_cast<float>(pixel) / static_cast<float>(of); };
-    sheets.add(from, from + Eigen::Vector2d(glyph.width, glyph.height), label.depth_m,
-               {share(glyph.left, size[0]), share(glyph.bottom, size[1])},
-               {share(glyph.left + glyph.width, size[0]), share(glyph.bottom + glyph.height, size[1])}, color);
-    left += advance;
+  void write(Sheets& sheets, const PlacedLabel& label, const Rgba& color) const {
+    const std::string id = toString(choice.content()->layout.cells[label.cell].id);
+    const int advance = atlas.advance(label.font_px);
+    const int* size = atlas.picture()->GetDimensions();
+    // On whole pixels the letters are as sharp as they were drawn.
+    double left = std::round(label.at_px.x() - 0.5 * advance * static_cast<double>(id.size()));
+    for (const char letter : id) {
+      const LabelAtlas::Glyph& glyph = atlas.glyph(label.font_px, letter - '0');
+      const Eigen::Vector2d from(left + std::floor(0.5 * (advance - glyph.width)),
+                                 std::round(label.at_px.y() - 0.5 * glyph.height));
+      const auto share = [](int pixel, int of) { return static_cast<float>(pixel) / static_cast<float>(of); };
+      sheets.add(from, from + Eigen::Vector2d(glyph.width, glyph.height), label.depth_m,
+                 {share(glyph.left, size[0]), share(glyph.bottom, size[1])},
+                 {share(glyph.left + glyph.width, size[0]), share(glyph.bottom + glyph.height, size[1])}, color);
+      left += advance;
+    }
   }
-}
+};
 
 SceneLabels::SceneLabels(vtkRenderer* renderer) : parts_(std::make_unique<Parts>()) {
   parts_->renderer = renderer;

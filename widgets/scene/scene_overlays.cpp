@@ -60,7 +60,22 @@ struct SceneOverlays::Parts {
   DrawnCut cut;
   SceneNotes notes;
 
-  void setStyles();
+  void setStyles() {
+    const auto paint = [&](Kind kind, const Rgb& color) {
+      Rgb copy = color;
+      drawn.at(kind).actor->GetProperty()->SetColor(copy.data());
+    };
+    paint(kFrames, colors.neutral);
+    paint(kTree, colors.text);
+    paint(kEllipsoids, colors.ellipsoid);
+    paint(kTruth, colors.overlay);
+    paint(kSheet, colors.overlay);
+    paint(kDistances, colors.text);
+    paint(kLoop, colors.difference);
+    paint(kShifts, colors.difference);
+    paint(kMeasure, colors.selection);
+  }
+
   void invalidate(std::initializer_list<Kind> kinds) {
     for (const Kind kind : kinds) drawn.at(kind).stale = true;
   }
@@ -68,157 +83,137 @@ struct SceneOverlays::Parts {
     for (DrawnOverlay& thing : drawn) thing.stale = true;
   }
   [[nodiscard]] std::size_t cells() const { return content ? content->layout.cells.size() : 0; }
-  [[nodiscard]] Availability availability(SceneItem item) const;
+  Availability availability(SceneItem item) const {
+    if (cells() == 0) return Availability::NoSkin;
+    const auto needs = [](bool data) { return data ? Availability::Available : Availability::NoData; };
+    const Availability limited = cells() > kMaxCells ? Availability::TooManyCells : Availability::Available;
+    switch (item) {
+      case SceneItem::Links:
+      case SceneItem::Tree:
+        return limited;
+      case SceneItem::Ellipsoids: {
+        const auto& known = content->figures.position_95_m;
+        const bool any = std::ranges::any_of(known, [](const auto& figure) { return figure.value_or(0) > 0; });
+        return !any ? Availability::NoData : cells() > kMaxEllipsoids ? Availability::TooManyCells : needs(true);
+      }
+      case SceneItem::Truth:
+        return overlays.truth ? limited : Availability::NoData;
+      case SceneItem::Comparison:
+        return overlays.comparison && !overlays.comparison->empty() ? limited : Availability::NoData;
+      case SceneItem::Surface:
+        return needs(surfacePatch().has_value());
+      case SceneItem::Loop:
+        return needs(loopPoints().has_value());
+      case SceneItem::Ports:
+      case SceneItem::Ids:
+      case SceneItem::Axes:
+      case SceneItem::Gravity:
+        break;
+    }
+    return Availability::Available;
+  }
+
   [[nodiscard]] bool draws(SceneItem item) const {
     return shown.at(indexOf(item)) && availability(item) == Availability::Available;
   }
   /// Index of the evaluated patch, or none.
-  [[nodiscard]] std::optional<std::size_t> surfacePatch() const;
+  std::optional<std::size_t> surfacePatch() const {
+    if (!content || !overlays.surface) return std::nullopt;
+    const auto& patches = content->reconstruction->patches;
+    const auto found = std::ranges::find(patches, overlays.surface->patch, &PatchReconstruction::id);
+    return found == patches.end() ? std::nullopt : std::optional(static_cast<std::size_t>(found - patches.begin()));
+  }
+
   /// The link points of the loop, second first, in the scene; none if they are in different patches.
-  [[nodiscard]] std::optional<std::pair<Eigen::Vector3d, Eigen::Vector3d>> loopPoints() const;
+  std::optional<std::pair<Eigen::Vector3d, Eigen::Vector3d>> loopPoints() const {
+    if (!content || !overlays.loop) return std::nullopt;
+    const auto point = [&](const LinkEnd& end) -> std::optional<Eigen::Vector3d> {
+      const SceneCell* cell = content->layout.find(end.cell);
+      const Port* port = content->reconstruction->model->findPort(end.port);
+      if (cell == nullptr || port == nullptr) return std::nullopt;
+      return cell->T_s_u * port->vector_m;
+    };
+    const SceneCell* first_cell = content->layout.find(overlays.loop->first.cell);
+    const SceneCell* second_cell = content->layout.find(overlays.loop->second.cell);
+    if (!first_cell || !second_cell || first_cell->patch != second_cell->patch) return std::nullopt;
+    const auto to = point(overlays.loop->first);
+    const auto from = point(overlays.loop->second);
+    if (!to || !from) return std::nullopt;
+    return std::pair(*from, *to);
+  }
+
   /// Null where nothing is to be drawn.
-  vtkSmartPointer<vtkPolyData> make(Kind kind);
-  vtkSmartPointer<vtkPolyData> makeMeasure() const;
+  vtkSmartPointer<vtkPolyData> make(Kind kind) {
+    const auto enlarged = [](EnlargedShape shape, std::optional<double>& factor) {
+      factor = shape.factor;
+      return shape.data;
+    };
+    switch (kind) {
+      case kFrames: {
+        const std::vector<std::size_t> apart = content ? content->layout.notPlaced() : std::vector<std::size_t>();
+        notes.not_placed.clear();
+        for (const std::size_t p : apart) notes.not_placed.push_back(content->reconstruction->patches[p].origin);
+        const std::vector<std::size_t> framed = content ? content->layout.framed() : std::vector<std::size_t>();
+        notes.frames = !framed.empty();
+        return notes.frames ? makePatchFrames(*content, framed, colors.neutral) : nullptr;
+      }
+      case kLinks:
+        notes.links = draws(SceneItem::Links);
+        return notes.links ? makeLinkLines(*content, colors) : nullptr;
+      case kTree:
+        notes.tree = draws(SceneItem::Tree);
+        return notes.tree ? makeTreeLines(*content) : nullptr;
+      case kEllipsoids:
+        notes.ellipsoid_factor.reset();
+        return draws(SceneItem::Ellipsoids) ? enlarged(makeEllipsoids(*content), notes.ellipsoid_factor) : nullptr;
+      case kTruth:
+        notes.truth = draws(SceneItem::Truth);
+        return notes.truth ? makeGhostOutlines(*content, alignTruth(*content->reconstruction, *overlays.truth))
+                           : nullptr;
+      case kSheet:
+      case kDistances: {
+        if (kind == kDistances) notes.distance_factor.reset();
+        if (!draws(SceneItem::Surface)) return nullptr;
+        const std::size_t patch = *surfacePatch();
+        const Reconstruction& r = *content->reconstruction;
+        if (!surface_mesh) surface_mesh = meshSurface(*overlays.surface, r.patches[patch], 1.5 * r.model->side_m);
+        const SurfaceMesh& mesh = *surface_mesh;
+        if (mesh.points.empty()) return nullptr;
+        if (kind == kSheet) return makeSurfaceSheet(*content, mesh, patch);
+        return cells() > kMaxCells ? nullptr
+                                   : enlarged(makeDistanceLines(*content, mesh, patch), notes.distance_factor);
+      }
+      case kLoop: {
+        notes.loop_factor.reset();
+        if (!draws(SceneItem::Loop)) return nullptr;
+        const auto [from, to] = *loopPoints();
+        return enlarged(makeGapArrow(*content, from, to), notes.loop_factor);
+      }
+      case kShifts:
+        notes.shift_factor.reset();
+        return draws(SceneItem::Comparison)
+                   ? enlarged(makeShiftArrows(*content, shiftsOf(*content->reconstruction, *overlays.comparison),
+                                              shift_factor),
+                              notes.shift_factor)
+                   : nullptr;
+      case kMeasure:
+        return makeMeasure();
+      case kKinds:
+        break;
+    }
+    return nullptr;
+  }
+
+  vtkSmartPointer<vtkPolyData> makeMeasure() const {
+    if (!content || !first) return nullptr;
+    const SceneCell* a = content->layout.find(*first);
+    if (a == nullptr) return nullptr;
+    const SceneCell* b = second ? content->layout.find(*second) : nullptr;
+    if (b == nullptr) return makeCellOutlines(*content, {*first});
+    // There is no distance between patches, and so no line.
+    return a->patch == b->patch ? makeLine(a->T_s_u.t, b->T_s_u.t) : makeCellOutlines(*content, {*first, *second});
+  }
 };
-
-void SceneOverlays::Parts::setStyles() {
-  const auto paint = [&](Kind kind, const Rgb& color) {
-    Rgb copy = color;
-    drawn.at(kind).actor->GetProperty()->SetColor(copy.data());
-  };
-  paint(kFrames, colors.neutral);
-  paint(kTree, colors.text);
-  paint(kEllipsoids, colors.ellipsoid);
-  paint(kTruth, colors.overlay);
-  paint(kSheet, colors.overlay);
-  paint(kDistances, colors.text);
-  paint(kLoop, colors.difference);
-  paint(kShifts, colors.difference);
-  paint(kMeasure, colors.selection);
-}
-
-std::optional<std::size_t> SceneOverlays::Parts::surfacePatch() const {
-  if (!content || !overlays.surface) return std::nullopt;
-  const auto& patches = content->reconstruction->patches;
-  const auto found = std::ranges::find(patches, overlays.surface->patch, &PatchReconstruction::id);
-  return found == patches.end() ? std::nullopt : std::optional(static_cast<std::size_t>(found - patches.begin()));
-}
-
-std::optional<std::pair<Eigen::Vector3d, Eigen::Vector3d>> SceneOverlays::Parts::loopPoints() const {
-  if (!content || !overlays.loop) return std::nullopt;
-  const auto point = [&](const LinkEnd& end) -> std::optional<Eigen::Vector3d> {
-    const SceneCell* cell = content->layout.find(end.cell);
-    const Port* port = content->reconstruction->model->findPort(end.port);
-    if (cell == nullptr || port == nullptr) return std::nullopt;
-    return cell->T_s_u * port->vector_m;
-  };
-  const SceneCell* first_cell = content->layout.find(overlays.loop->first.cell);
-  const SceneCell* second_cell = content->layout.find(overlays.loop->second.cell);
-  if (!first_cell || !second_cell || first_cell->patch != second_cell->patch) return std::nullopt;
-  const auto to = point(overlays.loop->first);
-  const auto from = point(overlays.loop->second);
-  if (!to || !from) return std::nullopt;
-  return std::pair(*from, *to);
-}
-
-Availability SceneOverlays::Parts::availability(SceneItem item) const {
-  if (cells() == 0) return Availability::NoSkin;
-  const auto needs = [](bool data) { return data ? Availability::Available : Availability::NoData; };
-  const Availability limited = cells() > kMaxCells ? Availability::TooManyCells : Availability::Available;
-  switch (item) {
-    case SceneItem::Links:
-    case SceneItem::Tree:
-      return limited;
-    case SceneItem::Ellipsoids: {
-      const auto& known = content->figures.position_95_m;
-      const bool any = std::ranges::any_of(known, [](const auto& figure) { return figure.value_or(0) > 0; });
-      return !any ? Availability::NoData : cells() > kMaxEllipsoids ? Availability::TooManyCells : needs(true);
-    }
-    case SceneItem::Truth:
-      return overlays.truth ? limited : Availability::NoData;
-    case SceneItem::Comparison:
-      return overlays.comparison && !overlays.comparison->empty() ? limited : Availability::NoData;
-    case SceneItem::Surface:
-      return needs(surfacePatch().has_value());
-    case SceneItem::Loop:
-      return needs(loopPoints().has_value());
-    case SceneItem::Ports:
-    case SceneItem::Ids:
-    case SceneItem::Axes:
-    case SceneItem::Gravity:
-      break;
-  }
-  return Availability::Available;
-}
-
-vtkSmartPointer<vtkPolyData> SceneOverlays::Parts::makeMeasure() const {
-  if (!content || !first) return nullptr;
-  const SceneCell* a = content->layout.find(*first);
-  if (a == nullptr) return nullptr;
-  const SceneCell* b = second ? content->layout.find(*second) : nullptr;
-  if (b == nullptr) return makeCellOutlines(*content, {*first});
-  // There is no distance between patches, and so no line.
-  return a->patch == b->patch ? makeLine(a->T_s_u.t, b->T_s_u.t) : makeCellOutlines(*content, {*first, *second});
-}
-
-vtkSmartPointer<vtkPolyData> SceneOverlays::Parts::make(Kind kind) {
-  const auto enlarged = [](EnlargedShape shape, std::optional<double>& factor) {
-    factor = shape.factor;
-    return shape.data;
-  };
-  switch (kind) {
-    case kFrames: {
-      const std::vector<std::size_t> apart = content ? content->layout.notPlaced() : std::vector<std::size_t>();
-      notes.not_placed.clear();
-      for (const std::size_t p : apart) notes.not_placed.push_back(content->reconstruction->patches[p].origin);
-      const std::vector<std::size_t> framed = content ? content->layout.framed() : std::vector<std::size_t>();
-      notes.frames = !framed.empty();
-      return notes.frames ? makePatchFrames(*content, framed, colors.neutral) : nullptr;
-    }
-    case kLinks:
-      notes.links = draws(SceneItem::Links);
-      return notes.links ? makeLinkLines(*content, colors) : nullptr;
-    case kTree:
-      notes.tree = draws(SceneItem::Tree);
-      return notes.tree ? makeTreeLines(*content) : nullptr;
-    case kEllipsoids:
-      notes.ellipsoid_factor.reset();
-      return draws(SceneItem::Ellipsoids) ? enlarged(makeEllipsoids(*content), notes.ellipsoid_factor) : nullptr;
-    case kTruth:
-      notes.truth = draws(SceneItem::Truth);
-      return notes.truth ? makeGhostOutlines(*content, alignTruth(*content->reconstruction, *overlays.truth)) : nullptr;
-    case kSheet:
-    case kDistances: {
-      if (kind == kDistances) notes.distance_factor.reset();
-      if (!draws(SceneItem::Surface)) return nullptr;
-      const std::size_t patch = *surfacePatch();
-      const Reconstruction& r = *content->reconstruction;
-      if (!surface_mesh) surface_mesh = meshSurface(*overlays.surface, r.patches[patch], 1.5 * r.model->side_m);
-      const SurfaceMesh& mesh = *surface_mesh;
-      if (mesh.points.empty()) return nullptr;
-      if (kind == kSheet) return makeSurfaceSheet(*content, mesh, patch);
-      return cells() > kMaxCells ? nullptr : enlarged(makeDistanceLines(*content, mesh, patch), notes.distance_factor);
-    }
-    case kLoop: {
-      notes.loop_factor.reset();
-      if (!draws(SceneItem::Loop)) return nullptr;
-      const auto [from, to] = *loopPoints();
-      return enlarged(makeGapArrow(*content, from, to), notes.loop_factor);
-    }
-    case kShifts:
-      notes.shift_factor.reset();
-      return draws(SceneItem::Comparison)
-                 ? enlarged(makeShiftArrows(*content, shiftsOf(*content->reconstruction, *overlays.comparison),
-                                            shift_factor),
-                            notes.shift_factor)
-                 : nullptr;
-    case kMeasure:
-      return makeMeasure();
-    case kKinds:
-      break;
-  }
-  return nullptr;
-}
 
 SceneOverlays::SceneOverlays(vtkRenderer* renderer) : parts_(std::make_unique<Parts>()) {
   parts_->renderer = renderer;

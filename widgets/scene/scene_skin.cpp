@@ -94,101 +94,114 @@ struct SceneSkin::Parts {
   DrawnCut cut;
   mutable vtkSmartPointer<vtkStaticCellLocator> locator;  ///< a large skin's, or made by the first pick
 
-  void add(vtkActor* actor, vtkPolyDataMapper* mapper);
-  void recolor();
-  void drawSigns(bool any);
-  [[nodiscard]] ColorRange range() const;
-  void drawFaces(bool far);
-  void setLights();
+  void add(vtkActor* actor, vtkPolyDataMapper* mapper) {
+    actor->SetMapper(mapper);
+    actor->VisibilityOff();
+    renderer->AddActor(actor);
+  }
+
+  void recolor() {
+    prism_actor->GetProperty()->SetEdgeColor(colors.edge.data());
+    const bool any = content && !content->layout.cells.empty() && !colors.scale.steps.empty();
+    prism_actor->SetVisibility(any && content->prisms);
+    back_actor->SetVisibility(any && content->prisms);
+    Rgb grey = backGrey(colors);
+    back_actor->GetProperty()->SetColor(grey.data());
+    hexagons.stale = true;
+    bricks.stale = true;
+    if (!any || content->prisms) {
+      hexagons.actor->VisibilityOff();
+      bricks.actor->VisibilityOff();
+    }
+    const bool marked = any && content->layout.cells.size() <= kMaxMarkedCells;
+    port_actor->SetVisibility(marked && ports_visible);
+    origin_actor->SetVisibility(marked);
+    if (!any) {
+      front_colors.clear();
+      drawSigns(false);
+      return;
+    }
+    front_colors = cellColors(coloring, content->figures, readings, range(), colors);
+    drawSigns(true);
+    if (content->prisms) {
+      prism_mapper->SetInputData(makeColoredSurface(*content, front_colors, colors));
+    } else {
+      drawFaces(bricks.actor->GetVisibility() != 0);
+    }
+    if (marked) {
+      port_mapper->SetInputData(makePortMarks(*content, front_colors, colors));
+      origin_mapper->SetInputData(makeOriginMarks(*content, front_colors, colors));
+    }
+  }
+
+  void drawSigns(bool any) {
+    const vtkSmartPointer<vtkPolyData> signs = any ? makeSigns(*content, front_colors, colors) : nullptr;
+    sign_actor->SetVisibility(signs != nullptr);
+    if (signs) sign_mapper->SetInputData(signs);
+  }
+
+  ColorRange range() const {
+    if (!isQuantity(coloring)) return {};
+    if (fixed_range) return *fixed_range;
+    return rangeOf(coloring, scaledValues(coloring, *content->reconstruction, content->figures, readings), {});
+  }
+
+  void drawFaces(bool far) {
+    hexagons.actor->SetVisibility(!far);
+    bricks.actor->SetVisibility(far);
+    Faces& shown = far ? bricks : hexagons;
+    if (!shown.stale) return;
+    shown.mapper->SetInputData(far ? makeColoredBricks(*content, front_colors)
+                                   : makeColoredSurface(*content, front_colors, colors));
+    shown.stale = false;
+  }
+
+  void setLights() {
+    vtkCamera* camera = renderer->GetActiveCamera();
+    const Eigen::Vector3d back = -Eigen::Vector3d(camera->GetDirectionOfProjection());
+    const Eigen::Vector3d up = Eigen::Vector3d(camera->GetViewUp());
+    const Eigen::Vector3d right = up.cross(back).normalized();
+    Eigen::Matrix3d R_s_view;
+    R_s_view << right, back.cross(right), back;
+    const Eigen::Vector3f key = (R_s_view * Eigen::Vector3d(SceneLights::kKeyFrom.data()).normalized()).cast<float>();
+    const Eigen::Vector3f fill = (R_s_view * Eigen::Vector3d(SceneLights::kFillFrom.data()).normalized()).cast<float>();
+    const Rgb grey_color = backGrey(colors);
+    const Eigen::Vector3f grey = Eigen::Vector3d(grey_color.data()).cast<float>();
+    const bool parallel = camera->GetParallelProjection() != 0;
+    Eigen::Vector4f eye = Eigen::Vector4f::Zero();
+    eye.head<3>() = back.cast<float>();
+    if (!parallel) eye << Eigen::Vector3d(camera->GetPosition()).cast<float>(), 1;
+    for (Faces* faces : {&hexagons, &bricks}) {
+      vtkUniforms* uniforms = faces->actor->GetShaderProperty()->GetVertexCustomUniforms();
+      uniforms->SetUniform4f("eye", eye.data());
+      uniforms->SetUniform3f("key", key.data());
+      uniforms->SetUniform3f("fill", fill.data());
+      uniforms->SetUniform3f("grey", grey.data());
+    }
+  }
+
   /// The polygon that a line from one point to another meets first.
-  [[nodiscard]] std::optional<std::size_t> firstCell(Eigen::Vector3d from, Eigen::Vector3d to) const;
+  std::optional<std::size_t> firstCell(Eigen::Vector3d from, Eigen::Vector3d to) const {
+    if (!content || content->layout.cells.empty()) return std::nullopt;
+    if (cut.get() && !cut.get()->shorten(from, to)) return std::nullopt;
+    if (!locator) {
+      locator = vtkSmartPointer<vtkStaticCellLocator>::New();
+      locator->SetDataSet(content->surface);
+      locator->BuildLocator();
+    }
+    constexpr double kTolerance_m = 1e-6;  // not 0: a hit on a tilted face is off its plane by rounding
+    double t = 0;
+    std::array<double, 3> hit{};
+    std::array<double, 3> parametric{};
+    int sub_id = 0;
+    vtkIdType polygon = -1;
+    if (locator->IntersectWithLine(from.data(), to.data(), kTolerance_m, t, hit.data(), parametric.data(), sub_id,
+                                   polygon) == 0) {
+      return std::nullopt;
+    }
+    return static_cast<std::size_t>(polygon) / content->polygonsPerCell();
+  }
 };
-
-void SceneSkin::Parts::add(vtkActor* actor, vtkPolyDataMapper* mapper) {
-  actor->SetMapper(mapper);
-  actor->VisibilityOff();
-  renderer->AddActor(actor);
-}
-
-void SceneSkin::Parts::recolor() {
-  prism_actor->GetProperty()->SetEdgeColor(colors.edge.data());
-  const bool any = content && !content->layout.cells.empty() && !colors.scale.steps.empty();
-  prism_actor->SetVisibility(any && content->prisms);
-  back_actor->SetVisibility(any && content->prisms);
-  Rgb grey = backGrey(colors);
-  back_actor->GetProperty()->SetColor(grey.data());
-  hexagons.stale = true;
-  bricks.stale = true;
-  if (!any || content->prisms) {
-    hexagons.actor->VisibilityOff();
-    bricks.actor->VisibilityOff();
-  }
-  const bool marked = any && content->layout.cells.size() <= kMaxMarkedCells;
-  port_actor->SetVisibility(marked && ports_visible);
-  origin_actor->SetVisibility(marked);
-  if (!any) {
-    front_colors.clear();
-    drawSigns(false);
-    return;
-  }
-  front_colors = cellColors(coloring, content->figures, readings, range(), colors);
-  drawSigns(true);
-  if (content->prisms) {
-    prism_mapper->SetInputData(makeColoredSurface(*content, front_colors, colors));
-  } else {
-    drawFaces(bricks.actor->GetVisibility() != 0);
-  }
-  if (marked) {
-    port_mapper->SetInputData(makePortMarks(*content, front_colors, colors));
-    origin_mapper->SetInputData(makeOriginMarks(*content, front_colors, colors));
-  }
-}
-
-void SceneSkin::Parts::drawSigns(bool any) {
-  const vtkSmartPointer<vtkPolyData> signs = any ? makeSigns(*content, front_colors, colors) : nullptr;
-  sign_actor->SetVisibility(signs != nullptr);
-  if (signs) sign_mapper->SetInputData(signs);
-}
-
-ColorRange SceneSkin::Parts::range() const {
-  if (!isQuantity(coloring)) return {};
-  if (fixed_range) return *fixed_range;
-  return rangeOf(coloring, scaledValues(coloring, *content->reconstruction, content->figures, readings), {});
-}
-
-void SceneSkin::Parts::drawFaces(bool far) {
-  hexagons.actor->SetVisibility(!far);
-  bricks.actor->SetVisibility(far);
-  Faces& shown = far ? bricks : hexagons;
-  if (!shown.stale) return;
-  shown.mapper->SetInputData(far ? makeColoredBricks(*content, front_colors)
-                                 : makeColoredSurface(*content, front_colors, colors));
-  shown.stale = false;
-}
-
-void SceneSkin::Parts::setLights() {
-  vtkCamera* camera = renderer->GetActiveCamera();
-  const Eigen::Vector3d back = -Eigen::Vector3d(camera->GetDirectionOfProjection());
-  const Eigen::Vector3d up = Eigen::Vector3d(camera->GetViewUp());
-  const Eigen::Vector3d right = up.cross(back).normalized();
-  Eigen::Matrix3d R_s_view;
-  R_s_view << right, back.cross(right), back;
-  const Eigen::Vector3f key = (R_s_view * Eigen::Vector3d(SceneLights::kKeyFrom.data()).normalized()).cast<float>();
-  const Eigen::Vector3f fill = (R_s_view * Eigen::Vector3d(SceneLights::kFillFrom.data()).normalized()).cast<float>();
-  const Rgb grey_color = backGrey(colors);
-  const Eigen::Vector3f grey = Eigen::Vector3d(grey_color.data()).cast<float>();
-  const bool parallel = camera->GetParallelProjection() != 0;
-  Eigen::Vector4f eye = Eigen::Vector4f::Zero();
-  eye.head<3>() = back.cast<float>();
-  if (!parallel) eye << Eigen::Vector3d(camera->GetPosition()).cast<float>(), 1;
-  for (Faces* faces : {&hexagons, &bricks}) {
-    vtkUniforms* uniforms = faces->actor->GetShaderProperty()->GetVertexCustomUniforms();
-    uniforms->SetUniform4f("eye", eye.data());
-    uniforms->SetUniform3f("key", key.data());
-    uniforms->SetUniform3f("fill", fill.data());
-    uniforms->SetUniform3f("grey", grey.data());
-  }
-}
 
 void addSceneLights(vtkRenderer* renderer) {
   const auto add = [renderer](const std::array<double, 3>& from, double intensity) {
@@ -312,27 +325,6 @@ void SceneSkin::setCut(const std::optional<SceneCut>& cut) {
                         parts_->back_mapper.Get(), parts_->port_mapper.Get(), parts_->origin_mapper.Get()});
   // Where prisms are cut open, they are seen from within.
   parts_->prism_actor->GetProperty()->SetBackfaceCulling(!cut);
-}
-
-std::optional<std::size_t> SceneSkin::Parts::firstCell(Eigen::Vector3d from, Eigen::Vector3d to) const {
-  if (!content || content->layout.cells.empty()) return std::nullopt;
-  if (cut.get() && !cut.get()->shorten(from, to)) return std::nullopt;
-  if (!locator) {
-    locator = vtkSmartPointer<vtkStaticCellLocator>::New();
-    locator->SetDataSet(content->surface);
-    locator->BuildLocator();
-  }
-  constexpr double kTolerance_m = 1e-6;  // not 0: a hit on a tilted face is off its plane by rounding
-  double t = 0;
-  std::array<double, 3> hit{};
-  std::array<double, 3> parametric{};
-  int sub_id = 0;
-  vtkIdType polygon = -1;
-  if (locator->IntersectWithLine(from.data(), to.data(), kTolerance_m, t, hit.data(), parametric.data(), sub_id,
-                                 polygon) == 0) {
-    return std::nullopt;
-  }
-  return static_cast<std::size_t>(polygon) / content->polygonsPerCell();
 }
 
 std::optional<CellId> SceneSkin::pick(double x, double y) const {
