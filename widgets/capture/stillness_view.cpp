@@ -2,6 +2,7 @@
 
 #include "widgets/controls/elided_label.h"
 #include "widgets/controls/panel_parts.h"
+#include "widgets/style/of_enum.h"
 #include "widgets/style/palette.h"
 
 #include <qwt_plot.h>
@@ -33,15 +34,7 @@ constexpr std::array<const char*, 3> kAxes = {"x", "y", "z"};
 double laneOf(int axis) { return 2.0 - axis; }
 
 QString stateWord(TraceState state) {
-  switch (state) {
-    case TraceState::Moving:
-      return StillnessView::tr("moving");
-    case TraceState::Still:
-      return StillnessView::tr("still");
-    case TraceState::Collecting:
-      return StillnessView::tr("capturing");
-  }
-  return {};
+  return ofEnum(state, {StillnessView::tr("moving"), StillnessView::tr("still"), StillnessView::tr("capturing")});
 }
 
 QString eventWord(const TraceEvent& event) {

@@ -3,6 +3,7 @@
 #include "widgets/controls/action_button.h"
 #include "widgets/controls/flow_layout.h"
 #include "widgets/controls/panel_parts.h"
+#include "widgets/style/of_enum.h"
 #include "widgets/style/palette.h"
 #include "widgets/words/formatting.h"
 
@@ -20,17 +21,8 @@ namespace hexoderm {
 namespace {
 
 QString readinessInWords(Readiness readiness) {
-  switch (readiness) {
-    case Readiness::Ready:
-      return StepPanel::tr("✓ Ready: %1");
-    case Readiness::Possible:
-      return StepPanel::tr("▲ Possible: %1");
-    case Readiness::Waiting:
-      return StepPanel::tr("… Waiting: %1");
-    case Readiness::Blocked:
-      return StepPanel::tr("■ Blocked: %1");
-  }
-  return {};
+  return ofEnum(readiness, {StepPanel::tr("✓ Ready: %1"), StepPanel::tr("▲ Possible: %1"),
+                            StepPanel::tr("… Waiting: %1"), StepPanel::tr("■ Blocked: %1")});
 }
 
 constexpr int kBadge = 24;
@@ -38,15 +30,7 @@ constexpr int kMargin = 14;
 constexpr int kIndent = kMargin + kBadge + 10;
 
 QString stateInWords(StepState state) {
-  switch (state) {
-    case StepState::Waiting:
-      return StepPanel::tr("waiting");
-    case StepState::Current:
-      return StepPanel::tr("current");
-    case StepState::Done:
-      return StepPanel::tr("done");
-  }
-  return {};
+  return ofEnum(state, {StepPanel::tr("waiting"), StepPanel::tr("current"), StepPanel::tr("done")});
 }
 
 /// Number or tick, title and note; pressing it opens the step.

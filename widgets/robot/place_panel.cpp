@@ -185,12 +185,8 @@ void PlacePanel::buildRobot() {
                         tr("Say in which folder a package of the robot is"));
   package_->setToolTip(tr("Where a URDF says package://NAME/…: the folder called NAME"));
   remove_robot_ = namedField(new QPushButton(tr("Remove")), "placeRemoveRobot", tr("Remove the robot"));
-  QHBoxLayout* row = robot_->addRow();
-  addWidgets(row, {choose_robot_, remove_robot_});
-  row->addStretch();
-  QHBoxLayout* second = robot_->addRow();
-  second->addWidget(package_);
-  second->addStretch();
+  robot_->addRow({choose_robot_, remove_robot_});
+  robot_->addRow({package_});
   connect(choose_robot_, &QPushButton::clicked, this, &PlacePanel::robotWanted);
   connect(package_, &QPushButton::clicked, this, &PlacePanel::packageWanted);
   connect(remove_robot_, &QPushButton::clicked, this, &PlacePanel::robotRemoved);
@@ -199,9 +195,7 @@ void PlacePanel::buildRobot() {
 void PlacePanel::buildJoints() {
   choose_joints_ =
       namedField(new QPushButton(tr("Choose CSV…")), "placeChooseJoints", tr("Choose a table of joint angles"));
-  QHBoxLayout* joints = joints_->addRow();
-  joints->addWidget(choose_joints_);
-  joints->addStretch();
+  joints_->addRow({choose_joints_});
   connect(choose_joints_, &QPushButton::clicked, this, &PlacePanel::jointsWanted);
   joint_table_ = new JointTable(this);
   joint_view_ = namedField(new JointTableView(joint_table_), "placeJointTable", tr("Joint angles of the poses"));
@@ -257,9 +251,7 @@ void PlacePanel::buildKnown() {
   known_->addRow()->addWidget(known_list_, 1);
   remove_known_ =
       namedField(new QPushButton(tr("Remove")), "placeRemoveKnown", tr("Remove the picked point or distance"));
-  QHBoxLayout* row = known_->addRow();
-  row->addWidget(remove_known_);
-  row->addStretch();
+  known_->addRow({remove_known_});
   connect(known_list_, &QListWidget::currentRowChanged, this, &PlacePanel::refreshControls);
   connect(remove_known_, &QPushButton::clicked, this, [this] {
     const int picked = known_list_->currentRow();
@@ -302,11 +294,7 @@ void PlacePanel::buildPoint() {
     grid->addWidget(field, 1 + axis, 1, 1, 3);
   }
   known_->addRow()->addLayout(grid);
-  for (QPushButton* button : {pick_, add_point_}) {
-    QHBoxLayout* row = known_->addRow();
-    row->addWidget(button);
-    row->addStretch();
-  }
+  for (QPushButton* button : {pick_, add_point_}) known_->addRow({button});
   connect(pick_, &QPushButton::toggled, this, &PlacePanel::pickingChanged);
   connect(add_point_, &QPushButton::clicked, this, [this] {
     KnownPoint point;
@@ -340,9 +328,7 @@ void PlacePanel::buildDistance() {
   grid->addWidget(buddyLabel(distance_sigma_mm_, tr("±")), 2, 0);
   grid->addWidget(distance_sigma_mm_, 2, 1, 1, 3);
   known_->addRow()->addLayout(grid);
-  QHBoxLayout* row = known_->addRow();
-  row->addWidget(add_distance_);
-  row->addStretch();
+  known_->addRow({add_distance_});
   connect(distance_mm_, qOverload<double>(&QDoubleSpinBox::valueChanged), this, &PlacePanel::refreshControls);
   connect(add_distance_, &QPushButton::clicked, this, [this] {
     emit distanceAdded({CellId(static_cast<std::uint32_t>(from_cell_->value())),
@@ -359,15 +345,11 @@ void PlacePanel::buildPlaces() {
   places_->addRow()->addWidget(place_list_, 1);
   remove_place_ =
       namedField(new QPushButton(tr("Take away")), "placeRemovePlace", tr("Take the patch away from its place"));
-  QHBoxLayout* row = places_->addRow();
   move_ = namedField(new QPushButton(tr("Move by hand")), "placeMove", tr("Move the patch over the link by keys"));
   move_->setCheckable(true);
   look_ = namedField(new QPushButton(tr("Look closely")), "placeLook", tr("Look closely at the patch on the robot"));
-  row->addWidget(move_);
-  row->addStretch();
-  QHBoxLayout* second = places_->addRow();
-  addWidgets(second, {look_, remove_place_});
-  second->addStretch();
+  places_->addRow({move_});
+  places_->addRow({look_, remove_place_});
   connect(move_, &QPushButton::toggled, this, &PlacePanel::movingChanged);
   connect(look_, &QPushButton::clicked, this, &PlacePanel::lookWanted);
   connect(place_list_, &QListWidget::itemEntered, this,

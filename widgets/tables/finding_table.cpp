@@ -28,10 +28,6 @@ void FindingTable::rebuild() {
   std::ranges::stable_sort(rows_, std::ranges::greater(), [&](std::size_t row) { return findings[row].severity; });
 }
 
-int FindingTable::rowCount(const QModelIndex& parent) const {
-  return parent.isValid() ? 0 : static_cast<int>(rows_.size());
-}
-
 const Finding& FindingTable::findingAt(int row) const {
   return reconstruction()->findings[rows_.at(static_cast<std::size_t>(row))];
 }

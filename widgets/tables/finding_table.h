@@ -12,12 +12,12 @@ class FindingTable : public ReconstructionTable {
 
  public:
   explicit FindingTable(QObject* parent = nullptr);
-  int rowCount(const QModelIndex& parent = {}) const override;
   QVariant data(const QModelIndex& index, int role) const override;
 
   [[nodiscard]] const Finding& findingAt(int row) const;
 
  protected:
+  [[nodiscard]] int rows() const override { return static_cast<int>(rows_.size()); }
   void rebuild() override;
 
  private:

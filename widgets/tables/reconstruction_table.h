@@ -4,6 +4,8 @@
 #include "widgets/tables/column_table.h"
 
 #include <memory>
+#include <utility>
+#include <vector>
 
 namespace hexoderm {
 
@@ -23,6 +25,24 @@ class ReconstructionTable : public ColumnTable {
 
  private:
   std::shared_ptr<const Reconstruction> reconstruction_;
+};
+
+/// Base of those with a row for each link, muted links included.
+class LinkRowTable : public ReconstructionTable {
+  Q_OBJECT
+
+ public:
+  using ReconstructionTable::ReconstructionTable;
+
+  [[nodiscard]] const LinkEstimate& linkAt(int row) const;
+  [[nodiscard]] int rowOf(LinkEnd source, LinkEnd target) const;  ///< -1 if there is none
+
+ protected:
+  [[nodiscard]] int rows() const override { return static_cast<int>(rows_.size()); }
+  void rebuild() override;
+
+ private:
+  std::vector<std::pair<std::size_t, std::size_t>> rows_;  ///< patch, link
 };
 
 }  // namespace hexoderm

@@ -13,10 +13,6 @@ void ResultTable::setContent(std::vector<Column> columns, std::vector<Row> rows)
   endResetModel();
 }
 
-int ResultTable::rowCount(const QModelIndex& parent) const {
-  return parent.isValid() ? 0 : static_cast<int>(rows_.size());
-}
-
 QVariant ResultTable::valueAt(const QModelIndex& index) const {
   return rowAt(index.row()).values.at(static_cast<std::size_t>(index.column()));
 }

@@ -24,10 +24,10 @@ class ResultTable : public ColumnTable {
   void setContent(std::vector<Column> columns, std::vector<Row> rows);
   [[nodiscard]] const Row& rowAt(int row) const { return rows_.at(static_cast<std::size_t>(row)); }
 
-  int rowCount(const QModelIndex& parent = {}) const override;
   QVariant data(const QModelIndex& index, int role) const override;
 
  protected:
+  [[nodiscard]] int rows() const override { return static_cast<int>(rows_.size()); }
   [[nodiscard]] QVariant valueAt(const QModelIndex& index) const override;
 
  private:

@@ -7,7 +7,6 @@
 #include "widgets/words/formatting.h"
 #include "widgets/words/words.h"
 
-#include <map>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -16,15 +15,11 @@ namespace hexoderm {
 
 /// Links x poses: how badly each link fits each pose. One row a link, as LinkTable has them; the first column is the
 /// link's rms over its poses, then one column a pose. Row headers name the links.
-class ResidualTable : public ReconstructionTable {
+class ResidualTable : public LinkRowTable {
   Q_OBJECT
 
  public:
-  using ReconstructionTable::ReconstructionTable;
-  int rowCount(const QModelIndex& parent = {}) const override {
-    return parent.isValid() ? 0 : static_cast<int>(rows_.size());
-  }
-
+  using LinkRowTable::LinkRowTable;
   QVariant data(const QModelIndex& index, int role) const override {
     if (!checkIndex(index, CheckIndexOption::IndexIsValid)) return {};
     switch (role) {
@@ -38,12 +33,12 @@ class ResidualTable : public ReconstructionTable {
                     : tr("%1, all poses: %2").arg(link, residual);
       }
       default:
-        return ReconstructionTable::data(index, role);
+        return LinkRowTable::data(index, role);
     }
   }
 
   QVariant headerData(int section, Qt::Orientation orientation, int role) const override {
-    if (orientation == Qt::Horizontal) return ReconstructionTable::headerData(section, orientation, role);
+    if (orientation == Qt::Horizontal) return LinkRowTable::headerData(section, orientation, role);
     if (section < 0 || section >= rowCount()) return {};
     switch (role) {
       case Qt::DisplayRole:
@@ -58,17 +53,6 @@ class ResidualTable : public ReconstructionTable {
       default:
         return {};
     }
-  }
-
-  [[nodiscard]] const LinkEstimate& linkAt(int row) const {
-    const auto& [patch, link] = rows_.at(static_cast<std::size_t>(row));
-    return reconstruction()->patches[patch].links[link];
-  }
-
-  /// -1 if there is none
-  [[nodiscard]] int rowOf(const Selection::Link& link) const {
-    const auto found = row_of_.find(link);
-    return found == row_of_.end() ? -1 : found->second;
   }
 
   /// none for the first column
@@ -87,8 +71,7 @@ class ResidualTable : public ReconstructionTable {
 
  protected:
   void rebuild() override {
-    rows_.clear();
-    row_of_.clear();
+    LinkRowTable::rebuild();
     setColumns({});
     if (!reconstruction()) return;
     constexpr int kDecimals = 2;
@@ -103,20 +86,9 @@ class ResidualTable : public ReconstructionTable {
                          kDecimals});
     }
     setColumns(std::move(columns));
-    for (std::size_t patch = 0; patch < reconstruction()->patches.size(); ++patch) {
-      const std::vector<LinkEstimate>& links = reconstruction()->patches[patch].links;
-      for (std::size_t link = 0; link < links.size(); ++link) {
-        row_of_.emplace(Selection::Link(links[link].source, links[link].target), static_cast<int>(rows_.size()));
-        rows_.emplace_back(patch, link);
-      }
-    }
   }
 
   [[nodiscard]] QVariant valueAt(const QModelIndex& index) const override { return rawDegrees(residualAt(index)); }
-
- private:
-  std::vector<std::pair<std::size_t, std::size_t>> rows_;  ///< patch, link
-  std::map<Selection::Link, int> row_of_;
 };
 
 }  // namespace hexoderm

@@ -203,7 +203,8 @@ void ResidualView::pickCurrent(const QModelIndex& current) {
 
 void ResidualView::showPicked() {
   if (following_) return;
-  const int row = selection_->link() ? table_->rowOf(*selection_->link()) : -1;
+  const std::optional<Selection::Link> link = selection_->link();
+  const int row = link ? table_->rowOf(link->first, link->second) : -1;
   following_ = true;
   if (row < 0) {
     matrix_->clearSelection();

@@ -127,9 +127,7 @@ void VerifyPanel::buildHoldOut() {
   run_->setObjectName(QStringLiteral("holdOutRun"));
   // Names of poses are long in some languages.
   hold_out_->addRow()->addWidget(pose_, 1);
-  QHBoxLayout* row = hold_out_->addRow();
-  row->addWidget(run_);
-  row->addStretch();
+  hold_out_->addRow({run_});
   connect(pose_, qOverload<int>(&QComboBox::activated), this, &VerifyPanel::refreshControls);
   connect(run_, &QPushButton::clicked, this, [this] { emit holdOutRequested(PoseId(pose_->currentData().toUInt())); });
 
@@ -245,9 +243,7 @@ void VerifyPanel::checkCaliper() {
 void VerifyPanel::buildComparison() {
   choose_->setObjectName(QStringLiteral("comparisonChoose"));
   drop_->setObjectName(QStringLiteral("comparisonRemove"));
-  QHBoxLayout* row = comparison_->addRow();
-  addWidgets(row, {choose_, drop_});
-  row->addStretch();
+  comparison_->addRow({choose_, drop_});
   connect(choose_, &QPushButton::clicked, this, &VerifyPanel::comparisonFileWanted);
   connect(drop_, &QPushButton::clicked, this, &VerifyPanel::dropComparison);
 }
@@ -260,8 +256,7 @@ void VerifyPanel::compareWith(const QString& path) {
 
 void VerifyPanel::dropComparison() {
   compares_ = false;
-  comparison_->setFigures({});
-  comparison_->setSentence({});
+  comparison_->clear();
   refreshControls();
   emit comparisonDropped();
   emit comparisonShown({});
@@ -280,9 +275,7 @@ void VerifyPanel::buildOldCalibration() {
   old_poses_->addItem(tr("All poses"), kAllPoses);
   old_poses_->setCurrentIndex(old_poses_->findData(kUsualPoses));
   old_->addRow()->addWidget(old_poses_, 1);
-  QHBoxLayout* row = old_->addRow();
-  addWidgets(row, {choose_old_, drop_old_});
-  row->addStretch();
+  old_->addRow({choose_old_, drop_old_});
   connect(old_poses_, qOverload<int>(&QComboBox::currentIndexChanged), this, &VerifyPanel::requestOldCalibration);
   connect(choose_old_, &QPushButton::clicked, this, &VerifyPanel::oldCalibrationWanted);
   connect(drop_old_, &QPushButton::clicked, this, &VerifyPanel::dropOldCalibration);
@@ -303,8 +296,7 @@ void VerifyPanel::requestOldCalibration() {
 
 void VerifyPanel::dropOldCalibration() {
   old_calibration_.clear();
-  old_->setFigures({});
-  old_->setSentence({});
+  old_->clear();
   refreshControls();
   emit oldCalibrationDropped();
 }
@@ -336,10 +328,7 @@ void VerifyPanel::setReconstruction(std::shared_ptr<const Reconstruction> recons
   const int place = pose_->findData(chosen);
   pose_->setCurrentIndex(place >= 0 ? place : pose_->count() - 1);
   if (!reconstruction_) {
-    for (VerifySection* section : sections()) {
-      section->setSentence({});
-      section->setFigures({});
-    }
+    for (VerifySection* section : sections()) section->clear();
     loops_.clear();
     surfaces_.clear();
     emit loopShown(std::nullopt);
@@ -533,8 +522,7 @@ void VerifyPanel::requestSurface() {
   const int kind = kind_->currentData().toInt();
   if (kind == kNoSurface) {
     surfaces_.clear();
-    surface_->setSentence({});
-    surface_->setFigures({});
+    surface_->clear();
     emit surfaceShown(std::nullopt);
     emit surfaceDropped();
     return;

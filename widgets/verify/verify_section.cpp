@@ -22,21 +22,6 @@
 namespace hexoderm {
 namespace {
 
-/// A sign of its own for each tone, so that no meaning hangs on hue.
-QString toneSign(Tone tone) {
-  switch (tone) {
-    case Tone::Good:
-      return QStringLiteral("✓");
-    case Tone::Caution:
-      return QStringLiteral("▲");
-    case Tone::Bad:
-      return QStringLiteral("✕");
-    case Tone::Neutral:
-      break;
-  }
-  return QStringLiteral("●");
-}
-
 constexpr int kMostRowsSeen = 8;
 
 }  // namespace
@@ -117,8 +102,10 @@ VerifySection::VerifySection(const QString& heading, const QString& question, co
   paintSentence();
 }
 
-QHBoxLayout* VerifySection::addRow() {
+QHBoxLayout* VerifySection::addRow(std::initializer_list<QWidget*> controls) {
   auto* row = spaced(new QHBoxLayout, 6);
+  addWidgets(row, controls);
+  if (controls.size() > 0) row->addStretch();
   static_cast<QVBoxLayout*>(rows_->layout())->addLayout(row);
   return row;
 }
@@ -140,6 +127,11 @@ void VerifySection::setFigures(VerifyFigures figures) {
   const int bar = view_->horizontalScrollBar()->sizeHint().height();
   view_->setFixedHeight(view_->horizontalHeader()->sizeHint().height() +
                         shown * view_->verticalHeader()->defaultSectionSize() + bar);
+}
+
+void VerifySection::clear() {
+  setFigures({});
+  setSentence({});
 }
 
 void VerifySection::setRunning(bool running) {

@@ -3,6 +3,7 @@
 #include "widgets/verify/verify_words.h"
 
 #include <QFrame>
+#include <initializer_list>
 
 class QHBoxLayout;
 class QLabel;
@@ -24,11 +25,13 @@ class VerifySection : public QFrame {
   /// `name` is for objects inside of it and the file that its table is saved as.
   VerifySection(const QString& heading, const QString& question, const QString& name, Selection* selection);
 
-  /// A new row of controls.
-  QHBoxLayout* addRow();
+  /// A new row of controls; with some, they stand at its left.
+  QHBoxLayout* addRow(std::initializer_list<QWidget*> controls = {});
   void setSentence(const VerifySentence& sentence);
   /// No rows: no table.
   void setFigures(VerifyFigures figures);
+  /// Says and shows nothing.
+  void clear();
   /// Shows that it is being worked on, with a button to cancel that, once it takes longer than a blink.
   void setRunning(bool running);
   [[nodiscard]] bool isRunning() const { return running_; }

@@ -1,5 +1,7 @@
 #include "widgets/words/surface_words.h"
 
+#include "widgets/style/of_enum.h"
+
 #include <QCoreApplication>
 
 namespace hexoderm {
@@ -12,17 +14,8 @@ struct SurfaceWords {
 }  // namespace
 
 QString surfaceKindWord(SurfaceKind kind) {
-  switch (kind) {
-    case SurfaceKind::Plane:
-      return SurfaceWords::tr("Plane");
-    case SurfaceKind::Sphere:
-      return SurfaceWords::tr("Sphere");
-    case SurfaceKind::Cylinder:
-      return SurfaceWords::tr("Cylinder");
-    case SurfaceKind::Cone:
-      return SurfaceWords::tr("Cone");
-  }
-  return {};
+  return ofEnum(kind, {SurfaceWords::tr("Plane"), SurfaceWords::tr("Sphere"), SurfaceWords::tr("Cylinder"),
+                       SurfaceWords::tr("Cone")});
 }
 
 }  // namespace hexoderm

@@ -22,7 +22,6 @@
 #include <QPushButton>
 #include <QSettings>
 #include <QSignalBlocker>
-#include <QStyle>
 #include <algorithm>
 #include <array>
 
@@ -72,12 +71,7 @@ class ConnectDialog : public QDialog {
     note_->setMinimumHeight(3 * fontMetrics().lineSpacing());
     note_->setTextFormat(Qt::PlainText);
     auto* buttons = new QDialogButtonBox(QDialogButtonBox::Cancel, this);
-    connect_ = buttons->addButton(tr("Connect"), QDialogButtonBox::AcceptRole);
-    connect_->setObjectName(QStringLiteral("connectButton"));
-    connect_->setProperty("primary", true);
-    connect_->setDefault(true);
-    connect_->style()->unpolish(connect_);
-    connect_->style()->polish(connect_);
+    connect_ = addPrimaryButton(buttons, tr("Connect"), "connectButton");
 
     auto* layout = spaced(new QGridLayout(this), {20, 18, 20, 16});
     layout->setHorizontalSpacing(14);
@@ -233,10 +227,8 @@ class ConnectDialog : public QDialog {
   }
 
   void chooseRecording() {
-    auto* dialog = new FileDialog(this, tr("Recording to play"), QFileInfo(path_->text()).absolutePath());
-    dialog->setFileMode(QFileDialog::ExistingFile);
-    connect(dialog, &QFileDialog::fileSelected, address_, &QComboBox::setEditText);
-    openInTurns(dialog);
+    askForFile(this, "", tr("Recording to play"), QFileInfo(path_->text()).absolutePath(), {},
+               [this](const QString& path) { address_->setEditText(path); });
   }
 
   void choosePath() {

@@ -25,7 +25,6 @@
 #include <QSettings>
 #include <QSignalBlocker>
 #include <QStackedWidget>
-#include <QStyle>
 #include <QTabBar>
 #include <QTextBrowser>
 #include <QVBoxLayout>
@@ -76,13 +75,7 @@ class ExportDialog : public QDialog {
     auto* browse = new QPushButton(tr("Browse…"), this);
     browse->setObjectName(QStringLiteral("exportBrowse"));
     auto* buttons = new QDialogButtonBox(QDialogButtonBox::Cancel, this);
-    export_ = buttons->addButton(tr("Export"), QDialogButtonBox::AcceptRole);
-    export_->setObjectName(QStringLiteral("exportButton"));
-    export_->setProperty("primary", true);
-    export_->setDefault(true);
-    // The button box has already had it styled as any other.
-    export_->style()->unpolish(export_);
-    export_->style()->polish(export_);
+    export_ = addPrimaryButton(buttons, tr("Export"), "exportButton");
     summary_->setWordWrap(true);
     summary_->setProperty("muted", true);
     note_->setWordWrap(true);
@@ -253,10 +246,8 @@ class ExportDialog : public QDialog {
     row->addWidget(edit, 1);
     row->addWidget(browse);
     connect(browse, &QPushButton::clicked, this, [this, edit, title = words(option.label)] {
-      auto* dialog = new FileDialog(this, title, QFileInfo(edit->text()).absolutePath());
-      dialog->setFileMode(QFileDialog::ExistingFile);
-      connect(dialog, &QFileDialog::fileSelected, edit, &QLineEdit::setText);
-      openInTurns(dialog);
+      askForFile(this, "", title, QFileInfo(edit->text()).absolutePath(), {},
+                 [edit](const QString& path) { edit->setText(path); });
     });
     return field;
   }

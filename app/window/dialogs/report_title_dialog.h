@@ -1,6 +1,7 @@
 #pragma once
 
 #include "app/window/report/report.h"
+#include "app/window/toolkit/file_dialog.h"
 #include "widgets/controls/panel_parts.h"
 
 #include <QDialog>
@@ -10,7 +11,6 @@
 #include <QLineEdit>
 #include <QPlainTextEdit>
 #include <QPushButton>
-#include <QStyle>
 #include <QVBoxLayout>
 
 namespace hexoderm {
@@ -52,13 +52,7 @@ class ReportTitleDialog : public QDialog {
     form->addRow(tr("&Operator"), operator_);
     form->addRow(tr("&Notes"), notes_);
     auto* buttons = new QDialogButtonBox(QDialogButtonBox::Cancel, this);
-    QPushButton* go_on = buttons->addButton(proceed, QDialogButtonBox::AcceptRole);
-    go_on->setObjectName(QStringLiteral("reportTitleButton"));
-    go_on->setProperty("primary", true);
-    go_on->setDefault(true);
-    // The button box has already had it styled as any other.
-    go_on->style()->unpolish(go_on);
-    go_on->style()->polish(go_on);
+    addPrimaryButton(buttons, proceed, "reportTitleButton");
     auto* layout = spaced(new QVBoxLayout(this), {20, 18, 20, 16}, 12);
     addWidgets(layout, {headline, remark});
     layout->addLayout(form);

@@ -2,6 +2,7 @@
 
 #include "widgets/controls/flow_layout.h"
 #include "widgets/controls/panel_parts.h"
+#include "widgets/style/of_enum.h"
 #include "widgets/words/formatting.h"
 
 #include <QComboBox>
@@ -22,15 +23,7 @@ namespace {
 
 /// A sign beside the word, so that what matters is found at a glance and in both themes.
 QString severitySign(Severity severity) {
-  switch (severity) {
-    case Severity::Info:
-      return QStringLiteral("·");
-    case Severity::Warning:
-      return QStringLiteral("▲");
-    case Severity::Error:
-      return QStringLiteral("✕");
-  }
-  return {};
+  return ofEnum(severity, {QStringLiteral("·"), QStringLiteral("▲"), QStringLiteral("✕")});
 }
 
 }  // namespace

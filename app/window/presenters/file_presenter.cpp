@@ -82,12 +82,9 @@ void FilePresenter::startRobotDemo() {
 }
 
 void FilePresenter::askToOpen() {
-  auto* dialog = new FileDialog(&window_, tr("Open a session or a calibration"), lastFolder());
-  dialog->setObjectName(QStringLiteral("openDialog"));
-  dialog->setFileMode(QFileDialog::ExistingFile);
-  dialog->setNameFilters({tr("Sessions and calibrations (*.hexo *.json *.xml)"), tr("All files (*)")});
-  connect(dialog, &QFileDialog::fileSelected, this, &FilePresenter::openFile);
-  openInTurns(dialog);
+  askForFile(&window_, "openDialog", tr("Open a session or a calibration"), lastFolder(),
+             tr("Sessions and calibrations (*.hexo *.json *.xml)") + QStringLiteral(";;") + tr("All files (*)"),
+             [this](const QString& path) { openFile(path); });
 }
 
 QString FilePresenter::suggestedName() const {

@@ -4,7 +4,6 @@
 #include "app/window/presenters/robot_picture.h"
 #include "app/window/session/session_controller.h"
 #include "app/window/settings/preferences.h"
-#include "app/window/toolkit/deferred_dialog.h"
 #include "app/window/toolkit/file_dialog.h"
 #include "app/window/views/panels.h"
 #include "app/window/views/views.h"
@@ -175,42 +174,29 @@ void PlacePresenter::take(const QString& fault) {
 // --- files
 
 void PlacePresenter::askForRobot() {
-  auto* dialog =
-      new FileDialog(&window_, tr("Choose the robot's URDF"), lastFolder(), tr("Robots (*.urdf *.xml);;All files (*)"));
-  dialog->setObjectName(QStringLiteral("robotDialog"));
-  dialog->setFileMode(QFileDialog::ExistingFile);
-  connect(dialog, &QFileDialog::fileSelected, this, [this](const QString& path) {
-    rememberFolder(path);
-    pickRobot({path.toStdString(), {}, {}});
-  });
-  openInTurns(dialog);
+  askForFile(&window_, "robotDialog", tr("Choose the robot's URDF"), lastFolder(),
+             tr("Robots (*.urdf *.xml);;All files (*)"), [this](const QString& path) {
+               rememberFolder(path);
+               pickRobot({path.toStdString(), {}, {}});
+             });
 }
 
 void PlacePresenter::askForPackage() {
-  auto* dialog = new FileDialog(&window_, tr("The folder of a package"), lastFolder());
-  dialog->setObjectName(QStringLiteral("packageDialog"));
-  dialog->setFileMode(QFileDialog::Directory);
-  dialog->setOption(QFileDialog::ShowDirsOnly);
-  connect(dialog, &QFileDialog::fileSelected, this, [this](const QString& path) {
+  askForFolder(&window_, "packageDialog", tr("The folder of a package"), lastFolder(), [this](const QString& path) {
     if (!facts_.robot) return;
     RobotDescription description = facts_.robot->description;
     description.sha256.clear();
     description.packages[QDir(path).dirName().toStdString()] = path.toStdString();
     pickRobot(description);
   });
-  openInTurns(dialog);
 }
 
 void PlacePresenter::askForJoints() {
-  auto* dialog = new FileDialog(&window_, tr("Choose a table of joint angles"), lastFolder(),
-                                tr("Tables (*.csv *.tsv *.txt);;All files (*)"));
-  dialog->setObjectName(QStringLiteral("jointsDialog"));
-  dialog->setFileMode(QFileDialog::ExistingFile);
-  connect(dialog, &QFileDialog::fileSelected, this, [this](const QString& path) {
-    rememberFolder(path);
-    readJoints(path);
-  });
-  openInTurns(dialog);
+  askForFile(&window_, "jointsDialog", tr("Choose a table of joint angles"), lastFolder(),
+             tr("Tables (*.csv *.tsv *.txt);;All files (*)"), [this](const QString& path) {
+               rememberFolder(path);
+               readJoints(path);
+             });
 }
 
 void PlacePresenter::pickRobot(const RobotDescription& description) {

@@ -4,14 +4,12 @@
 #include "app/window/session/session_controller.h"
 #include "app/window/session/verification.h"
 #include "app/window/settings/preferences.h"
-#include "app/window/toolkit/deferred_dialog.h"
 #include "app/window/toolkit/file_dialog.h"
 #include "app/window/views/views.h"
 #include "widgets/patch/patch_view.h"
 #include "widgets/verify/verify_panel.h"
 
 #include <QCoreApplication>
-#include <functional>
 
 namespace hexoderm {
 namespace {
@@ -78,28 +76,20 @@ class VerifyPresenter : public Presenter {
   }
 
   void askForComparison() {
-    askForFile("comparisonDialog", tr("Compare with an earlier calibration"),
+    askForFile(&window_, "comparisonDialog", tr("Compare with an earlier calibration"), lastFolder(),
                tr("Calibrations and sessions (*.calibration.json *.hexo *.session.json *.xml)"),
-               [this](const QString& path) { views_.verify_panel->compareWith(path); });
+               [this](const QString& path) {
+                 rememberFolder(path);
+                 views_.verify_panel->compareWith(path);
+               });
   }
 
   void askForOldCalibration() {
-    askForFile("oldCalibrationDialog", tr("Check an old calibration"),
-               tr("Calibrations and sessions (*.calibration.json *.hexo *.session.json)"),
-               [this](const QString& path) { views_.verify_panel->checkOldCalibration(path); });
-  }
-
-  /// Opens a dialog for a file and hands over the one that is chosen.
-  void askForFile(const char* name, const QString& title, const QString& filter,
-                  const std::function<void(const QString&)>& take) {
-    auto* dialog = new FileDialog(&window_, title, lastFolder(), filter);
-    dialog->setObjectName(QLatin1String(name));
-    dialog->setFileMode(QFileDialog::ExistingFile);
-    connect(dialog, &QFileDialog::fileSelected, this, [take](const QString& path) {
-      rememberFolder(path);
-      take(path);
-    });
-    openInTurns(dialog);
+    askForFile(&window_, "oldCalibrationDialog", tr("Check an old calibration"), lastFolder(),
+               tr("Calibrations and sessions (*.calibration.json *.hexo *.session.json)"), [this](const QString& path) {
+                 rememberFolder(path);
+                 views_.verify_panel->checkOldCalibration(path);
+               });
   }
 
   Verification& verification_;

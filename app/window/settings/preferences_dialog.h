@@ -3,7 +3,6 @@
 #include "app/window/settings/preferences.h"
 #include "app/window/settings/theme.h"
 #include "app/window/settings/translation.h"
-#include "app/window/toolkit/deferred_dialog.h"
 #include "app/window/toolkit/file_dialog.h"
 #include "hexoderm/util/units.h"
 #include "widgets/controls/panel_parts.h"
@@ -351,15 +350,11 @@ class PreferencesDialog : public QDialog {
   }
 
   void chooseFolder() {
-    auto* dialog = new FileDialog(this, tr("Folder for sessions"), folder_->text());
-    dialog->setObjectName(QStringLiteral("preferenceFolderDialog"));
-    dialog->setFileMode(QFileDialog::Directory);
-    dialog->setOption(QFileDialog::ShowDirsOnly);
-    connect(dialog, &QFileDialog::fileSelected, this, [this](const QString& path) {
-      folder_->setText(QDir::toNativeSeparators(path));
-      preferences_.setSessionFolder(path);
-    });
-    openInTurns(dialog);
+    askForFolder(this, "preferenceFolderDialog", tr("Folder for sessions"), folder_->text(),
+                 [this](const QString& path) {
+                   folder_->setText(QDir::toNativeSeparators(path));
+                   preferences_.setSessionFolder(path);
+                 });
   }
 
   Preferences& preferences_;
