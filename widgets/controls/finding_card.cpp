@@ -28,12 +28,8 @@ QLabel* paragraph(QWidget* parent, const char* name) {
 
 FindingCard::FindingCard(QWidget* parent)
     : QFrame(parent),
-      severity_(new QLabel(this)),
       what_(paragraph(this, "findingWhat")),
       where_(paragraph(this, "findingWhere")),
-      show_(new QPushButton(tr("Show"), this)),
-      fold_(new QToolButton(this)),
-      details_(new QWidget(this)),
       why_(paragraph(details_, "findingWhy")),
       todo_(paragraph(details_, "findingToDo")),
       buttons_(new QWidget(details_)),

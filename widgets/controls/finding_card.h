@@ -3,12 +3,13 @@
 #include "hexoderm/util/finding_advice.h"
 
 #include <QFrame>
+#include <QLabel>
+#include <QPushButton>
 #include <QString>
+#include <QToolButton>
+#include <QWidget>
 #include <vector>
 
-class QLabel;
-class QPushButton;
-class QToolButton;
 class QVBoxLayout;
 
 namespace hexoderm {
@@ -47,12 +48,12 @@ class FindingCard : public QFrame {
 
   Finding finding_;
   std::vector<FindingOffer> offers_;
-  QLabel* severity_;
+  QLabel* severity_ = new QLabel(this);
   QLabel* what_;
   QLabel* where_;
-  QPushButton* show_;
-  QToolButton* fold_;
-  QWidget* details_;
+  QPushButton* show_ = new QPushButton(tr("Show"), this);
+  QToolButton* fold_ = new QToolButton(this);
+  QWidget* details_ = new QWidget(this);
   QLabel* why_;
   QLabel* todo_;
   QWidget* buttons_;

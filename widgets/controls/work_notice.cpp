@@ -9,11 +9,7 @@
 
 namespace hexoderm {
 
-WorkNotice::WorkNotice(QWidget* parent)
-    : QFrame(parent),
-      text_(new QLabel(this)),
-      bar_(new QProgressBar(this)),
-      cancel_(new QPushButton(tr("Cancel"), this)) {
+WorkNotice::WorkNotice(QWidget* parent) : QFrame(parent), cancel_(new QPushButton(tr("Cancel"), this)) {
   setNames(this, QStringLiteral("workNotice"), tr("Work that takes a while"));
   text_->setObjectName(QStringLiteral("workText"));
   setPlainParagraph(text_);

@@ -1,9 +1,9 @@
 #pragma once
 
 #include <QFrame>
+#include <QLabel>
+#include <QProgressBar>
 
-class QLabel;
-class QProgressBar;
 class QPushButton;
 
 namespace hexoderm {
@@ -23,8 +23,8 @@ class WorkNotice : public QFrame {
   void cancelled();
 
  private:
-  QLabel* text_;
-  QProgressBar* bar_;
+  QLabel* text_ = new QLabel(this);
+  QProgressBar* bar_ = new QProgressBar(this);
   QPushButton* cancel_;
 };
 

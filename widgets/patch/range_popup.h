@@ -24,12 +24,8 @@ class RangePopup : public QFrame {
  public:
   explicit RangePopup(QWidget* parent)
       : QFrame(parent, Qt::Popup),
-        fitted_(new QRadioButton(tr("&Fitted to what is shown"))),
-        usual_(new QRadioButton),
-        typed_(new QRadioButton(tr("F&ixed:"))),
         low_(makeEnd(QStringLiteral("rangeLow"), tr("Lower end of the range"))),
         high_(makeEnd(QStringLiteral("rangeHigh"), tr("Upper end of the range"))),
-        unit_(new QLabel),
         complaint_(new QLabel(tr("The lower end must be below the upper one."))) {
     setObjectName(QStringLiteral("rangePopup"));
     setProperty("card", true);
@@ -132,12 +128,12 @@ class RangePopup : public QFrame {
   }
 
   ScaleLegend scale_;
-  QRadioButton* fitted_;
-  QRadioButton* usual_;
-  QRadioButton* typed_;
+  QRadioButton* fitted_ = new QRadioButton(tr("&Fitted to what is shown"));
+  QRadioButton* usual_ = new QRadioButton;
+  QRadioButton* typed_ = new QRadioButton(tr("F&ixed:"));
   QDoubleSpinBox* low_;
   QDoubleSpinBox* high_;
-  QLabel* unit_;
+  QLabel* unit_ = new QLabel;
   QLabel* complaint_;
 };
 

@@ -100,11 +100,7 @@ ResidualView::ResidualView(Selection* selection, QWidget* parent)
       selection_(selection),
       table_(new ResidualTable(this)),
       sorted_(new SortedTable(table_, this)),
-      matrix_(new QTableView),
       plots_(new ResidualPlots(selection)),
-      pages_(new QStackedWidget),
-      matrix_button_(new QToolButton),
-      plots_button_(new QToolButton),
       legend_(new ResidualLegend) {
   setNames(matrix_, QStringLiteral("residualMatrix"), tr("Residuals per link and pose"));
   matrix_->setModel(sorted_);

@@ -76,19 +76,6 @@ VerifyPanel::VerifyPanel(Selection* selection, QWidget* parent)
           tr("Check an old calibration"),
           tr("Does one of some time ago still hold? Compared with the poses of this session, cell by cell."),
           QStringLiteral("oldCalibration"), selection)),
-      pose_(new QComboBox),
-      run_(new QPushButton(tr("Run"))),
-      by_cell_(new QToolButton),
-      by_link_(new QToolButton),
-      kind_(new QComboBox),
-      radius_mm_(new QDoubleSpinBox),
-      first_(new QSpinBox),
-      second_(new QSpinBox),
-      distance_mm_(new QDoubleSpinBox),
-      choose_(new QPushButton(tr("Choose file…"))),
-      drop_(new QPushButton(tr("Remove"))),
-      old_poses_(new QComboBox),
-      choose_old_(new QPushButton(tr("Choose file…"))),
       drop_old_(new QPushButton(tr("Remove"))) {
   setObjectName(QStringLiteral("verifyPanel"));
   buildHoldOut();

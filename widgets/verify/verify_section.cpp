@@ -28,11 +28,6 @@ constexpr int kMostRowsSeen = 8;
 
 VerifySection::VerifySection(const QString& heading, const QString& question, const QString& name, Selection* selection)
     : selection_(selection),
-      rows_(new QWidget),
-      progress_(new QWidget),
-      sign_(new QLabel),
-      sentence_(new QLabel),
-      view_(new QTableView),
       table_(new ResultTable(this)),
       sorted_(new SortedTable(table_, this)),
       patience_(new QTimer(this)) {

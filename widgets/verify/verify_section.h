@@ -3,11 +3,12 @@
 #include "widgets/verify/verify_words.h"
 
 #include <QFrame>
+#include <QLabel>
+#include <QTableView>
+#include <QWidget>
 #include <initializer_list>
 
 class QHBoxLayout;
-class QLabel;
-class QTableView;
 class QTimer;
 
 namespace hexoderm {
@@ -47,11 +48,11 @@ class VerifySection : public QFrame {
   void pick(int row);
 
   Selection* selection_;
-  QWidget* rows_;
-  QWidget* progress_;
-  QLabel* sign_;
-  QLabel* sentence_;
-  QTableView* view_;
+  QWidget* rows_ = new QWidget;
+  QWidget* progress_ = new QWidget;
+  QLabel* sign_ = new QLabel;
+  QLabel* sentence_ = new QLabel;
+  QTableView* view_ = new QTableView;
   ResultTable* table_;
   SortedTable* sorted_;
   CsvActions* csv_actions_;

@@ -36,15 +36,7 @@ class ConnectDialog : public QDialog {
   /// `folder`: where new sessions go unless another is chosen. `open_session`: name of the session that poses can be
   /// added to; empty if there is none.
   ConnectDialog(const QString& folder, const QString& open_session, QWidget* parent = nullptr)
-      : QDialog(parent),
-        kind_(new QComboBox(this)),
-        address_(new QComboBox(this)),
-        browse_recording_(new QPushButton(tr("Browse…"), this)),
-        hint_(new QLabel(this)),
-        continue_(new QCheckBox(this)),
-        path_(new QLineEdit(this)),
-        browse_path_(new QPushButton(tr("Browse…"), this)),
-        note_(new QLabel(this)) {
+      : QDialog(parent), note_(new QLabel(this)) {
     setObjectName(QStringLiteral("connectDialog"));
     setWindowTitle(tr("Connect to a skin"));
     setModal(true);
@@ -279,13 +271,13 @@ class ConnectDialog : public QDialog {
     return {};
   }
 
-  QComboBox* kind_;
-  QComboBox* address_;
-  QPushButton* browse_recording_;
-  QLabel* hint_;
-  QCheckBox* continue_;
-  QLineEdit* path_;
-  QPushButton* browse_path_;
+  QComboBox* kind_ = new QComboBox(this);
+  QComboBox* address_ = new QComboBox(this);
+  QPushButton* browse_recording_ = new QPushButton(tr("Browse…"), this);
+  QLabel* hint_ = new QLabel(this);
+  QCheckBox* continue_ = new QCheckBox(this);
+  QLineEdit* path_ = new QLineEdit(this);
+  QPushButton* browse_path_ = new QPushButton(tr("Browse…"), this);
   QLabel* note_;
   QPushButton* connect_;
 };

@@ -48,16 +48,7 @@ class ExportDialog : public QDialog {
                QWidget* parent = nullptr)
       : QDialog(parent),
         reconstruction_(std::move(reconstruction)),
-        kinds_(new QTabBar(this)),
-        lists_(new QStackedWidget(this)),
-        contents_(new QStackedWidget(this)),
-        formats_(new QListWidget(this)),
-        package_(new PackageList(this)),
-        summary_(new QLabel(this)),
-        preview_(new QTextBrowser(this)),
-        container_(new QComboBox(this)),
         path_(named(new QLineEdit(this), "exportPath", tr("File to write"))),
-        patch_(new QComboBox(this)),
         note_(new QLabel(this)) {
     setObjectName(QStringLiteral("exportDialog"));
     if (reconstruction_) {
@@ -454,14 +445,14 @@ class ExportDialog : public QDialog {
   }
 
   std::shared_ptr<const Reconstruction> reconstruction_;
-  QTabBar* kinds_;
-  QStackedWidget* lists_;
-  QStackedWidget* contents_;
-  QListWidget* formats_;
-  PackageList* package_;
-  QLabel* summary_;
-  QTextBrowser* preview_;
-  QComboBox* container_;
+  QTabBar* kinds_ = new QTabBar(this);
+  QStackedWidget* lists_ = new QStackedWidget(this);
+  QStackedWidget* contents_ = new QStackedWidget(this);
+  QListWidget* formats_ = new QListWidget(this);
+  PackageList* package_ = new PackageList(this);
+  QLabel* summary_ = new QLabel(this);
+  QTextBrowser* preview_ = new QTextBrowser(this);
+  QComboBox* container_ = new QComboBox(this);
   QLineEdit* path_;
   ExportOptions options_;
   /// The row of each of exportOptions().
@@ -471,7 +462,7 @@ class ExportDialog : public QDialog {
   };
   std::vector<OptionRow> option_rows_;
   QWidget* patch_row_ = nullptr;
-  QComboBox* patch_;
+  QComboBox* patch_ = new QComboBox(this);
   QLabel* note_;
   QPushButton* export_;
   QString extension_;

@@ -26,12 +26,7 @@ class PackageDialog : public QDialog {
  public:
   /// Follows the package that `files` writes next. Both outlive the dialog, which belongs to `parent`.
   PackageDialog(ResultFiles& files, const QString& path, QWidget* parent = nullptr)
-      : QDialog(parent),
-        files_(files),
-        path_(path),
-        sentence_(new QLabel(this)),
-        progress_(new QProgressBar(this)),
-        list_(new QTreeWidget(this)) {
+      : QDialog(parent), files_(files), path_(path), list_(new QTreeWidget(this)) {
     setObjectName(QStringLiteral("packageDialog"));
     setWindowTitle(tr("Export package"));
     sentence_->setObjectName(QStringLiteral("packageSentence"));
@@ -132,8 +127,8 @@ class PackageDialog : public QDialog {
   ResultFiles& files_;
   QString path_;
   bool is_running_ = true;
-  QLabel* sentence_;
-  QProgressBar* progress_;
+  QLabel* sentence_ = new QLabel(this);
+  QProgressBar* progress_ = new QProgressBar(this);
   QTreeWidget* list_;
   QPushButton* cancel_;
   QPushButton* open_;

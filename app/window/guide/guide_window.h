@@ -1,14 +1,14 @@
 #pragma once
 
 #include <QColor>
+#include <QLineEdit>
 #include <QList>
+#include <QListWidget>
 #include <QStringList>
 #include <QTimer>
 #include <QWidget>
 
 class QMenuBar;
-class QLineEdit;
-class QListWidget;
 class QLabel;
 
 namespace hexoderm {
@@ -52,9 +52,9 @@ class GuideWindow : public QWidget {
   QString page_;
   QColor link_color_;
   QTimer dress_anew_;
-  QListWidget* contents_;
+  QListWidget* contents_ = new QListWidget;
   GuideBrowser* browser_;
-  QLineEdit* search_;
+  QLineEdit* search_ = new QLineEdit;
   QLabel* not_found_;
 };
 
