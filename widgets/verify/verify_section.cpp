@@ -39,7 +39,7 @@ VerifySection::VerifySection(const QString& heading, const QString& question, co
   auto* asked = new QLabel(question);
   asked->setProperty("muted", true);
   asked->setWordWrap(true);
-  auto* rows = spaced(new QVBoxLayout(rows_), {0, 0, 0, 0}, 5);
+  spaced(new QVBoxLayout(rows_), {0, 0, 0, 0}, 5);
 
   auto* bar = new QProgressBar;
   bar->setRange(0, 0);

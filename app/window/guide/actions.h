@@ -159,7 +159,7 @@ class WindowActions {
   void fillMenuBar(QMenuBar* bar, const std::vector<QAction*>& panels) const;
 
   /// Enables the actions that can be used now, and gives the reasons of the others. `pose_row`: the row picked in the
-  /// Table of poses.
+  /// table of poses.
   void refresh(const SessionController& controller, std::optional<int> pose_row, std::optional<CellId> cell);
   /// The same for the actions on a link. `picked`: the selected link.
   void refreshLink(const SessionController& controller, const std::optional<Selection::Link>& picked);

@@ -1,27 +1,13 @@
 #include "app/window/presenters/presenters.h"
 
-#include "app/window/guide/actions.h"
 #include "app/window/guide/guide.h"
 #include "app/window/presenters/result_presenter.h"
-#include "app/window/session/session_controller.h"
-#include "app/window/settings/preferences.h"
-#include "app/window/views/panels.h"
-#include "app/window/views/views.h"
 #include "hexoderm/reconstruction/advice/pose_coverage.h"
 #include "hexoderm/reconstruction/result/reconstruction.h"
-#include "widgets/capture/capture_panel.h"
-#include "widgets/capture/capture_tone.h"
 #include "widgets/capture/capture_words.h"
-#include "widgets/capture/coverage_view.h"
-#include "widgets/capture/stillness_view.h"
-#include "widgets/controls/card_dock.h"
-#include "widgets/controls/selection.h"
-#include "widgets/controls/step_panel.h"
-#include "widgets/patch/patch_view.h"
 
 #include <Eigen/Core>
 
-#include <QCoreApplication>
 #include <QElapsedTimer>
 #include <cstdint>
 #include <optional>

@@ -2,16 +2,10 @@
 
 #include "app/window/guide/guide.h"
 #include "app/window/presenters/result_presenter.h"
-#include "app/window/session/session_controller.h"
-#include "app/window/settings/preferences.h"
 #include "app/window/settings/scale_settings.h"
-#include "app/window/views/views.h"
 #include "hexoderm/reconstruction/figures/skin_signs.h"
 #include "widgets/coloring/coloring.h"
 #include "widgets/coloring/scale_ranges.h"
-#include "widgets/controls/step_panel.h"
-#include "widgets/graph/graph_view.h"
-#include "widgets/patch/patch_view.h"
 
 #include <algorithm>
 

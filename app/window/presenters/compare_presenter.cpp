@@ -1,13 +1,10 @@
 #include "app/window/presenters/presenters.h"
 
-#include "app/window/guide/actions.h"
-#include "app/window/session/session_controller.h"
 #include "app/window/session/verification.h"
 #include "hexoderm/reconstruction/evaluation/evaluation.h"
 #include "hexoderm/reconstruction/result/reconstruction.h"
 #include "widgets/patch/compare_view.h"
 
-#include <QCoreApplication>
 #include <QDialog>
 #include <QScreen>
 #include <QStringList>

@@ -1,17 +1,9 @@
 #pragma once
 
 #include "app/window/dialogs/connect_dialog.h"
-#include "app/window/guide/actions.h"
-#include "app/window/log/event_log.h"
 #include "app/window/presenters/file_presenter.h"
 #include "app/window/presenters/presenter.h"
-#include "app/window/session/session_controller.h"
-#include "app/window/settings/preferences.h"
 #include "app/window/toolkit/deferred_dialog.h"
-#include "app/window/toolkit/status_bar.h"
-#include "app/window/views/views.h"
-#include "widgets/capture/live_strip.h"
-#include "widgets/controls/message_bar.h"
 #include "widgets/words/words.h"
 
 #include <QDir>

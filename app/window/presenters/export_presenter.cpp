@@ -3,19 +3,15 @@
 #include "app/window/dialogs/export_dialog.h"
 #include "app/window/dialogs/package_dialog.h"
 #include "app/window/dialogs/report_title_dialog.h"
-#include "app/window/guide/actions.h"
 #include "app/window/presenters/file_presenter.h"
 #include "app/window/report/report.h"
 #include "app/window/report/report_pictures.h"
 #include "app/window/report/report_title.h"
 #include "app/window/session/result_files.h"
-#include "app/window/session/session_controller.h"
 #include "app/window/session/verification.h"
-#include "app/window/settings/preferences.h"
 #include "app/window/toolkit/deferred_dialog.h"
 #include "hexoderm/session/simulated_session.h"
 
-#include <QCoreApplication>
 #include <QDir>
 #include <functional>
 #include <utility>

@@ -1,12 +1,7 @@
 #include "app/window/presenters/file_presenter.h"
 
-#include "app/window/guide/actions.h"
-#include "app/window/session/session_controller.h"
-#include "app/window/settings/preferences.h"
 #include "app/window/toolkit/deferred_dialog.h"
 #include "app/window/toolkit/file_dialog.h"
-#include "app/window/views/views.h"
-#include "widgets/controls/message_bar.h"
 #include "widgets/tables/table_csv.h"
 
 #include <QDesktopServices>

@@ -1,7 +1,6 @@
 #pragma once
 
 #include "app/window/presenters/presenter.h"
-#include "widgets/controls/banner.h"
 
 #include <QString>
 #include <functional>

@@ -1,21 +1,11 @@
 #include "app/window/presenters/presenters.h"
 
-#include "app/window/guide/actions.h"
 #include "app/window/guide/guide.h"
 #include "app/window/presenters/result_presenter.h"
 #include "app/window/presenters/review_presenter.h"
-#include "app/window/session/session_controller.h"
-#include "app/window/views/panels.h"
-#include "app/window/views/views.h"
 #include "hexoderm/reconstruction/result/reconstruction.h"
-#include "widgets/controls/card_dock.h"
-#include "widgets/controls/finding_card.h"
-#include "widgets/controls/selection.h"
-#include "widgets/controls/step_panel.h"
 #include "widgets/tables/finding_table.h"
 
-#include <QCoreApplication>
-#include <QTabBar>
 #include <QTableView>
 #include <algorithm>
 #include <cstdint>

@@ -1,14 +1,7 @@
 #include "app/window/presenters/presenters.h"
 
-#include "app/window/guide/actions.h"
 #include "app/window/guide/guide.h"
-#include "app/window/session/session_controller.h"
-#include "app/window/views/views.h"
-#include "widgets/controls/banner.h"
-#include "widgets/controls/check_list.h"
-#include "widgets/controls/step_panel.h"
 
-#include <QCoreApplication>
 #include <algorithm>
 #include <vector>
 

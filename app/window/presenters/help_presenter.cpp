@@ -1,11 +1,8 @@
 #include "app/window/presenters/presenters.h"
 
-#include "app/window/guide/actions.h"
 #include "app/window/guide/guide_window.h"
 #include "app/window/guide/keys_dialog.h"
-#include "app/window/views/views.h"
 
-#include <QCoreApplication>
 #include <QLayout>
 #include <QMessageBox>
 

@@ -1,19 +1,11 @@
 #include "app/window/presenters/presenters.h"
 
-#include "app/window/files/earlier_panel.h"
 #include "app/window/files/recent_files.h"
 #include "app/window/files/recovery.h"
 #include "app/window/files/session_paths.h"
-#include "app/window/guide/actions.h"
-#include "app/window/guide/welcome_panel.h"
-#include "app/window/log/event_log.h"
 #include "app/window/presenters/file_presenter.h"
-#include "app/window/session/session_controller.h"
-#include "app/window/views/views.h"
-#include "widgets/controls/message_bar.h"
 
 #include <QApplication>
-#include <QCoreApplication>
 #include <QDir>
 #include <QFileInfo>
 

@@ -1,14 +1,8 @@
 #include "app/window/presenters/presenters.h"
 
-#include "app/window/guide/actions.h"
 #include "app/window/log/bug_report.h"
-#include "app/window/log/event_log.h"
-#include "app/window/log/log_view.h"
-#include "app/window/views/views.h"
-#include "widgets/controls/message_bar.h"
 
 #include <QClipboard>
-#include <QCoreApplication>
 #include <QDesktopServices>
 #include <QDir>
 #include <QGuiApplication>

@@ -1,17 +1,10 @@
 #include "app/window/presenters/presenters.h"
 
-#include "app/window/guide/actions.h"
 #include "app/window/guide/guide.h"
-#include "app/window/session/session_controller.h"
-#include "app/window/views/panels.h"
-#include "app/window/views/views.h"
 #include "widgets/controls/view_mark.h"
-#include "widgets/controls/work_notice.h"
 #include "widgets/words/formatting.h"
 
-#include <QCoreApplication>
 #include <QElapsedTimer>
-#include <QLocale>
 #include <QTimer>
 #include <algorithm>
 

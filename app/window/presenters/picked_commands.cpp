@@ -1,16 +1,8 @@
 #include "app/window/presenters/presenters.h"
 
-#include "app/window/guide/actions.h"
 #include "app/window/guide/guide.h"
 #include "app/window/presenters/review_presenter.h"
-#include "app/window/session/session_controller.h"
-#include "app/window/views/views.h"
-#include "widgets/controls/message_bar.h"
-#include "widgets/controls/selection.h"
-#include "widgets/controls/step_panel.h"
-#include "widgets/graph/graph_view.h"
 
-#include <QCoreApplication>
 #include <QTableView>
 #include <optional>
 

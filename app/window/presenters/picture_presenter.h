@@ -1,18 +1,10 @@
 #pragma once
 
-#include "app/window/guide/actions.h"
 #include "app/window/presenters/file_presenter.h"
 #include "app/window/presenters/presenter.h"
-#include "app/window/session/session_controller.h"
-#include "app/window/settings/preferences.h"
 #include "app/window/settings/theme.h"
 #include "app/window/toolkit/once_per_turn.h"
-#include "app/window/views/views.h"
-#include "widgets/graph/graph_view.h"
-#include "widgets/patch/patch_view.h"
-#include "widgets/robot/robot_view.h"
 
-#include <QCoreApplication>
 #include <QDateTime>
 #include <QDir>
 #include <QImage>

@@ -2,16 +2,9 @@
 
 #include "app/window/guide/guide.h"
 #include "app/window/presenters/robot_picture.h"
-#include "app/window/session/session_controller.h"
-#include "app/window/settings/preferences.h"
 #include "app/window/toolkit/file_dialog.h"
-#include "app/window/views/panels.h"
-#include "app/window/views/views.h"
 #include "hexoderm/reconstruction/result/patch_placements.h"
-#include "widgets/controls/step_panel.h"
-#include "widgets/robot/place_panel.h"
 #include "widgets/robot/place_words.h"
-#include "widgets/robot/robot_view.h"
 
 #include <QDir>
 #include <QFileInfo>

@@ -1,14 +1,7 @@
 #include "app/window/presenters/presenters.h"
 
-#include "app/window/guide/actions.h"
-#include "app/window/session/session_controller.h"
-#include "app/window/views/panels.h"
-#include "app/window/views/views.h"
 #include "hexoderm/reconstruction/evaluation/evaluation.h"
-#include "widgets/controls/card_dock.h"
-#include "widgets/plot/plot_view.h"
 #include "widgets/scene/patch_moment.h"
-#include "widgets/verify/verify_panel.h"
 
 #include <memory>
 #include <optional>

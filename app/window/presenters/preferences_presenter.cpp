@@ -1,17 +1,10 @@
 #include "app/window/presenters/presenters.h"
 
-#include "app/window/guide/actions.h"
 #include "app/window/presenters/theme_presenter.h"
-#include "app/window/session/session_controller.h"
-#include "app/window/settings/preferences.h"
 #include "app/window/settings/preferences_dialog.h"
 #include "app/window/toolkit/deferred_dialog.h"
-#include "app/window/views/views.h"
-#include "widgets/capture/instruction_voice.h"
-#include "widgets/controls/message_bar.h"
 #include "widgets/patch/scene_widget.h"
 
-#include <QCoreApplication>
 #include <QTimer>
 
 namespace hexoderm {

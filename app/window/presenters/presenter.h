@@ -1,22 +1,21 @@
 #pragma once
 
-#include <QObject>
+#include "app/window/guide/actions.h"
+#include "app/window/log/event_log.h"
+#include "app/window/session/session_controller.h"
+#include "app/window/settings/preferences.h"
+#include "app/window/views/panels.h"
+#include "app/window/views/views.h"
 
-class QWidget;
+#include <QCoreApplication>
+#include <QObject>
 
 namespace hexoderm {
 
-class EventLog;
 class OncePerTurn;
-class Panels;
-class Preferences;
 class RecentFiles;
 class ScaleRanges;
-class Selection;
-class SessionController;
 class UnsavedSessions;
-class WindowActions;
-struct Views;
 
 /// What the presenters wire: the window, its views and panels, and what these show. All outlive the presenters.
 struct WindowParts {

@@ -1,26 +1,15 @@
 #include "app/window/presenters/review_presenter.h"
 
-#include "app/window/guide/actions.h"
 #include "app/window/guide/guide.h"
 #include "app/window/presenters/file_presenter.h"
 #include "app/window/presenters/result_presenter.h"
-#include "app/window/session/session_controller.h"
-#include "app/window/toolkit/result_tables.h"
-#include "app/window/views/views.h"
 #include "hexoderm/reconstruction/advice/assess.h"
-#include "widgets/capture/coverage_view.h"
-#include "widgets/controls/check_list.h"
-#include "widgets/controls/selection.h"
-#include "widgets/controls/step_panel.h"
-#include "widgets/graph/graph_view.h"
-#include "widgets/patch/patch_view.h"
 #include "widgets/tables/cell_table.h"
 #include "widgets/tables/finding_table.h"
 #include "widgets/tables/link_table.h"
 #include "widgets/tables/pose_table.h"
 #include "widgets/tables/row_picking.h"
 #include "widgets/tables/table_csv.h"
-#include "widgets/verify/residual_view.h"
 
 #include <QTableView>
 

@@ -1,11 +1,6 @@
 #include "app/window/presenters/presenters.h"
 
 #include "app/window/guide/guide.h"
-#include "app/window/session/session_controller.h"
-#include "app/window/settings/preferences.h"
-#include "app/window/views/views.h"
-#include "widgets/capture/capture_panel.h"
-#include "widgets/capture/instruction_voice.h"
 
 namespace hexoderm {
 namespace {

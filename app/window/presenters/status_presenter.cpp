@@ -1,16 +1,8 @@
 #include "app/window/presenters/presenters.h"
 
-#include "app/window/session/session_controller.h"
-#include "app/window/toolkit/status_bar.h"
-#include "app/window/views/panels.h"
-#include "app/window/views/views.h"
-#include "widgets/controls/card_dock.h"
 #include "widgets/words/formatting.h"
 #include "widgets/words/words.h"
 
-#include <QCoreApplication>
-#include <QLabel>
-#include <QTabBar>
 #include <algorithm>
 
 namespace hexoderm {

@@ -1,15 +1,8 @@
 #include "app/window/presenters/presenters.h"
 
 #include "app/window/presenters/file_presenter.h"
-#include "app/window/session/session_controller.h"
 #include "app/window/session/verification.h"
-#include "app/window/settings/preferences.h"
 #include "app/window/toolkit/file_dialog.h"
-#include "app/window/views/views.h"
-#include "widgets/patch/patch_view.h"
-#include "widgets/verify/verify_panel.h"
-
-#include <QCoreApplication>
 
 namespace hexoderm {
 namespace {

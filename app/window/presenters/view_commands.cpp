@@ -1,13 +1,4 @@
-#include "app/window/guide/actions.h"
 #include "app/window/presenters/presenters.h"
-#include "app/window/toolkit/view_swap.h"
-#include "app/window/views/panels.h"
-#include "app/window/views/views.h"
-#include "widgets/controls/card_dock.h"
-#include "widgets/controls/step_panel.h"
-#include "widgets/graph/graph_view.h"
-#include "widgets/patch/patch_view.h"
-#include "widgets/robot/robot_view.h"
 
 namespace hexoderm {
 

@@ -1,24 +1,10 @@
 #include "app/window/views/panels.h"
 
 #include "app/window/guide/guide.h"
-#include "app/window/guide/welcome_panel.h"
-#include "app/window/log/log_view.h"
 #include "app/window/toolkit/table_views.h"
-#include "app/window/toolkit/view_swap.h"
 #include "app/window/views/views.h"
-#include "widgets/capture/coverage_view.h"
-#include "widgets/capture/stillness_view.h"
-#include "widgets/controls/card_dock.h"
-#include "widgets/controls/finding_card.h"
 #include "widgets/controls/panel_parts.h"
-#include "widgets/controls/step_panel.h"
 #include "widgets/controls/view_mark.h"
-#include "widgets/graph/graph_view.h"
-#include "widgets/patch/patch_view.h"
-#include "widgets/plot/plot_view.h"
-#include "widgets/robot/robot_view.h"
-#include "widgets/verify/residual_view.h"
-#include "widgets/verify/verify_panel.h"
 
 #include <QFrame>
 #include <QGridLayout>
@@ -27,7 +13,6 @@
 #include <QSettings>
 #include <QSplitter>
 #include <QStackedWidget>
-#include <QTabBar>
 #include <QTableView>
 #include <QVBoxLayout>
 #include <algorithm>

@@ -1,5 +1,8 @@
 #pragma once
 
+#include "app/window/toolkit/view_swap.h"
+#include "widgets/controls/card_dock.h"
+
 #include <QMainWindow>
 #include <QSize>
 #include <memory>
@@ -12,10 +15,8 @@ class QTableView;
 
 namespace hexoderm {
 
-class CardDock;
 class TableOrHint;
 class ViewMark;
-class ViewSwap;
 struct Views;
 
 /// Lays the views out: one in the middle, the others in panels around it that the operator can move. While the step
