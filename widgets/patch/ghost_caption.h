@@ -51,8 +51,8 @@ class GhostCaption : public QWidget {
     QRectF room(ghost.left() - line, ghost.top() - 1.4 * line, ghost.width() + 2 * line, line);
     QRectF plate(0, 0, QFontMetricsF(bold).horizontalAdvance(words) + line, 1.2 * line);
     plate.moveCenter(room.center());
-    constexpr double kMargin = 8;
-    plate.moveRight(std::min(plate.right(), area.width() - kMargin));
+    constexpr double kInset_px = 8;
+    plate.moveRight(std::min(plate.right(), area.width() - kInset_px));
     room.moveCenter(plate.center());
     QColor ground = colors.scene_top;
     ground.setAlphaF(0.8);
