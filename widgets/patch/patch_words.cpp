@@ -2,6 +2,7 @@
 
 #include "hexoderm/geometry/covariance.h"
 #include "hexoderm/util/units.h"
+#include "widgets/scene/scene_overlays.h"
 #include "widgets/style/of_enum.h"
 #include "widgets/words/formatting.h"
 #include "widgets/words/surface_words.h"

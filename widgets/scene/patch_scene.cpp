@@ -7,6 +7,7 @@
 #include "widgets/scene/scene_corners.h"
 #include "widgets/scene/scene_ghost.h"
 #include "widgets/scene/scene_labels.h"
+#include "widgets/scene/scene_overlays.h"
 #include "widgets/scene/scene_skin.h"
 
 #include <vtkActor.h>

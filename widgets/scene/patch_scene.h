@@ -8,7 +8,6 @@
 #include "widgets/scene/scene_content.h"
 #include "widgets/scene/scene_cut.h"
 #include "widgets/scene/scene_items.h"
-#include "widgets/scene/scene_overlays.h"
 #include "widgets/style/scene_colors.h"
 
 #include <array>
