@@ -14,9 +14,7 @@ namespace hexoderm {
 class CheckList::Row : public QWidget {
  public:
   explicit Row(CheckList* list) : QWidget(list), sign_(new QLabel), text_(new QLabel), show_(new QPushButton) {
-    QFont bold = sign_->font();
-    bold.setBold(true);
-    sign_->setFont(bold);
+    makeBold(sign_);
     setPlainParagraph(text_);
     show_->setText(CheckList::tr("Show"));
     auto* words = spaced(new QVBoxLayout, 4);

@@ -36,9 +36,7 @@ FindingCard::FindingCard(QWidget* parent)
       button_layout_(new FlowLayout(buttons_)) {
   setObjectName(QStringLiteral("findingCard"));
   severity_->setObjectName(QStringLiteral("findingSeverity"));
-  QFont bold = severity_->font();
-  bold.setBold(true);
-  severity_->setFont(bold);
+  makeBold(severity_);
   where_->setProperty("muted", true);
   show_->setObjectName(QStringLiteral("findingShow"));
   show_->setFocusPolicy(Qt::TabFocus);

@@ -1,8 +1,12 @@
 #pragma once
 
+#include <QGridLayout>
+#include <QHeaderView>
 #include <QLabel>
 #include <QMargins>
+#include <QScrollArea>
 #include <QString>
+#include <QTableView>
 #include <initializer_list>
 
 namespace hexoderm {
@@ -39,6 +43,50 @@ inline void setNames(QWidget* widget, const QString& name, const QString& access
 inline void setPlainParagraph(QLabel* label) {
   label->setWordWrap(true);
   label->setTextFormat(Qt::PlainText);
+}
+
+inline void makeBold(QWidget* widget) {
+  QFont bold = widget->font();
+  bold.setBold(true);
+  widget->setFont(bold);
+}
+
+/// The words before a field, whose key brings the keyboard to it.
+inline QLabel* labelFor(QWidget* field, const QString& text) {
+  auto* label = new QLabel(text);
+  label->setBuddy(field);
+  return label;
+}
+
+/// A field over so many columns, with its label at its left.
+inline void addField(QGridLayout* grid, int row, int column, const QString& text, QWidget* field, int columns = 1) {
+  grid->addWidget(labelFor(field, text), row, column);
+  grid->addWidget(field, row, column + 1, 1, columns);
+}
+
+/// It scrolls up and down only, has no frame of its own, and leaves the focus to what is in it.
+inline void scrollPlainly(QScrollArea* area) {
+  area->setWidgetResizable(true);
+  area->setFrameShape(QFrame::NoFrame);
+  area->setFocusPolicy(Qt::NoFocus);
+  area->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+}
+
+/// A table that shows and is not typed into; Tab leaves it.
+inline void dressTable(QTableView* table) {
+  table->setEditTriggers(QAbstractItemView::NoEditTriggers);
+  table->setShowGrid(false);
+  table->setWordWrap(false);
+  table->setTabKeyNavigation(false);
+  table->setFrameShape(QFrame::NoFrame);
+}
+
+/// The same, of whole rows without names.
+inline void dressRows(QTableView* table) {
+  dressTable(table);
+  table->setSelectionBehavior(QAbstractItemView::SelectRows);
+  table->verticalHeader()->hide();
+  table->horizontalHeader()->setHighlightSections(false);
 }
 
 }  // namespace hexoderm

@@ -208,11 +208,8 @@ class StepPanel::Row : public QWidget {
 
 StepPanel::StepPanel(QWidget* parent) : QScrollArea(parent), layout_(nullptr) {
   setNames(this, QStringLiteral("stepPanel"), tr("Steps"));
-  setWidgetResizable(true);
-  setFrameShape(QFrame::NoFrame);
-  setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
   // Its steps take the focus, and are scrolled into view then.
-  setFocusPolicy(Qt::NoFocus);
+  scrollPlainly(this);
   auto* content = new QWidget;
   content->setObjectName(QStringLiteral("stepContent"));
   layout_ = new QVBoxLayout(content);

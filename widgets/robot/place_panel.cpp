@@ -55,12 +55,6 @@ QSpinBox* cellField(const char* object_name, const QString& accessible_name) {
   return field;
 }
 
-QLabel* buddyLabel(QWidget* field, const QString& text) {
-  auto* label = new QLabel(text);
-  label->setBuddy(field);
-  return label;
-}
-
 /// As high as its rows, up to so many; how high they are depends on its width, as long texts are wrapped. Reckoned
 /// here, because asking the list would lay it out again while it is being laid out.
 class ChoiceList : public QListWidget {
@@ -207,7 +201,7 @@ void PlacePanel::buildJoints() {
   pose_ = namedField(new QComboBox, "placePose", tr("Pose in which the robot is drawn"));
   makeNarrow(pose_);
   QHBoxLayout* pose = joints_->addRow();
-  pose->addWidget(buddyLabel(pose_, tr("Drawn in")));
+  pose->addWidget(labelFor(pose_, tr("Drawn in")));
   pose->addWidget(pose_, 1);
   connect(pose_, qOverload<int>(&QComboBox::activated), this,
           [this] { emit poseChosen(pose_->currentData().toUInt()); });
@@ -236,7 +230,7 @@ void PlacePanel::buildLink() {
   other_link_ = namedField(new QComboBox, "placeOtherLink", tr("Any link of the robot"));
   makeNarrow(other_link_);
   QHBoxLayout* row = link_->addRow();
-  row->addWidget(buddyLabel(other_link_, tr("On link")));
+  row->addWidget(labelFor(other_link_, tr("On link")));
   row->addWidget(other_link_, 1);
   connect(other_link_, qOverload<int>(&QComboBox::activated), this,
           [this] { emit linkChosen(other_link_->currentIndex() > 0 ? other_link_->currentText() : QString()); });
@@ -283,15 +277,12 @@ void PlacePanel::buildPoint() {
   auto* grid = new QGridLayout;
   grid->setColumnStretch(1, 1);
   grid->setColumnStretch(3, 1);
-  grid->addWidget(buddyLabel(point_cell_, tr("Cell")), 0, 0);
-  grid->addWidget(point_cell_, 0, 1);
-  grid->addWidget(buddyLabel(point_sigma_mm_, tr("±")), 0, 2);
-  grid->addWidget(point_sigma_mm_, 0, 3);
+  addField(grid, 0, 0, tr("Cell"), point_cell_);
+  addField(grid, 0, 2, tr("±"), point_sigma_mm_);
   const std::array<QString, 3> axes = {tr("x"), tr("y"), tr("z")};
   for (int axis = 0; axis < 3; ++axis) {
     QDoubleSpinBox* field = point_mm_.at(static_cast<std::size_t>(axis));
-    grid->addWidget(buddyLabel(field, axes.at(static_cast<std::size_t>(axis))), 1 + axis, 0);
-    grid->addWidget(field, 1 + axis, 1, 1, 3);
+    addField(grid, 1 + axis, 0, axes.at(static_cast<std::size_t>(axis)), field, 3);
   }
   known_->addRow()->addLayout(grid);
   for (QPushButton* button : {pick_, add_point_}) known_->addRow({button});
@@ -319,14 +310,10 @@ void PlacePanel::buildDistance() {
   auto* grid = new QGridLayout;
   grid->setColumnStretch(1, 1);
   grid->setColumnStretch(3, 1);
-  grid->addWidget(buddyLabel(from_cell_, tr("Cell")), 0, 0);
-  grid->addWidget(from_cell_, 0, 1);
-  grid->addWidget(buddyLabel(to_cell_, tr("to")), 0, 2);
-  grid->addWidget(to_cell_, 0, 3);
-  grid->addWidget(buddyLabel(distance_mm_, tr("is")), 1, 0);
-  grid->addWidget(distance_mm_, 1, 1, 1, 3);
-  grid->addWidget(buddyLabel(distance_sigma_mm_, tr("±")), 2, 0);
-  grid->addWidget(distance_sigma_mm_, 2, 1, 1, 3);
+  addField(grid, 0, 0, tr("Cell"), from_cell_);
+  addField(grid, 0, 2, tr("to"), to_cell_);
+  addField(grid, 1, 0, tr("is"), distance_mm_, 3);
+  addField(grid, 2, 0, tr("±"), distance_sigma_mm_, 3);
   known_->addRow()->addLayout(grid);
   known_->addRow({add_distance_});
   connect(distance_mm_, qOverload<double>(&QDoubleSpinBox::valueChanged), this, &PlacePanel::refreshControls);

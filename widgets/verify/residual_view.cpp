@@ -106,11 +106,7 @@ ResidualView::ResidualView(Selection* selection, QWidget* parent)
   matrix_->setModel(sorted_);
   matrix_->setItemDelegate(new ResidualMatrixDelegate(matrix_));
   matrix_->setSelectionMode(QAbstractItemView::SingleSelection);
-  matrix_->setEditTriggers(QAbstractItemView::NoEditTriggers);
-  matrix_->setShowGrid(false);
-  matrix_->setWordWrap(false);
-  matrix_->setTabKeyNavigation(false);
-  matrix_->setFrameShape(QFrame::NoFrame);
+  dressTable(matrix_);
   matrix_->horizontalHeader()->setSectionResizeMode(QHeaderView::Fixed);
   matrix_->verticalHeader()->setSectionResizeMode(QHeaderView::Fixed);
   matrix_->horizontalHeader()->setHighlightSections(true);

@@ -51,12 +51,6 @@ std::optional<SurfaceEvaluation> ofRow(const std::vector<SurfaceEvaluation>& sur
   return std::nullopt;
 }
 
-QLabel* labelFor(QWidget* control, const QString& text) {
-  auto* label = new QLabel(text);
-  label->setBuddy(control);
-  return label;
-}
-
 }  // namespace
 
 VerifyPanel::VerifyPanel(Selection* selection, QWidget* parent)
@@ -151,10 +145,8 @@ void VerifyPanel::buildSurface() {
   letTypingReplaceSpecialText(radius_mm_);
   auto* grid = new QGridLayout;
   grid->setColumnStretch(1, 1);
-  grid->addWidget(labelFor(kind_, tr("Surface")), 0, 0);
-  grid->addWidget(kind_, 0, 1);
-  grid->addWidget(labelFor(radius_mm_, tr("True radius")), 1, 0);
-  grid->addWidget(radius_mm_, 1, 1);
+  addField(grid, 0, 0, tr("Surface"), kind_);
+  addField(grid, 1, 0, tr("True radius"), radius_mm_);
   surface_->addRow()->addLayout(grid);
   connect(kind_, qOverload<int>(&QComboBox::currentIndexChanged), this, &VerifyPanel::requestSurface);
   connect(radius_mm_, qOverload<double>(&QDoubleSpinBox::valueChanged), this, &VerifyPanel::requestSurface);
@@ -182,12 +174,9 @@ void VerifyPanel::buildCaliper() {
   auto* grid = new QGridLayout;
   grid->setColumnStretch(1, 1);
   grid->setColumnStretch(3, 1);
-  grid->addWidget(labelFor(first_, tr("From cell")), 0, 0);
-  grid->addWidget(first_, 0, 1);
-  grid->addWidget(labelFor(second_, tr("to")), 0, 2);
-  grid->addWidget(second_, 0, 3);
-  grid->addWidget(labelFor(distance_mm_, tr("Measured")), 1, 0);
-  grid->addWidget(distance_mm_, 1, 1, 1, 3);
+  addField(grid, 0, 0, tr("From cell"), first_);
+  addField(grid, 0, 2, tr("to"), second_);
+  addField(grid, 1, 0, tr("Measured"), distance_mm_, 3);
   caliper_->addRow()->addLayout(grid);
 }
 

@@ -33,9 +33,7 @@ VerifySection::VerifySection(const QString& heading, const QString& question, co
       patience_(new QTimer(this)) {
   setNames(this, name, heading);
   auto* title = new QLabel(heading);
-  QFont bold = title->font();
-  bold.setBold(true);
-  title->setFont(bold);
+  makeBold(title);
   auto* asked = new QLabel(question);
   asked->setProperty("muted", true);
   asked->setWordWrap(true);
@@ -64,15 +62,8 @@ VerifySection::VerifySection(const QString& heading, const QString& question, co
 
   setNames(view_, name + QStringLiteral("Table"), tr("Figures: %1").arg(heading));
   view_->setModel(sorted_);
-  view_->setSelectionBehavior(QAbstractItemView::SelectRows);
+  dressRows(view_);
   view_->setSelectionMode(QAbstractItemView::SingleSelection);
-  view_->setEditTriggers(QAbstractItemView::NoEditTriggers);
-  view_->setShowGrid(false);
-  view_->setWordWrap(false);
-  view_->setTabKeyNavigation(false);
-  view_->setFrameShape(QFrame::NoFrame);
-  view_->verticalHeader()->hide();
-  view_->horizontalHeader()->setHighlightSections(false);
   view_->horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
   view_->horizontalHeader()->setResizeContentsPrecision(40);
   SortedTable::enableIn(view_);

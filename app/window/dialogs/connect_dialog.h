@@ -68,21 +68,16 @@ class ConnectDialog : public QDialog {
     auto* layout = spaced(new QGridLayout(this), {20, 18, 20, 16});
     layout->setHorizontalSpacing(14);
     layout->setVerticalSpacing(10);
-    const auto caption = [this](const QString& text, QWidget* buddy) {
-      auto* label = new QLabel(text, this);
-      label->setBuddy(buddy);
-      return label;
-    };
     constexpr Qt::Alignment kCaption = Qt::AlignRight | Qt::AlignVCenter;
     layout->addWidget(title, 0, 0, 1, 3);
-    layout->addWidget(caption(tr("&Kind"), kind_), 1, 0, kCaption);
+    layout->addWidget(labelFor(kind_, tr("&Kind")), 1, 0, kCaption);
     layout->addWidget(kind_, 1, 1);
-    layout->addWidget(caption(tr("&Address"), address_), 2, 0, kCaption);
+    layout->addWidget(labelFor(address_, tr("&Address")), 2, 0, kCaption);
     layout->addWidget(address_, 2, 1);
     layout->addWidget(browse_recording_, 2, 2);
     layout->addWidget(hint_, 3, 1, 1, 2);
     layout->addWidget(continue_, 4, 1, 1, 2);
-    layout->addWidget(caption(tr("K&eep in"), path_), 5, 0, kCaption);
+    layout->addWidget(labelFor(path_, tr("K&eep in")), 5, 0, kCaption);
     layout->addWidget(path_, 5, 1);
     layout->addWidget(browse_path_, 5, 2);
     layout->addWidget(note_, 6, 1, 1, 2);

@@ -28,10 +28,7 @@ class WelcomePanel : public QScrollArea {
                QWidget* parent = nullptr)
       : QScrollArea(parent) {
     setNames(this, QStringLiteral("welcomePanel"), tr("Welcome"));
-    setWidgetResizable(true);
-    setFrameShape(QFrame::NoFrame);
-    setFocusPolicy(Qt::NoFocus);
-    setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    scrollPlainly(this);
     auto* column = new QWidget;
     column->setMaximumWidth(kWidestInCharacters * fontMetrics().averageCharWidth());
     auto* list = spaced(new QVBoxLayout(column), {0, 0, 0, 0}, 6);

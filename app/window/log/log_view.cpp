@@ -132,16 +132,9 @@ LogView::LogView(const EventLog& log, QWidget* parent)
 
   setNames(table_, QStringLiteral("logTable"), tr("Log"));
   table_->setModel(model_);
-  table_->setSelectionBehavior(QAbstractItemView::SelectRows);
-  table_->setEditTriggers(QAbstractItemView::NoEditTriggers);
-  table_->setTabKeyNavigation(false);
-  table_->setShowGrid(false);
-  table_->setWordWrap(false);
-  table_->setFrameShape(QFrame::NoFrame);
-  table_->verticalHeader()->hide();
+  dressRows(table_);
   // All rows alike: measuring 10,000 of them would be felt.
   table_->verticalHeader()->setSectionResizeMode(QHeaderView::Fixed);
-  table_->horizontalHeader()->setHighlightSections(false);
   table_->horizontalHeader()->setStretchLastSection(true);
   fitColumns();
 

@@ -98,11 +98,9 @@ class PreferencesDialog : public QDialog {
   }
 
   static void addRow(QFormLayout* form, const QString& text, QWidget* control, const QString& why) {
-    auto* label = new QLabel(text);
-    label->setBuddy(control);
     control->setAccessibleName(QString(text).remove(QLatin1Char('&')));
     control->setAccessibleDescription(why);
-    form->addRow(label, control);
+    form->addRow(labelFor(control, text), control);
     addWhy(form, why);
   }
 
@@ -111,10 +109,7 @@ class PreferencesDialog : public QDialog {
   static QFormLayout* addPage(QTabWidget* tabs, const QString& title) {
     auto* area = new QScrollArea;
     tabs->addTab(area, title);
-    area->setWidgetResizable(true);
-    area->setFrameShape(QFrame::NoFrame);
-    area->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-    area->setFocusPolicy(Qt::NoFocus);
+    scrollPlainly(area);
     auto* content = new QWidget;
     area->setWidget(content);
     auto* form = spaced(new QFormLayout(content), {18, 16, 18, 16});
@@ -249,11 +244,9 @@ class PreferencesDialog : public QDialog {
     row->addWidget(folder_, 1);
     row->addWidget(browse);
     const QString why = tr("Where new sessions of a connected skin go unless another folder is chosen there.");
-    auto* label = new QLabel(tr("&Folder for sessions"));
-    label->setBuddy(folder_);
     folder_->setAccessibleName(tr("Folder for sessions"));
     folder_->setAccessibleDescription(why);
-    form->addRow(label, field);
+    form->addRow(labelFor(folder_, tr("&Folder for sessions")), field);
     addWhy(form, why);
     auto* kept =
         new QLabel(tr("A session that was not saved anywhere is kept beside the program's own data, and offered "

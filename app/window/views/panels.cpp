@@ -121,10 +121,7 @@ QWidget* Panels::makeCentre(const Views& views) {
   checks_card->setProperty("card", true);
   checks_ = new QScrollArea;
   checks_->setObjectName(QStringLiteral("checksArea"));
-  checks_->setFrameShape(QFrame::NoFrame);
-  checks_->setFocusPolicy(Qt::NoFocus);  // what is in it takes the focus
-  checks_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-  checks_->setWidgetResizable(true);
+  scrollPlainly(checks_);
   checks_->setWidget(views.verify_panel);
   auto* checks_layout = spaced(new QVBoxLayout(checks_card), {1, 1, 1, 1});
   checks_layout->addWidget(checks_);
@@ -194,10 +191,7 @@ TableOrHint* Panels::makeTable(QTableView* view, const QString& hint) {
 QWidget* Panels::makeFindings(const Views& views) {
   auto* room = new QScrollArea;
   room->setObjectName(QStringLiteral("findingsCard"));
-  room->setFrameShape(QFrame::NoFrame);
-  room->setFocusPolicy(Qt::NoFocus);
-  room->setWidgetResizable(true);
-  room->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  scrollPlainly(room);
   auto* content = new QWidget;
   auto* column = spaced(new QVBoxLayout(content), {0, 0, 8, 8});
   column->addWidget(views.finding_card);
