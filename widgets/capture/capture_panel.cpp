@@ -57,8 +57,7 @@ CapturePanel::CapturePanel(const Actions& actions, QWidget* parent)
       ring_(new HoldRing(this)),
       wait_(wrappedLabel("captureWait", this)),
       odd_(wrappedLabel("captureOdd", this)),
-      remark_(wrappedLabel("captureRemark", this)),
-      captured_timer_(new QTimer(this)) {
+      remark_(wrappedLabel("captureRemark", this)) {
   setNames(this, QStringLiteral("capturePanel"), tr("Capturing poses"));
   for (QLabel* label : {why_, sigma_, odd_}) label->setProperty("muted", true);
   captured_timer_->setSingleShot(true);

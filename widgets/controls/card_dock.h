@@ -19,7 +19,7 @@ class CardDock : public QDockWidget {
  public:
   /// `object_name` names the dock where the layout is remembered. Takes over `content`.
   CardDock(const QString& heading, const QString& object_name, QWidget* content, QWidget* parent = nullptr)
-      : QDockWidget(heading, parent), title_(new QLabel(heading.toUpper())), remark_(new ElidedLabel) {
+      : QDockWidget(heading, parent), title_(new QLabel(heading.toUpper())) {
     setNames(this, object_name, heading);
     content->setAccessibleName(heading);
     // The heading is inside the card, so that a dock looks like one thing; it is still what one drags.
@@ -67,7 +67,7 @@ class CardDock : public QDockWidget {
 
  private:
   QLabel* title_;
-  ElidedLabel* remark_;
+  ElidedLabel* remark_ = new ElidedLabel;
 };
 
 }  // namespace hexoderm

@@ -44,7 +44,7 @@ class CheckList::Row : public QWidget {
   QPushButton* show_;
 };
 
-CheckList::CheckList(QWidget* parent) : QWidget(parent), layout_(new QVBoxLayout(this)) {
+CheckList::CheckList(QWidget* parent) : QWidget(parent) {
   setObjectName(QStringLiteral("checkList"));
   layout_->setContentsMargins(0, 0, 0, 0);
   layout_->setSpacing(6);

@@ -2,11 +2,11 @@
 
 #include "hexoderm/reconstruction/advice/skin_check.h"
 
+#include <QVBoxLayout>
 #include <QWidget>
 #include <vector>
 
 class QLabel;
-class QVBoxLayout;
 
 namespace hexoderm {
 
@@ -26,7 +26,7 @@ class CheckList : public QWidget {
  private:
   class Row;
 
-  QVBoxLayout* layout_;
+  QVBoxLayout* layout_ = new QVBoxLayout(this);
   std::vector<Row*> rows_;
 };
 

@@ -39,8 +39,7 @@ QRect placeBeside(const QPoint& mouse, const QSize& card, const QRect& area) {
   return {};
 }
 
-FigureCard::FigureCard(Kind kind, QWidget* parent)
-    : QFrame(parent), kind_(kind), text_(new QLabel), value_(new QLabel) {
+FigureCard::FigureCard(Kind kind, QWidget* parent) : QFrame(parent), kind_(kind) {
   setObjectName(kind == Kind::Passing ? QStringLiteral("hoverCard") : QStringLiteral("figureCard"));
   for (QLabel* label : {value_, text_}) {
     label->setWordWrap(true);

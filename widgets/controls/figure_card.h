@@ -3,12 +3,12 @@
 #include "hexoderm/util/ids.h"
 
 #include <QFrame>
+#include <QLabel>
 #include <QPoint>
 #include <QRect>
 #include <QString>
 #include <vector>
 
-class QLabel;
 class QToolButton;
 
 namespace hexoderm {
@@ -57,8 +57,8 @@ class FigureCard : public QFrame {
   Kind kind_;
   QString said_;
   QString said_value_;
-  QLabel* text_;
-  QLabel* value_;
+  QLabel* text_ = new QLabel;
+  QLabel* value_ = new QLabel;
   QLabel* neighbors_word_ = nullptr;
   QWidget* neighbors_ = nullptr;
   FlowLayout* neighbor_layout_ = nullptr;

@@ -20,8 +20,7 @@ class FindCellField : public QFrame {
 
  public:
   /// `exists` says whether there is such a cell.
-  FindCellField(std::function<bool(CellId)> exists, QWidget* parent)
-      : QFrame(parent), exists_(std::move(exists)), field_(new QLineEdit(this)), answer_(new QLabel(this)) {
+  FindCellField(std::function<bool(CellId)> exists, QWidget* parent) : QFrame(parent), exists_(std::move(exists)) {
     setObjectName(QStringLiteral("findCell"));
     setProperty("card", true);
     setAutoFillBackground(true);
@@ -99,8 +98,8 @@ class FindCellField : public QFrame {
   }
 
   std::function<bool(CellId)> exists_;
-  QLineEdit* field_;
-  QLabel* answer_;
+  QLineEdit* field_ = new QLineEdit(this);
+  QLabel* answer_ = new QLabel(this);
 };
 
 }  // namespace hexoderm

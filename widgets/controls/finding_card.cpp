@@ -128,8 +128,7 @@ void FindingCard::paintEvent(QPaintEvent* /*event*/) {
   painter.drawRoundedRect(QRectF(card.left() + 4, card.top() + 8, 3, card.height() - 16), 1.5, 1.5);
 }
 
-FindingCards::FindingCards(const QString& object_name, QWidget* parent)
-    : QWidget(parent), layout_(new QVBoxLayout(this)), others_(new QPushButton(this)) {
+FindingCards::FindingCards(const QString& object_name, QWidget* parent) : QWidget(parent) {
   setObjectName(object_name);
   layout_->setContentsMargins(0, 0, 0, 0);
   layout_->setSpacing(8);

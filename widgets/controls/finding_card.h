@@ -7,10 +7,9 @@
 #include <QPushButton>
 #include <QString>
 #include <QToolButton>
+#include <QVBoxLayout>
 #include <QWidget>
 #include <vector>
-
-class QVBoxLayout;
 
 namespace hexoderm {
 
@@ -84,9 +83,9 @@ class FindingCards : public QWidget {
   void allWanted();
 
  private:
-  QVBoxLayout* layout_;
+  QVBoxLayout* layout_ = new QVBoxLayout(this);
   std::vector<FindingCard*> cards_;
-  QPushButton* others_;
+  QPushButton* others_ = new QPushButton(this);
   std::vector<Item> items_;
   std::vector<Finding> shown_;
 };

@@ -19,7 +19,7 @@ class FoldingRow : public QLayout {
 
  public:
   /// `parent`: the widget whose layout this becomes.
-  explicit FoldingRow(QWidget* parent) : QLayout(parent), more_(new QToolButton(parent)), menu_(new QMenu(more_)) {
+  explicit FoldingRow(QWidget* parent) : QLayout(parent), more_(new QToolButton(parent)) {
     more_->setObjectName(QStringLiteral("moreButton"));
     more_->setText(tr("More ▾"));
     more_->setAccessibleName(tr("More"));
@@ -160,7 +160,7 @@ class FoldingRow : public QLayout {
   std::optional<int> second_group_;
   QMap<QWidget*, Qt::FocusPolicy> folded_;  ///< with the policy that it has otherwise
   QToolButton* more_;
-  QMenu* menu_;
+  QMenu* menu_ = new QMenu(more_);
 };
 
 }  // namespace hexoderm

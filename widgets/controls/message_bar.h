@@ -23,8 +23,7 @@ class MessageBar : public QFrame {
   Q_OBJECT
 
  public:
-  explicit MessageBar(QWidget* parent = nullptr)
-      : QFrame(parent), text_(new QLabel(this)), button_(new QPushButton(this)) {
+  explicit MessageBar(QWidget* parent = nullptr) : QFrame(parent) {
     setObjectName(QStringLiteral("messageBar"));
     setProperty("card", true);
     text_->setObjectName(QStringLiteral("messageText"));
@@ -87,8 +86,8 @@ class MessageBar : public QFrame {
   }
 
  private:
-  QLabel* text_;
-  QPushButton* button_;
+  QLabel* text_ = new QLabel(this);
+  QPushButton* button_ = new QPushButton(this);
   std::function<void()> pressed_;
   Tone tone_ = Tone::Neutral;
 };

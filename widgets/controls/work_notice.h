@@ -15,7 +15,7 @@ class WorkNotice : public QFrame {
   Q_OBJECT
 
  public:
-  explicit WorkNotice(QWidget* parent = nullptr) : QFrame(parent), cancel_(new QPushButton(tr("Cancel"), this)) {
+  explicit WorkNotice(QWidget* parent = nullptr) : QFrame(parent) {
     setNames(this, QStringLiteral("workNotice"), tr("Work that takes a while"));
     text_->setObjectName(QStringLiteral("workText"));
     setPlainParagraph(text_);
@@ -50,7 +50,7 @@ class WorkNotice : public QFrame {
  private:
   QLabel* text_ = new QLabel(this);
   QProgressBar* bar_ = new QProgressBar(this);
-  QPushButton* cancel_;
+  QPushButton* cancel_ = new QPushButton(tr("Cancel"), this);
 };
 
 }  // namespace hexoderm

@@ -24,8 +24,7 @@ void allow(QAction* action, const QString& purpose, const QString& why_not) {
 
 }  // namespace
 
-PatchControls::PatchControls(QWidget* parent)
-    : QFrame(parent), buttons_(new FoldingRow(this)), cut_(new QAction(tr("&Cut open"), this)) {
+PatchControls::PatchControls(QWidget* parent) : QFrame(parent), buttons_(new FoldingRow(this)) {
   measure_->setObjectName(QStringLiteral("actionMeasure"));
   measure_->setCheckable(true);
   measure_->setToolTip(tr("Distance between two cells, and the angle between their faces"));

@@ -77,7 +77,7 @@ class PatchControls : public QFrame {
   QAction* parallel_ = new QAction(tr("Parallel pro&jection"), this);
   QAction* picture_ = new QAction(tr("Save picture of the 3D &view…"), this);
   QAction* fit_ = new QAction(tr("Fit"), this);
-  QAction* cut_;
+  QAction* cut_ = new QAction(tr("&Cut open"), this);
 };
 
 }  // namespace hexoderm

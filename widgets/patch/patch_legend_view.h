@@ -23,8 +23,7 @@ class PatchLegendView : public QWidget {
   Q_OBJECT
 
  public:
-  explicit PatchLegendView(QWidget* parent)
-      : QWidget(parent), button_(new QToolButton(this)), popup_(new RangePopup(this)) {
+  explicit PatchLegendView(QWidget* parent) : QWidget(parent) {
     setObjectName(QStringLiteral("patchLegend"));
     setAttribute(Qt::WA_NoSystemBackground);
     setMouseTracking(true);
@@ -215,8 +214,8 @@ class PatchLegendView : public QWidget {
 
   std::optional<LegendContent> content_;
   std::optional<PatchLegend> legend_;
-  QToolButton* button_;
-  RangePopup* popup_;
+  QToolButton* button_ = new QToolButton(this);
+  RangePopup* popup_ = new RangePopup(this);
   std::optional<double> marked_;
   QString marked_word_;
   std::optional<int> probed_;

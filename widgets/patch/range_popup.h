@@ -22,11 +22,7 @@ class RangePopup : public QFrame {
   Q_OBJECT
 
  public:
-  explicit RangePopup(QWidget* parent)
-      : QFrame(parent, Qt::Popup),
-        low_(makeEnd(QStringLiteral("rangeLow"), tr("Lower end of the range"))),
-        high_(makeEnd(QStringLiteral("rangeHigh"), tr("Upper end of the range"))),
-        complaint_(new QLabel(tr("The lower end must be below the upper one."))) {
+  explicit RangePopup(QWidget* parent) : QFrame(parent, Qt::Popup) {
     setObjectName(QStringLiteral("rangePopup"));
     setProperty("card", true);
     setAccessibleName(tr("Range of the colours"));
@@ -131,10 +127,10 @@ class RangePopup : public QFrame {
   QRadioButton* fitted_ = new QRadioButton(tr("&Fitted to what is shown"));
   QRadioButton* usual_ = new QRadioButton;
   QRadioButton* typed_ = new QRadioButton(tr("F&ixed:"));
-  QDoubleSpinBox* low_;
-  QDoubleSpinBox* high_;
+  QDoubleSpinBox* low_ = makeEnd(QStringLiteral("rangeLow"), tr("Lower end of the range"));
+  QDoubleSpinBox* high_ = makeEnd(QStringLiteral("rangeHigh"), tr("Upper end of the range"));
   QLabel* unit_ = new QLabel;
-  QLabel* complaint_;
+  QLabel* complaint_ = new QLabel(tr("The lower end must be below the upper one."));
 };
 
 }  // namespace hexoderm

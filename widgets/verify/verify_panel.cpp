@@ -69,8 +69,7 @@ VerifyPanel::VerifyPanel(Selection* selection, QWidget* parent)
       old_(new VerifySection(
           tr("Check an old calibration"),
           tr("Does one of some time ago still hold? Compared with the poses of this session, cell by cell."),
-          QStringLiteral("oldCalibration"), selection)),
-      drop_old_(new QPushButton(tr("Remove"))) {
+          QStringLiteral("oldCalibration"), selection)) {
   setObjectName(QStringLiteral("verifyPanel"));
   buildHoldOut();
   buildSurface();

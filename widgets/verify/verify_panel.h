@@ -123,7 +123,7 @@ class VerifyPanel : public QWidget {
   QPushButton* drop_ = new QPushButton(tr("Remove"));
   QComboBox* old_poses_ = new QComboBox;
   QPushButton* choose_old_ = new QPushButton(tr("Choose file…"));
-  QPushButton* drop_old_;
+  QPushButton* drop_old_ = new QPushButton(tr("Remove"));
 };
 
 }  // namespace hexoderm

@@ -27,10 +27,7 @@ constexpr int kMostRowsSeen = 8;
 }  // namespace
 
 VerifySection::VerifySection(const QString& heading, const QString& question, const QString& name, Selection* selection)
-    : selection_(selection),
-      table_(new ResultTable(this)),
-      sorted_(new SortedTable(table_, this)),
-      patience_(new QTimer(this)) {
+    : selection_(selection), table_(new ResultTable(this)), sorted_(new SortedTable(table_, this)) {
   setNames(this, name, heading);
   auto* title = new QLabel(heading);
   makeBold(title);

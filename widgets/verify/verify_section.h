@@ -5,11 +5,11 @@
 #include <QFrame>
 #include <QLabel>
 #include <QTableView>
+#include <QTimer>
 #include <QWidget>
 #include <initializer_list>
 
 class QHBoxLayout;
-class QTimer;
 
 namespace hexoderm {
 
@@ -58,7 +58,7 @@ class VerifySection : public QFrame {
   CsvActions* csv_actions_;
   VerifySentence said_;
   bool running_ = false;
-  QTimer* patience_;
+  QTimer* patience_ = new QTimer(this);
 };
 
 }  // namespace hexoderm

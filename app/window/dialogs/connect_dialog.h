@@ -35,8 +35,7 @@ class ConnectDialog : public QDialog {
  public:
   /// `folder`: where new sessions go unless another is chosen. `open_session`: name of the session that poses can be
   /// added to; empty if there is none.
-  ConnectDialog(const QString& folder, const QString& open_session, QWidget* parent = nullptr)
-      : QDialog(parent), note_(new QLabel(this)) {
+  ConnectDialog(const QString& folder, const QString& open_session, QWidget* parent = nullptr) : QDialog(parent) {
     setObjectName(QStringLiteral("connectDialog"));
     setWindowTitle(tr("Connect to a skin"));
     setModal(true);
@@ -273,7 +272,7 @@ class ConnectDialog : public QDialog {
   QCheckBox* continue_ = new QCheckBox(this);
   QLineEdit* path_ = new QLineEdit(this);
   QPushButton* browse_path_ = new QPushButton(tr("Browse…"), this);
-  QLabel* note_;
+  QLabel* note_ = new QLabel(this);
   QPushButton* connect_;
 };
 

@@ -46,10 +46,7 @@ class ExportDialog : public QDialog {
   /// `reconstruction`: what would be exported now, null if there is nothing; `suggestion`: path without an extension.
   ExportDialog(std::shared_ptr<const Reconstruction> reconstruction, const QString& suggestion,
                QWidget* parent = nullptr)
-      : QDialog(parent),
-        reconstruction_(std::move(reconstruction)),
-        path_(named(new QLineEdit(this), "exportPath", tr("File to write"))),
-        note_(new QLabel(this)) {
+      : QDialog(parent), reconstruction_(std::move(reconstruction)) {
     setObjectName(QStringLiteral("exportDialog"));
     if (reconstruction_) {
       options_.placements = placedPatches(*reconstruction_);
@@ -358,10 +355,7 @@ class ExportDialog : public QDialog {
                                      : tr("There is a file of this name; it will be replaced.");
     }
     if (problem.isEmpty()) remark = QStringList({remark, left_out}).join(QLatin1Char('\n')).trimmed();
-    export_->setText(replaces ? tr("Replace") : tr("Export"));
-    export_->setEnabled(problem.isEmpty());
-    export_->setToolTip(problem);
-    note_->setText(problem.isEmpty() ? remark : problem);
+    showCheck(problem, remark, replaces);
   }
 
   [[nodiscard]] bool isPackage() const { return kinds_->currentIndex() == 1; }
@@ -383,6 +377,13 @@ class ExportDialog : public QDialog {
   }
 
   void chooseContainer() { chooseFormat(); }
+  void showCheck(const QString& problem, const QString& remark, bool replaces) {
+    export_->setText(replaces ? tr("Replace") : tr("Export"));
+    export_->setEnabled(problem.isEmpty());
+    export_->setToolTip(problem);
+    note_->setText(problem.isEmpty() ? remark : problem);
+  }
+
   void checkPackage() {
     if (extension().isEmpty() && path_->text().endsWith(kZip)) {
       // A name that was typed says it, too.
@@ -418,10 +419,7 @@ class ExportDialog : public QDialog {
       remark = extension().isEmpty() ? tr("There is a folder of this name; files of the same names in it are replaced.")
                                      : tr("There is a file of this name; it will be replaced.");
     }
-    export_->setText(replaces ? tr("Replace") : tr("Export"));
-    export_->setEnabled(problem.isEmpty());
-    export_->setToolTip(problem);
-    note_->setText(problem.isEmpty() ? remark : problem);
+    showCheck(problem, remark, replaces);
   }
 
   /// The formats whose options matter.
@@ -453,7 +451,7 @@ class ExportDialog : public QDialog {
   QLabel* summary_ = new QLabel(this);
   QTextBrowser* preview_ = new QTextBrowser(this);
   QComboBox* container_ = new QComboBox(this);
-  QLineEdit* path_;
+  QLineEdit* path_ = named(new QLineEdit(this), "exportPath", tr("File to write"));
   ExportOptions options_;
   /// The row of each of exportOptions().
   struct OptionRow {
@@ -463,7 +461,7 @@ class ExportDialog : public QDialog {
   std::vector<OptionRow> option_rows_;
   QWidget* patch_row_ = nullptr;
   QComboBox* patch_ = new QComboBox(this);
-  QLabel* note_;
+  QLabel* note_ = new QLabel(this);
   QPushButton* export_;
   QString extension_;
 };

@@ -26,7 +26,7 @@ class PackageDialog : public QDialog {
  public:
   /// Follows the package that `files` writes next. Both outlive the dialog, which belongs to `parent`.
   PackageDialog(ResultFiles& files, const QString& path, QWidget* parent = nullptr)
-      : QDialog(parent), files_(files), path_(path), list_(new QTreeWidget(this)) {
+      : QDialog(parent), files_(files), path_(path) {
     setObjectName(QStringLiteral("packageDialog"));
     setWindowTitle(tr("Export package"));
     sentence_->setObjectName(QStringLiteral("packageSentence"));
@@ -129,7 +129,7 @@ class PackageDialog : public QDialog {
   bool is_running_ = true;
   QLabel* sentence_ = new QLabel(this);
   QProgressBar* progress_ = new QProgressBar(this);
-  QTreeWidget* list_;
+  QTreeWidget* list_ = new QTreeWidget(this);
   QPushButton* cancel_;
   QPushButton* open_;
 };

@@ -195,7 +195,7 @@ void RecentFiles::serve(QMenu* menu, std::function<void(QString)> open) {
 }
 
 RecentList::RecentList(RecentFiles& files, std::size_t most, int title_characters, QWidget* parent)
-    : QWidget(parent), files_(files), most_(most), title_characters_(title_characters), layout_(new QVBoxLayout(this)) {
+    : QWidget(parent), files_(files), most_(most), title_characters_(title_characters) {
   setObjectName(QStringLiteral("recentList"));
   layout_->setContentsMargins(0, 0, 0, 0);
   layout_->setSpacing(2);

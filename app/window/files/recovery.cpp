@@ -170,8 +170,7 @@ void UnsavedSessions::move(const QString& path, QString (*how)(const QString&)) 
   });
 }
 
-RecoveryList::RecoveryList(UnsavedSessions& sessions, QWidget* parent)
-    : QWidget(parent), sessions_(sessions), layout_(new QVBoxLayout(this)) {
+RecoveryList::RecoveryList(UnsavedSessions& sessions, QWidget* parent) : QWidget(parent), sessions_(sessions) {
   setNames(this, QStringLiteral("recoveryList"), tr("Sessions that were not saved"));
   layout_->setContentsMargins(0, 0, 0, 8);
   layout_->setSpacing(8);

@@ -92,7 +92,7 @@ class GuideBrowser : public QTextBrowser {
 };
 
 GuideWindow::GuideWindow(QWidget* parent, const QString& first_page)
-    : QWidget(parent, Qt::Window), browser_(new GuideBrowser), not_found_(new QLabel) {
+    : QWidget(parent, Qt::Window), browser_(new GuideBrowser) {
   setObjectName(QStringLiteral("guideWindow"));
   setWindowTitle(tr("User guide · Hexoderm"));
   setNames(contents_, QStringLiteral("guideContents"), tr("Pages of the guide"));

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <QColor>
+#include <QLabel>
 #include <QLineEdit>
 #include <QList>
 #include <QListWidget>
@@ -9,7 +10,6 @@
 #include <QWidget>
 
 class QMenuBar;
-class QLabel;
 
 namespace hexoderm {
 
@@ -55,7 +55,7 @@ class GuideWindow : public QWidget {
   QListWidget* contents_ = new QListWidget;
   GuideBrowser* browser_;
   QLineEdit* search_ = new QLineEdit;
-  QLabel* not_found_;
+  QLabel* not_found_ = new QLabel;
 };
 
 /// The page about what is to be done now.

@@ -109,8 +109,7 @@ QVariant LogModel::headerData(int section, Qt::Orientation orientation, int role
   }
 }
 
-LogView::LogView(const EventLog& log, QWidget* parent)
-    : QWidget(parent), model_(new LogModel(log, this)), count_(new QLabel) {
+LogView::LogView(const EventLog& log, QWidget* parent) : QWidget(parent), model_(new LogModel(log, this)) {
   setObjectName(QStringLiteral("logView"));
   setNames(severity_, QStringLiteral("logSeverity"), tr("Which lines of the log are shown"));
   severity_->addItem(tr("Everything"));

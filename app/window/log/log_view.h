@@ -6,12 +6,11 @@
 
 #include <QAbstractTableModel>
 #include <QComboBox>
+#include <QLabel>
 #include <QLineEdit>
 #include <QTableView>
 #include <QWidget>
 #include <deque>
-
-class QLabel;
 
 namespace hexoderm {
 
@@ -69,7 +68,7 @@ class LogView : public QWidget {
   QComboBox* severity_ = new QComboBox;
   QLineEdit* text_ = new QLineEdit;
   QTableView* table_ = new QTableView;
-  QLabel* count_;
+  QLabel* count_ = new QLabel;
 };
 
 }  // namespace hexoderm

@@ -43,34 +43,22 @@ class PlaceDecisions {
   }
 
   QString useSurface(bool by_surface) {
-    const PatchReconstruction* of = facts_.patch();
-    if (of == nullptr) return {};
-    PatchPlacement placement = facts_.decided(*of);
-    placement.by_surface = by_surface;
-    return decide({placement},
-                  by_surface ? tr("use the surface of the link") : tr("do without the surface of the link"));
+    return change(by_surface ? tr("use the surface of the link") : tr("do without the surface of the link"),
+                  [&](PatchPlacement& placement) { placement.by_surface = by_surface; });
   }
 
   QString addPoint(const KnownPoint& point) {
     const PatchReconstruction* of = facts_.patch();
-    if (of == nullptr) return {};
-    if (of->findCell(point.cell) == nullptr) {
+    if (of != nullptr && of->findCell(point.cell) == nullptr) {
       return tr("Cell %1 is none of this patch.").arg(point.cell.value());
     }
-    PatchPlacement placement = facts_.decided(*of);
-    placement.link = facts_.linkOf(*of);
-    placement.points.push_back(point);
-    return decide({placement}, tr("add a known point"));
+    return change(tr("add a known point"), [&](PatchPlacement& placement) {
+      placement.link = facts_.linkOf(*of);
+      placement.points.push_back(point);
+    });
   }
 
-  QString removePoint(int index) {
-    const PatchReconstruction* of = facts_.patch();
-    if (of == nullptr) return {};
-    PatchPlacement placement = facts_.decided(*of);
-    if (index < 0 || index >= static_cast<int>(placement.points.size())) return {};
-    placement.points.erase(placement.points.begin() + index);
-    return decide({placement}, tr("remove a known point"));
-  }
+  QString removePoint(int index) { return removeAt(&PatchPlacement::points, index, tr("remove a known point")); }
 
   QString addDistance(const KnownDistance& distance) {
     const PatchReconstruction* of = facts_.patch();
@@ -85,19 +73,14 @@ class PlaceDecisions {
           .arg(distance.b.value())
           .arg(QString::fromStdString(facts_.linkOf(*of)));
     }
-    PatchPlacement placement = facts_.decided(*of);
-    placement.link = facts_.linkOf(*of);
-    placement.distances.push_back(distance);
-    return decide({placement}, tr("add a measured distance"));
+    return change(tr("add a measured distance"), [&](PatchPlacement& placement) {
+      placement.link = facts_.linkOf(*of);
+      placement.distances.push_back(distance);
+    });
   }
 
   QString removeDistance(int index) {
-    const PatchReconstruction* of = facts_.patch();
-    if (of == nullptr) return {};
-    PatchPlacement placement = facts_.decided(*of);
-    if (index < 0 || index >= static_cast<int>(placement.distances.size())) return {};
-    placement.distances.erase(placement.distances.begin() + index);
-    return decide({placement}, tr("remove a measured distance"));
+    return removeAt(&PatchPlacement::distances, index, tr("remove a measured distance"));
   }
 
   /// One of the places that were found, by its row; `text` names the edit.
@@ -117,14 +100,30 @@ class PlaceDecisions {
   }
 
   QString takeAway() {
-    const PatchReconstruction* of = facts_.patch();
-    if (of == nullptr) return {};
-    PatchPlacement placement = facts_.decided(*of);
-    placement.place.reset();
-    return decide({placement}, tr("take the patch away"));
+    return change(tr("take the patch away"), [](PatchPlacement& placement) { placement.place.reset(); });
   }
 
  private:
+  template <class Change>
+  QString change(const QString& text, const Change& make) {
+    const PatchReconstruction* of = facts_.patch();
+    if (of == nullptr) return {};
+    PatchPlacement placement = facts_.decided(*of);
+    make(placement);
+    return decide({placement}, text);
+  }
+
+  template <class T>
+  QString removeAt(std::vector<T> PatchPlacement::*list, int index, const QString& text) {
+    const PatchReconstruction* of = facts_.patch();
+    if (of == nullptr) return {};
+    PatchPlacement placement = facts_.decided(*of);
+    std::vector<T>& items = placement.*list;
+    if (index < 0 || index >= static_cast<int>(items.size())) return {};
+    items.erase(items.begin() + index);
+    return decide({placement}, text);
+  }
+
   QString decide(std::vector<PatchPlacement> placements, const QString& text) {
     if (!controller_.session() || !facts_.solved) return {};
     std::vector<SessionEdit> edits;

@@ -13,14 +13,7 @@ class StatusBar : public QStatusBar {
   Q_OBJECT
 
  public:
-  explicit StatusBar(QWidget* parent = nullptr)
-      : QStatusBar(parent),
-        source_(makePart("sourceStatus")),
-        losses_(makePart("lossesStatus")),
-        cells_(makePart("cellsStatus")),
-        solve_(makePart("solveStatus")),
-        said_(makePart("saidStatus")),
-        saved_(makePart("savedStatus")) {
+  explicit StatusBar(QWidget* parent = nullptr) : QStatusBar(parent) {
     setSizeGripEnabled(false);
     for (QLabel* part : {source_, losses_, cells_, solve_}) addWidget(part);
     for (QLabel* part : {said_, saved_}) addPermanentWidget(part);
@@ -61,12 +54,12 @@ class StatusBar : public QStatusBar {
     if (part->isHidden() != text.isEmpty()) part->setVisible(!text.isEmpty());
   }
 
-  QLabel* source_;
-  QLabel* losses_;
-  QLabel* cells_;
-  QLabel* solve_;
-  QLabel* said_;
-  QLabel* saved_;
+  QLabel* source_ = makePart("sourceStatus");
+  QLabel* losses_ = makePart("lossesStatus");
+  QLabel* cells_ = makePart("cellsStatus");
+  QLabel* solve_ = makePart("solveStatus");
+  QLabel* said_ = makePart("saidStatus");
+  QLabel* saved_ = makePart("savedStatus");
   QTimer said_timer_;
 };
 
