@@ -1,29 +1,19 @@
 #pragma once
 
-#include <QLayout>
-#include <QList>
+#include "widgets/controls/item_layout.h"
+
 #include <algorithm>
 
 namespace hexoderm {
 
 /// Widgets one below the other, in as many columns of about the same height as there is room for: down the first
 /// column, then down the next.
-class ColumnLayout : public QLayout {
+class ColumnLayout : public ItemLayout {
   Q_OBJECT
 
  public:
   /// `least_width`: of a column, where there is more than one.
-  explicit ColumnLayout(int least_width, QWidget* parent = nullptr) : QLayout(parent), least_width_(least_width) {}
-  ~ColumnLayout() override { qDeleteAll(items_); }
-
-  void addItem(QLayoutItem* item) override { items_.append(item); }
-  [[nodiscard]] int count() const override { return static_cast<int>(items_.size()); }
-  [[nodiscard]] QLayoutItem* itemAt(int index) const override {
-    return index >= 0 && index < count() ? items_.at(index) : nullptr;
-  }
-
-  QLayoutItem* takeAt(int index) override { return index >= 0 && index < count() ? items_.takeAt(index) : nullptr; }
-  [[nodiscard]] Qt::Orientations expandingDirections() const override { return Qt::Horizontal; }
+  explicit ColumnLayout(int least_width, QWidget* parent = nullptr) : ItemLayout(parent), least_width_(least_width) {}
   [[nodiscard]] bool hasHeightForWidth() const override { return true; }
   [[nodiscard]] int heightForWidth(int width) const override { return arrange(QRect(0, 0, width, 0), false); }
   /// Of one column.
@@ -78,7 +68,6 @@ class ColumnLayout : public QLayout {
   }
 
   int least_width_;
-  QList<QLayoutItem*> items_;
 };
 
 }  // namespace hexoderm

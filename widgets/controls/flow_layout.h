@@ -1,7 +1,7 @@
 #pragma once
 
-#include <QLayout>
-#include <QList>
+#include "widgets/controls/item_layout.h"
+
 #include <QWidget>
 #include <algorithm>
 #include <optional>
@@ -10,28 +10,11 @@ namespace hexoderm {
 
 /// Widgets in a row, from the left; in as many rows as a narrow place needs. There may be a second group of them, at
 /// the right end of the row or beginning one of its own.
-class FlowLayout : public QLayout {
+class FlowLayout : public ItemLayout {
   Q_OBJECT
 
  public:
-  explicit FlowLayout(QWidget* parent = nullptr) : QLayout(parent) {}
-  ~FlowLayout() override { qDeleteAll(items_); }
-
-  /// Items added from now on belong to the second group.
-  void beginSecondGroup() { second_group_ = count(); }
-
-  void addItem(QLayoutItem* item) override { items_.append(item); }
-  [[nodiscard]] int count() const override { return static_cast<int>(items_.size()); }
-  [[nodiscard]] QLayoutItem* itemAt(int index) const override {
-    return index >= 0 && index < count() ? items_.at(index) : nullptr;
-  }
-  QLayoutItem* takeAt(int index) override {
-    if (index < 0 || index >= count()) return nullptr;
-    if (second_group_ && index < *second_group_) --*second_group_;
-    return items_.takeAt(index);
-  }
-
-  [[nodiscard]] Qt::Orientations expandingDirections() const override { return Qt::Horizontal; }
+  explicit FlowLayout(QWidget* parent = nullptr) : ItemLayout(parent) {}
   [[nodiscard]] bool hasHeightForWidth() const override { return true; }
   [[nodiscard]] int heightForWidth(int width) const override { return arrange(QRect(0, 0, width, 0), false); }
   /// All in one row.
@@ -87,23 +70,11 @@ class FlowLayout : public QLayout {
 
   /// Index of the second group's first item; the end, if there is none.
   [[nodiscard]] int firstGroupEnd() const { return second_group_.value_or(count()); }
-  [[nodiscard]] int groupWidth(int first, int end) const {
-    int width = 0;
-    for (int k = first; k < end; ++k) {
-      if (items_.at(k)->isEmpty()) continue;
-      width += items_.at(k)->sizeHint().width() + (width > 0 ? spacing() : 0);
-    }
-    return width;
-  }
-
   /// Width of all items in one row.
   [[nodiscard]] int rowWidth() const {
     const int first = groupWidth(0, firstGroupEnd());
     return second_group_ ? first + kApart + groupWidth(*second_group_, count()) : first;
   }
-
-  QList<QLayoutItem*> items_;
-  std::optional<int> second_group_;
 };
 
 }  // namespace hexoderm

@@ -1,8 +1,8 @@
 #pragma once
 
+#include "widgets/controls/item_layout.h"
+
 #include <QAction>
-#include <QLayout>
-#include <QList>
 #include <QMap>
 #include <QMenu>
 #include <QToolButton>
@@ -14,12 +14,12 @@ namespace hexoderm {
 
 /// Buttons in one row, from the left; those that find no room fold into a menu at its end, the last ones first. There
 /// may be a second group of them, at the right end of a row that is wide enough.
-class FoldingRow : public QLayout {
+class FoldingRow : public ItemLayout {
   Q_OBJECT
 
  public:
   /// `parent`: the widget whose layout this becomes.
-  explicit FoldingRow(QWidget* parent) : QLayout(parent), more_(new QToolButton(parent)) {
+  explicit FoldingRow(QWidget* parent) : ItemLayout(parent), more_(new QToolButton(parent)) {
     more_->setObjectName(QStringLiteral("moreButton"));
     more_->setText(tr("More ▾"));
     more_->setAccessibleName(tr("More"));
@@ -33,27 +33,15 @@ class FoldingRow : public QLayout {
     connect(menu_, &QMenu::aboutToShow, this, &FoldingRow::fillMenu);
   }
 
-  ~FoldingRow() override { qDeleteAll(items_); }
-
-  /// Buttons added from now on belong to the second group.
-  void beginSecondGroup() { second_group_ = count(); }
   /// Opens the menu with what is folded; hidden while nothing is.
   [[nodiscard]] QToolButton* moreButton() const { return more_; }
   [[nodiscard]] bool isFolded(const QWidget* button) const { return folded_.contains(const_cast<QWidget*>(button)); }
 
-  void addItem(QLayoutItem* item) override { items_.append(item); }
-  [[nodiscard]] int count() const override { return static_cast<int>(items_.size()); }
-  [[nodiscard]] QLayoutItem* itemAt(int index) const override {
-    return index >= 0 && index < count() ? items_.at(index) : nullptr;
-  }
   QLayoutItem* takeAt(int index) override {
-    if (index < 0 || index >= count()) return nullptr;
-    if (second_group_ && index < *second_group_) --*second_group_;
-    folded_.remove(items_.at(index)->widget());
-    return items_.takeAt(index);
+    if (index >= 0 && index < count()) folded_.remove(items_.at(index)->widget());
+    return ItemLayout::takeAt(index);
   }
 
-  [[nodiscard]] Qt::Orientations expandingDirections() const override { return Qt::Horizontal; }
   /// All unfolded.
   [[nodiscard]] QSize sizeHint() const override {
     const QMargins margins = contentsMargins();
@@ -105,15 +93,6 @@ class FoldingRow : public QLayout {
     return height;
   }
 
-  [[nodiscard]] int groupWidth(int first, int end) const {
-    int width = 0;
-    for (int k = first; k < end; ++k) {
-      if (items_.at(k)->isEmpty()) continue;
-      width += items_.at(k)->sizeHint().width() + (width > 0 ? spacing() : 0);
-    }
-    return width;
-  }
-
   /// Of the first `shown` buttons.
   [[nodiscard]] int widthOf(int shown) const {
     const int boundary = std::min(shown, second_group_.value_or(shown));
@@ -156,8 +135,6 @@ class FoldingRow : public QLayout {
     }
   }
 
-  QList<QLayoutItem*> items_;
-  std::optional<int> second_group_;
   QMap<QWidget*, Qt::FocusPolicy> folded_;  ///< with the policy that it has otherwise
   QToolButton* more_;
   QMenu* menu_ = new QMenu(more_);

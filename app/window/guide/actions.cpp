@@ -27,11 +27,11 @@ void allow(QAction* action, const QString& why_not) {
 QString purposeOf(const QAction& action) { return action.property(kPurpose).toString(); }
 
 QAction* WindowActions::make(const char* name, const QString& text, const QString& purpose,
-                             const QList<QKeySequence>& keys) const {
+                             const QList<QKeySequence>& shortcuts) const {
   auto* action = new QAction(text, owner_);
   action->setObjectName(QLatin1String(name));
   action->setProperty(kPurpose, purpose);
-  action->setShortcuts(keys);
+  action->setShortcuts(shortcuts);
   owner_->addAction(action);
   allow(action, {});
   return action;

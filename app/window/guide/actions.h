@@ -166,7 +166,7 @@ class WindowActions {
 
  private:
   QAction* make(const char* name, const QString& text, const QString& purpose,
-                const QList<QKeySequence>& keys = {}) const;
+                const QList<QKeySequence>& shortcuts = {}) const;
   [[nodiscard]] static QString whyNoSession(const SessionController& controller);
   void refreshCapture(const SessionController& controller, const QString& no_session);
   void refreshSolving(const SessionController& controller);
