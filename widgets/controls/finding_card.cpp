@@ -7,11 +7,7 @@
 #include "widgets/words/words.h"
 
 #include <QHBoxLayout>
-#include <QLabel>
 #include <QPainter>
-#include <QPushButton>
-#include <QToolButton>
-#include <QVBoxLayout>
 #include <algorithm>
 
 namespace hexoderm {

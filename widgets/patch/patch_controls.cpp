@@ -5,7 +5,6 @@
 #include "widgets/patch/cut_bar.h"
 #include "widgets/patch/patch_words.h"
 
-#include <QAction>
 #include <QActionGroup>
 #include <QMenu>
 #include <QResizeEvent>

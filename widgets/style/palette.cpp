@@ -10,7 +10,6 @@
 #include <QLineF>
 #include <QPainter>
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 namespace hexoderm {

@@ -1,7 +1,5 @@
 #include "widgets/tables/reconstruction_table.h"
 
-#include <utility>
-
 namespace hexoderm {
 
 void ReconstructionTable::setReconstruction(std::shared_ptr<const Reconstruction> reconstruction) {

@@ -16,10 +16,7 @@
 #include <QHeaderView>
 #include <QLabel>
 #include <QPainter>
-#include <QStackedWidget>
 #include <QStyledItemDelegate>
-#include <QTableView>
-#include <QToolButton>
 #include <QVBoxLayout>
 #include <algorithm>
 

@@ -9,15 +9,10 @@
 #include "widgets/words/words.h"
 
 #include <QButtonGroup>
-#include <QComboBox>
-#include <QDoubleSpinBox>
 #include <QGridLayout>
 #include <QHBoxLayout>
 #include <QLabel>
-#include <QPushButton>
 #include <QSignalBlocker>
-#include <QSpinBox>
-#include <QToolButton>
 #include <algorithm>
 #include <initializer_list>
 #include <limits>

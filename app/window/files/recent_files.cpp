@@ -18,7 +18,6 @@
 #include <QPointer>
 #include <QSettings>
 #include <QToolButton>
-#include <QVBoxLayout>
 #include <QVariant>
 #include <algorithm>
 #include <utility>

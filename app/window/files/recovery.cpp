@@ -19,7 +19,6 @@
 #include <QMetaObject>
 #include <QPointer>
 #include <QPushButton>
-#include <QVBoxLayout>
 #include <QVariant>
 #include <algorithm>
 #include <filesystem>

@@ -3,8 +3,6 @@
 #include "hexoderm/reconstruction/advice/assess.h"
 #include "widgets/words/words.h"
 
-#include <QMenu>
-
 namespace hexoderm {
 namespace {
 

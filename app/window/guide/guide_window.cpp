@@ -10,9 +10,6 @@
 #include <QEvent>
 #include <QFile>
 #include <QHBoxLayout>
-#include <QLabel>
-#include <QLineEdit>
-#include <QListWidget>
 #include <QScrollBar>
 #include <QSplitter>
 #include <QTextBlock>

@@ -18,7 +18,6 @@
 #include <QVBoxLayout>
 #include <QVariant>
 #include <algorithm>
-#include <vector>
 
 namespace hexoderm {
 namespace {

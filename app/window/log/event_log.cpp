@@ -10,8 +10,6 @@
 #include <QStandardPaths>
 #include <algorithm>
 #include <condition_variable>
-#include <deque>
-#include <mutex>
 #include <thread>
 #include <utility>
 

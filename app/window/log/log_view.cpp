@@ -5,16 +5,12 @@
 #include "widgets/style/of_enum.h"
 #include "widgets/words/formatting.h"
 
-#include <QComboBox>
 #include <QDateTime>
 #include <QEvent>
 #include <QHeaderView>
-#include <QLabel>
-#include <QLineEdit>
 #include <QLocale>
 #include <QPushButton>
 #include <QScrollBar>
-#include <QTableView>
 #include <QVBoxLayout>
 #include <algorithm>
 

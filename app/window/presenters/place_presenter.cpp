@@ -9,7 +9,6 @@
 #include <QDir>
 #include <QFileInfo>
 #include <algorithm>
-#include <utility>
 
 namespace hexoderm {
 namespace {
