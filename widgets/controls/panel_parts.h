@@ -1,5 +1,6 @@
 #pragma once
 
+#include <QComboBox>
 #include <QGridLayout>
 #include <QHeaderView>
 #include <QLabel>
@@ -45,6 +46,18 @@ inline void setPlainParagraph(QLabel* label) {
   label->setTextFormat(Qt::PlainText);
 }
 
+/// Grey, and then it says why.
+inline void enable(QWidget* control, bool can, const QString& purpose, const QString& why_not) {
+  control->setEnabled(can);
+  control->setToolTip(can ? purpose : why_not);
+}
+
+/// In a narrow panel, however long its texts are.
+inline void makeNarrow(QComboBox* box) {
+  box->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+  box->setMinimumContentsLength(8);
+}
+
 inline void makeBold(QWidget* widget) {
   QFont bold = widget->font();
   bold.setBold(true);
@@ -56,6 +69,14 @@ inline QLabel* labelFor(QWidget* field, const QString& text) {
   auto* label = new QLabel(text);
   label->setBuddy(field);
   return label;
+}
+
+/// For two fields in a row, each with its label.
+inline QGridLayout* gridOfFields() {
+  auto* grid = new QGridLayout;
+  grid->setColumnStretch(1, 1);
+  grid->setColumnStretch(3, 1);
+  return grid;
 }
 
 /// A field over so many columns, with its label at its left.

@@ -4,6 +4,7 @@
 #include "widgets/controls/panel_parts.h"
 #include "widgets/controls/selection.h"
 #include "widgets/controls/typed_values.h"
+#include "widgets/style/of_enum.h"
 #include "widgets/tables/joint_table_view.h"
 
 #include <QCheckBox>
@@ -115,11 +116,6 @@ void fillChoices(QComboBox* box, const std::vector<PlaceStand::Choice>& choices,
   box->setCurrentIndex(box->findData(current));
 }
 
-void makeNarrow(QComboBox* box) {
-  box->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
-  box->setMinimumContentsLength(8);
-}
-
 }  // namespace
 
 PlacePanel::PlacePanel(Selection* selection, QWidget* parent)
@@ -159,19 +155,7 @@ PlacePanel::PlacePanel(Selection* selection, QWidget* parent)
   setStand({});
 }
 
-VerifySection* PlacePanel::section(PlaceWork work) const {
-  switch (work) {
-    case PlaceWork::Robot:
-      return robot_;
-    case PlaceWork::Joints:
-      return joints_;
-    case PlaceWork::Links:
-      return link_;
-    case PlaceWork::Places:
-      break;
-  }
-  return places_;
-}
+VerifySection* PlacePanel::section(PlaceWork work) const { return ofEnum(work, {robot_, joints_, link_, places_}); }
 
 void PlacePanel::buildRobot() {
   choose_robot_ = namedField(new QPushButton(tr("Choose URDF…")), "placeChooseRobot", tr("Choose the robot's URDF"));
@@ -274,9 +258,7 @@ void PlacePanel::buildPoint() {
   pick_->setCheckable(true);
   pick_->setToolTip(tr("The next click on the robot fills in x, y and z"));
   add_point_ = namedField(new QPushButton(tr("Add point")), "placeAddPoint", tr("Add the known point"));
-  auto* grid = new QGridLayout;
-  grid->setColumnStretch(1, 1);
-  grid->setColumnStretch(3, 1);
+  QGridLayout* grid = gridOfFields();
   addField(grid, 0, 0, tr("Cell"), point_cell_);
   addField(grid, 0, 2, tr("±"), point_sigma_mm_);
   const std::array<QString, 3> axes = {tr("x"), tr("y"), tr("z")};
@@ -307,9 +289,7 @@ void PlacePanel::buildDistance() {
   distance_sigma_mm_ = lengthField("placeDistanceSigma", tr("Uncertainty of the distance, 1 sigma"), 0.1);
   distance_sigma_mm_->setValue(1);
   add_distance_ = namedField(new QPushButton(tr("Add distance")), "placeAddDistance", tr("Add the measured distance"));
-  auto* grid = new QGridLayout;
-  grid->setColumnStretch(1, 1);
-  grid->setColumnStretch(3, 1);
+  QGridLayout* grid = gridOfFields();
   addField(grid, 0, 0, tr("Cell"), from_cell_);
   addField(grid, 0, 2, tr("to"), to_cell_);
   addField(grid, 1, 0, tr("is"), distance_mm_, 3);
@@ -416,32 +396,23 @@ void PlacePanel::refreshControls() {
                                 : stand_.why_not);
   package_->setVisible(has_robot);
   remove_robot_->setVisible(can && stand_.names_robot);
-  choose_joints_->setEnabled(has_robot);
-  choose_joints_->setToolTip(has_robot ? tr("A line for each pose, a column for each joint, with its unit")
-                                       : tr("Choose the robot first: its joints have the names of the columns"));
+  enable(choose_joints_, has_robot, tr("A line for each pose, a column for each joint, with its unit"),
+         tr("Choose the robot first: its joints have the names of the columns"));
   joints_->setVisible(has_robot);
   patch_->setVisible(has_robot);
   link_->setVisible(has_robot);
   known_->setVisible(has_link);
   places_->setVisible(has_link);
-  by_surface_->setEnabled(stand_.has_surface);
-  by_surface_->setToolTip(stand_.has_surface ? QString() : tr("The robot's description holds no surface of this link"));
+  enable(by_surface_, stand_.has_surface, {}, tr("The robot's description holds no surface of this link"));
   remove_known_->setVisible(known_list_->count() > 0);
-  const bool picked = known_list_->currentRow() >= 0;
-  remove_known_->setEnabled(picked);
-  remove_known_->setToolTip(picked ? QString() : tr("Pick a point or a distance in the list first"));
-  const bool measured = distance_mm_->value() > 0;
-  add_distance_->setEnabled(measured);
-  add_distance_->setToolTip(measured ? QString() : tr("Type the measured distance first"));
+  enable(remove_known_, known_list_->currentRow() >= 0, {}, tr("Pick a point or a distance in the list first"));
+  enable(add_distance_, distance_mm_->value() > 0, {}, tr("Type the measured distance first"));
   remove_place_->setVisible(stand_.is_placed);
-  look_->setEnabled(stand_.is_drawn);
-  look_->setToolTip(stand_.is_drawn ? tr("The picture shows the cells of the patch with their numbers")
-                                    : tr("The patch is drawn once its place is known"));
-  move_->setEnabled(stand_.can_move);
-  move_->setToolTip(
-      stand_.can_move
-          ? tr("In the picture the mouse pulls the patch over the link at any time; this is for the keyboard")
-          : tr("A patch is moved over the surface of its link, which has to be known and used"));
+  enable(look_, stand_.is_drawn, tr("The picture shows the cells of the patch with their numbers"),
+         tr("The patch is drawn once its place is known"));
+  enable(move_, stand_.can_move,
+         tr("In the picture the mouse pulls the patch over the link at any time; this is for the keyboard"),
+         tr("A patch is moved over the surface of its link, which has to be known and used"));
   if (!has_link && pick_->isChecked()) pick_->setChecked(false);
 }
 

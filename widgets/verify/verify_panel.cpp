@@ -97,8 +97,7 @@ VerifyPanel::VerifyPanel(Selection* selection, QWidget* parent)
 
 void VerifyPanel::buildHoldOut() {
   setNames(pose_, QStringLiteral("holdOutPose"), tr("Pose that is held out"));
-  pose_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
-  pose_->setMinimumContentsLength(8);
+  makeNarrow(pose_);
   run_->setObjectName(QStringLiteral("holdOutRun"));
   // Names of poses are long in some languages.
   hold_out_->addRow()->addWidget(pose_, 1);
@@ -165,9 +164,7 @@ void VerifyPanel::buildCaliper() {
   distance_mm_->setKeyboardTracking(false);
   letTypingReplaceSpecialText(distance_mm_);
   connect(distance_mm_, qOverload<double>(&QDoubleSpinBox::valueChanged), this, &VerifyPanel::checkCaliper);
-  auto* grid = new QGridLayout;
-  grid->setColumnStretch(1, 1);
-  grid->setColumnStretch(3, 1);
+  QGridLayout* grid = gridOfFields();
   addField(grid, 0, 0, tr("From cell"), first_);
   addField(grid, 0, 2, tr("to"), second_);
   addField(grid, 1, 0, tr("Measured"), distance_mm_, 3);
@@ -236,8 +233,7 @@ void VerifyPanel::buildOldCalibration() {
   setNames(choose_old_, QStringLiteral("oldCalibrationChoose"), tr("Choose the file of the old calibration"));
   setNames(drop_old_, QStringLiteral("oldCalibrationRemove"), tr("Remove the old calibration"));
   setNames(old_poses_, QStringLiteral("oldCalibrationPoses"), tr("Poses that the old calibration is compared with"));
-  old_poses_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
-  old_poses_->setMinimumContentsLength(8);
+  makeNarrow(old_poses_);
   old_poses_->addItem(tr("The newest pose"), 1);
   for (int count = kUsualPoses; count <= kUsualPoses + 1; ++count) {
     old_poses_->addItem(tr("The newest %1 poses").arg(count), count);
@@ -347,33 +343,27 @@ void VerifyPanel::refreshControls() {
   const int kind = kind_->currentData().toInt();
   const bool round = kind == kAnySurface || kind == static_cast<int>(SurfaceKind::Cylinder) ||
                      kind == static_cast<int>(SurfaceKind::Sphere);
-  kind_->setEnabled(reconstruction_ != nullptr);
-  kind_->setToolTip(reconstruction_ ? tr("Fitted through the centres of the cells") : no_skin);
+  const bool has_skin = reconstruction_ != nullptr;
+  enable(kind_, has_skin, tr("Fitted through the centres of the cells"), no_skin);
   radius_mm_->setEnabled(reconstruction_ && round);
   radius_mm_->setToolTip(round ? tr("Known from a drawing or measured: the fit is then compared with it")
                                : tr("Only a cylinder and a sphere have one radius to compare with."));
-  choose_->setEnabled(reconstruction_ != nullptr);
-  choose_->setToolTip(reconstruction_ ? tr("A calibration, or a session that is then solved") : no_skin);
+  enable(choose_, has_skin, tr("A calibration, or a session that is then solved"), no_skin);
   drop_->setVisible(compares_);
   refreshOldCalibration(no_skin);
   for (QWidget* field : std::initializer_list<QWidget*>{first_, second_, distance_mm_}) {
-    field->setEnabled(reconstruction_ != nullptr);
-    field->setToolTip(reconstruction_ ? tr("Cells far apart, across the bend, tell most") : no_skin);
+    enable(field, has_skin, tr("Cells far apart, across the bend, tell most"), no_skin);
   }
 }
 
 void VerifyPanel::refreshOldCalibration(const QString& no_skin) {
-  QString why;
-  if (!reconstruction_) {
-    why = no_skin;
-  } else if (!has_readings_) {
-    why = tr("A calibration file holds no readings: open a session with the poses of today.");
-  }
-  choose_old_->setEnabled(why.isEmpty());
-  choose_old_->setToolTip(why.isEmpty() ? tr("A calibration, or a session that is then solved") : why);
-  old_poses_->setEnabled(why.isEmpty());
-  old_poses_->setToolTip(
-      why.isEmpty() ? tr("Choose those that were taken since the calibration; disabled ones don't count") : why);
+  const QString why = !reconstruction_ ? no_skin
+                      : has_readings_
+                          ? QString()
+                          : tr("A calibration file holds no readings: open a session with the poses of today.");
+  enable(choose_old_, why.isEmpty(), tr("A calibration, or a session that is then solved"), why);
+  enable(old_poses_, why.isEmpty(), tr("Choose those that were taken since the calibration; disabled ones don't count"),
+         why);
   drop_old_->setVisible(!old_calibration_.isEmpty());
   // A grey button alone would leave open why.
   if (old_calibration_.isEmpty()) old_->setSentence({Tone::Neutral, reconstruction_ ? why : QString()});
