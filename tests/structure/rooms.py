@@ -26,8 +26,8 @@ HALLS = {
     "core/hexoderm/robot": "parts < links < place",
     "widgets": "style < words < {controls, coloring} < {tables, capture, graph, plot, scene} < {verify, patch} < robot",
     "app": "{cli, emulator, python, window}",
-    "app/window": "{files, toolkit} < {settings, report} < session < {guide, dialogs, log} < presenters < main_window"
-                  " < main",
+    "app/window": "{files, toolkit} < {settings, report} < session < {guide, dialogs, log} < views < presenters"
+                  " < main_window < main",
 }
 
 # Folders with sources that are no part of the program's own tree.

@@ -5,6 +5,7 @@
 #include "widgets/capture/hold_ring.h"
 #include "widgets/capture/live_strip.h"
 #include "widgets/controls/action_button.h"
+#include "widgets/controls/panel_parts.h"
 #include "widgets/controls/toggle_switch.h"
 #include "widgets/words/formatting.h"
 #include "widgets/words/words.h"
@@ -14,7 +15,6 @@
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QResizeEvent>
-#include <QTimer>
 #include <QVBoxLayout>
 #include <algorithm>
 #include <cmath>
@@ -34,8 +34,7 @@ constexpr double kSideBySideAtLines = 40;
 QLabel* wrappedLabel(const char* object_name, QWidget* parent) {
   auto* label = new QLabel(parent);
   label->setObjectName(QLatin1String(object_name));
-  label->setWordWrap(true);
-  label->setTextFormat(Qt::PlainText);
+  setPlainParagraph(label);
   return label;
 }
 
@@ -57,10 +56,8 @@ CapturePanel::CapturePanel(const Actions& actions, QWidget* parent)
       ring_(new HoldRing(this)),
       wait_(wrappedLabel("captureWait", this)),
       odd_(wrappedLabel("captureOdd", this)),
-      remark_(wrappedLabel("captureRemark", this)),
-      captured_timer_(new QTimer(this)) {
-  setObjectName(QStringLiteral("capturePanel"));
-  setAccessibleName(tr("Capturing poses"));
+      remark_(wrappedLabel("captureRemark", this)) {
+  setNames(this, QStringLiteral("capturePanel"), tr("Capturing poses"));
   for (QLabel* label : {why_, sigma_, odd_}) label->setProperty("muted", true);
   captured_timer_->setSingleShot(true);
   captured_timer_->setInterval(kCapturedShown_ms);
@@ -69,12 +66,10 @@ CapturePanel::CapturePanel(const Actions& actions, QWidget* parent)
     refresh();
   });
 
-  auto* words = new QVBoxLayout;
-  words->setSpacing(6);
+  auto* words = spaced(new QVBoxLayout, 6);
   for (QLabel* label : {what_, turn_, why_, sigma_}) words->addWidget(label);
   words->addStretch(1);
-  auto* doing = new QVBoxLayout;
-  doing->setSpacing(6);
+  auto* doing = spaced(new QVBoxLayout, 6);
   doing->addWidget(ring_);
   for (QLabel* label : {wait_, remark_, odd_}) doing->addWidget(label);
   if (actions.automatic) doing->addWidget(makeSwitch(actions.automatic), 0, Qt::AlignLeft);
@@ -123,10 +118,8 @@ QWidget* CapturePanel::makeButton(QAction* action, const char* object_name) {
   };
   connect(action, &QAction::changed, key, follow);
   follow();
-  auto* layout = new QHBoxLayout(row);
-  layout->setContentsMargins(0, 0, 0, 0);
-  layout->addWidget(button);
-  layout->addWidget(key);
+  auto* layout = spaced(new QHBoxLayout(row), {0, 0, 0, 0});
+  addWidgets(layout, {button, key});
   return row;
 }
 

@@ -4,6 +4,7 @@
 #include "hexoderm/device/skin_source.h"
 #include "hexoderm/reconstruction/advice/pose_coverage.h"
 
+#include <QTimer>
 #include <QWidget>
 #include <optional>
 #include <vector>
@@ -11,7 +12,6 @@
 class QAction;
 class QBoxLayout;
 class QLabel;
-class QTimer;
 
 namespace hexoderm {
 
@@ -74,7 +74,7 @@ class CapturePanel : public QWidget {
   QLabel* wait_;
   QLabel* odd_;
   QLabel* remark_;
-  QTimer* captured_timer_;
+  QTimer* captured_timer_ = new QTimer(this);
   std::optional<SourceStatus> source_;
   HoldStatus hold_;
   std::optional<NextPose> next_;

@@ -3,7 +3,6 @@
 #include "hexoderm/util/units.h"
 
 #include <QBuffer>
-#include <QByteArray>
 #include <QThread>
 #include <QtEndian>
 #include <algorithm>

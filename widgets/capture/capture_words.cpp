@@ -2,6 +2,7 @@
 
 #include "hexoderm/reconstruction/advice/assess.h"
 #include "hexoderm/util/units.h"
+#include "widgets/style/of_enum.h"
 #include "widgets/style/palette.h"
 #include "widgets/words/formatting.h"
 
@@ -27,19 +28,8 @@ QString degreesPerSecond(double rate_rad_s) {
 }
 
 QString kindInWords(OddCellKind kind) {
-  switch (kind) {
-    case OddCellKind::Dead:
-      return CaptureWords::tr("reads no gravity");
-    case OddCellKind::Stuck:
-      return CaptureWords::tr("stuck");
-    case OddCellKind::Noisy:
-      return CaptureWords::tr("noisy");
-    case OddCellKind::Restless:
-      return CaptureWords::tr("turns by itself");
-    case OddCellKind::Silent:
-      return CaptureWords::tr("silent");
-  }
-  return {};
+  return ofEnum(kind, {CaptureWords::tr("reads no gravity"), CaptureWords::tr("stuck"), CaptureWords::tr("noisy"),
+                       CaptureWords::tr("turns by itself"), CaptureWords::tr("silent")});
 }
 
 double roundedTurn_deg(const PartTurn& turn) {

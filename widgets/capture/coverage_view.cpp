@@ -70,281 +70,258 @@ struct CoverageView::Parts {
   /// Diameter of the discs, if it is the width that limits it: signs on their rims are neither cut nor on both.
   [[nodiscard]] double acrossOf(double width) const { return (width - 4 * nowSign() - 2) / 2; }
   [[nodiscard]] bool isEmpty() const { return coverage.seen.empty() && coverage.unplaced.empty() && !coverage.missing; }
-  [[nodiscard]] double legendWidth() const;
+  double legendWidth() const {
+    const QFontMetrics metrics = view->fontMetrics();
+    return metrics.horizontalAdvance(nowName()) + metrics.horizontalAdvance(nextName()) + 2 * (line() + kSignGap) +
+           line();
+  }
+
   /// Between the centres of the discs, so that the legend stands between their names.
-  [[nodiscard]] double apartForLegend() const;
-  [[nodiscard]] QString words() const;
-  [[nodiscard]] double wordsHeight(int width) const;
-  [[nodiscard]] double heightOf(const QString& text, int width) const;
-  [[nodiscard]] double belowDiscs(int width) const;
+  double apartForLegend() const {
+    const QFontMetrics metrics = view->fontMetrics();
+    const int widest = std::max(metrics.horizontalAdvance(frontName()), metrics.horizontalAdvance(backName()));
+    return legendWidth() + widest + 1.2 * line();
+  }
+
+  QString words() const {
+    if (!isEmpty()) return missingInWords(coverage, next);
+    return awaited.isEmpty() ? empty_hint : awaited;
+  }
+
+  double wordsHeight(int width) const { return words().isEmpty() ? 0 : heightOf(words(), width); }
+  double heightOf(const QString& text, int width) const {
+    const QRect room(0, 0, std::max(1, width - 2 * kMargin), 10000);
+    return view->fontMetrics().boundingRect(room, Qt::TextWordWrap, text).height() + 4;
+  }
+
+  double belowDiscs(int width) const {
+    const double legend = apartForLegend() <= width / 2.0 ? 0 : 1.1 * line();
+    return namesGap() + legend + 1.3 * line() + 3 * gaugeStep() + (isEmpty() ? 0 : 1.3 * line()) + wordsHeight(width);
+  }
+
   /// With the longest of the usual sentences, whatever is said just now: the panels around this one stay where they
   /// are.
-  [[nodiscard]] double mostBelowDiscs(int width) const;
-  [[nodiscard]] Layout layout() const;
-  [[nodiscard]] QPointF place(const Layout& layout, const Eigen::Vector3d& up_o) const;
-  [[nodiscard]] const SeenDirection* at(const QPointF& point) const;
-  [[nodiscard]] QRect aroundCurrent() const;
+  double mostBelowDiscs(int width) const {
+    const double longer = heightOf(longMissingInWords(), width) - wordsHeight(width);
+    return belowDiscs(width) + (isEmpty() ? 1.3 * line() : 0) + std::max(0.0, longer);
+  }
 
-  void changed();
+  Layout layout() const {
+    const double width = view->width();
+    const double across = acrossOf(width);
+    const double top = nowSign() + 1;
+    const double high = view->height() - belowDiscs(view->width()) - top - kBottom;
+    Layout layout;
+    layout.radius = 0.5 * std::max(kLeastDisc, std::min({across, high, kMostDisc}));
+    const double apart =
+        std::max(2 * layout.radius + 2 * nowSign(), std::min(width - 2 * (nowSign() + 1) - 2 * layout.radius,
+                                                             std::max(3 * layout.radius, apartForLegend() + line())));
+    const double y = top + layout.radius;
+    layout.centers = {QPointF(width / 2 - apart / 2, y), QPointF(width / 2 + apart / 2, y)};
+    layout.names_top = y + layout.radius + namesGap();
+    layout.legend_top = layout.names_top + (apartForLegend() <= width / 2 ? 0 : 1.1 * line());
+    layout.gauges_top = layout.legend_top + 1.3 * line();
+    layout.words_top = layout.gauges_top + 3 * gaugeStep();
+    return layout;
+  }
+
+  QPointF place(const Layout& layout, const Eigen::Vector3d& up_o) const {
+    const DiscPoint point = onDisc(up_o);
+    const QPointF& center = layout.centers.at(point.side == Hemisphere::Front ? 0 : 1);
+    return center + layout.radius * QPointF(point.at.x(), -point.at.y());
+  }
+
+  const SeenDirection* at(const QPointF& point) const {
+    const Layout where = layout();
+    // The last drawn is on top.
+    for (auto seen = coverage.seen.rbegin(); seen != coverage.seen.rend(); ++seen) {
+      const QPointF away = point - place(where, seen->up_o);
+      if (std::hypot(away.x(), away.y()) <= mark() + 2) return &*seen;
+    }
+    return nullptr;
+  }
+
+  QRect aroundCurrent() const {
+    if (!current) return {};
+    const double reach = nowSign() + 4;
+    const QPointF center = place(layout(), *current);
+    return QRectF(center.x() - reach, center.y() - reach, 2 * reach, 2 * reach).toAlignedRect();
+  }
+
+  void changed() {
+    is_stale = true;
+    view->update();
+  }
+
   /// The words have changed, and with them the room that they need.
-  void sayAnew();
-  void paintStill();
-  void paintDisc(QPainter& painter, const Layout& layout, std::size_t side) const;
-  void paintPoses(QPainter& painter, const Layout& layout) const;
-  void paintNext(QPainter& painter, const QPointF& center, double radius) const;
-  void paintCurrent(QPainter& painter, const QPointF& center, double size) const;
-  void paintLegend(QPainter& painter, const Layout& layout) const;
-  void paintGauges(QPainter& painter, const Layout& layout) const;
-  void paintWords(QPainter& painter, const Layout& layout) const;
+  void sayAnew() {
+    view->setAccessibleDescription(coverageInWords(coverage, next));
+    const double height = mostBelowDiscs(view->width());
+    if (std::exchange(said_height, height) != height) view->updateGeometry();
+    changed();
+  }
+
+  void paintStill() {
+    const qreal ratio = view->devicePixelRatioF();
+    still = QPixmap(view->size() * ratio);
+    still.setDevicePixelRatio(ratio);
+    still.fill(Qt::transparent);
+    is_stale = false;
+    QPainter painter(&still);
+    painter.setRenderHint(QPainter::Antialiasing);
+    painter.setFont(view->font());
+    const Layout where = layout();
+    paintDisc(painter, where, 0);
+    paintDisc(painter, where, 1);
+    if (next) paintNext(painter, place(where, *next), mark() + 3);
+    paintPoses(painter, where);
+    paintLegend(painter, where);
+    paintGauges(painter, where);
+    paintWords(painter, where);
+  }
+
+  void paintDisc(QPainter& painter, const Layout& layout, std::size_t side) const {
+    const QPointF& center = layout.centers.at(side);
+    painter.setPen(QPen(colors().border, 1));
+    painter.setBrush(colors().panel_active);
+    painter.drawEllipse(center, layout.radius, layout.radius);
+    painter.setBrush(Qt::NoBrush);
+    for (const double angle_deg : kCircles_deg) {
+      const double radius = layout.radius * discRadius(angle_deg * kDegree);
+      painter.drawEllipse(center, radius, radius);
+    }
+    painter.drawLine(center - QPointF(layout.radius, 0), center + QPointF(layout.radius, 0));
+    painter.drawLine(center - QPointF(0, layout.radius), center + QPointF(0, layout.radius));
+    painter.setPen(colors().text_muted);
+    painter.drawText(QRectF(center.x() - layout.radius, layout.names_top, 2 * layout.radius, line()), Qt::AlignCenter,
+                     side == 0 ? frontName() : backName());
+  }
+
+  void paintPoses(QPainter& painter, const Layout& layout) const {
+    const QColor full = linkStroke(EdgeQuality::Fully, theme()).color;
+    QFont small = view->font();
+    small.setPointSizeF(0.8 * small.pointSizeF());
+    small.setBold(true);
+    painter.save();
+    painter.setFont(small);
+    for (const SeenDirection& seen : coverage.seen) {
+      const QPointF center = place(layout, seen.up_o);
+      painter.setPen(seen.enabled ? QPen(colors().panel, 1) : QPen(colors().text_muted, 1.2, Qt::DotLine));
+      painter.setBrush(seen.enabled ? full : colors().panel);
+      painter.drawEllipse(center, mark(), mark());
+      const QColor& on_full = theme() == Theme::Dark ? colors().accent_text : colors().text;
+      painter.setPen(seen.enabled ? on_full : colors().text_muted);
+      painter.drawText(QRectF(center.x() - 20, center.y() - 20, 40, 40), Qt::AlignCenter,
+                       QString::number(seen.pose.value()));
+      if (seen.pose != picked) continue;
+      painter.setBrush(Qt::NoBrush);
+      painter.setPen(QPen(colors().selection, 2));
+      painter.drawEllipse(center, mark() + 2, mark() + 2);
+    }
+    painter.restore();
+  }
+
+  void paintNext(QPainter& painter, const QPointF& center, double radius) const {
+    painter.setBrush(Qt::NoBrush);
+    painter.setPen(QPen(colors().accent, 2, Qt::DashLine));
+    painter.drawEllipse(center, radius, radius);
+    painter.setPen(Qt::NoPen);
+    painter.setBrush(colors().accent);
+    painter.drawEllipse(center, 2, 2);
+  }
+
+  void paintCurrent(QPainter& painter, const QPointF& center, double size) const {
+    const std::array<QPointF, 4> diamond = {center + QPointF(0, -size), center + QPointF(size, 0),
+                                            center + QPointF(0, size), center + QPointF(-size, 0)};
+    painter.setBrush(Qt::NoBrush);
+    for (const QPen& pen : {QPen(colors().panel, 3), QPen(colors().text, 2)}) {
+      painter.setPen(pen);
+      painter.drawPolygon(diamond.data(), 4);
+    }
+  }
+
+  void paintLegend(QPainter& painter, const Layout& layout) const {
+    const QFontMetrics metrics = view->fontMetrics();
+    const std::array<QString, 2> names = {nowName(), nextName()};
+    const double sign = line();
+    double x = (view->width() - legendWidth()) / 2;
+    const double y = layout.legend_top + 0.5 * line();
+    for (std::size_t k = 0; k < names.size(); ++k) {
+      const QPointF center(x + 0.5 * sign, y);
+      if (k == 0) {
+        paintCurrent(painter, center, 0.42 * line());
+      } else {
+        paintNext(painter, center, 0.38 * line());
+      }
+      painter.setPen(colors().text_muted);
+      const double advance = metrics.horizontalAdvance(names.at(k));
+      painter.drawText(QRectF(x + sign + kSignGap, y - 0.5 * line(), advance + 2, line()),
+                       Qt::AlignLeft | Qt::AlignVCenter, names.at(k));
+      x += sign + kSignGap + advance + line();
+    }
+  }
+
+  void paintGauges(QPainter& painter, const Layout& layout) const {
+    const QFontMetrics metrics = view->fontMetrics();
+    const std::array<QString, 3> names = {CoverageView::tr("1st"), CoverageView::tr("2nd"), CoverageView::tr("3rd")};
+    int names_width = 0;
+    for (const QString& each : names) names_width = std::max(names_width, metrics.horizontalAdvance(each));
+    const double left = kMargin + names_width + 10;
+    const double value_width = metrics.horizontalAdvance(QStringLiteral("✓ 00.00"));
+    const double bar = std::max(20.0, view->width() - left - kMargin - value_width - 10);
+    // The mark stays where it is from pose to pose; a value beyond the end fills the bar.
+    const double scale = 4 * coverage.threshold;
+    const double thick = 0.42 * line();
+    for (int k = 0; k < 3; ++k) {
+      const double value = coverage.singular_values(k);
+      const bool reached = value >= coverage.threshold;
+      const double top = layout.gauges_top + k * gaugeStep();
+      const double middle = top + 0.5 * line();
+      painter.setPen(colors().text_muted);
+      painter.drawText(QRectF(kMargin, top, left, line()), Qt::AlignLeft | Qt::AlignVCenter,
+                       names.at(static_cast<std::size_t>(k)));
+      painter.setPen(Qt::NoPen);
+      painter.setBrush(colors().border);
+      painter.drawRoundedRect(QRectF(left, middle - thick / 2, bar, thick), 2, 2);
+      // A value below its limit is hatched as well as of another hue.
+      const QColor hue = linkStroke(reached ? EdgeQuality::Fully : EdgeQuality::Partially, theme()).color;
+      const QRectF filled(left, middle - thick / 2, std::clamp(bar * value / scale, 2.0, bar), thick);
+      painter.setBrush(reached ? QBrush(hue) : QBrush(hue, Qt::BDiagPattern));
+      if (!reached) painter.setPen(QPen(hue, 1));
+      if (value > kNoValue) painter.drawRoundedRect(filled, 2, 2);
+      const double limit = left + bar * coverage.threshold / scale;
+      painter.setPen(QPen(colors().text, 2));
+      painter.drawLine(QPointF(limit, middle - 0.42 * line()), QPointF(limit, middle + 0.42 * line()));
+      const QString text = QLocale().toString(value, 'f', 2);
+      painter.setPen(reached ? colors().text : colors().text_muted);
+      painter.drawText(QRectF(left + bar + 6, top, value_width + 4, line()), Qt::AlignRight | Qt::AlignVCenter,
+                       reached ? QStringLiteral("✓ ") + text : text);
+    }
+  }
+
+  void paintWords(QPainter& painter, const Layout& layout) const {
+    const QFontMetrics metrics = view->fontMetrics();
+    const double width = view->width() - 2 * kMargin;
+    const QRectF all(kMargin, layout.words_top, width, wordsHeight(view->width()));
+    constexpr int kFlags = Qt::AlignLeft | Qt::AlignTop | Qt::TextWordWrap;
+    if (isEmpty()) {
+      painter.setPen(colors().text_muted);
+      painter.drawText(all, kFlags, words());
+      return;
+    }
+    const double middle = layout.words_top + 0.5 * line();
+    drawStroke(painter, linkStroke(coverage.quality, theme()), QLineF(kMargin, middle, kMargin + 26, middle), 3);
+    painter.setPen(colors().text);
+    painter.drawText(QRectF(kMargin + 33, layout.words_top, width - 33, line()), Qt::AlignLeft | Qt::AlignVCenter,
+                     metrics.elidedText(CoverageView::tr("%1 · mark: enough").arg(qualityWord(coverage.quality)),
+                                        Qt::ElideRight, static_cast<int>(width - 33)));
+    painter.setPen(colors().text_muted);
+    painter.drawText(all.translated(0, 1.3 * line()), kFlags, words());
+  }
+
   [[nodiscard]] Theme theme() const { return themeOf(view->palette()); }
   [[nodiscard]] const Colors& colors() const { return Colors::of(view->palette()); }
 };
-
-QString CoverageView::Parts::words() const {
-  if (!isEmpty()) return missingInWords(coverage, next);
-  return awaited.isEmpty() ? empty_hint : awaited;
-}
-
-double CoverageView::Parts::legendWidth() const {
-  const QFontMetrics metrics = view->fontMetrics();
-  return metrics.horizontalAdvance(nowName()) + metrics.horizontalAdvance(nextName()) + 2 * (line() + kSignGap) +
-         line();
-}
-
-double CoverageView::Parts::apartForLegend() const {
-  const QFontMetrics metrics = view->fontMetrics();
-  const int widest = std::max(metrics.horizontalAdvance(frontName()), metrics.horizontalAdvance(backName()));
-  return legendWidth() + widest + 1.2 * line();
-}
-
-double CoverageView::Parts::wordsHeight(int width) const { return words().isEmpty() ? 0 : heightOf(words(), width); }
-
-double CoverageView::Parts::heightOf(const QString& text, int width) const {
-  const QRect room(0, 0, std::max(1, width - 2 * kMargin), 10000);
-  return view->fontMetrics().boundingRect(room, Qt::TextWordWrap, text).height() + 4;
-}
-
-double CoverageView::Parts::belowDiscs(int width) const {
-  const double legend = apartForLegend() <= width / 2.0 ? 0 : 1.1 * line();
-  return namesGap() + legend + 1.3 * line() + 3 * gaugeStep() + (isEmpty() ? 0 : 1.3 * line()) + wordsHeight(width);
-}
-
-double CoverageView::Parts::mostBelowDiscs(int width) const {
-  const double longer = heightOf(longMissingInWords(), width) - wordsHeight(width);
-  return belowDiscs(width) + (isEmpty() ? 1.3 * line() : 0) + std::max(0.0, longer);
-}
-
-CoverageView::Parts::Layout CoverageView::Parts::layout() const {
-  const double width = view->width();
-  const double across = acrossOf(width);
-  const double top = nowSign() + 1;
-  const double high = view->height() - belowDiscs(view->width()) - top - kBottom;
-  Layout layout;
-  layout.radius = 0.5 * std::max(kLeastDisc, std::min({across, high, kMostDisc}));
-  const double apart =
-      std::max(2 * layout.radius + 2 * nowSign(), std::min(width - 2 * (nowSign() + 1) - 2 * layout.radius,
-                                                           std::max(3 * layout.radius, apartForLegend() + line())));
-  const double y = top + layout.radius;
-  layout.centers = {QPointF(width / 2 - apart / 2, y), QPointF(width / 2 + apart / 2, y)};
-  layout.names_top = y + layout.radius + namesGap();
-  layout.legend_top = layout.names_top + (apartForLegend() <= width / 2 ? 0 : 1.1 * line());
-  layout.gauges_top = layout.legend_top + 1.3 * line();
-  layout.words_top = layout.gauges_top + 3 * gaugeStep();
-  return layout;
-}
-
-QPointF CoverageView::Parts::place(const Layout& layout, const Eigen::Vector3d& up_o) const {
-  const DiscPoint point = onDisc(up_o);
-  const QPointF& center = layout.centers.at(point.side == Hemisphere::Front ? 0 : 1);
-  return center + layout.radius * QPointF(point.at.x(), -point.at.y());
-}
-
-const SeenDirection* CoverageView::Parts::at(const QPointF& point) const {
-  const Layout where = layout();
-  // The last drawn is on top.
-  for (auto seen = coverage.seen.rbegin(); seen != coverage.seen.rend(); ++seen) {
-    const QPointF away = point - place(where, seen->up_o);
-    if (std::hypot(away.x(), away.y()) <= mark() + 2) return &*seen;
-  }
-  return nullptr;
-}
-
-QRect CoverageView::Parts::aroundCurrent() const {
-  if (!current) return {};
-  const double reach = nowSign() + 4;
-  const QPointF center = place(layout(), *current);
-  return QRectF(center.x() - reach, center.y() - reach, 2 * reach, 2 * reach).toAlignedRect();
-}
-
-void CoverageView::Parts::changed() {
-  is_stale = true;
-  view->update();
-}
-
-void CoverageView::Parts::sayAnew() {
-  view->setAccessibleDescription(coverageInWords(coverage, next));
-  const double height = mostBelowDiscs(view->width());
-  if (std::exchange(said_height, height) != height) view->updateGeometry();
-  changed();
-}
-
-void CoverageView::Parts::paintStill() {
-  const qreal ratio = view->devicePixelRatioF();
-  still = QPixmap(view->size() * ratio);
-  still.setDevicePixelRatio(ratio);
-  still.fill(Qt::transparent);
-  is_stale = false;
-  QPainter painter(&still);
-  painter.setRenderHint(QPainter::Antialiasing);
-  painter.setFont(view->font());
-  const Layout where = layout();
-  paintDisc(painter, where, 0);
-  paintDisc(painter, where, 1);
-  if (next) paintNext(painter, place(where, *next), mark() + 3);
-  paintPoses(painter, where);
-  paintLegend(painter, where);
-  paintGauges(painter, where);
-  paintWords(painter, where);
-}
-
-void CoverageView::Parts::paintDisc(QPainter& painter, const Layout& layout, std::size_t side) const {
-  const QPointF& center = layout.centers.at(side);
-  painter.setPen(QPen(colors().border, 1));
-  painter.setBrush(colors().panel_active);
-  painter.drawEllipse(center, layout.radius, layout.radius);
-  painter.setBrush(Qt::NoBrush);
-  for (const double angle_deg : kCircles_deg) {
-    const double radius = layout.radius * discRadius(angle_deg * kDegree);
-    painter.drawEllipse(center, radius, radius);
-  }
-  painter.drawLine(center - QPointF(layout.radius, 0), center + QPointF(layout.radius, 0));
-  painter.drawLine(center - QPointF(0, layout.radius), center + QPointF(0, layout.radius));
-  painter.setPen(colors().text_muted);
-  painter.drawText(QRectF(center.x() - layout.radius, layout.names_top, 2 * layout.radius, line()), Qt::AlignCenter,
-                   side == 0 ? frontName() : backName());
-}
-
-void CoverageView::Parts::paintPoses(QPainter& painter, const Layout& layout) const {
-  const QColor full = linkStroke(EdgeQuality::Fully, theme()).color;
-  QFont small = view->font();
-  small.setPointSizeF(0.8 * small.pointSizeF());
-  small.setBold(true);
-  painter.save();
-  painter.setFont(small);
-  for (const SeenDirection& seen : coverage.seen) {
-    const QPointF center = place(layout, seen.up_o);
-    painter.setPen(seen.enabled ? QPen(colors().panel, 1) : QPen(colors().text_muted, 1.2, Qt::DotLine));
-    painter.setBrush(seen.enabled ? full : colors().panel);
-    painter.drawEllipse(center, mark(), mark());
-    const QColor& on_full = theme() == Theme::Dark ? colors().accent_text : colors().text;
-    painter.setPen(seen.enabled ? on_full : colors().text_muted);
-    painter.drawText(QRectF(center.x() - 20, center.y() - 20, 40, 40), Qt::AlignCenter,
-                     QString::number(seen.pose.value()));
-    if (seen.pose != picked) continue;
-    painter.setBrush(Qt::NoBrush);
-    painter.setPen(QPen(colors().selection, 2));
-    painter.drawEllipse(center, mark() + 2, mark() + 2);
-  }
-  painter.restore();
-}
-
-void CoverageView::Parts::paintNext(QPainter& painter, const QPointF& center, double radius) const {
-  painter.setBrush(Qt::NoBrush);
-  painter.setPen(QPen(colors().accent, 2, Qt::DashLine));
-  painter.drawEllipse(center, radius, radius);
-  painter.setPen(Qt::NoPen);
-  painter.setBrush(colors().accent);
-  painter.drawEllipse(center, 2, 2);
-}
-
-void CoverageView::Parts::paintCurrent(QPainter& painter, const QPointF& center, double size) const {
-  const std::array<QPointF, 4> diamond = {center + QPointF(0, -size), center + QPointF(size, 0),
-                                          center + QPointF(0, size), center + QPointF(-size, 0)};
-  painter.setBrush(Qt::NoBrush);
-  for (const QPen& pen : {QPen(colors().panel, 3), QPen(colors().text, 2)}) {
-    painter.setPen(pen);
-    painter.drawPolygon(diamond.data(), 4);
-  }
-}
-
-void CoverageView::Parts::paintLegend(QPainter& painter, const Layout& layout) const {
-  const QFontMetrics metrics = view->fontMetrics();
-  const std::array<QString, 2> names = {nowName(), nextName()};
-  const double sign = line();
-  double x = (view->width() - legendWidth()) / 2;
-  const double y = layout.legend_top + 0.5 * line();
-  for (std::size_t k = 0; k < names.size(); ++k) {
-    const QPointF center(x + 0.5 * sign, y);
-    if (k == 0) {
-      paintCurrent(painter, center, 0.42 * line());
-    } else {
-      paintNext(painter, center, 0.38 * line());
-    }
-    painter.setPen(colors().text_muted);
-    const double advance = metrics.horizontalAdvance(names.at(k));
-    painter.drawText(QRectF(x + sign + kSignGap, y - 0.5 * line(), advance + 2, line()),
-                     Qt::AlignLeft | Qt::AlignVCenter, names.at(k));
-    x += sign + kSignGap + advance + line();
-  }
-}
-
-void CoverageView::Parts::paintGauges(QPainter& painter, const Layout& layout) const {
-  const QFontMetrics metrics = view->fontMetrics();
-  const std::array<QString, 3> names = {CoverageView::tr("1st"), CoverageView::tr("2nd"), CoverageView::tr("3rd")};
-  int names_width = 0;
-  for (const QString& each : names) names_width = std::max(names_width, metrics.horizontalAdvance(each));
-  const double left = kMargin + names_width + 10;
-  const double value_width = metrics.horizontalAdvance(QStringLiteral("✓ 00.00"));
-  const double bar = std::max(20.0, view->width() - left - kMargin - value_width - 10);
-  // The mark stays where it is from pose to pose; a value beyond the end fills the bar.
-  const double scale = 4 * coverage.threshold;
-  const double thick = 0.42 * line();
-  for (int k = 0; k < 3; ++k) {
-    const double value = coverage.singular_values(k);
-    const bool reached = value >= coverage.threshold;
-    const double top = layout.gauges_top + k * gaugeStep();
-    const double middle = top + 0.5 * line();
-    painter.setPen(colors().text_muted);
-    painter.drawText(QRectF(kMargin, top, left, line()), Qt::AlignLeft | Qt::AlignVCenter,
-                     names.at(static_cast<std::size_t>(k)));
-    painter.setPen(Qt::NoPen);
-    painter.setBrush(colors().border);
-    painter.drawRoundedRect(QRectF(left, middle - thick / 2, bar, thick), 2, 2);
-    // A value below its limit is hatched as well as of another hue.
-    const QColor hue = linkStroke(reached ? EdgeQuality::Fully : EdgeQuality::Partially, theme()).color;
-    const QRectF filled(left, middle - thick / 2, std::clamp(bar * value / scale, 2.0, bar), thick);
-    painter.setBrush(reached ? QBrush(hue) : QBrush(hue, Qt::BDiagPattern));
-    if (!reached) painter.setPen(QPen(hue, 1));
-    if (value > kNoValue) painter.drawRoundedRect(filled, 2, 2);
-    const double limit = left + bar * coverage.threshold / scale;
-    painter.setPen(QPen(colors().text, 2));
-    painter.drawLine(QPointF(limit, middle - 0.42 * line()), QPointF(limit, middle + 0.42 * line()));
-    const QString text = QLocale().toString(value, 'f', 2);
-    painter.setPen(reached ? colors().text : colors().text_muted);
-    painter.drawText(QRectF(left + bar + 6, top, value_width + 4, line()), Qt::AlignRight | Qt::AlignVCenter,
-                     reached ? QStringLiteral("✓ ") + text : text);
-  }
-}
-
-void CoverageView::Parts::paintWords(QPainter& painter, const Layout& layout) const {
-  const QFontMetrics metrics = view->fontMetrics();
-  const double width = view->width() - 2 * kMargin;
-  const QRectF all(kMargin, layout.words_top, width, wordsHeight(view->width()));
-  constexpr int kFlags = Qt::AlignLeft | Qt::AlignTop | Qt::TextWordWrap;
-  if (isEmpty()) {
-    painter.setPen(colors().text_muted);
-    painter.drawText(all, kFlags, words());
-    return;
-  }
-  const double middle = layout.words_top + 0.5 * line();
-  drawStroke(painter, linkStroke(coverage.quality, theme()), QLineF(kMargin, middle, kMargin + 26, middle), 3);
-  painter.setPen(colors().text);
-  painter.drawText(QRectF(kMargin + 33, layout.words_top, width - 33, line()), Qt::AlignLeft | Qt::AlignVCenter,
-                   metrics.elidedText(CoverageView::tr("%1 · mark: enough").arg(qualityWord(coverage.quality)),
-                                      Qt::ElideRight, static_cast<int>(width - 33)));
-  painter.setPen(colors().text_muted);
-  painter.drawText(all.translated(0, 1.3 * line()), kFlags, words());
-}
 
 CoverageView::CoverageView(QWidget* parent) : QWidget(parent), parts_(std::make_unique<Parts>(this)) {
   setObjectName(QStringLiteral("coverageView"));

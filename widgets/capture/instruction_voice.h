@@ -1,12 +1,12 @@
 #pragma once
 
+#include "widgets/capture/speaker.h"
+
 #include <QObject>
 #include <QString>
 #include <QTimer>
 
 namespace hexoderm {
-
-class Speaker;
 
 /// Speaks the instruction that stands, for whoever has hands and eyes on the part: when it has changed and stands for a
 /// moment, once. What no longer stands is not spoken, nor spoken to its end. Off until it is switched on.
@@ -18,15 +18,45 @@ class InstructionVoice : public QObject {
   static constexpr int kStands_ms = 600;
 
   /// Takes over the speaker.
-  explicit InstructionVoice(Speaker* speaker, QObject* parent = nullptr);
+  explicit InstructionVoice(Speaker* speaker, QObject* parent = nullptr) : QObject(parent), speaker_(speaker) {
+    speaker_->setParent(this);
+    stands_.setSingleShot(true);
+    stands_.setInterval(kStands_ms);
+    connect(&stands_, &QTimer::timeout, this, &InstructionVoice::speak);
+    connect(speaker_, &Speaker::lookedFor, this, &InstructionVoice::lookedFor);
+  }
 
   /// Switched on, it speaks what stands.
-  void setEnabled(bool enabled);
+  void setEnabled(bool enabled) {
+    if (enabled_ == enabled) return;
+    enabled_ = enabled;
+    spoken_.clear();
+    stands_.stop();
+    if (!enabled_) {
+      speaker_->stop();
+    } else if (!instruction_.isEmpty()) {
+      stands_.start();
+    }
+  }
+
   [[nodiscard]] bool isEnabled() const { return enabled_; }
   /// What stands now; empty: nothing. Cheap: may come 20 times a second.
-  void setInstruction(const QString& instruction);
+  void setInstruction(const QString& instruction) {
+    if (instruction_ == instruction) return;
+    instruction_ = instruction;
+    if (!enabled_) return;
+    // What is being spoken is no longer true; what was passed by for a moment is not said again.
+    if (!spoken_.isEmpty() && instruction_ != spoken_) speaker_->stop();
+    if (instruction_.isEmpty()) {
+      spoken_.clear();
+      stands_.stop();
+    } else {
+      stands_.start();
+    }
+  }
+
   /// Looks for a voice; lookedFor() follows.
-  void lookForVoice();
+  void lookForVoice() { speaker_->lookForVoice(); }
 
  signals:
   /// `why_not`: empty if there is a voice.
@@ -35,7 +65,12 @@ class InstructionVoice : public QObject {
   void spoken(const QString& sentence);
 
  private:
-  void speak();
+  void speak() {
+    if (instruction_.isEmpty() || instruction_ == spoken_) return;
+    spoken_ = instruction_;
+    speaker_->say(spoken_);
+    emit spoken(spoken_);
+  }
 
   Speaker* speaker_;
   QString instruction_;

@@ -1,6 +1,8 @@
 #include "widgets/capture/live_strip.h"
 
 #include "widgets/controls/action_button.h"
+#include "widgets/controls/panel_parts.h"
+#include "widgets/style/of_enum.h"
 #include "widgets/words/words.h"
 
 #include <QAction>
@@ -35,60 +37,21 @@ QString countInWords(std::uint64_t count) { return QLocale().toString(static_cas
 }  // namespace
 
 QString sourceStateWord(SourceState state) {
-  switch (state) {
-    case SourceState::Stopped:
-      return LiveWords::tr("Stopped");
-    case SourceState::Connecting:
-      return LiveWords::tr("Connecting");
-    case SourceState::Waiting:
-      return LiveWords::tr("Waiting");
-    case SourceState::Streaming:
-      return LiveWords::tr("Streaming");
-    case SourceState::Silent:
-      return LiveWords::tr("Silent");
-    case SourceState::Ended:
-      return LiveWords::tr("Ended");
-    case SourceState::Incompatible:
-      return LiveWords::tr("Incompatible");
-  }
-  return {};
+  return ofEnum(state, {LiveWords::tr("Stopped"), LiveWords::tr("Connecting"), LiveWords::tr("Waiting"),
+                        LiveWords::tr("Streaming"), LiveWords::tr("Silent"), LiveWords::tr("Ended"),
+                        LiveWords::tr("Incompatible")});
 }
 
 QString sourceStateSign(SourceState state) {
-  switch (state) {
-    case SourceState::Stopped:
-      return QStringLiteral("\u25CB");  // circle
-    case SourceState::Connecting:
-      return QStringLiteral("\u25D4");  // quarter of a disc
-    case SourceState::Waiting:
-      return QStringLiteral("\u25D1");  // half a disc
-    case SourceState::Streaming:
-      return QStringLiteral("\u25CF");  // disc
-    case SourceState::Silent:
-      return QStringLiteral("\u25B2");  // triangle
-    case SourceState::Ended:
-      return QStringLiteral("\u25A0");  // square
-    case SourceState::Incompatible:
-      return QStringLiteral("\u2715");  // cross
-  }
-  return {};
+  // Circle, quarter and half of a disc, disc, triangle, square, cross.
+  return ofEnum(state,
+                {QStringLiteral("\u25CB"), QStringLiteral("\u25D4"), QStringLiteral("\u25D1"), QStringLiteral("\u25CF"),
+                 QStringLiteral("\u25B2"), QStringLiteral("\u25A0"), QStringLiteral("\u2715")});
 }
 
 Tone sourceStateTone(SourceState state) {
-  switch (state) {
-    case SourceState::Streaming:
-      return Tone::Good;
-    case SourceState::Silent:
-      return Tone::Caution;
-    case SourceState::Incompatible:
-      return Tone::Bad;
-    case SourceState::Stopped:
-    case SourceState::Connecting:
-    case SourceState::Waiting:
-    case SourceState::Ended:
-      return Tone::Neutral;
-  }
-  return Tone::Neutral;
+  return ofEnum(state,
+                {Tone::Neutral, Tone::Neutral, Tone::Neutral, Tone::Good, Tone::Caution, Tone::Neutral, Tone::Bad});
 }
 
 QString countersInWords(const SourceStatus& status, const HoldStatus& hold) {
@@ -123,8 +86,7 @@ LiveStrip::LiveStrip(QAction* end, QWidget* parent)
       word_(plainLabel("liveState", this)),
       text_(plainLabel("liveText", this)),
       counters_(plainLabel("liveCounters", this)) {
-  setObjectName(QStringLiteral("liveStrip"));
-  setAccessibleName(tr("Connected skin"));
+  setNames(this, QStringLiteral("liveStrip"), tr("Connected skin"));
   setProperty("card", true);
   word_->setProperty("headline", true);
   counters_->setProperty("muted", true);
@@ -141,14 +103,10 @@ LiveStrip::LiveStrip(QAction* end, QWidget* parent)
   disconnect->setAction(end);
   // A click leaves the keys where they were.
   disconnect->setFocusPolicy(Qt::TabFocus);
-  auto* row = new QHBoxLayout(this);
-  row->setContentsMargins(14, 8, 10, 8);
-  row->setSpacing(10);
-  row->addWidget(sign_);
-  row->addWidget(word_);
+  auto* row = spaced(new QHBoxLayout(this), {14, 8, 10, 8}, 10);
+  addWidgets(row, {sign_, word_});
   row->addWidget(text_, 1);
-  row->addWidget(counters_);
-  row->addWidget(disconnect);
+  addWidgets(row, {counters_, disconnect});
   hide();
 }
 

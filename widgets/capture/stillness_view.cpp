@@ -1,6 +1,8 @@
 #include "widgets/capture/stillness_view.h"
 
 #include "widgets/controls/elided_label.h"
+#include "widgets/controls/panel_parts.h"
+#include "widgets/style/of_enum.h"
 #include "widgets/style/palette.h"
 
 #include <qwt_plot.h>
@@ -32,15 +34,7 @@ constexpr std::array<const char*, 3> kAxes = {"x", "y", "z"};
 double laneOf(int axis) { return 2.0 - axis; }
 
 QString stateWord(TraceState state) {
-  switch (state) {
-    case TraceState::Moving:
-      return StillnessView::tr("moving");
-    case TraceState::Still:
-      return StillnessView::tr("still");
-    case TraceState::Collecting:
-      return StillnessView::tr("capturing");
-  }
-  return {};
+  return ofEnum(state, {StillnessView::tr("moving"), StillnessView::tr("still"), StillnessView::tr("capturing")});
 }
 
 QString eventWord(const TraceEvent& event) {
@@ -189,45 +183,41 @@ struct StillnessView::Parts {
   QLabel* nothing = nullptr;
   QTimer refresh_soon;
 
-  void refresh();
+  void refresh() {
+    refresh_soon.stop();
+    if (!view->isVisible()) return;
+    const bool empty = trace.points().empty();
+    if (nothing->isHidden() == empty) {
+      nothing->setVisible(empty);
+      plot->setVisible(!empty);
+    }
+    const QString text = view->header();
+    if (header->text() != text) {
+      header->setText(text);
+      header->setAccessibleName(text);
+    }
+    if (empty) return;
+    // Over the lanes and under the ribbon their words have room, however high the strip is.
+    const double words = view->fontMetrics().height() + 6;
+    const double lanes = std::max(10.0, plot->canvas()->height() - 2 * words);
+    const double room = words * (kTop - kRibbon) / lanes;
+    plot->setAxisScale(QwtPlot::yLeft, kRibbon - room, kTop + room);
+    plot->replot();
+  }
+
   /// At once if nothing is drawn yet.
-  void refreshSoon();
+  void refreshSoon() {
+    if (!view->isVisible()) return;
+    if (plot->isHidden()) {
+      refresh();
+    } else if (!refresh_soon.isActive()) {
+      refresh_soon.start();
+    }
+  }
 };
 
-void StillnessView::Parts::refreshSoon() {
-  if (!view->isVisible()) return;
-  if (plot->isHidden()) {
-    refresh();
-  } else if (!refresh_soon.isActive()) {
-    refresh_soon.start();
-  }
-}
-
-void StillnessView::Parts::refresh() {
-  refresh_soon.stop();
-  if (!view->isVisible()) return;
-  const bool empty = trace.points().empty();
-  if (nothing->isHidden() == empty) {
-    nothing->setVisible(empty);
-    plot->setVisible(!empty);
-  }
-  const QString text = view->header();
-  if (header->text() != text) {
-    header->setText(text);
-    header->setAccessibleName(text);
-  }
-  if (empty) return;
-  // Over the lanes and under the ribbon their words have room, however high the strip is.
-  const double words = view->fontMetrics().height() + 6;
-  const double lanes = std::max(10.0, plot->canvas()->height() - 2 * words);
-  const double room = words * (kTop - kRibbon) / lanes;
-  plot->setAxisScale(QwtPlot::yLeft, kRibbon - room, kTop + room);
-  plot->replot();
-}
-
 StillnessView::StillnessView(QWidget* parent) : QWidget(parent), parts_(std::make_unique<Parts>(this)) {
-  setObjectName(QStringLiteral("stillnessView"));
-  setAccessibleName(tr("Stillness of the last ten seconds"));
+  setNames(this, QStringLiteral("stillnessView"), tr("Stillness of the last ten seconds"));
   parts_->header = new ElidedLabel(1, this);
   parts_->header->setObjectName(QStringLiteral("stillnessHeader"));
   parts_->header->setProperty("muted", true);
@@ -256,9 +246,7 @@ StillnessView::StillnessView(QWidget* parent) : QWidget(parent), parts_(std::mak
   (new Ground(parts_->trace))->attach(plot);
   (new Curves(parts_->trace))->attach(plot);
 
-  auto* layout = new QVBoxLayout(this);
-  layout->setContentsMargins(0, 2, 8, 2);
-  layout->setSpacing(2);
+  auto* layout = spaced(new QVBoxLayout(this), {0, 2, 8, 2}, 2);
   layout->addWidget(parts_->header);
   layout->addWidget(plot, 1);
   layout->addWidget(parts_->nothing, 1);

@@ -3,6 +3,7 @@
 #include "widgets/coloring/coloring.h"
 
 #include <QObject>
+#include <cmath>
 #include <map>
 #include <optional>
 
@@ -16,10 +17,22 @@ class ScaleRanges : public QObject {
  public:
   using QObject::QObject;
 
-  [[nodiscard]] std::optional<ColorRange> fixed(Coloring coloring) const;
+  [[nodiscard]] std::optional<ColorRange> fixed(Coloring coloring) const {
+    const auto found = fixed_.find(coloring);
+    return found == fixed_.end() ? std::nullopt : std::optional(found->second);
+  }
+
   /// A range that is none (low not below high, or not finite) is not taken.
-  void fix(Coloring coloring, const ColorRange& range);
-  void release(Coloring coloring);
+  void fix(Coloring coloring, const ColorRange& range) {
+    if (!(range.low < range.high) || !std::isfinite(range.low) || !std::isfinite(range.high)) return;
+    if (!isQuantity(coloring) || fixed(coloring) == range) return;
+    fixed_[coloring] = range;
+    emit changed(coloring);
+  }
+
+  void release(Coloring coloring) {
+    if (fixed_.erase(coloring) > 0) emit changed(coloring);
+  }
 
  signals:
   void changed(hexoderm::Coloring coloring);

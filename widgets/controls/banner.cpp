@@ -2,6 +2,8 @@
 
 #include "widgets/controls/action_button.h"
 #include "widgets/controls/elided_label.h"
+#include "widgets/controls/panel_parts.h"
+#include "widgets/style/of_enum.h"
 
 #include <QHBoxLayout>
 #include <QLabel>
@@ -12,44 +14,17 @@
 
 namespace hexoderm {
 
-Tone toneOf(VerdictLevel level) {
-  switch (level) {
-    case VerdictLevel::Good:
-      return Tone::Good;
-    case VerdictLevel::Usable:
-    case VerdictLevel::NotEnough:
-      return Tone::Caution;
-    case VerdictLevel::Failed:
-      return Tone::Bad;
-  }
-  return Tone::Neutral;
-}
+Tone toneOf(VerdictLevel level) { return ofEnum(level, {Tone::Good, Tone::Caution, Tone::Caution, Tone::Bad}); }
 
-Tone toneOf(Severity severity) {
-  switch (severity) {
-    case Severity::Info:
-      return Tone::Neutral;
-    case Severity::Warning:
-      return Tone::Caution;
-    case Severity::Error:
-      return Tone::Bad;
-  }
-  return Tone::Neutral;
+Tone toneOf(Severity severity) { return ofEnum(severity, {Tone::Neutral, Tone::Caution, Tone::Bad}); }
+
+QString toneSign(Tone tone) {
+  return ofEnum(tone, {QStringLiteral("●"), QStringLiteral("✓"), QStringLiteral("▲"), QStringLiteral("✕")});
 }
 
 QColor toneColor(Tone tone, Theme theme) {
   const Colors& colors = Colors::of(theme);
-  switch (tone) {
-    case Tone::Neutral:
-      return colors.text_muted;
-    case Tone::Good:
-      return colors.good;
-    case Tone::Caution:
-      return colors.caution;
-    case Tone::Bad:
-      return colors.bad;
-  }
-  return colors.text_muted;
+  return ofEnum(tone, {colors.text_muted, colors.good, colors.caution, colors.bad});
 }
 
 void setTone(QLabel* label, Tone tone) {
@@ -85,8 +60,7 @@ class Banner::Dot : public QWidget {
 
 Banner::Banner(QWidget* parent)
     : QFrame(parent), dot_(new Dot(this)), sentence_(new ElidedLabel(2, this)), button_(new ActionButton(this)) {
-  setObjectName(QStringLiteral("banner"));
-  setAccessibleName(tr("Where we stand"));
+  setNames(this, QStringLiteral("banner"), tr("Where we stand"));
   setProperty("banner", true);
 
   sentence_->setObjectName(QStringLiteral("bannerSentence"));
@@ -96,9 +70,7 @@ Banner::Banner(QWidget* parent)
   // A click leaves the keys where they were.
   button_->setFocusPolicy(Qt::TabFocus);
 
-  auto* layout = new QHBoxLayout(this);
-  layout->setContentsMargins(16, 6, 16, 6);
-  layout->setSpacing(14);
+  auto* layout = spaced(new QHBoxLayout(this), {16, 6, 16, 6}, 14);
   layout->addWidget(dot_);
   layout->addWidget(sentence_, 1);
   layout->addWidget(button_);

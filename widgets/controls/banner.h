@@ -17,6 +17,8 @@ enum class Tone { Neutral, Good, Caution, Bad };
 QColor toneColor(Tone tone, Theme theme);
 Tone toneOf(VerdictLevel level);
 Tone toneOf(Severity severity);
+/// A sign of its own for each tone, so that no meaning hangs on hue.
+QString toneSign(Tone tone);
 /// The style sheet writes the label in the tone's colour.
 void setTone(QLabel* label, Tone tone);
 

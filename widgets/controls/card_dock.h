@@ -1,12 +1,16 @@
 #pragma once
 
-#include <QDockWidget>
+#include "widgets/controls/elided_label.h"
+#include "widgets/controls/panel_parts.h"
 
-class QLabel;
+#include <QDockWidget>
+#include <QFrame>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QVBoxLayout>
+#include <QVariant>
 
 namespace hexoderm {
-
-class ElidedLabel;
 
 /// A panel that can be moved: a card with a small heading on the left and a remark on the right.
 class CardDock : public QDockWidget {
@@ -14,18 +18,56 @@ class CardDock : public QDockWidget {
 
  public:
   /// `object_name` names the dock where the layout is remembered. Takes over `content`.
-  CardDock(const QString& heading, const QString& object_name, QWidget* content, QWidget* parent = nullptr);
+  CardDock(const QString& heading, const QString& object_name, QWidget* content, QWidget* parent = nullptr)
+      : QDockWidget(heading, parent), title_(new QLabel(heading.toUpper())) {
+    setNames(this, object_name, heading);
+    content->setAccessibleName(heading);
+    // The heading is inside the card, so that a dock looks like one thing; it is still what one drags.
+    auto* bar = new QFrame;
+    bar->setProperty("cardHead", true);
+    title_->setProperty("caption", true);
+    remark_->setProperty("muted", true);
+    remark_->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
+    remark_->hide();
+    auto* head = spaced(new QHBoxLayout(bar), {13, 9, 13, 5});
+    head->addWidget(title_);
+    head->addStretch(1);
+    head->addWidget(remark_, 100);  // all that is there, before the stretch has any
+    bar->setToolTip(tr("Drag to move this panel, double-click to take it out of the window"));
+    setTitleBarWidget(bar);
+
+    auto* body = new QFrame;
+    body->setProperty("cardBody", true);
+    auto* layout = spaced(new QVBoxLayout(body), {1, 0, 1, 1});
+    layout->addWidget(content);
+    setWidget(body);
+  }
 
   /// Sets the heading, for docks whose content changes.
-  void setHeading(const QString& heading);
+  void setHeading(const QString& heading) {
+    setWindowTitle(heading);
+    setAccessibleName(heading);
+    title_->setText(heading.toUpper());
+  }
+
   /// Never widens the dock: it ends in dots where it finds no room.
-  void setRemark(const QString& remark);
+  void setRemark(const QString& remark) {
+    remark_->setText(remark);
+    // Without words it would still take the space beside it.
+    remark_->setVisible(!remark.isEmpty());
+  }
+
   /// Shows `widget`, for example tabs, in the place of the heading.
-  void setHead(QWidget* widget);
+  void setHead(QWidget* widget) {
+    auto* head = qobject_cast<QHBoxLayout*>(titleBarWidget()->layout());
+    head->insertWidget(0, widget);
+    head->setContentsMargins(5, 5, 5, 0);
+    title_->hide();
+  }
 
  private:
   QLabel* title_;
-  ElidedLabel* remark_;
+  ElidedLabel* remark_ = new ElidedLabel;
 };
 
 }  // namespace hexoderm

@@ -2,15 +2,12 @@
 
 #include "widgets/controls/banner.h"
 #include "widgets/controls/flow_layout.h"
+#include "widgets/controls/panel_parts.h"
 #include "widgets/words/formatting.h"
 #include "widgets/words/words.h"
 
 #include <QHBoxLayout>
-#include <QLabel>
 #include <QPainter>
-#include <QPushButton>
-#include <QToolButton>
-#include <QVBoxLayout>
 #include <algorithm>
 
 namespace hexoderm {
@@ -19,8 +16,7 @@ namespace {
 QLabel* paragraph(QWidget* parent, const char* name) {
   auto* label = new QLabel(parent);
   label->setObjectName(QLatin1String(name));
-  label->setWordWrap(true);
-  label->setTextFormat(Qt::PlainText);
+  setPlainParagraph(label);
   return label;
 }
 
@@ -28,21 +24,15 @@ QLabel* paragraph(QWidget* parent, const char* name) {
 
 FindingCard::FindingCard(QWidget* parent)
     : QFrame(parent),
-      severity_(new QLabel(this)),
       what_(paragraph(this, "findingWhat")),
       where_(paragraph(this, "findingWhere")),
-      show_(new QPushButton(tr("Show"), this)),
-      fold_(new QToolButton(this)),
-      details_(new QWidget(this)),
       why_(paragraph(details_, "findingWhy")),
       todo_(paragraph(details_, "findingToDo")),
       buttons_(new QWidget(details_)),
       button_layout_(new FlowLayout(buttons_)) {
   setObjectName(QStringLiteral("findingCard"));
   severity_->setObjectName(QStringLiteral("findingSeverity"));
-  QFont bold = severity_->font();
-  bold.setBold(true);
-  severity_->setFont(bold);
+  makeBold(severity_);
   where_->setProperty("muted", true);
   show_->setObjectName(QStringLiteral("findingShow"));
   show_->setFocusPolicy(Qt::TabFocus);
@@ -56,26 +46,17 @@ FindingCard::FindingCard(QWidget* parent)
   connect(show_, &QPushButton::clicked, this, [this] { emit showWanted(Finding(finding_)); });
   connect(fold_, &QToolButton::toggled, this, &FindingCard::setUnfolded);
 
-  auto* head = new QHBoxLayout;
-  head->setSpacing(6);
+  auto* head = spaced(new QHBoxLayout, 6);
   head->addWidget(severity_);
   head->addWidget(where_, 1);
-  auto* actions = new QHBoxLayout;
-  actions->setSpacing(6);
-  actions->addWidget(show_);
-  actions->addWidget(fold_);
+  auto* actions = spaced(new QHBoxLayout, 6);
+  addWidgets(actions, {show_, fold_});
   actions->addStretch(1);
-  auto* details = new QVBoxLayout(details_);
-  details->setContentsMargins(0, 2, 0, 0);
-  details->setSpacing(6);
-  details->addWidget(why_);
-  details->addWidget(todo_);
-  details->addWidget(buttons_);
+  auto* details = spaced(new QVBoxLayout(details_), {0, 2, 0, 0}, 6);
+  addWidgets(details, {why_, todo_, buttons_});
   button_layout_->setContentsMargins(0, 0, 0, 0);
   button_layout_->setSpacing(6);
-  auto* layout = new QVBoxLayout(this);
-  layout->setContentsMargins(14, 9, 10, 10);
-  layout->setSpacing(6);
+  auto* layout = spaced(new QVBoxLayout(this), {14, 9, 10, 10}, 6);
   layout->addLayout(head);
   layout->addWidget(what_);
   layout->addLayout(actions);
@@ -143,8 +124,7 @@ void FindingCard::paintEvent(QPaintEvent* /*event*/) {
   painter.drawRoundedRect(QRectF(card.left() + 4, card.top() + 8, 3, card.height() - 16), 1.5, 1.5);
 }
 
-FindingCards::FindingCards(const QString& object_name, QWidget* parent)
-    : QWidget(parent), layout_(new QVBoxLayout(this)), others_(new QPushButton(this)) {
+FindingCards::FindingCards(const QString& object_name, QWidget* parent) : QWidget(parent) {
   setObjectName(object_name);
   layout_->setContentsMargins(0, 0, 0, 0);
   layout_->setSpacing(8);

@@ -3,13 +3,13 @@
 #include "hexoderm/util/finding.h"
 
 #include <QFrame>
+#include <QLabel>
+#include <QPushButton>
 #include <QString>
+#include <QToolButton>
+#include <QVBoxLayout>
+#include <QWidget>
 #include <vector>
-
-class QLabel;
-class QPushButton;
-class QToolButton;
-class QVBoxLayout;
 
 namespace hexoderm {
 
@@ -47,12 +47,12 @@ class FindingCard : public QFrame {
 
   Finding finding_;
   std::vector<FindingOffer> offers_;
-  QLabel* severity_;
+  QLabel* severity_ = new QLabel(this);
   QLabel* what_;
   QLabel* where_;
-  QPushButton* show_;
-  QToolButton* fold_;
-  QWidget* details_;
+  QPushButton* show_ = new QPushButton(tr("Show"), this);
+  QToolButton* fold_ = new QToolButton(this);
+  QWidget* details_ = new QWidget(this);
   QLabel* why_;
   QLabel* todo_;
   QWidget* buttons_;
@@ -83,9 +83,9 @@ class FindingCards : public QWidget {
   void allWanted();
 
  private:
-  QVBoxLayout* layout_;
+  QVBoxLayout* layout_ = new QVBoxLayout(this);
   std::vector<FindingCard*> cards_;
-  QPushButton* others_;
+  QPushButton* others_ = new QPushButton(this);
   std::vector<Item> items_;
   std::vector<Finding> shown_;
 };

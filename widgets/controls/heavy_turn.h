@@ -1,8 +1,11 @@
 #pragma once
 
+#include <QAbstractEventDispatcher>
 #include <QObject>
+#include <QPointer>
 #include <QTimer>
 #include <functional>
+#include <utility>
 
 namespace hexoderm {
 
@@ -14,18 +17,44 @@ class HeavyTurn : public QObject {
 
  public:
   /// `work` is done once, `after_ms` after start() or in one of the next few turns in which no other such work is done.
-  HeavyTurn(int after_ms, std::function<void()> work);
+  HeavyTurn(int after_ms, std::function<void()> work) : work_(std::move(work)), after_ms_(after_ms) {
+    timer_.setSingleShot(true);
+    timer_.setTimerType(Qt::PreciseTimer);
+    connect(&timer_, &QTimer::timeout, this, &HeavyTurn::due);
+  }
 
   /// Anew, if it was started before.
-  void start();
+  void start() { timer_.start(after_ms_); }
   void stop() { timer_.stop(); }
   [[nodiscard]] bool isActive() const { return timer_.isActive(); }
 
   /// For heavy work that can't wait: this turn is taken.
-  static void note();
+  static void note() { static_cast<void>(take()); }
 
  private:
-  void due();
+  /// Takes the turn that the event loop is in; false if it was taken before. A turn ends when the loop has waited, or
+  /// looked, for what comes next.
+  static bool take() {
+    static bool is_taken = false;
+    static QPointer<QAbstractEventDispatcher> watched;
+    QAbstractEventDispatcher* dispatcher = QAbstractEventDispatcher::instance();
+    if (watched != dispatcher) {
+      watched = dispatcher;
+      is_taken = false;
+      QObject::connect(dispatcher, &QAbstractEventDispatcher::awake, dispatcher, [] { is_taken = false; });
+    }
+    return !std::exchange(is_taken, dispatcher != nullptr);
+  }
+
+  void due() {
+    constexpr int kMostOthers = 3;  // where something heavy is done in every turn, all come slowly, and none never
+    if (!take() && ++waited_ <= kMostOthers) {
+      timer_.start(1);  // 0 may be in the same turn
+      return;
+    }
+    waited_ = 0;
+    work_();
+  }
 
   std::function<void()> work_;
   int after_ms_;

@@ -1,12 +1,19 @@
 #pragma once
 
 #include "widgets/controls/banner.h"
+#include "widgets/controls/panel_parts.h"
 
+#include <QAccessible>
 #include <QFrame>
+#include <QHBoxLayout>
+#include <QKeyEvent>
+#include <QLabel>
+#include <QPainter>
+#include <QPushButton>
+#include <QToolButton>
+#include <QVariant>
 #include <functional>
-
-class QLabel;
-class QPushButton;
+#include <utility>
 
 namespace hexoderm {
 
@@ -16,10 +23,46 @@ class MessageBar : public QFrame {
   Q_OBJECT
 
  public:
-  explicit MessageBar(QWidget* parent = nullptr);
+  explicit MessageBar(QWidget* parent = nullptr) : QFrame(parent) {
+    setObjectName(QStringLiteral("messageBar"));
+    setProperty("card", true);
+    text_->setObjectName(QStringLiteral("messageText"));
+    setPlainParagraph(text_);
+    text_->setTextInteractionFlags(Qt::TextSelectableByMouse);
+    button_->setObjectName(QStringLiteral("messageButton"));
+    connect(button_, &QPushButton::clicked, this, [this] {
+      // A copy: what it does may bring the next message.
+      if (const std::function<void()> pressed = pressed_) pressed();
+    });
+    auto* close = new QToolButton(this);
+    close->setObjectName(QStringLiteral("messageClose"));
+    close->setProperty("flat", true);
+    close->setText(QStringLiteral("\u2715"));
+    close->setToolTip(tr("Close this message"));
+    close->setAccessibleName(tr("Close this message"));
+    connect(close, &QToolButton::clicked, this, &QWidget::hide);
 
-  void showMessage(Tone tone, const QString& text, const QString& button = {}, std::function<void()> pressed = {});
-  [[nodiscard]] QString text() const;
+    auto* layout = spaced(new QHBoxLayout(this), {16, 6, 8, 6});
+    layout->addWidget(text_, 1);
+    addWidgets(layout, {button_, close});
+    hide();
+  }
+
+  void showMessage(Tone tone, const QString& text, const QString& button = {}, std::function<void()> pressed = {}) {
+    tone_ = tone;
+    text_->setText(text);
+    pressed_ = std::move(pressed);
+    button_->setText(button);
+    button_->setVisible(!button.isEmpty());
+    setAccessibleName(text);
+    show();
+    update();
+    QAccessibleEvent alert(this, QAccessible::Alert);
+    QAccessible::updateAccessibility(&alert);
+    emit shown(tone, text);
+  }
+
+  [[nodiscard]] QString text() const { return text_->text(); }
   /// Something went wrong and nobody has closed the message yet: good news should not take its place.
   [[nodiscard]] bool isUrgent() const { return isVisible() && tone_ == Tone::Bad; }
 
@@ -28,12 +71,23 @@ class MessageBar : public QFrame {
   void shown(hexoderm::Tone tone, const QString& text);
 
  protected:
-  void keyPressEvent(QKeyEvent* event) override;
-  void paintEvent(QPaintEvent* event) override;
+  void keyPressEvent(QKeyEvent* event) override {
+    if (event->key() == Qt::Key_Escape) {
+      hide();
+      return;
+    }
+    QFrame::keyPressEvent(event);
+  }
+
+  void paintEvent(QPaintEvent* event) override {
+    QFrame::paintEvent(event);
+    // A bar along the left edge carries the tone; the words carry it too.
+    QPainter(this).fillRect(0, 6, 4, height() - 12, toneColor(tone_, themeOf(palette())));
+  }
 
  private:
-  QLabel* text_;
-  QPushButton* button_;
+  QLabel* text_ = new QLabel(this);
+  QPushButton* button_ = new QPushButton(this);
   std::function<void()> pressed_;
   Tone tone_ = Tone::Neutral;
 };

@@ -1,6 +1,10 @@
 #pragma once
 
+#include <QEvent>
+#include <QVBoxLayout>
+#include <QVariant>
 #include <QWidget>
+#include <algorithm>
 
 namespace hexoderm {
 
@@ -11,17 +15,57 @@ class NoticeStack : public QWidget {
 
  public:
   /// Lies over `host`, which owns it.
-  explicit NoticeStack(QWidget* host);
+  explicit NoticeStack(QWidget* host) : QWidget(host) {
+    setObjectName(QStringLiteral("noticeStack"));
+    auto* layout = new QVBoxLayout(this);
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->setSpacing(6);
+    host->installEventFilter(this);
+    hide();
+  }
 
   /// Takes over a notice, which is shown and hidden by whoever has something to say.
-  void add(QWidget* notice);
+  void add(QWidget* notice) {
+    notice->setProperty("notice", true);
+    layout()->addWidget(notice);
+    notices_ << notice;
+    notice->installEventFilter(this);
+    place();
+  }
 
  protected:
-  bool event(QEvent* event) override;
-  bool eventFilter(QObject* watched, QEvent* event) override;
+  bool event(QEvent* event) override {
+    const bool taken = QWidget::event(event);
+    if (event->type() == QEvent::LayoutRequest) place();
+    return taken;
+  }
+
+  bool eventFilter(QObject* watched, QEvent* event) override {
+    const QEvent::Type type = event->type();
+    const bool is_host = watched == parentWidget();
+    if (is_host ? type == QEvent::Resize || type == QEvent::Show
+                : type == QEvent::ShowToParent || type == QEvent::HideToParent) {
+      place();
+    }
+    return QWidget::eventFilter(watched, event);
+  }
 
  private:
-  void place();
+  void place() {
+    const bool any =
+        std::any_of(notices_.begin(), notices_.end(), [](const QWidget* notice) { return !notice->isHidden(); });
+    setVisible(any);
+    if (!any) return;
+    constexpr int kMargin = 16;
+    constexpr int kMostCharacters = 110;  // longer lines are hard to read
+    const QSize room = parentWidget()->size();
+    const int width = std::min(room.width() - 2 * kMargin, kMostCharacters * fontMetrics().averageCharWidth());
+    layout()->activate();
+    const int height =
+        layout()->hasHeightForWidth() ? layout()->totalHeightForWidth(width) : layout()->totalSizeHint().height();
+    setGeometry((room.width() - width) / 2, room.height() - height - kMargin, width, height);
+    raise();
+  }
 
   QList<QWidget*> notices_;
 };

@@ -1,7 +1,6 @@
 #include "widgets/controls/selection.h"
 
 #include <algorithm>
-#include <utility>
 
 namespace hexoderm {
 

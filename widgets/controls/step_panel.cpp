@@ -2,6 +2,8 @@
 
 #include "widgets/controls/action_button.h"
 #include "widgets/controls/flow_layout.h"
+#include "widgets/controls/panel_parts.h"
+#include "widgets/style/of_enum.h"
 #include "widgets/style/palette.h"
 #include "widgets/words/formatting.h"
 
@@ -19,17 +21,8 @@ namespace hexoderm {
 namespace {
 
 QString readinessInWords(Readiness readiness) {
-  switch (readiness) {
-    case Readiness::Ready:
-      return StepPanel::tr("✓ Ready: %1");
-    case Readiness::Possible:
-      return StepPanel::tr("▲ Possible: %1");
-    case Readiness::Waiting:
-      return StepPanel::tr("… Waiting: %1");
-    case Readiness::Blocked:
-      return StepPanel::tr("■ Blocked: %1");
-  }
-  return {};
+  return ofEnum(readiness, {StepPanel::tr("✓ Ready: %1"), StepPanel::tr("▲ Possible: %1"),
+                            StepPanel::tr("… Waiting: %1"), StepPanel::tr("■ Blocked: %1")});
 }
 
 constexpr int kBadge = 24;
@@ -37,15 +30,7 @@ constexpr int kMargin = 14;
 constexpr int kIndent = kMargin + kBadge + 10;
 
 QString stateInWords(StepState state) {
-  switch (state) {
-    case StepState::Waiting:
-      return StepPanel::tr("waiting");
-    case StepState::Current:
-      return StepPanel::tr("current");
-    case StepState::Done:
-      return StepPanel::tr("done");
-  }
-  return {};
+  return ofEnum(state, {StepPanel::tr("waiting"), StepPanel::tr("current"), StepPanel::tr("done")});
 }
 
 /// Number or tick, title and note; pressing it opens the step.
@@ -162,28 +147,18 @@ class StepPanel::Row : public QWidget {
     setObjectName(QStringLiteral("step%1").arg(number));
     head_->setObjectName(QStringLiteral("stepHead%1").arg(number));
     body_->setProperty("stepBody", true);
-    what_->setWordWrap(true);
-    what_->setTextFormat(Qt::PlainText);
+    setPlainParagraph(what_);
     what_->setProperty("stepWhat", true);
-    why_->setWordWrap(true);
-    why_->setTextFormat(Qt::PlainText);
+    setPlainParagraph(why_);
     why_->setProperty("muted", true);
     because_->setObjectName(QStringLiteral("stepBecause%1").arg(number));
-    because_->setWordWrap(true);
-    because_->setTextFormat(Qt::PlainText);
-    auto* body = new QVBoxLayout(body_);
-    body->setContentsMargins(kMargin + 6, 2, kMargin, 14);
-    body->setSpacing(8);
-    body->addWidget(what_);
-    body->addWidget(why_);
-    body->addWidget(because_);
+    setPlainParagraph(because_);
+    auto* body = spaced(new QVBoxLayout(body_), {kMargin + 6, 2, kMargin, 14}, 8);
+    addWidgets(body, {what_, why_, because_});
     body->addLayout(content_);
     body->addLayout(buttons_);
-    auto* layout = new QVBoxLayout(this);
-    layout->setContentsMargins(0, 0, 0, 0);
-    layout->setSpacing(0);
-    layout->addWidget(head_);
-    layout->addWidget(body_);
+    auto* layout = spaced(new QVBoxLayout(this), {0, 0, 0, 0}, 0);
+    addWidgets(layout, {head_, body_});
   }
 
   void set(const Step& step) {
@@ -232,13 +207,9 @@ class StepPanel::Row : public QWidget {
 };
 
 StepPanel::StepPanel(QWidget* parent) : QScrollArea(parent), layout_(nullptr) {
-  setObjectName(QStringLiteral("stepPanel"));
-  setAccessibleName(tr("Steps"));
-  setWidgetResizable(true);
-  setFrameShape(QFrame::NoFrame);
-  setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  setNames(this, QStringLiteral("stepPanel"), tr("Steps"));
   // Its steps take the focus, and are scrolled into view then.
-  setFocusPolicy(Qt::NoFocus);
+  scrollPlainly(this);
   auto* content = new QWidget;
   content->setObjectName(QStringLiteral("stepContent"));
   layout_ = new QVBoxLayout(content);

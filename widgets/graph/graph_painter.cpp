@@ -3,7 +3,6 @@
 #include "hexoderm/util/units.h"
 #include "widgets/graph/graph_levels.h"
 
-#include <QPainterPath>
 #include <algorithm>
 #include <cmath>
 #include <map>

@@ -1,8 +1,12 @@
 #pragma once
 
-#include <QFrame>
+#include "widgets/controls/panel_parts.h"
 
-class QSlider;
+#include <QFrame>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QSlider>
+#include <QToolButton>
 
 namespace hexoderm {
 
@@ -12,10 +16,34 @@ class CutBar : public QFrame {
   Q_OBJECT
 
  public:
-  explicit CutBar(QWidget* parent = nullptr);
+  explicit CutBar(QWidget* parent = nullptr) : QFrame(parent), slider_(new QSlider(Qt::Horizontal, this)) {
+    setObjectName(QStringLiteral("cutBar"));
+    // A plate, so that it is seen over cells.
+    setAutoFillBackground(true);
+    setBackgroundRole(QPalette::Base);
+    auto* layout = spaced(new QHBoxLayout(this), {8, 0, 0, 0}, 6);
+    auto* label = new QLabel(tr("Cut"), this);
+    label->setBuddy(slider_);
+    slider_->setObjectName(QStringLiteral("cutDepth"));
+    slider_->setRange(0, kSteps);
+    slider_->setPageStep(kSteps / 10);
+    slider_->setValue(kSteps / 2);
+    slider_->setFixedWidth(110);
+    slider_->setFocusPolicy(Qt::StrongFocus);
+    slider_->setAccessibleName(tr("Depth of the cut"));
+    slider_->setToolTip(tr("How much of the skin is taken away from in front"));
+    auto* align = new QToolButton(this);
+    align->setObjectName(QStringLiteral("cutAlign"));
+    align->setText(tr("Face me"));
+    align->setToolTip(tr("Turns the cut so that it faces you as you look now"));
+    align->setFocusPolicy(Qt::TabFocus);
+    addWidgets(layout, {label, slider_, align});
+    connect(slider_, &QSlider::valueChanged, this, [this] { emit shareChanged(share()); });
+    connect(align, &QToolButton::clicked, this, &CutBar::alignRequested);
+  }
 
   /// Of the skin's depth, 0 to 1.
-  [[nodiscard]] double share() const;
+  [[nodiscard]] double share() const { return static_cast<double>(slider_->value()) / kSteps; }
 
  signals:
   void shareChanged(double share);

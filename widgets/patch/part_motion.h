@@ -1,23 +1,35 @@
 #pragma once
 
 #include "hexoderm/capture/calm_up.h"
+#include "hexoderm/geometry/se3.h"
+#include "hexoderm/util/units.h"
+#include "widgets/patch/ghost_caption.h"
+#include "widgets/scene/part_camera.h"
+#include "widgets/scene/patch_scene.h"
 
+#include <vtkCamera.h>
+#include <vtkRenderer.h>
 #include <Eigen/Core>
+
 #include <QElapsedTimer>
+#include <QKeyEvent>
+#include <QLocale>
+#include <QMouseEvent>
 #include <QObject>
 #include <QPoint>
 #include <QTimer>
+#include <QToolButton>
+#include <algorithm>
+#include <cmath>
 #include <functional>
 #include <optional>
+#include <utility>
 
 class QPainter;
-class QToolButton;
 class QWidget;
 
 namespace hexoderm {
 
-class PatchScene;
-class GhostCaption;
 struct PatchMoment;
 
 /// The motion in the 3D view while poses are captured: the picture follows the part, the ghost of the next pose turns
@@ -31,19 +43,74 @@ class PartMotion : public QObject {
   /// `view` receives the keys, and `canvas`, which lies inside it, the mouse. `button` decides whether dragging turns
   /// the picture or the part, and is shown while the part can be turned. `render` asks for a picture soon. All but
   /// `canvas` must outlive this.
-  PartMotion(QWidget* view, QWidget* canvas, QToolButton* button, PatchScene& scene, std::function<void()> render);
-  ~PartMotion() override;
+  PartMotion(QWidget* view, QWidget* canvas, QToolButton* button, PatchScene& scene, std::function<void()> render)
+      : view_(view),
+        canvas_(canvas),
+        scene_(scene),
+        render_(std::move(render)),
+        caption_(new GhostCaption(view)),
+        button_(button) {
+    button_->setObjectName(QStringLiteral("turnThePart"));
+    button_->setText(tr("Turn the part"));
+    button_->setCheckable(true);
+    button_->setToolTip(
+        tr("Dragging and the arrow keys turn the part instead of the picture; dragging with Shift always does"));
+    button_->hide();
+    connect(button_, &QToolButton::toggled, this, [this](bool on) {
+      canvas_->setCursor(on ? Qt::OpenHandCursor : Qt::ArrowCursor);
+      if (on) view_->setFocus();
+    });
+    request_soon_.setSingleShot(true);
+    connect(&request_soon_, &QTimer::timeout, this, &PartMotion::request);
+    turn_over_.setSingleShot(true);
+    turn_over_.setInterval(kTurnOver_ms);
+    frames_.setInterval(kFrame_ms);
+    connect(&frames_, &QTimer::timeout, this, &PartMotion::nextFrame);
+    // Later than the view's own: what turns the part is not seen by anybody else.
+    canvas_->installEventFilter(this);
+    view_->installEventFilter(this);
+    place();
+  }
+
+  ~PartMotion() override = default;
 
   /// Hands the moment on to the scene with the up direction that CalmUp makes of it, and starts the ghost's turn where
   /// the next pose is another one.
-  void setMoment(const PatchMoment& moment);
+  void setMoment(const PatchMoment& moment) {
+    PatchMoment shown = moment;
+    shown.up_o = calm_up_.follow(moment.up_o);
+    const std::optional<Eigen::Vector3d> up_before = std::exchange(up_o_, shown.up_o);
+    const std::optional<Eigen::Vector3d> next_before = std::exchange(next_o_, moment.next_up_o);
+    caption_->setAngle(QString::fromStdString(moment.next_turn));
+    scene_.setMoment(shown);
+    const bool is_other_next = next_o_.has_value() != next_before.has_value() ||
+                               (next_o_ && angleBetween(*next_o_, *next_before) > kOtherNext);
+    if (is_other_next) play();
+    if (up_o_ == up_before && next_o_ == next_before) return;
+    updateCaption();
+    render_();
+  }
+
   /// Must be called when another skin, or another shape of it, is shown.
-  void refresh();
-  void setTurnable(bool turnable);
+  void refresh() { updateCaption(); }
+  void setTurnable(bool turnable) {
+    turnable_ = turnable;
+    if (!turnable) {
+      button_->setChecked(false);
+      is_dragging_ = false;
+      request_soon_.stop();
+    }
+    button_->setVisible(turnable);
+  }
+
   /// Off: the ghost does not move and is shown in the orientation in which the part should be held.
-  void setAnimated(bool animated);
+  void setAnimated(bool animated) {
+    animated_ = animated;
+    play();
+  }
+
   /// Paints the words beside the ghost into a screenshot of this size.
-  void paintCaption(QPainter& painter, const QSize& area) const;
+  void paintCaption(QPainter& painter, const QSize& area) const { caption_->paint(painter, area); }
 
   [[nodiscard]] bool isAnimating() const { return frames_.isActive(); }
 
@@ -52,18 +119,151 @@ class PartMotion : public QObject {
   void turnRequested(Eigen::Vector3d up_o);
 
  protected:
-  bool eventFilter(QObject* watched, QEvent* event) override;
+  bool eventFilter(QObject* watched, QEvent* event) override {
+    if (watched == view_) {
+      if (event->type() == QEvent::Resize) place();
+      return event->type() == QEvent::KeyPress && onKey(event);
+    }
+    switch (event->type()) {
+      case QEvent::Hide:
+        frames_.stop();
+        return false;
+      case QEvent::Show:
+        if (next_o_ && animated_) play();
+        return false;
+      case QEvent::MouseButtonPress:
+      case QEvent::MouseMove:
+      case QEvent::MouseButtonRelease:
+        return onMouse(event);
+      default:
+        return false;
+    }
+  }
 
  private:
-  bool onMouse(QEvent* event);
-  bool onKey(QEvent* event);
-  void beginTurn();
-  void turnBy(double right_rad, double down_rad);
-  void request();
-  void play();
-  void nextFrame();
-  void updateCaption();
-  void place();
+  static constexpr double kPlay_s = 2.0;
+  static constexpr double kTurning = 0.65;  // share of it
+  static constexpr int kPlays = 3;
+  static constexpr int kFrame_ms = 40;
+  static constexpr double kOtherNext = 5 * kDegree;
+  static constexpr double kKeyStep = 5 * kDegree;
+  static constexpr int kTurnOver_ms = 800;
+  /// Slow at both ends.
+  static double eased(double t) { return t * t * (3 - 2 * t); }
+
+  bool onMouse(QEvent* event) {
+    const auto* mouse = static_cast<QMouseEvent*>(event);
+    const bool wanted = turnable_ && (button_->isChecked() || (mouse->modifiers() & Qt::ShiftModifier) != 0);
+    if (event->type() == QEvent::MouseButtonPress && mouse->button() == Qt::LeftButton && wanted) {
+      beginTurn();
+      is_dragging_ = true;
+      last_ = mouse->pos();
+      canvas_->setCursor(Qt::ClosedHandCursor);
+      return true;
+    }
+    if (!is_dragging_) return false;
+    // The position of the release counts too: of moves that follow each other quickly, some are not reported.
+    if (event->type() != QEvent::MouseButtonPress) {
+      const QPoint moved = mouse->pos() - last_;
+      last_ = mouse->pos();
+      const double per_pixel = kPi / std::max(1, canvas_->height());
+      turnBy(per_pixel * moved.x(), per_pixel * moved.y());
+    }
+    if (event->type() == QEvent::MouseButtonRelease && mouse->button() == Qt::LeftButton) {
+      is_dragging_ = false;
+      canvas_->setCursor(button_->isChecked() ? Qt::OpenHandCursor : Qt::ArrowCursor);
+    }
+    return true;
+  }
+
+  bool onKey(QEvent* event) {
+    if (!turnable_ || !button_->isChecked()) return false;
+    double right = 0;
+    double down = 0;
+    switch (static_cast<QKeyEvent*>(event)->key()) {
+      case Qt::Key_Left:
+        right = -kKeyStep;
+        break;
+      case Qt::Key_Right:
+        right = kKeyStep;
+        break;
+      case Qt::Key_Up:
+        down = -kKeyStep;
+        break;
+      case Qt::Key_Down:
+        down = kKeyStep;
+        break;
+      default:
+        return false;
+    }
+    // Keys that follow each other quickly add up, although the part has not arrived yet.
+    if (!turn_over_.isActive()) beginTurn();
+    turn_over_.start();
+    turnBy(right, down);
+    return true;
+  }
+
+  void beginTurn() {
+    vtkCamera* camera = scene_.renderer()->GetActiveCamera();
+    double view_up[3];
+    camera->GetViewUp(view_up);
+    wanted_up_o_ = up_o_ ? *up_o_ : scene_.upShown().value_or(Eigen::Vector3d(view_up[0], view_up[1], view_up[2]));
+    wanted_up_o_.normalize();
+    right_o_ = rightInPicture(camera, wanted_up_o_);
+  }
+
+  /// Turns the part as if its front were dragged. To the right it turns about gravity, which no sensor feels: the
+  /// picture alone shows it. Downwards its upper edge comes nearer.
+  void turnBy(double right_rad, double down_rad) {
+    if (right_rad != 0) {
+      right_o_ = expSO3(-right_rad * wanted_up_o_) * right_o_;
+      scene_.spin(right_rad);
+      render_();
+    }
+    if (down_rad == 0) return;
+    wanted_up_o_ = (expSO3(-down_rad * right_o_) * wanted_up_o_).normalized();
+    if (request_soon_.isActive()) return;
+    const qint64 since = since_request_.isValid() ? since_request_.elapsed() : kRequestEvery_ms;
+    if (since >= kRequestEvery_ms) {
+      request();
+    } else {
+      request_soon_.start(static_cast<int>(kRequestEvery_ms - since));
+    }
+  }
+
+  void request() {
+    since_request_.start();
+    emit turnRequested(wanted_up_o_);
+  }
+
+  void play() {
+    frames_.stop();
+    if (!next_o_ || !animated_) {
+      scene_.setGhostPhase(1);
+      render_();
+      return;
+    }
+    since_start_.start();
+    scene_.setGhostPhase(0);
+    if (canvas_->isVisible()) frames_.start();
+  }
+
+  void nextFrame() {
+    const double played = static_cast<double>(since_start_.elapsed()) / 1000 / kPlay_s;
+    const double within = played - std::floor(played);
+    if (played >= kPlays) frames_.stop();
+    const double phase = played >= kPlays ? 1 : eased(std::min(1.0, within / kTurning));
+    // While it rests there is nothing to draw.
+    if (phase == 1 && played < kPlays && within > kTurning + 0.1) return;
+    scene_.setGhostPhase(phase);
+    render_();
+  }
+
+  void updateCaption() { caption_->setShown(scene_.showsGhost()); }
+  void place() {
+    caption_->setGeometry(view_->rect());
+    caption_->raise();
+  }
 
   QWidget* view_;
   QWidget* canvas_;

@@ -1,7 +1,13 @@
 #pragma once
 
+#include "widgets/scene/scene_corners.h"
+#include "widgets/style/palette.h"
+
+#include <QImage>
+#include <QPainter>
 #include <QStringList>
 #include <QWidget>
+#include <algorithm>
 #include <optional>
 
 namespace hexoderm {
@@ -20,21 +26,111 @@ class PatchCaptions : public QWidget {
     QString legend;   ///< in words, for screen readers
   };
 
-  explicit PatchCaptions(QWidget* parent = nullptr);
+  explicit PatchCaptions(QWidget* parent = nullptr) : QWidget(parent) {
+    setAttribute(Qt::WA_TransparentForMouseEvents);
+    setAttribute(Qt::WA_NoSystemBackground);
+    setFocusPolicy(Qt::NoFocus);
+  }
 
-  void setContent(const Content& content);
+  void setContent(const Content& content) {
+    content_ = content;
+    QStringList words = content.notes;
+    if (!content.message.isEmpty()) words.prepend(content.message);
+    if (content.hint.isEmpty()) words << content.legend;
+    setAccessibleName(content.hint);
+    setAccessibleDescription(content.hint.isEmpty() ? words.join(QStringLiteral(". ")) : QString());
+    update();
+  }
+
   /// Kept free for the buttons.
-  void setTopMargin(int pixels);
+  void setTopMargin(int pixels) {
+    top_margin_ = pixels;
+    update();
+  }
+
   /// Down to here the notes reach, which stay while the picture does; 0 if there are none. In pixels.
-  [[nodiscard]] int notesBottom() const;
+  [[nodiscard]] int notesBottom() const {
+    if (content_.notes.isEmpty() || !content_.hint.isEmpty()) return 0;
+    const int room = width() - 2 * (kSideMargin + kPadding);
+    int bottom = top_margin_;
+    for (const QString& note : content_.notes) {
+      bottom += kPadding + fontMetrics().boundingRect(QRect(0, 0, room, height()), Qt::TextWordWrap, note).height();
+    }
+    return bottom + kPadding;
+  }
+
   /// Paints the same texts into a screenshot of the given size.
-  void paint(QPainter& painter, const QSize& area) const;
+  void paint(QPainter& painter, const QSize& area) const {
+    const Colors& colors = Colors::of(palette());
+    painter.setRenderHint(QPainter::Antialiasing);
+    painter.setFont(font());
+    if (!content_.hint.isEmpty()) {
+      painter.setPen(colors.text_muted);
+      painter.drawText(QRect(QPoint(0, 0), area).adjusted(24, 24, -24, -24), Qt::AlignCenter | Qt::TextWordWrap,
+                       content_.hint);
+      return;
+    }
+    if (content_.gravity) {
+      // Above the arrow, wherever that points.
+      const QRect arrow(area.width() - SceneCorners::kRight - SceneCorners::kSize,
+                        area.height() - SceneCorners::kBottom - SceneCorners::kSize, SceneCorners::kSize,
+                        SceneCorners::kSize);
+      QRect word = painter.fontMetrics().boundingRect(tr("gravity"));
+      word.moveCenter(QPoint(arrow.center().x(), arrow.top() - word.height()));
+      word.moveRight(std::min(word.right(), area.width() - kPadding - SceneCorners::kRight / 2));
+      writeOnGround(painter, word, tr("gravity"), colors.text_muted, colors.scene_bottom);
+    }
+    paintNotes(painter, area);
+  }
 
  protected:
-  void paintEvent(QPaintEvent* event) override;
+  void paintEvent(QPaintEvent*) override {
+    QPainter painter(this);
+    paint(painter, size());
+  }
 
  private:
-  void paintNotes(QPainter& painter, const QSize& area) const;
+  static constexpr int kPadding = 6;
+  static constexpr int kSideMargin = 12;  // at the sides
+  /// A ground that keeps what stands on it readable over any cell.
+  static void paintPlate(QPainter& painter, const QRect& place, QColor ground) {
+    ground.setAlphaF(0.8);
+    painter.save();
+    painter.setPen(Qt::NoPen);
+    painter.setBrush(ground);
+    painter.drawRoundedRect(place, 4, 4);
+    painter.restore();
+  }
+
+  static void writeOnGround(QPainter& painter, const QRect& place, const QString& text, const QColor& color,
+                            const QColor& ground) {
+    paintPlate(painter, place.adjusted(-kPadding, -3, kPadding, 3), ground);
+    painter.save();
+    painter.setPen(color);
+    painter.drawText(place.adjusted(0, 0, 1, 0), Qt::TextWordWrap, text);
+    painter.restore();
+  }
+
+  /// Below the buttons on the left.
+  void paintNotes(QPainter& painter, const QSize& area) const {
+    const Colors& colors = Colors::of(palette());
+    const QRect room(kSideMargin + kPadding, top_margin_ + kPadding, area.width() - 2 * (kSideMargin + kPadding),
+                     area.height() - top_margin_);
+    int top = room.top();
+    const auto write = [&](const QString& text, const QColor& color, bool emphasised) {
+      QFont font = painter.font();
+      font.setBold(emphasised);
+      painter.setFont(font);
+      const QRect needed =
+          painter.boundingRect(QRect(room.left(), top, room.width(), area.height()), Qt::TextWordWrap, text);
+      writeOnGround(painter, needed, text, color, colors.scene_top);
+      top = needed.bottom() + kPadding;
+    };
+    painter.save();
+    if (!content_.message.isEmpty()) write(content_.message, colors.text, true);
+    for (const QString& note : content_.notes) write(note, colors.text_muted, false);
+    painter.restore();
+  }
 
   Content content_;
   int top_margin_ = 0;

@@ -5,7 +5,6 @@
 #include "widgets/patch/cut_bar.h"
 #include "widgets/patch/patch_words.h"
 
-#include <QAction>
 #include <QActionGroup>
 #include <QMenu>
 #include <QResizeEvent>
@@ -24,14 +23,7 @@ void allow(QAction* action, const QString& purpose, const QString& why_not) {
 
 }  // namespace
 
-PatchControls::PatchControls(QWidget* parent)
-    : QFrame(parent),
-      buttons_(new FoldingRow(this)),
-      measure_(new QAction(tr("&Measure"), this)),
-      parallel_(new QAction(tr("Parallel pro&jection"), this)),
-      picture_(new QAction(tr("Save picture of the 3D &view…"), this)),
-      fit_(new QAction(tr("Fit"), this)),
-      cut_(new QAction(tr("&Cut open"), this)) {
+PatchControls::PatchControls(QWidget* parent) : QFrame(parent), buttons_(new FoldingRow(this)) {
   measure_->setObjectName(QStringLiteral("actionMeasure"));
   measure_->setCheckable(true);
   measure_->setToolTip(tr("Distance between two cells, and the angle between their faces"));

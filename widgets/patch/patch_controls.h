@@ -3,11 +3,11 @@
 #include "widgets/coloring/coloring.h"
 #include "widgets/scene/patch_scene.h"
 
+#include <QAction>
 #include <QFrame>
 #include <map>
 #include <vector>
 
-class QAction;
 class QMenu;
 class QToolButton;
 
@@ -73,11 +73,11 @@ class PatchControls : public QFrame {
   std::vector<QAction*> views_;
   std::map<Coloring, QAction*> colorings_;
   std::map<SceneItem, QAction*> items_;
-  QAction* measure_;
-  QAction* parallel_;
-  QAction* picture_;
-  QAction* fit_;
-  QAction* cut_;
+  QAction* measure_ = new QAction(tr("&Measure"), this);
+  QAction* parallel_ = new QAction(tr("Parallel pro&jection"), this);
+  QAction* picture_ = new QAction(tr("Save picture of the 3D &view…"), this);
+  QAction* fit_ = new QAction(tr("Fit"), this);
+  QAction* cut_ = new QAction(tr("&Cut open"), this);
 };
 
 }  // namespace hexoderm

@@ -1,15 +1,19 @@
 #pragma once
 
+#include "widgets/coloring/coloring_words.h"
 #include "widgets/patch/patch_legend.h"
+#include "widgets/patch/range_popup.h"
 
+#include <QEvent>
+#include <QKeyEvent>
+#include <QMouseEvent>
+#include <QPainter>
+#include <QToolButton>
 #include <QWidget>
+#include <algorithm>
 #include <optional>
 
-class QToolButton;
-
 namespace hexoderm {
-
-class RangePopup;
 
 /// The legend at the lower edge of its parent, a view. On a scale that is pointed at, by the mouse or by the arrow
 /// keys, it says which values lie there and how many cells have them. A click on the bar, or Enter, fixes the range as
@@ -19,16 +23,54 @@ class PatchLegendView : public QWidget {
   Q_OBJECT
 
  public:
-  explicit PatchLegendView(QWidget* parent);
+  explicit PatchLegendView(QWidget* parent) : QWidget(parent) {
+    setObjectName(QStringLiteral("patchLegend"));
+    setAttribute(Qt::WA_NoSystemBackground);
+    setMouseTracking(true);
+    button_->setObjectName(QStringLiteral("scaleRange"));
+    button_->setProperty("flat", true);
+    button_->setFocusPolicy(Qt::TabFocus);
+    button_->setToolTip(tr("The range of the colours: fitted to what is shown, the usual one, or as you type it"));
+    connect(button_, &QToolButton::clicked, this, &PatchLegendView::openPopup);
+    connect(popup_, &RangePopup::rangeWanted, this, &PatchLegendView::rangeFixed);
+    connect(popup_, &RangePopup::fitWanted, this, &PatchLegendView::rangeReleased);
+    parent->installEventFilter(this);
+    hide();
+  }
 
   /// None hides it.
-  void setContent(const std::optional<LegendContent>& content);
+  void setContent(const std::optional<LegendContent>& content) {
+    content_ = content;
+    const bool has_scale = content_ && content_->scale;
+    if (!has_scale || probed_.value_or(0) > static_cast<int>(ScaleLegend::kBins)) probed_.reset();
+    // The view below is turned through a legend that offers nothing.
+    setAttribute(Qt::WA_TransparentForMouseEvents, !has_scale);
+    setFocusPolicy(has_scale ? Qt::TabFocus : Qt::NoFocus);
+    if (has_scale) {
+      popup_->setScale(*content_->scale);
+      button_->setText(scaleStateWord(*content_->scale) + QStringLiteral(" ▾"));
+      button_->setAccessibleName(tr("Range of the colours: %1").arg(scaleStateWord(*content_->scale)));
+    }
+    button_->setVisible(has_scale);
+    arrange();
+    describe();
+  }
+
   /// Points at a value on the scale, and says whose it is ("cell 5: 0.42 mm"); none points at nothing.
-  void setMarkedValue(std::optional<double> value, const QString& word = {});
+  void setMarkedValue(std::optional<double> value, const QString& word = {}) {
+    if (value == marked_ && word == marked_word_) return;
+    marked_ = value;
+    marked_word_ = word;
+    update();
+  }
+
   [[nodiscard]] std::optional<double> markedValue() const { return marked_; }
 
   /// Paints the legend into a picture of the parent of this size.
-  void paintPicture(QPainter& painter, const QSize& area) const;
+  void paintPicture(QPainter& painter, const QSize& area) const {
+    if (!content_) return;
+    PatchLegend(*content_, themeOf(palette()), font(), area, {}).paint(painter, marked_, marked_word_, std::nullopt);
+  }
 
  signals:
   void rangeFixed(hexoderm::ColorRange range);
@@ -37,27 +79,143 @@ class PatchLegendView : public QWidget {
   void heightChanged(int pixels);
 
  protected:
-  bool event(QEvent* event) override;
-  bool eventFilter(QObject* watched, QEvent* event) override;
-  void paintEvent(QPaintEvent* event) override;
-  void mouseMoveEvent(QMouseEvent* event) override;
-  void mousePressEvent(QMouseEvent* event) override;
-  void leaveEvent(QEvent* event) override;
-  void keyPressEvent(QKeyEvent* event) override;
-  void focusInEvent(QFocusEvent* event) override;
-  void focusOutEvent(QFocusEvent* event) override;
+  bool event(QEvent* event) override {
+    // Clicks on the plate are not for the view below, as one sees no view there.
+    const QEvent::Type type = event->type();
+    if (type == QEvent::FontChange || type == QEvent::StyleChange || type == QEvent::PaletteChange) arrange();
+    return QWidget::event(event);
+  }
+
+  bool eventFilter(QObject* /*watched*/, QEvent* event) override {
+    if (event->type() == QEvent::Resize) arrange();
+    return false;
+  }
+
+  void paintEvent(QPaintEvent* /*event*/) override {
+    if (!legend_) return;
+    QPainter painter(this);
+    painter.translate(-pos());
+    legend_->paint(painter, marked_, marked_word_, probed_);
+    if (!hasFocus() || legend_->strip() == nullptr) return;
+    painter.setRenderHint(QPainter::Antialiasing);
+    painter.setPen(QPen(Colors::of(palette()).accent, 2));
+    painter.setBrush(Qt::NoBrush);
+    painter.drawRoundedRect(QRectF(geometry()).adjusted(1.5, 1.5, -1.5, -1.5), 5, 5);
+  }
+
+  void mouseMoveEvent(QMouseEvent* event) override {
+    if (legend_ && legend_->strip() != nullptr) probe(legend_->strip()->binAt(placeOf(*event) + pos()));
+  }
+
+  void mousePressEvent(QMouseEvent* event) override {
+    if (event->button() != Qt::LeftButton || !legend_ || legend_->strip() == nullptr) return;
+    if (legend_->strip()->binAt(placeOf(*event) + pos())) toggleFixed();
+  }
+
+  void leaveEvent(QEvent* event) override {
+    probe(std::nullopt);
+    QWidget::leaveEvent(event);
+  }
+
+  void keyPressEvent(QKeyEvent* event) override {
+    const int last = static_cast<int>(ScaleLegend::kBins);
+    switch (event->key()) {
+      case Qt::Key_Left:
+        probe(probed_ ? *probed_ - 1 : last);
+        return;
+      case Qt::Key_Right:
+        probe(probed_ ? *probed_ + 1 : -1);
+        return;
+      case Qt::Key_Home:
+        probe(-1);
+        return;
+      case Qt::Key_End:
+        probe(last);
+        return;
+      case Qt::Key_Return:
+      case Qt::Key_Enter:
+      case Qt::Key_Space:
+        toggleFixed();
+        return;
+      default:
+        QWidget::keyPressEvent(event);
+    }
+  }
+
+  void focusInEvent(QFocusEvent* event) override {
+    QWidget::focusInEvent(event);
+    update();
+  }
+
+  void focusOutEvent(QFocusEvent* event) override {
+    probe(std::nullopt);
+    QWidget::focusOutEvent(event);
+    update();
+  }
 
  private:
-  void arrange();
-  void probe(std::optional<int> bin);
-  void toggleFixed();
-  void openPopup();
-  void describe();
+  static QPointF placeOf(const QMouseEvent& event) {
+#if QT_VERSION >= QT_VERSION_CHECK(6, 0, 0)
+    return event.position();
+#else
+    return event.localPos();
+#endif
+  }
+
+  void arrange() {
+    legend_.reset();
+    if (content_) {
+      const bool has_scale = content_->scale.has_value();
+      legend_.emplace(*content_, themeOf(palette()), font(), parentWidget()->size(),
+                      has_scale ? button_->sizeHint() : QSize());
+    }
+    const bool is_there = legend_ && !legend_->place().isEmpty();
+    if (is_there) {
+      setGeometry(legend_->place().toAlignedRect());
+      if (!legend_->buttonPlace().isEmpty()) {
+        button_->setGeometry(QRect(legend_->buttonPlace().topLeft().toPoint() - pos(), button_->sizeHint()));
+      }
+    }
+    setVisible(is_there);
+    emit heightChanged(is_there ? parentWidget()->height() - geometry().top() : 0);
+    update();
+  }
+
+  void probe(std::optional<int> bin) {
+    if (bin && content_ && content_->scale) {
+      const ValueHistogram& counts = content_->scale->counts;
+      const auto bins = static_cast<int>(counts.counts.size());
+      // Beyond the ends there is something to say only where something lies.
+      bin = std::clamp(*bin, counts.below > 0 ? -1 : 0, counts.above > 0 ? bins : bins - 1);
+    }
+    if (bin == probed_) return;
+    probed_ = bin;
+    describe();
+    update();
+  }
+
+  void toggleFixed() {
+    if (!content_ || !content_->scale) return;
+    if (content_->scale->is_fixed) {
+      emit rangeReleased();
+    } else {
+      emit rangeFixed(content_->scale->range);
+    }
+  }
+
+  void openPopup() { popup_->openAt(button_->mapToGlobal(QPoint(button_->width(), 0))); }
+  void describe() {
+    if (!content_) return;
+    setAccessibleName(content_->scale ? tr("Scale of the colours: %1").arg(patchTitle(content_->coloring))
+                                      : tr("Legend of the colours"));
+    setAccessibleDescription(content_->scale && probed_ ? binInWords(*content_->scale, *probed_)
+                                                        : legendInWords(*content_));
+  }
 
   std::optional<LegendContent> content_;
   std::optional<PatchLegend> legend_;
-  QToolButton* button_;
-  RangePopup* popup_;
+  QToolButton* button_ = new QToolButton(this);
+  RangePopup* popup_ = new RangePopup(this);
   std::optional<double> marked_;
   QString marked_word_;
   std::optional<int> probed_;

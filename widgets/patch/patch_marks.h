@@ -1,10 +1,14 @@
 #pragma once
 
 #include "hexoderm/util/finding.h"
+#include "widgets/style/palette.h"
 
+#include <QPainter>
+#include <QPainterPath>
 #include <QPolygonF>
 #include <QString>
 #include <QWidget>
+#include <algorithm>
 #include <optional>
 #include <vector>
 
@@ -35,26 +39,176 @@ class PatchMarks : public QWidget {
     std::vector<SceneMark> found;
   };
 
-  explicit PatchMarks(QWidget* parent);
+  explicit PatchMarks(QWidget* parent) : QWidget(parent) {
+    setAttribute(Qt::WA_TransparentForMouseEvents);
+    setAttribute(Qt::WA_NoSystemBackground);
+    setFocusPolicy(Qt::NoFocus);
+  }
 
-  void setContent(const Content& content);
+  void setContent(const Content& content) {
+    content_ = content;
+    update();
+  }
+
   [[nodiscard]] const Content& content() const { return content_; }
   /// Buttons lie there, under which a tag would not be read.
-  void setTopMargin(int pixels);
+  void setTopMargin(int pixels) {
+    top_margin_ = pixels;
+    update();
+  }
+
   /// A frame that shows that the view has the keyboard.
-  void setFocusShown(bool shown);
+  void setFocusShown(bool shown) {
+    shows_focus_ = shown;
+    update();
+  }
+
   /// Paints what stays when the mouse has gone, for a picture of the view.
-  void paintLasting(QPainter& painter) const;
+  void paintLasting(QPainter& painter) const {
+    painter.setRenderHint(QPainter::Antialiasing);
+    const Colors& colors = Colors::of(palette());
+    std::vector<QRectF> tags;
+    for (const SceneMark& mark : content_.found) {
+      if (!mark.isThere()) continue;
+      const QColor& color = mark.sign == Severity::Error ? colors.bad : colors.caution;
+      paintOutline(painter, mark, color, colors.panel, kFoundWidth);
+      paintTag(painter, mark, color, textOn(color), tags);
+    }
+    if (content_.told.isThere()) {
+      QColor light = colors.accent;
+      light.setAlphaF(0.45);
+      painter.fillPath(pathOf(content_.told), light);
+      paintOutline(painter, content_.told, colors.accent, colors.panel, kToldWidth);
+      paintTag(painter, content_.told, colors.accent, colors.accent_text, tags);
+    }
+    if (content_.picked.isThere()) {
+      paintOutline(painter, content_.picked, colors.selection, textOn(colors.selection), kPickedWidth);
+      paintTag(painter, content_.picked, colors.selection, textOn(colors.selection), tags);
+    }
+  }
 
  protected:
-  void paintEvent(QPaintEvent* event) override;
+  void paintEvent(QPaintEvent* /*event*/) override {
+    QPainter painter(this);
+    paintLasting(painter);
+    const Colors& colors = Colors::of(palette());
+    if (content_.hovered.isThere()) {
+      paintOutline(painter, content_.hovered, colors.selection, textOn(colors.selection), kHoverWidth);
+    }
+    if (!shows_focus_) return;
+    painter.setBrush(Qt::NoBrush);
+    painter.setPen(QPen(colors.accent, 2));
+    painter.drawRect(QRectF(rect()).adjusted(1, 1, -1, -1));
+  }
 
  private:
+  static constexpr double kPickedWidth = 3;
+  static constexpr double kHoverWidth = 1.4;
+  static constexpr double kToldWidth = 4;
+  static constexpr double kFoundWidth = 2.4;
+  static constexpr double kHalo = 2;  // on either side
+  static QPainterPath pathOf(const SceneMark& mark) {
+    QPainterPath path;
+    path.addPolygon(mark.line);
+    if (mark.closed) path.closeSubpath();
+    return path;
+  }
+
+  /// As on the faces of the cells and in the table of findings.
+  static void paintSign(QPainter& painter, Severity severity, const QPointF& center, double radius) {
+    const auto at = [&](double x, double y) { return center + radius * QPointF(x, y); };
+    if (severity == Severity::Error) {
+      painter.drawLine(at(-1, -1), at(1, 1));
+      painter.drawLine(at(-1, 1), at(1, -1));
+    } else {
+      painter.drawPolygon(QPolygonF({at(0, -1), at(1.1, 0.9), at(-1.1, 0.9)}));
+    }
+  }
+
+  /// From a tag to the outline that it belongs to, so that it is not taken for that of the cell under it.
+  static void paintLeader(QPainter& painter, const QRectF& plate, const QPolygonF& outline, const QColor& color) {
+    constexpr double kLeaderWidth = 3;
+    const auto distance = [&](const QPointF& corner) { return QLineF(plate.center(), corner).length(); };
+    const QPointF to = *std::ranges::min_element(outline, {}, distance);
+    painter.setPen(QPen(textOn(color), kLeaderWidth + 2, Qt::SolidLine, Qt::RoundCap));
+    painter.drawLine(plate.center(), to);
+    painter.setPen(QPen(color, kLeaderWidth, Qt::SolidLine, Qt::RoundCap));
+    painter.drawLine(plate.center(), to);
+  }
+
   void paintOutline(QPainter& painter, const SceneMark& mark, const QColor& core, const QColor& halo,
-                    double width) const;
+                    double width) const {
+    painter.save();
+    painter.setBrush(Qt::NoBrush);
+    QPen pen(halo, width + 2 * kHalo, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin);
+    painter.setPen(pen);
+    painter.drawPath(pathOf(mark));
+    pen.setColor(core);
+    pen.setWidthF(width);
+    if (mark.hidden) {
+      pen.setCapStyle(Qt::FlatCap);
+      pen.setDashPattern({2.5, 1.8});
+    }
+    painter.setPen(pen);
+    painter.drawPath(pathOf(mark));
+    painter.restore();
+  }
+
   /// Where it covers none of `taken`, to which it is added.
+  /// On the side of the mark where there is room for it.
   void paintTag(QPainter& painter, const SceneMark& mark, const QColor& ground, const QColor& ink,
-                std::vector<QRectF>& taken) const;
+                std::vector<QRectF>& taken) const {
+    if (mark.tag.isEmpty()) return;
+    constexpr double kAside = 6;
+    painter.save();
+    QFont bold = font();
+    bold.setBold(true);
+    painter.setFont(bold);
+    const QSizeF text = painter.fontMetrics().size(0, mark.tag);
+    const double sign = mark.sign ? text.height() : 0;
+    const QSizeF size = text + QSizeF(10 + sign, 4);
+    // Of a link, its middle.
+    const QRectF around = mark.closed ? mark.line.boundingRect()
+                                      : QRectF(pathOf(mark).pointAtPercent(0.5) - QPointF(kAside, kAside),
+                                               QSizeF(2 * kAside, 2 * kAside));
+    const QRectF inside = QRectF(rect()).adjusted(kAside, kAside + top_margin_, -kAside, -kAside);
+    const double above = around.top() - kAside - size.height();
+    const double below = around.bottom() + kAside;
+    const double to_right = around.right() - 2;
+    const double to_left = around.left() + 2 - size.width();
+    const double beside = around.center().y() - size.height() / 2;
+    QRectF plate;
+    for (const QPointF& corner : {QPointF(to_right, above), QPointF(to_left, above), QPointF(to_right, below),
+                                  QPointF(to_left, below), QPointF(to_right + kAside, beside)}) {
+      const QRectF place(corner, size);
+      const auto covers = [&](const QRectF& other) { return other.intersects(place); };
+      if (!inside.contains(place) || std::ranges::any_of(taken, covers)) continue;
+      plate = place;
+      break;
+    }
+    if (plate.isNull() && mark.sign && !taken.empty()) {
+      // Many lie close together: a tag over another would hide both.
+      painter.restore();
+      return;
+    }
+    if (plate.isNull()) {
+      plate = {QPointF(to_right, above), size};
+      if (plate.top() < inside.top()) plate.moveTop(below);
+      plate.moveLeft(std::clamp(plate.left(), kAside, std::max(kAside, width() - kAside - plate.width())));
+    }
+    taken.push_back(plate);
+    if (mark.closed) paintLeader(painter, plate, mark.line, ground);
+    painter.setPen(QPen(textOn(ground), 1));
+    painter.setBrush(ground);
+    painter.drawRoundedRect(plate, 4, 4);
+    painter.setPen(QPen(ink, 2, Qt::SolidLine, Qt::RoundCap));
+    if (mark.sign) {
+      painter.setBrush(ink);
+      paintSign(painter, *mark.sign, {plate.left() + 4 + sign / 2, plate.center().y()}, 0.24 * sign);
+    }
+    painter.drawText(plate.adjusted(sign, 0, 0, 0), Qt::AlignCenter, mark.tag);
+    painter.restore();
+  }
 
   Content content_;
   bool shows_focus_ = false;

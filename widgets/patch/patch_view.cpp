@@ -78,294 +78,276 @@ struct PatchView::Parts : public QObject {
   std::vector<std::function<void()>> waiting;  ///< for the picture to be up to date
   int controls_height = 0;
 
-  void build();
-  void buildScene(QGridLayout* layout);
-  void buildPointing();
-  void connectControls();
-  void setContent(std::shared_ptr<const SceneContent> content);
-  void updateControls();
-  void updateCaptions();
-  void updateTopMargin();
-  void connectRanges();
-  void showFixedRange();
-  void markPicked();
-  void updateSelection();
-  void updateMeasure();
-  /// Called when the things drawn over the cells have changed.
-  void refresh();
-  /// Several changes in one turn of the event loop make one picture.
-  void requestRender();
-  /// Opens the menu for the cell at this place of the canvas, if there is one.
-  void openMenuAt(const QPoint& position);
-  void connectCut();
-  /// In the colours of the theme.
-  void dress();
-  bool eventFilter(QObject* watched, QEvent* event) override;
-};
+  void build() {
+    auto* layout = new QGridLayout(view);
+    layout->setContentsMargins(0, 0, 0, 0);
+    captions = new PatchCaptions(view);
+    if (opengl.usable) buildScene(layout);
+    layout->addWidget(captions, 0, 0, 2, 1);
+    layout->setRowStretch(1, 1);
+    captions->raise();
+    legend_view = new PatchLegendView(view);
+    connect(legend_view, &PatchLegendView::rangeFixed, this,
+            [this](ColorRange range) { ranges->fix(coloring, range); });
+    connect(legend_view, &PatchLegendView::rangeReleased, this, [this] { ranges->release(coloring); });
+    connectRanges();
+    if (scene) {
+      connect(legend_view, &PatchLegendView::heightChanged, this, [this](int height) {
+        scene->setBottomMargin(qRound(height * canvas->devicePixelRatioF()));
+        requestRender();
+      });
+    }
+    if (controls != nullptr) controls->raise();
+    if (canvas != nullptr) {
+      motion = new PartMotion(view, canvas, controls->turnButton(), *scene, [this] { requestRender(); });
+      motion->setParent(this);
+      connect(motion, &PartMotion::turnRequested, view, &PatchView::turnRequested);
+      buildPointing();
+    }
+    connect(selection, &Selection::changed, this, [this] { updateSelection(); });
+    connect(selection, &Selection::brushedChanged, this, [this] {
+      if (scene) scene->setBrushed(selection->brushed());
+      requestRender();
+    });
+    connect(&measure, &MeasureTool::changed, this, [this] { updateMeasure(); });
+    view->setMinimumHeight(180);
+    dress();
+    updateCaptions();
+  }
 
-void PatchView::Parts::build() {
-  auto* layout = new QGridLayout(view);
-  layout->setContentsMargins(0, 0, 0, 0);
-  captions = new PatchCaptions(view);
-  if (opengl.usable) buildScene(layout);
-  layout->addWidget(captions, 0, 0, 2, 1);
-  layout->setRowStretch(1, 1);
-  captions->raise();
-  legend_view = new PatchLegendView(view);
-  connect(legend_view, &PatchLegendView::rangeFixed, this, [this](ColorRange range) { ranges->fix(coloring, range); });
-  connect(legend_view, &PatchLegendView::rangeReleased, this, [this] { ranges->release(coloring); });
-  connectRanges();
-  if (scene) {
-    connect(legend_view, &PatchLegendView::heightChanged, this, [this](int height) {
-      scene->setBottomMargin(qRound(height * canvas->devicePixelRatioF()));
+  void buildScene(QGridLayout* layout) {
+    canvas = new SceneWidget(view);
+    vtkRenderWindow* window = canvas->renderWindow();
+    canvas->setAccessibleName(PatchView::tr("Skin patch in 3D"));
+    canvas->setFocusPolicy(Qt::NoFocus);
+    canvas->installEventFilter(this);
+    window->GetInteractor()->SetInteractorStyle(makeSceneInteractorStyle());
+    scene = std::make_unique<PatchScene>();
+    scene->attachTo(window);
+    smoothing = std::make_unique<PictureSmoothing>(canvas, *scene, opengl.software);
+    clicks = std::make_unique<PatchClicks>(canvas, *scene, [this] { requestRender(); });
+    builder = std::make_unique<SceneBuilder>(
+        [this](std::shared_ptr<const SceneContent> content) { setContent(std::move(content)); });
+    layout->addWidget(canvas, 0, 0, 2, 1);
+    controls = new PatchControls(view);
+    controls->setRenderer(openGlInWords(opengl));
+    layout->addWidget(controls, 0, 0);
+    connectControls();
+    updateControls();
+  }
+
+  /// After the motion, so that it hears of the mouse also where that turns the part.
+  void buildPointing() {
+    pointing = new PatchPointing(view, canvas, *scene, selection, [this] { requestRender(); });
+    pointing->setParent(this);
+    connect(clicks.get(), &PatchClicks::clicked, pointing, &PatchPointing::pickAt);
+    connect(clicks.get(), &PatchClicks::menuWanted, this, &Parts::openMenuAt);
+    connect(controls, &PatchControls::coloringChosen, pointing, &PatchPointing::setColoring);
+    connect(controls, &PatchControls::heightChanged, pointing, &PatchPointing::setTopMargin);
+    connect(controls, &PatchControls::viewRequested, pointing, &PatchPointing::forgetReturn);
+    // What has the mouse or the keyboard lies above what lets both through.
+    controls->raise();
+    pointing->raise();
+    view->setFocusPolicy(Qt::StrongFocus);
+  }
+
+  void connectControls() {
+    connect(controls, &PatchControls::coloringChosen, this, [this](Coloring chosen) {
+      coloring = chosen;
+      is_marked_elsewhere = false;
+      scene->setColoring(chosen);
+      scene->setFixedRange(ranges->fixed(chosen));
+      refresh();
+      emit view->coloringChanged(chosen);
+    });
+    connect(controls, &PatchControls::coloringPicked, view, &PatchView::coloringPicked);
+    connect(controls, &PatchControls::itemToggled, this, [this](SceneItem item, bool shown) {
+      scene->setShown(item, shown);
+      refresh();
+    });
+    connect(controls, &PatchControls::fitRequested, view, &PatchView::fit);
+    connect(controls, &PatchControls::viewRequested, this, [this](PatchScene::View standard) {
+      scene->showStandardView(standard);
+      requestRender();
+    });
+    connect(controls, &PatchControls::heightChanged, captions, &PatchCaptions::setTopMargin);
+    connect(controls, &PatchControls::heightChanged, this, [this](int height) {
+      controls_height = height;
+      updateTopMargin();
+      requestRender();
+    });
+    connect(controls->measureAction(), &QAction::toggled, &measure, &MeasureTool::setActive);
+    connect(controls->parallelAction(), &QAction::toggled, this, [this](bool parallel) {
+      scene->setParallel(parallel);
+      requestRender();
+    });
+    connect(controls->pictureAction(), &QAction::triggered, view, &PatchView::pictureRequested);
+    connectCut();
+  }
+
+  void setContent(std::shared_ptr<const SceneContent> content) {
+    scene->setContent(std::move(content));
+    updateControls();
+    refresh();
+    // The delivered content may be older than the newest submission.
+    if (builder->isBusy()) return;
+    for (const std::function<void()>& then : std::exchange(waiting, {})) then();
+  }
+
+  void updateControls() {
+    const SceneContent* content = scene->content();
+    for (const ColoringRow& row : coloringTable()) {
+      if (row.patch_title == nullptr) continue;
+      const bool known = content == nullptr || hasValues(row.coloring, content->figures, scene->readings());
+      controls->setWhyNot(row.coloring, whyNoColoring(row.coloring, known));
+    }
+    for (const SceneItem item : kSceneItems) controls->setWhyNot(item, whyNotShown(item, scene->availability(item)));
+  }
+
+  void updateCaptions() {
+    PatchCaptions::Content content;
+    std::optional<LegendContent> explained;
+    if (canvas == nullptr) {
+      content.hint = PatchView::tr(
+          "The 3D view needs OpenGL 3.2, which is not available here. The graph and the tables still work.\n\n"
+          "On a remote desktop, or with a faulty driver, it may help to let the processor draw: Edit, Preferences, "
+          "\"Draw "
+          "without the graphics card\", then start Hexoderm again.");
+    } else if (!reconstruction) {
+      content.hint = awaited.isEmpty() ? PatchView::tr("No skin yet: open a session or start the demo.") : awaited;
+    } else if (reconstruction->cellCount() == 0) {
+      content.hint = PatchView::tr("This skin has no cells.");
+    } else if (scene->content() == nullptr) {
+      content.hint = PatchView::tr("Preparing the picture of %1 cells…")
+                         .arg(QLocale().toString(static_cast<int>(reconstruction->cellCount())));
+    } else {
+      content.gravity = scene->showsGravity();
+      explained = legendOf(*scene, coloring);
+      content.legend = legendInWords(*explained);
+      content.notes = notesInWords(scene->notes(), overlays);
+      content.message = measure.words();
+    }
+    captions->setContent(content);
+    if (scene) updateTopMargin();
+    legend_view->setContent(explained);
+    markPicked();
+    if (controls != nullptr) controls->setVisible(content.hint.isEmpty());
+  }
+
+  /// What is drawn stays below the buttons and the notes.
+  void updateTopMargin() {
+    const int covered = std::max(controls_height, captions->notesBottom());
+    scene->setTopMargin(qRound(covered * canvas->devicePixelRatioF()));
+  }
+
+  void connectRanges() {
+    connect(ranges, &ScaleRanges::changed, this, [this](Coloring changed) {
+      if (changed == coloring) showFixedRange();
+    });
+  }
+
+  void showFixedRange() {
+    if (!scene) return;
+    scene->setFixedRange(ranges->fixed(coloring));
+    refresh();
+  }
+
+  /// The picked cell's value on the scale, unless another one is pointed at.
+  void markPicked() {
+    if (is_marked_elsewhere) return;
+    std::optional<double> value;
+    const SceneContent* content = scene ? scene->content() : nullptr;
+    const auto cell = selection->cell();
+    if (content != nullptr && cell && content->layout.find(*cell) != nullptr && isQuantity(coloring)) {
+      value = coloringRow(coloring).of_cell(content->figures, scene->readings(), content->layout.index.at(*cell));
+    }
+    const auto scale = value ? scene->scale() : std::nullopt;
+    legend_view->setMarkedValue(
+        value, scale
+                   ? PatchView::tr("cell %1: %2").arg(cell->value()).arg(valueWithUnit(*value, scale->range, coloring))
+                   : QString());
+  }
+
+  void updateSelection() {
+    if (!scene) return;
+    const auto link = selection->link();
+    scene->setPicked(link ? std::optional(link->first.cell) : selection->cell());
+    refresh();
+  }
+
+  void updateMeasure() {
+    if (!scene) return;
+    controls->measureAction()->setChecked(measure.isActive());
+    pointing->setOnlyCells(measure.isActive());
+    scene->setMeasured(measure.first(), measure.second());
+    refresh();
+  }
+
+  /// Called when the things drawn over the cells have changed.
+  void refresh() {
+    updateCaptions();
+    if (motion != nullptr) motion->refresh();
+    if (pointing != nullptr) pointing->refresh();
+    requestRender();
+  }
+
+  /// Several changes in one turn of the event loop make one picture.
+  void requestRender() {
+    if (canvas == nullptr || !canvas->isVisible()) return;
+    smoothing->expectRender();
+    canvas->requestRender();
+  }
+
+  /// Opens the menu for the cell at this place of the canvas, if there is one.
+  void openMenuAt(const QPoint& position) {
+    if (scene->content() == nullptr) return;
+    auto* menu = new QMenu(view);
+    menu->setObjectName(QStringLiteral("patchMenu"));
+    menu->setAttribute(Qt::WA_DeleteOnClose);
+    fillPatchMenu(*menu, *controls, pointing->cellAt(position),
+                  {[this](CellId cell) { selection->selectCell(cell); }, [this](CellId cell) { view->centerOn(cell); },
+                   [this] { view->copyPicture(); }});
+    menu->popup(canvas->mapToGlobal(position));
+  }
+
+  void connectCut() {
+    const auto cut = [this] {
+      const bool is_cut = controls->cutAction()->isChecked();
+      scene->setCut(is_cut ? std::optional(controls->cutBar()->share()) : std::nullopt);
+      requestRender();
+    };
+    connect(controls->cutAction(), &QAction::toggled, this, cut);
+    connect(controls->cutBar(), &CutBar::shareChanged, this, cut);
+    connect(controls->cutBar(), &CutBar::alignRequested, this, [this] {
+      scene->alignCut();
       requestRender();
     });
   }
-  if (controls != nullptr) controls->raise();
-  if (canvas != nullptr) {
-    motion = new PartMotion(view, canvas, controls->turnButton(), *scene, [this] { requestRender(); });
-    motion->setParent(this);
-    connect(motion, &PartMotion::turnRequested, view, &PatchView::turnRequested);
-    buildPointing();
+
+  /// In the colours of the theme.
+  void dress() {
+    if (!scene) return;
+    scene->setColors(sceneColors(themeOf(view->palette())));
+    canvas->setBackground(Colors::of(view->palette()).scene_bottom);
+    requestRender();
   }
-  connect(selection, &Selection::changed, this, [this] { updateSelection(); });
-  connect(selection, &Selection::brushedChanged, this, [this] {
-    if (scene) scene->setBrushed(selection->brushed());
-    requestRender();
-  });
-  connect(&measure, &MeasureTool::changed, this, [this] { updateMeasure(); });
-  view->setMinimumHeight(180);
-  dress();
-  updateCaptions();
-}
 
-/// After the motion, so that it hears of the mouse also where that turns the part.
-void PatchView::Parts::buildPointing() {
-  pointing = new PatchPointing(view, canvas, *scene, selection, [this] { requestRender(); });
-  pointing->setParent(this);
-  connect(clicks.get(), &PatchClicks::clicked, pointing, &PatchPointing::pickAt);
-  connect(clicks.get(), &PatchClicks::menuWanted, this, &Parts::openMenuAt);
-  connect(controls, &PatchControls::coloringChosen, pointing, &PatchPointing::setColoring);
-  connect(controls, &PatchControls::heightChanged, pointing, &PatchPointing::setTopMargin);
-  connect(controls, &PatchControls::viewRequested, pointing, &PatchPointing::forgetReturn);
-  // What has the mouse or the keyboard lies above what lets both through.
-  controls->raise();
-  pointing->raise();
-  view->setFocusPolicy(Qt::StrongFocus);
-}
-
-void PatchView::Parts::buildScene(QGridLayout* layout) {
-  canvas = new SceneWidget(view);
-  vtkRenderWindow* window = canvas->renderWindow();
-  canvas->setAccessibleName(PatchView::tr("Skin patch in 3D"));
-  canvas->setFocusPolicy(Qt::NoFocus);
-  canvas->installEventFilter(this);
-  window->GetInteractor()->SetInteractorStyle(makeSceneInteractorStyle());
-  scene = std::make_unique<PatchScene>();
-  scene->attachTo(window);
-  smoothing = std::make_unique<PictureSmoothing>(canvas, *scene, opengl.software);
-  clicks = std::make_unique<PatchClicks>(canvas, *scene, [this] { requestRender(); });
-  builder = std::make_unique<SceneBuilder>(
-      [this](std::shared_ptr<const SceneContent> content) { setContent(std::move(content)); });
-  layout->addWidget(canvas, 0, 0, 2, 1);
-  controls = new PatchControls(view);
-  controls->setRenderer(openGlInWords(opengl));
-  layout->addWidget(controls, 0, 0);
-  connectControls();
-  updateControls();
-}
-
-void PatchView::Parts::connectControls() {
-  connect(controls, &PatchControls::coloringChosen, this, [this](Coloring chosen) {
-    coloring = chosen;
-    is_marked_elsewhere = false;
-    scene->setColoring(chosen);
-    scene->setFixedRange(ranges->fixed(chosen));
-    refresh();
-    emit view->coloringChanged(chosen);
-  });
-  connect(controls, &PatchControls::coloringPicked, view, &PatchView::coloringPicked);
-  connect(controls, &PatchControls::itemToggled, this, [this](SceneItem item, bool shown) {
-    scene->setShown(item, shown);
-    refresh();
-  });
-  connect(controls, &PatchControls::fitRequested, view, &PatchView::fit);
-  connect(controls, &PatchControls::viewRequested, this, [this](PatchScene::View standard) {
-    scene->showStandardView(standard);
-    requestRender();
-  });
-  connect(controls, &PatchControls::heightChanged, captions, &PatchCaptions::setTopMargin);
-  connect(controls, &PatchControls::heightChanged, this, [this](int height) {
-    controls_height = height;
-    updateTopMargin();
-    requestRender();
-  });
-  connect(controls->measureAction(), &QAction::toggled, &measure, &MeasureTool::setActive);
-  connect(controls->parallelAction(), &QAction::toggled, this, [this](bool parallel) {
-    scene->setParallel(parallel);
-    requestRender();
-  });
-  connect(controls->pictureAction(), &QAction::triggered, view, &PatchView::pictureRequested);
-  connectCut();
-}
-
-void PatchView::Parts::connectCut() {
-  const auto cut = [this] {
-    const bool is_cut = controls->cutAction()->isChecked();
-    scene->setCut(is_cut ? std::optional(controls->cutBar()->share()) : std::nullopt);
-    requestRender();
-  };
-  connect(controls->cutAction(), &QAction::toggled, this, cut);
-  connect(controls->cutBar(), &CutBar::shareChanged, this, cut);
-  connect(controls->cutBar(), &CutBar::alignRequested, this, [this] {
-    scene->alignCut();
-    requestRender();
-  });
-}
-
-void PatchView::Parts::setContent(std::shared_ptr<const SceneContent> content) {
-  scene->setContent(std::move(content));
-  updateControls();
-  refresh();
-  // The delivered content may be older than the newest submission.
-  if (builder->isBusy()) return;
-  for (const std::function<void()>& then : std::exchange(waiting, {})) then();
-}
-
-void PatchView::Parts::updateControls() {
-  const SceneContent* content = scene->content();
-  for (const ColoringRow& row : coloringTable()) {
-    if (row.patch_title == nullptr) continue;
-    const bool known = content == nullptr || hasValues(row.coloring, content->figures, scene->readings());
-    controls->setWhyNot(row.coloring, whyNoColoring(row.coloring, known));
+  bool eventFilter(QObject*, QEvent* event) override {
+    switch (event->type()) {
+      case QEvent::KeyPress:
+      case QEvent::KeyRelease:
+        event->ignore();  // so that it goes on to the window
+        return true;
+      case QEvent::Show:  // shows changes made while it was hidden
+      case QEvent::Resize:
+      case QEvent::ScreenChangeInternal:  // which may be a denser one
+        requestRender();
+        return false;
+      default:
+        return false;
+    }
   }
-  for (const SceneItem item : kSceneItems) controls->setWhyNot(item, whyNotShown(item, scene->availability(item)));
-}
-
-void PatchView::Parts::connectRanges() {
-  connect(ranges, &ScaleRanges::changed, this, [this](Coloring changed) {
-    if (changed == coloring) showFixedRange();
-  });
-}
-
-void PatchView::Parts::showFixedRange() {
-  if (!scene) return;
-  scene->setFixedRange(ranges->fixed(coloring));
-  refresh();
-}
-
-/// The picked cell's value on the scale, unless another one is pointed at.
-void PatchView::Parts::markPicked() {
-  if (is_marked_elsewhere) return;
-  std::optional<double> value;
-  const SceneContent* content = scene ? scene->content() : nullptr;
-  const auto cell = selection->cell();
-  if (content != nullptr && cell && content->layout.find(*cell) != nullptr && isQuantity(coloring)) {
-    value = coloringRow(coloring).of_cell(content->figures, scene->readings(), content->layout.index.at(*cell));
-  }
-  const auto scale = value ? scene->scale() : std::nullopt;
-  legend_view->setMarkedValue(
-      value, scale ? PatchView::tr("cell %1: %2").arg(cell->value()).arg(valueWithUnit(*value, scale->range, coloring))
-                   : QString());
-}
-
-void PatchView::Parts::updateCaptions() {
-  PatchCaptions::Content content;
-  std::optional<LegendContent> explained;
-  if (canvas == nullptr) {
-    content.hint = PatchView::tr(
-        "The 3D view needs OpenGL 3.2, which is not available here. The graph and the tables still work.\n\n"
-        "On a remote desktop, or with a faulty driver, it may help to let the processor draw: Edit, Preferences, "
-        "\"Draw "
-        "without the graphics card\", then start Hexoderm again.");
-  } else if (!reconstruction) {
-    content.hint = awaited.isEmpty() ? PatchView::tr("No skin yet: open a session or start the demo.") : awaited;
-  } else if (reconstruction->cellCount() == 0) {
-    content.hint = PatchView::tr("This skin has no cells.");
-  } else if (scene->content() == nullptr) {
-    content.hint = PatchView::tr("Preparing the picture of %1 cells…")
-                       .arg(QLocale().toString(static_cast<int>(reconstruction->cellCount())));
-  } else {
-    content.gravity = scene->showsGravity();
-    explained = legendOf(*scene, coloring);
-    content.legend = legendInWords(*explained);
-    content.notes = notesInWords(scene->notes(), overlays);
-    content.message = measure.words();
-  }
-  captions->setContent(content);
-  if (scene) updateTopMargin();
-  legend_view->setContent(explained);
-  markPicked();
-  if (controls != nullptr) controls->setVisible(content.hint.isEmpty());
-}
-
-/// What is drawn stays below the buttons and the notes.
-void PatchView::Parts::updateTopMargin() {
-  const int covered = std::max(controls_height, captions->notesBottom());
-  scene->setTopMargin(qRound(covered * canvas->devicePixelRatioF()));
-}
-
-void PatchView::Parts::refresh() {
-  updateCaptions();
-  if (motion != nullptr) motion->refresh();
-  if (pointing != nullptr) pointing->refresh();
-  requestRender();
-}
-
-void PatchView::Parts::updateMeasure() {
-  if (!scene) return;
-  controls->measureAction()->setChecked(measure.isActive());
-  pointing->setOnlyCells(measure.isActive());
-  scene->setMeasured(measure.first(), measure.second());
-  refresh();
-}
-
-void PatchView::Parts::updateSelection() {
-  if (!scene) return;
-  const auto link = selection->link();
-  scene->setPicked(link ? std::optional(link->first.cell) : selection->cell());
-  refresh();
-}
-
-void PatchView::Parts::requestRender() {
-  if (canvas == nullptr || !canvas->isVisible()) return;
-  smoothing->expectRender();
-  canvas->requestRender();
-}
-
-void PatchView::Parts::dress() {
-  if (!scene) return;
-  scene->setColors(sceneColors(themeOf(view->palette())));
-  canvas->setBackground(Colors::of(view->palette()).scene_bottom);
-  requestRender();
-}
-
-void PatchView::Parts::openMenuAt(const QPoint& position) {
-  if (scene->content() == nullptr) return;
-  auto* menu = new QMenu(view);
-  menu->setObjectName(QStringLiteral("patchMenu"));
-  menu->setAttribute(Qt::WA_DeleteOnClose);
-  fillPatchMenu(*menu, *controls, pointing->cellAt(position),
-                {[this](CellId cell) { selection->selectCell(cell); }, [this](CellId cell) { view->centerOn(cell); },
-                 [this] { view->copyPicture(); }});
-  menu->popup(canvas->mapToGlobal(position));
-}
-
-bool PatchView::Parts::eventFilter(QObject*, QEvent* event) {
-  switch (event->type()) {
-    case QEvent::KeyPress:
-    case QEvent::KeyRelease:
-      event->ignore();  // so that it goes on to the window
-      return true;
-    case QEvent::Show:  // shows changes made while it was hidden
-    case QEvent::Resize:
-    case QEvent::ScreenChangeInternal:  // which may be a denser one
-      requestRender();
-      return false;
-    default:
-      return false;
-  }
-}
+};
 
 PatchView::PatchView(Selection* selection, QWidget* parent)
     : QWidget(parent), parts_(std::make_unique<Parts>(this, selection)) {

@@ -2,6 +2,8 @@
 
 #include "hexoderm/geometry/covariance.h"
 #include "hexoderm/util/units.h"
+#include "widgets/scene/scene_overlays.h"
+#include "widgets/style/of_enum.h"
 #include "widgets/words/formatting.h"
 #include "widgets/words/surface_words.h"
 
@@ -43,31 +45,11 @@ QString enlarged(double factor) {
 }  // namespace
 
 QString itemName(SceneItem item) {
-  switch (item) {
-    case SceneItem::Ports:
-      return PatchWords::tr("&Ports");
-    case SceneItem::Ids:
-      return PatchWords::tr("Cell &IDs");
-    case SceneItem::Axes:
-      return PatchWords::tr("A&xes");
-    case SceneItem::Gravity:
-      return PatchWords::tr("&Gravity");
-    case SceneItem::Links:
-      return PatchWords::tr("&Links by quality");
-    case SceneItem::Tree:
-      return PatchWords::tr("Shortest-path t&ree");
-    case SceneItem::Ellipsoids:
-      return PatchWords::tr("&Uncertainty ellipsoids");
-    case SceneItem::Truth:
-      return PatchWords::tr("&Truth");
-    case SceneItem::Surface:
-      return PatchWords::tr("Fitted &surface");
-    case SceneItem::Loop:
-      return PatchWords::tr("L&oop gap");
-    case SceneItem::Comparison:
-      return PatchWords::tr("&Differences to the other calibration");
-  }
-  return {};
+  return ofEnum(
+      item, {PatchWords::tr("&Ports"), PatchWords::tr("Cell &IDs"), PatchWords::tr("A&xes"), PatchWords::tr("&Gravity"),
+             PatchWords::tr("&Links by quality"), PatchWords::tr("Shortest-path t&ree"),
+             PatchWords::tr("&Uncertainty ellipsoids"), PatchWords::tr("&Truth"), PatchWords::tr("Fitted &surface"),
+             PatchWords::tr("L&oop gap"), PatchWords::tr("&Differences to the other calibration")});
 }
 
 QString itemTip(SceneItem item) {

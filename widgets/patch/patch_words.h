@@ -1,8 +1,8 @@
 #pragma once
 
 #include "hexoderm/reconstruction/figures/overlays.h"
+#include "widgets/scene/patch_overlays.h"
 #include "widgets/scene/scene_items.h"
-#include "widgets/scene/scene_overlays.h"
 
 #include <QString>
 #include <QStringList>

@@ -13,7 +13,6 @@
 #include <QOpenGLFunctions>
 #include <QPainter>
 #include <array>
-#include <utility>
 
 namespace hexoderm {
 namespace {

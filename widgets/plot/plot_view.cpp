@@ -1,6 +1,7 @@
 #include "widgets/plot/plot_view.h"
 
 #include "widgets/coloring/coloring_words.h"
+#include "widgets/controls/panel_parts.h"
 #include "widgets/plot/plot_items.h"
 #include "widgets/plot/plot_pointing.h"
 #include "widgets/style/palette.h"
@@ -43,8 +44,7 @@ class PlotScale : public QwtScaleDraw {
 
 QComboBox* figureBox(const char* name, const QString& accessible_name) {
   auto* box = new QComboBox;
-  box->setObjectName(QLatin1String(name));
-  box->setAccessibleName(accessible_name);
+  setNames(box, QLatin1String(name), accessible_name);
   box->setToolTip(accessible_name);
   box->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
   constexpr int kShown = 16;
@@ -54,8 +54,7 @@ QComboBox* figureBox(const char* name, const QString& accessible_name) {
 
 /// A row of its own, which is as narrow as the boxes in it may be.
 QHBoxLayout* rowOf(std::initializer_list<std::pair<QWidget*, int>> widgets) {
-  auto* row = new QHBoxLayout;
-  row->setSpacing(6);
+  auto* row = spaced(new QHBoxLayout, 6);
   for (const auto& [widget, stretch] : widgets) row->addWidget(widget, stretch);
   return row;
 }
@@ -97,199 +96,184 @@ struct PlotView::Parts : public QObject {
   PlotPointing* pointing = nullptr;
   QTimer readings_soon;
 
-  void build();
-  void fillBoxes();
-  void fillFigures(QComboBox* box, bool with_histogram, int code);
-  [[nodiscard]] QString whyNot(const PlotFigure& figure) const;
-  void takeBoxes();
-  void refresh();
-  void markAnew();
-  void summarise();
-  void dress();
-};
-
-void PlotView::Parts::build() {
-  plot->setObjectName(QStringLiteral("figurePlot"));
-  plot->setAutoReplot(false);
-  plot->setMinimumSize(120, 60);
-  auto* canvas = new QwtPlotCanvas(plot);
-  canvas->setFrameStyle(QFrame::NoFrame);
-  canvas->setFocusIndicator(QwtPlotCanvas::CanvasFocusIndicator);
-  canvas->setFocusPolicy(Qt::StrongFocus);
-  canvas->setObjectName(QStringLiteral("figurePlotCanvas"));
-  canvas->setAccessibleName(PlotView::tr("Plot"));
-  canvas->setBackgroundRole(QPalette::Base);
-  plot->setToolTip(PlotView::tr("Drag a rectangle to mark cells in all views, or use the arrow keys with Shift"));
-  canvas->setMouseTracking(true);
-  plot->setCanvas(canvas);
-  view->setFocusProxy(canvas);
-  for (const int axis : {QwtPlot::xBottom, QwtPlot::yLeft}) {
-    plot->setAxisScaleDraw(axis, new PlotScale);
-    plot->setAxisMaxMinor(axis, 0);
-  }
-  grid->attach(plot);
-  picture->attach(plot);
-  picture->show(&data, &marks);
-  summary->setObjectName(QStringLiteral("plotSummary"));
-  summary->setProperty("muted", true);
-  summary->setWordWrap(true);
-  summary->setTextFormat(Qt::PlainText);
-
-  // The boxes are the titles of the axes, and stand where these would.
-  auto* layout = new QVBoxLayout(view);
-  layout->setContentsMargins(10, 4, 10, 6);
-  layout->setSpacing(3);
-  layout->addLayout(rowOf({{new QLabel(QStringLiteral("\u2191")), 0}, {y_box, 1}}));
-  layout->addWidget(plot, 1);
-  layout->addLayout(rowOf({{x_box, 1}, {new QLabel(QStringLiteral("\u2192")), 0}}));
-  layout->addLayout(rowOf({{summary, 1}, {subject_box, 0}}));
-
-  subject_box->addItem(PlotView::tr("cells"), static_cast<int>(PlotSubject::Cells));
-  subject_box->addItem(PlotView::tr("links"), static_cast<int>(PlotSubject::Links));
-  subject_box->setMinimumContentsLength(6);
-  for (QComboBox* box : {subject_box, x_box, y_box}) {
-    connect(box, qOverload<int>(&QComboBox::currentIndexChanged), this, [this] { takeBoxes(); });
-  }
-  pointing = new PlotPointing(plot, data, *selection, this);
-  connect(pointing, &PlotPointing::pointedAt, this, [this](const std::optional<std::size_t>& point) {
-    if (std::exchange(marks.hovered, point) != point) plot->replot();
-  });
-  connect(pointing, &PlotPointing::binReached, this, [this](const std::optional<std::size_t>& bin) {
-    if (std::exchange(marks.bin, bin) != bin) plot->replot();
-  });
-  readings_soon.setSingleShot(true);
-  readings_soon.setInterval(kReadingsEvery_ms);
-  connect(&readings_soon, &QTimer::timeout, this, [this] {
-    if (view->isVisible()) refresh();
-  });
-  connect(selection, &Selection::changed, this, [this] { markAnew(); });
-  connect(selection, &Selection::brushedChanged, this, [this] { markAnew(); });
-  dress();
-}
-
-/// Empty if at least one cell or link has the figure.
-QString PlotView::Parts::whyNot(const PlotFigure& figure) const {
-  if (!figure || !reconstruction) return {};
-  if (choice.subject == PlotSubject::Cells) {
-    return whyNoColoring(*figure, hasValues(*figure, figures, readings));
-  }
-  const auto of_link = coloringRow(*figure).of_link;
-  for (const PatchReconstruction& patch : reconstruction->patches) {
-    if (std::ranges::any_of(patch.links, [&](const LinkEstimate& link) { return link.used && of_link(link); }))
-      return {};
-  }
-  return whyNoColoring(Coloring::Residual, false);
-}
-
-void PlotView::Parts::fillFigures(QComboBox* box, bool with_histogram, int code) {
-  box->clear();
-  if (with_histogram) box->addItem(PlotView::tr("how many (histogram)"), kHistogram);
-  for (const PlotFigure& figure : plotFigures(choice.subject)) {
-    box->addItem(plotAxisTitle(choice.subject, figure), codeOf(figure));
-    const QString why_not = whyNot(figure);
-    if (why_not.isEmpty()) continue;
-    const int row = box->count() - 1;
-    box->setItemData(row, why_not, Qt::ToolTipRole);
-    qobject_cast<QStandardItemModel*>(box->model())->item(row)->setEnabled(false);
-  }
-  box->setCurrentIndex(std::max(0, box->findData(code)));
-}
-
-void PlotView::Parts::fillBoxes() {
-  is_filling = true;
-  subject_box->setCurrentIndex(subject_box->findData(static_cast<int>(choice.subject)));
-  fillFigures(x_box, false, codeOf(choice.x));
-  fillFigures(y_box, true, choice.is_histogram ? kHistogram : codeOf(choice.y));
-  is_filling = false;
-}
-
-void PlotView::Parts::takeBoxes() {
-  if (is_filling) return;
-  PlotChoice chosen;
-  chosen.subject = static_cast<PlotSubject>(subject_box->currentData().toInt());
-  const bool is_other_subject = chosen.subject != choice.subject;
-  if (is_other_subject) {
-    // Links have other figures than cells.
-    const bool links = chosen.subject == PlotSubject::Links;
-    chosen.x = links ? Coloring::Deviation : Coloring::PathDistance;
-    chosen.y = links ? Coloring::Residual : Coloring::PositionUncertainty;
-  } else {
-    chosen.x = figureOf(x_box->currentData().toInt());
-    const int y_code = y_box->currentData().toInt();
-    chosen.is_histogram = y_code == kHistogram;
-    chosen.y = chosen.is_histogram ? choice.y : figureOf(y_code);
-  }
-  view->setChoice(chosen);
-}
-
-void PlotView::Parts::refresh() {
-  is_stale = false;
-  readings_soon.stop();
-  if (!std::exchange(has_figures, true)) figures = reconstruction ? makeCellFigures(*reconstruction) : CellFigures();
-  fillBoxes();
-  data = makePlotData(reconstruction.get(), figures, readings, choice);
-  marks.hovered.reset();
-  marks.bin.reset();
-  pointing->restart();
-  if (choice.is_histogram) {
-    const auto fullest = std::ranges::max_element(data.bins, {}, &ValueBin::count);
-    const double most = fullest == data.bins.end() ? 1 : static_cast<double>(fullest->count);
-    setScale(plot, QwtPlot::yLeft, {0, most}, true);
-    if (data.bins.empty()) {
-      setScale(plot, QwtPlot::xBottom, {}, false);
-    } else {
-      setScale(plot, QwtPlot::xBottom, {data.bins.front().lower, data.bins.back().upper}, false);
+  void build() {
+    plot->setObjectName(QStringLiteral("figurePlot"));
+    plot->setAutoReplot(false);
+    plot->setMinimumSize(120, 60);
+    auto* canvas = new QwtPlotCanvas(plot);
+    canvas->setFrameStyle(QFrame::NoFrame);
+    canvas->setFocusIndicator(QwtPlotCanvas::CanvasFocusIndicator);
+    canvas->setFocusPolicy(Qt::StrongFocus);
+    setNames(canvas, QStringLiteral("figurePlotCanvas"), PlotView::tr("Plot"));
+    canvas->setBackgroundRole(QPalette::Base);
+    plot->setToolTip(PlotView::tr("Drag a rectangle to mark cells in all views, or use the arrow keys with Shift"));
+    canvas->setMouseTracking(true);
+    plot->setCanvas(canvas);
+    view->setFocusProxy(canvas);
+    for (const int axis : {QwtPlot::xBottom, QwtPlot::yLeft}) {
+      plot->setAxisScaleDraw(axis, new PlotScale);
+      plot->setAxisMaxMinor(axis, 0);
     }
-  } else {
-    setScale(plot, QwtPlot::xBottom, data.bounds(false), choice.x.has_value());
-    setScale(plot, QwtPlot::yLeft, data.bounds(true), choice.y.has_value());
-  }
-  const QString reason = whyNot(choice.is_histogram || !whyNot(choice.x).isEmpty() ? choice.x : choice.y);
-  picture->setHint(!reconstruction    ? PlotView::tr("The plot appears here as soon as a skin is open.")
-                   : reason.isEmpty() ? PlotView::tr("Nothing has both figures.")
-                                      : reason + QLatin1Char('.'));
-  markAnew();
-}
+    grid->attach(plot);
+    picture->attach(plot);
+    picture->show(&data, &marks);
+    summary->setObjectName(QStringLiteral("plotSummary"));
+    summary->setProperty("muted", true);
+    setPlainParagraph(summary);
 
-void PlotView::Parts::markAnew() {
-  if (is_stale) return;
-  const auto isBrushed = [this](CellId cell) { return selection->isBrushed(cell); };
-  marks.brushed.assign(data.points.size(), false);
-  marks.picked.reset();
-  for (std::size_t k = 0; k < data.points.size(); ++k) {
-    const PlotPoint& point = data.points[k];
-    marks.brushed[k] = std::ranges::all_of(data.cellsOf(point), isBrushed);
-    if (point.link ? selection->link() == point.link : selection->cell() == point.cell) marks.picked = k;
-  }
-  if (marks.picked) marks.picked_word = pointing->nameOf(*marks.picked);
-  summarise();
-  plot->replot();
-}
+    // The boxes are the titles of the axes, and stand where these would.
+    auto* layout = spaced(new QVBoxLayout(view), {10, 4, 10, 6}, 3);
+    layout->addLayout(rowOf({{new QLabel(QStringLiteral("\u2191")), 0}, {y_box, 1}}));
+    layout->addWidget(plot, 1);
+    layout->addLayout(rowOf({{x_box, 1}, {new QLabel(QStringLiteral("\u2192")), 0}}));
+    layout->addLayout(rowOf({{summary, 1}, {subject_box, 0}}));
 
-void PlotView::Parts::summarise() {
-  QString text;
-  if (reconstruction && !data.points.empty()) {
-    const bool cells = choice.subject == PlotSubject::Cells;
-    const auto count = static_cast<int>(data.points.size());
-    const auto brushed = std::ranges::count(marks.brushed, true);
-    text = cells ? PlotView::tr("%1 cells").arg(count) : PlotView::tr("%1 links").arg(count);
-    if (brushed > 0) text += QStringLiteral(" · ") + PlotView::tr("%1 marked (Esc: none)").arg(brushed);
-    if (data.unknown > 0) text += QStringLiteral(" · ") + PlotView::tr("%1 without a value").arg(data.unknown);
+    subject_box->addItem(PlotView::tr("cells"), static_cast<int>(PlotSubject::Cells));
+    subject_box->addItem(PlotView::tr("links"), static_cast<int>(PlotSubject::Links));
+    subject_box->setMinimumContentsLength(6);
+    for (QComboBox* box : {subject_box, x_box, y_box}) {
+      connect(box, qOverload<int>(&QComboBox::currentIndexChanged), this, [this] { takeBoxes(); });
+    }
+    pointing = new PlotPointing(plot, data, *selection, this);
+    connect(pointing, &PlotPointing::pointedAt, this, [this](const std::optional<std::size_t>& point) {
+      if (std::exchange(marks.hovered, point) != point) plot->replot();
+    });
+    connect(pointing, &PlotPointing::binReached, this, [this](const std::optional<std::size_t>& bin) {
+      if (std::exchange(marks.bin, bin) != bin) plot->replot();
+    });
+    readings_soon.setSingleShot(true);
+    readings_soon.setInterval(kReadingsEvery_ms);
+    connect(&readings_soon, &QTimer::timeout, this, [this] {
+      if (view->isVisible()) refresh();
+    });
+    connect(selection, &Selection::changed, this, [this] { markAnew(); });
+    connect(selection, &Selection::brushedChanged, this, [this] { markAnew(); });
+    dress();
   }
-  summary->setText(text);
-  plot->canvas()->setAccessibleDescription(marks.picked ? pointing->describe(*marks.picked) : text);
-}
 
-void PlotView::Parts::dress() {
-  for (const int axis : {QwtPlot::xBottom, QwtPlot::yLeft}) plot->setAxisFont(axis, view->font());
-  grid->setPen(QPen(Colors::of(view->palette()).border, 1));
-  plot->replot();
-}
+  void fillBoxes() {
+    is_filling = true;
+    subject_box->setCurrentIndex(subject_box->findData(static_cast<int>(choice.subject)));
+    fillFigures(x_box, false, codeOf(choice.x));
+    fillFigures(y_box, true, choice.is_histogram ? kHistogram : codeOf(choice.y));
+    is_filling = false;
+  }
+
+  void fillFigures(QComboBox* box, bool with_histogram, int code) {
+    box->clear();
+    if (with_histogram) box->addItem(PlotView::tr("how many (histogram)"), kHistogram);
+    for (const PlotFigure& figure : plotFigures(choice.subject)) {
+      box->addItem(plotAxisTitle(choice.subject, figure), codeOf(figure));
+      const QString why_not = whyNot(figure);
+      if (why_not.isEmpty()) continue;
+      const int row = box->count() - 1;
+      box->setItemData(row, why_not, Qt::ToolTipRole);
+      qobject_cast<QStandardItemModel*>(box->model())->item(row)->setEnabled(false);
+    }
+    box->setCurrentIndex(std::max(0, box->findData(code)));
+  }
+
+  /// Empty if at least one cell or link has the figure.
+  QString whyNot(const PlotFigure& figure) const {
+    if (!figure || !reconstruction) return {};
+    if (choice.subject == PlotSubject::Cells) {
+      return whyNoColoring(*figure, hasValues(*figure, figures, readings));
+    }
+    const auto of_link = coloringRow(*figure).of_link;
+    for (const PatchReconstruction& patch : reconstruction->patches) {
+      if (std::ranges::any_of(patch.links, [&](const LinkEstimate& link) { return link.used && of_link(link); }))
+        return {};
+    }
+    return whyNoColoring(Coloring::Residual, false);
+  }
+
+  void takeBoxes() {
+    if (is_filling) return;
+    PlotChoice chosen;
+    chosen.subject = static_cast<PlotSubject>(subject_box->currentData().toInt());
+    const bool is_other_subject = chosen.subject != choice.subject;
+    if (is_other_subject) {
+      // Links have other figures than cells.
+      const bool links = chosen.subject == PlotSubject::Links;
+      chosen.x = links ? Coloring::Deviation : Coloring::PathDistance;
+      chosen.y = links ? Coloring::Residual : Coloring::PositionUncertainty;
+    } else {
+      chosen.x = figureOf(x_box->currentData().toInt());
+      const int y_code = y_box->currentData().toInt();
+      chosen.is_histogram = y_code == kHistogram;
+      chosen.y = chosen.is_histogram ? choice.y : figureOf(y_code);
+    }
+    view->setChoice(chosen);
+  }
+
+  void refresh() {
+    is_stale = false;
+    readings_soon.stop();
+    if (!std::exchange(has_figures, true)) figures = reconstruction ? makeCellFigures(*reconstruction) : CellFigures();
+    fillBoxes();
+    data = makePlotData(reconstruction.get(), figures, readings, choice);
+    marks.hovered.reset();
+    marks.bin.reset();
+    pointing->restart();
+    if (choice.is_histogram) {
+      const auto fullest = std::ranges::max_element(data.bins, {}, &ValueBin::count);
+      const double most = fullest == data.bins.end() ? 1 : static_cast<double>(fullest->count);
+      setScale(plot, QwtPlot::yLeft, {0, most}, true);
+      if (data.bins.empty()) {
+        setScale(plot, QwtPlot::xBottom, {}, false);
+      } else {
+        setScale(plot, QwtPlot::xBottom, {data.bins.front().lower, data.bins.back().upper}, false);
+      }
+    } else {
+      setScale(plot, QwtPlot::xBottom, data.bounds(false), choice.x.has_value());
+      setScale(plot, QwtPlot::yLeft, data.bounds(true), choice.y.has_value());
+    }
+    const QString reason = whyNot(choice.is_histogram || !whyNot(choice.x).isEmpty() ? choice.x : choice.y);
+    picture->setHint(!reconstruction    ? PlotView::tr("The plot appears here as soon as a skin is open.")
+                     : reason.isEmpty() ? PlotView::tr("Nothing has both figures.")
+                                        : reason + QLatin1Char('.'));
+    markAnew();
+  }
+
+  void markAnew() {
+    if (is_stale) return;
+    const auto isBrushed = [this](CellId cell) { return selection->isBrushed(cell); };
+    marks.brushed.assign(data.points.size(), false);
+    marks.picked.reset();
+    for (std::size_t k = 0; k < data.points.size(); ++k) {
+      const PlotPoint& point = data.points[k];
+      marks.brushed[k] = std::ranges::all_of(data.cellsOf(point), isBrushed);
+      if (point.link ? selection->link() == point.link : selection->cell() == point.cell) marks.picked = k;
+    }
+    if (marks.picked) marks.picked_word = pointing->nameOf(*marks.picked);
+    summarise();
+    plot->replot();
+  }
+
+  void summarise() {
+    QString text;
+    if (reconstruction && !data.points.empty()) {
+      const bool cells = choice.subject == PlotSubject::Cells;
+      const auto count = static_cast<int>(data.points.size());
+      const auto brushed = std::ranges::count(marks.brushed, true);
+      text = cells ? PlotView::tr("%1 cells").arg(count) : PlotView::tr("%1 links").arg(count);
+      if (brushed > 0) text += QStringLiteral(" · ") + PlotView::tr("%1 marked (Esc: none)").arg(brushed);
+      if (data.unknown > 0) text += QStringLiteral(" · ") + PlotView::tr("%1 without a value").arg(data.unknown);
+    }
+    summary->setText(text);
+    plot->canvas()->setAccessibleDescription(marks.picked ? pointing->describe(*marks.picked) : text);
+  }
+
+  void dress() {
+    for (const int axis : {QwtPlot::xBottom, QwtPlot::yLeft}) plot->setAxisFont(axis, view->font());
+    grid->setPen(QPen(Colors::of(view->palette()).border, 1));
+    plot->replot();
+  }
+};
 
 PlotView::PlotView(Selection* selection, QWidget* parent)
     : QWidget(parent), parts_(std::make_unique<Parts>(this, selection)) {
-  setObjectName(QStringLiteral("plotView"));
-  setAccessibleName(tr("Plot of the figures of cells and links"));
+  setNames(this, QStringLiteral("plotView"), tr("Plot of the figures of cells and links"));
   parts_->build();
 }
 

@@ -1,8 +1,10 @@
 #include "widgets/robot/place_panel.h"
 
 #include "hexoderm/util/units.h"
+#include "widgets/controls/panel_parts.h"
 #include "widgets/controls/selection.h"
 #include "widgets/controls/typed_values.h"
+#include "widgets/style/of_enum.h"
 #include "widgets/tables/joint_table_view.h"
 
 #include <QCheckBox>
@@ -32,8 +34,7 @@ constexpr double kMostLength_mm = 1e5;
 
 template <class Widget>
 Widget* namedField(Widget* widget, const char* object_name, const QString& accessible_name) {
-  widget->setObjectName(QLatin1String(object_name));
-  widget->setAccessibleName(accessible_name);
+  setNames(widget, QLatin1String(object_name), accessible_name);
   return widget;
 }
 
@@ -53,12 +54,6 @@ QSpinBox* cellField(const char* object_name, const QString& accessible_name) {
   field->setGroupSeparatorShown(false);
   field->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
   return field;
-}
-
-QLabel* buddyLabel(QWidget* field, const QString& text) {
-  auto* label = new QLabel(text);
-  label->setBuddy(field);
-  return label;
 }
 
 /// As high as its rows, up to so many; how high they are depends on its width, as long texts are wrapped. Reckoned
@@ -121,11 +116,6 @@ void fillChoices(QComboBox* box, const std::vector<PlaceStand::Choice>& choices,
   box->setCurrentIndex(box->findData(current));
 }
 
-void makeNarrow(QComboBox* box) {
-  box->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
-  box->setMinimumContentsLength(8);
-}
-
 }  // namespace
 
 PlacePanel::PlacePanel(Selection* selection, QWidget* parent)
@@ -150,9 +140,7 @@ PlacePanel::PlacePanel(Selection* selection, QWidget* parent)
   buildLink();
   buildKnown();
   buildPlaces();
-  auto* layout = new QVBoxLayout(this);
-  layout->setContentsMargins(0, 4, 0, 4);
-  layout->setSpacing(16);
+  auto* layout = spaced(new QVBoxLayout(this), {0, 4, 0, 4}, 16);
   for (VerifySection* part : {robot_, joints_, patch_, link_, known_, places_}) layout->addWidget(part);
   layout->addStretch();
   for (const PlaceWork work : {PlaceWork::Robot, PlaceWork::Joints, PlaceWork::Links, PlaceWork::Places}) {
@@ -167,19 +155,7 @@ PlacePanel::PlacePanel(Selection* selection, QWidget* parent)
   setStand({});
 }
 
-VerifySection* PlacePanel::section(PlaceWork work) const {
-  switch (work) {
-    case PlaceWork::Robot:
-      return robot_;
-    case PlaceWork::Joints:
-      return joints_;
-    case PlaceWork::Links:
-      return link_;
-    case PlaceWork::Places:
-      break;
-  }
-  return places_;
-}
+VerifySection* PlacePanel::section(PlaceWork work) const { return ofEnum(work, {robot_, joints_, link_, places_}); }
 
 void PlacePanel::buildRobot() {
   choose_robot_ = namedField(new QPushButton(tr("Choose URDF…")), "placeChooseRobot", tr("Choose the robot's URDF"));
@@ -187,13 +163,8 @@ void PlacePanel::buildRobot() {
                         tr("Say in which folder a package of the robot is"));
   package_->setToolTip(tr("Where a URDF says package://NAME/…: the folder called NAME"));
   remove_robot_ = namedField(new QPushButton(tr("Remove")), "placeRemoveRobot", tr("Remove the robot"));
-  QHBoxLayout* row = robot_->addRow();
-  row->addWidget(choose_robot_);
-  row->addWidget(remove_robot_);
-  row->addStretch();
-  QHBoxLayout* second = robot_->addRow();
-  second->addWidget(package_);
-  second->addStretch();
+  robot_->addRow({choose_robot_, remove_robot_});
+  robot_->addRow({package_});
   connect(choose_robot_, &QPushButton::clicked, this, &PlacePanel::robotWanted);
   connect(package_, &QPushButton::clicked, this, &PlacePanel::packageWanted);
   connect(remove_robot_, &QPushButton::clicked, this, &PlacePanel::robotRemoved);
@@ -202,9 +173,7 @@ void PlacePanel::buildRobot() {
 void PlacePanel::buildJoints() {
   choose_joints_ =
       namedField(new QPushButton(tr("Choose CSV…")), "placeChooseJoints", tr("Choose a table of joint angles"));
-  QHBoxLayout* joints = joints_->addRow();
-  joints->addWidget(choose_joints_);
-  joints->addStretch();
+  joints_->addRow({choose_joints_});
   connect(choose_joints_, &QPushButton::clicked, this, &PlacePanel::jointsWanted);
   joint_table_ = new JointTable(this);
   joint_view_ = namedField(new JointTableView(joint_table_), "placeJointTable", tr("Joint angles of the poses"));
@@ -216,7 +185,7 @@ void PlacePanel::buildJoints() {
   pose_ = namedField(new QComboBox, "placePose", tr("Pose in which the robot is drawn"));
   makeNarrow(pose_);
   QHBoxLayout* pose = joints_->addRow();
-  pose->addWidget(buddyLabel(pose_, tr("Drawn in")));
+  pose->addWidget(labelFor(pose_, tr("Drawn in")));
   pose->addWidget(pose_, 1);
   connect(pose_, qOverload<int>(&QComboBox::activated), this,
           [this] { emit poseChosen(pose_->currentData().toUInt()); });
@@ -245,7 +214,7 @@ void PlacePanel::buildLink() {
   other_link_ = namedField(new QComboBox, "placeOtherLink", tr("Any link of the robot"));
   makeNarrow(other_link_);
   QHBoxLayout* row = link_->addRow();
-  row->addWidget(buddyLabel(other_link_, tr("On link")));
+  row->addWidget(labelFor(other_link_, tr("On link")));
   row->addWidget(other_link_, 1);
   connect(other_link_, qOverload<int>(&QComboBox::activated), this,
           [this] { emit linkChosen(other_link_->currentIndex() > 0 ? other_link_->currentText() : QString()); });
@@ -260,9 +229,7 @@ void PlacePanel::buildKnown() {
   known_->addRow()->addWidget(known_list_, 1);
   remove_known_ =
       namedField(new QPushButton(tr("Remove")), "placeRemoveKnown", tr("Remove the picked point or distance"));
-  QHBoxLayout* row = known_->addRow();
-  row->addWidget(remove_known_);
-  row->addStretch();
+  known_->addRow({remove_known_});
   connect(known_list_, &QListWidget::currentRowChanged, this, &PlacePanel::refreshControls);
   connect(remove_known_, &QPushButton::clicked, this, [this] {
     const int picked = known_list_->currentRow();
@@ -291,25 +258,16 @@ void PlacePanel::buildPoint() {
   pick_->setCheckable(true);
   pick_->setToolTip(tr("The next click on the robot fills in x, y and z"));
   add_point_ = namedField(new QPushButton(tr("Add point")), "placeAddPoint", tr("Add the known point"));
-  auto* grid = new QGridLayout;
-  grid->setColumnStretch(1, 1);
-  grid->setColumnStretch(3, 1);
-  grid->addWidget(buddyLabel(point_cell_, tr("Cell")), 0, 0);
-  grid->addWidget(point_cell_, 0, 1);
-  grid->addWidget(buddyLabel(point_sigma_mm_, tr("±")), 0, 2);
-  grid->addWidget(point_sigma_mm_, 0, 3);
+  QGridLayout* grid = gridOfFields();
+  addField(grid, 0, 0, tr("Cell"), point_cell_);
+  addField(grid, 0, 2, tr("±"), point_sigma_mm_);
   const std::array<QString, 3> axes = {tr("x"), tr("y"), tr("z")};
   for (int axis = 0; axis < 3; ++axis) {
     QDoubleSpinBox* field = point_mm_.at(static_cast<std::size_t>(axis));
-    grid->addWidget(buddyLabel(field, axes.at(static_cast<std::size_t>(axis))), 1 + axis, 0);
-    grid->addWidget(field, 1 + axis, 1, 1, 3);
+    addField(grid, 1 + axis, 0, axes.at(static_cast<std::size_t>(axis)), field, 3);
   }
   known_->addRow()->addLayout(grid);
-  for (QPushButton* button : {pick_, add_point_}) {
-    QHBoxLayout* row = known_->addRow();
-    row->addWidget(button);
-    row->addStretch();
-  }
+  for (QPushButton* button : {pick_, add_point_}) known_->addRow({button});
   connect(pick_, &QPushButton::toggled, this, &PlacePanel::pickingChanged);
   connect(add_point_, &QPushButton::clicked, this, [this] {
     KnownPoint point;
@@ -331,21 +289,13 @@ void PlacePanel::buildDistance() {
   distance_sigma_mm_ = lengthField("placeDistanceSigma", tr("Uncertainty of the distance, 1 sigma"), 0.1);
   distance_sigma_mm_->setValue(1);
   add_distance_ = namedField(new QPushButton(tr("Add distance")), "placeAddDistance", tr("Add the measured distance"));
-  auto* grid = new QGridLayout;
-  grid->setColumnStretch(1, 1);
-  grid->setColumnStretch(3, 1);
-  grid->addWidget(buddyLabel(from_cell_, tr("Cell")), 0, 0);
-  grid->addWidget(from_cell_, 0, 1);
-  grid->addWidget(buddyLabel(to_cell_, tr("to")), 0, 2);
-  grid->addWidget(to_cell_, 0, 3);
-  grid->addWidget(buddyLabel(distance_mm_, tr("is")), 1, 0);
-  grid->addWidget(distance_mm_, 1, 1, 1, 3);
-  grid->addWidget(buddyLabel(distance_sigma_mm_, tr("±")), 2, 0);
-  grid->addWidget(distance_sigma_mm_, 2, 1, 1, 3);
+  QGridLayout* grid = gridOfFields();
+  addField(grid, 0, 0, tr("Cell"), from_cell_);
+  addField(grid, 0, 2, tr("to"), to_cell_);
+  addField(grid, 1, 0, tr("is"), distance_mm_, 3);
+  addField(grid, 2, 0, tr("±"), distance_sigma_mm_, 3);
   known_->addRow()->addLayout(grid);
-  QHBoxLayout* row = known_->addRow();
-  row->addWidget(add_distance_);
-  row->addStretch();
+  known_->addRow({add_distance_});
   connect(distance_mm_, qOverload<double>(&QDoubleSpinBox::valueChanged), this, &PlacePanel::refreshControls);
   connect(add_distance_, &QPushButton::clicked, this, [this] {
     emit distanceAdded({CellId(static_cast<std::uint32_t>(from_cell_->value())),
@@ -362,16 +312,11 @@ void PlacePanel::buildPlaces() {
   places_->addRow()->addWidget(place_list_, 1);
   remove_place_ =
       namedField(new QPushButton(tr("Take away")), "placeRemovePlace", tr("Take the patch away from its place"));
-  QHBoxLayout* row = places_->addRow();
   move_ = namedField(new QPushButton(tr("Move by hand")), "placeMove", tr("Move the patch over the link by keys"));
   move_->setCheckable(true);
   look_ = namedField(new QPushButton(tr("Look closely")), "placeLook", tr("Look closely at the patch on the robot"));
-  row->addWidget(move_);
-  row->addStretch();
-  QHBoxLayout* second = places_->addRow();
-  second->addWidget(look_);
-  second->addWidget(remove_place_);
-  second->addStretch();
+  places_->addRow({move_});
+  places_->addRow({look_, remove_place_});
   connect(move_, &QPushButton::toggled, this, &PlacePanel::movingChanged);
   connect(look_, &QPushButton::clicked, this, &PlacePanel::lookWanted);
   connect(place_list_, &QListWidget::itemEntered, this,
@@ -451,32 +396,23 @@ void PlacePanel::refreshControls() {
                                 : stand_.why_not);
   package_->setVisible(has_robot);
   remove_robot_->setVisible(can && stand_.names_robot);
-  choose_joints_->setEnabled(has_robot);
-  choose_joints_->setToolTip(has_robot ? tr("A line for each pose, a column for each joint, with its unit")
-                                       : tr("Choose the robot first: its joints have the names of the columns"));
+  enable(choose_joints_, has_robot, tr("A line for each pose, a column for each joint, with its unit"),
+         tr("Choose the robot first: its joints have the names of the columns"));
   joints_->setVisible(has_robot);
   patch_->setVisible(has_robot);
   link_->setVisible(has_robot);
   known_->setVisible(has_link);
   places_->setVisible(has_link);
-  by_surface_->setEnabled(stand_.has_surface);
-  by_surface_->setToolTip(stand_.has_surface ? QString() : tr("The robot's description holds no surface of this link"));
+  enable(by_surface_, stand_.has_surface, {}, tr("The robot's description holds no surface of this link"));
   remove_known_->setVisible(known_list_->count() > 0);
-  const bool picked = known_list_->currentRow() >= 0;
-  remove_known_->setEnabled(picked);
-  remove_known_->setToolTip(picked ? QString() : tr("Pick a point or a distance in the list first"));
-  const bool measured = distance_mm_->value() > 0;
-  add_distance_->setEnabled(measured);
-  add_distance_->setToolTip(measured ? QString() : tr("Type the measured distance first"));
+  enable(remove_known_, known_list_->currentRow() >= 0, {}, tr("Pick a point or a distance in the list first"));
+  enable(add_distance_, distance_mm_->value() > 0, {}, tr("Type the measured distance first"));
   remove_place_->setVisible(stand_.is_placed);
-  look_->setEnabled(stand_.is_drawn);
-  look_->setToolTip(stand_.is_drawn ? tr("The picture shows the cells of the patch with their numbers")
-                                    : tr("The patch is drawn once its place is known"));
-  move_->setEnabled(stand_.can_move);
-  move_->setToolTip(
-      stand_.can_move
-          ? tr("In the picture the mouse pulls the patch over the link at any time; this is for the keyboard")
-          : tr("A patch is moved over the surface of its link, which has to be known and used"));
+  enable(look_, stand_.is_drawn, tr("The picture shows the cells of the patch with their numbers"),
+         tr("The patch is drawn once its place is known"));
+  enable(move_, stand_.can_move,
+         tr("In the picture the mouse pulls the patch over the link at any time; this is for the keyboard"),
+         tr("A patch is moved over the surface of its link, which has to be known and used"));
   if (!has_link && pick_->isChecked()) pick_->setChecked(false);
 }
 

@@ -16,20 +16,6 @@ struct PlaceTexts {
 };
 
 QString figure(double value) { return figureInWords(value, 1); }
-QString lineSign(Tone tone) {
-  switch (tone) {
-    case Tone::Good:
-      return QStringLiteral("✓ ");
-    case Tone::Caution:
-      return QStringLiteral("▲ ");
-    case Tone::Bad:
-      return QStringLiteral("✕ ");
-    case Tone::Neutral:
-      break;
-  }
-  return QStringLiteral("● ");
-}
-
 QString nameOf(const PatchTurn& turn) { return QString::fromStdString(turn.link); }
 
 void addChoices(const LinkCandidate& candidate, bool fits, std::vector<LinkChoice>& choices) {
@@ -124,9 +110,9 @@ VerifySentence together(const std::vector<VerifySentence>& sentences) {
   for (const VerifySentence& sentence : sentences) {
     if (sentence.text.isEmpty()) continue;
     all.tone = std::max(all.tone, sentence.tone);
-    lines << lineSign(sentence.tone) + sentence.text;
+    lines << toneSign(sentence.tone) + QLatin1Char(' ') + sentence.text;
   }
-  if (lines.size() == 1) lines.front().remove(0, lineSign(all.tone).size());
+  if (lines.size() == 1) lines.front().remove(0, toneSign(all.tone).size() + 1);
   all.text = lines.join(QLatin1Char('\n'));
   return all;
 }

@@ -159,16 +159,150 @@ struct RobotScene::Parts {
 
   Parts();
   ~Parts();
-  void beforeRender();
-  void fit();
-  void lookAt(const Look& look);
-  void moveCamera();
-  void makeLinks();
-  void placeLinks();
-  void makeSkin();
-  void makeMarks();
-  RobotActor& addMark(vtkSmartPointer<vtkPolyData> data, const SE3& T_w_l, const Rgb& color);
-  [[nodiscard]] bool isDrawn(const RobotPicture::Patch& patch) const;
+  void beforeRender() {
+    moveCamera();
+    renderer->ResetCameraClippingRange();
+    if (!window) return;
+    const int* pixels = window->GetSize();
+    labels.update({pixels[0], pixels[1]}, window->GetDPI());
+  }
+
+  void fit() {
+    vtkCamera* camera = renderer->GetActiveCamera();
+    camera->SetFocalPoint(0, 0, 0);
+    camera->SetPosition(1.0, -0.9, 0.55);
+    camera->SetViewUp(0, 0, 1);
+    renderer->ResetCamera();
+  }
+
+  /// From where the cells face.
+  void lookAt(const Look& look) {
+    Eigen::Vector3d low = Eigen::Vector3d::Constant(std::numeric_limits<double>::infinity());
+    Eigen::Vector3d high = -low;
+    Eigen::Vector3d facing = Eigen::Vector3d::Zero();
+    for (std::size_t k = 0; k < patch_of_cell.size(); ++k) {
+      if (look.patch && *look.patch != patch_of_cell[k]) continue;
+      const SE3& T_w_u = labelled->layout.cells[k].T_s_u;
+      const Eigen::Vector3d reach = Eigen::Vector3d::Constant(picture.skin->model->side_m);
+      low = low.cwiseMin(T_w_u.t - reach);
+      high = high.cwiseMax(T_w_u.t + reach);
+      facing += T_w_u.R.col(2);
+    }
+    if (!(high.x() >= low.x())) return;
+    vtkCamera* camera = renderer->GetActiveCamera();
+    const Eigen::Vector3d middle = (low + high) / 2;
+    // Patches all around a link face nowhere in the mean: the camera stays on its side then.
+    const Eigen::Vector3d back = -Eigen::Vector3d(camera->GetDirectionOfProjection());
+    const Eigen::Vector3d from = facing.norm() > 1 ? Eigen::Vector3d(facing.normalized()) : back;
+    const Eigen::Vector3d position = middle + from;
+    constexpr double kUpright = 0.95;
+    camera->SetFocalPoint(middle.x(), middle.y(), middle.z());
+    camera->SetPosition(position.x(), position.y(), position.z());
+    camera->SetViewUp(std::abs(from.z()) > kUpright ? 1 : 0, 0, std::abs(from.z()) > kUpright ? 0 : 1);
+    const std::array<double, 6> bounds{low.x(), high.x(), low.y(), high.y(), low.z(), high.z()};
+    renderer->ResetCamera(bounds.data());
+  }
+
+  void moveCamera() {
+    if (std::exchange(fit_pending, false)) fit();
+    if (const auto look = std::exchange(look_pending, std::nullopt)) lookAt(*look);
+  }
+
+  void makeLinks() {
+    for (const auto& link : links) renderer->RemoveActor(link->actor);
+    links.clear();
+    if (!picture.bodies) return;
+    for (const TriangleMesh& body : *picture.bodies) {
+      links.push_back(std::make_unique<RobotActor>());
+      links.back()->mapper->SetInputData(polyDataOf(body));
+      links.back()->mapper->ScalarVisibilityOff();
+      links.back()->actor->SetVisibility(!body.empty());
+      renderer->AddActor(links.back()->actor);
+    }
+  }
+
+  void placeLinks() {
+    for (std::size_t k = 0; k < std::min(links.size(), picture.T_w_l.size()); ++k) {
+      setPlace(links[k]->actor, picture.T_w_l[k]);
+      // The link that is spoken of stands out by being lighter or darker too, not by its hue alone.
+      Rgb color = picture.link == k ? mixed(colors.neutral, colors.overlay, 0.45) : colors.neutral;
+      links[k]->actor->GetProperty()->SetColor(color.data());
+      links[k]->actor->GetProperty()->SetAmbient(0.25);
+      links[k]->actor->GetProperty()->SetDiffuse(0.75);
+    }
+  }
+
+  void makeSkin() {
+    PolyDataBuilder mesh;
+    std::vector<Rgb> front_colors;
+    labelled.reset();
+    patch_of_cell.clear();
+    if (picture.skin && picture.bodies) {
+      labelled = std::make_shared<SceneContent>();
+      labelled->reconstruction = picture.skin;
+      for (std::size_t index = 0; index < picture.patches.size(); ++index) {
+        const RobotPicture::Patch& placed = picture.patches[index];
+        if (!isDrawn(placed)) continue;
+        const SE3 T_w_o = picture.T_w_l[placed.link] * placed.T_l_o;
+        const PatchReconstruction& patch = picture.skin->patches[placed.patch];
+        const Rgb color =
+            placed.is_proposal ? colors.overlay : categoryColor(colors, placed.patch, picture.skin->patches.size());
+        for (const CellPlacement& cell : patch.cells) {
+          const SE3 T_w_u = T_w_o * cell.T_o_u;
+          addPrism(*picture.skin->model, T_w_u, color, mesh);
+          labelled->layout.cells.push_back({cell.cell, T_w_u, placed.patch, cell.cell == patch.origin});
+          front_colors.push_back(color);
+          patch_of_cell.push_back(index);
+        }
+      }
+    }
+    skin.mapper->SetInputData(mesh.finish());
+    Rgb edge = colors.edge;
+    skin.actor->GetProperty()->SetEdgeColor(edge.data());
+    skin.actor->SetVisibility(mesh.pointCount() > 0);
+    labels.setContent(labelled);
+    labels.setColors(front_colors, colors);
+  }
+
+  void makeMarks() {
+    for (const auto& mark : marks) renderer->RemoveActor(mark->actor);
+    marks.clear();
+    if (!picture.skin || !picture.bodies) return;
+    const double side_m = picture.skin->model->side_m;
+    for (const RobotPicture::Free& free : picture.free) {
+      if (!isDrawn(free.of)) continue;
+      const std::vector<Eigen::Vector3d> way = wayOfMiddle(picture.skin->patches[free.of.patch], free, side_m);
+      if (way.size() < 2) continue;
+      const SE3& T_w_l = picture.T_w_l[free.of.link];
+      addMark(tubeAlong(way, kArrowRadius * side_m), T_w_l, colors.difference);
+      if (free.direction.all_the_way) continue;  // a ring has no ends
+      addMark(headAt(way.back(), way[way.size() - 2], side_m), T_w_l, colors.difference);
+      addMark(headAt(way.front(), way[1], side_m), T_w_l, colors.difference);
+    }
+    for (const RobotPicture::Point& point : picture.points) {
+      if (point.link >= picture.T_w_l.size()) continue;
+      TriangleMesh ball = meshOfSphere(kPointSize * side_m);
+      for (Eigen::Vector3d& corner : ball.points) corner += point.x_l;
+      addMark(polyDataOf(ball), picture.T_w_l[point.link], colors.arrow_head);
+    }
+  }
+
+  RobotActor& addMark(vtkSmartPointer<vtkPolyData> data, const SE3& T_w_l, const Rgb& color) {
+    marks.push_back(std::make_unique<RobotActor>());
+    RobotActor& mark = *marks.back();
+    mark.mapper->SetInputData(data);
+    mark.mapper->ScalarVisibilityOff();
+    Rgb value = color;
+    mark.actor->GetProperty()->SetColor(value.data());
+    mark.actor->PickableOff();
+    setPlace(mark.actor, T_w_l);
+    renderer->AddActor(mark.actor);
+    return mark;
+  }
+
+  bool isDrawn(const RobotPicture::Patch& patch) const {
+    return picture.skin && patch.patch < picture.skin->patches.size() && patch.link < picture.T_w_l.size();
+  }
 };
 
 RobotScene::Parts::Parts() {
@@ -183,151 +317,6 @@ RobotScene::Parts::Parts() {
 RobotScene::Parts::~Parts() {
   renderer->RemoveObserver(observer);
   if (window) window->RemoveRenderer(renderer);
-}
-
-void RobotScene::Parts::beforeRender() {
-  moveCamera();
-  renderer->ResetCameraClippingRange();
-  if (!window) return;
-  const int* pixels = window->GetSize();
-  labels.update({pixels[0], pixels[1]}, window->GetDPI());
-}
-
-void RobotScene::Parts::fit() {
-  vtkCamera* camera = renderer->GetActiveCamera();
-  camera->SetFocalPoint(0, 0, 0);
-  camera->SetPosition(1.0, -0.9, 0.55);
-  camera->SetViewUp(0, 0, 1);
-  renderer->ResetCamera();
-}
-
-/// From where the cells face.
-void RobotScene::Parts::lookAt(const Look& look) {
-  Eigen::Vector3d low = Eigen::Vector3d::Constant(std::numeric_limits<double>::infinity());
-  Eigen::Vector3d high = -low;
-  Eigen::Vector3d facing = Eigen::Vector3d::Zero();
-  for (std::size_t k = 0; k < patch_of_cell.size(); ++k) {
-    if (look.patch && *look.patch != patch_of_cell[k]) continue;
-    const SE3& T_w_u = labelled->layout.cells[k].T_s_u;
-    const Eigen::Vector3d reach = Eigen::Vector3d::Constant(picture.skin->model->side_m);
-    low = low.cwiseMin(T_w_u.t - reach);
-    high = high.cwiseMax(T_w_u.t + reach);
-    facing += T_w_u.R.col(2);
-  }
-  if (!(high.x() >= low.x())) return;
-  vtkCamera* camera = renderer->GetActiveCamera();
-  const Eigen::Vector3d middle = (low + high) / 2;
-  // Patches all around a link face nowhere in the mean: the camera stays on its side then.
-  const Eigen::Vector3d back = -Eigen::Vector3d(camera->GetDirectionOfProjection());
-  const Eigen::Vector3d from = facing.norm() > 1 ? Eigen::Vector3d(facing.normalized()) : back;
-  const Eigen::Vector3d position = middle + from;
-  constexpr double kUpright = 0.95;
-  camera->SetFocalPoint(middle.x(), middle.y(), middle.z());
-  camera->SetPosition(position.x(), position.y(), position.z());
-  camera->SetViewUp(std::abs(from.z()) > kUpright ? 1 : 0, 0, std::abs(from.z()) > kUpright ? 0 : 1);
-  const std::array<double, 6> bounds{low.x(), high.x(), low.y(), high.y(), low.z(), high.z()};
-  renderer->ResetCamera(bounds.data());
-}
-
-void RobotScene::Parts::moveCamera() {
-  if (std::exchange(fit_pending, false)) fit();
-  if (const auto look = std::exchange(look_pending, std::nullopt)) lookAt(*look);
-}
-
-void RobotScene::Parts::makeLinks() {
-  for (const auto& link : links) renderer->RemoveActor(link->actor);
-  links.clear();
-  if (!picture.bodies) return;
-  for (const TriangleMesh& body : *picture.bodies) {
-    links.push_back(std::make_unique<RobotActor>());
-    links.back()->mapper->SetInputData(polyDataOf(body));
-    links.back()->mapper->ScalarVisibilityOff();
-    links.back()->actor->SetVisibility(!body.empty());
-    renderer->AddActor(links.back()->actor);
-  }
-}
-
-void RobotScene::Parts::placeLinks() {
-  for (std::size_t k = 0; k < std::min(links.size(), picture.T_w_l.size()); ++k) {
-    setPlace(links[k]->actor, picture.T_w_l[k]);
-    // The link that is spoken of stands out by being lighter or darker too, not by its hue alone.
-    Rgb color = picture.link == k ? mixed(colors.neutral, colors.overlay, 0.45) : colors.neutral;
-    links[k]->actor->GetProperty()->SetColor(color.data());
-    links[k]->actor->GetProperty()->SetAmbient(0.25);
-    links[k]->actor->GetProperty()->SetDiffuse(0.75);
-  }
-}
-
-bool RobotScene::Parts::isDrawn(const RobotPicture::Patch& patch) const {
-  return picture.skin && patch.patch < picture.skin->patches.size() && patch.link < picture.T_w_l.size();
-}
-
-void RobotScene::Parts::makeSkin() {
-  PolyDataBuilder mesh;
-  std::vector<Rgb> front_colors;
-  labelled.reset();
-  patch_of_cell.clear();
-  if (picture.skin && picture.bodies) {
-    labelled = std::make_shared<SceneContent>();
-    labelled->reconstruction = picture.skin;
-    for (std::size_t index = 0; index < picture.patches.size(); ++index) {
-      const RobotPicture::Patch& placed = picture.patches[index];
-      if (!isDrawn(placed)) continue;
-      const SE3 T_w_o = picture.T_w_l[placed.link] * placed.T_l_o;
-      const PatchReconstruction& patch = picture.skin->patches[placed.patch];
-      const Rgb color =
-          placed.is_proposal ? colors.overlay : categoryColor(colors, placed.patch, picture.skin->patches.size());
-      for (const CellPlacement& cell : patch.cells) {
-        const SE3 T_w_u = T_w_o * cell.T_o_u;
-        addPrism(*picture.skin->model, T_w_u, color, mesh);
-        labelled->layout.cells.push_back({cell.cell, T_w_u, placed.patch, cell.cell == patch.origin});
-        front_colors.push_back(color);
-        patch_of_cell.push_back(index);
-      }
-    }
-  }
-  skin.mapper->SetInputData(mesh.finish());
-  Rgb edge = colors.edge;
-  skin.actor->GetProperty()->SetEdgeColor(edge.data());
-  skin.actor->SetVisibility(mesh.pointCount() > 0);
-  labels.setContent(labelled);
-  labels.setColors(front_colors, colors);
-}
-
-RobotActor& RobotScene::Parts::addMark(vtkSmartPointer<vtkPolyData> data, const SE3& T_w_l, const Rgb& color) {
-  marks.push_back(std::make_unique<RobotActor>());
-  RobotActor& mark = *marks.back();
-  mark.mapper->SetInputData(data);
-  mark.mapper->ScalarVisibilityOff();
-  Rgb value = color;
-  mark.actor->GetProperty()->SetColor(value.data());
-  mark.actor->PickableOff();
-  setPlace(mark.actor, T_w_l);
-  renderer->AddActor(mark.actor);
-  return mark;
-}
-
-void RobotScene::Parts::makeMarks() {
-  for (const auto& mark : marks) renderer->RemoveActor(mark->actor);
-  marks.clear();
-  if (!picture.skin || !picture.bodies) return;
-  const double side_m = picture.skin->model->side_m;
-  for (const RobotPicture::Free& free : picture.free) {
-    if (!isDrawn(free.of)) continue;
-    const std::vector<Eigen::Vector3d> way = wayOfMiddle(picture.skin->patches[free.of.patch], free, side_m);
-    if (way.size() < 2) continue;
-    const SE3& T_w_l = picture.T_w_l[free.of.link];
-    addMark(tubeAlong(way, kArrowRadius * side_m), T_w_l, colors.difference);
-    if (free.direction.all_the_way) continue;  // a ring has no ends
-    addMark(headAt(way.back(), way[way.size() - 2], side_m), T_w_l, colors.difference);
-    addMark(headAt(way.front(), way[1], side_m), T_w_l, colors.difference);
-  }
-  for (const RobotPicture::Point& point : picture.points) {
-    if (point.link >= picture.T_w_l.size()) continue;
-    TriangleMesh ball = meshOfSphere(kPointSize * side_m);
-    for (Eigen::Vector3d& corner : ball.points) corner += point.x_l;
-    addMark(polyDataOf(ball), picture.T_w_l[point.link], colors.arrow_head);
-  }
 }
 
 RobotScene::RobotScene() : parts_(std::make_unique<Parts>()) {}

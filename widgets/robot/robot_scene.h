@@ -51,8 +51,6 @@ class RobotScene {
  public:
   RobotScene();
   ~RobotScene();
-  RobotScene(const RobotScene&) = delete;
-  RobotScene& operator=(const RobotScene&) = delete;
 
   /// Adds the scene's renderer to the window; once. The scene must outlive the window's last rendering.
   void attachTo(vtkRenderWindow* window);

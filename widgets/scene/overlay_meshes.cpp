@@ -6,8 +6,6 @@
 #include "widgets/scene/polydata_builder.h"
 
 #include <array>
-#include <optional>
-#include <utility>
 
 namespace hexoderm {
 namespace {

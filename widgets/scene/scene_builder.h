@@ -9,6 +9,7 @@
 #include <memory>
 #include <mutex>
 #include <optional>
+#include <utility>
 
 namespace hexoderm {
 
@@ -20,20 +21,58 @@ class SceneBuilder {
 
   /// `deliver` is called with each result, on the thread that made the builder (which needs an event loop), and never
   /// after the destructor, which waits for the content being made.
-  explicit SceneBuilder(std::function<void(Content)> deliver);
+  explicit SceneBuilder(std::function<void(Content)> deliver) : deliver_(std::move(deliver)) {}
   SceneBuilder(const SceneBuilder&) = delete;
   SceneBuilder& operator=(const SceneBuilder&) = delete;
 
-  void submit(std::shared_ptr<const Reconstruction> reconstruction);
+  void submit(std::shared_ptr<const Reconstruction> reconstruction) {
+    std::uint64_t number = 0;
+    {
+      const std::lock_guard lock(mutex_);
+      number = ++submitted_;
+    }
+    worker_.submit([this, number, reconstruction = std::move(reconstruction)](const std::stop_token& stop) {
+      Content content = makeSceneContent(reconstruction);
+      {
+        const std::lock_guard lock(mutex_);
+        if (stop.stop_requested()) return;
+        result_ = std::move(content);
+        settled_ = number;
+      }
+      QMetaObject::invokeMethod(
+          &receiver_, [this] { deliverResult(); }, Qt::QueuedConnection);
+    });
+  }
+
   /// Forgets what is waiting, and what is being made.
-  void cancel();
+  void cancel() {
+    worker_.cancel();
+    const std::lock_guard lock(mutex_);
+    settled_ = submitted_;
+    result_.reset();
+  }
+
   /// Something was submitted and has not been delivered yet.
-  [[nodiscard]] bool isBusy() const;
+  [[nodiscard]] bool isBusy() const {
+    const std::lock_guard lock(mutex_);
+    return settled_ < submitted_ || result_;
+  }
+
   /// Waits for what was submitted and delivers it now: for pictures, which must show what the tables beside them do.
-  void finish();
+  void finish() {
+    worker_.waitUntilIdle();
+    deliverResult();
+  }
 
  private:
-  void deliverResult();
+  void deliverResult() {
+    std::optional<Content> result;
+    {
+      const std::lock_guard lock(mutex_);
+      result = std::exchange(result_, std::nullopt);
+    }
+    if (result) deliver_(std::move(*result));
+  }
 
   std::function<void(Content)> deliver_;
   QObject receiver_;  ///< receiver of the posted deliveries, which go with it

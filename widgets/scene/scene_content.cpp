@@ -8,7 +8,6 @@
 #include <vtkPointData.h>
 #include <vtkPoints.h>
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 namespace hexoderm {

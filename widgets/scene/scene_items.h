@@ -1,7 +1,11 @@
 #pragma once
 
+#include "hexoderm/util/ids.h"
+
 #include <array>
 #include <cstddef>
+#include <optional>
+#include <vector>
 
 namespace hexoderm {
 
@@ -22,5 +26,18 @@ using ShownItems = std::array<bool, kSceneItems.size()>;
 inline constexpr ShownItems kShownAtFirst = {true, true, true, true, false, false, false, false, true, true, true};
 
 constexpr std::size_t indexOf(SceneItem item) { return static_cast<std::size_t>(item); }
+
+/// The overlays that were drawn, with their enlargements, for the words beside them. Absent: not drawn.
+struct SceneNotes {
+  std::vector<CellId> not_placed;  ///< origins of the patches that stand beside the largest
+  bool frames = false;             ///< drawn about these
+  std::optional<double> ellipsoid_factor;
+  std::optional<double> shift_factor;
+  std::optional<double> loop_factor;
+  std::optional<double> distance_factor;  ///< enlargement of the lines from the fitted surface to the cells
+  bool truth = false;
+  bool tree = false;
+  bool links = false;
+};
 
 }  // namespace hexoderm

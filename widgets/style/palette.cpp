@@ -1,6 +1,7 @@
 #include "widgets/style/palette.h"
 
 #include "hexoderm/reconstruction/result/quality_colors.h"
+#include "widgets/style/of_enum.h"
 #include "widgets/style/scene_colors.h"
 #include "widgets/style/system_theme.h"
 
@@ -9,7 +10,6 @@
 #include <QLineF>
 #include <QPainter>
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 namespace hexoderm {
@@ -132,17 +132,10 @@ void drawStroke(QPainter& painter, const LinkStroke& stroke, const QLineF& line,
 }
 
 QString qualityWord(EdgeQuality quality) {
-  switch (quality) {
-    case EdgeQuality::Undefined:
-      return QCoreApplication::translate("hexoderm::Palette", "un-defined");
-    case EdgeQuality::Partially:
-      return QCoreApplication::translate("hexoderm::Palette", "partially defined");
-    case EdgeQuality::Fully:
-      return QCoreApplication::translate("hexoderm::Palette", "fully defined");
-    case EdgeQuality::Over:
-      return QCoreApplication::translate("hexoderm::Palette", "over-defined");
-  }
-  return {};
+  return ofEnum(quality, {QCoreApplication::translate("hexoderm::Palette", "un-defined"),
+                          QCoreApplication::translate("hexoderm::Palette", "partially defined"),
+                          QCoreApplication::translate("hexoderm::Palette", "fully defined"),
+                          QCoreApplication::translate("hexoderm::Palette", "over-defined")});
 }
 
 QPalette qtPalette(Theme theme) {

@@ -74,10 +74,6 @@ void CellTable::rebuild() {
   }
 }
 
-int CellTable::rowCount(const QModelIndex& parent) const {
-  return parent.isValid() ? 0 : static_cast<int>(rows_.size());
-}
-
 CellId CellTable::cellAt(int row) const { return rows_.at(static_cast<std::size_t>(row)).summary.cell; }
 
 int CellTable::rowOf(CellId cell) const {

@@ -15,13 +15,13 @@ class CellTable : public ReconstructionTable {
 
  public:
   explicit CellTable(QObject* parent = nullptr);
-  int rowCount(const QModelIndex& parent = {}) const override;
   QVariant data(const QModelIndex& index, int role) const override;
 
   [[nodiscard]] CellId cellAt(int row) const;
   [[nodiscard]] int rowOf(CellId cell) const;  ///< -1 if there is none
 
  protected:
+  [[nodiscard]] int rows() const override { return static_cast<int>(rows_.size()); }
   void rebuild() override;
 
  private:

@@ -29,11 +29,13 @@ class ColumnTable : public QAbstractTableModel {
   static QString inWords(const Column& column, const QVariant& value);
 
   using QAbstractTableModel::QAbstractTableModel;
+  int rowCount(const QModelIndex& parent = {}) const override { return parent.isValid() ? 0 : rows(); }
   int columnCount(const QModelIndex& parent = {}) const override;
   QVariant data(const QModelIndex& index, int role) const override;
   QVariant headerData(int section, Qt::Orientation orientation, int role) const override;
 
  protected:
+  [[nodiscard]] virtual int rows() const = 0;
   /// In the constructor, or between beginResetModel and endResetModel.
   void setColumns(std::vector<Column> columns) { columns_ = std::move(columns); }
   [[nodiscard]] virtual QVariant valueAt(const QModelIndex& index) const;

@@ -6,7 +6,7 @@
 
 namespace hexoderm {
 
-LinkTable::LinkTable(QObject* parent) : ReconstructionTable(parent) {
+LinkTable::LinkTable(QObject* parent) : LinkRowTable(parent) {
   const auto text = [this](const QString& name, const QString& explanation, auto value) {
     return Column{.name = name, .explanation = explanation, .is_text = true, .value = [this, value](int row) {
                     return value(linkAt(row));
@@ -50,34 +50,6 @@ LinkTable::LinkTable(QObject* parent) : ReconstructionTable(parent) {
             })});
 }
 
-void LinkTable::rebuild() {
-  rows_.clear();
-  if (!reconstruction()) return;
-  for (std::size_t patch = 0; patch < reconstruction()->patches.size(); ++patch) {
-    for (std::size_t link = 0; link < reconstruction()->patches[patch].links.size(); ++link) {
-      rows_.emplace_back(patch, link);
-    }
-  }
-}
-
-int LinkTable::rowCount(const QModelIndex& parent) const {
-  return parent.isValid() ? 0 : static_cast<int>(rows_.size());
-}
-
-const LinkEstimate& LinkTable::linkAt(int row) const {
-  const auto& [patch, link] = rows_.at(static_cast<std::size_t>(row));
-  return reconstruction()->patches[patch].links[link];
-}
-
-int LinkTable::rowOf(LinkEnd source, LinkEnd target) const {
-  if (target < source) std::swap(source, target);
-  for (int row = 0; row < static_cast<int>(rows_.size()); ++row) {
-    const LinkEstimate& link = linkAt(row);
-    if (link.source == source && link.target == target) return row;
-  }
-  return -1;
-}
-
 QVariant LinkTable::data(const QModelIndex& index, int role) const {
   if (!checkIndex(index, CheckIndexOption::IndexIsValid)) return {};
   constexpr int kNameColumn = 0;
@@ -95,7 +67,7 @@ QVariant LinkTable::data(const QModelIndex& index, int role) const {
       if (index.column() == kNameColumn) return longLinkName(link);
       [[fallthrough]];
     default:
-      return ReconstructionTable::data(index, role);
+      return LinkRowTable::data(index, role);
   }
 }
 

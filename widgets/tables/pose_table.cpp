@@ -46,9 +46,7 @@ PoseTable::PoseTable(QObject* parent) : ReconstructionTable(parent) {
                .value = of([](const PoseSummary& pose) { return rawDegrees(pose.residual_rad); })}});
 }
 
-int PoseTable::rowCount(const QModelIndex& parent) const {
-  return parent.isValid() || !reconstruction() ? 0 : static_cast<int>(reconstruction()->poses.size());
-}
+int PoseTable::rows() const { return reconstruction() ? static_cast<int>(reconstruction()->poses.size()) : 0; }
 
 QVariant PoseTable::data(const QModelIndex& index, int role) const {
   if (!checkIndex(index, CheckIndexOption::IndexIsValid)) return {};

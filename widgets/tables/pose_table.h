@@ -16,10 +16,10 @@ class PoseTable : public ReconstructionTable {
   static constexpr int kNewByColumn = 4;
 
   explicit PoseTable(QObject* parent = nullptr);
-  int rowCount(const QModelIndex& parent = {}) const override;
   QVariant data(const QModelIndex& index, int role) const override;
 
  protected:
+  [[nodiscard]] int rows() const override;
   void rebuild() override {}
 };
 

@@ -4,6 +4,8 @@
 #include "widgets/tables/column_table.h"
 
 #include <memory>
+#include <utility>
+#include <vector>
 
 namespace hexoderm {
 
@@ -14,7 +16,13 @@ class ReconstructionTable : public ColumnTable {
  public:
   using ColumnTable::ColumnTable;
   /// Null empties the table.
-  void setReconstruction(std::shared_ptr<const Reconstruction> reconstruction);
+  void setReconstruction(std::shared_ptr<const Reconstruction> reconstruction) {
+    beginResetModel();
+    reconstruction_ = std::move(reconstruction);
+    rebuild();
+    endResetModel();
+  }
+
   [[nodiscard]] const std::shared_ptr<const Reconstruction>& reconstruction() const { return reconstruction_; }
 
  protected:
@@ -23,6 +31,44 @@ class ReconstructionTable : public ColumnTable {
 
  private:
   std::shared_ptr<const Reconstruction> reconstruction_;
+};
+
+/// Base of those with a row for each link, muted links included.
+class LinkRowTable : public ReconstructionTable {
+  Q_OBJECT
+
+ public:
+  using ReconstructionTable::ReconstructionTable;
+
+  [[nodiscard]] const LinkEstimate& linkAt(int row) const {
+    const auto& [patch, link] = rows_.at(static_cast<std::size_t>(row));
+    return reconstruction()->patches[patch].links[link];
+  }
+
+  /// -1 if there is none
+  [[nodiscard]] int rowOf(LinkEnd source, LinkEnd target) const {
+    if (target < source) std::swap(source, target);
+    for (int row = 0; row < static_cast<int>(rows_.size()); ++row) {
+      const LinkEstimate& link = linkAt(row);
+      if (link.source == source && link.target == target) return row;
+    }
+    return -1;
+  }
+
+ protected:
+  [[nodiscard]] int rows() const override { return static_cast<int>(rows_.size()); }
+  void rebuild() override {
+    rows_.clear();
+    if (!reconstruction()) return;
+    for (std::size_t patch = 0; patch < reconstruction()->patches.size(); ++patch) {
+      for (std::size_t link = 0; link < reconstruction()->patches[patch].links.size(); ++link) {
+        rows_.emplace_back(patch, link);
+      }
+    }
+  }
+
+ private:
+  std::vector<std::pair<std::size_t, std::size_t>> rows_;  ///< patch, link
 };
 
 }  // namespace hexoderm

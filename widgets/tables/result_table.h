@@ -3,7 +3,10 @@
 #include "widgets/controls/selection.h"
 #include "widgets/tables/column_table.h"
 
+#include <QApplication>
+#include <QFont>
 #include <optional>
+#include <utility>
 #include <vector>
 
 namespace hexoderm {
@@ -21,14 +24,28 @@ class ResultTable : public ColumnTable {
   };
 
   using ColumnTable::ColumnTable;
-  void setContent(std::vector<Column> columns, std::vector<Row> rows);
+  void setContent(std::vector<Column> columns, std::vector<Row> rows) {
+    beginResetModel();
+    setColumns(std::move(columns));
+    rows_ = std::move(rows);
+    endResetModel();
+  }
+
   [[nodiscard]] const Row& rowAt(int row) const { return rows_.at(static_cast<std::size_t>(row)); }
 
-  int rowCount(const QModelIndex& parent = {}) const override;
-  QVariant data(const QModelIndex& index, int role) const override;
+  QVariant data(const QModelIndex& index, int role) const override {
+    if (role != Qt::FontRole) return ColumnTable::data(index, role);
+    if (!checkIndex(index, CheckIndexOption::IndexIsValid) || !rowAt(index.row()).remarkable) return {};
+    QFont font = QApplication::font();
+    font.setBold(true);
+    return font;
+  }
 
  protected:
-  [[nodiscard]] QVariant valueAt(const QModelIndex& index) const override;
+  [[nodiscard]] int rows() const override { return static_cast<int>(rows_.size()); }
+  [[nodiscard]] QVariant valueAt(const QModelIndex& index) const override {
+    return rowAt(index.row()).values.at(static_cast<std::size_t>(index.column()));
+  }
 
  private:
   std::vector<Row> rows_;

@@ -1,6 +1,7 @@
 #include "widgets/verify/residual_plots.h"
 
 #include "hexoderm/util/units.h"
+#include "widgets/controls/panel_parts.h"
 #include "widgets/controls/selection.h"
 #include "widgets/style/palette.h"
 #include "widgets/words/formatting.h"
@@ -134,9 +135,7 @@ void drawBins(QPainter& painter, const QwtScaleMap& x, const QwtScaleMap& y, con
 
 QWidget* titled(const QString& title, QwtPlot* plot) {
   auto* box = new QWidget;
-  auto* layout = new QVBoxLayout(box);
-  layout->setContentsMargins(0, 0, 0, 0);
-  layout->setSpacing(2);
+  auto* layout = spaced(new QVBoxLayout(box), {0, 0, 0, 0}, 2);
   auto* label = new QLabel(title);
   label->setProperty("muted", true);
   label->setWordWrap(true);
@@ -203,9 +202,7 @@ ResidualPlots::ResidualPlots(Selection* selection, QWidget* parent)
   parts.pose_plot->setAccessibleName(tr("Residuals of each pose"));
   parts.link_plot->setAccessibleName(tr("Residuals of the links, the worst first"));
   parts.ratio_plot->setAccessibleName(tr("Links by their residual beside the predicted deviation"));
-  auto* layout = new QHBoxLayout(this);
-  layout->setContentsMargins(8, 2, 8, 4);
-  layout->setSpacing(14);
+  auto* layout = spaced(new QHBoxLayout(this), {8, 2, 8, 4}, 14);
   layout->addWidget(titled(tr("By pose, ° (box: half the links)"), parts.pose_plot), 1);
   layout->addWidget(titled(tr("By link, ° (○ predicted)"), parts.link_plot), 1);
   layout->addWidget(titled(tr("Links by residual ÷ predicted"), parts.ratio_plot), 1);

@@ -1,6 +1,7 @@
 #include "widgets/verify/residual_view.h"
 
 #include "widgets/coloring/coloring.h"
+#include "widgets/controls/panel_parts.h"
 #include "widgets/controls/selection.h"
 #include "widgets/tables/row_picking.h"
 #include "widgets/tables/sorted_table.h"
@@ -15,10 +16,7 @@
 #include <QHeaderView>
 #include <QLabel>
 #include <QPainter>
-#include <QStackedWidget>
 #include <QStyledItemDelegate>
-#include <QTableView>
-#include <QToolButton>
 #include <QVBoxLayout>
 #include <algorithm>
 
@@ -99,33 +97,21 @@ ResidualView::ResidualView(Selection* selection, QWidget* parent)
       selection_(selection),
       table_(new ResidualTable(this)),
       sorted_(new SortedTable(table_, this)),
-      matrix_(new QTableView),
       plots_(new ResidualPlots(selection)),
-      pages_(new QStackedWidget),
-      matrix_button_(new QToolButton),
-      plots_button_(new QToolButton),
       legend_(new ResidualLegend) {
-  matrix_->setObjectName(QStringLiteral("residualMatrix"));
-  matrix_->setAccessibleName(tr("Residuals per link and pose"));
+  setNames(matrix_, QStringLiteral("residualMatrix"), tr("Residuals per link and pose"));
   matrix_->setModel(sorted_);
   matrix_->setItemDelegate(new ResidualMatrixDelegate(matrix_));
   matrix_->setSelectionMode(QAbstractItemView::SingleSelection);
-  matrix_->setEditTriggers(QAbstractItemView::NoEditTriggers);
-  matrix_->setShowGrid(false);
-  matrix_->setWordWrap(false);
-  matrix_->setTabKeyNavigation(false);
-  matrix_->setFrameShape(QFrame::NoFrame);
+  dressTable(matrix_);
   matrix_->horizontalHeader()->setSectionResizeMode(QHeaderView::Fixed);
   matrix_->verticalHeader()->setSectionResizeMode(QHeaderView::Fixed);
   matrix_->horizontalHeader()->setHighlightSections(true);
   // In the order of the links until a header is clicked: "All" brings the worst to the top.
   SortedTable::enableIn(matrix_);
-  pages_->addWidget(matrix_);
-  pages_->addWidget(plots_);
+  addWidgets(pages_, {matrix_, plots_});
 
-  auto* layout = new QVBoxLayout(this);
-  layout->setContentsMargins(0, 0, 0, 0);
-  layout->setSpacing(0);
+  auto* layout = spaced(new QVBoxLayout(this), {0, 0, 0, 0}, 0);
   layout->addWidget(buildHeader());
   layout->addWidget(pages_, 1);
 
@@ -141,8 +127,7 @@ ResidualView::~ResidualView() = default;
 
 QWidget* ResidualView::buildHeader() {
   auto* header = new QWidget;
-  auto* row = new QHBoxLayout(header);
-  row->setContentsMargins(6, 2, 8, 2);
+  auto* row = spaced(new QHBoxLayout(header), {6, 2, 8, 2});
   auto* group = new QButtonGroup(this);
   const auto add = [&](QToolButton* button, const QString& text, const QString& explanation, const char* name) {
     button->setText(text);
@@ -207,7 +192,8 @@ void ResidualView::pickCurrent(const QModelIndex& current) {
 
 void ResidualView::showPicked() {
   if (following_) return;
-  const int row = selection_->link() ? table_->rowOf(*selection_->link()) : -1;
+  const std::optional<Selection::Link> link = selection_->link();
+  const int row = link ? table_->rowOf(link->first, link->second) : -1;
   following_ = true;
   if (row < 0) {
     matrix_->clearSelection();

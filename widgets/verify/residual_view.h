@@ -3,13 +3,12 @@
 #include "hexoderm/reconstruction/result/reconstruction.h"
 #include "widgets/style/palette.h"
 
+#include <QStackedWidget>
+#include <QTableView>
+#include <QToolButton>
 #include <QWidget>
 #include <memory>
 #include <optional>
-
-class QStackedWidget;
-class QTableView;
-class QToolButton;
 
 namespace hexoderm {
 
@@ -54,11 +53,11 @@ class ResidualView : public QWidget {
   Selection* selection_;
   ResidualTable* table_;
   SortedTable* sorted_;
-  QTableView* matrix_;
+  QTableView* matrix_ = new QTableView;
   ResidualPlots* plots_;
-  QStackedWidget* pages_;
-  QToolButton* matrix_button_;
-  QToolButton* plots_button_;
+  QStackedWidget* pages_ = new QStackedWidget;
+  QToolButton* matrix_button_ = new QToolButton;
+  QToolButton* plots_button_ = new QToolButton;
   QWidget* legend_;
   bool following_ = false;  ///< the matrix is being moved to what was picked elsewhere
 };

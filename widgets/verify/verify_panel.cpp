@@ -3,20 +3,16 @@
 #include "hexoderm/util/error.h"
 #include "hexoderm/util/units.h"
 #include "widgets/controls/column_layout.h"
+#include "widgets/controls/panel_parts.h"
 #include "widgets/controls/typed_values.h"
 #include "widgets/words/surface_words.h"
 #include "widgets/words/words.h"
 
 #include <QButtonGroup>
-#include <QComboBox>
-#include <QDoubleSpinBox>
 #include <QGridLayout>
 #include <QHBoxLayout>
 #include <QLabel>
-#include <QPushButton>
 #include <QSignalBlocker>
-#include <QSpinBox>
-#include <QToolButton>
 #include <algorithm>
 #include <initializer_list>
 #include <limits>
@@ -50,12 +46,6 @@ std::optional<SurfaceEvaluation> ofRow(const std::vector<SurfaceEvaluation>& sur
   return std::nullopt;
 }
 
-QLabel* labelFor(QWidget* control, const QString& text) {
-  auto* label = new QLabel(text);
-  label->setBuddy(control);
-  return label;
-}
-
 }  // namespace
 
 VerifyPanel::VerifyPanel(Selection* selection, QWidget* parent)
@@ -74,21 +64,7 @@ VerifyPanel::VerifyPanel(Selection* selection, QWidget* parent)
       old_(new VerifySection(
           tr("Check an old calibration"),
           tr("Does one of some time ago still hold? Compared with the poses of this session, cell by cell."),
-          QStringLiteral("oldCalibration"), selection)),
-      pose_(new QComboBox),
-      run_(new QPushButton(tr("Run"))),
-      by_cell_(new QToolButton),
-      by_link_(new QToolButton),
-      kind_(new QComboBox),
-      radius_mm_(new QDoubleSpinBox),
-      first_(new QSpinBox),
-      second_(new QSpinBox),
-      distance_mm_(new QDoubleSpinBox),
-      choose_(new QPushButton(tr("Choose file…"))),
-      drop_(new QPushButton(tr("Remove"))),
-      old_poses_(new QComboBox),
-      choose_old_(new QPushButton(tr("Choose file…"))),
-      drop_old_(new QPushButton(tr("Remove"))) {
+          QStringLiteral("oldCalibration"), selection)) {
   setObjectName(QStringLiteral("verifyPanel"));
   buildHoldOut();
   buildSurface();
@@ -120,16 +96,12 @@ VerifyPanel::VerifyPanel(Selection* selection, QWidget* parent)
 }
 
 void VerifyPanel::buildHoldOut() {
-  pose_->setObjectName(QStringLiteral("holdOutPose"));
-  pose_->setAccessibleName(tr("Pose that is held out"));
-  pose_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
-  pose_->setMinimumContentsLength(8);
+  setNames(pose_, QStringLiteral("holdOutPose"), tr("Pose that is held out"));
+  makeNarrow(pose_);
   run_->setObjectName(QStringLiteral("holdOutRun"));
   // Names of poses are long in some languages.
   hold_out_->addRow()->addWidget(pose_, 1);
-  QHBoxLayout* row = hold_out_->addRow();
-  row->addWidget(run_);
-  row->addStretch();
+  hold_out_->addRow({run_});
   connect(pose_, qOverload<int>(&QComboBox::activated), this, &VerifyPanel::refreshControls);
   connect(run_, &QPushButton::clicked, this, [this] { emit holdOutRequested(PoseId(pose_->currentData().toUInt())); });
 
@@ -151,15 +123,13 @@ void VerifyPanel::buildHoldOut() {
 }
 
 void VerifyPanel::buildSurface() {
-  kind_->setObjectName(QStringLiteral("surfaceKind"));
-  kind_->setAccessibleName(tr("Surface through the cells"));
+  setNames(kind_, QStringLiteral("surfaceKind"), tr("Surface through the cells"));
   kind_->addItem(tr("None"), kNoSurface);
   kind_->addItem(tr("Most probable"), kAnySurface);
   for (const SurfaceKind kind : {SurfaceKind::Plane, SurfaceKind::Cylinder, SurfaceKind::Sphere, SurfaceKind::Cone}) {
     kind_->addItem(surfaceKindWord(kind), static_cast<int>(kind));
   }
-  radius_mm_->setObjectName(QStringLiteral("surfaceRadius"));
-  radius_mm_->setAccessibleName(tr("True radius of the surface"));
+  setNames(radius_mm_, QStringLiteral("surfaceRadius"), tr("True radius of the surface"));
   radius_mm_->setRange(0, 100000);
   radius_mm_->setDecimals(2);
   radius_mm_->setSuffix(tr(" mm"));
@@ -168,10 +138,8 @@ void VerifyPanel::buildSurface() {
   letTypingReplaceSpecialText(radius_mm_);
   auto* grid = new QGridLayout;
   grid->setColumnStretch(1, 1);
-  grid->addWidget(labelFor(kind_, tr("Surface")), 0, 0);
-  grid->addWidget(kind_, 0, 1);
-  grid->addWidget(labelFor(radius_mm_, tr("True radius")), 1, 0);
-  grid->addWidget(radius_mm_, 1, 1);
+  addField(grid, 0, 0, tr("Surface"), kind_);
+  addField(grid, 1, 0, tr("True radius"), radius_mm_);
   surface_->addRow()->addLayout(grid);
   connect(kind_, qOverload<int>(&QComboBox::currentIndexChanged), this, &VerifyPanel::requestSurface);
   connect(radius_mm_, qOverload<double>(&QDoubleSpinBox::valueChanged), this, &VerifyPanel::requestSurface);
@@ -179,8 +147,7 @@ void VerifyPanel::buildSurface() {
 
 void VerifyPanel::buildCaliper() {
   const auto makeCell = [this](QSpinBox* cell, const char* name, const QString& accessible_name) {
-    cell->setObjectName(QLatin1String(name));
-    cell->setAccessibleName(accessible_name);
+    setNames(cell, QLatin1String(name), accessible_name);
     cell->setRange(0, std::numeric_limits<int>::max());
     cell->setKeyboardTracking(false);
     cell->setGroupSeparatorShown(false);
@@ -189,8 +156,7 @@ void VerifyPanel::buildCaliper() {
   };
   makeCell(first_, "caliperFirst", tr("One cell"));
   makeCell(second_, "caliperSecond", tr("The other cell"));
-  distance_mm_->setObjectName(QStringLiteral("caliperDistance"));
-  distance_mm_->setAccessibleName(tr("Measured distance"));
+  setNames(distance_mm_, QStringLiteral("caliperDistance"), tr("Measured distance"));
   distance_mm_->setRange(0, 100000);
   distance_mm_->setDecimals(1);
   distance_mm_->setSuffix(tr(" mm"));
@@ -198,15 +164,10 @@ void VerifyPanel::buildCaliper() {
   distance_mm_->setKeyboardTracking(false);
   letTypingReplaceSpecialText(distance_mm_);
   connect(distance_mm_, qOverload<double>(&QDoubleSpinBox::valueChanged), this, &VerifyPanel::checkCaliper);
-  auto* grid = new QGridLayout;
-  grid->setColumnStretch(1, 1);
-  grid->setColumnStretch(3, 1);
-  grid->addWidget(labelFor(first_, tr("From cell")), 0, 0);
-  grid->addWidget(first_, 0, 1);
-  grid->addWidget(labelFor(second_, tr("to")), 0, 2);
-  grid->addWidget(second_, 0, 3);
-  grid->addWidget(labelFor(distance_mm_, tr("Measured")), 1, 0);
-  grid->addWidget(distance_mm_, 1, 1, 1, 3);
+  QGridLayout* grid = gridOfFields();
+  addField(grid, 0, 0, tr("From cell"), first_);
+  addField(grid, 0, 2, tr("to"), second_);
+  addField(grid, 1, 0, tr("Measured"), distance_mm_, 3);
   caliper_->addRow()->addLayout(grid);
 }
 
@@ -249,10 +210,7 @@ void VerifyPanel::checkCaliper() {
 void VerifyPanel::buildComparison() {
   choose_->setObjectName(QStringLiteral("comparisonChoose"));
   drop_->setObjectName(QStringLiteral("comparisonRemove"));
-  QHBoxLayout* row = comparison_->addRow();
-  row->addWidget(choose_);
-  row->addWidget(drop_);
-  row->addStretch();
+  comparison_->addRow({choose_, drop_});
   connect(choose_, &QPushButton::clicked, this, &VerifyPanel::comparisonFileWanted);
   connect(drop_, &QPushButton::clicked, this, &VerifyPanel::dropComparison);
 }
@@ -265,22 +223,17 @@ void VerifyPanel::compareWith(const QString& path) {
 
 void VerifyPanel::dropComparison() {
   compares_ = false;
-  comparison_->setFigures({});
-  comparison_->setSentence({});
+  comparison_->clear();
   refreshControls();
   emit comparisonDropped();
   emit comparisonShown({});
 }
 
 void VerifyPanel::buildOldCalibration() {
-  choose_old_->setObjectName(QStringLiteral("oldCalibrationChoose"));
-  choose_old_->setAccessibleName(tr("Choose the file of the old calibration"));
-  drop_old_->setObjectName(QStringLiteral("oldCalibrationRemove"));
-  drop_old_->setAccessibleName(tr("Remove the old calibration"));
-  old_poses_->setObjectName(QStringLiteral("oldCalibrationPoses"));
-  old_poses_->setAccessibleName(tr("Poses that the old calibration is compared with"));
-  old_poses_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
-  old_poses_->setMinimumContentsLength(8);
+  setNames(choose_old_, QStringLiteral("oldCalibrationChoose"), tr("Choose the file of the old calibration"));
+  setNames(drop_old_, QStringLiteral("oldCalibrationRemove"), tr("Remove the old calibration"));
+  setNames(old_poses_, QStringLiteral("oldCalibrationPoses"), tr("Poses that the old calibration is compared with"));
+  makeNarrow(old_poses_);
   old_poses_->addItem(tr("The newest pose"), 1);
   for (int count = kUsualPoses; count <= kUsualPoses + 1; ++count) {
     old_poses_->addItem(tr("The newest %1 poses").arg(count), count);
@@ -288,10 +241,7 @@ void VerifyPanel::buildOldCalibration() {
   old_poses_->addItem(tr("All poses"), kAllPoses);
   old_poses_->setCurrentIndex(old_poses_->findData(kUsualPoses));
   old_->addRow()->addWidget(old_poses_, 1);
-  QHBoxLayout* row = old_->addRow();
-  row->addWidget(choose_old_);
-  row->addWidget(drop_old_);
-  row->addStretch();
+  old_->addRow({choose_old_, drop_old_});
   connect(old_poses_, qOverload<int>(&QComboBox::currentIndexChanged), this, &VerifyPanel::requestOldCalibration);
   connect(choose_old_, &QPushButton::clicked, this, &VerifyPanel::oldCalibrationWanted);
   connect(drop_old_, &QPushButton::clicked, this, &VerifyPanel::dropOldCalibration);
@@ -312,8 +262,7 @@ void VerifyPanel::requestOldCalibration() {
 
 void VerifyPanel::dropOldCalibration() {
   old_calibration_.clear();
-  old_->setFigures({});
-  old_->setSentence({});
+  old_->clear();
   refreshControls();
   emit oldCalibrationDropped();
 }
@@ -345,10 +294,7 @@ void VerifyPanel::setReconstruction(std::shared_ptr<const Reconstruction> recons
   const int place = pose_->findData(chosen);
   pose_->setCurrentIndex(place >= 0 ? place : pose_->count() - 1);
   if (!reconstruction_) {
-    for (VerifySection* section : sections()) {
-      section->setSentence({});
-      section->setFigures({});
-    }
+    for (VerifySection* section : sections()) section->clear();
     loops_.clear();
     surfaces_.clear();
     emit loopShown(std::nullopt);
@@ -397,33 +343,27 @@ void VerifyPanel::refreshControls() {
   const int kind = kind_->currentData().toInt();
   const bool round = kind == kAnySurface || kind == static_cast<int>(SurfaceKind::Cylinder) ||
                      kind == static_cast<int>(SurfaceKind::Sphere);
-  kind_->setEnabled(reconstruction_ != nullptr);
-  kind_->setToolTip(reconstruction_ ? tr("Fitted through the centres of the cells") : no_skin);
+  const bool has_skin = reconstruction_ != nullptr;
+  enable(kind_, has_skin, tr("Fitted through the centres of the cells"), no_skin);
   radius_mm_->setEnabled(reconstruction_ && round);
   radius_mm_->setToolTip(round ? tr("Known from a drawing or measured: the fit is then compared with it")
                                : tr("Only a cylinder and a sphere have one radius to compare with."));
-  choose_->setEnabled(reconstruction_ != nullptr);
-  choose_->setToolTip(reconstruction_ ? tr("A calibration, or a session that is then solved") : no_skin);
+  enable(choose_, has_skin, tr("A calibration, or a session that is then solved"), no_skin);
   drop_->setVisible(compares_);
   refreshOldCalibration(no_skin);
   for (QWidget* field : std::initializer_list<QWidget*>{first_, second_, distance_mm_}) {
-    field->setEnabled(reconstruction_ != nullptr);
-    field->setToolTip(reconstruction_ ? tr("Cells far apart, across the bend, tell most") : no_skin);
+    enable(field, has_skin, tr("Cells far apart, across the bend, tell most"), no_skin);
   }
 }
 
 void VerifyPanel::refreshOldCalibration(const QString& no_skin) {
-  QString why;
-  if (!reconstruction_) {
-    why = no_skin;
-  } else if (!has_readings_) {
-    why = tr("A calibration file holds no readings: open a session with the poses of today.");
-  }
-  choose_old_->setEnabled(why.isEmpty());
-  choose_old_->setToolTip(why.isEmpty() ? tr("A calibration, or a session that is then solved") : why);
-  old_poses_->setEnabled(why.isEmpty());
-  old_poses_->setToolTip(
-      why.isEmpty() ? tr("Choose those that were taken since the calibration; disabled ones don't count") : why);
+  const QString why = !reconstruction_ ? no_skin
+                      : has_readings_
+                          ? QString()
+                          : tr("A calibration file holds no readings: open a session with the poses of today.");
+  enable(choose_old_, why.isEmpty(), tr("A calibration, or a session that is then solved"), why);
+  enable(old_poses_, why.isEmpty(), tr("Choose those that were taken since the calibration; disabled ones don't count"),
+         why);
   drop_old_->setVisible(!old_calibration_.isEmpty());
   // A grey button alone would leave open why.
   if (old_calibration_.isEmpty()) old_->setSentence({Tone::Neutral, reconstruction_ ? why : QString()});
@@ -542,8 +482,7 @@ void VerifyPanel::requestSurface() {
   const int kind = kind_->currentData().toInt();
   if (kind == kNoSurface) {
     surfaces_.clear();
-    surface_->setSentence({});
-    surface_->setFigures({});
+    surface_->clear();
     emit surfaceShown(std::nullopt);
     emit surfaceDropped();
     return;

@@ -2,17 +2,16 @@
 
 #include "widgets/verify/verify_section.h"
 
+#include <QComboBox>
+#include <QDoubleSpinBox>
+#include <QPushButton>
+#include <QSpinBox>
 #include <QStringList>
+#include <QToolButton>
 #include <QWidget>
 #include <array>
 #include <memory>
 #include <optional>
-
-class QComboBox;
-class QDoubleSpinBox;
-class QPushButton;
-class QSpinBox;
-class QToolButton;
 
 namespace hexoderm {
 
@@ -111,20 +110,20 @@ class VerifyPanel : public QWidget {
   VerifySection* caliper_;
   VerifySection* comparison_;
   VerifySection* old_;
-  QComboBox* pose_;
-  QPushButton* run_;
-  QToolButton* by_cell_;
-  QToolButton* by_link_;
-  QComboBox* kind_;
-  QDoubleSpinBox* radius_mm_;
-  QSpinBox* first_;
-  QSpinBox* second_;
-  QDoubleSpinBox* distance_mm_;
-  QPushButton* choose_;
-  QPushButton* drop_;
-  QComboBox* old_poses_;
-  QPushButton* choose_old_;
-  QPushButton* drop_old_;
+  QComboBox* pose_ = new QComboBox;
+  QPushButton* run_ = new QPushButton(tr("Run"));
+  QToolButton* by_cell_ = new QToolButton;
+  QToolButton* by_link_ = new QToolButton;
+  QComboBox* kind_ = new QComboBox;
+  QDoubleSpinBox* radius_mm_ = new QDoubleSpinBox;
+  QSpinBox* first_ = new QSpinBox;
+  QSpinBox* second_ = new QSpinBox;
+  QDoubleSpinBox* distance_mm_ = new QDoubleSpinBox;
+  QPushButton* choose_ = new QPushButton(tr("Choose file…"));
+  QPushButton* drop_ = new QPushButton(tr("Remove"));
+  QComboBox* old_poses_ = new QComboBox;
+  QPushButton* choose_old_ = new QPushButton(tr("Choose file…"));
+  QPushButton* drop_old_ = new QPushButton(tr("Remove"));
 };
 
 }  // namespace hexoderm

@@ -1,5 +1,6 @@
 #include "widgets/verify/verify_section.h"
 
+#include "widgets/controls/panel_parts.h"
 #include "widgets/controls/selection.h"
 #include "widgets/tables/result_table.h"
 #include "widgets/tables/row_picking.h"
@@ -8,12 +9,9 @@
 
 #include <QHBoxLayout>
 #include <QHeaderView>
-#include <QLabel>
 #include <QProgressBar>
 #include <QPushButton>
 #include <QScrollBar>
-#include <QTableView>
-#include <QTimer>
 #include <QVBoxLayout>
 #include <algorithm>
 #include <utility>
@@ -21,47 +19,19 @@
 namespace hexoderm {
 namespace {
 
-/// A sign of its own for each tone, so that no meaning hangs on hue.
-QString toneSign(Tone tone) {
-  switch (tone) {
-    case Tone::Good:
-      return QStringLiteral("✓");
-    case Tone::Caution:
-      return QStringLiteral("▲");
-    case Tone::Bad:
-      return QStringLiteral("✕");
-    case Tone::Neutral:
-      break;
-  }
-  return QStringLiteral("●");
-}
-
 constexpr int kMostRowsSeen = 8;
 
 }  // namespace
 
 VerifySection::VerifySection(const QString& heading, const QString& question, const QString& name, Selection* selection)
-    : selection_(selection),
-      rows_(new QWidget),
-      progress_(new QWidget),
-      sign_(new QLabel),
-      sentence_(new QLabel),
-      view_(new QTableView),
-      table_(new ResultTable(this)),
-      sorted_(new SortedTable(table_, this)),
-      patience_(new QTimer(this)) {
-  setObjectName(name);
-  setAccessibleName(heading);
+    : selection_(selection), table_(new ResultTable(this)), sorted_(new SortedTable(table_, this)) {
+  setNames(this, name, heading);
   auto* title = new QLabel(heading);
-  QFont bold = title->font();
-  bold.setBold(true);
-  title->setFont(bold);
+  makeBold(title);
   auto* asked = new QLabel(question);
   asked->setProperty("muted", true);
   asked->setWordWrap(true);
-  auto* rows = new QVBoxLayout(rows_);
-  rows->setContentsMargins(0, 0, 0, 0);
-  rows->setSpacing(5);
+  spaced(new QVBoxLayout(rows_), {0, 0, 0, 0}, 5);
 
   auto* bar = new QProgressBar;
   bar->setRange(0, 0);
@@ -70,8 +40,7 @@ VerifySection::VerifySection(const QString& heading, const QString& question, co
   auto* cancel = new QPushButton(tr("Cancel"));
   cancel->setObjectName(name + QStringLiteral("Cancel"));
   connect(cancel, &QPushButton::clicked, this, &VerifySection::cancelled);
-  auto* progress = new QHBoxLayout(progress_);
-  progress->setContentsMargins(0, 0, 0, 0);
+  auto* progress = spaced(new QHBoxLayout(progress_), {0, 0, 0, 0});
   progress->addWidget(bar, 1);
   progress->addWidget(cancel);
   progress_->hide();
@@ -81,23 +50,14 @@ VerifySection::VerifySection(const QString& heading, const QString& question, co
   sentence_->setWordWrap(true);
   sentence_->setTextInteractionFlags(Qt::TextSelectableByMouse | Qt::TextSelectableByKeyboard);
   sentence_->setTextFormat(Qt::PlainText);
-  auto* said = new QHBoxLayout;
-  said->setSpacing(7);
+  auto* said = spaced(new QHBoxLayout, 7);
   said->addWidget(sign_);
   said->addWidget(sentence_, 1);
 
-  view_->setObjectName(name + QStringLiteral("Table"));
-  view_->setAccessibleName(tr("Figures: %1").arg(heading));
+  setNames(view_, name + QStringLiteral("Table"), tr("Figures: %1").arg(heading));
   view_->setModel(sorted_);
-  view_->setSelectionBehavior(QAbstractItemView::SelectRows);
+  dressRows(view_);
   view_->setSelectionMode(QAbstractItemView::SingleSelection);
-  view_->setEditTriggers(QAbstractItemView::NoEditTriggers);
-  view_->setShowGrid(false);
-  view_->setWordWrap(false);
-  view_->setTabKeyNavigation(false);
-  view_->setFrameShape(QFrame::NoFrame);
-  view_->verticalHeader()->hide();
-  view_->horizontalHeader()->setHighlightSections(false);
   view_->horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
   view_->horizontalHeader()->setResizeContentsPrecision(40);
   SortedTable::enableIn(view_);
@@ -108,13 +68,8 @@ VerifySection::VerifySection(const QString& heading, const QString& question, co
     if (!view_->selectionModel()->hasSelection()) pick(-1);
   });
 
-  auto* layout = new QVBoxLayout(this);
-  layout->setContentsMargins(0, 0, 0, 0);
-  layout->setSpacing(5);
-  layout->addWidget(title);
-  layout->addWidget(asked);
-  layout->addWidget(rows_);
-  layout->addWidget(progress_);
+  auto* layout = spaced(new QVBoxLayout(this), {0, 0, 0, 0}, 5);
+  addWidgets(layout, {title, asked, rows_, progress_});
   layout->addLayout(said);
   layout->addWidget(view_);
   constexpr int kBlink_ms = 200;
@@ -127,9 +82,10 @@ VerifySection::VerifySection(const QString& heading, const QString& question, co
   paintSentence();
 }
 
-QHBoxLayout* VerifySection::addRow() {
-  auto* row = new QHBoxLayout;
-  row->setSpacing(6);
+QHBoxLayout* VerifySection::addRow(std::initializer_list<QWidget*> controls) {
+  auto* row = spaced(new QHBoxLayout, 6);
+  addWidgets(row, controls);
+  if (controls.size() > 0) row->addStretch();
   static_cast<QVBoxLayout*>(rows_->layout())->addLayout(row);
   return row;
 }
@@ -151,6 +107,11 @@ void VerifySection::setFigures(VerifyFigures figures) {
   const int bar = view_->horizontalScrollBar()->sizeHint().height();
   view_->setFixedHeight(view_->horizontalHeader()->sizeHint().height() +
                         shown * view_->verticalHeader()->defaultSectionSize() + bar);
+}
+
+void VerifySection::clear() {
+  setFigures({});
+  setSentence({});
 }
 
 void VerifySection::setRunning(bool running) {

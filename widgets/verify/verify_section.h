@@ -3,11 +3,13 @@
 #include "widgets/verify/verify_words.h"
 
 #include <QFrame>
+#include <QLabel>
+#include <QTableView>
+#include <QTimer>
+#include <QWidget>
+#include <initializer_list>
 
 class QHBoxLayout;
-class QLabel;
-class QTableView;
-class QTimer;
 
 namespace hexoderm {
 
@@ -24,11 +26,13 @@ class VerifySection : public QFrame {
   /// `name` is for objects inside of it and the file that its table is saved as.
   VerifySection(const QString& heading, const QString& question, const QString& name, Selection* selection);
 
-  /// A new row of controls.
-  QHBoxLayout* addRow();
+  /// A new row of controls; with some, they stand at its left.
+  QHBoxLayout* addRow(std::initializer_list<QWidget*> controls = {});
   void setSentence(const VerifySentence& sentence);
   /// No rows: no table.
   void setFigures(VerifyFigures figures);
+  /// Says and shows nothing.
+  void clear();
   /// Shows that it is being worked on, with a button to cancel that, once it takes longer than a blink.
   void setRunning(bool running);
   [[nodiscard]] bool isRunning() const { return running_; }
@@ -44,17 +48,17 @@ class VerifySection : public QFrame {
   void pick(int row);
 
   Selection* selection_;
-  QWidget* rows_;
-  QWidget* progress_;
-  QLabel* sign_;
-  QLabel* sentence_;
-  QTableView* view_;
+  QWidget* rows_ = new QWidget;
+  QWidget* progress_ = new QWidget;
+  QLabel* sign_ = new QLabel;
+  QLabel* sentence_ = new QLabel;
+  QTableView* view_ = new QTableView;
   ResultTable* table_;
   SortedTable* sorted_;
   CsvActions* csv_actions_;
   VerifySentence said_;
   bool running_ = false;
-  QTimer* patience_;
+  QTimer* patience_ = new QTimer(this);
 };
 
 }  // namespace hexoderm

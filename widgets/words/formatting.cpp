@@ -2,6 +2,7 @@
 
 #include "hexoderm/reconstruction/result/uncertainty.h"
 #include "hexoderm/util/units.h"
+#include "widgets/style/of_enum.h"
 #include "widgets/style/palette.h"
 #include "widgets/words/cell_words.h"
 #include "widgets/words/words.h"
@@ -144,15 +145,7 @@ QString mutedBecause(const LinkEstimate& link) {
 }
 
 QString severityWord(Severity severity) {
-  switch (severity) {
-    case Severity::Info:
-      return Words::tr("Note");
-    case Severity::Warning:
-      return Words::tr("Warning");
-    case Severity::Error:
-      return Words::tr("Error");
-  }
-  return {};
+  return ofEnum(severity, {Words::tr("Note"), Words::tr("Warning"), Words::tr("Error")});
 }
 
 QString placeInWords(const Finding& finding) {

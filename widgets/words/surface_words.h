@@ -1,12 +1,21 @@
 #pragma once
 
 #include "hexoderm/reconstruction/evaluation/evaluation.h"
+#include "widgets/style/of_enum.h"
 
+#include <QCoreApplication>
 #include <QString>
 
 namespace hexoderm {
 
+struct SurfaceWords {
+  Q_DECLARE_TR_FUNCTIONS(hexoderm::SurfaceWords)
+};
+
 /// "Plane", "Cylinder": the name of a kind of fitted surface, in the user's language.
-QString surfaceKindWord(SurfaceKind kind);
+inline QString surfaceKindWord(SurfaceKind kind) {
+  return ofEnum(kind, {SurfaceWords::tr("Plane"), SurfaceWords::tr("Sphere"), SurfaceWords::tr("Cylinder"),
+                       SurfaceWords::tr("Cone")});
+}
 
 }  // namespace hexoderm

@@ -1,24 +1,40 @@
 #pragma once
 
+#include "app/window/dialogs/package_list.h"
+#include "app/window/files/session_paths.h"
 #include "app/window/session/session_controller.h"
+#include "app/window/toolkit/deferred_dialog.h"
+#include "app/window/toolkit/file_dialog.h"
+#include "hexoderm/reconstruction/result/patch_placements.h"
+#include "hexoderm/util/error.h"
+#include "widgets/controls/panel_parts.h"
+#include "widgets/words/words.h"
 
+#include <QComboBox>
 #include <QDialog>
+#include <QDialogButtonBox>
+#include <QDir>
+#include <QFileInfo>
+#include <QFormLayout>
+#include <QGridLayout>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QLineEdit>
+#include <QListWidget>
+#include <QPushButton>
+#include <QSettings>
+#include <QSignalBlocker>
+#include <QStackedWidget>
+#include <QTabBar>
+#include <QTextBrowser>
+#include <QVBoxLayout>
+#include <algorithm>
 #include <memory>
 #include <optional>
+#include <utility>
 #include <vector>
 
-class QComboBox;
-class QLabel;
-class QLineEdit;
-class QListWidget;
-class QPushButton;
-class QStackedWidget;
-class QTabBar;
-class QTextBrowser;
-
 namespace hexoderm {
-
-class PackageList;
 
 /// Asks for contents, place and format of an export, and of several patches for one where the format has one frame.
 /// Or, on its second tab, for the files of a package, with what each will hold. Emits the request when it is accepted;
@@ -29,53 +45,413 @@ class ExportDialog : public QDialog {
  public:
   /// `reconstruction`: what would be exported now, null if there is nothing; `suggestion`: path without an extension.
   ExportDialog(std::shared_ptr<const Reconstruction> reconstruction, const QString& suggestion,
-               QWidget* parent = nullptr);
+               QWidget* parent = nullptr)
+      : QDialog(parent), reconstruction_(std::move(reconstruction)) {
+    setObjectName(QStringLiteral("exportDialog"));
+    if (reconstruction_) {
+      options_.placements = placedPatches(*reconstruction_);
+      if (reconstruction_->robot) options_.robot_urdf = toPath(QString::fromStdString(reconstruction_->robot->urdf));
+    }
+    setWindowTitle(tr("Export the calibration"));
+    setModal(true);
 
-  [[nodiscard]] ExportRequest request() const;
-  [[nodiscard]] PackageRequest packageRequest() const;
+    setNames(kinds_, QStringLiteral("exportKinds"), tr("One file or several"));
+    kinds_->addTab(tr("One &file"));
+    kinds_->addTab(tr("&Package"));
+    kinds_->setExpanding(false);
+    kinds_->setDrawBase(false);
+    auto* browse = new QPushButton(tr("Browse…"), this);
+    browse->setObjectName(QStringLiteral("exportBrowse"));
+    auto* buttons = new QDialogButtonBox(QDialogButtonBox::Cancel, this);
+    export_ = addPrimaryButton(buttons, tr("Export"), "exportButton");
+    summary_->setWordWrap(true);
+    summary_->setProperty("muted", true);
+    note_->setWordWrap(true);
+    note_->setObjectName(QStringLiteral("exportNote"));
+    note_->setMinimumHeight(2 * fontMetrics().lineSpacing());
+
+    auto* layout = spaced(new QGridLayout(this), {20, 18, 20, 16});
+    layout->setHorizontalSpacing(18);
+    layout->setVerticalSpacing(12);
+    addWidgets(lists_, {makeFormatList(), package_});
+    lists_->setFixedWidth(kListWidth);
+    summary_->setAlignment(Qt::AlignTop | Qt::AlignLeft);
+    setNames(preview_, QStringLiteral("packagePreview"), tr("What each file will hold"));
+    addWidgets(contents_, {summary_, preview_});
+    layout->addWidget(kinds_, 0, 0, 1, 3);
+    layout->addWidget(lists_, 1, 0, 2, 1);
+    layout->addWidget(contents_, 1, 1, 1, 2);
+    auto* choices = new QVBoxLayout;
+    addWidgets(choices, {makePatchRow(), makeOptions()});
+    layout->addLayout(choices, 2, 1, 1, 2);
+    setNames(container_, QStringLiteral("exportContainer"), tr("Folder or archive"));
+    container_->addItems({tr("Folder"), tr("Zip archive")});
+    auto* where = new QHBoxLayout;
+    where->addStretch(1);
+    where->addWidget(new QLabel(tr("Write to"), this));
+    where->addWidget(container_);
+    layout->addLayout(where, 3, 0);
+    layout->addWidget(path_, 3, 1);
+    layout->addWidget(browse, 3, 2);
+    layout->addWidget(note_, 4, 1, 1, 2);
+    layout->addWidget(buttons, 5, 0, 1, 3);
+    layout->setColumnStretch(1, 1);
+    layout->setRowStretch(1, 1);
+    resize(780, 520);
+
+    path_->setText(suggestion + kCalibrationExtension);
+    extension_ = kCalibrationExtension;
+    connect(buttons, &QDialogButtonBox::accepted, this, &ExportDialog::accept);
+    connect(buttons, &QDialogButtonBox::rejected, this, &ExportDialog::reject);
+    connect(browse, &QPushButton::clicked, this, &ExportDialog::choosePath);
+    formats_->setCurrentRow(0);
+    connectFields();
+    container_->setCurrentIndex(QSettings().value(kIsZip, false).toBool() ? 1 : 0);
+    kinds_->setCurrentIndex(QSettings().value(kIsPackage, false).toBool() ? 1 : 0);
+    chooseKind();
+    path_->setFocus();
+    path_->selectAll();
+  }
+
+  [[nodiscard]] ExportRequest request() const {
+    ExportRequest request;
+    if (const std::optional<ExportFormatDescription> format = formatOfRow(formats_->currentRow())) {
+      request.format = format->format;
+    }
+    request.path = QDir::fromNativeSeparators(path_->text().trimmed());
+    request.options = options_;
+    if (patch_->count() > 0) {
+      const QVariant origin = patch_->currentData();
+      request.options.all_patches = !origin.isValid();
+      if (origin.isValid() && origin.toUInt() != kAllPlaced) request.options.patch = CellId(origin.toUInt());
+    }
+    return request;
+  }
+
+  [[nodiscard]] PackageRequest packageRequest() const {
+    PackageRequest asked = package_->request();
+    asked.path = QDir::fromNativeSeparators(path_->text().trimmed());
+    asked.options = options_;
+    const QVariant origin = patch_->currentData();
+    if (origin.isValid() && origin.toUInt() != kAllPlaced) asked.options.patch = CellId(origin.toUInt());
+    return asked;
+  }
 
  signals:
   void exportRequested(const hexoderm::ExportRequest& request);
   void packageRequested(const hexoderm::PackageRequest& request);
 
  public slots:
-  void accept() override;
+  void accept() override {
+    check();
+    if (!export_->isEnabled()) return;
+    QSettings().setValue(kIsPackage, isPackage());
+    if (isPackage()) {
+      QSettings().setValue(kIsZip, container_->currentIndex() == 1);
+      package_->keepChoice();
+      emit packageRequested(packageRequest());
+    } else {
+      emit exportRequested(request());
+    }
+    QDialog::accept();
+  }
 
  private:
-  QWidget* makeFormatList();
-  QWidget* makeOptions();
+  /// In the list of patches, besides their origin cells.
+  static constexpr uint kAllPlaced = 0;
+  static constexpr int kListWidth = 180;
+  static inline const QString kCalibrationExtension = QStringLiteral(".calibration.json");
+  static inline const QString kZip = QStringLiteral(".zip");
+  static inline const QString kIsPackage = QStringLiteral("export/is_package");
+  static inline const QString kIsZip = QStringLiteral("export/is_zip");
+  static QString toQString(std::string_view text) {
+    return QString::fromUtf8(text.data(), static_cast<int>(text.size()));
+  }
+  /// Row of the list; row 0 is the calibration file, the others follow exportFormats().
+  static std::optional<ExportFormatDescription> formatOfRow(int row) {
+    if (row <= 0 || static_cast<std::size_t>(row) > exportFormats().size()) return std::nullopt;
+    return exportFormats()[static_cast<std::size_t>(row) - 1];
+  }
+
+  static QLineEdit* named(QLineEdit* edit, const char* object_name, const QString& accessible_name) {
+    setNames(edit, QLatin1String(object_name), accessible_name);
+    return edit;
+  }
+
+  QWidget* makeFormatList() {
+    setNames(formats_, QStringLiteral("exportFormats"), tr("Format"));
+    formats_->addItem(tr("Calibration"));
+    for (const ExportFormatDescription& format : exportFormats()) formats_->addItem(toQString(format.name).toUpper());
+    return formats_;
+  }
+
+  QWidget* makeOptions() {
+    auto* page = new QWidget;
+    auto* form = spaced(new QFormLayout(page), {0, 0, 0, 0});
+    for (const ExportOptionDescription& option : exportOptions()) {
+      auto* label = new QLabel(words(option.label));
+      QWidget* field = makeOptionField(option);
+      form->addRow(label, field);
+      option_rows_.push_back({label, field});
+    }
+    return page;
+  }
+
   /// The field of one option, which writes into options_.
-  QWidget* makeOptionField(const ExportOptionDescription& option);
-  QWidget* makeFileField(const ExportOptionDescription& option, QLineEdit* edit);
-  void showOptions();
-  QWidget* makePatchRow();
+  QWidget* makeOptionField(const ExportOptionDescription& option) {
+    const QString value = QString::fromStdString(option.get(options_));
+    const QString object_name = QStringLiteral("export-") + toQString(option.name);
+    const auto* const described = &option;  // lives as long as the program
+    if (option.kind == ExportOptionDescription::Kind::Choice) {
+      auto* box = new QComboBox;
+      setNames(box, object_name, words(option.label));
+      box->setToolTip(words(option.help));
+      for (const ExportOptionDescription::Choice& choice : option.choices) {
+        box->addItem(words(choice.label), toQString(choice.value));
+      }
+      box->setCurrentIndex(box->findData(value));
+      connect(box, QOverload<int>::of(&QComboBox::currentIndexChanged), this, [this, box, described] {
+        described->set(options_, box->currentData().toString().toStdString());
+        check();
+      });
+      return box;
+    }
+    auto* edit = new QLineEdit(value);
+    setNames(edit, object_name, words(option.label));
+    edit->setToolTip(words(option.help));
+    connect(edit, &QLineEdit::textChanged, this, [this, described](const QString& text) {
+      described->set(options_, text.trimmed().toStdString());
+      check();
+    });
+    return option.kind == ExportOptionDescription::Kind::File ? makeFileField(option, edit) : edit;
+  }
+
+  QWidget* makeFileField(const ExportOptionDescription& option, QLineEdit* edit) {
+    auto* field = new QWidget;
+    auto* row = spaced(new QHBoxLayout(field), {0, 0, 0, 0});
+    auto* browse = new QPushButton(tr("Browse…"));
+    browse->setObjectName(edit->objectName() + QStringLiteral("-browse"));
+    row->addWidget(edit, 1);
+    row->addWidget(browse);
+    connect(browse, &QPushButton::clicked, this, [this, edit, title = words(option.label)] {
+      askForFile(this, "", title, QFileInfo(edit->text()).absolutePath(), {},
+                 [edit](const QString& path) { edit->setText(path); });
+    });
+    return field;
+  }
+
+  void showOptions() {
+    const std::vector<ExportFormat> chosen = chosenFormats();
+    for (std::size_t k = 0; k < option_rows_.size(); ++k) {
+      const bool shown = std::ranges::any_of(exportOptions()[k].formats, [&chosen](ExportFormat format) {
+        return std::ranges::find(chosen, format) != chosen.end();
+      });
+      option_rows_[k].label->setVisible(shown);
+      option_rows_[k].field->setVisible(shown);
+    }
+  }
+
+  QWidget* makePatchRow() {
+    setNames(patch_, QStringLiteral("exportPatch"), tr("Patch"));
+    patch_->setToolTip(tr("How the patches lie to each other is not known, so that a file with one frame holds one"));
+    patch_row_ = new QWidget;
+    auto* form = spaced(new QFormLayout(patch_row_), {0, 0, 0, 0});
+    form->addRow(tr("Patch"), patch_);
+    return patch_row_;
+  }
+
   /// The patches that can be chosen in the present format.
-  void offerPatches();
-  void chooseFormat();
-  void choosePath();
-  void check();
-  [[nodiscard]] bool isPackage() const;
-  void connectFields();
+  void offerPatches() {
+    const bool has_one_format = !isPackage();
+    const std::optional<ExportFormatDescription> format =
+        has_one_format ? formatOfRow(formats_->currentRow()) : std::nullopt;
+    const QSignalBlocker blocker(patch_);
+    const QVariant before = patch_->currentData();
+    patch_->clear();
+    std::vector<const PatchReconstruction*> patches;
+    if ((format || !chosenFormats().empty()) && reconstruction_) {
+      for (const PatchReconstruction& patch : reconstruction_->patches) {
+        if (!patch.cells.empty()) patches.push_back(&patch);
+      }
+      const PatchReconstruction* largest = largestPatch(*reconstruction_);
+      std::stable_partition(patches.begin(), patches.end(), [largest](const auto* patch) { return patch == largest; });
+    }
+    const bool has_links =
+        format && (format->patches == PatchesInFile::OnLinks || format->patches == PatchesInFile::OnALink);
+    if (has_links && !options_.placements.empty()) patch_->addItem(tr("All that are placed on the robot"), kAllPlaced);
+    if (isPackage()) patch_->addItem(tr("As many as each format can hold"), kAllPlaced);
+    const auto offerAll = [this] { patch_->addItem(tr("All, each in its own frame")); };
+    if (format && format->patches == PatchesInFile::All) offerAll();
+    for (const PatchReconstruction* patch : patches) {
+      patch_->addItem(patch->cells.size() == 1
+                          ? tr("Cell %1 alone").arg(patch->origin.value())
+                          : tr("Patch of cell %1, %2 cells").arg(patch->origin.value()).arg(patch->cells.size()),
+                      patch->origin.value());
+    }
+    if (format && format->patches == PatchesInFile::AllIfAsked) offerAll();
+    if (isPackage()) patch_->setCurrentIndex(std::max(0, patch_->findData(before)));
+    patch_row_->setVisible(patches.size() > 1);
+  }
+
+  void chooseFormat() {
+    const std::optional<ExportFormatDescription> format = formatOfRow(formats_->currentRow());
+    summary_->setText(
+        format ? QStringList({words(format->summary), words(format->not_carried)}).join(QLatin1Char('\n')).trimmed()
+               : tr("Hexoderm's own file: everything that is known, to be opened again, compared and exported "
+                    "from later."));
+    showOptions();
+    offerPatches();
+    // The name stays, the extension follows the format.
+    QString path = path_->text();
+    if (!extension_.isEmpty() && path.endsWith(extension_)) path.chop(extension_.size());
+    extension_ = extension();
+    if (!path.isEmpty() && !path.endsWith(extension_)) path += extension_;
+    path_->setText(path);
+    check();
+  }
+
+  void choosePath() {
+    const bool folder = extension().isEmpty();
+    auto* dialog = new FileDialog(this, tr("Write to"), QFileInfo(path_->text()).absolutePath());
+    dialog->setAcceptMode(QFileDialog::AcceptSave);
+    dialog->setFileMode(QFileDialog::AnyFile);
+    // Replacing is said, and confirmed, in this dialog.
+    dialog->setOption(QFileDialog::DontConfirmOverwrite);
+    if (!folder) dialog->setNameFilter(QStringLiteral("*%1").arg(extension()));
+    dialog->selectFile(QFileInfo(path_->text()).fileName());
+    connect(dialog, &QFileDialog::fileSelected, path_, &QLineEdit::setText);
+    openInTurns(dialog);
+  }
+
+  void check() {
+    if (isPackage()) {
+      checkPackage();
+      return;
+    }
+    const QFileInfo target(request().path);
+    QString problem;
+    QString remark;
+    QString left_out;
+    if (path_->text().trimmed().isEmpty()) {
+      problem = tr("Say where the file should go.");
+    } else if (!target.absoluteDir().exists()) {
+      problem = tr("There is no folder %1.").arg(QDir::toNativeSeparators(target.absolutePath()));
+    } else if (!extension().isEmpty() && target.isDir()) {
+      problem = tr("%1 is a folder; give the file a name.").arg(QDir::toNativeSeparators(target.filePath()));
+    } else {
+      try {
+        const ExportRequest asked = request();
+        if (asked.format) asked.options.validateFor(*asked.format);
+        left_out = leftOut();
+      } catch (const InvalidArgument& error) {
+        problem = words(error);
+      }
+    }
+    const bool replaces =
+        problem.isEmpty() &&
+        (extension().isEmpty() ? QDir(target.filePath()).exists(QStringLiteral("cells.csv")) : target.exists());
+    if (replaces) {
+      remark = extension().isEmpty() ? tr("The tables in this folder will be replaced.")
+                                     : tr("There is a file of this name; it will be replaced.");
+    }
+    if (problem.isEmpty()) remark = QStringList({remark, left_out}).join(QLatin1Char('\n')).trimmed();
+    showCheck(problem, remark, replaces);
+  }
+
+  [[nodiscard]] bool isPackage() const { return kinds_->currentIndex() == 1; }
+  void connectFields() {
+    connect(kinds_, &QTabBar::currentChanged, this, &ExportDialog::chooseKind);
+    connect(container_, QOverload<int>::of(&QComboBox::currentIndexChanged), this, &ExportDialog::chooseContainer);
+    connect(formats_, &QListWidget::currentRowChanged, this, &ExportDialog::chooseFormat);
+    connect(package_, &QListWidget::itemChanged, this, &ExportDialog::chooseFormat);
+    connect(patch_, QOverload<int>::of(&QComboBox::currentIndexChanged), this, &ExportDialog::check);
+    connect(path_, &QLineEdit::textChanged, this, &ExportDialog::check);
+  }
+
   /// One file, or a package.
-  void chooseKind();
-  void chooseContainer();
-  void checkPackage();
+  void chooseKind() {
+    lists_->setCurrentIndex(kinds_->currentIndex());
+    contents_->setCurrentIndex(kinds_->currentIndex());
+    container_->setVisible(isPackage());
+    chooseFormat();
+  }
+
+  void chooseContainer() { chooseFormat(); }
+  void showCheck(const QString& problem, const QString& remark, bool replaces) {
+    export_->setText(replaces ? tr("Replace") : tr("Export"));
+    export_->setEnabled(problem.isEmpty());
+    export_->setToolTip(problem);
+    note_->setText(problem.isEmpty() ? remark : problem);
+  }
+
+  void checkPackage() {
+    if (extension().isEmpty() && path_->text().endsWith(kZip)) {
+      // A name that was typed says it, too.
+      const QSignalBlocker blocker(container_);
+      container_->setCurrentIndex(1);
+      extension_ = kZip;
+    }
+    const PackageRequest asked = packageRequest();
+    const QFileInfo target(asked.path);
+    QString problem;
+    try {
+      preview_->setHtml(asked.isEmpty() || !reconstruction_
+                            ? QString()
+                            : packageInWords(previewPackage(*reconstruction_, packageContent(asked), asked.options)));
+    } catch (const InvalidArgument& error) {
+      preview_->clear();
+      problem = words(error);
+    }
+    if (asked.isEmpty()) {
+      problem = tr("Tick the files that the package is to hold.");
+    } else if (path_->text().trimmed().isEmpty()) {
+      problem = tr("Say where the package should go.");
+    } else if (!target.absoluteDir().exists()) {
+      problem = tr("There is no folder %1.").arg(QDir::toNativeSeparators(target.absolutePath()));
+    } else if (!extension().isEmpty() && target.isDir()) {
+      problem = tr("%1 is a folder; give the file a name.").arg(QDir::toNativeSeparators(target.filePath()));
+    } else if (extension().isEmpty() && target.exists() && !target.isDir()) {
+      problem = tr("%1 is a file; give the folder another name.").arg(QDir::toNativeSeparators(target.filePath()));
+    }
+    QString remark;
+    const bool replaces = problem.isEmpty() && target.exists();
+    if (replaces) {
+      remark = extension().isEmpty() ? tr("There is a folder of this name; files of the same names in it are replaced.")
+                                     : tr("There is a file of this name; it will be replaced.");
+    }
+    showCheck(problem, remark, replaces);
+  }
+
   /// The formats whose options matter.
-  [[nodiscard]] std::vector<ExportFormat> chosenFormats() const;
-  [[nodiscard]] QString extension() const;
+  [[nodiscard]] std::vector<ExportFormat> chosenFormats() const {
+    if (isPackage()) return package_->request().formats;
+    const std::optional<ExportFormatDescription> format = formatOfRow(formats_->currentRow());
+    return format ? std::vector{format->format} : std::vector<ExportFormat>{};
+  }
+
+  [[nodiscard]] QString extension() const {
+    if (isPackage()) return container_->currentIndex() == 1 ? kZip : QString();
+    const std::optional<ExportFormatDescription> format = formatOfRow(formats_->currentRow());
+    return format ? toQString(format->extension) : kCalibrationExtension;
+  }
+
   /// What the present format and patch leave out; empty if nothing.
-  [[nodiscard]] QString leftOut() const;
+  [[nodiscard]] QString leftOut() const {
+    const ExportRequest asked = request();
+    if (!asked.format || !reconstruction_) return {};
+    return words(leftOutInWords(patchesLeftOut(*reconstruction_, *asked.format, asked.options)));
+  }
 
   std::shared_ptr<const Reconstruction> reconstruction_;
-  QTabBar* kinds_;
-  QStackedWidget* lists_;
-  QStackedWidget* contents_;
-  QListWidget* formats_;
-  PackageList* package_;
-  QLabel* summary_;
-  QTextBrowser* preview_;
-  QComboBox* container_;
-  QLineEdit* path_;
+  QTabBar* kinds_ = new QTabBar(this);
+  QStackedWidget* lists_ = new QStackedWidget(this);
+  QStackedWidget* contents_ = new QStackedWidget(this);
+  QListWidget* formats_ = new QListWidget(this);
+  PackageList* package_ = new PackageList(this);
+  QLabel* summary_ = new QLabel(this);
+  QTextBrowser* preview_ = new QTextBrowser(this);
+  QComboBox* container_ = new QComboBox(this);
+  QLineEdit* path_ = named(new QLineEdit(this), "exportPath", tr("File to write"));
   ExportOptions options_;
   /// The row of each of exportOptions().
   struct OptionRow {
@@ -84,8 +460,8 @@ class ExportDialog : public QDialog {
   };
   std::vector<OptionRow> option_rows_;
   QWidget* patch_row_ = nullptr;
-  QComboBox* patch_;
-  QLabel* note_;
+  QComboBox* patch_ = new QComboBox(this);
+  QLabel* note_ = new QLabel(this);
   QPushButton* export_;
   QString extension_;
 };

@@ -1,10 +1,15 @@
 #pragma once
 
+#include "app/window/files/recent_files.h"
+#include "app/window/files/recovery.h"
+
+#include <QLabel>
+#include <QVBoxLayout>
+#include <QVariant>
 #include <QWidget>
 
 namespace hexoderm {
 
-class RecentFiles;
 class UnsavedSessions;
 
 /// The sessions of earlier times, for the step Connect: those that were not saved, and the newest of the recent files.
@@ -13,7 +18,19 @@ class EarlierPanel : public QWidget {
 
  public:
   /// Both outlive the panel.
-  EarlierPanel(RecentFiles& recent, UnsavedSessions& unsaved, QWidget* parent = nullptr);
+  EarlierPanel(RecentFiles& recent, UnsavedSessions& unsaved, QWidget* parent = nullptr) : QWidget(parent) {
+    auto* layout = new QVBoxLayout(this);
+    layout->setContentsMargins(0, 8, 0, 0);
+    layout->addWidget(new RecoveryList(unsaved));
+    auto* title = new QLabel(tr("Recent").toUpper());
+    title->setProperty("caption", true);
+    layout->addWidget(title);
+    constexpr std::size_t kShown = 3;
+    constexpr int kTitleCharacters = 22;
+    auto* list = new RecentList(recent, kShown, kTitleCharacters);
+    connect(list, &RecentList::openWanted, this, &EarlierPanel::openWanted);
+    layout->addWidget(list);
+  }
 
  signals:
   void openWanted(const QString& path);

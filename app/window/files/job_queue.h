@@ -1,10 +1,13 @@
 #pragma once
 
+#include "hexoderm/util/thread_priority.h"
+
 #include <condition_variable>
 #include <deque>
 #include <functional>
 #include <mutex>
 #include <thread>
+#include <utility>
 
 namespace hexoderm {
 
@@ -14,17 +17,37 @@ class JobQueue {
  public:
   using Job = std::function<void()>;
 
-  JobQueue();
-  void add(Job job);
-  void addEssential(Job job);
+  JobQueue() : thread_([this](const std::stop_token& stop) { run(stop); }) {}
+  void add(Job job) { push({std::move(job), false}); }
+  void addEssential(Job job) { push({std::move(job), true}); }
 
  private:
   struct Queued {
     Job job;
     bool is_essential = false;
   };
-  void push(Queued queued);
-  void run(const std::stop_token& stop);
+  void push(Queued queued) {
+    {
+      const std::lock_guard lock(mutex_);
+      jobs_.push_back(std::move(queued));
+    }
+    arrived_.notify_one();
+  }
+
+  void run(const std::stop_token& stop) {
+    giveWayToOtherThreads();
+    for (;;) {
+      Queued next;
+      {
+        std::unique_lock lock(mutex_);
+        arrived_.wait(lock, stop, [this] { return !jobs_.empty(); });
+        if (jobs_.empty()) return;
+        next = std::move(jobs_.front());
+        jobs_.pop_front();
+      }
+      if (!stop.stop_requested() || next.is_essential) next.job();
+    }
+  }
 
   std::mutex mutex_;
   std::condition_variable_any arrived_;

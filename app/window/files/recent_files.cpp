@@ -2,6 +2,7 @@
 
 #include "app/window/files/job_queue.h"
 #include "widgets/controls/flow_layout.h"
+#include "widgets/controls/panel_parts.h"
 #include "widgets/words/formatting.h"
 
 #include <QCoreApplication>
@@ -17,7 +18,6 @@
 #include <QPointer>
 #include <QSettings>
 #include <QToolButton>
-#include <QVBoxLayout>
 #include <QVariant>
 #include <algorithm>
 #include <utility>
@@ -194,7 +194,7 @@ void RecentFiles::serve(QMenu* menu, std::function<void(QString)> open) {
 }
 
 RecentList::RecentList(RecentFiles& files, std::size_t most, int title_characters, QWidget* parent)
-    : QWidget(parent), files_(files), most_(most), title_characters_(title_characters), layout_(new QVBoxLayout(this)) {
+    : QWidget(parent), files_(files), most_(most), title_characters_(title_characters) {
   setObjectName(QStringLiteral("recentList"));
   layout_->setContentsMargins(0, 0, 0, 0);
   layout_->setSpacing(2);
@@ -277,15 +277,12 @@ QWidget* RecentList::makeRow(const RecentFile& file) {
   remove->setToolTip(tr("Take it from this list; the file itself stays"));
   remove->setAccessibleName(tr("Take %1 from the list").arg(file.title));
   connect(remove, &QToolButton::clicked, this, [this, path = file.path] { files_.remove(path); });
-  auto* layout = new QHBoxLayout(row);
-  layout->setContentsMargins(0, 0, 0, 0);
-  layout->setSpacing(6);
+  auto* layout = spaced(new QHBoxLayout(row), {0, 0, 0, 0}, 6);
   // In a narrow place, such as the step's, the words stand one below the other, so that a file with a long name keeps
   // the column narrow.
   auto* words = new FlowLayout;
   words->setSpacing(6);
-  words->addWidget(open);
-  words->addWidget(when);
+  addWidgets(words, {open, when});
   layout->addLayout(words, 1);
   layout->addWidget(remove, 0, Qt::AlignTop);
   return row;

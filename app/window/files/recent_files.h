@@ -4,6 +4,7 @@
 #include <QObject>
 #include <QString>
 #include <QTimer>
+#include <QVBoxLayout>
 #include <QWidget>
 #include <cstdint>
 #include <functional>
@@ -12,7 +13,6 @@
 
 class QMenu;
 class QToolButton;
-class QVBoxLayout;
 
 namespace hexoderm {
 
@@ -90,7 +90,7 @@ class RecentList : public QWidget {
   RecentFiles& files_;
   std::size_t most_;
   int title_characters_;
-  QVBoxLayout* layout_;
+  QVBoxLayout* layout_ = new QVBoxLayout(this);
 };
 
 }  // namespace hexoderm

@@ -6,6 +6,7 @@
 #include "hexoderm/session/session_store.h"
 #include "hexoderm/util/error.h"
 #include "hexoderm/util/system_reason.h"
+#include "widgets/controls/panel_parts.h"
 #include "widgets/words/formatting.h"
 #include "widgets/words/words.h"
 
@@ -18,7 +19,6 @@
 #include <QMetaObject>
 #include <QPointer>
 #include <QPushButton>
-#include <QVBoxLayout>
 #include <QVariant>
 #include <algorithm>
 #include <filesystem>
@@ -169,10 +169,8 @@ void UnsavedSessions::move(const QString& path, QString (*how)(const QString&)) 
   });
 }
 
-RecoveryList::RecoveryList(UnsavedSessions& sessions, QWidget* parent)
-    : QWidget(parent), sessions_(sessions), layout_(new QVBoxLayout(this)) {
-  setObjectName(QStringLiteral("recoveryList"));
-  setAccessibleName(tr("Sessions that were not saved"));
+RecoveryList::RecoveryList(UnsavedSessions& sessions, QWidget* parent) : QWidget(parent), sessions_(sessions) {
+  setNames(this, QStringLiteral("recoveryList"), tr("Sessions that were not saved"));
   layout_->setContentsMargins(0, 0, 0, 8);
   layout_->setSpacing(8);
   connect(&sessions_, &UnsavedSessions::changed, this, [this] {
@@ -204,19 +202,16 @@ QWidget* RecoveryList::makeRow(const UnsavedSession& session) {
   auto* text = new QLabel(is_discarded ? tr("Discarded; it is kept for %1 days.").arg(kDaysUntilGone)
                                        : describeUnsaved(session));
   text->setObjectName(QStringLiteral("unsavedText"));
-  text->setWordWrap(true);
-  text->setTextFormat(Qt::PlainText);
+  setPlainParagraph(text);
   text->setToolTip(session.source);
   const auto button = [&](const char* name, const QString& words, const QString& tip) {
     auto* made = new QPushButton(words);
-    made->setObjectName(QLatin1String(name));
-    made->setAccessibleName(words);
+    setNames(made, QLatin1String(name), words);
     made->setAccessibleDescription(text->text());
     made->setToolTip(tip);
     return made;
   };
-  auto* layout = new QHBoxLayout(row);
-  layout->setContentsMargins(12, 8, 8, 8);
+  auto* layout = spaced(new QHBoxLayout(row), {12, 8, 8, 8});
   layout->addWidget(text, 1);
   const QString path = session.path;
   if (is_discarded) {

@@ -2,11 +2,10 @@
 
 #include <QObject>
 #include <QString>
+#include <QVBoxLayout>
 #include <QWidget>
 #include <cstdint>
 #include <vector>
-
-class QVBoxLayout;
 
 namespace hexoderm {
 
@@ -89,7 +88,7 @@ class RecoveryList : public QWidget {
   [[nodiscard]] QWidget* makeRow(const UnsavedSession& session);
 
   UnsavedSessions& sessions_;
-  QVBoxLayout* layout_;
+  QVBoxLayout* layout_ = new QVBoxLayout(this);
 };
 
 }  // namespace hexoderm

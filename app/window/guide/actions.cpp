@@ -3,8 +3,6 @@
 #include "hexoderm/reconstruction/advice/assess.h"
 #include "widgets/words/words.h"
 
-#include <QMenu>
-
 namespace hexoderm {
 namespace {
 
@@ -22,126 +20,25 @@ void allow(QAction* action, const QString& why_not) {
   action->setEnabled(can);
 }
 
-QAction* make(QWidget* owner, const char* name, const QString& text, const QString& purpose,
-              const QList<QKeySequence>& keys = {}) {
-  auto* action = new QAction(text, owner);
-  action->setObjectName(QLatin1String(name));
-  action->setProperty(kPurpose, purpose);
-  action->setShortcuts(keys);
-  owner->addAction(action);
-  allow(action, {});
-  return action;
-}
-
 }  // namespace
 
 QString purposeOf(const QAction& action) { return action.property(kPurpose).toString(); }
 
+QAction* WindowActions::make(const char* name, const QString& text, const QString& purpose,
+                             const QList<QKeySequence>& shortcuts) const {
+  auto* action = new QAction(text, owner_);
+  action->setObjectName(QLatin1String(name));
+  action->setProperty(kPurpose, purpose);
+  action->setShortcuts(shortcuts);
+  owner_->addAction(action);
+  allow(action, {});
+  return action;
+}
+
 WindowActions::WindowActions(QWidget* owner, QUndoStack* undo_stack)
-    : demo(make(owner, "actionDemo", tr("Start the &demo skin"), tr("A simulated skin to try everything with"),
-                {QKeySequence(QStringLiteral("Ctrl+D"))})),
-      robot_demo(make(owner, "actionRobotDemo", tr("Start the demo a&rm"),
-                      tr("A forearm with two patches and an elbow: a session to place on its robot"))),
-      connect_skin(make(owner, "actionConnect", tr("&Connect to a skin…"),
-                        tr("Take poses of a skin that is connected, or of a recording"),
-                        {QKeySequence(QStringLiteral("Ctrl+K"))})),
-      disconnect_skin(make(owner, "actionDisconnect", tr("D&isconnect"),
-                           tr("End the connection to the skin; what was captured stays"))),
-      open(make(owner, "actionOpen", tr("&Open…"), tr("Open a session or a calibration"), {QKeySequence::Open})),
-      save(make(owner, "actionSave", tr("&Save session"), tr("Save the poses taken so far"), {QKeySequence::Save})),
-      save_as(make(owner, "actionSaveAs", tr("Save session &as…"), tr("Save the session under another name"),
-                   {QKeySequence(QStringLiteral("Ctrl+Shift+S"))})),
-      save_calibration(make(owner, "actionSaveCalibration", tr("Save &calibration…"),
-                            tr("Save the reconstruction, complete enough to export and draw from it alone"))),
-      export_to(make(owner, "actionExport", tr("&Export…"), tr("Write the calibration in a form that others read"),
-                     {QKeySequence(QStringLiteral("Ctrl+E"))})),
-      report(make(owner, "actionReport", tr("&Report…"),
-                  tr("Write a report with verdict, pictures and tables, as PDF or as a page for the browser"),
-                  {QKeySequence(QStringLiteral("Ctrl+Shift+E"))})),
-      report_title(make(owner, "actionReportTitle", tr("&Title of reports…"),
-                        tr("Robot, part, operator and notes, as they stand at the head of reports on this session"))),
-      quit(make(owner, "actionQuit", tr("&Quit"), tr("Close the window"), {QKeySequence(QStringLiteral("Ctrl+Q"))})),
+    : owner_(owner),
       undo(undo_stack->createUndoAction(owner, tr("&Undo"))),
       redo(undo_stack->createRedoAction(owner, tr("&Redo"))),
-      toggle_pose(make(owner, "actionTogglePose", tr("&Disable pose"), tr("Leave the picked pose out, or take it back"),
-                       {QKeySequence(Qt::Key_Delete)})),
-      delete_pose(make(owner, "actionDeletePose", tr("De&lete pose"), tr("Take the picked pose out of the session"),
-                       {QKeySequence(QStringLiteral("Shift+Del"))})),
-      recapture(make(owner, "actionRecapture", tr("&Recapture pose"),
-                     tr("The next capture takes the place of the picked pose"), {QKeySequence(Qt::Key_R)})),
-      retake(make(owner, "actionRetake", tr("Take a &pose again"),
-                  tr("The next capture takes the place of the pose that keeps the result from being better"))),
-      mute_link(make(owner, "actionMuteLink", tr("Set link &aside"),
-                     tr("Keep the picked link out of the solution, if it is a cable for example"),
-                     {QKeySequence(Qt::Key_M)})),
-      capture(make(owner, "actionCapture", tr("Capture &now"),
-                   tr("Take the next readings as a pose, whether the part is still or not"),
-                   {QKeySequence(Qt::Key_Space)})),
-      automatic(make(owner, "actionAutomatic", tr("Capture by itself when &still"),
-                     tr("Take a pose as soon as the part is held still after it was moved"),
-                     {QKeySequence(Qt::Key_A)})),
-      skip_pose(make(owner, "actionSkipPose", tr("S&kip this pose"),
-                     tr("The part can't be held like this: advise the next best pose"), {QKeySequence(Qt::Key_N)})),
-      turn(make(owner, "actionTurn", tr("&Turn to the next pose"),
-                tr("Ask the device to turn itself to where the next pose helps most"), {QKeySequence(Qt::Key_T)})),
-      robot(make(owner, "actionRobot", tr("Let the ro&bot take the poses"),
-                 tr("The device turns itself from pose to pose until there are enough"), {QKeySequence(Qt::Key_B)})),
-      live_mode(make(owner, "actionLiveMode", tr("&Live mode"),
-                     tr("Draw the skin from its readings of this moment alone"), {QKeySequence(Qt::Key_L)})),
-      cancel_solving(make(owner, "actionCancelSolving", tr("Stop working it o&ut"),
-                          tr("Stop working out the last change; what is shown stays as it was before"))),
-      solve_again(make(owner, "actionSolveAgain", tr("&Work it out after all"),
-                       tr("Work out the result that was stopped before"))),
-      light_cell(make(owner, "actionLightCell", tr("Li&ght the picked cell"),
-                      tr("Switch on the light of the picked cell on the skin itself"),
-                      {QKeySequence(QStringLiteral("Ctrl+L"))})),
-      show_next_pose(make(owner, "actionShowNextPose", tr("Show me the next pose"),
-                          tr("Open the step in which poses are captured"))),
-      show_finding(make(owner, "actionShowFinding", tr("Show what does not fit"),
-                        tr("Pick the cell or link that the most serious finding is about"))),
-      find_cell(
-          make(owner, "actionFindCell", tr("Find &cell…"), tr("Pick a cell by typing its ID"), {QKeySequence::Find})),
-      worst_cell(make(owner, "actionWorstCell", tr("Worst ce&ll"),
-                      tr("Pick the cell that is known least certainly, and show its figures and its neighbours"),
-                      {QKeySequence(Qt::Key_W)})),
-      figures(make(owner, "actionFigures", tr("F&igures of what is picked"),
-                   tr("Keep a card with all figures of the picked cell or link over the picture, or close it"),
-                   {QKeySequence(Qt::Key_I)})),
-      fit(make(owner, "actionFit", tr("&Fit"), tr("Show the whole skin"), {QKeySequence(Qt::Key_F)})),
-      front(make(owner, "actionFront", tr("F&ront view"), tr("Look at the patch from the front"))),
-      side(make(owner, "actionSide", tr("&Side view"), tr("Look at the patch from its side"))),
-      top(make(owner, "actionTop", tr("&Top view"), tr("Look at the patch from above"))),
-      back(make(owner, "actionBack", tr("Bac&k view"), tr("Look at the patch from behind"))),
-      isometric(make(owner, "actionIsometric", tr("&Isometric view"), tr("Look at the patch from between its axes"))),
-      screenshot(make(owner, "actionScreenshot", tr("&Picture of the window"), tr("Save a picture of this window"),
-                      {QKeySequence(Qt::Key_F12)})),
-      next_pane(make(owner, "actionNextPane", tr("&Next part of the window"),
-                     tr("Take the keyboard to the next part: steps, pictures, tables"), {QKeySequence(Qt::Key_F6)})),
-      previous_pane(make(owner, "actionPreviousPane", tr("Pre&vious part of the window"),
-                         tr("Take the keyboard to the part before"), {QKeySequence(QStringLiteral("Shift+F6"))})),
-      guide(make(owner, "actionGuide", tr("User &guide"), tr("How to calibrate a skin, page by page"),
-                 {QKeySequence(Qt::Key_F1)})),
-      keys(make(owner, "actionKeys", tr("&Keys"), tr("The list of keys"), {QKeySequence(Qt::Key_H)})),
-      about(make(owner, "actionAbout", tr("&About Hexoderm"), tr("Version and licence"))),
-      preferences(make(owner, "actionPreferences", tr("&Preferences…"),
-                       tr("Appearance, limits of the capture, options of the solver, folders"),
-                       {QKeySequence(QStringLiteral("Ctrl+,"))})),
-      swap_views(make(owner, "actionSwapViews", tr("S&wap graph and 3D view"),
-                      tr("The one in the middle goes to the side, and the other way round"),
-                      {QKeySequence(Qt::Key_G)})),
-      reset_layout(make(owner, "actionResetLayout", tr("R&eset layout"),
-                        tr("Bring all panels back to where they were at the first start"))),
-      copy_report(
-          make(owner, "actionCopyReport", tr("&Copy for a bug report"),
-               tr("Versions, graphics, what is open and the last lines of the log, with your home folder as ~"))),
-      open_log_folder(make(owner, "actionOpenLogFolder", tr("&Open the log's folder"),
-                           tr("Show the folder in which the log is kept"))),
-      plot(make(owner, "actionPlot", tr("P&lot of figures"),
-                tr("Any figure of cells or links against any other; what is marked there is marked in all views"),
-                {QKeySequence(Qt::Key_P)})),
-      compare(make(owner, "actionCompare", tr("Before and &after"),
-                   tr("The result of now beside an earlier one, seen from the same side, or with arrows between them"),
-                   {QKeySequence(Qt::Key_C)})),
       recent(new QMenu(tr("Open &recent"), owner)),
       themes(new QActionGroup(owner)) {
   undo->setObjectName(QStringLiteral("actionUndo"));
@@ -161,13 +58,13 @@ WindowActions::WindowActions(QWidget* owner, QUndoStack* undo_stack)
   for (QAction* action : {automatic, robot, live_mode, light_cell}) action->setCheckable(true);
   constexpr int kSteps = 7;
   for (int number = 1; number <= kSteps; ++number) {
-    go_to_step.push_back(make(owner, qPrintable(QStringLiteral("actionStep%1").arg(number)), tr("Step &%1").arg(number),
+    go_to_step.push_back(make(qPrintable(QStringLiteral("actionStep%1").arg(number)), tr("Step &%1").arg(number),
                               tr("Open this step"), {QKeySequence(QStringLiteral("Ctrl+%1").arg(number))}));
   }
 
-  theme = {make(owner, "actionThemeSystem", tr("Like the &system"), tr("Light or dark, as the system asks for")),
-           make(owner, "actionThemeLight", tr("&Light"), tr("Dark text on a light ground")),
-           make(owner, "actionThemeDark", tr("&Dark"), tr("Light text on a dark ground"))};
+  theme = {make("actionThemeSystem", tr("Like the &system"), tr("Light or dark, as the system asks for")),
+           make("actionThemeLight", tr("&Light"), tr("Dark text on a light ground")),
+           make("actionThemeDark", tr("&Dark"), tr("Light text on a dark ground"))};
   for (QAction* action : theme) {
     action->setCheckable(true);
     themes->addAction(action);

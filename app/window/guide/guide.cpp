@@ -82,6 +82,16 @@ void sayNoResult(Step& step, const SessionController& controller) {
   }
 }
 
+/// Without a result it waits for one, as `waits` says.
+Step stepOfResult(const SessionController& controller, const QString& title, const QString& waits) {
+  Step step;
+  step.title = title;
+  if (controller.reconstruction()) return step;
+  step.why = waits;
+  sayNoResult(step, controller);
+  return step;
+}
+
 /// Explains the step by its action: `because`, or the reason why the action can't be used.
 void sayOf(Step& step, const QAction& action, const QString& because) {
   if (action.isEnabled()) {
@@ -145,14 +155,9 @@ Step connectStep(const SessionController& controller, const WindowActions& actio
 }
 
 Step checkStep(const SessionController& controller, const WindowActions& actions, const SkinCheck& check) {
-  Step step;
-  step.title = Guide::tr("Check the skin");
+  Step step = stepOfResult(controller, Guide::tr("Check the skin"), Guide::tr("Waits for a skin."));
   const Reconstruction* result = controller.reconstruction().get();
-  if (!result) {
-    step.why = Guide::tr("Waits for a skin.");
-    sayNoResult(step, controller);
-    return step;
-  }
+  if (!result) return step;
   step.note = words(sizeInWords(*result));
   if (controller.liveSession().isLive()) {
     step.state = check.ready ? StepState::Done : StepState::Current;
@@ -214,14 +219,9 @@ Step captureStep(const SessionController& controller, const WindowActions& actio
 }
 
 Step reviewStep(const SessionController& controller, const WindowActions& actions, bool captured) {
-  Step step;
-  step.title = Guide::tr("Review");
+  Step step = stepOfResult(controller, Guide::tr("Review"), Guide::tr("Waits for a reconstruction."));
   const Reconstruction* result = controller.reconstruction().get();
-  if (!result) {
-    step.why = Guide::tr("Waits for a reconstruction.");
-    sayNoResult(step, controller);
-    return step;
-  }
+  if (!result) return step;
   step.note = findingsInWords(*result);
   if (hasNoPose(controller)) {
     say(step, Readiness::Blocked, noPose());
@@ -247,14 +247,9 @@ Step reviewStep(const SessionController& controller, const WindowActions& action
 }
 
 Step verifyStep(const SessionController& controller) {
-  Step step;
-  step.title = Guide::tr("Verify");
+  Step step = stepOfResult(controller, Guide::tr("Verify"), Guide::tr("Waits for a reconstruction."));
   const Reconstruction* result = controller.reconstruction().get();
-  if (!result) {
-    step.why = Guide::tr("Waits for a reconstruction.");
-    sayNoResult(step, controller);
-    return step;
-  }
+  if (!result) return step;
   step.note = Guide::tr("optional");
   // Never called done: nobody has to run a check, and what a check has found stands beside it.
   if (hasNoPose(controller)) {
@@ -276,14 +271,9 @@ QString placedInWords(const Reconstruction& result) {
 }
 
 Step placeStep(const SessionController& controller) {
-  Step step;
-  step.title = Guide::tr("Place on the robot");
+  Step step = stepOfResult(controller, Guide::tr("Place on the robot"), Guide::tr("Waits for a reconstruction."));
   const Reconstruction* result = controller.reconstruction().get();
-  if (!result) {
-    step.why = Guide::tr("Waits for a reconstruction.");
-    sayNoResult(step, controller);
-    return step;
-  }
+  if (!result) return step;
   step.note = placedInWords(*result);
   if (!controller.session()) {
     say(step, Readiness::Blocked, Guide::tr("A calibration is open: it holds the result, not the poses."));
@@ -300,14 +290,9 @@ Step placeStep(const SessionController& controller) {
 }
 
 Step exportStep(const SessionController& controller, const WindowActions& actions) {
-  Step step;
-  step.title = Guide::tr("Export");
+  Step step = stepOfResult(controller, Guide::tr("Export"), Guide::tr("Waits for a reconstruction."));
   const Reconstruction* result = controller.reconstruction().get();
-  if (!result) {
-    step.why = Guide::tr("Waits for a reconstruction.");
-    sayNoResult(step, controller);
-    return step;
-  }
+  if (!result) return step;
   step.actions = {actions.export_to, actions.report, actions.save_calibration};
   sayOf(step, *actions.export_to,
         hasNoPose(controller) ? Guide::tr("Without a pose, a file only holds what follows from the ports.")

@@ -3,15 +3,13 @@
 #include "app/window/guide/keys_dialog.h"
 #include "app/window/session/session_controller.h"
 #include "hexoderm/reconstruction/result/patch_placements.h"
+#include "widgets/controls/panel_parts.h"
 
 #include <QAction>
 #include <QApplication>
 #include <QEvent>
 #include <QFile>
 #include <QHBoxLayout>
-#include <QLabel>
-#include <QLineEdit>
-#include <QListWidget>
 #include <QScrollBar>
 #include <QSplitter>
 #include <QTextBlock>
@@ -91,15 +89,10 @@ class GuideBrowser : public QTextBrowser {
 };
 
 GuideWindow::GuideWindow(QWidget* parent, const QString& first_page)
-    : QWidget(parent, Qt::Window),
-      contents_(new QListWidget),
-      browser_(new GuideBrowser),
-      search_(new QLineEdit),
-      not_found_(new QLabel) {
+    : QWidget(parent, Qt::Window), browser_(new GuideBrowser) {
   setObjectName(QStringLiteral("guideWindow"));
   setWindowTitle(tr("User guide · Hexoderm"));
-  contents_->setObjectName(QStringLiteral("guideContents"));
-  contents_->setAccessibleName(tr("Pages of the guide"));
+  setNames(contents_, QStringLiteral("guideContents"), tr("Pages of the guide"));
   contents_->setFrameShape(QFrame::NoFrame);
   for (const QString& page : pages()) {
     auto* item = new QListWidgetItem(titleOf(page), contents_);
@@ -107,8 +100,7 @@ GuideWindow::GuideWindow(QWidget* parent, const QString& first_page)
     item->setToolTip(item->text());
   }
   contents_->setMinimumWidth(contents_->sizeHintForColumn(0) + 2 * contents_->fontMetrics().height());
-  browser_->setObjectName(QStringLiteral("guidePage"));
-  browser_->setAccessibleName(tr("Page of the guide"));
+  setNames(browser_, QStringLiteral("guidePage"), tr("Page of the guide"));
   browser_->setOpenExternalLinks(true);
   browser_->setFrameShape(QFrame::NoFrame);
   browser_->document()->setDocumentMargin(1.6 * browser_->fontMetrics().height());
@@ -155,22 +147,17 @@ GuideWindow::GuideWindow(QWidget* parent, const QString& first_page)
   addKey(QKeySequence::Forward, [this] { browser_->forward(); });
   addKey(QKeySequence(Qt::Key_Escape), [this] { close(); });
 
-  auto* bar = new QHBoxLayout;
-  bar->setContentsMargins(8, 8, 8, 8);
+  auto* bar = spaced(new QHBoxLayout, {8, 8, 8, 8});
   for (QWidget* part : {static_cast<QWidget*>(back), static_cast<QWidget*>(forward)}) bar->addWidget(part);
   bar->addStretch(1);
-  bar->addWidget(not_found_);
-  bar->addWidget(search_);
+  addWidgets(bar, {not_found_, search_});
   for (QWidget* part : {static_cast<QWidget*>(earlier), static_cast<QWidget*>(later)}) bar->addWidget(part);
   search_->setMinimumWidth(14 * search_->fontMetrics().averageCharWidth() + 120);
   auto* splitter = new QSplitter;
-  splitter->addWidget(contents_);
-  splitter->addWidget(browser_);
+  addWidgets(splitter, {contents_, browser_});
   splitter->setStretchFactor(1, 1);
   splitter->setChildrenCollapsible(false);
-  auto* layout = new QVBoxLayout(this);
-  layout->setContentsMargins(0, 0, 0, 0);
-  layout->setSpacing(0);
+  auto* layout = spaced(new QVBoxLayout(this), {0, 0, 0, 0}, 0);
   layout->addLayout(bar);
   layout->addWidget(splitter, 1);
   resize(980, 720);

@@ -1,15 +1,15 @@
 #pragma once
 
 #include <QColor>
+#include <QLabel>
+#include <QLineEdit>
 #include <QList>
+#include <QListWidget>
 #include <QStringList>
 #include <QTimer>
 #include <QWidget>
 
 class QMenuBar;
-class QLineEdit;
-class QListWidget;
-class QLabel;
 
 namespace hexoderm {
 
@@ -52,10 +52,10 @@ class GuideWindow : public QWidget {
   QString page_;
   QColor link_color_;
   QTimer dress_anew_;
-  QListWidget* contents_;
+  QListWidget* contents_ = new QListWidget;
   GuideBrowser* browser_;
-  QLineEdit* search_;
-  QLabel* not_found_;
+  QLineEdit* search_ = new QLineEdit;
+  QLabel* not_found_ = new QLabel;
 };
 
 /// The page about what is to be done now.

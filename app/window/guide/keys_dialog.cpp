@@ -2,6 +2,7 @@
 
 #include "app/window/guide/actions.h"
 #include "app/window/toolkit/deferred_dialog.h"
+#include "widgets/controls/panel_parts.h"
 
 #include <QAction>
 #include <QCoreApplication>
@@ -17,7 +18,6 @@
 #include <QVBoxLayout>
 #include <QVariant>
 #include <algorithm>
-#include <vector>
 
 namespace hexoderm {
 namespace {
@@ -66,9 +66,7 @@ ShownGroup show(const KeyGroup& group, int keys_width, QVBoxLayout* layout) {
     keys->setFixedWidth(keys_width);
     auto* what = new QLabel(line.what);
     what->setWordWrap(true);
-    auto* columns = new QHBoxLayout(row);
-    columns->setContentsMargins(0, 2, 0, 2);
-    columns->setSpacing(20);
+    auto* columns = spaced(new QHBoxLayout(row), {0, 2, 0, 2}, 20);
     columns->addWidget(keys);
     columns->addWidget(what, 1);
     layout->addWidget(row);
@@ -115,9 +113,7 @@ void showKeysDialog(QWidget* parent, const QMenuBar& menus) {
   auto* area = new QScrollArea(dialog);
   auto* content = new QWidget;
   area->setWidget(content);
-  auto* list = new QVBoxLayout(content);
-  list->setContentsMargins(0, 0, 10, 0);
-  list->setSpacing(0);
+  auto* list = spaced(new QVBoxLayout(content), {0, 0, 10, 0}, 0);
   const std::vector<KeyGroup> groups = keysOf(menus);
   QFont bold = dialog->font();
   bold.setWeight(QFont::DemiBold);
@@ -155,9 +151,7 @@ void showKeysDialog(QWidget* parent, const QMenuBar& menus) {
   });
   auto* buttons = new QDialogButtonBox(QDialogButtonBox::Close);
   QObject::connect(buttons, &QDialogButtonBox::rejected, dialog, &QDialog::reject);
-  auto* layout = new QVBoxLayout(dialog);
-  layout->setContentsMargins(22, 18, 12, 14);
-  layout->setSpacing(10);
+  auto* layout = spaced(new QVBoxLayout(dialog), {22, 18, 12, 14}, 10);
   layout->addWidget(search);
   layout->addWidget(area, 1);
   layout->addWidget(buttons);

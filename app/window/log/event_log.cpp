@@ -1,5 +1,7 @@
 #include "app/window/log/event_log.h"
 
+#include "widgets/style/of_enum.h"
+
 #include <QCoreApplication>
 #include <QDateTime>
 #include <QDir>
@@ -8,8 +10,6 @@
 #include <QStandardPaths>
 #include <algorithm>
 #include <condition_variable>
-#include <deque>
-#include <mutex>
 #include <thread>
 #include <utility>
 
@@ -22,17 +22,7 @@ const QString kOldFileName = QStringLiteral("hexoderm.1.log");
 // A complaint that is repeated a thousand times a second must not push everything else out of the log.
 constexpr std::size_t kMaxWaiting = 2 * EventLog::kCapacity;
 
-const char* englishWord(Severity severity) {
-  switch (severity) {
-    case Severity::Info:
-      return "INFO   ";
-    case Severity::Warning:
-      return "WARNING";
-    case Severity::Error:
-      return "ERROR  ";
-  }
-  return "";
-}
+const char* englishWord(Severity severity) { return ofEnum(severity, {"INFO   ", "WARNING", "ERROR  "}); }
 
 }  // namespace
 

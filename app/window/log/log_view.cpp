@@ -1,18 +1,16 @@
 #include "app/window/log/log_view.h"
 
 #include "widgets/controls/flow_layout.h"
+#include "widgets/controls/panel_parts.h"
+#include "widgets/style/of_enum.h"
 #include "widgets/words/formatting.h"
 
-#include <QComboBox>
 #include <QDateTime>
 #include <QEvent>
 #include <QHeaderView>
-#include <QLabel>
-#include <QLineEdit>
 #include <QLocale>
 #include <QPushButton>
 #include <QScrollBar>
-#include <QTableView>
 #include <QVBoxLayout>
 #include <algorithm>
 
@@ -21,15 +19,7 @@ namespace {
 
 /// A sign beside the word, so that what matters is found at a glance and in both themes.
 QString severitySign(Severity severity) {
-  switch (severity) {
-    case Severity::Info:
-      return QStringLiteral("·");
-    case Severity::Warning:
-      return QStringLiteral("▲");
-    case Severity::Error:
-      return QStringLiteral("✕");
-  }
-  return {};
+  return ofEnum(severity, {QStringLiteral("·"), QStringLiteral("▲"), QStringLiteral("✕")});
 }
 
 }  // namespace
@@ -115,21 +105,13 @@ QVariant LogModel::headerData(int section, Qt::Orientation orientation, int role
   }
 }
 
-LogView::LogView(const EventLog& log, QWidget* parent)
-    : QWidget(parent),
-      model_(new LogModel(log, this)),
-      severity_(new QComboBox),
-      text_(new QLineEdit),
-      table_(new QTableView),
-      count_(new QLabel) {
+LogView::LogView(const EventLog& log, QWidget* parent) : QWidget(parent), model_(new LogModel(log, this)) {
   setObjectName(QStringLiteral("logView"));
-  severity_->setObjectName(QStringLiteral("logSeverity"));
-  severity_->setAccessibleName(tr("Which lines of the log are shown"));
+  setNames(severity_, QStringLiteral("logSeverity"), tr("Which lines of the log are shown"));
   severity_->addItem(tr("Everything"));
   severity_->addItem(tr("Warnings and errors"));
   severity_->addItem(tr("Errors"));
-  text_->setObjectName(QStringLiteral("logText"));
-  text_->setAccessibleName(tr("Search the log"));
+  setNames(text_, QStringLiteral("logText"), tr("Search the log"));
   text_->setPlaceholderText(tr("Search"));
   text_->setClearButtonEnabled(true);
   count_->setProperty("muted", true);
@@ -143,19 +125,11 @@ LogView::LogView(const EventLog& log, QWidget* parent)
   connect(copy, &QPushButton::clicked, this, &LogView::reportWanted);
   connect(folder, &QPushButton::clicked, this, &LogView::folderWanted);
 
-  table_->setObjectName(QStringLiteral("logTable"));
-  table_->setAccessibleName(tr("Log"));
+  setNames(table_, QStringLiteral("logTable"), tr("Log"));
   table_->setModel(model_);
-  table_->setSelectionBehavior(QAbstractItemView::SelectRows);
-  table_->setEditTriggers(QAbstractItemView::NoEditTriggers);
-  table_->setTabKeyNavigation(false);
-  table_->setShowGrid(false);
-  table_->setWordWrap(false);
-  table_->setFrameShape(QFrame::NoFrame);
-  table_->verticalHeader()->hide();
+  dressRows(table_);
   // All rows alike: measuring 10,000 of them would be felt.
   table_->verticalHeader()->setSectionResizeMode(QHeaderView::Fixed);
-  table_->horizontalHeader()->setHighlightSections(false);
   table_->horizontalHeader()->setStretchLastSection(true);
   fitColumns();
 
@@ -163,15 +137,10 @@ LogView::LogView(const EventLog& log, QWidget* parent)
   auto* bar = new FlowLayout;
   bar->setContentsMargins(12, 6, 12, 6);
   bar->setSpacing(8);
-  bar->addWidget(severity_);
-  bar->addWidget(text_);
+  addWidgets(bar, {severity_, text_});
   bar->beginSecondGroup();
-  bar->addWidget(count_);
-  bar->addWidget(copy);
-  bar->addWidget(folder);
-  auto* layout = new QVBoxLayout(this);
-  layout->setContentsMargins(0, 0, 0, 0);
-  layout->setSpacing(0);
+  addWidgets(bar, {count_, copy, folder});
+  auto* layout = spaced(new QVBoxLayout(this), {0, 0, 0, 0}, 0);
   layout->addLayout(bar);
   layout->addWidget(table_, 1);
 

@@ -5,13 +5,12 @@
 #include "app/window/log/event_log.h"
 
 #include <QAbstractTableModel>
+#include <QComboBox>
+#include <QLabel>
+#include <QLineEdit>
+#include <QTableView>
 #include <QWidget>
 #include <deque>
-
-class QComboBox;
-class QLabel;
-class QLineEdit;
-class QTableView;
 
 namespace hexoderm {
 
@@ -66,10 +65,10 @@ class LogView : public QWidget {
   void showCount();
 
   LogModel* model_;
-  QComboBox* severity_;
-  QLineEdit* text_;
-  QTableView* table_;
-  QLabel* count_;
+  QComboBox* severity_ = new QComboBox;
+  QLineEdit* text_ = new QLineEdit;
+  QTableView* table_ = new QTableView;
+  QLabel* count_ = new QLabel;
 };
 
 }  // namespace hexoderm

@@ -1,80 +1,33 @@
 #include "app/window/main_window/main_window.h"
 
-#include "app/window/files/earlier_panel.h"
 #include "app/window/files/session_paths.h"
-#include "app/window/guide/welcome_panel.h"
 #include "app/window/log/event_recorder.h"
-#include "app/window/log/log_view.h"
-#include "app/window/main_window/panels.h"
-#include "app/window/main_window/views.h"
-#include "app/window/presenters/capture_presenter.h"
-#include "app/window/presenters/coloring_presenter.h"
-#include "app/window/presenters/compare_presenter.h"
 #include "app/window/presenters/connection_presenter.h"
-#include "app/window/presenters/export_presenter.h"
 #include "app/window/presenters/file_presenter.h"
-#include "app/window/presenters/finding_presenter.h"
-#include "app/window/presenters/guide_presenter.h"
-#include "app/window/presenters/help_presenter.h"
-#include "app/window/presenters/history_presenter.h"
 #include "app/window/presenters/keyboard.h"
-#include "app/window/presenters/log_presenter.h"
-#include "app/window/presenters/mark_presenter.h"
-#include "app/window/presenters/picked_commands.h"
 #include "app/window/presenters/picture_presenter.h"
 #include "app/window/presenters/place_presenter.h"
-#include "app/window/presenters/plot_presenter.h"
-#include "app/window/presenters/preferences_presenter.h"
+#include "app/window/presenters/presenters.h"
 #include "app/window/presenters/result_presenter.h"
 #include "app/window/presenters/review_presenter.h"
-#include "app/window/presenters/speech_presenter.h"
-#include "app/window/presenters/status_presenter.h"
 #include "app/window/presenters/theme_presenter.h"
-#include "app/window/presenters/verify_presenter.h"
-#include "app/window/presenters/view_commands.h"
 #include "app/window/session/placing.h"
 #include "app/window/session/verification.h"
-#include "app/window/toolkit/status_bar.h"
 #include "app/window/toolkit/table_views.h"
-#include "widgets/capture/capture_panel.h"
-#include "widgets/capture/capture_tone.h"
-#include "widgets/capture/coverage_view.h"
-#include "widgets/capture/instruction_voice.h"
-#include "widgets/capture/live_strip.h"
-#include "widgets/capture/stillness_view.h"
-#include "widgets/controls/banner.h"
-#include "widgets/controls/card_dock.h"
-#include "widgets/controls/check_list.h"
-#include "widgets/controls/elided_label.h"
-#include "widgets/controls/finding_card.h"
-#include "widgets/controls/message_bar.h"
 #include "widgets/controls/notice_stack.h"
-#include "widgets/controls/step_panel.h"
-#include "widgets/controls/view_mark.h"
-#include "widgets/controls/work_notice.h"
-#include "widgets/graph/graph_view.h"
-#include "widgets/patch/patch_view.h"
-#include "widgets/plot/plot_view.h"
-#include "widgets/robot/place_panel.h"
-#include "widgets/robot/robot_view.h"
+#include "widgets/controls/panel_parts.h"
 #include "widgets/tables/cell_table.h"
 #include "widgets/tables/finding_table.h"
 #include "widgets/tables/link_table.h"
 #include "widgets/tables/pose_table.h"
-#include "widgets/verify/residual_view.h"
-#include "widgets/verify/verify_panel.h"
 
 #include <QApplication>
 #include <QCloseEvent>
 #include <QHBoxLayout>
-#include <QLabel>
-#include <QMenuBar>
 #include <QMimeData>
 #include <QScreen>
 #include <QScrollArea>
 #include <QSettings>
-#include <QTabBar>
-#include <QTableView>
 #include <QUrl>
 #include <QVBoxLayout>
 
@@ -98,83 +51,48 @@ QSize roomOnScreen(const QWidget& window) {
 
 }  // namespace
 
-/// Each gets the views and the parts of the window that it needs, and those presenters before it that it asks.
+/// Each gets those before it that it speaks to. Where several answer to the same signal, they do so in this order.
 struct MainWindow::Presenters {
-  Presenters(MainWindow& window, const Views& views, Panels& panels)
-      : recorder(window.log_, window.controller_, *views.messages, window.QWidget::actions()),
-        results(window.controller_),
-        themes(window.actions_, window.preferences_),
-        files(window, window.controller_, window.actions_, *views.messages),
-        pictures({window, *views.patch, *views.robot, *views.graph}, window.controller_, window.actions_, files,
-                 window.refresh_),
-        connection({window, *views.live_strip, *views.status, *views.messages}, window.controller_, window.actions_,
-                   files, window.log_),
-        capture({*views.steps, *views.capture_panel, *views.coverage, panels.coverage(), *views.stillness, *views.patch,
-                 *views.tone},
-                window.controller_, window.actions_, window.selection_, window.preferences_),
-        review({*views.steps, *views.check_list, window.views_->tables, *views.residuals, *views.coverage, *views.patch,
-                *views.graph},
-               window.controller_, window.actions_, window.selection_, files, results),
-        coloring({*views.steps, *views.patch, *views.graph}, window.controller_, results, window.preferences_,
-                 window.scale_ranges_),
-        picked({*views.steps, *views.graph, *views.tables.link_view, *views.messages}, window.controller_,
-               window.actions_, window.selection_, review),
-        findings({*views.steps, *views.check_findings, *views.review_findings, *views.finding_card,
-                  *views.tables.findings, *views.tables.finding_view},
-                 window.controller_, window.actions_, window.selection_, review),
-        verify({window, *views.verify_panel, *views.patch}, window.controller_, verification, files),
-        exports(window, window.controller_, verification, window.actions_, files),
-        place({window, *views.steps, *views.place_panel, *views.robot, panels.middle()}, window.controller_, placing),
-        compare(window, window.controller_, window.actions_, window.selection_, verification),
-        plot({*views.plot, panels.plot(), *views.verify_panel}, window.controller_, window.actions_),
-        marks({*views.work_notice, panels.middleMark(), panels.sideMark()}, window.controller_, window.actions_),
-        guide({*views.banner, *views.steps, *views.check_list}, window.controller_, window.actions_),
-        status({window, *views.session_name, *views.status, panels.graph(), panels.poses(), *views.detail_tabs},
-               window.controller_),
-        history({window, *views.welcome, *views.earlier, *views.messages}, {window.recent_, window.unsaved_},
-                window.controller_, window.actions_, files, window.log_),
-        preferences({window, *views.messages}, window.controller_, window.actions_, window.preferences_, themes),
-        speech({*views.capture_panel, *views.voice}, window.controller_, window.actions_, window.preferences_,
-               preferences),
-        log({window, *views.log, *views.messages}, window.controller_, window.actions_, window.log_),
-        help(window, *views.menus, window.controller_, window.actions_),
-        view_commands(
-            {*views.patch, *views.robot, *views.graph, panels.graph(), *views.steps, panels.steps(), panels.swap()},
-            window.actions_),
-        // As one reads the window: from the top, and from left to right.
-        keyboard(
-            {views.banner, views.messages, views.live_strip, views.work_notice, views.steps, panels.centralWidget(),
-             &panels.graph(), &panels.coverage(), &panels.plot(), &panels.poses(), &panels.details()},
-            window.actions_) {}
+  explicit Presenters(MainWindow& window)
+      : parts{window,          *window.views_,    *window.panels_,      window.refresh_,     window.controller_,
+              window.actions_, window.selection_, window.scale_ranges_, window.preferences_, window.log_,
+              window.recent_,  window.unsaved_},
+        recorder(window.log_, window.controller_, *parts.views.messages, window.QWidget::actions()) {
+    connectViewCommands(parts);
+  }
 
+  const WindowParts parts;
   EventRecorder recorder;
-  ResultPresenter results;
-  ThemePresenter themes;
-  FilePresenter files;
-  PicturePresenter pictures;
-  ConnectionPresenter connection;
-  CapturePresenter capture;
-  ReviewPresenter review;
-  ColoringPresenter coloring;
-  PickedCommands picked;
-  FindingPresenter findings;
+  ResultPresenter results{parts.controller};
+  ThemePresenter themes{parts};
+  FilePresenter files{parts};
+  PicturePresenter pictures{parts, files};
+  ConnectionPresenter connection{parts, files};
+  const std::unique_ptr<Presenter> capture = makeCapturePresenter(parts, results);
+  ReviewPresenter review{parts, files, results};
+  const std::unique_ptr<Presenter> coloring = makeColoringPresenter(parts, results);
+  const std::unique_ptr<Presenter> picked = makePickedCommands(parts, review);
+  const std::unique_ptr<Presenter> findings = makeFindingPresenter(parts, results, review);
   Verification verification;
-  VerifyPresenter verify;
-  ExportPresenter exports;
+  const std::unique_ptr<Presenter> verify = makeVerifyPresenter(parts, verification, files);
+  const std::unique_ptr<Presenter> exports = makeExportPresenter(parts, verification, files);
   Placing placing;
-  PlacePresenter place;
-  ComparePresenter compare;
-  PlotPresenter plot;
-  MarkPresenter marks;
-  GuidePresenter guide;
-  StatusPresenter status;
-  HistoryPresenter history;
-  PreferencesPresenter preferences;
-  SpeechPresenter speech;
-  LogPresenter log;
-  HelpPresenter help;
-  ViewCommands view_commands;
-  Keyboard keyboard;
+  PlacePresenter place{parts, placing};
+  const std::unique_ptr<Presenter> compare = makeComparePresenter(parts, verification);
+  const std::unique_ptr<Presenter> plot = makePlotPresenter(parts);
+  const std::unique_ptr<Presenter> marks = makeMarkPresenter(parts);
+  const std::unique_ptr<Presenter> guide = makeGuidePresenter(parts);
+  const std::unique_ptr<Presenter> status = makeStatusPresenter(parts);
+  const std::unique_ptr<Presenter> history = makeHistoryPresenter(parts, files);
+  const std::unique_ptr<Presenter> preferences = makePreferencesPresenter(parts, themes);
+  const std::unique_ptr<Presenter> speech = makeSpeechPresenter(parts);
+  const std::unique_ptr<Presenter> log = makeLogPresenter(parts);
+  const std::unique_ptr<Presenter> help = makeHelpPresenter(parts);
+  // As one reads the window: from the top, and from left to right.
+  Keyboard keyboard{{parts.views.banner, parts.views.messages, parts.views.live_strip, parts.views.work_notice,
+                     parts.views.steps, parts.panels.centralWidget(), &parts.panels.graph(), &parts.panels.coverage(),
+                     &parts.panels.plot(), &parts.panels.poses(), &parts.panels.details()},
+                    parts.actions};
 };
 
 MainWindow::MainWindow(QWidget* parent)
@@ -194,13 +112,14 @@ MainWindow::MainWindow(QWidget* parent)
   views_ = std::make_unique<Views>(Views::Sources{selection_, actions_, log_, recent_, unsaved_}, this);
   panels_ = new Panels(*views_, this);
   layOut();
-  presenters_ = std::make_unique<Presenters>(*this, *views_, *panels_);
+  presenters_ = std::make_unique<Presenters>(*this);
   handOutResults();
   connectRefresh();
   setThemeChoice(preferences_.theme(), false);
   restoreLayout();
   refresh();
-  presenters_->history.search();
+  recent_.check();
+  unsaved_.search();
 }
 
 MainWindow::~MainWindow() {
@@ -211,14 +130,10 @@ MainWindow::~MainWindow() {
 }
 
 void MainWindow::layOut() {
-  auto* work = new QVBoxLayout;
-  work->setContentsMargins(8, 8, 8, 8);
-  work->setSpacing(8);
+  auto* work = spaced(new QVBoxLayout, {8, 8, 8, 8}, 8);
   work->addWidget(panels_, 1);
   auto* centre = new QWidget;
-  auto* layout = new QVBoxLayout(centre);
-  layout->setContentsMargins(0, 0, 0, 0);
-  layout->setSpacing(0);
+  auto* layout = spaced(new QVBoxLayout(centre), {0, 0, 0, 0}, 0);
   layout->addWidget(views_->banner);
   layout->addLayout(work, 1);
   setCentralWidget(centre);
@@ -238,11 +153,9 @@ QWidget* MainWindow::makeTopBar() {
   actions_.fillMenuBar(views_->menus, panels_->toggleActions());
   auto* top_bar = new QFrame;
   top_bar->setObjectName(QStringLiteral("topBar"));
-  auto* layout = new QHBoxLayout(top_bar);
-  layout->setContentsMargins(0, 0, 0, 1);  // the line below
+  auto* layout = spaced(new QHBoxLayout(top_bar), {0, 0, 0, 1});  // the line below
   layout->setSpacing(0);
-  layout->addWidget(app_name);
-  layout->addWidget(views_->menus);
+  addWidgets(layout, {app_name, views_->menus});
   layout->addWidget(views_->session_name, 1);
   return top_bar;
 }
@@ -254,7 +167,6 @@ void MainWindow::handOutResults() {
   results.add(views_->tables.links);
   results.add(views_->tables.findings);
   results.add(views_->tables.cells);
-  results.add(&presenters_->findings);
   results.addPicture(views_->graph);
   results.addPicture(views_->patch);
   results.add(views_->plot);
@@ -262,7 +174,6 @@ void MainWindow::handOutResults() {
   results.add(views_->verify_panel);
   results.add(&presenters_->verification);
   results.add(&presenters_->place);
-  results.add(&presenters_->capture);
   results.addWaiting(views_->graph);
   results.addWaiting(views_->patch);
   results.addWaiting(views_->coverage);
@@ -276,24 +187,17 @@ void MainWindow::connectRefresh() {
   connect(&presenters_->review, &ReviewPresenter::pickedPoseChanged, &refresh_, &OncePerTurn::request);
   connect(actions_.reset_layout, &QAction::triggered, panels_, &Panels::reset);
   connect(&refresh_, &OncePerTurn::done, this, &MainWindow::refreshed);
-  connect(&presenters_->review, &ReviewPresenter::findingsWanted, this, [this] {
-    panels_->details().show();
-    panels_->details().raise();
-    views_->detail_tabs->setCurrentIndex(0);
-  });
 }
 
 void MainWindow::refresh() {
-  presenters_->picked.refresh();  // the guide asks the actions
-  presenters_->guide.refresh();
-  presenters_->speech.refresh();
-  presenters_->findings.refresh();
+  const Presenters& all = *presenters_;
+  for (Presenter* each : {all.picked.get(), all.guide.get(), all.speech.get(), all.findings.get()}) each->refresh();
   presenters_->results.refresh();
-  presenters_->marks.refresh();
+  presenters_->marks->refresh();
   presenters_->place.refresh();
-  presenters_->status.refresh();
+  presenters_->status->refresh();
   presenters_->connection.refresh();
-  presenters_->history.refresh();
+  presenters_->history->refresh();
 }
 
 PlacePanel* MainWindow::placePanel() { return views_->place_panel; }

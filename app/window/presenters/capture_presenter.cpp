@@ -1,164 +1,183 @@
-#include "app/window/presenters/capture_presenter.h"
+#include "app/window/presenters/presenters.h"
 
-#include "app/window/guide/actions.h"
 #include "app/window/guide/guide.h"
-#include "app/window/session/session_controller.h"
-#include "app/window/settings/preferences.h"
+#include "app/window/presenters/result_presenter.h"
 #include "hexoderm/reconstruction/advice/pose_coverage.h"
-#include "widgets/capture/capture_panel.h"
-#include "widgets/capture/capture_tone.h"
+#include "hexoderm/reconstruction/result/reconstruction.h"
 #include "widgets/capture/capture_words.h"
-#include "widgets/capture/coverage_view.h"
-#include "widgets/capture/stillness_view.h"
-#include "widgets/controls/card_dock.h"
-#include "widgets/controls/selection.h"
-#include "widgets/controls/step_panel.h"
-#include "widgets/patch/patch_view.h"
 
+#include <Eigen/Core>
+
+#include <QElapsedTimer>
+#include <cstdint>
+#include <optional>
 #include <utility>
 
 namespace hexoderm {
+namespace {
 
-CapturePresenter::CapturePresenter(const Views& views, SessionController& controller, const WindowActions& actions,
-                                   const Selection& selection, const Preferences& preferences)
-    : views_(views), controller_(controller) {
-  const LiveSource& live = controller_.liveSession().source();
-  connect(&live, &LiveSource::previewChanged, this, &CapturePresenter::showMoment);
-  connect(&live, &LiveSource::statusChanged, this, &CapturePresenter::showSource);
-  connect(&live, &LiveSource::holdChanged, this, &CapturePresenter::showHold);
-  const LiveSession& live_session = controller_.liveSession();
-  connect(&live_session, &LiveSession::poseTaken, this,
-          [this](const CapturedPose& captured) { views_.panel.showWriting(captured.pose->id); });
-  connect(&live_session, &LiveSession::poseKept, this, &CapturePresenter::showCaptured);
-  connect(&live_session, &LiveSession::poseLost, &views_.panel, &CapturePanel::endWriting);
-  connect(&controller_.poseGuide(), &PoseGuide::nextPoseChanged, this, &CapturePresenter::showNextPose);
-  connect(&views_.steps, &StepPanel::opened, this, &CapturePresenter::followPart);
-  connect(&views_.patch, &PatchView::turnRequested, &controller_.poseGuide(), &PoseGuide::turnTo);
-  connect(&selection, &Selection::changed, this, [this, &selection] { views_.stillness.setCell(selection.cell()); });
-  connectCommands(actions);
-  connectPreferences(preferences);
-}
+/// Shows how the poses are captured: the part in the hand, the pose that is wanted next, the directions that were seen.
+class CapturePresenter : public Presenter {
+  Q_DECLARE_TR_FUNCTIONS(hexoderm::CapturePresenter)
 
-void CapturePresenter::connectCommands(const WindowActions& actions) {
-  connect(actions.turn, &QAction::triggered, &controller_.poseGuide(), &PoseGuide::turnToNextPose);
-  connect(actions.automatic, &QAction::triggered, &controller_.liveSession(), &LiveSession::setAutomatic);
-  connect(actions.capture, &QAction::triggered, &controller_.liveSession(), &LiveSession::captureNow);
-  connect(actions.skip_pose, &QAction::triggered, &controller_.poseGuide(), &PoseGuide::skipPose);
-  connect(actions.robot, &QAction::triggered, &controller_.poseGuide(), &PoseGuide::setRobot);
-  connect(actions.live_mode, &QAction::triggered, &controller_.liveMode(), &LiveMode::setOn);
-  connect(actions.show_next_pose, &QAction::triggered, this, [this] {
-    views_.steps.openStep(static_cast<int>(GuideStep::Capture));
-    views_.patch.fit();
-  });
-}
-
-void CapturePresenter::connectPreferences(const Preferences& preferences) {
-  views_.tone.setEnabled(preferences.tone());
-  views_.patch.setAnimated(!preferences.reducedMotion());
-  connect(&preferences, &Preferences::toneChanged, &views_.tone, &CaptureTone::setEnabled);
-  connect(&preferences, &Preferences::reducedMotionChanged, this,
-          [this](bool reduced) { views_.patch.setAnimated(!reduced); });
-}
-
-void CapturePresenter::showSource() {
-  const LiveSource& source = controller_.liveSession().source();
-  views_.panel.setSource(source.isRunning() ? std::optional(source.status()) : std::nullopt);
-  if (isReading()) return;
-  // The last readings of a skin that does not send are not those of this moment.
-  current_up_.reset();
-  views_.stillness.clear();
-  views_.coverage.setCurrent({});
-  followPart();
-  showAdvice();
-}
-
-bool CapturePresenter::isReading() const {
-  const LiveSource& source = controller_.liveSession().source();
-  return source.isRunning() && source.status().state == SourceState::Streaming;
-}
-
-void CapturePresenter::showHold() {
-  const HoldStatus& hold = controller_.liveSession().source().hold();
-  views_.panel.setHold(hold);
-  if (hold.restarts > restarts_) views_.tone.playStartsOver();
-  restarts_ = hold.restarts;
-}
-
-void CapturePresenter::showCaptured(const CapturedPose& captured) {
-  views_.tone.playCaptured();
-  views_.stillness.addCaptured(captured.pose->id, captured.end_s);
-  views_.panel.showCaptured(captured.pose->id,
-                            captured.repeats ? tr("It repeats pose %1.").arg(captured.repeats->value()) : QString());
-}
-
-void CapturePresenter::setReconstruction(const std::shared_ptr<const Reconstruction>& reconstruction) {
-  std::vector<std::shared_ptr<const PoseCapture>> captures;
-  if (controller_.session()) {
-    for (const SessionPose& pose : controller_.session()->poses()) captures.push_back(pose.capture);
+ public:
+  CapturePresenter(const WindowParts& parts, const ResultPresenter& results) : Presenter(parts) {
+    const LiveSource& live = controller_.liveSession().source();
+    connect(&live, &LiveSource::previewChanged, this, &CapturePresenter::showMoment);
+    connect(&live, &LiveSource::statusChanged, this, &CapturePresenter::showSource);
+    connect(&live, &LiveSource::holdChanged, this, &CapturePresenter::showHold);
+    const LiveSession& live_session = controller_.liveSession();
+    connect(&live_session, &LiveSession::poseTaken, this,
+            [this](const CapturedPose& captured) { views_.capture_panel->showWriting(captured.pose->id); });
+    connect(&live_session, &LiveSession::poseKept, this, &CapturePresenter::showCaptured);
+    connect(&live_session, &LiveSession::poseLost, views_.capture_panel, &CapturePanel::endWriting);
+    connect(&controller_.poseGuide(), &PoseGuide::nextPoseChanged, this, &CapturePresenter::showNextPose);
+    connect(views_.steps, &StepPanel::opened, this, &CapturePresenter::followPart);
+    connect(views_.patch, &PatchView::turnRequested, &controller_.poseGuide(), &PoseGuide::turnTo);
+    connect(&selection_, &Selection::changed, this, [this] { views_.stillness->setCell(selection_.cell()); });
+    connect(&results, &ResultPresenter::handedOut, this, &CapturePresenter::showCoverage);
+    connectCommands();
+    connectPreferences();
   }
-  const PoseCoverage coverage = reconstruction ? coverageOf(*reconstruction, captures) : PoseCoverage{};
-  views_.coverage.setCoverage(coverage);
-  views_.coverage_dock.setRemark(reconstruction ? poseCountInWords(coverage) : QString());
-}
 
-void CapturePresenter::showNextPose() {
-  const std::shared_ptr<const Reconstruction>& result = controller_.reconstruction();
-  const std::optional<PoseAdvice>& advice = controller_.poseGuide().nextPose();
-  const bool known = advice && result;
-  views_.coverage.setNext(known && controller_.poseGuide().isNextPoseWanted() ? std::optional(advice->up)
-                                                                              : std::nullopt);
-  showAdvice();
-  followPart();
-}
-
-void CapturePresenter::showAdvice() {
-  const std::shared_ptr<const Reconstruction>& result = controller_.reconstruction();
-  const std::optional<PoseAdvice>& advice = controller_.poseGuide().nextPose();
-  const std::optional<NextPose> next =
-      advice && result ? describeNextPose(*advice, *result, current_up_) : std::nullopt;
-  views_.panel.setAdvice(next);
-  told_cell_ = next && next->isWanted() ? std::optional(next->target.cell) : std::nullopt;
-  PatchMoment moment = views_.patch.moment();
-  moment.told_cell = follows_part_ ? told_cell_ : std::nullopt;
-  moment.next_turn = next ? turnAngleInWords(*next).toStdString() : std::string();
-  views_.patch.setMoment(moment);
-}
-
-void CapturePresenter::showMoment() {
-  const SkinPreview& preview = controller_.liveSession().source().preview();
-  const std::shared_ptr<const Reconstruction>& result = controller_.reconstruction();
-  current_up_ = result ? currentUp(*result, preview.means) : std::nullopt;
-  views_.stillness.add(controller_.liveSession().source().hold(), preview);
-  views_.coverage.setCurrent(current_up_);
-  followPart();
-  // The angle to the next pose changes with every reading, but sentences that flicker can't be read.
-  constexpr qint64 kReadable_ms = 400;
-  if (!advice_age_.isValid() || advice_age_.elapsed() > kReadable_ms) {
-    advice_age_.start();
-    if (result && controller_.poseGuide().nextPose()) showAdvice();
+ private:
+  void connectCommands() {
+    connect(actions_.turn, &QAction::triggered, &controller_.poseGuide(), &PoseGuide::turnToNextPose);
+    connect(actions_.automatic, &QAction::triggered, &controller_.liveSession(), &LiveSession::setAutomatic);
+    connect(actions_.capture, &QAction::triggered, &controller_.liveSession(), &LiveSession::captureNow);
+    connect(actions_.skip_pose, &QAction::triggered, &controller_.poseGuide(), &PoseGuide::skipPose);
+    connect(actions_.robot, &QAction::triggered, &controller_.poseGuide(), &PoseGuide::setRobot);
+    connect(actions_.live_mode, &QAction::triggered, &controller_.liveMode(), &LiveMode::setOn);
+    connect(actions_.show_next_pose, &QAction::triggered, this, [this] {
+      views_.steps->openStep(static_cast<int>(GuideStep::Capture));
+      views_.patch->fit();
+    });
   }
-}
 
-void CapturePresenter::followPart() {
-  // In the other steps the picture is the operator's own to turn.
-  const bool capturing = controller_.liveSession().isLive() && !controller_.liveMode().isOn() &&
-                         views_.steps.openIndex() == static_cast<int>(GuideStep::Capture);
-  if (std::exchange(follows_part_, capturing) != capturing) {
-    if (capturing) {
-      views_.patch.keepView();
-    } else {
-      views_.patch.returnToKeptView();
+  void connectPreferences() {
+    views_.tone->setEnabled(preferences_.tone());
+    views_.patch->setAnimated(!preferences_.reducedMotion());
+    connect(&preferences_, &Preferences::toneChanged, views_.tone, &CaptureTone::setEnabled);
+    connect(&preferences_, &Preferences::reducedMotionChanged, this,
+            [this](bool reduced) { views_.patch->setAnimated(!reduced); });
+  }
+
+  void showSource() {
+    const LiveSource& source = controller_.liveSession().source();
+    views_.capture_panel->setSource(source.isRunning() ? std::optional(source.status()) : std::nullopt);
+    if (isReading()) return;
+    // The last readings of a skin that does not send are not those of this moment.
+    current_up_.reset();
+    views_.stillness->clear();
+    views_.coverage->setCurrent({});
+    followPart();
+    showAdvice();
+  }
+
+  /// The skin sends, so that what was read last is what there is at this moment.
+  bool isReading() const {
+    const LiveSource& source = controller_.liveSession().source();
+    return source.isRunning() && source.status().state == SourceState::Streaming;
+  }
+
+  void showHold() {
+    const HoldStatus& hold = controller_.liveSession().source().hold();
+    views_.capture_panel->setHold(hold);
+    if (hold.restarts > restarts_) views_.tone->playStartsOver();
+    restarts_ = hold.restarts;
+  }
+
+  void showCaptured(const CapturedPose& captured) {
+    views_.tone->playCaptured();
+    views_.stillness->addCaptured(captured.pose->id, captured.end_s);
+    views_.capture_panel->showCaptured(
+        captured.pose->id, captured.repeats ? tr("It repeats pose %1.").arg(captured.repeats->value()) : QString());
+  }
+
+  /// Of the result, or nothing without one.
+  void showCoverage() {
+    const std::shared_ptr<const Reconstruction>& reconstruction = controller_.reconstruction();
+    std::vector<std::shared_ptr<const PoseCapture>> captures;
+    if (controller_.session()) {
+      for (const SessionPose& pose : controller_.session()->poses()) captures.push_back(pose.capture);
+    }
+    const PoseCoverage coverage = reconstruction ? coverageOf(*reconstruction, captures) : PoseCoverage{};
+    views_.coverage->setCoverage(coverage);
+    panels_.coverage().setRemark(reconstruction ? poseCountInWords(coverage) : QString());
+  }
+
+  void showNextPose() {
+    const std::shared_ptr<const Reconstruction>& result = controller_.reconstruction();
+    const std::optional<PoseAdvice>& advice = controller_.poseGuide().nextPose();
+    const bool known = advice && result;
+    views_.coverage->setNext(known && controller_.poseGuide().isNextPoseWanted() ? std::optional(advice->up)
+                                                                                 : std::nullopt);
+    showAdvice();
+    followPart();
+  }
+
+  void showAdvice() {
+    const std::shared_ptr<const Reconstruction>& result = controller_.reconstruction();
+    const std::optional<PoseAdvice>& advice = controller_.poseGuide().nextPose();
+    const std::optional<NextPose> next =
+        advice && result ? describeNextPose(*advice, *result, current_up_) : std::nullopt;
+    views_.capture_panel->setAdvice(next);
+    told_cell_ = next && next->isWanted() ? std::optional(next->target.cell) : std::nullopt;
+    PatchMoment moment = views_.patch->moment();
+    moment.told_cell = follows_part_ ? told_cell_ : std::nullopt;
+    moment.next_turn = next ? turnAngleInWords(*next).toStdString() : std::string();
+    views_.patch->setMoment(moment);
+  }
+
+  void showMoment() {
+    const SkinPreview& preview = controller_.liveSession().source().preview();
+    const std::shared_ptr<const Reconstruction>& result = controller_.reconstruction();
+    current_up_ = result ? currentUp(*result, preview.means) : std::nullopt;
+    views_.stillness->add(controller_.liveSession().source().hold(), preview);
+    views_.coverage->setCurrent(current_up_);
+    followPart();
+    // The angle to the next pose changes with every reading, but sentences that flicker can't be read.
+    constexpr qint64 kReadable_ms = 400;
+    if (!advice_age_.isValid() || advice_age_.elapsed() > kReadable_ms) {
+      advice_age_.start();
+      if (result && controller_.poseGuide().nextPose()) showAdvice();
     }
   }
-  views_.patch.setTurnable(capturing && controller_.liveSession().canTurn());
-  PatchMoment moment = views_.patch.moment();
-  const SkinPreview& preview = controller_.liveSession().source().preview();
-  moment.readings = isReading() ? readingsOf(preview.means, preview.temperatures) : nullptr;
-  moment.up_o = capturing ? current_up_ : std::nullopt;
-  const bool shows_next = capturing && controller_.poseGuide().isNextPoseWanted();
-  moment.told_cell = shows_next ? told_cell_ : std::nullopt;
-  moment.next_up_o = shows_next ? std::optional(controller_.poseGuide().nextPose()->up) : std::nullopt;
-  views_.patch.setMoment(moment);
+
+  /// In the step Capture the picture turns as the part is turned.
+  void followPart() {
+    // In the other steps the picture is the operator's own to turn.
+    const bool capturing = controller_.liveSession().isLive() && !controller_.liveMode().isOn() &&
+                           views_.steps->openIndex() == static_cast<int>(GuideStep::Capture);
+    if (std::exchange(follows_part_, capturing) != capturing) {
+      if (capturing) {
+        views_.patch->keepView();
+      } else {
+        views_.patch->returnToKeptView();
+      }
+    }
+    views_.patch->setTurnable(capturing && controller_.liveSession().canTurn());
+    PatchMoment moment = views_.patch->moment();
+    const SkinPreview& preview = controller_.liveSession().source().preview();
+    moment.readings = isReading() ? readingsOf(preview.means, preview.temperatures) : nullptr;
+    moment.up_o = capturing ? current_up_ : std::nullopt;
+    const bool shows_next = capturing && controller_.poseGuide().isNextPoseWanted();
+    moment.told_cell = shows_next ? told_cell_ : std::nullopt;
+    moment.next_up_o = shows_next ? std::optional(controller_.poseGuide().nextPose()->up) : std::nullopt;
+    views_.patch->setMoment(moment);
+  }
+
+  std::optional<Eigen::Vector3d> current_up_;  ///< of the part just now, in the frame of the largest patch
+  QElapsedTimer advice_age_;
+  bool follows_part_ = false;
+  std::optional<CellId> told_cell_;  ///< the cell that the advice speaks of
+  std::uint64_t restarts_ = 0;       ///< of captures, as the recorder last said
+};
+
+}  // namespace
+
+std::unique_ptr<Presenter> makeCapturePresenter(const WindowParts& parts, const ResultPresenter& results) {
+  return std::make_unique<CapturePresenter>(parts, results);
 }
 
 }  // namespace hexoderm

@@ -1,9 +1,8 @@
-#include "app/window/presenters/compare_presenter.h"
+#include "app/window/presenters/presenters.h"
 
-#include "app/window/guide/actions.h"
-#include "app/window/session/session_controller.h"
 #include "app/window/session/verification.h"
 #include "hexoderm/reconstruction/evaluation/evaluation.h"
+#include "hexoderm/reconstruction/result/reconstruction.h"
 #include "widgets/patch/compare_view.h"
 
 #include <QDialog>
@@ -13,84 +12,106 @@
 #include <QVBoxLayout>
 #include <algorithm>
 #include <utility>
+#include <vector>
 
 namespace hexoderm {
+namespace {
 
-ComparePresenter::ComparePresenter(QWidget& window, const SessionController& controller, const WindowActions& actions,
-                                   Selection& selection, const Verification& verification)
-    : window_(window),
-      controller_(controller),
-      selection_(selection),
-      verification_(verification),
-      now_(controller.reconstruction()) {
-  connect(actions.compare, &QAction::triggered, this, &ComparePresenter::open);
-  connect(&controller_, &SessionController::reconstructionChanged, this, &ComparePresenter::note);
-  connect(&verification_, &Verification::compared, this, &ComparePresenter::refresh);
-}
+/// Before and after in a window of its own, made when it is first asked for: the result of now beside the one before
+/// the last change, or beside the calibration that the step Verify compares with.
+class ComparePresenter : public Presenter {
+  Q_DECLARE_TR_FUNCTIONS(hexoderm::ComparePresenter)
 
-ComparePresenter::~ComparePresenter() { delete dialog_; }
+ public:
+  ComparePresenter(const WindowParts& parts, const Verification& verification)
+      : Presenter(parts), verification_(verification), now_(controller_.reconstruction()) {
+    connect(actions_.compare, &QAction::triggered, this, &ComparePresenter::open);
+    connect(&controller_, &SessionController::reconstructionChanged, this, &ComparePresenter::note);
+    connect(&verification_, &Verification::compared, this, &ComparePresenter::refresh);
+  }
 
-void ComparePresenter::note(const std::shared_ptr<const Reconstruction>& reconstruction) {
-  // A null one stands between two sessions: what was before belongs to the other.
-  before_ = reconstruction ? now_ : nullptr;
-  now_ = reconstruction;
-  refresh();
-}
+  /// The comparison's window goes before what its views refer to.
+  ~ComparePresenter() override { delete dialog_; }
 
-void ComparePresenter::open() {
-  if (dialog_ == nullptr) {
-    dialog_ = new QDialog(&window_, Qt::Window);
-    dialog_->setObjectName(QStringLiteral("compareDialog"));
-    dialog_->setWindowTitle(tr("Before and after"));
-    auto* layout = new QVBoxLayout(dialog_);
-    layout->setContentsMargins(0, 0, 0, 0);
-    view_ = new CompareView(&selection_);
-    layout->addWidget(view_);
-    connect(view_, &CompareView::sourceChosen, this, [this](int index) {
-      chosen_ = sources_.at(static_cast<std::size_t>(index));
+ private:
+  enum class Source { LastChange, Calibration };
+
+  void note(const std::shared_ptr<const Reconstruction>& reconstruction) {
+    // A null one stands between two sessions: what was before belongs to the other.
+    before_ = reconstruction ? now_ : nullptr;
+    now_ = reconstruction;
+    refresh();
+  }
+
+  void open() {
+    if (dialog_ == nullptr) {
+      dialog_ = new QDialog(&window_, Qt::Window);
+      dialog_->setObjectName(QStringLiteral("compareDialog"));
+      dialog_->setWindowTitle(tr("Before and after"));
+      auto* layout = new QVBoxLayout(dialog_);
+      layout->setContentsMargins(0, 0, 0, 0);
+      view_ = new CompareView(&selection_);
+      layout->addWidget(view_);
+      connect(view_, &CompareView::sourceChosen, this, [this](int index) {
+        chosen_ = sources_.at(static_cast<std::size_t>(index));
+        refresh();
+      });
+      dialog_->resize(QSize(1100, 640).boundedTo(0.9 * window_.screen()->availableSize()));
+    }
+    // Made in one turn of the event loop and shown in a later one, so that clicks and keys wait for one of them at a
+    // time.
+    QTimer::singleShot(1, dialog_, [this] {
+      dialog_->show();
+      dialog_->raise();
+      dialog_->activateWindow();
       refresh();
     });
-    dialog_->resize(QSize(1100, 640).boundedTo(0.9 * window_.screen()->availableSize()));
   }
-  // Made in one turn of the event loop and shown in a later one, so that clicks and keys wait for one of them at a
-  // time.
-  QTimer::singleShot(1, dialog_, [this] {
-    dialog_->show();
-    dialog_->raise();
-    dialog_->activateWindow();
-    refresh();
-  });
-}
 
-void ComparePresenter::refresh() {
-  if (dialog_ == nullptr || !dialog_->isVisible()) return;
-  const std::shared_ptr<const Reconstruction>& calibration = verification_.reference();
-  QStringList names;
-  sources_.clear();
-  if (before_) {
-    sources_.push_back(Source::LastChange);
-    names << tr("the result before the last change");
+  void refresh() override {
+    if (dialog_ == nullptr || !dialog_->isVisible()) return;
+    const std::shared_ptr<const Reconstruction>& calibration = verification_.reference();
+    QStringList names;
+    sources_.clear();
+    if (before_) {
+      sources_.push_back(Source::LastChange);
+      names << tr("the result before the last change");
+    }
+    if (calibration) {
+      sources_.push_back(Source::Calibration);
+      names << tr("%1, of the step Verify").arg(verification_.referenceName());
+    }
+    const auto chosen = std::ranges::find(sources_, chosen_);
+    const auto index = chosen == sources_.end() ? std::ptrdiff_t{0} : chosen - sources_.begin();
+    CompareView::Content content;
+    content.now = now_;
+    if (!sources_.empty()) {
+      content.before = sources_[static_cast<std::size_t>(index)] == Source::LastChange ? before_ : calibration;
+    }
+    if (content.before && content.now) {
+      content.comparison =
+          std::make_shared<const std::vector<Comparison>>(compareToReconstruction(*content.now, *content.before));
+    }
+    view_->setContent(content);
+    view_->setSources(
+        names, static_cast<int>(index),
+        tr("There is nothing to compare with yet: change something, take another pose, or choose an earlier "
+           "calibration in the step Verify."));
   }
-  if (calibration) {
-    sources_.push_back(Source::Calibration);
-    names << tr("%1, of the step Verify").arg(verification_.referenceName());
-  }
-  const auto chosen = std::ranges::find(sources_, chosen_);
-  const auto index = chosen == sources_.end() ? std::ptrdiff_t{0} : chosen - sources_.begin();
-  CompareView::Content content;
-  content.now = now_;
-  if (!sources_.empty()) {
-    content.before = sources_[static_cast<std::size_t>(index)] == Source::LastChange ? before_ : calibration;
-  }
-  if (content.before && content.now) {
-    content.comparison =
-        std::make_shared<const std::vector<Comparison>>(compareToReconstruction(*content.now, *content.before));
-  }
-  view_->setContent(content);
-  view_->setSources(
-      names, static_cast<int>(index),
-      tr("There is nothing to compare with yet: change something, take another pose, or choose an earlier "
-         "calibration in the step Verify."));
+
+  const Verification& verification_;
+  QDialog* dialog_ = nullptr;  ///< once it was asked for
+  CompareView* view_ = nullptr;
+  std::shared_ptr<const Reconstruction> now_;
+  std::shared_ptr<const Reconstruction> before_;  ///< the last change of the same session
+  Source chosen_ = Source::LastChange;
+  std::vector<Source> sources_;  ///< as the view lists them
+};
+
+}  // namespace
+
+std::unique_ptr<Presenter> makeComparePresenter(const WindowParts& parts, const Verification& verification) {
+  return std::make_unique<ComparePresenter>(parts, verification);
 }
 
 }  // namespace hexoderm

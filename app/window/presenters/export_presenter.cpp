@@ -1,104 +1,123 @@
-#include "app/window/presenters/export_presenter.h"
+#include "app/window/presenters/presenters.h"
 
 #include "app/window/dialogs/export_dialog.h"
 #include "app/window/dialogs/package_dialog.h"
 #include "app/window/dialogs/report_title_dialog.h"
-#include "app/window/guide/actions.h"
 #include "app/window/presenters/file_presenter.h"
+#include "app/window/report/report.h"
 #include "app/window/report/report_pictures.h"
 #include "app/window/report/report_title.h"
-#include "app/window/session/session_controller.h"
+#include "app/window/session/result_files.h"
 #include "app/window/session/verification.h"
-#include "app/window/settings/preferences.h"
 #include "app/window/toolkit/deferred_dialog.h"
 #include "hexoderm/session/simulated_session.h"
 
 #include <QDir>
+#include <functional>
 #include <utility>
 
 namespace hexoderm {
+namespace {
 
-ExportPresenter::ExportPresenter(QWidget& window, SessionController& controller, const Verification& verification,
-                                 const WindowActions& actions, FilePresenter& files)
-    : window_(window), controller_(controller), verification_(verification), files_(files) {
-  connect(actions.export_to, &QAction::triggered, this, &ExportPresenter::showExportDialog);
-  connect(actions.report, &QAction::triggered, this, &ExportPresenter::askForReport);
-  connect(actions.report_title, &QAction::triggered, this,
-          [this] { askForTitle(keptReportTitle(sessionKey()).value_or(proposedReportTitle()), tr("Keep"), [] {}); });
-}
+/// Reports and exports: asks what they are to be, once for the title of a session's reports, and has them written.
+class ExportPresenter : public Presenter {
+  Q_DECLARE_TR_FUNCTIONS(hexoderm::ExportPresenter)
 
-QString ExportPresenter::sessionKey() const {
-  const SessionFile& file = controller_.file();
-  for (const QString& path : {file.sessionPath(), file.calibrationPath()}) {
-    if (!path.isEmpty()) return path;
+ public:
+  ExportPresenter(const WindowParts& parts, const Verification& verification, FilePresenter& files)
+      : Presenter(parts), verification_(verification), files_(files) {
+    connect(actions_.export_to, &QAction::triggered, this, &ExportPresenter::showExportDialog);
+    connect(actions_.report, &QAction::triggered, this, &ExportPresenter::askForReport);
+    connect(actions_.report_title, &QAction::triggered, this,
+            [this] { askForTitle(keptReportTitle(sessionKey()).value_or(proposedReportTitle()), tr("Keep"), [] {}); });
   }
-  return file.name();
-}
 
-ReportContent ExportPresenter::content() const {
-  ReportContent content;
-  content.reconstruction = controller_.reconstruction();
-  if (!content.reconstruction) return content;
-  content.name = controller_.file().name();
-  content.pictures = takeReportPictures(content.reconstruction);
-  content.made_at = QDateTime::currentDateTime();
-  content.title = keptReportTitle(sessionKey()).value_or(ReportTitle());
-  content.verify = verification_.outcome();
-  const Session* session = controller_.session();
-  content.simulated = isSimulated(content.reconstruction->source) || (session != nullptr && session->truth());
-  return content;
-}
-
-void ExportPresenter::afterTitle(std::function<void()> proceed) {
-  if (keptReportTitle(sessionKey())) {
-    proceed();
-    return;
-  }
-  askForTitle(proposedReportTitle(), tr("Continue"), std::move(proceed));
-}
-
-void ExportPresenter::askForTitle(const ReportTitle& title, const QString& button, std::function<void()> proceed) {
-  auto* dialog = new ReportTitleDialog(title, controller_.file().name(), button, &window_);
-  connect(dialog, &QDialog::accepted, this, [this, dialog, key = sessionKey(), proceed = std::move(proceed)] {
-    keepReportTitle(key, dialog->title());
-    // Another session may have been opened meanwhile; its report is another matter.
-    if (key == sessionKey()) proceed();
-  });
-  openInTurns(dialog, Qt::NonModal);
-}
-
-void ExportPresenter::askForReport() {
-  afterTitle([this] {
-    files_.askForPath(tr("Write a report"), files_.suggestedName(),
-                      tr("Documents (*.pdf);;Pages for the browser (*.html)"), QStringLiteral(".pdf"),
-                      [this](const QString& path) { controller_.resultFiles().writeReport(content(), path); });
-  });
-}
-
-void ExportPresenter::showExportDialog() {
-  auto* dialog =
-      new ExportDialog(controller_.reconstruction(), QDir(lastFolder()).filePath(files_.suggestedName()), &window_);
-  connect(dialog, &ExportDialog::exportRequested, this, [this](const ExportRequest& request) {
-    rememberFolder(request.path);
-    controller_.resultFiles().exportTo(request);
-  });
-  connect(dialog, &ExportDialog::packageRequested, this, [this](const PackageRequest& request) {
-    rememberFolder(request.path);
-    if (request.hasReport()) {
-      afterTitle([this, request] { startPackage(request); });
-    } else {
-      startPackage(request);
+ private:
+  /// By what the title is remembered.
+  QString sessionKey() const {
+    const SessionFile& file = controller_.file();
+    for (const QString& path : {file.sessionPath(), file.calibrationPath()}) {
+      if (!path.isEmpty()) return path;
     }
-  });
-  openInTurns(dialog);
-}
+    return file.name();
+  }
 
-void ExportPresenter::startPackage(const PackageRequest& request) {
-  if (!controller_.reconstruction()) return;
-  auto* dialog = new PackageDialog(controller_.resultFiles(), request.path, &window_);
-  connect(dialog, &PackageDialog::folderWanted, &files_, &FilePresenter::openFolderOf);
-  openInTurns(dialog, Qt::WindowModal);
-  controller_.resultFiles().exportPackage(request, content());
+  ReportContent content() const {
+    ReportContent content;
+    content.reconstruction = controller_.reconstruction();
+    if (!content.reconstruction) return content;
+    content.name = controller_.file().name();
+    content.pictures = takeReportPictures(content.reconstruction);
+    content.made_at = QDateTime::currentDateTime();
+    content.title = keptReportTitle(sessionKey()).value_or(ReportTitle());
+    content.verify = verification_.outcome();
+    const Session* session = controller_.session();
+    content.simulated = isSimulated(content.reconstruction->source) || (session != nullptr && session->truth());
+    return content;
+  }
+
+  /// Calls `proceed` once it is known what stands at the head of a report; the operator is asked for it once a session.
+  void afterTitle(std::function<void()> proceed) {
+    if (keptReportTitle(sessionKey())) {
+      proceed();
+      return;
+    }
+    askForTitle(proposedReportTitle(), tr("Continue"), std::move(proceed));
+  }
+
+  void askForTitle(const ReportTitle& title, const QString& button, std::function<void()> proceed) {
+    auto* dialog = new ReportTitleDialog(title, controller_.file().name(), button, &window_);
+    connect(dialog, &QDialog::accepted, this, [this, dialog, key = sessionKey(), proceed = std::move(proceed)] {
+      keepReportTitle(key, dialog->title());
+      // Another session may have been opened meanwhile; its report is another matter.
+      if (key == sessionKey()) proceed();
+    });
+    openInTurns(dialog, Qt::NonModal);
+  }
+
+  void askForReport() {
+    afterTitle([this] {
+      files_.askForPath(tr("Write a report"), files_.suggestedName(),
+                        tr("Documents (*.pdf);;Pages for the browser (*.html)"), QStringLiteral(".pdf"),
+                        [this](const QString& path) { controller_.resultFiles().writeReport(content(), path); });
+    });
+  }
+
+  void showExportDialog() {
+    auto* dialog =
+        new ExportDialog(controller_.reconstruction(), QDir(lastFolder()).filePath(files_.suggestedName()), &window_);
+    connect(dialog, &ExportDialog::exportRequested, this, [this](const ExportRequest& request) {
+      rememberFolder(request.path);
+      controller_.resultFiles().exportTo(request);
+    });
+    connect(dialog, &ExportDialog::packageRequested, this, [this](const PackageRequest& request) {
+      rememberFolder(request.path);
+      if (request.hasReport()) {
+        afterTitle([this, request] { startPackage(request); });
+      } else {
+        startPackage(request);
+      }
+    });
+    openInTurns(dialog);
+  }
+
+  void startPackage(const PackageRequest& request) {
+    if (!controller_.reconstruction()) return;
+    auto* dialog = new PackageDialog(controller_.resultFiles(), request.path, &window_);
+    connect(dialog, &PackageDialog::folderWanted, &files_, &FilePresenter::openFolderOf);
+    openInTurns(dialog, Qt::WindowModal);
+    controller_.resultFiles().exportPackage(request, content());
+  }
+
+  const Verification& verification_;
+  FilePresenter& files_;
+};
+
+}  // namespace
+
+std::unique_ptr<Presenter> makeExportPresenter(const WindowParts& parts, const Verification& verification,
+                                               FilePresenter& files) {
+  return std::make_unique<ExportPresenter>(parts, verification, files);
 }
 
 }  // namespace hexoderm

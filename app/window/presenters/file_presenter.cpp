@@ -1,11 +1,7 @@
 #include "app/window/presenters/file_presenter.h"
 
-#include "app/window/guide/actions.h"
-#include "app/window/session/session_controller.h"
-#include "app/window/settings/preferences.h"
 #include "app/window/toolkit/deferred_dialog.h"
 #include "app/window/toolkit/file_dialog.h"
-#include "widgets/controls/message_bar.h"
 #include "widgets/tables/table_csv.h"
 
 #include <QDesktopServices>
@@ -23,23 +19,21 @@ const QString kCalibrationExtension = QStringLiteral(".calibration.json");
 
 }  // namespace
 
-FilePresenter::FilePresenter(QWidget& window, SessionController& controller, const WindowActions& actions,
-                             MessageBar& messages)
-    : window_(window), controller_(controller), messages_(messages) {
-  connect(actions.demo, &QAction::triggered, this, &FilePresenter::startDemo);
-  connect(actions.robot_demo, &QAction::triggered, this, &FilePresenter::startRobotDemo);
-  connect(actions.open, &QAction::triggered, this, &FilePresenter::askToOpen);
-  connect(actions.save, &QAction::triggered, this, [this] { saveSession(false); });
-  connect(actions.save_as, &QAction::triggered, this, [this] { saveSession(true); });
-  connect(actions.save_calibration, &QAction::triggered, this, &FilePresenter::saveCalibration);
-  connect(actions.quit, &QAction::triggered, &window_, &QWidget::close);
+FilePresenter::FilePresenter(const WindowParts& parts) : Presenter(parts) {
+  connect(actions_.demo, &QAction::triggered, this, &FilePresenter::startDemo);
+  connect(actions_.robot_demo, &QAction::triggered, this, &FilePresenter::startRobotDemo);
+  connect(actions_.open, &QAction::triggered, this, &FilePresenter::askToOpen);
+  connect(actions_.save, &QAction::triggered, this, [this] { saveSession(false); });
+  connect(actions_.save_as, &QAction::triggered, this, [this] { saveSession(true); });
+  connect(actions_.save_calibration, &QAction::triggered, this, &FilePresenter::saveCalibration);
+  connect(actions_.quit, &QAction::triggered, &window_, &QWidget::close);
   connect(
       &controller_, &SessionController::changed, this,
       [this] {
         if (close_when_written_ && !controller_.file().isWriting()) window_.close();
       },
       Qt::QueuedConnection);
-  connect(&controller_, &SessionController::opened, &messages_, &QWidget::hide);
+  connect(&controller_, &SessionController::opened, views_.messages, &QWidget::hide);
   connect(&controller_.file(), &SessionFile::sessionSaved, this, [this](const QString& path) {
     showDone(tr("Saved to %1").arg(path), path);
     if (const auto proceed = std::exchange(after_saving_, nullptr)) proceed();
@@ -54,12 +48,13 @@ FilePresenter::FilePresenter(QWidget& window, SessionController& controller, con
           });
   connect(&controller_, &SessionController::failed, this, [this](const QString& message) {
     forgetPlans();
-    messages_.showMessage(Tone::Bad, message);
+    views_.messages->showMessage(Tone::Bad, message);
   });
   connect(&controller_.file(), &SessionFile::journalStuck, this, [this](const QString& why) {
     forgetPlans();
-    messages_.showMessage(Tone::Bad, tr("Not on disk yet; it waits in memory and the work can go on. %1").arg(why),
-                          tr("Try again"), [this] { controller_.file().retryWriting(); });
+    views_.messages->showMessage(Tone::Bad,
+                                 tr("Not on disk yet; it waits in memory and the work can go on. %1").arg(why),
+                                 tr("Try again"), [this] { controller_.file().retryWriting(); });
   });
 }
 
@@ -82,12 +77,9 @@ void FilePresenter::startRobotDemo() {
 }
 
 void FilePresenter::askToOpen() {
-  auto* dialog = new FileDialog(&window_, tr("Open a session or a calibration"), lastFolder());
-  dialog->setObjectName(QStringLiteral("openDialog"));
-  dialog->setFileMode(QFileDialog::ExistingFile);
-  dialog->setNameFilters({tr("Sessions and calibrations (*.hexo *.json *.xml)"), tr("All files (*)")});
-  connect(dialog, &QFileDialog::fileSelected, this, &FilePresenter::openFile);
-  openInTurns(dialog);
+  askForFile(&window_, "openDialog", tr("Open a session or a calibration"), lastFolder(),
+             tr("Sessions and calibrations (*.hexo *.json *.xml)") + QStringLiteral(";;") + tr("All files (*)"),
+             [this](const QString& path) { openFile(path); });
 }
 
 QString FilePresenter::suggestedName() const {
@@ -147,13 +139,14 @@ void FilePresenter::saveCalibration() {
 }
 
 void FilePresenter::showDone(const QString& text, const QString& path, Tone tone) {
-  messages_.showMessage(tone, text, tr("Open folder"), [this, path] { openFolderOf(path); });
+  views_.messages->showMessage(tone, text, tr("Open folder"), [this, path] { openFolderOf(path); });
 }
 
 void FilePresenter::openFolderOf(const QString& path) {
   const QString folder = QFileInfo(path).absolutePath();
   if (!QDesktopServices::openUrl(QUrl::fromLocalFile(folder))) {
-    messages_.showMessage(Tone::Caution, tr("No program to show folders was found. The folder is %1.").arg(folder));
+    views_.messages->showMessage(Tone::Caution,
+                                 tr("No program to show folders was found. The folder is %1.").arg(folder));
   }
 }
 

@@ -1,28 +1,21 @@
 #pragma once
 
-#include "widgets/controls/banner.h"
+#include "app/window/presenters/presenter.h"
 
-#include <QObject>
 #include <QString>
 #include <functional>
 
-class QWidget;
-
 namespace hexoderm {
 
-class MessageBar;
-class SessionController;
 class CsvActions;
-class WindowActions;
 
 /// Asks the operator for the files that are read or written. Before a session is replaced or the window closes, it asks
 /// whether unsaved changes are to be saved.
-class FilePresenter : public QObject {
+class FilePresenter : public Presenter {
   Q_OBJECT
 
  public:
-  /// All outlive the presenter; dialogs belong to `window`.
-  FilePresenter(QWidget& window, SessionController& controller, const WindowActions& actions, MessageBar& messages);
+  explicit FilePresenter(const WindowParts& parts);
 
   void openFile(const QString& path);
   void startDemo();
@@ -53,9 +46,6 @@ class FilePresenter : public QObject {
   /// What waits for the session to be saved does not happen.
   void forgetPlans();
 
-  QWidget& window_;
-  SessionController& controller_;
-  MessageBar& messages_;
   std::function<void()> after_saving_;  ///< what waits for the session to be on disk
   bool may_close_ = false;
   bool close_when_written_ = false;

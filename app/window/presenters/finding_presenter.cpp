@@ -1,17 +1,19 @@
-#include "app/window/presenters/finding_presenter.h"
+#include "app/window/presenters/presenters.h"
 
-#include "app/window/guide/actions.h"
 #include "app/window/guide/guide.h"
+#include "app/window/presenters/result_presenter.h"
 #include "app/window/presenters/review_presenter.h"
-#include "app/window/session/session_controller.h"
-#include "widgets/controls/selection.h"
-#include "widgets/controls/step_panel.h"
+#include "hexoderm/reconstruction/result/reconstruction.h"
 #include "widgets/tables/finding_table.h"
 
 #include <QTableView>
 #include <algorithm>
+#include <cstdint>
 #include <functional>
 #include <iterator>
+#include <optional>
+#include <tuple>
+#include <vector>
 
 namespace hexoderm {
 namespace {
@@ -23,138 +25,168 @@ LinkEnd secondEnd(const Finding& finding) { return {finding.cells[1], finding.po
 /// It is about what the skin said of itself, before any pose was measured.
 bool isAboutTheReport(const Finding& finding) { return finding.code <= FindingCode::ContradictsModel; }
 
+/// The cards of findings: says what can be done about each just now, and does it.
+class FindingPresenter : public Presenter {
+  Q_DECLARE_TR_FUNCTIONS(hexoderm::FindingPresenter)
+
+ public:
+  FindingPresenter(const WindowParts& parts, const ResultPresenter& results, ReviewPresenter& review)
+      : Presenter(parts), review_(review) {
+    for (FindingCards* cards : {views_.check_findings, views_.review_findings}) {
+      connect(cards, &FindingCards::showWanted, &review_, &ReviewPresenter::showFinding);
+      connect(cards, &FindingCards::remedyWanted, this, &FindingPresenter::apply);
+      connect(cards, &FindingCards::allWanted, this, &FindingPresenter::showAll);
+    }
+    connect(views_.finding_card, &FindingCard::showWanted, &review_, &ReviewPresenter::showFinding);
+    connect(views_.finding_card, &FindingCard::remedyWanted, this, &FindingPresenter::apply);
+    connect(views_.tables.finding_view->selectionModel(), &QItemSelectionModel::selectionChanged, this,
+            &FindingPresenter::showPickedInTable);
+    connect(&results, &ResultPresenter::handedOut, this, &FindingPresenter::takeFindings);
+    views_.finding_card->setUnfolded(true);
+    showPickedInTable();
+  }
+
+  /// What can be done may have changed. The actions have to know already which of them can be used.
+  void refresh() override {
+    const LiveSession& live = controller_.liveSession();
+    const auto now = std::make_tuple(controller_.submittedRevision(), live.isLive(), live.litCell(),
+                                     actions_.show_next_pose->isEnabled());
+    if (known_ == now) return;
+    known_ = now;
+    std::vector<FindingCards::Item> in_check;
+    std::vector<FindingCards::Item> in_review;
+    for (const Finding& finding : by_weight_) {
+      const FindingCards::Item item{finding, offersFor(finding)};
+      in_review.push_back(item);
+      if (isAboutTheReport(finding)) in_check.push_back(item);
+    }
+    views_.check_findings->setItems(in_check);
+    views_.review_findings->setItems(in_review);
+    showPickedInTable();
+  }
+
+ private:
+  void showAll() {
+    panels_.details().show();
+    panels_.details().raise();
+    views_.detail_tabs->setCurrentIndex(0);
+  }
+
+  void takeFindings() {
+    const std::shared_ptr<const Reconstruction>& reconstruction = controller_.reconstruction();
+    known_.reset();
+    by_weight_.clear();
+    if (reconstruction) {
+      std::ranges::copy_if(reconstruction->findings, std::back_inserter(by_weight_),
+                           [](const Finding& finding) { return finding.severity != Severity::Info; });
+      std::ranges::stable_sort(by_weight_, std::ranges::greater(), &Finding::severity);
+    }
+    refresh();
+  }
+
+  /// Without a row that is picked it is about the first, which is the worst.
+  void showPickedInTable() {
+    const QModelIndexList rows = views_.tables.finding_view->selectionModel()->selectedRows();
+    const int row = rows.isEmpty() ? 0 : rows.front().row();
+    const bool any = row < views_.tables.findings->rowCount();
+    views_.finding_card->setVisible(any);
+    if (!any) return;
+    const Finding& finding = views_.tables.findings->findingAt(row);
+    views_.finding_card->setFinding(finding, offersFor(finding));
+  }
+
+  /// Of the first pose that the finding names, among the session's.
+  std::optional<std::size_t> poseOf(const Finding& finding) const {
+    if (finding.poses.empty() || !controller_.session()) return std::nullopt;
+    const auto& poses = controller_.session()->poses();
+    const auto found =
+        std::ranges::find_if(poses, [&](const SessionPose& pose) { return pose.capture->id == finding.poses.front(); });
+    return found == poses.end() ? std::nullopt : std::optional(static_cast<std::size_t>(found - poses.begin()));
+  }
+
+  std::vector<FindingOffer> offersFor(const Finding& finding) const {
+    std::vector<FindingOffer> offers;
+    for (const FindingRemedy remedy : adviceOn(finding.code).remedies) {
+      if (const std::optional<QString> text = offer(remedy, finding)) offers.push_back({remedy, *text});
+    }
+    return offers;
+  }
+
+  std::optional<QString> offer(FindingRemedy remedy, const Finding& finding) const {
+    const Session* session = controller_.session();
+    const LiveSession& live = controller_.liveSession();
+    switch (remedy) {
+      case FindingRemedy::MuteLink:
+        if (session == nullptr || !namesLink(finding)) return std::nullopt;
+        return session->findMutedLink(firstEnd(finding), secondEnd(finding)) != nullptr ? tr("Take link back")
+                                                                                        : tr("Set link aside");
+      case FindingRemedy::DisablePose:
+        if (const auto index = poseOf(finding)) {
+          const bool disabled = session->poses()[*index].disabled;
+          return (disabled ? tr("Enable pose %1") : tr("Disable pose %1")).arg(finding.poses.front().value());
+        }
+        return std::nullopt;
+      case FindingRemedy::RecapturePose:
+        if (!live.isLive() || !poseOf(finding)) return std::nullopt;
+        return tr("Take pose %1 again").arg(finding.poses.front().value());
+      case FindingRemedy::TakePose:
+        if (!actions_.show_next_pose->isEnabled()) return std::nullopt;
+        return session != nullptr && session->poses().empty() ? tr("Take the first pose") : tr("Take another pose");
+      case FindingRemedy::LightCell:
+        if (finding.cells.empty() || !live.isLive() || !live.source().skin() ||
+            !live.source().skin()->can_light_cells) {
+          return std::nullopt;
+        }
+        return live.litCell() == finding.cells.front() ? tr("Light off")
+                                                       : tr("Light cell %1").arg(finding.cells.front().value());
+    }
+    return std::nullopt;
+  }
+
+  void apply(const Finding& finding, FindingRemedy remedy) {
+    // It may have gone since the button was drawn.
+    if (!offer(remedy, finding)) return;
+    switch (remedy) {
+      case FindingRemedy::MuteLink: {
+        const bool muted = controller_.session()->findMutedLink(firstEnd(finding), secondEnd(finding)) != nullptr;
+        selection_.selectLink(firstEnd(finding), secondEnd(finding));
+        controller_.setLinkMuted(firstEnd(finding), secondEnd(finding), !muted);
+        break;
+      }
+      case FindingRemedy::DisablePose: {
+        const std::size_t index = *poseOf(finding);
+        controller_.setPoseDisabled(index, !controller_.session()->poses()[index].disabled);
+        break;
+      }
+      case FindingRemedy::RecapturePose:
+        review_.pickPose(finding.poses.front());
+        if (actions_.recapture->isEnabled()) actions_.recapture->trigger();
+        break;
+      case FindingRemedy::TakePose:
+        actions_.show_next_pose->trigger();
+        break;
+      case FindingRemedy::LightCell: {
+        const CellId cell = finding.cells.front();
+        const bool is_lit = controller_.liveSession().litCell() == cell;
+        selection_.seekCell(cell);
+        controller_.liveSession().lightCell(is_lit ? std::nullopt : std::optional(cell));
+        break;
+      }
+    }
+  }
+
+  ReviewPresenter& review_;
+  std::vector<Finding> by_weight_;  ///< of the result, the worst first; remarks left out
+  /// What decides on what can be done: the revision of the session, a skin that is connected, its lit cell, and whether
+  /// a pose can be taken. While a skin streams, nothing of it changes.
+  std::optional<std::tuple<std::uint64_t, bool, std::optional<CellId>, bool>> known_;
+};
+
 }  // namespace
 
-FindingPresenter::FindingPresenter(const Views& views, SessionController& controller, const WindowActions& actions,
-                                   Selection& selection, ReviewPresenter& review)
-    : views_(views), controller_(controller), actions_(actions), selection_(selection), review_(review) {
-  for (FindingCards* cards : {&views_.in_check, &views_.in_review}) {
-    connect(cards, &FindingCards::showWanted, &review_, &ReviewPresenter::showFinding);
-    connect(cards, &FindingCards::remedyWanted, this, &FindingPresenter::apply);
-    connect(cards, &FindingCards::allWanted, &review_, &ReviewPresenter::findingsWanted);
-  }
-  connect(&views_.in_table, &FindingCard::showWanted, &review_, &ReviewPresenter::showFinding);
-  connect(&views_.in_table, &FindingCard::remedyWanted, this, &FindingPresenter::apply);
-  connect(views_.table_view.selectionModel(), &QItemSelectionModel::selectionChanged, this,
-          &FindingPresenter::showPickedInTable);
-  views_.in_table.setUnfolded(true);
-  showPickedInTable();
-}
-
-void FindingPresenter::setReconstruction(const std::shared_ptr<const Reconstruction>& reconstruction) {
-  known_.reset();
-  by_weight_.clear();
-  if (reconstruction) {
-    std::ranges::copy_if(reconstruction->findings, std::back_inserter(by_weight_),
-                         [](const Finding& finding) { return finding.severity != Severity::Info; });
-    std::ranges::stable_sort(by_weight_, std::ranges::greater(), &Finding::severity);
-  }
-  refresh();
-}
-
-void FindingPresenter::refresh() {
-  const LiveSession& live = controller_.liveSession();
-  const auto now = std::make_tuple(controller_.submittedRevision(), live.isLive(), live.litCell(),
-                                   actions_.show_next_pose->isEnabled());
-  if (known_ == now) return;
-  known_ = now;
-  std::vector<FindingCards::Item> in_check;
-  std::vector<FindingCards::Item> in_review;
-  for (const Finding& finding : by_weight_) {
-    const FindingCards::Item item{finding, offersFor(finding)};
-    in_review.push_back(item);
-    if (isAboutTheReport(finding)) in_check.push_back(item);
-  }
-  views_.in_check.setItems(in_check);
-  views_.in_review.setItems(in_review);
-  showPickedInTable();
-}
-
-/// Without a row that is picked it is about the first, which is the worst.
-void FindingPresenter::showPickedInTable() {
-  const QModelIndexList rows = views_.table_view.selectionModel()->selectedRows();
-  const int row = rows.isEmpty() ? 0 : rows.front().row();
-  const bool any = row < views_.table.rowCount();
-  views_.in_table.setVisible(any);
-  if (any) views_.in_table.setFinding(views_.table.findingAt(row), offersFor(views_.table.findingAt(row)));
-}
-
-std::optional<std::size_t> FindingPresenter::poseOf(const Finding& finding) const {
-  if (finding.poses.empty() || !controller_.session()) return std::nullopt;
-  const auto& poses = controller_.session()->poses();
-  const auto found =
-      std::ranges::find_if(poses, [&](const SessionPose& pose) { return pose.capture->id == finding.poses.front(); });
-  return found == poses.end() ? std::nullopt : std::optional(static_cast<std::size_t>(found - poses.begin()));
-}
-
-std::vector<FindingOffer> FindingPresenter::offersFor(const Finding& finding) const {
-  std::vector<FindingOffer> offers;
-  for (const FindingRemedy remedy : adviceOn(finding.code).remedies) {
-    if (const std::optional<QString> text = offer(remedy, finding)) offers.push_back({remedy, *text});
-  }
-  return offers;
-}
-
-std::optional<QString> FindingPresenter::offer(FindingRemedy remedy, const Finding& finding) const {
-  const Session* session = controller_.session();
-  const LiveSession& live = controller_.liveSession();
-  switch (remedy) {
-    case FindingRemedy::MuteLink:
-      if (session == nullptr || !namesLink(finding)) return std::nullopt;
-      return session->findMutedLink(firstEnd(finding), secondEnd(finding)) != nullptr ? tr("Take link back")
-                                                                                      : tr("Set link aside");
-    case FindingRemedy::DisablePose:
-      if (const auto index = poseOf(finding)) {
-        const bool disabled = session->poses()[*index].disabled;
-        return (disabled ? tr("Enable pose %1") : tr("Disable pose %1")).arg(finding.poses.front().value());
-      }
-      return std::nullopt;
-    case FindingRemedy::RecapturePose:
-      if (!live.isLive() || !poseOf(finding)) return std::nullopt;
-      return tr("Take pose %1 again").arg(finding.poses.front().value());
-    case FindingRemedy::TakePose:
-      if (!actions_.show_next_pose->isEnabled()) return std::nullopt;
-      return session != nullptr && session->poses().empty() ? tr("Take the first pose") : tr("Take another pose");
-    case FindingRemedy::LightCell:
-      if (finding.cells.empty() || !live.isLive() || !live.source().skin() || !live.source().skin()->can_light_cells) {
-        return std::nullopt;
-      }
-      return live.litCell() == finding.cells.front() ? tr("Light off")
-                                                     : tr("Light cell %1").arg(finding.cells.front().value());
-  }
-  return std::nullopt;
-}
-
-void FindingPresenter::apply(const Finding& finding, FindingRemedy remedy) {
-  // It may have gone since the button was drawn.
-  if (!offer(remedy, finding)) return;
-  switch (remedy) {
-    case FindingRemedy::MuteLink: {
-      const bool muted = controller_.session()->findMutedLink(firstEnd(finding), secondEnd(finding)) != nullptr;
-      selection_.selectLink(firstEnd(finding), secondEnd(finding));
-      controller_.setLinkMuted(firstEnd(finding), secondEnd(finding), !muted);
-      break;
-    }
-    case FindingRemedy::DisablePose: {
-      const std::size_t index = *poseOf(finding);
-      controller_.setPoseDisabled(index, !controller_.session()->poses()[index].disabled);
-      break;
-    }
-    case FindingRemedy::RecapturePose:
-      review_.pickPose(finding.poses.front());
-      if (actions_.recapture->isEnabled()) actions_.recapture->trigger();
-      break;
-    case FindingRemedy::TakePose:
-      actions_.show_next_pose->trigger();
-      break;
-    case FindingRemedy::LightCell: {
-      const CellId cell = finding.cells.front();
-      const bool is_lit = controller_.liveSession().litCell() == cell;
-      selection_.seekCell(cell);
-      controller_.liveSession().lightCell(is_lit ? std::nullopt : std::optional(cell));
-      break;
-    }
-  }
+std::unique_ptr<Presenter> makeFindingPresenter(const WindowParts& parts, const ResultPresenter& results,
+                                                ReviewPresenter& review) {
+  return std::make_unique<FindingPresenter>(parts, results, review);
 }
 
 }  // namespace hexoderm

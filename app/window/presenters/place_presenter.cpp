@@ -2,20 +2,13 @@
 
 #include "app/window/guide/guide.h"
 #include "app/window/presenters/robot_picture.h"
-#include "app/window/session/session_controller.h"
-#include "app/window/settings/preferences.h"
-#include "app/window/toolkit/deferred_dialog.h"
 #include "app/window/toolkit/file_dialog.h"
 #include "hexoderm/reconstruction/result/patch_placements.h"
-#include "widgets/controls/step_panel.h"
-#include "widgets/robot/place_panel.h"
 #include "widgets/robot/place_words.h"
-#include "widgets/robot/robot_view.h"
 
 #include <QDir>
 #include <QFileInfo>
 #include <algorithm>
-#include <utility>
 
 namespace hexoderm {
 namespace {
@@ -24,19 +17,18 @@ QString endingOf(const QString& path) { return QFileInfo(path).suffix().toLower(
 
 }  // namespace
 
-PlacePresenter::PlacePresenter(const Views& views, SessionController& controller, Placing& placing)
-    : views_(views),
-      controller_(controller),
+PlacePresenter::PlacePresenter(const WindowParts& parts, Placing& placing)
+    : Presenter(parts),
       placing_(placing),
-      facts_(controller),
-      search_(controller, placing, facts_, faults_),
-      by_hand_(views.panel, views.robot, controller, facts_, faults_),
+      facts_(controller_),
+      search_(controller_, placing, facts_, faults_),
+      by_hand_(*views_.place_panel, *views_.robot, controller_, facts_, faults_),
       sentences_(facts_, faults_),
-      decisions_(controller, facts_) {
+      decisions_(controller_, facts_) {
   connectPanel();
   connectWork();
   connectEdits();
-  connect(&views_.steps, &StepPanel::opened, this, [this] {
+  connect(views_.steps, &StepPanel::opened, this, [this] {
     showStand();
     showRobot();
   });
@@ -55,7 +47,7 @@ PlacePresenter::PlacePresenter(const Views& views, SessionController& controller
 }
 
 void PlacePresenter::connectPanel() {
-  PlacePanel* panel = &views_.panel;
+  PlacePanel* panel = views_.place_panel;
   connect(panel, &PlacePanel::robotWanted, this, &PlacePresenter::askForRobot);
   connect(panel, &PlacePanel::packageWanted, this, &PlacePresenter::askForPackage);
   connect(panel, &PlacePanel::jointsWanted, this, &PlacePresenter::askForJoints);
@@ -91,15 +83,15 @@ void PlacePresenter::connectPanel() {
     if (std::exchange(facts_.preview, row) != row) showStand();
   });
   connect(panel, &PlacePanel::lookWanted, this,
-          [this] { views_.robot.lookAtSkin(indexInPicture(picture(), facts_.patch())); });
-  connect(panel, &PlacePanel::pickingChanged, &views_.robot, &RobotView::setPicking);
-  connect(&views_.robot, &RobotView::pointPicked, panel, [this](std::size_t link, const Eigen::Vector3d& x_l) {
+          [this] { views_.robot->lookAtSkin(indexInPicture(picture(), facts_.patch())); });
+  connect(panel, &PlacePanel::pickingChanged, views_.robot, &RobotView::setPicking);
+  connect(views_.robot, &RobotView::pointPicked, panel, [this](std::size_t link, const Eigen::Vector3d& x_l) {
     const PatchReconstruction* of = facts_.patch();
     if (!facts_.robot || of == nullptr) return;
     const std::string& name = facts_.robot->model.links()[link].name;
     if (name == facts_.linkOf(*of)) {
       faults_.known.clear();
-      views_.panel.proposePoint(x_l);
+      views_.place_panel->proposePoint(x_l);
     } else {
       faults_.known = tr("This point is on link %1, and the patch on %2: pick a point of that link.")
                           .arg(QString::fromStdString(name), QString::fromStdString(facts_.linkOf(*of)));
@@ -109,7 +101,7 @@ void PlacePresenter::connectPanel() {
 }
 
 void PlacePresenter::connectWork() {
-  connect(&placing_, &Placing::runningChanged, &views_.panel, &PlacePanel::setRunning);
+  connect(&placing_, &Placing::runningChanged, views_.place_panel, &PlacePanel::setRunning);
   connect(&placing_, &Placing::jointsRead, this, [this](const LoadedJoints& joints) {
     faults_.joints.clear();
     joints_file_ = joints.file;
@@ -148,7 +140,7 @@ void PlacePresenter::connectWork() {
 }
 
 void PlacePresenter::connectEdits() {
-  PlacePanel* panel = &views_.panel;
+  PlacePanel* panel = views_.place_panel;
   connect(panel, &PlacePanel::robotRemoved, this, [this] {
     if (controller_.session()) controller_.perform({SetRobot{}});
   });
@@ -174,42 +166,29 @@ void PlacePresenter::take(const QString& fault) {
 // --- files
 
 void PlacePresenter::askForRobot() {
-  auto* dialog = new FileDialog(&views_.window, tr("Choose the robot's URDF"), lastFolder(),
-                                tr("Robots (*.urdf *.xml);;All files (*)"));
-  dialog->setObjectName(QStringLiteral("robotDialog"));
-  dialog->setFileMode(QFileDialog::ExistingFile);
-  connect(dialog, &QFileDialog::fileSelected, this, [this](const QString& path) {
-    rememberFolder(path);
-    pickRobot({path.toStdString(), {}, {}});
-  });
-  openInTurns(dialog);
+  askForFile(&window_, "robotDialog", tr("Choose the robot's URDF"), lastFolder(),
+             tr("Robots (*.urdf *.xml);;All files (*)"), [this](const QString& path) {
+               rememberFolder(path);
+               pickRobot({path.toStdString(), {}, {}});
+             });
 }
 
 void PlacePresenter::askForPackage() {
-  auto* dialog = new FileDialog(&views_.window, tr("The folder of a package"), lastFolder());
-  dialog->setObjectName(QStringLiteral("packageDialog"));
-  dialog->setFileMode(QFileDialog::Directory);
-  dialog->setOption(QFileDialog::ShowDirsOnly);
-  connect(dialog, &QFileDialog::fileSelected, this, [this](const QString& path) {
+  askForFolder(&window_, "packageDialog", tr("The folder of a package"), lastFolder(), [this](const QString& path) {
     if (!facts_.robot) return;
     RobotDescription description = facts_.robot->description;
     description.sha256.clear();
     description.packages[QDir(path).dirName().toStdString()] = path.toStdString();
     pickRobot(description);
   });
-  openInTurns(dialog);
 }
 
 void PlacePresenter::askForJoints() {
-  auto* dialog = new FileDialog(&views_.window, tr("Choose a table of joint angles"), lastFolder(),
-                                tr("Tables (*.csv *.tsv *.txt);;All files (*)"));
-  dialog->setObjectName(QStringLiteral("jointsDialog"));
-  dialog->setFileMode(QFileDialog::ExistingFile);
-  connect(dialog, &QFileDialog::fileSelected, this, [this](const QString& path) {
-    rememberFolder(path);
-    readJoints(path);
-  });
-  openInTurns(dialog);
+  askForFile(&window_, "jointsDialog", tr("Choose a table of joint angles"), lastFolder(),
+             tr("Tables (*.csv *.tsv *.txt);;All files (*)"), [this](const QString& path) {
+               rememberFolder(path);
+               readJoints(path);
+             });
 }
 
 void PlacePresenter::pickRobot(const RobotDescription& description) {
@@ -249,7 +228,7 @@ bool PlacePresenter::takeFile(const QString& path) {
   const bool is_robot = ending == QStringLiteral("urdf");
   const bool is_table = ending == QStringLiteral("csv") || ending == QStringLiteral("tsv");
   if ((!is_robot && !is_table) || !whyNot().isEmpty()) return false;
-  views_.steps.openStep(static_cast<int>(GuideStep::Place));
+  views_.steps->openStep(static_cast<int>(GuideStep::Place));
   if (is_robot) {
     pickRobot({path.toStdString(), {}, {}});
   } else if (facts_.robot) {
@@ -299,7 +278,7 @@ QString PlacePresenter::whyNot() const {
 
 RobotPicture PlacePresenter::picture() const {
   RobotPicture picture = robotPicture(facts_, by_hand_.hand());
-  if (by_hand_.handle() && views_.steps.openIndex() == static_cast<int>(GuideStep::Place)) {
+  if (by_hand_.handle() && views_.steps->openIndex() == static_cast<int>(GuideStep::Place)) {
     picture.movable = indexInPicture(picture, facts_.patch());
   }
   return picture;
@@ -338,11 +317,11 @@ void PlacePresenter::showStand() {
     }
   }
   const RobotPicture drawn = picture();
-  views_.robot.setPicture(drawn);
+  views_.robot->setPicture(drawn);
   lookAtWhatIsNew(drawn);
   stand.is_drawn = indexInPicture(drawn, facts_.patch()).has_value();
-  stand.can_move = by_hand_.handle().has_value() && views_.robot.canDraw();
-  views_.panel.setStand(stand);
+  stand.can_move = by_hand_.handle().has_value() && views_.robot->canDraw();
+  views_.place_panel->setStand(stand);
 }
 
 /// The camera goes up to a patch when it is drawn on a link for the first time; after that it is the operator's.
@@ -350,22 +329,22 @@ void PlacePresenter::lookAtWhatIsNew(const RobotPicture& drawn) {
   const auto index = indexInPicture(drawn, facts_.patch());
   if (!index) return;
   const std::pair<CellId, std::size_t> seen{facts_.spoken_of, drawn.patches[*index].link};
-  if (std::exchange(looked_at_, seen) != seen) views_.robot.lookAtSkin(index);
+  if (std::exchange(looked_at_, seen) != seen) views_.robot->lookAtSkin(index);
 }
 
 /// In the step itself; and before the export where there is something to be seen of it: there it is looked at closely,
 /// so that the cells' numbers can be compared with the skin.
 void PlacePresenter::showRobot() {
-  const int open = views_.steps.openIndex();
+  const int open = views_.steps->openIndex();
   const bool opened = std::exchange(open_step_, open) != open;
   const bool placed = controller_.reconstruction() && !placedPatches(*controller_.reconstruction()).empty();
   const bool before_export = placed && open == static_cast<int>(GuideStep::Export);
-  if (facts_.robot && before_export && opened) views_.robot.lookAtSkin();
+  if (facts_.robot && before_export && opened) views_.robot->lookAtSkin();
   const bool shown = facts_.robot && (open == static_cast<int>(GuideStep::Place) || before_export);
-  if (shown == views_.robot.isVisibleTo(views_.robot.parentWidget())) return;
-  views_.robot.setVisible(shown);
+  if (shown == views_.robot->isVisibleTo(views_.robot->parentWidget())) return;
+  views_.robot->setVisible(shown);
   // Beneath, it would take the keyboard and not be seen.
-  views_.middle.setVisible(!shown);
+  panels_.middle().setVisible(!shown);
 }
 
 }  // namespace hexoderm

@@ -4,43 +4,29 @@
 #include "app/window/presenters/place_decisions.h"
 #include "app/window/presenters/place_search.h"
 #include "app/window/presenters/place_sentences.h"
+#include "app/window/presenters/presenter.h"
 #include "app/window/session/place_facts.h"
 
-#include <QObject>
 #include <QString>
 #include <memory>
 #include <optional>
 #include <utility>
 #include <vector>
 
-class QWidget;
-
 namespace hexoderm {
-
-class RobotView;
-class SessionController;
-class StepPanel;
 
 /// The step "Place on the robot": asks for the robot and its joint angles, has links and places found for what the
 /// session holds, and writes the operator's decisions into it. The robot takes the place of the patch in the middle of
 /// the window while this step is open.
-class PlacePresenter : public QObject {
+class PlacePresenter : public Presenter {
   Q_OBJECT
 
  public:
-  struct Views {
-    QWidget& window;  ///< dialogs belong to it
-    StepPanel& steps;
-    PlacePanel& panel;
-    RobotView& robot;
-    QWidget& middle;  ///< whose place the robot takes
-  };
-  /// All outlive the presenter.
-  PlacePresenter(const Views& views, SessionController& controller, Placing& placing);
+  PlacePresenter(const WindowParts& parts, Placing& placing);
 
   /// The session was solved anew.
   void setReconstruction(std::shared_ptr<const Reconstruction> reconstruction);
-  void refresh();
+  void refresh() override;
   /// A URDF or a table of joint angles that was dropped onto the window; false: it is neither, or nothing can be
   /// placed.
   bool takeFile(const QString& path);
@@ -64,8 +50,6 @@ class PlacePresenter : public QObject {
   [[nodiscard]] RobotPicture picture() const;
   void take(const QString& fault);
 
-  Views views_;
-  SessionController& controller_;
   Placing& placing_;
   PlaceFacts facts_;
   PlaceFaults faults_;

@@ -1,39 +1,28 @@
 #include "app/window/presenters/review_presenter.h"
 
-#include "app/window/guide/actions.h"
 #include "app/window/guide/guide.h"
 #include "app/window/presenters/file_presenter.h"
 #include "app/window/presenters/result_presenter.h"
-#include "app/window/session/session_controller.h"
-#include "app/window/toolkit/result_tables.h"
 #include "hexoderm/reconstruction/advice/assess.h"
-#include "widgets/capture/coverage_view.h"
-#include "widgets/controls/check_list.h"
-#include "widgets/controls/selection.h"
-#include "widgets/controls/step_panel.h"
-#include "widgets/graph/graph_view.h"
-#include "widgets/patch/patch_view.h"
 #include "widgets/tables/cell_table.h"
 #include "widgets/tables/finding_table.h"
 #include "widgets/tables/link_table.h"
 #include "widgets/tables/pose_table.h"
 #include "widgets/tables/row_picking.h"
 #include "widgets/tables/table_csv.h"
-#include "widgets/verify/residual_view.h"
 
 #include <QTableView>
 
 namespace hexoderm {
 
-ReviewPresenter::ReviewPresenter(const Views& views, const SessionController& controller, const WindowActions& actions,
-                                 Selection& selection, FilePresenter& files, const ResultPresenter& results)
-    : views_(views), controller_(controller), selection_(selection) {
-  ResultTables& tables = views_.tables;
+ReviewPresenter::ReviewPresenter(const WindowParts& parts, FilePresenter& files, const ResultPresenter& results)
+    : Presenter(parts) {
+  const ResultTables& tables = views_.tables;
   files.saveTablesOf(new CsvActions(tables.pose_view, QStringLiteral("poses")));
   files.saveTablesOf(new CsvActions(tables.link_view, QStringLiteral("links")));
   files.saveTablesOf(new CsvActions(tables.cell_view, QStringLiteral("cells")));
   files.saveTablesOf(new CsvActions(tables.finding_view, QStringLiteral("findings")));
-  files.saveTablesOf(new CsvActions(views_.residuals.matrix(), QStringLiteral("residuals")));
+  files.saveTablesOf(new CsvActions(views_.residuals->matrix(), QStringLiteral("residuals")));
   connectTables();
   connect(&results, &ResultPresenter::handedOut, this, &ReviewPresenter::showPicks);
   connect(&controller_, &SessionController::opened, this, [this] {
@@ -43,20 +32,20 @@ ReviewPresenter::ReviewPresenter(const Views& views, const SessionController& co
   connect(&selection_, &Selection::changed, this, &ReviewPresenter::showPickedLink);
   connect(&selection_, &Selection::changed, this, &ReviewPresenter::showPickedCell);
   connect(&selection_, &Selection::sought, this, &ReviewPresenter::scrollToPicked);
-  connect(&views_.check_list, &CheckList::cellPicked, &selection_, &Selection::seekCell);
-  connect(&views_.residuals, &ResidualView::posePicked, this, &ReviewPresenter::pickPose);
-  connect(&views_.coverage, &CoverageView::posePicked, this, &ReviewPresenter::pickPose);
-  connectActions(actions);
+  connect(views_.check_list, &CheckList::cellPicked, &selection_, &Selection::seekCell);
+  connect(views_.residuals, &ResidualView::posePicked, this, &ReviewPresenter::pickPose);
+  connect(views_.coverage, &CoverageView::posePicked, this, &ReviewPresenter::pickPose);
+  connectActions();
 }
 
-void ReviewPresenter::connectActions(const WindowActions& actions) {
-  connect(actions.show_finding, &QAction::triggered, this, &ReviewPresenter::showWorstFinding);
-  connect(actions.worst_cell, &QAction::triggered, this, &ReviewPresenter::showWorstCell);
-  connect(actions.figures, &QAction::triggered, this, [this] { showFigures(!views_.patch.areFiguresShown()); });
+void ReviewPresenter::connectActions() {
+  connect(actions_.show_finding, &QAction::triggered, this, &ReviewPresenter::showWorstFinding);
+  connect(actions_.worst_cell, &QAction::triggered, this, &ReviewPresenter::showWorstCell);
+  connect(actions_.figures, &QAction::triggered, this, [this] { showFigures(!views_.patch->areFiguresShown()); });
 }
 
 void ReviewPresenter::connectTables() {
-  ResultTables& tables = views_.tables;
+  const ResultTables& tables = views_.tables;
   const auto show = [this](const QModelIndex& index) { showFinding(views_.tables.findings->findingAt(index.row())); };
   connect(tables.finding_view, &QTableView::clicked, this, show);
   onPicked(tables.finding_view, this, show);
@@ -79,9 +68,9 @@ void ReviewPresenter::connectTables() {
 }
 
 void ReviewPresenter::showPicks() {
-  PatchOverlays overlays = views_.patch.overlays();
+  PatchOverlays overlays = views_.patch->overlays();
   overlays.truth = controller_.session() ? controller_.session()->truth() : nullptr;
-  views_.patch.setOverlays(overlays);
+  views_.patch->setOverlays(overlays);
   // The pose stays picked although the tables start anew. Qt's selection models tell nobody when they are reset, so
   // that it is still known here.
   if (const std::optional<PoseId> picked = picked_pose_) pickPose(*picked);
@@ -95,10 +84,10 @@ void ReviewPresenter::showPickedPose() {
   if (const std::optional<int> row = pickedPoseRow()) {
     picked_pose_ = views_.tables.poses->reconstruction()->poses[static_cast<std::size_t>(*row)].pose;
   }
-  PatchMoment moment = views_.patch.moment();
+  PatchMoment moment = views_.patch->moment();
   moment.pose = picked_pose_;
-  views_.patch.setMoment(moment);
-  views_.coverage.setPickedPose(picked_pose_);
+  views_.patch->setMoment(moment);
+  views_.coverage->setPickedPose(picked_pose_);
   emit pickedPoseChanged();
 }
 
@@ -150,21 +139,21 @@ void ReviewPresenter::showWorstCell() {
   selection_.seekCell(selection_.cell() == worst.front() ? worst.back() : worst.front());
   showFigures(true);
   // So that the arrow keys go on to its neighbours.
-  QWidget* const walkable = views_.patch.isVisible() ? static_cast<QWidget*>(&views_.patch) : &views_.graph;
+  QWidget* const walkable = views_.patch->isVisible() ? static_cast<QWidget*>(views_.patch) : views_.graph;
   walkable->setFocus(Qt::ShortcutFocusReason);
 }
 
 void ReviewPresenter::showFigures(bool shown) {
-  views_.patch.setFiguresShown(shown);
+  views_.patch->setFiguresShown(shown);
   // Where there is no 3D view, or another view in its place, the graph has them.
-  const bool is_seen = views_.patch.isVisible() && views_.patch.areFiguresShown();
-  if (shown && !is_seen) views_.graph.showFigures();
+  const bool is_seen = views_.patch->isVisible() && views_.patch->areFiguresShown();
+  if (shown && !is_seen) views_.graph->showFigures();
 }
 
 void ReviewPresenter::showWorstFinding() {
   const Finding* worst = controller_.reconstruction() ? worstFinding(*controller_.reconstruction()) : nullptr;
   if (!worst) return;
-  views_.steps.openStep(static_cast<int>(GuideStep::Review));
+  views_.steps->openStep(static_cast<int>(GuideStep::Review));
   for (int row = 0; row < views_.tables.findings->rowCount(); ++row) {
     if (&views_.tables.findings->findingAt(row) == worst) views_.tables.finding_view->selectRow(row);
   }

@@ -1,42 +1,21 @@
 #pragma once
 
+#include "app/window/presenters/presenter.h"
 #include "hexoderm/util/finding.h"
 
-#include <QObject>
 #include <optional>
 
 namespace hexoderm {
 
-class CheckList;
-class CoverageView;
 class FilePresenter;
-class GraphView;
-class PatchView;
-class ResidualView;
 class ResultPresenter;
-class ResultTables;
-class Selection;
-class SessionController;
-class StepPanel;
-class WindowActions;
 
 /// Keeps the same pose, link or cell picked in all the views that a result is reviewed in.
-class ReviewPresenter : public QObject {
+class ReviewPresenter : public Presenter {
   Q_OBJECT
 
  public:
-  struct Views {
-    StepPanel& steps;
-    CheckList& check_list;
-    ResultTables& tables;
-    ResidualView& residuals;
-    CoverageView& coverage;
-    PatchView& patch;
-    GraphView& graph;
-  };
-  /// All outlive the presenter.
-  ReviewPresenter(const Views& views, const SessionController& controller, const WindowActions& actions,
-                  Selection& selection, FilePresenter& files, const ResultPresenter& results);
+  ReviewPresenter(const WindowParts& parts, FilePresenter& files, const ResultPresenter& results);
 
   /// Its row among the poses of the result that is shown.
   [[nodiscard]] std::optional<int> pickedPoseRow() const;
@@ -46,8 +25,6 @@ class ReviewPresenter : public QObject {
 
  signals:
   void pickedPoseChanged();
-  /// All findings are to be seen.
-  void findingsWanted();
 
  private:
   void connectTables();
@@ -55,15 +32,12 @@ class ReviewPresenter : public QObject {
   void showPickedPose();
   void showPickedLink();
   void showPickedCell();
-  void connectActions(const WindowActions& actions);
+  void connectActions();
   void scrollToPicked();
   void showWorstFinding();
   void showWorstCell();
   void showFigures(bool shown);
 
-  Views views_;
-  const SessionController& controller_;
-  Selection& selection_;
   std::optional<PoseId> picked_pose_;
 };
 

@@ -103,9 +103,13 @@ class StripMaker {
     constexpr double kColumn = (kWidth - (kColumns - 1) * kGutter) / kColumns;
     std::vector<std::pair<QString, QString>> wide;
     std::vector<std::pair<QString, QString>> row;
+    const auto pushField = [this](const std::vector<std::pair<QString, QString>>& fields, double column,
+                                  bool is_first) {
+      pushPairs(fields, muted(7.5), body(10), column, (is_first ? 5 : 2.5) * kMm, true);
+    };
     bool first = true;
     const auto flush = [&] {
-      if (!row.empty()) pushFields(row, kColumn, first);
+      if (!row.empty()) pushField(row, kColumn, first);
       first = first && row.empty();
       row.clear();
     };
@@ -121,29 +125,31 @@ class StripMaker {
     }
     flush();
     for (const auto& field : wide) {
-      pushFields({field}, kWidth, first);
+      pushField({field}, kWidth, first);
       first = false;
     }
   }
 
-  void pushFields(const std::vector<std::pair<QString, QString>>& fields, double column, bool first) {
+  /// Side by side in columns of one width, each with an upper and a lower text.
+  void pushPairs(const std::vector<std::pair<QString, QString>>& pairs, const ReportTextStyle& upper,
+                 const ReportTextStyle& lower, double column, double space_before, bool stays_with_next) {
     auto laid = std::make_shared<std::vector<std::pair<ReportText, ReportText>>>();
     double height = 0;
     QStringList texts;
-    for (const auto& [name, value] : fields) {
-      texts << name << value;
-      laid->emplace_back(ReportText(name, muted(7.5), column), ReportText(value, body(10), column));
+    for (const auto& [above, below] : pairs) {
+      texts << above << below;
+      laid->emplace_back(ReportText(above, upper, column), ReportText(below, lower, column));
       height = std::max(height, laid->back().first.height() + laid->back().second.height());
     }
-    push({(first ? 5 : 2.5) * kMm,
+    push({space_before,
           height,
-          true,
+          stays_with_next,
           {},
           [laid, column](QPainter& painter, double top) {
             double left = kSide;
-            for (const auto& [name, value] : *laid) {
-              name.draw(painter, {left, top});
-              value.draw(painter, {left, top + name.height()});
+            for (const auto& [above, below] : *laid) {
+              above.draw(painter, {left, top});
+              below.draw(painter, {left, top + above.height()});
               left += column + kGutter;
             }
           },
@@ -215,29 +221,8 @@ class StripMaker {
   }
 
   void add(const ReportFigures& figures) {
-    const double column = (kWidth - static_cast<double>(figures.figures.size() - 1) * kGutter) /
-                          static_cast<double>(figures.figures.size());
-    auto laid = std::make_shared<std::vector<std::pair<ReportText, ReportText>>>();
-    double height = 0;
-    QStringList texts;
-    for (const auto& [figure, label] : figures.figures) {
-      texts << figure << label;
-      laid->emplace_back(ReportText(figure, bold(14), column), ReportText(label, muted(7.5), column));
-      height = std::max(height, laid->back().first.height() + laid->back().second.height());
-    }
-    push({5 * kMm,
-          height,
-          false,
-          {},
-          [laid, column](QPainter& painter, double top) {
-            double left = kSide;
-            for (const auto& [figure, label] : *laid) {
-              figure.draw(painter, {left, top});
-              label.draw(painter, {left, top + figure.height()});
-              left += column + kGutter;
-            }
-          },
-          texts});
+    const auto count = static_cast<double>(figures.figures.size());
+    pushPairs(figures.figures, bold(14), muted(7.5), (kWidth - (count - 1) * kGutter) / count, 5 * kMm, false);
   }
 
   void add(const ReportPairs& pairs) {

@@ -32,22 +32,34 @@ class HandPlace {
   /// Whether it was got ready for this patch on this link, and nothing that it is moved by has changed since.
   [[nodiscard]] bool isReadyFor(const Where& where) const { return by_hand_ && where_ == where; }
   /// Throws InvalidArgument where the link has no surface.
-  void getReady(const Where& where, const PatchToPlace& patch, double thickness_m);
+  void getReady(const Where& where, const PatchToPlace& patch, double thickness_m) {
+    by_hand_.reset();
+    by_hand_.emplace((*where.robot->bodies)[where.link], patch, thickness_m);
+    where_ = where;
+  }
+
   /// Once it is ready: takes the patch from its place, or from none.
-  void take(const std::optional<SE3>& T_l_o);
+  void take(const std::optional<SE3>& T_l_o) {
+    held_ = Held{T_l_o ? *T_l_o : by_hand_->somewhere()};
+    held_->moved = !T_l_o;
+  }
+
   [[nodiscard]] bool isHeld() const { return held_.has_value(); }
   [[nodiscard]] CellId origin() const { return where_.origin; }
 
   // Of a patch that is held.
 
-  [[nodiscard]] PutPlace place() const;
+  [[nodiscard]] PutPlace place() const {
+    return {where_.origin, where_.robot->model.links()[where_.link].name, held_->T_l_o};
+  }
+
   [[nodiscard]] bool isMoved() const { return held_->moved; }
   [[nodiscard]] std::optional<Message> objection() const { return by_hand_->objection(held_->T_l_o); }
   /// From here on pullTo() pulls at this point of the patch, which is given in the link's frame.
-  void grip(const Eigen::Vector3d& x_l);
-  void pullTo(const Eigen::Vector3d& x_l);
-  void slide(const Eigen::Vector3d& way_l);
-  void turn(double angle_rad);
+  void grip(const Eigen::Vector3d& x_l) { held_->grip_o = held_->T_l_o.inverse() * x_l; }
+  void pullTo(const Eigen::Vector3d& x_l) { moveTo(by_hand_->pulled(held_->T_l_o, held_->grip_o, x_l)); }
+  void slide(const Eigen::Vector3d& way_l) { moveTo(by_hand_->slid(held_->T_l_o, way_l)); }
+  void turn(double angle_rad) { moveTo(by_hand_->turned(held_->T_l_o, angle_rad)); }
 
   void letGo() { held_.reset(); }
 
@@ -57,7 +69,10 @@ class HandPlace {
     Eigen::Vector3d grip_o = Eigen::Vector3d::Zero();
     bool moved = false;
   };
-  void moveTo(const SE3& T_l_o);
+  void moveTo(const SE3& T_l_o) {
+    held_->T_l_o = T_l_o;
+    held_->moved = true;
+  }
 
   Where where_;
   std::optional<PatchByHand> by_hand_;  ///< kept: getting a link's surface ready takes its time

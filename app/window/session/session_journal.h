@@ -1,15 +1,18 @@
 #pragma once
 
+#include "app/window/files/job_queue.h"
 #include "hexoderm/session/session_recorder.h"
+#include "widgets/words/words.h"
 
+#include <QMetaObject>
 #include <QObject>
 #include <QString>
 #include <functional>
 #include <memory>
+#include <utility>
+#include <vector>
 
 namespace hexoderm {
-
-class JobQueue;
 
 /// The file *.hexo that a session is kept in while it is worked on: every change is appended as it happens, by a thread
 /// of its own. A change that can't be written waits in memory, in order, until retry() or the next change.
@@ -24,16 +27,36 @@ class SessionJournal {
   /// `changed` is called on the thread of `context`, as long as the journal lives, when the answers of the functions
   /// below may have changed.
   SessionJournal(QObject& context, JobQueue& jobs, QString path, SessionRecorder::Open open, Written opened,
-                 Told changed);
+                 Told changed)
+      : context_(context),
+        jobs_(jobs),
+        path_(std::move(path)),
+        state_(std::make_shared<State>(State{0, {}, std::move(changed)})),
+        recorder_(std::make_shared<SessionRecorder>(std::move(open), acknowledgement(std::move(opened)))) {}
+
   /// For a store that is open already.
-  SessionJournal(QObject& context, JobQueue& jobs, QString path, SessionStore store, Told changed);
+  SessionJournal(QObject& context, JobQueue& jobs, QString path, SessionStore store, Told changed)
+      : context_(context),
+        jobs_(jobs),
+        path_(std::move(path)),
+        state_(std::make_shared<State>(State{0, {}, std::move(changed)})),
+        recorder_(std::make_shared<SessionRecorder>(std::move(store))) {}
+
   /// Closes the file on the thread of `jobs`, after one last try.
-  ~SessionJournal();
+  ~SessionJournal() {
+    jobs_.add([recorder = std::move(recorder_)]() mutable { recorder.reset(); });
+  }
+
   SessionJournal(const SessionJournal&) = delete;
   SessionJournal& operator=(const SessionJournal&) = delete;
 
-  void append(StoreOperation operation, Written written = {});
-  void retry();
+  void append(StoreOperation operation, Written written = {}) {
+    std::vector<StoreOperation> operations;
+    operations.push_back(std::move(operation));
+    recorder_->append(std::move(operations), acknowledgement(std::move(written)));
+  }
+
+  void retry() { recorder_->retry(); }
 
   [[nodiscard]] const QString& path() const { return path_; }
   /// Something is not on disk yet.
@@ -48,7 +71,25 @@ class SessionJournal {
     QString problem;
     Told changed;
   };
-  SessionRecorder::Acknowledge acknowledgement(Written written);
+  SessionRecorder::Acknowledge acknowledgement(Written written) {
+    ++state_->waiting;
+    return
+        [context = &context_, weak = std::weak_ptr(state_), written = std::move(written)](const StoreOutcome& outcome) {
+          QMetaObject::invokeMethod(
+              context,
+              [weak, written, outcome] {
+                const std::shared_ptr<State> state = weak.lock();
+                if (!state) return;
+                state->problem = words(outcome.error);
+                if (!outcome.is_kept) --state->waiting;
+                if (written) written(outcome);
+                // `changed` may replace the journal, and with it the function that runs.
+                const Told changed = state->changed;
+                changed(state->problem);
+              },
+              Qt::QueuedConnection);
+        };
+  }
 
   QObject& context_;
   JobQueue& jobs_;

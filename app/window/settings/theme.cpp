@@ -1,5 +1,7 @@
 #include "app/window/settings/theme.h"
 
+#include "widgets/style/of_enum.h"
+
 #include <QApplication>
 #include <QElapsedTimer>
 #include <QEvent>
@@ -238,15 +240,7 @@ Theme& knownSystemTheme() {
 }  // namespace
 
 QString themeChoiceName(ThemeChoice choice) {
-  switch (choice) {
-    case ThemeChoice::System:
-      return QStringLiteral("system");
-    case ThemeChoice::Light:
-      return QStringLiteral("light");
-    case ThemeChoice::Dark:
-      return QStringLiteral("dark");
-  }
-  return {};
+  return ofEnum(choice, {QStringLiteral("system"), QStringLiteral("light"), QStringLiteral("dark")});
 }
 
 std::optional<ThemeChoice> themeChoiceFromName(const QString& name) {

@@ -1,6 +1,10 @@
 #pragma once
 
 #include <QFileDialog>
+#include <functional>
+
+class QDialogButtonBox;
+class QPushButton;
 
 namespace hexoderm {
 
@@ -9,5 +13,15 @@ class FileDialog : public QFileDialog {
  public:
   FileDialog(QWidget* parent, const QString& title, const QString& folder, const QString& filter = {});
 };
+
+/// Asks for a file that is there, or for a folder, and hands over the one that is chosen. `name`: of the dialog, by
+/// which it is found.
+void askForFile(QWidget* parent, const char* name, const QString& title, const QString& folder, const QString& filter,
+                const std::function<void(const QString&)>& take);
+void askForFolder(QWidget* parent, const char* name, const QString& title, const QString& folder,
+                  const std::function<void(const QString&)>& take);
+
+/// The button that a dialog is answered by in most cases, also with Return.
+QPushButton* addPrimaryButton(QDialogButtonBox* buttons, const QString& text, const char* name);
 
 }  // namespace hexoderm

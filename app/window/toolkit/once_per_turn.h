@@ -1,7 +1,10 @@
 #pragma once
 
+#include "widgets/controls/heavy_turn.h"
+
 #include <QObject>
 #include <functional>
+#include <utility>
 
 namespace hexoderm {
 
@@ -10,13 +13,22 @@ class OncePerTurn : public QObject {
   Q_OBJECT
 
  public:
-  explicit OncePerTurn(std::function<void()> work, QObject* parent = nullptr);
+  explicit OncePerTurn(std::function<void()> work, QObject* parent = nullptr)
+      : QObject(parent), work_(std::move(work)) {}
 
   /// Does the work at once if it was requested, for pictures that can't wait for the next turn.
-  void finish();
+  void finish() {
+    if (!std::exchange(requested_, false)) return;
+    work_();
+    HeavyTurn::note();
+    emit done();
+  }
 
  public slots:
-  void request();
+  void request() {
+    if (std::exchange(requested_, true)) return;
+    QMetaObject::invokeMethod(this, &OncePerTurn::finish, Qt::QueuedConnection);
+  }
 
  signals:
   /// The work was done.

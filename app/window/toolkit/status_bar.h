@@ -1,9 +1,10 @@
 #pragma once
 
+#include "widgets/controls/elided_label.h"
+
+#include <QLabel>
 #include <QStatusBar>
 #include <QTimer>
-
-class QLabel;
 
 namespace hexoderm {
 
@@ -12,28 +13,53 @@ class StatusBar : public QStatusBar {
   Q_OBJECT
 
  public:
-  explicit StatusBar(QWidget* parent = nullptr);
+  explicit StatusBar(QWidget* parent = nullptr) : QStatusBar(parent) {
+    setSizeGripEnabled(false);
+    for (QLabel* part : {source_, losses_, cells_, solve_}) addWidget(part);
+    for (QLabel* part : {said_, saved_}) addPermanentWidget(part);
+    for (QLabel* part : {losses_, cells_, solve_, said_}) part->hide();
+    said_timer_.setSingleShot(true);
+    connect(&said_timer_, &QTimer::timeout, said_, &QWidget::hide);
+  }
 
   /// Where the readings come from.
-  void setSource(const QString& text, const QString& tool_tip = {});
+  void setSource(const QString& text, const QString& tool_tip = {}) { showIn(source_, text, tool_tip); }
   /// The readings that did not arrive.
-  void setLosses(const QString& text, const QString& tool_tip = {});
+  void setLosses(const QString& text, const QString& tool_tip = {}) { showIn(losses_, text, tool_tip); }
   /// How many cells were measured.
-  void setCells(const QString& text, const QString& tool_tip = {});
+  void setCells(const QString& text, const QString& tool_tip = {}) { showIn(cells_, text, tool_tip); }
   /// How the result was solved.
-  void setSolve(const QString& text, const QString& tool_tip = {});
+  void setSolve(const QString& text, const QString& tool_tip = {}) { showIn(solve_, text, tool_tip); }
   /// Whether the session is on disk.
-  void setSaved(const QString& text);
+  void setSaved(const QString& text) { showIn(saved_, text, {}); }
   /// Shown for a few seconds.
-  void say(const QString& text);
+  void say(const QString& text) {
+    constexpr int kShown_ms = 6000;
+    showIn(said_, text, {});
+    said_timer_.start(kShown_ms);
+  }
 
  private:
-  QLabel* source_;
-  QLabel* losses_;
-  QLabel* cells_;
-  QLabel* solve_;
-  QLabel* said_;
-  QLabel* saved_;
+  /// A long address or message ends in dots instead of widening the window.
+  static QLabel* makePart(const char* object_name) {
+    auto* part = new ElidedLabel;
+    part->setObjectName(QLatin1String(object_name));
+    return part;
+  }
+
+  static void showIn(QLabel* part, const QString& text, const QString& tool_tip) {
+    // Setting what is there already would lay the bar out anew, and tell whoever listens to tool tips.
+    if (part->text() != text) part->setText(text);
+    if (part->toolTip() != tool_tip) part->setToolTip(tool_tip);
+    if (part->isHidden() != text.isEmpty()) part->setVisible(!text.isEmpty());
+  }
+
+  QLabel* source_ = makePart("sourceStatus");
+  QLabel* losses_ = makePart("lossesStatus");
+  QLabel* cells_ = makePart("cellsStatus");
+  QLabel* solve_ = makePart("solveStatus");
+  QLabel* said_ = makePart("saidStatus");
+  QLabel* saved_ = makePart("savedStatus");
   QTimer said_timer_;
 };
 

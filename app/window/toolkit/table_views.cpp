@@ -1,11 +1,12 @@
 #include "app/window/toolkit/table_views.h"
 
+#include "widgets/controls/panel_parts.h"
+
 #include <QAbstractItemView>
 #include <QEvent>
 #include <QHeaderView>
 #include <QHelpEvent>
 #include <QLabel>
-#include <QStackedWidget>
 #include <QStyledItemDelegate>
 #include <QTableView>
 #include <QTimer>
@@ -94,18 +95,11 @@ QTableView* makeTable(QAbstractItemModel* model, const char* object_name, const 
   view->setObjectName(QLatin1String(object_name));
   view->setAccessibleName(accessible_name);
   view->setModel(model);
-  view->setSelectionBehavior(QAbstractItemView::SelectRows);
+  dressRows(view);
   view->setSelectionMode(QAbstractItemView::SingleSelection);
-  view->setEditTriggers(QAbstractItemView::NoEditTriggers);
-  view->setShowGrid(false);
-  view->setWordWrap(false);
-  view->setTabKeyNavigation(false);
   view->setItemDelegate(new WholeTextDelegate(view));
-  view->setFrameShape(QFrame::NoFrame);
-  view->verticalHeader()->hide();
   constexpr int kAroundText_px = 9;
   view->verticalHeader()->setDefaultSectionSize(view->fontMetrics().height() + kAroundText_px);
-  view->horizontalHeader()->setHighlightSections(false);
   view->horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
   // Measuring every row of a large skin on each update would take longer than solving it.
   view->horizontalHeader()->setResizeContentsPrecision(40);

@@ -1,5 +1,3 @@
-#include "app/window/presenters/coloring_presenter.h"
-
 #include "app/window/guide/guide.h"
 #include "tests/app/window/presenters/presenter_test.h"
 #include "widgets/controls/step_panel.h"

@@ -1,4 +1,3 @@
-#include "app/window/presenters/help_presenter.h"
 #include "tests/app/window/presenters/presenter_test.h"
 
 namespace hexoderm {

@@ -1,4 +1,3 @@
-#include "app/window/presenters/history_presenter.h"
 #include "hexoderm/util/error.h"
 #include "tests/app/window/presenters/presenter_test.h"
 #include "tests/support/paths.h"

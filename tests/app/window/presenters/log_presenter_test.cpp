@@ -1,4 +1,3 @@
-#include "app/window/presenters/log_presenter.h"
 #include "app/window/log/bug_report.h"
 #include "tests/app/window/presenters/presenter_test.h"
 

@@ -1,4 +1,3 @@
-#include "app/window/presenters/preferences_presenter.h"
 #include "tests/app/window/presenters/presenter_test.h"
 
 #include <QDoubleSpinBox>

@@ -1,4 +1,3 @@
-#include "app/window/presenters/preferences_presenter.h"
 #include "app/window/settings/preferences.h"
 #include "tests/app/window/presenters/presenter_test.h"
 #include "widgets/capture/instruction_voice.h"

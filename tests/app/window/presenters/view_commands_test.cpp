@@ -1,4 +1,3 @@
-#include "app/window/presenters/view_commands.h"
 #include "tests/app/window/presenters/presenter_test.h"
 #include "widgets/controls/card_dock.h"
 #include "widgets/controls/step_panel.h"

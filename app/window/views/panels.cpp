@@ -1,0 +1,284 @@
+#include "app/window/views/panels.h"
+
+#include "app/window/guide/guide.h"
+#include "app/window/toolkit/table_views.h"
+#include "app/window/views/views.h"
+#include "widgets/controls/panel_parts.h"
+#include "widgets/controls/view_mark.h"
+
+#include <QFrame>
+#include <QGridLayout>
+#include <QHBoxLayout>
+#include <QScrollArea>
+#include <QSettings>
+#include <QSplitter>
+#include <QStackedWidget>
+#include <QTableView>
+#include <QVBoxLayout>
+#include <algorithm>
+#include <utility>
+
+namespace hexoderm {
+namespace {
+
+/// Raised when docks come or go, so that an older layout is not forced onto a newer window.
+constexpr int kLayoutVersion = 3;
+const QString kState = QStringLiteral("window/state");
+/// So wide that the sentences of the steps can be read, whatever the size of the text.
+constexpr int kStepCharacters = 35;
+/// The graph, the directions and the poses with their most important columns.
+constexpr int kSideCharacters = 32;
+
+/// A table with a card beside it, which is left out where it would leave the table too little room.
+class TableAndCard : public QWidget {
+ public:
+  explicit TableAndCard(QWidget* table, QWidget* card) : card_(card) {
+    auto* row = spaced(new QHBoxLayout(this), {0, 0, 0, 0}, 8);
+    constexpr int kTableShare = 3;
+    constexpr int kCardShare = 2;
+    row->addWidget(table, kTableShare);
+    row->addWidget(card, kCardShare);
+  }
+
+ protected:
+  void resizeEvent(QResizeEvent* event) override {
+    constexpr int kLeastCharacters = 64;
+    card_->setVisible(width() >= kLeastCharacters * fontMetrics().averageCharWidth());
+    QWidget::resizeEvent(event);
+  }
+
+ private:
+  QWidget* card_;
+};
+
+}  // namespace
+
+Panels::Panels(const Views& views, QWidget* parent) : QMainWindow(parent) {
+  setObjectName(QStringLiteral("panels"));
+  setWindowFlags(Qt::Widget);
+  setContextMenuPolicy(Qt::PreventContextMenu);
+  setCentralWidget(makeCentre(views));
+  setDockOptions(AnimatedDocks | AllowNestedDocks | AllowTabbedDocks);
+  setCorner(Qt::BottomLeftCorner, Qt::LeftDockWidgetArea);
+  setCorner(Qt::BottomRightCorner, Qt::RightDockWidgetArea);
+  views.steps->setMinimumWidth(kStepCharacters * fontMetrics().averageCharWidth());
+  views.tables.pose_view->setMinimumWidth(kSideCharacters * fontMetrics().averageCharWidth());
+  // Less than it asks for, where the text is large and the window low.
+  constexpr int kLowGraph_px = 84;
+  views.graph->setMinimumHeight(kLowGraph_px);
+  steps_ = new CardDock(tr("Steps"), QStringLiteral("stepsDock"), views.steps, this);
+  graph_ = new CardDock(tr("Skin graph"), QStringLiteral("graphDock"), views.graph, this);
+  poses_ = new CardDock(tr("Poses"), QStringLiteral("poseDock"), makeTable(views.tables.pose_view, tr("No poses yet.")),
+                        this);
+  views.coverage->setEmptyHint(tr("No poses yet."));
+  coverage_ = new CardDock(tr("Directions seen"), QStringLiteral("coverageDock"), views.coverage, this);
+  plot_ = new CardDock(tr("Plot"), QStringLiteral("plotDock"), views.plot, this);
+  swap_ = std::make_unique<ViewSwap>(*views.patch, *views.graph, *graph_);
+  // In their order from below.
+  connect(swap_.get(), &ViewSwap::swapped, views.robot, &QWidget::raise);
+  connect(swap_.get(), &ViewSwap::swapped, views.welcome, &QWidget::raise);
+  details_ = makeDetails(views);
+  middle_mark_ = new ViewMark(middle_);
+  middle_mark_->setObjectName(QStringLiteral("middleMark"));
+  side_mark_ = new ViewMark(graph_->widget());
+  side_mark_->setObjectName(QStringLiteral("sideMark"));
+  const auto place_marks = [this] {
+    // Below the buttons over the 3D view, and beside that over the graph.
+    constexpr int kAroundText_px = 30;
+    const int buttons = fontMetrics().height() + kAroundText_px;
+    const bool is_swapped = swap_->isSwapped();
+    middle_mark_->setPlace(is_swapped ? 0 : buttons, is_swapped);
+    side_mark_->setPlace(is_swapped ? buttons : 0, !is_swapped);
+  };
+  connect(swap_.get(), &ViewSwap::swapped, this, place_marks);
+  place_marks();
+  connect(views.steps, &StepPanel::opened, this,
+          [this](int step) { setVerifying(step == static_cast<int>(GuideStep::Verify)); });
+  arrange();
+}
+
+Panels::~Panels() = default;
+
+QWidget* Panels::makeCentre(const Views& views) {
+  views.patch->setAccessibleName(tr("The patch in three dimensions"));
+  views.patch->setMinimumSize(280, 200);
+  middle_ = new QWidget;
+  auto* place_layout = spaced(new QVBoxLayout(middle_), {0, 0, 0, 0});
+  place_layout->addWidget(views.patch);
+  // One above the other, so that the 3D view gets its graphics ready while nobody waits for it.
+  auto* stack = new QWidget;
+  auto* stack_layout = spaced(new QGridLayout(stack), {0, 0, 0, 0});
+  stack_layout->addWidget(middle_, 0, 0);
+  stack_layout->addWidget(views.robot, 0, 0);
+  views.robot->hide();
+  stack_layout->addWidget(views.welcome, 0, 0);
+  views.welcome->raise();
+  auto* card = new QFrame;
+  card->setProperty("card", true);
+  auto* layout = spaced(new QVBoxLayout(card), {1, 1, 1, 1});
+  layout->addWidget(stack);
+  auto* checks_card = new QFrame;
+  checks_card->setProperty("card", true);
+  checks_ = new QScrollArea;
+  checks_->setObjectName(QStringLiteral("checksArea"));
+  scrollPlainly(checks_);
+  checks_->setWidget(views.verify_panel);
+  auto* checks_layout = spaced(new QVBoxLayout(checks_card), {1, 1, 1, 1});
+  checks_layout->addWidget(checks_);
+  checks_card->hide();
+  centre_ = new QSplitter;
+  centre_->setChildrenCollapsible(false);
+  centre_->setHandleWidth(8);
+  addWidgets(centre_, {card, checks_card});
+  // The checks have the greater part.
+  centre_->setStretchFactor(0, 9);
+  centre_->setStretchFactor(1, 11);
+  return centre_;
+}
+
+QWidget& Panels::checks() { return *checks_; }
+
+std::vector<CardDock*> Panels::docks() const { return {steps_, graph_, coverage_, plot_, poses_, details_}; }
+
+/// The panels that give way come back as they were.
+void Panels::setVerifying(bool verifying) {
+  if (std::exchange(is_verifying_, verifying) == verifying) return;
+  if (verifying) {
+    makeRoomForChecks();
+  } else {
+    giveRoomBack();
+  }
+  centre_->widget(1)->setVisible(verifying);
+  // The greater part is theirs.
+  if (verifying) centre_->setSizes({width() * 9 / 20, width() * 11 / 20});
+}
+
+void Panels::makeRoomForChecks() {
+  before_checks_.clear();
+  for (CardDock* dock : {graph_, coverage_, plot_, poses_, details_}) {
+    if (dock->isFloating() || dock->isHidden()) continue;
+    const bool in_front = tabifiedDockWidgets(dock).isEmpty() || !dock->visibleRegion().isEmpty();
+    before_checks_.push_back({dock, dock->size(), in_front});
+  }
+  for (const PutAway& away : before_checks_) away.dock->hide();
+}
+
+/// Not by QMainWindow::restoreState(), which reaches for docks that are being dragged at the moment.
+void Panels::giveRoomBack() {
+  QList<QDockWidget*> docks;
+  QList<int> widths;
+  QList<int> heights;
+  for (const PutAway& away : before_checks_) {
+    if (away.dock->isFloating()) continue;
+    away.dock->show();
+    if (!away.in_front) continue;  // a tab that covers it says how large it is
+    docks << away.dock;
+    widths << away.size.width();
+    heights << away.size.height();
+  }
+  resizeDocks(docks, widths, Qt::Horizontal);
+  resizeDocks(docks, heights, Qt::Vertical);
+  for (QDockWidget* dock : docks) dock->raise();
+  before_checks_.clear();
+}
+
+TableOrHint* Panels::makeTable(QTableView* view, const QString& hint) {
+  tables_.push_back(new TableOrHint(view, hint));
+  return tables_.back();
+}
+
+/// The table, and beside it the card of the finding that is picked in it. The step Review has that card, too.
+QWidget* Panels::makeFindings(const Views& views) {
+  auto* room = new QScrollArea;
+  room->setObjectName(QStringLiteral("findingsCard"));
+  scrollPlainly(room);
+  auto* content = new QWidget;
+  auto* column = spaced(new QVBoxLayout(content), {0, 0, 8, 8});
+  column->addWidget(views.finding_card);
+  column->addStretch(1);
+  room->setWidget(content);
+  // Where there is no finding, nothing is seen of it.
+  content->setAutoFillBackground(false);
+  room->viewport()->setAutoFillBackground(false);
+  return new TableAndCard(makeTable(views.tables.finding_view, tr("No findings.")), room);
+}
+
+CardDock* Panels::makeDetails(const Views& views) {
+  auto* pages = new QStackedWidget;
+  // The widest page does not keep the column from getting narrower.
+  pages->setMinimumWidth(kSideCharacters * fontMetrics().averageCharWidth());
+  QTabBar* tabs = views.detail_tabs;
+  const auto add = [pages, tabs](QWidget* page, const QString& title) {
+    pages->addWidget(page);
+    tabs->addTab(title);
+  };
+  tabs->setObjectName(QStringLiteral("detailTabs"));
+  tabs->setDrawBase(false);
+  add(makeFindings(views), tr("Findings"));
+  add(makeTable(views.tables.link_view, tr("No links yet.")), tr("Links"));
+  add(makeTable(views.tables.cell_view, tr("No cells yet.")), tr("Cells"));
+  add(views.residuals, tr("Residuals"));
+  add(views.log, tr("Log"));
+  add(views.stillness, tr("Stillness"));
+  connect(tabs, &QTabBar::currentChanged, pages, &QStackedWidget::setCurrentIndex);
+  auto* dock = new CardDock(tr("Findings and links"), QStringLiteral("detailsDock"), pages, this);
+  dock->setHead(tabs);
+  return dock;
+}
+
+void Panels::arrange() {
+  addDockWidget(Qt::LeftDockWidgetArea, steps_);
+  addDockWidget(Qt::RightDockWidgetArea, graph_);
+  addDockWidget(Qt::RightDockWidgetArea, coverage_);
+  addDockWidget(Qt::RightDockWidgetArea, poses_);
+  addDockWidget(Qt::BottomDockWidgetArea, details_);
+  tabifyDockWidget(coverage_, plot_);
+  plot_->hide();
+  shareRoom();
+}
+
+void Panels::shareRoom() {
+  const int character = fontMetrics().averageCharWidth();
+  const int steps = std::max(kStepCharacters * character + 16, width() / 5);
+  const int side = std::max(kSideCharacters * character + 16, width() * 28 / 100);
+  resizeDocks({steps_, graph_}, {steps, side}, Qt::Horizontal);
+  // Eight poses with their headings, where the graph has room enough all the same.
+  constexpr int kRows = 13;
+  const int small = std::max(0, 700 - height()) / 2;
+  const int poses = std::max(height() / 4, std::min(kRows * (fontMetrics().height() + 8), height() * 39 / 100 - small));
+  const int coverage = height() * 31 / 100;
+  resizeDocks({graph_, coverage_, poses_}, {height() - coverage - poses, coverage, poses}, Qt::Vertical);
+  resizeDocks({details_}, {height() * 39 / 100}, Qt::Vertical);
+}
+
+void Panels::reset() {
+  const bool was_verifying = is_verifying_;
+  setVerifying(false);
+  if (swap_->isSwapped()) swap_->swap();
+  for (CardDock* dock : docks()) {
+    dock->setFloating(false);
+    removeDockWidget(dock);
+  }
+  arrange();
+  for (CardDock* dock : docks()) dock->setVisible(dock != plot_);
+  layout()->activate();
+  shareRoom();
+  setVerifying(was_verifying);
+}
+
+std::vector<QAction*> Panels::toggleActions() const {
+  return {steps_->toggleViewAction(), graph_->toggleViewAction(), coverage_->toggleViewAction(),
+          poses_->toggleViewAction(), details_->toggleViewAction()};
+}
+
+void Panels::restore(const QSettings& settings) {
+  shareRoom();
+  restoreState(settings.value(kState).toByteArray(), kLayoutVersion);
+}
+
+void Panels::remember(QSettings& settings) {
+  setVerifying(false);
+  settings.setValue(kState, saveState(kLayoutVersion));
+}
+
+}  // namespace hexoderm

@@ -1,0 +1,113 @@
+#pragma once
+
+#include <QComboBox>
+#include <QGridLayout>
+#include <QHeaderView>
+#include <QLabel>
+#include <QMargins>
+#include <QScrollArea>
+#include <QString>
+#include <QTableView>
+#include <initializer_list>
+
+namespace hexoderm {
+
+// What every panel and dialog does with its parts.
+
+/// `spacing` below 0: the style's.
+template <class Layout>
+Layout* spaced(Layout* layout, const QMargins& margins, int spacing = -1) {
+  layout->setContentsMargins(margins);
+  if (spacing >= 0) layout->setSpacing(spacing);
+  return layout;
+}
+
+template <class Layout>
+Layout* spaced(Layout* layout, int spacing) {
+  layout->setSpacing(spacing);
+  return layout;
+}
+
+/// To a layout, a stack or a splitter, one after the other.
+template <class Place>
+void addWidgets(Place* place, std::initializer_list<QWidget*> widgets) {
+  for (QWidget* widget : widgets) place->addWidget(widget);
+}
+
+/// `name`: of the object, by which tests and style sheets find it.
+inline void setNames(QWidget* widget, const QString& name, const QString& accessible_name) {
+  widget->setObjectName(name);
+  widget->setAccessibleName(accessible_name);
+}
+
+/// Texts that are never read as markup, in as many lines as they need.
+inline void setPlainParagraph(QLabel* label) {
+  label->setWordWrap(true);
+  label->setTextFormat(Qt::PlainText);
+}
+
+/// Grey, and then it says why.
+inline void enable(QWidget* control, bool can, const QString& purpose, const QString& why_not) {
+  control->setEnabled(can);
+  control->setToolTip(can ? purpose : why_not);
+}
+
+/// In a narrow panel, however long its texts are.
+inline void makeNarrow(QComboBox* box) {
+  box->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+  box->setMinimumContentsLength(8);
+}
+
+inline void makeBold(QWidget* widget) {
+  QFont bold = widget->font();
+  bold.setBold(true);
+  widget->setFont(bold);
+}
+
+/// The words before a field, whose key brings the keyboard to it.
+inline QLabel* labelFor(QWidget* field, const QString& text) {
+  auto* label = new QLabel(text);
+  label->setBuddy(field);
+  return label;
+}
+
+/// For two fields in a row, each with its label.
+inline QGridLayout* gridOfFields() {
+  auto* grid = new QGridLayout;
+  grid->setColumnStretch(1, 1);
+  grid->setColumnStretch(3, 1);
+  return grid;
+}
+
+/// A field over so many columns, with its label at its left.
+inline void addField(QGridLayout* grid, int row, int column, const QString& text, QWidget* field, int columns = 1) {
+  grid->addWidget(labelFor(field, text), row, column);
+  grid->addWidget(field, row, column + 1, 1, columns);
+}
+
+/// It scrolls up and down only, has no frame of its own, and leaves the focus to what is in it.
+inline void scrollPlainly(QScrollArea* area) {
+  area->setWidgetResizable(true);
+  area->setFrameShape(QFrame::NoFrame);
+  area->setFocusPolicy(Qt::NoFocus);
+  area->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+}
+
+/// A table that shows and is not typed into; Tab leaves it.
+inline void dressTable(QTableView* table) {
+  table->setEditTriggers(QAbstractItemView::NoEditTriggers);
+  table->setShowGrid(false);
+  table->setWordWrap(false);
+  table->setTabKeyNavigation(false);
+  table->setFrameShape(QFrame::NoFrame);
+}
+
+/// The same, of whole rows without names.
+inline void dressRows(QTableView* table) {
+  dressTable(table);
+  table->setSelectionBehavior(QAbstractItemView::SelectRows);
+  table->verticalHeader()->hide();
+  table->horizontalHeader()->setHighlightSections(false);
+}
+
+}  // namespace hexoderm
