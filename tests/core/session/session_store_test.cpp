@@ -360,31 +360,8 @@ TEST_F(SessionStoreTest, KeepsRawSamples) {
   EXPECT_THAT(poseIds(reader.readSession()), ElementsAre(2U, 3U, 1U));
   EXPECT_TRUE(reader.readRawSamples(1).empty());
   EXPECT_THROW(static_cast<void>(reader.readRawSamples(3)), InvalidArgument);
-  const auto same = [](const std::vector<SampleFrame>& a, const std::vector<SampleFrame>& b) {
-    ASSERT_EQ(a.size(), b.size());
-    for (std::size_t f = 0; f < a.size(); ++f) {
-      EXPECT_EQ(a[f].time_s, b[f].time_s);
-      ASSERT_EQ(a[f].samples.size(), b[f].samples.size());
-      ASSERT_EQ(a[f].means.size(), b[f].means.size());
-      ASSERT_EQ(a[f].temperatures.size(), b[f].temperatures.size());
-      for (std::size_t k = 0; k < a[f].samples.size(); ++k) {
-        EXPECT_EQ(a[f].samples[k].cell, b[f].samples[k].cell);
-        EXPECT_TRUE(test::sameBits(a[f].samples[k].acceleration_g, b[f].samples[k].acceleration_g));
-      }
-      for (std::size_t k = 0; k < a[f].means.size(); ++k) {
-        EXPECT_EQ(a[f].means[k].cell, b[f].means[k].cell);
-        EXPECT_EQ(a[f].means[k].count, b[f].means[k].count);
-        EXPECT_TRUE(test::sameBits(a[f].means[k].mean_g, b[f].means[k].mean_g));
-        EXPECT_TRUE(test::sameBits(a[f].means[k].variance_g2, b[f].means[k].variance_g2));
-      }
-      for (std::size_t k = 0; k < a[f].temperatures.size(); ++k) {
-        EXPECT_EQ(a[f].temperatures[k].cell, b[f].temperatures[k].cell);
-        EXPECT_EQ(a[f].temperatures[k].temperature_c, b[f].temperatures[k].temperature_c);
-      }
-    }
-  };
-  same(reader.readRawSamples(0), *device);
-  same(reader.readRawSamples(2), *exact);
+  test::expectSameFrames(reader.readRawSamples(0), *device);
+  test::expectSameFrames(reader.readRawSamples(2), *exact);
 }
 
 TEST_F(SessionStoreTest, IsReadFromItsBytesAlone) {

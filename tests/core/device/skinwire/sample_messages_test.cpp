@@ -3,6 +3,7 @@
 #include "hexoderm/device/skinwire/codec.h"
 #include "hexoderm/util/error.h"
 #include "tests/core/device/skinwire/wire_messages.h"
+#include "tests/support/sample_matchers.h"
 
 #include <gtest/gtest.h>
 #include <cmath>
@@ -27,15 +28,6 @@ SampleFrame decoded(const Samples& message, std::size_t tick = 0) {
   return frame;
 }
 
-void expectSameSamples(const SampleFrame& a, const SampleFrame& b) {
-  EXPECT_EQ(a.time_s, b.time_s);
-  ASSERT_EQ(a.samples.size(), b.samples.size());
-  for (std::size_t k = 0; k < a.samples.size(); ++k) {
-    EXPECT_EQ(a.samples[k].cell, b.samples[k].cell);
-    EXPECT_EQ(a.samples[k].acceleration_g, b.samples[k].acceleration_g);
-  }
-}
-
 TEST(SampleMessages, QuantisedReadingsComeBackBitByBit) {
   SampleEncoder encoder(kLsb_g);
   std::vector<Samples> out;
@@ -43,7 +35,7 @@ TEST(SampleMessages, QuantisedReadingsComeBackBitByBit) {
   ASSERT_EQ(out.size(), 1U);
   EXPECT_FALSE(out[0].raw_lsb.empty());
   EXPECT_EQ(out[0].time_us, 1'234'567U);
-  expectSameSamples(decoded(out[0]), quantised(1.234567, 17));
+  test::expectSameFrame(decoded(out[0]), quantised(1.234567, 17));
 }
 
 TEST(SampleMessages, ReadingsBetweenTheStepsGoAsFloats) {
