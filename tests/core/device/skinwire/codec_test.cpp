@@ -22,21 +22,6 @@ using testing::HasSubstr;
 
 Bytes bytesOf(std::string_view text) { return {text.begin(), text.end()}; }
 
-void appendCrc(Bytes& body) {
-  const std::uint32_t crc = crc32c(body);
-  for (unsigned k = 0; k < 4; ++k) body.push_back(static_cast<std::uint8_t>(crc >> (8 * k)));
-}
-
-/// A body with a right CRC around whatever payload.
-Bytes bodyOf(std::uint8_t major, std::uint8_t type, const Bytes& payload) {
-  Bytes body;
-  body.push_back(major);
-  body.push_back(type);
-  for (const std::uint8_t byte : payload) body.push_back(byte);
-  appendCrc(body);
-  return body;
-}
-
 TEST(Crc32c, HasThePublishedCheckValue) {
   EXPECT_EQ(crc32c(bytesOf("123456789")), 0xE3069283U);
   EXPECT_EQ(crc32cByTable(bytesOf("123456789")), 0xE3069283U);
@@ -49,14 +34,6 @@ TEST(Crc32c, IsTheSameByTableAndByInstructionForEveryLength) {
   for (std::uint32_t k = 0; k < 100; ++k) {
     EXPECT_EQ(crc32c(bytes), crc32cByTable(bytes)) << k;
     bytes.push_back(static_cast<std::uint8_t>(k * 37 + 11));
-  }
-}
-
-TEST(SkinWireCodec, BodiesOfEveryMessageReadBack) {
-  for (const Message& message : everyMessage()) {
-    const Decoded decoded = decodeBody(encodeBody(message));
-    ASSERT_EQ(decoded.outcome, DecodeOutcome::Understood) << decoded.reason();
-    EXPECT_EQ(decoded.message, message) << "kind " << message.index();
   }
 }
 
@@ -140,7 +117,7 @@ TEST(SkinWireCodec, PayloadsCutAnywhereNeverThrowEvenIfTheCrcIsRight) {
 }
 
 TEST(SkinWireCodec, NamesBothNumbersOfAnotherMajorVersion) {
-  const Decoded body = decodeBody(bodyOf(2, 1, {1, 2, 3}));
+  const Decoded body = decodeBody(bodyOf(1, {1, 2, 3}, 2));
   EXPECT_EQ(body.outcome, DecodeOutcome::OtherMajor);
   EXPECT_EQ(body.major, 2U);
   EXPECT_EQ(body.reason().english(), "the device speaks SkinWire 2, this program SkinWire 1");
@@ -152,13 +129,13 @@ TEST(SkinWireCodec, NamesBothNumbersOfAnotherMajorVersion) {
 }
 
 TEST(SkinWireCodec, SkipsTypesAndFieldsThatItDoesNotKnow) {
-  EXPECT_EQ(decodeBody(bodyOf(kMajor, 99, {1, 2, 3})).outcome, DecodeOutcome::UnknownType);
-  EXPECT_EQ(decodeBody(bodyOf(kMajor, 0, {})).outcome, DecodeOutcome::UnknownType);
+  EXPECT_EQ(decodeBody(bodyOf(99, {1, 2, 3})).outcome, DecodeOutcome::UnknownType);
+  EXPECT_EQ(decodeBody(bodyOf(0, {})).outcome, DecodeOutcome::UnknownType);
   EXPECT_EQ(decodeLine(R"({"later_message": {"x": [1, 2]}})").outcome, DecodeOutcome::UnknownType);
   EXPECT_EQ(decodeLine("{}").outcome, DecodeOutcome::UnknownType);
 
   // Field 1000, a text, behind a Status.
-  const Decoded decoded = decodeBody(bodyOf(kMajor, 4, {0x0A, 0x01, 'x', 0xC2, 0x3E, 0x02, 'h', 'i'}));
+  const Decoded decoded = decodeBody(bodyOf(4, {0x0A, 0x01, 'x', 0xC2, 0x3E, 0x02, 'h', 'i'}));
   ASSERT_EQ(decoded.outcome, DecodeOutcome::Understood) << decoded.reason();
   EXPECT_EQ(std::get<Status>(decoded.message).text, "x");
 }
@@ -185,7 +162,7 @@ TEST(SkinWireCodec, NamesFieldsThatItDoesNotKnowInMessagesThatItUnderstands) {
   EXPECT_EQ(line.offences[0].kind, OffenceKind::UnknownField);
   EXPECT_THAT(line.reason().english(), HasSubstr("status.explorng: there is no such field; did you mean exploring?"));
   EXPECT_THAT(line.offences[0].excerpt, HasSubstr(R"({"status": {"text")"));
-  const Decoded body = decodeBody(bodyOf(kMajor, 4, {0x0A, 0x01, 'x', 0xC2, 0x3E, 0x02, 'h', 'i'}));
+  const Decoded body = decodeBody(bodyOf(4, {0x0A, 0x01, 'x', 0xC2, 0x3E, 0x02, 'h', 'i'}));
   ASSERT_EQ(body.offences.size(), 1U);
   EXPECT_EQ(body.reason().english(), "Status has no field with the number 1000");
   EXPECT_TRUE(decodeLine(R"({"status": {"text": "x", "exploring": true}})").offences.empty());
@@ -308,7 +285,7 @@ TEST(SkinWireCodec, RefusesOtherMessagesThatMakeNoSense) {
 TEST(Codec, LetsTheLibraryBelowSayNothing) {
   testing::internal::CaptureStderr();
   const Bytes no_utf8 = {0x12, 0x02, 0xff, 0xfe};  // Hello.device
-  EXPECT_EQ(decodeBody(bodyOf(1, 1, no_utf8)).outcome, DecodeOutcome::Broken);
+  EXPECT_EQ(decodeBody(bodyOf(1, no_utf8)).outcome, DecodeOutcome::Broken);
   decodeLine("{\"hello\": {\"device\": \"\xff\xfe\"}}");
   try {
     encodeBody(Hello{0, "\xff\xfe"});

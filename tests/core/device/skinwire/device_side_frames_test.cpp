@@ -7,15 +7,9 @@
 
 #include <gtest/gtest.h>
 #include <cstdint>
-#include <string>
 
 namespace hexoderm::skinwire {
 namespace {
-
-TEST(DeviceSide, CrcHasThePublishedCheckValue) {
-  const std::string text = "123456789";
-  EXPECT_EQ(skinwire_crc32c(Bytes(text.begin(), text.end()).data(), text.size()), 0xE3069283U);
-}
 
 TEST(DeviceSide, MakesTheSameBytesAsTheHost) {
   for (const Message& message : everyMessage()) {

@@ -3,10 +3,25 @@
 // Messages of a small skin: two cells, joined.
 
 #include "hexoderm/device/skinwire/codec.h"
+#include "hexoderm/device/skinwire/crc32c.h"
 
+#include <cstdint>
 #include <vector>
 
 namespace hexoderm::skinwire {
+
+/// Appends the CRC of what is there.
+inline void appendCrc(Bytes& body) {
+  const std::uint32_t crc = crc32c(body);
+  for (unsigned k = 0; k < 4; ++k) body.push_back(static_cast<std::uint8_t>(crc >> (8 * k)));
+}
+
+/// A body with a right CRC around whatever payload.
+inline Bytes bodyOf(std::uint8_t type, Bytes payload, std::uint8_t major = kMajor) {
+  payload.insert(payload.begin(), {major, type});
+  appendCrc(payload);
+  return payload;
+}
 
 inline Hello helloMessage() { return {kMinor, "two cells", "hex-bma150", true, true, 1000, 7}; }
 
