@@ -1,7 +1,6 @@
 #include "hexoderm/io/export_ply.h"
 
 #include "hexoderm/reconstruction/figures/patch_mesh.h"
-#include "hexoderm/util/error.h"
 #include "tests/core/io/export_test_folder.h"
 #include "tests/support/hand_made_skins.h"
 
@@ -113,13 +112,6 @@ TEST_F(ExportPly, KeepsEveryByteOfEveryColour) {
   for (std::uint32_t k = 0; k + 2 < 256; ++k) mesh.polygons.push_back({k, k + 1, k + 2});
   const PlainPly ply = readPly(plyBytes(mesh, "colours.ply"));
   for (std::size_t k = 0; k < 256; ++k) EXPECT_EQ(ply.vertices[k].color, mesh.colors[k]);
-}
-
-TEST_F(ExportPly, RefusesAReconstructionWithoutCells) {
-  EXPECT_THAT(messageOf<InvalidArgument>(
-                  [&] { exportReconstruction(test::ResultBuilder().build(), ExportFormat::Ply, in("a.ply")); }),
-              HasSubstr("no cells"));
-  EXPECT_TRUE(names().empty());
 }
 
 }  // namespace

@@ -1,6 +1,5 @@
 #include "hexoderm/io/export_stl.h"
 
-#include "hexoderm/util/error.h"
 #include "tests/core/io/export_test_folder.h"
 #include "tests/support/hand_made_skins.h"
 
@@ -11,7 +10,6 @@
 namespace hexoderm {
 namespace {
 
-using ::testing::HasSubstr;
 using ExportStl = ExportTest;
 
 struct Triangle {
@@ -81,13 +79,6 @@ TEST_F(ExportStl, NormalsPointOutOfTheSkin) {
     const Eigen::Vector3f wound = (t.corners[1] - t.corners[0]).cross(t.corners[2] - t.corners[0]).normalized();
     EXPECT_LT((t.normal - wound).norm(), 1e-4F);
   }
-}
-
-TEST_F(ExportStl, RefusesAReconstructionWithoutCells) {
-  EXPECT_THAT(messageOf<InvalidArgument>(
-                  [&] { exportReconstruction(test::ResultBuilder().build(), ExportFormat::Stl, in("a.stl")); }),
-              HasSubstr("no cells"));
-  EXPECT_TRUE(names().empty());
 }
 
 }  // namespace

@@ -26,30 +26,25 @@ class EveryExport : public ExportTest, public ::testing::WithParamInterface<Expo
     return *std::ranges::find(exportFormats(), GetParam(), &ExportFormatDescription::format);
   }
   [[nodiscard]] std::filesystem::path target() const { return in("skin" + std::string(description().extension)); }
-  void SetUp() override {
-    ExportTest::SetUp();
-    if (GetParam() != ExportFormat::RobotUrdf) return;
-    // Outside the folder, whose files are counted.
-    robot_ = folder_.string() + ".robot.urdf";
-    write(robot_, "<robot name=\"arm\">\n  <link name=\"base_link\"/>\n</robot>\n");
-  }
-  void TearDown() override {
-    if (!robot_.empty()) std::filesystem::remove(robot_);
-    ExportTest::TearDown();
-  }
   /// The options that every test of the format needs.
   [[nodiscard]] ExportOptions needed() const {
     ExportOptions options;
-    options.robot_urdf = robot_;
+    if (GetParam() == ExportFormat::RobotUrdf) {
+      options.robot_urdf =
+          elsewhere_.put("robot.urdf", "<robot name=\"arm\">\n  <link name=\"base_link\"/>\n</robot>\n");
+    }
     return options;
+  }
+  std::vector<std::filesystem::path> exported(const Reconstruction& reconstruction = makeTestReconstruction()) const {
+    return exportReconstruction(reconstruction, GetParam(), target(), needed());
   }
 
  private:
-  std::filesystem::path robot_;
+  const test::TemporaryFolder elsewhere_;  ///< for what is no export: the files of the folder are counted
 };
 
 TEST_P(EveryExport, ReturnsTheFilesItWroteAndNoOthersAreLeft) {
-  const auto paths = exportReconstruction(makeTestReconstruction(), GetParam(), target(), needed());
+  const auto paths = exported();
   std::set<std::filesystem::path> written;
   for (const auto& entry : std::filesystem::recursive_directory_iterator(folder_)) {
     if (entry.is_regular_file()) written.insert(entry.path());
@@ -63,24 +58,24 @@ TEST_P(EveryExport, GivesTheBytesOfItsFileWithoutAFile) {
                 HasSubstr("folder of several files"));
     return;
   }
-  const auto paths = exportReconstruction(makeTestReconstruction(), GetParam(), target(), needed());
+  const auto paths = exported();
   EXPECT_EQ(exportBytes(makeTestReconstruction(), GetParam(), needed(), "standard output"), read(paths.at(0)));
 }
 
 TEST_P(EveryExport, GivesTheSameBytesAgainOverAnEarlierExport) {
-  const auto paths = exportReconstruction(makeTestReconstruction(), GetParam(), target(), needed());
+  const auto paths = exported();
   std::vector<std::string> first;
   for (const auto& path : paths) first.push_back(read(path));
-  EXPECT_EQ(exportReconstruction(makeTestReconstruction(), GetParam(), target(), needed()), paths);
+  EXPECT_EQ(exported(), paths);
   for (std::size_t k = 0; k < paths.size(); ++k) EXPECT_EQ(read(paths[k]), first[k]);
 }
 
 TEST_P(EveryExport, RefusesNumbersThatAreNotFiniteAndKeepsTheEarlierFile) {
   Reconstruction reconstruction = makeTestReconstruction();
-  const auto paths = exportReconstruction(reconstruction, GetParam(), target(), needed());
+  const auto paths = exported(reconstruction);
   const std::string earlier = read(paths.front());
   reconstruction.patches[0].cells[1].T_o_u.t.y() = std::numeric_limits<double>::quiet_NaN();
-  EXPECT_THAT(messageOf<InvalidArgument>([&] { exportReconstruction(reconstruction, GetParam(), target(), needed()); }),
+  EXPECT_THAT(messageOf<InvalidArgument>([&] { exported(reconstruction); }),
               HasSubstr("cell 7: its placement is not a finite number"));
   EXPECT_EQ(read(paths.front()), earlier);
 }
@@ -92,12 +87,12 @@ TEST_P(EveryExport, TakesWhatEverySolverFinds) {
     SolverOptions options;
     options.solver = solver;
     const auto result = reconstruct(*session.snapshot(), options);
-    const auto paths = exportReconstruction(*result, GetParam(), target(), needed());
+    const auto paths = exported(*result);
     ASSERT_FALSE(paths.empty());
     for (const auto& path : paths) EXPECT_FALSE(read(path).empty()) << path;
     // A calibration that was written to a file and read again is exported just the same.
     const auto back = parseCalibrationJson(calibrationToJson(*result), "c.json");
-    EXPECT_NO_THROW(exportReconstruction(*back, GetParam(), target(), needed()));
+    EXPECT_NO_THROW(exported(*back));
   }
 }
 
@@ -225,6 +220,13 @@ TEST(MeshFormats, RefusePlacesThatSinglePrecisionCannotHold) {
     reconstruction.patches[0].cells[2].T_o_u.t.x() = -1e36;
     EXPECT_THAT(messageOf<InvalidArgument>([&] { exportBytes(reconstruction, format, {}, "f"); }),
                 HasSubstr("cell 12: the single precision"));
+  }
+}
+
+TEST(MeshFormats, RefuseAReconstructionWithoutCells) {
+  for (const ExportFormat format : {ExportFormat::Ply, ExportFormat::Stl, ExportFormat::Obj, ExportFormat::Gltf}) {
+    EXPECT_THAT(messageOf<InvalidArgument>([&] { exportBytes(test::ResultBuilder().build(), format, {}, "f"); }),
+                HasSubstr("no cells"));
   }
 }
 
