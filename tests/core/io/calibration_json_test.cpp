@@ -327,11 +327,5 @@ TEST(CalibrationJson, IsWrittenWholeOrNotAtAll) {
   EXPECT_EQ(folder.entryCount(), 1U);
 }
 
-TEST(CalibrationJson, NamesAFileThatIsNotThere) {
-  const TemporaryFolder folder;
-  EXPECT_THAT(messageOf<StorageError>([&] { readCalibrationJson(folder.path() / "none.calibration.json"); }),
-              saysAll("none.calibration.json", "No such file"));
-}
-
 }  // namespace
 }  // namespace hexoderm

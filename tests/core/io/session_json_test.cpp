@@ -235,13 +235,6 @@ TEST(SessionJson, IsRefusedWhereverItIsCutOff) {
   }
 }
 
-TEST(SessionJson, NamesAFileThatIsNotThere) {
-  const TemporaryFolder folder;
-  EXPECT_THAT(messageOf<StorageError>([&] { readSessionJson(folder.path() / "none.session.json"); }),
-              saysAll("none.session.json", "No such file"));
-  EXPECT_THAT(messageOf<StorageError>([&] { readSessionJson(folder.path()); }), saysAll("is a folder"));
-}
-
 TEST(SessionJson, NamesTheWholePathOfABadFile) {
   const TemporaryFolder folder;
   const auto path = folder.put("bad.session.json", "{");
