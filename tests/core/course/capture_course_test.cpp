@@ -169,10 +169,7 @@ TEST_F(CaptureCourseTest, PosesThatAreBeingWrittenBecomeCapturedAfterTheSkinIsGo
 
 TEST_F(CaptureCourseTest, AFullDiskIsTriedAgainAndGivenUp) {
   using std::chrono::seconds;
-  CaptureCourseOptions options;
-  options.retry_every = seconds(1);
-  options.give_up_after = seconds(10);
-  begin(options);
+  begin({.retry_every = seconds(1), .give_up_after = seconds(10)});
   const CaptureCourse::Clock::time_point start(seconds(100));
   const PoseId pose = take();
   course_->tick(start);
@@ -202,9 +199,7 @@ TEST_F(CaptureCourseTest, WithoutOptionsNobodyTriesAgainByItself) {
 TEST_F(CaptureCourseTest, RawSamplesGoToTheFileWhereTheyAreWanted) {
   take();
   EXPECT_EQ(added_.back().raw, nullptr);
-  CaptureCourseOptions options;
-  options.keep_raw = true;
-  begin(options);
+  begin({.keep_raw = true});
   take();
   ASSERT_NE(added_.back().raw, nullptr);
   EXPECT_THAT(*added_.back().raw, SizeIs(20));
@@ -410,9 +405,7 @@ TEST_F(CaptureCourseTest, ANumberThatIsReachedAlreadyStopsTheRobotAtOnce) {
 }
 
 TEST_F(CaptureCourseTest, ANumberOfPosesEndsItWhateverTheyAreGoodFor) {
-  CaptureCourseOptions options;
-  options.poses = 2;
-  begin(options);
+  begin({.poses = 2});
   takeStoreAndSolve();
   EXPECT_FALSE(course_->isFinished());
   const PoseId second = take();

@@ -31,13 +31,7 @@ using testing::SizeIs;
 
 constexpr const char* kSkin = "sim:x17?speed=max";
 
-LiveCaptureOptions fourPoses() {
-  LiveCaptureOptions options;
-  options.source = kSkin;
-  options.automatic = true;
-  options.poses = 4;
-  return options;
-}
+LiveCaptureOptions fourPoses() { return {.source = kSkin, .poses = 4, .automatic = true}; }
 
 std::vector<PoseId> posesOf(LiveCapture& capture) {
   std::vector<PoseId> poses;
@@ -344,9 +338,7 @@ TEST(LiveCapture, RefusesWhatCanNotBe) {
 }
 
 TEST(LiveCapture, SaysWhyNothingComes) {
-  LiveCaptureOptions options;
-  options.source = "tcp://127.0.0.1:1";
-  options.timeout_s = 0.2;
+  const LiveCaptureOptions options{.source = "tcp://127.0.0.1:1", .timeout_s = 0.2};
   LiveCapture capture(options);
   EXPECT_THAT(messageOf<DeviceError>([&] { capture.next(); }),
               saysAll("tcp://127.0.0.1:1", "the device did not describe itself for 0.2 s"));
@@ -355,8 +347,7 @@ TEST(LiveCapture, SaysWhyNothingComes) {
 
 TEST(LiveCapture, SaysThatNoSkinDescribedItself) {
   const test::TemporaryFolder folder;
-  LiveCaptureOptions options;
-  options.source = "replay:" + folder.put("stream", "SKINREC1").string() + "?speed=max";
+  const LiveCaptureOptions options{.source = "replay:" + folder.put("stream", "SKINREC1").string() + "?speed=max"};
   LiveCapture capture(options);
   EXPECT_EQ(messageOf<DeviceError>([&] { capture.next(); }), options.source + ": ended before a skin described itself");
 }

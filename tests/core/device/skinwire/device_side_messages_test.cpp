@@ -36,9 +36,7 @@ TEST(DeviceSide, ReadingsWithoutCellsAreRefusedAndTemperaturesAloneAreSent) {
   samples.raw_lsb = &value;
   EXPECT_EQ(skinwire_put_samples(&frame, &samples), 0U) << "more values than there are numbers";
 
-  Samples warm;
-  warm.temperature_cells = {7};
-  warm.temperature_c = {21.5F};
+  const Samples warm{.temperature_cells = {7}, .temperature_c = {21.5F}};
   EXPECT_EQ(decodeFrame(framed(warm), Framing::Cobs).message, Message(warm));
   EXPECT_EQ(decodeFrame(framed(Topology{1, 0, 1, {}}), Framing::Cobs).message, Message(Topology{1, 0, 1, {}}));
 }

@@ -37,8 +37,8 @@ void expectDeviceOnTcp(std::vector<std::string> command, std::size_t cells) {
   const std::size_t at = line.find("tcp://");
   ASSERT_NE(at, std::string::npos) << line;
   CollectingListener listener;
-  WireOptions patient;
-  patient.silent_after = patient.reconnect_after = patient.command_timeout = test::kForever;
+  const WireOptions patient{
+      .silent_after = test::kForever, .reconnect_after = test::kForever, .command_timeout = test::kForever};
   WireSource source(line.substr(at), patient);
   source.start(listener);
   ASSERT_TRUE(listener.waitFor([](const Delivered& d) { return d.frames.size() >= 20; })) << "nothing came";

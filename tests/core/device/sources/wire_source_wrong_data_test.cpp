@@ -46,19 +46,6 @@ TEST(WireSource, BrokenDataOnTcpIsNamedAndTheConnectionMadeAnew) {
   }
 }
 
-TEST(WireSource, BrokenLinesAreCountedAndSkipped) {
-  auto [device, listener, source] = started<TcpDevice>();
-  DeviceConnection connection = device.accept(Framing::Lines);
-  describe(connection);
-  const std::string garbage = "{\"samples\": {\"cells\": [1], \"acceleration_g\": [0, 0]}}\nhello?\n";
-  connection.sendBytes(skinwire::Bytes(garbage.begin(), garbage.end()));
-  connection.send(skinwire::rawSamples(0, 1000));
-  ASSERT_TRUE(listener.waitFor(frames(2)));
-  source.stop();
-  EXPECT_EQ(listener.delivered().status().rejected_messages, 2U);
-  EXPECT_EQ(listener.delivered().status().reconnects, 0U);
-}
-
 TEST(WireSource, AnotherMajorVersionIsNamedAndNotTriedAgain) {
   auto [device, listener, source] = started<TcpDevice>();
   DeviceConnection connection = device.accept(Framing::Lines);
