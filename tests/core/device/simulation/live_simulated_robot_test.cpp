@@ -53,24 +53,6 @@ Eigen::Vector3d readingOf(const SampleFrame& frame, CellId cell) {
   throw std::runtime_error("the cell sent nothing");
 }
 
-TEST(LiveSimulatedRobot, StandsUntilItIsTurned) {
-  SimulatedRobot robot = demoRobot();
-  EXPECT_TRUE(robot.turnsOnRequest());
-  const JointAngles angles = robot.jointAngles();
-  EXPECT_THAT(angles.positions, SizeIs(5));
-  for (int tick = 0; tick < 5; ++tick) {
-    const SampleFrame frame = robot.next();
-    EXPECT_NEAR(frame.time_s, tick / robot.rate_hz(), 1e-12);
-    EXPECT_THAT(frame.samples, SizeIs(34));
-    for (const CellId cell : {CellId(1), CellId(17), CellId(18), CellId(34)}) {
-      const Eigen::Matrix3d R_w_a = placeOf(robot, cell, angles).R;
-      EXPECT_LT((readingOf(frame, cell) - R_w_a.transpose() * Eigen::Vector3d::UnitZ()).norm(), 1e-12);
-    }
-  }
-  EXPECT_FALSE(robot.turning());
-  EXPECT_EQ(robot.jointAngles(), angles);
-}
-
 TEST(LiveSimulatedRobot, CellsFeelTheWayOfTheJoints) {
   SimulatedRobot robot = demoRobot();
   robot.next();

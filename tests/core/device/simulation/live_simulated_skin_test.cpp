@@ -18,17 +18,6 @@ Eigen::Vector3d upSeenBy(const SimulatedSkin& skin, const SampleFrame& frame, st
   return skin.truth()[cell].T_b_u.R * frame.samples[cell].acceleration_g;
 }
 
-TEST(LiveSimulatedSkin, LiesOnATableUntilItIsTurned) {
-  SimulatedSkin skin = x17(SimulatedSkinOptions::ideal());
-  for (int tick = 0; tick < 5; ++tick) {
-    const SampleFrame frame = skin.next();
-    EXPECT_DOUBLE_EQ(frame.time_s, tick / 1000.0);
-    ASSERT_EQ(frame.samples.size(), 17U);
-    EXPECT_LT((upSeenBy(skin, frame, 3) - Eigen::Vector3d::UnitZ()).norm(), 1e-12);
-  }
-  EXPECT_FALSE(skin.turning());
-}
-
 TEST(LiveSimulatedSkin, TurnsWithoutAJumpAndArrives) {
   SimulatedSkin skin = x17(SimulatedSkinOptions::ideal());
   Eigen::Vector3d before = upSeenBy(skin, skin.next(), 0);

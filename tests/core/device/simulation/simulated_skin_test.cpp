@@ -207,20 +207,6 @@ TEST(SimulatedSkin, SheetIsARhombicLattice) {
   }
 }
 
-TEST(SimulatedSkin, SheetsOfAnyShapeAreOnePatch) {
-  for (const auto& [patch, cells] : std::vector<std::pair<std::string, std::size_t>>{{"sheet:1x1", 1},
-                                                                                     {"sheet:1x6", 6},
-                                                                                     {"sheet:6x1", 6},
-                                                                                     {"sheet:2x2", 4},
-                                                                                     {"sheet:3x2", 6},
-                                                                                     {"sheet:2x9", 18}}) {
-    const SimulatedSkin skin(kModel, ideal(patch));
-    const SkinGraph graph(skin.model(), skin.neighbors());
-    EXPECT_EQ(graph.cells().size(), cells) << patch;
-    EXPECT_EQ(graph.patches().size(), 1U) << patch;
-  }
-}
-
 TEST(SimulatedSkin, SheetsOnDoublyCurvedSurfacesAreRelaxed) {
   for (const LinkLaw law : {LinkLaw::Bend, LinkLaw::Surface}) {
     const SimulatedSkin skin(kModel, ideal("sheet:10x10", "sphere:r=0.2", law));

@@ -10,16 +10,11 @@
 
 namespace hexoderm::skinwire {
 
-/// Appends the CRC of what is there.
-inline void appendCrc(Bytes& body) {
-  const std::uint32_t crc = crc32c(body);
-  for (unsigned k = 0; k < 4; ++k) body.push_back(static_cast<std::uint8_t>(crc >> (8 * k)));
-}
-
 /// A body with a right CRC around whatever payload.
 inline Bytes bodyOf(std::uint8_t type, Bytes payload, std::uint8_t major = kMajor) {
   payload.insert(payload.begin(), {major, type});
-  appendCrc(payload);
+  const std::uint32_t crc = crc32c(payload);
+  for (unsigned k = 0; k < 4; ++k) payload.push_back(static_cast<std::uint8_t>(crc >> (8 * k)));
   return payload;
 }
 

@@ -60,24 +60,6 @@ TEST_F(SkinStreamTest, DescribesBeforeItDelivers) {
   EXPECT_EQ(status().undescribed_samples, 4U) << "those before the description";
 }
 
-TEST_F(SkinStreamTest, SaysTheSameDescriptionOnceAndANewOneAgain) {
-  describe();
-  describe();
-  stream.restart();
-  EXPECT_FALSE(stream.isDescribed());
-  describe();
-  EXPECT_EQ(listener.delivered().skins.size(), 1U);
-  skinwire::Topology other = skinwire::topologyMessage();
-  other.id = 4;
-  other.cells.push_back({CellId(3), "", {}});
-  take(other);
-  EXPECT_EQ(listener.delivered().skins.size(), 2U);
-  skinwire::Hello hello = skinwire::helloMessage();
-  hello.can_turn = false;
-  take(hello);
-  EXPECT_EQ(listener.delivered().skins.size(), 3U);
-}
-
 TEST_F(SkinStreamTest, ACellModelWithoutSenseIsNamedAndLeavesTheSkinUndescribed) {
   skinwire::Hello hello = skinwire::helloMessage();
   hello.cell_model = R"({"name": "odd", "side_m": -1})";
