@@ -10,6 +10,7 @@
 #include "tests/support/paths.h"
 #include "tests/support/random_session.h"
 #include "tests/support/rich_calibration.h"
+#include "tests/support/solvers.h"
 
 #include <gtest/gtest.h>
 
@@ -79,9 +80,8 @@ TEST(BothCalibrationReaders, TakeWhatIsWritten) {
   for (std::uint64_t seed = 1; seed <= 20; ++seed) {
     SCOPED_TRACE(seed);
     const Session session = test::RandomSession(seed).draw();
-    SolverOptions options;
-    options.solver = seed % 2 == 0 ? Solver::Tree : Solver::Global;
-    EXPECT_EQ(readCalibrationBothWays(calibrationToJson(*reconstruct(*session.snapshot(), options))), TakenBy::Both);
+    const auto result = reconstruct(*session.snapshot(), test::by(seed % 2 == 0 ? Solver::Tree : Solver::Global));
+    EXPECT_EQ(readCalibrationBothWays(calibrationToJson(*result)), TakenBy::Both);
   }
 }
 

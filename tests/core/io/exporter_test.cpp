@@ -7,6 +7,8 @@
 #include "hexoderm/util/limits.h"
 #include "tests/core/io/export_test_folder.h"
 #include "tests/support/hand_made_skins.h"
+#include "tests/support/options.h"
+#include "tests/support/solvers.h"
 
 #include <gmock/gmock.h>
 
@@ -84,9 +86,7 @@ TEST_P(EveryExport, TakesWhatEverySolverFinds) {
   SimulatedSkin skin(builtInCellModel("hex-bma150"), {});
   const Session session = simulateSession(skin, 3);
   for (const Solver solver : {Solver::Global, Solver::Tree}) {
-    SolverOptions options;
-    options.solver = solver;
-    const auto result = reconstruct(*session.snapshot(), options);
+    const auto result = reconstruct(*session.snapshot(), test::by(solver));
     const auto paths = exported(*result);
     ASSERT_FALSE(paths.empty());
     for (const auto& path : paths) EXPECT_FALSE(read(path).empty()) << path;
@@ -248,15 +248,13 @@ TEST(ExportFormats, UnknownNameListsTheKnownOnes) {
 
 TEST(ExportOptions, NamesTheOptionThatMakesNoSense) {
   EXPECT_NO_THROW(ExportOptions().validate());
-  ExportOptions options;
-  options.model_name = "";
-  EXPECT_THAT(messageOf<InvalidArgument>([&] { options.validate(); }), HasSubstr("model_name"));
-  options = {};
-  options.parent_link = "base link";
-  EXPECT_THAT(messageOf<InvalidArgument>([&] { options.validate(); }), HasSubstr("parent_link"));
-  options = {};
-  options.prefix = "größe_";
-  EXPECT_THAT(messageOf<InvalidArgument>([&] { options.validate(); }), HasSubstr("prefix"));
+  const std::pair<ExportOptions, const char*> senseless[] = {
+      {test::with(&ExportOptions::model_name, ""), "model_name"},
+      {test::with(&ExportOptions::parent_link, "base link"), "parent_link"},
+      {test::with(&ExportOptions::prefix, "größe_"), "prefix"}};
+  for (const auto& [options, name] : senseless) {
+    EXPECT_THAT(messageOf<InvalidArgument>([&options = options] { options.validate(); }), HasSubstr(name));
+  }
 }
 
 }  // namespace

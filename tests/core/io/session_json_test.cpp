@@ -193,24 +193,6 @@ TEST(SessionJson, NamesTheKeyPathOfWhatIsWrong) {
                          [](const std::string& text) { parseSessionJson(text, "s.json"); });
 }
 
-TEST(SessionJson, RefusesAKeyThatIsThereTwice) {
-  const std::string text = readFile(kThreeCells);
-  std::string twice = text;
-  twice.replace(twice.find("\"mean_g\""), 8, "\"mean_g\": [0, 0, 1], \"mean_g\"");
-  EXPECT_THAT(messageOf<FormatError>([&] { parseSessionJson(twice, "s.json"); }),
-              saysAll("s.json: poses[0].samples[0].mean_g: is there twice"));
-}
-
-TEST(SessionJson, NamesTheKeyPathOfNumbersThatAreNotFinite) {
-  const std::string text = readFile(kThreeCells);
-  for (const char* number : {"NaN", "-Infinity", "1e999"}) {
-    std::string bad = text;
-    bad.replace(bad.find("0.9109752424886977"), 18, number);
-    EXPECT_THAT(messageOf<FormatError>([&] { parseSessionJson(bad, "s.json"); }),
-                saysAll("s.json: poses[0].samples[1].mean_g[2]", "finite", number));
-  }
-}
-
 TEST(SessionJson, NamesWhatIsMissing) {
   for (const auto& [parent, key, where] :
        std::vector<std::array<std::string, 3>>{{"", "cells", "cells"},

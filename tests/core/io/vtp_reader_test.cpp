@@ -1,6 +1,7 @@
 #include "hexoderm/io/export_vtp.h"
 #include "hexoderm/io/exporter.h"
 #include "tests/support/hand_made_skins.h"
+#include "tests/support/options.h"
 
 #include <gtest/gtest.h>
 #include <vtkCellData.h>
@@ -50,9 +51,7 @@ void expectArrays(vtkFieldData& found, const std::vector<VtpArray>& meant) {
 TEST(VtpReader, VtkReadsWhatTheExporterMeant) {
   const Reconstruction reconstruction = makeTestReconstruction();
   const std::filesystem::path path = std::filesystem::path(::testing::TempDir()) / "vtp_reader_test.vtp";
-  ExportOptions options;
-  options.all_patches = true;
-  exportReconstruction(reconstruction, ExportFormat::Vtp, path, options);
+  exportReconstruction(reconstruction, ExportFormat::Vtp, path, test::with(&ExportOptions::all_patches, true));
   const vtkNew<vtkXMLPolyDataReader> reader;
   reader->SetFileName(path.c_str());
   reader->Update();

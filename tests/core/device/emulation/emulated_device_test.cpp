@@ -6,6 +6,7 @@
 #include "hexoderm/device/skinwire/description.h"
 #include "hexoderm/util/error.h"
 #include "hexoderm/util/units.h"
+#include "tests/support/options.h"
 #include "tests/support/paths.h"
 
 #include <gmock/gmock.h>
@@ -14,6 +15,7 @@
 namespace hexoderm {
 namespace {
 
+using test::with;
 using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::SizeIs;
@@ -132,9 +134,7 @@ TEST(EmulatedDevice, SendsEverySampleAsTheSkinReadIt) {
 TEST(EmulatedDevice, MessagesAndTopologiesFitDatagrams) {
   SimulatedSkinOptions skin = quantised();
   skin.patch = "sheet:15x20";
-  EmulatedDeviceOptions options;
-  options.max_body = skinwire::kMaxDatagram;
-  Bench bench(skin, options);
+  Bench bench(skin, with(&EmulatedDeviceOptions::max_body, skinwire::kMaxDatagram));
   bench.start();
   bench.tick(20);
   for (const skinwire::Message& message : bench.heard) {
@@ -149,9 +149,7 @@ TEST(EmulatedDevice, MessagesAndTopologiesFitDatagrams) {
 }
 
 TEST(EmulatedDevice, CellsAverageByThemselves) {
-  EmulatedDeviceOptions options;
-  options.means_of = 50;
-  Bench bench(quantised(), options);
+  Bench bench(quantised(), with(&EmulatedDeviceOptions::means_of, 50));
   bench.start();
   bench.tick(100);
   const auto messages = bench.take<skinwire::Samples>();
@@ -330,9 +328,7 @@ TEST(EmulatedDevice, CountsWhatItCouldNotSend) {
 }
 
 TEST(EmulatedDevice, MeansKeepUpWithFewerSamples) {
-  EmulatedDeviceOptions options;
-  options.means_of = 10;
-  Bench bench(quantised(), options);
+  Bench bench(quantised(), with(&EmulatedDeviceOptions::means_of, 10));
   bench.start();
   for (int k = 0; k < 10; ++k) {
     bench.tick(1);
@@ -471,21 +467,15 @@ TEST(EmulatedDevice, NamesOfJointsHaveToFitIntoAMessage) {
   options.mounts = {{"link3", {}, "sheet:1x1", "plane"}};
   const auto make = [&] { return SimulatedRobot(builtInCellModel("hex-bma150"), robot, options); };
   EXPECT_NO_THROW(Bench{make()});
-  EmulatedDeviceOptions datagrams;
-  datagrams.max_body = skinwire::kMaxDatagram;
-  EXPECT_THROW(Bench(make(), datagrams), InvalidArgument);
+  EXPECT_THROW(Bench(make(), with(&EmulatedDeviceOptions::max_body, skinwire::kMaxDatagram)), InvalidArgument);
 }
 
 TEST(EmulatedDevice, RefusesOptionsThatMakeNoSense) {
-  const auto with = [](auto change) {
-    EmulatedDeviceOptions options;
-    change(options);
+  for (const EmulatedDeviceOptions& options :
+       {with(&EmulatedDeviceOptions::rate_hz, -1), with(&EmulatedDeviceOptions::rate_hz, 2000),
+        with(&EmulatedDeviceOptions::max_body, 10), with(&EmulatedDeviceOptions::status_every_s, 0)}) {
     EXPECT_THROW(Bench(SimulatedSkinOptions::ideal(), options), InvalidArgument);
-  };
-  with([](auto& options) { options.rate_hz = -1; });
-  with([](auto& options) { options.rate_hz = 2000; });
-  with([](auto& options) { options.max_body = 10; });
-  with([](auto& options) { options.status_every_s = 0; });
+  }
 }
 
 }  // namespace
