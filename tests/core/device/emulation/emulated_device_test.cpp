@@ -110,6 +110,7 @@ TEST(EmulatedDevice, SendsEverySampleAsTheSkinReadIt) {
   bench.tick(100);
   const auto messages = bench.take<skinwire::Samples>();
   EXPECT_THAT(messages, SizeIs(10)) << "ten ticks together";
+  EXPECT_THAT(bench.take<skinwire::Joints>(), SizeIs(0)) << "a skin alone has none";
   const GroundTruth truth = bench.device.body().groundTruth();
   SampleFrame frame;
   std::size_t sequence = 0;

@@ -144,30 +144,6 @@ TEST(LiveSimulatedRobot, MissesWhatItReportsByItsZeroOffsets) {
   EXPECT_EQ(robot.jointAngles(), same.nextPose().reported);
 }
 
-TEST(LiveSimulatedRobot, SaysWhereItsJointsStandTenTimesASecondAndWhenTheyCameToRest) {
-  SimulatedRobot robot = demoRobot();
-  JointReporting reporting;
-  std::vector<JointReport> reports;
-  std::size_t tick = 0;
-  const auto go = [&] {
-    const auto report = reporting.before(robot, static_cast<double>(tick++) / robot.rate_hz());
-    if (report) reports.push_back(*report);
-    robot.next();
-    return report.has_value();
-  };
-  for (int k = 0; k < 1000; ++k) go();
-  EXPECT_EQ(reports.size(), 10U);
-  EXPECT_EQ(reports.front().time_s, 0);
-  robot.turnToNextPose();
-  while (robot.turning()) go();
-  EXPECT_TRUE(go()) << "at once";
-  EXPECT_EQ(reports.back().angles, robot.jointAngles());
-  EXPECT_NEAR(static_cast<double>(reports.size()), 10 * static_cast<double>(tick) / robot.rate_hz(), 2);
-
-  SimulatedSkin skin(builtInCellModel("hex-bma150"), {});
-  EXPECT_EQ(JointReporting().before(skin, 0), std::nullopt) << "a skin alone has no joints";
-}
-
 TEST(LiveSimulatedRobot, ItsCellsBreakByTheRobotsNumbers) {
   RobotInWords words = idealDemo();
   words.faults = {{SkinFault::Dead, CellId(20)}};

@@ -22,9 +22,9 @@ SampleFrame quantised(double time_s, std::uint32_t cells) {
   return frame;
 }
 
-SampleFrame decoded(const Samples& message, std::size_t tick = 0) {
+SampleFrame decoded(const Samples& message) {
   SampleFrame frame;
-  decodeTick(message, tick, kLsb_g, frame);
+  decodeTick(message, 0, kLsb_g, frame);
   return frame;
 }
 
@@ -96,22 +96,6 @@ TEST(SampleMessages, EveryMessageFitsItsLimitAndIsWellUsed) {
     EXPECT_EQ(temperatures, 300U);
     EXPECT_EQ(encoder.sequence(), 1600U);
     EXPECT_GT(static_cast<double>(bytes) / static_cast<double>(out.size() * limit), limit > 1000 ? 0.8 : 0.5);
-  }
-}
-
-TEST(SampleMessages, ABatchIsOneMessageOfManyTicks) {
-  std::vector<SampleFrame> frames;
-  for (int k = 0; k < 10; ++k) frames.push_back(quantised(1 + 0.001 * k, 17));
-  SampleEncoder encoder(kLsb_g, kMaxDatagram);
-  std::vector<Samples> out;
-  encoder.encodeBatch(frames, out);
-  ASSERT_EQ(out.size(), 1U);
-  EXPECT_TRUE(complaint(out[0]).empty());
-  EXPECT_LE(encodeBody(out[0]).size(), kMaxDatagram);
-  ASSERT_EQ(out[0].ticks(), 10U);
-  for (std::size_t k = 0; k < 10; ++k) {
-    EXPECT_NEAR(decoded(out[0], k).time_s, frames[k].time_s, 1e-9);
-    EXPECT_EQ(decoded(out[0], k).samples.size(), 17U);
   }
 }
 
