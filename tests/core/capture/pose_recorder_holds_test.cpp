@@ -2,6 +2,7 @@
 
 #include "hexoderm/device/simulation/simulated_skin.h"
 #include "tests/core/capture/pose_recorder_fixture.h"
+#include "tests/support/options.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -76,9 +77,7 @@ TEST_F(PoseRecorderTest, MotionStartsTheHoldOver) {
   stream.hold(1.2);
   stream.move(30 * kDegree, 0.5);
   const double held_from_s = stream.hold(4).first;
-  PoseRecorderOptions options;
-  options.samples_per_cell = 1000;
-  PoseRecorder recorder(captures_, options);
+  PoseRecorder recorder(captures_, test::with(&PoseRecorderOptions::samples_per_cell, 1000));
   feed(recorder, stream.frames);
   ASSERT_THAT(captures_.poses, SizeIs(1));
   EXPECT_GT(captures_.poses.front().start_s, held_from_s);

@@ -1,6 +1,7 @@
 // Streams as devices send them: late, in parts, with gaps, with slow and silent cells, as means.
 
 #include "tests/core/capture/pose_recorder_fixture.h"
+#include "tests/support/options.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -105,9 +106,7 @@ TEST_F(PoseRecorderTest, DoesNotWaitForCellsThatFallSilent) {
     std::erase_if(frame.samples,
                   [&](const CellSample& sample) { return sample.cell == CellId(2) && frame.time_s > 10.9; });
   }
-  PoseRecorderOptions options;
-  options.samples_per_cell = 500;
-  PoseRecorder recorder(captures_, options);
+  PoseRecorder recorder(captures_, test::with(&PoseRecorderOptions::samples_per_cell, 500));
   recorder.setSkin(skinOf(5));
   feed(recorder, stream.frames);
   ASSERT_THAT(captures_.poses, SizeIs(1));

@@ -2,6 +2,7 @@
 
 #include "hexoderm/util/error.h"
 #include "tests/core/capture/pose_recorder_fixture.h"
+#include "tests/support/options.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -83,9 +84,7 @@ TEST(PoseRecorder, TakesAsManySamplesAsTheRateAllows) {
     SyntheticStream stream(cells(2, rate_hz));
     stream.hold(5);
     Captures captures;
-    PoseRecorderOptions options;
-    options.samples_per_cell = asked;
-    PoseRecorder recorder(captures, options);
+    PoseRecorder recorder(captures, test::with(&PoseRecorderOptions::samples_per_cell, asked));
     recorder.setSkin(skinOf(2, model_hz));
     feed(recorder, stream.frames);
     return captures.poses.empty() ? 0U : captures.poses.front().pose->samples.front().count;
@@ -101,9 +100,7 @@ TEST(PoseRecorder, TakesAsManySamplesAsTheRateAllows) {
 TEST_F(PoseRecorderTest, WaitsForTheOperatorUnlessItIsAutomatic) {
   SyntheticStream stream(cells(2));
   stream.hold(2);
-  PoseRecorderOptions options;
-  options.automatic = false;
-  PoseRecorder recorder(captures_, options);
+  PoseRecorder recorder(captures_, test::with(&PoseRecorderOptions::automatic, false));
   feed(recorder, stream.frames);
   EXPECT_THAT(captures_.poses, IsEmpty());
   EXPECT_EQ(captures_.holds.back().message.english(), "Still: ready to capture");

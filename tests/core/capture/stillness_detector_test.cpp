@@ -5,6 +5,7 @@
 #include "hexoderm/util/text.h"
 #include "tests/core/capture/synthetic_stream.h"
 #include "tests/support/error_matchers.h"
+#include "tests/support/options.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -90,9 +91,7 @@ TEST(StillnessDetector, TakesReadingsThatNeverChangeForStill) {
 
 TEST(StillnessDetector, AcceptsTheTremorOfTheSimulatedHand) {
   for (std::uint64_t seed = 1; seed <= 5; ++seed) {
-    SimulatedSkinOptions options;
-    options.seed = seed;
-    SimulatedSkin skin(builtInCellModel("hex-bma150"), options);
+    SimulatedSkin skin(builtInCellModel("hex-bma150"), test::with(&SimulatedSkinOptions::seed, seed));
     skin.record({0, 0, 1}, 1);  // the first stands on a table
     StillnessDetector detector(skin.model().accelerometer);
     EXPECT_GE(stillShare(detector, skin.record({0, 1, 0}, 4000)), 0.95) << "seed " << seed;
@@ -101,9 +100,8 @@ TEST(StillnessDetector, AcceptsTheTremorOfTheSimulatedHand) {
 }
 
 TEST(StillnessDetector, AcceptsItOnAPartWhoseEndsAreFarFromTheHand) {
-  SimulatedSkinOptions options;
-  options.patch = "sheet:3x30";  // 0.8 m long: 100 mg at its ends
-  SimulatedSkin skin(builtInCellModel("hex-bma150"), options);
+  // 0.8 m long: 100 mg at its ends
+  SimulatedSkin skin(builtInCellModel("hex-bma150"), test::with(&SimulatedSkinOptions::patch, "sheet:3x30"));
   skin.record({0, 0, 1}, 1);
   StillnessDetector detector(skin.model().accelerometer);
   EXPECT_GE(stillShare(detector, skin.record({0, 1, 0}, 3000)), 0.95) << detector.stillness().message.english();

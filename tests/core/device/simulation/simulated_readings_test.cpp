@@ -5,6 +5,7 @@
 #include "hexoderm/util/error.h"
 #include "hexoderm/util/units.h"
 #include "tests/core/device/simulation/standard_skin.h"
+#include "tests/support/options.h"
 #include "tests/support/sample_matchers.h"
 
 #include <gtest/gtest.h>
@@ -17,9 +18,7 @@ namespace {
 const double kWhite_g = kModel.accelerometer.noise_g_per_sqrt_hz * std::sqrt(500.0);
 
 SimulatedSkinOptions withFault(SkinFault kind, unsigned cell) {
-  SimulatedSkinOptions options;
-  options.faults = {{kind, CellId(cell)}};
-  return options;
+  return test::with(&SimulatedSkinOptions::faults, {{kind, CellId(cell)}});
 }
 
 /// All readings of one cell, in the order of the frames.
@@ -63,9 +62,7 @@ TEST(SimulatedReadings, WithoutErrorsAreGravityInTheCellFramePointingUp) {
 }
 
 TEST(SimulatedReadings, AStandingPartReadsGainTimesGravityPlusOffset) {
-  SimulatedSkinOptions options;
-  options.sensor_noise = false;
-  SimulatedSkin skin(kModel, options);
+  SimulatedSkin skin(kModel, test::with(&SimulatedSkinOptions::sensor_noise, false));
   const std::vector<SampleFrame> frames = skin.record(kUp, 1);
   ASSERT_EQ(skin.truth().size(), 17U);
   for (std::size_t k = 0; k < skin.truth().size(); ++k) {
@@ -76,9 +73,7 @@ TEST(SimulatedReadings, AStandingPartReadsGainTimesGravityPlusOffset) {
 }
 
 TEST(SimulatedReadings, SensorErrorsHaveTheModelsSpread) {
-  SimulatedSkinOptions options;
-  options.patch = "sheet:50x40";
-  const SimulatedSkin skin(kModel, options);
+  const SimulatedSkin skin(kModel, test::with(&SimulatedSkinOptions::patch, "sheet:50x40"));
   double offset = 0;
   double scale = 0;
   double cross = 0;
