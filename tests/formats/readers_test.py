@@ -94,31 +94,24 @@ class Readers(unittest.TestCase):
                 self.assertIsNone(self.error(name, document))
                 self.assertIsNone(self.complaint(name, document))
 
-    def test_a_key_that_is_missing(self):
+    def test_a_key_that_is_missing_or_null(self):
         count = 0
         for name in self.documents:
             for path, each, document, parent, key in self.places(name):
                 with self.subTest(document=name, missing=path):
+                    parent[key] = None
+                    of_null = self.complaint(name, document)
                     del parent[key]
                     error, complaint = self.error(name, document), self.complaint(name, document)
                     self.assertEqual(error is not None, each.required or bool(each.required_with), error)
                     if (name, path) in JOINED:
                         continue
+                    self.assertEqual(of_null is not None, error is not None, of_null)
                     self.assertEqual(complaint is not None, error is not None, complaint)
                     if complaint is not None:
                         self.assertIn(key if not each.required_with == "place" else "place", complaint)
                     count += 1
         self.assertGreater(count, 250)
-
-    def test_null_is_a_key_that_is_missing(self):
-        for name in self.documents:
-            for path, each, document, parent, key in self.places(name):
-                with self.subTest(document=name, null=path):
-                    parent[key] = None
-                    refused = each.required or bool(each.required_with)
-                    if (name, path) in JOINED:
-                        continue
-                    self.assertEqual(self.complaint(name, document) is not None, refused)
 
     def test_values_of_wrong_types_and_shapes(self):
         refused = taken = 0

@@ -4,7 +4,6 @@
 #include "hexoderm/io/calibration_json.h"
 #include "hexoderm/io/calibration_json_read.h"
 #include "hexoderm/io/exporter.h"
-#include "hexoderm/util/error.h"
 
 #include "tests/fuzz/fuzz_checks.h"
 
@@ -17,12 +16,9 @@ using namespace hexoderm;
 constexpr const char* kFile = "fuzz.calibration.json";
 
 std::shared_ptr<const Reconstruction> parsed(std::string_view text) {
-  try {
-    return calibrationFromDocument(text, kFile);
-  } catch (const Error& error) {
-    fuzz::requireSayable(error);
-    return nullptr;
-  }
+  std::shared_ptr<const Reconstruction> calibration;
+  fuzz::takeOrComplain([&] { calibration = calibrationFromDocument(text, kFile); });
+  return calibration;
 }
 
 }  // namespace
@@ -36,10 +32,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
                 "the same calibration by both readers");
   // The writer refuses every number that is none.
   fuzz::require(parsed(calibrationToJson(*calibration)) != nullptr, "what was written to be read again");
-  try {
-    fuzz::require(!exportBytes(*calibration, ExportFormat::Urdf, {}, "fuzz.urdf").empty(), "a URDF");
-  } catch (const Error& error) {
-    fuzz::requireSayable(error);
-  }
+  fuzz::takeOrComplain(
+      [&] { fuzz::require(!exportBytes(*calibration, ExportFormat::Urdf, {}, "fuzz.urdf").empty(), "a URDF"); });
   return 0;
 }

@@ -28,4 +28,14 @@ void requireSound(const Session& session);
 /// it.
 void requireSayable(const Error& error);
 
+/// Calls what reads an input. It may throw an Error that a terminal can show.
+template <class Read>
+void takeOrComplain(const Read& read) {
+  try {
+    read();
+  } catch (const Error& error) {
+    requireSayable(error);
+  }
+}
+
 }  // namespace hexoderm::fuzz

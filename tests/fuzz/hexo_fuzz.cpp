@@ -166,12 +166,8 @@ void requireSameAgain(const Session& session) {
 
 void readStore() {
   std::optional<SessionStore> store;
-  try {
-    store.emplace(SessionStore::openReadOnly(scratch().path()));
-  } catch (const Error& error) {
-    fuzz::requireSayable(error);
-    return;
-  }
+  fuzz::takeOrComplain([&] { store.emplace(SessionStore::openReadOnly(scratch().path())); });
+  if (!store) return;
   const Session session = store->readSession();
   fuzz::requireSound(session);
   fuzz::require(store->history().size() == store->revision(), "a line for every entry");
@@ -184,15 +180,6 @@ void readStore() {
   }
   store.reset();
   requireSameAgain(session);
-}
-
-/// As they come from a pipe.
-void readStoreBytes(const Bytes& bytes) {
-  try {
-    fuzz::requireSound(parseSessionStore(fuzz::asText(bytes), "fuzz.hexo"));
-  } catch (const Error& error) {
-    fuzz::requireSayable(error);
-  }
 }
 
 }  // namespace
@@ -211,7 +198,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   }
   const Bytes before = contentOf(scratch().path());
   readStore();
-  readStoreBytes(before);
+  // As they come from a pipe.
+  fuzz::takeOrComplain([&] { fuzz::requireSound(parseSessionStore(fuzz::asText(before), "fuzz.hexo")); });
   fuzz::require(contentOf(scratch().path()) == before, "a file that is only read to stay as it was");
   fuzz::require(scratch().isAlone(), "nothing left beside a file that is only read");
   return 0;

@@ -1,7 +1,6 @@
 // Any text as a table of joint angles: one that is the same when written and read again, or an Error.
 
 #include "hexoderm/kinematics/joint_angles_csv.h"
-#include "hexoderm/util/error.h"
 
 #include "tests/fuzz/fuzz_checks.h"
 
@@ -23,7 +22,7 @@ RobotModel robot() {
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   static const RobotModel kRobot = robot();
-  try {
+  fuzz::takeOrComplain([&] {
     const JointAnglesTable table = parseJointAnglesCsv(fuzz::asText({data, size}), "fuzz.csv", kRobot, {true});
     for (const JointAnglesRow& row : table.rows) row.angles.validate();
     const JointAnglesTable again = parseJointAnglesCsv(jointAnglesCsv(table, kRobot), "again.csv", kRobot, {true});
@@ -33,8 +32,6 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
                         again.rows[k].angles == table.rows[k].angles,
                     "the same rows again");
     }
-  } catch (const Error& error) {
-    fuzz::requireSayable(error);
-  }
+  });
   return 0;
 }

@@ -2,7 +2,6 @@
 // each of those that only the name tells.
 
 #include "hexoderm/kinematics/mesh_file.h"
-#include "hexoderm/util/error.h"
 #include "hexoderm/util/limits.h"
 
 #include "tests/fuzz/fuzz_checks.h"
@@ -30,11 +29,7 @@ void requireSoundMesh(const TriangleMesh& mesh, std::size_t bytes) {
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   for (const char* name : {"fuzz.stl", "fuzz.obj", "fuzz.dae"}) {
-    try {
-      requireSoundMesh(readMesh(std::string(fuzz::asText({data, size})), name), size);
-    } catch (const Error& error) {
-      fuzz::requireSayable(error);
-    }
+    fuzz::takeOrComplain([&] { requireSoundMesh(readMesh(std::string(fuzz::asText({data, size})), name), size); });
   }
   return 0;
 }

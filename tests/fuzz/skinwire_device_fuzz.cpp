@@ -3,12 +3,13 @@
 // bodies with CRCs in order instead of raw bytes), the second how large the receiver's buffer is. A body: type, length
 // of 16 bits, so many bytes of protobuf.
 
-#include "hexoderm/device/skinwire/crc32c.h"
 #include "hexoderm/device/skinwire/framing.h"
 #include "hexoderm/device/skinwire/skinwire.h"
 
+#include "tests/core/device/skinwire/commands_in_c.h"
 #include "tests/fuzz/fuzz_checks.h"
 #include "tests/fuzz/fuzz_input.h"
+#include "tests/fuzz/wire_bytes.h"
 
 #include <cmath>
 #include <limits>
@@ -17,8 +18,10 @@
 namespace {
 
 using namespace hexoderm;
+using fuzz::append;
 using fuzz::ByteView;
 using fuzz::FuzzInput;
+using fuzz::putNumber;
 using skinwire::Bytes;
 using skinwire::Command;
 using skinwire::Decoded;
@@ -30,21 +33,13 @@ constexpr unsigned kHasGoodBodies = 8;
 constexpr std::uint8_t kGuard = 0xA5;
 constexpr std::size_t kGuards = 16;
 
-void append(ByteView bytes, Bytes& out) { out.insert(out.end(), bytes.begin(), bytes.end()); }
-
-void putNumber(std::uint64_t value, std::size_t size, Bytes& out) {
-  for (std::size_t k = 0; k < size; ++k) out.push_back(static_cast<std::uint8_t>(value >> (8 * k)));
-}
-
 /// Bodies with their CRCs, in the framing; in a datagram only the last.
 Bytes assemble(skinwire_framing framing, FuzzInput& input) {
   Bytes bytes;
   while (!input.atEnd()) {
-    Bytes body = {skinwire::kMajor, input.byte()};
-    append(input.piece(), body);
-    putNumber(skinwire::crc32c(body), 4, body);
+    const Bytes body = fuzz::nextBody(input);
     if (framing == SKINWIRE_DATAGRAM) {
-      bytes = std::move(body);
+      bytes = body;
     } else if (framing == SKINWIRE_COBS) {
       append(skinwire::encodeCobs(body), bytes);
       bytes.push_back(0);
@@ -92,35 +87,6 @@ std::vector<Decoded> decodedByTheLibrary(ByteView bytes, skinwire_framing framin
   return all;
 }
 
-void requireSame(const skinwire_command& in_c, const Command& command) {
-  fuzz::require(in_c.number == command.number, "the same number");
-  if (const auto* rate = std::get_if<skinwire::SetRate>(&command.request)) {
-    fuzz::require(in_c.request == SKINWIRE_SET_RATE && in_c.of.set_rate.rate_hz == static_cast<float>(rate->rate_hz),
-                  "the same rate");
-  } else if (const auto* led = std::get_if<skinwire::SetLed>(&command.request)) {
-    const skinwire_set_led& found = in_c.of.set_led;
-    fuzz::require(in_c.request == SKINWIRE_SET_LED && found.cell == led->cell && found.red == led->red &&
-                      found.green == led->green && found.blue == led->blue,
-                  "the same light");
-  } else if (const auto* turn = std::get_if<skinwire::TurnTo>(&command.request)) {
-    fuzz::require(in_c.request == SKINWIRE_TURN_TO && in_c.of.turn_to.cell == turn->cell, "the same turn");
-    for (std::size_t k = 0; k < 3; ++k) {
-      fuzz::require(in_c.of.turn_to.up[k] == static_cast<float>(turn->up_u[static_cast<Eigen::Index>(k)]),
-                    "the same direction");
-    }
-  } else if (std::holds_alternative<skinwire::ExploreAgain>(command.request)) {
-    fuzz::require(in_c.request == SKINWIRE_EXPLORE_AGAIN, "the same exploration");
-  } else if (const auto* describe = std::get_if<skinwire::Describe>(&command.request)) {
-    const skinwire_describe& found = in_c.of.describe;
-    fuzz::require(in_c.request == SKINWIRE_DESCRIBE &&
-                      found.has_known_topology == describe->known_topology.has_value() &&
-                      (!found.has_known_topology || found.known_topology == *describe->known_topology),
-                  "the same question");
-  } else {
-    fuzz::require(in_c.request == SKINWIRE_UNKNOWN, "no request that is known");
-  }
-}
-
 /// skinwire.h leaves it to the host that `up` has length 1; the library asks for it.
 bool isTurnToNoUnitVector(const skinwire_command& command) {
   constexpr double kSurely = 0.9e-3;
@@ -144,14 +110,14 @@ void requireUnderstoodAgain(const Command& command) {
   fuzz::require(body.size() <= SKINWIRE_COMMAND_SIZE, "commands that fit the buffer");
   fuzz::require(skinwire_read_body(body.data(), body.size(), &again) == SKINWIRE_COMMAND,
                 "every command that there is");
-  requireSame(again, command);
+  fuzz::require(skinwire::isSame(again, command), "the same command again");
 }
 
 void requireAgreement(const Event& event, const Decoded& decoded) {
   const auto* command = decoded.outcome == DecodeOutcome::Understood ? std::get_if<Command>(&decoded.message) : nullptr;
   if (event.event == SKINWIRE_COMMAND) {
     fuzz::require(command != nullptr || isTurnToNoUnitVector(event.command), "only what is a command");
-    if (command != nullptr) requireSame(event.command, *command);
+    if (command != nullptr) fuzz::require(skinwire::isSame(event.command, *command), "the same command");
   }
   if (event.event == SKINWIRE_SKIPPED) {
     fuzz::require(command == nullptr && decoded.major != 0, "only what is whole, and no command");

@@ -2,7 +2,6 @@
 // byte of an input says how it comes (low 3 bits: which stream; 8: bodies with CRCs in order instead of raw bytes), the
 // second in pieces of how many bytes. A body: type, length of 16 bits, so many bytes of protobuf.
 
-#include "hexoderm/device/skinwire/crc32c.h"
 #include "hexoderm/device/skinwire/framing.h"
 #include "hexoderm/device/sources/recording.h"
 #include "hexoderm/util/error.h"
@@ -11,6 +10,7 @@
 #include "tests/fuzz/fuzz_checks.h"
 #include "tests/fuzz/fuzz_input.h"
 #include "tests/fuzz/scratch_file.h"
+#include "tests/fuzz/wire_bytes.h"
 
 #include <cmath>
 #include <functional>
@@ -20,8 +20,10 @@
 namespace {
 
 using namespace hexoderm;
+using fuzz::append;
 using fuzz::ByteView;
 using fuzz::FuzzInput;
+using fuzz::putNumber;
 using skinwire::Bytes;
 using skinwire::Decoded;
 using skinwire::DecodeOutcome;
@@ -170,20 +172,12 @@ std::vector<Decoded> decodeStream(std::optional<Framing> framing, ByteView bytes
   return in_pieces;
 }
 
-void putNumber(std::uint64_t value, std::size_t size, Bytes& out) {
-  for (std::size_t k = 0; k < size; ++k) out.push_back(static_cast<std::uint8_t>(value >> (8 * k)));
-}
-
-void append(ByteView bytes, Bytes& out) { out.insert(out.end(), bytes.begin(), bytes.end()); }
-
 /// Bodies with their CRCs, in the stream's framing.
 Bytes assemble(Stream stream, FuzzInput& input) {
   Bytes bytes;
   std::uint64_t arrived_us = 0;
   while (!input.atEnd()) {
-    Bytes body = {skinwire::kMajor, input.byte()};
-    append(input.piece(), body);
-    putNumber(skinwire::crc32c(body), 4, body);
+    const Bytes body = fuzz::nextBody(input);
     if (stream == Stream::Cobs) {
       append(skinwire::encodeCobs(body), bytes);
       bytes.push_back(0);

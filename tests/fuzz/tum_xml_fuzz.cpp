@@ -1,7 +1,6 @@
 // Any text as a TUM SkinConfig: a sound configuration, session and calibration, or an Error.
 
 #include "hexoderm/io/tum_xml.h"
-#include "hexoderm/util/error.h"
 
 #include "tests/fuzz/fuzz_checks.h"
 
@@ -32,12 +31,10 @@ void requireFinite(const Reconstruction& calibration) {
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   static const CellModel model = builtInCellModel("hex-bma150");
-  try {
+  fuzz::takeOrComplain([&] {
     const TumSkinConfig config = parseTumXml(fuzz::asText({data, size}), "fuzz.xml");
     fuzz::requireSound(sessionFromTum(config, model, "fuzz.xml"));
     requireFinite(*calibrationFromTum(config, model, "fuzz.xml"));
-  } catch (const Error& error) {
-    fuzz::requireSayable(error);
-  }
+  });
   return 0;
 }

@@ -1,7 +1,6 @@
 // Any text as a URDF: a robot whose links are at finite places, or an Error. Meshes are not opened.
 
 #include "hexoderm/kinematics/robot_model.h"
-#include "hexoderm/util/error.h"
 
 #include "tests/fuzz/fuzz_checks.h"
 
@@ -19,11 +18,7 @@ void requireSoundLink(const RobotModel& robot, std::size_t link) {
       const auto* mesh = std::get_if<MeshShape>(&shape.shape);
       if (mesh == nullptr) continue;
       has_mesh = true;
-      try {
-        static_cast<void>(robot.meshFile(*mesh, link));
-      } catch (const Error& error) {
-        fuzz::requireSayable(error);
-      }
+      fuzz::takeOrComplain([&] { static_cast<void>(robot.meshFile(*mesh, link)); });
     }
   }
   if (has_mesh) return;
@@ -35,7 +30,7 @@ void requireSoundLink(const RobotModel& robot, std::size_t link) {
 }  // namespace
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-  try {
+  fuzz::takeOrComplain([&] {
     const RobotModel robot = RobotModel::parse(fuzz::asText({data, size}), "fuzz.urdf");
     JointAngles angles;
     for (const std::string& joint : robot.freeJointNames()) angles.positions[joint] = 0.7;
@@ -47,8 +42,6 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
       fuzz::require(robot.partOf(link) < robot.links().size(), "parts that are links");
       requireSoundLink(robot, link);
     }
-  } catch (const Error& error) {
-    fuzz::requireSayable(error);
-  }
+  });
   return 0;
 }

@@ -2,11 +2,10 @@
 // counts: thousands of each kind, the same in every run, given to the fuzz target "skinwire", which requires what
 // README.md beside this file says. The memory that all of them take together is limited.
 
-#include "hexoderm/device/skinwire/codec.h"
-#include "hexoderm/device/skinwire/crc32c.h"
 #include "hexoderm/device/skinwire/framing.h"
 
 #include "tests/fuzz/fuzz_checks.h"
+#include "tests/fuzz/wire_bytes.h"
 
 #include <sys/resource.h>
 
@@ -23,6 +22,8 @@
 namespace {
 
 using namespace hexoderm;
+using fuzz::append;
+using fuzz::putNumber;
 using skinwire::Bytes;
 using skinwire::Framing;
 
@@ -115,7 +116,6 @@ class Attacker {
   std::uint64_t sequence_ = 0;
 };
 
-void append(const Bytes& bytes, Bytes& out) { out.insert(out.end(), bytes.begin(), bytes.end()); }
 void append(std::string_view text, Bytes& out) { out.insert(out.end(), text.begin(), text.end()); }
 
 Bytes described(Framing framing) {
@@ -224,8 +224,7 @@ Bytes giantCounts(Attacker& attacker) {
       body.resize(attacker.upTo(body.size()));
     }
     input.push_back(whole.at(1));
-    input.push_back(static_cast<std::uint8_t>(body.size()));
-    input.push_back(static_cast<std::uint8_t>(body.size() >> 8U));
+    putNumber(body.size(), 2, input);
     append(body, input);
   }
   return input;
@@ -258,9 +257,8 @@ std::vector<Bytes> largest() {
     for (std::uint8_t part = 0; part < 10; ++part) {
       Bytes body = {skinwire::kMajor, 2, 0x08, 9, 0x10, part, 0x18, 10};
       for (int k = 0; k < 200'000; ++k) append(Bytes{0x22, 0}, body);
-      const std::uint32_t crc = skinwire::crc32c(body);
-      for (unsigned b = 0; b < 4; ++b) body.push_back(static_cast<std::uint8_t>(crc >> (8 * b)));
-      for (unsigned b = 0; b < 4; ++b) input.push_back(static_cast<std::uint8_t>(body.size() >> (8 * b)));
+      putNumber(skinwire::crc32c(body), 4, body);
+      putNumber(body.size(), 4, input);
       append(body, input);
     }
   });

@@ -7,7 +7,7 @@
 #include "hexoderm/util/error.h"
 #include "tests/support/session_matchers.h"
 
-#include <gtest/gtest.h>
+#include <gmock/gmock.h>
 
 #include <memory>
 #include <optional>
@@ -18,14 +18,18 @@ namespace hexoderm::test {
 /// Which of the two readers of a format take a text: the quick one takes nothing that the thorough one does not.
 enum class TakenBy { Nobody, Thorough, Both };
 
-/// Expects that both readers take the same session from a text, or that the quick one takes none.
+/// Expects that both readers take the same session from a text, or that the quick one takes none; that what is taken
+/// can be written and read again, and that what is refused names the file.
 inline TakenBy readSessionBothWays(const std::string& text) {
   const std::string file = "folder/s.session.json";
   std::optional<Session> thorough;
   try {
     thorough = sessionFromDocument(text, file);
-  } catch (const Error&) {
-    thorough = std::nullopt;
+  } catch (const Error& error) {
+    EXPECT_THAT(error.what(), ::testing::StartsWith(file + ": "));
+  }
+  if (thorough) {
+    EXPECT_NO_THROW(sessionFromDocument(sessionToJson(*thorough), file)) << text;
   }
   const std::optional<Session> quick = scanSessionJson(text, file);
   if (!quick) return thorough ? TakenBy::Thorough : TakenBy::Nobody;
@@ -45,8 +49,11 @@ inline TakenBy readCalibrationBothWays(const std::string& text) {
   std::shared_ptr<const Reconstruction> thorough;
   try {
     thorough = calibrationFromDocument(text, file);
-  } catch (const Error&) {
-    thorough = nullptr;
+  } catch (const Error& error) {
+    EXPECT_THAT(error.what(), ::testing::StartsWith(file + ": "));
+  }
+  if (thorough) {
+    EXPECT_NO_THROW(calibrationFromDocument(calibrationToJson(*thorough), file)) << text;
   }
   const std::shared_ptr<const Reconstruction> quick = scanCalibrationJson(text, file);
   if (!quick) return thorough ? TakenBy::Thorough : TakenBy::Nobody;

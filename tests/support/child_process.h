@@ -68,6 +68,8 @@ class ChildProcess {
     for (char c = 0; ::read(out_.ends[0], &c, 1) == 1 && c != '\n';) line += c;
     return line;
   }
+  /// The end of its output that is read here.
+  [[nodiscard]] int output() const { return out_.ends[0]; }
   void waitForOutput(const std::string& text) const { waitFor(text, out_.ends[0]); }
   void waitForError(const std::string& text) const { waitFor(text, err_.ends[0]); }
   void closeInput() { in_.closeEnd(1); }

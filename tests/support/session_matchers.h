@@ -1,27 +1,15 @@
 #pragma once
 
 #include "hexoderm/session/session.h"
+#include "tests/support/sample_matchers.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <bit>
 #include <cstdint>
 #include <string>
 
 namespace hexoderm::test {
-
-/// Same bits, so that -0 and 0 are not the same.
-template <class A, class B>
-bool sameBits(const A& a, const B& b) {
-  if (a.rows() != b.rows() || a.cols() != b.cols()) return false;
-  for (Eigen::Index i = 0; i < a.rows(); ++i) {
-    for (Eigen::Index j = 0; j < a.cols(); ++j) {
-      if (std::bit_cast<std::uint64_t>(a(i, j)) != std::bit_cast<std::uint64_t>(b(i, j))) return false;
-    }
-  }
-  return true;
-}
 
 inline void expectSamePose(const SessionPose& a, const SessionPose& b) {
   EXPECT_EQ(a.disabled, b.disabled);

@@ -88,36 +88,6 @@ TEST(AverageFrames, LeavesOutMeansOfNothingAndNegativeVariances) {
   EXPECT_TRUE(averageFrames(frames, PoseId(1), {}).samples.empty());
 }
 
-TEST(PoseAverage, IsThatOfTheFramesThatCameOneByOne) {
-  std::mt19937 random(5);
-  std::normal_distribution<double> normal(0, 0.01);
-  std::vector<SampleFrame> frames(50);
-  for (std::size_t k = 0; k < frames.size(); ++k) {
-    // In another order each time, and not all of them.
-    for (const std::uint32_t cell : {9U, 2U, 5U, 1U}) {
-      if ((k + cell) % 3 == 0) continue;
-      frames[k].samples.push_back({CellId(k % 2 == 0 ? cell : 10 - cell), {normal(random), 1, normal(random)}});
-    }
-    if (k % 10 == 0) frames[k].means.push_back({CellId(4), {normal(random), 0, 1}, {1e-4, 1e-4, 1e-4}, 25});
-  }
-  PoseAverage average;
-  EXPECT_TRUE(average.pose(PoseId(1), {}).samples.empty());
-  for (const SampleFrame& frame : frames) average.add(frame);
-  const PoseCapture streamed = average.pose(PoseId(2), Message::verbatim("on its side"));
-  const PoseCapture whole = averageFrames(frames, PoseId(2), {});
-  EXPECT_EQ(streamed.label.english(), "on its side");
-  ASSERT_EQ(streamed.samples.size(), whole.samples.size());
-  for (std::size_t k = 0; k < whole.samples.size(); ++k) {
-    if (k > 0) {
-      EXPECT_LT(streamed.samples[k - 1].cell, streamed.samples[k].cell);
-    }
-    EXPECT_EQ(streamed.samples[k].cell, whole.samples[k].cell);
-    EXPECT_EQ(streamed.samples[k].mean_g, whole.samples[k].mean_g);
-    EXPECT_EQ(streamed.samples[k].cov_g2, whole.samples[k].cov_g2);
-    EXPECT_EQ(streamed.samples[k].count, whole.samples[k].count);
-  }
-}
-
 TEST(AverageFrames, OfNothingIsAPoseWithoutSamples) { EXPECT_TRUE(averageFrames({}, PoseId(1), {}).samples.empty()); }
 
 }  // namespace

@@ -6,6 +6,7 @@
 #include "tests/core/capture/captures_of.h"
 #include "tests/core/capture/synthetic_stream.h"
 
+#include <gtest/gtest.h>
 #include <cstddef>
 #include <cstdint>
 #include <memory>
@@ -35,12 +36,14 @@ inline void feed(PoseRecorder& recorder, const std::vector<SampleFrame>& frames)
   for (const SampleFrame& frame : frames) recorder.addFrame(frame);
 }
 
-inline StreamOptions cells(std::size_t count, double rate_hz = 1000) {
-  StreamOptions options;
-  options.cells = count;
-  options.rate_hz = rate_hz;
-  return options;
-}
+inline StreamOptions cells(std::size_t count, double rate_hz = 1000) { return {.cells = count, .rate_hz = rate_hz}; }
+
+/// A recorder of the default options.
+class PoseRecorderTest : public testing::Test {
+ protected:
+  Captures captures_;
+  PoseRecorder recorder_{captures_};
+};
 
 /// Frames of [from, to] in device time.
 inline std::vector<SampleFrame> between(const std::vector<SampleFrame>& frames, double after_s, double to_s) {

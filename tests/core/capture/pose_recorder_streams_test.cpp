@@ -1,12 +1,12 @@
 // Streams as devices send them: late, in parts, with gaps, with slow and silent cells, as means.
 
 #include "tests/core/capture/pose_recorder_fixture.h"
+#include "tests/support/options.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <algorithm>
 #include <limits>
-#include <random>
 #include <span>
 #include <vector>
 
@@ -17,7 +17,7 @@ using testing::ElementsAre;
 using testing::IsEmpty;
 using testing::SizeIs;
 
-TEST(PoseRecorder, IgnoresAndCountsLateFrames) {
+TEST_F(PoseRecorderTest, IgnoresAndCountsLateFrames) {
   SyntheticStream stream(cells(2));
   stream.hold(2);
   std::vector<SampleFrame> frames;
@@ -32,11 +32,9 @@ TEST(PoseRecorder, IgnoresAndCountsLateFrames) {
   frames.push_back({std::numeric_limits<double>::quiet_NaN(), {}});
   frames.push_back(stream.frames.back());
   frames.back().time_s += 0.06;
-  Captures captures;
-  PoseRecorder recorder(captures);
-  feed(recorder, frames);
-  EXPECT_THAT(captures.poses, SizeIs(1));
-  EXPECT_EQ(captures.holds.back().late_frames, stream.frames.size() / 10 + 1);
+  feed(recorder_, frames);
+  EXPECT_THAT(captures_.poses, SizeIs(1));
+  EXPECT_EQ(captures_.holds.back().late_frames, stream.frames.size() / 10 + 1);
 }
 
 /// Splits frames, like a device whose messages are too short for all its cells.
@@ -51,7 +49,7 @@ std::vector<SampleFrame> inParts(const std::vector<SampleFrame>& frames, std::si
   return parts;
 }
 
-TEST(PoseRecorder, TakesATickThatComesInSeveralFramesAsOne) {
+TEST_F(PoseRecorderTest, TakesATickThatComesInSeveralFramesAsOne) {
   SyntheticStream stream(cells(5));
   stream.hold(2);
   Captures whole;
@@ -59,17 +57,15 @@ TEST(PoseRecorder, TakesATickThatComesInSeveralFramesAsOne) {
   first.setSkin(skinOf(5));
   feed(first, stream.frames);
   ASSERT_THAT(whole.poses, SizeIs(1));
-  Captures captures;
-  PoseRecorder recorder(captures);
-  recorder.setSkin(skinOf(5));
+  recorder_.setSkin(skinOf(5));
   std::vector<SampleFrame> parts = inParts(stream.frames, 2);
-  feed(recorder, parts);
-  ASSERT_THAT(captures.poses, SizeIs(1));
-  EXPECT_THAT(captures.poses[0].silent_cells, IsEmpty());
-  EXPECT_EQ(captures.holds.back().late_frames, 0U);
-  ASSERT_THAT(captures.poses[0].pose->samples, SizeIs(5));
+  feed(recorder_, parts);
+  ASSERT_THAT(captures_.poses, SizeIs(1));
+  EXPECT_THAT(captures_.poses[0].silent_cells, IsEmpty());
+  EXPECT_EQ(captures_.holds.back().late_frames, 0U);
+  ASSERT_THAT(captures_.poses[0].pose->samples, SizeIs(5));
   for (std::size_t k = 0; k < 5; ++k) {
-    const GravitySample& sample = captures.poses[0].pose->samples[k];
+    const GravitySample& sample = captures_.poses[0].pose->samples[k];
     const GravitySample& expected = whole.poses[0].pose->samples[k];
     EXPECT_EQ(sample.cell, expected.cell);
     EXPECT_EQ(sample.count, expected.count);
@@ -77,49 +73,44 @@ TEST(PoseRecorder, TakesATickThatComesInSeveralFramesAsOne) {
   }
 
   // A repetition is not another part.
-  recorder.addFrame(parts.back());
-  recorder.addFrame(parts[parts.size() - 3]);
+  recorder_.addFrame(parts.back());
+  recorder_.addFrame(parts[parts.size() - 3]);
   const SampleFrame later{stream.frames.back().time_s + 0.06, stream.frames.back().samples};
-  recorder.addFrame(later);
-  EXPECT_EQ(captures.holds.back().late_frames, 2U);
+  recorder_.addFrame(later);
+  EXPECT_EQ(captures_.holds.back().late_frames, 2U);
 }
 
-TEST(PoseRecorder, GoesOnAfterTheDevicesClockWasSetBack) {
+TEST_F(PoseRecorderTest, GoesOnAfterTheDevicesClockWasSetBack) {
   SyntheticStream stream(cells(2));
   stream.hold(2);
-  Captures captures;
-  PoseRecorder recorder(captures);
-  feed(recorder, stream.frames);
-  ASSERT_THAT(captures.poses, SizeIs(1));
+  feed(recorder_, stream.frames);
+  ASSERT_THAT(captures_.poses, SizeIs(1));
   stream.frames.clear();
   stream.move(60 * kDegree, 1);
   stream.hold(3);
   for (SampleFrame& frame : stream.frames) frame.time_s -= 12;
-  feed(recorder, stream.frames);
-  EXPECT_THAT(captures.poses, SizeIs(2));
-  EXPECT_EQ(captures.holds.back().late_frames, 0U) << "a new clock is not late";
+  feed(recorder_, stream.frames);
+  EXPECT_THAT(captures_.poses, SizeIs(2));
+  EXPECT_EQ(captures_.holds.back().late_frames, 0U) << "a new clock is not late";
 
   for (SampleFrame& frame : stream.frames) frame.time_s -= 12;
-  feed(recorder, inParts(stream.frames, 1));
-  EXPECT_THAT(captures.poses, SizeIs(3));
-  EXPECT_EQ(captures.holds.back().late_frames, 0U);
+  feed(recorder_, inParts(stream.frames, 1));
+  EXPECT_THAT(captures_.poses, SizeIs(3));
+  EXPECT_EQ(captures_.holds.back().late_frames, 0U);
 }
 
-TEST(PoseRecorder, DoesNotWaitForCellsThatFallSilent) {
+TEST_F(PoseRecorderTest, DoesNotWaitForCellsThatFallSilent) {
   SyntheticStream stream(cells(4));
   stream.hold(6);
   for (SampleFrame& frame : stream.frames) {
     std::erase_if(frame.samples,
                   [&](const CellSample& sample) { return sample.cell == CellId(2) && frame.time_s > 10.9; });
   }
-  Captures captures;
-  PoseRecorderOptions options;
-  options.samples_per_cell = 500;
-  PoseRecorder recorder(captures, options);
+  PoseRecorder recorder(captures_, test::with(&PoseRecorderOptions::samples_per_cell, 500));
   recorder.setSkin(skinOf(5));
   feed(recorder, stream.frames);
-  ASSERT_THAT(captures.poses, SizeIs(1));
-  const CapturedPose& captured = captures.poses.front();
+  ASSERT_THAT(captures_.poses, SizeIs(1));
+  const CapturedPose& captured = captures_.poses.front();
   EXPECT_LT(captured.end_s, 13);
   EXPECT_THAT(captured.short_cells, ElementsAre(CellId(2)));
   EXPECT_THAT(captured.silent_cells, ElementsAre(CellId(5)));
@@ -128,44 +119,20 @@ TEST(PoseRecorder, DoesNotWaitForCellsThatFallSilent) {
   EXPECT_EQ(captured.pose->samples[0].count, 500U);
 }
 
-TEST(PoseRecorder, GivesSlowCellsAsLongAgainAsTheOthersTook) {
+TEST_F(PoseRecorderTest, GivesSlowCellsAsLongAgainAsTheOthersTook) {
   SyntheticStream stream(cells(4));
   stream.hold(3);
   for (std::size_t k = 0; k < stream.frames.size(); ++k) {
     if (k % 20 != 0) stream.frames[k].samples.resize(3);
   }
-  Captures captures;
-  PoseRecorder recorder(captures);
-  feed(recorder, stream.frames);
-  ASSERT_THAT(captures.poses, SizeIs(1));
-  EXPECT_NEAR(captures.poses.front().end_s - captures.poses.front().start_s, 0.2, 0.06);
-  EXPECT_THAT(captures.poses.front().short_cells, ElementsAre(CellId(4)));
-  EXPECT_NEAR(captures.poses.front().pose->samples[3].count, 10, 3);
+  feed(recorder_, stream.frames);
+  ASSERT_THAT(captures_.poses, SizeIs(1));
+  EXPECT_NEAR(captures_.poses.front().end_s - captures_.poses.front().start_s, 0.2, 0.06);
+  EXPECT_THAT(captures_.poses.front().short_cells, ElementsAre(CellId(4)));
+  EXPECT_NEAR(captures_.poses.front().pose->samples[3].count, 10, 3);
 }
 
-TEST(PoseRecorder, BearsDropOuts) {
-  StreamOptions options = cells(6, 200);
-  for (unsigned seed = 1; seed <= 5; ++seed) {
-    options.seed = seed;
-    SyntheticStream stream(options);
-    stream.hold(4);
-    stream.move(40 * kDegree, 1);
-    stream.hold(4);
-    std::mt19937 random(seed);
-    std::erase_if(stream.frames, [&](const SampleFrame&) { return random() % 10 < 2; });
-    for (SampleFrame& frame : stream.frames) {
-      std::erase_if(frame.samples, [&](const CellSample&) { return random() % 10 < 3; });
-    }
-    Captures captures;
-    PoseRecorder recorder(captures);
-    recorder.setSkin(skinOf(6, 200));
-    feed(recorder, stream.frames);
-    EXPECT_THAT(captures.poses, SizeIs(2)) << seed;
-    for (const CapturedPose& captured : captures.poses) EXPECT_THAT(captured.pose->samples, SizeIs(6));
-  }
-}
-
-TEST(PoseRecorder, PoolsMeansThatTheDeviceMadeByTheirCounts) {
+TEST_F(PoseRecorderTest, PoolsMeansThatTheDeviceMadeByTheirCounts) {
   SyntheticStream stream(cells(2));
   stream.hold(4);
   std::vector<SampleFrame> means;
@@ -178,11 +145,9 @@ TEST(PoseRecorder, PoolsMeansThatTheDeviceMadeByTheirCounts) {
     }
     means.push_back(frame);
   }
-  Captures captures;
-  PoseRecorder recorder(captures);
-  feed(recorder, means);
-  ASSERT_THAT(captures.poses, SizeIs(1));
-  const CapturedPose& captured = captures.poses.front();
+  feed(recorder_, means);
+  ASSERT_THAT(captures_.poses, SizeIs(1));
+  const CapturedPose& captured = captures_.poses.front();
   // The first mean after the start may reach back beyond it and is left out.
   const auto first = std::ranges::find_if(means, [&](const SampleFrame& f) { return f.time_s > captured.start_s; });
   const PoseCapture expected = averageFrames(between(stream.frames, first->time_s, captured.end_s), PoseId(1), {});

@@ -2,6 +2,7 @@
 
 #include "hexoderm/util/error.h"
 #include "tests/core/capture/pose_recorder_fixture.h"
+#include "tests/support/options.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -15,21 +16,20 @@ namespace {
 using testing::IsEmpty;
 using testing::SizeIs;
 
-TEST(PoseRecorder, CapturesTheMeanOfEveryCellWithCovarianceAndCount) {
+TEST_F(PoseRecorderTest, CapturesTheMeanOfEveryCellWithCovarianceAndCount) {
   SyntheticStream stream(cells(3));
   stream.hold(2);
-  Captures captures;
   PoseRecorderOptions options;
   options.keep_frames = true;
   options.wall_clock_ms = [] { return std::int64_t{1234567}; };
-  PoseRecorder recorder(captures, options);
+  PoseRecorder recorder(captures_, options);
   recorder.setSkin(skinOf(3));
   recorder.setNextPoseId(PoseId(7));
   for (SampleFrame& frame : stream.frames) frame.temperatures.push_back({CellId(2), 31.5});
   feed(recorder, stream.frames);
 
-  ASSERT_THAT(captures.poses, SizeIs(1));
-  const CapturedPose& captured = captures.poses.front();
+  ASSERT_THAT(captures_.poses, SizeIs(1));
+  const CapturedPose& captured = captures_.poses.front();
   EXPECT_EQ(captured.pose->id, PoseId(7));
   EXPECT_EQ(captured.pose->taken_at_ms, 1234567);
   EXPECT_FALSE(captured.forced);
@@ -84,9 +84,7 @@ TEST(PoseRecorder, TakesAsManySamplesAsTheRateAllows) {
     SyntheticStream stream(cells(2, rate_hz));
     stream.hold(5);
     Captures captures;
-    PoseRecorderOptions options;
-    options.samples_per_cell = asked;
-    PoseRecorder recorder(captures, options);
+    PoseRecorder recorder(captures, test::with(&PoseRecorderOptions::samples_per_cell, asked));
     recorder.setSkin(skinOf(2, model_hz));
     feed(recorder, stream.frames);
     return captures.poses.empty() ? 0U : captures.poses.front().pose->samples.front().count;
@@ -99,68 +97,59 @@ TEST(PoseRecorder, TakesAsManySamplesAsTheRateAllows) {
   EXPECT_EQ(samplesAt(100, 100, 120), 120U);
 }
 
-TEST(PoseRecorder, WaitsForTheOperatorUnlessItIsAutomatic) {
+TEST_F(PoseRecorderTest, WaitsForTheOperatorUnlessItIsAutomatic) {
   SyntheticStream stream(cells(2));
   stream.hold(2);
-  Captures captures;
-  PoseRecorderOptions options;
-  options.automatic = false;
-  PoseRecorder recorder(captures, options);
+  PoseRecorder recorder(captures_, test::with(&PoseRecorderOptions::automatic, false));
   feed(recorder, stream.frames);
-  EXPECT_THAT(captures.poses, IsEmpty());
-  EXPECT_EQ(captures.holds.back().message.english(), "Still: ready to capture");
+  EXPECT_THAT(captures_.poses, IsEmpty());
+  EXPECT_EQ(captures_.holds.back().message.english(), "Still: ready to capture");
 
   recorder.setAutomatic(true);
   stream.frames.clear();
   stream.hold(1);
   feed(recorder, stream.frames);
-  EXPECT_THAT(captures.poses, SizeIs(1));
+  EXPECT_THAT(captures_.poses, SizeIs(1));
 }
 
-TEST(PoseRecorder, CapturesAnywayWhenAsked) {
+TEST_F(PoseRecorderTest, CapturesAnywayWhenAsked) {
   SyntheticStream stream(cells(2));
   stream.turn(20 * kDegree, 2);
-  Captures captures;
-  PoseRecorder recorder(captures);
-  feed(recorder, stream.frames);
-  ASSERT_THAT(captures.poses, IsEmpty());
-  recorder.captureNow();
+  feed(recorder_, stream.frames);
+  ASSERT_THAT(captures_.poses, IsEmpty());
+  recorder_.captureNow();
   stream.frames.clear();
   stream.turn(20 * kDegree, 1);
-  feed(recorder, stream.frames);
-  ASSERT_THAT(captures.poses, SizeIs(1));
-  EXPECT_TRUE(captures.poses.front().forced);
-  EXPECT_EQ(captures.poses.front().start_s, stream.frames.front().time_s);
-  EXPECT_EQ(captures.poses.front().pose->samples.front().count, 100U);
+  feed(recorder_, stream.frames);
+  ASSERT_THAT(captures_.poses, SizeIs(1));
+  EXPECT_TRUE(captures_.poses.front().forced);
+  EXPECT_EQ(captures_.poses.front().start_s, stream.frames.front().time_s);
+  EXPECT_EQ(captures_.poses.front().pose->samples.front().count, 100U);
   // The next samples, from the first on.
   const PoseCapture expected = averageFrames(std::span(stream.frames).first(100), PoseId(1), {});
-  EXPECT_EQ(captures.poses.front().pose->samples.front().mean_g, expected.samples.front().mean_g);
+  EXPECT_EQ(captures_.poses.front().pose->samples.front().mean_g, expected.samples.front().mean_g);
 }
 
-TEST(PoseRecorder, CapturesAnywayWithTheVeryFirstSamples) {
+TEST_F(PoseRecorderTest, CapturesAnywayWithTheVeryFirstSamples) {
   SyntheticStream stream(cells(2));
   stream.turn(20 * kDegree, 0.3);
-  Captures captures;
-  PoseRecorder recorder(captures);
-  recorder.captureNow();
-  feed(recorder, stream.frames);
-  ASSERT_THAT(captures.poses, SizeIs(1));
-  EXPECT_THAT(captures.poses.front().pose->samples, SizeIs(2));
+  recorder_.captureNow();
+  feed(recorder_, stream.frames);
+  ASSERT_THAT(captures_.poses, SizeIs(1));
+  EXPECT_THAT(captures_.poses.front().pose->samples, SizeIs(2));
 }
 
-TEST(PoseRecorder, GivesUpACaptureWhenAsked) {
+TEST_F(PoseRecorderTest, GivesUpACaptureWhenAsked) {
   SyntheticStream stream(cells(2));
   stream.turn(20 * kDegree, 1);
-  Captures captures;
-  PoseRecorder recorder(captures);
-  recorder.captureNow();
-  feed(recorder, between(stream.frames, 0, 10.05));
-  recorder.cancelCapture();
-  feed(recorder, between(stream.frames, 10.05, 20));
-  EXPECT_THAT(captures.poses, IsEmpty());
+  recorder_.captureNow();
+  feed(recorder_, between(stream.frames, 0, 10.05));
+  recorder_.cancelCapture();
+  feed(recorder_, between(stream.frames, 10.05, 20));
+  EXPECT_THAT(captures_.poses, IsEmpty());
 }
 
-TEST(PoseRecorder, NamesThePoseThatIsRepeated) {
+TEST_F(PoseRecorderTest, NamesThePoseThatIsRepeated) {
   SyntheticStream stream(cells(3));
   stream.hold(2);
   const Eigen::Vector3d axis = stream.someAxis();
@@ -168,19 +157,17 @@ TEST(PoseRecorder, NamesThePoseThatIsRepeated) {
   stream.hold(2);
   stream.turnAbout(axis, -76 * kDegree, 1);
   stream.hold(2);
-  Captures captures;
-  PoseRecorder recorder(captures);
-  feed(recorder, stream.frames);
-  ASSERT_THAT(captures.poses, SizeIs(3));
-  EXPECT_FALSE(captures.poses[0].repeats);
-  EXPECT_FALSE(captures.poses[1].repeats);
-  EXPECT_EQ(captures.poses[2].repeats, PoseId(1));
-  EXPECT_NEAR(toDegrees(captures.poses[2].repeat_angle_rad), 4, 0.5);
+  feed(recorder_, stream.frames);
+  ASSERT_THAT(captures_.poses, SizeIs(3));
+  EXPECT_FALSE(captures_.poses[0].repeats);
+  EXPECT_FALSE(captures_.poses[1].repeats);
+  EXPECT_EQ(captures_.poses[2].repeats, PoseId(1));
+  EXPECT_NEAR(toDegrees(captures_.poses[2].repeat_angle_rad), 4, 0.5);
 
   // The session's own list counts: without the first pose nothing is repeated.
   Captures again;
   PoseRecorder other(again);
-  other.setEarlierPoses({captures.poses[1].pose});
+  other.setEarlierPoses({captures_.poses[1].pose});
   stream.frames.clear();
   stream.hold(2);
   feed(other, stream.frames);
@@ -188,17 +175,15 @@ TEST(PoseRecorder, NamesThePoseThatIsRepeated) {
   EXPECT_FALSE(again.poses[0].repeats);
 }
 
-TEST(PoseRecorder, ShowsThePresentReadingsAtMostTwentyTimesASecond) {
+TEST_F(PoseRecorderTest, ShowsThePresentReadingsAtMostTwentyTimesASecond) {
   SyntheticStream stream(cells(3));
   stream.hold(3);
   stream.frames[10].temperatures.push_back({CellId(2), 31.5});
   stream.frames[1000].temperatures.push_back({CellId(2), 32.5});
-  Captures captures;
-  PoseRecorder recorder(captures);
-  feed(recorder, stream.frames);
-  EXPECT_NEAR(static_cast<double>(captures.previews.size()), 59, 1);
-  EXPECT_EQ(captures.holds.size(), captures.previews.size());
-  const SkinPreview& preview = captures.previews.back();
+  feed(recorder_, stream.frames);
+  EXPECT_NEAR(static_cast<double>(captures_.previews.size()), 59, 1);
+  EXPECT_EQ(captures_.holds.size(), captures_.previews.size());
+  const SkinPreview& preview = captures_.previews.back();
   ASSERT_THAT(preview.temperatures, SizeIs(1));
   EXPECT_EQ(preview.temperatures[0].cell, CellId(2));
   EXPECT_EQ(preview.temperatures[0].temperature_c, 32.5) << "the last one said";
@@ -211,31 +196,28 @@ TEST(PoseRecorder, ShowsThePresentReadingsAtMostTwentyTimesASecond) {
   }
 }
 
-TEST(PoseRecorder, StartsOverWithAnotherSkin) {
+TEST_F(PoseRecorderTest, StartsOverWithAnotherSkin) {
   SyntheticStream stream(cells(3));
   stream.hold(2);
-  Captures captures;
-  PoseRecorder recorder(captures);
-  recorder.setSkin(skinOf(3));
-  feed(recorder, stream.frames);
-  recorder.setSkin(skinOf(3, 500));
+  recorder_.setSkin(skinOf(3));
+  feed(recorder_, stream.frames);
+  recorder_.setSkin(skinOf(3, 500));
   for (SampleFrame& frame : stream.frames) frame.time_s -= 9;
-  feed(recorder, stream.frames);
-  EXPECT_THAT(captures.poses, SizeIs(2));
-  EXPECT_EQ(captures.holds.back().late_frames, 0U);
+  feed(recorder_, stream.frames);
+  EXPECT_THAT(captures_.poses, SizeIs(2));
+  EXPECT_EQ(captures_.holds.back().late_frames, 0U);
 }
 
-TEST(PoseRecorder, RefusesOptionsThatMakeNoSense) {
-  Captures captures;
+TEST_F(PoseRecorderTest, RefusesOptionsThatMakeNoSense) {
   PoseRecorderOptions options;
   options.collect_s = 0;
-  EXPECT_THROW(PoseRecorder(captures, options), InvalidArgument);
+  EXPECT_THROW(PoseRecorder(captures_, options), InvalidArgument);
   options = {};
   options.repeat_angle_rad = -1;
-  EXPECT_THROW(PoseRecorder(captures, options), InvalidArgument);
+  EXPECT_THROW(PoseRecorder(captures_, options), InvalidArgument);
   options = {};
   options.stillness.hold_s = -1;
-  EXPECT_THROW(PoseRecorder(captures, options), InvalidArgument);
+  EXPECT_THROW(PoseRecorder(captures_, options), InvalidArgument);
 }
 
 }  // namespace

@@ -9,9 +9,7 @@ namespace hexoderm {
 namespace {
 
 TEST(PoseRecorderThreads, CommandsMayComeFromAnotherThread) {
-  test::StreamOptions options;
-  options.cells = 3;
-  test::SyntheticStream stream(options);
+  test::SyntheticStream stream({.cells = 3});
   stream.hold(1);
   test::Captures captures;
   PoseRecorder recorder(captures);

@@ -5,6 +5,7 @@
 #include "tests/support/paths.h"
 
 #include <gtest/gtest.h>
+#include <algorithm>
 #include <array>
 #include <fstream>
 
@@ -46,25 +47,30 @@ constexpr std::array<std::pair<double, double>, 13> kHeld_s = {{{0.03, 52.62},
                                                                 {176.21, 188.31},
                                                                 {192.41, 199.96}}};
 
-TEST(RealRecording, EveryHoldIsCapturedOnceAndNoMotion) {
-  const std::vector<SampleFrame> frames = recording();
-  ASSERT_EQ(frames.size(), 19999U);
+/// Every hold is captured once, and no motion.
+Captures capturedOf(const std::vector<SampleFrame>& frames) {
   Captures captures;
   PoseRecorder recorder(captures);
   for (const SampleFrame& frame : frames) recorder.addFrame(frame);
-  ASSERT_EQ(captures.poses.size(), kHeld_s.size());
-  for (std::size_t k = 0; k < kHeld_s.size(); ++k) {
-    const CapturedPose& captured = captures.poses[k];
-    EXPECT_GE(captured.start_s, kHeld_s[k].first);
-    EXPECT_LE(captured.end_s, kHeld_s[k].second);
-    EXPECT_GE(captured.pose->samples.front().count, 70U);
-    EXPECT_FALSE(captured.forced);
+  EXPECT_EQ(captures.poses.size(), kHeld_s.size());
+  for (std::size_t k = 0; k < std::min(kHeld_s.size(), captures.poses.size()); ++k) {
+    EXPECT_GE(captures.poses[k].start_s, kHeld_s[k].first);
+    EXPECT_LE(captures.poses[k].end_s, kHeld_s[k].second);
+    EXPECT_FALSE(captures.poses[k].forced);
   }
+  return captures;
+}
+
+TEST(RealRecording, EveryHoldIsCapturedOnceAndNoMotion) {
+  const std::vector<SampleFrame> frames = recording();
+  ASSERT_EQ(frames.size(), 19999U);
+  const std::vector<CapturedPose> poses = capturedOf(frames).poses;
+  for (const CapturedPose& captured : poses) EXPECT_GE(captured.pose->samples.front().count, 70U);
   // It was laid on some sides twice.
-  EXPECT_EQ(captures.poses[3].repeats, PoseId(1));
-  EXPECT_EQ(captures.poses[5].repeats, PoseId(2));
-  EXPECT_EQ(captures.poses[7].repeats, PoseId(3));
-  EXPECT_FALSE(captures.poses[8].repeats);
+  EXPECT_EQ(poses.at(3).repeats, PoseId(1));
+  EXPECT_EQ(poses.at(5).repeats, PoseId(2));
+  EXPECT_EQ(poses.at(7).repeats, PoseId(3));
+  EXPECT_FALSE(poses.at(8).repeats);
 }
 
 TEST(RealRecording, IsFoundAlikeAtHalfTheRateAndInAnotherUnitOfGain) {
@@ -72,14 +78,7 @@ TEST(RealRecording, IsFoundAlikeAtHalfTheRateAndInAnotherUnitOfGain) {
   for (std::size_t k = 0; 2 * k < frames.size(); ++k) frames[k] = frames[2 * k];
   frames.resize(frames.size() / 2);
   for (SampleFrame& frame : frames) frame.samples.front().acceleration_g *= 0.9;
-  Captures captures;
-  PoseRecorder recorder(captures);
-  for (const SampleFrame& frame : frames) recorder.addFrame(frame);
-  ASSERT_EQ(captures.poses.size(), kHeld_s.size());
-  for (std::size_t k = 0; k < kHeld_s.size(); ++k) {
-    EXPECT_GE(captures.poses[k].start_s, kHeld_s[k].first);
-    EXPECT_LE(captures.poses[k].end_s, kHeld_s[k].second);
-  }
+  capturedOf(frames);
 }
 
 }  // namespace

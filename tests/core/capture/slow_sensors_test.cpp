@@ -118,6 +118,15 @@ SkinDescription described(const Sensors& sensors) {
   return skin;
 }
 
+/// What is made of a part that is held for so long.
+Captures heldFor(double duration_s, const Sensors& sensors, unsigned seed) {
+  Captures captures;
+  PoseRecorder recorder(captures);
+  recorder.setSkin(described(sensors));
+  ShakenPart(sensors, seed).turn(0, duration_s, [&](const SampleFrame& frame) { recorder.addFrame(frame); });
+  return captures;
+}
+
 class SlowSensors : public ::testing::TestWithParam<Sensors> {};
 
 TEST_P(SlowSensors, EveryHoldIsCapturedOnceAndNoTurn) {
@@ -202,11 +211,7 @@ TEST(RepeatedReadings, CountOnce) {
   sensors.vibration_g = 0.02;
   for (const double times : {1.0, 4.5}) {
     sensors.frames_per_reading = times;
-    Captures captures;
-    PoseRecorder recorder(captures);
-    recorder.setSkin(described(sensors));
-    ShakenPart part(sensors, 3);
-    part.turn(0, 10, [&](const SampleFrame& frame) { recorder.addFrame(frame); });
+    const Captures captures = heldFor(10, sensors, 3);
     ASSERT_EQ(captures.poses.size(), 1U) << times;
     EXPECT_NEAR(captures.holds.back().stillness.rate_hz, 20, 2) << times;
     for (const GravitySample& sample : captures.poses.front().pose->samples) {
@@ -223,22 +228,13 @@ TEST(RepeatedReadings, OfAQuietSensorAreReadings) {
   Sensors sensors;
   sensors.rate_hz = 100;
   sensors.vibration_g = 0.15 * k12Bits_g;
-  Captures captures;
-  PoseRecorder recorder(captures);
-  recorder.setSkin(described(sensors));
-  ShakenPart part(sensors, 2);
-  part.turn(0, 5, [&](const SampleFrame& frame) { recorder.addFrame(frame); });
+  const Captures captures = heldFor(5, sensors, 2);
   ASSERT_EQ(captures.poses.size(), 1U);
   EXPECT_NEAR(captures.holds.back().stillness.rate_hz, 100, 5);
 }
 
 TEST(HoldStatus, SaysThatReadingsScatterTooMuchToTell) {
-  Sensors sensors{5, 1, 0.2, 0};
-  Captures captures;
-  PoseRecorder recorder(captures);
-  recorder.setSkin(described(sensors));
-  ShakenPart part(sensors, 1);
-  part.turn(0, 15, [&](const SampleFrame& frame) { recorder.addFrame(frame); });
+  const Captures captures = heldFor(15, {5, 1, 0.2, 0}, 1);
   EXPECT_TRUE(captures.poses.empty());
   for (const HoldStatus& hold : captures.holds) EXPECT_NE(hold.stillness.blocker, Blocker::Turning);
 }

@@ -71,8 +71,7 @@ TEST(UnlinkedCells, TwentyThousandAreCapturedInLittleMemory) {
   CellModel model = builtInCellModel("hex-bma150");
   model.interface_id = CellId(kCells + 1);
   skinwire::Topology topology{1, 0, 1, {}};
-  skinwire::Samples samples;
-  samples.period_us = 1000;
+  skinwire::Samples samples{.period_us = 1000};
   for (std::uint32_t id = 1; id <= kCells; ++id) {
     topology.cells.push_back({CellId(id), "", {}});
     samples.cells.push_back(id);
@@ -81,8 +80,7 @@ TEST(UnlinkedCells, TwentyThousandAreCapturedInLittleMemory) {
 
   TcpDevice device;
   Recording recording;
-  WireOptions patient;
-  patient.silent_after = patient.reconnect_after = test::kForever;
+  const WireOptions patient{.silent_after = test::kForever, .reconnect_after = test::kForever};
   WireSource source(device.address(), patient);
   source.start(recording);
   DeviceConnection connection = device.accept();

@@ -31,13 +31,7 @@ using testing::SizeIs;
 
 constexpr const char* kSkin = "sim:x17?speed=max";
 
-LiveCaptureOptions fourPoses() {
-  LiveCaptureOptions options;
-  options.source = kSkin;
-  options.automatic = true;
-  options.poses = 4;
-  return options;
-}
+LiveCaptureOptions fourPoses() { return {.source = kSkin, .poses = 4, .automatic = true}; }
 
 std::vector<PoseId> posesOf(LiveCapture& capture) {
   std::vector<PoseId> poses;
@@ -102,7 +96,6 @@ class ScriptedSource final : public SkinSource {
 /// A capture from a script, and all that it tells.
 struct Scripted {
   explicit Scripted(LiveCaptureOptions options) {
-    options.source = "script";
     auto owned = std::make_unique<ScriptedSource>();
     source = owned.get();
     capture = std::make_unique<LiveCapture>(std::move(options), std::move(owned),
@@ -111,16 +104,16 @@ struct Scripted {
   }
   template <class Event>
   [[nodiscard]] std::vector<Event> told() const {
-    std::vector<Event> found;
-    for (const LiveCaptureEvent& event : events) {
-      if (const auto* own = std::get_if<Event>(&event)) found.push_back(*own);
-    }
-    return found;
+    return of<Event>(events);
   }
   template <class Event>
   [[nodiscard]] std::vector<Event> toldByCourse() const {
+    return of<Event>(told<CourseEvent>());
+  }
+  template <class Event>
+  static std::vector<Event> of(const auto& events) {
     std::vector<Event> found;
-    for (const CourseEvent& event : told<CourseEvent>()) {
+    for (const auto& event : events) {
       if (const auto* own = std::get_if<Event>(&event)) found.push_back(*own);
     }
     return found;
@@ -171,9 +164,8 @@ TEST(LiveCapture, SaysNothingOfAPartThatItDoesNotLookAtAnyMore) {
 }
 
 TEST(LiveCapture, AdvisesNoPoseThatTheResultDoesNotWant) {
-  LiveCaptureOptions options;
-  options.source = kSkin;  // turned on request, and without a number of poses it goes on as long as somebody does
-  LiveCapture capture(options);
+  // Turned on request, and without a number of poses it goes on as long as somebody does.
+  LiveCapture capture(LiveCaptureOptions{.source = kSkin});
   bool is_wanted = true;
   for (std::size_t poses = 1; is_wanted && poses <= CaptureCourse::kMostPosesByItself; ++poses) {
     ASSERT_TRUE(capture.next());
@@ -187,9 +179,7 @@ TEST(LiveCapture, AdvisesNoPoseThatTheResultDoesNotWant) {
 }
 
 TEST(LiveCapture, EndsByItselfWhereTheVerdictIsGoodEnough) {
-  LiveCaptureOptions options = fourPoses();
-  options.poses = 0;
-  LiveCapture capture(options);
+  LiveCapture capture(LiveCaptureOptions{.source = kSkin, .automatic = true});
   EXPECT_THAT(posesOf(capture), testing::Not(IsEmpty()));
   EXPECT_NE(capture.state().result->assessment.level, VerdictLevel::NotEnough);
 }
@@ -213,9 +203,7 @@ TEST(LiveCapture, KeepsThePosesInItsFileAndWhatTheDeviceSentInARecording) {
   EXPECT_EQ(in_file, 4U);
 
   // A recording is played to its end; its poses are the same.
-  LiveCaptureOptions replay;
-  replay.source = "replay:" + options.record_to.string() + "?speed=max";
-  LiveCapture again(replay);
+  LiveCapture again(LiveCaptureOptions{.source = "replay:" + options.record_to.string() + "?speed=max"});
   EXPECT_THAT(posesOf(again), ElementsAre(PoseId(1), PoseId(2), PoseId(3), PoseId(4)));
   const Session recorded = openSession(options.file);
   for (std::size_t pose = 0; pose < 4; ++pose) {
@@ -227,9 +215,7 @@ TEST(LiveCapture, KeepsThePosesInItsFileAndWhatTheDeviceSentInARecording) {
 }
 
 TEST(LiveCapture, TellsWhatHappensInItsOrder) {
-  LiveCaptureOptions options;
-  options.poses = 1;
-  Scripted scripted(options);
+  Scripted scripted({.source = "script", .poses = 1});
   scripted.source->describe(false);
   scripted.source->read(5, 0);
   EXPECT_THAT(scripted.events, IsEmpty()) << "next() tells";
@@ -250,7 +236,7 @@ TEST(LiveCapture, TellsWhatHappensInItsOrder) {
 }
 
 TEST(LiveCapture, SaysEverMoreRarelyThatTheSameKeepsAPoseFromBeingTaken) {
-  Scripted scripted({});
+  Scripted scripted({.source = "script"});
   scripted.source->describe(false);
   constexpr double kTurning_rad_s = 0.14;
   scripted.source->read(30, kTurning_rad_s);
@@ -268,9 +254,7 @@ TEST(LiveCapture, SaysEverMoreRarelyThatTheSameKeepsAPoseFromBeingTaken) {
 }
 
 TEST(LiveCapture, GivesUpADeviceThatRefusesEveryTurn) {
-  LiveCaptureOptions options;
-  options.automatic = true;
-  Scripted scripted(options);
+  Scripted scripted({.source = "script", .automatic = true});
   scripted.source->refusals = 100;
   scripted.source->describe(true);
   scripted.source->read(5, 0);
@@ -283,10 +267,7 @@ TEST(LiveCapture, GivesUpADeviceThatRefusesEveryTurn) {
 }
 
 TEST(LiveCapture, SaysWhichTurnWasRefusedWhereNoPoseComesInTime) {
-  LiveCaptureOptions options;
-  options.automatic = true;
-  options.timeout_s = 0.4;
-  Scripted scripted(options);
+  Scripted scripted({.source = "script", .automatic = true, .timeout_s = 0.4});
   scripted.source->refusals = 1;
   scripted.source->describe(true);
   scripted.source->read(5, 0);
@@ -344,10 +325,7 @@ TEST(LiveCapture, RefusesWhatCanNotBe) {
 }
 
 TEST(LiveCapture, SaysWhyNothingComes) {
-  LiveCaptureOptions options;
-  options.source = "tcp://127.0.0.1:1";
-  options.timeout_s = 0.2;
-  LiveCapture capture(options);
+  LiveCapture capture(LiveCaptureOptions{.source = "tcp://127.0.0.1:1", .timeout_s = 0.2});
   EXPECT_THAT(messageOf<DeviceError>([&] { capture.next(); }),
               saysAll("tcp://127.0.0.1:1", "the device did not describe itself for 0.2 s"));
   EXPECT_FALSE(capture.next());
@@ -355,16 +333,14 @@ TEST(LiveCapture, SaysWhyNothingComes) {
 
 TEST(LiveCapture, SaysThatNoSkinDescribedItself) {
   const test::TemporaryFolder folder;
-  LiveCaptureOptions options;
-  options.source = "replay:" + folder.put("stream", "SKINREC1").string() + "?speed=max";
+  const LiveCaptureOptions options{.source = "replay:" + folder.put("stream", "SKINREC1").string() + "?speed=max"};
   LiveCapture capture(options);
   EXPECT_EQ(messageOf<DeviceError>([&] { capture.next(); }), options.source + ": ended before a skin described itself");
 }
 
 TEST(LiveCapture, ADeviceThatDoesNotTurnCanNotBeAsked) {
-  LiveCaptureOptions options;
-  options.source = "sim:x17?speed=max&motion=robot";  // it moves, but not when it is asked to
-  options.poses = 1;
+  // It moves, but not when it is asked to.
+  LiveCaptureOptions options{.source = "sim:x17?speed=max&motion=robot", .poses = 1};
   LiveCapture unasked(options);
   EXPECT_TRUE(unasked.next());
   EXPECT_FALSE(unasked.state().can_turn);
@@ -373,18 +349,13 @@ TEST(LiveCapture, ADeviceThatDoesNotTurnCanNotBeAsked) {
   options.automatic = true;
   LiveCapture automatic(options);
   EXPECT_THAT(messageOf<DeviceError>([&] { automatic.next(); }), saysAll(options.source, "auto needs", "can't"));
-  options = {};
-  options.source = "stdin";
-  LiveCapture waits(options);
+  LiveCapture waits(LiveCaptureOptions{.source = "stdin"});
   EXPECT_THAT(messageOf<InvalidArgument>([&] { waits.turnToNextPose(); }),
               saysAll("stdin", "no skin has described itself yet"));
 }
 
 TEST(LiveCapture, IsAskedToTurnWhileAnotherThreadWaits) {
-  LiveCaptureOptions options;
-  options.source = kSkin;  // it turns only when it is asked to
-  options.poses = 2;
-  LiveCapture capture(options);
+  LiveCapture capture(LiveCaptureOptions{.source = kSkin, .poses = 2});  // it turns only when it is asked to
   auto waiting = std::async(std::launch::async, [&] { return posesOf(capture); });
   const auto deadline = std::chrono::steady_clock::now() + std::chrono::seconds(60);
   while (!capture.state().last && std::chrono::steady_clock::now() < deadline) {
@@ -399,8 +370,7 @@ TEST(LiveCapture, IsAskedToTurnWhileAnotherThreadWaits) {
 }
 
 TEST(LiveCapture, StopsWhenItIsToldAndGoesOn) {
-  LiveCaptureOptions options = fourPoses();
-  LiveCapture capture(options);
+  LiveCapture capture(fourPoses());
   std::stop_source stop;
   stop.request_stop();
   EXPECT_FALSE(capture.next(stop.get_token()));
@@ -408,10 +378,8 @@ TEST(LiveCapture, StopsWhenItIsToldAndGoesOn) {
 }
 
 TEST(LiveCapture, IsClosedByAnotherThread) {
-  LiveCaptureOptions options;
-  options.source = "sim:x17";  // nobody turns it, so that there is no second pose
-  options.poses = 2;
-  LiveCapture capture(options);
+  // Nobody turns it, so that there is no second pose.
+  LiveCapture capture(LiveCaptureOptions{.source = "sim:x17", .poses = 2});
   auto waiting = std::async(std::launch::async, [&] { return posesOf(capture).size(); });
   EXPECT_EQ(waiting.wait_for(std::chrono::milliseconds(300)), std::future_status::timeout);
   capture.close();

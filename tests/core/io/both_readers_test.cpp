@@ -10,12 +10,15 @@
 #include "tests/support/paths.h"
 #include "tests/support/random_session.h"
 #include "tests/support/rich_calibration.h"
+#include "tests/support/solvers.h"
 
 #include <gtest/gtest.h>
 
 #include <filesystem>
 #include <map>
 #include <random>
+#include <string>
+#include <vector>
 
 namespace hexoderm {
 namespace {
@@ -42,17 +45,6 @@ std::map<TakenBy, int> readFolder(const std::filesystem::path& folder, Read read
   return taken;
 }
 
-/// The same for changed texts.
-template <class Read>
-std::map<TakenBy, int> readMutations(const std::vector<std::string>& texts, int count, Read read) {
-  std::mt19937_64 random(1);
-  std::map<TakenBy, int> taken;
-  for (int k = 0; k < count && !testing::Test::HasFailure(); ++k) {
-    ++taken[read(fuzz::mutated(texts[static_cast<std::size_t>(k) % texts.size()], random))];
-  }
-  return taken;
-}
-
 TEST(BothSessionReaders, TakeWhatIsWritten) {
   EXPECT_EQ(readSessionBothWays(threeCellsText()), TakenBy::Both);
   EXPECT_EQ(readSessionBothWays(everythingText()), TakenBy::Both);
@@ -61,12 +53,6 @@ TEST(BothSessionReaders, TakeWhatIsWritten) {
     SCOPED_TRACE(seed);
     EXPECT_EQ(readSessionBothWays(sessionToJson(test::RandomSession(seed).draw())), TakenBy::Both);
   }
-}
-
-TEST(BothSessionReaders, TakeTheSameFromDenseAndReorderedFiles) {
-  const nlohmann::json sorted = nlohmann::json::parse(everythingText());
-  EXPECT_EQ(readSessionBothWays(sorted.dump()), TakenBy::Both);
-  EXPECT_EQ(readSessionBothWays(sorted.dump(7, '\t')), TakenBy::Both);
 }
 
 TEST(BothSessionReaders, LeaveWhatIsUnusualToTheThoroughOne) {
@@ -85,33 +71,8 @@ TEST(BothSessionReaders, LeaveWhatIsUnusualToTheThoroughOne) {
   EXPECT_EQ(readSessionBothWays("\xEF\xBB\xBF" + everythingText()), TakenBy::Thorough);
 }
 
-TEST(BothSessionReaders, AgreeAboutTheCorpus) {
-  std::map<TakenBy, int> taken = readFolder(kData.parent_path() / "fuzz/corpus/session_json", readSessionBothWays);
-  EXPECT_GE(taken[TakenBy::Both], 2);
-  EXPECT_GE(taken[TakenBy::Nobody], 4);
-}
-
-TEST(BothSessionReaders, AgreeAboutAnyValueInAnyPlace) {
-  std::map<TakenBy, int> taken;
-  for (const std::string& text : {threeCellsText(), everythingText()}) {
-    test::forEachMutation(nlohmann::json::parse(text), [&](const std::string& changed, const std::string& what) {
-      SCOPED_TRACE(what);
-      ++taken[readSessionBothWays(changed)];
-    });
-  }
-  EXPECT_GT(taken[TakenBy::Both], 100);
-  EXPECT_GT(taken[TakenBy::Thorough], 10);
-  EXPECT_GT(taken[TakenBy::Nobody], 500);
-}
-
 TEST(BothSessionReaders, TakeSessionsOfASecondProgram) {
   EXPECT_EQ(readFolder(kData / "vectors", readSessionBothWays), (std::map<TakenBy, int>{{TakenBy::Both, 5}}));
-}
-
-TEST(BothSessionReaders, AgreeAboutChangedTexts) {
-  std::map<TakenBy, int> taken = readMutations({threeCellsText(), everythingText()}, 4000, readSessionBothWays);
-  EXPECT_GT(taken[TakenBy::Both], 100);
-  EXPECT_GT(taken[TakenBy::Nobody], 1000);
 }
 
 TEST(BothCalibrationReaders, TakeWhatIsWritten) {
@@ -119,38 +80,63 @@ TEST(BothCalibrationReaders, TakeWhatIsWritten) {
   for (std::uint64_t seed = 1; seed <= 20; ++seed) {
     SCOPED_TRACE(seed);
     const Session session = test::RandomSession(seed).draw();
-    SolverOptions options;
-    options.solver = seed % 2 == 0 ? Solver::Tree : Solver::Global;
-    EXPECT_EQ(readCalibrationBothWays(calibrationToJson(*reconstruct(*session.snapshot(), options))), TakenBy::Both);
+    const auto result = reconstruct(*session.snapshot(), test::by(seed % 2 == 0 ? Solver::Tree : Solver::Global));
+    EXPECT_EQ(readCalibrationBothWays(calibrationToJson(*result)), TakenBy::Both);
   }
 }
 
-TEST(BothCalibrationReaders, TakeTheSameFromDenseAndReorderedFiles) {
-  const nlohmann::json sorted = nlohmann::json::parse(richText());
-  EXPECT_EQ(readCalibrationBothWays(sorted.dump()), TakenBy::Both);
-  EXPECT_EQ(readCalibrationBothWays(sorted.dump(3)), TakenBy::Both);
+/// A format with two readers.
+struct Format {
+  const char* name;
+  TakenBy (*read)(const std::string& text);
+  std::vector<std::string> (*texts)();
+  int changed_texts;
+  int refused_in_corpus;  ///< at least
+};
+
+class BothReaders : public testing::TestWithParam<Format> {};
+INSTANTIATE_TEST_SUITE_P(Formats, BothReaders,
+                         testing::Values(Format{"session_json", readSessionBothWays,
+                                                [] {
+                                                  return std::vector{threeCellsText(), everythingText()};
+                                                },
+                                                4000, 4},
+                                         Format{"calibration_json", readCalibrationBothWays,
+                                                [] { return std::vector{richText()}; }, 3000, 1}),
+                         [](const auto& format) { return std::string(format.param.name); });
+
+TEST_P(BothReaders, TakeTheSameFromDenseAndReorderedFiles) {
+  const nlohmann::json sorted = nlohmann::json::parse(GetParam().texts().back());
+  EXPECT_EQ(GetParam().read(sorted.dump()), TakenBy::Both);
+  EXPECT_EQ(GetParam().read(sorted.dump(7, '\t')), TakenBy::Both);
 }
 
-TEST(BothCalibrationReaders, AgreeAboutTheCorpus) {
-  std::map<TakenBy, int> taken =
-      readFolder(kData.parent_path() / "fuzz/corpus/calibration_json", readCalibrationBothWays);
+TEST_P(BothReaders, AgreeAboutTheCorpus) {
+  std::map<TakenBy, int> taken = readFolder(kData.parent_path() / "fuzz/corpus" / GetParam().name, GetParam().read);
   EXPECT_GE(taken[TakenBy::Thorough] + taken[TakenBy::Both], 1);
-  EXPECT_GE(taken[TakenBy::Nobody], 1);
+  EXPECT_GE(taken[TakenBy::Nobody], GetParam().refused_in_corpus);
 }
 
-TEST(BothCalibrationReaders, AgreeAboutAnyValueInAnyPlace) {
+TEST_P(BothReaders, AgreeAboutAnyValueInAnyPlace) {
   std::map<TakenBy, int> taken;
-  test::forEachMutation(nlohmann::json::parse(richText()), [&](const std::string& changed, const std::string& what) {
-    SCOPED_TRACE(what);
-    ++taken[readCalibrationBothWays(changed)];
-  });
+  for (const std::string& text : GetParam().texts()) {
+    test::forEachMutation(nlohmann::json::parse(text), [&](const std::string& changed, const std::string& what) {
+      SCOPED_TRACE(what);
+      ++taken[GetParam().read(changed)];
+    });
+  }
   EXPECT_GT(taken[TakenBy::Both], 100);
   EXPECT_GT(taken[TakenBy::Thorough], 10);
   EXPECT_GT(taken[TakenBy::Nobody], 500);
 }
 
-TEST(BothCalibrationReaders, AgreeAboutChangedTexts) {
-  std::map<TakenBy, int> taken = readMutations({richText()}, 3000, readCalibrationBothWays);
+TEST_P(BothReaders, AgreeAboutChangedTexts) {
+  const std::vector<std::string> texts = GetParam().texts();
+  std::mt19937_64 random(1);
+  std::map<TakenBy, int> taken;
+  for (int k = 0; k < GetParam().changed_texts && !HasFailure(); ++k) {
+    ++taken[GetParam().read(fuzz::mutated(texts[static_cast<std::size_t>(k) % texts.size()], random))];
+  }
   EXPECT_GT(taken[TakenBy::Both], 50);
   EXPECT_GT(taken[TakenBy::Nobody], 500);
 }

@@ -1,7 +1,5 @@
 #include "hexoderm/io/export_formats.h"
 
-#include "hexoderm/io/exporter.h"
-#include "tests/core/io/export_test_folder.h"
 #include "tests/support/hand_made_skins.h"
 
 #include <gmock/gmock.h>
@@ -15,7 +13,6 @@ namespace hexoderm {
 namespace {
 
 using ::testing::HasSubstr;
-using ExportDot = ExportTest;
 
 struct BoostNode {
   std::string name, label, pos, peripheries;
@@ -42,9 +39,8 @@ BoostGraph readWithBoost(const std::string& text) {
   return graph;
 }
 
-TEST_F(ExportDot, HoldsCellsAtTheirPlaceInTheLayout) {
-  exportReconstruction(makeTestReconstruction(), ExportFormat::Dot, in("skin.dot"));
-  const BoostGraph graph = readWithBoost(read(in("skin.dot")));
+TEST(ExportDot, HoldsCellsAtTheirPlaceInTheLayout) {
+  const BoostGraph graph = readWithBoost(dotText(makeTestReconstruction()));
   std::map<std::string, BoostNode> nodes;
   for (const auto vertex : boost::make_iterator_range(boost::vertices(graph)))
     nodes[graph[vertex].name] = graph[vertex];
@@ -60,9 +56,8 @@ TEST_F(ExportDot, HoldsCellsAtTheirPlaceInTheLayout) {
   EXPECT_NE(nodes["3"].peripheries, "2");
 }
 
-TEST_F(ExportDot, HoldsTwoDirectedEdgesALinkWithPortsAndQuality) {
-  exportReconstruction(makeTestReconstruction(), ExportFormat::Dot, in("skin.dot"));
-  const BoostGraph graph = readWithBoost(read(in("skin.dot")));
+TEST(ExportDot, HoldsTwoDirectedEdgesALinkWithPortsAndQuality) {
+  const BoostGraph graph = readWithBoost(dotText(makeTestReconstruction()));
   std::map<std::string, BoostEdge> edges;  // by "cell:port-cell:port"
   for (const auto edge : boost::make_iterator_range(boost::edges(graph))) {
     const BoostEdge& properties = graph[edge];
@@ -84,7 +79,7 @@ TEST_F(ExportDot, HoldsTwoDirectedEdgesALinkWithPortsAndQuality) {
   }
 }
 
-TEST_F(ExportDot, DrawsTheWeakClassesAsDotsAndDashes) {
+TEST(ExportDot, DrawsTheWeakClassesAsDotsAndDashes) {
   Reconstruction reconstruction = makeTestReconstruction();
   reconstruction.patches[0].links[0].quality = EdgeQuality::Undefined;
   reconstruction.patches[0].links[2].quality = EdgeQuality::Partially;
@@ -100,41 +95,36 @@ TEST_F(ExportDot, DrawsTheWeakClassesAsDotsAndDashes) {
     }
     return std::string();
   };
-  EXPECT_THAT(lineOf(links[0]), AllOf(HasSubstr("style=\"dotted\""), HasSubstr("color=\"#7F0D14\"")));
-  EXPECT_THAT(lineOf(links[2]), AllOf(HasSubstr("style=\"dashed\""), HasSubstr("color=\"#E66F15\"")));
+  EXPECT_THAT(lineOf(links[0]), ::testing::AllOf(HasSubstr("style=\"dotted\""), HasSubstr("color=\"#7F0D14\"")));
+  EXPECT_THAT(lineOf(links[2]), ::testing::AllOf(HasSubstr("style=\"dashed\""), HasSubstr("color=\"#E66F15\"")));
 }
 
-TEST_F(ExportDot, GroupsCellsByPatch) {
-  exportReconstruction(makeTestReconstruction(), ExportFormat::Dot, in("skin.dot"));
-  const std::string text = read(in("skin.dot"));
+TEST(ExportDot, GroupsCellsByPatch) {
+  const std::string text = dotText(makeTestReconstruction());
   const auto cluster = [&](const std::string& name) {
     const std::size_t begin = text.find("subgraph \"" + name + "\"");
     return text.substr(begin, text.find('}', begin) - begin);
   };
   EXPECT_THAT(cluster("cluster_0"), HasSubstr("; 12;"));
-  EXPECT_THAT(cluster("cluster_1"), AllOf(HasSubstr(" 20;"), Not(HasSubstr(" 12;"))));
+  EXPECT_THAT(cluster("cluster_1"), ::testing::AllOf(HasSubstr(" 20;"), ::testing::Not(HasSubstr(" 12;"))));
 }
 
-TEST_F(ExportDot, EscapesTextsOfUsers) {
-  exportReconstruction(makeTestReconstruction(), ExportFormat::Dot, in("skin.dot"));
-  EXPECT_THAT(read(in("skin.dot")), HasSubstr(R"(label="12\nleft \"arm\", Bernd's <R&amp;D> \\ größer")"));
+TEST(ExportDot, EscapesTextsOfUsers) {
+  EXPECT_THAT(dotText(makeTestReconstruction()), HasSubstr(R"(label="12\nleft \"arm\", Bernd's <R&amp;D> \\ größer")"));
   Reconstruction reconstruction = makeTestReconstruction();
   reconstruction.patches[0].cells[0].body_part = "ends in \\";
   reconstruction.patches[0].cells[1].body_part = "\"];}\r\n&quot;";
-  exportReconstruction(reconstruction, ExportFormat::Dot, in("odd.dot"));
-  EXPECT_EQ(boost::num_vertices(readWithBoost(read(in("odd.dot")))), 4U);
+  EXPECT_EQ(boost::num_vertices(readWithBoost(dotText(reconstruction))), 4U);
 }
 
-TEST_F(ExportDot, CellsWithoutALayoutHaveNoPlace) {
+TEST(ExportDot, CellsWithoutALayoutHaveNoPlace) {
   Reconstruction reconstruction = makeTestReconstruction();
   reconstruction.layout = {};
-  exportReconstruction(reconstruction, ExportFormat::Dot, in("skin.dot"));
-  EXPECT_THAT(read(in("skin.dot")), Not(HasSubstr("pos=")));
+  EXPECT_THAT(dotText(reconstruction), ::testing::Not(HasSubstr("pos=")));
 }
 
-TEST_F(ExportDot, EmptyReconstructionGivesAnEmptyGraph) {
-  exportReconstruction(test::ResultBuilder().build(), ExportFormat::Dot, in("empty.dot"));
-  EXPECT_EQ(boost::num_vertices(readWithBoost(read(in("empty.dot")))), 0U);
+TEST(ExportDot, EmptyReconstructionGivesAnEmptyGraph) {
+  EXPECT_EQ(boost::num_vertices(readWithBoost(dotText(test::ResultBuilder().build()))), 0U);
 }
 
 }  // namespace

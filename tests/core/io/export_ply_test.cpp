@@ -1,9 +1,9 @@
 #include "hexoderm/io/export_mesh.h"
 
+#include "hexoderm/io/exporter.h"
 #include "hexoderm/reconstruction/figures/patch_mesh.h"
-#include "hexoderm/util/error.h"
-#include "tests/core/io/export_test_folder.h"
 #include "tests/support/hand_made_skins.h"
+#include "tests/support/options.h"
 
 #include <gmock/gmock.h>
 
@@ -16,7 +16,6 @@ namespace {
 
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
-using ExportPly = ExportTest;
 
 struct PlainPly {
   struct Vertex {
@@ -67,10 +66,10 @@ PlainPly readPly(const std::string& text) {
   return ply;
 }
 
-TEST_F(ExportPly, HoldsThePrismsInMetres) {
+TEST(ExportPly, HoldsThePrismsInMetres) {
   const Reconstruction reconstruction = makeTestReconstruction();
-  EXPECT_THAT(exportReconstruction(reconstruction, ExportFormat::Ply, in("skin.ply")), ElementsAre(in("skin.ply")));
-  const PlainPly ply = readPly(read(in("skin.ply")));
+  const std::string text = exportBytes(reconstruction, ExportFormat::Ply, {}, "skin.ply");
+  const PlainPly ply = readPly(text);
   ASSERT_EQ(ply.vertices.size(), 3U * 12U);
   ASSERT_EQ(ply.faces.size(), 3U * 8U);
   // First corner of cell 3, and the back corner below it, straight from the definition.
@@ -85,16 +84,14 @@ TEST_F(ExportPly, HoldsThePrismsInMetres) {
   for (std::size_t k = 0; k < ply.vertices.size(); ++k) {
     EXPECT_LT((ply.vertices[k].point - meant.points[k]).norm(), 1e-8) << k;
   }
-  EXPECT_THAT(read(in("skin.ply")), HasSubstr("\ncomment metres, in the frame of cell 7, the origin of the patch\n"));
+  EXPECT_THAT(text, HasSubstr("\ncomment metres, in the frame of cell 7, the origin of the patch\n"));
 }
 
-TEST_F(ExportPly, ColoursCellsByTheirWorstUsedLink) {
+TEST(ExportPly, ColoursCellsByTheirWorstUsedLink) {
   std::vector<std::uint32_t> colors;
   for (const std::uint32_t of_patch : {7U, 20U}) {
-    ExportOptions options;
-    options.patch = CellId(of_patch);
-    exportReconstruction(makeTestReconstruction(), ExportFormat::Ply, in("skin.ply"), options);
-    const PlainPly ply = readPly(read(in("skin.ply")));
+    const PlainPly ply = readPly(exportBytes(makeTestReconstruction(), ExportFormat::Ply,
+                                             test::with(&ExportOptions::patch, CellId(of_patch)), "skin.ply"));
     for (std::size_t cell = 0; cell < ply.vertices.size() / 12; ++cell) {
       colors.push_back(ply.vertices[12 * cell].color);
       for (std::size_t k = 0; k < 12; ++k) EXPECT_EQ(ply.vertices[12 * cell + k].color, colors.back());
@@ -104,7 +101,7 @@ TEST_F(ExportPly, ColoursCellsByTheirWorstUsedLink) {
   EXPECT_THAT(colors, ElementsAre(0x17A1CA, 0x17A1CA, 0x3A1FB0, 0x8A939E));
 }
 
-TEST_F(ExportPly, KeepsEveryByteOfEveryColour) {
+TEST(ExportPly, KeepsEveryByteOfEveryColour) {
   ExportMesh mesh;
   for (std::uint32_t byte = 0; byte < 256; ++byte) {
     mesh.points.emplace_back(byte, 1, 2);
@@ -113,13 +110,6 @@ TEST_F(ExportPly, KeepsEveryByteOfEveryColour) {
   for (std::uint32_t k = 0; k + 2 < 256; ++k) mesh.polygons.push_back({k, k + 1, k + 2});
   const PlainPly ply = readPly(plyBytes(mesh, "colours.ply"));
   for (std::size_t k = 0; k < 256; ++k) EXPECT_EQ(ply.vertices[k].color, mesh.colors[k]);
-}
-
-TEST_F(ExportPly, RefusesAReconstructionWithoutCells) {
-  EXPECT_THAT(messageOf<InvalidArgument>(
-                  [&] { exportReconstruction(test::ResultBuilder().build(), ExportFormat::Ply, in("a.ply")); }),
-              HasSubstr("no cells"));
-  EXPECT_TRUE(names().empty());
 }
 
 }  // namespace

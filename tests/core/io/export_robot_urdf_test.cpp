@@ -1,7 +1,6 @@
-// The robot's URDF with the skin on it, as urdfdom, check_urdf and KDL read it.
+// The robot's URDF with the skin on it, as urdfdom and check_urdf read it.
 
 #include "hexoderm/io/exporter.h"
-#include "hexoderm/kinematics/robot_model.h"
 #include "hexoderm/util/error.h"
 #include "tests/core/io/export_test_folder.h"
 #include "tests/support/hand_made_skins.h"
@@ -45,7 +44,6 @@ constexpr const char* kRobot = R"(<?xml version="1.0"?>
 class ExportRobotUrdf : public ExportTest {
  protected:
   void SetUp() override {
-    ExportTest::SetUp();
     write(in("robot.urdf"), kRobot);
     options_.robot_urdf = in("robot.urdf");
     options_.placements = {{CellId(7), "forearm", T_forearm_7_, {}}, {CellId(20), "upper_arm", T_upper_20_, {}}};
@@ -109,27 +107,6 @@ TEST_F(ExportRobotUrdf, IsReadByUrdfdom) {
   EXPECT_EQ(model->links_.size(), 3U + 2U + 4U + 4U) << "the robot, patches, cells and sensors";
   EXPECT_EQ(model->getLink("skin_cell12")->visual_array.size(), 3U);
   EXPECT_EQ(model->getLink("skin_cell12")->visual->material->name, "hexoderm_over");
-}
-
-TEST_F(ExportRobotUrdf, MovesWithTheRobotAsKdlMovesIt) {
-  const RobotModel robot = RobotModel::read(options_.robot_urdf);
-  exported();
-  const RobotModel with_skin = RobotModel::read(in("with_skin.urdf"));
-  for (const auto& [shoulder, elbow] : {std::pair(0.0, 0.0), std::pair(0.7, -1.2), std::pair(-1.9, 0.4)}) {
-    const JointAngles angles{{{"shoulder", shoulder}, {"elbow", elbow}}};
-    const std::vector<SE3> T_w_l = robot.forward(angles);
-    const std::vector<SE3> found = with_skin.forward(angles);
-    for (const RobotLink& link : robot.links()) {
-      const SE3& T = T_w_l[robot.linkNamed(link.name)];
-      EXPECT_LT((found[with_skin.linkNamed(link.name)].t - T.t).norm(), 1e-12) << "the robot itself is as it was";
-    }
-    for (const CellPlacement& cell : reconstruction_.patches[0].cells) {
-      const SE3 T = T_w_l[robot.linkNamed("forearm")] * T_forearm_7_ * cell.T_o_u;
-      const SE3& T_found = found[with_skin.linkNamed("skin_cell" + toString(cell.cell))];
-      EXPECT_LT((T_found.R - T.R).norm(), 1e-9);
-      EXPECT_LT((T_found.t - T.t).norm(), 1e-9);
-    }
-  }
 }
 
 TEST_F(ExportRobotUrdf, IsFoundGoodByCheckUrdf) {

@@ -65,6 +65,11 @@ TEST_F(ExportSelections, OptionsThatDoNotGoTogetherAreRefused) {
   const auto refused = [&](ExportFormat format) {
     return messageOf<InvalidArgument>([&] { exportBytes(reconstruction_, format, options_, "f"); });
   };
+  options_.placements = {{CellId(7), "forearm", {}, {}}, {CellId(20), "hand", {}, {}}};
+  for (const ExportFormat format : {ExportFormat::Urdf, ExportFormat::Sdf, ExportFormat::Mjcf}) {
+    EXPECT_THAT(refused(format), HasSubstr("placed on 2 links"));
+  }
+  options_.placements.clear();
   options_.in_link = "hand";
   EXPECT_THAT(refused(ExportFormat::Ply), HasSubstr("in_link: no exported patch is placed on link hand"));
   options_.placements = {{CellId(20), "hand", {}, {}}};

@@ -15,10 +15,7 @@ using ::testing::HasSubstr;
 
 class ExportTaxels : public ExportTest {
  protected:
-  void SetUp() override {
-    ExportTest::SetUp();
-    options_.placements = {{CellId(7), "r_forearm", T_l_o_, {}}};
-  }
+  void SetUp() override { options_.placements = {{CellId(7), "r_forearm", T_l_o_, {}}}; }
   const SE3 T_l_o_{rotationFromRpy({0.4, -0.9, 2.5}), {0.03, -0.01, 0.12}};
   Reconstruction reconstruction_ = makeTestReconstruction();
   ExportOptions options_;

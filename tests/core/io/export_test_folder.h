@@ -1,5 +1,8 @@
 #pragma once
 
+#include "tests/support/error_matchers.h"
+#include "tests/support/temporary_folder.h"
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -11,16 +14,11 @@
 
 namespace hexoderm {
 
+using test::messageOf;
+
 /// A folder of a test's own, gone at its end.
 class ExportTest : public ::testing::Test {
  protected:
-  void SetUp() override {
-    std::string name = (std::filesystem::temp_directory_path() / "hexoderm-export.XXXXXX").string();
-    ASSERT_NE(::mkdtemp(name.data()), nullptr);
-    folder_ = name;
-  }
-  void TearDown() override { std::filesystem::remove_all(folder_); }
-
   [[nodiscard]] std::filesystem::path in(const std::string& name) const { return folder_ / name; }
   /// Names of everything in the folder and below, hidden things too.
   [[nodiscard]] std::vector<std::string> names() const {
@@ -41,7 +39,8 @@ class ExportTest : public ::testing::Test {
     std::ofstream(path, std::ios::binary) << content;
   }
 
-  std::filesystem::path folder_;
+  const test::TemporaryFolder temporary_;
+  const std::filesystem::path& folder_ = temporary_.path();
 };
 
 /// `text` with its first `from` replaced; fails the test if there is none.
@@ -49,19 +48,6 @@ inline std::string replaced(std::string text, const std::string& from, const std
   const std::size_t at = text.find(from);
   EXPECT_NE(at, std::string::npos) << "nothing to tamper with: " << from;
   return at == std::string::npos ? text : text.replace(at, from.size(), to);
-}
-
-/// The message that the callable throws as an Error of the given kind; fails the test if it throws nothing or something
-/// else.
-template <class Expected, class Callable>
-std::string messageOf(Callable&& callable) {
-  try {
-    callable();
-  } catch (const Expected& error) {
-    return error.what();
-  }
-  ADD_FAILURE() << "nothing was thrown";
-  return {};
 }
 
 }  // namespace hexoderm

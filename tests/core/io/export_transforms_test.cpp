@@ -31,7 +31,6 @@ using Transforms = std::map<std::string, Transform>;
 class ExportTransforms : public ExportTest {
  protected:
   void SetUp() override {
-    ExportTest::SetUp();
     options_.placements = {{CellId(7), "forearm", T_l_o_, {}}, {CellId(20), "hand", {}, {}}};
     // A number that has no point in its shortest form, and one that is whole.
     reconstruction_.patches[0].cells[0].T_o_u.t = {1e-5, -2e-7, 1};

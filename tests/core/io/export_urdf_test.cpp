@@ -1,9 +1,11 @@
 #include "hexoderm/io/export_urdf.h"
 
+#include "hexoderm/io/exporter.h"
 #include "hexoderm/util/error.h"
 #include "hexoderm/util/units.h"
-#include "tests/core/io/export_test_folder.h"
+#include "tests/support/error_matchers.h"
 #include "tests/support/hand_made_skins.h"
+#include "tests/support/options.h"
 
 #include <gmock/gmock.h>
 
@@ -18,10 +20,10 @@
 namespace hexoderm {
 namespace {
 
+using test::messageOf;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::UnorderedElementsAre;
-using ExportUrdf = ExportTest;
 
 /// What a file of the skin holds.
 UrdfContent contentOf(const Reconstruction& reconstruction, const ExportOptions& options = {}) {
@@ -66,16 +68,16 @@ void expectNear(const SE3& found, const SE3& expected, const std::string& what) 
   EXPECT_LT((found.t - expected.t).norm(), 1e-12) << what;
 }
 
-pugi::xml_document load(const std::filesystem::path& path) {
+pugi::xml_document exported(const Reconstruction& reconstruction, const ExportOptions& options = {}) {
   pugi::xml_document document;
-  EXPECT_TRUE(document.load_file(path.c_str()));
+  const std::string text = exportBytes(reconstruction, ExportFormat::Urdf, options, "skin.urdf");
+  EXPECT_TRUE(document.load_buffer(text.data(), text.size()));
   return document;
 }
 
-TEST_F(ExportUrdf, ChainsToEveryCellAndSensor) {
+TEST(ExportUrdf, ChainsToEveryCellAndSensor) {
   const Reconstruction reconstruction = makeTestReconstruction();
-  exportReconstruction(reconstruction, ExportFormat::Urdf, in("skin.urdf"));
-  const auto T_root = chained(load(in("skin.urdf")));
+  const auto T_root = chained(exported(reconstruction));
   std::vector<std::string> link_names;
   for (const auto& [name, T] : T_root) link_names.push_back(name);
   EXPECT_THAT(link_names, UnorderedElementsAre("base_link", "skin_patch0", "skin_cell3", "skin_cell7", "skin_cell12",
@@ -105,7 +107,7 @@ std::vector<Eigen::Vector3d> boxCorners(pugi::xml_node visual) {
   return corners;
 }
 
-TEST_F(ExportUrdf, DrawsCellsAsHexagonsBelowTheirFrontFace) {
+TEST(ExportUrdf, DrawsCellsAsHexagonsBelowTheirFrontFace) {
   // The corners of the boxes are those of the prism, each of two boxes, and no others.
   const CellModel model = builtInCellModel("hex-bma150");
   std::vector<Eigen::Vector3d> prism;
@@ -117,10 +119,7 @@ TEST_F(ExportUrdf, DrawsCellsAsHexagonsBelowTheirFrontFace) {
   const std::map<std::string, SE3> T_link_12 = {{"skin_cell12", {}},
                                                 {"skin_patch0", reconstruction.patches[0].cells[2].T_o_u}};
   for (const auto& [name, T_link_u] : T_link_12) {
-    ExportOptions options;
-    options.link_per_cell = name == "skin_cell12";
-    exportReconstruction(reconstruction, ExportFormat::Urdf, in("skin.urdf"), options);
-    const auto document = load(in("skin.urdf"));
+    const auto document = exported(reconstruction, test::with(&ExportOptions::link_per_cell, name == "skin_cell12"));
     std::vector<int> boxes_at(prism.size());
     int boxes = 0;
     const pugi::xml_node link = document.child("robot").find_child_by_attribute("link", "name", name.c_str());
@@ -141,12 +140,9 @@ TEST_F(ExportUrdf, DrawsCellsAsHexagonsBelowTheirFrontFace) {
   }
 }
 
-TEST_F(ExportUrdf, OneLinkAPatchHoldsCellsAsVisualsAndSensorsAsElements) {
+TEST(ExportUrdf, OneLinkAPatchHoldsCellsAsVisualsAndSensorsAsElements) {
   const Reconstruction reconstruction = makeTestReconstruction();
-  ExportOptions options;
-  options.link_per_cell = false;
-  exportReconstruction(reconstruction, ExportFormat::Urdf, in("skin.urdf"), options);
-  const auto document = load(in("skin.urdf"));
+  const auto document = exported(reconstruction, test::with(&ExportOptions::link_per_cell, false));
   EXPECT_EQ(chained(document).size(), 2U);
   const pugi::xml_node robot = document.child("robot");
   const pugi::xml_node sensor = robot.find_child_by_attribute("sensor", "name", "skin_cell3_accelerometer");
@@ -154,13 +150,12 @@ TEST_F(ExportUrdf, OneLinkAPatchHoldsCellsAsVisualsAndSensorsAsElements) {
   expectNear(originOf(sensor), reconstruction.patches[0].cells[0].sensors[0].T_o_s, "sensor of cell 3");
 }
 
-TEST_F(ExportUrdf, UsesTheNamesOfTheOptions) {
+TEST(ExportUrdf, UsesTheNamesOfTheOptions) {
   ExportOptions options;
   options.model_name = "nao-6";
   options.parent_link = "l_forearm";
   options.prefix = "";
-  exportReconstruction(makeTestReconstruction(), ExportFormat::Urdf, in("skin.urdf"), options);
-  const auto document = load(in("skin.urdf"));
+  const auto document = exported(makeTestReconstruction(), options);
   const pugi::xml_node robot = document.child("robot");
   EXPECT_STREQ(robot.attribute("name").value(), "nao-6");
   EXPECT_STREQ(robot.child("link").attribute("name").value(), "l_forearm");
@@ -168,14 +163,13 @@ TEST_F(ExportUrdf, UsesTheNamesOfTheOptions) {
   EXPECT_STREQ(robot.child("joint").child("parent").attribute("link").value(), "l_forearm");
 }
 
-TEST_F(ExportUrdf, RefusesAParentLinkThatTheSkinNeedsItself) {
-  ExportOptions options;
-  options.parent_link = "skin_cell7";
+TEST(ExportUrdf, RefusesAParentLinkThatTheSkinNeedsItself) {
+  const ExportOptions options = test::with(&ExportOptions::parent_link, "skin_cell7");
   EXPECT_THAT(messageOf<InvalidArgument>([&] { contentOf(makeTestReconstruction(), options); }),
               HasSubstr("parent_link: \"skin_cell7\""));
 }
 
-TEST_F(ExportUrdf, EveryOrientationComesBack) {
+TEST(ExportUrdf, EveryOrientationComesBack) {
   Reconstruction reconstruction = makeTestReconstruction();
   for (const double pitch_deg : {-90.0, -89.9999999, -45.0, 0.0, 89.99999, 89.9999999, 90.0}) {
     for (const double roll_deg : {-180.0, -170.0, 0.0, 33.0, 180.0}) {
@@ -197,46 +191,40 @@ TEST_F(ExportUrdf, EveryOrientationComesBack) {
   }
 }
 
-TEST_F(ExportUrdf, TakesRotationsOfFewDecimals) {
+TEST(ExportUrdf, TakesRotationsOfFewDecimals) {
   Reconstruction reconstruction = makeTestReconstruction();
   Eigen::Matrix3d& R = reconstruction.patches[0].cells[0].T_o_u.R;
   R = (R * 1e7).array().round() / 1e7;
-  EXPECT_NO_THROW(exportReconstruction(reconstruction, ExportFormat::Urdf, in("skin.urdf")));
+  EXPECT_NO_THROW(exported(reconstruction));
 }
 
-TEST_F(ExportUrdf, EmptyReconstructionGivesTheParentLinkAlone) {
-  exportReconstruction(test::ResultBuilder().build(), ExportFormat::Urdf, in("empty.urdf"));
-  EXPECT_EQ(chained(load(in("empty.urdf"))).size(), 1U);
+TEST(ExportUrdf, EmptyReconstructionGivesTheParentLinkAlone) {
+  EXPECT_EQ(chained(exported(test::ResultBuilder().build())).size(), 1U);
 }
 
-TEST_F(ExportUrdf, PutsPlacedPatchesOnTheirLinks) {
+TEST(ExportUrdf, PutsPlacedPatchesOnTheirLinks) {
   const Reconstruction reconstruction = makeTestReconstruction();
   ExportOptions options;
   options.parent_link = "torso";
   const SE3 T_l_o{rotationFromRpy({0.1, -0.2, 2.0}), {0.3, -0.05, 0.01}};
   options.placements = {{CellId(20), "base_link", T_l_o, {}}};
-  exportReconstruction(reconstruction, ExportFormat::Urdf, in("skin.urdf"), options);
-  const auto T_root = chained(load(in("skin.urdf")));
+  const auto T_root = chained(exported(reconstruction, options));
   EXPECT_TRUE(T_root.contains("skin_cell20"));
   EXPECT_FALSE(T_root.contains("skin_cell7")) << "its patch is not placed";
   expectNear(T_root.at("skin_patch1"), T_l_o, "patch");
   expectNear(T_root.at("skin_cell20"), T_l_o * reconstruction.patches[1].cells[0].T_o_u, "cell 20");
 
   options.placements.push_back({CellId(7), "elbow", {}, {}});
-  EXPECT_THAT(messageOf<InvalidArgument>(
-                  [&] { exportReconstruction(reconstruction, ExportFormat::Urdf, in("both.urdf"), options); }),
-              HasSubstr("placed on 2 links"));
   options.in_link = "elbow";
-  exportReconstruction(reconstruction, ExportFormat::Urdf, in("elbow.urdf"), options);
-  EXPECT_STREQ(load(in("elbow.urdf")).child("robot").child("link").attribute("name").value(), "elbow");
+  const auto on_elbow = exported(reconstruction, options);
+  EXPECT_STREQ(on_elbow.child("robot").child("link").attribute("name").value(), "elbow");
 }
 
-TEST_F(ExportUrdf, APartLeavesTheParentLinksToTheRobot) {
+TEST(ExportUrdf, APartLeavesTheParentLinksToTheRobot) {
   ExportOptions options;
   options.urdf_form = UrdfForm::Part;
   options.placements = {{CellId(20), "hand", {}, {}}, {CellId(7), "elbow", {}, {}}};
-  exportReconstruction(makeTestReconstruction(), ExportFormat::Urdf, in("part.urdf"), options);
-  const auto document = load(in("part.urdf"));
+  const auto document = exported(makeTestReconstruction(), options);
   const pugi::xml_node robot = document.child("robot");
   for (const char* link : {"hand", "elbow"}) EXPECT_FALSE(robot.find_child_by_attribute("link", "name", link)) << link;
   const auto parentOf = [&](const char* joint) {
@@ -256,13 +244,12 @@ std::string expanded(std::string body, const std::map<std::string, std::string>&
   return body;
 }
 
-TEST_F(ExportUrdf, AMacroIsTheSkinWithItsOriginAsParameters) {
+TEST(ExportUrdf, AMacroIsTheSkinWithItsOriginAsParameters) {
   const Reconstruction reconstruction = makeTestReconstruction();
   ExportOptions options;
   options.urdf_form = UrdfForm::Macro;
   options.placements = {{CellId(7), "elbow", {Eigen::Matrix3d::Identity(), {0.1, 0.2, 0.3}}, {}}};
-  exportReconstruction(reconstruction, ExportFormat::Urdf, in("skin.xacro"), options);
-  const auto document = load(in("skin.xacro"));
+  const auto document = exported(reconstruction, options);
   const pugi::xml_node macro = document.child("robot").child("xacro:macro");
   EXPECT_STREQ(macro.attribute("name").value(), "skin_patch0");
   EXPECT_STREQ(macro.attribute("params").value(), "parent:=elbow xyz:='0.1 0.2 0.3' rpy:='0 0 0'");
@@ -271,14 +258,12 @@ TEST_F(ExportUrdf, AMacroIsTheSkinWithItsOriginAsParameters) {
   const std::string robot =
       "<robot name=\"r\"><link name=\"base_link\"/>" +
       expanded(body.str(), {{"parent", "base_link"}, {"xyz", "1 2 3"}, {"rpy", "0 0 1.5707963267948966"}}) + "</robot>";
-  write(in("robot.urdf"), robot);
+  pugi::xml_document called;
+  ASSERT_TRUE(called.load_string(robot.c_str()));
   const SE3 T_l_o{rotationFromRpy({0, 0, 1.5707963267948966}), {1, 2, 3}};
-  expectNear(chained(load(in("robot.urdf"))).at("skin_cell3"), T_l_o * reconstruction.patches[0].cells[0].T_o_u,
-             "cell 3");
+  expectNear(chained(called).at("skin_cell3"), T_l_o * reconstruction.patches[0].cells[0].T_o_u, "cell 3");
   options.prefix = "left/";
-  EXPECT_THAT(messageOf<InvalidArgument>(
-                  [&] { exportReconstruction(reconstruction, ExportFormat::Urdf, in("x.xacro"), options); }),
-              HasSubstr("left/patch0"));
+  EXPECT_THAT(messageOf<InvalidArgument>([&] { exported(reconstruction, options); }), HasSubstr("left/patch0"));
 }
 
 TEST(LinkName, TakesWhatUrdfAndTfTake) {

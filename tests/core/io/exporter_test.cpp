@@ -7,6 +7,8 @@
 #include "hexoderm/util/limits.h"
 #include "tests/core/io/export_test_folder.h"
 #include "tests/support/hand_made_skins.h"
+#include "tests/support/options.h"
+#include "tests/support/solvers.h"
 
 #include <gmock/gmock.h>
 
@@ -26,30 +28,25 @@ class EveryExport : public ExportTest, public ::testing::WithParamInterface<Expo
     return *std::ranges::find(exportFormats(), GetParam(), &ExportFormatDescription::format);
   }
   [[nodiscard]] std::filesystem::path target() const { return in("skin" + std::string(description().extension)); }
-  void SetUp() override {
-    ExportTest::SetUp();
-    if (GetParam() != ExportFormat::RobotUrdf) return;
-    // Outside the folder, whose files are counted.
-    robot_ = folder_.string() + ".robot.urdf";
-    write(robot_, "<robot name=\"arm\">\n  <link name=\"base_link\"/>\n</robot>\n");
-  }
-  void TearDown() override {
-    if (!robot_.empty()) std::filesystem::remove(robot_);
-    ExportTest::TearDown();
-  }
   /// The options that every test of the format needs.
   [[nodiscard]] ExportOptions needed() const {
     ExportOptions options;
-    options.robot_urdf = robot_;
+    if (GetParam() == ExportFormat::RobotUrdf) {
+      options.robot_urdf =
+          elsewhere_.put("robot.urdf", "<robot name=\"arm\">\n  <link name=\"base_link\"/>\n</robot>\n");
+    }
     return options;
+  }
+  std::vector<std::filesystem::path> exported(const Reconstruction& reconstruction = makeTestReconstruction()) const {
+    return exportReconstruction(reconstruction, GetParam(), target(), needed());
   }
 
  private:
-  std::filesystem::path robot_;
+  const test::TemporaryFolder elsewhere_;  ///< for what is no export: the files of the folder are counted
 };
 
 TEST_P(EveryExport, ReturnsTheFilesItWroteAndNoOthersAreLeft) {
-  const auto paths = exportReconstruction(makeTestReconstruction(), GetParam(), target(), needed());
+  const auto paths = exported();
   std::set<std::filesystem::path> written;
   for (const auto& entry : std::filesystem::recursive_directory_iterator(folder_)) {
     if (entry.is_regular_file()) written.insert(entry.path());
@@ -63,24 +60,24 @@ TEST_P(EveryExport, GivesTheBytesOfItsFileWithoutAFile) {
                 HasSubstr("folder of several files"));
     return;
   }
-  const auto paths = exportReconstruction(makeTestReconstruction(), GetParam(), target(), needed());
+  const auto paths = exported();
   EXPECT_EQ(exportBytes(makeTestReconstruction(), GetParam(), needed(), "standard output"), read(paths.at(0)));
 }
 
 TEST_P(EveryExport, GivesTheSameBytesAgainOverAnEarlierExport) {
-  const auto paths = exportReconstruction(makeTestReconstruction(), GetParam(), target(), needed());
+  const auto paths = exported();
   std::vector<std::string> first;
   for (const auto& path : paths) first.push_back(read(path));
-  EXPECT_EQ(exportReconstruction(makeTestReconstruction(), GetParam(), target(), needed()), paths);
+  EXPECT_EQ(exported(), paths);
   for (std::size_t k = 0; k < paths.size(); ++k) EXPECT_EQ(read(paths[k]), first[k]);
 }
 
 TEST_P(EveryExport, RefusesNumbersThatAreNotFiniteAndKeepsTheEarlierFile) {
   Reconstruction reconstruction = makeTestReconstruction();
-  const auto paths = exportReconstruction(reconstruction, GetParam(), target(), needed());
+  const auto paths = exported(reconstruction);
   const std::string earlier = read(paths.front());
   reconstruction.patches[0].cells[1].T_o_u.t.y() = std::numeric_limits<double>::quiet_NaN();
-  EXPECT_THAT(messageOf<InvalidArgument>([&] { exportReconstruction(reconstruction, GetParam(), target(), needed()); }),
+  EXPECT_THAT(messageOf<InvalidArgument>([&] { exported(reconstruction); }),
               HasSubstr("cell 7: its placement is not a finite number"));
   EXPECT_EQ(read(paths.front()), earlier);
 }
@@ -89,15 +86,13 @@ TEST_P(EveryExport, TakesWhatEverySolverFinds) {
   SimulatedSkin skin(builtInCellModel("hex-bma150"), {});
   const Session session = simulateSession(skin, 3);
   for (const Solver solver : {Solver::Global, Solver::Tree}) {
-    SolverOptions options;
-    options.solver = solver;
-    const auto result = reconstruct(*session.snapshot(), options);
-    const auto paths = exportReconstruction(*result, GetParam(), target(), needed());
+    const auto result = reconstruct(*session.snapshot(), test::by(solver));
+    const auto paths = exported(*result);
     ASSERT_FALSE(paths.empty());
     for (const auto& path : paths) EXPECT_FALSE(read(path).empty()) << path;
     // A calibration that was written to a file and read again is exported just the same.
     const auto back = parseCalibrationJson(calibrationToJson(*result), "c.json");
-    EXPECT_NO_THROW(exportReconstruction(*back, GetParam(), target(), needed()));
+    EXPECT_NO_THROW(exported(*back));
   }
 }
 
@@ -228,6 +223,13 @@ TEST(MeshFormats, RefusePlacesThatSinglePrecisionCannotHold) {
   }
 }
 
+TEST(MeshFormats, RefuseAReconstructionWithoutCells) {
+  for (const ExportFormat format : {ExportFormat::Ply, ExportFormat::Stl, ExportFormat::Obj, ExportFormat::Gltf}) {
+    EXPECT_THAT(messageOf<InvalidArgument>([&] { exportBytes(test::ResultBuilder().build(), format, {}, "f"); }),
+                HasSubstr("no cells"));
+  }
+}
+
 TEST(ExportFormats, AreFoundByName) {
   for (const ExportFormatDescription& format : exportFormats()) {
     EXPECT_EQ(exportFormatFromName(format.name), format.format);
@@ -246,15 +248,13 @@ TEST(ExportFormats, UnknownNameListsTheKnownOnes) {
 
 TEST(ExportOptions, NamesTheOptionThatMakesNoSense) {
   EXPECT_NO_THROW(ExportOptions().validate());
-  ExportOptions options;
-  options.model_name = "";
-  EXPECT_THAT(messageOf<InvalidArgument>([&] { options.validate(); }), HasSubstr("model_name"));
-  options = {};
-  options.parent_link = "base link";
-  EXPECT_THAT(messageOf<InvalidArgument>([&] { options.validate(); }), HasSubstr("parent_link"));
-  options = {};
-  options.prefix = "größe_";
-  EXPECT_THAT(messageOf<InvalidArgument>([&] { options.validate(); }), HasSubstr("prefix"));
+  const std::pair<ExportOptions, const char*> senseless[] = {
+      {test::with(&ExportOptions::model_name, ""), "model_name"},
+      {test::with(&ExportOptions::parent_link, "base link"), "parent_link"},
+      {test::with(&ExportOptions::prefix, "größe_"), "prefix"}};
+  for (const auto& [options, name] : senseless) {
+    EXPECT_THAT(messageOf<InvalidArgument>([&options = options] { options.validate(); }), HasSubstr(name));
+  }
 }
 
 }  // namespace

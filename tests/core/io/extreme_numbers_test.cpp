@@ -13,6 +13,7 @@
 #include "hexoderm/util/error.h"
 #include "hexoderm/util/limits.h"
 #include "tests/core/io/export_test_folder.h"
+#include "tests/support/solvers.h"
 
 #include <gmock/gmock.h>
 #include <nlohmann/json.hpp>
@@ -66,9 +67,7 @@ void expectFinite(const Reconstruction& result, const std::string& what) {
 void useEverything(const Session& session, const std::string& what) {
   SCOPED_TRACE(what);
   for (const Solver solver : {Solver::Global, Solver::Tree}) {
-    SolverOptions options;
-    options.solver = solver;
-    const auto result = reconstruct(*session.snapshot(), options);
+    const auto result = reconstruct(*session.snapshot(), test::by(solver));
     expectFinite(*result, what);
     for (const PatchReconstruction& patch : result->patches) {
       std::vector<Eigen::Vector3d> seen;

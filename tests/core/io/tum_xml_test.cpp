@@ -8,7 +8,6 @@
 #include "tests/support/error_matchers.h"
 #include "tests/support/matchers.h"
 #include "tests/support/paths.h"
-#include "tests/support/temporary_folder.h"
 
 #include <gtest/gtest.h>
 
@@ -225,25 +224,6 @@ TEST(TumXml, IsRefusedWhereverItIsCutOff) {
                 saysAll("t.xml: "))
         << "cut after " << size << " bytes";
   }
-}
-
-TEST(TumXml, SurvivesAnyByteInAnyPlace) {
-  const std::string text = readFile(kTwoPatches);
-  const std::string bytes("\0<>\"&/ 9x-\xff", 11);
-  for (std::size_t at = 0; at < text.size(); at += 5) {
-    std::string changed = text;
-    changed[at] = bytes[at % bytes.size()];
-    try {
-      static_cast<void>(calibrationFromTum(parseTumXml(changed, "t.xml"), hex(), "t.xml"));
-    } catch (const FormatError& error) {
-      EXPECT_THAT(error.what(), saysAll("t.xml: ")) << "byte " << at;
-    }
-  }
-}
-
-TEST(TumXml, NamesAFileThatIsNotThere) {
-  const test::TemporaryFolder folder;
-  EXPECT_THAT(messageOf<StorageError>([&] { readTumXml(folder.path() / "none.xml"); }), saysAll("none.xml"));
 }
 
 }  // namespace

@@ -3,43 +3,18 @@
 #include "hexoderm/session/sample_blobs.h"
 
 #include "hexoderm/util/error.h"
+#include "tests/support/sample_matchers.h"
 
 #include <gtest/gtest.h>
 
-#include <bit>
 #include <random>
 
 namespace hexoderm {
 namespace {
 
+using test::expectSameFrames;
+
 constexpr double kLsb_g = 0.004;  // no float
-
-std::uint64_t bits(double value) { return std::bit_cast<std::uint64_t>(value); }
-
-void expectSame(const std::vector<SampleFrame>& a, const std::vector<SampleFrame>& b) {
-  ASSERT_EQ(a.size(), b.size());
-  for (std::size_t k = 0; k < a.size(); ++k) {
-    EXPECT_EQ(bits(a[k].time_s), bits(b[k].time_s));
-    ASSERT_EQ(a[k].samples.size(), b[k].samples.size());
-    for (std::size_t c = 0; c < a[k].samples.size(); ++c) {
-      EXPECT_EQ(a[k].samples[c].cell, b[k].samples[c].cell);
-      for (int axis = 0; axis < 3; ++axis) {
-        EXPECT_EQ(bits(a[k].samples[c].acceleration_g[axis]), bits(b[k].samples[c].acceleration_g[axis]));
-      }
-    }
-    ASSERT_EQ(a[k].means.size(), b[k].means.size());
-    for (std::size_t c = 0; c < a[k].means.size(); ++c) {
-      EXPECT_EQ(a[k].means[c].cell, b[k].means[c].cell);
-      EXPECT_EQ(a[k].means[c].count, b[k].means[c].count);
-      EXPECT_EQ(a[k].means[c].mean_g, b[k].means[c].mean_g);
-      EXPECT_EQ(a[k].means[c].variance_g2, b[k].means[c].variance_g2);
-    }
-    ASSERT_EQ(a[k].temperatures.size(), b[k].temperatures.size());
-    for (std::size_t c = 0; c < a[k].temperatures.size(); ++c) {
-      EXPECT_EQ(a[k].temperatures[c].temperature_c, b[k].temperatures[c].temperature_c);
-    }
-  }
-}
 
 /// Cells come and go; readings up to what 16 bits hold.
 std::vector<SampleFrame> framesInSteps() {
@@ -75,7 +50,7 @@ TEST(SampleBlobs, WholeStepsOfAPartThatIsHeldStillTakeAByteANumber) {
   }
   const Bytes still = encodeFrames(frames, kLsb_g);
   EXPECT_EQ(still.size(), 16 + 50 * 20 + 100 * 10 + 49 * 100 * 3);
-  expectSame(decodeFrames(still, "here"), frames);
+  expectSameFrames(decodeFrames(still, "here"), frames);
   // A step of 127 still fits, one of 128 does not: that frame is written whole, and the next one refers to it.
   for (const auto& [step, more] : {std::pair(127, 0), std::pair(128, 2 * 7 * 100)}) {
     for (CellSample& sample : frames[20].samples) sample.acceleration_g = Eigen::Vector3d::Zero();
@@ -90,7 +65,7 @@ TEST(SampleBlobs, WholeStepsOfAPartThatIsHeldStillTakeAByteANumber) {
     for (std::size_t k = 24; k < 50; ++k) frames[k].samples = frames[17].samples;
     const Bytes bytes = encodeFrames(frames, kLsb_g);
     EXPECT_EQ(bytes.size(), still.size() + static_cast<std::size_t>(more)) << step;
-    expectSame(decodeFrames(bytes, "here"), frames);
+    expectSameFrames(decodeFrames(bytes, "here"), frames);
   }
 }
 
@@ -99,18 +74,18 @@ TEST(SampleBlobs, WholeStepsTakeTwoBytesANumber) {
   const Bytes bytes = encodeFrames(frames, kLsb_g);
   EXPECT_EQ(widthOf(bytes), 2U);
   EXPECT_LT(bytes.size(), encodeFrames(frames).size());
-  expectSame(decodeFrames(bytes, "here"), frames);
+  expectSameFrames(decodeFrames(bytes, "here"), frames);
 }
 
 TEST(SampleBlobs, OtherNumbersTakeFourOrEight) {
   std::vector<SampleFrame> frames = framesInSteps();
   EXPECT_EQ(widthOf(encodeFrames(frames)), 8U);
-  expectSame(decodeFrames(encodeFrames(frames), "here"), frames);
+  expectSameFrames(decodeFrames(encodeFrames(frames), "here"), frames);
   for (const double odd : {32768 * kLsb_g, kLsb_g / 2, -0.0, 1e300, 0.1 + 1e-9}) {
     frames[19].samples[2].acceleration_g.y() = odd;
     const Bytes bytes = encodeFrames(frames, kLsb_g);
     EXPECT_EQ(widthOf(bytes), 8U) << odd;
-    expectSame(decodeFrames(bytes, "here"), frames);
+    expectSameFrames(decodeFrames(bytes, "here"), frames);
   }
   for (SampleFrame& frame : frames) {
     frame.means.clear();
@@ -119,7 +94,7 @@ TEST(SampleBlobs, OtherNumbersTakeFourOrEight) {
   }
   const Bytes bytes = encodeFrames(frames, kLsb_g);
   EXPECT_EQ(widthOf(bytes), 4U);
-  expectSame(decodeFrames(bytes, "here"), frames);
+  expectSameFrames(decodeFrames(bytes, "here"), frames);
 }
 
 TEST(SampleBlobs, BytesThatAreCutOffOrChangedAreRefusedOrRead) {

@@ -329,16 +329,8 @@ int fillTheDisk(const fs::path& folder) {
   }
   const std::size_t poses = store.readSession().poses().size();
   if (poses < 5) return 2;
-  try {
-    appendTo(store, AddPose{{capture}});
-    return 3;
-  } catch (const StorageError&) {
-  }
-  try {
-    writeSessionStore(store.readSession(), folder / "copy.hexo");
-    return 4;
-  } catch (const StorageError&) {
-  }
+  if (messageOf<StorageError>([&] { appendTo(store, AddPose{{capture}}); }).empty()) return 3;
+  if (messageOf<StorageError>([&] { writeSessionStore(store.readSession(), folder / "copy.hexo"); }).empty()) return 4;
   if (fs::exists(folder / "copy.hexo")) return 5;
   if (readSessionStore(file).poses().size() != poses) return 6;
   fs::remove(ballast);

@@ -1,8 +1,8 @@
 #include "hexoderm/session/session_store.h"
 
-#include "hexoderm/session/simulated_session.h"
 #include "hexoderm/util/error.h"
 #include "hexoderm/util/file.h"
+#include "tests/core/session/session_edits.h"
 #include "tests/support/error_matchers.h"
 #include "tests/support/session_matchers.h"
 #include "tests/support/temporary_folder.h"
@@ -10,6 +10,8 @@
 #include <gmock/gmock.h>
 
 #include <limits>
+#include <set>
+#include <string>
 
 namespace hexoderm {
 namespace {
@@ -58,13 +60,6 @@ TEST_F(SessionStoreTest, KeepsAWholeSessionBitForBit) {
   EXPECT_EQ(folder_.entryCount(), 1U) << "nothing lies beside it";
 }
 
-TEST_F(SessionStoreTest, KeepsASimulatedSkin) {
-  SimulatedSkin skin(builtInCellModel("hex-bma150"), SimulatedSkinOptions());
-  const Session session = simulateSession(skin, 3);
-  expectSameSession(session, SessionStore::create(path_, session).readSession());
-  expectSameSession(session, readSessionStore(path_));
-}
-
 TEST_F(SessionStoreTest, KeepsAnEmptySkin) {
   const Session session(builtInCellModel("hex-bma150"), {});
   writeSessionStore(session, path_);
@@ -92,26 +87,6 @@ TEST_F(SessionStoreTest, IsMadeWholeOrNotAtAll) {
   EXPECT_EQ(folder_.entryCount(), 0U);
   EXPECT_THAT(messageOf<StorageError>([&] { writeSessionStore(bad, folder_.path() / "none" / "a.hexo"); }),
               saysAll("none/a.hexo", "No such file"));
-}
-
-TEST_F(SessionStoreTest, CapturesAreThereAfterReopening) {
-  const AddPose first = capture(1, 0.1 + 0.2);
-  const AddPose second = capture(2, -5e-324);
-  std::uint64_t revision = 0;
-  {
-    SessionStore store = SessionStore::create(path_, Session(builtInCellModel("hex-bma150"), {}));
-    const std::uint64_t begin = store.revision();
-    EXPECT_EQ(appendOne(store, first), begin + 1);
-    revision = appendOne(store, second);
-    EXPECT_EQ(revision, begin + 2);
-    EXPECT_EQ(store.readSession().poses().size(), 2U);
-  }
-  const SessionStore store = SessionStore::open(path_);
-  EXPECT_EQ(store.revision(), revision);
-  const Session session = store.readSession();
-  ASSERT_EQ(session.poses().size(), 2U);
-  expectSamePose(session.poses()[0], first.pose);
-  expectSamePose(session.poses()[1], second.pose);
 }
 
 TEST_F(SessionStoreTest, RemovedPosesStayInTheFileAndComeBackAsTheyWere) {
@@ -154,20 +129,6 @@ TEST_F(SessionStoreTest, APoseThatWasRemovedBeforeTheFileWasMadeComesBackAllTheS
   EXPECT_EQ(kinds(store).back(), "restore");
 }
 
-TEST_F(SessionStoreTest, OfPosesWithOneNumberTheOneWithTheseReadingsIsRestored) {
-  SessionStore store = SessionStore::create(path_, Session(builtInCellModel("hex-bma150"), {}));
-  const AddPose first = capture(7, 0.25);
-  const AddPose second = capture(7, 0.5);
-  appendOne(store, first);
-  appendOne(store, second);
-  appendOne(store, RemovePose{0});
-  appendOne(store, RemovePose{0});
-  appendOne(store, RestorePose{second.pose, 0});
-  expectSamePose(store.readSession().poses()[0], second.pose);
-  appendOne(store, RestorePose{first.pose, 0});
-  expectSamePose(readSessionStore(path_).poses()[0], first.pose);
-}
-
 TEST_F(SessionStoreTest, UndoOfARecaptureThatKeepsTheNumberBringsTheOldReadingsBack) {
   SessionStore store = SessionStore::create(path_, Session(builtInCellModel("hex-bma150"), {}));
   const AddPose before = capture(2, 0.25);
@@ -187,71 +148,32 @@ TEST_F(SessionStoreTest, UndoOfARecaptureThatKeepsTheNumberBringsTheOldReadingsB
   EXPECT_EQ(std::ranges::count(kinds(store), "capture"), 2) << "the file has every reading once";
 }
 
-TEST_F(SessionStoreTest, KeepsWhatWasDisabledAndWhy) {
-  SessionStore store = SessionStore::create(path_, sessionWithEverything());
-  appendOne(store, SetPoseDisabled{0, true, "someone leaned on the arm"});
-  appendOne(store, SetPoseDisabled{1, false, ""});
-  const Session session = readSessionStore(path_);
-  EXPECT_TRUE(session.poses()[0].disabled);
-  EXPECT_EQ(session.poses()[0].why_disabled, "someone leaned on the arm");
-  EXPECT_FALSE(session.poses()[1].disabled);
-  EXPECT_EQ(session.poses()[1].why_disabled, "");
+TEST_F(SessionStoreTest, KeepsEveryEdit) {
+  std::set<std::string> written;
+  for (const SessionEdit& edit : test::edits()) {
+    SCOPED_TRACE(edit.index());
+    Session session = test::threePoses();
+    {
+      SessionStore store = SessionStore::create(path_, session);
+      appendOne(store, edit);
+      apply(edit, session);
+      expectSameSession(store.readSession(), session);
+      written.insert(kinds(store).back());
+    }
+    expectSameSession(readSessionStore(path_), session);
+    removeSessionStore(path_);
+  }
+  EXPECT_THAT(written, ElementsAre("capture", "disable", "enable", "joints", "mute", "placement", "remove", "robot",
+                                   "skin", "unmute"));
 }
 
-TEST_F(SessionStoreTest, KeepsWhichLinksAreSetAsideAndWhy) {
-  const LinkEnd a{CellId(1), PortNumber(2)};
-  const LinkEnd b{CellId(2), PortNumber(3)};
-  const LinkEnd c{CellId(3), PortNumber(1)};
-  SessionStore store = SessionStore::create(path_, Session(builtInCellModel("hex-bma150"), {{CellId(1), "", {}}}));
-  appendOne(store, SetLinkMuted{b, a, true, "a cable"});
-  appendOne(store, SetLinkMuted{c, b, true, ""});
-  EXPECT_THAT(readSessionStore(path_).mutedLinks(), ElementsAre(MutedLink{a, b, "a cable"}, MutedLink{b, c, ""}));
-  appendOne(store, SetLinkMuted{a, b, false, ""});
-  EXPECT_THAT(readSessionStore(path_).mutedLinks(), ElementsAre(MutedLink{b, c, ""}));
-  EXPECT_THAT(kinds(store), ElementsAre("skin", "source", "mute", "mute", "unmute"));
-  appendOne(store, SetSkin{std::make_shared<const CellModel>(builtInCellModel("hex-bma150")), {}});
-  EXPECT_EQ(readSessionStore(path_).mutedLinks().size(), 1U) << "the skin may be explored anew";
-}
-
-TEST_F(SessionStoreTest, KeepsWhereTheRobotsJointsStoodThroughRemovals) {
+TEST_F(SessionStoreTest, KeepsJointAnglesThroughRemovals) {
   SessionStore store = SessionStore::create(path_, sessionWithEverything());
-  const JointAngles angles{{{"elbow", 0.1}, {"wrist", -2}}};
-  appendOne(store, SetJointAngles{0, angles});
-  EXPECT_EQ(readSessionStore(path_).poses()[0].joint_angles, angles);
+  appendOne(store, SetJointAngles{0, {{{"elbow", 0.1}, {"wrist", -2}}}});
   const SessionPose before = store.readSession().poses()[0];
   appendOne(store, RemovePose{0});
   appendOne(store, RestorePose{before, 0});
-  EXPECT_EQ(readSessionStore(path_).poses()[0].joint_angles, angles);
-  appendOne(store, SetJointAngles{0, {}});
-  EXPECT_TRUE(readSessionStore(path_).poses()[0].joint_angles.positions.empty());
-  EXPECT_EQ(kinds(store).back(), "joints");
-  EXPECT_THROW(appendOne(store, SetJointAngles{0, {{{"elbow", std::numeric_limits<double>::infinity()}}}}),
-               InvalidArgument);
-}
-
-TEST_F(SessionStoreTest, KeepsTheRobotAndWherePatchesAreOnIt) {
-  SessionStore store = SessionStore::create(path_, Session(builtInCellModel("hex-bma150"), {}));
-  const RobotDescription robot{"/home/arm.urdf", "00ff", {{"arm", "/opt/arm"}}};
-  appendOne(store, SetRobot{robot});
-  PatchPlacement placement = test::placementWithEverything(CellId(3));
-  appendOne(store, SetPatchPlacement{placement});
-  EXPECT_EQ(readSessionStore(path_).robot(), robot);
-  ASSERT_EQ(readSessionStore(path_).placements().size(), 1U);
-  test::expectSamePlacement(readSessionStore(path_).placements()[0], placement);
-  placement.place.reset();
-  placement.link = "hand";
-  appendOne(store, SetPatchPlacement{placement});
-  ASSERT_EQ(readSessionStore(path_).placements().size(), 1U) << "the last one of a patch counts";
-  test::expectSamePlacement(readSessionStore(path_).placements()[0], placement);
-  PatchPlacement nothing;
-  nothing.origin = CellId(3);
-  appendOne(store, SetPatchPlacement{nothing});
-  appendOne(store, SetRobot{});
-  EXPECT_TRUE(readSessionStore(path_).placements().empty());
-  EXPECT_FALSE(readSessionStore(path_).robot());
-  EXPECT_THAT(kinds(store), ElementsAre("skin", "source", "robot", "placement", "placement", "placement", "robot"));
-  placement.points[0].sigma_m = 0;
-  EXPECT_THROW(appendOne(store, SetPatchPlacement{placement}), InvalidArgument);
+  expectSamePose(readSessionStore(path_).poses()[0], before);
 }
 
 TEST_F(SessionStoreTest, KeepsSourceSkinTruthAndOptionsAsLastSet) {
@@ -309,8 +231,12 @@ TEST_F(SessionStoreTest, RefusesWhatMakesNoSenseAndStaysAsItWas) {
     change(*capture);
     return AddPose{{capture}};
   };
+  PatchPlacement placement = test::placementWithEverything(CellId(3));
+  placement.points[0].sigma_m = 0;
   const std::vector<std::pair<StoreOperation, std::string>> bad = {
       {RemovePose{3}, "no pose at place 3"},
+      {SetJointAngles{0, {{{"elbow", kInfinity}}}}, "elbow"},
+      {SetPatchPlacement{placement}, "a sigma above 0"},
       {SetPoseDisabled{7}, "no pose at place 7"},
       {RestorePose{capture(9, 1).pose, 4}, "no place 4"},
       {RestorePose{}, "must hold a capture"},
@@ -360,31 +286,8 @@ TEST_F(SessionStoreTest, KeepsRawSamples) {
   EXPECT_THAT(poseIds(reader.readSession()), ElementsAre(2U, 3U, 1U));
   EXPECT_TRUE(reader.readRawSamples(1).empty());
   EXPECT_THROW(static_cast<void>(reader.readRawSamples(3)), InvalidArgument);
-  const auto same = [](const std::vector<SampleFrame>& a, const std::vector<SampleFrame>& b) {
-    ASSERT_EQ(a.size(), b.size());
-    for (std::size_t f = 0; f < a.size(); ++f) {
-      EXPECT_EQ(a[f].time_s, b[f].time_s);
-      ASSERT_EQ(a[f].samples.size(), b[f].samples.size());
-      ASSERT_EQ(a[f].means.size(), b[f].means.size());
-      ASSERT_EQ(a[f].temperatures.size(), b[f].temperatures.size());
-      for (std::size_t k = 0; k < a[f].samples.size(); ++k) {
-        EXPECT_EQ(a[f].samples[k].cell, b[f].samples[k].cell);
-        EXPECT_TRUE(test::sameBits(a[f].samples[k].acceleration_g, b[f].samples[k].acceleration_g));
-      }
-      for (std::size_t k = 0; k < a[f].means.size(); ++k) {
-        EXPECT_EQ(a[f].means[k].cell, b[f].means[k].cell);
-        EXPECT_EQ(a[f].means[k].count, b[f].means[k].count);
-        EXPECT_TRUE(test::sameBits(a[f].means[k].mean_g, b[f].means[k].mean_g));
-        EXPECT_TRUE(test::sameBits(a[f].means[k].variance_g2, b[f].means[k].variance_g2));
-      }
-      for (std::size_t k = 0; k < a[f].temperatures.size(); ++k) {
-        EXPECT_EQ(a[f].temperatures[k].cell, b[f].temperatures[k].cell);
-        EXPECT_EQ(a[f].temperatures[k].temperature_c, b[f].temperatures[k].temperature_c);
-      }
-    }
-  };
-  same(reader.readRawSamples(0), *device);
-  same(reader.readRawSamples(2), *exact);
+  test::expectSameFrames(reader.readRawSamples(0), *device);
+  test::expectSameFrames(reader.readRawSamples(2), *exact);
 }
 
 TEST_F(SessionStoreTest, IsReadFromItsBytesAlone) {
@@ -408,16 +311,6 @@ TEST_F(SessionStoreTest, AnotherDigestForAnotherSession) {
   EXPECT_EQ(readSessionStore(path_).source().sha256, before);
   appendOne(store, RemovePose{0});
   EXPECT_NE(store.readSession().source().sha256, before);
-}
-
-TEST_F(SessionStoreTest, AFewHundredPosesAreReadBack) {
-  SessionStore store = SessionStore::create(path_, Session(builtInCellModel("hex-bma150"), {}));
-  std::vector<StoreOperation> operations;
-  for (std::uint32_t id = 1; id <= 300; ++id) operations.emplace_back(capture(id, 1.0 / id));
-  store.append(operations);
-  const Session session = readSessionStore(path_);
-  ASSERT_EQ(session.poses().size(), 300U);
-  EXPECT_EQ(session.poses()[298].capture->samples[0].mean_g.x(), 1.0 / 299);
 }
 
 }  // namespace

@@ -114,30 +114,6 @@ TEST(Session, ANewSkinLeavesEverythingElse) {
   EXPECT_EQ(session.nextPoseId(), PoseId(4)) << "the number of a pose that was removed is not used again";
 }
 
-TEST(Session, PoseNumbersAreNeverUsedAgain) {
-  Session session = emptySession();
-  session.addPose(pose(session.nextPoseId().value()));
-  session.addPose(pose(session.nextPoseId().value()));
-  session.removePose(1);
-  EXPECT_EQ(session.nextPoseId(), PoseId(3));
-}
-
-TEST(Session, ARemovedPoseCanBePutBackWhereItWas) {
-  Session session = emptySession();
-  for (std::uint32_t id = 1; id <= 3; ++id) session.addPose(pose(id));
-  SessionPose removed = session.removePose(1);
-  session.addPose(std::move(removed), 1);
-  EXPECT_EQ(session.poses()[1].capture->id, PoseId(2));
-}
-
-TEST(Session, PlacesThatAreNotThereAreRefused) {
-  Session session = emptySession();
-  EXPECT_THROW(session.removePose(0), InvalidArgument);
-  EXPECT_THROW(session.setPoseDisabled(0, true), InvalidArgument);
-  EXPECT_THROW(session.addPose(pose(1), 1), InvalidArgument);
-  EXPECT_THROW(session.addPose({}), InvalidArgument);
-}
-
 TEST(SimulatedSession, HoldsSkinPosesAndTruth) {
   SimulatedSkin skin(builtInCellModel("hex-bma150"), SimulatedSkinOptions());
   const Session session = simulateSession(skin, 3);

@@ -5,38 +5,38 @@
 namespace hexoderm {
 namespace {
 
-TEST(CsvQuoted, LeavesPlainTextsAsTheyAre) {
-  EXPECT_EQ(csvQuoted(""), "");
-  EXPECT_EQ(csvQuoted("left arm"), "left arm");
-  EXPECT_EQ(csvQuoted("−0.5 ° ±"), "−0.5 ° ±");
-}
-
-TEST(CsvQuoted, QuotesSeparatorsLineBreaksAndSpacesAtTheEnds) {
-  EXPECT_EQ(csvQuoted("a,b"), "\"a,b\"");
-  EXPECT_EQ(csvQuoted("a\nb"), "\"a\nb\"");
-  EXPECT_EQ(csvQuoted("a\rb"), "\"a\rb\"");
-  EXPECT_EQ(csvQuoted(" a"), "\" a\"");
-  EXPECT_EQ(csvQuoted("a "), "\"a \"");
-}
-
-TEST(CsvQuoted, DoublesQuotes) { EXPECT_EQ(csvQuoted("say \"x\""), "\"say \"\"x\"\"\""); }
-
-TEST(CsvQuoted, LetsNoSpreadsheetRunAFormula) {
-  EXPECT_EQ(csvQuoted("=1+1"), "'=1+1");
-  EXPECT_EQ(csvQuoted("+1+1"), "'+1+1");
-  EXPECT_EQ(csvQuoted("-1+1"), "'-1+1");
-  EXPECT_EQ(csvQuoted("@SUM(A1)"), "'@SUM(A1)");
-  EXPECT_EQ(csvQuoted("\t=1"), "'\t=1");
-  EXPECT_EQ(csvQuoted("\r=1"), "\"'\r=1\"");
-  EXPECT_EQ(csvQuoted("\n=1"), "\"'\n=1\"");
-  EXPECT_EQ(csvQuoted("=HYPERLINK(\"http://x\",\"y\")"), "\"'=HYPERLINK(\"\"http://x\"\",\"\"y\"\")\"");
-  EXPECT_EQ(csvQuoted("-"), "'-");
-  EXPECT_EQ(csvQuoted("-inf"), "'-inf");
-  EXPECT_EQ(csvQuoted("-1 mm"), "'-1 mm");
-}
-
-TEST(CsvQuoted, LeavesNumbersNumbers) {
-  for (const char* number : {"-1.5", "+2", "-3e-7", "-0", "1"}) EXPECT_EQ(csvQuoted(number), number);
+TEST(CsvQuoted, QuotesWhatNeedsIt) {
+  const std::pair<const char*, const char*> texts[] = {
+      // Plain texts, and numbers, stay as they are.
+      {"", ""},
+      {"left arm", "left arm"},
+      {"−0.5 ° ±", "−0.5 ° ±"},
+      {"-1.5", "-1.5"},
+      {"+2", "+2"},
+      {"-3e-7", "-3e-7"},
+      {"-0", "-0"},
+      {"1", "1"},
+      // Separators, line breaks, spaces at the ends and quotes.
+      {"a,b", "\"a,b\""},
+      {"a\nb", "\"a\nb\""},
+      {"a\rb", "\"a\rb\""},
+      {" a", "\" a\""},
+      {"a ", "\"a \""},
+      {"say \"x\"", "\"say \"\"x\"\"\""},
+      // No spreadsheet runs a formula.
+      {"=1+1", "'=1+1"},
+      {"+1+1", "'+1+1"},
+      {"-1+1", "'-1+1"},
+      {"@SUM(A1)", "'@SUM(A1)"},
+      {"\t=1", "'\t=1"},
+      {"\r=1", "\"'\r=1\""},
+      {"\n=1", "\"'\n=1\""},
+      {"=HYPERLINK(\"http://x\",\"y\")", "\"'=HYPERLINK(\"\"http://x\"\",\"\"y\"\")\""},
+      {"-", "'-"},
+      {"-inf", "'-inf"},
+      {"-1 mm", "'-1 mm"},
+  };
+  for (const auto& [text, quoted] : texts) EXPECT_EQ(csvQuoted(text), quoted);
 }
 
 TEST(CsvFields, AreWhatWasQuoted) {

@@ -9,7 +9,6 @@
 #include <gtest/gtest.h>
 
 #include <fcntl.h>
-#include <sys/resource.h>
 #include <sys/socket.h>
 #include <sys/stat.h>
 #include <sys/un.h>
@@ -30,88 +29,69 @@ namespace {
 using test::messageOf;
 using test::saysAll;
 
-TEST(ReadFile, GivesTheBytesAsTheyAre) {
-  const test::TemporaryFolder folder;
+class FileTest : public testing::Test {
+ protected:
+  const test::TemporaryFolder folder_;
+  const std::filesystem::path file_ = folder_.path() / "out.txt";
+};
+using ReadFile = FileTest;
+using WriteFileAtomically = FileTest;
+using WriteFileInPieces = FileTest;
+
+TEST_F(ReadFile, GivesTheBytesAsTheyAre) {
   const std::string bytes("a\r\n\0\xff z", 8);
-  EXPECT_EQ(readFile(folder.put("bytes", bytes)), bytes);
-  EXPECT_EQ(readFile(folder.put("empty", "")), "");
+  EXPECT_EQ(readFile(folder_.put("bytes", bytes)), bytes);
+  EXPECT_EQ(readFile(folder_.put("empty", "")), "");
 }
 
-TEST(ReadFile, ReadsMoreThanOneBuffer) {
-  const test::TemporaryFolder folder;
-  std::string content(200'001, 'x');
-  content.back() = 'y';
-  EXPECT_EQ(readFile(folder.put("large", content)), content);
-}
-
-TEST(ReadFile, NamesAMissingFileAndWhy) {
-  const test::TemporaryFolder folder;
-  const std::string message = messageOf<StorageError>([&] { readFile(folder.path() / "missing.json"); });
+TEST_F(ReadFile, NamesAMissingFileAndWhy) {
+  const std::string message = messageOf<StorageError>([&] { readFile(folder_.path() / "missing.json"); });
   EXPECT_THAT(message, saysAll("missing.json", "No such file"));
 }
 
-TEST(ReadFile, RefusesAFolder) {
-  const test::TemporaryFolder folder;
-  const std::string message = messageOf<StorageError>([&] { readFile(folder.path()); });
-  EXPECT_THAT(message, saysAll(folder.path().string(), "is a folder, expected a file"));
+TEST_F(ReadFile, RefusesAFolder) {
+  const std::string message = messageOf<StorageError>([&] { readFile(folder_.path()); });
+  EXPECT_THAT(message, saysAll(folder_.path().string(), "is a folder, expected a file"));
 }
 
-TEST(WriteFileAtomically, WritesNewAndReplacesOld) {
-  const test::TemporaryFolder folder;
-  const auto file = folder.path() / "out.txt";
-  writeFileAtomically(file, "first");
-  EXPECT_EQ(readFile(file), "first");
-  writeFileAtomically(file, "2");
-  EXPECT_EQ(readFile(file), "2");
-  EXPECT_EQ(folder.entryCount(), 1U) << "a temporary file was left behind";
+TEST_F(WriteFileAtomically, WritesNewAndReplacesOld) {
+  writeFileAtomically(file_, "first");
+  EXPECT_EQ(readFile(file_), "first");
+  writeFileAtomically(file_, "2");
+  EXPECT_EQ(readFile(file_), "2");
+  EXPECT_EQ(folder_.entryCount(), 1U) << "a temporary file was left behind";
 }
 
-TEST(WriteFileAtomically, FollowsTheUsersUmask) {
-  const test::TemporaryFolder folder;
-  const auto file = folder.path() / "out.txt";
+TEST_F(WriteFileAtomically, FollowsTheUsersUmask) {
   const mode_t before = ::umask(0027);
-  writeFileAtomically(file, "x");
+  writeFileAtomically(file_, "x");
   ::umask(before);
-  EXPECT_EQ(std::filesystem::status(file).permissions(), std::filesystem::perms(0640));
+  EXPECT_EQ(std::filesystem::status(file_).permissions(), std::filesystem::perms(0640));
 }
 
-TEST(WriteFileAtomically, LeavesAFolderInThePlaceAlone) {
-  const test::TemporaryFolder folder;
-  const auto target = folder.path() / "out.txt";
-  std::filesystem::create_directory(target);
-  const std::string message = messageOf<StorageError>([&] { writeFileAtomically(target, "x"); });
+TEST_F(WriteFileAtomically, LeavesAFolderInThePlaceAlone) {
+  std::filesystem::create_directory(file_);
+  const std::string message = messageOf<StorageError>([&] { writeFileAtomically(file_, "x"); });
   EXPECT_THAT(message, saysAll("out.txt", "is a folder"));
-  EXPECT_TRUE(std::filesystem::is_directory(target));
-  EXPECT_EQ(folder.entryCount(), 1U) << "a temporary file was left behind";
+  EXPECT_TRUE(std::filesystem::is_directory(file_));
+  EXPECT_EQ(folder_.entryCount(), 1U) << "a temporary file was left behind";
 }
 
-TEST(WriteFileAtomically, FailsWithoutATraceWhereThereIsNoFolder) {
-  const test::TemporaryFolder folder;
-  const auto target = folder.path() / "nowhere" / "out.txt";
+TEST_F(WriteFileAtomically, FailsWithoutATraceWhereThereIsNoFolder) {
+  const auto target = folder_.path() / "nowhere" / "out.txt";
   const std::string message = messageOf<StorageError>([&] { writeFileAtomically(target, "x"); });
   EXPECT_THAT(message, saysAll("out.txt", "cannot be written", "No such file"));
-  EXPECT_EQ(folder.entryCount(), 0U);
+  EXPECT_EQ(folder_.entryCount(), 0U);
 }
 
-TEST(WriteFileAtomically, TakesEveryNameThatTheFileSystemTakes) {
-  const test::TemporaryFolder folder;
-  const auto longest = folder.path() / std::string(255, 'n');
+TEST_F(WriteFileAtomically, TakesEveryNameThatTheFileSystemTakes) {
+  const auto longest = folder_.path() / std::string(255, 'n');
   writeFileAtomically(longest, "first");
   writeFileAtomically(longest, "second");
   EXPECT_EQ(readFile(longest), "second");
-  EXPECT_THAT(messageOf<StorageError>([&] { writeFileAtomically(folder.path() / std::string(256, 'n'), "x"); }),
+  EXPECT_THAT(messageOf<StorageError>([&] { writeFileAtomically(folder_.path() / std::string(256, 'n'), "x"); }),
               saysAll("cannot be written: ", "name too long"));
-  EXPECT_EQ(folder.entryCount(), 1U);
-}
-
-TEST(WriteFileAtomically, KeepsTheRightsOfAFileThatItReplaces) {
-  const test::TemporaryFolder folder;
-  const auto file = folder.put("out.txt", "old");
-  for (const unsigned rights : {0600U, 0664U, 0755U}) {
-    std::filesystem::permissions(file, std::filesystem::perms(rights));
-    writeFileAtomically(file, "new");
-    EXPECT_EQ(std::filesystem::status(file).permissions(), std::filesystem::perms(rights));
-  }
+  EXPECT_EQ(folder_.entryCount(), 1U);
 }
 
 /// Whom this process may give a file to: root anybody, others themselves and the last of their groups.
@@ -122,71 +102,61 @@ std::pair<uid_t, gid_t> newOwnerAndGroup() {
   return {::geteuid(), count > 0 ? groups[static_cast<std::size_t>(count - 1)] : ::getegid()};
 }
 
-TEST(WriteFileAtomically, KeepsOwnerAndGroupWhereItMay) {
-  const test::TemporaryFolder folder;
-  const auto file = folder.put("out.txt", "old");
+TEST_F(WriteFileAtomically, KeepsOwnerAndGroupWhereItMay) {
+  folder_.put("out.txt", "old");
   const auto [owner, group] = newOwnerAndGroup();
-  ASSERT_EQ(::chown(file.c_str(), owner, group), 0);
-  writeFileAtomically(file, "new");
+  ASSERT_EQ(::chown(file_.c_str(), owner, group), 0);
+  writeFileAtomically(file_, "new");
   struct stat status {};
-  ASSERT_EQ(::stat(file.c_str(), &status), 0);
+  ASSERT_EQ(::stat(file_.c_str(), &status), 0);
   EXPECT_EQ(status.st_uid, owner);
   EXPECT_EQ(status.st_gid, group);
 }
 
-TEST(WriteFileAtomically, ReplacesNoFileThatTheUserMayNotWrite) {
-  const test::TemporaryFolder folder;
-  const auto file = folder.put("out.txt", "old");
-  std::filesystem::permissions(file, std::filesystem::perms(0444));
-  std::filesystem::permissions(folder.path(), std::filesystem::perms(0777));
+TEST_F(WriteFileAtomically, ReplacesNoFileThatTheUserMayNotWrite) {
+  folder_.put("out.txt", "old");
+  std::filesystem::permissions(file_, std::filesystem::perms(0444));
+  std::filesystem::permissions(folder_.path(), std::filesystem::perms(0777));
   EXPECT_EQ(test::asOrdinaryUser([&] {
-              try {
-                writeFileAtomically(file, "new");
-              } catch (const StorageError& error) {
-                return std::string(error.what()).ends_with("out.txt: cannot be written: Permission denied") ? 0 : 2;
-              }
-              return 1;
+              const std::string why = messageOf<StorageError>([&] { writeFileAtomically(file_, "new"); });
+              return why.ends_with("out.txt: cannot be written: Permission denied") ? 0 : 1;
             }),
             0);
-  EXPECT_EQ(readFile(file), "old");
-  EXPECT_EQ(folder.entryCount(), 1U);
+  EXPECT_EQ(readFile(file_), "old");
+  EXPECT_EQ(folder_.entryCount(), 1U);
 }
 
-TEST(WriteFileAtomically, WritesThroughALinkAndKeepsIt) {
-  const test::TemporaryFolder folder;
+TEST_F(WriteFileAtomically, WritesThroughALinkAndKeepsIt) {
   const test::TemporaryFolder elsewhere;
   const auto file = elsewhere.put("target.txt", "old");
-  std::filesystem::create_symlink(file, folder.path() / "first");
-  std::filesystem::create_symlink("first", folder.path() / "second");
-  writeFileAtomically(folder.path() / "second", "new");
+  std::filesystem::create_symlink(file, folder_.path() / "first");
+  std::filesystem::create_symlink("first", folder_.path() / "second");
+  writeFileAtomically(folder_.path() / "second", "new");
   EXPECT_EQ(readFile(file), "new");
   EXPECT_FALSE(std::filesystem::is_symlink(file));
-  EXPECT_TRUE(std::filesystem::is_symlink(folder.path() / "first"));
-  EXPECT_TRUE(std::filesystem::is_symlink(folder.path() / "second"));
-  EXPECT_EQ(folder.entryCount(), 2U);
+  EXPECT_TRUE(std::filesystem::is_symlink(folder_.path() / "first"));
+  EXPECT_TRUE(std::filesystem::is_symlink(folder_.path() / "second"));
+  EXPECT_EQ(folder_.entryCount(), 2U);
   EXPECT_EQ(elsewhere.entryCount(), 1U);
 }
 
-TEST(WriteFileAtomically, RefusesALinkThatLeadsNowhere) {
-  const test::TemporaryFolder folder;
-  std::filesystem::create_symlink("gone.txt", folder.path() / "link");
-  EXPECT_THAT(messageOf<StorageError>([&] { writeFileAtomically(folder.path() / "link", "x"); }),
+TEST_F(WriteFileAtomically, RefusesALinkThatLeadsNowhere) {
+  std::filesystem::create_symlink("gone.txt", folder_.path() / "link");
+  EXPECT_THAT(messageOf<StorageError>([&] { writeFileAtomically(folder_.path() / "link", "x"); }),
               saysAll("link: is a link to gone.txt", "nothing"));
-  EXPECT_EQ(folder.entryCount(), 1U);
+  EXPECT_EQ(folder_.entryCount(), 1U);
 }
 
-TEST(WriteFileAtomically, RefusesALinkThatLeadsInACircle) {
-  const test::TemporaryFolder folder;
-  std::filesystem::create_symlink("b", folder.path() / "a");
-  std::filesystem::create_symlink("a", folder.path() / "b");
-  EXPECT_THAT(messageOf<StorageError>([&] { writeFileAtomically(folder.path() / "a", "x"); }),
+TEST_F(WriteFileAtomically, RefusesALinkThatLeadsInACircle) {
+  std::filesystem::create_symlink("b", folder_.path() / "a");
+  std::filesystem::create_symlink("a", folder_.path() / "b");
+  EXPECT_THAT(messageOf<StorageError>([&] { writeFileAtomically(folder_.path() / "a", "x"); }),
               saysAll("a: cannot be written: ", "symbolic links"));
-  EXPECT_EQ(folder.entryCount(), 2U);
+  EXPECT_EQ(folder_.entryCount(), 2U);
 }
 
-TEST(WriteFileAtomically, WritesIntoAFifo) {
-  const test::TemporaryFolder folder;
-  const auto fifo = folder.path() / "fifo";
+TEST_F(WriteFileAtomically, WritesIntoAFifo) {
+  const auto fifo = folder_.path() / "fifo";
   ASSERT_EQ(::mkfifo(fifo.c_str(), 0600), 0);
   std::string received;
   std::thread reader([&] { received = readFile(fifo); });
@@ -195,12 +165,11 @@ TEST(WriteFileAtomically, WritesIntoAFifo) {
   reader.join();
   EXPECT_EQ(received, content);
   EXPECT_TRUE(std::filesystem::is_fifo(fifo));
-  EXPECT_EQ(folder.entryCount(), 1U);
+  EXPECT_EQ(folder_.entryCount(), 1U);
 }
 
-TEST(WriteFileAtomically, SaysThatAReaderWentAway) {
-  const test::TemporaryFolder folder;
-  const auto fifo = folder.path() / "fifo";
+TEST_F(WriteFileAtomically, SaysThatAReaderWentAway) {
+  const auto fifo = folder_.path() / "fifo";
   ASSERT_EQ(::mkfifo(fifo.c_str(), 0600), 0);
   std::thread reader([&] { std::ifstream(fifo).get(); });
   EXPECT_THAT(messageOf<StorageError>([&] { writeFileAtomically(fifo, std::string(1'000'000, 'x')); }),
@@ -208,7 +177,7 @@ TEST(WriteFileAtomically, SaysThatAReaderWentAway) {
   reader.join();
 }
 
-TEST(WriteFileAtomically, WritesIntoADevice) {
+TEST_F(WriteFileAtomically, WritesIntoADevice) {
   // A terminal of this test's own: no device of this machine is put at risk by a test that root runs.
   const int controller = ::posix_openpt(O_RDWR | O_NOCTTY);
   ASSERT_GE(controller, 0);
@@ -227,11 +196,10 @@ TEST(WriteFileAtomically, WritesIntoADevice) {
   EXPECT_THAT(messageOf<StorageError>([] { writeFileAtomically("/dev/full", "x"); }), saysAll("/dev/full", "No space"));
 }
 
-TEST(WriteFileAtomically, RefusesASocket) {
-  const test::TemporaryFolder folder;
+TEST_F(WriteFileAtomically, RefusesASocket) {
   struct sockaddr_un address {};
   address.sun_family = AF_UNIX;
-  const std::string path = (folder.path() / "socket").string();
+  const std::string path = (folder_.path() / "socket").string();
   ASSERT_LT(path.size(), sizeof address.sun_path);
   path.copy(std::begin(address.sun_path), path.size());
   const int socket = ::socket(AF_UNIX, SOCK_STREAM, 0);
@@ -268,70 +236,46 @@ void beKilledWhileWriting(const std::filesystem::path& target) {
   EXPECT_TRUE(WIFSIGNALED(status));
 }
 
-TEST(WriteFileAtomically, RemovesWhatAKilledWriterLeft) {
-  const test::TemporaryFolder folder;
-  const auto file = folder.path() / "out.txt";
-  beKilledWhileWriting(file);
-  EXPECT_EQ(folder.entryCount(), 2U) << "nothing to remove: the test shows nothing";
-  const auto notes = folder.put(".hexoderm-notes.tmp", "the user's own");
-  writeFileAtomically(file, "x");
-  EXPECT_EQ(folder.entryCount(), 2U);
+TEST_F(WriteFileAtomically, RemovesWhatAKilledWriterLeft) {
+  beKilledWhileWriting(file_);
+  EXPECT_EQ(folder_.entryCount(), 2U) << "nothing to remove: the test shows nothing";
+  const auto notes = folder_.put(".hexoderm-notes.tmp", "the user's own");
+  writeFileAtomically(file_, "x");
+  EXPECT_EQ(folder_.entryCount(), 2U);
   EXPECT_EQ(readFile(notes), "the user's own");
 }
 
-TEST(WriteFileAtomically, LeavesTheFilesOfOtherWritersAlone) {
-  const test::TemporaryFolder folder;
-  const auto file = folder.path() / "out.txt";
-  TemporaryFile other(folder.path() / "other.txt", "other.txt", TemporaryFile::Naming::AtTheStart);
+TEST_F(WriteFileAtomically, LeavesTheFilesOfOtherWritersAlone) {
+  TemporaryFile other(folder_.path() / "other.txt", "other.txt", TemporaryFile::Naming::AtTheStart);
   other.write("whole");
   EXPECT_EQ(test::inAnotherProcess([&] {
-              writeFileAtomically(file, "x");
+              writeFileAtomically(file_, "x");
               return 0;
             }),
             0);
   other.replaceTarget();
-  EXPECT_EQ(readFile(folder.path() / "other.txt"), "whole");
-  EXPECT_EQ(folder.entryCount(), 2U);
+  EXPECT_EQ(readFile(folder_.path() / "other.txt"), "whole");
+  EXPECT_EQ(folder_.entryCount(), 2U);
 }
 
-TEST(WriteFileAtomically, HasNoHiddenNameWhileItWrites) {
-  const test::TemporaryFolder folder;
-  const auto file = folder.path() / "out.txt";
-  const int unnamed = ::open(folder.path().c_str(), O_TMPFILE | O_RDWR, 0600);
+TEST_F(WriteFileAtomically, HasNoHiddenNameWhileItWrites) {
+  const int unnamed = ::open(folder_.path().c_str(), O_TMPFILE | O_RDWR, 0600);
   // Where a file system has no files without a name, there is the hidden one.
   const std::size_t named = unnamed < 0 ? 1 : 0;
   if (unnamed >= 0) ::close(unnamed);
-  writeFileAtomically(file, [&](const WriteBytes& write) {
+  writeFileAtomically(file_, [&](const WriteBytes& write) {
     write("x");
-    EXPECT_EQ(folder.entryCount(), named);
+    EXPECT_EQ(folder_.entryCount(), named);
   });
-  EXPECT_EQ(folder.entryCount(), 1U);
+  EXPECT_EQ(folder_.entryCount(), 1U);
 }
 
-TEST(ReadFile, ReadsToALimit) {
-  const test::TemporaryFolder folder;
-  const auto file = folder.put("large", std::string(2'000'001, 'x'));
+TEST_F(ReadFile, ReadsToALimit) {
+  const auto file = folder_.put("large", std::string(2'000'001, 'x'));
   EXPECT_EQ(readFile(file, 2'000'001).size(), 2'000'001U);
   EXPECT_THAT(messageOf<FormatError>([&] { readFile(file, 2'000'000); }), saysAll("large", "at most 2 MB are read"));
   EXPECT_THAT(messageOf<FormatError>([] { readFile("/dev/zero", 3'000'000); }),
               saysAll("/dev/zero", "does not end: at most 3 MB are read"));
-}
-
-TEST(WriteFileAtomically, KeepsTheOldFileWhenWritingFailsHalfWay) {
-  const test::TemporaryFolder folder;
-  const auto file = folder.put("out.txt", "old");
-  // The limit on file sizes stands for a full disk.
-  struct rlimit before {};
-  ASSERT_EQ(::getrlimit(RLIMIT_FSIZE, &before), 0);
-  const auto handler = std::signal(SIGXFSZ, SIG_IGN);
-  const struct rlimit small { 4096, before.rlim_max };
-  ASSERT_EQ(::setrlimit(RLIMIT_FSIZE, &small), 0);
-  const std::string message = messageOf<StorageError>([&] { writeFileAtomically(file, std::string(100'000, 'x')); });
-  ::setrlimit(RLIMIT_FSIZE, &before);
-  std::signal(SIGXFSZ, handler);
-  EXPECT_THAT(message, saysAll("out.txt", "cannot be written"));
-  EXPECT_EQ(readFile(file), "old");
-  EXPECT_EQ(folder.entryCount(), 1U) << "a temporary file was left behind";
 }
 
 /// Pieces of a document, and how often they were asked for.
@@ -353,51 +297,46 @@ class Pieces {
   std::vector<std::string> pieces_;
 };
 
-TEST(WriteFileInPieces, WritesNewAndReplacesOldWithItsRights) {
-  const test::TemporaryFolder folder;
-  const auto file = folder.path() / "out.txt";
+TEST_F(WriteFileInPieces, WritesNewAndReplacesOldWithItsRights) {
   Pieces first({"fi", "r", "st"});
-  writeFileAtomically(file, first.produce());
-  EXPECT_EQ(readFile(file), "first");
-  std::filesystem::permissions(file, std::filesystem::perms(0600));
+  writeFileAtomically(file_, first.produce());
+  EXPECT_EQ(readFile(file_), "first");
+  std::filesystem::permissions(file_, std::filesystem::perms(0600));
   Pieces second({std::string(100'000, 'a'), std::string(100'000, 'b')});
-  writeFileAtomically(file, second.produce());
-  EXPECT_EQ(readFile(file), std::string(100'000, 'a') + std::string(100'000, 'b'));
-  EXPECT_EQ(std::filesystem::status(file).permissions(), std::filesystem::perms(0600));
-  EXPECT_EQ(folder.entryCount(), 1U);
+  writeFileAtomically(file_, second.produce());
+  EXPECT_EQ(readFile(file_), std::string(100'000, 'a') + std::string(100'000, 'b'));
+  EXPECT_EQ(std::filesystem::status(file_).permissions(), std::filesystem::perms(0600));
+  EXPECT_EQ(folder_.entryCount(), 1U);
   EXPECT_EQ(first.calls + second.calls, 2) << "for files once each";
 }
 
-TEST(WriteFileInPieces, LeavesEverythingAsItWasWhereAPieceCannotBeProduced) {
-  const test::TemporaryFolder folder;
-  const auto file = folder.put("out.txt", "old");
+TEST_F(WriteFileInPieces, LeavesEverythingAsItWasWhereAPieceCannotBeProduced) {
+  folder_.put("out.txt", "old");
   Pieces broken({"new", ""});
-  EXPECT_THROW(writeFileAtomically(file, broken.produce()), InvalidArgument);
-  EXPECT_THROW(writeFileAtomically(folder.path() / "other.txt", broken.produce()), InvalidArgument);
-  EXPECT_EQ(readFile(file), "old");
-  EXPECT_EQ(folder.entryCount(), 1U);
+  EXPECT_THROW(writeFileAtomically(file_, broken.produce()), InvalidArgument);
+  EXPECT_THROW(writeFileAtomically(folder_.path() / "other.txt", broken.produce()), InvalidArgument);
+  EXPECT_EQ(readFile(file_), "old");
+  EXPECT_EQ(folder_.entryCount(), 1U);
 }
 
-TEST(WriteFileInPieces, KeepsTheOldFileWhenTheDiskIsFull) {
-  const test::TemporaryFolder folder;
-  const auto file = folder.put("out.txt", "old");
+TEST_F(WriteFileInPieces, KeepsTheOldFileWhenTheDiskIsFull) {
+  folder_.put("out.txt", "old");
   Pieces pieces({std::string(4000, 'a'), std::string(4000, 'b')});
   std::string message;
   std::string at_once;
   {
     const test::NoFileGrows full(6000);
-    message = messageOf<StorageError>([&] { writeFileAtomically(file, pieces.produce()); });
-    at_once = messageOf<StorageError>([&] { writeFileAtomically(file, std::string(8000, 'a')); });
+    message = messageOf<StorageError>([&] { writeFileAtomically(file_, pieces.produce()); });
+    at_once = messageOf<StorageError>([&] { writeFileAtomically(file_, std::string(8000, 'a')); });
   }
   EXPECT_THAT(message, saysAll("out.txt", "cannot be written"));
   EXPECT_EQ(message, at_once);
-  EXPECT_EQ(readFile(file), "old");
-  EXPECT_EQ(folder.entryCount(), 1U);
+  EXPECT_EQ(readFile(file_), "old");
+  EXPECT_EQ(folder_.entryCount(), 1U);
 }
 
-TEST(WriteFileInPieces, WritesIntoAFifoWhatCanBeProducedAsAWhole) {
-  const test::TemporaryFolder folder;
-  const auto fifo = folder.path() / "fifo";
+TEST_F(WriteFileInPieces, WritesIntoAFifoWhatCanBeProducedAsAWhole) {
+  const auto fifo = folder_.path() / "fifo";
   ASSERT_EQ(::mkfifo(fifo.c_str(), 0600), 0);
   Pieces broken({"new", ""});
   EXPECT_THROW(writeFileAtomically(fifo, broken.produce()), InvalidArgument) << "before anybody reads";

@@ -3,6 +3,7 @@
 #include "hexoderm/util/message_json.h"
 #include "hexoderm/util/system_reason.h"
 #include "hexoderm/util/units.h"
+#include "tests/support/error_matchers.h"
 
 #include <gmock/gmock.h>
 
@@ -121,14 +122,9 @@ TEST(MessageJson, TheTextCountsWhereSomebodyEditedIt) {
 }
 
 TEST(MessageJson, MalformedIsAFormatErrorThatNamesThePlace) {
-  const auto refused = [](const std::string& whole) -> std::string {
+  const auto refused = [](const std::string& whole) {
     const nlohmann::json json = nlohmann::json::parse(R"({"text": "cell 7", "text_message": )" + whole + "}");
-    try {
-      readMessage(JsonReader(json, "a.json"), "text");
-    } catch (const FormatError& error) {
-      return error.what();
-    }
-    return "not refused";
+    return test::messageOf<FormatError>([&] { readMessage(JsonReader(json, "a.json"), "text"); });
   };
   EXPECT_THAT(refused("5"), HasSubstr("a.json: text_message: expected an object"));
   EXPECT_THAT(refused(R"({"arguments": []})"), HasSubstr("template: is missing"));

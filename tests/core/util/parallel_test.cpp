@@ -1,5 +1,7 @@
 #include "hexoderm/util/parallel.h"
 
+#include "tests/support/error_matchers.h"
+
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <algorithm>
@@ -96,15 +98,11 @@ TEST_F(Parallel, TheFirstFailureIsThrownWhenAllHaveEnded) {
   for (const std::size_t count : {1, 4}) {
     setCores(count);
     std::atomic<int> ended = 0;
-    try {
-      inParallel(50, [&](std::size_t k) {
-        ++ended;
-        if (k % 10 == 3) throw std::runtime_error(std::to_string(k));
-      });
-      FAIL() << "nothing was thrown";
-    } catch (const std::runtime_error& error) {
-      EXPECT_STREQ(error.what(), "3");
-    }
+    const auto fail = [&](std::size_t k) {
+      ++ended;
+      if (k % 10 == 3) throw std::runtime_error(std::to_string(k));
+    };
+    EXPECT_EQ(test::messageOf<std::runtime_error>([&] { inParallel(50, fail); }), "3");
     EXPECT_EQ(ended, 50);
   }
 }

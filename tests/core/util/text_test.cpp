@@ -1,13 +1,11 @@
 #include "hexoderm/util/text.h"
 
 #include "hexoderm/util/error.h"
-#include "hexoderm/util/ids.h"
 #include "tests/support/error_matchers.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <limits>
 
 namespace hexoderm {
 namespace {
@@ -111,13 +109,6 @@ TEST(Error, SaysNoMoreThanAPersonReads) {
   EXPECT_TRUE(what.starts_with("f.json: xxx")) << what;
   EXPECT_TRUE(what.ends_with("in the end")) << what;
   EXPECT_EQ(error.message().english(), what);
-}
-
-TEST(ListInWords, JoinsAsOneWouldSayIt) {
-  EXPECT_EQ(listInWords(std::vector<CellId>{}), "");
-  EXPECT_EQ(listInWords(std::vector{CellId(1)}), "1");
-  EXPECT_EQ(listInWords(std::vector{CellId(1), CellId(2)}), "1 and 2");
-  EXPECT_EQ(listInWords(std::vector{CellId(1), CellId(2), CellId(3)}), "1, 2 and 3");
 }
 
 }  // namespace

@@ -6,6 +6,7 @@
 #include "hexoderm/device/skinwire/description.h"
 #include "hexoderm/util/error.h"
 #include "hexoderm/util/units.h"
+#include "tests/support/options.h"
 #include "tests/support/paths.h"
 
 #include <gmock/gmock.h>
@@ -14,6 +15,7 @@
 namespace hexoderm {
 namespace {
 
+using test::with;
 using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::SizeIs;
@@ -26,6 +28,10 @@ struct Bench {
   explicit Bench(SimulatedRobot robot, EmulatedDeviceOptions options = {})
       : device(std::make_unique<SimulatedRobot>(std::move(robot)), std::move(options)) {}
 
+  void start() {
+    device.greet(heard);
+    explore();
+  }
   void explore() {
     while (device.isExploring()) device.tick(heard);
   }
@@ -46,6 +52,20 @@ struct Bench {
     }
     heard = std::move(rest);
     return found;
+  }
+
+  /// The only one of its kind.
+  template <class Kind>
+  Kind takeOne() {
+    const std::vector<Kind> found = take<Kind>();
+    EXPECT_THAT(found, SizeIs(1));
+    return found.at(0);
+  }
+  /// How many cells the next samples are of.
+  std::size_t nextCells() {
+    take<skinwire::Samples>();
+    tick(10);
+    return take<skinwire::Samples>().back().cells.size();
   }
 
   EmulatedDevice device;
@@ -69,31 +89,28 @@ TEST(EmulatedDevice, ExploresFirstAndThenDescribesItself) {
   Bench bench;
   bench.device.greet(bench.heard);
   EXPECT_THAT(bench.take<skinwire::Topology>(), SizeIs(0));
-  const auto statuses = bench.take<skinwire::Status>();
-  ASSERT_THAT(statuses, SizeIs(1));
-  EXPECT_TRUE(statuses[0].exploring);
-  const auto hellos = bench.take<skinwire::Hello>();
-  ASSERT_THAT(hellos, SizeIs(1));
-  EXPECT_TRUE(hellos[0].can_turn && hellos[0].can_light_cells);
-  EXPECT_EQ(hellos[0].rate_hz, 1000);
-  EXPECT_EQ(hellos[0].cell_model, "hex-bma150");
+  const skinwire::Status status = bench.takeOne<skinwire::Status>();
+  EXPECT_TRUE(status.exploring);
+  const skinwire::Hello hello = bench.takeOne<skinwire::Hello>();
+  EXPECT_TRUE(hello.can_turn && hello.can_light_cells);
+  EXPECT_EQ(hello.rate_hz, 1000);
+  EXPECT_EQ(hello.cell_model, "hex-bma150");
 
   bench.explore();
   EXPECT_NEAR(bench.device.time_s(), bench.device.exploration().duration_s, 0.001);
-  const auto topologies = bench.take<skinwire::Topology>();
-  ASSERT_THAT(topologies, SizeIs(1));
-  EXPECT_EQ(topologies[0].cells, bench.device.exploration().cells);
+  const skinwire::Topology topology = bench.takeOne<skinwire::Topology>();
+  EXPECT_EQ(topology.cells, bench.device.exploration().cells);
   EXPECT_THAT(bench.take<skinwire::Samples>(), SizeIs(0));
 }
 
 TEST(EmulatedDevice, SendsEverySampleAsTheSkinReadIt) {
   Bench bench(quantised());
-  bench.device.greet(bench.heard);
-  bench.explore();
+  bench.start();
   const double began_s = bench.device.time_s();
   bench.tick(100);
   const auto messages = bench.take<skinwire::Samples>();
   EXPECT_THAT(messages, SizeIs(10)) << "ten ticks together";
+  EXPECT_THAT(bench.take<skinwire::Joints>(), SizeIs(0)) << "a skin alone has none";
   const GroundTruth truth = bench.device.body().groundTruth();
   SampleFrame frame;
   std::size_t sequence = 0;
@@ -118,11 +135,8 @@ TEST(EmulatedDevice, SendsEverySampleAsTheSkinReadIt) {
 TEST(EmulatedDevice, MessagesAndTopologiesFitDatagrams) {
   SimulatedSkinOptions skin = quantised();
   skin.patch = "sheet:15x20";
-  EmulatedDeviceOptions options;
-  options.max_body = skinwire::kMaxDatagram;
-  Bench bench(skin, options);
-  bench.device.greet(bench.heard);
-  bench.explore();
+  Bench bench(skin, with(&EmulatedDeviceOptions::max_body, skinwire::kMaxDatagram));
+  bench.start();
   bench.tick(20);
   for (const skinwire::Message& message : bench.heard) {
     EXPECT_LE(skinwire::encodeBody(message).size(), skinwire::kMaxDatagram);
@@ -136,12 +150,8 @@ TEST(EmulatedDevice, MessagesAndTopologiesFitDatagrams) {
 }
 
 TEST(EmulatedDevice, CellsAverageByThemselves) {
-  SimulatedSkinOptions skin = quantised();
-  EmulatedDeviceOptions options;
-  options.means_of = 50;
-  Bench bench(skin, options);
-  bench.device.greet(bench.heard);
-  bench.explore();
+  Bench bench(quantised(), with(&EmulatedDeviceOptions::means_of, 50));
+  bench.start();
   bench.tick(100);
   const auto messages = bench.take<skinwire::Samples>();
   ASSERT_THAT(messages, SizeIs(2));
@@ -162,8 +172,7 @@ TEST(EmulatedDevice, CellsAverageByThemselves) {
 
 TEST(EmulatedDevice, TurnsUntilTheCellLooksUp) {
   Bench bench;
-  bench.device.greet(bench.heard);
-  bench.explore();
+  bench.start();
   const Eigen::Vector3d up_u = Eigen::Vector3d(1, -2, 2).normalized();
   bench.device.take({7, skinwire::TurnTo{5, up_u}}, bench.heard);
   EXPECT_THAT(bench.take<skinwire::Ack>(), ElementsAre(skinwire::Ack{7, false, "", true}));
@@ -192,8 +201,7 @@ TEST(EmulatedDevice, TurnsUntilTheCellLooksUp) {
 
 TEST(EmulatedDevice, TheNewerTurnWins) {
   Bench bench;
-  bench.device.greet(bench.heard);
-  bench.explore();
+  bench.start();
   bench.device.take({1, skinwire::TurnTo{5, Eigen::Vector3d::UnitX()}}, bench.heard);
   bench.device.take({2, skinwire::TurnTo{5, -Eigen::Vector3d::UnitX()}}, bench.heard);
   const auto acks = bench.take<skinwire::Ack>();
@@ -205,16 +213,14 @@ TEST(EmulatedDevice, TheNewerTurnWins) {
 
 TEST(EmulatedDevice, AnswersEveryCommand) {
   Bench bench;
-  bench.device.greet(bench.heard);
-  bench.explore();
+  bench.start();
   const auto ask = [&](skinwire::Request request) {
     static std::uint32_t number = 100;
     bench.take<skinwire::Ack>();
     bench.device.take({++number, std::move(request)}, bench.heard);
-    const auto acks = bench.take<skinwire::Ack>();
-    EXPECT_THAT(acks, SizeIs(1));
-    EXPECT_EQ(acks.at(0).command, number);
-    return acks.at(0);
+    const skinwire::Ack ack = bench.takeOne<skinwire::Ack>();
+    EXPECT_EQ(ack.command, number);
+    return ack;
   };
   EXPECT_TRUE(ask(skinwire::SetLed{7, 255, 0, 16}).done);
   EXPECT_THAT(bench.device.led(CellId(7)), ElementsAre(255, 0, 16));
@@ -226,9 +232,8 @@ TEST(EmulatedDevice, AnswersEveryCommand) {
 
   bench.take<skinwire::Hello>();
   EXPECT_TRUE(ask(skinwire::SetRate{250}).done);
-  const auto hellos = bench.take<skinwire::Hello>();
-  ASSERT_THAT(hellos, SizeIs(1));
-  EXPECT_EQ(hellos[0].rate_hz, 250);
+  const skinwire::Hello hello = bench.takeOne<skinwire::Hello>();
+  EXPECT_EQ(hello.rate_hz, 250);
   bench.take<skinwire::Samples>();
   bench.tick(1000);
   EXPECT_NEAR(static_cast<double>(samplesIn(bench.take<skinwire::Samples>())), 250 * 17, 3 * 17);
@@ -236,17 +241,15 @@ TEST(EmulatedDevice, AnswersEveryCommand) {
   bench.take<skinwire::Topology>();
   bench.take<skinwire::Hello>();
   bench.device.take({0, skinwire::Describe{}}, bench.heard);
-  const auto topologies = bench.take<skinwire::Topology>();
-  ASSERT_THAT(topologies, SizeIs(1));
-  bench.device.take({0, skinwire::Describe{topologies[0].id}}, bench.heard);
+  const skinwire::Topology topology = bench.takeOne<skinwire::Topology>();
+  bench.device.take({0, skinwire::Describe{topology.id}}, bench.heard);
   EXPECT_THAT(bench.take<skinwire::Topology>(), SizeIs(0));
   EXPECT_THAT(bench.take<skinwire::Hello>(), SizeIs(2));
 }
 
 TEST(EmulatedDevice, ExploresAgainAndLosesWhatDoesNotAnswer) {
   Bench bench(quantised());
-  bench.device.greet(bench.heard);
-  bench.explore();
+  bench.start();
   const auto before = bench.take<skinwire::Topology>();
   bench.device.breakController(CellId(5));  // the end of an arm of x17
   bench.device.take({1, skinwire::ExploreAgain{}}, bench.heard);
@@ -257,12 +260,10 @@ TEST(EmulatedDevice, ExploresAgainAndLosesWhatDoesNotAnswer) {
   bench.explore();
   EXPECT_TRUE(bench.take<skinwire::Ack>().back().done);
   EXPECT_THAT(bench.take<skinwire::Samples>(), SizeIs(0));
-  const auto after = bench.take<skinwire::Topology>();
-  ASSERT_THAT(after, SizeIs(1));
-  EXPECT_NE(after[0].id, before.at(0).id);
-  EXPECT_THAT(after[0].cells, SizeIs(16));
-  bench.tick(10);
-  EXPECT_THAT(bench.take<skinwire::Samples>().at(0).cells, SizeIs(16));
+  const skinwire::Topology after = bench.takeOne<skinwire::Topology>();
+  EXPECT_NE(after.id, before.at(0).id);
+  EXPECT_THAT(after.cells, SizeIs(16));
+  EXPECT_EQ(bench.nextCells(), 16U);
 
   bench.device.mendCell(CellId(5));
   bench.device.breakPort({PortFaultKind::Cut, {CellId(2), bench.device.body().neighbors()[1].neighbors[0].port}});
@@ -273,17 +274,12 @@ TEST(EmulatedDevice, ExploresAgainAndLosesWhatDoesNotAnswer) {
 
 TEST(EmulatedDevice, CellsBreakAndAreMendedWhileItRuns) {
   Bench bench(quantised());
-  bench.device.greet(bench.heard);
-  bench.explore();
-  const auto nextCells = [&] {
-    bench.tick(10);
-    return bench.take<skinwire::Samples>().back().cells.size();
-  };
-  EXPECT_EQ(nextCells(), 17U);
+  bench.start();
+  EXPECT_EQ(bench.nextCells(), 17U);
   bench.device.breakCell({SkinFault::NoSamples, CellId(4)});
-  EXPECT_EQ(nextCells(), 16U);
+  EXPECT_EQ(bench.nextCells(), 16U);
   bench.device.mendCell(CellId(4));
-  EXPECT_EQ(nextCells(), 17U);
+  EXPECT_EQ(bench.nextCells(), 17U);
   EXPECT_THROW(bench.device.breakCell({SkinFault::Dead, CellId(99)}), InvalidArgument);
   EXPECT_THROW(bench.device.breakController(CellId(99)), InvalidArgument);
   EXPECT_THROW(bench.device.breakPort({PortFaultKind::Deaf, {CellId(1), PortNumber(9)}}), InvalidArgument);
@@ -291,8 +287,7 @@ TEST(EmulatedDevice, CellsBreakAndAreMendedWhileItRuns) {
 
 TEST(EmulatedDevice, AnotherMouldIsAnotherStart) {
   Bench bench(quantised());
-  bench.device.greet(bench.heard);
-  bench.explore();
+  bench.start();
   bench.tick(50);
   bench.device.breakCell({SkinFault::NoSamples, CellId(17)});
   const auto first = bench.take<skinwire::Hello>().back();
@@ -319,8 +314,7 @@ TEST(EmulatedDevice, AnotherMouldIsAnotherStart) {
 
 TEST(EmulatedDevice, CountsWhatItCouldNotSend) {
   Bench bench(quantised());
-  bench.device.greet(bench.heard);
-  bench.explore();
+  bench.start();
   bench.tick(10);
   bench.device.countDropped(bench.take<skinwire::Samples>().at(0));
   EXPECT_EQ(bench.device.status().samples_dropped, 170U);
@@ -335,11 +329,8 @@ TEST(EmulatedDevice, CountsWhatItCouldNotSend) {
 }
 
 TEST(EmulatedDevice, MeansKeepUpWithFewerSamples) {
-  EmulatedDeviceOptions options;
-  options.means_of = 10;
-  Bench bench(quantised(), options);
-  bench.device.greet(bench.heard);
-  bench.explore();
+  Bench bench(quantised(), with(&EmulatedDeviceOptions::means_of, 10));
+  bench.start();
   for (int k = 0; k < 10; ++k) {
     bench.tick(1);
     bench.device.skip(1, bench.heard);
@@ -359,8 +350,7 @@ TEST(EmulatedDevice, MeansKeepUpWithFewerSamples) {
 
 TEST(EmulatedDevice, SaysTwiceASecondHowItIs) {
   Bench bench;
-  bench.device.greet(bench.heard);
-  bench.explore();
+  bench.start();
   bench.take<skinwire::Status>();
   bench.tick(2000);
   EXPECT_THAT(bench.take<skinwire::Status>(), SizeIs(4));
@@ -375,8 +365,7 @@ SimulatedRobot demoArm() {
 
 TEST(EmulatedDevice, ARobotHasAllItsPatchesOnOneInterface) {
   Bench bench(demoArm());
-  bench.device.greet(bench.heard);
-  bench.explore();
+  bench.start();
   EXPECT_TRUE(bench.take<skinwire::Hello>().at(0).can_turn);
   NeighborList cells = bench.take<skinwire::Topology>().at(0).cells;
   ASSERT_THAT(cells, SizeIs(34));
@@ -391,22 +380,18 @@ TEST(EmulatedDevice, ARobotHasAllItsPatchesOnOneInterface) {
   }
   EXPECT_THAT(of_interface, ElementsAre(PortNumber(1), PortNumber(2)));
   EXPECT_EQ(cells, bench.device.body().neighbors());
-  bench.tick(10);
-  EXPECT_THAT(bench.take<skinwire::Samples>().at(0).cells, SizeIs(34));
+  EXPECT_EQ(bench.nextCells(), 34U);
 
   // Faults, too, go by the robot's numbers.
   bench.device.breakCell({SkinFault::NoSamples, CellId(21)});
   bench.device.breakLink({LinkFaultKind::WrongPort, {CellId(20), PortNumber(1)}}, bench.heard);
   bench.explore();
-  bench.take<skinwire::Samples>();
-  bench.tick(10);
-  EXPECT_THAT(bench.take<skinwire::Samples>().at(0).cells, SizeIs(33)) << "its broken cell stays broken";
+  EXPECT_EQ(bench.nextCells(), 33U) << "its broken cell stays broken";
 }
 
 TEST(EmulatedDevice, ARobotSaysWhereItsJointsStand) {
   Bench bench(demoArm());
-  bench.device.greet(bench.heard);
-  bench.explore();
+  bench.start();
   EXPECT_THAT(bench.take<skinwire::Joints>(), SizeIs(0)) << "nobody knows its cells yet";
   bench.tick(1000);
   const auto standing = bench.take<skinwire::Joints>();
@@ -453,8 +438,7 @@ TEST(EmulatedDevice, ARobotSaysWhereItsJointsStand) {
 
 TEST(EmulatedDevice, SaysWhyARobotDoesNotTurn) {
   Bench bench(demoArm());
-  bench.device.greet(bench.heard);
-  bench.explore();
+  bench.start();
   EXPECT_THROW(bench.device.turnTo(Eigen::Vector3d::UnitX(), bench.heard), InvalidArgument) << "its base is fixed";
   bench.device.turnToNextPose(bench.heard);
   EXPECT_TRUE(bench.device.body().turning());
@@ -464,13 +448,11 @@ TEST(EmulatedDevice, SaysWhyARobotDoesNotTurn) {
   SimulatedRobotOptions options = SimulatedRobotOptions::ideal();
   options.mounts = {{"post", {}, "sheet:1x1", "plane"}};
   Bench fixed(SimulatedRobot(builtInCellModel("hex-bma150"), post, options));
-  fixed.device.greet(fixed.heard);
-  fixed.explore();
+  fixed.start();
   fixed.device.take({1, skinwire::TurnTo{1, -Eigen::Vector3d::UnitZ()}}, fixed.heard);
-  const auto acks = fixed.take<skinwire::Ack>();
-  ASSERT_THAT(acks, SizeIs(1));
-  EXPECT_FALSE(acks[0].done || acks[0].working);
-  EXPECT_THAT(acks[0].text, HasSubstr("they come within 180"));
+  const skinwire::Ack ack = fixed.takeOne<skinwire::Ack>();
+  EXPECT_FALSE(ack.done || ack.working);
+  EXPECT_THAT(ack.text, HasSubstr("they come within 180"));
 }
 
 TEST(EmulatedDevice, NamesOfJointsHaveToFitIntoAMessage) {
@@ -486,21 +468,15 @@ TEST(EmulatedDevice, NamesOfJointsHaveToFitIntoAMessage) {
   options.mounts = {{"link3", {}, "sheet:1x1", "plane"}};
   const auto make = [&] { return SimulatedRobot(builtInCellModel("hex-bma150"), robot, options); };
   EXPECT_NO_THROW(Bench{make()});
-  EmulatedDeviceOptions datagrams;
-  datagrams.max_body = skinwire::kMaxDatagram;
-  EXPECT_THROW(Bench(make(), datagrams), InvalidArgument);
+  EXPECT_THROW(Bench(make(), with(&EmulatedDeviceOptions::max_body, skinwire::kMaxDatagram)), InvalidArgument);
 }
 
 TEST(EmulatedDevice, RefusesOptionsThatMakeNoSense) {
-  const auto with = [](auto change) {
-    EmulatedDeviceOptions options;
-    change(options);
+  for (const EmulatedDeviceOptions& options :
+       {with(&EmulatedDeviceOptions::rate_hz, -1), with(&EmulatedDeviceOptions::rate_hz, 2000),
+        with(&EmulatedDeviceOptions::max_body, 10), with(&EmulatedDeviceOptions::status_every_s, 0)}) {
     EXPECT_THROW(Bench(SimulatedSkinOptions::ideal(), options), InvalidArgument);
-  };
-  with([](auto& options) { options.rate_hz = -1; });
-  with([](auto& options) { options.rate_hz = 2000; });
-  with([](auto& options) { options.max_body = 10; });
-  with([](auto& options) { options.status_every_s = 0; });
+  }
 }
 
 }  // namespace

@@ -2,6 +2,7 @@
 
 #include "hexoderm/device/simulation/simulated_skin.h"
 #include "hexoderm/util/error.h"
+#include "tests/support/options.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -12,6 +13,7 @@
 namespace hexoderm {
 namespace {
 
+using test::with;
 using testing::ElementsAre;
 using testing::IsEmpty;
 
@@ -57,9 +59,7 @@ TEST(Exploration, FindsTheSameWhateverTheCellsWakeUp) {
   const Explored first = explore("sheet:6x6");
   std::set<double> durations;
   for (std::uint64_t seed = 1; seed <= 20; ++seed) {
-    ExplorationOptions options;
-    options.seed = seed;
-    const Explored other = explore("sheet:6x6", options);
+    const Explored other = explore("sheet:6x6", with(&ExplorationOptions::seed, seed));
     EXPECT_EQ(other.result.cells, first.result.cells) << seed;
     durations.insert(other.result.duration_s);
   }
@@ -90,8 +90,7 @@ TEST(Exploration, CountsMessages) {
 }
 
 TEST(Exploration, CellsThatForgotTheirIdsGetNewOnes) {
-  ExplorationOptions options;
-  options.ids_remembered = false;
+  const ExplorationOptions options = with(&ExplorationOptions::ids_remembered, false);
   for (const std::string patch : {"x17", "ring8:closed", "sheet:5x6"}) {
     const Explored explored = explore(patch, options);
     const NeighborList truth = withInterface(explored.truth, explored.interface_at, explored.model);
@@ -150,16 +149,15 @@ TEST(Exploration, APortThatWorksInOneDirectionGivesAOneSidedLink) {
     return cell != nullptr &&
            std::ranges::find(cell->neighbors, CellId(whom), &NeighborReport::cell) != cell->neighbors.end();
   };
-  const auto with = [&](PortFaultKind kind) {
-    ExplorationOptions options;
-    options.port_faults = {{kind, {CellId(5), link.port}}};
-    const Explored explored = explore("ring8:closed", options);
+  const auto explored_with = [&](PortFaultKind kind) {
+    const Explored explored =
+        explore("ring8:closed", with(&ExplorationOptions::port_faults, {{kind, {CellId(5), link.port}}}));
     EXPECT_EQ(explored.result.cells.size(), 8U);
     return std::pair(sees(explored, 5, 6), sees(explored, 6, 5));
   };
-  EXPECT_EQ(with(PortFaultKind::Deaf), std::pair(false, true));
-  EXPECT_EQ(with(PortFaultKind::Mute), std::pair(true, false));
-  EXPECT_EQ(with(PortFaultKind::Cut), std::pair(false, false));
+  EXPECT_EQ(explored_with(PortFaultKind::Deaf), std::pair(false, true));
+  EXPECT_EQ(explored_with(PortFaultKind::Mute), std::pair(true, false));
+  EXPECT_EQ(explored_with(PortFaultKind::Cut), std::pair(false, false));
 }
 
 TEST(Exploration, AWrongPortIsExploredAsTheCellsKnowIt) {
@@ -227,15 +225,12 @@ TEST(Exploration, RefusesWiringThatCantBe) {
       {{CellId(2), "", {}}},                                                               // no cell 1
   };
   for (const NeighborList& wiring : wirings) EXPECT_THROW(exploreNetwork(wiring, model, at), InvalidArgument);
-  ExplorationOptions options;
-  options.hellos = 0;
-  EXPECT_THROW(exploreNetwork({}, model, at, options), InvalidArgument);
-  options = {};
-  options.bits_per_s = 0;
-  EXPECT_THROW(exploreNetwork({}, model, at, options), InvalidArgument);
-  options = {};
-  options.dead_cells = {CellId(4)};
-  EXPECT_THROW(exploreNetwork({{CellId(1), "", {}}}, model, at, options), InvalidArgument);
+  for (const ExplorationOptions& options :
+       {with(&ExplorationOptions::hellos, 0), with(&ExplorationOptions::bits_per_s, 0)}) {
+    EXPECT_THROW(exploreNetwork({}, model, at, options), InvalidArgument);
+  }
+  EXPECT_THROW(exploreNetwork({{CellId(1), "", {}}}, model, at, with(&ExplorationOptions::dead_cells, {CellId(4)})),
+               InvalidArgument);
 }
 
 }  // namespace

@@ -53,24 +53,6 @@ Eigen::Vector3d readingOf(const SampleFrame& frame, CellId cell) {
   throw std::runtime_error("the cell sent nothing");
 }
 
-TEST(LiveSimulatedRobot, StandsUntilItIsTurned) {
-  SimulatedRobot robot = demoRobot();
-  EXPECT_TRUE(robot.turnsOnRequest());
-  const JointAngles angles = robot.jointAngles();
-  EXPECT_THAT(angles.positions, SizeIs(5));
-  for (int tick = 0; tick < 5; ++tick) {
-    const SampleFrame frame = robot.next();
-    EXPECT_NEAR(frame.time_s, tick / robot.rate_hz(), 1e-12);
-    EXPECT_THAT(frame.samples, SizeIs(34));
-    for (const CellId cell : {CellId(1), CellId(17), CellId(18), CellId(34)}) {
-      const Eigen::Matrix3d R_w_a = placeOf(robot, cell, angles).R;
-      EXPECT_LT((readingOf(frame, cell) - R_w_a.transpose() * Eigen::Vector3d::UnitZ()).norm(), 1e-12);
-    }
-  }
-  EXPECT_FALSE(robot.turning());
-  EXPECT_EQ(robot.jointAngles(), angles);
-}
-
 TEST(LiveSimulatedRobot, CellsFeelTheWayOfTheJoints) {
   SimulatedRobot robot = demoRobot();
   robot.next();
@@ -160,30 +142,6 @@ TEST(LiveSimulatedRobot, MissesWhatItReportsByItsZeroOffsets) {
   SimulatedRobot same = demoRobot(words);
   same.nextPose();
   EXPECT_EQ(robot.jointAngles(), same.nextPose().reported);
-}
-
-TEST(LiveSimulatedRobot, SaysWhereItsJointsStandTenTimesASecondAndWhenTheyCameToRest) {
-  SimulatedRobot robot = demoRobot();
-  JointReporting reporting;
-  std::vector<JointReport> reports;
-  std::size_t tick = 0;
-  const auto go = [&] {
-    const auto report = reporting.before(robot, static_cast<double>(tick++) / robot.rate_hz());
-    if (report) reports.push_back(*report);
-    robot.next();
-    return report.has_value();
-  };
-  for (int k = 0; k < 1000; ++k) go();
-  EXPECT_EQ(reports.size(), 10U);
-  EXPECT_EQ(reports.front().time_s, 0);
-  robot.turnToNextPose();
-  while (robot.turning()) go();
-  EXPECT_TRUE(go()) << "at once";
-  EXPECT_EQ(reports.back().angles, robot.jointAngles());
-  EXPECT_NEAR(static_cast<double>(reports.size()), 10 * static_cast<double>(tick) / robot.rate_hz(), 2);
-
-  SimulatedSkin skin(builtInCellModel("hex-bma150"), {});
-  EXPECT_EQ(JointReporting().before(skin, 0), std::nullopt) << "a skin alone has no joints";
 }
 
 TEST(LiveSimulatedRobot, ItsCellsBreakByTheRobotsNumbers) {

@@ -5,6 +5,8 @@
 #include "hexoderm/util/error.h"
 #include "hexoderm/util/units.h"
 #include "tests/core/device/simulation/standard_skin.h"
+#include "tests/support/options.h"
+#include "tests/support/sample_matchers.h"
 
 #include <gtest/gtest.h>
 #include <array>
@@ -16,9 +18,7 @@ namespace {
 const double kWhite_g = kModel.accelerometer.noise_g_per_sqrt_hz * std::sqrt(500.0);
 
 SimulatedSkinOptions withFault(SkinFault kind, unsigned cell) {
-  SimulatedSkinOptions options;
-  options.faults = {{kind, CellId(cell)}};
-  return options;
+  return test::with(&SimulatedSkinOptions::faults, {{kind, CellId(cell)}});
 }
 
 /// All readings of one cell, in the order of the frames.
@@ -62,9 +62,7 @@ TEST(SimulatedReadings, WithoutErrorsAreGravityInTheCellFramePointingUp) {
 }
 
 TEST(SimulatedReadings, AStandingPartReadsGainTimesGravityPlusOffset) {
-  SimulatedSkinOptions options;
-  options.sensor_noise = false;
-  SimulatedSkin skin(kModel, options);
+  SimulatedSkin skin(kModel, test::with(&SimulatedSkinOptions::sensor_noise, false));
   const std::vector<SampleFrame> frames = skin.record(kUp, 1);
   ASSERT_EQ(skin.truth().size(), 17U);
   for (std::size_t k = 0; k < skin.truth().size(); ++k) {
@@ -75,9 +73,7 @@ TEST(SimulatedReadings, AStandingPartReadsGainTimesGravityPlusOffset) {
 }
 
 TEST(SimulatedReadings, SensorErrorsHaveTheModelsSpread) {
-  SimulatedSkinOptions options;
-  options.patch = "sheet:50x40";
-  const SimulatedSkin skin(kModel, options);
+  const SimulatedSkin skin(kModel, test::with(&SimulatedSkinOptions::patch, "sheet:50x40"));
   double offset = 0;
   double scale = 0;
   double cross = 0;
@@ -149,12 +145,8 @@ TEST(SimulatedReadings, FramesOneByOneAreThoseThatAreKept) {
     std::size_t next = 0;
     forgets.record(up, 20, [&](const SampleFrame& frame) {
       ASSERT_LT(next, kept.size());
-      EXPECT_EQ(frame.time_s, kept[next].time_s);
-      ASSERT_EQ(frame.samples.size(), 16U);
-      for (std::size_t k = 0; k < frame.samples.size(); ++k) {
-        EXPECT_EQ(frame.samples[k].cell, kept[next].samples[k].cell);
-        EXPECT_EQ(frame.samples[k].acceleration_g, kept[next].samples[k].acceleration_g);
-      }
+      EXPECT_EQ(frame.samples.size(), 16U) << "cell 9 sends none";
+      test::expectSameFrame(frame, kept[next]);
       ++next;
     });
     EXPECT_EQ(next, 20U);
@@ -178,6 +170,20 @@ SimulatedSkinOptions onlyHand() {
   return options;
 }
 
+/// A skin in a hand of which this alone is not perfect, after the first pose, on the table.
+SimulatedSkin inHandWith(double SimulatedSkinOptions::*imperfection, const std::string& patch = "x17") {
+  SimulatedSkinOptions options = onlyHand();
+  options.patch = patch;
+  for (double SimulatedSkinOptions::*each :
+       {&SimulatedSkinOptions::hand_orientation_sigma_rad, &SimulatedSkinOptions::tremor_angle_sigma_rad,
+        &SimulatedSkinOptions::tremor_acceleration_g, &SimulatedSkinOptions::drift_rad_per_s}) {
+    if (each != imperfection) options.*each = 0;
+  }
+  SimulatedSkin skin(kModel, options);
+  skin.record(kUp, 1);
+  return skin;
+}
+
 TEST(SimulatedHand, TheFirstRecordingStandsOnATable) {
   SimulatedSkin skin(kModel, onlyHand());
   const std::vector<Eigen::Vector3d> readings = readingsOf(skin.record(kUp, 50), 3);
@@ -186,12 +192,7 @@ TEST(SimulatedHand, TheFirstRecordingStandsOnATable) {
 }
 
 TEST(SimulatedHand, MissesTheAskedOrientationByAFewDegrees) {
-  SimulatedSkinOptions options = onlyHand();
-  options.tremor_angle_sigma_rad = 0;
-  options.tremor_acceleration_g = 0;
-  options.drift_rad_per_s = 0;
-  SimulatedSkin skin(kModel, options);
-  skin.record(kUp, 1);
+  SimulatedSkin skin = inHandWith(&SimulatedSkinOptions::hand_orientation_sigma_rad);
   double sum = 0;
   const int count = 500;
   for (int k = 0; k < count; ++k) sum += std::pow(angleBetween(meanUpSeen(skin, skin.record(kUp, 1)), kUp), 2);
@@ -200,12 +201,7 @@ TEST(SimulatedHand, MissesTheAskedOrientationByAFewDegrees) {
 }
 
 TEST(SimulatedHand, Drifts) {
-  SimulatedSkinOptions options = onlyHand();
-  options.hand_orientation_sigma_rad = 0;
-  options.tremor_angle_sigma_rad = 0;
-  options.tremor_acceleration_g = 0;
-  SimulatedSkin skin(kModel, options);
-  skin.record(kUp, 1);
+  SimulatedSkin skin = inHandWith(&SimulatedSkinOptions::drift_rad_per_s);
   double largest = 0;
   for (int k = 0; k < 30; ++k) {
     const std::vector<SampleFrame> frames = skin.record(kUp, 1001);
@@ -217,12 +213,7 @@ TEST(SimulatedHand, Drifts) {
 }
 
 TEST(SimulatedHand, HeldForLongIsStillTheSamePose) {
-  SimulatedSkinOptions options = onlyHand();
-  options.hand_orientation_sigma_rad = 0;
-  options.tremor_angle_sigma_rad = 0;
-  options.tremor_acceleration_g = 0;
-  SimulatedSkin skin(kModel, options);
-  skin.record(kUp, 1);
+  SimulatedSkin skin = inHandWith(&SimulatedSkinOptions::drift_rad_per_s);
   const std::vector<SampleFrame> half_a_minute = skin.record(kUp, 30'000);
   double largest = 0;
   for (std::size_t k = 0; k < half_a_minute.size(); k += 100) {
@@ -233,12 +224,7 @@ TEST(SimulatedHand, HeldForLongIsStillTheSamePose) {
 }
 
 TEST(SimulatedHand, TremorShakesAllCellsAlike) {
-  SimulatedSkinOptions options = onlyHand();
-  options.hand_orientation_sigma_rad = 0;
-  options.drift_rad_per_s = 0;
-  options.tremor_angle_sigma_rad = 0;
-  SimulatedSkin skin(kModel, options);
-  skin.record(kUp, 1);
+  SimulatedSkin skin = inHandWith(&SimulatedSkinOptions::tremor_acceleration_g);
   double variance = 0;
   const int count = 20;
   for (int k = 0; k < count; ++k) {
@@ -251,13 +237,7 @@ TEST(SimulatedHand, TremorShakesAllCellsAlike) {
 }
 
 TEST(SimulatedHand, TremorTurnsAndActsOnLeverArms) {
-  SimulatedSkinOptions options = onlyHand();
-  options.patch = "sheet:2x40";
-  options.hand_orientation_sigma_rad = 0;
-  options.drift_rad_per_s = 0;
-  options.tremor_acceleration_g = 0;
-  SimulatedSkin skin(kModel, options);
-  skin.record(kUp, 1);
+  SimulatedSkin skin = inHandWith(&SimulatedSkinOptions::tremor_angle_sigma_rad, "sheet:2x40");
   const unsigned middle = 20;
   const unsigned end = 1;
   double near = 0;
@@ -383,11 +363,6 @@ TEST(SimulatedFault, WrongGainAmplifiesAllAxesAlike) {
   }
 }
 
-TEST(SimulatedFault, WrongGainIsWithinWhatAnOffsetMayDoToTheNorm) {
-  const Accelerometer& a = kModel.accelerometer;
-  EXPECT_LT(1.25 - 1, 5 * std::hypot(a.offset_sigma_g, a.scale_sigma));
-}
-
 TEST(SimulatedFault, DeadAxisReadsNoiseAboutZeroInEveryPose) {
   std::array<int, 3> drawn{};
   for (unsigned seed = 1; seed <= 20; ++seed) {
@@ -407,13 +382,6 @@ TEST(SimulatedFault, DeadAxisReadsNoiseAboutZeroInEveryPose) {
     EXPECT_EQ((scatter.array() > 0.2).count(), 2);
   }
   for (const int count : drawn) EXPECT_GT(count, 0);
-}
-
-TEST(SimulatedFault, NoSamplesLeavesTheCellOut) {
-  SimulatedSkin skin(kModel, withFault(SkinFault::NoSamples, 4));
-  const std::vector<SampleFrame> frames = skin.record(kUp, 5);
-  EXPECT_TRUE(readingsOf(frames, 4).empty());
-  EXPECT_EQ(readingsOf(frames, 5).size(), 5U);
 }
 
 TEST(SimulatedFault, OfACellThatIsNotThereIsRefused) {

@@ -22,21 +22,6 @@ using testing::HasSubstr;
 
 Bytes bytesOf(std::string_view text) { return {text.begin(), text.end()}; }
 
-void appendCrc(Bytes& body) {
-  const std::uint32_t crc = crc32c(body);
-  for (unsigned k = 0; k < 4; ++k) body.push_back(static_cast<std::uint8_t>(crc >> (8 * k)));
-}
-
-/// A body with a right CRC around whatever payload.
-Bytes bodyOf(std::uint8_t major, std::uint8_t type, const Bytes& payload) {
-  Bytes body;
-  body.push_back(major);
-  body.push_back(type);
-  for (const std::uint8_t byte : payload) body.push_back(byte);
-  appendCrc(body);
-  return body;
-}
-
 TEST(Crc32c, HasThePublishedCheckValue) {
   EXPECT_EQ(crc32c(bytesOf("123456789")), 0xE3069283U);
   EXPECT_EQ(crc32cByTable(bytesOf("123456789")), 0xE3069283U);
@@ -49,14 +34,6 @@ TEST(Crc32c, IsTheSameByTableAndByInstructionForEveryLength) {
   for (std::uint32_t k = 0; k < 100; ++k) {
     EXPECT_EQ(crc32c(bytes), crc32cByTable(bytes)) << k;
     bytes.push_back(static_cast<std::uint8_t>(k * 37 + 11));
-  }
-}
-
-TEST(SkinWireCodec, BodiesOfEveryMessageReadBack) {
-  for (const Message& message : everyMessage()) {
-    const Decoded decoded = decodeBody(encodeBody(message));
-    ASSERT_EQ(decoded.outcome, DecodeOutcome::Understood) << decoded.reason();
-    EXPECT_EQ(decoded.message, message) << "kind " << message.index();
   }
 }
 
@@ -103,17 +80,6 @@ TEST(SkinWireCodec, LineFieldsMayBeWrittenInEitherProtoSpellingAndTimesAsNumbers
   EXPECT_EQ(decoded.message, Message(floatSamples()));
 }
 
-TEST(SkinWireCodec, EveryFlippedBitOfABodyIsNoticed) {
-  for (const Message& message : everyMessage()) {
-    const Bytes good = encodeBody(message);
-    for (std::size_t bit = 0; bit < 8 * good.size(); ++bit) {
-      Bytes bad = good;
-      bad[bit / 8] ^= static_cast<std::uint8_t>(1U << (bit % 8));
-      EXPECT_EQ(decodeBody(bad).outcome, DecodeOutcome::Broken) << "kind " << message.index() << ", bit " << bit;
-    }
-  }
-}
-
 TEST(SkinWireCodec, EveryShortenedBodyIsBroken) {
   for (const Message& message : everyMessage()) {
     const Bytes good = encodeBody(message);
@@ -123,24 +89,8 @@ TEST(SkinWireCodec, EveryShortenedBodyIsBroken) {
   }
 }
 
-TEST(SkinWireCodec, PayloadsCutAnywhereNeverThrowEvenIfTheCrcIsRight) {
-  for (const Message& message : everyMessage()) {
-    const Bytes good = encodeBody(message);
-    for (std::size_t size = 2; size + 4 < good.size(); ++size) {
-      Bytes cut(good.begin(), good.begin() + static_cast<std::ptrdiff_t>(size));
-      appendCrc(cut);
-      const Decoded decoded = decodeBody(cut);
-      if (decoded.outcome == DecodeOutcome::Understood) {
-        EXPECT_TRUE(complaint(decoded.message).empty());
-      } else {
-        EXPECT_FALSE(decoded.reason().empty());
-      }
-    }
-  }
-}
-
 TEST(SkinWireCodec, NamesBothNumbersOfAnotherMajorVersion) {
-  const Decoded body = decodeBody(bodyOf(2, 1, {1, 2, 3}));
+  const Decoded body = decodeBody(bodyOf(1, {1, 2, 3}, 2));
   EXPECT_EQ(body.outcome, DecodeOutcome::OtherMajor);
   EXPECT_EQ(body.major, 2U);
   EXPECT_EQ(body.reason().english(), "the device speaks SkinWire 2, this program SkinWire 1");
@@ -152,13 +102,13 @@ TEST(SkinWireCodec, NamesBothNumbersOfAnotherMajorVersion) {
 }
 
 TEST(SkinWireCodec, SkipsTypesAndFieldsThatItDoesNotKnow) {
-  EXPECT_EQ(decodeBody(bodyOf(kMajor, 99, {1, 2, 3})).outcome, DecodeOutcome::UnknownType);
-  EXPECT_EQ(decodeBody(bodyOf(kMajor, 0, {})).outcome, DecodeOutcome::UnknownType);
+  EXPECT_EQ(decodeBody(bodyOf(99, {1, 2, 3})).outcome, DecodeOutcome::UnknownType);
+  EXPECT_EQ(decodeBody(bodyOf(0, {})).outcome, DecodeOutcome::UnknownType);
   EXPECT_EQ(decodeLine(R"({"later_message": {"x": [1, 2]}})").outcome, DecodeOutcome::UnknownType);
   EXPECT_EQ(decodeLine("{}").outcome, DecodeOutcome::UnknownType);
 
   // Field 1000, a text, behind a Status.
-  const Decoded decoded = decodeBody(bodyOf(kMajor, 4, {0x0A, 0x01, 'x', 0xC2, 0x3E, 0x02, 'h', 'i'}));
+  const Decoded decoded = decodeBody(bodyOf(4, {0x0A, 0x01, 'x', 0xC2, 0x3E, 0x02, 'h', 'i'}));
   ASSERT_EQ(decoded.outcome, DecodeOutcome::Understood) << decoded.reason();
   EXPECT_EQ(std::get<Status>(decoded.message).text, "x");
 }
@@ -185,7 +135,7 @@ TEST(SkinWireCodec, NamesFieldsThatItDoesNotKnowInMessagesThatItUnderstands) {
   EXPECT_EQ(line.offences[0].kind, OffenceKind::UnknownField);
   EXPECT_THAT(line.reason().english(), HasSubstr("status.explorng: there is no such field; did you mean exploring?"));
   EXPECT_THAT(line.offences[0].excerpt, HasSubstr(R"({"status": {"text")"));
-  const Decoded body = decodeBody(bodyOf(kMajor, 4, {0x0A, 0x01, 'x', 0xC2, 0x3E, 0x02, 'h', 'i'}));
+  const Decoded body = decodeBody(bodyOf(4, {0x0A, 0x01, 'x', 0xC2, 0x3E, 0x02, 'h', 'i'}));
   ASSERT_EQ(body.offences.size(), 1U);
   EXPECT_EQ(body.reason().english(), "Status has no field with the number 1000");
   EXPECT_TRUE(decodeLine(R"({"status": {"text": "x", "exploring": true}})").offences.empty());
@@ -218,8 +168,7 @@ TEST(SkinWireCodec, ExcerptsAreShortAndPrintable) {
 }
 
 TEST(SkinWireCodec, RefusesToSendWhatDoesNotFitAFrame) {
-  Samples samples;
-  samples.cells = {1};
+  Samples samples{.cells = {1}};
   samples.acceleration_g.assign(3 * 100'000, 1.5F);
   samples.period_us = 1000;
   EXPECT_TRUE(complaint(samples).empty());
@@ -242,14 +191,9 @@ TEST(SkinWireCodec, RefusesSamplesThatMakeNoSense) {
       {"multiple of 3", [](Samples& s) { s.raw_lsb.pop_back(); }},
       {"multiple of 3",
        [](Samples& s) {
-         s.cells.push_back(9);
-         s.cells.push_back(10);
-         s.cells.push_back(11);
+         s.cells.insert(s.cells.end(), {9, 10, 11});
        }},
-      {"belong to mean_g",
-       [](Samples& s) {
-         s.count = {1, 1};
-       }},
+      {"belong to mean_g", [](Samples& s) { s.count.assign(2, 1); }},
       {"period_us", [](Samples& s) { s.period_us = 0; }},
       {"time_us", [](Samples& s) { s.time_us = kMaxTime_us; }},
       {"time_us", [](Samples& s) { s.time_us = UINT64_MAX; }},
@@ -280,35 +224,36 @@ TEST(SkinWireCodec, RefusesSamplesThatMakeNoSense) {
 }
 
 TEST(SkinWireCodec, RefusesOtherMessagesThatMakeNoSense) {
-  Hello hello = helloMessage();
-  hello.rate_hz = std::nan("");
-  EXPECT_THAT(complaint(hello).reason.english(), HasSubstr("rate_hz"));
-  hello = helloMessage();
-  hello.cell_model.assign(65'537, '{');
-  EXPECT_THAT(complaint(hello).reason.english(), HasSubstr("cell_model"));
-  hello.cell_model.clear();
-  EXPECT_THAT(complaint(hello).reason.english(), HasSubstr("cell_model"));
-  hello = helloMessage();
-  hello.device.assign(1001, 'x');
-  EXPECT_THAT(complaint(hello).reason.english(), HasSubstr("device"));
-  EXPECT_THAT(complaint(Topology{1, 2, 2, {}}).reason.english(), HasSubstr("part"));
-  EXPECT_THAT(complaint(Topology{1, 0, UINT32_MAX, {}}).reason.english(), HasSubstr("parts"));
-  EXPECT_THAT(complaint(Command{1, TurnTo{1, {0, 0, 2}}}).reason.english(), HasSubstr("unit vector"));
-  EXPECT_THAT(complaint(Command{1, SetRate{-5}}).reason.english(), HasSubstr("rate_hz"));
-  EXPECT_THAT(complaint(Ack{1, true, "", true}).reason.english(), HasSubstr("working"));
+  const auto hello = [](auto Hello::*field, const auto& value) {
+    Hello senseless = helloMessage();
+    senseless.*field = value;
+    return senseless;
+  };
   EXPECT_TRUE(complaint(Joints{0, {}, {1}}).empty());
-  EXPECT_THAT(complaint(Joints{0, {}, {}}).reason.english(), HasSubstr("joints.position"));
-  EXPECT_THAT(complaint(Joints{0, {"a"}, {1, 2}}).reason.english(), HasSubstr("joints.position"));
-  EXPECT_THAT(complaint(Joints{0, {"a", "a"}, {1, 2}}).reason.english(), HasSubstr("each joint once"));
-  EXPECT_THAT(complaint(Joints{0, {""}, {1}}).reason.english(), HasSubstr("joints.names"));
-  EXPECT_THAT(complaint(Joints{0, {"a"}, {std::nan("")}}).reason.english(), HasSubstr("finite"));
-  EXPECT_THAT(complaint(Joints{kMaxTime_us + 1, {"a"}, {1}}).reason.english(), HasSubstr("2^53"));
+  const std::vector<std::pair<Message, const char*>> messages = {
+      {hello(&Hello::rate_hz, std::nan("")), "rate_hz"},
+      {hello(&Hello::cell_model, std::string(65'537, '{')), "cell_model"},
+      {hello(&Hello::cell_model, std::string()), "cell_model"},
+      {hello(&Hello::device, std::string(1001, 'x')), "device"},
+      {Topology{1, 2, 2, {}}, "part"},
+      {Topology{1, 0, UINT32_MAX, {}}, "parts"},
+      {Command{1, TurnTo{1, {0, 0, 2}}}, "unit vector"},
+      {Command{1, SetRate{-5}}, "rate_hz"},
+      {Ack{1, true, "", true}, "working"},
+      {Joints{0, {}, {}}, "joints.position"},
+      {Joints{0, {"a"}, {1, 2}}, "joints.position"},
+      {Joints{0, {"a", "a"}, {1, 2}}, "each joint once"},
+      {Joints{0, {""}, {1}}, "joints.names"},
+      {Joints{0, {"a"}, {std::nan("")}}, "finite"},
+      {Joints{kMaxTime_us + 1, {"a"}, {1}}, "2^53"},
+  };
+  for (const auto& [message, words] : messages) EXPECT_THAT(complaint(message).reason.english(), HasSubstr(words));
 }
 
 TEST(Codec, LetsTheLibraryBelowSayNothing) {
   testing::internal::CaptureStderr();
   const Bytes no_utf8 = {0x12, 0x02, 0xff, 0xfe};  // Hello.device
-  EXPECT_EQ(decodeBody(bodyOf(1, 1, no_utf8)).outcome, DecodeOutcome::Broken);
+  EXPECT_EQ(decodeBody(bodyOf(1, no_utf8)).outcome, DecodeOutcome::Broken);
   decodeLine("{\"hello\": {\"device\": \"\xff\xfe\"}}");
   try {
     encodeBody(Hello{0, "\xff\xfe"});

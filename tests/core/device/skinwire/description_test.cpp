@@ -3,6 +3,7 @@
 #include "hexoderm/device/skinwire/codec.h"
 #include "hexoderm/util/error.h"
 #include "tests/core/device/skinwire/wire_messages.h"
+#include "tests/support/error_matchers.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -49,12 +50,7 @@ TEST(TopologyParts, OfAnEmptySkinAreOne) {
 
 TEST(TopologyParts, ACellTooLargeForAPartIsNamed) {
   const NeighborList cells = {{CellId(7), std::string(1000, 'x'), {}}};
-  try {
-    topologyParts(cells, 1, 500);
-    FAIL() << "it was accepted";
-  } catch (const InvalidArgument& error) {
-    EXPECT_THAT(error.what(), testing::HasSubstr("cell 7"));
-  }
+  EXPECT_THAT(test::messageOf<InvalidArgument>([&] { topologyParts(cells, 1, 500); }), testing::HasSubstr("cell 7"));
 }
 
 TEST(TopologyAssembler, APartOfAnotherTopologyStartsAnew) {

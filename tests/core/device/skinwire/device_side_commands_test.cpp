@@ -1,8 +1,9 @@
 // How skinwire.h reads the commands of a host, and what is none, which comes over the same wire.
 
-#include "hexoderm/device/skinwire/crc32c.h"
+#include "tests/core/device/skinwire/commands_in_c.h"
 #include "tests/core/device/skinwire/device_side_fixture.h"
 #include "tests/core/device/skinwire/random_messages.h"
+#include "tests/core/device/skinwire/wire_messages.h"
 
 #include <gtest/gtest.h>
 #include <cstdint>
@@ -33,34 +34,6 @@ Received receive(ByteView bytes, skinwire_framing framing, std::size_t capacity 
   return received;
 }
 
-void expectSame(const skinwire_command& in_c, const Command& command) {
-  EXPECT_EQ(in_c.number, command.number);
-  if (const auto* rate = std::get_if<SetRate>(&command.request)) {
-    ASSERT_EQ(in_c.request, SKINWIRE_SET_RATE);
-    EXPECT_EQ(in_c.of.set_rate.rate_hz, static_cast<float>(rate->rate_hz));
-  } else if (const auto* led = std::get_if<SetLed>(&command.request)) {
-    ASSERT_EQ(in_c.request, SKINWIRE_SET_LED);
-    EXPECT_EQ(in_c.of.set_led.cell, led->cell);
-    EXPECT_EQ(in_c.of.set_led.red, led->red);
-    EXPECT_EQ(in_c.of.set_led.green, led->green);
-    EXPECT_EQ(in_c.of.set_led.blue, led->blue);
-  } else if (const auto* turn = std::get_if<TurnTo>(&command.request)) {
-    ASSERT_EQ(in_c.request, SKINWIRE_TURN_TO);
-    EXPECT_EQ(in_c.of.turn_to.cell, turn->cell);
-    for (std::size_t k = 0; k < 3; ++k) {
-      EXPECT_EQ(in_c.of.turn_to.up[k], static_cast<float>(turn->up_u[static_cast<Eigen::Index>(k)]));
-    }
-  } else if (std::holds_alternative<ExploreAgain>(command.request)) {
-    EXPECT_EQ(in_c.request, SKINWIRE_EXPLORE_AGAIN);
-  } else if (const auto* describe = std::get_if<Describe>(&command.request)) {
-    ASSERT_EQ(in_c.request, SKINWIRE_DESCRIBE);
-    EXPECT_EQ(in_c.of.describe.has_known_topology, describe->known_topology.has_value());
-    EXPECT_EQ(in_c.of.describe.known_topology, describe->known_topology.value_or(0));
-  } else {
-    EXPECT_EQ(in_c.request, SKINWIRE_UNKNOWN);
-  }
-}
-
 TEST(DeviceSide, UnderstandsEveryCommandOfAHost) {
   RandomMessages random(5);
   for (int k = 0; k < 5000; ++k) {
@@ -76,17 +49,12 @@ TEST(DeviceSide, UnderstandsEveryCommandOfAHost) {
         ASSERT_EQ(received.events, std::vector{SKINWIRE_COMMAND}) << k;
         command = received.commands.front();
       }
-      expectSame(command, std::get<Command>(message));
+      EXPECT_TRUE(isSame(command, std::get<Command>(message)));
     }
   }
 }
 
-Bytes commandOf(Bytes payload, std::uint8_t major = kMajor, std::uint8_t type = 5) {
-  payload.insert(payload.begin(), {major, type});
-  const std::uint32_t crc = crc32c(payload);
-  for (unsigned k = 0; k < 4; ++k) payload.push_back(static_cast<std::uint8_t>(crc >> (8 * k)));
-  return payload;
-}
+constexpr std::uint8_t kCommand = 5;
 
 skinwire_event eventOf(const Bytes& body, skinwire_command& command) {
   return skinwire_read_body(body.data(), body.size(), &command);
@@ -95,22 +63,22 @@ skinwire_event eventOf(const Bytes& body, skinwire_command& command) {
 TEST(DeviceSide, ReadsWhatALaterVersionMaySend) {
   skinwire_command command{};
   // A request with the number 9; fields with unknown numbers of every kind, also within a request.
-  EXPECT_EQ(eventOf(commandOf({0x08, 7, 0x4A, 2, 1, 2}), command), SKINWIRE_COMMAND);
+  EXPECT_EQ(eventOf(bodyOf(kCommand, {0x08, 7, 0x4A, 2, 1, 2}), command), SKINWIRE_COMMAND);
   EXPECT_EQ(command.number, 7U);
   EXPECT_EQ(command.request, SKINWIRE_UNKNOWN);
-  EXPECT_EQ(eventOf(commandOf({0x08, 7, 0x78, 0x96, 0x01, 0x79, 1,    2, 3, 4, 5, 6, 7, 8, 0x7D, 1, 2, 3, 4,  //
-                               0x1A, 6, 0x08, 5,    0x10, 9,    0x28, 1}),
+  EXPECT_EQ(eventOf(bodyOf(kCommand, {0x08, 7, 0x78, 0x96, 0x01, 0x79, 1,    2, 3, 4, 5, 6, 7, 8, 0x7D, 1, 2, 3, 4,  //
+                                      0x1A, 6, 0x08, 5,    0x10, 9,    0x28, 1}),
                     command),
             SKINWIRE_COMMAND);
   EXPECT_EQ(command.request, SKINWIRE_SET_LED);
   EXPECT_EQ(command.of.set_led.cell, 5U);
   EXPECT_EQ(command.of.set_led.red, 9);
-  EXPECT_EQ(eventOf(commandOf({0x08, 7}, 2), command), SKINWIRE_SKIPPED) << "major version 2";
-  EXPECT_EQ(eventOf(commandOf({0x08, 7}, kMajor, 8), command), SKINWIRE_SKIPPED) << "a message of type 8";
-  EXPECT_EQ(eventOf(commandOf({0x08}), command), SKINWIRE_BROKEN) << "a number that is cut off";
-  EXPECT_EQ(eventOf(commandOf({0x1A, 2, 0x08}), command), SKINWIRE_BROKEN) << "a request that is cut off";
-  EXPECT_EQ(eventOf(commandOf({0x1A, 3, 0x10, 0x80, 0x02}), command), SKINWIRE_BROKEN) << "red of 256";
-  EXPECT_EQ(eventOf(commandOf({0x22, 2, 0x08, 1}), command), SKINWIRE_BROKEN) << "a turn to nowhere";
+  EXPECT_EQ(eventOf(bodyOf(kCommand, {0x08, 7}, 2), command), SKINWIRE_SKIPPED) << "major version 2";
+  EXPECT_EQ(eventOf(bodyOf(8, {0x08, 7}), command), SKINWIRE_SKIPPED) << "a message of type 8";
+  EXPECT_EQ(eventOf(bodyOf(kCommand, {0x08}), command), SKINWIRE_BROKEN) << "a number that is cut off";
+  EXPECT_EQ(eventOf(bodyOf(kCommand, {0x1A, 2, 0x08}), command), SKINWIRE_BROKEN) << "a request that is cut off";
+  EXPECT_EQ(eventOf(bodyOf(kCommand, {0x1A, 3, 0x10, 0x80, 0x02}), command), SKINWIRE_BROKEN) << "red of 256";
+  EXPECT_EQ(eventOf(bodyOf(kCommand, {0x22, 2, 0x08, 1}), command), SKINWIRE_BROKEN) << "a turn to nowhere";
 }
 
 TEST(DeviceSide, TakesTheLastOfSeveralRequestsAsProtobufDoes) {
@@ -123,12 +91,12 @@ TEST(DeviceSide, TakesTheLastOfSeveralRequestsAsProtobufDoes) {
   const auto expectAsTheLibrary = [](const std::vector<Bytes>& pieces) {
     Bytes payload = {0x08, 7};
     for (const Bytes& piece : pieces) payload.insert(payload.end(), piece.begin(), piece.end());
-    const Bytes body = commandOf(payload);
+    const Bytes body = bodyOf(kCommand, payload);
     const Decoded decoded = decodeBody(body);
     ASSERT_EQ(decoded.outcome, DecodeOutcome::Understood) << decoded.reason();
     skinwire_command command{};
     ASSERT_EQ(eventOf(body, command), SKINWIRE_COMMAND);
-    expectSame(command, std::get<Command>(decoded.message));
+    EXPECT_TRUE(isSame(command, std::get<Command>(decoded.message)));
   };
   expectAsTheLibrary({light, more_light});
   expectAsTheLibrary({turn, light});
@@ -146,9 +114,9 @@ TEST(DeviceSide, BelievesNoLengthThatReachesBeyondTheBody) {
         payload.insert(payload.end(), request.begin(), request.end());
         payload.at(3) = static_cast<std::uint8_t>(request.size() - 2 + too_much);
         skinwire_command command{};
-        ASSERT_EQ(eventOf(commandOf(payload), command), SKINWIRE_BROKEN) << testing::PrintToString(payload);
+        ASSERT_EQ(eventOf(bodyOf(kCommand, payload), command), SKINWIRE_BROKEN) << testing::PrintToString(payload);
         payload.at(3) = static_cast<std::uint8_t>(request.size() - 2);
-        ASSERT_EQ(eventOf(commandOf(payload), command), SKINWIRE_COMMAND);
+        ASSERT_EQ(eventOf(bodyOf(kCommand, payload), command), SKINWIRE_COMMAND);
       }
     }
   }
@@ -164,16 +132,15 @@ TEST(DeviceSide, FindsTheNextCommandAfterGarbage) {
     const Received received = receive(bytes, SKINWIRE_COBS);
     ASSERT_FALSE(received.events.empty());
     ASSERT_EQ(received.events.back(), SKINWIRE_COMMAND) << k;
-    expectSame(received.commands.back(), Command{77, SetLed{3, 1, 2, 3}});
+    EXPECT_TRUE(isSame(received.commands.back(), Command{77, SetLed{3, 1, 2, 3}}));
   }
 }
 
 TEST(DeviceSide, LeavesOutCommandsThatAreLongerThanItsBuffer) {
   const Message good = Command{77, ExploreAgain{}};
-  const Bytes body = commandOf(Bytes(0, 0));
   Bytes long_payload = {0x08, 7, 0x4A, 100};
   long_payload.resize(long_payload.size() + 100, 1);
-  const Bytes long_body = commandOf(long_payload);
+  const Bytes long_body = bodyOf(kCommand, long_payload);
   Bytes cobs = encodeCobs(long_body);
   cobs.push_back(0);
   const Bytes next = encodeFrame(Framing::Cobs, good);

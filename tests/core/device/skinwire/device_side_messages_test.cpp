@@ -1,9 +1,9 @@
 // What a device may say with skinwire.h: readings, the skin in parts, texts; and every message from a C compiler.
 
-#include "hexoderm/device/skinwire/crc32c.h"
 #include "hexoderm/device/skinwire/description.h"
 #include "tests/core/device/skinwire/device_side_fixture.h"
 #include "tests/core/device/skinwire/device_side_in_c.h"
+#include "tests/core/device/skinwire/wire_messages.h"
 
 #include <gtest/gtest.h>
 #include <cstdint>
@@ -36,9 +36,7 @@ TEST(DeviceSide, ReadingsWithoutCellsAreRefusedAndTemperaturesAloneAreSent) {
   samples.raw_lsb = &value;
   EXPECT_EQ(skinwire_put_samples(&frame, &samples), 0U) << "more values than there are numbers";
 
-  Samples warm;
-  warm.temperature_cells = {7};
-  warm.temperature_c = {21.5F};
+  const Samples warm{.temperature_cells = {7}, .temperature_c = {21.5F}};
   EXPECT_EQ(decodeFrame(framed(warm), Framing::Cobs).message, Message(warm));
   EXPECT_EQ(decodeFrame(framed(Topology{1, 0, 1, {}}), Framing::Cobs).message, Message(Topology{1, 0, 1, {}}));
 }
@@ -80,11 +78,9 @@ TEST(DeviceSide, ATopologyGoesInPartsThatFitTheBuffer) {
 
 /// Whether the library takes an Ack with this text.
 bool isTextOfAHost(const std::string& text) {
-  Bytes body = {kMajor, 6, 0x1A, static_cast<std::uint8_t>(text.size())};
-  body.insert(body.end(), text.begin(), text.end());
-  const std::uint32_t crc = crc32c(body);
-  for (unsigned k = 0; k < 4; ++k) body.push_back(static_cast<std::uint8_t>(crc >> (8 * k)));
-  return decodeBody(body).outcome == DecodeOutcome::Understood;
+  Bytes payload = {0x1A, static_cast<std::uint8_t>(text.size())};
+  payload.insert(payload.end(), text.begin(), text.end());
+  return decodeBody(bodyOf(6, payload)).outcome == DecodeOutcome::Understood;
 }
 
 TEST(DeviceSide, SendsOnlyTextsThatAHostTakes) {

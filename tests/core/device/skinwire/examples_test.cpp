@@ -5,15 +5,10 @@
 #include "hexoderm/graph/cell_model.h"
 #include "hexoderm/util/file.h"
 #include "tests/core/device/skinwire/collecting_listener.h"
+#include "tests/support/child_process.h"
 #include "tests/support/paths.h"
 
-#include <fcntl.h>
-#include <signal.h>
-#include <sys/wait.h>
-#include <unistd.h>
-
 #include <gtest/gtest.h>
-#include <array>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -22,44 +17,7 @@ namespace hexoderm {
 namespace {
 
 using Delivered = CollectingListener::Delivered;
-
-/// A running program, one of whose outputs is read here.
-class Program {
- public:
-  Program(std::vector<std::string> command, int output) {
-    std::array<int, 2> ends{};
-    if (::pipe2(ends.data(), O_CLOEXEC) != 0) throw std::runtime_error("no pipe");
-    std::vector<char*> arguments;
-    for (std::string& argument : command) arguments.push_back(argument.data());
-    arguments.push_back(nullptr);
-    process_ = ::fork();
-    if (process_ == 0) {
-      ::dup2(ends[1], output);
-      ::execvp(arguments[0], arguments.data());
-      ::_exit(127);
-    }
-    ::close(ends[1]);
-    output_ = ends[0];
-  }
-  ~Program() {
-    ::kill(process_, SIGTERM);
-    ::waitpid(process_, nullptr, 0);
-    ::close(output_);
-  }
-  Program(const Program&) = delete;
-  Program& operator=(const Program&) = delete;
-
-  [[nodiscard]] int output() const { return output_; }
-  [[nodiscard]] std::string readLine() const {
-    std::string line;
-    for (char c = 0; ::read(output_, &c, 1) == 1 && c != '\n';) line += c;
-    return line;
-  }
-
- private:
-  pid_t process_ = -1;
-  int output_ = -1;
-};
+using test::ChildProcess;
 
 void expectRest(const Delivered& delivered, std::size_t cells) {
   ASSERT_EQ(delivered.skins.size(), 1U);
@@ -74,13 +32,13 @@ void expectRest(const Delivered& delivered, std::size_t cells) {
 }
 
 void expectDeviceOnTcp(std::vector<std::string> command, std::size_t cells) {
-  const Program program(std::move(command), STDERR_FILENO);
+  const ChildProcess program(std::move(command), ".", ChildProcess::Stream::Read, ChildProcess::Stream::AsOutput);
   const std::string line = program.readLine();
   const std::size_t at = line.find("tcp://");
   ASSERT_NE(at, std::string::npos) << line;
   CollectingListener listener;
-  WireOptions patient;
-  patient.silent_after = patient.reconnect_after = patient.command_timeout = test::kForever;
+  const WireOptions patient{
+      .silent_after = test::kForever, .reconnect_after = test::kForever, .command_timeout = test::kForever};
   WireSource source(line.substr(at), patient);
   source.start(listener);
   ASSERT_TRUE(listener.waitFor([](const Delivered& d) { return d.frames.size() >= 20; })) << "nothing came";
@@ -98,7 +56,7 @@ void expectDeviceOnTcp(std::vector<std::string> command, std::size_t cells) {
 }
 
 void expectDeviceOnStdin(std::vector<std::string> command, std::size_t cells) {
-  const Program program(std::move(command), STDOUT_FILENO);
+  const ChildProcess program(std::move(command));
   CollectingListener listener;
   StdinSource source(program.output());
   source.start(listener);
@@ -113,11 +71,11 @@ const std::string kFolder = HEXODERM_SKINWIRE_SOURCES;
 TEST(ExampleSender, InCIsASkinOnTcp) { expectDeviceOnTcp({HEXODERM_C_SENDER, "0"}, 2); }
 
 TEST(ExampleSender, InPythonIsASkinOnTcp) {
-  expectDeviceOnTcp({"python3", kFolder + "/examples/sender.py", "--port", "0"}, 3);
+  expectDeviceOnTcp({"/usr/bin/env", "python3", kFolder + "/examples/sender.py", "--port", "0"}, 3);
 }
 
 TEST(ExampleSender, InPythonIsASkinOnStandardOutput) {
-  expectDeviceOnStdin({"python3", kFolder + "/examples/sender.py"}, 3);
+  expectDeviceOnStdin({"/usr/bin/env", "python3", kFolder + "/examples/sender.py"}, 3);
 }
 
 /// The first piece of a page in this language.
@@ -130,7 +88,7 @@ std::string exampleIn(const std::string& page, const std::string& language) {
 }
 
 TEST(ExampleSender, TheScriptInTheReadmeIsASkin) {
-  expectDeviceOnStdin({"python3", "-c", exampleIn("README.md", "python")}, 2);
+  expectDeviceOnStdin({"/usr/bin/env", "python3", "-c", exampleIn("README.md", "python")}, 2);
 }
 
 TEST(ExampleCell, TheCellModelOnThePageIsOne) {

@@ -5,7 +5,6 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <algorithm>
-#include <random>
 
 namespace hexoderm::skinwire {
 namespace {
@@ -86,15 +85,6 @@ TEST(FrameDecoder, ReadsEveryFramingInPiecesOfAnySize) {
   }
 }
 
-TEST(FrameDecoder, TellsLinesFromLengthsByTheFirstBytes) {
-  for (const Framing framing : {Framing::Length, Framing::Lines}) {
-    FrameDecoder decoder(std::nullopt);
-    const Outcome outcome = decodeAll(decoder, encodeFrame(framing, helloMessage()), 1);
-    EXPECT_EQ(outcome.messages.size(), 1U);
-    EXPECT_EQ(decoder.framing(), framing);
-  }
-}
-
 TEST(FrameDecoder, ALengthThatBeginsLikeALineIsStillALength) {
   // '{' is 0x7B = 123: a device name makes the frame just that long.
   Hello hello = helloMessage();
@@ -126,19 +116,6 @@ TEST(FrameDecoder, NoFlippedBitLetsAWrongMessageThrough) {
       // A broken length is noticed at the latest when the frame that it announces should be over.
       EXPECT_TRUE(outcome.broken > 0 || decoder.buffered() > 0) << bit;
     }
-  }
-}
-
-TEST(FrameDecoder, FindsTheNextSerialFrameAfterGarbage) {
-  std::mt19937 random(1);
-  for (int round = 0; round < 200; ++round) {
-    Bytes stream(random() % 300);
-    std::ranges::generate(stream, [&] { return static_cast<std::uint8_t>(random()); });
-    stream.push_back(0);
-    append(stream, encodeFrame(Framing::Cobs, rawSamples(0, 1000)));
-    FrameDecoder decoder(Framing::Cobs);
-    const Outcome outcome = decodeAll(decoder, stream, 17);
-    ASSERT_EQ(outcome.messages, std::vector<Message>{rawSamples(0, 1000)}) << round;
   }
 }
 
@@ -212,19 +189,6 @@ TEST(FrameDecoder, ABadLengthOrCrcEndsAStreamOfLengths) {
   }
 }
 
-TEST(FrameDecoder, AFrameOfTheLargestSizePasses) {
-  Samples samples;
-  samples.period_us = 1;
-  samples.cells = {1};
-  samples.raw_lsb.assign(3 * 349'500, 1);
-  for (const Framing framing : {Framing::Length, Framing::Cobs}) {
-    const Bytes frame = encodeFrame(framing, samples);
-    ASSERT_GT(frame.size(), kMaxBody - 100);
-    FrameDecoder decoder(framing);
-    EXPECT_EQ(decodeAll(decoder, frame, 65'536).messages, std::vector<Message>{samples});
-  }
-}
-
 TEST(FrameDecoder, NamesWhatWouldWaitForEver) {
   const std::string line = encodeLine(helloMessage());
   const auto complaintOf = [](std::optional<Framing> framing, const std::string& text) {
@@ -249,20 +213,6 @@ TEST(FrameDecoder, ABeginningInNeitherDialectEndsTheStream) {
     FrameDecoder decoder(std::nullopt);
     EXPECT_EQ(decodeAll(decoder, begin, 1).broken, 1);
     EXPECT_FALSE(decoder.stuck().empty());
-  }
-}
-
-TEST(FrameDecoder, SurvivesRandomBytes) {
-  std::mt19937 random(2);
-  for (int round = 0; round < 300; ++round) {
-    Bytes stream(random() % 2000);
-    std::ranges::generate(stream, [&] { return static_cast<std::uint8_t>(random()); });
-    for (const Framing framing : kFramings) {
-      FrameDecoder decoder(framing);
-      EXPECT_TRUE(decodeAll(decoder, stream, 100).messages.empty());
-    }
-    FrameDecoder decoder(std::nullopt);
-    EXPECT_TRUE(decodeAll(decoder, stream, 100).messages.empty());
   }
 }
 

@@ -3,6 +3,7 @@
 #include "hexoderm/device/skinwire/codec.h"
 #include "hexoderm/util/error.h"
 #include "tests/core/device/skinwire/wire_messages.h"
+#include "tests/support/sample_matchers.h"
 
 #include <gtest/gtest.h>
 #include <cmath>
@@ -21,19 +22,10 @@ SampleFrame quantised(double time_s, std::uint32_t cells) {
   return frame;
 }
 
-SampleFrame decoded(const Samples& message, std::size_t tick = 0) {
+SampleFrame decoded(const Samples& message) {
   SampleFrame frame;
-  decodeTick(message, tick, kLsb_g, frame);
+  decodeTick(message, 0, kLsb_g, frame);
   return frame;
-}
-
-void expectSameSamples(const SampleFrame& a, const SampleFrame& b) {
-  EXPECT_EQ(a.time_s, b.time_s);
-  ASSERT_EQ(a.samples.size(), b.samples.size());
-  for (std::size_t k = 0; k < a.samples.size(); ++k) {
-    EXPECT_EQ(a.samples[k].cell, b.samples[k].cell);
-    EXPECT_EQ(a.samples[k].acceleration_g, b.samples[k].acceleration_g);
-  }
 }
 
 TEST(SampleMessages, QuantisedReadingsComeBackBitByBit) {
@@ -43,7 +35,7 @@ TEST(SampleMessages, QuantisedReadingsComeBackBitByBit) {
   ASSERT_EQ(out.size(), 1U);
   EXPECT_FALSE(out[0].raw_lsb.empty());
   EXPECT_EQ(out[0].time_us, 1'234'567U);
-  expectSameSamples(decoded(out[0]), quantised(1.234567, 17));
+  test::expectSameFrame(decoded(out[0]), quantised(1.234567, 17));
 }
 
 TEST(SampleMessages, ReadingsBetweenTheStepsGoAsFloats) {
@@ -104,22 +96,6 @@ TEST(SampleMessages, EveryMessageFitsItsLimitAndIsWellUsed) {
     EXPECT_EQ(temperatures, 300U);
     EXPECT_EQ(encoder.sequence(), 1600U);
     EXPECT_GT(static_cast<double>(bytes) / static_cast<double>(out.size() * limit), limit > 1000 ? 0.8 : 0.5);
-  }
-}
-
-TEST(SampleMessages, ABatchIsOneMessageOfManyTicks) {
-  std::vector<SampleFrame> frames;
-  for (int k = 0; k < 10; ++k) frames.push_back(quantised(1 + 0.001 * k, 17));
-  SampleEncoder encoder(kLsb_g, kMaxDatagram);
-  std::vector<Samples> out;
-  encoder.encodeBatch(frames, out);
-  ASSERT_EQ(out.size(), 1U);
-  EXPECT_TRUE(complaint(out[0]).empty());
-  EXPECT_LE(encodeBody(out[0]).size(), kMaxDatagram);
-  ASSERT_EQ(out[0].ticks(), 10U);
-  for (std::size_t k = 0; k < 10; ++k) {
-    EXPECT_NEAR(decoded(out[0], k).time_s, frames[k].time_s, 1e-9);
-    EXPECT_EQ(decoded(out[0], k).samples.size(), 17U);
   }
 }
 

@@ -3,10 +3,20 @@
 // Messages of a small skin: two cells, joined.
 
 #include "hexoderm/device/skinwire/codec.h"
+#include "hexoderm/device/skinwire/crc32c.h"
 
+#include <cstdint>
 #include <vector>
 
 namespace hexoderm::skinwire {
+
+/// A body with a right CRC around whatever payload.
+inline Bytes bodyOf(std::uint8_t type, Bytes payload, std::uint8_t major = kMajor) {
+  payload.insert(payload.begin(), {major, type});
+  const std::uint32_t crc = crc32c(payload);
+  for (unsigned k = 0; k < 4; ++k) payload.push_back(static_cast<std::uint8_t>(crc >> (8 * k)));
+  return payload;
+}
 
 inline Hello helloMessage() { return {kMinor, "two cells", "hex-bma150", true, true, 1000, 7}; }
 
@@ -20,35 +30,25 @@ inline Topology topologyMessage() {
 
 /// Two ticks of two cells.
 inline Samples rawSamples(std::uint64_t sequence, std::uint64_t time_us) {
-  Samples samples;
-  samples.sequence = sequence;
-  samples.time_us = time_us;
-  samples.period_us = 1000;
-  samples.cells = {1, 2};
-  samples.raw_lsb = {0, 0, 250, -64, 63, 240, 1, -1, 251, -512, 511, 239};
-  return samples;
+  return {.sequence = sequence,
+          .time_us = time_us,
+          .period_us = 1000,
+          .cells = {1, 2},
+          .raw_lsb = {0, 0, 250, -64, 63, 240, 1, -1, 251, -512, 511, 239}};
 }
 
 inline Samples meanSamples() {
-  Samples samples;
-  samples.sequence = 44;
-  samples.time_us = 3'000'000;
-  samples.cells = {1, 300};
-  samples.mean_g = {0, 0, 1, 0.5F, 0.5F, -0.75F};
-  samples.variance_g2 = {0.25F, 0.25F, 0.25F, 0, 0, 0.125F};
-  samples.count = {100, 7};
-  samples.temperature_cells = {300};
-  samples.temperature_c = {36.5F};
-  return samples;
+  return {.sequence = 44,
+          .time_us = 3'000'000,
+          .cells = {1, 300},
+          .mean_g = {0, 0, 1, 0.5F, 0.5F, -0.75F},
+          .variance_g2 = {0.25F, 0.25F, 0.25F, 0, 0, 0.125F},
+          .count = {100, 7},
+          .temperature_cells = {300},
+          .temperature_c = {36.5F}};
 }
 
-inline Samples floatSamples() {
-  Samples samples;
-  samples.time_us = 2'000'000;
-  samples.cells = {1};
-  samples.acceleration_g = {0.25F, -0.5F, 0.75F};
-  return samples;
-}
+inline Samples floatSamples() { return {.time_us = 2'000'000, .cells = {1}, .acceleration_g = {0.25F, -0.5F, 0.75F}}; }
 
 /// One of every kind, and of every request.
 inline std::vector<Message> everyMessage() {

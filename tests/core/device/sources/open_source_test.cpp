@@ -1,12 +1,15 @@
 #include "hexoderm/device/sources/open_source.h"
 
 #include "hexoderm/util/error.h"
+#include "tests/support/error_matchers.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 namespace hexoderm {
 namespace {
+
+using test::messageOf;
 
 TEST(OpenSkinSource, KnowsEveryKindOfAddress) {
   for (const char* address : {"tcp://localhost:7700", "tcp://[::1]:7700", "udp://192.168.0.7:1", "serial:/dev/ttyUSB0",
@@ -59,18 +62,10 @@ TEST(OpenSkinSource, SaysWhatItExpected) {
       {"sim:robot?package=x", "NAME=FOLDER"},
       {"sim:robot?urdf=arm.urdf", "a mount for each patch"},
   };
-  const auto refusal = [](auto&& use) -> std::string {
-    try {
-      use();
-      return "";
-    } catch (const InvalidArgument& error) {
-      return error.what();
-    }
-  };
   for (const auto& [address, expected] : cases) {
-    const std::string opening = refusal([&, text = address] { openSkinSource(text); });
+    const std::string opening = messageOf<InvalidArgument>([&, text = address] { openSkinSource(text); });
     EXPECT_THAT(opening, testing::HasSubstr(expected)) << address;
-    EXPECT_EQ(refusal([&, text = address] { checkSkinAddress(text); }), opening) << address;
+    EXPECT_EQ(messageOf<InvalidArgument>([&, text = address] { checkSkinAddress(text); }), opening) << address;
   }
 }
 

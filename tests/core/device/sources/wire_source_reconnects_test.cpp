@@ -9,6 +9,7 @@
 #include <iterator>
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace hexoderm::wire_source_test {
 namespace {
@@ -66,28 +67,27 @@ TEST(WireSource, AStatusNowAndThenIsNoSilence) {
   }));
 }
 
-TEST(WireSource, WaitsLongerAndLongerForADeviceThatIsNotThere) {
+/// What is said one after the other of a device that is not there.
+void expectWaits(const WireOptions& options, const std::vector<std::string>& waits) {
   const AbsentTcpDevice device;
   CollectingListener listener;
-  WireSource source(device.address(), quick());
+  WireSource source(device.address(), options);
   source.start(listener);
-  for (const char* wait : {"0.01 s", "0.02 s", "0.04 s", "0.08 s", "0.10 s"}) {
-    ASSERT_TRUE(listener.waitFor(status(SourceState::Connecting, std::string("next try in ") + wait))) << wait;
+  for (const std::string& wait : waits) {
+    EXPECT_TRUE(listener.waitFor(status(SourceState::Connecting, "next try in " + wait))) << wait;
   }
   source.stop();
   EXPECT_EQ(listener.delivered().status().state, SourceState::Stopped);
 }
 
+TEST(WireSource, WaitsLongerAndLongerForADeviceThatIsNotThere) {
+  expectWaits(quick(), {"0.01 s", "0.02 s", "0.04 s", "0.08 s", "0.10 s"});
+}
+
 TEST(WireSource, CountsTheSecondsToTheNextTryDown) {
-  const AbsentTcpDevice device;
-  CollectingListener listener;
   WireOptions options = quick();
   options.first_retry = options.longest_retry = std::chrono::seconds(3);
-  WireSource source(device.address(), options);
-  source.start(listener);
-  for (const char* left : {"3 s", "2 s", "1 s"}) {
-    ASSERT_TRUE(listener.waitFor(status(SourceState::Connecting, std::string("next try in ") + left))) << left;
-  }
+  expectWaits(options, {"3 s", "2 s", "1 s"});
 }
 
 TEST(WireSource, CountsTheSecondsOfSilenceDownToTheNextConnection) {

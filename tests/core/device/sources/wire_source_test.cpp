@@ -1,13 +1,10 @@
 #include "hexoderm/device/sources/wire_source.h"
 
-#include "hexoderm/device/sources/recording.h"
 #include "hexoderm/util/error.h"
 #include "tests/core/device/sources/wire_source_fixture.h"
-#include "tests/support/temporary_folder.h"
 
 #include <gtest/gtest.h>
 #include <cstdint>
-#include <filesystem>
 
 namespace hexoderm::wire_source_test {
 namespace {
@@ -57,28 +54,6 @@ TEST(WireSource, UdpDevicesAreAskedAndKeptSending) {
   EXPECT_EQ(again.request, skinwire::Request(skinwire::Describe{3}));
 }
 
-TEST(WireSource, AUdpDeviceWhoseClockIsSetIsTakenUpAgain) {
-  auto [device, listener, source] = started<UdpDevice>();
-  describeWhenAsked(device);
-  std::size_t delivered = 0;
-  // As after an hour, after the device was restarted without a word, and after its clock ran away for one message.
-  for (const std::uint64_t start_us : {3'600'000'000UL, 0UL, skinwire::kMaxTime_us - 10'000, 500'000UL}) {
-    // A second of the device's time.
-    for (std::uint64_t k = 0; k < 10; ++k) {
-      if (start_us + 100'000 * k > skinwire::kMaxTime_us - 10'000) break;
-      device.send(skinwire::rawSamples(4 * k, start_us + 100'000 * k));
-    }
-    const double latest_s = static_cast<double>(start_us) / 1e6;
-    ASSERT_TRUE(listener.waitFor([&](const Delivered& d) {
-      return d.frames.size() > delivered && d.frames.back().time_s >= latest_s && d.frames.back().time_s < latest_s + 2;
-    })) << start_us;
-    delivered = listener.delivered().frames.size();
-  }
-  source.stop();
-  EXPECT_EQ(listener.delivered().status().reconnects, 0U);
-  EXPECT_EQ(listener.delivered().status().clock_restarts, 2U);
-}
-
 TEST(WireSource, DeliversFromASerialPortAfterGarbage) {
   auto [device, listener, source] = started<SerialDevice>(patient(), "?baud=921600");
   EXPECT_EQ(device.receive().request, skinwire::Request(skinwire::Describe{}));
@@ -93,40 +68,6 @@ TEST(WireSource, DeliversFromASerialPortAfterGarbage) {
   EXPECT_EQ(device.receive(), (skinwire::Command{led, skinwire::SetLed{1, 1, 2, 3}}));
   source.stop();
   EXPECT_EQ(listener.delivered().status().rejected_messages, 2U);
-}
-
-TEST(WireSource, ALooseLinkNeitherFillsARecordingNorDelaysStopping) {
-  const test::TemporaryFolder folder;
-  const std::filesystem::path file = folder.path() / "loose.skinrec";
-  TcpDevice device;
-  CollectingListener listener;
-  StreamRecorder recorder(file, listener);
-  WireSource source(device.address(), patient());
-  source.start(recorder);
-  DeviceConnection connection = device.accept();
-  // 1,000 cells in a row, of which the last is there and not there.
-  skinwire::Topology whole{1, 0, 1, {}};
-  for (std::uint32_t id = 1; id <= 1000; ++id) whole.cells.push_back({CellId(id), "", {}});
-  skinwire::Topology without = whole;
-  without.id = 2;
-  without.cells.pop_back();
-  connection.send(skinwire::helloMessage());
-  constexpr std::uint64_t kFlaps = 2000;
-  for (std::uint64_t k = 0; k < kFlaps; ++k) {
-    connection.send(whole);
-    connection.send(without);
-  }
-  connection.send(skinwire::Status{"that was all", false, 0, 0});
-  ASSERT_TRUE(listener.waitFor([](const Delivered& d) { return !d.device_statuses.empty(); }));
-  source.stop();
-  recorder.finish();
-  const Delivered delivered = listener.delivered();
-  EXPECT_EQ(delivered.status().skin_changes, 2 * kFlaps - 1);
-  EXPECT_EQ(delivered.skins.back().neighbors.size(), 999U);
-  // The change that waits is passed on when it ends; else as many as the time that a busy computer takes allows.
-  EXPECT_LT(delivered.skins.size(), 100U);
-  const std::size_t one = skinwire::encodeBody(whole).size() + skinwire::encodeBody(skinwire::helloMessage()).size();
-  EXPECT_LT(std::filesystem::file_size(file), (delivered.skins.size() + 1) * (one + 100));
 }
 
 TEST(WireSource, StopsInEveryState) {
@@ -144,8 +85,7 @@ TEST(WireSource, StopsInEveryState) {
 }
 
 TEST(WireSource, OptionsWithoutSenseAreRefused) {
-  WireOptions options;
-  options.first_retry = milliseconds(0);
+  WireOptions options{.first_retry = milliseconds(0)};
   EXPECT_THROW(WireSource("tcp://localhost:1", options), InvalidArgument);
   options = {};
   options.reconnect_after = milliseconds(10);

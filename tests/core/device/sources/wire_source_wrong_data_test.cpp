@@ -10,21 +10,6 @@
 namespace hexoderm::wire_source_test {
 namespace {
 
-TEST(WireSource, HalfAFrameIsNeverDelivered) {
-  auto [device, listener, source] = started<TcpDevice>();
-  {
-    DeviceConnection connection = device.accept();
-    describe(connection);
-    const skinwire::Bytes frame = skinwire::encodeFrame(Framing::Length, skinwire::rawSamples(0, 1000));
-    connection.sendBytes(skinwire::ByteView(frame).first(frame.size() - 1));
-  }
-  DeviceConnection connection = device.accept();
-  describe(connection);
-  connection.send(skinwire::rawSamples(0, 9000));
-  ASSERT_TRUE(listener.waitFor(frames(2)));
-  EXPECT_EQ(listener.delivered().frames[0].time_s, 0.009);
-}
-
 TEST(WireSource, BrokenDataOnTcpIsNamedAndTheConnectionMadeAnew) {
   skinwire::Bytes wrong_crc = skinwire::encodeFrame(Framing::Length, skinwire::rawSamples(0, 1000));
   wrong_crc[10] ^= 4U;
@@ -44,19 +29,6 @@ TEST(WireSource, BrokenDataOnTcpIsNamedAndTheConnectionMadeAnew) {
     ASSERT_TRUE(listener.waitFor(frames(2)));
     EXPECT_EQ(listener.delivered().frames.size(), 2U);
   }
-}
-
-TEST(WireSource, BrokenLinesAreCountedAndSkipped) {
-  auto [device, listener, source] = started<TcpDevice>();
-  DeviceConnection connection = device.accept(Framing::Lines);
-  describe(connection);
-  const std::string garbage = "{\"samples\": {\"cells\": [1], \"acceleration_g\": [0, 0]}}\nhello?\n";
-  connection.sendBytes(skinwire::Bytes(garbage.begin(), garbage.end()));
-  connection.send(skinwire::rawSamples(0, 1000));
-  ASSERT_TRUE(listener.waitFor(frames(2)));
-  source.stop();
-  EXPECT_EQ(listener.delivered().status().rejected_messages, 2U);
-  EXPECT_EQ(listener.delivered().status().reconnects, 0U);
 }
 
 TEST(WireSource, AnotherMajorVersionIsNamedAndNotTriedAgain) {

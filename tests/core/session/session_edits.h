@@ -1,0 +1,70 @@
+#pragma once
+
+#include "hexoderm/session/session_edit.h"
+#include "tests/support/session_matchers.h"
+
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+namespace hexoderm::test {
+
+inline SessionPose namedPose(std::uint32_t id) {
+  return {std::make_shared<const PoseCapture>(PoseCapture{PoseId(id), message("pose {}", id), {}}), false};
+}
+
+inline const LinkEnd kA{CellId(1), PortNumber(2)};
+inline const LinkEnd kB{CellId(2), PortNumber(3)};
+
+/// Three poses, with something of everything that edits change.
+inline Session threePoses() {
+  Session session(builtInCellModel("hex-bma150"), {{CellId(1), "", {}}, {CellId(2), "", {}}});
+  for (std::uint32_t id : {4U, 5U, 6U}) session.addPose(namedPose(id));
+  session.setPoseDisabled(1, true, "someone leaned on the arm");
+  session.setJointAngles(2, {{{"elbow", 1.5}}});
+  session.setLinkMuted(kA, kB, true, "a cable");
+  session.setRobot(RobotDescription{"arm.urdf", "00", {}});
+  session.setPlacement(placementWithEverything(CellId(1)));
+  return session;
+}
+
+inline PatchPlacement emptyPlacement(CellId origin) {
+  PatchPlacement placement;
+  placement.origin = origin;
+  return placement;
+}
+
+inline PatchPlacement onLink(CellId origin, const char* link) {
+  PatchPlacement placement = emptyPlacement(origin);
+  placement.link = link;
+  return placement;
+}
+
+/// Edits of every kind that threePoses() takes.
+inline std::vector<SessionEdit> edits() {
+  CellModel model = builtInCellModel("hex-bma150");
+  model.name = "another";
+  return {AddPose{namedPose(9)},
+          AddPose{namedPose(9), 1},
+          RemovePose{0},
+          RemovePose{1},
+          RestorePose{namedPose(3), 2},
+          SetPoseDisabled{0, true, "too warm"},
+          SetPoseDisabled{1, false, ""},
+          SetPoseDisabled{1, true, "for another reason"},
+          SetJointAngles{0, {{{"elbow", 0.1}}}},
+          SetJointAngles{2, {{{"elbow", -0.1}, {"wrist", 3}}}},
+          SetJointAngles{2, {}},
+          SetLinkMuted{kB, kA, false, ""},
+          SetLinkMuted{kA, kB, true, "for another reason"},
+          SetLinkMuted{kA, {CellId(2), PortNumber(1)}, true, "a joint"},
+          SetRobot{RobotDescription{"other.urdf", "11", {{"arm", "/arm"}}}},
+          SetRobot{},
+          SetPatchPlacement{onLink(CellId(2), "hand")},
+          SetPatchPlacement{onLink(CellId(1), "hand")},
+          SetPatchPlacement{emptyPlacement(CellId(1))},
+          SetPatchPlacement{emptyPlacement(CellId(2))},
+          SetSkin{std::make_shared<const CellModel>(model), {{CellId(1), "elbow", {}}}}};
+}
+
+}  // namespace hexoderm::test
