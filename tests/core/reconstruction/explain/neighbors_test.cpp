@@ -3,9 +3,7 @@
 #include "hexoderm/device/simulation/simulated_skin.h"
 #include "hexoderm/reconstruction/faults/suspects.h"
 #include "hexoderm/session/simulated_session.h"
-#include "hexoderm/util/error.h"
 #include "tests/support/changed_session.h"
-#include "tests/support/error_matchers.h"
 #include "tests/support/pin_jointed_skin.h"
 
 #include <gmock/gmock.h>
@@ -26,15 +24,6 @@ void explainAll(Estimate& estimate) {
     if (!explanation) return;
     estimate.exclude(std::move(*explanation));
   }
-}
-
-TEST(Neighbors, ASoundSkinStaysAsItIs) {
-  const auto snapshot = bentX17().session(orthogonalUps(4)).snapshot();
-  const SolverOptions options;
-  Estimate estimate(*snapshot, options);
-  explainAll(estimate);
-  EXPECT_THAT(estimate.findings(), IsEmpty());
-  for (const GraphLink& link : estimate.skin().graph().links()) EXPECT_FALSE(link.muted());
 }
 
 TEST(Neighbors, ACellThatContradictsItsNeighboursIsDroppedInsteadOfItsLinks) {
@@ -122,33 +111,6 @@ TEST(Estimate, LeavesAtOnceWhenItIsStopped) {
   stop.request_stop();
   EXPECT_EQ(estimate.bringTo(Estimate::Stage::Links, stop.get_token()), Completion::Stopped);
   EXPECT_THAT(estimate.skin().edges(), IsEmpty());
-}
-
-TEST(Estimate, LeavingOutDropsTheReadingsOfACell) {
-  const auto snapshot = bentX17().session(orthogonalUps(2)).snapshot();
-  SolverOptions options;
-  options.left_out = {CellId(4)};
-  Estimate estimate(*snapshot, options);
-  ASSERT_EQ(estimate.bringTo(Estimate::Stage::Links, {}), Completion::Finished);
-  EXPECT_FALSE(estimate.skin().readings().measured(*estimate.skin().graph().indexOf(CellId(4))));
-  EXPECT_THAT(estimate.findings(), ElementsAre(Field(&Finding::code, FindingCode::LeftOut)));
-  options.left_out = {CellId(99)};
-  EXPECT_THAT(test::messageOf<InvalidArgument>([&] { static_cast<void>(Estimate(*snapshot, options)); }),
-              ::testing::HasSubstr("99"));
-}
-
-TEST(Estimate, LinksSetAsideAreMutedAndThePatchEndsThere) {
-  Session session = bentX17().session(orthogonalUps(2));
-  const SkinGraph graph(session.model(), session.neighbors());
-  ASSERT_EQ(graph.patches().size(), 1U);
-  const GraphLink& link = graph.links().front();
-  session.setLinkMuted(graph.sourceEnd(link), graph.targetEnd(link), true, "a cable");
-  const auto snapshot = session.snapshot();
-  const SolverOptions options;
-  const Estimate estimate(*snapshot, options);
-  EXPECT_EQ(estimate.skin().graph().links().front().muted_by, FindingCode::LinkSetAside);
-  EXPECT_EQ(estimate.skin().graph().patches().size(), 2U);
-  EXPECT_THAT(estimate.findings(), ElementsAre(Field(&Finding::code, FindingCode::LinkSetAside)));
 }
 
 }  // namespace
