@@ -11,6 +11,7 @@
 #include <cmath>
 #include <functional>
 #include <regex>
+#include <tuple>
 
 namespace hexoderm {
 namespace {
@@ -222,36 +223,34 @@ TEST(Links, APatchOnNoLinkIsOnNone) {
 
 // --- mistakes in the angles
 
-TEST(Links, DegreesReadAsRadiansAreNoticed) {
-  const DrawnArmOptions options{.poses = 8, .range_rad = 1.2};
+/// With a mistake in the angles of every pose.
+LinksResult findWith(const DrawnArmOptions& options, const std::function<void(JointAngles&)>& mistake) {
   DrawnArm arm(options);
-  for (auto& [pose, angles] : arm.angles) {
-    for (auto& [joint, angle] : angles.positions) angle = toDegrees(angle);
-  }
-  EXPECT_THAT(findingsOf(arm.find()),
+  for (auto& [pose, angles] : arm.angles) mistake(angles);
+  return arm.find();
+}
+
+TEST(Links, DegreesReadAsRadiansAreNoticed) {
+  const auto findingsWith = [](double factor) {
+    return findingsOf(findWith({.poses = 8, .range_rad = 1.2}, [factor](JointAngles& angles) {
+      for (auto& [joint, angle] : angles.positions) angle *= factor;
+    }));
+  };
+  EXPECT_THAT(findingsWith(toDegrees(1)),
               Contains(HasSubstr("probably degrees that were read as rad: as degrees they fit")));
+  EXPECT_THAT(findingsWith(kDegree), Contains(HasSubstr("probably rad that were read as degrees")));
+}
 
-  DrawnArm other(options);
-  for (auto& [pose, angles] : other.angles) {
-    for (auto& [joint, angle] : angles.positions) angle *= kDegree;
+TEST(Links, AJointThatCountsTheOtherWayRoundOrWhoseZeroIsFarOffIsNamed) {
+  for (const auto& [factor, offset_rad, text] :
+       {std::tuple(-1.0, 0.0, "Joint j4 seems to count its angle the other way round"),
+        std::tuple(1.0, -kPi / 2, "The zero of joint j4 seems to be off by about")}) {
+    const LinksResult result = findWith({.links = {"l6"}, .poses = 8}, [&, f = factor, o = offset_rad](JointAngles& a) {
+      a.positions["j4"] = f * a.positions["j4"] + o;
+    });
+    EXPECT_TRUE(result.patches.front().candidates.empty());
+    EXPECT_THAT(findingsOf(result), Contains(HasSubstr(text)));
   }
-  EXPECT_THAT(findingsOf(other.find()), Contains(HasSubstr("probably rad that were read as degrees")));
-}
-
-TEST(Links, AJointThatCountsTheOtherWayRoundIsNamed) {
-  DrawnArm arm(DrawnArmOptions{.links = {"l6"}, .poses = 8});
-  for (auto& [pose, angles] : arm.angles) angles.positions["j4"] *= -1;
-  const LinksResult result = arm.find();
-  EXPECT_TRUE(result.patches.front().candidates.empty());
-  EXPECT_THAT(findingsOf(result), Contains(HasSubstr("Joint j4 seems to count its angle the other way round")));
-}
-
-TEST(Links, AJointWhoseZeroIsFarOffIsNamed) {
-  DrawnArm arm(DrawnArmOptions{.links = {"l6"}, .poses = 8});
-  for (auto& [pose, angles] : arm.angles) angles.positions["j4"] -= kPi / 2;
-  const LinksResult result = arm.find();
-  EXPECT_TRUE(result.patches.front().candidates.empty());
-  EXPECT_THAT(findingsOf(result), Contains(HasSubstr("The zero of joint j4 seems to be off by about")));
 }
 
 TEST(Links, AnglesThatAreOffByOnePoseAreSaid) {
@@ -345,6 +344,22 @@ TEST(Links, BadInputIsRefusedInWords) {
 
 // --- invariances
 
+/// Both place all patches alike: on links whose names end alike, and turned by Q against each other.
+void expectSameLinks(const LinksResult& before, const LinksResult& after,
+                     const Eigen::Matrix3d& Q = Eigen::Matrix3d::Identity()) {
+  ASSERT_EQ(before.patches.size(), after.patches.size());
+  for (std::size_t k = 0; k < before.patches.size(); ++k) {
+    ASSERT_TRUE(before.patches[k].placed && after.patches[k].placed);
+    const PatchTurn& turn = *before.patches[k].placed;
+    const PatchTurn& other = *after.patches[k].placed;
+    EXPECT_THAT(other.link, ::testing::EndsWith(turn.link));
+    EXPECT_LT((turn.R_l_o * Q - other.R_l_o).norm(), 1e-6);
+    EXPECT_LT((Q.transpose() * turn.covariance * Q - other.covariance).norm(), 1e-6);
+    EXPECT_EQ(before.patches[k].candidates.size(), after.patches[k].candidates.size());
+  }
+  EXPECT_NEAR(before.robot->chi_squared, after.robot->chi_squared, 1e-6);
+}
+
 TEST(Links, DoNotDependOnThePatchsFrame) {
   const DrawnArm arm(DrawnArmOptions{});
   DrawnArm turned = arm;
@@ -353,16 +368,7 @@ TEST(Links, DoNotDependOnThePatchsFrame) {
     turned.reconstruction.patches[k] =
         patchThatSaw(turnedBy(Q.transpose(), arm.seen[k]), static_cast<std::uint32_t>(k));
   }
-  const LinksResult before = arm.find();
-  const LinksResult after = turned.find();
-  for (std::size_t k = 0; k < before.patches.size(); ++k) {
-    ASSERT_TRUE(before.patches[k].placed && after.patches[k].placed);
-    EXPECT_EQ(before.patches[k].placed->link, after.patches[k].placed->link);
-    EXPECT_NEAR(before.patches[k].candidates[0].chi_squared, after.patches[k].candidates[0].chi_squared, 1e-6);
-    EXPECT_LT((before.patches[k].placed->R_l_o * Q - after.patches[k].placed->R_l_o).norm(), 1e-6);
-    EXPECT_LT((Q.transpose() * before.patches[k].placed->covariance * Q - after.patches[k].placed->covariance).norm(),
-              1e-6);
-  }
+  expectSameLinks(arm.find(), turned.find(), Q);
 }
 
 /// The same robot, with links and joints called otherwise and written in the opposite order.
@@ -384,16 +390,7 @@ std::string renamedArm() {
 TEST(Links, DoNotDependOnNamesAndOrderOfTheFile) {
   const DrawnArm arm(DrawnArmOptions{});
   const RobotModel renamed = RobotModel::parse(renamedArm(), "renamed.urdf");
-  LinksOptions find = withoutLever();
-  const LinksResult before = arm.find(find);
-  const LinksResult after = findLinks(arm.reconstruction, renamed, arm.angles, find);
-  for (std::size_t k = 0; k < before.patches.size(); ++k) {
-    ASSERT_TRUE(before.patches[k].placed && after.patches[k].placed);
-    EXPECT_THAT(after.patches[k].placed->link, ::testing::EndsWith("_" + before.patches[k].placed->link));
-    EXPECT_LT((before.patches[k].placed->R_l_o - after.patches[k].placed->R_l_o).norm(), 1e-6);
-    ASSERT_EQ(before.patches[k].candidates.size(), after.patches[k].candidates.size());
-  }
-  EXPECT_NEAR(before.robot->chi_squared, after.robot->chi_squared, 1e-6);
+  expectSameLinks(arm.find(), findLinks(arm.reconstruction, renamed, arm.angles, withoutLever()));
 }
 
 // A robot that hangs from the ceiling.
@@ -405,12 +402,7 @@ TEST(Links, TheBaseMayStandOtherwise) {
   LinksOptions find = withoutLever();
   const LinksResult standing = arm.find(find);
   find.up_w = -2 * Eigen::Vector3d::UnitZ();
-  const LinksResult hanging = findLinks(arm.reconstruction, RobotModel::parse(hung, "hung.urdf"), arm.angles, find);
-  for (std::size_t k = 0; k < standing.patches.size(); ++k) {
-    ASSERT_TRUE(standing.patches[k].placed && hanging.patches[k].placed);
-    EXPECT_EQ(standing.patches[k].placed->link, hanging.patches[k].placed->link);
-    EXPECT_LT((standing.patches[k].placed->R_l_o - hanging.patches[k].placed->R_l_o).norm(), 1e-6);
-  }
+  expectSameLinks(standing, findLinks(arm.reconstruction, RobotModel::parse(hung, "hung.urdf"), arm.angles, find));
 }
 
 }  // namespace
