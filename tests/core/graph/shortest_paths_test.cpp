@@ -5,7 +5,6 @@
 
 #include <gmock/gmock.h>
 
-#include <functional>
 #include <limits>
 #include <random>
 
@@ -21,52 +20,6 @@ CellModel bigModel() {
   CellModel model = builtInCellModel("hex-bma150");
   model.interface_id = CellId(std::numeric_limits<std::uint32_t>::max());
   return model;
-}
-
-/// The definition, cell by cell.
-std::size_t originByAllPairs(const SkinGraph& graph, const std::vector<double>& weights, std::size_t patch) {
-  std::size_t best = kNoIndex;
-  double best_sum = std::numeric_limits<double>::infinity();
-  for (const std::size_t cell : graph.patches()[patch]) {
-    const ShortestPaths paths = findShortestPaths(graph, weights, cell);
-    double sum = 0;
-    for (const double distance : paths.distance) sum += distance;
-    if (best == kNoIndex || sum < best_sum * (1 - 1e-9)) {
-      best = cell;
-      best_sum = sum;
-    }
-  }
-  return best;
-}
-
-TEST(Origin, AgreesWithAllPairsOnSheetsTubesAndTrees) {
-  std::mt19937 random(1);
-  std::uniform_int_distribution<int> whole(1, 3);
-  std::uniform_real_distribution<double> real(0.5, 4);
-  const std::vector<std::function<double()>> draws = {[] { return 1; }, [&] { return whole(random); },
-                                                      [&] { return real(random); }};
-  std::vector<NeighborList> skins = {listOfSheet(1, 1), listOfSheet(1, 9), listOfSheet(5, 7), listOfSheet(14, 15),
-                                     listOfSheet(6, 16, true)};
-  for (int k = 0; k < 4; ++k) {
-    // A random tree; a cell whose parent has no port left starts a patch of its own.
-    NeighborList tree = listOfCells(120);
-    for (std::uint32_t id = 2; id <= 120; ++id) {
-      const std::uint32_t parent = std::uniform_int_distribution<std::uint32_t>(id > 3 ? id / 3 : 1, id - 1)(random);
-      const auto port = static_cast<std::uint32_t>(1 + tree[parent - 1].neighbors.size());
-      if (port <= 4) joinCells(tree, parent, port, id, 1);
-    }
-    skins.push_back(tree);
-  }
-  for (const NeighborList& skin : skins) {
-    const SkinGraph graph(bigModel(), skin);
-    for (const auto& draw : draws) {
-      std::vector<double> weights(graph.links().size());
-      std::ranges::generate(weights, draw);
-      for (std::size_t patch = 0; patch < graph.patches().size(); ++patch) {
-        EXPECT_EQ(findOrigin(graph, weights, patch), originByAllPairs(graph, weights, patch));
-      }
-    }
-  }
 }
 
 TEST(Origin, RealWeightsOfALargePatchTakeFewRuns) {
