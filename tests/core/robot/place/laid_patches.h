@@ -83,6 +83,13 @@ inline LaidPatch layPatch(const TriangleMesh& mesh, const SE3& T_l_near, std::ui
   return laid;
 }
 
+/// A long cylinder about the link's z, and an x17 that lies on it.
+struct OnCylinder {
+  double radius_m = 0.05;
+  TriangleMesh mesh = meshOfCylinder(radius_m, 0.4);
+  LaidPatch laid = layPatch(mesh, {rotationFromRpy({0, 0, kPi / 2}), {0.06, 0, 0.02}});
+};
+
 inline PlaceTask surfaceTask(const TriangleMesh& mesh, const LaidPatch& laid) {
   PlaceTask task;
   task.link = "link";
