@@ -4,6 +4,7 @@
 #include "hexoderm/util/units.h"
 #include "tests/support/changed_session.h"
 #include "tests/support/matchers.h"
+#include "tests/support/options.h"
 #include "tests/support/pin_jointed_skin.h"
 #include "tests/support/simulated_skins.h"
 #include "tests/support/solvers.h"
@@ -272,9 +273,8 @@ TEST(HoldOut, StopsWhenAskedAndRefusesUnknownPoses) {
   stop.request_stop();
   EXPECT_EQ(evaluateHoldOut(*session.snapshot(), PoseId(1), {}, stop.get_token()).outcome, HoldOutOutcome::Stopped);
   EXPECT_THROW(evaluateHoldOut(*session.snapshot(), PoseId(9)), InvalidArgument);
-  SolverOptions bad;
-  bad.max_misfit = -1;
-  EXPECT_THROW(evaluateHoldOut(*session.snapshot(), PoseId(1), bad), InvalidArgument);
+  EXPECT_THROW(evaluateHoldOut(*session.snapshot(), PoseId(1), test::with(&SolverOptions::max_misfit, -1)),
+               InvalidArgument);
 }
 
 }  // namespace

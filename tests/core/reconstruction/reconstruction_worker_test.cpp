@@ -1,6 +1,7 @@
 #include "hexoderm/reconstruction/reconstruction_worker.h"
 
 #include "hexoderm/util/error.h"
+#include "tests/support/options.h"
 
 #include <gmock/gmock.h>
 
@@ -66,9 +67,7 @@ TEST(ReconstructionWorker, SolvesASnapshotAndSaysWhichRevisionItWas) {
 TEST(ReconstructionWorker, AnErrorBecomesAnOutcomeAndTheWorkerGoesOn) {
   Outcomes outcomes;
   ReconstructionWorker worker(outcomes.report());
-  SolverOptions impossible;
-  impossible.class_threshold = -1;
-  worker.submit(snapshotOf(1), impossible);
+  worker.submit(snapshotOf(1), test::with(&SolverOptions::class_threshold, -1));
   outcomes.waitFor(1);
   worker.submit(snapshotOf(2), {});
   const std::vector<ReconstructionOutcome> seen = outcomes.waitFor(2);

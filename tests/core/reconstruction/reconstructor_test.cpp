@@ -6,6 +6,7 @@
 #include "tests/support/changed_session.h"
 #include "tests/support/error_matchers.h"
 #include "tests/support/matchers.h"
+#include "tests/support/options.h"
 #include "tests/support/pin_jointed_skin.h"
 #include "tests/support/random_vector.h"
 #include "tests/support/solvers.h"
@@ -282,17 +283,11 @@ TEST(Reconstructor, ResidualWeightsAvoidABadEdge) {
 
 TEST(Reconstructor, RefusesOptionsOutOfRange) {
   const Session session = bentX17().session({});
-  SolverOptions options;
-  options.max_misfit = 0;
-  EXPECT_THROW(solve(session, options), InvalidArgument);
-  options = {};
-  options.class_threshold = 0;
-  EXPECT_THROW(solve(session, options), InvalidArgument);
-  options.class_threshold = std::nan("");
-  EXPECT_THROW(solve(session, options), InvalidArgument);
-  options = {};
-  options.left_out = {CellId(99)};
-  EXPECT_THAT(test::messageOf<InvalidArgument>([&] { solve(session, options); }), ::testing::HasSubstr("99"));
+  EXPECT_THROW(solve(session, test::with(&SolverOptions::max_misfit, 0)), InvalidArgument);
+  EXPECT_THROW(solve(session, test::with(&SolverOptions::class_threshold, 0)), InvalidArgument);
+  EXPECT_THROW(solve(session, test::with(&SolverOptions::class_threshold, std::nan(""))), InvalidArgument);
+  const auto without_99 = test::with(&SolverOptions::left_out, {CellId(99)});
+  EXPECT_THAT(test::messageOf<InvalidArgument>([&] { solve(session, without_99); }), ::testing::HasSubstr("99"));
   EXPECT_THROW(solverFromName("magic"), InvalidArgument);
   EXPECT_THROW(gapModelFromName("rubber"), InvalidArgument);
   for (const Solver solver : {Solver::Global, Solver::Tree}) EXPECT_EQ(solverFromName(solverName(solver)), solver);

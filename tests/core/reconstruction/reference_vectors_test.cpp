@@ -22,13 +22,6 @@ Session load(const std::string& name) {
   return readSessionJson(std::string(HEXODERM_TEST_DATA) + "/vectors/" + name + ".session.json");
 }
 
-SolverOptions paper() {
-  SolverOptions options = test::by(Solver::Tree);
-  options.centring = Centring::Off;
-  options.support_axes = SupportAxes::Off;
-  return options;
-}
-
 /// The files' cells lie one pitch apart along the surface: the arc is what was simulated.
 SolverOptions jointWithArc() { return test::by(Solver::Global, GapModel::Arc); }
 
@@ -59,14 +52,14 @@ void PrintTo(const Row& row, std::ostream* out) { *out << row.name; }
 class ReferenceVectors : public ::testing::TestWithParam<Row> {};
 
 TEST_P(ReferenceVectors, PapersMethodAgreesWithAnIndependentImplementation) {
-  const Errors errors = errorsOf(load(GetParam().name), paper());
+  const Errors errors = errorsOf(load(GetParam().name), test::papersMethod());
   EXPECT_NEAR(errors.position_mm, GetParam().position_mm, tolerance(GetParam().position_mm));
   EXPECT_NEAR(errors.orientation_deg, GetParam().orientation_deg, tolerance(GetParam().orientation_deg));
 }
 
 TEST_P(ReferenceVectors, DefaultsOfBothSolversAreAtMostAsFarOff) {
   const Session session = load(GetParam().name);
-  const Errors with_papers_method = errorsOf(session, paper());
+  const Errors with_papers_method = errorsOf(session, test::papersMethod());
   const Errors by_tree = errorsOf(session, test::by(Solver::Tree));
   EXPECT_LE(by_tree.position_mm, with_papers_method.position_mm + 1e-9);
   EXPECT_LE(by_tree.orientation_deg, with_papers_method.orientation_deg + 1e-9);
@@ -99,7 +92,7 @@ INSTANTIATE_TEST_SUITE_P(Files, JointReferenceVectors,
 
 TEST(ReferenceVectorsWithLoops, OrientationOfPlane25Agrees) {
   const Session session = load("plane25_p3");
-  const Errors errors = errorsOf(session, paper());
+  const Errors errors = errorsOf(session, test::papersMethod());
   EXPECT_NEAR(errors.orientation_deg, 3.68, 0.02 * 3.68);
   for (const SolverOptions& options : {test::by(Solver::Tree), SolverOptions()}) {
     const Errors with_defaults = errorsOf(session, options);
@@ -114,7 +107,7 @@ TEST(ReferenceVectorsCylinder, X17AgreesInRadiusAndDistanceAndTheJointEstimateIs
     const auto result = reconstruct(*session.snapshot(), options);
     return evaluateSurface(result->patches.front(), SurfaceKind::Cylinder, 0.0501);
   };
-  const SurfaceEvaluation by_paper = cylinderBy(paper());
+  const SurfaceEvaluation by_paper = cylinderBy(test::papersMethod());
   EXPECT_NEAR(toMillimetres(*by_paper.delta_m), -0.295, 0.005);
   EXPECT_NEAR(toMillimetres(*by_paper.epsilon_m), 0.978, 0.0098);
   const SurfaceEvaluation joint = cylinderBy(jointWithArc());
@@ -124,7 +117,7 @@ TEST(ReferenceVectorsCylinder, X17AgreesInRadiusAndDistanceAndTheJointEstimateIs
 
 TEST(ReferenceVectorsOrigin, IsThatOfTheIndependentImplementation) {
   for (const auto& [name, origin] : {std::pair("x17_cyl_p2", CellId(1)), std::pair("ring8_p6", CellId(4))}) {
-    EXPECT_EQ(reconstruct(*load(name).snapshot(), paper())->patches.front().origin, origin) << name;
+    EXPECT_EQ(reconstruct(*load(name).snapshot(), test::papersMethod())->patches.front().origin, origin) << name;
   }
 }
 

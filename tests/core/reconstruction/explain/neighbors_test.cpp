@@ -1,10 +1,9 @@
 #include "hexoderm/reconstruction/explain/explainer.h"
 
-#include "hexoderm/device/simulation/simulated_skin.h"
 #include "hexoderm/reconstruction/faults/suspects.h"
-#include "hexoderm/session/simulated_session.h"
 #include "tests/support/changed_session.h"
 #include "tests/support/pin_jointed_skin.h"
+#include "tests/support/simulated_skins.h"
 
 #include <gmock/gmock.h>
 
@@ -67,16 +66,12 @@ void expectSameEdges(const SkinLinks& a, const SkinLinks& b) {
 
 TEST(NeighborsOfManyCells, AreJudgedTheSameToTheLastBitAndCostsNoMoreThanTheLinksConcerned) {
   for (const std::uint64_t seed : {3U, 104U, 105U}) {
-    SimulatedSkinOptions options;
-    options.patch = "sheet:12x13";
-    options.surface = "cylinder:r=0.1";
-    options.seed = seed;
+    SimulatedSkinOptions options = test::skinOptions("sheet:12x13", "cylinder:r=0.1", seed);
     // Some stand beside each other, so that what a cell without readings is guessed to read depends on others.
     for (const std::uint32_t id : {20U, 21U, 34U, 47U, 60U, 90U, 103U, 120U, 140U}) {
       options.faults.push_back({SkinFault::WrongGain, CellId(id)});
     }
-    SimulatedSkin skin(builtInCellModel("hex-bma150"), options);
-    const auto snapshot = simulateSession(skin, 4).snapshot();
+    const auto snapshot = test::simulatedSession(options, 4).snapshot();
     const SolverOptions solver;
     std::vector<Finding> findings;
     SkinLinks all(*snapshot, solver, findings);

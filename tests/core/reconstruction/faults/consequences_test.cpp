@@ -3,6 +3,7 @@
 #include "hexoderm/reconstruction/faults/requested_exclusions.h"
 #include "hexoderm/util/units.h"
 #include "tests/support/changed_session.h"
+#include "tests/support/options.h"
 #include "tests/support/pin_jointed_skin.h"
 
 #include <gmock/gmock.h>
@@ -39,9 +40,7 @@ std::vector<Finding> saidOf(const Session& session, const SolverOptions& options
 }
 
 std::vector<Finding> saidWithout(CellId cell) {
-  SolverOptions options;
-  options.left_out = {cell};
-  return saidOf(bentX17().session(orthogonalUps(3)), options);
+  return saidOf(bentX17().session(orthogonalUps(3)), test::with(&SolverOptions::left_out, {cell}));
 }
 
 TEST(Consequences, ATreeIsSplitWhereALinkIsSetAside) {

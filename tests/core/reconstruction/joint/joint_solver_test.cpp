@@ -5,6 +5,7 @@
 #include "hexoderm/util/error.h"
 #include "tests/core/reconstruction/joint/joint_case.h"
 #include "tests/support/matchers.h"
+#include "tests/support/options.h"
 #include "tests/support/pin_jointed_skin.h"
 
 #include <Eigen/Eigenvalues>
@@ -353,8 +354,7 @@ TEST(JointSolver, TheStartDoesNotMatter) {
   JointCase example = simulatedCase(test::skinOptions("sheet:5x5", "cylinder:r=0.06"), 3, kFitGap);
   const JointSolution near = solveJointly(example.problem, example.truth);
   // The way is long if most links are beyond the loss's threshold.
-  JointSolverOptions patient;
-  patient.max_iterations = 300;
+  const auto patient = test::with(&JointSolverOptions::max_iterations, 300);
   for (std::uint64_t seed = 1; seed <= 10; ++seed) {
     const JointSolution far =
         solveJointly(example.problem, perturbed(example.problem, example.truth, 0.2, 0.005, seed), patient);
@@ -368,17 +368,15 @@ TEST(JointSolver, StopsWhereItIsWhenAsked) {
   const JointCase example = simulatedCase(test::skinOptions("x17"), 3, kFitGap);
   std::stop_source source;
   source.request_stop();
-  JointSolverOptions options;
-  options.stop = source.get_token();
   const JointState start = perturbed(example.problem, example.truth, 0.1, 0.001, 3);
-  const JointSolution solution = solveJointly(example.problem, start, options);
+  const JointSolution solution =
+      solveJointly(example.problem, start, test::with(&JointSolverOptions::stop, source.get_token()));
   EXPECT_EQ(solution.termination, JointTermination::Stopped);
   EXPECT_EQ(solution.iterations, 0);
   EXPECT_EQ(solution.state.cells[4].t, start.cells[4].t);
   EXPECT_EQ(solution.covariance, nullptr) << "nobody waits for it";
-  options.stop = {};
-  options.max_iterations = 1;
-  EXPECT_EQ(solveJointly(example.problem, start, options).termination, JointTermination::StepLimit);
+  EXPECT_EQ(solveJointly(example.problem, start, test::with(&JointSolverOptions::max_iterations, 1)).termination,
+            JointTermination::StepLimit);
 }
 
 /// A simulated skin whose readings are as mixed as they get: some are missing, some far off, some less certain; a cell
@@ -406,11 +404,11 @@ TEST(JointOrder, OptimumAndCovarianceAreTheSameInBothOrders) {
     for (const std::size_t poses : {2U, 4U, 40U}) {
       for (const GapShare& gap : {kFitGap, kArcGap}) {
         const JointCase example = mixedCase(patch, poses, gap);
-        JointSolverOptions options;
-        options.order = JointOrder::CellsFirst;
-        const JointSolution a = solveJointly(example.problem, example.truth, options);
-        options.order = JointOrder::PosesFirst;
-        const JointSolution b = solveJointly(example.problem, example.truth, options);
+        const auto solveBy = [&](JointOrder order) {
+          return solveJointly(example.problem, example.truth, test::with(&JointSolverOptions::order, order));
+        };
+        const JointSolution a = solveBy(JointOrder::CellsFirst);
+        const JointSolution b = solveBy(JointOrder::PosesFirst);
         const std::string what = std::string(patch) + ", " + std::to_string(poses) + " poses, " + nameOf(gap);
         expectSane(example.problem, b, what);
         EXPECT_EQ(a.iterations, b.iterations) << what;

@@ -5,6 +5,7 @@
 #include "hexoderm/reconstruction/patch/patch_solver.h"
 #include "hexoderm/reconstruction/reconstructor.h"
 #include "tests/support/changed_session.h"
+#include "tests/support/options.h"
 #include "tests/support/simulated_skins.h"
 
 #include <gmock/gmock.h>
@@ -91,9 +92,8 @@ double strictCost(const TreeStart& start) {
 
 void expectFewSteps(int side, std::size_t poses, std::uint64_t seed, int most) {
   const TreeStart start(side, poses, seed);
-  JointSolverOptions options;
-  options.covariance = false;
-  const JointSolution solution = solveJointly(start.problem(), start.state(), options);
+  const JointSolution solution =
+      solveJointly(start.problem(), start.state(), test::with(&JointSolverOptions::covariance, false));
   EXPECT_EQ(solution.termination, JointTermination::Converged) << "seed " << seed;
   EXPECT_LE(solution.iterations, most) << "seed " << seed;
   EXPECT_LE(solution.cost, strictCost(start) * (1 + 1e-6)) << "seed " << seed;

@@ -4,6 +4,7 @@
 
 #include "hexoderm/graph/shortest_paths.h"
 #include "hexoderm/reconstruction/links/skin_links.h"
+#include "tests/support/options.h"
 #include "tests/support/simulated_skins.h"
 
 #include <gmock/gmock.h>
@@ -98,9 +99,7 @@ TEST(EdgeBatches, AgreeWithEdgesOneByOne) {
   constexpr double kTolerance = 1e-12;
   for (const Centring centring : {Centring::Auto, Centring::On, Centring::Off}) {
     for (const std::size_t poses : {2U, 3U, 4U, 7U}) {
-      SolverOptions options;
-      options.centring = centring;
-      Sheet sheet(poses, options);
+      Sheet sheet(poses, test::with(&SolverOptions::centring, centring));
       for (const auto& [name, kernel] : kernels()) {
         SCOPED_TRACE(testing::Message() << name << ", " << poses << " poses");
         const Sheet::Result result = sheet.estimateAndCompare(kernel, kTolerance);
@@ -172,17 +171,13 @@ TEST(EdgeBatches, DegenerateLinksAreLeftToTheCarefulWay) {
 }
 
 TEST(EdgeBatches, SupportAxesAreLeftToTheCarefulWay) {
-  SolverOptions options;
-  options.support_axes = SupportAxes::On;
-  Sheet sheet(3, options);
+  Sheet sheet(3, test::with(&SolverOptions::support_axes, SupportAxes::On));
   EXPECT_EQ(sheet.estimate(EdgeBatches::fastest(), sheet.all()).unusual, sheet.all());
 }
 
 TEST(AttitudeBatches, AgreeWithAttitudesOneByOne) {
   for (const Centring centring : {Centring::Auto, Centring::On}) {
-    SolverOptions options;
-    options.centring = centring;
-    Sheet sheet(4, options);
+    Sheet sheet(4, test::with(&SolverOptions::centring, centring));
     SkinLinks& links = sheet.links();
     links.table().at(11, 2).usable = false;
     links.dropCell(30);

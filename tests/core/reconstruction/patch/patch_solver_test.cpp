@@ -1,9 +1,8 @@
 #include "hexoderm/reconstruction/patch/patch_solver.h"
 
-#include "hexoderm/device/simulation/simulated_skin.h"
 #include "hexoderm/reconstruction/patch/patch_description.h"
-#include "hexoderm/session/simulated_session.h"
 #include "tests/support/pin_jointed_skin.h"
+#include "tests/support/simulated_skins.h"
 
 #include <gmock/gmock.h>
 
@@ -42,10 +41,7 @@ TEST_F(PatchSolverTest, SolvingAddsTheJointEstimate) {
 }
 
 TEST_F(PatchSolverTest, NoMisfitIsMoreThanItsQuickBound) {
-  SimulatedSkinOptions options;
-  options.patch = "sheet:5x5";
-  SimulatedSkin skin(builtInCellModel("hex-bma150"), options);
-  const auto snapshot = simulateSession(skin, 3).snapshot();
+  const auto snapshot = test::simulatedSession(test::skinOptions("sheet:5x5"), 3).snapshot();
   const SolverOptions solver_options;
   SkinLinks links(*snapshot, solver_options, findings_);
   links.estimateEdges();

@@ -7,6 +7,7 @@
 #include "hexoderm/session/session.h"
 #include "hexoderm/util/units.h"
 #include "tests/support/random_vector.h"
+#include "tests/support/simulated_skins.h"
 
 #include <cmath>
 #include <cstdint>
@@ -36,10 +37,7 @@ class JointedSkins {
     model.accelerometer.offset_sigma_g = options.offset_sigma_g;
     model_ = model;
     for (std::size_t k = 0; k < options.body_of_patch.size(); ++k) {
-      SimulatedSkinOptions skin;
-      skin.patch = options.patch;
-      skin.surface = options.surface;
-      skin.seed = options.seed * 1000 + k;
+      const SimulatedSkinOptions skin = test::skinOptions(options.patch, options.surface, options.seed * 1000 + k);
       const SE3 T_body_b{anyRotation(), 0.1 * test::randomVector([&] { return normal(); })};
       patches_.push_back({options.body_of_patch[k], T_body_b, SimulatedSkin(model, skin)});
     }
