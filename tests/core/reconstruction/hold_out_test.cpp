@@ -152,7 +152,7 @@ TEST(HoldOut, APartThatBentInThePoseIsFound) {
   for (const auto& [poses, angle] : {std::pair(4U, 10 * kDegree), std::pair(6U, 3 * kDegree)}) {
     SimulatedSkin skin = test::simulatedSkin();
     const Session session = inThirdPose(simulateSession(skin, poses), [&, angle = angle](GravitySample& sample) {
-      const SE3& T_b_u = std::ranges::find(skin.truth(), sample.cell, &TrueCell::id)->T_b_u;
+      const SE3& T_b_u = test::truePlacement(skin, sample.cell);
       const Eigen::Vector3d turn = angle * Eigen::Vector3d(0.3, 0.5, 0.8).normalized();
       if (T_b_u.t.y() > 0) sample.mean_g = T_b_u.R.transpose() * expSO3(turn) * T_b_u.R * sample.mean_g;
     });
@@ -175,7 +175,7 @@ TEST(HoldOut, APartThatWasTurnedWhileItWasReadIsFoundThoughItsReadingsAgree) {
   SimulatedSkin skin = test::simulatedSkin();
   const Session still = simulateSession(skin, 6);
   const Session session = inThirdPose(still, [&](GravitySample& sample) {
-    const SE3& T_b_u = std::ranges::find(skin.truth(), sample.cell, &TrueCell::id)->T_b_u;
+    const SE3& T_b_u = test::truePlacement(skin, sample.cell);
     const Eigen::Vector3d swing = Eigen::Vector3d(6, -8, 0) / kStandardGravity;
     sample.mean_g += T_b_u.R.transpose() * swing.cross(T_b_u.t);
   });

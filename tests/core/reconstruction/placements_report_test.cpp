@@ -19,11 +19,7 @@ using testing::SizeIs;
 
 /// On a robot, where nothing is found afterwards that would change the placements.
 Session stillSession(std::size_t poses) {
-  SimulatedSkinOptions options = SimulatedSkinOptions::robot();
-  options.patch = "sheet:5x6";
-  options.surface = "cylinder:r=0.1";
-  options.seed = 5;
-  return test::simulatedSession(options, poses);
+  return test::simulatedSession(test::robotOptions("sheet:5x6", "cylinder:r=0.1", 5), poses);
 }
 
 class PlacementsReport : public testing::Test {
@@ -109,10 +105,7 @@ TEST_F(PlacementsReport, OfTheTreeIsMadeWhereTheEarlierResultIsOfAnotherSkinOrNo
 }
 
 TEST_F(PlacementsReport, OfPatchesWithFaultsEndsWithThePlacementsOfTheResult) {
-  SimulatedSkinOptions options = SimulatedSkinOptions::robot();
-  options.patch = "sheet:6x6";
-  options.surface = "cylinder:r=0.1";
-  options.seed = 5;
+  SimulatedSkinOptions options = test::robotOptions("sheet:6x6", "cylinder:r=0.1", 5);
   options.faults = {{SkinFault::Swapped, CellId(15)}};
   const auto result = reconstruct(*test::simulatedSession(options, 4).snapshot(), {}, nullptr, {}, &progress_);
   ASSERT_FALSE(result->findings.empty());

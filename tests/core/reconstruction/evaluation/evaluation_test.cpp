@@ -234,12 +234,6 @@ TEST(CellDistance, OfAFreshResultSaysHowSureItIs) {
   EXPECT_NEAR(*distance->sigma_m, std::sqrt(along.dot(cov * along)), 1e-9);
 }
 
-/// The largest patch's true distance between two cells.
-double trueDistance(const SimulatedSkin& skin, CellId a, CellId b) {
-  const auto place = [&](CellId cell) { return std::ranges::find(skin.truth(), cell, &TrueCell::id)->T_b_u.t; };
-  return (place(a) - place(b)).norm();
-}
-
 TEST(DistanceCheck, ATrueDistanceAgreesAndAWrongSizeContradicts) {
   constexpr std::uint64_t kSeeds = 10;
   for (const char* patch : {"x17", "sheet:5x6"}) {
@@ -248,7 +242,7 @@ TEST(DistanceCheck, ATrueDistanceAgreesAndAWrongSizeContradicts) {
       SimulatedSkin skin = test::simulatedSkin(test::skinOptions(patch, "", seed));
       const auto result = reconstruct(*simulateSession(skin, 4, 50).snapshot());
       const auto [a, b] = farApart(*largestPatch(*result)).value();
-      const double truth_m = trueDistance(skin, a, b);
+      const double truth_m = (test::truePlacement(skin, a).t - test::truePlacement(skin, b).t).norm();
       const DistanceCheck check = checkDistance(*result, a, b, truth_m);
       ASSERT_TRUE(check.sigma_m && check.deviations && check.detectable_scale);
       EXPECT_GT(*check.sigma_m, kCaliperSigma_m);

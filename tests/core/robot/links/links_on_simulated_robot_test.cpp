@@ -1,16 +1,13 @@
 #include "tests/core/robot/links/simulated_links.h"
+#include "tests/support/slow_build.h"
 
 #include <gmock/gmock.h>
 
 namespace hexoderm {
 namespace {
 
-// Debug and sanitizer builds take a few seeds only: there the code is watched, not the figures. links_figures has 100.
-#ifdef NDEBUG
-constexpr int kSimulatedRobots = 20;
-#else
-constexpr int kSimulatedRobots = 1;
-#endif
+// links_figures has 100.
+constexpr int kSimulatedRobots = test::kSlowBuild ? 1 : 20;
 
 // Sensors of 60 mg, joints off by 0.5 degrees and a base tilted by 1 degree (1 sigma each), three
 // patches.
@@ -29,7 +26,7 @@ TEST(LinksOnSimulatedRobot, AreRightAndStateHowWellTheyKnow) {
     RecordProperty(c.name, inWords(tally));
     EXPECT_EQ(tally.wrong, 0) << c.name;
     EXPECT_LE(tally.none, 0.01 * tally.patches) << c.name;
-    if (kSimulatedRobots < 20) continue;
+    if (test::kSlowBuild) continue;
     EXPECT_GT(meanOf(tally.turn_nees), 0.7) << c.name;
     EXPECT_LT(meanOf(tally.turn_nees), 1.5) << c.name;
     EXPECT_LE(median(tally.errors_rad), 1.2 * median(tally.stated_rad)) << c.name;

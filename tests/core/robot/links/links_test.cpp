@@ -3,6 +3,7 @@
 #include "hexoderm/util/error.h"
 #include "tests/core/robot/links/drawn_links.h"
 #include "tests/support/error_matchers.h"
+#include "tests/support/slow_build.h"
 
 #include <gmock/gmock.h>
 
@@ -67,11 +68,7 @@ TEST(Links, WithoutErrorsAreExact) {
   EXPECT_EQ(result.robot->covariance.size(), result.robot->unknowns() * result.robot->unknowns());
 }
 
-#ifdef NDEBUG
-constexpr int kSeeds = 100;
-#else
-constexpr int kSeeds = 5;
-#endif
+constexpr int kSeeds = test::kSlowBuild ? 5 : 100;
 
 /// Of arms with seeds from that of the options on.
 LinksTally tallyOfArms(DrawnArmOptions options, const std::string& name) {
@@ -91,7 +88,7 @@ TEST(Links, AreRightAndStateHowWellTheyKnow) {
   for (const std::size_t poses : {4U, 8U}) {
     const DrawnArmOptions options{.links = {"l2", "l3", "l4", "l6"}, .poses = poses};
     const LinksTally tally = tallyOfArms(options, std::to_string(poses) + " poses");
-    if (kSeeds < 100) continue;
+    if (test::kSlowBuild) continue;
     EXPECT_GT(meanOf(tally.turn_nees), 0.7);
     EXPECT_LT(meanOf(tally.turn_nees), 1.5);
     EXPECT_LE(median(tally.errors_rad), 1.2 * median(tally.stated_rad));
@@ -105,7 +102,7 @@ TEST(Links, AreRightAndStateHowWellTheyKnow) {
 TEST(Links, ZerosOfTwoDegreesAreFound) {
   const DrawnArmOptions options{.links = {"l2", "l4", "l6"}, .poses = 8, .seed = 1001, .zero_sigma_rad = 2 * kDegree};
   const LinksTally tally = tallyOfArms(options, "zeros of 2 degrees");
-  if (kSeeds < 100) return;
+  if (test::kSlowBuild) return;
   EXPECT_GT(meanOf(tally.zero_nees), 0.5);
   EXPECT_LT(meanOf(tally.zero_nees), 1.5);
   EXPECT_LT(meanOf(tally.turn_nees), 1.5);

@@ -3,6 +3,7 @@
 #include "hexoderm/util/error.h"
 #include "tests/core/robot/place/laid_patches.h"
 #include "tests/support/error_matchers.h"
+#include "tests/support/slow_build.h"
 
 #include <gmock/gmock.h>
 
@@ -18,11 +19,7 @@ using ::testing::HasSubstr;
 using ::testing::IsEmpty;
 using ::testing::SizeIs;
 
-#ifdef NDEBUG
-constexpr int kPlaceSeeds = 6;
-#else
-constexpr int kPlaceSeeds = 2;
-#endif
+constexpr int kPlaceSeeds = test::kSlowBuild ? 2 : 6;
 
 const SE3 kOnForearm{rotationFromRpy({0, 0, kPi / 2}), {0.08, 0, 0.12}};
 const SE3 kOnUpperArm{Eigen::Matrix3d::Identity(), {0, 0.08, 0.14}};
