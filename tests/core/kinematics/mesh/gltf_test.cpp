@@ -92,21 +92,6 @@ TEST(Gltf, ReadsAllKindsOfTriangles) {
   EXPECT_THAT(refusalAfter(of_mode, 1), saysAll("triangles"));
 }
 
-TEST(Gltf, PlacesNodes) {
-  const auto box = [](const char* node) {
-    Json json = square();
-    json["nodes"] = {Json::parse(node), {{"mesh", 0}}};
-    return boundingBox(readMesh(glb(json), "m"));
-  };
-  EXPECT_EQ(box(R"({"mesh": 0, "translation": [1, 2, 3], "scale": [2, 1, 1]})").high, Eigen::Vector3d(3, 3, 3));
-  EXPECT_EQ(box(R"({"children": [1], "matrix": [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 7, 8, 9, 1]})").low,
-            Eigen::Vector3d(7, 8, 9));
-  EXPECT_LT((box(R"({"mesh": 0, "rotation": [0, 0, 0.70710678118654757, 0.70710678118654757]})").low -
-             Eigen::Vector3d(-1, 0, 0))
-                .norm(),
-            1e-12);
-}
-
 TEST(Gltf, ReadsQuantizedPositions) {
   const Json json = changed({{"/extensionsRequired", Json::parse(R"(["KHR_mesh_quantization"])")},
                              {"/accessors/0", Json::parse(R"({"bufferView": 0, "componentType": 5120, "count": 3,

@@ -12,7 +12,6 @@ namespace {
 
 using ::testing::ElementsAre;
 using ::testing::Field;
-using ::testing::IsEmpty;
 
 /// Excludes what neighbouring cells show, until there is nothing left.
 void explainAll(Estimate& estimate) {
@@ -96,16 +95,6 @@ TEST(NeighborsOfManyCells, AreJudgedTheSameToTheLastBitAndCostsNoMoreThanTheLink
     EXPECT_LE(judged, 4 * dropped.size() * dropped.size()) << "at most all links of those dropped so far, each time";
     EXPECT_LT(judged, 8 * dropped.size()) << "seed " << seed << ": hardly more than their own";
   }
-}
-
-TEST(Estimate, LeavesAtOnceWhenItIsStopped) {
-  const auto snapshot = bentX17().session(orthogonalUps(4)).snapshot();
-  const SolverOptions options;
-  Estimate estimate(*snapshot, options);
-  std::stop_source stop;
-  stop.request_stop();
-  EXPECT_EQ(estimate.bringTo(Estimate::Stage::Links, stop.get_token()), Completion::Stopped);
-  EXPECT_THAT(estimate.skin().edges(), IsEmpty());
 }
 
 }  // namespace

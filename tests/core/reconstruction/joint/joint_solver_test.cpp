@@ -290,52 +290,6 @@ TEST(JointSolver, PosesThatSayLittleLeaveLargeUncertainties) {
   }
 }
 
-TEST(JointSolver, WithoutPosesOneLinkIsAsUncertainAsItsElastomer) {
-  const CellModel model = builtInCellModel("hex-bma150");
-  JointCase example(model);
-  example.truth.cells = {SE3(), SE3()};
-  example.problem.links = {makeLink(model, 0, 1, 1, 4)};
-  example.truth.cells[1] = placeByLink(SE3(), example.problem.links[0], example.problem.links[0].R_nom, 0);
-  example.problem.gap = kPivotGap;
-  example.problem.readings.resize(2);
-  const JointSolution solution = solveJointly(example.problem, example.truth);
-  expectSane(example.problem, solution, "two cells");
-  const Eigen::Matrix3d C = solution.covariance->cell(1).bottomRightCorner<3, 3>();
-  const Eigen::Vector3d sigma = Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(C).eigenvalues().cwiseSqrt();
-  Eigen::Vector3d expected(model.yaw_sigma_rad, model.twist_sigma_rad, model.bend_sigma_rad);
-  std::sort(expected.data(), expected.data() + 3);
-  EXPECT_LT((sigma - expected).norm(), 1e-9);
-}
-
-TEST(JointSolver, ASingleCellIsTheFrame) {
-  for (const std::size_t poses : {0U, 1U, 3U}) {
-    JointCase example(builtInCellModel("hex-bma150"));
-    example.problem.gap = kFitGap;
-    example.truth.cells = {SE3()};
-    addExactReadings(example, orthogonalUps(poses));
-    const JointSolution solution =
-        solveJointly(example.problem, perturbed(example.problem, example.truth, 0.1, 0.001, 2));
-    expectSane(example.problem, solution, "single cell, " + std::to_string(poses) + " poses");
-    EXPECT_EQ(solution.covariance->cell(0).norm(), 0);
-    EXPECT_NEAR(solution.covariance->gapShareSigma(), *kFitGap.sigma, 1e-12) << "nothing speaks of it but the prior";
-    EXPECT_NEAR(solution.state.gap_share, kFitGap.mean, 1e-9);
-  }
-}
-
-TEST(JointSolver, ACellWithoutReadingsLiesWhereItsLinksPutIt) {
-  for (const std::size_t poses : {2U, 3U}) {
-    JointCase example = simulatedCase(test::skinOptions("x17"), poses, kFitGap);
-    const JointSolution with = solveJointly(example.problem, example.truth);
-    const std::size_t leaf = 16;
-    example.problem.readings[leaf].clear();
-    example.problem.readings[2].clear();
-    const JointSolution without = solveJointly(example.problem, example.truth);
-    expectSane(example.problem, without, std::to_string(poses) + " poses");
-    EXPECT_GT(worstTurn(without, leaf), 20 * kDegree) << "a leaf may bend as its elastomer lets it";
-    EXPECT_LT(worstTurn(with, leaf), 10 * kDegree);
-  }
-}
-
 TEST(JointSolver, APoseThatNoCellReadsAnyMoreStaysUnknown) {
   // This happens when the only cell that was measured in a pose is left out.
   JointCase example = simulatedCase(test::skinOptions("x17"), 4, kFitGap);

@@ -56,40 +56,6 @@ TEST_F(PatchSolverTest, NoMisfitIsMoreThanItsQuickBound) {
   }
 }
 
-TEST_F(PatchSolverTest, SaysThatItWasStopped) {
-  PatchSolver patch(links_, weights_, 0);
-  std::stop_source stop;
-  stop.request_stop();
-  EXPECT_EQ(patch.solve(nullptr, stop.get_token()), Completion::Stopped);
-}
-
-TEST_F(PatchSolverTest, ACellThatIsLeftOutIsPlacedByItsLinksAndAnOriginByAnother) {
-  PatchSolver patch(links_, weights_, 0);
-  ASSERT_EQ(patch.solve(nullptr, {}), Completion::Finished);
-  const std::size_t first = patch.origin();
-  const std::size_t other = patch.cells()[patch.cells().front() == first ? 1 : 0];
-  for (const std::size_t cell : {other, first}) {
-    links_.dropCell(cell);
-    links_.estimateEdges();
-    patch.leaveOut(cell);
-    EXPECT_FALSE(patch.isSolved());
-    patch.place();
-    ASSERT_EQ(patch.solve(nullptr, {}), Completion::Finished);
-    EXPECT_TRUE(patch.joint()->readingsOf(cell).empty());
-    EXPECT_EQ(patch.origin() == first, cell != first);
-    EXPECT_TRUE(patch.placementOf(cell).t.allFinite());
-  }
-}
-
-TEST_F(PatchSolverTest, SolvesOnlyItsOwnCells) {
-  const std::size_t link = links_.graph().linksAt(*links_.graph().indexOf(CellId(5))).front();
-  links_.mute(std::vector<std::size_t>{link}, FindingCode::LinkSetAside);
-  ASSERT_THAT(links_.graph().patches(), SizeIs(2));
-  const PatchSolver small(links_, weights_, 1);
-  EXPECT_THAT(small.cells(), ::testing::ElementsAre(*links_.graph().indexOf(CellId(5))));
-  EXPECT_EQ(small.origin(), small.cells().front());
-}
-
 TEST(PatchSolver, AnEstimateThatHasNotConvergedIsAFinding) {
   std::vector<Finding> findings;
   JointSolution solution;
