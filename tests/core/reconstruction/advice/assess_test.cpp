@@ -161,16 +161,5 @@ TEST(Assess, AWarningKeepsAPreciseResultFromBeingGood) {
   EXPECT_EQ(assessment.next_action.english(), "Look at the findings, then export.");
 }
 
-TEST(Assess, NamesOfLimitsAndRemediesReadBack) {
-  for (int k = 0; k <= static_cast<int>(Limit::Findings); ++k) {
-    EXPECT_EQ(limitFromName(limitName(static_cast<Limit>(k))), static_cast<Limit>(k));
-  }
-  for (int k = 0; k <= static_cast<int>(Remedy::RetakePoses); ++k) {
-    EXPECT_EQ(remedyFromName(remedyName(static_cast<Remedy>(k))), static_cast<Remedy>(k));
-  }
-  EXPECT_FALSE(limitFromName("moon"));
-  EXPECT_FALSE(remedyFromName(""));
-}
-
 }  // namespace
 }  // namespace hexoderm
