@@ -9,8 +9,6 @@
 namespace hexoderm {
 namespace {
 
-using ::testing::SizeIs;
-
 class PatchSolverTest : public ::testing::Test {
  protected:
   PatchSolverTest() {

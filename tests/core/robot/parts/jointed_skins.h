@@ -22,10 +22,8 @@ struct JointedSkinsOptions {
   /// The bodies of the patches, 0 or 1.
   std::vector<std::size_t> body_of_patch = {0, 0, 1, 1};
   std::string patch = "x17";
-  std::string surface{};
   std::uint64_t seed = 1;
   bool hand_held = true;
-  double offset_sigma_g = 0.06;
   double joint_range_rad = 130 * kDegree;  ///< of the joint's angle: an elbow's
   int sensor_frames = 100;
 };
@@ -33,13 +31,10 @@ struct JointedSkinsOptions {
 class JointedSkins {
  public:
   explicit JointedSkins(const JointedSkinsOptions& options) : options_(options), random_(options.seed * 7919 + 17) {
-    CellModel model = builtInCellModel("hex-bma150");
-    model.accelerometer.offset_sigma_g = options.offset_sigma_g;
-    model_ = model;
     for (std::size_t k = 0; k < options.body_of_patch.size(); ++k) {
-      const SimulatedSkinOptions skin = test::skinOptions(options.patch, options.surface, options.seed * 1000 + k);
+      const SimulatedSkinOptions skin = test::skinOptions(options.patch, "", options.seed * 1000 + k);
       const SE3 T_body_b{anyRotation(), 0.1 * test::randomVector([&] { return normal(); })};
-      patches_.push_back({options.body_of_patch[k], T_body_b, SimulatedSkin(model, skin)});
+      patches_.push_back({options.body_of_patch[k], T_body_b, SimulatedSkin(model_, skin)});
     }
     axis_0_ = anyDirection();
     T_0_1_ = {anyRotation(), 0.1 * test::randomVector([&] { return normal(); })};
@@ -67,12 +62,11 @@ class JointedSkins {
   [[nodiscard]] static CellId idOf(std::size_t patch, CellId cell) {
     return CellId(static_cast<std::uint32_t>(1000 * patch) + cell.value());
   }
-  [[nodiscard]] static std::size_t patchOf(CellId cell) { return cell.value() / 1000; }
-  [[nodiscard]] std::size_t bodyOf(CellId cell) const { return patches_[patchOf(cell)].body; }
+  [[nodiscard]] std::size_t bodyOf(CellId cell) const { return patches_[cell.value() / 1000].body; }
   /// From the frame of a cell to that of its body.
   [[nodiscard]] SE3 T_body_u(CellId cell) const {
-    const PatchOnBody& patch = patches_[patchOf(cell)];
-    return patch.T_body_b * patch.skin.truth()[cell.value() % 1000 - 1].T_b_u;
+    const PatchOnBody& patch = patches_[cell.value() / 1000];
+    return patch.T_body_b * test::truePlacement(patch.skin, CellId(cell.value() % 1000));
   }
   /// The middle of a patch's cells in the frame of its body.
   [[nodiscard]] Eigen::Vector3d middleOf(std::size_t patch) const {
@@ -85,7 +79,6 @@ class JointedSkins {
   [[nodiscard]] Eigen::Vector3d axisIn(std::size_t body) const {
     return body == 0 ? axis_0_ : Eigen::Vector3d(T_0_1_.R.transpose() * axis_0_);
   }
-  [[nodiscard]] const std::vector<double>& angles() const { return angles_; }
   /// The specific force at a point of body 0 (in its frame) in a pose, mean over the samples, g: up and about 1 long.
   [[nodiscard]] Eigen::Vector3d forceAt(std::size_t pose, const Eigen::Vector3d& x_0) const {
     const Mean& mean = means_[pose];
