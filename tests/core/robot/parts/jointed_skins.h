@@ -6,6 +6,7 @@
 #include "hexoderm/device/simulation/hand_motion.h"
 #include "hexoderm/session/session.h"
 #include "hexoderm/util/units.h"
+#include "tests/support/normal_draw.h"
 #include "tests/support/random_vector.h"
 #include "tests/support/simulated_skins.h"
 
@@ -30,14 +31,14 @@ struct JointedSkinsOptions {
 
 class JointedSkins {
  public:
-  explicit JointedSkins(const JointedSkinsOptions& options) : options_(options), random_(options.seed * 7919 + 17) {
+  explicit JointedSkins(const JointedSkinsOptions& options) : options_(options), draw_(options.seed * 7919 + 17) {
     for (std::size_t k = 0; k < options.body_of_patch.size(); ++k) {
       const SimulatedSkinOptions skin = test::skinOptions(options.patch, "", options.seed * 1000 + k);
-      const SE3 T_body_b{anyRotation(), 0.1 * test::randomVector([&] { return normal(); })};
+      const SE3 T_body_b{anyRotation(), anyPlace(0.1)};
       patches_.push_back({options.body_of_patch[k], T_body_b, SimulatedSkin(model_, skin)});
     }
-    axis_0_ = anyDirection();
-    T_0_1_ = {anyRotation(), 0.1 * test::randomVector([&] { return normal(); })};
+    axis_0_ = draw_.direction();
+    T_0_1_ = {anyRotation(), anyPlace(0.1)};
   }
 
   [[nodiscard]] Session session(std::size_t poses) {
@@ -98,17 +99,14 @@ class JointedSkins {
     Eigen::Vector3d hand_0 = Eigen::Vector3d::Zero();
   };
 
-  double normal() { return normal_(random_); }
-  Eigen::Vector3d anyDirection() {
-    const double x = normal();
-    const double y = normal();
-    return Eigen::Vector3d(x, y, normal()).normalized();
+  Eigen::Vector3d anyPlace(double sigma_m) {
+    return sigma_m * test::randomVector([&] { return draw_.normal(); });
   }
   Eigen::Matrix3d anyRotation() {
-    const double w = normal();
-    const double x = normal();
-    const double y = normal();
-    return Eigen::Quaterniond(w, x, y, normal()).normalized().toRotationMatrix();
+    const double w = draw_.normal();
+    const double x = draw_.normal();
+    const double y = draw_.normal();
+    return Eigen::Quaterniond(w, x, y, draw_.normal()).normalized().toRotationMatrix();
   }
 
   /// The joint is moved from pose to pose, as the instructions have it: one angle from each part of its range, in any
@@ -116,19 +114,19 @@ class JointedSkins {
   void drawAngles(std::size_t poses) {
     std::uniform_real_distribution<double> within(0, 1);
     for (std::size_t k = 0; k < poses; ++k) {
-      const double share = (static_cast<double>(k) + within(random_)) / static_cast<double>(poses);
+      const double share = (static_cast<double>(k) + within(draw_.generator())) / static_cast<double>(poses);
       angles_.push_back(options_.joint_range_rad * (share - 0.5));
     }
     for (std::size_t k = poses; k > 1; --k) {
-      std::swap(angles_[k - 1], angles_[std::uniform_int_distribution<std::size_t>(0, k - 1)(random_)]);
+      std::swap(angles_[k - 1], angles_[std::uniform_int_distribution<std::size_t>(0, k - 1)(draw_.generator())]);
     }
   }
 
   /// Of a pose in which `up` (unit, frame of body 0) is to be up.
   std::vector<SampleFrame> framesOfPose(const Eigen::Vector3d& up) {
     const SimulatedSkinOptions& hand = patches_.front().skin.options();
-    const HandMotion motion = options_.hand_held ? HandMotion(up, hand, random_) : HandMotion(up);
-    const Eigen::Vector3d hand_0 = 0.05 * test::randomVector([&] { return normal(); });
+    const HandMotion motion = options_.hand_held ? HandMotion(up, hand, draw_.generator()) : HandMotion(up);
+    const Eigen::Vector3d hand_0 = anyPlace(0.05);
     const SE3 T_0_1 = SE3{expSO3(angles_[means_.size()] * axis_0_), Eigen::Vector3d::Zero()} * T_0_1_;
     std::vector<SampleFrame> frames(static_cast<std::size_t>(options_.sensor_frames));
     const Accelerometer& accelerometer = model_.accelerometer;
@@ -148,7 +146,7 @@ class JointedSkins {
           const Eigen::Vector3d force_0 = body.up_b + body.field_b * (T_0_a.t - hand_0);
           Eigen::Vector3d reading = cell.gain * (T_0_a.R.transpose() * force_0) + cell.offset_g;
           for (int axis = 0; axis < 3; ++axis) {
-            const double noisy = reading[axis] + white_g * normal();
+            const double noisy = reading[axis] + white_g * draw_.normal();
             reading[axis] = accelerometer.lsb_g * std::round(noisy / accelerometer.lsb_g);
           }
           frames[tick].samples.push_back({idOf(k, cell.id), reading});
@@ -159,8 +157,7 @@ class JointedSkins {
   }
 
   JointedSkinsOptions options_;
-  std::mt19937_64 random_;
-  std::normal_distribution<double> normal_;
+  test::NormalDraw draw_;
   CellModel model_ = builtInCellModel("hex-bma150");
   std::vector<PatchOnBody> patches_;
   Eigen::Vector3d axis_0_;
