@@ -20,12 +20,6 @@ JointState stepped(const JointProblem& problem, const JointState& state, const E
   return moved(problem, state, step.head(rows), step.tail(step.size() - rows));
 }
 
-Eigen::VectorXd gradientOf(const NormalEquations& equations) {
-  Eigen::VectorXd gradient(equations.gradient_cells.size() + equations.gradient_border.size());
-  gradient << equations.gradient_cells, equations.gradient_border;
-  return gradient;
-}
-
 /// Steps by which the cost would rise by a like amount: one standard deviation of each unknown alone.
 Eigen::VectorXd scaleOf(const Eigen::MatrixXd& H) { return H.diagonal().cwiseMax(1e-12).cwiseSqrt().cwiseInverse(); }
 
@@ -35,7 +29,8 @@ double gradientError(const JointProblem& problem, const JointState& state) {
   NormalEquations equations;
   linearize(problem, state, equations);
   EXPECT_NEAR(equations.cost, jointCost(problem, state), 1e-12 * equations.cost);
-  const Eigen::VectorXd gradient = gradientOf(equations);
+  Eigen::VectorXd gradient(equations.gradient_cells.size() + equations.gradient_border.size());
+  gradient << equations.gradient_cells, equations.gradient_border;
   const Eigen::VectorXd scale = scaleOf(denseMatrix(problem, equations));
   double worst = 0;
   double largest = 0;

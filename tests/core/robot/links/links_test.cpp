@@ -31,16 +31,6 @@ std::vector<std::string> findingsOf(const LinksResult& result) {
   for (const Message& finding : result.findings) texts.push_back(finding.english());
   return texts;
 }
-const JointZero* zeroOf(const LinksResult& result, const std::string& joint) {
-  for (const JointZero& zero : result.robot->zeros) {
-    if (zero.joint == joint) return &zero;
-  }
-  return nullptr;
-}
-Eigen::Vector3d errorOf(const PatchTurn& turn, const Eigen::Matrix3d& truth) {
-  return logSO3(turn.R_l_o.transpose() * truth);
-}
-
 TEST(Links, WithoutErrorsAreExact) {
   const DrawnArmOptions options{
       .links = {"l3", "l6", "l4_cover"}, .error_scale = 0, .zero_sigma_rad = 0, .tilt_sigma_rad = 0};
@@ -53,7 +43,7 @@ TEST(Links, WithoutErrorsAreExact) {
     EXPECT_NEAR(patch.candidates.front().chi_squared, 0, 1e-12);
     for (const PatchTurn& turn : patch.candidates.front().links) {
       if (turn.link == options.links[k]) {
-        EXPECT_LT(errorOf(turn, arm.R_l_o[k]).norm(), 1e-9) << turn.link;
+        EXPECT_LT(logSO3(turn.R_l_o.transpose() * arm.R_l_o[k]).norm(), 1e-9) << turn.link;
       }
     }
     for (const LinkResidual& residual : patch.residuals) EXPECT_LT(residual.angle_rad, 1e-9);
@@ -113,8 +103,8 @@ TEST(Links, ALargeZeroIsSaid) {
   for (auto& [pose, angles] : arm.angles) angles.positions["j4"] -= 3 * kDegree;
   const LinksResult result = arm.find();
   EXPECT_THAT(findingsOf(result), Contains(HasSubstr("The zero of joint j4 seems to be off")));
-  const JointZero* zero = zeroOf(result, "j4");
-  ASSERT_NE(zero, nullptr);
+  const auto zero = std::ranges::find(result.robot->zeros, "j4", &JointZero::joint);
+  ASSERT_NE(zero, result.robot->zeros.end());
   EXPECT_TRUE(zero->shown);
   EXPECT_NEAR(zero->zero_rad, 3 * kDegree, 3 * zero->sigma_rad);
   LinksOptions exact = withoutLever();
