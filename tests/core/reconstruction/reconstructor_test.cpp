@@ -28,17 +28,7 @@ SolverOptions tree() { return test::by(Solver::Tree); }
 /// With the gap model that pin-jointed skins obey.
 SolverOptions global() { return test::by(Solver::Global, GapModel::Pivot); }
 
-/// Properties that hold for every solver.
-class EverySolver : public ::testing::TestWithParam<Solver> {
- protected:
-  [[nodiscard]] SolverOptions options() const { return GetParam() == Solver::Tree ? tree() : global(); }
-  [[nodiscard]] std::shared_ptr<const Reconstruction> solve(const Session& session) const {
-    return hexoderm::solve(session, options());
-  }
-  /// The tree is exact; priors pull on what the global solver finds.
-  [[nodiscard]] static double exactOr(double of_global) { return GetParam() == Solver::Tree ? 1e-9 : of_global; }
-};
-
+class EverySolver : public test::EverySolverTest {};
 INSTANTIATE_TEST_SUITE_P(Solvers, EverySolver, ::testing::Values(Solver::Global, Solver::Tree), test::solverOfTest);
 
 /// T_o_u must be T_o_root T_root_u: nothing is aligned away.

@@ -34,17 +34,8 @@ auto says(const T& matcher) {
   return Field(&Finding::message, InEnglish(matcher));
 }
 
-/// Every fault is one for every solver. The skins are pin-jointed, which is the gap model that the global one gets.
-class SolverTest : public ::testing::TestWithParam<Solver> {
- protected:
-  [[nodiscard]] static std::shared_ptr<const Reconstruction> solve(const Session& session) {
-    return reconstruct(*session.snapshot(), test::by(GetParam(), GapModel::Pivot));
-  }
-  /// The elastomer's prior pulls every joint a little towards straight.
-  [[nodiscard]] static double exactOr(double of_global) { return GetParam() == Solver::Tree ? 1e-9 : of_global; }
-};
-
-class SkinFaults : public SolverTest {};
+/// Every fault is one for every solver.
+class SkinFaults : public test::EverySolverTest {};
 
 const auto kEverySolver = ::testing::Values(Solver::Global, Solver::Tree);
 INSTANTIATE_TEST_SUITE_P(Solvers, SkinFaults, kEverySolver, test::solverOfTest);
@@ -52,7 +43,7 @@ INSTANTIATE_TEST_SUITE_P(Solvers, SkinFaults, kEverySolver, test::solverOfTest);
 /// Cell 3 of X17 lies on an arm: 1 - 2 - 3 - 4 - 5.
 constexpr CellId kBad{3};
 
-class BadCell : public SolverTest {
+class BadCell : public test::EverySolverTest {
  protected:
   void expectPlacedThroughLinks(const Session& session, FindingCode code) {
     const auto result = solve(session);
