@@ -99,7 +99,7 @@ TEST(PoseCoverage, SingularValuesSayWhichDirectionIsMissing) {
     EXPECT_THAT(coverage.singular_values, VectorNear(c.values, 1e-12));
     EXPECT_EQ(coverage.quality, c.quality) << c.values.transpose();
     EXPECT_EQ(coverage.seen.size(), c.ups.size());
-    EXPECT_EQ(coverage.missing ? coverage.missing->which : 0, c.missing) << c.values.transpose();
+    ASSERT_EQ(coverage.missing ? coverage.missing->which : 0, c.missing) << c.values.transpose();
     if (!coverage.missing) continue;
     EXPECT_EQ(coverage.missing->facing.cell, CellId(7));
     EXPECT_EQ(coverage.missing->facing.facing == Facing::Ceiling, coverage.missing->up_o.z() > 0.9);
