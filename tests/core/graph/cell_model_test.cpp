@@ -95,11 +95,10 @@ TEST(CellModelJson, ComesBackAsItWas) {
   EXPECT_EQ(back.accelerometer.T_u_a.t, model.accelerometer.T_u_a.t);
   EXPECT_EQ(back.accelerometer.cross_axis_sigma, 0.001);
   EXPECT_EQ(back.accelerometer.shared_offset_sigma_g, 0.008);
-  EXPECT_EQ(back.side_angle_rad, 0.1);
-  EXPECT_EQ(back.link_sigma_m, 0.0007);
-  EXPECT_EQ(back.bend_sigma_rad, 0.3);
-  EXPECT_EQ(back.twist_sigma_rad, 0.2);
-  EXPECT_EQ(back.yaw_sigma_rad, 0.1);
+  for (const auto value : {&CellModel::side_angle_rad, &CellModel::link_sigma_m, &CellModel::bend_sigma_rad,
+                           &CellModel::twist_sigma_rad, &CellModel::yaw_sigma_rad}) {
+    EXPECT_EQ(back.*value, model.*value);
+  }
 }
 
 /// Only the keys that every file has; `scale_sigma` as text.

@@ -208,7 +208,6 @@ TEST(AccelerometerFit, RobustRoundsReachTheMinimumOfTheHuberCost) {
   }
   EXPECT_LT(worst_cost, 1e-9);
   EXPECT_LT(worst_parameter, 1e-5) << "g";
-  RecordProperty("worst_cost", std::to_string(worst_cost));
 }
 
 TEST(AccelerometerFit, SigmaOfZeroPinsTheParameter) {

@@ -163,7 +163,6 @@ TEST(ShapeCovariance, ErrorsAfterTheBestAlignmentAreAsLargeAsStated) {
       ++count;
     }
   }
-  RecordProperty("nees", std::to_string(nees / count));
   EXPECT_TRUE(std::isfinite(nees));
   if (kSlowBuild) return;
   EXPECT_GT(nees / count, 0.5);
