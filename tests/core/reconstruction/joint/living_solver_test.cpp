@@ -1,5 +1,6 @@
 // One JointSolver for many solutions, and covariances that outlive its factors.
 
+#include "hexoderm/reconstruction/joint/cells_first.h"
 #include "hexoderm/reconstruction/joint/joint_solver.h"
 #include "hexoderm/reconstruction/reconstructor.h"
 #include "tests/core/reconstruction/joint/joint_case.h"
