@@ -12,6 +12,7 @@ namespace hexoderm::test {
 class NormalDraw {
  public:
   explicit NormalDraw(std::uint64_t seed) : random_(seed) {}
+  std::mt19937_64& generator() { return random_; }
   double normal() { return normal_(random_); }
   Eigen::Vector3d vector() {
     const double x = normal();

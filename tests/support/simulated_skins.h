@@ -16,6 +16,15 @@ inline SimulatedSkinOptions skinOptions(const std::string& patch, const std::str
   return options;
 }
 
+/// Options of a skin on a robot with its motors on.
+inline SimulatedSkinOptions robotOptions(const std::string& patch, const std::string& surface, std::uint64_t seed = 1) {
+  SimulatedSkinOptions options = SimulatedSkinOptions::robot();
+  options.patch = patch;
+  options.surface = surface;
+  options.seed = seed;
+  return options;
+}
+
 /// A simulated skin of the built-in cell model.
 inline SimulatedSkin simulatedSkin(const SimulatedSkinOptions& options = {}) {
   return {builtInCellModel("hex-bma150"), options};
@@ -26,5 +35,8 @@ inline Session simulatedSession(const SimulatedSkinOptions& options, std::size_t
   SimulatedSkin skin = simulatedSkin(options);
   return simulateSession(skin, poses, readings);
 }
+
+/// Where a cell is in truth.
+inline const SE3& truePlacement(const SimulatedSkin& skin, CellId cell) { return skin.truth()[cell.value() - 1].T_b_u; }
 
 }  // namespace hexoderm::test

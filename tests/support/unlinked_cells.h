@@ -1,6 +1,7 @@
 #pragma once
 
 #include "hexoderm/session/session.h"
+#include "tests/support/neighbor_lists.h"
 
 #include <cstdint>
 #include <limits>
@@ -12,9 +13,7 @@ namespace hexoderm {
 inline Session unlinkedCells(std::uint32_t count, std::size_t poses) {
   CellModel model = builtInCellModel("hex-bma150");
   model.interface_id = CellId(std::numeric_limits<std::uint32_t>::max());
-  NeighborList cells;
-  for (std::uint32_t id = 1; id <= count; ++id) cells.push_back({CellId(id), "", {}});
-  Session session(model, cells);
+  Session session(model, test::listOfCells(count));
   for (std::size_t pose = 0; pose < poses; ++pose) {
     auto capture = std::make_shared<PoseCapture>();
     capture->id = session.nextPoseId();

@@ -89,16 +89,6 @@ TEST_P(AnySurface, BearingInvertsAWalk) {
   EXPECT_EQ(surface_->bearing(middle_.t, middle_.t).norm(), 0);
 }
 
-TEST(Surface, CylinderGoesAroundItsAxis) {
-  const auto surface = makeSurface("cylinder:r=0.05");
-  const SE3 middle = surface->middle();
-  EXPECT_LT((middle.t - Eigen::Vector3d(0.05, 0, 0)).norm(), 1e-15);
-  EXPECT_LT((middle.R.col(0) - Eigen::Vector3d::UnitY()).norm(), 1e-15);
-  const GeodesicPoint half = surface->walk(middle.t, middle.R.col(0), kPi * 0.05);
-  EXPECT_LT((half.position - Eigen::Vector3d(-0.05, 0, 0)).norm(), 1e-15);
-  EXPECT_LT((half.direction + Eigen::Vector3d::UnitY()).norm(), 1e-14);
-}
-
 TEST(Surface, TorusMeridianAndOuterEquatorAreCircles) {
   const auto surface = makeSurface("torus:R=0.2,r=0.05");
   const SE3 middle = surface->middle();

@@ -141,7 +141,28 @@ TEST(BoostAgreement, DistancesAreTheSameToTheLastBit) {
   }
 }
 
-TEST(BoostAgreement, TheOriginIsThatOfAllPairs) {
+// Trees, sheets and what is between them. Real weights on the whole sheet alone: the two ends of a link that halves a
+// patch are alike but for rounding.
+TEST(BoostAgreement, TheOriginOfASmallPatchIsThatOfAllPairsWhateverTheWeights) {
+  std::mt19937 random(5);
+  std::uniform_int_distribution<int> whole(1, 3);
+  std::uniform_real_distribution<double> real(0.5, 4);
+  const std::function<double()> ones = [] { return 1; };
+  const std::function<double()> wholes = [&] { return whole(random); };
+  const std::function<double()> reals = [&] { return real(random); };
+  for (const auto& [missing, draw] :
+       {std::pair(0.0, ones), std::pair(0.0, wholes), std::pair(0.0, reals), std::pair(0.1, ones),
+        std::pair(0.1, wholes), std::pair(0.5, ones), std::pair(0.5, wholes)}) {
+    const Skin skin = randomSkin(14, 15, random, draw, missing);
+    for (std::size_t patch = 0; patch < skin.graph.patches().size(); ++patch) {
+      const std::vector<double> sums = sumsByBoost(skin, patch);
+      const auto best = static_cast<std::size_t>(std::ranges::min_element(sums) - sums.begin());
+      EXPECT_EQ(findOrigin(skin.graph, skin.weights, patch), skin.graph.patches()[patch][best]);
+    }
+  }
+}
+
+TEST(BoostAgreement, TheOriginOfALargePatchIsThatOfAllPairs) {
   std::mt19937 random(3);
   std::uniform_int_distribution<int> whole(1, 3);
   for (const bool alike : {true, false}) {

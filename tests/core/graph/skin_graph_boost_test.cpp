@@ -11,7 +11,6 @@ namespace hexoderm {
 namespace {
 
 using ::testing::ElementsAre;
-using ::testing::IsEmpty;
 
 template <class Graph>
 void assertConcepts() {

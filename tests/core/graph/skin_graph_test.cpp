@@ -48,11 +48,6 @@ TEST(SkinGraph, ALinkReportedByBothSidesIsOneLinkWithTheSmallerEndAsSource) {
   EXPECT_THAT(graph.patches(), ElementsAre(ElementsAre(0, 1, 2)));
 }
 
-TEST(SkinGraph, EmptySkinAndSingleCellAreGraphs) {
-  EXPECT_THAT(SkinGraph(model(), {}).patches(), IsEmpty());
-  EXPECT_THAT(SkinGraph(model(), {cell(5, {})}).patches(), SizeIs(1));
-}
-
 TEST(SkinGraph, PatchesAreNumberedByTheirSmallestCell) {
   const SkinGraph graph(model(), {cell(9, {to(1, 4, 4)}), cell(4, {to(4, 9, 1)}), cell(7, {to(1, 2, 4)}),
                                   cell(2, {to(4, 7, 1)}), cell(30, {})});
@@ -162,14 +157,6 @@ TEST(SkinGraph, BodyPartsEndAPatchOnlyWhereBothAreKnown) {
   const SkinGraph graph(model(), neighbors);
   EXPECT_THAT(codes(graph), ElementsAre(FindingCode::BodyPartBoundary));
   EXPECT_THAT(graph.patches(), ElementsAre(ElementsAre(0), ElementsAre(1, 2)));
-}
-
-TEST(SkinGraph, MutingSplitsThePatch) {
-  SkinGraph graph(model(), line());
-  const std::size_t links[] = {1};
-  graph.mute(links, FindingCode::LinkNotRigid);
-  EXPECT_EQ(graph.links()[1].muted_by, FindingCode::LinkNotRigid);
-  EXPECT_THAT(graph.patches(), SizeIs(2));
 }
 
 }  // namespace

@@ -5,8 +5,8 @@
 
 #include "hexoderm/reconstruction/reconstructor.h"
 #include "hexoderm/reconstruction/solve.h"
-#include "hexoderm/session/simulated_session.h"
 #include "hexoderm/util/error.h"
+#include "tests/support/simulated_skins.h"
 #include "tests/support/slow_build.h"
 
 #include <gmock/gmock.h>
@@ -40,10 +40,7 @@ struct Skin {
 
 /// A session of a skin whose sensors are as in `real`, and whose cell model is `believed`.
 std::shared_ptr<const SessionSnapshot> simulate(const CellModel& real, const CellModel& believed, const Skin& what) {
-  SimulatedSkinOptions options;
-  options.patch = what.patch;
-  options.seed = what.seed;
-  SimulatedSkin skin(real, options);
+  SimulatedSkin skin(real, test::skinOptions(what.patch, "", what.seed));
   Session session = simulateSession(skin, what.poses);
   CellModel model = believed;
   model.interface_id = skin.model().interface_id;
@@ -116,12 +113,11 @@ TEST(SensorStatistics, TheOffsetOfALotIsFound) {
   const int seeds = kSlowBuild ? 1 : 7;
   int within = 0;
   for (int seed = 1; seed <= seeds; ++seed) {
-    SimulatedSkinOptions options;
-    options.seed = static_cast<std::uint64_t>(seed);
-    const SimulatedSkin skin(real, options);
+    const Skin what{.seed = static_cast<std::uint64_t>(seed)};
+    const SimulatedSkin skin(real, test::skinOptions(what.patch, "", what.seed));
     Eigen::Vector3d mean_g = Eigen::Vector3d::Zero();
     for (const TrueCell& cell : skin.truth()) mean_g += cell.offset_g / static_cast<double>(skin.truth().size());
-    const auto statistics = estimateSensorStatistics(Snapshots{simulate(real, believed, {.seed = options.seed})});
+    const auto statistics = estimateSensorStatistics(Snapshots{simulate(real, believed, what)});
     SCOPED_TRACE("seed " + std::to_string(seed));
     ASSERT_TRUE(statistics->sigmas.lot);
     for (Eigen::Index axis = 0; axis < 3; ++axis) {

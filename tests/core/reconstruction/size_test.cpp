@@ -6,6 +6,7 @@
 #include "tests/support/matchers.h"
 #include "tests/support/peak_memory.h"
 #include "tests/support/simulated_skins.h"
+#include "tests/support/slow_build.h"
 #include "tests/support/unlinked_cells.h"
 
 #include <gmock/gmock.h>
@@ -40,21 +41,14 @@ TEST(Size, MemoryGrowsLinearlyWithThePoses) {
 TEST(Size, TheGlobalSolverTakesLittleMemoryForACell) {
   const std::size_t before = cores();
   setCores(1);
-  SimulatedSkinOptions options = SimulatedSkinOptions::robot();
-  options.patch = "sheet:80x80";
-  options.surface = "cylinder:r=0.56";
-  EXPECT_LT(memoryToSolve_MB(test::simulatedSession(options, 3, 10)), 92);
+  EXPECT_LT(memoryToSolve_MB(test::simulatedSession(test::robotOptions("sheet:80x80", "cylinder:r=0.56"), 3, 10)), 92);
   setCores(before);
 }
 
 #endif
 
 TEST(Size, EveryOneOfTwentyThousandUnlinkedCellsIsItsOwnPatch) {
-#ifdef NDEBUG
-  constexpr std::uint32_t kCells = 20'000;
-#else
-  constexpr std::uint32_t kCells = 2'000;
-#endif
+  constexpr std::uint32_t kCells = test::kSlowBuild ? 2'000 : 20'000;
   const auto result = reconstruct(*unlinkedCells(kCells, 3).snapshot());
   EXPECT_EQ(result->patches.size(), kCells);
   EXPECT_EQ(result->layout.cells.size(), kCells);

@@ -61,11 +61,11 @@ Nees neesOf(SimulatedSkinOptions options, std::uint64_t seeds, std::size_t poses
   for (options.seed = 1; options.seed <= (kSlowBuild ? 2U : seeds); ++options.seed) {
     SimulatedSkin skin = test::simulatedSkin(options);
     const auto result = reconstruct(*simulateSession(skin, poses, readings).snapshot(), solver);
-    const auto trueOf = [&](CellId id) { return skin.truth()[id.value() - 1].T_b_u; };
     for (const PatchReconstruction& patch : result->patches) {
-      const SE3 T_o_b = trueOf(patch.origin).inverse();
+      const SE3 T_o_b = test::truePlacement(skin, patch.origin).inverse();
       for (const CellPlacement& cell : patch.cells) {
-        if (cell.cell != patch.origin) nees.add(cell.T_o_u, T_o_b * trueOf(cell.cell), *cell.cov_t_r);
+        if (cell.cell == patch.origin) continue;
+        nees.add(cell.T_o_u, T_o_b * test::truePlacement(skin, cell.cell), *cell.cov_t_r);
       }
     }
   }

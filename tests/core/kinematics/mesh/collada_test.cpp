@@ -46,12 +46,6 @@ TEST(Collada, ReadsAllKindsOfPolygons) {
   }
 }
 
-TEST(Collada, IsNotTurnedByItsUpwardsAxis) {
-  std::string y_up = dae(kTwoTriangles);
-  y_up.replace(y_up.find("</asset>"), 0, "<up_axis>Y_UP</up_axis>");
-  EXPECT_EQ(boundingBox(readMesh(y_up, "m")).high, Eigen::Vector3d(2, 2, 0));
-}
-
 TEST(Collada, AppliesTheTransformsOfNodesInTheirOrder) {
   const auto box = [](const std::string& transforms) {
     return boundingBox(

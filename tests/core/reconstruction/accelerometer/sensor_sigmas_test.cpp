@@ -121,6 +121,18 @@ TEST(SensorEvidence, ReadingsOfACellSayWhatASmallTurnDoesNotExplain) {
   }
 }
 
+/// The root of the mean of the squares of a kind of errors.
+double rootMeanOf(SensorError kind, const Eigen::VectorXd& squares) {
+  double sum = 0;
+  double count = 0;
+  for (Eigen::Index k = 0; k < squares.size(); ++k) {
+    if (kindOfParameter(k) != kind) continue;
+    sum += squares[k];
+    ++count;
+  }
+  return std::sqrt(sum / count);
+}
+
 TEST(SensorSigmas, OfErrorsThatAreKnownExactlyAreTheirSpread) {
   NormalDraw draw(3);
   constexpr std::size_t kSensors = 20;
@@ -129,22 +141,17 @@ TEST(SensorSigmas, OfErrorsThatAreKnownExactlyAreTheirSpread) {
   const SensorSigmas sigmas =
       estimateSensorSigmas(std::vector{SensorEvidence{exact, exact * x}}, accelerometer(0.1, 0, 0.01, 0.01));
 
-  double scale = 0;
-  double cross_axis = 0;
-  Eigen::Vector3d mean = Eigen::Vector3d::Zero();
-  for (Eigen::Index k = 0; k < x.size(); ++k) {
-    const Eigen::Index axis = (k % kSensorParameters) / 4;
-    if (kindOfParameter(k) == SensorError::Scale) scale += x[k] * x[k] / (3 * kSensors);
-    if (kindOfParameter(k) == SensorError::CrossAxis) cross_axis += x[k] * x[k] / (6 * kSensors);
-    if (kindOfParameter(k) == SensorError::Offset) mean[axis] += x[k] / kSensors;
-  }
+  const double scale = rootMeanOf(SensorError::Scale, x.cwiseAbs2());
+  const double cross_axis = rootMeanOf(SensorError::CrossAxis, x.cwiseAbs2());
+  Eigen::Vector3d mean = Eigen::Vector3d::Zero();  // of the offsets
+  for (Eigen::Index k = 0; k < x.size(); k += 4) mean[(k % kSensorParameters) / 4] += x[k] / kSensors;
   double within = 0;  // of one-way random effects
   for (Eigen::Index k = 0; k < x.size(); k += 4) {
     within += std::pow(x[k] - mean[(k % kSensorParameters) / 4], 2) / (3 * (kSensors - 1));
   }
   const double shared = mean.squaredNorm() / 3 - within / kSensors;
-  EXPECT_NEAR(sigmas.scale.sigma, std::sqrt(scale), 1e-4 * std::sqrt(scale));
-  EXPECT_NEAR(sigmas.cross_axis.sigma, std::sqrt(cross_axis), 1e-4 * std::sqrt(cross_axis));
+  EXPECT_NEAR(sigmas.scale.sigma, scale, 1e-4 * scale);
+  EXPECT_NEAR(sigmas.cross_axis.sigma, cross_axis, 1e-4 * cross_axis);
   EXPECT_NEAR(sigmas.shared_offset_g.sigma, std::sqrt(shared), 1e-3 * std::sqrt(shared));
   EXPECT_NEAR(sigmas.offset_g.sigma, std::sqrt(within + shared), 1e-3 * std::sqrt(within + shared));
   ASSERT_TRUE(sigmas.lot);
@@ -178,15 +185,9 @@ TEST(SensorSigmas, AreWhereExpectationMaximisationSettles) {
   }
   const Eigen::MatrixXd covariance = (evidence.information + L.inverse()).inverse();
   const Eigen::VectorXd mean = covariance * evidence.weighted;
-  double scale = 0;
-  double cross_axis = 0;
-  for (Eigen::Index k = 0; k < x.size(); ++k) {
-    const double moment = mean[k] * mean[k] + covariance(k, k);
-    if (kindOfParameter(k) == SensorError::Scale) scale += moment / 24;
-    if (kindOfParameter(k) == SensorError::CrossAxis) cross_axis += moment / 48;
-  }
-  EXPECT_NEAR(std::sqrt(scale), sigmas.scale.sigma, 1e-3 * sigmas.scale.sigma);
-  EXPECT_NEAR(std::sqrt(cross_axis), sigmas.cross_axis.sigma, 1e-3 * sigmas.cross_axis.sigma);
+  const Eigen::VectorXd moments = mean.cwiseAbs2() + covariance.diagonal();
+  EXPECT_NEAR(rootMeanOf(SensorError::Scale, moments), sigmas.scale.sigma, 1e-3 * sigmas.scale.sigma);
+  EXPECT_NEAR(rootMeanOf(SensorError::CrossAxis, moments), sigmas.cross_axis.sigma, 1e-3 * sigmas.cross_axis.sigma);
 }
 
 TEST(SensorSigmas, WithoutInformationStayTheModelsAndSaySo) {

@@ -25,12 +25,9 @@ PatchReconstruction patchWith(const Uncertainty95& worst, std::uint32_t first = 
   PatchReconstruction patch;
   patch.origin = CellId(first);
   for (std::uint32_t k = 0; k < 3; ++k) {
-    CellPlacement cell;
+    CellPlacement& cell = patch.cells.emplace_back();
     cell.cell = CellId(first + k);
     cell.cov_t_r = covarianceOf({worst.position_m * k / 2, worst.orientation_rad * k / 2});
-    patch.cells.push_back(cell);
-  }
-  for (std::uint32_t k = 0; k < 3; ++k) {
     patch.gravity.push_back({PoseId(k + 1), Eigen::Vector3d::Unit(k), 0.01});
   }
   return patch;
@@ -40,11 +37,7 @@ Reconstruction resultWith(const Uncertainty95& worst) {
   Reconstruction result;
   result.model = std::make_shared<const CellModel>(builtInCellModel("hex-bma150"));
   result.patches = {patchWith(worst)};
-  for (std::uint32_t k = 1; k <= 3; ++k) {
-    PoseSummary pose;
-    pose.pose = PoseId(k);
-    result.poses.push_back(pose);
-  }
+  for (std::uint32_t k = 1; k <= 3; ++k) result.poses.emplace_back().pose = PoseId(k);
   return result;
 }
 
@@ -102,11 +95,7 @@ TEST(Assess, TheNumberOfPosesDoesNotMatter) {
   for (const Uncertainty95& spread : {kPrecise, kRough, kUseless}) {
     Reconstruction result = resultWith(spread);
     const Assessment three = assess(result, forecastOf(spread, 0.5));
-    for (std::uint32_t k = 4; k <= 20; ++k) {
-      PoseSummary pose;
-      pose.pose = PoseId(k);
-      result.poses.push_back(pose);
-    }
+    for (std::uint32_t k = 4; k <= 20; ++k) result.poses.emplace_back().pose = PoseId(k);
     EXPECT_THAT(assess(result, forecastOf(spread, 0.5)), IsVerdict(three.level, three.limit, three.remedy));
   }
 }
@@ -146,24 +135,13 @@ TEST(Assess, ReadingsThatLackAreNamedAndTakenAgainWhereThatHelpsMost) {
   EXPECT_EQ(assess(resultWith(kUseless), forecast).remedy, Remedy::TakePose);
 }
 
-TEST(Assess, SeveralPatchesAreNeverGoodAndAreSaid) {
-  Reconstruction result = resultWith(kPrecise);
-  result.patches.push_back(patchWith(kPrecise, 10));
-  const Assessment assessment = assess(result, {});
-  EXPECT_THAT(assessment, IsVerdict(VerdictLevel::Usable, Limit::Patches, Remedy::Nothing));
-  EXPECT_THAT(assessment.reason.english(), HasSubstr("No link joins the 2 patches"));
-}
-
 TEST(Assess, CellsThatNothingJoinsAreAFailure) {
   Reconstruction result = resultWith(kPrecise);
   result.patches.clear();
   for (std::uint32_t k = 1; k <= 4; ++k) {
-    PatchReconstruction lone;
+    PatchReconstruction& lone = result.patches.emplace_back();
     lone.origin = CellId(k);
-    CellPlacement cell;
-    cell.cell = CellId(k);
-    lone.cells = {cell};
-    result.patches.push_back(lone);
+    lone.cells.emplace_back().cell = CellId(k);
   }
   const Assessment all = assess(result, {});
   EXPECT_THAT(all, IsVerdict(VerdictLevel::Failed, Limit::NoSkin, Remedy::CheckSkin));
@@ -181,17 +159,6 @@ TEST(Assess, AWarningKeepsAPreciseResultFromBeingGood) {
   EXPECT_THAT(assessment, IsVerdict(VerdictLevel::Usable, Limit::Findings, Remedy::Nothing));
   EXPECT_THAT(assessment.reason.english(), HasSubstr("Cell 2 is noisy."));
   EXPECT_EQ(assessment.next_action.english(), "Look at the findings, then export.");
-}
-
-TEST(Assess, NamesOfLimitsAndRemediesReadBack) {
-  for (int k = 0; k <= static_cast<int>(Limit::Findings); ++k) {
-    EXPECT_EQ(limitFromName(limitName(static_cast<Limit>(k))), static_cast<Limit>(k));
-  }
-  for (int k = 0; k <= static_cast<int>(Remedy::RetakePoses); ++k) {
-    EXPECT_EQ(remedyFromName(remedyName(static_cast<Remedy>(k))), static_cast<Remedy>(k));
-  }
-  EXPECT_FALSE(limitFromName("moon"));
-  EXPECT_FALSE(remedyFromName(""));
 }
 
 }  // namespace

@@ -18,6 +18,12 @@ std::shared_ptr<const Reconstruction> x17() {
   return reconstruct(*beginSimulatedSession(test::simulatedSkin()).snapshot());
 }
 
+/// An item whose message matches.
+template <class T>
+auto says(const T& matcher) {
+  return Field(&SkinCheckItem::message, testing::Property(&Message::english, matcher));
+}
+
 std::vector<CellSample> readingsOf(const Reconstruction& reconstruction) {
   std::vector<CellSample> readings;
   for (const CellPlacement& cell : reconstruction.patches.front().cells) {
@@ -32,9 +38,7 @@ TEST(SkinCheck, AHealthySkinIsReadyAndSaysWhatItReads) {
   EXPECT_TRUE(check.ready);
   EXPECT_EQ(check.because.english(), "Every cell sends");
   EXPECT_THAT(check.items, SizeIs(3));
-  EXPECT_THAT(check.items,
-              Contains(Field(&SkinCheckItem::message,
-                             testing::Property(&Message::english, "All 17 cells send and read 1.00 to 1.00 g"))));
+  EXPECT_THAT(check.items, Contains(says("All 17 cells send and read 1.00 to 1.00 g")));
   for (const SkinCheckItem& item : check.items) EXPECT_EQ(item.severity, Severity::Info) << item.message.english();
 }
 
@@ -46,10 +50,8 @@ TEST(SkinCheck, NamesCellsThatReadNoGravityOrSendNothing) {
   const SkinCheck check = checkSkin(*skin, readings, {});
   EXPECT_TRUE(check.ready) << "one pose more or less of a cell is no reason to stop";
   EXPECT_EQ(check.because.english(), "16 of 17 cells send");
-  EXPECT_THAT(check.items, Contains(Field(&SkinCheckItem::message,
-                                          testing::Property(&Message::english, HasSubstr("Cell 7 reads 0.50 g")))));
-  EXPECT_THAT(check.items, Contains(Field(&SkinCheckItem::message,
-                                          testing::Property(&Message::english, "Nothing comes from cell 17"))));
+  EXPECT_THAT(check.items, Contains(says(HasSubstr("Cell 7 reads 0.50 g"))));
+  EXPECT_THAT(check.items, Contains(says("Nothing comes from cell 17")));
 }
 
 TEST(SkinCheck, ADeviceThatSendsAnotherUnitIsOneSentenceAndNotOneForEachCell) {

@@ -52,7 +52,6 @@ TEST(Evaluation, ConeHasAHalfAngleAndNoOneRadius) {
   const SurfaceEvaluation cone = evaluateSurface(result->patches.front(), SurfaceKind::Cone);
   EXPECT_TRUE(cone.half_angle_rad && cone.radius_m);
   EXPECT_THAT(cone.distance_m, SizeIs(17));
-  EXPECT_LE(cone.rms_m, evaluateSurface(result->patches.front(), SurfaceKind::Cylinder).rms_m * (1 + 1e-6));
   EXPECT_THROW(evaluateSurface(result->patches.front(), SurfaceKind::Cone, 0.05), InvalidArgument);
   EXPECT_EQ(surfaceKindFromName("cone"), SurfaceKind::Cone);
   EXPECT_EQ(surfaceKindName(SurfaceKind::Cone), "cone");
@@ -104,14 +103,6 @@ TEST(Evaluation, ASurfaceOfTooFewCellsIsRefusedAndSaysWhy) {
   EXPECT_THROW(checkSurface(patch, std::nullopt), InvalidArgument);
   patch.cells.resize(1);
   EXPECT_THROW(checkSurface(patch, SurfaceKind::Plane), InvalidArgument);
-}
-
-TEST(Evaluation, LoopOfAClosedRingIsClosed) {
-  const PinJointedSkin skin = ringOfEight(45 * kDegree);
-  const LoopEvaluation loop = evaluateLoop(*solved(skin), kRingFirst, kRingLast);
-  EXPECT_NEAR(loop.length_m, 0, 1e-9);
-  // The paper: 16 port vectors accumulate to 222.28 mm.
-  EXPECT_NEAR(loop.loop_length_m, 0.22228, 1e-5);
 }
 
 TEST(Evaluation, LoopOfAnOpenRingIsItsGap) {
@@ -175,7 +166,7 @@ TEST(Evaluation, NineteenOfTwentyWithinWhatWasStatedAreEnough) {
   EXPECT_FALSE(countWithinStated({}).holds()) << "nothing stated is no statement";
 }
 
-TEST(Evaluation, ComparisonsAreSummarisedCellByCell) {
+TEST(Evaluation, ComparisonsAreSummarisedCellByCellAndAPatchOfOneSharedCellTellsNothing) {
   Comparison large;
   large.cells.resize(3);
   large.position_rms_m = 0.002;
@@ -185,27 +176,15 @@ TEST(Evaluation, ComparisonsAreSummarisedCellByCell) {
   small.position_rms_m = 0.004;
   small.cells[0].sigma_t_m = 0.001;
   small.cells[0].sigma_r_rad = 0.01;
-  const ComparisonSummary summary = summariseComparisons({large, small});
+  Comparison lonely;
+  lonely.cells = {small.cells[0]};
+  const ComparisonSummary summary = summariseComparisons({large, small, lonely});
   EXPECT_EQ(summary.cells, 5U);
   EXPECT_NEAR(summary.position_rms_m, std::sqrt((3 * 4.0 + 2 * 16.0) / 5) * 1e-3, 1e-12);
   EXPECT_NEAR(summary.orientation_rms_rad, 0.02 * std::sqrt(0.6), 1e-12);
-  EXPECT_EQ(summary.within.stated, 1U);
-  EXPECT_EQ(summariseComparisons({}).position_rms_m, 0);
-}
-
-TEST(Evaluation, APatchOfOneSharedCellTellsNothing) {
-  Comparison large;
-  large.cells.resize(3);
-  large.position_rms_m = 0.002;
-  Comparison lonely;
-  lonely.cells.resize(1);
-  lonely.cells[0].sigma_t_m = 0.001;
-  lonely.cells[0].sigma_r_rad = 0.01;
-  const ComparisonSummary summary = summariseComparisons({large, lonely});
-  EXPECT_EQ(summary.cells, 3U);
-  EXPECT_DOUBLE_EQ(summary.position_rms_m, 0.002);
-  EXPECT_EQ(summary.within.stated, 0U) << "it lies within whatever is stated";
+  EXPECT_EQ(summary.within.stated, 1U) << "a lonely cell lies within whatever is stated";
   EXPECT_EQ(summariseComparisons({lonely}).cells, 0U);
+  EXPECT_EQ(summariseComparisons({}).position_rms_m, 0);
 }
 
 TEST(Evaluation, ASurfaceIsJudgedByItsFurthestCellOnEitherSide) {
@@ -255,12 +234,6 @@ TEST(CellDistance, OfAFreshResultSaysHowSureItIs) {
   EXPECT_NEAR(*distance->sigma_m, std::sqrt(along.dot(cov * along)), 1e-9);
 }
 
-/// The largest patch's true distance between two cells.
-double trueDistance(const SimulatedSkin& skin, CellId a, CellId b) {
-  const auto place = [&](CellId cell) { return std::ranges::find(skin.truth(), cell, &TrueCell::id)->T_b_u.t; };
-  return (place(a) - place(b)).norm();
-}
-
 TEST(DistanceCheck, ATrueDistanceAgreesAndAWrongSizeContradicts) {
   constexpr std::uint64_t kSeeds = 10;
   for (const char* patch : {"x17", "sheet:5x6"}) {
@@ -269,7 +242,7 @@ TEST(DistanceCheck, ATrueDistanceAgreesAndAWrongSizeContradicts) {
       SimulatedSkin skin = test::simulatedSkin(test::skinOptions(patch, "", seed));
       const auto result = reconstruct(*simulateSession(skin, 4, 50).snapshot());
       const auto [a, b] = farApart(*largestPatch(*result)).value();
-      const double truth_m = trueDistance(skin, a, b);
+      const double truth_m = (test::truePlacement(skin, a).t - test::truePlacement(skin, b).t).norm();
       const DistanceCheck check = checkDistance(*result, a, b, truth_m);
       ASSERT_TRUE(check.sigma_m && check.deviations && check.detectable_scale);
       EXPECT_GT(*check.sigma_m, kCaliperSigma_m);

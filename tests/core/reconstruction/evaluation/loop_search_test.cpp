@@ -38,11 +38,8 @@ TEST(LoopSearch, FindsTheTwoPortsOfAnOpenRingWithTheirGap) {
 TEST(LoopSearch, PortsBeyondTheLargestGapDoNotFaceEachOther) {
   const auto result = solvedBy(ringOfEight(42 * kDegree));
   const double gap = evaluateLoop(*result, kRingFirst, kRingLast).length_m;
-  LoopSearchOptions options;
-  options.max_gap_m = 1.01 * gap;
-  EXPECT_THAT(findLoops(*result, options), SizeIs(1));
-  options.max_gap_m = 0.99 * gap;
-  EXPECT_THAT(findLoops(*result, options), IsEmpty());
+  EXPECT_THAT(findLoops(*result, {.max_gap_m = 1.01 * gap}), SizeIs(1));
+  EXPECT_THAT(findLoops(*result, {.max_gap_m = 0.99 * gap}), IsEmpty());
   EXPECT_THAT(findLoops(*solvedBy(ringOfEight(20 * kDegree))), IsEmpty()) << "ends far apart are no loop";
 }
 
@@ -92,9 +89,7 @@ TEST(LoopSearch, ASheetHasEveryIndependentLoopOnceTheWorstFirst) {
 }
 
 TEST(LoopSearch, RefusesOptionsThatMakeNoSense) {
-  LoopSearchOptions options;
-  options.max_gap_m = -1;
-  EXPECT_THROW(findLoops(Reconstruction(), options), InvalidArgument);
+  EXPECT_THROW(findLoops(Reconstruction(), {.max_gap_m = -1}), InvalidArgument);
 }
 
 }  // namespace

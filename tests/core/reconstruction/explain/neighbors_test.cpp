@@ -1,12 +1,9 @@
 #include "hexoderm/reconstruction/explain/explainer.h"
 
-#include "hexoderm/device/simulation/simulated_skin.h"
 #include "hexoderm/reconstruction/faults/suspects.h"
-#include "hexoderm/session/simulated_session.h"
-#include "hexoderm/util/error.h"
 #include "tests/support/changed_session.h"
-#include "tests/support/error_matchers.h"
 #include "tests/support/pin_jointed_skin.h"
+#include "tests/support/simulated_skins.h"
 
 #include <gmock/gmock.h>
 
@@ -15,7 +12,6 @@ namespace {
 
 using ::testing::ElementsAre;
 using ::testing::Field;
-using ::testing::IsEmpty;
 
 /// Excludes what neighbouring cells show, until there is nothing left.
 void explainAll(Estimate& estimate) {
@@ -26,15 +22,6 @@ void explainAll(Estimate& estimate) {
     if (!explanation) return;
     estimate.exclude(std::move(*explanation));
   }
-}
-
-TEST(Neighbors, ASoundSkinStaysAsItIs) {
-  const auto snapshot = bentX17().session(orthogonalUps(4)).snapshot();
-  const SolverOptions options;
-  Estimate estimate(*snapshot, options);
-  explainAll(estimate);
-  EXPECT_THAT(estimate.findings(), IsEmpty());
-  for (const GraphLink& link : estimate.skin().graph().links()) EXPECT_FALSE(link.muted());
 }
 
 TEST(Neighbors, ACellThatContradictsItsNeighboursIsDroppedInsteadOfItsLinks) {
@@ -79,16 +66,12 @@ void expectSameEdges(const SkinLinks& a, const SkinLinks& b) {
 
 TEST(NeighborsOfManyCells, AreJudgedTheSameToTheLastBitAndCostsNoMoreThanTheLinksConcerned) {
   for (const std::uint64_t seed : {3U, 104U, 105U}) {
-    SimulatedSkinOptions options;
-    options.patch = "sheet:12x13";
-    options.surface = "cylinder:r=0.1";
-    options.seed = seed;
+    SimulatedSkinOptions options = test::skinOptions("sheet:12x13", "cylinder:r=0.1", seed);
     // Some stand beside each other, so that what a cell without readings is guessed to read depends on others.
     for (const std::uint32_t id : {20U, 21U, 34U, 47U, 60U, 90U, 103U, 120U, 140U}) {
       options.faults.push_back({SkinFault::WrongGain, CellId(id)});
     }
-    SimulatedSkin skin(builtInCellModel("hex-bma150"), options);
-    const auto snapshot = simulateSession(skin, 4).snapshot();
+    const auto snapshot = test::simulatedSession(options, 4).snapshot();
     const SolverOptions solver;
     std::vector<Finding> findings;
     SkinLinks all(*snapshot, solver, findings);
@@ -113,43 +96,6 @@ TEST(NeighborsOfManyCells, AreJudgedTheSameToTheLastBitAndCostsNoMoreThanTheLink
     EXPECT_LE(judged, 4 * dropped.size() * dropped.size()) << "at most all links of those dropped so far, each time";
     EXPECT_LT(judged, 8 * dropped.size()) << "seed " << seed << ": hardly more than their own";
   }
-}
-
-TEST(Estimate, LeavesAtOnceWhenItIsStopped) {
-  const auto snapshot = bentX17().session(orthogonalUps(4)).snapshot();
-  const SolverOptions options;
-  Estimate estimate(*snapshot, options);
-  std::stop_source stop;
-  stop.request_stop();
-  EXPECT_EQ(estimate.bringTo(Estimate::Stage::Links, stop.get_token()), Completion::Stopped);
-  EXPECT_THAT(estimate.skin().edges(), IsEmpty());
-}
-
-TEST(Estimate, LeavingOutDropsTheReadingsOfACell) {
-  const auto snapshot = bentX17().session(orthogonalUps(2)).snapshot();
-  SolverOptions options;
-  options.left_out = {CellId(4)};
-  Estimate estimate(*snapshot, options);
-  ASSERT_EQ(estimate.bringTo(Estimate::Stage::Links, {}), Completion::Finished);
-  EXPECT_FALSE(estimate.skin().readings().measured(*estimate.skin().graph().indexOf(CellId(4))));
-  EXPECT_THAT(estimate.findings(), ElementsAre(Field(&Finding::code, FindingCode::LeftOut)));
-  options.left_out = {CellId(99)};
-  EXPECT_THAT(test::messageOf<InvalidArgument>([&] { static_cast<void>(Estimate(*snapshot, options)); }),
-              ::testing::HasSubstr("99"));
-}
-
-TEST(Estimate, LinksSetAsideAreMutedAndThePatchEndsThere) {
-  Session session = bentX17().session(orthogonalUps(2));
-  const SkinGraph graph(session.model(), session.neighbors());
-  ASSERT_EQ(graph.patches().size(), 1U);
-  const GraphLink& link = graph.links().front();
-  session.setLinkMuted(graph.sourceEnd(link), graph.targetEnd(link), true, "a cable");
-  const auto snapshot = session.snapshot();
-  const SolverOptions options;
-  const Estimate estimate(*snapshot, options);
-  EXPECT_EQ(estimate.skin().graph().links().front().muted_by, FindingCode::LinkSetAside);
-  EXPECT_EQ(estimate.skin().graph().patches().size(), 2U);
-  EXPECT_THAT(estimate.findings(), ElementsAre(Field(&Finding::code, FindingCode::LinkSetAside)));
 }
 
 }  // namespace

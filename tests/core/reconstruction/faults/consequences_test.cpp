@@ -2,6 +2,8 @@
 
 #include "hexoderm/reconstruction/faults/requested_exclusions.h"
 #include "hexoderm/util/units.h"
+#include "tests/support/changed_session.h"
+#include "tests/support/options.h"
 #include "tests/support/pin_jointed_skin.h"
 
 #include <gmock/gmock.h>
@@ -38,9 +40,7 @@ std::vector<Finding> saidOf(const Session& session, const SolverOptions& options
 }
 
 std::vector<Finding> saidWithout(CellId cell) {
-  SolverOptions options;
-  options.left_out = {cell};
-  return saidOf(bentX17().session(orthogonalUps(3)), options);
+  return saidOf(bentX17().session(orthogonalUps(3)), test::with(&SolverOptions::left_out, {cell}));
 }
 
 TEST(Consequences, ATreeIsSplitWhereALinkIsSetAside) {
@@ -76,9 +76,7 @@ TEST(Consequences, NobodyCallsTheBorderOfABodyPartASplit) {
     const bool is_on_first_arm = report.id >= CellId(2) && report.id <= CellId(5);
     report.body_part = is_on_first_arm ? "hand" : "arm";
   }
-  Session session(skin.model(), neighbors);
-  for (const SessionPose& pose : skin.poses()) session.addPose(pose);
-  const std::vector<Finding> findings = saidOf(session);
+  const std::vector<Finding> findings = saidOf(withNeighbors(skin, neighbors));
   ASSERT_THAT(findings, SizeIs(1));
   EXPECT_THAT(findings[0].message.english(), EndsWith("arm and hand; the patch ends there."));
 }

@@ -17,29 +17,31 @@ GroundTruth truthOf(const Reconstruction& reconstruction) {
   return truth;
 }
 
+/// So many cells, each where the reconstruction has it.
+void expectAligned(const std::vector<AlignedCell>& aligned, std::size_t count, const Reconstruction& reconstruction) {
+  ASSERT_EQ(aligned.size(), count);
+  for (const AlignedCell& cell : aligned) {
+    EXPECT_THAT(cell.T_o_u, SE3Near(reconstruction.find(cell.cell).cell->T_o_u, 1e-9, 1e-9));
+  }
+}
+
 TEST(AlignedTruth, OfAPerfectReconstructionLiesOnIt) {
   const Reconstruction demo = demoReconstruction();
   GroundTruth truth = truthOf(demo);
   truth.cells.erase(truth.cells.begin() + 3);  // cell 4
   const std::vector<AlignedCell> aligned = alignTruth(demo, truth);
-  ASSERT_EQ(aligned.size(), 16U);
+  expectAligned(aligned, 16, demo);
   for (const AlignedCell& cell : aligned) {
     EXPECT_NE(cell.cell, CellId(4));
     EXPECT_EQ(cell.patch, 0U);
-    EXPECT_THAT(cell.T_o_u, SE3Near(demo.find(cell.cell).cell->T_o_u, 1e-9, 1e-9));
   }
 }
 
 TEST(AlignedTruth, CentresOnALineTakeTheTurnFromTheOrientations) {
   const Reconstruction single = demoReconstruction({.arm_cells = 0});
-  EXPECT_THAT(alignTruth(single, truthOf(single)).at(0).T_o_u, SE3Near(SE3(), 1e-9, 1e-9));
-
+  expectAligned(alignTruth(single, truthOf(single)), 1, single);
   const Reconstruction row = sheetReconstruction(6, 1);
-  const std::vector<AlignedCell> aligned = alignTruth(row, truthOf(row));
-  ASSERT_EQ(aligned.size(), 6U);
-  for (const AlignedCell& cell : aligned) {
-    EXPECT_THAT(cell.T_o_u, SE3Near(row.find(cell.cell).cell->T_o_u, 1e-9, 1e-9));
-  }
+  expectAligned(alignTruth(row, truthOf(row)), 6, row);
 }
 
 TEST(AlignedTruth, IsMovedPatchByPatch) {
@@ -47,11 +49,8 @@ TEST(AlignedTruth, IsMovedPatchByPatch) {
   GroundTruth truth = truthOf(two);
   for (std::size_t k = 17; k < 34; ++k) truth.cells[k].T_b_u = kBody * truth.cells[k].T_b_u;
   const std::vector<AlignedCell> aligned = alignTruth(two, truth);
-  ASSERT_EQ(aligned.size(), 34U);
-  EXPECT_EQ(aligned[20].patch, 1U);
-  for (const AlignedCell& cell : aligned) {
-    EXPECT_THAT(cell.T_o_u, SE3Near(two.find(cell.cell).cell->T_o_u, 1e-9, 1e-9));
-  }
+  expectAligned(aligned, 34, two);
+  EXPECT_EQ(aligned.at(20).patch, 1U);
 }
 
 TEST(CellShifts, LeadFromTheReferenceToTheCell) {

@@ -20,12 +20,6 @@ JointState stepped(const JointProblem& problem, const JointState& state, const E
   return moved(problem, state, step.head(rows), step.tail(step.size() - rows));
 }
 
-Eigen::VectorXd gradientOf(const NormalEquations& equations) {
-  Eigen::VectorXd gradient(equations.gradient_cells.size() + equations.gradient_border.size());
-  gradient << equations.gradient_cells, equations.gradient_border;
-  return gradient;
-}
-
 /// Steps by which the cost would rise by a like amount: one standard deviation of each unknown alone.
 Eigen::VectorXd scaleOf(const Eigen::MatrixXd& H) { return H.diagonal().cwiseMax(1e-12).cwiseSqrt().cwiseInverse(); }
 
@@ -35,7 +29,8 @@ double gradientError(const JointProblem& problem, const JointState& state) {
   NormalEquations equations;
   linearize(problem, state, equations);
   EXPECT_NEAR(equations.cost, jointCost(problem, state), 1e-12 * equations.cost);
-  const Eigen::VectorXd gradient = gradientOf(equations);
+  Eigen::VectorXd gradient(equations.gradient_cells.size() + equations.gradient_border.size());
+  gradient << equations.gradient_cells, equations.gradient_border;
   const Eigen::VectorXd scale = scaleOf(denseMatrix(problem, equations));
   double worst = 0;
   double largest = 0;
@@ -183,6 +178,13 @@ double hessianError(const JointProblem& problem, const JointState& state) {
   return worst;
 }
 
+void expectHessian(JointCase example, const GapShare& gap, double cost_tolerance) {
+  example.problem.gap = gap;
+  addExactReadings(example, {{0.2, 0.1, 1}, {1, 0.3, -0.1}, {0.1, -1, 0.4}});
+  EXPECT_NEAR(jointCost(example.problem, example.truth), 0, cost_tolerance);
+  EXPECT_LT(hessianError(example.problem, example.truth), 1e-5) << nameOf(gap);
+}
+
 TEST(JointCost, MatrixIsTheHessianWhereNothingIsLeftOver) {
   // All residuals are zero: flat cells for the elastomer, mean gap share, no angular acceleration, perfect sensors.
   for (const GapShare& gap : kGaps) {
@@ -191,12 +193,9 @@ TEST(JointCost, MatrixIsTheHessianWhereNothingIsLeftOver) {
       // The first arm and a cell of the second are enough.
       example.truth.cells.resize(6);
       example.problem.links.resize(5);
-      example.problem.gap = gap;
       example.problem.accelerations = accelerations;
       example.problem.origin = 2;
-      addExactReadings(example, {{0.2, 0.1, 1}, {1, 0.3, -0.1}, {0.1, -1, 0.4}});
-      EXPECT_NEAR(jointCost(example.problem, example.truth), 0, 1e-20);
-      EXPECT_LT(hessianError(example.problem, example.truth), 1e-5) << nameOf(gap);
+      expectHessian(example, gap, 1e-20);
     }
   }
 }
@@ -204,13 +203,7 @@ TEST(JointCost, MatrixIsTheHessianWhereNothingIsLeftOver) {
 TEST(JointCost, MatrixIsTheHessianOfABentSkinWithoutElastomer) {
   CellModel model = builtInCellModel("hex-bma150");
   model.bend_sigma_rad = model.twist_sigma_rad = model.yaw_sigma_rad = 1e6;
-  for (const GapShare& gap : kGaps) {
-    JointCase example = exactRing(model, gap.mean);
-    example.problem.gap = gap;
-    addExactReadings(example, {{0.2, 0.1, 1}, {1, 0.3, -0.1}, {0.1, -1, 0.4}});
-    EXPECT_NEAR(jointCost(example.problem, example.truth), 0, 1e-9);
-    EXPECT_LT(hessianError(example.problem, example.truth), 1e-5) << nameOf(gap);
-  }
+  for (const GapShare& gap : kGaps) expectHessian(exactRing(model, gap.mean), gap, 1e-9);
 }
 
 TEST(JointCost, ExactLinksAndReadingsCostOnlyWhatTheElastomerPriorAsks) {

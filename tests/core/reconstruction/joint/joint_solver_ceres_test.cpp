@@ -31,7 +31,6 @@ void expectSameOptimum(const JointProblem& problem, const JointState& start, con
   CeresOracle onwards(problem, ours.state);
   EXPECT_LT(1 - costByCeres(onwards) / ours.cost, 1e-6) << what << ": Ceres improves our optimum";
   EXPECT_LT(1 - solveJointly(problem, oracle.state()).cost / ceres_cost, 1e-6) << what << ": we improve Ceres' optimum";
-  ::testing::Test::RecordProperty(what, std::to_string(1e9 * (ours.cost / ceres_cost - 1)) + "e-9");
 }
 
 TEST(JointSolverAgainstCeres, SameOptimumWithEveryGapModel) {

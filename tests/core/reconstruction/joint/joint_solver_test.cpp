@@ -5,6 +5,7 @@
 #include "hexoderm/util/error.h"
 #include "tests/core/reconstruction/joint/joint_case.h"
 #include "tests/support/matchers.h"
+#include "tests/support/options.h"
 #include "tests/support/pin_jointed_skin.h"
 
 #include <Eigen/Eigenvalues>
@@ -289,52 +290,6 @@ TEST(JointSolver, PosesThatSayLittleLeaveLargeUncertainties) {
   }
 }
 
-TEST(JointSolver, WithoutPosesOneLinkIsAsUncertainAsItsElastomer) {
-  const CellModel model = builtInCellModel("hex-bma150");
-  JointCase example(model);
-  example.truth.cells = {SE3(), SE3()};
-  example.problem.links = {makeLink(model, 0, 1, 1, 4)};
-  example.truth.cells[1] = placeByLink(SE3(), example.problem.links[0], example.problem.links[0].R_nom, 0);
-  example.problem.gap = kPivotGap;
-  example.problem.readings.resize(2);
-  const JointSolution solution = solveJointly(example.problem, example.truth);
-  expectSane(example.problem, solution, "two cells");
-  const Eigen::Matrix3d C = solution.covariance->cell(1).bottomRightCorner<3, 3>();
-  const Eigen::Vector3d sigma = Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(C).eigenvalues().cwiseSqrt();
-  Eigen::Vector3d expected(model.yaw_sigma_rad, model.twist_sigma_rad, model.bend_sigma_rad);
-  std::sort(expected.data(), expected.data() + 3);
-  EXPECT_LT((sigma - expected).norm(), 1e-9);
-}
-
-TEST(JointSolver, ASingleCellIsTheFrame) {
-  for (const std::size_t poses : {0U, 1U, 3U}) {
-    JointCase example(builtInCellModel("hex-bma150"));
-    example.problem.gap = kFitGap;
-    example.truth.cells = {SE3()};
-    addExactReadings(example, orthogonalUps(poses));
-    const JointSolution solution =
-        solveJointly(example.problem, perturbed(example.problem, example.truth, 0.1, 0.001, 2));
-    expectSane(example.problem, solution, "single cell, " + std::to_string(poses) + " poses");
-    EXPECT_EQ(solution.covariance->cell(0).norm(), 0);
-    EXPECT_NEAR(solution.covariance->gapShareSigma(), *kFitGap.sigma, 1e-12) << "nothing speaks of it but the prior";
-    EXPECT_NEAR(solution.state.gap_share, kFitGap.mean, 1e-9);
-  }
-}
-
-TEST(JointSolver, ACellWithoutReadingsLiesWhereItsLinksPutIt) {
-  for (const std::size_t poses : {2U, 3U}) {
-    JointCase example = simulatedCase(test::skinOptions("x17"), poses, kFitGap);
-    const JointSolution with = solveJointly(example.problem, example.truth);
-    const std::size_t leaf = 16;
-    example.problem.readings[leaf].clear();
-    example.problem.readings[2].clear();
-    const JointSolution without = solveJointly(example.problem, example.truth);
-    expectSane(example.problem, without, std::to_string(poses) + " poses");
-    EXPECT_GT(worstTurn(without, leaf), 20 * kDegree) << "a leaf may bend as its elastomer lets it";
-    EXPECT_LT(worstTurn(with, leaf), 10 * kDegree);
-  }
-}
-
 TEST(JointSolver, APoseThatNoCellReadsAnyMoreStaysUnknown) {
   // This happens when the only cell that was measured in a pose is left out.
   JointCase example = simulatedCase(test::skinOptions("x17"), 4, kFitGap);
@@ -353,8 +308,7 @@ TEST(JointSolver, TheStartDoesNotMatter) {
   JointCase example = simulatedCase(test::skinOptions("sheet:5x5", "cylinder:r=0.06"), 3, kFitGap);
   const JointSolution near = solveJointly(example.problem, example.truth);
   // The way is long if most links are beyond the loss's threshold.
-  JointSolverOptions patient;
-  patient.max_iterations = 300;
+  const auto patient = test::with(&JointSolverOptions::max_iterations, 300);
   for (std::uint64_t seed = 1; seed <= 10; ++seed) {
     const JointSolution far =
         solveJointly(example.problem, perturbed(example.problem, example.truth, 0.2, 0.005, seed), patient);
@@ -368,17 +322,15 @@ TEST(JointSolver, StopsWhereItIsWhenAsked) {
   const JointCase example = simulatedCase(test::skinOptions("x17"), 3, kFitGap);
   std::stop_source source;
   source.request_stop();
-  JointSolverOptions options;
-  options.stop = source.get_token();
   const JointState start = perturbed(example.problem, example.truth, 0.1, 0.001, 3);
-  const JointSolution solution = solveJointly(example.problem, start, options);
+  const JointSolution solution =
+      solveJointly(example.problem, start, test::with(&JointSolverOptions::stop, source.get_token()));
   EXPECT_EQ(solution.termination, JointTermination::Stopped);
   EXPECT_EQ(solution.iterations, 0);
   EXPECT_EQ(solution.state.cells[4].t, start.cells[4].t);
   EXPECT_EQ(solution.covariance, nullptr) << "nobody waits for it";
-  options.stop = {};
-  options.max_iterations = 1;
-  EXPECT_EQ(solveJointly(example.problem, start, options).termination, JointTermination::StepLimit);
+  EXPECT_EQ(solveJointly(example.problem, start, test::with(&JointSolverOptions::max_iterations, 1)).termination,
+            JointTermination::StepLimit);
 }
 
 /// A simulated skin whose readings are as mixed as they get: some are missing, some far off, some less certain; a cell
@@ -406,11 +358,11 @@ TEST(JointOrder, OptimumAndCovarianceAreTheSameInBothOrders) {
     for (const std::size_t poses : {2U, 4U, 40U}) {
       for (const GapShare& gap : {kFitGap, kArcGap}) {
         const JointCase example = mixedCase(patch, poses, gap);
-        JointSolverOptions options;
-        options.order = JointOrder::CellsFirst;
-        const JointSolution a = solveJointly(example.problem, example.truth, options);
-        options.order = JointOrder::PosesFirst;
-        const JointSolution b = solveJointly(example.problem, example.truth, options);
+        const auto solveBy = [&](JointOrder order) {
+          return solveJointly(example.problem, example.truth, test::with(&JointSolverOptions::order, order));
+        };
+        const JointSolution a = solveBy(JointOrder::CellsFirst);
+        const JointSolution b = solveBy(JointOrder::PosesFirst);
         const std::string what = std::string(patch) + ", " + std::to_string(poses) + " poses, " + nameOf(gap);
         expectSane(example.problem, b, what);
         EXPECT_EQ(a.iterations, b.iterations) << what;

@@ -5,7 +5,9 @@
 #include "hexoderm/reconstruction/patch/patch_solver.h"
 #include "hexoderm/reconstruction/reconstructor.h"
 #include "tests/support/changed_session.h"
+#include "tests/support/options.h"
 #include "tests/support/simulated_skins.h"
+#include "tests/support/slow_build.h"
 
 #include <gmock/gmock.h>
 
@@ -22,20 +24,15 @@ using ::testing::Field;
 using ::testing::IsEmpty;
 using ::testing::Not;
 
-// With assertions and sanitizers dense algebra takes a hundred times as long.
-#ifdef NDEBUG
-constexpr int kSide = 35;
-constexpr std::uint64_t kSeeds[] = {2, 5, 6, 101, 102};
-#else
-constexpr int kSide = 12;
-constexpr std::uint64_t kSeeds[] = {2, 101};
-#endif
+constexpr int kSide = test::kSlowBuild ? 12 : 35;
+const auto kSeeds = test::kSlowBuild ? std::vector{2, 101} : std::vector{2, 5, 6, 101, 102};
 
 /// A skin on a cylinder, of every size the same part of the way around, and a session of it.
 struct SimulatedSession {
-  SimulatedSession(int side, std::size_t poses, std::uint64_t seed)
+  SimulatedSession(int side, std::size_t poses, int seed)
       : skin(test::simulatedSkin(test::skinOptions("sheet:" + std::to_string(side) + "x" + std::to_string(side + 1),
-                                                   "cylinder:r=" + std::to_string(0.25 * side / 35), seed))),
+                                                   "cylinder:r=" + std::to_string(0.25 * side / 35),
+                                                   static_cast<std::uint64_t>(seed)))),
         session(simulateSession(skin, poses)) {}
 
   SimulatedSkin skin;
@@ -45,7 +42,7 @@ struct SimulatedSession {
 /// The same as its joint estimate finds it: the problem, and the tree's placements to start from.
 class TreeStart {
  public:
-  TreeStart(int side, std::size_t poses, std::uint64_t seed) {
+  TreeStart(int side, std::size_t poses, int seed) {
     const SimulatedSession simulated(side, poses, seed);
     snapshot_ = simulated.session.snapshot();
     for (const TrueCell& cell : simulated.skin.truth()) T_b_u_.push_back(cell.T_b_u);
@@ -89,21 +86,20 @@ double strictCost(const TreeStart& start) {
   return solveJointly(start.problem(), start.truth(), strict).cost;
 }
 
-void expectFewSteps(int side, std::size_t poses, std::uint64_t seed, int most) {
+void expectFewSteps(int side, std::size_t poses, int seed, int most) {
   const TreeStart start(side, poses, seed);
-  JointSolverOptions options;
-  options.covariance = false;
-  const JointSolution solution = solveJointly(start.problem(), start.state(), options);
+  const JointSolution solution =
+      solveJointly(start.problem(), start.state(), test::with(&JointSolverOptions::covariance, false));
   EXPECT_EQ(solution.termination, JointTermination::Converged) << "seed " << seed;
   EXPECT_LE(solution.iterations, most) << "seed " << seed;
   EXPECT_LE(solution.cost, strictCost(start) * (1 + 1e-6)) << "seed " << seed;
 }
 
 TEST(JointStages, FewStepsLeadToTheOptimum) {
-  for (const std::uint64_t seed : kSeeds) expectFewSteps(kSide, 2, seed, 20);
-  for (const std::uint64_t seed : kSeeds) expectFewSteps(kSide, 3, seed, 10);
+  for (const int seed : kSeeds) expectFewSteps(kSide, 2, seed, 20);
+  for (const int seed : kSeeds) expectFewSteps(kSide, 3, seed, 10);
   // Links that look closed and refuse the first step.
-  for (const std::uint64_t seed : {5, 6, 7}) expectFewSteps(12, 3, seed, 10);
+  for (const int seed : {5, 6, 7}) expectFewSteps(12, 3, seed, 10);
 }
 
 TEST(JointStages, GrossErrorsDoNotLeadTheStagesAway) {
@@ -123,7 +119,7 @@ TEST(JointStages, GrossErrorsDoNotLeadTheStagesAway) {
 /// In a solve such readings are found and left out, after which few steps are left.
 TEST(JointStages, ASolveWithGrossErrorsConverges) {
   for (const std::size_t poses : {2U, 3U}) {
-    for (const std::uint64_t seed : kSeeds) {
+    for (const int seed : kSeeds) {
       const SimulatedSession simulated(kSide, poses, seed);
       const Session session = changed(simulated.session, [](std::size_t pose, GravitySample& sample) {
         if (pose == 1 && sample.cell.value() % 50 == 8) sample.mean_g.y() *= -1;

@@ -4,6 +4,7 @@
 #include "hexoderm/reconstruction/joint/joint_solver.h"
 #include "hexoderm/reconstruction/reconstructor.h"
 #include "tests/core/reconstruction/joint/joint_case.h"
+#include "tests/support/options.h"
 
 #include <gtest/gtest.h>
 
@@ -51,8 +52,7 @@ TEST(LivingJointSolver, TheOrderMayChangeBetweenSolutions) {
   example.problem.accelerations = false;
   JointSolver solver;
   for (const JointOrder order : {JointOrder::PosesFirst, JointOrder::CellsFirst, JointOrder::PosesFirst}) {
-    JointSolverOptions options;
-    options.order = order;
+    const auto options = test::with(&JointSolverOptions::order, order);
     expectSame(solver.solve(example.problem, example.truth, options),
                solveJointly(example.problem, example.truth, options), example.problem);
   }

@@ -3,6 +3,7 @@
 #include "hexoderm/geometry/procrustes.h"
 #include "hexoderm/util/units.h"
 #include "tests/support/matchers.h"
+#include "tests/support/options.h"
 
 #include <random>
 
@@ -64,12 +65,9 @@ TEST(EdgeRotation, CentringRemovesOffsetsExactlyAndAutoChoosesIt) {
   EdgeReadings readings = readingsFor(someRotation(), kTetrahedron);
   readings.c_g.colwise() += Eigen::Vector3d(0.06, -0.09, 0.04);
   readings.n_g.colwise() += Eigen::Vector3d(-0.05, 0.02, 0.08);
-  SolverOptions options;
-  options.centring = Centring::Off;
-  const EdgeRotation plain = estimate(readings, options);
+  const EdgeRotation plain = estimate(readings, test::with(&SolverOptions::centring, Centring::Off));
   EXPECT_GT(rotationAngle(plain.R_c_n.transpose() * someRotation()), 1e-4);
-  options.centring = Centring::Auto;
-  const EdgeRotation centred = estimate(readings, options);
+  const EdgeRotation centred = estimate(readings);
   EXPECT_TRUE(centred.centred);
   EXPECT_THAT(centred.R_c_n, RotationNear(someRotation(), 1e-9));
   EXPECT_THAT(centred.residual_rad, DoubleNear(0, 1e-9));
@@ -80,10 +78,8 @@ TEST(EdgeRotation, IsNotCentredWhereThatWouldLeaveALine) {
   const auto isCentred = [](const std::vector<Eigen::Vector3d>& ups, const SolverOptions& options = {}) {
     return estimate(readingsFor(someRotation(), ups), options).centred;
   };
-  SolverOptions on;
-  on.centring = Centring::On;
   EXPECT_FALSE(isCentred(kTwo));
-  EXPECT_FALSE(isCentred(kTwo, on));
+  EXPECT_FALSE(isCentred(kTwo, test::with(&SolverOptions::centring, Centring::On)));
   EXPECT_FALSE(isCentred({{0, 0, 1}, {0, 0, 1}, {1, 0, 0}})) << "a pose taken twice and another one";
 }
 
@@ -111,9 +107,8 @@ TEST(EdgeRotation, OnePoseFixesTiltAndSupportAxesTheTurnAboutGravity) {
 TEST(EdgeRotation, ParallelAndOppositePosesStayPartiallyDefinedAndFinite) {
   for (const Eigen::Vector3d& second : {Eigen::Vector3d(0, 0, 1), Eigen::Vector3d(0, 0, -1)}) {
     for (const SupportAxes axes : {SupportAxes::Auto, SupportAxes::On, SupportAxes::Off}) {
-      SolverOptions options;
-      options.support_axes = axes;
-      const EdgeRotation edge = estimate(readingsFor(someRotation(), {Eigen::Vector3d::UnitZ(), second}), options);
+      const EdgeRotation edge = estimate(readingsFor(someRotation(), {Eigen::Vector3d::UnitZ(), second}),
+                                         test::with(&SolverOptions::support_axes, axes));
       EXPECT_EQ(edge.quality, EdgeQuality::Partially);
       EXPECT_TRUE(edge.R_c_n.allFinite() && edge.covariance.allFinite());
       EXPECT_GT(std::sqrt(edge.covariance.trace()), 2 * kDegree) << "what is not known must not look known";
@@ -131,10 +126,7 @@ TEST(EdgeRotation, PredictedDeviationAgreesWithSimulatedSensors) {
   const std::pair<std::vector<Eigen::Vector3d>, Centring> cases[] = {
       {kTwo, Centring::Off}, {three, Centring::Off}, {three, Centring::On}, {kTetrahedron, Centring::On}};
   for (const auto& entry : cases) {
-    const std::vector<Eigen::Vector3d>& ups = entry.first;
-    const Centring centring = entry.second;
-    SolverOptions options;
-    options.centring = centring;
+    const auto options = test::with(&SolverOptions::centring, entry.second);
     constexpr int kTrials = 4000;
     double squared = 0;
     double predicted = 0;
@@ -149,7 +141,7 @@ TEST(EdgeRotation, PredictedDeviationAgreesWithSimulatedSensors) {
       for (Eigen::Index k = 0; k < g.size(); ++k) g.data()[k] += 1e-3 * normal(random);
     };
     for (int trial = 0; trial < kTrials; ++trial) {
-      EdgeReadings readings = readingsFor(someRotation(), ups);
+      EdgeReadings readings = readingsFor(someRotation(), entry.first);
       corrupt(readings.c_g);
       corrupt(readings.n_g);
       const EdgeRotation edge = estimate(readings, options);

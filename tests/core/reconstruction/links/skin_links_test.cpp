@@ -7,9 +7,6 @@
 namespace hexoderm {
 namespace {
 
-using ::testing::Each;
-using ::testing::Eq;
-
 class SkinLinksTest : public ::testing::Test {
  protected:
   SkinLinksTest() { links_.estimateEdges(); }
@@ -20,19 +17,6 @@ class SkinLinksTest : public ::testing::Test {
   std::vector<Finding> findings_;
   SkinLinks links_{*snapshot_, options_, findings_};
 };
-
-TEST_F(SkinLinksTest, EdgesFollowWhatWasDroppedOnlyWhenTheyAreEstimatedAgain) {
-  const std::size_t cell = *links_.graph().indexOf(CellId(3));
-  links_.dropCell(cell);
-  EXPECT_TRUE(links_.readings().measured(cell));
-  links_.estimateEdges();
-  EXPECT_FALSE(links_.readings().measured(cell));
-  EXPECT_TRUE(links_.readings().interpolated(cell));
-  for (const std::size_t k : links_.graph().linksAt(cell)) {
-    EXPECT_EQ(links_.edges()[k].quality, EdgeQuality::Undefined);
-    EXPECT_THAT(links_.poseResiduals(k), Each(Eq(std::nullopt)));
-  }
-}
 
 TEST_F(SkinLinksTest, ADroppedPoseIsUsedByNoLink) {
   links_.dropPose(1);

@@ -1,5 +1,7 @@
 #include "hexoderm/reconstruction/links/tree_placement.h"
 
+#include "tests/support/neighbor_lists.h"
+
 #include <gmock/gmock.h>
 
 #include <random>
@@ -7,24 +9,15 @@
 namespace hexoderm {
 namespace {
 
-/// A chain with a branch: 1 - 2 - 3 - 4 and 3 - 5, with the origin in 2.
-SkinGraph branchedSkin(const CellModel& model) {
-  const auto to = [](std::uint32_t port, std::uint32_t cell, std::uint32_t cell_port) {
-    return NeighborReport{PortNumber(port), CellId(cell), PortNumber(cell_port)};
-  };
-  return {model,
-          {{CellId(1), "", {to(1, 2, 4)}},
-           {CellId(2), "", {to(4, 1, 1), to(1, 3, 4)}},
-           {CellId(3), "", {to(4, 2, 1), to(1, 4, 4), to(2, 5, 3)}},
-           {CellId(4), "", {to(4, 3, 1)}},
-           {CellId(5), "", {to(3, 3, 2)}}}};
-}
-
 /// The definition: every error of its own carried to a cell by its own 6 x 3 matrix, and their sum of squares.
 ///   left error of n: rotation e_n - e_o + sum_j k_j, position u_n - e_n x b_n - e_o x (t_n - f_n) + tau_n.
 TEST(TreePlacement, CovarianceIsThatOfAllErrorsCarriedToTheCell) {
   const CellModel model = builtInCellModel("hex-bma150");
-  const SkinGraph graph = branchedSkin(model);
+  // A chain with a branch: 1 - 2 - 3 - 4 and 3 - 5, with the origin in 2.
+  NeighborList list = test::listOfCells(5);
+  for (const std::uint32_t id : {1U, 2U, 3U}) test::joinCells(list, id, 1, id + 1, 4);
+  test::joinCells(list, 3, 2, 5, 3);
+  const SkinGraph graph(model, list);
   std::mt19937 random(1);
   std::normal_distribution<double> normal;
   const auto drawCovariance = [&](double scale) {

@@ -1,18 +1,13 @@
 #include "hexoderm/reconstruction/patch/patch_solver.h"
 
-#include "hexoderm/device/simulation/simulated_skin.h"
 #include "hexoderm/reconstruction/patch/patch_description.h"
-#include "hexoderm/session/simulated_session.h"
-#include "hexoderm/util/units.h"
-#include "tests/support/matchers.h"
 #include "tests/support/pin_jointed_skin.h"
+#include "tests/support/simulated_skins.h"
 
-#include <algorithm>
+#include <gmock/gmock.h>
 
 namespace hexoderm {
 namespace {
-
-using ::testing::SizeIs;
 
 class PatchSolverTest : public ::testing::Test {
  protected:
@@ -22,62 +17,29 @@ class PatchSolverTest : public ::testing::Test {
     weights_ = linkWeights(links_);
   }
 
-  /// True placement of a cell, in the frame of the patch.
-  [[nodiscard]] SE3 truthOf(const PatchReconstruction& patch, CellId cell) const {
-    return skin_.truth.at(patch.origin).inverse() * skin_.truth.at(cell);
-  }
-
-  PinJointedSkin skin_ = bentX17();
-  std::shared_ptr<const SessionSnapshot> snapshot_ = skin_.session(orthogonalUps(3)).snapshot();
+  std::shared_ptr<const SessionSnapshot> snapshot_ = bentX17().session(orthogonalUps(3)).snapshot();
   SolverOptions options_;
   std::vector<Finding> findings_;
   SkinLinks links_{*snapshot_, options_, findings_};
   std::vector<double> weights_;
 };
 
-TEST_F(PatchSolverTest, PlacesCellsAlongTheTreeAtOnce) {
-  std::vector<PatchSolver> patches;
-  patches.emplace_back(links_, weights_, 0);
-  EXPECT_EQ(patches[0].joint(), nullptr);
-  const std::vector<PatchReconstruction> described = describePatches(links_, patches, weights_);
-  ASSERT_THAT(described, SizeIs(1));
-  ASSERT_THAT(described[0].cells, SizeIs(17));
-  for (const CellPlacement& cell : described[0].cells) {
-    EXPECT_THAT(cell.T_o_u.R, RotationNear(truthOf(described[0], cell.cell).R, 1e-9)) << cell.cell;
-    EXPECT_LT((cell.T_o_u.t - truthOf(described[0], cell.cell).t).norm(), 1e-9) << cell.cell;
-    const std::vector<CellId> path = described[0].pathTo(cell.cell);
-    ASSERT_FALSE(path.empty()) << cell.cell;
-    EXPECT_EQ(path.front(), described[0].origin);
-    EXPECT_EQ(path.back(), cell.cell);
-  }
-  EXPECT_THAT(described[0].gravity, SizeIs(3));
-  EXPECT_FALSE(described[0].gap_share);
-  // A tree uses every link of a skin without loops.
-  EXPECT_TRUE(std::ranges::all_of(described[0].links, &LinkEstimate::in_tree));
-  EXPECT_THAT(described[0].links, SizeIs(16));
-}
-
 TEST_F(PatchSolverTest, SolvingAddsTheJointEstimate) {
   std::vector<PatchSolver> patches;
   patches.emplace_back(links_, weights_, 0);
   EXPECT_FALSE(patches[0].isSolved());
+  EXPECT_EQ(patches[0].joint(), nullptr);
   ASSERT_EQ(patches[0].solve(nullptr, {}), Completion::Finished);
   EXPECT_TRUE(patches[0].isSolved());
   ASSERT_NE(patches[0].joint(), nullptr);
   const std::vector<PatchReconstruction> described = describePatches(links_, patches, weights_);
-  for (const CellPlacement& cell : described[0].cells) {
-    EXPECT_THAT(cell.T_o_u.R, RotationNear(truthOf(described[0], cell.cell).R, 0.1 * kDegree)) << cell.cell;
-    EXPECT_TRUE(cell.accel_offset_g) << cell.cell;
-  }
+  for (const CellPlacement& cell : described[0].cells) EXPECT_TRUE(cell.accel_offset_g) << cell.cell;
   EXPECT_TRUE(described[0].gap_share);
   EXPECT_NE(described[0].covariance, nullptr);
 }
 
 TEST_F(PatchSolverTest, NoMisfitIsMoreThanItsQuickBound) {
-  SimulatedSkinOptions options;
-  options.patch = "sheet:5x5";
-  SimulatedSkin skin(builtInCellModel("hex-bma150"), options);
-  const auto snapshot = simulateSession(skin, 3).snapshot();
+  const auto snapshot = test::simulatedSession(test::skinOptions("sheet:5x5"), 3).snapshot();
   const SolverOptions solver_options;
   SkinLinks links(*snapshot, solver_options, findings_);
   links.estimateEdges();
@@ -90,40 +52,6 @@ TEST_F(PatchSolverTest, NoMisfitIsMoreThanItsQuickBound) {
     EXPECT_GE(bound.chi_squared, exact.chi_squared) << cell;
     EXPECT_EQ(bound.degrees, exact.degrees) << cell;
   }
-}
-
-TEST_F(PatchSolverTest, SaysThatItWasStopped) {
-  PatchSolver patch(links_, weights_, 0);
-  std::stop_source stop;
-  stop.request_stop();
-  EXPECT_EQ(patch.solve(nullptr, stop.get_token()), Completion::Stopped);
-}
-
-TEST_F(PatchSolverTest, ACellThatIsLeftOutIsPlacedByItsLinksAndAnOriginByAnother) {
-  PatchSolver patch(links_, weights_, 0);
-  ASSERT_EQ(patch.solve(nullptr, {}), Completion::Finished);
-  const std::size_t first = patch.origin();
-  const std::size_t other = patch.cells()[patch.cells().front() == first ? 1 : 0];
-  for (const std::size_t cell : {other, first}) {
-    links_.dropCell(cell);
-    links_.estimateEdges();
-    patch.leaveOut(cell);
-    EXPECT_FALSE(patch.isSolved());
-    patch.place();
-    ASSERT_EQ(patch.solve(nullptr, {}), Completion::Finished);
-    EXPECT_TRUE(patch.joint()->readingsOf(cell).empty());
-    EXPECT_EQ(patch.origin() == first, cell != first);
-    EXPECT_TRUE(patch.placementOf(cell).t.allFinite());
-  }
-}
-
-TEST_F(PatchSolverTest, SolvesOnlyItsOwnCells) {
-  const std::size_t link = links_.graph().linksAt(*links_.graph().indexOf(CellId(5))).front();
-  links_.mute(std::vector<std::size_t>{link}, FindingCode::LinkSetAside);
-  ASSERT_THAT(links_.graph().patches(), SizeIs(2));
-  const PatchSolver small(links_, weights_, 1);
-  EXPECT_THAT(small.cells(), ::testing::ElementsAre(*links_.graph().indexOf(CellId(5))));
-  EXPECT_EQ(small.origin(), small.cells().front());
 }
 
 TEST(PatchSolver, AnEstimateThatHasNotConvergedIsAFinding) {

@@ -72,20 +72,6 @@ TEST_F(FlatLayoutTest, PutsASingleCellUprightAtZero) {
   EXPECT_EQ(layout.cells[0].angle_rad, 0);
 }
 
-TEST_F(FlatLayoutTest, LaysALineOfOppositePortsStraight) {
-  const auto patches =
-      ResultBuilder().patch(2).cells(1, 4).link(1, 3, 2, 2).link(2, 3, 3, 2).link(3, 3, 4, 2).build().patches;
-  const FlatLayout layout = computeFlatLayout(model_, patches);
-  const Eigen::Vector2d pitch = 2 * model_.port(PortNumber(3)).vector_m.head<2>();
-  EXPECT_EQ(cellOf(layout, 2).center, Eigen::Vector2d::Zero());
-  for (std::uint32_t id = 1; id <= 4; ++id) {
-    EXPECT_LT((cellOf(layout, id).center - (static_cast<double>(id) - 2) * pitch).norm(), 1e-12);
-    EXPECT_NEAR(cellOf(layout, id).angle_rad, 0, 1e-12);
-  }
-  EXPECT_EQ(countCuts(layout), 0u);
-  expectLinksAtPorts(layout, model_, patches, 1e-12);
-}
-
 TEST_F(FlatLayoutTest, TurnsNeighboursByTheNominalAlignmentFromEitherEnd) {
   for (const std::uint32_t origin : {1u, 2u}) {
     for (const Port& a : model_.ports) {

@@ -17,6 +17,24 @@ namespace {
 /// Without vector instructions, and as fast as this computer can.
 std::array<const FrontKernels*, 2> bothKernels() { return {&portableFrontKernels(), &frontKernels()}; }
 
+Eigen::MatrixXd denseInverse(const System& system) {
+  const Eigen::MatrixXd A = system.dense();
+  return A.llt().solve(Eigen::MatrixXd::Identity(A.rows(), A.cols()));
+}
+
+void expectBlocksOf(const Eigen::MatrixXd& Z, const System& system, const BlockCholesky::SelectedInverse& found,
+                    double of_diagonal, double of_couples) {
+  ASSERT_EQ(found.diagonal.size(), system.graph.size);
+  ASSERT_EQ(found.couples.size(), system.couples.size());
+  for (std::size_t k = 0; k < system.graph.size; ++k) {
+    EXPECT_THAT(found.diagonal[k], MatrixNear(Matrix6d(Z.block<6, 6>(6 * k, 6 * k)), of_diagonal));
+  }
+  for (std::size_t k = 0; k < system.couples.size(); ++k) {
+    const BlockCouple& c = system.graph.couples[k];
+    EXPECT_THAT(found.couples[k], MatrixNear(Matrix6d(Z.block<6, 6>(6 * c.row, 6 * c.column)), of_couples));
+  }
+}
+
 class BlockCholeskyGraphs : public ::testing::TestWithParam<Graph> {
  protected:
   System system_{shuffled(GetParam(), 11), 23};
@@ -38,8 +56,6 @@ TEST_P(BlockCholeskyGraphs, SolvesAsTheDenseFactorDoes) {
 }
 
 TEST_P(BlockCholeskyGraphs, InvertsOnThePattern) {
-  const Eigen::MatrixXd A = system_.dense();
-  const Eigen::MatrixXd Z = A.llt().solve(Eigen::MatrixXd::Identity(A.rows(), A.cols()));
   for (const FrontKernels* kernels : bothKernels()) {
     BlockCholesky cholesky(system_.graph.size, system_.graph.couples, *kernels);
     ASSERT_TRUE(cholesky.factorize(system_.diagonal, system_.couples));
@@ -48,16 +64,8 @@ TEST_P(BlockCholeskyGraphs, InvertsOnThePattern) {
     EXPECT_EQ(std::move(cholesky).inverseDiagonal(), inverse.diagonal);
     EXPECT_FALSE(cholesky.factorized());
     EXPECT_TRUE(cholesky.factorize(system_.diagonal, system_.couples));
-    ASSERT_EQ(inverse.diagonal.size(), system_.graph.size);
-    ASSERT_EQ(inverse.couples.size(), system_.couples.size());
-    for (std::size_t k = 0; k < system_.graph.size; ++k) {
-      EXPECT_THAT(inverse.diagonal[k], MatrixNear(Matrix6d(Z.block<6, 6>(6 * k, 6 * k)), 1e-9));
-      EXPECT_EQ(inverse.diagonal[k], Matrix6d(inverse.diagonal[k].transpose()));
-    }
-    for (std::size_t k = 0; k < system_.couples.size(); ++k) {
-      const BlockCouple& c = system_.graph.couples[k];
-      EXPECT_THAT(inverse.couples[k], MatrixNear(Matrix6d(Z.block<6, 6>(6 * c.row, 6 * c.column)), 1e-9));
-    }
+    expectBlocksOf(denseInverse(system_), system_, inverse, 1e-9, 1e-9);
+    for (const Matrix6d& block : inverse.diagonal) EXPECT_EQ(block, Matrix6d(block.transpose()));
   }
 }
 
@@ -218,48 +226,27 @@ TEST(BlockCholesky, DissectsWideSheetsWithLessWorkThanMinimumDegree) {
   EXPECT_LT(BlockCholesky(graph.size, graph.couples).factorEntries(), 8'200'000U);
 }
 
-TEST(BlockCholesky, OneSupernodeThatIsTooLargeForASubtreeIsInverted) {
-  Graph graph{"complete", 60, {}};
-  for (std::size_t a = 0; a < graph.size; ++a) {
-    for (std::size_t b = a + 1; b < graph.size; ++b) graph.couples.push_back({a, b});
-  }
-  const System system(shuffled(graph, 6), 9);
-  BlockCholesky cholesky(graph.size, system.graph.couples);
-  ASSERT_TRUE(cholesky.factorize(system.diagonal, system.couples));
-  const Eigen::MatrixXd A = system.dense();
-  const Eigen::MatrixXd Z = A.llt().solve(Eigen::MatrixXd::Identity(A.rows(), A.cols()));
-  const std::vector<Matrix6d> found = std::move(cholesky).inverseDiagonal();
-  for (std::size_t k = 0; k < graph.size; ++k) {
-    EXPECT_THAT(found[k], MatrixNear(Matrix6d(Z.block<6, 6>(6 * k, 6 * k)), 1e-10));
-  }
-}
-
 TEST(BlockCholesky, WidePanelsAreRight) {
-  // One supernode of 75 cells, and a ring about it.
-  Graph graph = ring(200);
+  // One supernode of 60 cells, too large for a subtree, and one of 75 cells with a ring about it.
+  Graph with_ring = ring(200);
   for (std::size_t a = 0; a < 75; ++a) {
-    for (std::size_t b = a + 1; b < 75; ++b) {
-      if (b != a + 1) graph.couples.push_back({a, b});
-    }
+    for (std::size_t b = a + 2; b < 75; ++b) with_ring.couples.push_back({a, b});
   }
-  const System system(shuffled(graph, 6), 9);
-  for (const FrontKernels* kernels : bothKernels()) {
-    BlockCholesky cholesky(graph.size, system.graph.couples, *kernels);
-    ASSERT_TRUE(cholesky.factorize(system.diagonal, system.couples));
-    const Eigen::MatrixXd A = system.dense();
-    const Eigen::MatrixXd Z = A.llt().solve(Eigen::MatrixXd::Identity(A.rows(), A.cols()));
-    const BlockCholesky::SelectedInverse inverse = cholesky.selectedInverse();
-    for (std::size_t k = 0; k < graph.size; ++k) {
-      EXPECT_THAT(inverse.diagonal[k], MatrixNear(Matrix6d(Z.block<6, 6>(6 * k, 6 * k)), 1e-10));
+  for (const Graph& graph : {randomGraph(60, 60 * 59 / 2, 6), with_ring}) {
+    const System system(shuffled(graph, 6), 9);
+    const Eigen::MatrixXd Z = denseInverse(system);
+    for (const FrontKernels* kernels : bothKernels()) {
+      BlockCholesky cholesky(graph.size, system.graph.couples, *kernels);
+      ASSERT_TRUE(cholesky.factorize(system.diagonal, system.couples));
+      const Eigen::MatrixXd B = someColumns(system, 7);
+      Eigen::MatrixXd X = B;
+      cholesky.solve(X);
+      EXPECT_THAT(system.times(X), MatrixNear(B, 1e-12));
+      BlockCholesky::SelectedInverse inverse = cholesky.selectedInverse();
+      expectBlocksOf(Z, system, inverse, 1e-10, 1e-8);
+      inverse.diagonal = std::move(cholesky).inverseDiagonal();
+      expectBlocksOf(Z, system, inverse, 1e-10, 1e-8);
     }
-    for (std::size_t k = 0; k < system.couples.size(); ++k) {
-      const BlockCouple& c = system.graph.couples[k];
-      EXPECT_THAT(inverse.couples[k], MatrixNear(Matrix6d(Z.block<6, 6>(6 * c.row, 6 * c.column)), 1e-8));
-    }
-    const Eigen::MatrixXd B = someColumns(system, 7);
-    Eigen::MatrixXd X = B;
-    cholesky.solve(X);
-    EXPECT_THAT(system.times(X), MatrixNear(B, 1e-12));
   }
 }
 

@@ -74,11 +74,9 @@ struct DrawnArmOptions {
   std::size_t poses = 6;
   std::uint64_t seed = 1;
   double error_scale = 1;  ///< of the errors that are drawn; what is stated stays
-  GravityErrors errors{};
   double zero_sigma_rad = 0.5 * kDegree;
   double tilt_sigma_rad = 1 * kDegree;
   double range_rad = 1.5;  ///< joints are drawn within +- this
-  std::string urdf = armUrdf();
 };
 
 /// What the patches see is drawn without a lever.
@@ -99,7 +97,7 @@ struct DrawnArm {
   Reconstruction reconstruction;
 
   explicit DrawnArm(const DrawnArmOptions& options)
-      : robot(RobotModel::parse(options.urdf, "arm.urdf")), links(options.links) {
+      : robot(RobotModel::parse(armUrdf(), "arm.urdf")), links(options.links) {
     GravityDraw draw(options.seed);
     for (const std::string& joint : robot.freeJointNames()) {
       zeros.positions[joint] = joint == "slide" ? 0 : options.zero_sigma_rad * draw.normal();
@@ -122,7 +120,7 @@ struct DrawnArm {
         const SE3& T_w_link = of_pose[robot.linkNamed(options.links[k])];
         up.emplace_back((T_w_link.R * R_l_o.back()).transpose() * up_w);
       }
-      seen.push_back(draw.see(up, options.errors, options.error_scale));
+      seen.push_back(draw.see(up, {}, options.error_scale));
       reconstruction.patches.push_back(patchThatSaw(seen.back(), static_cast<std::uint32_t>(k)));
     }
   }

@@ -5,6 +5,8 @@
 #include <gmock/gmock.h>
 
 #include <cmath>
+#include <utility>
+#include <vector>
 
 namespace hexoderm {
 namespace {
@@ -24,6 +26,19 @@ double missOf(const Eigen::Vector3d& u, const Eigen::Vector3d& truth) {
   return std::min(angle, kPi - angle);
 }
 
+/// How far each angle is off, with its sigma; not of poses that show none, nor of the reference.
+std::vector<std::pair<double, double>> angleErrorsOf(const Hinge& hinge, const DrawnHinge& truth) {
+  const double sign = hinge.a.u.dot(truth.u_a) < 0 ? -1 : 1;
+  const double at_reference = truth.angle[hinge.reference->value() - 1];
+  std::vector<std::pair<double, double>> errors;
+  for (const HingeAngle& angle : hinge.angles) {
+    if (!angle.angle_rad || angle.pose == *hinge.reference) continue;
+    const double expected = sign * (truth.angle[angle.pose.value() - 1] - at_reference);
+    errors.emplace_back(std::remainder(*angle.angle_rad - expected, 2 * kPi), angle.sigma_rad);
+  }
+  return errors;
+}
+
 TEST(Hinge, ExactDirectionsGiveTheExactAxisAndAngles) {
   for (const std::size_t poses : {6U, 8U, 12U}) {
     for (std::uint64_t seed = 1; seed <= 10; ++seed) {
@@ -35,13 +50,7 @@ TEST(Hinge, ExactDirectionsGiveTheExactAxisAndAngles) {
       EXPECT_LE(missOf(hinge.a.u, truth.u_a), 1e-6);
       EXPECT_LE(missOf(hinge.b.u, truth.u_b), 1e-6);
       EXPECT_LE((hinge.R_a_b * hinge.b.u - hinge.a.u).norm(), 1e-9);
-      const double sign = hinge.a.u.dot(truth.u_a) < 0 ? -1 : 1;
-      const double at_reference = truth.angle[hinge.reference->value() - 1];
-      for (const HingeAngle& angle : hinge.angles) {
-        if (!angle.angle_rad) continue;
-        const double expected = sign * (truth.angle[angle.pose.value() - 1] - at_reference);
-        EXPECT_LE(std::abs(std::remainder(*angle.angle_rad - expected, 2 * kPi)), 1e-4) << angle.pose;
-      }
+      for (const auto& [error, sigma] : angleErrorsOf(hinge, truth)) EXPECT_LE(std::abs(error), 1e-4);
       EXPECT_EQ(hinge.freedom, static_cast<int>(poses) - 4);
     }
   }
@@ -63,12 +72,8 @@ TEST(Hinge, ErrorsAndMisfitsAreAsLargeAsStated) {
     axes += neesOfAxis(hinge.a.u, hinge.a.covariance, truth.u_a) / 2;
     axes += neesOfAxis(hinge.b.u, hinge.b.covariance, truth.u_b) / 2;
     misfit += hinge.chi_squared / hinge.freedom;
-    const double sign = hinge.a.u.dot(truth.u_a) < 0 ? -1 : 1;
-    for (const HingeAngle& angle : hinge.angles) {
-      if (!angle.angle_rad || angle.pose == *hinge.reference) continue;
-      const double expected = sign * (truth.angle[angle.pose.value() - 1] - truth.angle[hinge.reference->value() - 1]);
-      const double e = std::remainder(*angle.angle_rad - expected, 2 * kPi);
-      angles += e * e / (angle.sigma_rad * angle.sigma_rad);
+    for (const auto& [error, sigma] : angleErrorsOf(hinge, truth)) {
+      angles += error * error / (sigma * sigma);
       ++angle_count;
     }
   }

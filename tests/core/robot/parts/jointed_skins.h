@@ -6,7 +6,9 @@
 #include "hexoderm/device/simulation/hand_motion.h"
 #include "hexoderm/session/session.h"
 #include "hexoderm/util/units.h"
+#include "tests/support/normal_draw.h"
 #include "tests/support/random_vector.h"
+#include "tests/support/simulated_skins.h"
 
 #include <cmath>
 #include <cstdint>
@@ -21,30 +23,22 @@ struct JointedSkinsOptions {
   /// The bodies of the patches, 0 or 1.
   std::vector<std::size_t> body_of_patch = {0, 0, 1, 1};
   std::string patch = "x17";
-  std::string surface{};
   std::uint64_t seed = 1;
   bool hand_held = true;
-  double offset_sigma_g = 0.06;
   double joint_range_rad = 130 * kDegree;  ///< of the joint's angle: an elbow's
   int sensor_frames = 100;
 };
 
 class JointedSkins {
  public:
-  explicit JointedSkins(const JointedSkinsOptions& options) : options_(options), random_(options.seed * 7919 + 17) {
-    CellModel model = builtInCellModel("hex-bma150");
-    model.accelerometer.offset_sigma_g = options.offset_sigma_g;
-    model_ = model;
+  explicit JointedSkins(const JointedSkinsOptions& options) : options_(options), draw_(options.seed * 7919 + 17) {
     for (std::size_t k = 0; k < options.body_of_patch.size(); ++k) {
-      SimulatedSkinOptions skin;
-      skin.patch = options.patch;
-      skin.surface = options.surface;
-      skin.seed = options.seed * 1000 + k;
-      const SE3 T_body_b{anyRotation(), 0.1 * test::randomVector([&] { return normal(); })};
-      patches_.push_back({options.body_of_patch[k], T_body_b, SimulatedSkin(model, skin)});
+      const SimulatedSkinOptions skin = test::skinOptions(options.patch, "", options.seed * 1000 + k);
+      const SE3 T_body_b{anyRotation(), anyPlace(0.1)};
+      patches_.push_back({options.body_of_patch[k], T_body_b, SimulatedSkin(model_, skin)});
     }
-    axis_0_ = anyDirection();
-    T_0_1_ = {anyRotation(), 0.1 * test::randomVector([&] { return normal(); })};
+    axis_0_ = draw_.direction();
+    T_0_1_ = {anyRotation(), anyPlace(0.1)};
   }
 
   [[nodiscard]] Session session(std::size_t poses) {
@@ -69,12 +63,11 @@ class JointedSkins {
   [[nodiscard]] static CellId idOf(std::size_t patch, CellId cell) {
     return CellId(static_cast<std::uint32_t>(1000 * patch) + cell.value());
   }
-  [[nodiscard]] static std::size_t patchOf(CellId cell) { return cell.value() / 1000; }
-  [[nodiscard]] std::size_t bodyOf(CellId cell) const { return patches_[patchOf(cell)].body; }
+  [[nodiscard]] std::size_t bodyOf(CellId cell) const { return patches_[cell.value() / 1000].body; }
   /// From the frame of a cell to that of its body.
   [[nodiscard]] SE3 T_body_u(CellId cell) const {
-    const PatchOnBody& patch = patches_[patchOf(cell)];
-    return patch.T_body_b * patch.skin.truth()[cell.value() % 1000 - 1].T_b_u;
+    const PatchOnBody& patch = patches_[cell.value() / 1000];
+    return patch.T_body_b * test::truePlacement(patch.skin, CellId(cell.value() % 1000));
   }
   /// The middle of a patch's cells in the frame of its body.
   [[nodiscard]] Eigen::Vector3d middleOf(std::size_t patch) const {
@@ -87,7 +80,6 @@ class JointedSkins {
   [[nodiscard]] Eigen::Vector3d axisIn(std::size_t body) const {
     return body == 0 ? axis_0_ : Eigen::Vector3d(T_0_1_.R.transpose() * axis_0_);
   }
-  [[nodiscard]] const std::vector<double>& angles() const { return angles_; }
   /// The specific force at a point of body 0 (in its frame) in a pose, mean over the samples, g: up and about 1 long.
   [[nodiscard]] Eigen::Vector3d forceAt(std::size_t pose, const Eigen::Vector3d& x_0) const {
     const Mean& mean = means_[pose];
@@ -107,17 +99,14 @@ class JointedSkins {
     Eigen::Vector3d hand_0 = Eigen::Vector3d::Zero();
   };
 
-  double normal() { return normal_(random_); }
-  Eigen::Vector3d anyDirection() {
-    const double x = normal();
-    const double y = normal();
-    return Eigen::Vector3d(x, y, normal()).normalized();
+  Eigen::Vector3d anyPlace(double sigma_m) {
+    return sigma_m * test::randomVector([&] { return draw_.normal(); });
   }
   Eigen::Matrix3d anyRotation() {
-    const double w = normal();
-    const double x = normal();
-    const double y = normal();
-    return Eigen::Quaterniond(w, x, y, normal()).normalized().toRotationMatrix();
+    const double w = draw_.normal();
+    const double x = draw_.normal();
+    const double y = draw_.normal();
+    return Eigen::Quaterniond(w, x, y, draw_.normal()).normalized().toRotationMatrix();
   }
 
   /// The joint is moved from pose to pose, as the instructions have it: one angle from each part of its range, in any
@@ -125,19 +114,19 @@ class JointedSkins {
   void drawAngles(std::size_t poses) {
     std::uniform_real_distribution<double> within(0, 1);
     for (std::size_t k = 0; k < poses; ++k) {
-      const double share = (static_cast<double>(k) + within(random_)) / static_cast<double>(poses);
+      const double share = (static_cast<double>(k) + within(draw_.generator())) / static_cast<double>(poses);
       angles_.push_back(options_.joint_range_rad * (share - 0.5));
     }
     for (std::size_t k = poses; k > 1; --k) {
-      std::swap(angles_[k - 1], angles_[std::uniform_int_distribution<std::size_t>(0, k - 1)(random_)]);
+      std::swap(angles_[k - 1], angles_[std::uniform_int_distribution<std::size_t>(0, k - 1)(draw_.generator())]);
     }
   }
 
   /// Of a pose in which `up` (unit, frame of body 0) is to be up.
   std::vector<SampleFrame> framesOfPose(const Eigen::Vector3d& up) {
     const SimulatedSkinOptions& hand = patches_.front().skin.options();
-    const HandMotion motion = options_.hand_held ? HandMotion(up, hand, random_) : HandMotion(up);
-    const Eigen::Vector3d hand_0 = 0.05 * test::randomVector([&] { return normal(); });
+    const HandMotion motion = options_.hand_held ? HandMotion(up, hand, draw_.generator()) : HandMotion(up);
+    const Eigen::Vector3d hand_0 = anyPlace(0.05);
     const SE3 T_0_1 = SE3{expSO3(angles_[means_.size()] * axis_0_), Eigen::Vector3d::Zero()} * T_0_1_;
     std::vector<SampleFrame> frames(static_cast<std::size_t>(options_.sensor_frames));
     const Accelerometer& accelerometer = model_.accelerometer;
@@ -157,7 +146,7 @@ class JointedSkins {
           const Eigen::Vector3d force_0 = body.up_b + body.field_b * (T_0_a.t - hand_0);
           Eigen::Vector3d reading = cell.gain * (T_0_a.R.transpose() * force_0) + cell.offset_g;
           for (int axis = 0; axis < 3; ++axis) {
-            const double noisy = reading[axis] + white_g * normal();
+            const double noisy = reading[axis] + white_g * draw_.normal();
             reading[axis] = accelerometer.lsb_g * std::round(noisy / accelerometer.lsb_g);
           }
           frames[tick].samples.push_back({idOf(k, cell.id), reading});
@@ -168,8 +157,7 @@ class JointedSkins {
   }
 
   JointedSkinsOptions options_;
-  std::mt19937_64 random_;
-  std::normal_distribution<double> normal_;
+  test::NormalDraw draw_;
   CellModel model_ = builtInCellModel("hex-bma150");
   std::vector<PatchOnBody> patches_;
   Eigen::Vector3d axis_0_;

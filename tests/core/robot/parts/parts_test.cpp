@@ -30,7 +30,6 @@ struct Outcome {
   std::vector<double> stated_rad;  ///< roots of the traces of the covariances
   std::vector<double> nees;
   int hinges = 0;
-  int no_axis = 0;
   std::vector<double> axis_errors_rad;
   std::vector<double> axis_nees;
 };
@@ -56,7 +55,6 @@ void addTrial(const JointedSkinsOptions& options, std::size_t poses, Outcome& ou
   ++outcome.right;
   const PartRelation& relation = result.relations.front();
   ASSERT_EQ(relation.movement, Movement::Apart);
-  outcome.no_axis += relation.hinge->knowledge == HingeKnowledge::NoAxis ? 1 : 0;
   if (relation.hinge->knowledge != HingeKnowledge::Found) return;
   ++outcome.hinges;
   for (const auto& [axis, part] :
@@ -66,18 +64,6 @@ void addTrial(const JointedSkinsOptions& options, std::size_t poses, Outcome& ou
     outcome.axis_nees.push_back(neesOfAxis(axis.u, axis.covariance, truth));
     outcome.axis_errors_rad.push_back(std::asin(std::min(1.0, axis.u.cross(truth).norm())));
   }
-}
-
-void record(const std::string& name, const Outcome& outcome, int seeds) {
-  ::testing::Test::RecordProperty(
-      name, "right " + std::to_string(outcome.right) + " of " + std::to_string(seeds) + ", wrong together " +
-                std::to_string(outcome.wrong_together) + ", rotation error, median " +
-                std::to_string(toDegrees(median(outcome.errors_rad))) + " deg, stated " +
-                std::to_string(toDegrees(median(outcome.stated_rad))) + ", NEES " +
-                std::to_string(meanOf(outcome.nees)) + ", hinges " + std::to_string(outcome.hinges) + ", no axis " +
-                std::to_string(outcome.no_axis) + ", axis error, median " +
-                std::to_string(toDegrees(median(outcome.axis_errors_rad))) + " deg, NEES " +
-                std::to_string(meanOf(outcome.axis_nees)));
 }
 
 // Offsets of 60 mg, 100 readings a pose. In a hand that also turns the robot while it is read, with patches 0.2 m from
@@ -98,7 +84,6 @@ TEST(Parts, FourPatchesOnTwoBodiesAreGrouped) {
       options.seed = static_cast<std::uint64_t>(seed);
       addTrial(options, c.poses, outcome);
     }
-    record(c.name, outcome, seeds);
     EXPECT_EQ(outcome.wrong_together, 0) << c.name;
     if (kSlowBuild) continue;
     EXPECT_GE(outcome.right, 0.99 * seeds) << c.name;

@@ -13,9 +13,6 @@ namespace {
 using ::testing::HasSubstr;
 using ::testing::SizeIs;
 
-constexpr double kHandRadius_m = 0.05;
-const SE3 kLaidOnCylinder{rotationFromRpy({0, 0, kPi / 2}), {0.06, 0, 0.02}};
-
 double thickness() { return builtInCellModel("hex-bma150").thickness_m; }
 
 /// Rms height of the backs of all cells over the mesh, and the largest angle between a cell and its normal.
@@ -36,13 +33,17 @@ std::pair<double, double> offSurface(const TriangleMesh& mesh, const LaidPatch& 
 /// The origin's place around the cylinder and along it.
 std::pair<double, double> onCylinder(const SE3& T_l_o) { return {std::atan2(T_l_o.t.y(), T_l_o.t.x()), T_l_o.t.z()}; }
 
-class PatchByHandTest : public ::testing::Test {
+class PatchByHandTest : public ::testing::Test, protected OnCylinder {
  protected:
-  TriangleMesh mesh = meshOfCylinder(kHandRadius_m, 0.4);
-  LaidPatch laid = layPatch(mesh, kLaidOnCylinder);
   PatchByHand hand{mesh, laid.patch, thickness()};
   PlaceTask task = surfaceTask(mesh, laid);
 
+  /// The same of a patch whose rotation nobody knows.
+  [[nodiscard]] PatchByHand withoutRotation() const {
+    PatchToPlace unknown = laid.patch;
+    unknown.rotation.reset();
+    return {mesh, unknown, thickness()};
+  }
   void expectOnSurface(const SE3& T_l_o) const {
     const auto [height_m, tilt_rad] = offSurface(mesh, laid, T_l_o);
     EXPECT_LT(height_m, 0.0005);
@@ -74,7 +75,7 @@ TEST_F(PatchByHandTest, SlidesAlongAndAroundByWhatItIsTold) {
 
   // Around by 10 mm a step, always across the normal and the axis: its backs are at the radius.
   SE3 around = laid.T_l_o;
-  const double turn = 0.010 / kHandRadius_m;
+  const double turn = 0.010 / radius_m;
   for (int k = 0; k < 8; ++k) {
     const auto [angle, z] = onCylinder(around);
     around = hand.slid(around, 0.010 * Eigen::Vector3d(-std::sin(angle), std::cos(angle), 0));
@@ -109,7 +110,7 @@ TEST_F(PatchByHandTest, OnAPlaneItGoesExactlyAsFarAsItIsTold) {
 TEST_F(PatchByHandTest, IsPulledByTheCellThatIsGripped) {
   // Gripped at its fifth cell and pulled to the other side of the cylinder.
   const Eigen::Vector3d grip_o = laid.patch.T_o_u[4].t;
-  const Eigen::Vector3d target(-kHandRadius_m * std::cos(0.3), kHandRadius_m * std::sin(0.3), -0.05);
+  const Eigen::Vector3d target(-radius_m * std::cos(0.3), radius_m * std::sin(0.3), -0.05);
   const SE3 pulled = hand.pulled(laid.T_l_o, grip_o, target);
   expectOnSurface(pulled);
   const Eigen::Vector3d gripped = pulled * grip_o;
@@ -123,11 +124,9 @@ TEST_F(PatchByHandTest, BeginsOnTheSideThatGravitySays) {
   const SE3 begun = hand.somewhere();
   expectOnSurface(begun);
   EXPECT_LT(std::abs(std::remainder(onCylinder(begun).first - onCylinder(laid.T_l_o).first, 2 * kPi)), 10 * kDegree);
-  LaidPatch unknown = laid;
-  unknown.patch.rotation.reset();
   // How it is turned about the normal nobody knows then, so that it may stand off at its ends.
-  const SE3 anywhere = PatchByHand(mesh, unknown.patch, thickness()).somewhere();
-  EXPECT_NEAR(anywhere.t.head<2>().norm(), kHandRadius_m, 0.025);
+  const SE3 anywhere = withoutRotation().somewhere();
+  EXPECT_NEAR(anywhere.t.head<2>().norm(), radius_m, 0.025);
   EXPECT_LT(std::abs(anywhere.t.z()), 0.05) << "on no end";
 }
 
@@ -136,10 +135,7 @@ TEST_F(PatchByHandTest, GravityObjectsToATurnThatIsNotItsOwn) {
   const auto said = hand.objection(hand.turned(laid.T_l_o, 40 * kDegree));
   ASSERT_TRUE(said);
   EXPECT_THAT(said->english(), HasSubstr("turned by 40° against what gravity says"));
-  LaidPatch unknown = laid;
-  unknown.patch.rotation.reset();
-  const PatchByHand free(mesh, unknown.patch, thickness());
-  EXPECT_FALSE(free.objection(free.turned(laid.T_l_o, 40 * kDegree)));
+  EXPECT_FALSE(withoutRotation().objection(withoutRotation().turned(laid.T_l_o, 40 * kDegree)));
 }
 
 TEST_F(PatchByHandTest, TakesAMeshThatIsInsideOutTheOtherWayRound) {

@@ -13,9 +13,6 @@ using ::testing::HasSubstr;
 using ::testing::SizeIs;
 using Kind = FreeDirection::Kind;
 
-constexpr double kRadius_m = 0.05;
-const SE3 kOnCylinder{rotationFromRpy({0, 0, kPi / 2}), {0.06, 0, 0.02}};
-
 /// The points of a free direction's axis and the twist say the same.
 void expectTwistAboutAxis(const FreeDirection& free) {
   if (free.kind == Kind::Slide) {
@@ -44,8 +41,7 @@ TEST(Freedom, AxesAreNamed) {
 
 // Turned any way, the patch can slide along a cylinder and turn around it.
 TEST(Freedom, ACylinderLeavesASlideAndATurn) {
-  const TriangleMesh mesh = meshOfCylinder(kRadius_m, 0.4);
-  const LaidPatch laid = layPatch(mesh, kOnCylinder);
+  const auto& [radius_m, mesh, laid] = OnCylinder();
   PlaceTask task = surfaceTask(mesh, laid);
   // It is known which of its ends is up, but not how it is turned about the cylinder.
   Eigen::Matrix3d covariance_l = std::pow(1 * kDegree, 2) * Eigen::Matrix3d::Identity();
@@ -74,8 +70,8 @@ TEST(Freedom, ACylinderLeavesASlideAndATurn) {
 
 // Where gravity says how it is turned, both are named, and that gravity alone holds the turn.
 TEST(Freedom, AKnownRotationHoldsTheTurn) {
-  const TriangleMesh mesh = meshOfCylinder(kRadius_m, 0.4);
-  const PlaceResult result = placePatches(surfaceTask(mesh, layPatch(mesh, kOnCylinder)));
+  const auto& [radius_m, mesh, laid] = OnCylinder();
+  const PlaceResult result = placePatches(surfaceTask(mesh, laid));
   ASSERT_EQ(result.verdict, PlaceVerdict::Open) << result.summary;
   const std::vector<FreeDirection>& free = result.candidates[0].patches[0].free;
   ASSERT_THAT(free, SizeIs(2)) << result.summary;
@@ -83,7 +79,7 @@ TEST(Freedom, AKnownRotationHoldsTheTurn) {
   EXPECT_FALSE(free[0].held_by_rotation);
   EXPECT_EQ(free[1].kind, Kind::Turn);
   EXPECT_TRUE(free[1].held_by_rotation);
-  EXPECT_NEAR(free[1].sigma_m, kRadius_m * kDegree, 0.5 * kRadius_m * kDegree);
+  EXPECT_NEAR(free[1].sigma_m, radius_m * kDegree, 0.5 * radius_m * kDegree);
   EXPECT_THAT(free[1].words.english(), HasSubstr("Nothing but its known rotation keeps it from being free to turn"));
 }
 

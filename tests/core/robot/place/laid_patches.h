@@ -50,10 +50,9 @@ inline Eigen::Vector3d drawVector(std::mt19937_64& random) {
 
 /// An x17 laid on a mesh, its middle near T_l_near, cells numbered from `first` on.
 inline LaidPatch layPatch(const TriangleMesh& mesh, const SE3& T_l_near, std::uint64_t seed = 1,
-                          const PlaceErrors& errors = {}, std::uint32_t first = 1, const std::string& kind = "x17") {
+                          const PlaceErrors& errors = {}, std::uint32_t first = 1) {
   const CellModel model = builtInCellModel("hex-bma150");
   SimulatedSkinOptions options = SimulatedSkinOptions::ideal();
-  options.patch = kind;
   options.seed = seed;
   options.laid_on = std::make_shared<MeshSurface>(mesh, T_l_near, model.thickness_m);
   const SimulatedSkin skin(model, options);
@@ -82,6 +81,13 @@ inline LaidPatch layPatch(const TriangleMesh& mesh, const SE3& T_l_near, std::ui
   laid.patch.rotation = KnownRotation{R, stated.rotation_rad * stated.rotation_rad * Eigen::Matrix3d::Identity()};
   return laid;
 }
+
+/// A long cylinder about the link's z, and an x17 that lies on it.
+struct OnCylinder {
+  double radius_m = 0.05;
+  TriangleMesh mesh = meshOfCylinder(radius_m, 0.4);
+  LaidPatch laid = layPatch(mesh, {rotationFromRpy({0, 0, kPi / 2}), {0.06, 0, 0.02}});
+};
 
 inline PlaceTask surfaceTask(const TriangleMesh& mesh, const LaidPatch& laid) {
   PlaceTask task;

@@ -3,6 +3,7 @@
 #include "hexoderm/util/error.h"
 #include "tests/core/robot/place/laid_patches.h"
 #include "tests/support/error_matchers.h"
+#include "tests/support/slow_build.h"
 
 #include <gmock/gmock.h>
 
@@ -18,11 +19,7 @@ using ::testing::HasSubstr;
 using ::testing::IsEmpty;
 using ::testing::SizeIs;
 
-#ifdef NDEBUG
-constexpr int kPlaceSeeds = 6;
-#else
-constexpr int kPlaceSeeds = 2;
-#endif
+constexpr int kPlaceSeeds = test::kSlowBuild ? 2 : 6;
 
 const SE3 kOnForearm{rotationFromRpy({0, 0, kPi / 2}), {0.08, 0, 0.12}};
 const SE3 kOnUpperArm{Eigen::Matrix3d::Identity(), {0, 0.08, 0.14}};
@@ -58,8 +55,7 @@ TEST(Place, WithErrorsTheTruePlaceIsAmongTheCandidates) {
 }
 
 TEST(Place, PointsDecideWhatTheSurfaceLeavesOpen) {
-  const TriangleMesh mesh = meshOfCylinder(0.05, 0.4);
-  const LaidPatch laid = layPatch(mesh, {rotationFromRpy({0, 0, kPi / 2}), {0.06, 0, 0.02}});
+  const auto& [radius_m, mesh, laid] = OnCylinder();
   PlaceTask task = surfaceTask(mesh, laid);
   task.patches.front().rotation.reset();
   task.points = {{CellId(4), laid.T_l_u[3].t, 0.001}, {CellId(9), laid.T_l_u[8].t, 0.001}};
@@ -71,8 +67,7 @@ TEST(Place, PointsDecideWhatTheSurfaceLeavesOpen) {
 }
 
 TEST(Place, OnePointAndTheRotationPlaceAPatchWithoutASurface) {
-  const TriangleMesh mesh = meshOfCylinder(0.05, 0.4);
-  const LaidPatch laid = layPatch(mesh, {rotationFromRpy({0, 0, kPi / 2}), {0.06, 0, 0.02}});
+  const auto& [radius_m, mesh, laid] = OnCylinder();
   PlaceTask task = surfaceTask(mesh, laid);
   task.surface.reset();
   task.points = {{CellId(4), laid.T_l_u[3].t, 0.001}};
@@ -152,9 +147,7 @@ TEST(Place, ResultsDoNotDependOnTheOriginCell) {
 }
 
 TEST(Place, SaysWhenNothingFits) {
-  const TriangleMesh mesh = meshOfCylinder(0.05, 0.4);
-  LaidPatch laid = layPatch(mesh, {rotationFromRpy({0, 0, kPi / 2}), {0.06, 0, 0.02}});
-  const PlaceResult flat = placePatches(surfaceTask(meshOfBox({0.4, 0.4, 0.4}), laid));
+  const PlaceResult flat = placePatches(surfaceTask(meshOfBox({0.4, 0.4, 0.4}), OnCylinder().laid));
   EXPECT_EQ(flat.verdict, PlaceVerdict::NoneFits);
   EXPECT_THAT(flat.summary.english(), saysAll("The patch of cell 1: no place on link link fits", "rms"));
   ASSERT_FALSE(flat.candidates.empty());
