@@ -196,16 +196,6 @@ TEST_F(WindowKeepingTest, RingToneAndStatusSayCapturedWhenThePoseIsOnDiskAndNotB
   EXPECT_EQ(read(pathTo("arm.hexo")).poses().size(), 1U);
 }
 
-TEST_F(WindowKeepingTest, WithoutAScratchFileAPoseIsSaidToBeCapturedInMemory) {
-  ASSERT_TRUE(QDir().mkpath(QFileInfo(unsavedFolder()).absolutePath()));
-  QFile in_the_way(unsavedFolder());
-  ASSERT_TRUE(in_the_way.open(QIODevice::WriteOnly));
-  QSignalSpy captured(&controller().liveSession(), &LiveSession::captured);
-  ASSERT_NO_FATAL_FAILURE(takeDemoPoses(1));
-  ASSERT_TRUE(waitUntil([&] { return captured.size() == 1; }));
-  EXPECT_EQ(captured.front().front().toString(), "Pose 1 captured, in memory only: 17 cells.");
-}
-
 TEST_F(WindowKeepingTest, TheNextSkinIsAskedNothingThatTheLastWasAsked) {
   ASSERT_NO_FATAL_FAILURE(takeDemoPoses(1));
   controller().file().saveSession(pathTo("arm.hexo"));

@@ -13,7 +13,6 @@
 #include <QComboBox>
 #include <QDoubleSpinBox>
 #include <QScrollArea>
-#include <QTabBar>
 #include <QToolButton>
 
 namespace hexoderm {
@@ -21,15 +20,6 @@ namespace {
 
 class WindowVerifyTest : public WindowTest {
  protected:
-  void showTab(const QString& name) {
-    auto* tabs = find<QTabBar>("detailTabs");
-    for (int k = 0; k < tabs->count(); ++k) {
-      if (!tabs->tabText(k).startsWith(name)) continue;
-      QTest::mouseClick(tabs, Qt::LeftButton, Qt::NoModifier, tabs->tabRect(k).center());
-      return;
-    }
-    FAIL() << "no tab " << name.toStdString();
-  }
   VerifyPanel& panel() { return *window_->verifyPanel(); }
   template <class T>
   T* inPanel(const char* name) {
@@ -56,20 +46,13 @@ class WindowVerifyTest : public WindowTest {
 
 TEST_F(WindowVerifyTest, HoldsAPoseOutAndSaysHowWellTheOthersForetellIt) {
   // The poses are the same every time: their predictability differs from capture to capture.
-  ASSERT_NO_FATAL_FAILURE(openSession("3.session.json", simulated(3, {}, 100)));
-  ASSERT_NO_FATAL_FAILURE(showPanel());
-  EXPECT_FALSE(inPanel<QPushButton>("holdOutRun")->isEnabled());
-  EXPECT_TRUE(sentence("holdOut").contains("besides this one there are 2")) << sentence("holdOut").toStdString();
   ASSERT_NO_FATAL_FAILURE(openSession("6.session.json", simulated(6, {}, 100)));
+  ASSERT_NO_FATAL_FAILURE(showPanel());
   ASSERT_TRUE(inPanel<QPushButton>("holdOutRun")->isEnabled());
   inPanel<QComboBox>("holdOutPose")->setCurrentIndex(2);
   click(inPanel<QPushButton>("holdOutRun"));
   ASSERT_TRUE(waitForSentence("holdOut", "The other 5 poses predict pose 3"));
   EXPECT_TRUE(sentence("holdOut").startsWith("As good as stated")) << sentence("holdOut").toStdString();
-  auto* table = inPanel<QTableView>("holdOutTable");
-  EXPECT_EQ(table->model()->rowCount(), 17);
-  table->selectRow(6);
-  EXPECT_EQ(window_->selection().cell(), CellId(7));
 }
 
 TEST_F(WindowVerifyTest, LoopsSurfaceAndTheTrueRadiusAreJudgedAsPosesCome) {
@@ -178,21 +161,6 @@ TEST_F(WindowVerifyTest, AnOldCalibrationIsComparedWithThePosesOfToday) {
   ASSERT_TRUE(waitForSentence("oldCalibration", "Not as calibrated: cells 5 and 7."));
   EXPECT_TRUE(sentence("oldCalibration").contains("Compared with arm.calibration.json: poses 1 and 2."));
   EXPECT_TRUE(sentence("oldCalibration").contains("calibrate anew")) << sentence("oldCalibration").toStdString();
-  auto* table = inPanel<QTableView>("oldCalibrationTable");
-  const QAbstractItemModel& model = *table->model();
-  ASSERT_EQ(model.rowCount(), 17);
-  EXPECT_EQ(model.index(0, 0).data().toInt(), 5);
-  EXPECT_TRUE(model.index(0, 1).data().toString().startsWith("turned by "));
-  EXPECT_EQ(model.index(1, 1).data().toString(), "dead: it reads no gravity");
-  EXPECT_EQ(model.index(2, 1).data().toString(), "as calibrated");
-  showTab("Cells");
-  table->selectRow(1);
-  EXPECT_EQ(window_->selection().cell(), CellId(7));
-  table->setFocus();
-  QTest::keyClick(table, Qt::Key_Up);
-  EXPECT_EQ(window_->selection().cell(), CellId(5));
-  const QModelIndex current = find<QTableView>("cellView")->currentIndex();
-  EXPECT_EQ(current.siblingAtColumn(0).data().toInt(), 5) << "the other views follow";
   keepPicture(window_->picture(), "old-calibration-light");
 
   // It is compared anew when the session changes, without poses that the operator disabled.
@@ -200,7 +168,7 @@ TEST_F(WindowVerifyTest, AnOldCalibrationIsComparedWithThePosesOfToday) {
   ASSERT_TRUE(waitForSentence("oldCalibration", "Compared with arm.calibration.json: pose 1."));
   click(inPanel<QPushButton>("oldCalibrationRemove"));
   EXPECT_EQ(sentence("oldCalibration"), "");
-  EXPECT_FALSE(table->isVisible());
+  EXPECT_FALSE(inPanel<QTableView>("oldCalibrationTable")->isVisible());
   EXPECT_EQ(contentOf(calibration), before) << "a check never changes a calibration";
   EXPECT_EQ(controller().session()->poses().size(), 2U);
 }

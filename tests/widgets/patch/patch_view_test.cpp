@@ -1,6 +1,7 @@
 #include "widgets/patch/patch_view.h"
 
 #include "hexoderm/reconstruction/evaluation/evaluation.h"
+#include "tests/support/kept_picture.h"
 #include "tests/support/picture_counter.h"
 #include "tests/widgets/patch/patch_view_fixture.h"
 #include "widgets/patch/opengl_info.h"
@@ -42,14 +43,6 @@ class PatchViewTest : public PatchViewFixture {
 template <class Value>
 std::shared_ptr<const Value> shared(Value value) {
   return std::make_shared<const Value>(std::move(value));
-}
-
-std::size_t coloursIn(const QImage& image) {
-  std::set<QRgb> colours;
-  for (int y = 0; y < image.height(); y += 2) {
-    for (int x = 0; x < image.width(); x += 2) colours.insert(image.pixel(x, y));
-  }
-  return colours.size();
 }
 
 TEST_F(PatchViewTest, ScreenshotShowsTheSkinInBothThemes) {

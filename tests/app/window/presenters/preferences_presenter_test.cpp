@@ -74,7 +74,7 @@ TEST_F(PreferencesPresenterTest, SettingsThatMakeNoSenseAreAsByDefault) {
   settings.setValue("solver/class_threshold", -1);
   settings.setValue("capture/hold_s", 100);
   settings.setValue("view/text_factor", "huge");
-  settings.setValue("view/language", "xx");
+  settings.setValue("view/language", "fr");
   const Preferences preferences;
   EXPECT_EQ(preferences.solverOptions().gap_model, GapModel::Fit);
   EXPECT_DOUBLE_EQ(preferences.solverOptions().class_threshold, 0.5);

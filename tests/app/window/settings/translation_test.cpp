@@ -141,12 +141,5 @@ TEST(Translation, ALanguageBringsItsNumbers) {
   EXPECT_EQ(QLocale().toString(1.5), QStringLiteral("1.5"));
 }
 
-TEST(Translation, OnlyShippedLanguagesCanBeChosen) {
-  EXPECT_TRUE(isLanguageChoice(QStringLiteral("system")));
-  EXPECT_TRUE(isLanguageChoice(QStringLiteral("de")));
-  EXPECT_FALSE(isLanguageChoice(QStringLiteral("fr")));
-  EXPECT_FALSE(isLanguageChoice(QString()));
-}
-
 }  // namespace
 }  // namespace hexoderm
