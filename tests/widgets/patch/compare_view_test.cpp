@@ -25,8 +25,8 @@ class CompareViewTest : public testing::Test {
     Reconstruction other = demoReconstruction();
     double off_m = 0;
     for (CellPlacement& cell : other.patches[0].cells) cell.T_o_u.t.z() += off_m += 0.0001;
-    content.before = std::make_shared<const Reconstruction>(std::move(other));
-    content.now = std::make_shared<const Reconstruction>(demoReconstruction());
+    content.before = shared(std::move(other));
+    content.now = shared(demoReconstruction());
     content.comparison =
         std::make_shared<const std::vector<Comparison>>(compareToReconstruction(*content.now, *content.before));
   }

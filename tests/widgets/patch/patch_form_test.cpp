@@ -19,7 +19,7 @@ class PatchFormTest : public PatchViewFixture {
  protected:
   void SetUp() override {
     ASSERT_NO_FATAL_FAILURE(PatchViewFixture::SetUp());
-    view.setReconstruction(std::make_shared<const Reconstruction>(demoReconstruction()));
+    view.setReconstruction(shared(demoReconstruction()));
     view.showStandardView(PatchView::StandardView::Front);
     static_cast<void>(view.screenshot());
   }

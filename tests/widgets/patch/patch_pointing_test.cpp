@@ -29,7 +29,7 @@ class PatchPointingTest : public PatchViewFixture {
   void SetUp() override {
     ASSERT_NO_FATAL_FAILURE(PatchViewFixture::SetUp());
     view.setAnimated(false);
-    show(std::make_shared<const Reconstruction>(demoReconstruction()));
+    show(shared(demoReconstruction()));
   }
 
   void show(std::shared_ptr<const Reconstruction> shown) {
@@ -221,7 +221,7 @@ TEST_F(PatchPointingTest, APickedCellThatIsHiddenIsSeenThroughTheOthersWithItsNu
 }
 
 TEST_F(PatchPointingTest, OfALargeSkinTheNumberOfThePickedCellIsThere) {
-  show(std::make_shared<const Reconstruction>(cylinderSheet(60, 50)));
+  show(shared(cylinderSheet(60, 50)));
   selection.selectCell(CellId(1500));
   EXPECT_EQ(marks().picked.tag, QStringLiteral("1500"));
   selection.seekCell(CellId(2999));
