@@ -137,18 +137,6 @@ TEST_F(WindowKeepingTest, WhatChangesBetweenTwoSavesIsInBothFiles) {
   EXPECT_THAT(disabled(read(first)), ElementsAre(1U, 2U)) << "until the second file took over";
 }
 
-TEST_F(WindowKeepingTest, AReasonComesBackWithWhatItIsFor) {
-  Session session = simulated(2);
-  session.setPoseDisabled(0, true, "someone leaned on the arm");
-  ASSERT_NO_FATAL_FAILURE(openSession("why.hexo", session));
-  controller().setPoseDisabled(0, false);
-  controller().undoStack()->undo();
-  EXPECT_EQ(controller().session()->poses()[0].why_disabled, "someone leaned on the arm");
-  ASSERT_TRUE(waitUntilWritten());
-  EXPECT_TRUE(read(pathTo("why.hexo")).poses()[0].disabled);
-  EXPECT_EQ(read(pathTo("why.hexo")).poses()[0].why_disabled, "someone leaned on the arm");
-}
-
 TEST_F(WindowKeepingTest, RingToneAndStatusSayCapturedWhenThePoseIsOnDiskAndNotBefore) {
   LiveSession& live = controller().liveSession();
   live.setAutomatic(false);

@@ -1,7 +1,6 @@
 #include "hexoderm/device/sources/wire_source.h"
 #include "tests/app/window/fake_device.h"
 #include "tests/app/window/window_test.h"
-#include "tests/support/failing_disk.h"
 #include "widgets/capture/stillness_view.h"
 #include "widgets/patch/patch_view.h"
 
@@ -203,26 +202,6 @@ TEST_F(WindowLiveTest, WhatCanNotBeWrittenWaitsUntilItCan) {
   ASSERT_TRUE(waitForMessage("Saved to " + path));
   EXPECT_FALSE(controller().file().hasUnsavedChanges());
   EXPECT_EQ(read(path).poses().size(), 1U);
-}
-
-TEST_F(WindowLiveTest, AFullDiskLosesNoPose) {
-  const QString path = pathTo("arm.hexo");
-  ASSERT_NO_FATAL_FAILURE(connectQuickSkin(path));
-  ASSERT_TRUE(waitForMessage("Pose 1 captured"));
-  {
-    const test::NoFileGrows full;
-    press(Qt::Key_Space);
-    ASSERT_TRUE(waitForMessage("Not on disk yet"));
-    EXPECT_EQ(controller().session()->poses().size(), 2U);
-    EXPECT_TRUE(controller().file().hasUnsavedChanges());
-    EXPECT_EQ(read(path).poses().size(), 1U) << "what was captured before is intact";
-  }
-  // The next change tries again too, and the message goes.
-  press(Qt::Key_Z, Qt::ControlModifier);
-  press(Qt::Key_Z, Qt::ControlModifier | Qt::ShiftModifier);
-  ASSERT_TRUE(waitForMessage("Saved to " + path));
-  ASSERT_TRUE(waitUntilKept());
-  EXPECT_EQ(read(path).poses().size(), 2U);
 }
 
 TEST_F(WindowLiveTest, ConnectionsMayEndAtAnyMoment) {
