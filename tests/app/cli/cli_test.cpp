@@ -60,9 +60,7 @@ TEST_F(Cli, SensorsOfASessionBecomeACellModelForTheNext) {
   EXPECT_THAT(outputOf("sensors arm.session.json -o chip.json"),
               AllOf(HasSubstr("17 of 17 accelerometers"), HasSubstr("offset        "), HasSubstr("cross-axis"),
                     HasSubstr("Cell model written to chip.json")));
-  const Outcome json = run("sensors arm.session.json --json");
-  EXPECT_EQ(json.exit_code, 0) << json.err;
-  const auto figures = nlohmann::json::parse(json.out);
+  const auto figures = jsonOf("sensors arm.session.json --json");
   const double offset_g = figures.at("offset_g").at("sigma").get<double>();
   EXPECT_EQ(figures.at("offset_g").at("knowledge"), "measured");
   EXPECT_LE(figures.at("offset_g").at("low_95").get<double>(), 0.02);
@@ -74,9 +72,8 @@ TEST_F(Cli, SensorsOfASessionBecomeACellModelForTheNext) {
 
 TEST_F(Cli, SensorsOfOnePoseAreNotKnownAndOfTwoModelsNotLookedFor) {
   EXPECT_EQ(run("simulate --poses 1 -o one.session.json").exit_code, 0);
-  const Outcome one = run("sensors one.session.json -o chip.json");
-  EXPECT_EQ(one.exit_code, 1);
-  EXPECT_THAT(one.out, AllOf(HasSubstr("offset        can't tell"), HasSubstr("Nothing can be told")));
+  EXPECT_THAT(outputOf("sensors one.session.json -o chip.json", 1),
+              AllOf(HasSubstr("offset        can't tell"), HasSubstr("Nothing can be told")));
   EXPECT_TRUE(exists("chip.json"));
   EXPECT_EQ(run("simulate --poses 2 --offset-sigma 20 -o other.session.json").exit_code, 0);
   EXPECT_THAT(errorOf("sensors one.session.json other.session.json", 3), HasSubstr("must have one cell model"));
@@ -120,9 +117,8 @@ TEST_F(Cli, ARobotWithoutJointsHasNoJointAngles) {
   EXPECT_FALSE(exists("block.joints.csv"));
   EXPECT_TRUE(readSessionJson(path("block.session.json")).poses().at(1).joint_angles.positions.empty());
 
-  const Outcome asked = run(block + "asked.session.json --joints j.csv");
-  EXPECT_EQ(asked.exit_code, 2);
-  EXPECT_THAT(asked.err, HasSubstr("--joints: no joint of the robot can move"));
+  EXPECT_THAT(errorOf(block + "asked.session.json --joints j.csv", 2),
+              HasSubstr("--joints: no joint of the robot can move"));
   EXPECT_FALSE(exists("asked.session.json"));
 }
 
@@ -214,11 +210,7 @@ TEST_F(Cli, TheVerdictIsSaidOnce) {
 }
 
 TEST_F(Cli, UsageEndsWithTwo) {
-  const auto numbers = [this](const std::string& arguments) {
-    const Outcome outcome = run(arguments);
-    EXPECT_EQ(outcome.exit_code, 2) << arguments;
-    return outcome.err;
-  };
+  const auto numbers = [this](const std::string& arguments) { return errorOf(arguments, 2); };
   EXPECT_THAT(numbers("simulate --offset-sigma nan -o a.session.json"),
               HasSubstr("--offset-sigma: expected a finite number, found nan"));
   EXPECT_THAT(numbers("simulate --seed -1 -o a.session.json"),
@@ -312,9 +304,8 @@ TEST_F(Cli, ConvertTakesTumFilesBothWays) {
 TEST_F(Cli, SessionStoresAreTakenWhereverSessionsAre) {
   EXPECT_EQ(run("simulate --poses 3 --seed 4 -o arm.hexo").exit_code, 0);
   EXPECT_EQ(run("simulate --poses 3 --seed 4 -o arm.session.json").exit_code, 0);
-  const Outcome solve = run("solve arm.hexo -o arm.calibration.json");
-  EXPECT_EQ(solve.exit_code, 0) << solve.err;
-  EXPECT_THAT(solve.out, AllOf(HasSubstr("17 cells, 16 links, 1 patch"), HasSubstr("Against the truth")));
+  EXPECT_THAT(outputOf("solve arm.hexo -o arm.calibration.json"),
+              AllOf(HasSubstr("17 cells, 16 links, 1 patch"), HasSubstr("Against the truth")));
   EXPECT_EQ(readCalibrationJson(path("arm.calibration.json"))->source.file, "arm.hexo");
   EXPECT_THAT(run("inspect arm.hexo").out, AllOf(HasSubstr("session of cell model"), HasSubstr("Poses: 3")));
   EXPECT_EQ(run("evaluate arm.calibration.json --against arm.hexo").exit_code, 0);
@@ -323,9 +314,7 @@ TEST_F(Cli, SessionStoresAreTakenWhereverSessionsAre) {
   }
   EXPECT_FALSE(exists("arm.ply"));
 
-  const Outcome convert = run("convert arm.hexo -o back.session.json");
-  EXPECT_EQ(convert.exit_code, 0) << convert.err;
-  EXPECT_THAT(convert.err, HasSubstr("history"));
+  EXPECT_THAT(errorOf("convert arm.hexo -o back.session.json", 0), HasSubstr("history"));
   EXPECT_EQ(readFile(path("back.session.json")), readFile(path("arm.session.json")));
   EXPECT_EQ(run("convert back.session.json -o again.hexo").exit_code, 0);
   EXPECT_EQ(run("convert again.hexo -o again.session.json").exit_code, 0);

@@ -97,9 +97,8 @@ TEST_F(CliFiles, PipesAreReadWhereverFilesAre) {
   EXPECT_EQ(run("convert /dev/stdin -o tum.session.json", "cat '" + tum + "' | ").exit_code, 0);
   const auto session = nlohmann::json::parse(readFile(path("arm.session.json")));
   put("model.json", readFile(HEXODERM_TEST_DATA "/../../resources/cell_models/hex-bma150.json"));
-  const Outcome modelled = run("simulate --seed 4 --poses 3 --cell-model /dev/stdin -o -", "cat model.json | ");
-  EXPECT_EQ(modelled.exit_code, 0) << modelled.err;
-  EXPECT_EQ(nlohmann::json::parse(modelled.out).at("poses"), session.at("poses"));
+  EXPECT_EQ(jsonOf("simulate --seed 4 --poses 3 --cell-model /dev/stdin -o -", 0, "cat model.json | ").at("poses"),
+            session.at("poses"));
 }
 
 TEST_F(CliFiles, ARecordingIsPlayedFromAPipe) {

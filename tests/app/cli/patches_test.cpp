@@ -56,9 +56,7 @@ class CliPatches : public Cli {
   }
 
   [[nodiscard]] std::string exported(const std::string& format, const std::string& options = "") const {
-    const Outcome outcome = run("export arm.calibration.json --to " + format + " " + options + " -o -");
-    EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
-    return outcome.out;
+    return outputOf("export arm.calibration.json --to " + format + " " + options + " -o -");
   }
 
   std::uint32_t fallen_ = 0;
@@ -100,9 +98,8 @@ TEST_F(CliPatches, APatchIsExportedByAnyOfItsCells) {
   const auto left_out = nlohmann::json::parse(outcome.out).at("left_out");
   ASSERT_EQ(left_out.size(), 1U);
   EXPECT_EQ(left_out[0].at("cells").size(), 16U);
-  const Outcome nowhere = run("export arm.calibration.json --to ply --patch 999 -o nowhere.ply");
-  EXPECT_EQ(nowhere.exit_code, 2);
-  EXPECT_THAT(nowhere.err, HasSubstr("no patch holds a cell 999"));
+  EXPECT_THAT(errorOf("export arm.calibration.json --to ply --patch 999 -o nowhere.ply", 2),
+              HasSubstr("no patch holds a cell 999"));
   EXPECT_FALSE(exists("nowhere.ply"));
 }
 
@@ -170,31 +167,27 @@ TEST_F(CliPatches, LinksAreThoseOfTheRobotWhereverItIsGiven) {
   EXPECT_THAT(run(command + "tf-yaml").err, HasSubstr("--parent: robot.urdf: the robot has no link base_link"));
   EXPECT_EQ(run(command + "ply").exit_code, 0) << "it has no link";
   EXPECT_EQ(run(command + "tf-yaml --place forearm:0,0,0,0,0,0").exit_code, 0);
-  const Outcome none = run("export arm.calibration.json --robot none.urdf -o out.file --to tf-yaml");
-  EXPECT_EQ(none.exit_code, 3);
-  EXPECT_THAT(none.err, HasSubstr("--robot none.urdf: cannot be read"));
+  EXPECT_THAT(errorOf("export arm.calibration.json --robot none.urdf -o out.file --to tf-yaml", 3),
+              HasSubstr("--robot none.urdf: cannot be read"));
 }
 
 TEST_F(CliPatches, ARobotThatHasTheSkinAlreadyIsBadInputAndAJoinWithoutAPlaceIsSaid) {
   writeFileAtomically(path("robot.urdf"), "<robot name=\"r\">\n  <link name=\"base_link\"/>\n</robot>\n");
-  const Outcome once = run("export arm.calibration.json --to robot-urdf --robot robot.urdf -o once.urdf");
-  EXPECT_EQ(once.exit_code, 0) << once.err;
-  EXPECT_THAT(once.err, HasSubstr("it is joined to base_link without any offset. --place LINK:"));
+  EXPECT_THAT(errorOf("export arm.calibration.json --to robot-urdf --robot robot.urdf -o once.urdf", 0),
+              HasSubstr("it is joined to base_link without any offset. --place LINK:"));
   const std::string place = " --place base_link:0,0,0,0,0,0 ";
   EXPECT_THAT(run("export arm.calibration.json --to robot-urdf --robot robot.urdf -o placed.urdf" + place).err,
               Not(HasSubstr("without any offset")));
-  const Outcome twice = run("export arm.calibration.json --to robot-urdf --robot once.urdf -o twice.urdf" + place);
-  EXPECT_EQ(twice.exit_code, 3);
-  EXPECT_THAT(twice.err, HasSubstr("--robot once.urdf: already has a link skin_patch"));
+  EXPECT_THAT(errorOf("export arm.calibration.json --to robot-urdf --robot once.urdf -o twice.urdf" + place, 3),
+              HasSubstr("--robot once.urdf: already has a link skin_patch"));
   EXPECT_FALSE(exists("twice.urdf"));
 }
 
 TEST_F(CliPatches, EvaluateGivesFiguresOfEachPatchByItselfAndNoneBetweenThem) {
-  const Outcome evaluate = run("evaluate arm.calibration.json --fit cylinder --against arm.session.json");
-  EXPECT_EQ(evaluate.exit_code, 0) << evaluate.err;
-  EXPECT_THAT(evaluate.out, AllOf(HasSubstr("How the patches lie to each other is not known"),
-                                  HasSubstr("cylinder through 16 cell centres"), HasSubstr("points are needed"),
-                                  HasSubstr("cell " + std::to_string(fallen_) + " alone")));
+  EXPECT_THAT(
+      outputOf("evaluate arm.calibration.json --fit cylinder --against arm.session.json"),
+      AllOf(HasSubstr("How the patches lie to each other is not known"), HasSubstr("cylinder through 16 cell centres"),
+            HasSubstr("points are needed"), HasSubstr("cell " + std::to_string(fallen_) + " alone")));
   const auto json = nlohmann::json::parse(run("evaluate arm.calibration.json --fit cylinder --json").out);
   ASSERT_EQ(json.at("fits").size(), 2U);
   const auto fitted = [](const nlohmann::json& fit) { return fit.contains("radius_mm"); };

@@ -60,8 +60,7 @@ TEST_F(CliPlace, PlacesAPatchThatExportPutsOnTheLink) {
     EXPECT_LT((vectorOf(file["placements"][0]["t_m"]) - T_l_o_.t).norm(), 0.004);
     EXPECT_EQ(file["placements"][0]["origin_cell"], origin_);
   }
-  const Outcome exported = run("export arm.calibration.json --to urdf --placements placements.json -o arm.urdf");
-  EXPECT_EQ(exported.exit_code, 0) << exported.err;
+  EXPECT_EQ(run("export arm.calibration.json --to urdf --placements placements.json -o arm.urdf").exit_code, 0);
   EXPECT_THAT(readFile(path("arm.urdf")), HasSubstr("\"forearm\""));
 }
 
@@ -74,8 +73,7 @@ TEST_F(CliPlace, ExportTakesThePlacesThatTheCalibrationHolds) {
       nlohmann::json::array({{{"origin_cell", origin_}, {"link", "forearm"}, {"by_surface", true}, {"place", place}}});
   writeFileAtomically(path("placed.session.json"), session.dump());
   EXPECT_EQ(run("solve placed.session.json -o placed.calibration.json").exit_code, 0);
-  const Outcome exported = run("export placed.calibration.json --to urdf -o placed.urdf");
-  EXPECT_EQ(exported.exit_code, 0) << exported.err;
+  EXPECT_EQ(run("export placed.calibration.json --to urdf -o placed.urdf").exit_code, 0);
   EXPECT_THAT(readFile(path("placed.urdf")), HasSubstr("\"forearm\""));
   // What is said on the command line counts instead.
   EXPECT_EQ(run("export placed.calibration.json --to urdf --place hand:0,0,0.1,0,0,0 -o hand.urdf").exit_code, 0);
@@ -123,9 +121,7 @@ TEST_F(CliPlace, SaysWhereGravityGivesNoRotation) {
               HasSubstr("arm.calibration.json"));
   EXPECT_THAT(complaint("place arm.session.json --robot demo --link forearm --joints arm.joints.csv", 2),
               HasSubstr("go with --rotation links"));
-  const Outcome hand = run("place arm.session.json --robot demo --link hand --rotation links");
-  EXPECT_EQ(hand.exit_code, 1);
-  EXPECT_THAT(hand.err, HasSubstr("link hand"));
+  EXPECT_THAT(errorOf("place arm.session.json --robot demo --link hand --rotation links", 1), HasSubstr("link hand"));
   auto session = nlohmann::json::parse(readFile(path("arm.session.json")));
   for (auto& pose : session["poses"]) pose.erase("joint_angles");
   writeFileAtomically(path("bare.session.json"), session.dump());
