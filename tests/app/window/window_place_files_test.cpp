@@ -161,13 +161,6 @@ TEST_F(WindowPlaceTest, ATableWithoutAJointOrWithTheWrongUnitIsSaid) {
   ASSERT_NO_FATAL_FAILURE(chooseJoints(pathTo("degrees.csv")));
   EXPECT_EQ(stand().joints.tone, Tone::Bad);
   EXPECT_THAT(stand().joints.text.toStdString(), HasSubstr("probably degrees that were read as rad"));
-
-  // Poses that the session does not have.
-  ASSERT_NO_FATAL_FAILURE(
-      chooseJoints(writeFile("others.csv", QByteArray::fromStdString(readFile(pathTo("arm.csv").toStdString()))
-                                               .replace("\n1,", "\n101,")
-                                               .replace("\n2,", "\n102,"))));
-  EXPECT_EQ(controller().session()->poses().size(), 8U);
 }
 
 TEST_F(WindowPlaceTest, APatchOnNoLinkIsSaidAndNothingIsTaken) {
