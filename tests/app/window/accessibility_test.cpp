@@ -160,29 +160,24 @@ TEST_F(AccessibilityTest, NothingIsCutOffAtSmallSizesAndWithLargeText) {
     QApplication::setFont(larger);
     window_.reset();
     openWindow();
-    for (const QSize& size : {QSize(1280, 800), QSize(1024, 600)}) {
-      window_->resize(size);
-      test::letTurnsPass();
-      const QString name = QStringLiteral("%1x%2 at %3 pt").arg(size.width()).arg(size.height()).arg(points);
-      keepPicture(window_->picture(),
-                  QStringLiteral("welcome-%1x%2-%3pt").arg(size.width()).arg(size.height()).arg(points));
-      // Smaller screens than what the panels need scroll; this one is larger.
-      if (points == font.pointSizeF() && size.width() == 1280) {
-        EXPECT_EQ(window_->size(), size) << name.toStdString();
+    const auto expectRoom = [&](const QString& state, const std::vector<QWidget*>& parts) {
+      for (const QSize& size : {QSize(1280, 800), QSize(1024, 600)}) {
+        window_->resize(size);
+        test::letTurnsPass();
+        const QString name =
+            QStringLiteral("%1-%2x%3-%4pt").arg(state).arg(size.width()).arg(size.height()).arg(points);
+        keepPicture(window_->picture(), name);
+        // Smaller screens than what the panels need scroll; this one is larger.
+        if (points == font.pointSizeF() && size.width() == 1280) {
+          EXPECT_EQ(window_->size(), size) << name.toStdString();
+        }
+        for (QWidget* part : parts) EXPECT_EQ(cutOff(part).join("\n").toStdString(), "") << name.toStdString();
       }
-      EXPECT_EQ(cutOff(find<QWidget>("welcomePanel")).join("\n").toStdString(), "") << name.toStdString();
-    }
+    };
+    expectRoom("welcome", {find<QWidget>("welcomePanel")});
     ASSERT_NO_FATAL_FAILURE(takeDemoPoses(2));
-    for (const QSize& size : {QSize(1280, 800), QSize(1024, 600)}) {
-      window_->resize(size);
-      test::letTurnsPass();
-      const QString name = QStringLiteral("window-%1x%2-%3pt").arg(size.width()).arg(size.height()).arg(points);
-      keepPicture(window_->picture(), name);
-      // The banner, and the steps, which scroll.
-      for (QWidget* part : {find<QLabel>("bannerSentence")->parentWidget(), find<QWidget>("stepContent")}) {
-        EXPECT_EQ(cutOff(part).join("\n").toStdString(), "") << name.toStdString();
-      }
-    }
+    // The banner, and the steps, which scroll.
+    expectRoom("window", {find<QLabel>("bannerSentence")->parentWidget(), find<QWidget>("stepContent")});
   }
   QApplication::setFont(font);
 }

@@ -186,7 +186,6 @@ TEST_F(MainWindowTest, LiveModeShowsTheMomentUnmistakablyAndGoesBackToTheResult)
   EXPECT_TRUE(mark->content()->words.contains("Live")) << mark->content()->words.toStdString();
   EXPECT_TRUE(mark->isVisible());
   EXPECT_TRUE(find<ViewMark>("sideMark")->isVisible());
-  keepPicture(window_->picture(), "live-mode");
 
   int results = 0;
   QObject::connect(&controller(), &SessionController::reconstructionChanged, window_.get(), [&] { ++results; });
