@@ -60,10 +60,7 @@ TEST_F(WindowVerifyTest, LoopsSurfaceAndTheTrueRadiusAreJudgedAsPosesCome) {
   // The wheel over a field of the panel changes nothing.
   auto* kind = inPanel<QComboBox>("surfaceKind");
   const int first_kind = kind->currentIndex();
-  const QPoint middle = kind->rect().center();
-  QWheelEvent event(middle, kind->mapToGlobal(middle), {}, {0, -120}, Qt::NoButton, Qt::NoModifier, Qt::NoScrollPhase,
-                    false);
-  QApplication::sendEvent(kind, &event);
+  test::turnWheel(kind, kind->rect().center(), -120);
   EXPECT_EQ(kind->currentIndex(), first_kind);
   std::optional<SurfaceEvaluation> drawn;
   int fits = 0;

@@ -85,9 +85,7 @@ class PartMotionTest : public PatchViewFixture {
   }
   void drag(const QPoint& by, Qt::KeyboardModifiers keys = {}, int steps = 10) {
     const QPoint from = canvas->rect().center();
-    QTest::mousePress(canvas, Qt::LeftButton, keys, from);
-    for (int k = 1; k <= steps; ++k) test::dragMouseTo(canvas, from + by * k / steps, Qt::LeftButton, keys);
-    QTest::mouseRelease(canvas, Qt::LeftButton, keys, from + by);
+    test::dragMouse(canvas, from, from + by, keys, Qt::LeftButton, steps);
   }
   /// Waits for a request, also for one that is still held back, that turns the part so far away from `up`.
   bool isAskedFor(double angle_deg, const Eigen::Vector3d& up, double tolerance_deg = 1.5) {

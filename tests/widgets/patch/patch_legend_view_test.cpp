@@ -96,9 +96,8 @@ TEST_F(PatchLegendViewTest, ArrowKeysWalkThroughTheScale) {
 }
 
 TEST_F(PatchLegendViewTest, TheMouseReadsTheScale) {
-  QMouseEvent move(QEvent::MouseMove, bar(), legend().mapToGlobal(bar()), Qt::NoButton, Qt::NoButton, Qt::NoModifier);
   const QImage before = legend().grab().toImage();
-  QCoreApplication::sendEvent(&legend(), &move);
+  test::moveMouse(&legend(), bar());
   EXPECT_TRUE(said().contains(QStringLiteral(" mm: "))) << qPrintable(said());
   EXPECT_NE(legend().grab().toImage(), before);
   QEvent leave(QEvent::Leave);

@@ -131,9 +131,7 @@ TEST_F(PatchViewTest, TheWheelZoomsAndTheButtonFitsAgain) {
   view.setReconstruction(demo());
   view.showStandardView(PatchView::StandardView::Front);
   const QImage fitted = view.screenshot();
-  QWheelEvent zoom(QPointF(canvas->rect().center()), canvas->mapToGlobal(canvas->rect().center()), {}, QPoint(0, 120),
-                   Qt::NoButton, Qt::NoModifier, Qt::NoScrollPhase, false);
-  QCoreApplication::sendEvent(canvas, &zoom);
+  test::turnWheel(canvas, canvas->rect().center(), 120);
   EXPECT_NE(view.screenshot(), fitted);
   ASSERT_NE(button("Fit"), nullptr);
   QTest::mouseClick(button("Fit"), Qt::LeftButton);
