@@ -16,7 +16,7 @@ using testing::HasSubstr;
 TEST_F(WindowPlaceTest, AnglesAreTypedAndPastedIntoTheTableOfPoses) {
   ASSERT_NO_FATAL_FAILURE(openSession());
   ASSERT_NO_FATAL_FAILURE(chooseRobot(HEXODERM_DEMO_ROBOT));
-  auto* table = inPanel<JointTableView>("placeJointTable");
+  auto* table = find<JointTableView>("placeJointTable");
   window_->findChild<StepPanel*>()->ensureWidgetVisible(table);
   const std::vector<RobotJoint> joints = stand().sheet.joints;
   ASSERT_EQ(joints.size(), robot_->robot().freeJointNames().size());

@@ -15,7 +15,7 @@ using testing::HasSubstr;
 TEST_F(WindowPlaceTest, TwoPatchesArePlacedByMouse) {
   ASSERT_NO_FATAL_FAILURE(openSession());
   EXPECT_FALSE(window_->robotView()->isVisible());
-  EXPECT_FALSE(inPanel<QPushButton>("placeChooseJoints")->isEnabled()) << "the robot comes first";
+  EXPECT_FALSE(find<QPushButton>("placeChooseJoints")->isEnabled()) << "the robot comes first";
   ASSERT_NO_FATAL_FAILURE(chooseRobot(HEXODERM_DEMO_ROBOT));
   EXPECT_THAT(stand().robot.text.toStdString(), HasSubstr("demo_arm"));
   EXPECT_TRUE(window_->robotView()->isVisible()) << "it takes the place of the patch";
@@ -34,7 +34,7 @@ TEST_F(WindowPlaceTest, TwoPatchesArePlacedByMouse) {
     // It is shown before it is chosen.
     const auto& drawn = window_->robotView()->picture().patches;
     EXPECT_TRUE(std::ranges::any_of(drawn, &RobotPicture::Patch::is_proposal));
-    ASSERT_NO_FATAL_FAILURE(clickRowOf(inPanel<QListWidget>("placePlaceList"), 0));
+    ASSERT_NO_FATAL_FAILURE(clickRowOf(find<QListWidget>("placePlaceList"), 0));
     ASSERT_TRUE(waitForWork());
     EXPECT_EQ(stand().place, 0);
   }
@@ -196,7 +196,7 @@ TEST_F(WindowPlaceTest, ACalibrationShowsItsPlacesButDecidesNothing) {
   ASSERT_NO_FATAL_FAILURE(openStep());
   ASSERT_TRUE(waitForWork());
   EXPECT_THAT(stand().why_not.toStdString(), HasSubstr("A calibration is open"));
-  EXPECT_FALSE(inPanel<QPushButton>("placeChooseRobot")->isEnabled());
+  EXPECT_FALSE(find<QPushButton>("placeChooseRobot")->isEnabled());
   EXPECT_TRUE(window_->robotView()->isVisible());
   EXPECT_TRUE(waitUntil([this] { return window_->robotView()->picture().patches.size() == 1; }));
 }

@@ -19,13 +19,7 @@ namespace {
 class WindowVerifyTest : public WindowTest {
  protected:
   VerifyPanel& panel() { return *window_->verifyPanel(); }
-  template <class T>
-  T* inPanel(const char* name) {
-    T* widget = panel().findChild<T*>(QLatin1String(name));
-    EXPECT_NE(widget, nullptr) << name;
-    return widget;
-  }
-  QString sentence(const char* section) { return inPanel<QLabel>((std::string(section) + "Sentence").c_str())->text(); }
+  QString sentence(const char* section) { return labelText((std::string(section) + "Sentence").c_str()); }
   bool waitForSentence(const char* section, const QString& part) {
     const bool came = waitUntil([&] { return sentence(section).contains(part); });
     if (!came) std::cout << section << ": " << sentence(section).toStdString() << '\n';
@@ -46,9 +40,9 @@ TEST_F(WindowVerifyTest, HoldsAPoseOutAndSaysHowWellTheOthersForetellIt) {
   // The poses are the same every time: their predictability differs from capture to capture.
   ASSERT_NO_FATAL_FAILURE(openSession("6.session.json", simulated(6, {}, 100)));
   ASSERT_NO_FATAL_FAILURE(showPanel());
-  ASSERT_TRUE(inPanel<QPushButton>("holdOutRun")->isEnabled());
-  inPanel<QComboBox>("holdOutPose")->setCurrentIndex(2);
-  click(inPanel<QPushButton>("holdOutRun"));
+  ASSERT_TRUE(find<QPushButton>("holdOutRun")->isEnabled());
+  find<QComboBox>("holdOutPose")->setCurrentIndex(2);
+  click(find<QPushButton>("holdOutRun"));
   ASSERT_TRUE(waitForSentence("holdOut", "The other 5 poses predict pose 3"));
   EXPECT_TRUE(sentence("holdOut").startsWith("As good as stated")) << sentence("holdOut").toStdString();
 }
@@ -58,7 +52,7 @@ TEST_F(WindowVerifyTest, LoopsSurfaceAndTheTrueRadiusAreJudgedAsPosesCome) {
   ASSERT_NO_FATAL_FAILURE(showPanel());
   ASSERT_TRUE(waitForSentence("loops", "No loop in this patch"));
   // The wheel over a field of the panel changes nothing.
-  auto* kind = inPanel<QComboBox>("surfaceKind");
+  auto* kind = find<QComboBox>("surfaceKind");
   const int first_kind = kind->currentIndex();
   test::turnWheel(kind, kind->rect().center(), -120);
   EXPECT_EQ(kind->currentIndex(), first_kind);
@@ -72,7 +66,7 @@ TEST_F(WindowVerifyTest, LoopsSurfaceAndTheTrueRadiusAreJudgedAsPosesCome) {
   ASSERT_TRUE(waitForSentence("surface", "Cylinder, radius"));
   ASSERT_TRUE(drawn && drawn->radius_m);
   EXPECT_NEAR(*drawn->radius_m, 0.0501, 0.005);
-  inPanel<QDoubleSpinBox>("surfaceRadius")->setValue(50.1);
+  find<QDoubleSpinBox>("surfaceRadius")->setValue(50.1);
   ASSERT_TRUE(waitForSentence("surface", "off the true one"));
   EXPECT_NEAR(drawn->delta_m.value_or(1), *drawn->radius_m - 0.0501, 1e-12);
 
@@ -108,7 +102,7 @@ TEST_F(WindowVerifyTest, ComparesWithAnEarlierCalibrationAndSaysWhatIsWrongWithA
   std::vector<Comparison> drawn;
   QObject::connect(&panel(), &VerifyPanel::comparisonShown,
                    [&](const std::vector<Comparison>& comparisons) { drawn = comparisons; });
-  auto* choose = inPanel<QPushButton>("comparisonChoose");
+  auto* choose = find<QPushButton>("comparisonChoose");
   ASSERT_TRUE(choose->isEnabled());
   activateWindow();
   find<QScrollArea>("checksArea")->ensureWidgetVisible(choose);
@@ -119,14 +113,14 @@ TEST_F(WindowVerifyTest, ComparesWithAnEarlierCalibrationAndSaysWhatIsWrongWithA
   ASSERT_EQ(drawn.size(), 1U);
   EXPECT_EQ(drawn[0].cells.size(), 17U);
   EXPECT_GT(drawn[0].position_rms_m, 0);
-  EXPECT_EQ(inPanel<QTableView>("comparisonTable")->model()->rowCount(), 17);
+  EXPECT_EQ(find<QTableView>("comparisonTable")->model()->rowCount(), 17);
 
   panel().compareWith(writeFile("broken.calibration.json", "{\"format\": "));
   ASSERT_TRUE(waitForSentence("comparison", "broken.calibration.json"));
-  EXPECT_EQ(inPanel<QTableView>("comparisonTable")->model()->rowCount(), 0);
+  EXPECT_EQ(find<QTableView>("comparisonTable")->model()->rowCount(), 0);
   EXPECT_TRUE(drawn.empty());
-  ASSERT_TRUE(inPanel<QPushButton>("comparisonRemove")->isVisible());
-  inPanel<QPushButton>("comparisonRemove")->click();
+  ASSERT_TRUE(find<QPushButton>("comparisonRemove")->isVisible());
+  find<QPushButton>("comparisonRemove")->click();
   EXPECT_EQ(sentence("comparison"), "");
   ASSERT_NO_FATAL_FAILURE(takeNextPose());
   EXPECT_EQ(sentence("comparison"), "") << "the file that can't be read is not read again";
@@ -139,7 +133,7 @@ TEST_F(WindowVerifyTest, AnOldCalibrationIsComparedWithThePosesOfToday) {
   changed.faults = {{SkinFault::Yawed, CellId(5)}, {SkinFault::Dead, CellId(7)}};
   ASSERT_NO_FATAL_FAILURE(openSession("today.session.json", simulated(2, changed, 100)));
   ASSERT_NO_FATAL_FAILURE(showPanel());
-  auto* choose = inPanel<QPushButton>("oldCalibrationChoose");
+  auto* choose = find<QPushButton>("oldCalibrationChoose");
   ASSERT_TRUE(choose->isEnabled());
   activateWindow();
   find<QScrollArea>("checksArea")->ensureWidgetVisible(choose);
@@ -155,9 +149,9 @@ TEST_F(WindowVerifyTest, AnOldCalibrationIsComparedWithThePosesOfToday) {
   // It is compared anew when the session changes, without poses that the operator disabled.
   controller().setPoseDisabled(1, true);
   ASSERT_TRUE(waitForSentence("oldCalibration", "Compared with arm.calibration.json: pose 1."));
-  click(inPanel<QPushButton>("oldCalibrationRemove"));
+  click(find<QPushButton>("oldCalibrationRemove"));
   EXPECT_EQ(sentence("oldCalibration"), "");
-  EXPECT_FALSE(inPanel<QTableView>("oldCalibrationTable")->isVisible());
+  EXPECT_FALSE(find<QTableView>("oldCalibrationTable")->isVisible());
   EXPECT_EQ(contentOf(calibration), before) << "a check never changes a calibration";
   EXPECT_EQ(controller().session()->poses().size(), 2U);
 }
@@ -175,7 +169,7 @@ TEST_F(WindowVerifyTest, AnOldCalibrationThatHoldsIsSaidToHoldWhetherFromACalibr
   // Another skin is open, and what was chosen for this one says nothing about it.
   ASSERT_NO_FATAL_FAILURE(openSession("other.session.json", simulated(3, {}, 100)));
   EXPECT_EQ(sentence("oldCalibration"), "");
-  EXPECT_FALSE(inPanel<QPushButton>("oldCalibrationRemove")->isVisible());
+  EXPECT_FALSE(find<QPushButton>("oldCalibrationRemove")->isVisible());
 }
 
 TEST_F(WindowVerifyTest, AFileThatIsNoCalibrationOfThisSkinGetsASentenceThatSaysWhy) {
@@ -197,7 +191,7 @@ TEST_F(WindowVerifyTest, AFileThatIsNoCalibrationOfThisSkinGetsASentenceThatSays
     ASSERT_TRUE(waitForSentence("oldCalibration", why));
     EXPECT_TRUE(sentence("oldCalibration").contains(QFileInfo(path).fileName()))
         << sentence("oldCalibration").toStdString();
-    EXPECT_EQ(inPanel<QTableView>("oldCalibrationTable")->model()->rowCount(), 0);
+    EXPECT_EQ(find<QTableView>("oldCalibrationTable")->model()->rowCount(), 0);
   }
   // After all of them, the right one.
   panel().checkOldCalibration(writeCalibration("arm.calibration.json", simulated(4, {}, 100)));
@@ -209,7 +203,7 @@ TEST_F(WindowVerifyTest, AFileThatIsNoCalibrationOfThisSkinGetsASentenceThatSays
 TEST_F(WindowVerifyTest, ACalibrationThatIsOpenHasNoPosesToCheckAnotherOneWith) {
   ASSERT_NO_FATAL_FAILURE(openFile(writeCalibration("arm.calibration.json", simulated(4, {}, 100))));
   ASSERT_NO_FATAL_FAILURE(showPanel());
-  EXPECT_FALSE(inPanel<QPushButton>("oldCalibrationChoose")->isEnabled());
+  EXPECT_FALSE(find<QPushButton>("oldCalibrationChoose")->isEnabled());
   EXPECT_TRUE(sentence("oldCalibration").contains("open a session with the poses of today"))
       << sentence("oldCalibration").toStdString();
 }
