@@ -1,5 +1,5 @@
-// Time that a reconstruction takes: the tree, the joint estimate from scratch, and from the result before the last pose
-// came in, as in the window; and how it grows with poses and patches. The skins are simulated.
+// How the time that a reconstruction takes grows with poses and patches. The skins are simulated. What the tree and the
+// joint estimate take of a sheet is solver_ratios' to say.
 
 #include "hexoderm/device/simulation/simulated_skin.h"
 #include "hexoderm/reconstruction/reconstructor.h"
@@ -10,36 +10,6 @@
 
 namespace hexoderm {
 namespace {
-
-enum class Start { Tree, Cold, Warm };
-
-SimulatedSkin sheet(std::int64_t rows) {
-  SimulatedSkinOptions options;
-  options.patch = "sheet:" + std::to_string(rows) + "x" + std::to_string(rows + 1);
-  options.surface = "cylinder:r=0.25";
-  return {builtInCellModel("hex-bma150"), options};
-}
-
-void reconstructSheet(benchmark::State& state, Start start) {
-  SimulatedSkin skin = sheet(state.range(0));
-  const Session session = simulateSession(skin, static_cast<std::size_t>(state.range(1)));
-  const auto snapshot = session.snapshot();
-  Session without_last = session;
-  without_last.removePose(session.poses().size() - 1);
-  const auto before = reconstruct(*without_last.snapshot());
-  SolverOptions options;
-  options.solver = start == Start::Tree ? Solver::Tree : Solver::Global;
-  for ([[maybe_unused]] auto _ : state) {
-    benchmark::DoNotOptimize(reconstruct(*snapshot, options, start == Start::Warm ? before.get() : nullptr));
-  }
-  state.counters["cells"] = static_cast<double>(skin.truth().size());
-  state.counters["poses"] = static_cast<double>(state.range(1));
-}
-
-// 1,260 cells; 3 and 6 poses.
-BENCHMARK_CAPTURE(reconstructSheet, tree, Start::Tree)->Args({35, 3})->Args({35, 6})->Unit(benchmark::kMillisecond);
-BENCHMARK_CAPTURE(reconstructSheet, cold, Start::Cold)->Args({35, 3})->Args({35, 6})->Unit(benchmark::kMillisecond);
-BENCHMARK_CAPTURE(reconstructSheet, warm, Start::Warm)->Args({35, 3})->Args({35, 6})->Unit(benchmark::kMillisecond);
 
 void manyPoses(benchmark::State& state, const char* patch) {
   SimulatedSkinOptions options;

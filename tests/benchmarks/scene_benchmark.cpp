@@ -13,10 +13,8 @@
 #include <benchmark/benchmark.h>
 #include <vtkCamera.h>
 #include <vtkNew.h>
-#include <vtkRenderStepsPass.h>
 #include <vtkRenderWindow.h>
 #include <vtkRenderer.h>
-#include <vtkSSAOPass.h>
 #include <vtkUnsignedCharArray.h>
 #include <array>
 #include <cmath>
@@ -116,28 +114,6 @@ void TurningNear(benchmark::State& state) {
   state.counters["IDs"] = labels / static_cast<double>(state.iterations());
 }
 
-/// With VTK's occlusion in the picture, which the window does not draw: this tells why.
-void TurningOccluded(benchmark::State& state) {
-  const auto content = makeSceneContent(skinOf(state.range(0)));
-  Stage& stage = Stage::showing(content);
-  vtkNew<vtkRenderStepsPass> steps;
-  vtkNew<vtkSSAOPass> occlusion;
-  occlusion->SetRadius(0.1 * content->extent_m);
-  occlusion->SetBias(0.001 * content->extent_m);
-  occlusion->SetKernelSize(32);
-  occlusion->BlurOn();
-  occlusion->SetDelegatePass(steps);
-  stage.scene.renderer()->SetPass(occlusion);
-  stage.draw();
-  for ([[maybe_unused]] auto _ : state) {
-    stage.scene.renderer()->GetActiveCamera()->Azimuth(3);
-    stage.draw();
-  }
-  stage.scene.renderer()->SetPass(nullptr);
-  occlusion->ReleaseGraphicsResources(stage.window);
-  state.counters["frames/s"] = benchmark::Counter(static_cast<double>(state.iterations()), benchmark::Counter::kIsRate);
-}
-
 /// A new result of the same skin, on the GUI's thread: what was prepared elsewhere is taken over and drawn.
 void NewResultTakenOverAndDrawn(benchmark::State& state) {
   const std::array contents = {makeSceneContent(skinOf(state.range(0))), makeSceneContent(skinOf(state.range(0)))};
@@ -222,7 +198,6 @@ void sizes(benchmark::internal::Benchmark* each) {
 BENCHMARK(Turning)->Apply(sizes);
 BENCHMARK(TurningSmoothed)->Apply(sizes);
 BENCHMARK(TurningNear)->Apply(sizes);
-BENCHMARK(TurningOccluded)->Apply(sizes);
 BENCHMARK(PictureSmoothed)->Apply(sizes);
 BENCHMARK(NewResultPrepared)->Apply(sizes);
 BENCHMARK(NewResultTakenOver)->Apply(sizes);

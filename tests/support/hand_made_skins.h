@@ -11,9 +11,16 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace hexoderm {
+
+/// As views take what they show.
+template <class Value>
+std::shared_ptr<const Value> shared(Value value) {
+  return std::make_shared<const Value>(std::move(value));
+}
 
 /// Properties of an X-shaped patch that is bent around a cylinder.
 struct DemoOptions {

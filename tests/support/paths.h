@@ -7,9 +7,7 @@
 
 #define HEXODERM_TEST_DATA HEXODERM_SOURCE_DIR "/tests/data"
 #define HEXODERM_BASELINES HEXODERM_SOURCE_DIR "/tests/baselines"
-#define HEXODERM_CELL_MODEL HEXODERM_SOURCE_DIR "/resources/cell_models/hex-bma150.json"
 #define HEXODERM_DEMO_ROBOT HEXODERM_SOURCE_DIR "/resources/robot/demo_arm.urdf"
 #define HEXODERM_TRANSLATIONS HEXODERM_SOURCE_DIR "/resources/translations"
 #define HEXODERM_SKINWIRE_SOURCES HEXODERM_SOURCE_DIR "/core/hexoderm/device/skinwire"
 #define HEXODERM_CSV_SENDER HEXODERM_SOURCE_DIR "/tests/app/cli/csv_sender.py"
-#define HEXODERM_UNLINKED_SENDER HEXODERM_SOURCE_DIR "/tests/app/cli/unlinked_sender.py"

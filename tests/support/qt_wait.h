@@ -7,6 +7,7 @@
 #include <QMouseEvent>
 #include <QTest>
 #include <QTimer>
+#include <QWheelEvent>
 #include <QWidget>
 
 namespace hexoderm::test {
@@ -35,12 +36,25 @@ inline void letTurnsPass() {
   }
 }
 
-/// The mouse moves there with this button down. QTest::mouseMove() moves the display's own pointer instead, of which
-/// the display tells when it finds the time: perhaps after the button has been released.
-inline void dragMouseTo(QWidget* widget, const QPoint& to, Qt::MouseButton button = Qt::LeftButton,
-                        Qt::KeyboardModifiers keys = {}) {
-  QMouseEvent move(QEvent::MouseMove, to, widget->mapToGlobal(to), Qt::NoButton, button, keys);
+/// The mouse moves there with these buttons down. QTest::mouseMove() moves the display's own pointer instead, of which
+/// the display tells when it finds the time: perhaps after a button has been released.
+inline void moveMouse(QWidget* widget, const QPoint& to, Qt::MouseButtons buttons = Qt::NoButton,
+                      Qt::KeyboardModifiers keys = {}) {
+  QMouseEvent move(QEvent::MouseMove, to, widget->mapToGlobal(to), Qt::NoButton, buttons, keys);
   QApplication::sendEvent(widget, &move);
+}
+/// Turns the wheel there; whether somebody took it.
+inline bool turnWheel(QWidget* widget, const QPoint& at, int delta) {
+  QWheelEvent event(at, widget->mapToGlobal(at), {}, {0, delta}, Qt::NoButton, Qt::NoModifier, Qt::NoScrollPhase,
+                    false);
+  QApplication::sendEvent(widget, &event);
+  return event.isAccepted();
+}
+inline void dragMouse(QWidget* widget, const QPoint& from, const QPoint& to, Qt::KeyboardModifiers keys = {},
+                      Qt::MouseButton button = Qt::LeftButton, int steps = 2) {
+  QTest::mousePress(widget, button, keys, from);
+  for (int k = 1; k <= steps; ++k) moveMouse(widget, from + (to - from) * k / steps, button, keys);
+  QTest::mouseRelease(widget, button, keys, to);
 }
 
 }  // namespace hexoderm::test

@@ -81,21 +81,5 @@ INSTANTIATE_TEST_SUITE_P(Streams, CaptureOfARobot,
                                            RobotStream{"readings_20hz_quiet_model.jsonl", false},
                                            RobotStream{"port_frames_100hz.jsonl", true}));
 
-/// The same streams under the other cell model.
-class CaptureOfARobotWithAnotherModel : public Cli {};
-
-TEST_F(CaptureOfARobotWithAnotherModel, FindsTheSameHoldsWhateverTheDataSheetSays) {
-  for (const char* const name : {"readings_20hz.jsonl", "port_frames_100hz.jsonl"}) {
-    const std::string quiet = R"(s/\\"lsb_g\\": 0.00390625, \\"rate_hz\\": 1000, \\"noise_g_per_sqrt_hz\\": 0.0005/)"
-                              R"(\\"lsb_g\\": 0.0009765625, \\"rate_hz\\": 20.4, \\"noise_g_per_sqrt_hz\\": 0.000218/)";
-    const std::string output = std::string(name) + ".hexo";
-    const Outcome outcome = run("capture --source stdin -o " + output,
-                                "sed '" + quiet + "' '" HEXODERM_REFERENCE_DATA "/real/icub_leg/" + name + "' | ");
-    const Session session = readSessionStore(path(output));
-    EXPECT_EQ(session.model().accelerometer.rate_hz, 20.4) << name;
-    EXPECT_EQ(session.poses().size(), 3U) << name << outcome.err << outcome.out;
-  }
-}
-
 }  // namespace
 }  // namespace hexoderm

@@ -27,22 +27,18 @@ class CliCheck : public Cli {
 
 TEST_F(CliCheck, SaysThatACalibrationHolds) {
   ASSERT_EQ(run("simulate --poses 2 --seed 1 -o today.session.json").exit_code, 0);
-  const Outcome outcome = run("check arm.calibration.json today.session.json");
-  EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
-  EXPECT_THAT(outcome.out, AllOf(HasSubstr("2 poses against the calibration of 17 cells"),
-                                 HasSubstr("All 17 cells are as calibrated"), Not(HasSubstr("turned by"))));
+  EXPECT_THAT(outputOf("check arm.calibration.json today.session.json"),
+              AllOf(HasSubstr("2 poses against the calibration of 17 cells"),
+                    HasSubstr("All 17 cells are as calibrated"), Not(HasSubstr("turned by"))));
 }
 
 TEST_F(CliCheck, NamesWhatChangedAndEndsWithOne) {
   ASSERT_EQ(run("simulate --poses 2 --seed 1 --fault yawed:5 --fault dead:7 -o today.session.json").exit_code, 0);
-  const Outcome text = run("check arm.calibration.json today.session.json");
-  EXPECT_EQ(text.exit_code, 1);
-  EXPECT_THAT(text.out, AllOf(HasSubstr("turned by "), HasSubstr("dead: it reads no gravity"),
-                              HasSubstr("Not as calibrated: cells 5 and 7."), HasSubstr("came loose"),
-                              HasSubstr("Check the sensor, plug and cable")));
-  const Outcome outcome = run("check arm.calibration.json today.session.json --json");
-  EXPECT_EQ(outcome.exit_code, 1);
-  const auto json = nlohmann::json::parse(outcome.out);
+  EXPECT_THAT(outputOf("check arm.calibration.json today.session.json", 1),
+              AllOf(HasSubstr("turned by "), HasSubstr("dead: it reads no gravity"),
+                    HasSubstr("Not as calibrated: cells 5 and 7."), HasSubstr("came loose"),
+                    HasSubstr("Check the sensor, plug and cable")));
+  const auto json = jsonOf("check arm.calibration.json today.session.json --json", 1);
   EXPECT_EQ(json.at("changed"), true);
   EXPECT_THAT(json.at("advice").get<std::string>(), HasSubstr("came loose"));
   ASSERT_EQ(json.at("cells").size(), 17);
@@ -57,16 +53,14 @@ TEST_F(CliCheck, NamesWhatChangedAndEndsWithOne) {
 }
 
 TEST_F(CliCheck, TakesPosesLiveAndKeepsThemOnRequest) {
-  const Outcome outcome = run(
-      "check arm.calibration.json --source 'sim:x17?seed=1&speed=max' --auto --poses 2 --timeout 600 -o today.hexo");
-  EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
-  EXPECT_THAT(outcome.out, HasSubstr("All 17 cells are as calibrated"));
+  EXPECT_THAT(outputOf("check arm.calibration.json --source 'sim:x17?seed=1&speed=max' --auto --poses 2 --timeout 600 "
+                       "-o today.hexo"),
+              HasSubstr("All 17 cells are as calibrated"));
   EXPECT_EQ(run("check arm.calibration.json today.hexo").exit_code, 0);
   // Another skin's sensors have other offsets, and its cells lie otherwise.
-  const Outcome other =
-      run("check arm.calibration.json --source 'sim:x17?seed=2&speed=max' --auto --timeout 600 --quiet");
-  EXPECT_EQ(other.exit_code, 1);
-  EXPECT_THAT(other.out, Not(HasSubstr("  as calibrated")));
+  EXPECT_THAT(
+      outputOf("check arm.calibration.json --source 'sim:x17?seed=2&speed=max' --auto --timeout 600 --quiet", 1),
+      Not(HasSubstr("  as calibrated")));
 }
 
 TEST_F(CliCheck, WrongFilesGetOneLine) {

@@ -24,30 +24,15 @@ using ::testing::ContainsRegex;
 using ::testing::HasSubstr;
 using ::testing::Not;
 
-class CliFiles : public Cli {
+class CliFiles : public CliWithSkin {
  protected:
-  void SetUp() override {
-    ASSERT_EQ(run("simulate --poses 3 --seed 4 -o arm.session.json").exit_code, 0);
-    ASSERT_EQ(run("simulate --poses 3 --seed 4 -o arm.hexo").exit_code, 0);
-    ASSERT_EQ(run("solve arm.session.json -o arm.calibration.json").exit_code, 0);
-  }
-
   void put(const std::string& name, std::string_view content) const {
     std::ofstream(path(name), std::ios::binary) << content;
   }
-
-  /// Names of everything in the folder, hidden things too; without what this test's own runs print to.
-  [[nodiscard]] std::vector<std::string> names() const {
-    std::vector<std::string> found;
-    for (const auto& entry : std::filesystem::directory_iterator(folder_.path())) {
-      if (entry.path().filename() != "stderr.txt") found.push_back(entry.path().filename().string());
-    }
-    std::ranges::sort(found);
-    return found;
-  }
 };
 
-void expectOneLine(const Outcome& outcome, int exit_code) {
+/// What it says on standard error.
+std::string expectOneLine(const Outcome& outcome, int exit_code) {
   EXPECT_EQ(outcome.exit_code, exit_code) << outcome.err;
   EXPECT_EQ(std::ranges::count(outcome.err, '\n'), 1) << outcome.err;
   EXPECT_LE(outcome.err.size(), 2100U);
@@ -55,13 +40,13 @@ void expectOneLine(const Outcome& outcome, int exit_code) {
   const bool is_plain = std::ranges::all_of(
       outcome.err, [](char c) { return c == '\n' || (static_cast<unsigned char>(c) >= 0x20 && c != '\x7f'); });
   EXPECT_TRUE(is_plain) << "a control character";
+  return outcome.err;
 }
 
 TEST_F(CliFiles, AnExportWhoseNameEndsInZipIsAnArchiveThatAnotherProgramReads) {
   for (const std::string formats : {"ply", "urdf,csv"}) {
-    const Outcome exported = run("export arm.calibration.json --to " + formats + " -o arm.zip");
-    EXPECT_EQ(exported.exit_code, 0) << exported.err;
-    EXPECT_THAT(exported.out, HasSubstr("Written and read back: arm.zip"));
+    EXPECT_THAT(outputOf("export arm.calibration.json --to " + formats + " -o arm.zip"),
+                HasSubstr("Written and read back: arm.zip"));
     const std::string command =
         "python3 -c \"import sys, zipfile; archive = zipfile.ZipFile(sys.argv[1]); "
         "sys.exit(archive.testzip() is not None or 'arm/manifest.json' not in archive.namelist())\" '" +
@@ -89,12 +74,8 @@ TEST_F(CliFiles, DashIsStandardOutput) {
 }
 
 TEST_F(CliFiles, DashIsRefusedWhereStandardOutputCannotBe) {
-  const Outcome tables = run("export arm.calibration.json --to csv -o -");
-  expectOneLine(tables, 2);
-  EXPECT_THAT(tables.err, HasSubstr("folder of several files"));
-  const Outcome capture = run("capture --source sim:x17 -o -");
-  expectOneLine(capture, 2);
-  EXPECT_THAT(capture.err, HasSubstr("*.hexo"));
+  EXPECT_THAT(expectOneLine(run("export arm.calibration.json --to csv -o -"), 2), HasSubstr("folder of several files"));
+  EXPECT_THAT(expectOneLine(run("capture --source sim:x17 -o -"), 2), HasSubstr("*.hexo"));
   expectOneLine(run("solve arm.session.json --json -o -"), 2);
   expectOneLine(run("solve arm.session.json -o - >/dev/full"), 5);
 }
@@ -116,9 +97,8 @@ TEST_F(CliFiles, PipesAreReadWhereverFilesAre) {
   EXPECT_EQ(run("convert /dev/stdin -o tum.session.json", "cat '" + tum + "' | ").exit_code, 0);
   const auto session = nlohmann::json::parse(readFile(path("arm.session.json")));
   put("model.json", readFile(HEXODERM_TEST_DATA "/../../resources/cell_models/hex-bma150.json"));
-  const Outcome modelled = run("simulate --seed 4 --poses 3 --cell-model /dev/stdin -o -", "cat model.json | ");
-  EXPECT_EQ(modelled.exit_code, 0) << modelled.err;
-  EXPECT_EQ(nlohmann::json::parse(modelled.out).at("poses"), session.at("poses"));
+  EXPECT_EQ(jsonOf("simulate --seed 4 --poses 3 --cell-model /dev/stdin -o -", 0, "cat model.json | ").at("poses"),
+            session.at("poses"));
 }
 
 TEST_F(CliFiles, ARecordingIsPlayedFromAPipe) {
@@ -126,16 +106,13 @@ TEST_F(CliFiles, ARecordingIsPlayedFromAPipe) {
   const Outcome played = run("capture --source replay:/dev/stdin --poses 2 -o played.hexo", "cat arm.skinrec | ");
   EXPECT_THAT(played.out, HasSubstr("2 poses of 17 cells")) << played.err;
   expectOneLine(run("capture --source replay:/dev/zero -o none.hexo"), 3);
-  const Outcome opened = run("inspect /dev/stdin", "cat arm.skinrec | ");
-  expectOneLine(opened, 3);
-  EXPECT_THAT(opened.err, HasSubstr("is a recording"));
+  EXPECT_THAT(expectOneLine(run("inspect /dev/stdin", "cat arm.skinrec | "), 3), HasSubstr("is a recording"));
 }
 
 TEST_F(CliFiles, InputWithoutAnEndIsReadToALimit) {
   for (const std::string command : {"inspect /dev/zero", "simulate --cell-model /dev/zero -o x.session.json"}) {
-    const Outcome outcome = run(command);
-    expectOneLine(outcome, 3);
-    EXPECT_THAT(outcome.err, ContainsRegex("/dev/zero: is too large or does not end: at most (256|1000) MB are read"))
+    EXPECT_THAT(expectOneLine(run(command), 3),
+                ContainsRegex("/dev/zero: is too large or does not end: at most (256|1000) MB are read"))
         << command;
   }
   std::filesystem::resize_file(path("arm.calibration.json"), 1'000'000'001);  // a hole: it takes no disk
@@ -144,9 +121,7 @@ TEST_F(CliFiles, InputWithoutAnEndIsReadToALimit) {
   EXPECT_THAT(large.err, HasSubstr("at most 1000 MB are read"));
   // What is wrong in a large file is not looked for: that would take many times its size of memory.
   std::filesystem::resize_file(path("arm.calibration.json"), 300'000'000);
-  const Outcome wrong = run("inspect arm.calibration.json");
-  expectOneLine(wrong, 3);
-  EXPECT_THAT(wrong.err, HasSubstr("something in it is wrong or unusual"));
+  EXPECT_THAT(expectOneLine(run("inspect arm.calibration.json"), 3), HasSubstr("something in it is wrong or unusual"));
 }
 
 TEST_F(CliFiles, HostileFilesEndWithOneLine) {
@@ -154,13 +129,7 @@ TEST_F(CliFiles, HostileFilesEndWithOneLine) {
   const std::string control = R"(\u001b[2J\u0007\u009b31m\r\n)";
   const std::vector<std::pair<std::string, std::string>> hostile = {
       {head + R"("cells": -1, "poses": []})", "cells: expected an array, found -1"},
-      {head + R"("cells": [], "cells": [], "poses": []})", "cells: is there twice"},
-      {head + R"("cells": [{"id": 1, "ports": [], "id": 2}], "poses": []})", "cells[0].id: is there twice"},
       {head + R"("cells": [], "poses": )" + std::string(100'000, '['), "nested too deeply"},
-      {head + R"("cells": [{"id": 1e400, "ports": []}], "poses": []})", "cells[0].id: expected a finite number"},
-      {head + R"("cells": [{"id": 1, "ports": []}], "poses": [{"id": 1, "samples": [{"cell": 1, "mean_g": [0, 0, 1],
-        "cov_g2": [1e-6, 2e-6, 0, 1e-6, 0, 1e-6]}]}]})",
-       "poses[0].samples[0].cov_g2: expected a covariance"},
       {R"({"format": ")" + control + R"("})", "\\u001b[2J\\u0007\\u009b31m\\r\\n"},
       {R"({"format": ")" + std::string(1'000'000, 'x') + R"("})", "..."},
       {"{\"" + std::string(1'000'000, 'k') + "\": ?}", "not JSON"},
@@ -169,14 +138,11 @@ TEST_F(CliFiles, HostileFilesEndWithOneLine) {
   };
   for (const auto& [content, complaint] : hostile) {
     put("hostile.json", content);
-    const Outcome outcome = run("solve hostile.json -o out.calibration.json");
-    expectOneLine(outcome, 3);
-    EXPECT_THAT(outcome.err, AllOf(HasSubstr("hostile.json: "), HasSubstr(complaint)));
+    EXPECT_THAT(expectOneLine(run("solve hostile.json -o out.calibration.json"), 3),
+                AllOf(HasSubstr("hostile.json: "), HasSubstr(complaint)));
     EXPECT_FALSE(exists("out.calibration.json"));
   }
-  const Outcome named = run("inspect \"$(printf 'no\\033[31m\\nfile')\"");
-  expectOneLine(named, 3);
-  EXPECT_THAT(named.err, HasSubstr("no\\u001b[31m\\nfile"));
+  EXPECT_THAT(expectOneLine(run("inspect \"$(printf 'no\\033[31m\\nfile')\""), 3), HasSubstr("no\\u001b[31m\\nfile"));
   EXPECT_THAT(run("inspect \"$(printf '\\033[31m')\" too many").err, Not(HasSubstr("\x1b")));
 }
 
@@ -226,7 +192,7 @@ TEST_F(CliFiles, OutputsAreWrittenIntoWhatIsNoFile) {
 TEST_F(CliFiles, OutputsThatCannotBeAreOneLineAndFive) {
   std::filesystem::create_symlink("loop", path("loop"));
   std::filesystem::create_symlink("gone", path("dangling"));
-  const std::vector<std::string> before = names();
+  const auto before = contents();
   const std::string long_name(256, 'n');
   for (const std::string& output : {std::string("loop"), std::string("dangling"), std::string("loop/x"), long_name,
                                     std::string("nowhere/x"), std::string("arm.hexo/x"), std::string(".")}) {
@@ -242,7 +208,7 @@ TEST_F(CliFiles, OutputsThatCannotBeAreOneLineAndFive) {
     expectOneLine(run("simulate -o " + output + ".session.json"), 5);
     expectOneLine(run("capture --source sim:x17 -o " + output + ".hexo"), 5);
   }
-  EXPECT_EQ(names(), before);
+  EXPECT_TRUE(contents() == before);
 }
 
 TEST_F(CliFiles, AFolderWithoutAccessIsOneLineAndFive) {

@@ -32,10 +32,9 @@ class CliLinks : public Cli {
 
 TEST_F(CliLinks, PutsPatchesOnTheirLinks) {
   takePoses(8);
-  const Outcome text = run("links arm.session.json --robot demo");
-  EXPECT_EQ(text.exit_code, 0) << text.err;
-  EXPECT_THAT(text.out, AllOf(HasSubstr("is on link upper_arm"), HasSubstr("is on link forearm"),
-                              HasSubstr("All together: misfit"), HasSubstr("joint shoulder_roll: zero")));
+  EXPECT_THAT(outputOf("links arm.session.json --robot demo"),
+              AllOf(HasSubstr("is on link upper_arm"), HasSubstr("is on link forearm"),
+                    HasSubstr("All together: misfit"), HasSubstr("joint shoulder_roll: zero")));
 
   const nlohmann::json json = links();
   const auto truth = nlohmann::json::parse(readFile(path("arm.truth.json")));
@@ -56,9 +55,7 @@ TEST_F(CliLinks, PutsPatchesOnTheirLinks) {
 
 TEST_F(CliLinks, SaysWhatIsLeftOpenAndTakesTheOperatorsWord) {
   takePoses(1);
-  const Outcome text = run("links arm.session.json --robot demo");
-  EXPECT_EQ(text.exit_code, 1);
-  EXPECT_THAT(text.out, HasSubstr("can't be told from one pose"));
+  EXPECT_THAT(outputOf("links arm.session.json --robot demo", 1), HasSubstr("can't be told from one pose"));
   const nlohmann::json put = links("--put 1=upper_arm");
   EXPECT_EQ(put.at("patches").at(0).at("placed").at("link"), "upper_arm");
   EXPECT_TRUE(put.at("patches").at(0).at("chosen"));

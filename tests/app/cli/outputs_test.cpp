@@ -49,14 +49,8 @@ const std::set<std::string> kWords = {
     "--fault",    "--mount", "--solver",     "--centre",   "--support-axes", "--weights", "--gap-model",
     "--distance", "--bind",  "--model-name", "--parent",   "--prefix"};
 
-class CliOutputs : public Cli {
+class CliOutputs : public CliWithSkin {
  protected:
-  void SetUp() override {
-    ASSERT_EQ(run("simulate --poses 3 --seed 4 -o arm.session.json").exit_code, 0);
-    ASSERT_EQ(run("simulate --poses 3 --seed 4 -o arm.hexo").exit_code, 0);
-    ASSERT_EQ(run("solve arm.session.json -o arm.calibration.json").exit_code, 0);
-  }
-
   [[nodiscard]] std::vector<std::string> commands() const {
     std::istringstream help(run("--help").out);
     std::vector<std::string> names;
@@ -81,16 +75,6 @@ class CliOutputs : public Cli {
       options.push_back({name.substr(name.find(',') + 1), match[2]});
     }
     return options;
-  }
-
-  /// Of everything in the folder, that lies in folders too; without what this test's own runs print to.
-  [[nodiscard]] std::map<std::string, std::string> contents() const {
-    std::map<std::string, std::string> found;
-    for (const auto& entry : fs::recursive_directory_iterator(folder_.path())) {
-      if (entry.path().filename() == "stderr.txt") continue;
-      found[entry.path().string()] = entry.is_regular_file() ? readFile(entry.path()) : "";
-    }
-    return found;
   }
 
   /// That a command ends with this code and one line that says all of this, and changes nothing.
@@ -256,9 +240,8 @@ TEST_F(CliOutputs, ARecordingIsNotRecordedIntoItself) {
 TEST_F(CliOutputs, StandardInputIsAnInput) {
   ASSERT_EQ(run("capture --source sim:x17?speed=20 --auto --poses 3 --record arm.skinrec -o first.hexo").exit_code, 0);
   const auto before = contents();
-  const Outcome outcome = run("capture --source stdin --record arm.skinrec -o second.hexo <arm.skinrec");
-  EXPECT_EQ(outcome.exit_code, 2) << outcome.err;
-  EXPECT_THAT(outcome.err, AllOf(HasSubstr("--record arm.skinrec"), HasSubstr("is one of the inputs")));
+  EXPECT_THAT(errorOf("capture --source stdin --record arm.skinrec -o second.hexo <arm.skinrec", 2),
+              AllOf(HasSubstr("--record arm.skinrec"), HasSubstr("is one of the inputs")));
   EXPECT_TRUE(contents() == before);
 }
 

@@ -40,7 +40,7 @@ struct RotationError {
   double sigma_deg = 0;
 };
 
-RotationError errorOf(const nlohmann::json& part, const nlohmann::json& truth) {
+RotationError rotationErrorOf(const nlohmann::json& part, const nlohmann::json& truth) {
   const auto& patch = part.at("patches").at(1);
   const Eigen::Matrix3d R_l_first = trueRotation(truth, part.at("frame_of_cell"));
   const Eigen::Matrix3d R_l_o = trueRotation(truth, patch.at("origin"));
@@ -50,10 +50,9 @@ RotationError errorOf(const nlohmann::json& part, const nlohmann::json& truth) {
 
 TEST_F(CliParts, GroupsThePatchesOfALinkAndFindsTheElbow) {
   takePoses(8);
-  const Outcome text = run("parts arm.session.json");
-  EXPECT_EQ(text.exit_code, 0) << text.err;
-  EXPECT_THAT(text.out, AllOf(HasSubstr("Part 1, in the frame of cell "), HasSubstr("Part 2, in the frame of cell "),
-                              HasSubstr("together"), HasSubstr("apart"), HasSubstr("axis (")));
+  EXPECT_THAT(outputOf("parts arm.session.json"),
+              AllOf(HasSubstr("Part 1, in the frame of cell "), HasSubstr("Part 2, in the frame of cell "),
+                    HasSubstr("together"), HasSubstr("apart"), HasSubstr("axis (")));
 
   const auto json = nlohmann::json::parse(run("parts arm.session.json --json").out);
   const auto truth = nlohmann::json::parse(readFile(path("arm.truth.json")));
@@ -63,7 +62,7 @@ TEST_F(CliParts, GroupsThePatchesOfALinkAndFindsTheElbow) {
   const auto& upper_arm = json.at("parts").at(0);
   ASSERT_EQ(upper_arm.at("patches").size(), 2U);
   for (const auto& patch : upper_arm.at("patches")) EXPECT_LE(patch.at("origin").get<int>(), 2 * 17);
-  const RotationError error = errorOf(upper_arm, truth);
+  const RotationError error = rotationErrorOf(upper_arm, truth);
   EXPECT_LT(error.angle_deg, 3 * error.sigma_deg);
   EXPECT_LT(error.sigma_deg, 10);
 
@@ -85,9 +84,7 @@ TEST_F(CliParts, GroupsThePatchesOfALinkAndFindsTheElbow) {
 
 TEST_F(CliParts, TooFewPosesCantTellAndSayWhatWould) {
   takePoses(1);
-  const Outcome text = run("parts arm.session.json");
-  EXPECT_EQ(text.exit_code, 1) << text.err;
-  EXPECT_THAT(text.out, HasSubstr("Next: "));
+  EXPECT_THAT(outputOf("parts arm.session.json", 1), HasSubstr("Next: "));
   const auto json = nlohmann::json::parse(run("parts arm.session.json --json").out);
   for (const auto& relation : json.at("relations")) {
     EXPECT_EQ(relation.at("movement"), "cant_tell");
@@ -98,9 +95,7 @@ TEST_F(CliParts, TooFewPosesCantTellAndSayWhatWould) {
 
 TEST_F(CliParts, ASkinOfOnePatchIsOnePart) {
   ASSERT_EQ(run("simulate --poses 3 -o arm.session.json").exit_code, 0);
-  const Outcome outcome = run("parts arm.session.json --json");
-  EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
-  const auto json = nlohmann::json::parse(outcome.out);
+  const auto json = jsonOf("parts arm.session.json --json");
   EXPECT_EQ(json.at("parts").size(), 1U);
   EXPECT_THAT(json.at("relations"), IsEmpty());
 }

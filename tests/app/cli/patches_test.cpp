@@ -49,15 +49,14 @@ class CliPatches : public Cli {
     ASSERT_NE(fallen_, 0U);
     writeFileAtomically(path("arm.session.json"), session.dump());
     const Outcome solve = run("solve arm.session.json -o arm.calibration.json");
-    ASSERT_THAT(solve.out, HasSubstr("2 patches")) << solve.err;
+    ASSERT_THAT(solve.out, AllOf(HasSubstr("2 patches"), HasSubstr("was set aside by hand (it came off)")))
+        << solve.err;
     const auto calibration = readCalibrationJson(path("arm.calibration.json"));
     origin_ = largestPatch(*calibration)->origin.value();
   }
 
   [[nodiscard]] std::string exported(const std::string& format, const std::string& options = "") const {
-    const Outcome outcome = run("export arm.calibration.json --to " + format + " " + options + " -o -");
-    EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
-    return outcome.out;
+    return outputOf("export arm.calibration.json --to " + format + " " + options + " -o -");
   }
 
   std::uint32_t fallen_ = 0;
@@ -99,9 +98,8 @@ TEST_F(CliPatches, APatchIsExportedByAnyOfItsCells) {
   const auto left_out = nlohmann::json::parse(outcome.out).at("left_out");
   ASSERT_EQ(left_out.size(), 1U);
   EXPECT_EQ(left_out[0].at("cells").size(), 16U);
-  const Outcome nowhere = run("export arm.calibration.json --to ply --patch 999 -o nowhere.ply");
-  EXPECT_EQ(nowhere.exit_code, 2);
-  EXPECT_THAT(nowhere.err, HasSubstr("no patch holds a cell 999"));
+  EXPECT_THAT(errorOf("export arm.calibration.json --to ply --patch 999 -o nowhere.ply", 2),
+              HasSubstr("no patch holds a cell 999"));
   EXPECT_FALSE(exists("nowhere.ply"));
 }
 
@@ -115,9 +113,8 @@ TEST_F(CliPatches, AllPatchesGoWhereTheirFramesAreKeptApart) {
   EXPECT_THAT(exported("vtp", "--all-patches"), HasSubstr("NumberOfPolys=\"" + std::to_string(17 * 8) + "\""));
   EXPECT_THAT(exported("vtp"), HasSubstr("NumberOfPolys=\"" + std::to_string(16 * 8) + "\""));
   for (const std::string format : {"ply", "stl", "urdf"}) {
-    const Outcome refused = run("export arm.calibration.json --to " + format + " --all-patches -o all." + format);
-    EXPECT_EQ(refused.exit_code, 2) << format;
-    EXPECT_THAT(refused.err, HasSubstr("one frame"));
+    EXPECT_THAT(errorOf("export arm.calibration.json --to " + format + " --all-patches -o all." + format, 2),
+                HasSubstr("one frame"));
     EXPECT_FALSE(exists("all." + format));
   }
   EXPECT_EQ(run("export arm.calibration.json --to vtp --patch 1 --all-patches -o a.vtp").exit_code, 2);
@@ -156,56 +153,48 @@ TEST_F(CliPatches, SeveralFormatsAreAFolderWithAManifest) {
   EXPECT_THAT(readFile(path("out/skin.robot.urdf")), HasSubstr("<parent link=\"hand\" />"));
   EXPECT_EQ(run("export arm.calibration.json --to urdf,ply -o -").exit_code, 2);
   EXPECT_EQ(run("export arm.calibration.json --to urdf,nothing -o out").exit_code, 2);
-  const Outcome no_robot = run("export arm.calibration.json --to robot-urdf -o r.urdf");
-  EXPECT_EQ(no_robot.exit_code, 2);
-  EXPECT_THAT(no_robot.err, HasSubstr("--to robot-urdf: expected --robot FILE too"));
+  EXPECT_THAT(errorOf("export arm.calibration.json --to robot-urdf -o r.urdf", 2),
+              HasSubstr("--to robot-urdf: expected --robot FILE too"));
 }
 
 TEST_F(CliPatches, LinksAreThoseOfTheRobotWhereverItIsGiven) {
   writeFileAtomically(path("robot.urdf"), "<robot name=\"r\">\n  <link name=\"forearm\"/>\n</robot>\n");
   const std::string command = "export arm.calibration.json --robot robot.urdf -o out.file --to ";
   for (const std::string format : {"tf-yaml", "robot-urdf", "ply"}) {
-    const Outcome wrong = run(command + format + " --place forarm:0,0,0,0,0,0");
-    EXPECT_EQ(wrong.exit_code, 2) << format;
-    EXPECT_THAT(wrong.err,
+    EXPECT_THAT(errorOf(command + format + " --place forarm:0,0,0,0,0,0", 2),
                 HasSubstr("the place of a patch: robot.urdf: the robot has no link forarm; did you mean forearm?"));
   }
   EXPECT_THAT(run(command + "tf-yaml").err, HasSubstr("--parent: robot.urdf: the robot has no link base_link"));
   EXPECT_EQ(run(command + "ply").exit_code, 0) << "it has no link";
   EXPECT_EQ(run(command + "tf-yaml --place forearm:0,0,0,0,0,0").exit_code, 0);
-  const Outcome none = run("export arm.calibration.json --robot none.urdf -o out.file --to tf-yaml");
-  EXPECT_EQ(none.exit_code, 3);
-  EXPECT_THAT(none.err, HasSubstr("--robot none.urdf: cannot be read"));
+  EXPECT_THAT(errorOf("export arm.calibration.json --robot none.urdf -o out.file --to tf-yaml", 3),
+              HasSubstr("--robot none.urdf: cannot be read"));
 }
 
 TEST_F(CliPatches, ARobotThatHasTheSkinAlreadyIsBadInputAndAJoinWithoutAPlaceIsSaid) {
   writeFileAtomically(path("robot.urdf"), "<robot name=\"r\">\n  <link name=\"base_link\"/>\n</robot>\n");
-  const Outcome once = run("export arm.calibration.json --to robot-urdf --robot robot.urdf -o once.urdf");
-  EXPECT_EQ(once.exit_code, 0) << once.err;
-  EXPECT_THAT(once.err, HasSubstr("it is joined to base_link without any offset. --place LINK:"));
+  EXPECT_THAT(errorOf("export arm.calibration.json --to robot-urdf --robot robot.urdf -o once.urdf", 0),
+              HasSubstr("it is joined to base_link without any offset. --place LINK:"));
   const std::string place = " --place base_link:0,0,0,0,0,0 ";
   EXPECT_THAT(run("export arm.calibration.json --to robot-urdf --robot robot.urdf -o placed.urdf" + place).err,
               Not(HasSubstr("without any offset")));
-  const Outcome twice = run("export arm.calibration.json --to robot-urdf --robot once.urdf -o twice.urdf" + place);
-  EXPECT_EQ(twice.exit_code, 3);
-  EXPECT_THAT(twice.err, HasSubstr("--robot once.urdf: already has a link skin_patch"));
+  EXPECT_THAT(errorOf("export arm.calibration.json --to robot-urdf --robot once.urdf -o twice.urdf" + place, 3),
+              HasSubstr("--robot once.urdf: already has a link skin_patch"));
   EXPECT_FALSE(exists("twice.urdf"));
 }
 
 TEST_F(CliPatches, EvaluateGivesFiguresOfEachPatchByItselfAndNoneBetweenThem) {
-  const Outcome evaluate = run("evaluate arm.calibration.json --fit cylinder --against arm.session.json");
-  EXPECT_EQ(evaluate.exit_code, 0) << evaluate.err;
-  EXPECT_THAT(evaluate.out, AllOf(HasSubstr("How the patches lie to each other is not known"),
-                                  HasSubstr("cylinder through 16 cell centres"), HasSubstr("points are needed"),
-                                  HasSubstr("cell " + std::to_string(fallen_) + " alone")));
+  EXPECT_THAT(
+      outputOf("evaluate arm.calibration.json --fit cylinder --against arm.session.json"),
+      AllOf(HasSubstr("How the patches lie to each other is not known"), HasSubstr("cylinder through 16 cell centres"),
+            HasSubstr("points are needed"), HasSubstr("cell " + std::to_string(fallen_) + " alone")));
   const auto json = nlohmann::json::parse(run("evaluate arm.calibration.json --fit cylinder --json").out);
   ASSERT_EQ(json.at("fits").size(), 2U);
   const auto fitted = [](const nlohmann::json& fit) { return fit.contains("radius_mm"); };
   EXPECT_EQ(std::ranges::count_if(json.at("fits"), fitted), 1);
   EXPECT_TRUE(std::ranges::any_of(json.at("fits"), [](const auto& fit) { return fit.contains("why_not"); }));
-  const Outcome loop = run("evaluate arm.calibration.json --loop " + std::to_string(fallen_) + ":1," + free_end_);
-  EXPECT_EQ(loop.exit_code, 2);
-  EXPECT_THAT(loop.err, HasSubstr("lie in different patches"));
+  EXPECT_THAT(errorOf("evaluate arm.calibration.json --loop " + std::to_string(fallen_) + ":1," + free_end_, 2),
+              HasSubstr("lie in different patches"));
 }
 
 /// Many times the same patch, each read a little otherwise.

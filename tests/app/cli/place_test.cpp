@@ -32,8 +32,7 @@ class CliPlace : public Cli {
     const auto truth = nlohmann::json::parse(readFile(path("arm.truth.json")));
     for (const auto& cell : truth["patches"][0]["cells"]) {
       if (cell["id"] != origin_) continue;
-      for (Eigen::Index k = 0; k < 9; ++k) T_l_o_.R(k / 3, k % 3) = cell["R"][static_cast<std::size_t>(k)];
-      for (Eigen::Index k = 0; k < 3; ++k) T_l_o_.t[k] = cell["t_m"][static_cast<std::size_t>(k)];
+      T_l_o_ = {matrixOf(cell["R"]), vectorOf(cell["t_m"])};
     }
   }
   /// --rotation of the truth.
@@ -53,18 +52,15 @@ class CliPlace : public Cli {
 
 TEST_F(CliPlace, PlacesAPatchThatExportPutsOnTheLink) {
   for (const std::string input : {"arm.session.json", "arm.calibration.json"}) {
-    const Outcome outcome =
-        run("place " + input + " --robot demo --link forearm" + rotation() + point() + " -o placements.json");
-    EXPECT_EQ(outcome.exit_code, 0) << outcome.out << outcome.err;
-    EXPECT_THAT(outcome.out, AllOf(HasSubstr("one place on link forearm fits, certain to"),
-                                   HasSubstr("Place 1: misfit"), HasSubstr("Place 1 is written to placements.json")));
+    EXPECT_THAT(
+        outputOf("place " + input + " --robot demo --link forearm" + rotation() + point() + " -o placements.json"),
+        AllOf(HasSubstr("one place on link forearm fits, certain to"), HasSubstr("Place 1: misfit"),
+              HasSubstr("Place 1 is written to placements.json")));
     const auto file = nlohmann::json::parse(readFile(path("placements.json")));
-    const auto& t = file["placements"][0]["t_m"];
-    EXPECT_LT((Eigen::Vector3d(t[0], t[1], t[2]) - T_l_o_.t).norm(), 0.004);
+    EXPECT_LT((vectorOf(file["placements"][0]["t_m"]) - T_l_o_.t).norm(), 0.004);
     EXPECT_EQ(file["placements"][0]["origin_cell"], origin_);
   }
-  const Outcome exported = run("export arm.calibration.json --to urdf --placements placements.json -o arm.urdf");
-  EXPECT_EQ(exported.exit_code, 0) << exported.err;
+  EXPECT_EQ(run("export arm.calibration.json --to urdf --placements placements.json -o arm.urdf").exit_code, 0);
   EXPECT_THAT(readFile(path("arm.urdf")), HasSubstr("\"forearm\""));
 }
 
@@ -77,8 +73,7 @@ TEST_F(CliPlace, ExportTakesThePlacesThatTheCalibrationHolds) {
       nlohmann::json::array({{{"origin_cell", origin_}, {"link", "forearm"}, {"by_surface", true}, {"place", place}}});
   writeFileAtomically(path("placed.session.json"), session.dump());
   EXPECT_EQ(run("solve placed.session.json -o placed.calibration.json").exit_code, 0);
-  const Outcome exported = run("export placed.calibration.json --to urdf -o placed.urdf");
-  EXPECT_EQ(exported.exit_code, 0) << exported.err;
+  EXPECT_EQ(run("export placed.calibration.json --to urdf -o placed.urdf").exit_code, 0);
   EXPECT_THAT(readFile(path("placed.urdf")), HasSubstr("\"forearm\""));
   // What is said on the command line counts instead.
   EXPECT_EQ(run("export placed.calibration.json --to urdf --place hand:0,0,0.1,0,0,0 -o hand.urdf").exit_code, 0);
@@ -103,9 +98,7 @@ TEST_F(CliPlace, TakesTheRotationThatLinksFinds) {
   EXPECT_EQ(outcome.exit_code, 0) << outcome.out << outcome.err;
   const auto json = nlohmann::json::parse(outcome.out);
   ASSERT_FALSE(json["candidates"].empty()) << outcome.out;
-  const auto& placed = json["candidates"][0]["patches"][0];
-  const auto& t = placed["t_m"];
-  EXPECT_LT((Eigen::Vector3d(t[0], t[1], t[2]) - T_l_o_.t).norm(), 0.004);
+  EXPECT_LT((vectorOf(json["candidates"][0]["patches"][0]["t_m"]) - T_l_o_.t).norm(), 0.004);
 
   // By a point alone the place is turned exactly as links says, and as certainly.
   const auto links = nlohmann::json::parse(
@@ -114,9 +107,7 @@ TEST_F(CliPlace, TakesTheRotationThatLinksFinds) {
   const Eigen::Matrix3d R_links = rotationOf(turn["q_l_o_wxyz"]);
   const auto by_point = nlohmann::json::parse(run(place + " --rotation links --no-surface" + point()).out);
   const auto& alone = by_point["candidates"][0]["patches"][0];
-  Eigen::Matrix3d R;
-  for (Eigen::Index k = 0; k < 9; ++k) R(k / 3, k % 3) = alone["R"][static_cast<std::size_t>(k)];
-  EXPECT_LT(rotationAngle(R_links.transpose() * R), 1e-4);
+  EXPECT_LT(rotationAngle(R_links.transpose() * matrixOf(alone["R"])), 1e-4);
   // The 21 numbers above the diagonal, row by row: those of the rotation begin at 15.
   EXPECT_NEAR(alone["cov_t_r"][15].get<double>(), turn["covariance_rad2"][0][0].get<double>(),
               0.05 * turn["covariance_rad2"][0][0].get<double>());
@@ -130,9 +121,7 @@ TEST_F(CliPlace, SaysWhereGravityGivesNoRotation) {
               HasSubstr("arm.calibration.json"));
   EXPECT_THAT(complaint("place arm.session.json --robot demo --link forearm --joints arm.joints.csv", 2),
               HasSubstr("go with --rotation links"));
-  const Outcome hand = run("place arm.session.json --robot demo --link hand --rotation links");
-  EXPECT_EQ(hand.exit_code, 1);
-  EXPECT_THAT(hand.err, HasSubstr("link hand"));
+  EXPECT_THAT(errorOf("place arm.session.json --robot demo --link hand --rotation links", 1), HasSubstr("link hand"));
   auto session = nlohmann::json::parse(readFile(path("arm.session.json")));
   for (auto& pose : session["poses"]) pose.erase("joint_angles");
   writeFileAtomically(path("bare.session.json"), session.dump());
@@ -189,17 +178,14 @@ TEST_F(CliPlace, RefusesABodyThatIsNoneAndNamesWhereItStands) {
 }
 
 TEST_F(CliPlace, WritesNoPlaceThatDoesNotFit) {
-  const Outcome outcome =
-      run("place arm.calibration.json --robot demo --link upper_arm -o placements.json" + rotation());
-  EXPECT_EQ(outcome.exit_code, 1) << outcome.err;
-  EXPECT_THAT(outcome.out, AllOf(HasSubstr("no place on link upper_arm fits"), HasSubstr("Place 1 (does not fit)")));
+  EXPECT_THAT(outputOf("place arm.calibration.json --robot demo --link upper_arm -o placements.json" + rotation(), 1),
+              AllOf(HasSubstr("no place on link upper_arm fits"), HasSubstr("Place 1 (does not fit)")));
   EXPECT_FALSE(exists("placements.json"));
 }
 
 TEST_F(CliPlace, SaysThatThePatchIsLargerThanTheLink) {
-  const Outcome outcome = run("place arm.calibration.json --robot demo --link left_finger -o placements.json");
-  EXPECT_EQ(outcome.exit_code, 1) << outcome.err;
-  EXPECT_THAT(outcome.out, HasSubstr("is larger than link left_finger"));
+  EXPECT_THAT(outputOf("place arm.calibration.json --robot demo --link left_finger -o placements.json", 1),
+              HasSubstr("is larger than link left_finger"));
   EXPECT_FALSE(exists("placements.json"));
 }
 

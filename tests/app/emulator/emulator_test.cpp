@@ -150,28 +150,28 @@ void talk(const Emulator& emulator, std::size_t cells) {
   EXPECT_EQ(status.unknown_samples, 0U);
 }
 
-TEST(Emulator, IsASkinOnTcp) {
-  const Emulator emulator(ring8({"--tcp", "0"}));
-  EXPECT_THAT(emulator.address, StartsWith("tcp://127.0.0.1:"));
+struct Wire {
+  const char* name;
+  std::vector<std::string> options;
+  const char* address_begins;
+  int hosts = 1;  ///< one after the other
+};
+
+class EmulatorOnAWire : public testing::TestWithParam<Wire> {};
+
+TEST_P(EmulatorOnAWire, IsASkin) {
+  const Emulator emulator(ring8(GetParam().options));
+  EXPECT_THAT(emulator.address, StartsWith(GetParam().address_begins));
   EXPECT_THAT(emulator.about, HasSubstr("8 cells"));
-  talk(emulator, 8);
-  talk(emulator, 8);  // one host after the other
+  for (int k = 0; k < GetParam().hosts; ++k) talk(emulator, 8);
 }
 
-TEST(Emulator, IsASkinOnTcpInLines) { talk(Emulator(ring8({"--tcp", "0", "--json"})), 8); }
-
-TEST(Emulator, IsASkinOnUdp) {
-  const Emulator emulator(ring8({"--udp", "0"}));
-  EXPECT_THAT(emulator.address, StartsWith("udp://127.0.0.1:"));
-  talk(emulator, 8);
-  talk(emulator, 8);
-}
-
-TEST(Emulator, IsASkinOnAPseudoTerminal) {
-  const Emulator emulator(ring8({"--pty"}));
-  EXPECT_THAT(emulator.address, StartsWith("serial:/dev/pts/"));
-  talk(emulator, 8);
-}
+INSTANTIATE_TEST_SUITE_P(Wires, EmulatorOnAWire,
+                         testing::Values(Wire{"Tcp", {"--tcp", "0"}, "tcp://127.0.0.1:", 2},
+                                         Wire{"TcpInLines", {"--tcp", "0", "--json"}, "tcp://127.0.0.1:"},
+                                         Wire{"Udp", {"--udp", "0"}, "udp://127.0.0.1:", 2},
+                                         Wire{"PseudoTerminal", {"--pty"}, "serial:/dev/pts/"}),
+                         [](const auto& wire) { return std::string(wire.param.name); });
 
 TEST(Emulator, IsARobotThatSaysWhereItsJointsStand) {
   const Emulator emulator({"--tcp", "0", "--robot", "demo", "--ideal", "--speed", "4", "--rate", "100"});
@@ -359,16 +359,6 @@ TEST(Emulator, AConnectionThatSaysNothingGivesWayToTheNext) {
   EXPECT_TRUE(next.hears()) << "it waited until the host had gone";
 }
 
-TEST(Emulator, AHostThatDoesNotReadAnyMoreIsLeft) {
-  // 300 cells 20 times as fast: what the network holds for a host is soon full.
-  const Emulator emulator({"--tcp", "0", "--patch", "sheet:15x20", "--speed", "20"});
-  const BareHost stuck(emulator.address);
-  stuck.describe();
-  ASSERT_TRUE(stuck.hears());
-  Host host(emulator.address);
-  EXPECT_TRUE(host.waitForFrames(10));
-}
-
 TEST(Emulator, OverUdpOnlyTheHostIsAnswered) {
   const Emulator emulator(ring8({"--udp", "0"}));
   const BareHost host(emulator.address);
@@ -389,10 +379,12 @@ TEST(Emulator, OverUdpOnlyTheHostIsAnswered) {
   EXPECT_TRUE(other.hasHeard());
 }
 
-TEST(Emulator, NeverWaitsForAHostThatDoesNotRead) {
+TEST(Emulator, NeverWaitsForAHostThatDoesNotReadAndLeavesItForTheNext) {
   // 50 times as fast, 300 cells: what the network holds for a host is full at once.
   const Emulator emulator({"--tcp", "0", "--patch", "sheet:15x20", "--speed", "50"});
-  const BareHost host(emulator.address);
+  const BareHost stuck(emulator.address);
+  stuck.describe();
+  ASSERT_TRUE(stuck.hears());
   const auto dropped = [&] {
     const std::string status = emulator.type("status");
     const std::size_t at = status.find("dropped ");
@@ -401,6 +393,8 @@ TEST(Emulator, NeverWaitsForAHostThatDoesNotRead) {
   const auto until = std::chrono::steady_clock::now() + test::kPatience;
   while (dropped() == 0 && std::chrono::steady_clock::now() < until) ::poll(nullptr, 0, 20);
   EXPECT_GT(dropped(), 0U);
+  Host host(emulator.address);
+  EXPECT_TRUE(host.waitForFrames(10));
 }
 
 TEST(Emulator, SaysWhatItDoesNotUnderstand) {

@@ -5,6 +5,7 @@
 #include <QComboBox>
 #include <QTabBar>
 #include <algorithm>
+#include <vector>
 
 namespace hexoderm {
 
@@ -43,28 +44,32 @@ class KeyboardTest : public WindowTest {
 
   /// Tab until a widget of this name has the focus.
   void tabTo(const QString& name, int code = Qt::Key_Tab) {
-    constexpr int kMost = 120;
-    QStringList passed;
-    for (int k = 0; k < kMost; ++k) {
-      key(code, code == Qt::Key_Backtab ? Qt::ShiftModifier : Qt::NoModifier);
-      ASSERT_NO_FATAL_FAILURE(expectFocusIsSeen());
-      if (QApplication::focusWidget()->objectName() == name) return;
-      passed << focusName();
-    }
-    FAIL() << "Tab does not lead to " << name.toStdString() << "; it passes\n" << passed.join('\n').toStdString();
+    tabUntil([&](const QWidget* focus) { return focus->objectName() == name; }, name, code);
   }
   /// Tab until the button with these words has the focus, and presses it.
   void pressButton(const QString& words) {
-    constexpr int kMost = 120;
-    QStringList passed;
+    ASSERT_NO_FATAL_FAILURE(tabUntil(
+        [&](const QWidget* focus) {
+          const auto* button = qobject_cast<const QAbstractButton*>(focus);
+          return button && button->text() == words;
+        },
+        words));
+    key(Qt::Key_Space);
+  }
+
+  /// Everything at which Tab stops, once round.
+  std::vector<QWidget*> tabStops() {
+    std::vector<QWidget*> stops;
+    constexpr int kMost = 200;
     for (int k = 0; k < kMost; ++k) {
       key(Qt::Key_Tab);
-      ASSERT_NO_FATAL_FAILURE(expectFocusIsSeen());
-      const auto* button = qobject_cast<QAbstractButton*>(QApplication::focusWidget());
-      if (button && button->text() == words) return key(Qt::Key_Space);
-      passed << focusName() + (button ? ' ' + button->text() : QString());
+      QWidget* focus = QApplication::focusWidget();
+      expectFocusIsSeen();
+      if (!stops.empty() && focus == stops.front()) return stops;
+      stops.push_back(focus);
     }
-    FAIL() << "no button " << words.toStdString() << " in\n" << passed.join('\n').toStdString();
+    ADD_FAILURE() << "Tab does not come round";
+    return stops;
   }
 
   /// After a dialog has closed: the window has the keyboard again, where it was.
@@ -74,6 +79,22 @@ class KeyboardTest : public WindowTest {
     const QWidget* focus = window_->focusWidget();
     EXPECT_TRUE(waitUntil([&] { return focus == nullptr || QApplication::focusWidget() == focus; }))
         << "the keyboard is at " << focusName().toStdString();
+  }
+
+ private:
+  template <class IsIt>
+  void tabUntil(IsIt is_it, const QString& what, int code = Qt::Key_Tab) {
+    constexpr int kMost = 120;
+    QStringList passed;
+    for (int k = 0; k < kMost; ++k) {
+      key(code, code == Qt::Key_Backtab ? Qt::ShiftModifier : Qt::NoModifier);
+      ASSERT_NO_FATAL_FAILURE(expectFocusIsSeen());
+      const QWidget* focus = QApplication::focusWidget();
+      if (is_it(focus)) return;
+      const auto* button = qobject_cast<const QAbstractButton*>(focus);
+      passed << focusName() + (button ? ' ' + button->text() : QString());
+    }
+    FAIL() << "Tab does not lead to " << what.toStdString() << "; it passes\n" << passed.join('\n').toStdString();
   }
 };
 

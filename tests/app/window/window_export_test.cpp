@@ -12,7 +12,6 @@
 #include <QUrl>
 #include <filesystem>
 #include <functional>
-#include <set>
 
 namespace hexoderm {
 namespace {
@@ -125,24 +124,6 @@ TEST_F(WindowExportTest, OptionsOfAFormatAreInTheFile) {
     EXPECT_TRUE(urdf.contains(part)) << part;
   }
   EXPECT_EQ(urdf.count("<joint "), 1) << "one link for the patch";
-  click(find<QWidget>("messageClose"));
-
-  QHash<QString, QByteArray> meshes;
-  for (const QString& unit : {QStringLiteral("Millimetres"), QStringLiteral("Metres")}) {
-    dialog = openDialog();
-    ASSERT_NO_FATAL_FAILURE(choose(dialog, "STL"));
-    auto* units = dialog->findChild<QComboBox*>("export-stl-unit");
-    ASSERT_TRUE(units->isVisible());
-    if (units->currentText() != unit) QTest::keyClick(units, Qt::Key_Down);
-    EXPECT_EQ(units->currentText(), unit);
-    auto* edit = dialog->findChild<QLineEdit*>("exportPath");
-    edit->setText(pathTo(unit + ".stl"));
-    click(dialog->findChild<QPushButton*>("exportButton"));
-    ASSERT_TRUE(waitForMessage("Exported to " + pathTo(unit + ".stl")));
-    meshes[unit] = contentOf(pathTo(unit + ".stl"));
-  }
-  EXPECT_EQ(meshes["Metres"].size(), meshes["Millimetres"].size());
-  EXPECT_NE(meshes["Metres"], meshes["Millimetres"]);
 }
 
 TEST_F(WindowExportTest, OfSeveralPatchesOneIsChosenAndTheOthersAreNamed) {
@@ -194,11 +175,7 @@ TEST_F(WindowExportTest, PicturesOfTheWindowAndOfTheThreeDimensionalViewAreWritt
   ASSERT_TRUE(waitForMessage("Exported to " + pathTo("view.png")));
   const QImage view(pathTo("view.png"));
   ASSERT_FALSE(view.isNull());
-  std::set<QRgb> colors;
-  for (int x = 0; x < view.width(); x += 3) {
-    for (int y = 0; y < view.height(); y += 3) colors.insert(view.pixel(x, y));
-  }
-  EXPECT_GT(colors.size(), 50U) << "the skin is in it";
+  EXPECT_GT(coloursIn(view), 50U) << "the skin is in it";
 }
 
 TEST_F(WindowExportTest, OpenFolderOpensWhereTheFileIs) {
@@ -210,20 +187,6 @@ TEST_F(WindowExportTest, OpenFolderOpensWhereTheFileIs) {
   EXPECT_EQ(find<QPushButton>("messageButton")->text(), "Open folder");
   click(find<QPushButton>("messageButton"));
   EXPECT_EQ(desktop.opened, QStringList(pathTo("out")));
-}
-
-TEST_F(WindowExportTest, AFolderThatTakesNothingIsNamedAndTheWorkGoesOn) {
-  ASSERT_NO_FATAL_FAILURE(openSession("arm.hexo", simulated(4)));
-  // A folder that not even root can write to.
-  const QString path = QStringLiteral("/proc/arm.ply");
-  ASSERT_NO_FATAL_FAILURE(exportAs("PLY", path));
-  ASSERT_TRUE(waitForMessage("/proc"));
-  EXPECT_TRUE(message().contains("arm.ply")) << message().toStdString();
-  EXPECT_FALSE(message().contains("Exported")) << message().toStdString();
-  EXPECT_FALSE(QFile::exists(path));
-  EXPECT_EQ(posesShown(), 4U);
-  ASSERT_NO_FATAL_FAILURE(exportAs("PLY", pathTo("arm.ply")));
-  EXPECT_TRUE(waitForMessage("Exported to " + pathTo("arm.ply")));
 }
 
 TEST_F(WindowExportTest, AFullDiskLeavesTheEarlierFileAsItWas) {
@@ -238,6 +201,8 @@ TEST_F(WindowExportTest, AFullDiskLeavesTheEarlierFileAsItWas) {
   EXPECT_EQ(contentOf(path), "what was there");
   EXPECT_EQ(QDir(folder_.path()).entryList({"*.ply*", ".*ply*"}, QDir::Files | QDir::Hidden), QStringList("arm.ply"))
       << "nothing half written stays";
+  ASSERT_NO_FATAL_FAILURE(exportAs("PLY", path));
+  EXPECT_TRUE(waitForMessage("Exported to " + path)) << "the work goes on";
 }
 
 TEST_F(WindowExportTest, NothingReplacesASession) {

@@ -1,6 +1,7 @@
 #include "tests/app/window/window_test.h"
 #include "tests/support/paths.h"
 #include "widgets/controls/finding_card.h"
+#include "widgets/patch/patch_view.h"
 #include "widgets/tables/finding_table.h"
 
 #include <QProcess>
@@ -187,7 +188,7 @@ TEST(WindowProgram, ThePictureReplacesNeitherTheFileThatIsShownNorASession) {
   EXPECT_TRUE(isSessionStore(other.toStdString()));
 }
 
-TEST_F(WindowFilesTest, AChangeOfThemeLeavesNothingBehind) {
+TEST_F(WindowFilesTest, AChangeOfThemeLeavesNothingBehindAndIsRemembered) {
   const QString path = writeFile("row.session.json", kSessionWithOneSidedLink);
   const auto openAtReview = [&] {
     window_->openFile(path);
@@ -203,11 +204,22 @@ TEST_F(WindowFilesTest, AChangeOfThemeLeavesNothingBehind) {
     return pictures;
   };
   ASSERT_NO_FATAL_FAILURE(openAtReview());
+  // Beside the panels, and in a corner of the 3D view, which draws when it has time and must be up to date all the
+  // same.
+  const auto* patch = window_->findChild<PatchView*>();
+  const QPoint in_patch = patch->mapTo(window_.get(), QPoint(patch->width() / 2, 6));
+  const QPoint points[] = {QPoint(3, window_->height() / 2), in_patch};
+  const QImage light = window_->picture();
+  for (const QPoint& point : points) EXPECT_GT(light.pixelColor(point).lightness(), 200);
   action("actionThemeDark")->trigger();
   const std::vector<QImage> changed = cards();
   EXPECT_FALSE(changed.empty());
+  const QImage dark = window_->picture();
+  for (const QPoint& point : points) EXPECT_LT(dark.pixelColor(point).lightness(), 60);
   window_->close();
   openWindow();
+  EXPECT_EQ(window_->theme(), Theme::Dark);
+  EXPECT_TRUE(action("actionThemeDark")->isChecked());
   ASSERT_NO_FATAL_FAILURE(openAtReview());
   EXPECT_EQ(changed, cards());
 }

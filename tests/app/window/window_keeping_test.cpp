@@ -137,18 +137,6 @@ TEST_F(WindowKeepingTest, WhatChangesBetweenTwoSavesIsInBothFiles) {
   EXPECT_THAT(disabled(read(first)), ElementsAre(1U, 2U)) << "until the second file took over";
 }
 
-TEST_F(WindowKeepingTest, AReasonComesBackWithWhatItIsFor) {
-  Session session = simulated(2);
-  session.setPoseDisabled(0, true, "someone leaned on the arm");
-  ASSERT_NO_FATAL_FAILURE(openSession("why.hexo", session));
-  controller().setPoseDisabled(0, false);
-  controller().undoStack()->undo();
-  EXPECT_EQ(controller().session()->poses()[0].why_disabled, "someone leaned on the arm");
-  ASSERT_TRUE(waitUntilWritten());
-  EXPECT_TRUE(read(pathTo("why.hexo")).poses()[0].disabled);
-  EXPECT_EQ(read(pathTo("why.hexo")).poses()[0].why_disabled, "someone leaned on the arm");
-}
-
 TEST_F(WindowKeepingTest, RingToneAndStatusSayCapturedWhenThePoseIsOnDiskAndNotBefore) {
   LiveSession& live = controller().liveSession();
   live.setAutomatic(false);
@@ -194,16 +182,6 @@ TEST_F(WindowKeepingTest, RingToneAndStatusSayCapturedWhenThePoseIsOnDiskAndNotB
   EXPECT_EQ(labelText("saidStatus"), "Pose 1 captured: 17 cells.");
   EXPECT_FALSE(was_captured_too_early);
   EXPECT_EQ(read(pathTo("arm.hexo")).poses().size(), 1U);
-}
-
-TEST_F(WindowKeepingTest, WithoutAScratchFileAPoseIsSaidToBeCapturedInMemory) {
-  ASSERT_TRUE(QDir().mkpath(QFileInfo(unsavedFolder()).absolutePath()));
-  QFile in_the_way(unsavedFolder());
-  ASSERT_TRUE(in_the_way.open(QIODevice::WriteOnly));
-  QSignalSpy captured(&controller().liveSession(), &LiveSession::captured);
-  ASSERT_NO_FATAL_FAILURE(takeDemoPoses(1));
-  ASSERT_TRUE(waitUntil([&] { return captured.size() == 1; }));
-  EXPECT_EQ(captured.front().front().toString(), "Pose 1 captured, in memory only: 17 cells.");
 }
 
 TEST_F(WindowKeepingTest, TheNextSkinIsAskedNothingThatTheLastWasAsked) {

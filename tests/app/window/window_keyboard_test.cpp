@@ -71,9 +71,12 @@ class DemoByKeys : public KeyboardTest {
 };
 
 void DemoByKeys::startDemo() {
+  EXPECT_TRUE(find<QWidget>("welcomePanel")->isVisible());
+  EXPECT_EQ(QApplication::activeModalWidget(), nullptr);
   ASSERT_NO_FATAL_FAILURE(pressButton("Start the demo skin"));
   ASSERT_TRUE(waitUntil([this] { return controller().liveSession().isLive(); }));
   ASSERT_TRUE(waitForPoses(1)) << "it takes the first one where it lies";
+  EXPECT_TRUE(waitUntil([this] { return !find<QWidget>("welcomePanel")->isVisible(); }));
   key(Qt::Key_A);
   EXPECT_FALSE(controller().liveSession().isAutomatic());
 }
@@ -273,20 +276,6 @@ class KeyboardOnASession : public KeyboardTest {
       if (name.isEmpty() && widget->property("card").toBool()) return "centre";
     }
     return "none";
-  }
-  /// Everything at which Tab stops, once round.
-  std::vector<QWidget*> tabStops() {
-    std::vector<QWidget*> stops;
-    constexpr int kMost = 200;
-    for (int k = 0; k < kMost; ++k) {
-      key(Qt::Key_Tab);
-      QWidget* focus = QApplication::focusWidget();
-      expectFocusIsSeen();
-      if (!stops.empty() && focus == stops.front()) return stops;
-      stops.push_back(focus);
-    }
-    ADD_FAILURE() << "Tab does not come round";
-    return stops;
   }
 };
 

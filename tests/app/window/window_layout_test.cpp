@@ -76,7 +76,6 @@ TEST_F(WindowLayoutTest, NeitherAnotherStepNorALongNoticeOrVerdictMovesThePanels
                       QStringLiteral("Try again"));
   EXPECT_EQ(places(), quiet);
   EXPECT_TRUE(notice->isVisible());
-  keepPicture(window_->picture(), "notice-over-the-content");
   auto* sentence = find<QLabel>("bannerSentence");
   sentence->setText(QStringLiteral("A verdict that has a lot to say of many cells, links and poses. ").repeated(9));
   for (const char* name : kDocks) find<CardDock>(name)->setRemark(QStringLiteral("a remark that is long ").repeated(9));
@@ -102,7 +101,6 @@ TEST_F(WindowLayoutTest, VerifyHasTheWidthOfTheWindowWhileItIsOpen) {
     EXPECT_FALSE(find<QWidget>(name)->isVisible()) << name;
   }
   EXPECT_EQ(places().at("stepsDock"), before.at("stepsDock"));
-  keepPicture(window_->picture(), "verify-has-the-width");
   openStep(GuideStep::Review);
   EXPECT_FALSE(panel->isVisible());
   expectAlike(places(), before);
@@ -170,7 +168,6 @@ TEST_F(WindowLayoutTest, TablesShowEightRowsAtTheFirstStart) {
   ASSERT_NO_FATAL_FAILURE(takeDemoPoses(2));
   test::letTurnsPass();
   auto* tabs = find<QTabBar>("detailTabs");
-  keepPicture(window_->picture(), "first-start");
   EXPECT_GE(rowsSeen("poseView"), 8);
   const char* const views[] = {"findingView", "linkView", "cellView"};
   for (int page = 1; page < 3; ++page) {

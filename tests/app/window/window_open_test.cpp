@@ -78,11 +78,6 @@ class WindowBrokenFileTest : public WindowOpenTest, public testing::WithParamInt
     writeSessionStore(simulated(3), path);
     return contentOf(QString::fromStdString(path.string()));
   }
-  /// The store of a program of the future.
-  static QByteArray newerStore() {
-    constexpr int kUserVersion = 60;  // in the header of an SQLite file, big-endian
-    return store().replace(kUserVersion, 4, QByteArray("\0\0\0\x63", 4));
-  }
 };
 
 QByteArray replaced(QByteArray content, const char* what, const char* by) {
@@ -94,21 +89,12 @@ QByteArray cut(const QByteArray& content) { return content.left(content.size() /
 
 using Test = WindowBrokenFileTest;
 const Broken kBroken[] = {
-    {"EmptyFile", "b.session.json", [] { return QByteArray(); }, {"empty"}},
     {"NoneOfOurs", "b.session.json", [] { return QByteArray("\x89PNG\r\n\x1a\n"); }, {"none of the files"}},
-    {"OtherJson", "b.json", [] { return QByteArray(R"({"format": "urdf-as-json"})"); }, {"urdf-as-json"}},
-    {"OtherXml", "b.xml", [] { return QByteArray("<robot name=\"arm\"/>"); }, {"robot"}},
-    {"TruncatedSession", "b.session.json", [] { return cut(Test::session()); }, {"line"}},
-    {"NewerSession",
-     "b.session.json",
-     [] { return replaced(Test::session(), "\"version\": 1", "\"version\": 7"); },
-     {"7", "1"}},
     {"SessionOfWrongTypes",
      "b.session.json",
      [] { return replaced(Test::session(), "\"mean_g\": [", "\"mean_g\": [\"up\", "); },
      {"poses[0].samples[0].mean_g"}},
     {"TruncatedStore", "b.hexo", [] { return cut(Test::store()); }, {}},
-    {"NewerStore", "b.hexo", [] { return Test::newerStore(); }, {"99"}},
     {"TruncatedCalibration", "b.calibration.json", [] { return cut(Test::calibration()); }, {"line"}},
     {"TruncatedTum", "b.xml", [] { return cut(Test::tum()); }, {"line"}},
 };

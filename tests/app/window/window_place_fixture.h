@@ -46,12 +46,6 @@ class WindowPlaceTest : public KeyboardTest {
 
   PlacePanel& panel() { return *window_->placePanel(); }
   const PlaceStand& stand() { return panel().stand(); }
-  template <class T>
-  T* inPanel(const char* name) {
-    T* widget = panel().findChild<T*>(QLatin1String(name));
-    EXPECT_NE(widget, nullptr) << name;
-    return widget;
-  }
   bool isWorking() {
     for (const PlaceWork work : {PlaceWork::Robot, PlaceWork::Joints, PlaceWork::Links, PlaceWork::Places}) {
       if (panel().isRunning(work)) return true;
@@ -75,7 +69,7 @@ class WindowPlaceTest : public KeyboardTest {
   /// Scrolls to it first, as a person does.
   template <class T>
   void pressInPanel(const char* name) {
-    auto* widget = inPanel<T>(name);
+    auto* widget = find<T>(name);
     ASSERT_TRUE(widget->isEnabled()) << name << ": " << widget->toolTip().toStdString();
     window_->findChild<StepPanel*>()->ensureWidgetVisible(widget);
     QCoreApplication::processEvents();
@@ -103,7 +97,7 @@ class WindowPlaceTest : public KeyboardTest {
     ASSERT_NO_FATAL_FAILURE(chooseJoints(pathTo("arm.csv")));
   }
   void choosePatch(quint32 origin) {
-    auto* box = inPanel<QComboBox>("placePatchList");
+    auto* box = find<QComboBox>("placePatchList");
     const int index = box->findData(origin);
     ASSERT_GE(index, 0);
     box->setFocus();
@@ -129,10 +123,10 @@ class WindowPlaceTest : public KeyboardTest {
     const MountedPatch& patch = mounted(origin);
     for (const CellId cell : {patch.cells.front(), patch.cells.back()}) {
       const Eigen::Vector3d x_mm = trueCell(cell).t / kMillimetre;
-      inPanel<QSpinBox>("placePointCell")->setValue(static_cast<int>(cell.value()));
-      inPanel<QDoubleSpinBox>("placePointX")->setValue(x_mm.x());
-      inPanel<QDoubleSpinBox>("placePointY")->setValue(x_mm.y());
-      inPanel<QDoubleSpinBox>("placePointZ")->setValue(x_mm.z());
+      find<QSpinBox>("placePointCell")->setValue(static_cast<int>(cell.value()));
+      find<QDoubleSpinBox>("placePointX")->setValue(x_mm.x());
+      find<QDoubleSpinBox>("placePointY")->setValue(x_mm.y());
+      find<QDoubleSpinBox>("placePointZ")->setValue(x_mm.z());
       ASSERT_NO_FATAL_FAILURE(pressInPanel<QPushButton>("placeAddPoint"));
       ASSERT_TRUE(waitForWork());
     }
@@ -141,7 +135,7 @@ class WindowPlaceTest : public KeyboardTest {
   void openPlaced() {
     ASSERT_NO_FATAL_FAILURE(openWithRobot());
     ASSERT_NO_FATAL_FAILURE(typePoints(CellId(stand().patch)));
-    ASSERT_NO_FATAL_FAILURE(clickRowOf(inPanel<QListWidget>("placePlaceList"), 0));
+    ASSERT_NO_FATAL_FAILURE(clickRowOf(find<QListWidget>("placePlaceList"), 0));
     ASSERT_TRUE(waitForWork());
   }
   void expectPlacedWell() {

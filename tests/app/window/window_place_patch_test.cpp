@@ -11,7 +11,7 @@ using testing::HasSubstr;
 TEST_F(WindowPlaceTest, AnotherLinkCanBeChosenAndIsSaidNotToFit) {
   ASSERT_NO_FATAL_FAILURE(openWithRobot());
   const std::string right = stand().link.toStdString();
-  auto* box = inPanel<QComboBox>("placeOtherLink");
+  auto* box = find<QComboBox>("placeOtherLink");
   box->setFocus();
   QTest::keyClick(box, Qt::Key_Home);
   const QString wrong = right == "forearm" ? "upper_arm" : "forearm";
@@ -36,7 +36,7 @@ TEST_F(WindowPlaceTest, ThePatchIsMovedByHandAndTheFitBeginsThere) {
   }
   const CellId origin(stand().patch);
   ASSERT_NO_FATAL_FAILURE(typePoints(origin));
-  ASSERT_NO_FATAL_FAILURE(clickRowOf(inPanel<QListWidget>("placePlaceList"), 0));
+  ASSERT_NO_FATAL_FAILURE(clickRowOf(find<QListWidget>("placePlaceList"), 0));
   ASSERT_TRUE(waitForWork());
   const auto placed = [&] { return controller().session()->findPlacement(origin)->place; };
   ASSERT_TRUE(placed());
@@ -62,7 +62,7 @@ TEST_F(WindowPlaceTest, ThePatchIsMovedByHandAndTheFitBeginsThere) {
   for (int k = 0; k < 4; ++k) key(Qt::Key_PageUp, Qt::ShiftModifier);
   EXPECT_THAT(stand().place_says.text.toStdString(), HasSubstr("against what gravity says"));
   key(Qt::Key_Escape);
-  EXPECT_FALSE(inPanel<QPushButton>("placeMove")->isChecked());
+  EXPECT_FALSE(find<QPushButton>("placeMove")->isChecked());
   EXPECT_EQ(drawn()->T_l_o.t, before.t);
   EXPECT_EQ(controller().undoStack()->index(), steps);
 
@@ -76,7 +76,7 @@ TEST_F(WindowPlaceTest, ThePatchIsMovedByHandAndTheFitBeginsThere) {
 
   // Without them, the mouse pulls it to the other end of what is open, and it stays there.
   for (int k = 0; k < 2; ++k) {
-    inPanel<QListWidget>("placeKnownList")->setCurrentRow(0);
+    find<QListWidget>("placeKnownList")->setCurrentRow(0);
     ASSERT_NO_FATAL_FAILURE(pressInPanel<QPushButton>("placeRemoveKnown"));
     ASSERT_TRUE(waitForWork());
   }
@@ -109,10 +109,10 @@ TEST_F(WindowPlaceTest, APointIsPickedOnTheRobotAndWaitsToBeAdded) {
   const RobotPicture& picture = window_->robotView()->picture();
   ASSERT_TRUE(picture.link);
   emit window_->robotView()->pointPicked(*picture.link, Eigen::Vector3d(0.01, -0.02, 0.03));
-  EXPECT_DOUBLE_EQ(inPanel<QDoubleSpinBox>("placePointX")->value(), 10);
-  EXPECT_DOUBLE_EQ(inPanel<QDoubleSpinBox>("placePointY")->value(), -20);
-  EXPECT_DOUBLE_EQ(inPanel<QDoubleSpinBox>("placePointZ")->value(), 30);
-  EXPECT_FALSE(inPanel<QPushButton>("placePick")->isChecked());
+  EXPECT_DOUBLE_EQ(find<QDoubleSpinBox>("placePointX")->value(), 10);
+  EXPECT_DOUBLE_EQ(find<QDoubleSpinBox>("placePointY")->value(), -20);
+  EXPECT_DOUBLE_EQ(find<QDoubleSpinBox>("placePointZ")->value(), 30);
+  EXPECT_FALSE(find<QPushButton>("placePick")->isChecked());
   EXPECT_TRUE(stand().known.points.empty()) << "nothing is decided by the picking";
   const std::size_t other = *picture.link == 0 ? 1 : 0;
   emit window_->robotView()->pointPicked(other, Eigen::Vector3d::Zero());
@@ -122,17 +122,17 @@ TEST_F(WindowPlaceTest, APointIsPickedOnTheRobotAndWaitsToBeAdded) {
 TEST_F(WindowPlaceTest, PointsAndDistancesOfWrongCellsAreRefusedInWords) {
   ASSERT_NO_FATAL_FAILURE(openWithRobot());
   const std::size_t steps = static_cast<std::size_t>(controller().undoStack()->count());
-  inPanel<QSpinBox>("placePointCell")->setValue(999);
+  find<QSpinBox>("placePointCell")->setValue(999);
   ASSERT_NO_FATAL_FAILURE(pressInPanel<QPushButton>("placeAddPoint"));
   EXPECT_THAT(stand().known_fault.toStdString(), HasSubstr("Cell 999 is none of this patch"));
   const CellId origin(stand().patch);
-  inPanel<QSpinBox>("placeFromCell")->setValue(static_cast<int>(origin.value()));
-  inPanel<QDoubleSpinBox>("placeDistance")->setValue(50);
-  inPanel<QSpinBox>("placeToCell")->setValue(static_cast<int>(mounted(origin).cells.back().value()));
+  find<QSpinBox>("placeFromCell")->setValue(static_cast<int>(origin.value()));
+  find<QDoubleSpinBox>("placeDistance")->setValue(50);
+  find<QSpinBox>("placeToCell")->setValue(static_cast<int>(mounted(origin).cells.back().value()));
   ASSERT_NO_FATAL_FAILURE(pressInPanel<QPushButton>("placeAddDistance"));
   EXPECT_THAT(stand().known_fault.toStdString(), HasSubstr("of no other patch"));
   const MountedPatch& other = robot_->patches()[&mounted(origin) == &robot_->patches()[0] ? 1 : 0];
-  inPanel<QSpinBox>("placeToCell")->setValue(static_cast<int>(other.cells.front().value()));
+  find<QSpinBox>("placeToCell")->setValue(static_cast<int>(other.cells.front().value()));
   ASSERT_NO_FATAL_FAILURE(pressInPanel<QPushButton>("placeAddDistance"));
   EXPECT_THAT(stand().known_fault.toStdString(), HasSubstr("depends on the joints"));
   EXPECT_EQ(controller().undoStack()->count(), static_cast<int>(steps));

@@ -1,5 +1,5 @@
-// The step "Place on the robot": from two patches to the robot's URDF with the skin on it, by mouse and by keyboard,
-// and what of it is kept, undone and shown elsewhere.
+// The step "Place on the robot": by mouse, by keyboard from two patches to the robot's URDF with the skin on it, and
+// what of it is kept, undone and shown elsewhere.
 
 #include "hexoderm/io/calibration_json.h"
 #include "tests/app/window/window_place_fixture.h"
@@ -12,10 +12,10 @@ namespace {
 
 using testing::HasSubstr;
 
-TEST_F(WindowPlaceTest, FromTwoPatchesToTheRobotsUrdfWithTheSkinOnItByMouse) {
+TEST_F(WindowPlaceTest, TwoPatchesArePlacedByMouse) {
   ASSERT_NO_FATAL_FAILURE(openSession());
   EXPECT_FALSE(window_->robotView()->isVisible());
-  EXPECT_FALSE(inPanel<QPushButton>("placeChooseJoints")->isEnabled()) << "the robot comes first";
+  EXPECT_FALSE(find<QPushButton>("placeChooseJoints")->isEnabled()) << "the robot comes first";
   ASSERT_NO_FATAL_FAILURE(chooseRobot(HEXODERM_DEMO_ROBOT));
   EXPECT_THAT(stand().robot.text.toStdString(), HasSubstr("demo_arm"));
   EXPECT_TRUE(window_->robotView()->isVisible()) << "it takes the place of the patch";
@@ -34,7 +34,7 @@ TEST_F(WindowPlaceTest, FromTwoPatchesToTheRobotsUrdfWithTheSkinOnItByMouse) {
     // It is shown before it is chosen.
     const auto& drawn = window_->robotView()->picture().patches;
     EXPECT_TRUE(std::ranges::any_of(drawn, &RobotPicture::Patch::is_proposal));
-    ASSERT_NO_FATAL_FAILURE(clickRowOf(inPanel<QListWidget>("placePlaceList"), 0));
+    ASSERT_NO_FATAL_FAILURE(clickRowOf(find<QListWidget>("placePlaceList"), 0));
     ASSERT_TRUE(waitForWork());
     EXPECT_EQ(stand().place, 0);
   }
@@ -45,24 +45,9 @@ TEST_F(WindowPlaceTest, FromTwoPatchesToTheRobotsUrdfWithTheSkinOnItByMouse) {
   keepPicture(window_->picture(), "place-light");
   window_->setThemeChoice(ThemeChoice::Dark, false);
   keepPicture(window_->picture(), "place-dark");
-
-  press(Qt::Key_E, Qt::ControlModifier);
-  auto* dialog = waitForDialog("exportDialog");
-  auto* formats = dialog->findChild<QListWidget*>("exportFormats");
-  const QList<QListWidgetItem*> found = formats->findItems("ROBOT-URDF", Qt::MatchFixedString);
-  ASSERT_EQ(found.size(), 1);
-  formats->setCurrentItem(found[0]);
-  EXPECT_EQ(dialog->findChild<QLineEdit*>("export-robot")->text(), QStringLiteral(HEXODERM_DEMO_ROBOT))
-      << "the robot is known";
-  typeInto(dialog->findChild<QLineEdit*>("exportPath"), pathTo("merged.urdf"));
-  click(dialog->findChild<QPushButton*>("exportButton"));
-  ASSERT_TRUE(waitForMessage("Exported to " + pathTo("merged.urdf")));
-  const RobotModel merged = RobotModel::read(pathTo("merged.urdf").toStdString());
-  EXPECT_GT(merged.links().size(), robot_->robot().links().size() + 33) << "34 cells are on it";
-  for (const RobotLink& link : robot_->robot().links()) EXPECT_TRUE(merged.findLink(link.name)) << link.name;
 }
 
-TEST_F(WindowPlaceTest, TheSameByTheKeyboard) {
+TEST_F(WindowPlaceTest, TheSameByTheKeyboardAndOnToTheRobotsUrdfWithTheSkinOnIt) {
   window_->openFile(pathTo("arm.session.json"));
   ASSERT_TRUE(waitForPoses(8));
   key(Qt::Key_6, Qt::ControlModifier);
@@ -124,12 +109,16 @@ TEST_F(WindowPlaceTest, TheSameByTheKeyboard) {
   ASSERT_NO_FATAL_FAILURE(tabTo("exportFormats"));
   key(Qt::Key_Home);
   for (int k = 0; k < formats->count() && formats->currentItem()->text() != "ROBOT-URDF"; ++k) key(Qt::Key_Down);
+  EXPECT_EQ(dialog->findChild<QLineEdit*>("export-robot")->text(), QStringLiteral(HEXODERM_DEMO_ROBOT))
+      << "the robot is known";
   ASSERT_NO_FATAL_FAILURE(tabTo("exportPath"));
   key(Qt::Key_A, Qt::ControlModifier);
   keys(pathTo("merged.urdf"));
   key(Qt::Key_Return);
   ASSERT_TRUE(waitForMessage("Exported to " + pathTo("merged.urdf")));
-  EXPECT_NO_THROW(RobotModel::read(pathTo("merged.urdf").toStdString()));
+  const RobotModel merged = RobotModel::read(pathTo("merged.urdf").toStdString());
+  EXPECT_GT(merged.links().size(), robot_->robot().links().size() + 33) << "34 cells are on it";
+  for (const RobotLink& link : robot_->robot().links()) EXPECT_TRUE(merged.findLink(link.name)) << link.name;
 }
 
 TEST_F(WindowPlaceTest, EveryDecisionCanBeUndoneAndIsKept) {
@@ -207,7 +196,7 @@ TEST_F(WindowPlaceTest, ACalibrationShowsItsPlacesButDecidesNothing) {
   ASSERT_NO_FATAL_FAILURE(openStep());
   ASSERT_TRUE(waitForWork());
   EXPECT_THAT(stand().why_not.toStdString(), HasSubstr("A calibration is open"));
-  EXPECT_FALSE(inPanel<QPushButton>("placeChooseRobot")->isEnabled());
+  EXPECT_FALSE(find<QPushButton>("placeChooseRobot")->isEnabled());
   EXPECT_TRUE(window_->robotView()->isVisible());
   EXPECT_TRUE(waitUntil([this] { return window_->robotView()->picture().patches.size() == 1; }));
 }

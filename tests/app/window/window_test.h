@@ -28,6 +28,7 @@
 #include <QPushButton>
 #include <QSettings>
 #include <QSignalSpy>
+#include <QTabBar>
 #include <QTableView>
 #include <QTemporaryDir>
 #include <QTest>
@@ -152,6 +153,16 @@ class WindowTest : public testing::Test {
     auto* view = find<QTableView>(view_name);
     const QRect cell = view->visualRect(view->model()->index(row, 0));
     QTest::mouseClick(view->viewport(), Qt::LeftButton, Qt::NoModifier, cell.center());
+  }
+  /// A page of the panel below, whose name begins so.
+  void showTab(const QString& name) {
+    auto* tabs = find<QTabBar>("detailTabs");
+    for (int k = 0; k < tabs->count(); ++k) {
+      if (!tabs->tabText(k).startsWith(name)) continue;
+      QTest::mouseClick(tabs, Qt::LeftButton, Qt::NoModifier, tabs->tabRect(k).center());
+      return;
+    }
+    FAIL() << "no tab " << name.toStdString();
   }
   void clickCellInGraph(CellId cell) {
     auto* graph = window_->findChild<GraphView*>();

@@ -38,28 +38,6 @@ TEST(FindingCard, SaysWhatWhereWhyAndWhatToDo) {
   EXPECT_TRUE(card.isUnfolded());
 }
 
-TEST(FindingCard, ItsButtonsSayWhichFindingTheyAreAbout) {
-  FindingCard card;
-  card.setFinding(looseLink(), {{FindingRemedy::MuteLink, QStringLiteral("Set link aside")},
-                                {FindingRemedy::LightCell, QStringLiteral("Light cell 3")}});
-  int shown = 0;
-  QObject::connect(&card, &FindingCard::showWanted, &card, [&](const Finding& finding) {
-    EXPECT_EQ(finding, looseLink());
-    ++shown;
-  });
-  std::vector<FindingRemedy> wanted;
-  QObject::connect(&card, &FindingCard::remedyWanted, &card, [&](const Finding& finding, FindingRemedy remedy) {
-    EXPECT_EQ(finding, looseLink());
-    wanted.push_back(remedy);
-  });
-  card.findChild<QPushButton*>(QStringLiteral("findingShow"))->click();
-  EXPECT_EQ(shown, 1);
-  for (QPushButton* button : card.findChildren<QPushButton*>()) {
-    if (button->objectName().startsWith(QStringLiteral("findingRemedy"))) button->click();
-  }
-  EXPECT_EQ(wanted, (std::vector{FindingRemedy::MuteLink, FindingRemedy::LightCell}));
-}
-
 TEST(FindingCard, OneThatIsNowhereCanNotBeShown) {
   FindingCard card;
   card.setFinding(makeFinding(FindingCode::SensorsUnlikeModel, message("They err more.")), {});

@@ -289,10 +289,10 @@ TEST_F(GraphColorsTest, PointingDrawsNoMoreThanWhatItTouches) {
   // On a busy machine the last paint events of showing the view come while the mouse moves already, so that one move
   // proves nothing; if pointing drew too much, every move would.
   const auto drawsLittle = [&] {
-    moveMouse(cell(30));
+    test::moveMouse(&view_, cell(30));
     QApplication::processEvents();
     painted.area = {};
-    moveMouse(cell(31));
+    test::moveMouse(&view_, cell(31));
     QApplication::processEvents();
     return painted.area.contains(cell(31)) && painted.area.width() < view_.width() / 2;
   };

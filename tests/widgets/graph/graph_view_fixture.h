@@ -11,7 +11,6 @@
 #include <QImage>
 #include <QTest>
 #include <QToolTip>
-#include <QWheelEvent>
 
 #include <cmath>
 #include <string>
@@ -32,30 +31,7 @@ class GraphViewTest : public testing::Test {
     view_.setReconstruction(std::move(reconstruction));
     QApplication::processEvents();
   }
-  void wheel(QPoint at, int delta) {
-    QWheelEvent event(at, view_.mapToGlobal(at), QPoint(), QPoint(0, delta), Qt::NoButton, Qt::NoModifier,
-                      Qt::NoScrollPhase, false);
-    QApplication::sendEvent(&view_, &event);
-  }
-  /// The display server takes its time to tell that the mouse has moved.
-  void moveMouse(QPoint to) {
-    struct Mouse : QObject {
-      QPoint at;
-      bool eventFilter(QObject*, QEvent* event) override {
-        if (event->type() == QEvent::MouseMove) at = static_cast<QMouseEvent*>(event)->pos();
-        return false;
-      }
-    } mouse;
-    view_.installEventFilter(&mouse);
-    QTest::mouseMove(&view_, to);
-    EXPECT_TRUE(test::waitUntil([&] { return mouse.at == to; }));
-  }
-  void drag(QPoint from, QPoint to) {
-    QTest::mousePress(&view_, Qt::LeftButton, Qt::NoModifier, from);
-    moveMouse((from + to) / 2);
-    moveMouse(to);
-    QTest::mouseRelease(&view_, Qt::LeftButton, Qt::NoModifier, to);
-  }
+  void wheel(QPoint at, int delta) { test::turnWheel(&view_, at, delta); }
   [[nodiscard]] QPoint cell(std::uint32_t id) const { return view_.positionOf(CellId(id)).value(); }
   /// The text that appears where the mouse rests, without its markup.
   std::string toolTipAt(QPoint position) {

@@ -83,15 +83,6 @@ TEST_F(GraphViewTest, FitsTheWholeSkinIntoTheWidgetInItsPlaces) {
   EXPECT_FALSE(view_.positionOf(CellId(99)));
 }
 
-TEST_F(GraphViewTest, ASingleCellIsShownInModerateSize) {
-  show(test::ResultBuilder().patch(4).cell(4).laidOut().share());
-  EXPECT_LT((cell(4) - view_.rect().center()).manhattanLength(), 40);
-  QTest::mouseClick(&view_, Qt::LeftButton, Qt::NoModifier, cell(4) + QPoint(100, 0));
-  EXPECT_FALSE(selection_.cell());
-  QTest::mouseClick(&view_, Qt::LeftButton, Qt::NoModifier, cell(4) + QPoint(10, 5));
-  EXPECT_EQ(selection_.cell(), CellId(4));
-}
-
 TEST_F(GraphViewTest, AClickPicksACellALinkOrNothing) {
   show(sampleX17());
   QTest::mouseClick(&view_, Qt::LeftButton, Qt::NoModifier, cell(13));
@@ -118,30 +109,6 @@ TEST_F(GraphViewTest, WhatIsPickedElsewhereIsOutlinedHereInBlackOrWhite) {
     EXPECT_LE(countColor(image(), cell(9), 10, color), cell_before);
     EXPECT_GT(countColor(image(), link, 14, color), link_before + 25);
   }
-}
-
-TEST_F(GraphViewTest, DrawsLinksInTheColourOfTheirQualityInBothThemes) {
-  show(sampleX17());
-  for (const Theme theme : {Theme::Light, Theme::Dark}) {
-    view_.setPalette(qtPalette(theme));
-    const QImage drawn = image();
-    const QColor fully = linkStroke(EdgeQuality::Fully, theme).color;
-    const QColor partially = linkStroke(EdgeQuality::Partially, theme).color;
-    const QPoint good = view_.positionOf({CellId(1), PortNumber(1)}, {CellId(2), PortNumber(4)}).value();
-    const QPoint poor = view_.positionOf(kLink5, kLink9).value();
-    EXPECT_GT(countColor(drawn, good, 5, fully), 8);
-    EXPECT_EQ(countColor(drawn, good, 5, partially), 0);
-    EXPECT_GT(countColor(drawn, poor, 5, partially), 5);
-    EXPECT_EQ(countColor(drawn, poor, 5, fully), 0);
-    EXPECT_EQ(drawn.pixelColor(2, 2), Colors::of(theme).panel);
-  }
-}
-
-TEST_F(GraphViewTest, MutedLinksAreGreyAndCrossed) {
-  show(sampleTwoPatches());
-  const QPoint muted = view_.positionOf({CellId(3), PortNumber(4)}, {CellId(4), PortNumber(1)}).value();
-  EXPECT_GT(countColor(image(), muted, 8, Colors::of(Theme::Light).text_muted), 10);
-  EXPECT_EQ(countColor(image(), muted, 8, linkStroke(EdgeQuality::Undefined, Theme::Light).color), 0);
 }
 
 TEST_F(GraphViewTest, AClosedSurfaceIsDrawnAsTwoStubsThatBothPickTheCutLink) {
@@ -177,7 +144,7 @@ TEST_F(GraphViewTest, TheWheelZoomsAboutTheCursorAndDoubleClickFitsAgain) {
 TEST_F(GraphViewTest, DraggingPansAndPicksNothing) {
   show(sampleX17());
   const QPoint before = cell(2);
-  drag(cell(2), cell(2) + QPoint(-60, 40));
+  test::dragMouse(&view_, cell(2), cell(2) + QPoint(-60, 40));
   EXPECT_EQ(cell(2), before + QPoint(-60, 40));
   EXPECT_FALSE(selection_.cell());
 }

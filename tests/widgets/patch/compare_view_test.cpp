@@ -25,8 +25,8 @@ class CompareViewTest : public testing::Test {
     Reconstruction other = demoReconstruction();
     double off_m = 0;
     for (CellPlacement& cell : other.patches[0].cells) cell.T_o_u.t.z() += off_m += 0.0001;
-    content.before = std::make_shared<const Reconstruction>(std::move(other));
-    content.now = std::make_shared<const Reconstruction>(demoReconstruction());
+    content.before = shared(std::move(other));
+    content.now = shared(demoReconstruction());
     content.comparison =
         std::make_shared<const std::vector<Comparison>>(compareToReconstruction(*content.now, *content.before));
   }
@@ -66,9 +66,7 @@ TEST_F(CompareViewTest, BothSidesAreSeenFromTheSameSideWhicheverIsTurned) {
   EXPECT_EQ(view.before().camera()->GetDistance(), view.now().camera()->GetDistance());
   auto* canvas = view.now().findChild<SceneWidget*>();
   const Eigen::Vector3d before = from(view.before());
-  QTest::mousePress(canvas, Qt::LeftButton, {}, canvas->rect().center());
-  test::dragMouseTo(canvas, canvas->rect().center() + QPoint(60, 20));
-  QTest::mouseRelease(canvas, Qt::LeftButton, {}, canvas->rect().center() + QPoint(60, 20));
+  test::dragMouse(canvas, canvas->rect().center(), canvas->rect().center() + QPoint(60, 20));
   EXPECT_GT(angleBetween(from(view.before()), before), 0.05) << "the mouse on one turns the other";
   EXPECT_LT(angleBetween(from(view.before()), from(view.now())), 1e-9);
   keep(QStringLiteral("compare-side-by-side"));

@@ -19,7 +19,7 @@ class PatchFormTest : public PatchViewFixture {
  protected:
   void SetUp() override {
     ASSERT_NO_FATAL_FAILURE(PatchViewFixture::SetUp());
-    view.setReconstruction(std::make_shared<const Reconstruction>(demoReconstruction()));
+    view.setReconstruction(shared(demoReconstruction()));
     view.showStandardView(PatchView::StandardView::Front);
     static_cast<void>(view.screenshot());
   }
@@ -29,9 +29,7 @@ class PatchFormTest : public PatchViewFixture {
 
   QMenu* openMenu() { return view.findChild<QMenu*>(QStringLiteral("patchMenu")); }
   void clickRight(const QPoint& at, const QPoint& to) {
-    QTest::mousePress(canvas, Qt::RightButton, {}, at);
-    if (to != at) test::dragMouseTo(canvas, to, Qt::RightButton);
-    QTest::mouseRelease(canvas, Qt::RightButton, {}, to);
+    test::dragMouse(canvas, at, to, {}, Qt::RightButton, to == at ? 0 : 1);
   }
   QAction* entry(const QMenu& menu, const char* name) {
     for (QAction* action : menu.actions()) {

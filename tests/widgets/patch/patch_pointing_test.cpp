@@ -29,7 +29,7 @@ class PatchPointingTest : public PatchViewFixture {
   void SetUp() override {
     ASSERT_NO_FATAL_FAILURE(PatchViewFixture::SetUp());
     view.setAnimated(false);
-    show(std::make_shared<const Reconstruction>(demoReconstruction()));
+    show(shared(demoReconstruction()));
   }
 
   void show(std::shared_ptr<const Reconstruction> shown) {
@@ -50,10 +50,6 @@ class PatchPointingTest : public PatchViewFixture {
   Eigen::Vector3d centerOf(CellId cell) { return skin->find(cell).cell->T_o_u.t; }
   QPoint positionOf(CellId cell) { return positionOf(centerOf(cell)); }
 
-  void moveMouse(const QPoint& to, Qt::MouseButtons buttons = Qt::NoButton) {
-    QMouseEvent move(QEvent::MouseMove, to, canvas->mapToGlobal(to), Qt::NoButton, buttons, Qt::NoModifier);
-    QCoreApplication::sendEvent(canvas, &move);
-  }
   void leave() {
     QEvent event(QEvent::Leave);
     QCoreApplication::sendEvent(canvas, &event);
@@ -66,7 +62,7 @@ class PatchPointingTest : public PatchViewFixture {
   bool hoverUntil(const QPoint& at, Condition condition) {
     return test::waitUntil([&] {
       if (condition()) return true;
-      moveMouse(at);
+      test::moveMouse(canvas, at);
       return false;
     });
   }
@@ -127,7 +123,7 @@ TEST_F(PatchPointingTest, WhileTheSceneIsTurnedNothingIsPointedAt) {
   ASSERT_TRUE(hover(positionOf(CellId(1)), QStringLiteral("<b>Cell 1</b>")));
   QTest::mousePress(canvas, Qt::LeftButton, {}, positionOf(CellId(1)));
   EXPECT_FALSE(hoverCard()->isVisible());
-  moveMouse(positionOf(CellId(1)) + QPoint(30, 8), Qt::LeftButton);
+  test::moveMouse(canvas, positionOf(CellId(1)) + QPoint(30, 8), Qt::LeftButton);
   test::letTurnsPass();
   EXPECT_FALSE(hoverCard()->isVisible());
   EXPECT_FALSE(marks().hovered.isThere());
@@ -221,7 +217,7 @@ TEST_F(PatchPointingTest, APickedCellThatIsHiddenIsSeenThroughTheOthersWithItsNu
 }
 
 TEST_F(PatchPointingTest, OfALargeSkinTheNumberOfThePickedCellIsThere) {
-  show(std::make_shared<const Reconstruction>(cylinderSheet(60, 50)));
+  show(shared(cylinderSheet(60, 50)));
   selection.selectCell(CellId(1500));
   EXPECT_EQ(marks().picked.tag, QStringLiteral("1500"));
   selection.seekCell(CellId(2999));
@@ -421,7 +417,7 @@ TEST_F(PatchPointingTest, WhileMeasuringLinksAreNotPicked) {
   view.drawNow();
   const QPoint between = positionOf(0.5 * (centerOf(CellId(1)) + centerOf(CellId(2)))) + QPoint(1, 0);
   controls().measureAction()->trigger();
-  moveMouse(between);
+  test::moveMouse(canvas, between);
   QTest::mouseClick(canvas, Qt::LeftButton, {}, between);
   EXPECT_FALSE(selection.link());
 }

@@ -1,6 +1,7 @@
 #include "widgets/patch/patch_view.h"
 
 #include "hexoderm/reconstruction/evaluation/evaluation.h"
+#include "tests/support/kept_picture.h"
 #include "tests/support/picture_counter.h"
 #include "tests/widgets/patch/patch_view_fixture.h"
 #include "widgets/patch/opengl_info.h"
@@ -22,7 +23,7 @@ namespace {
 std::shared_ptr<const Reconstruction> demo(std::uint32_t arm_cells = 4) {
   DemoOptions options;
   options.arm_cells = arm_cells;
-  return std::make_shared<const Reconstruction>(demoReconstruction(options));
+  return shared(demoReconstruction(options));
 }
 
 class PatchViewTest : public PatchViewFixture {
@@ -38,31 +39,6 @@ class PatchViewTest : public PatchViewFixture {
 
   PatchOverlays overlays;
 };
-
-template <class Value>
-std::shared_ptr<const Value> shared(Value value) {
-  return std::make_shared<const Value>(std::move(value));
-}
-
-std::size_t coloursIn(const QImage& image) {
-  std::set<QRgb> colours;
-  for (int y = 0; y < image.height(); y += 2) {
-    for (int x = 0; x < image.width(); x += 2) colours.insert(image.pixel(x, y));
-  }
-  return colours.size();
-}
-
-TEST_F(PatchViewTest, ScreenshotShowsTheSkinInBothThemes) {
-  view.setReconstruction(demo());
-  const QImage light = view.screenshot();
-  view.setPalette(qtPalette(Theme::Dark));
-  const QImage dark = view.screenshot();
-  EXPECT_EQ(light.size(), canvas->size() * canvas->devicePixelRatioF());
-  EXPECT_GT(coloursIn(light), 60U);
-  EXPECT_GT(coloursIn(dark), 60U);
-  EXPECT_GT(qGray(light.pixel(3, 3)), 180);
-  EXPECT_LT(qGray(dark.pixel(3, 3)), 60);
-}
 
 TEST_F(PatchViewTest, IsSmoothedWhenItRestsAndNotWhileItIsResized) {
   canvas->setSmoothingBudget(0);
@@ -151,25 +127,11 @@ TEST_F(PatchViewTest, ClickPicksTheCellAndClickBesideClears) {
   EXPECT_EQ(selection.cell(), std::nullopt);
 }
 
-TEST_F(PatchViewTest, DragTurnsTheSceneAndPicksNothing) {
-  view.setReconstruction(demo());
-  const QImage before = view.screenshot();
-  const QPoint from = canvas->rect().center();
-  QTest::mousePress(canvas, Qt::LeftButton, {}, from);
-  test::dragMouseTo(canvas, from + QPoint(40, 10));
-  test::dragMouseTo(canvas, from + QPoint(80, 20));
-  QTest::mouseRelease(canvas, Qt::LeftButton, {}, from + QPoint(80, 20));
-  EXPECT_EQ(selection.cell(), std::nullopt);
-  EXPECT_NE(view.screenshot(), before);
-}
-
 TEST_F(PatchViewTest, TheWheelZoomsAndTheButtonFitsAgain) {
   view.setReconstruction(demo());
   view.showStandardView(PatchView::StandardView::Front);
   const QImage fitted = view.screenshot();
-  QWheelEvent zoom(QPointF(canvas->rect().center()), canvas->mapToGlobal(canvas->rect().center()), {}, QPoint(0, 120),
-                   Qt::NoButton, Qt::NoModifier, Qt::NoScrollPhase, false);
-  QCoreApplication::sendEvent(canvas, &zoom);
+  test::turnWheel(canvas, canvas->rect().center(), 120);
   EXPECT_NE(view.screenshot(), fitted);
   ASSERT_NE(button("Fit"), nullptr);
   QTest::mouseClick(button("Fit"), Qt::LeftButton);
@@ -183,7 +145,7 @@ TEST_F(PatchViewTest, ColourModesChangeThePictureAndTheLegend) {
     cell.cov_t_r = Matrix6d::Identity() * 1e-6 * static_cast<double>(skin.patches[0].pathTo(cell.cell).size() - 1);
     cell.shape_cov_t_r = Matrix6d::Identity() * 1e-7 * static_cast<double>(skin.patches[0].pathTo(cell.cell).size());
   }
-  view.setReconstruction(std::make_shared<const Reconstruction>(skin));
+  view.setReconstruction(shared(skin));
   moment.readings = readingsOf({{CellId(1), {0.1, 0.2, 0.9}}, {CellId(2), {0.5, -0.6, 0.7}}}, {{CellId(2), 31.5}});
   view.setMoment(moment);
   overlays.surface = shared(evaluateSurface(skin.patches[0], SurfaceKind::Sphere));
@@ -318,16 +280,16 @@ TEST_F(PatchViewTest, MeasuresBetweenTwoClickedCellsUntilEsc) {
 }
 
 TEST_F(PatchViewTest, LargeSkinIsPreparedBesideTheWindowAndTheNewestWins) {
-  view.setReconstruction(std::make_shared<const Reconstruction>(cylinderSheet(100, 80)));
+  view.setReconstruction(shared(cylinderSheet(100, 80)));
   EXPECT_FALSE(view.isUpToDate());
   EXPECT_TRUE(view.findChild<PatchCaptions*>()->accessibleName().contains(QStringLiteral("Preparing")));
-  view.setReconstruction(std::make_shared<const Reconstruction>(cylinderSheet(60, 50)));
+  view.setReconstruction(shared(cylinderSheet(60, 50)));
   ASSERT_TRUE(test::waitUntil([this] { return view.isUpToDate(); }));
   EXPECT_TRUE(view.findChild<PatchCaptions*>()->accessibleName().isEmpty());
   const QImage newest = view.screenshot();
   view.setReconstruction(demo());
   EXPECT_TRUE(view.isUpToDate());
-  view.setReconstruction(std::make_shared<const Reconstruction>(cylinderSheet(60, 50)));
+  view.setReconstruction(shared(cylinderSheet(60, 50)));
   QImage later;
   view.whenUpToDate([&] { later = view.screenshot(); });
   EXPECT_TRUE(later.isNull()) << "nobody waits for it";
@@ -337,13 +299,13 @@ TEST_F(PatchViewTest, LargeSkinIsPreparedBesideTheWindowAndTheNewestWins) {
   view.whenUpToDate([&] { at_once = true; });
   EXPECT_TRUE(at_once);
   view.setReconstruction(demo());
-  view.setReconstruction(std::make_shared<const Reconstruction>(cylinderSheet(60, 50)));
+  view.setReconstruction(shared(cylinderSheet(60, 50)));
   view.waitUntilUpToDate();
   EXPECT_EQ(view.screenshot(), newest);
   // A result in preparation does not overwrite a later one.
   view.setReconstruction(demo(0));
   const QImage single = view.screenshot();
-  const auto large = std::make_shared<const Reconstruction>(cylinderSheet(100, 80));
+  const auto large = shared(cylinderSheet(100, 80));
   view.setReconstruction(large);
   view.setReconstruction(demo(0));
   PatchView other(&selection);  // by the time that it has prepared the same, the other has too
@@ -355,7 +317,7 @@ TEST_F(PatchViewTest, LargeSkinIsPreparedBesideTheWindowAndTheNewestWins) {
 TEST(PatchViewInAWindow, IsClosedWhileALargeSkinIsPreparedAndLeavesNothingBehind) {
   Selection selection;
   const auto widgets = QApplication::allWidgets().size();
-  const auto large = std::make_shared<const Reconstruction>(cylinderSheet(100, 80));
+  const auto large = shared(cylinderSheet(100, 80));
   auto other = std::make_unique<PatchView>(&selection);
   other->setReconstruction(large);
   EXPECT_FALSE(other->isUpToDate());
@@ -363,21 +325,6 @@ TEST(PatchViewInAWindow, IsClosedWhileALargeSkinIsPreparedAndLeavesNothingBehind
   QCoreApplication::processEvents();
   EXPECT_EQ(QApplication::allWidgets().size(), widgets);
   EXPECT_EQ(large.use_count(), 1);
-}
-
-TEST_F(PatchViewTest, NoButtonIsCutOffInASmallView) {
-  view.setReconstruction(demo());
-  for (const int width : {320, 430, 640, 1200}) {
-    view.resize(width, 300);
-    ASSERT_TRUE(test::waitUntil([&] { return view.width() == width; }));
-    QCoreApplication::sendPostedEvents(nullptr, QEvent::LayoutRequest);
-    for (QToolButton* each : view.findChildren<QToolButton*>()) {
-      if (!each->isVisible() || each->size().isEmpty()) continue;  // not offered now, or folded into the menu
-      const QRect place(each->mapTo(&view, QPoint(0, 0)), each->size());
-      EXPECT_TRUE(view.rect().contains(place)) << width << " " << each->text().toStdString();
-      EXPECT_GE(each->width(), each->sizeHint().width()) << width << " " << each->text().toStdString();
-    }
-  }
 }
 
 TEST_F(PatchViewTest, TheMenuOffersToSaveAPictureAndSaysWhatDraws) {

@@ -24,7 +24,7 @@ TEST(PatchViewWithoutOpenGl, SaysSoAndStaysUsable) {
   EXPECT_TRUE(overlay->accessibleName().contains("Preferences, \"Draw without the graphics card\""))
       << overlay->accessibleName().toStdString();
 
-  view.setReconstruction(std::make_shared<const Reconstruction>(demoReconstruction()));
+  view.setReconstruction(shared(demoReconstruction()));
   view.setPalette(qtPalette(Theme::Dark));
   PatchMoment moment;
   moment.pose = PoseId(1);

@@ -55,18 +55,12 @@ class PlotViewTest : public testing::Test {
     canvas_ = view_.plot()->canvas();
   }
   QImage keep(const QString& name) { return keepPicture(view_.grab().toImage(), name); }
-  void drag(const QPoint& from, const QPoint& to, Qt::KeyboardModifiers keys = {}) {
-    QTest::mousePress(canvas_, Qt::LeftButton, keys, from);
-    test::dragMouseTo(canvas_, (from + to) / 2, Qt::LeftButton, keys);
-    test::dragMouseTo(canvas_, to, Qt::LeftButton, keys);
-    QTest::mouseRelease(canvas_, Qt::LeftButton, keys, to);
-  }
   /// A rectangle about these points of the plot.
   void dragAbout(std::size_t first, std::size_t last, Qt::KeyboardModifiers keys = {}) {
     const QPoint a = view_.positionOf(first);
     const QPoint b = view_.positionOf(last);
-    drag(QPoint(std::min(a.x(), b.x()) - 6, std::max(a.y(), b.y()) + 6),
-         QPoint(std::max(a.x(), b.x()) + 6, std::min(a.y(), b.y()) - 6), keys);
+    test::dragMouse(canvas_, QPoint(std::min(a.x(), b.x()) - 6, std::max(a.y(), b.y()) + 6),
+                    QPoint(std::max(a.x(), b.x()) + 6, std::min(a.y(), b.y()) - 6), keys);
   }
   QString summary() { return view_.findChild<QLabel*>(QStringLiteral("plotSummary"))->text(); }
   QComboBox* box(const char* name) { return view_.findChild<QComboBox*>(QLatin1String(name)); }
@@ -159,7 +153,7 @@ TEST_F(PlotViewTest, AHistogramIsBrushedBarByBar) {
   QTest::keyClick(canvas_, Qt::Key_Right, Qt::ShiftModifier);
   EXPECT_EQ(selection_.brushed().size(), bins[0].count + bins[1].count);
   keep(QStringLiteral("plot-histogram"));
-  drag(QPoint(1, 10), QPoint(canvas_->width() - 2, 30));
+  test::dragMouse(canvas_, QPoint(1, 10), QPoint(canvas_->width() - 2, 30));
   EXPECT_EQ(selection_.brushed().size(), 12U);
   const auto middle =
       static_cast<int>(view_.plot()->transform(QwtPlot::xBottom, 0.5 * (bins.back().lower + bins.back().upper)));

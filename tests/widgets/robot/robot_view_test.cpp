@@ -48,10 +48,7 @@ class RobotViewTest : public testing::Test {
     QObject::connect(&view, &RobotView::slid, [this](const Eigen::Vector3d& way_l) { way = way_l; });
     QObject::connect(&view, &RobotView::turned, [this](double angle_rad) { turn = angle_rad; });
   }
-  void move(const QPoint& to) {
-    QMouseEvent event(QEvent::MouseMove, to, Qt::NoButton, Qt::LeftButton, Qt::NoModifier);
-    QApplication::sendEvent(canvas, &event);
-  }
+  void move(const QPoint& to) { test::moveMouse(canvas, to, Qt::LeftButton); }
   void press(const QPoint& at) { QTest::mousePress(canvas, Qt::LeftButton, Qt::NoModifier, at); }
   void release(const QPoint& at) { QTest::mouseRelease(canvas, Qt::LeftButton, Qt::NoModifier, at); }
   /// On a cell of the patch: its middle may lie between cells.

@@ -7,13 +7,13 @@ namespace {
 
 TEST_F(PatchSceneTest, BrushedCellsCarryARingUntilTheyAreBrushedNoMore) {
   const Reconstruction demo = demoReconstruction(mixedQualities());
-  scene.setReconstruction(std::make_shared<const Reconstruction>(demo));
+  scene.setReconstruction(shared(demo));
   const auto plain = picture();
   scene.setBrushed({CellId(1), CellId(2), CellId(3)});
   const auto three = picture();
   EXPECT_GT(differingShare(plain, three), kMaxDifferingShare);
   scene.setReconstruction(nullptr);
-  scene.setReconstruction(std::make_shared<const Reconstruction>(demo));
+  scene.setReconstruction(shared(demo));
   EXPECT_LT(differingShare(three, picture()), differingShare(plain, three)) << "the next result is marked, too";
   scene.setBrushed({CellId(2)});
   const double one = differingShare(plain, picture());
@@ -26,7 +26,7 @@ TEST_F(PatchSceneTest, BrushedCellsCarryARingUntilTheyAreBrushedNoMore) {
 }
 
 TEST(BrushMarks, ARingHasSixSidesAndLiesOnTheFace) {
-  const auto content = makeSceneContent(std::make_shared<const Reconstruction>(demoReconstruction()));
+  const auto content = makeSceneContent(shared(demoReconstruction()));
   const std::vector<Rgb> faces(content->layout.cells.size(), Rgb{0.1, 0.1, 0.1});
   const auto mesh = makeBrushMarks(*content, {CellId(2), CellId(99)}, faces, testColors(false));
   EXPECT_EQ(mesh->GetNumberOfPolys(), 6);

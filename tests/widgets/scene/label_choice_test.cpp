@@ -16,9 +16,7 @@ namespace {
 
 constexpr std::array kWindow = {800, 600};
 
-std::shared_ptr<const SceneContent> contentOf(Reconstruction skin) {
-  return makeSceneContent(std::make_shared<const Reconstruction>(std::move(skin)));
-}
+std::shared_ptr<const SceneContent> contentOf(Reconstruction skin) { return makeSceneContent(shared(std::move(skin))); }
 
 /// Looks at `target` from this direction, with letters of so many pixels where it is (at 72 dpi).
 LabelSight looking(const SceneContent& content, const Eigen::Vector3d& target, const Eigen::Vector3d& from,

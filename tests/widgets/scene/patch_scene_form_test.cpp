@@ -65,19 +65,13 @@ TEST_F(PatchSceneFormTest, CellsOfALargeSkinHaveIdsWhereTheyAreNear) {
 TEST_F(PatchSceneFormTest, TheBackOfACellDoesNotLookLikeItsFront) {
   constexpr PixelArea kMiddle{kWidth / 4, kHeight / 4, 3 * kWidth / 4, 3 * kHeight / 4};
   // From right in front and right behind, where the light is the same.
-  for (const std::uint32_t columns : {5U, 60U}) {  // prisms, and faces alone
-    scene.setReconstruction(shared(sheetReconstruction(columns, columns == 5 ? 4 : 50)));
-    scene.setShown(SceneItem::Ports, false);
-    scene.setParallel(true);
-    scene.showStandardView(View::Front);
-    if (columns == 60) {
-      window->Render();
-      scene.renderer()->GetActiveCamera()->Zoom(10);
-    }
-    const auto front = picture();
-    scene.renderer()->GetActiveCamera()->Azimuth(180);
-    EXPECT_GT(differingShare(front, picture(), kChannelSlack, kMiddle), 0.6) << columns;
-  }
+  scene.setReconstruction(shared(sheetReconstruction(5, 4)));
+  scene.setShown(SceneItem::Ports, false);
+  scene.setParallel(true);
+  scene.showStandardView(View::Front);
+  const auto front = picture();
+  scene.renderer()->GetActiveCamera()->Azimuth(180);
+  EXPECT_GT(differingShare(front, picture(), kChannelSlack, kMiddle), 0.6);
 }
 
 TEST_F(PatchSceneFormTest, IsLookedAtFromBehindAndFromBetweenTheAxes) {

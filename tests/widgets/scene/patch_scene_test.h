@@ -81,11 +81,6 @@ inline Reconstruction roughened(double by_m) {
   return demo;
 }
 
-template <class Value>
-std::shared_ptr<const Value> shared(Value value) {
-  return std::make_shared<const Value>(std::move(value));
-}
-
 /// A window that is never shown, to draw a scene in.
 class OffScreenTest : public testing::Test {
  protected:

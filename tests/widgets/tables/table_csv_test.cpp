@@ -1,3 +1,5 @@
+// How tables are sorted, and what of them goes to files and the clipboard.
+
 #include "widgets/tables/table_csv.h"
 
 #include "tests/support/hand_made_skins.h"
@@ -18,21 +20,21 @@
 namespace hexoderm {
 namespace {
 
-class TableCsvTest : public testing::Test {
+class FiguresTableTest : public testing::Test {
  protected:
-  TableCsvTest() {
+  FiguresTableTest() {
     table_.setContent({{"Name", {}, {}, 0, true}, {"Length mm", "mm", {}, 2, false}, {"Angle °", "deg", {}, 1, false}},
                       {{{QStringLiteral("a, b"), 1.0 / 3, QVariant()}},
                        {{QStringLiteral("say \"x\"\nand go"), -2.5, 1e-7}},
                        {{QStringLiteral("cell 10"), 10.0, 2.0}},
                        {{QStringLiteral("cell 9"), 9.0, 3.0}}});
   }
-  ~TableCsvTest() override { QLocale::setDefault(QLocale::system()); }
+  ~FiguresTableTest() override { QLocale::setDefault(QLocale::system()); }
 
   ResultTable table_;
 };
 
-TEST_F(TableCsvTest, CsvQuotesWhatMustBeAndKeepsAllDigits) {
+TEST_F(FiguresTableTest, CsvQuotesWhatMustBeAndKeepsAllDigits) {
   EXPECT_EQ(tableAsCsv(table_).toStdString(),
             "Name,Length mm,Angle (deg)\r\n"
             "\"a, b\",0.3333333333333333,\r\n"
@@ -41,14 +43,14 @@ TEST_F(TableCsvTest, CsvQuotesWhatMustBeAndKeepsAllDigits) {
             "cell 9,9,3\r\n");
 }
 
-TEST_F(TableCsvTest, CsvHasADecimalPointWhateverTheLocale) {
+TEST_F(FiguresTableTest, CsvHasADecimalPointWhateverTheLocale) {
   const QByteArray before = tableAsCsv(table_);
   QLocale::setDefault(QLocale(QLocale::German));
   EXPECT_EQ(table_.index(1, 1).data().toString(), "−2,50") << "what is shown follows the locale";
   EXPECT_EQ(tableAsCsv(table_), before);
 }
 
-TEST_F(TableCsvTest, CsvOfTheLinksHoldsWhatIsBehindTheTexts) {
+TEST_F(FiguresTableTest, CsvOfTheLinksHoldsWhatIsBehindTheTexts) {
   LinkTable links;
   links.setReconstruction(sampleTwoPatches());
   const QList<QByteArray> lines = tableAsCsv(links).split('\n');
@@ -60,7 +62,28 @@ TEST_F(TableCsvTest, CsvOfTheLinksHoldsWhatIsBehindTheTexts) {
   EXPECT_TRUE(lines[5].trimmed().endsWith(",,,,,,muted")) << lines[5].toStdString();
 }
 
-TEST_F(TableCsvTest, CopiesWhatIsShownInItsOrder) {
+TEST_F(FiguresTableTest, SortsNumbersByValueNamesAsAPersonWouldAndTheUnknownLast) {
+  SortedTable sorted(&table_);
+  const auto names = [&] {
+    QStringList result;
+    for (int row = 0; row < sorted.rowCount(); ++row) result << sorted.index(row, 0).data().toString().left(7);
+    return result.join('|').toStdString();
+  };
+  EXPECT_EQ(names(), "a, b|say \"x\"|cell 10|cell 9");
+  sorted.sort(1, Qt::AscendingOrder);
+  EXPECT_EQ(names(), "say \"x\"|a, b|cell 9|cell 10");
+  sorted.sort(0, Qt::AscendingOrder);
+  EXPECT_EQ(names(), "a, b|cell 9|cell 10|say \"x\"");
+  sorted.sort(2, Qt::AscendingOrder);
+  EXPECT_EQ(sorted.index(3, 0).data().toString(), "a, b");
+  sorted.sort(2, Qt::DescendingOrder);
+  EXPECT_EQ(sorted.index(3, 0).data().toString(), "a, b");
+  EXPECT_EQ(sorted.index(0, 0).data().toString(), "cell 9");
+  EXPECT_EQ(sorted.headerData(2, Qt::Horizontal, Qt::DisplayRole).toString(), QStringLiteral("Angle ° ↓"));
+  EXPECT_TRUE(tableAsCsv(sorted).startsWith("Name,Length mm,Angle (deg)\r\n")) << "files have no arrows";
+}
+
+TEST_F(FiguresTableTest, CopiesWhatIsShownInItsOrder) {
   SortedTable sorted(&table_);
   QTableView view;
   view.setModel(&sorted);
@@ -76,7 +99,7 @@ TEST_F(TableCsvTest, CopiesWhatIsShownInItsOrder) {
   EXPECT_TRUE(lines[1].startsWith("cell 10,"));
 }
 
-TEST_F(TableCsvTest, HandsOverWhatIsToBeSavedAsItIsShownNow) {
+TEST_F(FiguresTableTest, HandsOverWhatIsToBeSavedAsItIsShownNow) {
   SortedTable sorted(&table_);
   QTableView view;
   view.setModel(&sorted);

@@ -45,21 +45,6 @@ TEST_F(VerifyPanelTest, ComparisonSaysWhetherItRepeatsAsStated) {
   EXPECT_EQ(sentence("comparison"), "other.calibration.json has no cell in common with this calibration.");
 }
 
-TEST_F(VerifyPanelTest, AChosenFileCanBeRemovedAlthoughItCannotBeRead) {
-  panel_->setReconstruction(skin());
-  auto* remove = find<QPushButton>("comparisonRemove");
-  EXPECT_FALSE(remove->isVisible());
-  panel_->compareWith("/no/such.hexo");
-  panel_->showFailure(VerifyCheck::Comparison, "It can't be read.");
-  ASSERT_TRUE(remove->isVisible());
-  int dropped = 0;
-  QObject::connect(panel_, &VerifyPanel::comparisonDropped, [&] { ++dropped; });
-  QTest::mouseClick(remove, Qt::LeftButton);
-  EXPECT_EQ(dropped, 1);
-  EXPECT_EQ(sentence("comparison"), "");
-  EXPECT_FALSE(remove->isVisible());
-}
-
 TEST_F(VerifyPanelTest, AnOldCalibrationIsComparedWithTheNewestPoses) {
   using Asked = std::pair<std::string, std::optional<std::size_t>>;
   std::vector<Asked> asked;

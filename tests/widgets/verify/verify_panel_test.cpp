@@ -9,7 +9,6 @@
 #include <QTest>
 #include <QToolButton>
 #include <optional>
-#include <set>
 #include <vector>
 
 namespace hexoderm::verify_panel_test {
@@ -150,22 +149,6 @@ TEST_F(VerifyPanelTest, FitsBesideThe3DViewOfASmallWindowInBothThemes) {
     EXPECT_LE(panel_->minimumSizeHint().width(), 280);
     keep(theme == Theme::Light ? "verify-panel-light" : "verify-panel-dark");
   }
-}
-
-TEST_F(VerifyPanelTest, HasSeveralColumnsWhereThereIsRoom) {
-  panel_->setReconstruction(skin());
-  const auto columns = [this] {
-    QCoreApplication::processEvents();
-    std::set<int> lefts;
-    for (const char* name : {"holdOut", "loops", "surface", "caliper", "comparison", "oldCalibration"}) {
-      lefts.insert(find<QWidget>(name)->x());
-    }
-    return lefts.size();
-  };
-  EXPECT_EQ(columns(), 1U);
-  scroll_.resize(1500, 640);
-  ASSERT_TRUE(test::waitUntil([this] { return scroll_.width() == 1500; }));
-  EXPECT_GE(columns(), 2U);
 }
 
 }  // namespace

@@ -63,11 +63,8 @@ TEST(EventLogTest, WritesAFileThatBeginsAnewWhenItIsFull) {
   EventLog log(folder.filePath("logs"));
   log.add(Severity::Error, "first\nof two lines");
   ASSERT_TRUE(log.waitUntilWritten(kPatience_ms));
-  QFile file(log.filePath());
-  ASSERT_TRUE(file.open(QIODevice::ReadOnly));
-  const QByteArray written = file.readAll();
+  const QByteArray written = contentOf(log.filePath());
   EXPECT_TRUE(written.contains("ERROR   first | of two lines\n")) << written.toStdString();
-  file.close();
 
   const QString long_text(1000, 'x');
   for (int k = 0; k < 1500; ++k) {

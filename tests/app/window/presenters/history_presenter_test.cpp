@@ -1,7 +1,6 @@
 #include "hexoderm/util/error.h"
 #include "tests/app/window/presenters/presenter_test.h"
 #include "tests/support/paths.h"
-#include "widgets/controls/card_dock.h"
 
 #include <QMenu>
 #include <QProcess>
@@ -21,23 +20,6 @@ class HistoryPresenterTest : public PresenterTest {
     return nullptr;
   }
 };
-
-TEST_F(HistoryPresenterTest, StartsWithAWelcomeThatGoesWhenSomethingIsOpen) {
-  auto* welcome = find<QWidget>("welcomePanel");
-  EXPECT_TRUE(welcome->isVisible());
-  EXPECT_EQ(QApplication::activeModalWidget(), nullptr);
-  QPushButton* demo = nullptr;
-  for (auto* button : welcome->findChildren<QPushButton*>()) {
-    if (button->text() == "Start the demo skin") demo = button;
-  }
-  ASSERT_NE(demo, nullptr);
-  keepPicture(window_->picture(), "welcome-light");
-  action("actionThemeDark")->trigger();
-  keepPicture(window_->picture(), "welcome-dark");
-  click(demo);
-  EXPECT_TRUE(waitUntil([&] { return !welcome->isVisible(); }));
-  EXPECT_TRUE(waitUntilIdle());
-}
 
 TEST_F(HistoryPresenterTest, RemembersRecentFilesAcrossStarts) {
   const QString first = writeSession(pathTo("first.hexo"), 2);

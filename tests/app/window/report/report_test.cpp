@@ -4,6 +4,7 @@
 #include "app/window/report/report_pictures.h"
 #include "app/window/report/report_title.h"
 #include "hexoderm/util/error.h"
+#include "hexoderm/util/file.h"
 #include "hexoderm/util/units.h"
 #include "tests/app/window/window_test.h"
 #include "tests/support/hand_made_skins.h"
@@ -16,7 +17,6 @@
 #include <QTextDocument>
 #include <QXmlStreamReader>
 #include <filesystem>
-#include <fstream>
 #include <map>
 #include <set>
 
@@ -67,11 +67,6 @@ Reconstruction withUncertainty() {
     }
   }
   return result;
-}
-
-std::string readAll(const std::filesystem::path& path) {
-  std::ifstream file(path, std::ios::binary);
-  return {std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
 }
 
 /// The text of every element, as a browser would show it.
@@ -270,7 +265,7 @@ TEST(Report, IsWrittenWholeOrNotAtAll) {
   const ReportContent content = contentOf(awkwardResult());
   const auto path = folder.path() / "report.html";
   writeReport(content, QString::fromStdString(path.string()));
-  EXPECT_EQ(readAll(path), reportHtml(content).toStdString());
+  EXPECT_EQ(readFile(path), reportHtml(content).toStdString());
   EXPECT_EQ(folder.entryCount(), 1U);
 
   EXPECT_THROW(writeReport(content, QString::fromStdString((folder.path() / "report.txt").string())), InvalidArgument);
@@ -316,7 +311,7 @@ TEST_F(ReportWindow, IsWrittenFromTheMenuAndAsksOnceForItsTitle) {
   ASSERT_TRUE(waitForMessage(QStringLiteral("demo.pdf")));
   EXPECT_GT(QFileInfo(pathTo(QStringLiteral("demo.pdf"))).size(), 20000);
 
-  const QString html = QString::fromStdString(readAll(pathTo(QStringLiteral("demo.html")).toStdString()));
+  const QString html = QString::fromStdString(readFile(pathTo(QStringLiteral("demo.html")).toStdString()));
   EXPECT_GE(html.count(QStringLiteral("<figure>")), 6);
   const QString text = textOf(html);
   EXPECT_TRUE(text.contains(QStringLiteral("Toro 3")));
@@ -331,15 +326,6 @@ TEST_F(ReportWindow, IsWrittenFromTheMenuAndAsksOnceForItsTitle) {
   taken.front().draw(painter);
   painter.end();
   keepPicture(graph, QStringLiteral("report-graph"));
-}
-
-TEST_F(ReportWindow, SaysWhyAReportCanNotBeWritten) {
-  ASSERT_NO_FATAL_FAILURE(openSession("arm.hexo", simulated(1)));
-  const QString file = writeFile(QStringLiteral("file"), "x");
-  const ReportContent content = hexoderm::contentOf(*controller().reconstruction());
-  controller().resultFiles().writeReport(content, file + QStringLiteral("/report.pdf"));
-  ASSERT_TRUE(waitForMessage(QStringLiteral("report.pdf")));
-  EXPECT_TRUE(message().contains(QStringLiteral("cannot be written"))) << message().toStdString();
 }
 
 TEST(ReportTitleKept, IsThatOfItsSession) {

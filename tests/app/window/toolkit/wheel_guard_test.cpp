@@ -12,7 +12,6 @@
 #include <QScrollBar>
 #include <QSlider>
 #include <QVBoxLayout>
-#include <QWheelEvent>
 
 namespace hexoderm {
 namespace {
@@ -48,13 +47,7 @@ class WheelGuardTest : public testing::Test {
   }
   /// One notch down over the middle of `widget`; whether it was taken. What is not taken, Qt gives to what is around
   /// the widget, if it comes from a real wheel.
-  static bool turnWheel(QWidget* widget) {
-    const QPoint middle = widget->rect().center();
-    QWheelEvent event(middle, widget->mapToGlobal(middle), {}, {0, -120}, Qt::NoButton, Qt::NoModifier,
-                      Qt::NoScrollPhase, false);
-    QApplication::sendEvent(widget, &event);
-    return event.isAccepted();
-  }
+  static bool turnWheel(QWidget* widget) { return test::turnWheel(widget, widget->rect().center(), -120); }
 
   QScrollArea area_;
   QDoubleSpinBox* number_ = new QDoubleSpinBox;
