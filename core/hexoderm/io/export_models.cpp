@@ -4,6 +4,7 @@
 #include "hexoderm/util/text.h"
 
 #include <cmath>
+#include <pugixml.hpp>
 
 namespace hexoderm {
 namespace {

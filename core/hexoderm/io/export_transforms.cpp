@@ -4,6 +4,7 @@
 #include "hexoderm/util/text.h"
 
 #include <array>
+#include <pugixml.hpp>
 #include <set>
 
 namespace hexoderm {

@@ -6,6 +6,7 @@
 #include "hexoderm/util/text.h"
 
 #include <map>
+#include <pugixml.hpp>
 
 namespace hexoderm {
 namespace {

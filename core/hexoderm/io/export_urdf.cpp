@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <array>
 #include <optional>
+#include <pugixml.hpp>
 #include <set>
 #include <sstream>
 #include <string>

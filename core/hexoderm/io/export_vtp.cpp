@@ -7,6 +7,7 @@
 #include "hexoderm/util/text.h"
 
 #include <openssl/evp.h>
+#include <pugixml.hpp>
 
 #include <Eigen/Geometry>
 #include <algorithm>

@@ -1,5 +1,6 @@
 #include "hexoderm/io/xml_writing.h"
 
+#include <pugixml.hpp>
 #include <sstream>
 #include <utility>
 

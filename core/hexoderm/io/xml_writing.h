@@ -1,8 +1,14 @@
 #pragma once
 
+// Private to io: XML by pugixml.
+
 #include <initializer_list>
-#include <pugixml.hpp>
 #include <string>
+
+namespace pugi {
+class xml_document;
+class xml_node;
+}  // namespace pugi
 
 namespace hexoderm {
 
