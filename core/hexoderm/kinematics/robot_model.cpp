@@ -285,6 +285,7 @@ struct RobotModel::State {
 
   [[nodiscard]] double positionOf(std::size_t joint, const JointAngles& angles) const;
   void orderJoints();
+  void noteMeshes() const;
   [[nodiscard]] TriangleMesh readMesh(const std::filesystem::path& path, std::size_t link) const;
   [[nodiscard]] std::filesystem::path fileOf(const MeshShape& mesh, std::size_t link) const;
   [[nodiscard]] std::filesystem::path packageFolder(const PackageFile& wanted, const MeshShape& mesh,
@@ -345,6 +346,25 @@ std::filesystem::path RobotModel::State::fileOf(const MeshShape& mesh, std::size
     failMesh(mesh, link, message("expected package://NAME/FILE, file:///FILE or a path"));
   }
   return file.parent_path() / address;  // an absolute one stays as it is
+}
+
+/// Meshes are inputs, also those that nobody needs.
+void RobotModel::State::noteMeshes() const {
+  std::set<std::filesystem::path> noted;
+  for (std::size_t link = 0; link < links.size(); ++link) {
+    for (const std::vector<LinkShape>* shapes : {&links[link].visuals, &links[link].collisions}) {
+      for (const LinkShape& shape : *shapes) {
+        const auto* mesh = std::get_if<MeshShape>(&shape.shape);
+        if (mesh == nullptr) continue;
+        try {
+          const std::filesystem::path path = fileOf(*mesh, link);
+          if (noted.insert(path).second) noteMeshFile(path);
+        } catch (const FormatError&) {
+          continue;  // of a package that is not known: said where the mesh is needed
+        }
+      }
+    }
+  }
 }
 
 TriangleMesh RobotModel::State::readMesh(const std::filesystem::path& path, std::size_t link) const {
@@ -445,6 +465,7 @@ RobotModel RobotModel::parse(std::string_view urdf, const std::filesystem::path&
   }
   for (std::size_t k = 0; k < state->joints.size(); ++k) state->joint_index.emplace(state->joints[k].name, k);
   state->orderJoints();
+  state->noteMeshes();
   return RobotModel(std::move(state));
 }
 
