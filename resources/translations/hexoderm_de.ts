@@ -4891,8 +4891,8 @@ Die Balken sagen, wie sehr sich die gesehenen Richtungen in drei Achsen untersch
         <translation>Begrenzt wird das Ergebnis dadurch, wie die Zellen in der Form liegen: Eine weitere Pose würde kaum helfen.</translation>
     </message>
     <message>
-        <source>No link joins the {} patches: each lies in the frame of its own origin.</source>
-        <translation>Keine Verbindung verbindet die {} Hautstücke: Jedes liegt im Koordinatensystem seines eigenen Ursprungs.</translation>
+        <source>No used link joins the {} patches: each lies in the frame of its own origin.</source>
+        <translation>Keine benutzte Verbindung verbindet die {} Hautstücke: Jedes liegt im Koordinatensystem seines eigenen Ursprungs.</translation>
     </message>
     <message>
         <source>poses {}</source>

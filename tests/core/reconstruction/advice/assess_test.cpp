@@ -151,7 +151,7 @@ TEST(Assess, SeveralPatchesAreNeverGoodAndAreSaid) {
   result.patches.push_back(patchWith(kPrecise, 10));
   const Assessment assessment = assess(result, {});
   EXPECT_THAT(assessment, IsVerdict(VerdictLevel::Usable, Limit::Patches, Remedy::Nothing));
-  EXPECT_THAT(assessment.reason.english(), HasSubstr("No link joins the 2 patches"));
+  EXPECT_THAT(assessment.reason.english(), HasSubstr("No used link joins the 2 patches"));
 }
 
 TEST(Assess, CellsThatNothingJoinsAreAFailure) {
