@@ -7195,6 +7195,10 @@ Die Balken sagen, wie sehr sich die gesehenen Richtungen in drei Achsen untersch
         <source>the gap</source>
         <translation>der Spalt</translation>
     </message>
+    <message>
+        <source>{} must be above 0 and at most {}</source>
+        <translation>{} muss über 0 liegen und höchstens {} sein</translation>
+    </message>
 </context>
 <context>
     <name>hexoderm::MessageBar</name>
