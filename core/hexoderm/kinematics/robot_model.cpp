@@ -383,7 +383,7 @@ class RobotModel::State::BodyBuilder {
   BodyBuilder(const State& state, std::size_t link) : state_(state), link_(link) {}
 
   void add(const LinkShape& shape) {
-    pieces_.push_back(std::visit([this](const auto& of) { return pieceOf(of); }, shape.shape));
+    pieces_.push_back(std::visit([&](const auto& of) { return pieceOf(of); }, shape.shape));
     pieces_.back().T_l_shape = shape.T_l_shape;
     triangles_ += pieces_.back().mesh->triangles.size();
   }
@@ -420,13 +420,13 @@ class RobotModel::State::BodyBuilder {
   }
   Piece pieceOf(const SphereShape& sphere) const { return {&sphere_, Eigen::Vector3d::Constant(sphere.radius_m)}; }
   Piece pieceOf(const MeshShape& mesh) {
-    const auto [file, is_new] = files_.try_emplace(state_.fileOf(mesh, link_));
+    const auto [read, is_new] = files_.try_emplace(state_.fileOf(mesh, link_));
     if (is_new) {
-      file->second = state_.readMesh(file->first, link_);
-      file_triangles_ += file->second.triangles.size();
+      read->second = state_.readMesh(read->first, link_);
+      file_triangles_ += read->second.triangles.size();
       requireAtMost(kMostLinkTriangles, file_triangles_);
     }
-    return {&file->second, mesh.scale};
+    return {&read->second, mesh.scale};
   }
   static Piece pieceOf(const UnreadShape& shape) { throw FormatError(shape.why); }
 
