@@ -63,9 +63,6 @@ void Common::logNote(const std::string& text) const {
   if (::isatty(STDERR_FILENO) == 0) note(text);
 }
 
-namespace {
-
-/// Not the same file, nor what SQLite keeps beside the other.
 void requireApart(const std::string& a, const std::string& b) {
   const auto fileOf = [](const std::string& name) {
     std::error_code error;
@@ -80,8 +77,6 @@ void requireApart(const std::string& a, const std::string& b) {
   if (!same && !isBeside(file_a, file_b) && !isBeside(file_b, file_a)) return;
   throw InvalidArgument(a, message("collides with {}, which another option writes: take another name", b));
 }
-
-}  // namespace
 
 void requireReplaceableOutputs(const CLI::App& command) {
   noteRead("/dev/stdin");
@@ -160,31 +155,8 @@ std::shared_ptr<const Reconstruction> openCalibration(const std::string& path, c
   return asInput([&] { return hexoderm::openCalibration(path, model); });
 }
 
-namespace {
-
-/// That they are inputs too, wherever they can be found.
-void noteMeshes(const RobotModel& robot) {
-  for (std::size_t link = 0; link < robot.links().size(); ++link) {
-    for (const std::vector<LinkShape>* shapes : {&robot.links()[link].visuals, &robot.links()[link].collisions}) {
-      for (const LinkShape& shape : *shapes) {
-        const auto* mesh = std::get_if<MeshShape>(&shape.shape);
-        if (mesh == nullptr) continue;
-        try {
-          noteRead(robot.meshFile(*mesh, link));
-        } catch (const FormatError&) {
-          continue;  // of a package that is not known: said where the mesh is needed
-        }
-      }
-    }
-  }
-}
-
-}  // namespace
-
 RobotModel openRobot(const std::string& robot, const std::vector<std::string>& packages) {
-  RobotModel model = asInput([&] { return robotNamed(robot, packages); });
-  noteMeshes(model);
-  return model;
+  return asInput([&] { return robotNamed(robot, packages); });
 }
 
 std::map<PoseId, JointAngles> anglesOfPoses(const Session& session, const std::string& file, const RobotModel& robot) {

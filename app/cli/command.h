@@ -83,6 +83,8 @@ CLI::Option* addWithDefault(CLI::App& command, const std::string& names, Value& 
 /// Before any work: InvalidArgument if an output is one of the inputs, standard input among them, or another output,
 /// StorageError if it is a session.
 void requireReplaceableOutputs(const CLI::App& command);
+/// InvalidArgument if two outputs are the same file, or one is what SQLite keeps beside the other.
+void requireApart(const std::string& a, const std::string& b);
 
 /// InvalidArgument naming the option if its number is not finite, or is whole and negative or beyond 64 bits, all of
 /// which the parser lets pass.

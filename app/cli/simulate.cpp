@@ -49,7 +49,12 @@ int runRobot(SimulatedRobot robot, const SimulateOptions& options, const Output&
   if (!moves && !options.joints.empty()) throw InvalidArgument("--joints: no joint of the robot can move");
   const std::string joints = options.joints.empty() ? besideOutput(options, ".joints.csv") : options.joints;
   const std::string truth = options.truth.empty() ? besideOutput(options, ".truth.json") : options.truth;
-  for (const std::string& beside : {joints, truth}) requireReplaceable(beside, beside);
+  for (const std::string& beside : {joints, truth}) {
+    if (beside == kStandardOutput) throw InvalidArgument("--joints and --truth: expected the name of a file, found -");
+    requireReplaceable(beside, beside);
+    requireApart(beside, options.output);
+  }
+  requireApart(joints, truth);
   common.progress("Taking poses ...");
   const SimulatedRobotSession simulated = simulateRobotSession(robot, options.poses, options.samples);
   common.progress("Writing ...");

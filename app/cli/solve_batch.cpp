@@ -276,7 +276,12 @@ int solveBatch(const SolveBatch& batch, const Common& common) {
   if (!batch.folder.empty()) {
     requireFolder(batch.folder);
     files = calibrationsOf(batch.inputs, batch.folder);
-    for (const std::filesystem::path& file : files) requireReplaceable(file, "-o " + file.string());
+    std::map<std::filesystem::path, std::string> names;  // of the same file by a link
+    for (const std::filesystem::path& file : files) {
+      requireReplaceable(file, "-o " + file.string());
+      const auto [known, is_new] = names.try_emplace(std::filesystem::weakly_canonical(file), file.string());
+      if (!is_new) requireApart(file.string(), known->second);
+    }
     makeFolders(files);
   }
   endOnInterrupt(kLastWordsOfBatch);

@@ -4891,8 +4891,8 @@ Die Balken sagen, wie sehr sich die gesehenen Richtungen in drei Achsen untersch
         <translation>Begrenzt wird das Ergebnis dadurch, wie die Zellen in der Form liegen: Eine weitere Pose würde kaum helfen.</translation>
     </message>
     <message>
-        <source>No link joins the {} patches: each lies in the frame of its own origin.</source>
-        <translation>Keine Verbindung verbindet die {} Hautstücke: Jedes liegt im Koordinatensystem seines eigenen Ursprungs.</translation>
+        <source>No used link joins the {} patches: each lies in the frame of its own origin.</source>
+        <translation>Keine benutzte Verbindung verbindet die {} Hautstücke: Jedes liegt im Koordinatensystem seines eigenen Ursprungs.</translation>
     </message>
     <message>
         <source>poses {}</source>
@@ -7194,6 +7194,10 @@ Die Balken sagen, wie sehr sich die gesehenen Richtungen in drei Achsen untersch
     <message>
         <source>the gap</source>
         <translation>der Spalt</translation>
+    </message>
+    <message>
+        <source>{} must be above 0 and at most {}</source>
+        <translation>{} muss über 0 liegen und höchstens {} sein</translation>
     </message>
 </context>
 <context>

@@ -1,6 +1,7 @@
 #include "hexoderm/geometry/surface.h"
 
 #include "hexoderm/util/error.h"
+#include "hexoderm/util/limits.h"
 #include "hexoderm/util/text.h"
 #include "hexoderm/util/units.h"
 
@@ -231,6 +232,7 @@ std::map<std::string, double> readParameters(const std::string& description, std
         message("surface \"{}\": {}; expected plane, cylinder:r=M, sphere:r=M, cone:r=M,angle=RAD or torus:R=M,r=M",
                 description, what));
   };
+  constexpr double kLargest = kMostLength_m / 10;  // so that cells stay within it
   std::map<std::string, double> values;
   if (!text.empty()) {
     for (const std::string& item : split(text, ',')) {
@@ -241,7 +243,8 @@ std::map<std::string, double> readParameters(const std::string& description, std
       std::string what = "surface \"" + description + "\", ";
       what += name;
       const double value = parseNumber(std::string_view(item).substr(equals + 1), what);
-      if (value <= 0) fail(message("{} must be above 0", name));
+      if (!(value > 0 && value <= kLargest))
+        fail(message("{} must be above 0 and at most {}", name, Number{kLargest, 0}));
       if (!values.emplace(name, value).second) fail(message("{} is given twice", name));
     }
   }

@@ -3,11 +3,12 @@
 #include "hexoderm/graph/breadth_first.h"
 #include "hexoderm/graph/skin_graph_boost.h"
 
+#include <boost/graph/breadth_first_search.hpp>
 #include <boost/graph/compressed_sparse_row_graph.hpp>
-#include <boost/graph/dijkstra_shortest_paths_no_color_map.hpp>
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cmath>
 #include <cstdint>
 #include <limits>
@@ -56,6 +57,91 @@ FlatGraph flatGraph(const PatchView& view, std::span<const double> link_weights,
   return {boost::edges_are_sorted, ends.begin(), ends.end(), weights.begin(), static_cast<std::uint32_t>(order.size())};
 }
 
+/// Dial's queue of buckets, a Buffer of the library: one bucket holds the vertices whose distances lie within its
+/// width, which is that of the shortest link. Vertices leave it in the order of their distances, but for those of one
+/// bucket.
+class BucketQueue {
+ public:
+  /// `distance`: per vertex, also as it changes.
+  BucketQueue(const FlatGraph& graph, const std::vector<double>& distance) : distance_(distance) {
+    constexpr double kMostBuckets = 4096;  // few enough where links are very unequal
+    double least = kInfiniteSum;
+    double most = 0;
+    for (const auto& edge : boost::make_iterator_range(edges(graph))) {
+      least = std::min(least, graph[edge].weight);
+      most = std::max(most, graph[edge].weight);
+    }
+    per_distance_ = most > 0 ? 1 / std::max(least, most / kMostBuckets) : 1;
+    // As many as the longest link reaches over, one that is being emptied, and one for rounding.
+    buckets_.resize(std::bit_ceil(static_cast<std::size_t>(most * per_distance_) + 3));
+  }
+
+  void push(std::uint32_t vertex) {
+    const double distance = distance_[vertex];
+    buckets_[static_cast<std::size_t>(distance * per_distance_) & (buckets_.size() - 1)].push_back({vertex, distance});
+    ++waiting_;
+  }
+  [[nodiscard]] std::uint32_t top() const { return buckets_[at_][next_].vertex; }
+  void pop() {
+    ++next_;
+    --waiting_;
+  }
+  /// Drops what has become nearer since, and waits in another place too.
+  [[nodiscard]] bool empty() {
+    while (waiting_ > 0) {
+      if (next_ == buckets_[at_].size()) {
+        leaveBucket();
+      } else if (const Waiting& here = buckets_[at_][next_]; here.distance == distance_[here.vertex]) {
+        return false;
+      } else {
+        pop();
+      }
+    }
+    leaveBucket();
+    at_ = 0;
+    return true;
+  }
+
+ private:
+  struct Waiting {
+    std::uint32_t vertex;
+    double distance;
+  };
+
+  void leaveBucket() {
+    buckets_[at_].clear();
+    next_ = 0;
+    at_ = (at_ + 1) & (buckets_.size() - 1);
+  }
+
+  const std::vector<double>& distance_;
+  double per_distance_ = 1;
+  std::vector<std::vector<Waiting>> buckets_;
+  std::size_t at_ = 0;
+  std::size_t next_ = 0;  ///< in the bucket
+  std::size_t waiting_ = 0;
+};
+
+/// Relaxes edges. A vertex that becomes nearer when it has been seen is looked at again.
+struct Relax : boost::bfs_visitor<> {
+  std::vector<double>& distance;
+  BucketQueue& queue;
+
+  Relax(std::vector<double>& distances, BucketQueue& waiting) : distance(distances), queue(waiting) {}
+  template <class Edge>
+  void tree_edge(const Edge& edge, const FlatGraph& graph) {
+    distance[target(edge, graph)] = distance[source(edge, graph)] + graph[edge].weight;
+  }
+  template <class Edge>
+  void non_tree_edge(const Edge& edge, const FlatGraph& graph) {
+    const double there = distance[source(edge, graph)] + graph[edge].weight;
+    double& known = distance[target(edge, graph)];
+    if (there >= known) return;
+    known = there;
+    queue.push(target(edge, graph));
+  }
+};
+
 /// Single-source distances from a few cells, and what they say about the sums of all others.
 class OriginSearch {
  public:
@@ -66,7 +152,12 @@ class OriginSearch {
         cells_(std::move(order)),
         count_(cells_.size()),
         eligible_(std::move(eligible)),
-        tried_(count_, false) {}
+        tried_(count_, false),
+        distance_(count_),
+        queue_(graph_, distance_) {}
+  // The queue refers to the distances.
+  OriginSearch(const OriginSearch&) = delete;
+  OriginSearch& operator=(const OriginSearch&) = delete;
 
   /// For whole weights. Distances of a few landmarks bound every other cell's sum from below by the triangle
   /// inequality.
@@ -122,11 +213,12 @@ class OriginSearch {
 
   /// The exact sum of vertex `v`, whose distances are in distance_ then.
   void evaluate(std::size_t v) {
-    distance_.resize(count_);
-    boost::dijkstra_shortest_paths_no_color_map(graph_, static_cast<std::uint32_t>(v),
-                                                boost::weight_map(boost::get(&Weight::weight, graph_))
-                                                    .distance_map(boost::make_iterator_property_map(
-                                                        distance_.begin(), boost::get(boost::vertex_index, graph_))));
+    // Dijkstra's algorithm.
+    colors_.assign(count_, boost::white_color);
+    distance_[v] = 0;
+    boost::breadth_first_visit(
+        graph_, static_cast<std::uint32_t>(v), queue_, Relax(distance_, queue_),
+        boost::make_iterator_property_map(colors_.begin(), boost::get(boost::vertex_index, graph_)));
     ++runs_;
     tried_[v] = true;
     if (!eligible_[v]) return;
@@ -245,6 +337,8 @@ class OriginSearch {
   std::vector<bool> eligible_;
   std::vector<bool> tried_;
   std::vector<double> distance_;  ///< from the vertex tried last
+  BucketQueue queue_;
+  std::vector<boost::default_color_type> colors_;
   std::vector<std::vector<double>> landmarks_;
   std::vector<std::uint32_t> nearest_landmark_;
   std::vector<double> estimated_sum_;

@@ -4,6 +4,7 @@
 #include "hexoderm/kinematics/mesh/mesh_readers.h"
 #include "hexoderm/util/error.h"
 #include "hexoderm/util/file.h"
+#include "hexoderm/util/kept_files.h"
 #include "hexoderm/util/system_reason.h"
 #include "hexoderm/util/text.h"
 
@@ -72,6 +73,17 @@ TriangleMesh readMesh(std::string bytes, const std::filesystem::path& file) {
   TriangleMesh result = mesh.take();
   if (result.empty()) mesh.fail(message("expected a mesh of triangles, but it has none"));
   return result;
+}
+
+void noteMeshFile(const std::filesystem::path& file) {
+  noteRead(file);
+  if (!hasExtension(file, ".gltf")) return;
+  try {
+    const std::string bytes = readRegularFile(file, kMostFileBytes);
+    for (const std::filesystem::path& buffer : gltfBuffers(textOfMesh(bytes), file)) noteRead(buffer);
+  } catch (const Error&) {
+    return;  // said where the mesh is needed
+  }
 }
 
 TriangleMesh readMeshFile(const std::filesystem::path& file) {

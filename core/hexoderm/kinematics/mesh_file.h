@@ -19,4 +19,8 @@ TriangleMesh readMeshFile(const std::filesystem::path& file);
 /// The same from the bytes of a file. Others that it refers to (glTF) are looked for beside `file`.
 TriangleMesh readMesh(std::string bytes, const std::filesystem::path& file);
 
+/// That a mesh file is an input (noteRead()), with the buffers that it names if it is a glTF. A file that is missing or
+/// malformed is none: that is said when it is read.
+void noteMeshFile(const std::filesystem::path& file);
+
 }  // namespace hexoderm

@@ -284,6 +284,7 @@ struct RobotModel::State {
 
   [[nodiscard]] double positionOf(std::size_t joint, const JointAngles& angles) const;
   void orderJoints();
+  void noteMeshes() const;
   [[nodiscard]] TriangleMesh readMesh(const std::filesystem::path& path, std::size_t link) const;
   [[nodiscard]] std::filesystem::path fileOf(const MeshShape& mesh, std::size_t link) const;
   [[nodiscard]] std::filesystem::path packageFolder(const PackageFile& wanted, const MeshShape& mesh,
@@ -346,6 +347,25 @@ std::filesystem::path RobotModel::State::fileOf(const MeshShape& mesh, std::size
   return file.parent_path() / address;  // an absolute one stays as it is
 }
 
+/// Meshes are inputs, also those that nobody needs.
+void RobotModel::State::noteMeshes() const {
+  std::set<std::filesystem::path> noted;
+  for (std::size_t link = 0; link < links.size(); ++link) {
+    for (const std::vector<LinkShape>* shapes : {&links[link].visuals, &links[link].collisions}) {
+      for (const LinkShape& shape : *shapes) {
+        const auto* mesh = std::get_if<MeshShape>(&shape.shape);
+        if (mesh == nullptr) continue;
+        try {
+          const std::filesystem::path path = fileOf(*mesh, link);
+          if (noted.insert(path).second) noteMeshFile(path);
+        } catch (const FormatError&) {
+          continue;  // of a package that is not known: said where the mesh is needed
+        }
+      }
+    }
+  }
+}
+
 TriangleMesh RobotModel::State::readMesh(const std::filesystem::path& path, std::size_t link) const {
   try {
     return readMeshFile(path);
@@ -362,7 +382,7 @@ class RobotModel::State::BodyBuilder {
   BodyBuilder(const State& state, std::size_t link) : state_(state), link_(link) {}
 
   void add(const LinkShape& shape) {
-    pieces_.push_back(std::visit([this](const auto& of) { return pieceOf(of); }, shape.shape));
+    pieces_.push_back(std::visit([&](const auto& of) { return pieceOf(of); }, shape.shape));
     pieces_.back().T_l_shape = shape.T_l_shape;
     triangles_ += pieces_.back().mesh->triangles.size();
   }
@@ -399,13 +419,13 @@ class RobotModel::State::BodyBuilder {
   }
   Piece pieceOf(const SphereShape& sphere) const { return {&sphere_, Eigen::Vector3d::Constant(sphere.radius_m)}; }
   Piece pieceOf(const MeshShape& mesh) {
-    const auto [file, is_new] = files_.try_emplace(state_.fileOf(mesh, link_));
+    const auto [read, is_new] = files_.try_emplace(state_.fileOf(mesh, link_));
     if (is_new) {
-      file->second = state_.readMesh(file->first, link_);
-      file_triangles_ += file->second.triangles.size();
+      read->second = state_.readMesh(read->first, link_);
+      file_triangles_ += read->second.triangles.size();
       requireAtMost(kMostLinkTriangles, file_triangles_);
     }
-    return {&file->second, mesh.scale};
+    return {&read->second, mesh.scale};
   }
   static Piece pieceOf(const UnreadShape& shape) { throw FormatError(shape.why); }
 
@@ -444,6 +464,7 @@ RobotModel RobotModel::parse(std::string_view urdf, const std::filesystem::path&
   }
   for (std::size_t k = 0; k < state->joints.size(); ++k) state->joint_index.emplace(state->joints[k].name, k);
   state->orderJoints();
+  state->noteMeshes();
   return RobotModel(std::move(state));
 }
 

@@ -251,9 +251,25 @@ TEST_F(CliOutputs, NoFileIsWrittenByTwoOptions) {
         "simulate --robot demo --poses 2 -o a.session.json --truth ./a.session.json",
         "simulate --robot demo --poses 2 -o a.session.json --joints j.csv --truth j.csv",
         "simulate --robot demo --poses 2 -o c.hexo --joints c.hexo",
+        "simulate --robot demo --poses 2 -o a.session.json --truth a.joints.csv",
+        "simulate --robot demo --poses 2 -o a.session.json --joints ./a.truth.json",
         "capture --source sim:x17 --auto --poses 2 -o live.hexo --record live.hexo-wal"}) {
     expectRefused(arguments, 2, {"which another option writes"});
   }
+}
+
+TEST_F(CliOutputs, FilesBesideASimulatedRobotAreNotStandardOutput) {
+  for (const std::string option : {"--joints", "--truth"}) {
+    expectRefused("simulate --robot demo --poses 2 -o a.session.json " + option + " -", 2, {option, "name of a file"});
+  }
+}
+
+TEST_F(CliOutputs, TwoCalibrationsOfABatchAreNotOneFile) {
+  fs::create_directory(path("out"));
+  std::ofstream(path("out/arm.calibration.json")) << "earlier";
+  fs::create_symlink("arm.calibration.json", path("out/leg.calibration.json"));
+  fs::copy_file(path("arm.session.json"), path("leg.session.json"));
+  expectRefused("solve arm.session.json leg.session.json -o out", 2, {"leg.calibration.json", "collides with"});
 }
 
 TEST_F(CliOutputs, ASessionIsNotMadeBesideTheLogOfAnother) {
@@ -286,10 +302,24 @@ TEST_F(CliOutputs, ARecordingStaysUntilASkinHasDescribedItself) {
 TEST_F(CliOutputs, MeshesOfTheRobotStay) {
   fs::create_directory(path("m"));
   std::ofstream(path("m/box.obj")) << "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
-  std::ofstream(path("r.urdf")) << R"(<robot name="r"><link name="l1"><visual><geometry><mesh filename="m/box.obj"/>)"
-                                   R"(</geometry></visual></link></robot>)";
-  expectRefused("export arm.calibration.json --to robot-urdf --robot r.urdf --place l1:0,0,0,0,0,0 -o m/box.obj", 2,
-                {"m/box.obj", "is one of the inputs"});
+  std::ofstream(path("m/box.gltf")) << R"({"asset": {"version": "2.0"}, "buffers": [{"uri": "box%20.bin"}]})";
+  std::ofstream(path("m/box .bin")) << "buffer";
+  std::ofstream(path("r.urdf"))
+      << R"(<robot name="r"><link name="l1"><visual><geometry><box size="0.4 0.4 0.4"/>)"
+         R"(</geometry></visual></link>)"
+         R"(<link name="l2"><visual><geometry><mesh filename="m/box.obj"/></geometry></visual>)"
+         R"(<collision><geometry><mesh filename="m/box.gltf"/></geometry></collision></link>)"
+         R"(<joint name="j" type="fixed"><parent link="l1"/><child link="l2"/></joint></robot>)";
+  const std::string export_robot =
+      "export arm.calibration.json --to robot-urdf --robot r.urdf --place l1:0,0,0,0,0,0 -o ";
+  const std::string simulated = "simulate --robot r.urdf --mount l1:0,0,0.2 --poses 2 -o new.session.json --truth ";
+  for (const std::string& command :
+       {export_robot, simulated,
+        std::string("capture --source 'sim:robot?urdf=r.urdf&mount=l1:0,0,0.2' --poses 1 -o new.hexo --record ")}) {
+    for (const std::string mesh : {"m/box.obj", "m/box.gltf", "'m/box .bin'"}) {
+      expectRefused(command + mesh, 2, {"m/box", "is one of the inputs"});
+    }
+  }
 }
 
 TEST_F(CliOutputs, AnInputIsNotTakenForLeftBehind) {

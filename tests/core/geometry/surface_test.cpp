@@ -122,8 +122,10 @@ INSTANTIATE_TEST_SUITE_P(
                     std::pair("cylinder:r=", "expected a number"), std::pair("cylinder:r=5cm", "expected a number"),
                     std::pair("cylinder:r=nan", "finite"), std::pair("cylinder:r=inf", "finite"),
                     std::pair("cylinder:r=0", "above 0"), std::pair("sphere:r=-1", "above 0"),
-                    std::pair("sphere:r=1,r=2", "given twice"), std::pair("cone:r=1", "angle is missing"),
-                    std::pair("cone:r=1,angle=1.6", "below pi/2"), std::pair("torus:R=1,r=2", "larger than r")));
+                    std::pair("sphere:r=1,r=2", "given twice"),
+                    std::pair("torus:R=1e6,r=1", "R must be above 0 and at most 100000"),
+                    std::pair("cone:r=1", "angle is missing"), std::pair("cone:r=1,angle=1.6", "below pi/2"),
+                    std::pair("torus:R=1,r=2", "larger than r")));
 
 }  // namespace
 }  // namespace hexoderm

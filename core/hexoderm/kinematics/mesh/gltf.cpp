@@ -298,6 +298,18 @@ void readGltf(std::string_view text, const std::filesystem::path& file, MeshBuil
   GltfReader(text, std::nullopt, file, mesh).read();
 }
 
+std::vector<std::filesystem::path> gltfBuffers(std::string_view text, const std::filesystem::path& file) {
+  const nlohmann::json json = parseJson(text, file.string(), kMaxGltfValues);
+  std::vector<std::filesystem::path> files;
+  if (!json.contains("buffers") || !json["buffers"].is_array()) return files;
+  for (const nlohmann::json& buffer : json["buffers"]) {
+    if (!buffer.is_object() || !buffer.contains("uri") || !buffer["uri"].is_string()) continue;
+    const auto uri = buffer["uri"].get<std::string>();
+    if (!uri.starts_with("data:")) files.push_back(file.parent_path() / pathOfUri(uri));
+  }
+  return files;
+}
+
 void readGlb(std::string_view bytes, const std::filesystem::path& file, MeshBuilder& mesh) {
   constexpr std::uint32_t kVersion = 2;
   constexpr std::uint32_t kJson = 0x4E4F534A;

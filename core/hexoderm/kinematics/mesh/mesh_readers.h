@@ -9,6 +9,7 @@
 #include <filesystem>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace hexoderm {
 
@@ -28,6 +29,8 @@ void readCollada(std::string& bytes, MeshBuilder& mesh);
 void readGltf(std::string_view text, const std::filesystem::path& file, MeshBuilder& mesh);
 /// The same in its binary form.
 void readGlb(std::string_view bytes, const std::filesystem::path& file, MeshBuilder& mesh);
+/// The files of a glTF's buffers, as far as it names any. Throws FormatError for what is no JSON.
+std::vector<std::filesystem::path> gltfBuffers(std::string_view text, const std::filesystem::path& file);
 
 /// The bytes of a mesh file, or of one that it refers to. Throws StorageError for what is no regular file or can't be
 /// read, FormatError for more than `max_bytes`.

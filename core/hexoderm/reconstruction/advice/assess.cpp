@@ -207,7 +207,7 @@ class Assessor {
     }
     if (r_.patches.size() > 1) {
       sentences.push_back(
-          message("No link joins the {} patches: each lies in the frame of its own origin.", r_.patches.size()));
+          message("No used link joins the {} patches: each lies in the frame of its own origin.", r_.patches.size()));
     }
     if (finding_ != nullptr && poses_ > 0) sentences.push_back(finding_->message);
     if (sentences.size() > 1) result_.reason = inRow(std::move(sentences));

@@ -1,3 +1,4 @@
+#include "hexoderm/graph/skin_graph_boost.h"
 #include "hexoderm/reconstruction/explain/explainer.h"
 #include "hexoderm/reconstruction/faults/suspects.h"
 
@@ -42,14 +43,10 @@ std::optional<BadSensor> worstSensor(const SkinLinks& skin, const PatchSolver& p
   return worst;
 }
 
-/// One link alone holds the cell.
-bool isLeaf(const SkinGraph& graph, std::size_t cell) {
-  return std::ranges::count_if(graph.linksAt(cell), [&](std::size_t k) { return !graph.links()[k].muted(); }) == 1;
-}
-
 Finding describe(const SkinLinks& skin, const BadSensor& bad) {
   if (!bad.turn) {
-    return describeBadSensor(skin.graph(), skin.table(), skin.snapshot(), bad.cell, isLeaf(skin.graph(), bad.cell));
+    const bool is_leaf = out_degree(bad.cell, skin.graph()) == 1;
+    return describeBadSensor(skin.graph(), skin.table(), skin.snapshot(), bad.cell, is_leaf);
   }
   const std::size_t pose = skin.table().usablePoses(bad.cell)[bad.turn->first_after];
   return describeMovedCell(skin.graph(), skin.snapshot(), bad.cell, pose, bad.turn->angle_rad);

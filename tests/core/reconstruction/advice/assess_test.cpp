@@ -135,6 +135,14 @@ TEST(Assess, ReadingsThatLackAreNamedAndTakenAgainWhereThatHelpsMost) {
   EXPECT_EQ(assess(resultWith(kUseless), forecast).remedy, Remedy::TakePose);
 }
 
+TEST(Assess, SeveralPatchesAreNeverGoodAndAreSaid) {
+  Reconstruction result = resultWith(kPrecise);
+  result.patches.push_back(patchWith(kPrecise, 10));
+  const Assessment assessment = assess(result, {});
+  EXPECT_THAT(assessment, IsVerdict(VerdictLevel::Usable, Limit::Patches, Remedy::Nothing));
+  EXPECT_THAT(assessment.reason.english(), HasSubstr("No used link joins the 2 patches"));
+}
+
 TEST(Assess, CellsThatNothingJoinsAreAFailure) {
   Reconstruction result = resultWith(kPrecise);
   result.patches.clear();
