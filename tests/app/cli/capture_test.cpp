@@ -199,7 +199,7 @@ std::string afterTheFirstPose(const std::string& command) {
 
 TEST_F(CliCapture, ASessionThatIsRemovedMeanwhileIsWrittenAnew) {
   const Outcome outcome =
-      run("capture --source 'sim:x17?speed=3' --auto --poses 3 -o arm.hexo", afterTheFirstPose("rm arm.hexo"));
+      run("capture --source 'sim:x17?speed=2' --auto --poses 3 -o arm.hexo", afterTheFirstPose("rm arm.hexo"));
   EXPECT_LE(outcome.exit_code, 1) << outcome.err;
   EXPECT_THAT(outcome.err, HasSubstr("arm.hexo: was removed while it was open; the whole session was written anew."));
   EXPECT_EQ(readSessionStore(path("arm.hexo")).poses().size(), 3U);
@@ -207,7 +207,7 @@ TEST_F(CliCapture, ASessionThatIsRemovedMeanwhileIsWrittenAnew) {
 
 TEST_F(CliCapture, ARecordingThatFailsIsSaidOnceAndTheResultIsWritten) {
   const Outcome outcome =
-      run("capture --source 'sim:x17?speed=3' --auto --poses 3 --record arm.skinrec --json -o arm.hexo",
+      run("capture --source 'sim:x17?speed=2' --auto --poses 3 --record arm.skinrec --json -o arm.hexo",
           afterTheFirstPose("rm arm.skinrec"));
   EXPECT_EQ(outcome.exit_code, 5) << outcome.err;
   const std::string complaint = "hexoderm-cli: arm.skinrec: the recording ended: it was removed while it was written";
