@@ -66,6 +66,8 @@ class Remarks {
     }
   }
   void operator()(const FileRefused& refused) { common_.note(refused.why.english() + ". Trying again."); }
+  void operator()(const FileRenewed& renewed) { common_.note(renewed.what.english() + "."); }
+  void operator()(const RecordingEnded& ended) { common_.complain(ended.why.english() + "; the capture goes on"); }
   void operator()(const SkinChanged& changed) {
     common_.note(changed.other_model ? "The device says that it has another cell model; poses stay."
                                      : "The device says that its topology has changed; poses stay.");
@@ -144,6 +146,7 @@ void print(const LiveCaptureState& capture, const LiveCaptureOptions& options, c
                                    {"clock_restarts", status.clock_restarts},
                                    {"offences", cli::toJson(status.offences)}};
     json["hold"] = toJson(capture.holds);
+    if (!capture.recording_error.empty()) json["recording_error"] = capture.recording_error.english();
     json["verdict"] = capture.result ? cli::toJson(capture.result->assessment) : nlohmann::ordered_json();
     printJson(json);
     return;
@@ -215,7 +218,8 @@ LiveCaptureState takePoses(const LiveCaptureOptions& options, const Common& comm
     if (!capture.state().session) throw DeviceError(located(options.source, capture.state().status));
   } catch (...) {
     common.endProgress();
-    const LiveCaptureState end = capture.state();
+    LiveCaptureState end = capture.state();
+    if (!end.recording_error.empty() && end.session) return end;  // it was said, and all else went well
     // A program that reads the JSON is told what a person is told on standard error.
     if (common.json && !end.session) {
       printJson({{"source", options.source},
@@ -265,6 +269,7 @@ void addCapture(CLI::App& app, Common& common) {
     const LiveCaptureState capture = takePoses(*options, common);
     print(capture, *options, common);
     common.exit_code = capture.result ? exitCodeOf(capture.result->assessment) : kNotGoodEnough;
+    if (!capture.recording_error.empty()) common.exit_code = kStorage;
   });
 }
 

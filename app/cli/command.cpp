@@ -54,6 +54,11 @@ void Common::progress(const std::string& text) const {
 
 void Common::endProgress() const { progress(""); }
 
+void Common::complain(const std::string& text) const {
+  endProgress();
+  std::cerr << "hexoderm-cli: " << forTerminal(text) << '\n';
+}
+
 void Common::note(const std::string& text) const {
   endProgress();
   if (!quiet) std::cerr << forTerminal(text) << '\n';

@@ -59,6 +59,8 @@ struct Common {
   /// A remark on stderr in the place of the progress, unless --quiet. Both write what a terminal may be given
   /// (forTerminal()).
   void note(const std::string& text) const;
+  /// What went wrong while the command goes on, on stderr, also with --quiet.
+  void complain(const std::string& text) const;
   /// A remark where stderr is no terminal, which would show progress().
   void logNote(const std::string& text) const;
 };

@@ -3058,10 +3058,6 @@ Die Balken sagen, wie sehr sich die gesehenen Richtungen in drei Achsen untersch
         <translation>ist nur zum Lesen offen: die Sitzung woanders speichern, um weiterzuarbeiten</translation>
     </message>
     <message>
-        <source>the disk is full: free some space and try again; what was stored before is intact</source>
-        <translation>der Datenträger ist voll: Platz schaffen und noch einmal versuchen; was vorher gespeichert war, ist unversehrt</translation>
-    </message>
-    <message>
         <source>cannot be written ({}): make the file and its folder writable, or save the session elsewhere</source>
         <translation>lässt sich nicht schreiben ({}): Datei und Ordner beschreibbar machen oder die Sitzung woanders speichern</translation>
     </message>
@@ -7198,6 +7194,50 @@ Die Balken sagen, wie sehr sich die gesehenen Richtungen in drei Achsen untersch
     <message>
         <source>{} must be above 0 and at most {}</source>
         <translation>{} muss über 0 liegen und höchstens {} sein</translation>
+    </message>
+    <message>
+        <source>pose {} is not stored</source>
+        <translation>Pose {} ist nicht gespeichert</translation>
+    </message>
+    <message>
+        <source>poses {} are not stored</source>
+        <translation>Posen {} sind nicht gespeichert</translation>
+    </message>
+    <message>
+        <source>1 pose was stored before</source>
+        <translation>1 Pose wurde vorher gespeichert</translation>
+    </message>
+    <message>
+        <source>{} poses were stored before</source>
+        <translation>{} Posen wurden vorher gespeichert</translation>
+    </message>
+    <message>
+        <source>it was moved to {} while it was written, with what was recorded before</source>
+        <translation>sie wurde während des Schreibens nach {} verschoben, mit dem, was vorher aufgezeichnet war</translation>
+    </message>
+    <message>
+        <source>it was removed while it was written, with what was recorded before</source>
+        <translation>sie wurde während des Schreibens entfernt, mit dem, was vorher aufgezeichnet war</translation>
+    </message>
+    <message>
+        <source>was moved to {} while it was open</source>
+        <translation>wurde nach {} verschoben, während die Datei offen war</translation>
+    </message>
+    <message>
+        <source>was removed while it was open</source>
+        <translation>wurde entfernt, während die Datei offen war</translation>
+    </message>
+    <message>
+        <source>{}, with what was stored in it; it can&apos;t be written anew: {}</source>
+        <translation>{}, mit dem, was darin gespeichert war; sie lässt sich nicht neu schreiben: {}</translation>
+    </message>
+    <message>
+        <source>{}; the whole session was written anew</source>
+        <translation>{}; die ganze Sitzung wurde neu geschrieben</translation>
+    </message>
+    <message>
+        <source>the disk is full: free some space; what was stored before is intact</source>
+        <translation>der Datenträger ist voll: Platz schaffen; was vorher gespeichert war, ist unversehrt</translation>
     </message>
 </context>
 <context>

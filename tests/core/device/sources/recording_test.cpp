@@ -11,8 +11,11 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <chrono>
+#include <filesystem>
 #include <fstream>
 #include <limits>
+#include <thread>
 
 namespace hexoderm {
 namespace {
@@ -346,6 +349,40 @@ TEST(Recording, IsNotBegunOnAFullDisk) {
   CollectingListener listener;
   const test::NoFileGrows full;
   EXPECT_THROW(StreamRecorder(folder.path() / "a.skinrec", listener), StorageError);
+  EXPECT_EQ(folder.entryCount(), 0U);
+}
+
+TEST(Recording, EndsWhereItsFileIsMovedOrRemovedButListeningGoesOn) {
+  for (const bool is_moved : {false, true}) {
+    const test::TemporaryFolder folder;
+    const auto path = folder.path() / "a.skinrec";
+    const auto elsewhere = folder.path() / "elsewhere.skinrec";
+    CollectingListener listener;
+    StreamRecorder recorder(path, listener);
+    recorder.onSkin(twoCells());
+    recorder.onFrame(frameAt(1));
+    is_moved ? std::filesystem::rename(path, elsewhere) : static_cast<void>(std::filesystem::remove(path));
+    std::this_thread::sleep_for(std::chrono::milliseconds(1100));  // it looks once a second
+    recorder.onFrame(frameAt(2));
+    EXPECT_THAT(recorder.error().english(),
+                testing::AllOf(HasSubstr("a.skinrec: the recording ended: it was "),
+                               HasSubstr(is_moved ? "moved to " + elsewhere.string() : "removed while")));
+    recorder.onFrame(frameAt(3));
+    EXPECT_EQ(listener.delivered().frames.size(), 3U);
+    EXPECT_THROW(recorder.finish(), StorageError);
+    if (is_moved) {
+      EXPECT_EQ(play(elsewhere, kAtOnce).frames.size(), 2U);
+    }
+  }
+}
+
+TEST(Recording, AFileThatIsGoneAtTheEndIsSaid) {
+  const test::TemporaryFolder folder;
+  CollectingListener listener;
+  StreamRecorder recorder(folder.path() / "a.skinrec", listener);
+  recorder.onSkin(twoCells());
+  std::filesystem::remove(folder.path() / "a.skinrec");
+  EXPECT_THROW(recorder.finish(), StorageError);
 }
 
 TEST(Recording, AFrameThatCantBeWrittenEndsRecordingButNotListening) {
