@@ -124,15 +124,14 @@ void addCheck(CLI::App& app, Common& common) {
       ->type_name(kInput);
   CLI::Option* source =
       command->add_option("--source", options->live.source, "Take the poses now: " + sourceKindsInWords());
-  command->add_option("--poses", options->live.poses, "Poses to take")
-      ->check(CLI::Range(1, 100))
+  takeWholeNumbers(command->add_option("--poses", options->live.poses, "Poses to take"), 1, 100)
       ->capture_default_str()
       ->needs(source);
   command->add_flag("--auto", options->live.automatic, "The device turns itself")->needs(source);
-  command
-      ->add_option("--timeout", options->live.timeout_s,
-                   "Seconds to wait for a device to describe itself; with --auto also for each pose")
-      ->check(CLI::PositiveNumber)
+  takeNumbersAbove(command->add_option("--timeout", options->live.timeout_s,
+                                       "Seconds to wait for a device to describe itself; with --auto also for each "
+                                       "pose"),
+                   0, kLongestWait_s)
       ->capture_default_str()
       ->needs(source);
   command->add_option("-o,--output", options->live.file, "Keep the poses that are taken in a session (*.hexo)")
