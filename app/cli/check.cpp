@@ -2,6 +2,7 @@
 
 #include "hexoderm/course/live_capture.h"
 #include "hexoderm/reconstruction/check/calibration_check.h"
+#include "hexoderm/util/interrupt.h"
 #include "hexoderm/util/temporary_file.h"
 #include "hexoderm/util/text.h"
 #include "hexoderm/util/units.h"
@@ -101,6 +102,11 @@ int run(const CheckOptions& options, const Common& common) {
   }
   const auto calibration = openCalibration(options.calibration);
   const Session today = options.session.empty() ? takePoses(options, common) : openSession(options.session);
+  if (isInterrupted() && today.poses().size() < options.live.poses) {
+    common.note("Interrupted: " + std::to_string(today.poses().size()) + " of " + counted(options.live.poses, "pose") +
+                " taken, nothing is compared");
+    return kEndedByForce;
+  }
   const CalibrationCheck check = checkAgainst(*calibration, today, options);
   if (common.json) {
     printJson(toJson(check, options));
