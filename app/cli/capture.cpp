@@ -7,7 +7,9 @@
 #include "hexoderm/util/text.h"
 
 #include <chrono>
+#include <cstdint>
 #include <iostream>
+#include <limits>
 #include <stop_token>
 #include <thread>
 #include <utility>
@@ -246,17 +248,18 @@ void addCapture(CLI::App& app, Common& common) {
   const auto options = std::make_shared<LiveCaptureOptions>();
   CLI::App* command = app.add_subcommand("capture", "Take the poses of a skin that is connected, or of a recording");
   command->add_option("--source", options->source, sourceKindsInWords())->required();
-  command->add_option("--poses", options->poses,
-                      "End after so many (default: at the stream's end or Ctrl+C; with --auto when they are good)");
+  takeWholeNumbers(
+      command->add_option("--poses", options->poses,
+                          "End after so many (default: at the stream's end or Ctrl+C; with --auto when they are good)"),
+      0, std::numeric_limits<std::uint32_t>::max());
   command->add_flag("--auto", options->automatic, "The device turns itself, to where each pose helps most");
   command->add_flag("--keep-raw", options->keep_raw, "Keep every sample of the poses in the session too");
   command->add_option("--record", options->record_to, "Write all that the device sends to this file, for replay:FILE")
       ->type_name(kOutput);
-  command
-      ->add_option(
-          "--timeout", options->timeout_s,
-          "Seconds to wait for a device to describe itself; with --auto also for each pose, whatever turns it refuses")
-      ->check(CLI::PositiveNumber)
+  takeNumbersAbove(command->add_option("--timeout", options->timeout_s,
+                                       "Seconds to wait for a device to describe itself; with --auto also for each "
+                                       "pose, whatever turns it refuses"),
+                   0, kLongestWait_s)
       ->capture_default_str();
   command->add_option("-o,--output", options->file, "Session to make (*.hexo)")->type_name(kOutput)->required();
   common.addTo(*command);

@@ -2,6 +2,7 @@
 
 #include "hexoderm/course/live_capture.h"
 #include "hexoderm/reconstruction/check/calibration_check.h"
+#include "hexoderm/util/interrupt.h"
 #include "hexoderm/util/temporary_file.h"
 #include "hexoderm/util/text.h"
 #include "hexoderm/util/units.h"
@@ -101,6 +102,11 @@ int run(const CheckOptions& options, const Common& common) {
   }
   const auto calibration = openCalibration(options.calibration);
   const Session today = options.session.empty() ? takePoses(options, common) : openSession(options.session);
+  if (isInterrupted() && today.poses().size() < options.live.poses) {
+    common.note("Interrupted: " + std::to_string(today.poses().size()) + " of " + counted(options.live.poses, "pose") +
+                " taken, nothing is compared");
+    return kEndedByForce;
+  }
   const CalibrationCheck check = checkAgainst(*calibration, today, options);
   if (common.json) {
     printJson(toJson(check, options));
@@ -124,15 +130,14 @@ void addCheck(CLI::App& app, Common& common) {
       ->type_name(kInput);
   CLI::Option* source =
       command->add_option("--source", options->live.source, "Take the poses now: " + sourceKindsInWords());
-  command->add_option("--poses", options->live.poses, "Poses to take")
-      ->check(CLI::Range(1, 100))
+  takeWholeNumbers(command->add_option("--poses", options->live.poses, "Poses to take"), 1, 100)
       ->capture_default_str()
       ->needs(source);
   command->add_flag("--auto", options->live.automatic, "The device turns itself")->needs(source);
-  command
-      ->add_option("--timeout", options->live.timeout_s,
-                   "Seconds to wait for a device to describe itself; with --auto also for each pose")
-      ->check(CLI::PositiveNumber)
+  takeNumbersAbove(command->add_option("--timeout", options->live.timeout_s,
+                                       "Seconds to wait for a device to describe itself; with --auto also for each "
+                                       "pose"),
+                   0, kLongestWait_s)
       ->capture_default_str()
       ->needs(source);
   command->add_option("-o,--output", options->live.file, "Keep the poses that are taken in a session (*.hexo)")

@@ -1,6 +1,7 @@
 #include "app/cli/command.h"
 
 #include "hexoderm/reconstruction/evaluation/evaluation.h"
+#include "hexoderm/util/limits.h"
 #include "hexoderm/util/text.h"
 #include "hexoderm/util/units.h"
 
@@ -217,8 +218,9 @@ void addEvaluate(CLI::App& app, Common& common) {
       ->type_name(kInput)
       ->required();
   command->add_option("--fit", options->fit, "plane, sphere, cylinder or cone through the cell centres");
-  CLI::Option* radius =
-      command->add_option("--true-radius", options->true_radius_m, "Known radius in metres: gives eqs. (20), (21)");
+  CLI::Option* radius = takeNumbersAbove(
+      command->add_option("--true-radius", options->true_radius_m, "Known radius in metres: gives eqs. (20), (21)"), 0,
+      kMostLength_m);
   command->add_option("--loop", options->loop, "Gap between two free ports: CELL:PORT,CELL:PORT");
   command->add_option("--against", options->against, "Calibration, or session with truth, to compare with")
       ->type_name(kInput);

@@ -8,7 +8,9 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cstdint>
 #include <iostream>
+#include <limits>
 #include <mutex>
 #include <thread>
 
@@ -16,6 +18,9 @@ namespace hexoderm::cli {
 namespace {
 
 using Json = nlohmann::ordered_json;
+
+/// No cell is as quick.
+constexpr double kMostRate_hz = 1e6;
 
 struct ListenOptions {
   std::string source;
@@ -259,13 +264,16 @@ void addListen(CLI::App& app, Common& common) {
   CLI::App* command =
       app.add_subcommand("listen", "Listen to a device, and say what it does wrong: for those who make one");
   command->add_option("source", options->source, sourceKindsInWords())->required();
-  command->add_option("--for", options->time_s, "Seconds to listen; Ctrl+C ends it before, with its report")
-      ->check(CLI::PositiveNumber)
+  takeNumbersAbove(
+      command->add_option("--for", options->time_s, "Seconds to listen; Ctrl+C ends it before, with its report"), 0,
+      kLongestWait_s)
       ->capture_default_str();
-  command->add_option("--light", options->light, "Light this cell, and say how the device answers (SetLed)")
-      ->check(CLI::PositiveNumber);
-  command->add_option("--rate", options->rate_hz, "Ask for so many samples a second of each cell (SetRate)")
-      ->check(CLI::PositiveNumber);
+  takeWholeNumbers(
+      command->add_option("--light", options->light, "Light this cell, and say how the device answers (SetLed)"), 1,
+      std::numeric_limits<std::uint32_t>::max());
+  takeNumbersAbove(
+      command->add_option("--rate", options->rate_hz, "Ask for so many samples a second of each cell (SetRate)"), 0,
+      kMostRate_hz);
   command->add_flag("--explore", options->explore, "Ask the device to explore its neighbours again (ExploreAgain)");
   common.addTo(*command);
   command->footer(

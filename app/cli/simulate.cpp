@@ -12,10 +12,15 @@
 #include "hexoderm/util/kept_files.h"
 #include "hexoderm/util/text.h"
 
+#include <cstdint>
 #include <iostream>
+#include <limits>
 
 namespace hexoderm::cli {
 namespace {
+
+/// More than the range of any accelerometer.
+constexpr double kMostOffsetSigma_mg = 100'000;
 
 struct SimulateOptions {
   SimulatedSkinOptions skin;
@@ -165,18 +170,18 @@ void addSimulate(CLI::App& app, Common& common) {
   command->add_option("--link-law", options->link_law, "How the mould lets neighbours lie: bend or surface")
       ->check(CLI::IsMember({"bend", "surface"}))
       ->capture_default_str();
-  command->add_option("--poses", options->poses, "Number of poses")->check(CLI::Range(0, 1000))->capture_default_str();
-  command->add_option("--samples", options->samples, "Samples averaged in a pose")
-      ->check(CLI::Range(1, 100000))
+  takeWholeNumbers(command->add_option("--poses", options->poses, "Number of poses"), 0, 1000)->capture_default_str();
+  takeWholeNumbers(command->add_option("--samples", options->samples, "Samples averaged in a pose"), 1, 100'000)
       ->capture_default_str();
-  command->add_option("--seed", options->skin.seed, "Seed of everything random")->capture_default_str();
+  takeWholeNumbers(command->add_option("--seed", options->skin.seed, "Seed of everything random"), 0,
+                   std::numeric_limits<std::uint64_t>::max())
+      ->capture_default_str();
   command->add_option("--cell-model", options->cell_model, "Built-in name or JSON file")
       ->type_name(kInput)
       ->capture_default_str();
-  command
-      ->add_option("--offset-sigma", options->offset_sigma_mg,
-                   "Accelerometer offsets, 1 sigma, in mg (default: the cell model's)")
-      ->check(CLI::NonNegativeNumber);
+  takeNumbers(command->add_option("--offset-sigma", options->offset_sigma_mg,
+                                  "Accelerometer offsets, 1 sigma, in mg (default: the cell model's)"),
+              0, kMostOffsetSigma_mg);
   CLI::Option* faults = command->add_option("--fault", options->faults, faultSyntax() + "; may be repeated");
   CLI::Option* motion =
       command
@@ -195,12 +200,12 @@ void addSimulate(CLI::App& app, Common& common) {
           ->type_name(kInput)
           ->excludes(motion)
           ->excludes(faults);
-  command
-      ->add_option(
-          "--mount", options->robot_words.mounts,
-          "A patch on the robot: " + std::string(kMountSyntax) +
-              ", the place of its middle in the link's frame in m and rad, z out of the skin; without --surface "
-              "it lies on the link's body where that is nearest; may be repeated")
+  takeTexts(command->add_option(
+                "--mount", options->robot_words.mounts,
+                "A patch on the robot: " + std::string(kMountSyntax) +
+                    ", the place of its middle in the link's frame in m and rad, z out of the skin; without --surface "
+                    "it lies on the link's body where that is nearest; may be repeated"),
+            requireMount)
       ->needs(robot);
   command
       ->add_option(

@@ -7,7 +7,9 @@
 #include "hexoderm/util/parallel.h"
 #include "hexoderm/util/text.h"
 
+#include <cstdint>
 #include <iostream>
+#include <limits>
 
 namespace hexoderm::cli {
 namespace {
@@ -112,15 +114,17 @@ void addSolve(CLI::App& app, Common& common) {
       ->add_option("--gap-model", options->gap_model,
                    "What the mould does when it is bent: arc (the pitch stays), pivot (nothing stretches) or fit")
       ->capture_default_str();
-  command->add_option("--without", options->without, "Leave this cell's readings out; may be repeated");
-  command
-      ->add_option("--class-threshold", options->class_threshold,
-                   "Singular value from which a direction counts as defined; 1 is the paper's")
+  takeWholeNumbers(
+      command->add_option("--without", options->without, "Leave this cell's readings out; may be repeated"), 0,
+      std::numeric_limits<std::uint32_t>::max());
+  takeNumbersAbove(command->add_option("--class-threshold", options->class_threshold,
+                                       "Singular value from which a direction counts as defined; 1 is the paper's"),
+                   0, kMostClassThreshold)
       ->capture_default_str();
-  command
-      ->add_option("-j,--jobs", options->jobs,
-                   "Of many sessions, so many at the same time (default: as the computer has threads)")
-      ->check(CLI::Range(1, 1024));
+  takeWholeNumbers(
+      command->add_option("-j,--jobs", options->jobs,
+                          "Of many sessions, so many at the same time (default: as the computer has threads)"),
+      1, 1024);
   common.addTo(*command);
   command->footer(
       "Many sessions are solved at the same time, each as if it were alone. Each gets a line on standard output, with\n"

@@ -28,6 +28,9 @@ struct RobotInWords {
   std::vector<LinkFault> link_faults;
 };
 
+/// Throws InvalidArgument for a text that is none of kMountSyntax, or has numbers that no place has.
+void requireMount(const std::string& text);
+
 /// Throws InvalidArgument for words that mean nothing. Opens nothing.
 SimulatedRobotOptions robotOptions(const RobotInWords& words);
 
