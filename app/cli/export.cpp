@@ -52,7 +52,7 @@ PatchOnLink placementFrom(const std::string& text, const Reconstruction& reconst
   std::array<double, 6> values{};
   for (std::size_t k = 0; k < values.size(); ++k) {
     const double most = k < 3 ? kMostLength_m : kMostAngle_rad;
-    values[k] = parseNumber(numbers[k], "--place", -most, most);
+    values[k] = parseNumberWithin(numbers[k], "--place", -most, most);
   }
 
   PatchOnLink place;

@@ -56,7 +56,7 @@ std::vector<double> numbersFrom(const std::string& text, std::size_t count, std:
   const std::vector<std::string> parts = split(text, ',');
   if (parts.size() != count) refuse(option, expected, whole);
   std::vector<double> numbers;
-  for (const std::string& part : parts) numbers.push_back(parseNumber(part, option, -most, most));
+  for (const std::string& part : parts) numbers.push_back(parseNumberWithin(part, option, -most, most));
   return numbers;
 }
 
@@ -67,7 +67,7 @@ KnownPoint pointFrom(const std::string& text) {
   point.cell = CellId(parseUnsigned(parts[0], "--point"));
   const std::vector<double> x = numbersFrom(parts[1], 3, "--point", kPointSyntax, text, kMostPlaceLength_m);
   point.x_l = {x[0], x[1], x[2]};
-  if (parts.size() == 3) point.sigma_m = parseNumber(parts[2], "--point", kLeastPlaceSigma_m, kMostPlaceLength_m);
+  if (parts.size() == 3) point.sigma_m = parseNumberWithin(parts[2], "--point", kLeastPlaceSigma_m, kMostPlaceLength_m);
   return point;
 }
 
@@ -77,8 +77,9 @@ KnownDistance distanceFrom(const std::string& text) {
   KnownDistance distance;
   distance.a = CellId(parseUnsigned(parts[0], "--distance"));
   distance.b = CellId(parseUnsigned(parts[1], "--distance"));
-  distance.distance_m = parseNumber(parts[2], "--distance", kLeastPlaceSigma_m, kMostPlaceLength_m);
-  if (parts.size() == 4) distance.sigma_m = parseNumber(parts[3], "--distance", kLeastPlaceSigma_m, kMostPlaceLength_m);
+  distance.distance_m = parseNumberWithin(parts[2], "--distance", kLeastPlaceSigma_m, kMostPlaceLength_m);
+  if (parts.size() == 4)
+    distance.sigma_m = parseNumberWithin(parts[3], "--distance", kLeastPlaceSigma_m, kMostPlaceLength_m);
   return distance;
 }
 
@@ -128,7 +129,7 @@ void addRotation(const Reconstruction& r, const std::string& text, PlaceTask& ta
   if (parts.size() > 2) refuse("--rotation", kRotationSyntax, text);
   const std::vector<double> rpy = numbersFrom(parts[0], 3, "--rotation", kRotationSyntax, text, kFullTurn_deg);
   const double sigma_deg =
-      parts.size() == 2 ? parseNumber(parts[1], "--rotation: sigma", kLeastAngleSigma_deg, kFullTurn_deg) : 1;
+      parts.size() == 2 ? parseNumberWithin(parts[1], "--rotation: sigma", kLeastAngleSigma_deg, kFullTurn_deg) : 1;
   KnownRotation rotation;
   rotation.R_l_o = rotationFromRpy({rpy[0] * kDegree, rpy[1] * kDegree, rpy[2] * kDegree});
   rotation.covariance = std::pow(sigma_deg * kDegree, 2) * Eigen::Matrix3d::Identity();

@@ -92,7 +92,7 @@ double parseNumber(std::string_view text, std::string_view what) {
   return value;
 }
 
-double parseNumber(std::string_view text, std::string_view what, double least, double most) {
+double parseNumberWithin(std::string_view text, std::string_view what, double least, double most) {
   const auto inWords = [](double bound) { return Number{bound, bound == std::floor(bound) ? 0 : Number::kExact}; };
   const Message expected = message("a number from {} to {}", inWords(least), inWords(most));
   const auto value = parseWhole<double>(text, what, expected);

@@ -50,13 +50,14 @@ TEST(ParseNumber, RefusesWhatIsNotFinite) {
 }
 
 TEST(ParseNumber, NamesTheRangeOfWhatIsBeyondIt) {
-  EXPECT_EQ(parseNumber("-1e6", "x", -1e6, 1e6), -1e6);
-  EXPECT_EQ(parseNumber("1e6", "x", -1e6, 1e6), 1e6);
+  EXPECT_EQ(parseNumberWithin("-1e6", "x", -1e6, 1e6), -1e6);
+  EXPECT_EQ(parseNumberWithin("1e6", "x", -1e6, 1e6), 1e6);
   for (const std::string text : {"1000001", "-1e300", "1e999", "nan", "-inf", "", "one"}) {
-    EXPECT_EQ(messageOf<InvalidArgument>([&] { parseNumber(text, "x", -1e6, 1e6); }),
+    EXPECT_EQ(messageOf<InvalidArgument>([&] { parseNumberWithin(text, "x", -1e6, 1e6); }),
               "x: expected a number from -1000000 to 1000000, found \"" + text + "\"");
   }
-  EXPECT_THAT(messageOf<InvalidArgument>([] { parseNumber("0", "x", 0.001, 360); }), saysAll("from 0.001 to 360"));
+  EXPECT_THAT(messageOf<InvalidArgument>([] { parseNumberWithin("0", "x", 0.001, 360); }),
+              saysAll("from 0.001 to 360"));
 }
 
 TEST(ParseUnsigned, TakesThirtyTwoBits) {

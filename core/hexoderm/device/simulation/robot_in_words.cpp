@@ -26,7 +26,7 @@ PatchMount mountOf(const std::string& text, const RobotInWords& words) {
   for (std::size_t k = 0; k < numbers.size(); ++k) {
     const auto axis = static_cast<Eigen::Index>(k % 3);
     const double most = k < 3 ? kMostLength_m : kMostAngle_rad;
-    (k < 3 ? mount.T_l_m.t : rpy)[axis] = parseNumber(numbers[k], "mount " + shortened(text, 80), -most, most);
+    (k < 3 ? mount.T_l_m.t : rpy)[axis] = parseNumberWithin(numbers[k], "mount " + shortened(text, 80), -most, most);
   }
   mount.T_l_m.R = rotationFromRpy(rpy);
   return mount;
