@@ -8,7 +8,9 @@
 #include "hexoderm/util/text.h"
 
 #include <chrono>
+#include <cstdint>
 #include <iostream>
+#include <limits>
 #include <stop_token>
 #include <thread>
 #include <utility>
@@ -67,6 +69,8 @@ class Remarks {
     }
   }
   void operator()(const FileRefused& refused) { common_.note(refused.why.english() + ". Trying again."); }
+  void operator()(const FileRenewed& renewed) { common_.note(renewed.what.english() + "."); }
+  void operator()(const RecordingEnded& ended) { common_.complain(ended.why.english() + "; the capture goes on"); }
   void operator()(const SkinChanged& changed) {
     common_.note(changed.other_model ? "The device says that it has another cell model; poses stay."
                                      : "The device says that its topology has changed; poses stay.");
@@ -128,21 +132,23 @@ void print(const LiveCaptureState& capture, const LiveCaptureOptions& options, c
   const Session& session = *capture.session;
   const SourceStatus& status = capture.source;
   if (common.json) {
-    printJson({{"file", options.file.string()},
-               {"device", capture.device.english()},
-               {"cells", session.neighbors().size()},
-               {"poses", session.poses().size()},
-               {"frames", status.frames},
-               {"lost_samples", status.lost_samples},
-               {"dropped_by_device", status.dropped_by_device},
-               {"late_frames", status.late_frames},
-               {"rejected_messages", status.rejected_messages},
-               {"reconnects", status.reconnects},
-               {"skin_changes", status.skin_changes},
-               {"clock_restarts", status.clock_restarts},
-               {"offences", cli::toJson(status.offences)},
-               {"hold", toJson(capture.holds)},
-               {"verdict", capture.result ? cli::toJson(capture.result->assessment) : Json()}});
+    Json json = {{"file", options.file.string()},
+                 {"device", capture.device.english()},
+                 {"cells", session.neighbors().size()},
+                 {"poses", session.poses().size()},
+                 {"frames", status.frames},
+                 {"lost_samples", status.lost_samples},
+                 {"dropped_by_device", status.dropped_by_device},
+                 {"late_frames", status.late_frames},
+                 {"rejected_messages", status.rejected_messages},
+                 {"reconnects", status.reconnects},
+                 {"skin_changes", status.skin_changes},
+                 {"clock_restarts", status.clock_restarts},
+                 {"offences", cli::toJson(status.offences)},
+                 {"hold", toJson(capture.holds)}};
+    if (!capture.recording_error.empty()) json["recording_error"] = capture.recording_error.english();
+    json["verdict"] = capture.result ? cli::toJson(capture.result->assessment) : Json();
+    printJson(json);
     return;
   }
   std::cout << counted(session.poses().size(), "pose") << " of " << counted(session.neighbors().size(), "cell")
@@ -212,7 +218,8 @@ LiveCaptureState takePoses(const LiveCaptureOptions& options, const Common& comm
     if (!capture.state().session) throw DeviceError(options.source, capture.state().status);
   } catch (...) {
     common.endProgress();
-    const LiveCaptureState end = capture.state();
+    LiveCaptureState end = capture.state();
+    if (!end.recording_error.empty() && end.session) return end;  // it was said, and all else went well
     // A program that reads the JSON is told what a person is told on standard error.
     if (common.json && !end.session) {
       printJson({{"source", options.source},
@@ -239,19 +246,23 @@ void addCapture(CLI::App& app, Common& common) {
   const auto options = std::make_shared<LiveCaptureOptions>();
   CLI::App* command = app.add_subcommand("capture", "Take the poses of a skin that is connected, or of a recording");
   command->add_option("--source", options->source, sourceKindsInWords())->required();
-  command->add_option("--poses", options->poses,
-                      "End after so many (default: at the stream's end or Ctrl+C; with --auto when they are good)");
+  takeWholeNumbers(
+      command->add_option("--poses", options->poses,
+                          "End after so many (default: at the stream's end or Ctrl+C; with --auto when they are good)"),
+      0, std::numeric_limits<std::uint32_t>::max());
   command->add_flag("--auto", options->automatic, "The device turns itself, to where each pose helps most");
   command->add_flag("--keep-raw", options->keep_raw, "Keep every sample of the poses in the session too");
   addOutput(*command, "--record", options->record_to, "Write all that the device sends to this file, for replay:FILE");
-  addWithDefault(
-      *command, "--timeout", options->timeout_s,
-      "Seconds to wait for a device to describe itself; with --auto also for each pose, whatever turns it refuses")
-      ->check(CLI::PositiveNumber);
+  takeNumbersAbove(
+      addWithDefault(
+          *command, "--timeout", options->timeout_s,
+          "Seconds to wait for a device to describe itself; with --auto also for each pose, whatever turns it refuses"),
+      0, kLongestWait_s);
   addOutput(*command, "-o,--output", options->file, "Session to make (*.hexo)")->required();
   const auto run = [options, &common] {
     const LiveCaptureState capture = takePoses(*options, common);
     print(capture, *options, common);
+    if (!capture.recording_error.empty()) return static_cast<int>(kStorage);
     return capture.result ? exitCodeOf(capture.result->assessment) : static_cast<int>(kNotGoodEnough);
   };
   finish(*command, common,

@@ -4,6 +4,7 @@
 #include "hexoderm/course/live_capture.h"
 #include "hexoderm/device/sources/open_source.h"
 #include "hexoderm/reconstruction/check/calibration_check.h"
+#include "hexoderm/util/interrupt.h"
 #include "hexoderm/util/temporary_file.h"
 #include "hexoderm/util/text.h"
 #include "hexoderm/util/units.h"
@@ -92,6 +93,11 @@ int run(const CheckOptions& options, const Common& common) {
   }
   const auto calibration = openCalibration(options.calibration);
   const Session today = options.session.empty() ? takePoses(options, common) : openSession(options.session);
+  if (isInterrupted() && today.poses().size() < options.live.poses) {
+    common.note("Interrupted: " + std::to_string(today.poses().size()) + " of " + counted(options.live.poses, "pose") +
+                " taken, nothing is compared");
+    return kEndedByForce;
+  }
   const CalibrationCheck check = checkAgainst(*calibration, today, options);
   if (common.json) {
     printJson(toJson(check, options));
@@ -112,11 +118,11 @@ void addCheck(CLI::App& app, Common& common) {
   addInput(*command, "session", options->session, "Session with the new poses (*.hexo or *.session.json)");
   CLI::Option* source =
       command->add_option("--source", options->live.source, "Take the poses now: " + sourceKindsInWords());
-  addWithDefault(*command, "--poses", options->live.poses, "Poses to take")->check(CLI::Range(1, 100))->needs(source);
+  takeWholeNumbers(addWithDefault(*command, "--poses", options->live.poses, "Poses to take"), 1, 100)->needs(source);
   command->add_flag("--auto", options->live.automatic, "The device turns itself")->needs(source);
-  addWithDefault(*command, "--timeout", options->live.timeout_s,
-                 "Seconds to wait for a device to describe itself; with --auto also for each pose")
-      ->check(CLI::PositiveNumber)
+  takeNumbersAbove(addWithDefault(*command, "--timeout", options->live.timeout_s,
+                                  "Seconds to wait for a device to describe itself; with --auto also for each pose"),
+                   0, kLongestWait_s)
       ->needs(source);
   addOutput(*command, "-o,--output", options->live.file, "Keep the poses that are taken in a session (*.hexo)")
       ->needs(source);

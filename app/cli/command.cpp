@@ -5,6 +5,7 @@
 #include "hexoderm/kinematics/joint_angles_csv.h"
 #include "hexoderm/session/session_joint_angles.h"
 #include "hexoderm/util/kept_files.h"
+#include "hexoderm/util/limits.h"
 #include "hexoderm/util/text.h"
 #include "hexoderm/util/units.h"
 
@@ -14,7 +15,6 @@
 #include <cctype>
 #include <cerrno>
 #include <cmath>
-#include <cstdlib>
 #include <filesystem>
 #include <iostream>
 #include <limits>
@@ -36,6 +36,33 @@ void forEachValue(const CLI::App& command, const std::string& type, const Action
   }
 }
 
+/// Refuses the values of an option that are not taken, when they are parsed.
+template <class IsTaken>
+CLI::Option* take(CLI::Option* option, const std::string& expected, const std::string& in_help,
+                  const IsTaken& isTaken) {
+  const auto refusal = [=](const std::string& text) {
+    if (!isTaken(text)) {
+      throw InvalidArgument(option->get_name() + ": expected " + expected + ", found " + "\"" + shortened(text, 80) +
+                            "\"");
+    }
+    return std::string();
+  };
+  return option->check(CLI::Validator(refusal, in_help));
+}
+
+std::string inWords(double number) {
+  return number == std::floor(number) ? formatFixed(number, 0) : formatExact(number);
+}
+
+template <class IsInRange>
+CLI::Option* takeReals(CLI::Option* option, const std::string& expected, const std::string& in_help,
+                       const IsInRange& isInRange) {
+  return take(option, expected, in_help, [=](const std::string& text) {
+    double value = 0;
+    return CLI::detail::lexical_cast(text, value) && isInRange(value);
+  });
+}
+
 template <class Kind>
 bool isA(const std::exception& error) {
   return dynamic_cast<const Kind*>(&error) != nullptr;
@@ -53,6 +80,11 @@ void Common::progress(const std::string& text) const {
 }
 
 void Common::endProgress() const { progress(""); }
+
+void Common::complain(const std::string& text) const {
+  endProgress();
+  std::cerr << "hexoderm-cli: " << forTerminal(text) << '\n';
+}
 
 void Common::note(const std::string& text) const {
   endProgress();
@@ -91,21 +123,36 @@ void requireReplaceableOutputs(const CLI::App& command) {
   });
 }
 
-void requireSoundNumbers(const CLI::App& command) {
-  forEachValue(command, "FLOAT", [](const CLI::Option& option, const std::string& value) {
-    if (!std::isfinite(std::strtod(value.c_str(), nullptr))) {
-      throw InvalidArgument(option.get_name() + ": expected a finite number, found " + value);
-    }
-  });
-  forEachValue(command, "UINT", [](const CLI::Option& option, const std::string& value) {
+CLI::Option* takeNumbers(CLI::Option* option, double least, double most) {
+  const std::string expected = "a number from " + inWords(least) + " to " + inWords(most);
+  const std::string in_help = "FLOAT in [" + inWords(least) + " - " + inWords(most) + "]";
+  return takeReals(option, expected, in_help, [=](double value) { return value >= least && value <= most; });
+}
+
+CLI::Option* takeNumbersAbove(CLI::Option* option, double bound, double most) {
+  const std::string expected = "a number above " + inWords(bound) + " and at most " + inWords(most);
+  const std::string in_help = "FLOAT in (" + inWords(bound) + " - " + inWords(most) + "]";
+  return takeReals(option, expected, in_help, [=](double value) { return value > bound && value <= most; });
+}
+
+CLI::Option* takeWholeNumbers(CLI::Option* option, std::uint64_t least, std::uint64_t most) {
+  const std::string least_text = std::to_string(least);
+  const std::string most_text = std::to_string(most);
+  const auto isTaken = [=](const std::string& text) {
+    std::uint64_t value = 0;
     errno = 0;
-    static_cast<void>(std::strtoull(value.c_str(), nullptr, 0));
-    if (errno == ERANGE || value.find('-') != std::string::npos) {
-      throw InvalidArgument(option.get_name() + ": expected a whole number from 0 to " +
-                            std::to_string(std::numeric_limits<std::uint64_t>::max()) + ", found " +
-                            shortened(value, 80));
-    }
-  });
+    // The parser would wrap what is negative, and cut off what is beyond 64 bits.
+    return text.find('-') == std::string::npos && CLI::detail::lexical_cast(text, value) && errno != ERANGE &&
+           value >= least && value <= most;
+  };
+  // The largest number of the option's type tells nobody anything.
+  const bool is_of_type = least == 0 && most >= std::numeric_limits<std::uint32_t>::max();
+  const std::string in_help = is_of_type ? "" : "INT in [" + least_text + " - " + most_text + "]";
+  return take(option, "a whole number from " + least_text + " to " + most_text, in_help, isTaken);
+}
+
+CLI::Option* takeDirection(CLI::Option* option) {
+  return takeNumbers(option->expected(3)->delimiter(','), -kMostLength_m, kMostLength_m);
 }
 
 Output::Output(std::string name, const Common& common) : name_(std::move(name)) {

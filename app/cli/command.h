@@ -59,6 +59,8 @@ struct Common {
   /// A remark on stderr in the place of the progress, unless --quiet. Both write what a terminal may be given
   /// (forTerminal()).
   void note(const std::string& text) const;
+  /// What went wrong while the command goes on, on stderr, also with --quiet.
+  void complain(const std::string& text) const;
   /// A remark where stderr is no terminal, which would show progress().
   void logNote(const std::string& text) const;
 };
@@ -86,9 +88,28 @@ void requireReplaceableOutputs(const CLI::App& command);
 /// InvalidArgument if two outputs are the same file, or one is what SQLite keeps beside the other.
 void requireApart(const std::string& a, const std::string& b);
 
-/// InvalidArgument naming the option if its number is not finite, or is whole and negative or beyond 64 bits, all of
-/// which the parser lets pass.
-void requireSoundNumbers(const CLI::App& command);
+/// The numbers that an option takes, ends included but for a bound that they are above. Parsing throws InvalidArgument
+/// for all others, with the name of the option. Every option of numbers has one of these: the parser itself takes
+/// numbers that are not finite or are negative, and an empty text for 0. Return the option.
+CLI::Option* takeNumbers(CLI::Option* option, double least, double most);
+CLI::Option* takeNumbersAbove(CLI::Option* option, double bound, double most);
+CLI::Option* takeWholeNumbers(CLI::Option* option, std::uint64_t least, std::uint64_t most);
+/// The option has to be a direction, x,y,z.
+CLI::Option* takeDirection(CLI::Option* option);
+/// Seconds to wait: 11 days.
+inline constexpr double kLongestWait_s = 1e6;
+/// The option takes texts for which `check` does not throw InvalidArgument.
+template <class Check>
+CLI::Option* takeTexts(CLI::Option* option, Check check) {
+  return option->check([option, check](const std::string& text) {
+    try {
+      check(text);
+    } catch (const InvalidArgument& error) {
+      throw InvalidArgument(located(option->get_name(), error.message()));
+    }
+    return std::string();
+  });
+}
 /// Runs `check` and names the option, with its value, in what it throws.
 template <class Check>
 void checkOption(const std::string& option, const std::string& value, Check check) {

@@ -2,6 +2,7 @@
 #include "app/cli/json.h"
 
 #include "hexoderm/reconstruction/evaluation/evaluation.h"
+#include "hexoderm/util/limits.h"
 #include "hexoderm/util/text.h"
 #include "hexoderm/util/units.h"
 
@@ -203,8 +204,9 @@ void addEvaluate(CLI::App& app, Common& common) {
       app.add_subcommand("evaluate", "Surface fits, loop closure, comparison with a truth or a calibration");
   addInput(*command, "calibration", options->input, "Calibration (*.calibration.json, or TUM XML)")->required();
   command->add_option("--fit", options->fit, "plane, sphere, cylinder or cone through the cell centres");
-  CLI::Option* radius =
-      command->add_option("--true-radius", options->true_radius_m, "Known radius in metres: gives eqs. (20), (21)");
+  CLI::Option* radius = takeNumbersAbove(
+      command->add_option("--true-radius", options->true_radius_m, "Known radius in metres: gives eqs. (20), (21)"), 0,
+      kMostLength_m);
   command->add_option("--loop", options->loop, "Gap between two free ports: CELL:PORT,CELL:PORT");
   addInput(*command, "--against", options->against, "Calibration, or session with truth, to compare with");
   finish(*command, common, "Example:\n  hexoderm-cli evaluate arm.calibration.json --fit cylinder --true-radius 0.0501",

@@ -6,13 +6,16 @@
 #include "hexoderm/io/placements_json.h"
 #include "hexoderm/reconstruction/result/patch_placements.h"
 #include "hexoderm/util/file.h"
+#include "hexoderm/util/limits.h"
 #include "hexoderm/util/sha256.h"
 #include "hexoderm/util/text.h"
 
 #include <algorithm>
 #include <array>
+#include <cstdint>
 #include <filesystem>
 #include <iostream>
+#include <limits>
 #include <map>
 #include <system_error>
 
@@ -44,7 +47,10 @@ PatchOnLink placementFrom(const std::string& text, const Reconstruction& reconst
   const std::vector<std::string> numbers = split(text.substr(colon + 1), ',');
   if (numbers.size() != 6) fail(message("expected six numbers behind the link, found {}", numbers.size()));
   std::array<double, 6> values{};
-  for (std::size_t k = 0; k < values.size(); ++k) values[k] = parseNumber(numbers[k], "--place");
+  for (std::size_t k = 0; k < values.size(); ++k) {
+    const double most = k < 3 ? kMostLength_m : kMostAngle_rad;
+    values[k] = parseNumberWithin(numbers[k], "--place", -most, most);
+  }
 
   PatchOnLink place;
   const std::size_t at = text.find('@');
@@ -224,9 +230,11 @@ void addExport(CLI::App& app, Common& common) {
            "File of hexoderm-cli place, which says where patches are on links of the robot");
   command->add_option("--in-link", options->options.in_link,
                       "Write coordinates in the frame of this link, of the patches that are placed on it");
-  CLI::Option* patch = command->add_option("--patch", options->patch_of_cell,
-                                           "Cell whose patch is written; without it all patches are where the format "
-                                           "keeps their frames apart, else the one with the most cells");
+  CLI::Option* patch = takeWholeNumbers(
+      command->add_option("--patch", options->patch_of_cell,
+                          "Cell whose patch is written; without it all patches are where the format keeps their "
+                          "frames apart, else the one with the most cells"),
+      0, std::numeric_limits<std::uint32_t>::max());
   command
       ->add_flag("--all-patches", options->options.all_patches,
                  "Write every patch to a vtp file too, each in its own frame, their origins at one place")

@@ -214,9 +214,8 @@ void addLinks(CLI::App& app, Common& common) {
   command->add_option("--package", arguments->packages, "NAME=FOLDER of meshes at package://NAME/...; may be repeated");
   command->add_option("--put", arguments->chosen,
                       "CELL=LINK: take the patch of a cell to be on a link, whatever fits; may be repeated");
-  command->add_option("--up", arguments->up, "The direction that points up in the frame of the robot's base: x,y,z")
-      ->expected(3)
-      ->delimiter(',');
+  takeDirection(command->add_option("--up", arguments->up,
+                                    "The direction that points up in the frame of the robot's base: x,y,z"));
   command->add_flag("--exact-joints", arguments->exact_joints, "Joints have no zero errors");
   finish(*command, common,
          "From gravity and joint angles: the base stands still, and where on its link a patch lies is not told.\n"

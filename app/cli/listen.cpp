@@ -9,12 +9,17 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cstdint>
 #include <iostream>
+#include <limits>
 #include <mutex>
 #include <thread>
 
 namespace hexoderm::cli {
 namespace {
+
+/// No cell is as quick.
+constexpr double kMostRate_hz = 1e6;
 
 struct ListenOptions {
   std::string source;
@@ -251,12 +256,15 @@ void addListen(CLI::App& app, Common& common) {
   CLI::App* command =
       app.add_subcommand("listen", "Listen to a device, and say what it does wrong: for those who make one");
   command->add_option("source", options->source, sourceKindsInWords())->required();
-  addWithDefault(*command, "--for", options->time_s, "Seconds to listen; Ctrl+C ends it before, with its report")
-      ->check(CLI::PositiveNumber);
-  command->add_option("--light", options->light, "Light this cell, and say how the device answers (SetLed)")
-      ->check(CLI::PositiveNumber);
-  command->add_option("--rate", options->rate_hz, "Ask for so many samples a second of each cell (SetRate)")
-      ->check(CLI::PositiveNumber);
+  takeNumbersAbove(
+      addWithDefault(*command, "--for", options->time_s, "Seconds to listen; Ctrl+C ends it before, with its report"),
+      0, kLongestWait_s);
+  takeWholeNumbers(
+      command->add_option("--light", options->light, "Light this cell, and say how the device answers (SetLed)"), 1,
+      std::numeric_limits<std::uint32_t>::max());
+  takeNumbersAbove(
+      command->add_option("--rate", options->rate_hz, "Ask for so many samples a second of each cell (SetRate)"), 0,
+      kMostRate_hz);
   command->add_flag("--explore", options->explore, "Ask the device to explore its neighbours again (ExploreAgain)");
   finish(
       *command, common,

@@ -60,11 +60,7 @@ int main(int argc, char** argv) {
   cli::addLinks(app, common);
   cli::addPlace(app, common);
   cli::addReproduce(app, common);
-  const auto requireSoundNumbers = [&app] {
-    for (const CLI::App* command : app.get_subcommands()) cli::requireSoundNumbers(*command);
-  };
   app.parse_complete_callback([&] {
-    requireSoundNumbers();
     for (const CLI::App* command : app.get_subcommands()) cli::requireReplaceableOutputs(*command);
   });
 
@@ -73,14 +69,6 @@ int main(int argc, char** argv) {
     std::cout.flush();
     if (!std::cout) throw StorageError("standard output: cannot be written");
     return common.exit_code;
-  } catch (const CLI::ConversionError& error) {
-    // CLI11 2.4 refuses such numbers itself, without saying what it expects.
-    try {
-      requireSoundNumbers();
-    } catch (const InvalidArgument& why) {
-      return fail(why, cli::kUsage);
-    }
-    return exitAfterParsing(app, error);
   } catch (const CLI::ParseError& error) {
     return exitAfterParsing(app, error);
   } catch (const std::exception& error) {

@@ -16,6 +16,7 @@
 #include <algorithm>
 #include <array>
 #include <iostream>
+#include <limits>
 #include <map>
 
 namespace hexoderm::cli {
@@ -25,6 +26,8 @@ constexpr std::string_view kPointSyntax = "CELL:x,y,z[:sigma]";
 constexpr std::string_view kDistanceSyntax = "CELL:CELL:distance[:sigma]";
 constexpr std::string_view kRotationSyntax = "[CELL@]roll,pitch,yaw[:sigma]";
 constexpr std::string_view kFromLinks = "links";
+constexpr double kLeastAngleSigma_deg = 0.001;  ///< of a rotation, and of the normals
+constexpr double kFullTurn_deg = 360;
 
 struct PlaceCommandOptions {
   std::string input;
@@ -49,13 +52,13 @@ struct PlaceCommandOptions {
   throw InvalidArgument(std::string(option) + ": expected " + std::string(expected) + ", found \"" + found + "\"");
 }
 
-/// As many numbers with commas between.
+/// As many numbers with commas between, each at most `most` in magnitude.
 std::vector<double> numbersFrom(const std::string& text, std::size_t count, std::string_view option,
-                                std::string_view expected, const std::string& whole) {
+                                std::string_view expected, const std::string& whole, double most) {
   const std::vector<std::string> parts = split(text, ',');
   if (parts.size() != count) refuse(option, expected, whole);
   std::vector<double> numbers;
-  for (const std::string& part : parts) numbers.push_back(parseNumber(part, option));
+  for (const std::string& part : parts) numbers.push_back(parseNumberWithin(part, option, -most, most));
   return numbers;
 }
 
@@ -64,10 +67,9 @@ KnownPoint pointFrom(const std::string& text) {
   if (parts.size() != 2 && parts.size() != 3) refuse("--point", kPointSyntax, text);
   KnownPoint point;
   point.cell = CellId(parseUnsigned(parts[0], "--point"));
-  const std::vector<double> x = numbersFrom(parts[1], 3, "--point", kPointSyntax, text);
+  const std::vector<double> x = numbersFrom(parts[1], 3, "--point", kPointSyntax, text, kMostPlaceLength_m);
   point.x_l = {x[0], x[1], x[2]};
-  if (parts.size() == 3) point.sigma_m = parseNumber(parts[2], "--point");
-  checkOption("--point", text, [&] { requirePlaceable(point); });
+  if (parts.size() == 3) point.sigma_m = parseNumberWithin(parts[2], "--point", kLeastPlaceSigma_m, kMostPlaceLength_m);
   return point;
 }
 
@@ -77,9 +79,9 @@ KnownDistance distanceFrom(const std::string& text) {
   KnownDistance distance;
   distance.a = CellId(parseUnsigned(parts[0], "--distance"));
   distance.b = CellId(parseUnsigned(parts[1], "--distance"));
-  distance.distance_m = parseNumber(parts[2], "--distance");
-  if (parts.size() == 4) distance.sigma_m = parseNumber(parts[3], "--distance");
-  checkOption("--distance", text, [&] { requirePlaceable(distance); });
+  distance.distance_m = parseNumberWithin(parts[2], "--distance", kLeastPlaceSigma_m, kMostPlaceLength_m);
+  if (parts.size() == 4)
+    distance.sigma_m = parseNumberWithin(parts[3], "--distance", kLeastPlaceSigma_m, kMostPlaceLength_m);
   return distance;
 }
 
@@ -127,11 +129,9 @@ void addRotation(const Reconstruction& r, const std::string& text, PlaceTask& ta
   }
   const std::vector<std::string> parts = split(angles, ':');
   if (parts.size() > 2) refuse("--rotation", kRotationSyntax, text);
-  const std::vector<double> rpy = numbersFrom(parts[0], 3, "--rotation", kRotationSyntax, text);
-  const double sigma_deg = parts.size() == 2 ? parseNumber(parts[1], "--rotation") : 1;
-  if (!(sigma_deg >= 0.001 && sigma_deg <= 360)) {
-    throw InvalidArgument("--rotation \"" + text + "\": expected a sigma from 0.001 to 360 degrees");
-  }
+  const std::vector<double> rpy = numbersFrom(parts[0], 3, "--rotation", kRotationSyntax, text, kFullTurn_deg);
+  const double sigma_deg =
+      parts.size() == 2 ? parseNumberWithin(parts[1], "--rotation: sigma", kLeastAngleSigma_deg, kFullTurn_deg) : 1;
   KnownRotation rotation;
   rotation.R_l_o = rotationFromRpy({rpy[0] * kDegree, rpy[1] * kDegree, rpy[2] * kDegree});
   rotation.covariance = std::pow(sigma_deg * kDegree, 2) * Eigen::Matrix3d::Identity();
@@ -302,14 +302,10 @@ PlaceTask taskFrom(const PlaceCommandOptions& options, const Reconstruction& r) 
 
 PlaceOptions placeOptionsFrom(const PlaceCommandOptions& options) {
   PlaceOptions place_options;
-  // One after the other, so that what is refused is the one that was set last.
-  const auto set = [&](const char* option, double given, double unit, double& value) {
-    value = given * unit;
-    checkOption(option, formatExact(given), [&] { place_options.validate(); });
-  };
-  set("--surface-sigma", options.surface_sigma_mm, kMillimetre, place_options.surface_sigma_m);
-  set("--normal-sigma", options.normal_sigma_deg, kDegree, place_options.normal_sigma_rad);
-  set("--gap", options.gap_mm, kMillimetre, place_options.gap_m);
+  place_options.surface_sigma_m = options.surface_sigma_mm * kMillimetre;
+  place_options.normal_sigma_rad = options.normal_sigma_deg * kDegree;
+  place_options.gap_m = options.gap_mm * kMillimetre;
+  place_options.validate();
   return place_options;
 }
 
@@ -361,10 +357,11 @@ void addPlace(CLI::App& app, Common& common) {
   addInput(*command, "--robot", options->robot, "URDF of the robot; demo is the built-in arm")->required();
   command->add_option("--package", options->packages, "NAME=FOLDER: where the files of package://NAME/ are");
   command->add_option("--link", options->link, "Link that the patch is on")->required();
-  command->add_option(
-      "--patch", options->patches,
-      "Cell whose patch is placed; several are placed together. Without it the patches of distances and "
-      "points, or the one with the most cells");
+  takeWholeNumbers(
+      command->add_option("--patch", options->patches,
+                          "Cell whose patch is placed; several are placed together. Without it the patches of "
+                          "distances and points, or the one with the most cells"),
+      0, std::numeric_limits<std::uint32_t>::max());
   command->add_option("--rotation", options->rotations,
                       std::string(kRotationSyntax) +
                           ": how the patch is turned on the link, as rpy of a URDF, in degrees, and 1 sigma about each "
@@ -372,9 +369,8 @@ void addPlace(CLI::App& app, Common& common) {
                           "any");
   addInput(*command, "--joints", options->joints,
            "With --rotation links: joint angles of the poses as CSV (default: those that the session holds)");
-  command->add_option("--up", options->up, "With --rotation links: what points up in the frame of the base, x,y,z")
-      ->expected(3)
-      ->delimiter(',');
+  takeDirection(command->add_option("--up", options->up,
+                                    "With --rotation links: what points up in the frame of the base, x,y,z"));
   command->add_option("--point", options->points,
                       std::string(kPointSyntax) +
                           ": the middle of a cell's front is at this point of the link, m; sigma an axis, m (0.001)");
@@ -384,11 +380,14 @@ void addPlace(CLI::App& app, Common& common) {
   command->add_flag("--no-surface", options->no_surface, "Do without the link's surface");
   addWithDefault(*command, "--body", options->body, "Which of the link's descriptions is its surface")
       ->check(CLI::IsMember({"any", "visual", "collision"}));
-  addWithDefault(*command, "--surface-sigma", options->surface_sigma_mm,
-                 "How far backs of cells are off the mesh, 1 sigma, mm");
-  addWithDefault(*command, "--normal-sigma", options->normal_sigma_deg,
-                 "How far cells are tilted against it, 1 sigma, deg");
-  addWithDefault(*command, "--gap", options->gap_mm, "Glue or cloth between the backs and the mesh, mm");
+  takeNumbers(addWithDefault(*command, "--surface-sigma", options->surface_sigma_mm,
+                             "How far backs of cells are off the mesh, 1 sigma, mm"),
+              toMillimetres(kLeastPlaceSigma_m), toMillimetres(kMostPlaceLength_m));
+  takeNumbers(addWithDefault(*command, "--normal-sigma", options->normal_sigma_deg,
+                             "How far cells are tilted against it, 1 sigma, deg"),
+              kLeastAngleSigma_deg, kFullTurn_deg);
+  takeNumbers(addWithDefault(*command, "--gap", options->gap_mm, "Glue or cloth between the backs and the mesh, mm"), 0,
+              toMillimetres(kMostPlaceLength_m));
   addOutput(*command, "-o,--output", options->output,
             "File for the best place, which export takes with --placements; - is standard output");
   finish(*command, common,

@@ -45,7 +45,7 @@ void addReproduce(CLI::App& app, Common& common) {
   const auto options = std::make_shared<ReproduceOptions>();
   CLI::App* command = app.add_subcommand(
       "reproduce", "The paper's experiments and the accuracy of every method, measured on simulated skins");
-  addWithDefault(*command, "--seeds", options->seeds, "Skins per row")->check(CLI::Range(1, 100000));
+  takeWholeNumbers(addWithDefault(*command, "--seeds", options->seeds, "Skins per row"), 1, 100'000);
   std::vector<std::string> names;
   for (const Part& part : kParts) names.emplace_back(part.name);
   command->add_option("--only", options->only, "One part of it")->check(CLI::IsMember(names));

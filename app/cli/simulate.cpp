@@ -12,10 +12,15 @@
 #include "hexoderm/util/kept_files.h"
 #include "hexoderm/util/text.h"
 
+#include <cstdint>
 #include <iostream>
+#include <limits>
 
 namespace hexoderm::cli {
 namespace {
+
+/// More than the range of any accelerometer.
+constexpr double kMostOffsetSigma_mg = 100'000;
 
 struct SimulateOptions {
   SimulateOptions() { words.robot.clear(); }
@@ -146,14 +151,14 @@ void addSimulate(CLI::App& app, Common& common) {
                       "(default: what suits the patch)");
   addWithDefault(*command, "--link-law", options->link_law, "How the mould lets neighbours lie: bend or surface")
       ->check(CLI::IsMember({"bend", "surface"}));
-  addWithDefault(*command, "--poses", options->poses, "Number of poses")->check(CLI::Range(0, 1000));
-  addWithDefault(*command, "--samples", options->samples, "Samples averaged in a pose")->check(CLI::Range(1, 100000));
-  addWithDefault(*command, "--seed", options->words.seed, "Seed of everything random");
+  takeWholeNumbers(addWithDefault(*command, "--poses", options->poses, "Number of poses"), 0, 1000);
+  takeWholeNumbers(addWithDefault(*command, "--samples", options->samples, "Samples averaged in a pose"), 1, 100'000);
+  takeWholeNumbers(addWithDefault(*command, "--seed", options->words.seed, "Seed of everything random"), 0,
+                   std::numeric_limits<std::uint64_t>::max());
   addInput(*command, "--cell-model", options->cell_model, "Built-in name or JSON file")->capture_default_str();
-  command
-      ->add_option("--offset-sigma", options->offset_sigma_mg,
-                   "Accelerometer offsets, 1 sigma, in mg (default: the cell model's)")
-      ->check(CLI::NonNegativeNumber);
+  takeNumbers(command->add_option("--offset-sigma", options->offset_sigma_mg,
+                                  "Accelerometer offsets, 1 sigma, in mg (default: the cell model's)"),
+              0, kMostOffsetSigma_mg);
   CLI::Option* faults = command->add_option("--fault", options->faults, faultSyntax() + "; may be repeated");
   CLI::Option* motion =
       addWithDefault(*command, "--motion", options->motion,
@@ -169,12 +174,12 @@ void addSimulate(CLI::App& app, Common& common) {
                "the forearm. In every pose its joints stand in angles drawn at random")
           ->excludes(motion)
           ->excludes(faults);
-  command
-      ->add_option(
-          "--mount", options->words.mounts,
-          "A patch on the robot: " + std::string(kMountSyntax) +
-              ", the place of its middle in the link's frame in m and rad, z out of the skin; without --surface "
-              "it lies on the link's body where that is nearest; may be repeated")
+  takeTexts(command->add_option(
+                "--mount", options->words.mounts,
+                "A patch on the robot: " + std::string(kMountSyntax) +
+                    ", the place of its middle in the link's frame in m and rad, z out of the skin; without --surface "
+                    "it lies on the link's body where that is nearest; may be repeated"),
+            requireMount)
       ->needs(robot);
   addWithDefault(*command, "--base", options->words.base,
                  "What holds the robot: fixed, on a base that holds still; motors, the same with its motors on, which "

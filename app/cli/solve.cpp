@@ -7,7 +7,9 @@
 #include "hexoderm/util/parallel.h"
 #include "hexoderm/util/text.h"
 
+#include <cstdint>
 #include <iostream>
+#include <limits>
 #include <map>
 
 namespace hexoderm::cli {
@@ -90,13 +92,16 @@ void addSolve(CLI::App& app, Common& common) {
     value = choice.get(SolverOptions());
     addWithDefault(*command, "--" + std::string(choice.name), value, std::string(choice.help));
   }
-  command->add_option("--without", options->without, "Leave this cell's readings out; may be repeated");
-  addWithDefault(*command, "--class-threshold", options->class_threshold,
-                 "Singular value from which a direction counts as defined; 1 is the paper's");
-  command
-      ->add_option("-j,--jobs", options->jobs,
-                   "Of many sessions, so many at the same time (default: as the computer has threads)")
-      ->check(CLI::Range(1, 1024));
+  takeWholeNumbers(
+      command->add_option("--without", options->without, "Leave this cell's readings out; may be repeated"), 0,
+      std::numeric_limits<std::uint32_t>::max());
+  takeNumbersAbove(addWithDefault(*command, "--class-threshold", options->class_threshold,
+                                  "Singular value from which a direction counts as defined; 1 is the paper's"),
+                   0, kMostClassThreshold);
+  takeWholeNumbers(
+      command->add_option("-j,--jobs", options->jobs,
+                          "Of many sessions, so many at the same time (default: as the computer has threads)"),
+      1, 1024);
   finish(
       *command, common,
       "Many sessions are solved at the same time, each as if it were alone. Each gets a line on standard output, with\n"

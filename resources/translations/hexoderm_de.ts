@@ -3058,10 +3058,6 @@ Die Balken sagen, wie sehr sich die gesehenen Richtungen in drei Achsen untersch
         <translation>ist nur zum Lesen offen: die Sitzung woanders speichern, um weiterzuarbeiten</translation>
     </message>
     <message>
-        <source>the disk is full: free some space and try again; what was stored before is intact</source>
-        <translation>der Datenträger ist voll: Platz schaffen und noch einmal versuchen; was vorher gespeichert war, ist unversehrt</translation>
-    </message>
-    <message>
         <source>cannot be written ({}): make the file and its folder writable, or save the session elsewhere</source>
         <translation>lässt sich nicht schreiben ({}): Datei und Ordner beschreibbar machen oder die Sitzung woanders speichern</translation>
     </message>
@@ -5475,18 +5471,6 @@ Die Balken sagen, wie sehr sich die gesehenen Richtungen in drei Achsen untersch
         <translation>Gelenk {}</translation>
     </message>
     <message>
-        <source>expected an origin of metres, at most {}</source>
-        <translation>Ein Ursprung in Metern bis höchstens {} wird erwartet</translation>
-    </message>
-    <message>
-        <source>expected rpy of finite angles in rad</source>
-        <translation>Für rpy werden endliche Winkel in Radiant erwartet</translation>
-    </message>
-    <message>
-        <source>expected an axis of three finite numbers</source>
-        <translation>Eine Achse aus drei endlichen Zahlen wird erwartet</translation>
-    </message>
-    <message>
         <source>expected an axis, but its length is 0</source>
         <translation>Eine Achse wird erwartet, ihre Länge ist aber 0</translation>
     </message>
@@ -5509,10 +5493,6 @@ Die Balken sagen, wie sehr sich die gesehenen Richtungen in drei Achsen untersch
     <message>
         <source>mimics joint {}, which is not among the robot&apos;s joints</source>
         <translation>folgt Gelenk {}, das der Roboter nicht hat</translation>
-    </message>
-    <message>
-        <source>expected a multiplier and an offset that are finite</source>
-        <translation>Ein endlicher Faktor und ein endlicher Versatz werden erwartet</translation>
     </message>
     <message>
         <source>mimics joints that mimic each other in a circle</source>
@@ -7144,16 +7124,8 @@ Die Balken sagen, wie sehr sich die gesehenen Richtungen in drei Achsen untersch
         <translation>drei Koordinaten bis {} m, durch Leerzeichen getrennt</translation>
     </message>
     <message>
-        <source>three finite angles in rad, separated by blanks</source>
-        <translation>drei endliche Winkel in rad, durch Leerzeichen getrennt</translation>
-    </message>
-    <message>
         <source>package://NAME/FILE, file:///FILE or a path</source>
         <translation>package://NAME/DATEI, file:///DATEI oder ein Pfad</translation>
-    </message>
-    <message>
-        <source>three finite numbers, none of them 0, separated by blanks</source>
-        <translation>drei endliche Zahlen, keine davon 0, durch Leerzeichen getrennt</translation>
     </message>
     <message>
         <source>three lengths above 0 and at most {} m, separated by blanks</source>
@@ -7198,6 +7170,94 @@ Die Balken sagen, wie sehr sich die gesehenen Richtungen in drei Achsen untersch
     <message>
         <source>{} must be above 0 and at most {}</source>
         <translation>{} muss über 0 liegen und höchstens {} sein</translation>
+    </message>
+    <message>
+        <source>pose {} is not stored</source>
+        <translation>Pose {} ist nicht gespeichert</translation>
+    </message>
+    <message>
+        <source>poses {} are not stored</source>
+        <translation>Posen {} sind nicht gespeichert</translation>
+    </message>
+    <message>
+        <source>1 pose was stored before</source>
+        <translation>1 Pose wurde vorher gespeichert</translation>
+    </message>
+    <message>
+        <source>{} poses were stored before</source>
+        <translation>{} Posen wurden vorher gespeichert</translation>
+    </message>
+    <message>
+        <source>it was moved to {} while it was written, with what was recorded before</source>
+        <translation>sie wurde während des Schreibens nach {} verschoben, mit dem, was vorher aufgezeichnet war</translation>
+    </message>
+    <message>
+        <source>it was removed while it was written, with what was recorded before</source>
+        <translation>sie wurde während des Schreibens entfernt, mit dem, was vorher aufgezeichnet war</translation>
+    </message>
+    <message>
+        <source>was moved to {} while it was open</source>
+        <translation>wurde nach {} verschoben, während die Datei offen war</translation>
+    </message>
+    <message>
+        <source>was removed while it was open</source>
+        <translation>wurde entfernt, während die Datei offen war</translation>
+    </message>
+    <message>
+        <source>{}, with what was stored in it; it can&apos;t be written anew: {}</source>
+        <translation>{}, mit dem, was darin gespeichert war; sie lässt sich nicht neu schreiben: {}</translation>
+    </message>
+    <message>
+        <source>{}; the whole session was written anew</source>
+        <translation>{}; die ganze Sitzung wurde neu geschrieben</translation>
+    </message>
+    <message>
+        <source>the disk is full: free some space; what was stored before is intact</source>
+        <translation>der Datenträger ist voll: Platz schaffen; was vorher gespeichert war, ist unversehrt</translation>
+    </message>
+    <message>
+        <source>expected three coordinates, found the end of the line</source>
+        <translation>erwartet sind drei Koordinaten, gefunden wurde das Ende der Zeile</translation>
+    </message>
+    <message>
+        <source>states {} triangles, but has the bytes of {}: expected as many as it states</source>
+        <translation>nennt {} Dreiecke, hat aber die Bytes von {}: So viele, wie sie nennt, werden erwartet</translation>
+    </message>
+    <message>
+        <source>expected an axis of three numbers within {}</source>
+        <translation>Eine Achse aus drei Zahlen, dem Betrag nach höchstens {}, wird erwartet</translation>
+    </message>
+    <message>
+        <source>expected limits within {}; a joint without limits is of the type continuous</source>
+        <translation>Grenzen, dem Betrag nach höchstens {}, werden erwartet; ein Gelenk ohne Grenzen hat den Typ continuous</translation>
+    </message>
+    <message>
+        <source>expected a multiplier and an offset within {}</source>
+        <translation>Ein Faktor und ein Versatz, dem Betrag nach höchstens {}, werden erwartet</translation>
+    </message>
+    <message>
+        <source>the DOCTYPE has definitions, entities for example, which are not read: expected a URDF without them, with each entity replaced by its text</source>
+        <translation>die DOCTYPE enthält Definitionen, etwa Entitäten, die nicht gelesen werden: Erwartet wird eine URDF ohne sie, in der statt jeder Entität ihr Text steht</translation>
+    </message>
+    <message>
+        <source>&lt;{}&gt; has the attribute {} twice: expected each attribute once</source>
+        <translation>&lt;{}&gt; hat das Attribut {} zweimal: Jedes Attribut wird nur einmal erwartet</translation>
+    </message>
+    <message>
+        <source>three numbers within {}, none of them 0, separated by blanks</source>
+        <translation>drei Zahlen, dem Betrag nach höchstens {}, keine davon 0, durch Leerzeichen getrennt</translation>
+    </message>
+    <message>
+        <source>&lt;{}&gt; has a second &lt;geometry&gt;: expected one, and another &lt;{}&gt; for each further shape</source>
+        <translation>&lt;{}&gt; hat eine zweite &lt;geometry&gt;: Erwartet wird eine, und für jede weitere Form ein weiteres &lt;{}&gt;</translation>
+    </message>
+    <message>
+        <source>&lt;geometry&gt; has a second shape, &lt;{}&gt;: expected one, and another &lt;{}&gt; for each further shape</source>
+        <translation>&lt;geometry&gt; hat eine zweite Form, &lt;{}&gt;: Erwartet wird eine, und für jede weitere ein weiteres &lt;{}&gt;</translation>
+    </message>
+    <message>
+        <source>three angles within {} rad, separated by blanks</source>
+        <translation>drei Winkel, dem Betrag nach höchstens {} rad, durch Leerzeichen getrennt</translation>
     </message>
 </context>
 <context>

@@ -142,6 +142,8 @@ void LiveSession::onCourseEvent(const CourseEvent& event) {
     announce(*kept);
   } else if (const auto* lost = std::get_if<PoseLost>(&event)) {
     emit poseLost(lost->pose);
+  } else if (const auto* renewed = std::get_if<FileRenewed>(&event)) {
+    emit noticed(words(renewed->what));
   } else if (const auto* skin = std::get_if<SkinChanged>(&event)) {
     emit noticed(skin->other_model  ? tr("The device says that it has another cell model; the poses stay.")
                  : skin->on_joining ? tr("The links are others than those of the session; the poses stay.")

@@ -145,6 +145,7 @@ void CaptureCourse::setStored(PoseId pose, const StoreOutcome& outcome, Clock::t
     owner_.onCourseEvent(FileRefused{outcome.error});
   } else if (outcome.error.empty()) {
     refused_since_.reset();
+    if (!outcome.renewed.empty()) owner_.onCourseEvent(FileRenewed{outcome.renewed});
     keep(waiting, KeptIn::File, outcome.without_raw);
   } else {
     waiting_.erase(waiting);

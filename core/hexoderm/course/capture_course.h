@@ -42,6 +42,10 @@ struct PoseLost {
 struct FileRefused {
   Message why;
 };
+/// The file was gone from its place, and the whole session was written anew there: see SessionStore::renewIfGone().
+struct FileRenewed {
+  Message what;
+};
 /// The device describes itself with other links, or with another cell model; the session has them now, and its poses
 /// stay.
 struct SkinChanged {
@@ -70,8 +74,8 @@ struct TurnRefused {
 struct CourseFinished {};
 
 /// Everything that a course tells its owner.
-using CourseEvent = std::variant<PoseTaken, PoseKept, PoseLost, FileRefused, SkinChanged, AdviceWanted, AdviceChanged,
-                                 TurnRefused, CourseFinished>;
+using CourseEvent = std::variant<PoseTaken, PoseKept, PoseLost, FileRefused, FileRenewed, SkinChanged, AdviceWanted,
+                                 AdviceChanged, TurnRefused, CourseFinished>;
 
 /// The answer to an AdviceQuestion.
 struct AdviceAnswer {

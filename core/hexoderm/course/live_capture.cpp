@@ -4,6 +4,7 @@
 #include "hexoderm/device/sources/recording.h"
 #include "hexoderm/reconstruction/reconstructor.h"
 #include "hexoderm/session/session_recorder.h"
+#include "hexoderm/util/database_files.h"
 #include "hexoderm/util/error.h"
 #include "hexoderm/util/system_reason.h"
 
@@ -16,6 +17,7 @@
 #include <mutex>
 #include <utility>
 #include <variant>
+#include <vector>
 
 namespace hexoderm {
 namespace {
@@ -229,6 +231,7 @@ class LiveCapture::Run final : public CaptureOwner, public SkinListener, public 
     session_ = CaptureCourse::sessionOf(skin, source_->address());
     if (!options_.file.empty()) {
       store_ = std::make_unique<SessionRecorder>(SessionStore::create(options_.file, *session_));
+      made_ = identityOf(options_.file);
     }
     device_ = skin.device;
     tell_(CaptureBegun{skin});
@@ -275,13 +278,19 @@ class LiveCapture::Run final : public CaptureOwner, public SkinListener, public 
     if (store_) store_->retry();
   }
   void onCourseEvent(const CourseEvent& event) override {
+    if (const auto* refused = std::get_if<FileRefused>(&event)) {
+      refusal_ = refused->why;
+      if (is_ended_) return;  // nobody tries again
+    }
     tell_(event);
     if (const auto* kept = std::get_if<PoseKept>(&event)) {
       kept_.push_back(*kept);
       has_news_ = true;
       last_refusal_ = {};
+      refusal_ = {};
     } else if (const auto* pose = std::get_if<PoseLost>(&event)) {
-      lost_ = pose->why;
+      lost_.push_back(pose->pose);
+      if (refusal_.empty()) refusal_ = pose->why;
     } else if (std::holds_alternative<SkinChanged>(event)) {
       is_named_ = false;
     } else if (const auto* wanted = std::get_if<AdviceWanted>(&event)) {
@@ -315,6 +324,7 @@ class LiveCapture::Run final : public CaptureOwner, public SkinListener, public 
     const std::optional<Kind> event = handleOne(kLookEvery);
     if (event == Kind::Progress || event == Kind::Stored || course_.isFileRefused()) last_progress_ = Clock::now();
     course_.tick();
+    tellOfRecording();
     const SourceStatus& status = state_.source;
     if (!event) lookForReadings();  // after a long solution news wait that come first
     if (!event && !has_news_ && status.state == SourceState::Ended && course_.waiting() == 0) return end();
@@ -384,19 +394,70 @@ class LiveCapture::Run final : public CaptureOwner, public SkinListener, public 
   void finish() {
     if (std::exchange(is_ended_, true)) return;
     source_->stop();
-    while (store_ && course_.waiting() > 0 && !course_.isFileRefused()) handleOne(std::chrono::milliseconds(100));
+    if (store_) {
+      store_->flush(
+          [this](const StoreOutcome& outcome) { push(Kind::Stored, [this, outcome] { setFlushed(outcome); }); });
+    }
+    while (store_ && !is_flushed_ && !course_.isFileRefused()) handleOne(std::chrono::milliseconds(100));
     store_.reset();  // tries for the last time
     while (handleOne(std::chrono::milliseconds(0))) continue;
     if (has_news_) solve();
     if (has_news_) result_.reset();  // it was stopped
     show();
-    if (!lost_.empty()) throw StorageError(lost_);
+    if (!lost_.empty()) failForLostPoses();
+    if (!not_flushed_.empty()) throw StorageError(not_flushed_);
+  }
+
+  /// What became of the file after the last pose, or of one that has no poses.
+  void setFlushed(const StoreOutcome& outcome) {
+    is_flushed_ = true;
+    if (!outcome.renewed.empty()) tell_(CourseEvent(FileRenewed{outcome.renewed}));
+    if (outcome.error.empty()) {
+      not_flushed_ = {};
+    } else if (not_flushed_.empty()) {
+      not_flushed_ = outcome.error;  // the last one only says that nobody tries again
+    }
+  }
+
+  [[noreturn]] void failForLostPoses() {
+    const std::size_t stored = session_->poses().size() - lost_.size();
+    // A file without poses helps nobody, and would be in the way of the next capture.
+    if (stored == 0 && made_ && identityOf(options_.file) == made_) removeSessionStore(options_.file);
+    throw StorageError(
+        inRow({refusal_,
+               lost_.size() == 1 ? message("pose {} is not stored", lost_.front())
+                                 : message("poses {} are not stored", lost_),
+               stored == 1 ? message("1 pose was stored before") : message("{} poses were stored before", stored)},
+              "; "));
+  }
+
+  /// Once.
+  void tellOfRecording() {
+    if (!recording_ || is_recording_over_) return;
+    const Message why = recording_->error();
+    if (why.empty()) return;
+    is_recording_over_ = true;
+    tell_(RecordingEnded{why});
+  }
+
+  void finishRecording() {
+    if (!recording_) return;
+    try {
+      recording_->finish();
+    } catch (const StorageError& error) {
+      {
+        const std::lock_guard lock(mutex_);
+        state_.recording_error = error.message();
+      }
+      tellOfRecording();
+      throw;
+    }
   }
 
   void end() {
     if (is_ended_) return;
     finish();
-    if (recording_) recording_->finish();
+    finishRecording();
     if (!session_ && !is_closing_) throw DeviceError(options_.source, state_.status);
   }
 
@@ -431,8 +492,13 @@ class LiveCapture::Run final : public CaptureOwner, public SkinListener, public 
   bool is_ended_ = false;
   Clock::time_point last_progress_{};
   LastingWait readings_{3, hostTime_s()};
-  Message lost_;          ///< why a pose is not on disk and never will be
-  Message last_refusal_;  ///< of a turn, since the last pose
+  std::optional<FileIdentity> made_;  ///< the file
+  std::vector<PoseId> lost_;          ///< those that are not on disk and never will be
+  Message refusal_;                   ///< why the file can't be written; empty since a pose was
+  bool is_flushed_ = false;           ///< or could not be
+  Message not_flushed_;               ///< why not all is in the file at the end
+  bool is_recording_over_ = false;    ///< before its time, and that was told
+  Message last_refusal_;              ///< of a turn, since the last pose
 };
 
 LiveCapture::LiveCapture(LiveCaptureOptions options)

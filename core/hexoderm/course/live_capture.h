@@ -46,6 +46,8 @@ struct LiveCaptureState {
   Message device{};                     ///< what the device calls itself; empty: no skin described itself
   SourceStatus source{};                ///< of the source, up to the end of the capture
   HoldLedger holds{};                   ///< where the time went, in which the part was watched
+  /// At the end of a capture that kept all its poses: why not all that the device sent was recorded; empty if it was.
+  Message recording_error{};
 };
 
 /// A skin described itself for the first time: the session is begun, and its file made.
@@ -63,6 +65,10 @@ struct NoReadings {
   double duration_s = 0;
   Message why;
 };
+/// What the device sends is not recorded any more. The capture goes on.
+struct RecordingEnded {
+  Message why;
+};
 /// The pose that would help most is another one now, whether or not more poses are wanted.
 struct PoseAdvised {
   Message advice;
@@ -71,8 +77,8 @@ struct PoseAdvised {
 /// Everything that a live capture tells while it goes on: what the device says of itself (SkinDescription, before
 /// anything is made of it, and SourceStatus), what the recorder says of the part (HoldStatus), of either only the
 /// newest where they come faster than they are told, and what its course tells.
-using LiveCaptureEvent =
-    std::variant<SkinDescription, CaptureBegun, SourceStatus, HoldStatus, NoPose, NoReadings, PoseAdvised, CourseEvent>;
+using LiveCaptureEvent = std::variant<SkinDescription, CaptureBegun, SourceStatus, HoldStatus, NoPose, NoReadings,
+                                      RecordingEnded, PoseAdvised, CourseEvent>;
 
 /// A live capture with a loop of its own: a CaptureCourse with its source, its session, the file that keeps it, and the
 /// solver, for programs that have no event loop. Poses are taken from it one by one:
@@ -102,7 +108,7 @@ class LiveCapture {
   void start();
   /// Waits for the next pose that counts as captured, and solves all poses; nullopt if there are enough, the stream is
   /// over, or `stop` or close() was called. Without `automatic` it waits for a pose without limit. Throws DeviceError
-  /// or StorageError; what was captured stays.
+  /// or StorageError; what was captured stays. A recording that ended early is said so at the end, after all else.
   std::optional<CapturedPose> next(const std::stop_token& stop = {}) { return next(stop, stop); }
   /// The same where the solver is stopped by `stop_solving`, which comes later than `stop`.
   std::optional<CapturedPose> next(const std::stop_token& stop, const std::stop_token& stop_solving);
@@ -111,7 +117,8 @@ class LiveCapture {
   /// yet.
   void turnToNextPose();
   /// Ends the capture, waits until all poses are on disk, and solves them if that is still to be done. Throws
-  /// StorageError if one is not on disk. Idempotent.
+  /// StorageError if one is not on disk, or not all was recorded. A file that took no pose at all is removed then.
+  /// Idempotent.
   void close(const std::stop_token& stop_solving = {});
   /// The state as next() saw it last, also while another thread waits there.
   [[nodiscard]] LiveCaptureState state() const;

@@ -39,13 +39,14 @@ std::vector<CornerIndices> withoutRepeats(std::vector<CornerIndices> triangles) 
   std::vector<std::pair<CornerIndices, std::uint32_t>> sorted;
   sorted.reserve(triangles.size());
   for (CornerIndices corners : triangles) {
-    std::ranges::rotate(corners, std::ranges::min_element(corners));
+    std::rotate(corners.begin(), std::ranges::min_element(corners), corners.end());
     sorted.emplace_back(corners, static_cast<std::uint32_t>(sorted.size()));
   }
   std::ranges::sort(sorted);
-  const auto repeats = std::ranges::unique(sorted, {}, &std::pair<CornerIndices, std::uint32_t>::first);
-  if (repeats.empty()) return triangles;
-  sorted.erase(repeats.begin(), repeats.end());
+  const auto repeats =
+      std::unique(sorted.begin(), sorted.end(), [](const auto& a, const auto& b) { return a.first == b.first; });
+  if (repeats == sorted.end()) return triangles;
+  sorted.erase(repeats, sorted.end());
   std::ranges::sort(sorted, {}, &std::pair<CornerIndices, std::uint32_t>::second);
   std::vector<CornerIndices> once;
   for (const auto& [corners, index] : sorted) once.push_back(triangles[index]);

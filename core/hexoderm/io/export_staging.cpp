@@ -1,11 +1,11 @@
 #include "hexoderm/io/export_staging.h"
 
 #include "hexoderm/util/error.h"
-#include "hexoderm/util/file.h"
 #include "hexoderm/util/kept_files.h"
 #include "hexoderm/util/system_reason.h"
 #include "hexoderm/util/temporary_file.h"
 
+#include <string_view>
 #include <system_error>
 #include <utility>
 
@@ -34,6 +34,14 @@ void makeFolder(const fs::path& folder, const fs::path& target) {
   std::error_code error;
   fs::create_directory(folder, error);
   if (error) throw StorageError(target.string(), message("cannot be written: {}", systemReason(error)));
+}
+
+/// What fails is said of `target`, where the file will be.
+void writeStaged(const fs::path& staged, const fs::path& target, std::string_view content) {
+  TemporaryFile file(staged, target.string());
+  file.write(content);
+  file.requireContent(content);
+  file.replaceTarget();
 }
 
 /// Puts back what was there before, unless told that all went well.
@@ -99,7 +107,7 @@ std::vector<fs::path> publishFolder(const fs::path& folder, const std::vector<St
   std::vector<fs::path> paths;
   for (const StagedFile& file : files) {
     if (before_each) before_each();
-    writeFileAtomically(staged / file.name, file.content);
+    writeStaged(staged / file.name, target / file.name, file.content);
     paths.push_back(target / file.name);
   }
   if (before_each) before_each();

@@ -16,10 +16,15 @@
 namespace hexoderm {
 namespace {
 
-/// The text without a byte order mark and blanks in front.
-std::string_view textOfMesh(std::string_view bytes) {
+std::string_view withoutMark(std::string_view bytes) {
   constexpr std::string_view kMark = "\xEF\xBB\xBF";
   if (bytes.starts_with(kMark)) bytes.remove_prefix(kMark.size());
+  return bytes;
+}
+
+/// The text without a byte order mark and blanks in front.
+std::string_view textOfMesh(std::string_view bytes) {
+  bytes = withoutMark(bytes);
   return bytes.substr(std::min(bytes.find_first_not_of(" \t\r\n"), bytes.size()));
 }
 
@@ -64,7 +69,7 @@ TriangleMesh readMesh(std::string bytes, const std::filesystem::path& file) {
   } else if (isStlText(bytes) || hasExtension(file, ".stl")) {
     readStl(bytes, mesh);
   } else if (hasExtension(file, ".obj")) {
-    readObj(text, mesh);
+    readObj(withoutMark(bytes), mesh);  // blank lines in front count
   } else {
     constexpr std::size_t kMaxExcerpt = 30;
     mesh.fail(

@@ -129,19 +129,13 @@ class UrdfConverter {
     throw FormatError(file_, located(message("line {}", line_), located(place_, std::move(what))));
   }
 
-  [[nodiscard]] Eigen::Vector3d vectorOf(const urdf::Vector3& v, double most, Message expected) const {
-    Eigen::Vector3d result(v.x, v.y, v.z);
-    if (!isWithin(result, most)) fail(std::move(expected));
-    return result;
-  }
+  static Eigen::Vector3d vectorOf(const urdf::Vector3& v) { return {v.x, v.y, v.z}; }
 
-  [[nodiscard]] SE3 placementOf(const urdf::Pose& pose) const {
+  /// Its numbers have been checked.
+  static SE3 placementOf(const urdf::Pose& pose) {
     SE3 T;
-    T.t = vectorOf(pose.position, kFarthestJoint_m,
-                   message("expected an origin of metres, at most {}", Number{kFarthestJoint_m, 0}));
-    Eigen::Quaterniond q(pose.rotation.w, pose.rotation.x, pose.rotation.y, pose.rotation.z);
-    if (!std::isfinite(q.norm()) || std::abs(q.norm() - 1) > 1e-6)
-      fail(message("expected rpy of finite angles in rad"));
+    T.t = vectorOf(pose.position);
+    const Eigen::Quaterniond q(pose.rotation.w, pose.rotation.x, pose.rotation.y, pose.rotation.z);
     T.R = q.normalized().toRotationMatrix();
     return T;
   }
@@ -155,14 +149,19 @@ class UrdfConverter {
     result.type = typeOf(joint, notes);
     if (result.type == JointType::Fixed) return result;
 
-    result.axis = vectorOf(joint.axis, kMostJointPosition, message("expected an axis of three finite numbers"));
+    result.axis = vectorOf(joint.axis);
+    if (!isWithin(result.axis, kMostJointPosition)) {
+      fail(message("expected an axis of three numbers within {}", Number{kMostJointPosition, 0}));
+    }
     if (result.axis.norm() < 1e-6) fail(message("expected an axis, but its length is 0"));
     result.axis.normalize();
     if (joint.limits && result.type != JointType::Continuous) {
       result.limits = JointLimits{joint.limits->lower, joint.limits->upper};
-      const bool in_order = result.limits->lower <= result.limits->upper;  // false for NaN
-      if (!in_order || std::abs(result.limits->lower) > kMostJointPosition ||
-          std::abs(result.limits->upper) > kMostJointPosition) {
+      if (!isWithin(Eigen::Vector2d(result.limits->lower, result.limits->upper), kMostJointPosition)) {
+        fail(message("expected limits within {}; a joint without limits is of the type continuous",
+                     Number{kMostJointPosition, 0}));
+      }
+      if (result.limits->lower > result.limits->upper) {
         fail(message("expected limits of which the lower is not above the upper"));
       }
     }
@@ -196,8 +195,8 @@ class UrdfConverter {
     if (joint == joint_index_.end()) {
       fail(message("mimics joint {}, which is not among the robot's joints", shortened(mimic.joint_name, 80)));
     }
-    if (!(std::abs(mimic.multiplier) <= kMostJointPosition && std::abs(mimic.offset) <= kMostJointPosition)) {
-      fail(message("expected a multiplier and an offset that are finite"));
+    if (!isWithin(Eigen::Vector2d(mimic.multiplier, mimic.offset), kMostJointPosition)) {
+      fail(message("expected a multiplier and an offset within {}", Number{kMostJointPosition, 0}));
     }
     return {joint->second, mimic.multiplier, mimic.offset};
   }

@@ -33,12 +33,14 @@ class UrdfChecker {
     if (text_.size() > kMostUrdfMegabytes * 1'000'000) {
       throw FormatError(file_, message("is too large: at most {} MB of XML are read", kMostUrdfMegabytes));
     }
-    const pugi::xml_parse_result parsed = document_.load_buffer(text_.data(), text_.size());
+    const pugi::xml_parse_result parsed =
+        document_.load_buffer(text_.data(), text_.size(), pugi::parse_default | pugi::parse_doctype);
     if (!parsed) {
       failAt(lineAt(parsed.offset),
              message("this is not well-formed XML ({}; truncated?), expected a URDF", parsed.description()));
     }
     const pugi::xml_node robot = document_.document_element();
+    requireNoDefinitions();
     DeepAndXacro walker(*this);
     document_.traverse(walker);
     if (std::strcmp(robot.name(), "robot") != 0) {
@@ -59,7 +61,17 @@ class UrdfChecker {
     pugi::xml_node node;
   };
 
-  /// Fails for elements that are nested deeply or have many attributes, and for xacro's.
+  /// Neither this reader nor urdfdom's expands entities.
+  void requireNoDefinitions() const {
+    for (const pugi::xml_node& node : document_.children()) {
+      if (node.type() != pugi::node_doctype || std::string_view(node.value()).find('[') == std::string_view::npos)
+        continue;
+      fail(node, message("the DOCTYPE has definitions, entities for example, which are not read: expected a URDF "
+                         "without them, with each entity replaced by its text"));
+    }
+  }
+
+  /// Fails for elements that are nested deeply, or have many attributes or one twice, and for xacro's.
   class DeepAndXacro : public pugi::xml_tree_walker {
    public:
     explicit DeepAndXacro(const UrdfChecker& checker) : checker_(checker) {}
@@ -68,6 +80,7 @@ class UrdfChecker {
       if (std::distance(node.attributes_begin(), node.attributes_end()) > kMostAttributes) {
         checker_.fail(node, message("an element has more than {} attributes", kMostAttributes));
       }
+      requireDifferentAttributes(node);
       if (std::string_view(node.name()).starts_with("xacro:")) failXacro(node, node.name());
       if (std::strcmp(node.name(), "link") != 0 && std::strcmp(node.name(), "joint") != 0) return true;
       const std::string_view name = node.attribute("name").value();
@@ -76,6 +89,14 @@ class UrdfChecker {
     }
 
    private:
+    void requireDifferentAttributes(const pugi::xml_node& node) const {
+      std::set<std::string_view> names;
+      for (const pugi::xml_attribute& attribute : node.attributes()) {
+        if (names.insert(attribute.name()).second) continue;
+        checker_.fail(node, message("<{}> has the attribute {} twice: expected each attribute once",
+                                    excerptOf(node.name()), excerptOf(attribute.name())));
+      }
+    }
     [[noreturn]] void failXacro(const pugi::xml_node& node, std::string_view what) const {
       checker_.fail(node, message("{} is xacro, from which URDF is made: run xacro first, and open what it writes",
                                   excerptOf(what)));
@@ -164,6 +185,14 @@ class UrdfChecker {
     return name;
   }
 
+  void requireOrigin(const JointEnds& joint) const {
+    try {
+      urdfOrigin(joint.node.child("origin"));
+    } catch (const UrdfFault& fault) {
+      failAt(lineAt(fault.offset), located(message("joint {}", joint.name), fault.what));
+    }
+  }
+
   void readJoints(const pugi::xml_node& robot) {
     for (const pugi::xml_node node : robot.children("joint")) {
       JointEnds joint{nameOf(node, result_.line_of_joint), {}, {}, node};
@@ -176,6 +205,7 @@ class UrdfChecker {
       }
       result_.line_of_joint.emplace(joint.name, lineAt(node.offset_debug()));
       result_.joints.push_back(joint.name);
+      requireOrigin(joint);
       ends_.push_back(std::move(joint));
     }
   }

@@ -47,6 +47,42 @@ double urdfLength(const pugi::xml_node& element, const char* name) {
                         message("a length above 0 and at most {} m", Number{kFarthestJoint_m, 0}))[0];
 }
 
+MeshShape urdfMesh(const pugi::xml_node& mesh) {
+  MeshShape shape;
+  shape.file = mesh.attribute("filename").value();
+  if (shape.file.empty() || shape.file.size() > kLongestMeshAddress) {
+    refuseUrdfAttribute(mesh, "filename", message("package://NAME/FILE, file:///FILE or a path"));
+  }
+  if (mesh.attribute("scale")) {
+    shape.scale = urdfNumbers<3>(
+        mesh, "scale", [](double value) { return value != 0 && std::abs(value) <= kMostJointPosition; },
+        message("three numbers within {}, none of them 0, separated by blanks", Number{kMostJointPosition, 0}));
+  }
+  return shape;
+}
+
+/// The only shape in the only <geometry> of an element; none if there is none.
+pugi::xml_node urdfGeometry(const pugi::xml_node& element) {
+  const pugi::xml_node geometry = element.child("geometry");
+  if (const pugi::xml_node second = geometry.next_sibling("geometry")) {
+    throw UrdfFault{second.offset_debug(),
+                    message("<{}> has a second <geometry>: expected one, and another <{}> for each further shape",
+                            element.name(), element.name())};
+  }
+  const auto isElement = [](const pugi::xml_node& child) { return child.type() == pugi::node_element; };
+  const pugi::xml_node shape = geometry.find_child(isElement);
+  for (pugi::xml_node other = shape.next_sibling(); other; other = other.next_sibling()) {
+    if (!isElement(other)) continue;
+    throw UrdfFault{
+        other.offset_debug(),
+        message("<geometry> has a second shape, <{}>: expected one, and another <{}> for each further shape",
+                excerptOf(other.name()), element.name())};
+  }
+  return shape;
+}
+
+}  // namespace
+
 SE3 urdfOrigin(const pugi::xml_node& origin) {
   SE3 T;
   if (origin.attribute("xyz")) {
@@ -57,32 +93,14 @@ SE3 urdfOrigin(const pugi::xml_node& origin) {
   if (origin.attribute("rpy")) {
     T.R = rotationFromRpy(urdfNumbers<3>(
         origin, "rpy", [](double value) { return std::abs(value) <= kMostJointPosition; },
-        message("three finite angles in rad, separated by blanks")));
+        message("three angles within {} rad, separated by blanks", Number{kMostJointPosition, 0})));
   }
   return T;
 }
 
-MeshShape urdfMesh(const pugi::xml_node& mesh) {
-  MeshShape shape;
-  shape.file = mesh.attribute("filename").value();
-  if (shape.file.empty() || shape.file.size() > kLongestMeshAddress) {
-    refuseUrdfAttribute(mesh, "filename", message("package://NAME/FILE, file:///FILE or a path"));
-  }
-  if (mesh.attribute("scale")) {
-    shape.scale = urdfNumbers<3>(
-        mesh, "scale", [](double value) { return value != 0 && std::abs(value) <= kMostJointPosition; },
-        message("three finite numbers, none of them 0, separated by blanks"));
-  }
-  return shape;
-}
-
-}  // namespace
-
 LinkShape urdfShape(const pugi::xml_node& element) {
   LinkShape result{urdfOrigin(element.child("origin")), {}};
-  const pugi::xml_node shape = element.child("geometry").find_child([](const pugi::xml_node& child) {
-    return child.type() == pugi::node_element;
-  });
+  const pugi::xml_node shape = urdfGeometry(element);
   const std::string_view kind = shape.name();
   if (kind == "box") {
     result.shape = BoxShape{urdfNumbers<3>(

@@ -19,6 +19,9 @@ struct UrdfFault {
   Message what;
 };
 
+/// An <origin>, or an empty element for none. Throws UrdfFault for what is malformed or too large.
+SE3 urdfOrigin(const pugi::xml_node& origin);
+
 /// The shape in a <visual> or <collision>. Throws UrdfFault for what is missing or malformed: urdfdom would leave out
 /// that shape and all that follow it in the link.
 LinkShape urdfShape(const pugi::xml_node& element);

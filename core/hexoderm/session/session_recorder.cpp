@@ -56,6 +56,7 @@ struct SessionRecorder::State {
   mutable std::mutex mutex;
   std::condition_variable_any changed;
   std::deque<Job> jobs;    // the thread takes from the front; references to others stay valid
+  Message renewed;         // what became of the file, until somebody is told; touched by the thread alone
   bool is_to_try = false;  // something was added, or is to be tried again
   std::jthread thread;     // last: started when everything it uses exists, joined before any of it goes
 
@@ -102,6 +103,7 @@ struct SessionRecorder::State {
     StoreOutcome outcome;
     try {
       if (!store && open) store.emplace(open());
+      if (Message what = store->renewIfGone(); !what.empty()) renewed = std::move(what);
       outcome.revision = operations.empty() ? store->revision() : store->append(operations);
     } catch (const InvalidArgument& error) {
       outcome.error = error.message();
@@ -141,11 +143,12 @@ struct SessionRecorder::State {
   /// True if nothing is left.
   bool writeAll() {
     while (const Job* job = firstJob()) {
-      const StoreOutcome outcome = writeAllOrWithoutRaw(job->operations);
+      StoreOutcome outcome = writeAllOrWithoutRaw(job->operations);
       if (outcome.is_kept) {
         acknowledgeAll(outcome);
         return false;
       }
+      if (job->done && outcome.error.empty()) outcome.renewed = std::exchange(renewed, {});
       takeFirstJob().acknowledge(outcome);
     }
     return true;

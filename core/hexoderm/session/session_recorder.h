@@ -17,6 +17,7 @@ struct StoreOutcome {
   Message error;               ///< why it is not on disk; empty if it is
   bool is_kept = false;        ///< with an error: it waits in memory, and retry() or the next append() tries again
   Message without_raw{};       ///< it is on disk, but without its raw samples: why they are not
+  Message renewed{};           ///< the file was gone and was written anew, see SessionStore::renewIfGone()
 };
 
 /// A thread that owns a SessionStore, so that nobody waits for a disk. Operations are written in order, each call in a
@@ -44,7 +45,7 @@ class SessionRecorder {
 
   /// "Captured" may be shown when `done` is called with success. `done` may be empty.
   void append(std::vector<StoreOperation> operations, Acknowledge done);
-  /// `done` is called when everything before it is on disk.
+  /// `done` is called when everything before it is on disk, in the file of that name.
   void flush(Acknowledge done);
   /// Tries again to write what waits.
   void retry();

@@ -2,8 +2,10 @@
 
 #include "hexoderm/session/journal.h"
 #include "hexoderm/session/store_file.h"
+#include "hexoderm/util/database_files.h"
 #include "hexoderm/util/error.h"
 #include "hexoderm/util/file.h"
+#include "hexoderm/util/file_place.h"
 #include "hexoderm/util/kept_files.h"
 #include "hexoderm/util/sha256.h"
 #include "hexoderm/util/system_reason.h"
@@ -127,6 +129,29 @@ void requireNothingAt(const std::filesystem::path& path) {
   requireNothingBeside(path);
 }
 
+/// Calls `open`, which opens a session that was just made; if it can't, the session goes again.
+template <class Open>
+auto openMade(const std::filesystem::path& path, Open open) {
+  const std::optional<FileIdentity> made = identityOf(path);
+  try {
+    return open();
+  } catch (const Error&) {
+    // Somebody may have found it already, and may be writing.
+    if (made && identityOf(path) == made && !isSessionStoreInUse(path)) removeSessionStore(path);
+    throw;
+  }
+}
+
+/// What SQLite keeps beside a session that is open.
+std::vector<std::pair<std::filesystem::path, FileIdentity>> logBeside(const std::filesystem::path& path) {
+  std::vector<std::pair<std::filesystem::path, FileIdentity>> log;
+  for (const char* suffix : kBesideDatabases) {
+    const std::filesystem::path beside = with(path, suffix);
+    if (const std::optional<FileIdentity> identity = identityOf(beside)) log.emplace_back(beside, *identity);
+  }
+  return log;
+}
+
 }  // namespace
 
 const AddPose* addedPose(const StoreOperation& operation) {
@@ -139,6 +164,9 @@ struct SessionStore::State {
   StoreFile file;
   Journal journal;
   bool is_read_only = false;
+  std::vector<std::pair<std::filesystem::path, FileIdentity>> log{};  ///< as logBeside(), of one that is written
+
+  void writeAnew();
 };
 
 SessionStore::SessionStore(std::unique_ptr<State> state) : state_(std::move(state)) {}
@@ -171,13 +199,14 @@ void writeSessionStore(const Session& session, const std::filesystem::path& path
 
 SessionStore SessionStore::create(const std::filesystem::path& path, const Session& session) {
   writeSessionStore(session, path);
-  return open(path);
+  return openMade(path, [&] { return open(path); });
 }
 
 SessionStore SessionStore::open(const std::filesystem::path& path) {
   StoreFile file = openStoreForWriting(path);
   Journal journal = readJournal(file.database);
-  return SessionStore(std::make_unique<State>(State{path, std::move(file), std::move(journal), false}));
+  auto log = logBeside(path);
+  return SessionStore(std::make_unique<State>(State{path, std::move(file), std::move(journal), false, std::move(log)}));
 }
 
 SessionStore SessionStore::openReadOnly(const std::filesystem::path& path) {
@@ -217,6 +246,42 @@ std::uint64_t SessionStore::append(std::span<const StoreOperation> operations) {
   transaction.commit();
   state_->journal = std::move(after);
   return revision();
+}
+
+/// The open file can be read to its end, whatever became of its name.
+void SessionStore::State::writeAnew() {
+  // Its log may have been left where it was, and would be taken for one of the new file.
+  for (const auto& [beside, identity] : log) {
+    if (identityOf(beside) == identity) ::unlink(beside.c_str());
+  }
+  requireNothingAt(path);
+  TemporaryFile copy(path, path.string(), TemporaryFile::Naming::AtTheStart);
+  {
+    Database database(copy.path().string(), path.string(), Database::Mode::Create);
+    database.run("PRAGMA journal_mode=MEMORY; PRAGMA synchronous=OFF");  // as writeSessionStore()
+    file.database.copyTo(database);
+    database.run("PRAGMA journal_mode=WAL");
+  }
+  if (!copy.becomeTarget()) failExists(path);
+}
+
+Message SessionStore::renewIfGone() {
+  const std::filesystem::path path = state_->path;
+  if (state_->is_read_only || isAt(path, state_->file.lock->descriptor())) return {};
+  tidy();  // into the file itself, wherever it is now
+  const std::optional<std::filesystem::path> place = placeOf(state_->file.lock->descriptor());
+  const Message what =
+      place ? message("was moved to {} while it was open", place->string()) : message("was removed while it was open");
+  try {
+    state_->writeAnew();
+    StoreFile file = openMade(path, [&] { return openStoreForWriting(path); });
+    auto log = logBeside(path);
+    state_ = std::make_unique<State>(State{path, std::move(file), std::move(state_->journal), false, std::move(log)});
+  } catch (const Error& error) {
+    throw StorageError(located(
+        path.string(), message("{}, with what was stored in it; it can't be written anew: {}", what, error.message())));
+  }
+  return located(path.string(), message("{}; the whole session was written anew", what));
 }
 
 void SessionStore::tidy() noexcept {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "hexoderm/session/session_edit.h"
+#include "hexoderm/util/message.h"
 
 #include <cstdint>
 #include <filesystem>
@@ -51,7 +52,7 @@ struct JournalLine {
 class SessionStore {
  public:
   /// Makes a file of the whole session and opens it for writing. It appears whole or not at all, and never replaces
-  /// another: StorageError if there is something of that name.
+  /// another: StorageError if there is something of that name. If it can't be opened, it is removed again.
   static SessionStore create(const std::filesystem::path& path, const Session& session);
   /// Opens a file for reading and appending. Finishes the work of a killed writer, and brings older versions to the
   /// newest.
@@ -74,6 +75,10 @@ class SessionStore {
   /// revision. If it throws, nothing of it is in the file: StorageError if it can be tried again, InvalidArgument if an
   /// operation makes no sense for the session as it is (no such pose, numbers that are not finite).
   std::uint64_t append(std::span<const StoreOperation> operations);
+  /// Writes everything anew to path() if that does not name the open file any more, because somebody moved or removed
+  /// it; says what happened then, and nothing otherwise. Throws StorageError if that is not possible, also where
+  /// something else has the name by now.
+  Message renewIfGone();
   /// Moves what was appended from SQLite's journal ("-wal") into the file itself, so that copying the file alone copies
   /// everything. Happens on closing too; not necessary for safety. Failure has no consequence.
   void tidy() noexcept;

@@ -34,8 +34,7 @@ std::string immutableAddress(const std::string& path) {
 [[noreturn]] void throwError(int code, const std::string& name, const std::string& detail, int system_error) {
   const Message reason = system_error != 0 ? systemReason(system_error) : Message::verbatim(detail);
   const auto full = [&] {
-    return StorageError(name,
-                        message("the disk is full: free some space and try again; what was stored before is intact"));
+    return StorageError(name, message("the disk is full: free some space; what was stored before is intact"));
   };
   const auto read_only = [&] {
     return StorageError(
@@ -146,14 +145,18 @@ std::string Database::text(const char* sql) {
   return std::string(statement.text(0));
 }
 
-Database Database::copyInMemory() {
-  Database copy(name_);
-  sqlite3_backup* backup = sqlite3_backup_init(copy.handle(), "main", handle(), "main");
-  if (backup == nullptr) copy.fail(sqlite3_extended_errcode(copy.handle()));
+void Database::copyTo(Database& other) {
+  sqlite3_backup* backup = sqlite3_backup_init(other.handle(), "main", handle(), "main");
+  if (backup == nullptr) other.fail(sqlite3_extended_errcode(other.handle()));
   const int stepped = sqlite3_backup_step(backup, -1);
   const int finished = sqlite3_backup_finish(backup);
   if (stepped != SQLITE_DONE) fail(stepped);
   if (finished != SQLITE_OK) fail(finished);
+}
+
+Database Database::copyInMemory() {
+  Database copy(name_);
+  copyTo(copy);
   return copy;
 }
 

@@ -38,6 +38,8 @@ class Database {
   void run(const char* sql);  ///< one or several statements without results
   [[nodiscard]] std::int64_t number(const char* sql);
   [[nodiscard]] std::string text(const char* sql);
+  /// Copies everything into an empty database.
+  void copyTo(Database& other);
   /// A copy of everything, in memory.
   [[nodiscard]] Database copyInMemory();
   /// Gives up with a FormatError when the next queries take more than about this many steps of SQLite's machine; 0 ends

@@ -27,6 +27,9 @@ class StoreLock {
   StoreLock(StoreLock&& other) noexcept;
   StoreLock& operator=(StoreLock&&) = delete;
 
+  /// Of the locked file.
+  [[nodiscard]] int descriptor() const { return descriptor_; }
+
  private:
   explicit StoreLock(int descriptor) : descriptor_(descriptor) {}
   int descriptor_;

@@ -13,13 +13,15 @@
 namespace hexoderm {
 namespace {
 
+[[noreturn]] void failToParse(std::string_view text, std::string_view what, const Message& expected) {
+  throw InvalidArgument(what, message("expected {}, found \"{}\"", expected, shortened(text, 80)));
+}
+
 template <class Number>
 Number parseWhole(std::string_view text, std::string_view what, const Message& expected) {
   Number value{};
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-  if (error != std::errc() || end != text.data() + text.size() || text.empty()) {
-    throw InvalidArgument(what, message("expected {}, found \"{}\"", expected, text));
-  }
+  if (error != std::errc() || end != text.data() + text.size() || text.empty()) failToParse(text, what, expected);
   return value;
 }
 
@@ -88,6 +90,14 @@ std::string formatExact(double value) {
 double parseNumber(std::string_view text, std::string_view what) {
   const auto value = parseWhole<double>(text, what, message("a number"));
   if (!std::isfinite(value)) throw InvalidArgument(what, message("expected a finite number"));
+  return value;
+}
+
+double parseNumberWithin(std::string_view text, std::string_view what, double least, double most) {
+  const auto inWords = [](double bound) { return Number{bound, bound == std::floor(bound) ? 0 : Number::kExact}; };
+  const Message expected = message("a number from {} to {}", inWords(least), inWords(most));
+  const auto value = parseWhole<double>(text, what, expected);
+  if (!(value >= least && value <= most)) failToParse(text, what, expected);
   return value;
 }
 

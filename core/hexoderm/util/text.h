@@ -16,6 +16,8 @@ std::string formatExact(double value);
 
 /// Parses a whole string as a finite number, independent of the locale. Throws InvalidArgument naming `what`.
 double parseNumber(std::string_view text, std::string_view what);
+/// The same, from `least` to `most`.
+double parseNumberWithin(std::string_view text, std::string_view what, double least, double most);
 
 /// Parses an unsigned integer of 32 bits.
 unsigned parseUnsigned(std::string_view text, std::string_view what);

@@ -154,6 +154,39 @@ TEST_F(CliCapture, AFullDiskIsSaidAndWhatFittedIsKept) {
   const Session session = readSessionStore(path("sheet.hexo"));
   EXPECT_GT(session.poses().size(), 0U);
   EXPECT_LT(session.poses().size(), 12U);
+  const std::size_t stored = session.poses().size();
+  EXPECT_THAT(outcome.err, HasSubstr("; pose " + std::to_string(stored + 1) + " is not stored; " +
+                                     std::to_string(stored) + " pose"));
+}
+
+/// Runs `command` as soon as the first pose is captured.
+std::string afterTheFirstPose(const std::string& command) {
+  return "meanwhile() { \"$@\" & until grep -q 'Pose 1 captured' stderr.txt || ! kill -0 $!; do sleep 0.02; done; " +
+         command + "; wait $!; }; meanwhile ";
+}
+
+TEST_F(CliCapture, ASessionThatIsRemovedMeanwhileIsWrittenAnew) {
+  const Outcome outcome =
+      run("capture --source 'sim:x17?speed=2' --auto --poses 3 -o arm.hexo", afterTheFirstPose("rm arm.hexo"));
+  EXPECT_LE(outcome.exit_code, 1) << outcome.err;
+  EXPECT_THAT(outcome.err, HasSubstr("arm.hexo: was removed while it was open; the whole session was written anew."));
+  EXPECT_EQ(readSessionStore(path("arm.hexo")).poses().size(), 3U);
+}
+
+TEST_F(CliCapture, ARecordingThatFailsIsSaidOnceAndTheResultIsWritten) {
+  const Outcome outcome =
+      run("capture --source 'sim:x17?speed=2' --auto --poses 3 --record arm.skinrec --json -o arm.hexo",
+          afterTheFirstPose("rm arm.skinrec"));
+  EXPECT_EQ(outcome.exit_code, 5) << outcome.err;
+  const std::string complaint = "hexoderm-cli: arm.skinrec: the recording ended: it was removed while it was written";
+  const std::size_t at = outcome.err.find(complaint);
+  ASSERT_NE(at, std::string::npos) << outcome.err;
+  EXPECT_EQ(outcome.err.find("the recording ended", at + complaint.size()), std::string::npos) << outcome.err;
+  const auto json = nlohmann::json::parse(outcome.out);
+  EXPECT_EQ(json.at("poses"), 3);
+  EXPECT_THAT(json.at("recording_error").get<std::string>(), HasSubstr("arm.skinrec: the recording ended"));
+  EXPECT_FALSE(json.at("verdict").is_null());
+  EXPECT_EQ(readSessionStore(path("arm.hexo")).poses().size(), 3U);
 }
 
 TEST_F(CliCapture, RawSamplesThatDoNotFitCostNoPose) {

@@ -210,15 +210,6 @@ TEST_F(Cli, TheVerdictIsSaidOnce) {
 }
 
 TEST_F(Cli, UsageEndsWithTwo) {
-  const auto numbers = [this](const std::string& arguments) { return errorOf(arguments, 2); };
-  EXPECT_THAT(numbers("simulate --offset-sigma nan -o a.session.json"),
-              HasSubstr("--offset-sigma: expected a finite number, found nan"));
-  EXPECT_THAT(numbers("simulate --seed -1 -o a.session.json"),
-              HasSubstr("--seed: expected a whole number from 0 to 18446744073709551615, found -1"));
-  EXPECT_THAT(numbers("simulate --seed 99999999999999999999999 -o a.session.json"),
-              HasSubstr("--seed: expected a whole number from 0 to 18446744073709551615"));
-  EXPECT_THAT(numbers("links a.hexo --robot demo --up nan,0,0"),
-              HasSubstr("--up: expected a finite number, found nan"));
   run("simulate -o arm.session.json");
   for (const std::string wrong :
        {"", "frobnicate", "simulate", "simulate --patch circle -o a.session.json", "simulate -o a.xyz",

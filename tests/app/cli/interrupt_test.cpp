@@ -258,6 +258,19 @@ TEST(InterruptTwice, EndsAtOnceAndSaysWhatIsKept) {
   EXPECT_EQ(program.wait(), kByForce);
 }
 
+TEST(InterruptOfACheck, SaysHowManyPosesItHad) {
+  const test::TemporaryFolder folder;
+  const std::string in = folder.path().string();
+  prepare("simulate --poses 3 -o a.session.json", in);
+  prepare("solve a.session.json -o a.calibration.json", in);
+  test::ChildProcess program(cli("check a.calibration.json --source sim:x17 --auto --poses 100"), in, Stream::Read,
+                             Stream::Read);
+  program.waitForError("17 cells");
+  program.interrupt();
+  program.waitForError("of 100 poses taken, nothing is compared");
+  EXPECT_EQ(program.wait(), kByForce);
+}
+
 TEST(InterruptOfManySessions, LeavesWhatIsWrittenWhole) {
   const test::TemporaryFolder folder;
   const std::string in = folder.path().string();

@@ -4,6 +4,7 @@
 #include "hexoderm/session/session_store.h"
 
 #include "tests/app/cli/cli_program.h"
+#include "tests/app/cli/listed_options.h"
 #include "tests/support/paths.h"
 
 #include <gmock/gmock.h>
@@ -11,7 +12,6 @@
 #include <algorithm>
 #include <fstream>
 #include <map>
-#include <regex>
 #include <set>
 #include <sstream>
 #include <thread>
@@ -25,10 +25,8 @@ using ::testing::HasSubstr;
 
 namespace fs = std::filesystem;
 
-struct Option {
-  std::string name;  ///< "--robot"; of an argument "input"
-  std::string type;  ///< "FILE"
-};
+using test::optionsIn;
+using Option = test::ListedOption;
 
 /// What each command needs beside inputs and outputs to be run at all. One that has an output has to be here.
 const std::map<std::string, std::string> kNeeded = {
@@ -51,31 +49,7 @@ const std::set<std::string> kWords = {
 
 class CliOutputs : public CliWithSkin {
  protected:
-  [[nodiscard]] std::vector<std::string> commands() const {
-    std::istringstream help(run("--help").out);
-    std::vector<std::string> names;
-    std::string line;
-    while (std::getline(help, line) && line != "Subcommands:") continue;
-    const std::regex entry("  ([a-z]+) .*");
-    for (std::smatch match; std::getline(help, line);) {
-      if (std::regex_match(line, match, entry)) names.push_back(match[1]);
-    }
-    return names;
-  }
-
-  /// Options and arguments that take a value.
-  static std::vector<Option> optionsIn(const std::string& help) {
-    std::istringstream lines(help);
-    std::vector<Option> options;
-    const std::regex entry("(?:  ){1,2}([a-z]+|(?:-\\w,)?--[-a-z]+) ([A-Z]{3,}(?::\\{)?).*");
-    std::string line;
-    for (std::smatch match; std::getline(lines, line);) {
-      if (!std::regex_match(line, match, entry)) continue;
-      const std::string name = match[1];
-      options.push_back({name.substr(name.find(',') + 1), match[2]});
-    }
-    return options;
-  }
+  [[nodiscard]] std::vector<std::string> commands() const { return test::commandsIn(run("--help").out); }
 
   /// That a command ends with this code and one line that says all of this, and changes nothing.
   void expectRefused(const std::string& arguments, int exit_code, const std::vector<std::string>& says) {

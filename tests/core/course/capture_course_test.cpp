@@ -56,6 +56,7 @@ class CaptureCourseTest : public testing::Test, public CaptureOwner {
     }
     if (const auto* lost = std::get_if<PoseLost>(&event)) lost_.push_back(lost->why);
     if (std::holds_alternative<FileRefused>(event)) ++refusals_;
+    if (std::holds_alternative<FileRenewed>(event)) kept_when_renewed_.push_back(kept_.size());
     if (const auto* changed = std::get_if<SkinChanged>(&event)) {
       ++skin_changes_;
       other_models_ += changed->other_model ? 1 : 0;
@@ -112,6 +113,7 @@ class CaptureCourseTest : public testing::Test, public CaptureOwner {
   std::vector<KeptIn> kept_in_;
   std::optional<PoseId> repeats_;  ///< of the pose that was kept last
   std::vector<Message> lost_;
+  std::vector<std::size_t> kept_when_renewed_;  ///< the number of poses that were kept when the file was written anew
   int refusals_ = 0, skin_changes_ = 0, other_models_ = 0, finishes_ = 0;
   std::optional<AdviceQuestion> question_;
   std::vector<TurnRefused> turn_refusals_;
@@ -135,6 +137,14 @@ TEST_F(CaptureCourseTest, APoseCountsAsCapturedOnlyWhenItIsOnDisk) {
   EXPECT_FALSE(course_->isFileRefused());
   store(pose);
   EXPECT_THAT(kept_, SizeIs(1)) << "once";
+}
+
+TEST_F(CaptureCourseTest, TellsThatTheFileWasWrittenAnewBeforeItsPose) {
+  StoreOutcome outcome{1, {}, false};
+  outcome.renewed = Message::verbatim("it was removed");
+  course_->setStored(take(), outcome);
+  store(take());
+  EXPECT_THAT(kept_when_renewed_, ElementsAre(0U));
 }
 
 TEST_F(CaptureCourseTest, WithoutAFileItCountsAtOnceAndIsSaidToBeInMemory) {

@@ -5,15 +5,19 @@
 #include "hexoderm/io/open_file.h"
 #include "hexoderm/util/error.h"
 #include "tests/support/error_matchers.h"
+#include "tests/support/failing_disk.h"
 #include "tests/support/temporary_folder.h"
 
 #include <gmock/gmock.h>
 #include <Eigen/Geometry>
 
 #include <chrono>
+#include <filesystem>
 #include <future>
 #include <memory>
+#include <optional>
 #include <stop_token>
+#include <string>
 #include <thread>
 #include <utility>
 #include <variant>
@@ -98,8 +102,11 @@ struct Scripted {
   explicit Scripted(LiveCaptureOptions options) {
     auto owned = std::make_unique<ScriptedSource>();
     source = owned.get();
-    capture = std::make_unique<LiveCapture>(std::move(options), std::move(owned),
-                                            [this](const LiveCaptureEvent& event) { events.push_back(event); });
+    capture =
+        std::make_unique<LiveCapture>(std::move(options), std::move(owned), [this](const LiveCaptureEvent& event) {
+          events.push_back(event);
+          if (then) then(event);
+        });
     capture->start();
   }
   template <class Event>
@@ -121,6 +128,7 @@ struct Scripted {
 
   ScriptedSource* source = nullptr;
   std::vector<LiveCaptureEvent> events;
+  LiveCapture::Listener then{};  ///< is told each event after that
   std::unique_ptr<LiveCapture> capture;
 };
 
@@ -212,6 +220,119 @@ TEST(LiveCapture, KeepsThePosesInItsFileAndWhatTheDeviceSentInARecording) {
     ASSERT_EQ(live.size(), replayed.size());
     for (std::size_t cell = 0; cell < live.size(); ++cell) EXPECT_EQ(live[cell].mean_g, replayed[cell].mean_g);
   }
+}
+
+/// The event of a course.
+template <class Event>
+bool tells(const LiveCaptureEvent& event) {
+  const auto* course = std::get_if<CourseEvent>(&event);
+  return course != nullptr && std::holds_alternative<Event>(*course);
+}
+
+TEST(LiveCapture, AFileThatIsRemovedMeanwhileIsWrittenAnew) {
+  const test::TemporaryFolder folder;
+  LiveCaptureOptions options;
+  options.file = folder.path() / "live.hexo";
+  Scripted scripted(options);
+  scripted.source->describe(false);
+  scripted.source->read(5, 0);
+  ASSERT_TRUE(scripted.capture->next());
+  std::filesystem::remove(options.file);
+  scripted.source->read(4, 0.14);
+  scripted.source->read(5, 0);
+  ASSERT_TRUE(scripted.capture->next());
+  EXPECT_THAT(scripted.toldByCourse<FileRenewed>(), SizeIs(1));
+  EXPECT_THAT(openSession(options.file).poses(), SizeIs(2));
+  std::filesystem::remove(options.file);  // after the last pose, too
+  scripted.capture->close();
+  EXPECT_THAT(scripted.toldByCourse<FileRenewed>(), SizeIs(2));
+  EXPECT_THAT(openSession(options.file).poses(), SizeIs(2));
+  EXPECT_EQ(folder.entryCount(), 1U);
+}
+
+TEST(LiveCapture, AFileWhoseFolderIsMovedAwayIsNotSaidToBeThere) {
+  const test::TemporaryFolder folder;
+  std::filesystem::create_directory(folder.path() / "before");
+  LiveCaptureOptions options;
+  options.file = folder.path() / "before" / "live.hexo";
+  Scripted scripted(options);
+  scripted.source->describe(false);
+  scripted.source->read(5, 0);
+  ASSERT_TRUE(scripted.capture->next());
+  std::filesystem::rename(folder.path() / "before", folder.path() / "after");
+  EXPECT_THAT(messageOf<StorageError>([&] { scripted.capture->close(); }),
+              saysAll("before/live.hexo: was moved to ", "after/live.hexo while it was open"));
+  EXPECT_THAT(openSession(folder.path() / "after" / "live.hexo").poses(), SizeIs(1));
+}
+
+TEST(LiveCapture, SaysWhichPoseIsNotStoredWhereItIsEndedOnAFullDisk) {
+  const test::TemporaryFolder folder;
+  LiveCaptureOptions options;
+  options.file = folder.path() / "live.hexo";
+  Scripted scripted(options);
+  std::stop_source stop;
+  scripted.then = [&](const LiveCaptureEvent& event) {
+    if (tells<FileRefused>(event)) stop.request_stop();
+  };
+  scripted.source->describe(false);
+  scripted.source->read(5, 0);
+  ASSERT_TRUE(scripted.capture->next());
+  {
+    const test::NoFileGrows full;
+    scripted.source->read(4, 0.14);
+    scripted.source->read(5, 0);
+    EXPECT_FALSE(scripted.capture->next(stop.get_token()));
+    const std::string why = messageOf<StorageError>([&] { scripted.capture->close(); });
+    EXPECT_THAT(why, saysAll("live.hexo: ", "; pose 2 is not stored; 1 pose was stored before"));
+    EXPECT_THAT(why, testing::Not(testing::HasSubstr("was closed")));
+  }
+  EXPECT_THAT(scripted.toldByCourse<FileRefused>(), SizeIs(1)) << "at the end nobody tries again";
+  EXPECT_THAT(openSession(options.file).poses(), SizeIs(1));
+}
+
+TEST(LiveCapture, AFileThatTookNoPoseIsNotInTheWayOfTheNextCapture) {
+  const test::TemporaryFolder folder;
+  LiveCaptureOptions options;
+  options.file = folder.path() / "live.hexo";
+  Scripted scripted(options);
+  std::stop_source stop;
+  std::optional<test::NoFileGrows> full;
+  scripted.then = [&](const LiveCaptureEvent& event) {
+    if (std::holds_alternative<CaptureBegun>(event)) full.emplace();
+    if (tells<FileRefused>(event)) stop.request_stop();
+  };
+  scripted.source->describe(false);
+  scripted.source->read(5, 0);
+  EXPECT_FALSE(scripted.capture->next(stop.get_token()));
+  EXPECT_TRUE(std::filesystem::exists(options.file)) << "the pose may still find room";
+  EXPECT_THAT(messageOf<StorageError>([&] { scripted.capture->close(); }),
+              saysAll("live.hexo: ", "pose 1 is not stored; 0 poses were stored before"));
+  full.reset();
+  EXPECT_EQ(folder.entryCount(), 0U);
+}
+
+TEST(LiveCapture, ARecordingThatEndsIsToldAtOnceAndTheCaptureGoesOn) {
+  const test::TemporaryFolder folder;
+  LiveCaptureOptions options;
+  options.poses = 1;
+  options.record_to = folder.path() / "live.skinrec";
+  Scripted scripted(options);
+  std::size_t told_before_the_pose = 0;
+  scripted.then = [&](const LiveCaptureEvent& event) {
+    if (tells<PoseTaken>(event)) told_before_the_pose = scripted.told<RecordingEnded>().size();
+  };
+  scripted.source->describe(false);
+  std::filesystem::remove(options.record_to);
+  std::this_thread::sleep_for(std::chrono::milliseconds(1100));  // it looks once a second
+  scripted.source->read(5, 0);
+  EXPECT_TRUE(scripted.capture->next());
+  EXPECT_EQ(told_before_the_pose, 1U);
+  EXPECT_THAT(messageOf<StorageError>([&] { scripted.capture->next(); }), saysAll("live.skinrec", "it was removed"));
+  EXPECT_THAT(scripted.told<RecordingEnded>(), SizeIs(1));
+  const LiveCaptureState state = scripted.capture->state();
+  EXPECT_THAT(state.recording_error.english(), saysAll("live.skinrec", "it was removed"));
+  EXPECT_THAT(state.session->poses(), SizeIs(1));
+  EXPECT_NE(state.result, nullptr);
 }
 
 TEST(LiveCapture, TellsWhatHappensInItsOrder) {

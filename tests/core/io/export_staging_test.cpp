@@ -12,6 +12,7 @@ namespace {
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
+using ::testing::StartsWith;
 using ExportStaging = ExportTest;
 
 TEST_F(ExportStaging, MakesAFolderForItsFiles) {
@@ -37,7 +38,10 @@ TEST_F(ExportStaging, ReplacesOnlyItsOwnFilesInAFolder) {
 TEST_F(ExportStaging, LeavesNoFolderIfOneOfItsFilesFails) {
   {
     const test::NoFileGrows full(1);
-    EXPECT_THROW(publishFolder(in("out"), {{"a.csv", "1"}, {"b.csv", "two"}}), StorageError);
+    EXPECT_THAT(messageOf<StorageError>([&] {
+                  publishFolder(in("out"), {{"a.csv", "1"}, {"b.csv", "two"}});
+                }),
+                StartsWith(in("out/b.csv").string() + ": cannot be written: "));
   }
   EXPECT_THAT(names(), IsEmpty());
 }

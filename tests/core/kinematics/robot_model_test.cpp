@@ -228,6 +228,42 @@ TEST(RobotModel, NamesNumbersThatMakeNoRobot) {
   EXPECT_THAT(complaint(twoLinks("<mimic joint=\"j\"/>" + kLimit)), saysAll("joint j", "circle"));
 }
 
+TEST(RobotModel, NamesNumbersThatAreTooLarge) {
+  const auto limits = [](const std::string& lower, const std::string& upper) {
+    return "<limit lower=\"" + lower + "\" upper=\"" + upper + "\" effort=\"1\" velocity=\"1\"/>";
+  };
+  const std::string too_wide =
+      "r.urdf: line 2: joint j: expected limits within 1000000; a joint without limits is of the "
+      "type continuous";
+  EXPECT_EQ(complaint(twoLinks(limits("-1e300", "1e300"))), too_wide);
+  EXPECT_EQ(complaint(twoLinks(limits("0", "1e300"))), too_wide);
+  EXPECT_EQ(complaint(twoLinks(limits("1", "-1"))),
+            "r.urdf: line 2: joint j: expected limits of which the lower is not above the upper");
+  EXPECT_EQ(complaint(twoLinks("<axis xyz=\"0 0 1e300\"/>" + kLimit)),
+            "r.urdf: line 2: joint j: expected an axis of three numbers within 1000000");
+  EXPECT_EQ(complaint(twoLinks("<mimic joint=\"j\" multiplier=\"1e300\"/>" + kLimit)),
+            "r.urdf: line 2: joint j: expected a multiplier and an offset within 1000000");
+  EXPECT_EQ(
+      complaint(twoLinks("<origin rpy=\"1e300 0 0\"/>", "fixed")),
+      "r.urdf: line 2: joint j: <origin rpy=\"1e300 0 0\">: expected three angles within 1000000 rad, separated by "
+      "blanks");
+}
+
+TEST(RobotModel, NamesAnAttributeThatIsThereTwice) {
+  EXPECT_EQ(complaint("<robot name='r'>\n<link name='a' name='b'/></robot>"),
+            "r.urdf: line 2: <link> has the attribute name twice: expected each attribute once");
+  EXPECT_THAT(complaint("<robot name='r'>\n<link name='a'>\n<visual><geometry><box size='1 1 1' size='2 2 2'/>"
+                        "</geometry></visual></link></robot>"),
+              saysAll("r.urdf: line 3", "<box> has the attribute size twice"));
+}
+
+TEST(RobotModel, RefusesDefinitionsInADoctype) {
+  const std::string robot = "<robot name='r'><link name='a'/></robot>";
+  EXPECT_EQ(parsed("<!DOCTYPE robot>\n" + robot).links().size(), 1U);
+  EXPECT_THAT(complaint("<?xml version='1.0'?>\n<!DOCTYPE robot [<!ENTITY n 'a'>]>\n" + robot),
+              saysAll("r.urdf: line 2", "DOCTYPE", "entities", "expected a URDF without them"));
+}
+
 TEST(RobotModel, AMalformedShapeIsRefusedWithItsPlaceOnceItsBodyIsAskedFor) {
   struct Malformed {
     const char* geometry;
@@ -235,7 +271,7 @@ TEST(RobotModel, AMalformedShapeIsRefusedWithItsPlaceOnceItsBodyIsAskedFor) {
   };
   const std::string length = "expected a length above 0 and at most 1000 m";
   const std::string lengths = "expected three lengths above 0 and at most 1000 m, separated by blanks";
-  const std::string scale = "expected three finite numbers, none of them 0, separated by blanks";
+  const std::string scale = "expected three numbers within 1000000, none of them 0, separated by blanks";
   for (const Malformed& shape : std::vector<Malformed>{
            {"<box size='0 1 1'/>", "<box size=\"0 1 1\">: " + lengths},
            {"<box size='0,3 0,3 0,3'/>", "<box size=\"0,3 0,3 0,3\">: " + lengths},
@@ -255,7 +291,14 @@ TEST(RobotModel, AMalformedShapeIsRefusedWithItsPlaceOnceItsBodyIsAskedFor) {
            {"<box size='1 1 1'/></geometry><origin xyz='nan 0 0'/><geometry>",
             "<origin xyz=\"nan 0 0\">: expected three coordinates within 1000 m, separated by blanks"},
            {"<box size='1 1 1'/></geometry><origin rpy='0,5 0 0'/><geometry>",
-            "<origin rpy=\"0,5 0 0\">: expected three finite angles in rad, separated by blanks"}}) {
+            "<origin rpy=\"0,5 0 0\">: expected three angles within 1000000 rad, separated by blanks"},
+           {"<box size='1 1 1'/></geometry><origin rpy='1e300 0 0'/><geometry>",
+            "<origin rpy=\"1e300 0 0\">: expected three angles within 1000000 rad, separated by blanks"},
+           {"<mesh filename='m.stl' scale='1e300 1 1'/>", "<mesh scale=\"1e300 1 1\">: " + scale},
+           {"<box size='1 1 1'/><!-- and --><sphere radius='1'/>",
+            "<geometry> has a second shape, <sphere>: expected one, and another <visual> for each further shape"},
+           {"<box size='1 1 1'/></geometry><geometry><sphere radius='1'/>",
+            "<visual> has a second <geometry>: expected one, and another <visual> for each further shape"}}) {
     const RobotModel robot = parsed(oneLink(shape.geometry));
     EXPECT_TRUE(robot.hasBody(0));
     EXPECT_EQ(complaintAboutBody(robot), "r.urdf: line 1: link a: " + shape.says);

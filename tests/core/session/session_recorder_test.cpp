@@ -7,6 +7,7 @@
 #include <gmock/gmock.h>
 
 #include <condition_variable>
+#include <filesystem>
 #include <future>
 #include <iostream>
 #include <mutex>
@@ -205,6 +206,43 @@ TEST_F(SessionRecorderTest, APoseThatDoesNotFitEvenWithoutRawSamplesWaitsWithThe
   EXPECT_EQ(outcome.error.english(), "");
   EXPECT_EQ(outcome.without_raw.english(), "");
   EXPECT_EQ(SessionStore::openReadOnly(path_).readRawSamples(0).size(), 100U);
+}
+
+TEST_F(SessionRecorderTest, AFileThatWasRemovedIsWrittenAnewWithAllThatItHeld) {
+  SessionRecorder recorder(SessionStore::open(path_));
+  recorder.append(captureWithRaw(1), outcomes_.acknowledge(1));
+  EXPECT_TRUE(outcomes_.waitFor(1)[0].outcome.renewed.empty());
+  std::filesystem::remove(path_);
+  recorder.append({RemovePose{0}}, {});  // nobody is told of it
+  recorder.append(capture(2), outcomes_.acknowledge(2));
+  EXPECT_THAT(outcomes_.waitFor(2)[1].outcome.renewed.english(), HasSubstr("arm.hexo: was removed"));
+  EXPECT_THAT(stored(), ElementsAre(2U));
+
+  std::filesystem::remove(path_);
+  recorder.flush(outcomes_.acknowledge(3));
+  EXPECT_THAT(outcomes_.waitFor(3)[2].outcome.renewed.english(), HasSubstr("arm.hexo: was removed"));
+  recorder.append(captureWithRaw(3), outcomes_.acknowledge(4));
+  EXPECT_TRUE(outcomes_.waitFor(4)[3].outcome.renewed.empty()) << "it is told once";
+  EXPECT_THAT(stored(), ElementsAre(2U, 3U));
+
+  std::filesystem::remove(path_);
+  recorder.flush(outcomes_.acknowledge(5));
+  outcomes_.waitFor(5);
+  EXPECT_EQ(SessionStore::openReadOnly(path_).readRawSamples(1).size(), 100U);
+}
+
+TEST_F(SessionRecorderTest, WhatHasNoFileAnyMoreWaitsForAPlace) {
+  SessionRecorder recorder(SessionStore::open(path_));
+  std::filesystem::remove(path_);
+  std::filesystem::create_directory(path_);
+  recorder.append(capture(1), outcomes_.acknowledge(1));
+  const StoreOutcome refused = outcomes_.waitFor(1)[0].outcome;
+  EXPECT_TRUE(refused.is_kept);
+  EXPECT_THAT(refused.error.english(), HasSubstr("arm.hexo: was removed while it was open"));
+  std::filesystem::remove(path_);
+  recorder.retry();
+  EXPECT_EQ(outcomes_.waitFor(2)[1].outcome.error.english(), "");
+  EXPECT_THAT(stored(), ElementsAre(1U));
 }
 
 /// 0 if a disk that fills in the middle of raw samples costs only those.

@@ -323,7 +323,8 @@ int fillTheDisk(const fs::path& folder) {
       message = error.what();
     }
   }
-  if (message.find("arm.hexo: the disk is full: free some space and try again") == std::string::npos) {
+  if (message.find("arm.hexo: the disk is full: free some space; what was stored before is intact") ==
+      std::string::npos) {
     std::cerr << message << '\n';
     return 1;
   }

@@ -4,11 +4,14 @@
 #include "hexoderm/util/file.h"
 #include "tests/core/session/session_edits.h"
 #include "tests/support/error_matchers.h"
+#include "tests/support/failing_disk.h"
 #include "tests/support/session_matchers.h"
 #include "tests/support/temporary_folder.h"
 
 #include <gmock/gmock.h>
 
+#include <filesystem>
+#include <iostream>
 #include <limits>
 #include <set>
 #include <string>
@@ -263,6 +266,86 @@ TEST_F(SessionStoreTest, RefusesWhatMakesNoSenseAndStaysAsItWas) {
   EXPECT_EQ(store.revision(), revision);
   EXPECT_EQ(appendOne(store, capture(9, 1)), revision + 1);
   EXPECT_EQ(readSessionStore(path_).poses().size(), 4U);
+}
+
+TEST_F(SessionStoreTest, OneThatWasRemovedWhileItWasOpenIsWrittenAnew) {
+  {
+    SessionStore store = SessionStore::create(path_, sessionWithEverything());
+    EXPECT_TRUE(store.renewIfGone().empty());
+    appendOne(store, capture(11, 0.5));
+    ASSERT_TRUE(std::filesystem::remove(path_));
+    EXPECT_EQ(store.renewIfGone().english(),
+              path_.string() + ": was removed while it was open; the whole session was written anew");
+    EXPECT_TRUE(store.renewIfGone().empty());
+    expectSameSession(readSessionStore(path_), store.readSession());
+    EXPECT_EQ(poseIds(readSessionStore(path_)).back(), 11U);
+    appendOne(store, capture(12, 0.5));
+  }
+  EXPECT_EQ(poseIds(SessionStore::open(path_).readSession()).back(), 12U);
+  EXPECT_EQ(folder_.entryCount(), 1U) << "nothing of the first file lies beside it";
+}
+
+TEST_F(SessionStoreTest, OneThatWasMovedWhileItWasOpenIsWrittenAnewAndStaysWhereItIs) {
+  const std::filesystem::path elsewhere = folder_.path() / "elsewhere.hexo";
+  {
+    SessionStore store = SessionStore::create(path_, sessionWithEverything());
+    appendOne(store, capture(11, 0.5));
+    std::filesystem::rename(path_, elsewhere);
+    EXPECT_THAT(store.renewIfGone().english(), saysAll("arm.hexo: was moved to " + elsewhere.string()));
+    appendOne(store, capture(12, 0.5));
+  }
+  EXPECT_EQ(poseIds(SessionStore::open(path_).readSession()).back(), 12U);
+  EXPECT_EQ(poseIds(SessionStore::open(elsewhere).readSession()).back(), 11U);
+}
+
+TEST_F(SessionStoreTest, OneWhoseFolderIsGoneIsWrittenAnewOnceThereIsOne) {
+  const std::filesystem::path before = folder_.path() / "before";
+  const std::filesystem::path after = folder_.path() / "after";
+  std::filesystem::create_directory(before);
+  SessionStore store = SessionStore::create(before / "arm.hexo", sessionWithEverything());
+  appendOne(store, capture(11, 0.5));
+  std::filesystem::rename(before, after);
+  EXPECT_THAT(messageOf<StorageError>([&] { store.renewIfGone(); }),
+              saysAll("before/arm.hexo: was moved to ", "after/arm.hexo while it was open, with what was stored in it",
+                      "it can't be written anew", "No such file"));
+  EXPECT_EQ(poseIds(readSessionStore(after / "arm.hexo")).back(), 11U);
+  std::filesystem::create_directory(before);
+  EXPECT_FALSE(store.renewIfGone().empty());
+  EXPECT_EQ(poseIds(readSessionStore(before / "arm.hexo")).back(), 11U);
+}
+
+TEST_F(SessionStoreTest, OneWhoseNameSomethingElseHasByNowReplacesNothing) {
+  SessionStore store = SessionStore::create(path_, sessionWithEverything());
+  std::filesystem::remove(path_);
+  folder_.put("arm.hexo", "a letter");
+  EXPECT_THAT(messageOf<StorageError>([&] { store.renewIfGone(); }),
+              saysAll("arm.hexo: was removed while it was open", "exists already"));
+  EXPECT_EQ(readFile(path_), "a letter");
+}
+
+/// Makes a session in an empty folder on a small disk. 0: it was made; 1: it was not, and nothing is left; 2: something
+/// is left.
+int makeOnSmallDisk(const std::filesystem::path& folder) {
+  try {
+    SessionStore::create(folder / "arm.hexo", Session(builtInCellModel("hex-bma150"), {}));
+    return 0;
+  } catch (const StorageError&) {
+    return std::filesystem::is_empty(folder) ? 1 : 2;
+  }
+}
+
+TEST_F(SessionStoreTest, OneThatCanNotBeMadeLeavesNothing) {
+  std::set<int> results;
+  for (std::size_t kibibytes = 8; kibibytes <= 128; kibibytes += 4) {
+    const TemporaryFolder disk;
+    const int result = test::withSmallDisk(disk.path(), kibibytes << 10, [&] { return makeOnSmallDisk(disk.path()); });
+    if (result < 0) {
+      std::cout << "no small disk can be mounted here\n";
+      return;
+    }
+    results.insert(result);
+  }
+  EXPECT_THAT(results, ElementsAre(0, 1));
 }
 
 TEST_F(SessionStoreTest, KeepsRawSamples) {

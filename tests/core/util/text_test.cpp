@@ -47,6 +47,17 @@ TEST(ParseNumber, RefusesWhatIsNotFinite) {
   }
 }
 
+TEST(ParseNumber, NamesTheRangeOfWhatIsBeyondIt) {
+  EXPECT_EQ(parseNumberWithin("-1e6", "x", -1e6, 1e6), -1e6);
+  EXPECT_EQ(parseNumberWithin("1e6", "x", -1e6, 1e6), 1e6);
+  for (const std::string text : {"1000001", "-1e300", "1e999", "nan", "-inf", "", "one"}) {
+    EXPECT_EQ(messageOf<InvalidArgument>([&] { parseNumberWithin(text, "x", -1e6, 1e6); }),
+              "x: expected a number from -1000000 to 1000000, found \"" + text + "\"");
+  }
+  EXPECT_THAT(messageOf<InvalidArgument>([] { parseNumberWithin("0", "x", 0.001, 360); }),
+              saysAll("from 0.001 to 360"));
+}
+
 TEST(ParseUnsigned, TakesThirtyTwoBits) {
   EXPECT_EQ(parseUnsigned("4294967295", "cell"), 4294967295U);
   EXPECT_EQ(parseUnsigned("0", "cell"), 0U);

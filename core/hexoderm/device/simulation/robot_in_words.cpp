@@ -3,6 +3,7 @@
 #include "hexoderm/device/simulation/patch_plan.h"
 #include "hexoderm/kinematics/demo_robot.h"
 #include "hexoderm/util/error.h"
+#include "hexoderm/util/limits.h"
 #include "hexoderm/util/text.h"
 
 #include <utility>
@@ -24,13 +25,16 @@ PatchMount mountOf(const std::string& text, const RobotInWords& words) {
   Eigen::Vector3d rpy = Eigen::Vector3d::Zero();
   for (std::size_t k = 0; k < numbers.size(); ++k) {
     const auto axis = static_cast<Eigen::Index>(k % 3);
-    (k < 3 ? mount.T_l_m.t : rpy)[axis] = parseNumber(numbers[k], "mount " + text);
+    const double most = k < 3 ? kMostLength_m : kMostAngle_rad;
+    (k < 3 ? mount.T_l_m.t : rpy)[axis] = parseNumberWithin(numbers[k], "mount " + shortened(text, 80), -most, most);
   }
   mount.T_l_m.R = rotationFromRpy(rpy);
   return mount;
 }
 
 }  // namespace
+
+void requireMount(const std::string& text) { mountOf(text, {}); }
 
 SimulatedSkinOptions skinOptions(const RobotInWords& words, const std::string& motion) {
   if (motion != "hand" && motion != "robot") {

@@ -28,6 +28,9 @@ struct RobotInWords {
   std::vector<LinkFault> link_faults;
 };
 
+/// Throws InvalidArgument for a text that is none of kMountSyntax, or has numbers that no place has.
+void requireMount(const std::string& text);
+
 /// The skin of these words alone. `motion` says what turns it: hand, or robot, with its motors on. Throws
 /// InvalidArgument for another.
 SimulatedSkinOptions skinOptions(const RobotInWords& words, const std::string& motion = "hand");

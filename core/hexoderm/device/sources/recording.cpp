@@ -5,8 +5,12 @@
 #include "hexoderm/device/skinwire/little_endian.h"
 #include "hexoderm/device/skinwire/sample_messages.h"
 #include "hexoderm/util/error.h"
+#include "hexoderm/util/file_place.h"
 #include "hexoderm/util/kept_files.h"
 #include "hexoderm/util/system_reason.h"
+#include "hexoderm/util/temporary_file.h"
+
+#include <fcntl.h>
 
 #include <algorithm>
 #include <array>
@@ -34,7 +38,8 @@ struct StreamRecorder::Impl {
   std::filesystem::path path;
   SkinListener& next;
   std::ofstream file;
-  bool is_new = false;  ///< the file was not there before
+  FileDescriptor place;  ///< of the same file, which has none that can be asked
+  bool is_new = false;   ///< the file was not there before
   bool begun = false;
   Clock::time_point began = Clock::now();
   Clock::time_point flushed = began;
@@ -87,6 +92,14 @@ struct StreamRecorder::Impl {
     file << kMagic << kVersion << std::flush;
   }
 
+  /// Somebody who has moved or removed the file would look in vain for what comes now.
+  void requireInPlace() {
+    if (!place.valid() || isAt(path, place.get())) return;
+    const std::optional<std::filesystem::path> now = placeOf(place.get());
+    fail(now ? message("it was moved to {} while it was written, with what was recorded before", now->string())
+             : message("it was removed while it was written, with what was recorded before"));
+  }
+
   /// Recording must not take listening down with it.
   template <class Action>
   void guarded(const Action& action) {
@@ -94,11 +107,16 @@ struct StreamRecorder::Impl {
     try {
       action();
       const Clock::time_point now = Clock::now();
-      if (now - flushed >= kFlushEvery) {
+      const bool is_to_flush = now - flushed >= kFlushEvery;
+      if (is_to_flush) {
         file.flush();
         flushed = now;
       }
-      if (!file) fail(systemReason(errno));
+      if (!file) {
+        fail(systemReason(errno));
+      } else if (is_to_flush) {
+        requireInPlace();
+      }
     } catch (const std::exception& error) {
       fail(messageOf(error));
     }
@@ -113,11 +131,16 @@ StreamRecorder::StreamRecorder(std::filesystem::path path, SkinListener& next)
   impl_->file.open(impl_->path, std::ios::binary | std::ios::app);
   if (impl_->file.is_open() && !replaces) impl_->begin();
   if (!impl_->file) {
-    throw StorageError(impl_->path.string(), message("a recording can't be written there: {}", systemReason(errno)));
+    const int reason = errno;
+    removeWhatIsEmpty();
+    throw StorageError(impl_->path.string(), message("a recording can't be written there: {}", systemReason(reason)));
   }
+  impl_->place = FileDescriptor(::open(impl_->path.c_str(), O_PATH | O_CLOEXEC));
 }
 
-StreamRecorder::~StreamRecorder() {
+StreamRecorder::~StreamRecorder() { removeWhatIsEmpty(); }
+
+void StreamRecorder::removeWhatIsEmpty() noexcept {
   if (impl_->skin.model || !impl_->is_new) return;
   std::error_code ignored;
   std::filesystem::remove(impl_->path, ignored);
@@ -181,7 +204,11 @@ void StreamRecorder::onCommandOutcome(const CommandOutcome& outcome) { impl_->ne
 void StreamRecorder::finish() {
   if (impl_->file.is_open()) {
     impl_->file.close();
-    if (!impl_->file) impl_->fail(systemReason(errno));
+    if (impl_->file) {
+      impl_->requireInPlace();
+    } else {
+      impl_->fail(systemReason(errno));
+    }
   }
   if (const Message why = error(); !why.empty()) throw StorageError(why);
 }

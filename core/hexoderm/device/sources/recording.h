@@ -15,9 +15,9 @@
 namespace hexoderm {
 
 /// Writes the stream of a source into a file, as SkinWire's own frames, and passes everything on to another listener:
-/// put it between a source and its listener. Frames are passed on first. If the disk fails, recording ends with
-/// error(), and listening goes on. The device's description of itself is among the frames, and losses on the way are
-/// gaps in their numbering, so that a replay counts the same losses.
+/// put it between a source and its listener. Frames are passed on first. If the disk fails, or somebody
+/// moves or removes the file, recording ends with error(), and listening goes on. The device's description of itself is
+/// among the frames, and losses on the way are gaps in their numbering, so that a replay counts the same losses.
 ///
 /// The file: "SKINREC1", then records of arrival time since the beginning (microseconds, 64 bits), length of the body
 /// (32 bits), both little-endian, and the body (major, type, protobuf, CRC-32C). Records are flushed to the file once a
@@ -44,6 +44,8 @@ class StreamRecorder final : public SkinListener {
   [[nodiscard]] Message error() const;
 
  private:
+  void removeWhatIsEmpty() noexcept;
+
   struct Impl;
   std::unique_ptr<Impl> impl_;
 };

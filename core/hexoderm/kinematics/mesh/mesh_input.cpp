@@ -86,6 +86,18 @@ Eigen::Vector3d MeshText::point() {
   return point;
 }
 
+Eigen::Vector3d MeshText::pointInLine() {
+  Eigen::Vector3d point;
+  for (double& coordinate : point) {
+    const std::string_view found = wordInLine();
+    if (found.empty()) fail(message("expected three coordinates, found the end of the line"));
+    const std::optional<double> value = meshNumber(found);
+    if (!value) failAt(found, message("a number"));
+    coordinate = *value;
+  }
+  return point;
+}
+
 void MeshText::fail(Message why) const { mesh_.fail(located(message("line {}", line_), std::move(why))); }
 
 void MeshText::failAt(std::string_view word, const Message& expected) const {

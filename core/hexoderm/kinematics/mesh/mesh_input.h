@@ -38,6 +38,8 @@ class MeshText {
 
   double number();          ///< the next word, a number
   Eigen::Vector3d point();  ///< three numbers
+  /// The next three words of this line, which have to be numbers.
+  Eigen::Vector3d pointInLine();
   [[nodiscard]] std::string_view rest() const { return rest_; }
 
   /// Throws FormatError naming file and line.

@@ -29,7 +29,7 @@ void readObj(std::string_view text, MeshBuilder& mesh) {
     const std::string_view keyword = in.wordInLine();
     if (keyword == "v") {
       mesh.requireFewPoints(points.size() + 1);
-      points.push_back(in.point());
+      points.push_back(in.pointInLine());
     } else if (keyword == "f") {
       corners.clear();
       for (std::string_view corner = in.wordInLine(); !corner.empty(); corner = in.wordInLine()) {

@@ -23,6 +23,10 @@ void readBinaryStl(std::string_view bytes, MeshBuilder& mesh) {
   in.take(kStlHeader);
   const auto count = in.number<std::uint32_t>();
   MeshBytes triangles(in.take(std::uint64_t{count} * kStlTriangle), mesh);
+  if (bytes.size() - kStlStart >= (std::uint64_t{count} + 1) * kStlTriangle) {
+    mesh.fail(message("states {} triangles, but has the bytes of {}: expected as many as it states", count,
+                      (bytes.size() - kStlStart) / kStlTriangle));
+  }
   for (std::uint32_t k = 0; k < count; ++k) {
     triangles.take(3 * sizeof(float));  // the normal
     std::array<Eigen::Vector3d, 3> corners;

@@ -27,6 +27,9 @@ enum class SupportAxes { Auto, On, Off };
 /// 3, 2, 1, 1 by class, or by predicted deviation and residual.
 enum class LinkWeights { Paper, Residual };
 
+/// SolverOptions::class_threshold is above 0 and at most this.
+inline constexpr double kMostClassThreshold = 1000;
+
 /// How a session is solved; the defaults suit every skin.
 struct SolverOptions {
   Solver solver = Solver::Global;

@@ -12,7 +12,10 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <chrono>
+#include <filesystem>
 #include <limits>
+#include <thread>
 
 namespace hexoderm {
 namespace {
@@ -294,6 +297,36 @@ TEST_F(Recording, AFullDiskEndsRecordingButNotListening) {
 TEST_F(Recording, IsNotBegunOnAFullDisk) {
   const test::NoFileGrows full;
   EXPECT_THROW(StreamRecorder(path_, listener_), StorageError);
+  EXPECT_EQ(folder_.entryCount(), 0U);
+}
+
+TEST_F(Recording, EndsWhereItsFileIsMovedOrRemovedButListeningGoesOn) {
+  for (const bool is_moved : {false, true}) {
+    const auto elsewhere = folder_.path() / "elsewhere.skinrec";
+    CollectingListener listener;
+    StreamRecorder recorder(path_, listener);
+    recorder.onSkin(twoCells());
+    recorder.onFrame(frameAt(1));
+    is_moved ? std::filesystem::rename(path_, elsewhere) : static_cast<void>(std::filesystem::remove(path_));
+    std::this_thread::sleep_for(std::chrono::milliseconds(1100));  // it looks once a second
+    recorder.onFrame(frameAt(2));
+    EXPECT_THAT(recorder.error().english(),
+                testing::AllOf(HasSubstr("a.skinrec: the recording ended: it was "),
+                               HasSubstr(is_moved ? "moved to " + elsewhere.string() : "removed while")));
+    recorder.onFrame(frameAt(3));
+    EXPECT_EQ(listener.delivered().frames.size(), 3U);
+    EXPECT_THROW(recorder.finish(), StorageError);
+    if (is_moved) {
+      EXPECT_EQ(play(elsewhere, kAtOnce).frames.size(), 2U);
+    }
+  }
+}
+
+TEST_F(Recording, AFileThatIsGoneAtTheEndIsSaid) {
+  StreamRecorder recorder(path_, listener_);
+  recorder.onSkin(twoCells());
+  std::filesystem::remove(path_);
+  EXPECT_THROW(recorder.finish(), StorageError);
 }
 
 TEST_F(Recording, AFrameThatCantBeWrittenEndsRecordingButNotListening) {

@@ -36,6 +36,24 @@ TEST(Obj, RefusesCornersThatAreNoPoint) {
   EXPECT_THAT(refusalOf("m.obj", std::string(kSquare) + "f 1 2 99999999999999999999"), saysAll("line 6"));
 }
 
+TEST(Obj, CountsEveryLine) {
+  for (const auto& [text, line] : {
+           std::pair{"\n\n# c\nv x 0 0\n", "m.obj: line 4:"},
+           std::pair{"\xEF\xBB\xBF\nv x 0 0\n", "m.obj: line 2:"},
+           std::pair{"v 0 \\\n0 0\nv x 0 0\n", "m.obj: line 3:"},
+           std::pair{"v 0 \\\r\nx 0\n", "m.obj: line 2:"},
+           std::pair{"vn 0 \\\n0 1\n# c\nv 0 0 0\nv x 0 0\n", "m.obj: line 5:"},
+       }) {
+    EXPECT_THAT(refusalOf("m.obj", text), saysAll(line, "expected a number, found \"x\"")) << text;
+  }
+}
+
+TEST(Obj, TakesNoCoordinateFromTheNextLine) {
+  EXPECT_THAT(refusalOf("m.obj", "v 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n"),
+              saysAll("m.obj: line 1: expected three coordinates, found the end of the line"));
+  EXPECT_THAT(refusalOf("m.obj", "v 0 0 0\nv 1 0"), saysAll("m.obj: line 2: expected three coordinates"));
+}
+
 TEST(Obj, RefusesATextWithoutFaces) {
   EXPECT_THAT(refusalOf("m.obj", kSquare), saysAll("m.obj", "triangles"));
   EXPECT_THAT(refusalOf("m.obj", ""), saysAll("m.obj", "triangles"));

@@ -36,6 +36,15 @@ TEST(Stl, SkipsWhatFollowsTheTrianglesOfABinaryFile) {
   EXPECT_EQ(readMesh(binaryStl("solid", kTwoFacets) + "more", "m.stl").triangles.size(), 2U);
 }
 
+TEST(Stl, RefusesABinaryFileWithMoreTrianglesThanItStates) {
+  std::string bytes = binaryStl("part", kTwoFacets);
+  bytes[80] = 1;
+  EXPECT_EQ(refusalOf("m.stl", bytes),
+            "m.stl: states 1 triangles, but has the bytes of 2: expected as many as it states");
+  bytes[80] = 0;
+  EXPECT_THAT(refusalOf("m.stl", bytes), saysAll("states 0 triangles", "of 2"));
+}
+
 TEST(Stl, RefusesABinaryFileThatIsTooShort) {
   const std::string bytes = binaryStl("solid", kTwoFacets);
   for (const std::size_t size : {std::size_t{83}, std::size_t{84}, std::size_t{133}, bytes.size() - 1}) {
