@@ -50,13 +50,14 @@ void Estimate::placePatches(const std::stop_token& stop) {
     patches_.emplace_back(skin_, weights_, patch);
   }
   is_placed_ = unreported_ = true;
+  ++placement_revision_;
   // An earlier result of the global solver has all patches: better than any tree.
   const bool are_known =
       skin_.options().solver == Solver::Global && std::ranges::all_of(patches_, [&](const PatchSolver& patch) {
         const PatchReconstruction* known = earlierOf(patch);
         return known != nullptr && patch.canStartFrom(*known);
       });
-  if (!std::exchange(was_placed_, true) && !are_known) reportPlacements(stop);
+  if (placement_revision_ == 1 && !are_known) reportPlacements(stop);
 }
 
 Completion Estimate::solvePatches(const std::stop_token& stop) {
@@ -97,9 +98,9 @@ void Estimate::exclude(Explanation explanation) {
   all_links_stale_ = all_links_stale_ || !only_cells;
   stale_cells_.insert(stale_cells_.end(), explanation.cells.begin(), explanation.cells.end());
   if (!explanation.excludes()) return;
-  is_placed_ = is_placed_ && only_cells && skin_.options().solver == Solver::Global;
+  const bool can_go_on = explanation.keeps_placements && only_cells && skin_.options().solver == Solver::Global;
+  is_placed_ = is_placed_ && can_go_on;
   if (!is_placed_) return;
-  // One cell less changes one patch, and not where the others of it start from.
   for (const std::size_t cell : explanation.cells) {
     patches_[skin_.graph().cells()[cell].patch.value()].leaveOut(cell);
   }

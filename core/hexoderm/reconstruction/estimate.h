@@ -33,6 +33,10 @@ class Estimate {
 
   /// Everything up to this stage is that of what is not excluded.
   [[nodiscard]] Completion bringTo(Stage stage, const std::stop_token& stop);
+  /// Takes out of the estimate what the explanation excludes. What depends on it is estimated anew when it is asked
+  /// for: without a link, a pose or a motion all links are, without cells only theirs. The patches are placed anew too,
+  /// unless the explanation keeps the placements and the solver is the global one, which then solves the cells' patches
+  /// again.
   void exclude(Explanation explanation);
   /// Tells the progress of the cells' placements, if they are others than it was last told.
   void reportPlacements(const std::stop_token& stop);
@@ -43,6 +47,8 @@ class Estimate {
   [[nodiscard]] const std::vector<Finding>& findings() const { return findings_; }
   /// How often rotations of links were estimated, and which the last time changed: nothing stands for all.
   [[nodiscard]] std::size_t linkRevision() const { return link_revision_; }
+  /// How often the patches were placed from nothing.
+  [[nodiscard]] std::size_t placementRevision() const { return placement_revision_; }
   [[nodiscard]] const std::optional<std::vector<std::size_t>>& changedLinks() const { return changed_links_; }
 
  private:
@@ -58,13 +64,13 @@ class Estimate {
   bool all_links_stale_ = true;
   std::vector<std::size_t> stale_cells_;  ///< else: whose links are
   std::size_t link_revision_ = 0;
+  std::size_t placement_revision_ = 0;
   std::optional<std::vector<std::size_t>> changed_links_;
   std::vector<double> weights_;
   std::vector<PatchSolver> patches_;
-  bool is_placed_ = false;  ///< the patches are those of the links
-  bool was_placed_ = false;
-  bool was_solved_ = false;
-  bool unreported_ = false;
+  bool is_placed_ = false;   ///< the patches are those of the links
+  bool was_solved_ = false;  ///< jointly, all patches at least once
+  bool unreported_ = false;  ///< placements have changed since the progress was last told
 };
 
 }  // namespace hexoderm

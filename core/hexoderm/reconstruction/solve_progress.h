@@ -10,7 +10,7 @@ namespace hexoderm {
 
 struct Reconstruction;
 
-/// What reconstruct() is doing just now.
+/// What reconstruct() is doing just now. Patches and Findings alternate until nothing is found.
 enum class SolveStage {
   Links,     ///< estimates every link from the readings, and looks for links and readings that can't be right
   Patches,   ///< places all cells of a patch together

@@ -90,6 +90,27 @@ TEST(Garbage, SwappedNeighboursAreNamed) {
   }
 }
 
+TEST(Garbage, ASkinWithSwappedNeighboursIsPlacedAsWithoutThem) {
+  for (std::uint64_t seed = 1; seed <= kSeeds; ++seed) {
+    SimulatedSkinOptions skin;
+    skin.seed = seed;
+    skin.faults = {{SkinFault::Swapped, CellId(3)}};
+    const auto snapshot = test::simulatedSession(skin, 3).snapshot();
+    const auto found = reconstruct(*snapshot);
+    SolverOptions options;
+    const std::set<CellId> named = namedCells(*found);
+    options.left_out.assign(named.begin(), named.end());
+    const auto without = reconstruct(*snapshot, options);
+    ASSERT_EQ(found->patches.size(), without->patches.size());
+    EXPECT_EQ(found->patches.front().origin, without->patches.front().origin) << "seed " << seed;
+    for (const CellPlacement& cell : found->patches.front().cells) {
+      const CellPlacement& other = *without->find(cell.cell).cell;
+      EXPECT_EQ(cell.predecessor, other.predecessor) << "seed " << seed << ", cell " << cell.cell;
+      EXPECT_LT((cell.T_o_u.t - other.T_o_u.t).norm(), 1e-6) << "seed " << seed << ", cell " << cell.cell;
+    }
+  }
+}
+
 TEST(Garbage, ASensorTurnedInTheSurfaceIsNamedInTheMiddleAndAtALeaf) {
   for (const CellId cell : {CellId(3), CellId(17)}) {
     for (std::uint64_t seed = 1; seed <= kSeeds; ++seed) {

@@ -3,6 +3,7 @@
 #include "hexoderm/reconstruction/faults/suspects.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace hexoderm {
 namespace {
@@ -57,6 +58,7 @@ class Misfits : public Explainer {
   [[nodiscard]] Estimate::Stage needs() const override { return Estimate::Stage::Patches; }
 
   [[nodiscard]] std::optional<Explanation> explain(const Estimate& estimate) override {
+    if (std::exchange(revision_, estimate.placementRevision()) != estimate.placementRevision()) suspicious_.clear();
     for (const PatchSolver& patch : estimate.patches()) {
       if (patch.joint() == nullptr) continue;
       if (const auto bad = worstSensor(estimate.skin(), patch, suspicious_)) {
@@ -76,11 +78,13 @@ class Misfits : public Explainer {
     } else {
       found.findings.push_back(describe(skin, bad));
       found.cells.push_back(bad.cell);
+      found.keeps_placements = true;
     }
     return found;
   }
 
-  std::vector<std::size_t> suspicious_;  // cells
+  std::size_t revision_ = 0;             // of the placements
+  std::vector<std::size_t> suspicious_;  // cells, in these placements
 };
 
 }  // namespace

@@ -26,6 +26,9 @@ struct Explanation {
   std::vector<std::size_t> cells;                         ///< whose readings are not those of a cell in its place
   std::vector<std::size_t> poses;                         ///< in which the part moved
   std::vector<ReadingCorrection> corrections;
+  /// Without the cells all others stay about where they are, so that the joint estimate can go on from there. Else
+  /// origin, paths and placements are found anew, as they would be had the cells never measured.
+  bool keeps_placements = false;
 
   /// It changes what the estimate is made of.
   [[nodiscard]] bool excludes() const {
