@@ -253,7 +253,7 @@ const auto& table() {
   return the_table;
 }
 
-constexpr EnumNames<Severity, 3> kSeverities = {{"info", "warning", "error"}};
+constexpr EnumNames<Severity> kSeverities = {{"info", "warning", "error"}};
 
 }  // namespace
 
