@@ -259,9 +259,9 @@ constexpr EnumNames<Severity> kSeverities = {{"info", "warning", "error"}};
 
 std::span<const FindingDescription> findingTable() { return table(); }
 
-const FindingDescription& adviceOn(FindingCode code) { return table().at(static_cast<std::size_t>(code)); }
+const FindingDescription& descriptionOf(FindingCode code) { return table().at(static_cast<std::size_t>(code)); }
 
-std::string_view codeName(FindingCode code) { return adviceOn(code).name; }
+std::string_view codeName(FindingCode code) { return descriptionOf(code).name; }
 
 std::optional<FindingCode> codeFromName(std::string_view name) {
   const auto found = std::ranges::find(table(), name, &FindingDescription::name);
@@ -274,7 +274,7 @@ std::optional<Severity> severityFromName(std::string_view name) { return kSeveri
 
 Finding makeFinding(FindingCode code, Message message, std::vector<CellId> cells, std::vector<PortNumber> ports,
                     std::vector<PoseId> poses) {
-  return {code, adviceOn(code).severity, std::move(message), std::move(cells), std::move(ports), std::move(poses)};
+  return {code, descriptionOf(code).severity, std::move(message), std::move(cells), std::move(ports), std::move(poses)};
 }
 
 void addOnce(std::vector<Finding>& findings, Finding finding) {
