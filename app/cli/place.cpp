@@ -235,7 +235,7 @@ Json rotationJson(const Eigen::Matrix3d& R) {
   return arrayOf(R.transpose().reshaped(), [](double x) { return x; });
 }
 
-constexpr EnumNames<FreeDirection::Kind, 3> kFreeKinds = {{"slide", "turn", "screw"}};
+constexpr EnumNames<FreeDirection::Kind> kFreeKinds = {{"slide", "turn", "screw"}};
 
 Json freeJson(const FreeDirection& free) {
   return {{"kind", kFreeKinds.of(free.kind)},

@@ -28,7 +28,7 @@ std::string figure(double value, PrintedUnit unit) {
   return formatFixed(value * unit.factor, unit.decimals) + " " + unit.name;
 }
 
-constexpr EnumNames<SigmaKnowledge, 3> kKnowledge = {{"measured", "at_most", "unknown"}};
+constexpr EnumNames<SigmaKnowledge> kKnowledge = {{"measured", "at_most", "unknown"}};
 
 void printSigma(const std::string& name, const SigmaEstimate& estimate, double model_sigma, PrintedUnit unit) {
   std::cout << name << std::string(name.size() < 14 ? 14 - name.size() : 1, ' ');

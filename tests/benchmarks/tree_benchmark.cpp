@@ -117,7 +117,7 @@ void measure(int rows, int columns, double svd_ms) {
   Estimate estimate(*snapshot, options);
   static_cast<void>(estimate.bringTo(Estimate::Stage::Patches, {}));
   table.row("attitudes searched for faults",
-            least_ms([&] { static_cast<void>(explainAttitudes()->explain(estimate)); }));
+            least_ms([&] { static_cast<void>(makeAttitudeExplainer()->explain(estimate)); }));
 }
 
 }  // namespace

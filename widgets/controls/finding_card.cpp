@@ -66,7 +66,7 @@ FindingCard::FindingCard(QWidget* parent)
 
 void FindingCard::setFinding(const Finding& finding, const std::vector<FindingOffer>& offers) {
   finding_ = finding;
-  const FindingDescription& advice = adviceOn(finding.code);
+  const FindingDescription& description = descriptionOf(finding.code);
   severity_->setText(severityWord(finding.severity));
   setTone(severity_, toneOf(finding.severity));
   what_->setText(unbroken(words(finding.message)));
@@ -74,8 +74,8 @@ void FindingCard::setFinding(const Finding& finding, const std::vector<FindingOf
   where_->setText(is_somewhere ? placeInWords(finding) : QString());
   show_->setVisible(is_somewhere);
   show_->setAccessibleName(tr("Show: %1").arg(what_->text()));
-  why_->setText(tr("Why: %1").arg(words(advice.why)));
-  todo_->setText(tr("What to do: %1").arg(words(advice.what_to_do)));
+  why_->setText(tr("Why: %1").arg(words(description.why)));
+  todo_->setText(tr("What to do: %1").arg(words(description.what_to_do)));
   setOffers(offers);
   update();
 }

@@ -106,7 +106,7 @@ class FindingPresenter : public Presenter {
 
   std::vector<FindingOffer> offersFor(const Finding& finding) const {
     std::vector<FindingOffer> offers;
-    for (const FindingRemedy remedy : adviceOn(finding.code).remedies) {
+    for (const FindingRemedy remedy : descriptionOf(finding.code).remedies) {
       if (const std::optional<QString> text = offer(remedy, finding)) offers.push_back({remedy, *text});
     }
     return offers;

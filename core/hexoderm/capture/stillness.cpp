@@ -30,12 +30,12 @@ void StillnessOptions::validate() const {
 }
 
 std::string_view blockerName(Blocker blocker) {
-  constexpr EnumNames<Blocker, 6> kNames = {{"none", "waiting", "not_moved", "turning", "shaking", "cell_turning"}};
+  constexpr EnumNames<Blocker> kNames = {{"none", "waiting", "not_moved", "turning", "shaking", "cell_turning"}};
   return kNames.of(blocker);
 }
 
 std::string_view oddCellName(OddCellKind kind) {
-  constexpr EnumNames<OddCellKind, 5> kNames = {{"dead", "stuck", "noisy", "restless", "silent"}};
+  constexpr EnumNames<OddCellKind> kNames = {{"dead", "stuck", "noisy", "restless", "silent"}};
   return kNames.of(kind);
 }
 

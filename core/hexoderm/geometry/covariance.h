@@ -29,6 +29,7 @@ bool isCovariance(const Eigen::MatrixBase<Derived>& values) {
 template <class Derived, int Size = Derived::RowsAtCompileTime,
           std::size_t Count = static_cast<std::size_t>(Size*(Size + 1) / 2)>
 std::array<double, Count> upperTriangle(const Eigen::MatrixBase<Derived>& matrix) {
+  static_assert(Size > 0, "of a size known when it is compiled");
   std::array<double, Count> values{};
   std::size_t next = 0;
   for (int row = 0; row < Size; ++row) {

@@ -1,6 +1,6 @@
 #pragma once
 
-// Private to core: what is one lane's among the numbers that kernels take and give (lanes.h).
+// Private to core: views of one lane in the arrays that kernels read and write, which hold kLanes lanes side by side.
 
 #include "hexoderm/geometry/lanes.h"
 

@@ -2,6 +2,19 @@
 // text that two sources include: one is compiled for any machine, with two lanes, and one with -mavx2 and -mfma, with
 // four. Nothing in a text may have a name that others see, nor use a function of a library that a linker could take for
 // the other machines, too.
+//
+//     // root_kernel_text.h
+//     #include "hexoderm/geometry/lanes_text.h"
+//     HEXODERM_INLINE void roots(double* numbers) { store(numbers, rootOf(load(numbers))); }  // of kWidth numbers
+//
+//     // root_kernel_avx2.cpp; root_kernel.cpp does the same with 2 lanes
+//     #define HEXODERM_LANES 4
+//     #include "root_kernel_text.h"
+//     void rootsByFour(double* numbers) { roots(numbers); }
+
+#ifndef HEXODERM_LANES
+#error "Define HEXODERM_LANES as 2 or 4 before the text of a kernel is included."
+#endif
 
 #include <cstddef>
 

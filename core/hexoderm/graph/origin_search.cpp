@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <array>
 #include <bit>
+#include <cassert>
 #include <cmath>
 #include <cstdint>
 #include <limits>
@@ -213,12 +214,13 @@ class OriginSearch {
 
   /// The exact sum of vertex `v`, whose distances are in distance_ then.
   void evaluate(std::size_t v) {
-    // Dijkstra's algorithm.
+    // Dijkstra's algorithm. It writes over all distances of the search before: the cells of a patch reach each other.
     colors_.assign(count_, boost::white_color);
     distance_[v] = 0;
     boost::breadth_first_visit(
         graph_, static_cast<std::uint32_t>(v), queue_, Relax(distance_, queue_),
         boost::make_iterator_property_map(colors_.begin(), boost::get(boost::vertex_index, graph_)));
+    assert(std::ranges::find(colors_, boost::white_color) == colors_.end());
     ++runs_;
     tried_[v] = true;
     if (!eligible_[v]) return;

@@ -224,7 +224,7 @@ void readLink(In& json, LinkEstimate& link, More... more) {
 /// Null where a link has none in a pose.
 template <class In>
 std::optional<double> readPoseResidual(In& json) {
-  return json.takeNull() ? std::nullopt : std::optional(nonNegativeAngle(json));
+  return json.isNull() ? std::nullopt : std::optional(nonNegativeAngle(json));
 }
 
 void readPoseResiduals(const JsonReader& json, std::size_t pose_count, LinkEstimate& link) {

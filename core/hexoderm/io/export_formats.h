@@ -1,6 +1,10 @@
 #pragma once
 
-// The formats that are written in one go.
+// The formats that are written in one go. None of these functions throws an Error: exportReconstruction(),
+// exportBundle() and exportBytes() call them, and have checked that options make sense, that all numbers are finite and
+// that a mesh has cells. Placements in a Reconstruction are in the frame of the patch's origin cell, or in that of the
+// link that ExportOptions::in_link names. gltfBytes() writes them as they are, and `frame` says in words which it is;
+// dotText() takes no frame, for it draws the flat layout.
 
 #include "hexoderm/io/exporter.h"
 #include "hexoderm/io/skin_tree.h"

@@ -86,8 +86,8 @@ void noteMeshFile(const std::filesystem::path& file) {
   try {
     const std::string bytes = readRegularFile(file, kMostFileBytes);
     for (const std::filesystem::path& buffer : gltfBuffers(textOfMesh(bytes), file)) noteRead(buffer);
-  } catch (const Error&) {
-    return;  // said where the mesh is needed
+  } catch (const Error&) {  // said where the mesh is needed
+  } catch (const std::bad_alloc&) {
   }
 }
 

@@ -20,7 +20,7 @@ TriangleMesh readMeshFile(const std::filesystem::path& file);
 TriangleMesh readMesh(std::string bytes, const std::filesystem::path& file);
 
 /// That a mesh file is an input (noteRead()), with the buffers that it names if it is a glTF. A file that is missing or
-/// malformed is none: that is said when it is read.
+/// malformed, or takes more memory than there is, is none: that is said when it is read.
 void noteMeshFile(const std::filesystem::path& file);
 
 }  // namespace hexoderm

@@ -4,6 +4,7 @@
 #include "hexoderm/kinematics/urdf_document.h"
 #include "hexoderm/util/error.h"
 #include "hexoderm/util/file.h"
+#include "hexoderm/util/kept_files.h"
 #include "hexoderm/util/limits.h"
 #include "hexoderm/util/near_match.h"
 #include "hexoderm/util/sha256.h"
@@ -348,6 +349,7 @@ std::filesystem::path RobotModel::State::fileOf(const MeshShape& mesh, std::size
 
 /// Meshes are inputs, also those that nobody needs.
 void RobotModel::State::noteMeshes() const {
+  if (!keepsWhatIsRead()) return;
   std::set<std::filesystem::path> noted;
   for (std::size_t link = 0; link < links.size(); ++link) {
     for (const std::vector<LinkShape>* shapes : {&links[link].visuals, &links[link].collisions}) {

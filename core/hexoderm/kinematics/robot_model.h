@@ -106,7 +106,8 @@ using PackageFolders = std::map<std::string, std::filesystem::path>;
 class RobotModel {
  public:
   /// Throws StorageError (missing, unreadable) or FormatError, which name file, place and expectation. Meshes are not
-  /// opened, and malformed shapes of links are for bodyOf() to refuse.
+  /// opened, except that a program that keeps what it reads (keepWhatIsRead()) looks up the buffers of glTF files;
+  /// malformed shapes of links are for bodyOf() to refuse.
   static RobotModel read(const std::filesystem::path& urdf, PackageFolders packages = {});
   /// The same of a text; `file` is named in errors, and meshes are looked for from its folder.
   static RobotModel parse(std::string_view urdf, const std::filesystem::path& file, PackageFolders packages = {});

@@ -162,7 +162,7 @@ class UrdfChecker {
         shapes.push_back(urdfShape(node));
       } catch (const UrdfFault& fault) {
         shapes.push_back(
-            {{}, UnreadShape{inLine(lineAt(fault.offset), located(message("link {}", name), fault.what))}});
+            {{}, UnreadShape{inLine(lineAt(fault.offset), located(message("link {}", name), fault.message()))}});
       }
     }
     return shapes;

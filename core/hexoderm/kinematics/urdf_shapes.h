@@ -3,9 +3,10 @@
 // Private to kinematics: what links of a URDF look like.
 
 #include "hexoderm/kinematics/robot_model.h"
-#include "hexoderm/util/message.h"
+#include "hexoderm/util/error.h"
 
 #include <cstddef>
+#include <utility>
 
 namespace pugi {
 class xml_node;
@@ -14,9 +15,9 @@ class xml_node;
 namespace hexoderm {
 
 /// What is wrong with an element of a URDF, or with one of its attributes.
-struct UrdfFault {
-  std::ptrdiff_t offset = 0;  ///< of the element, from the beginning of the document
-  Message what;
+struct UrdfFault : FormatError {
+  UrdfFault(std::ptrdiff_t element, Message what) : FormatError(std::move(what)), offset(element) {}
+  std::ptrdiff_t offset;  ///< of the element, from the beginning of the document
 };
 
 /// An <origin>, or an empty element for none. Throws UrdfFault for what is malformed or too large.

@@ -17,6 +17,7 @@ namespace hexoderm {
 class Error : public std::runtime_error {
  public:
   explicit Error(Message message);  ///< a text that is translated where it is shown
+  /// What is wrong at a place: a file, an option, a device.
   Error(MessageArgument place, Message what) : Error(located(std::move(place), std::move(what))) {}
   /// A text that is not translated: for mistakes of a caller, and for the words of others.
   explicit Error(const std::string& verbatim) : Error(Message::verbatim(verbatim)) {}

@@ -91,7 +91,7 @@ struct FindingDescription {
 
 /// One entry per code, in the order of the enumeration.
 std::span<const FindingDescription> findingTable();
-const FindingDescription& adviceOn(FindingCode code);             ///< the entry of a kind of finding
+const FindingDescription& descriptionOf(FindingCode code);        ///< the entry of a kind of finding
 std::string_view codeName(FindingCode code);                      ///< the code's name in files
 std::optional<FindingCode> codeFromName(std::string_view name);   ///< nothing for a name that is none
 std::string_view severityName(Severity severity);                 ///< the severity's name in files

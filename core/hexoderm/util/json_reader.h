@@ -51,9 +51,9 @@ class JsonReader {
   [[nodiscard]] bool isObject() const { return value_->is_object(); }
   [[nodiscard]] bool isArray() const { return value_->is_array(); }
   [[nodiscard]] bool isString() const { return value_->is_string(); }
-  [[nodiscard]] bool takeNull() const { return value_->is_null(); }
+  [[nodiscard]] bool isNull() const { return value_->is_null(); }
 
-  // As those of JsonScanner, so that a template reads both; members of an object beside these are passed over.
+  // As those of JsonScanner, so that a template reads both; that says how they differ.
   template <class... Takes>
   void object(JsonMember<Takes>... members) const {
     (takeMember(members), ...);

@@ -142,7 +142,7 @@ bool JsonScanner::boolean() {
   return value;
 }
 
-bool JsonScanner::takeNull() {
+bool JsonScanner::isNull() {
   skipSpace();
   if (at_ == end_ || *at_ != 'n') return false;
   ++values_;

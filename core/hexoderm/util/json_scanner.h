@@ -46,7 +46,9 @@ JsonMember<Take> optionalMember(std::string_view key, Take take) {
 ///     scanner.object(member("id", into(id)), optionalMember("at_m", [&](auto& in) { at_m = in.vector3(); }));
 ///     scanner.finish();
 ///
-/// Its functions are called as those of JsonReader are, so that a template reads both.
+/// Its functions are called as those of JsonReader are, so that a template reads both. They differ in three ways: a
+/// member that object() does not name is refused here and passed over there; isNull() takes the null here; and only
+/// here may the `take` of a member have no parameter, where it reads from a scanner that it knows.
 class JsonScanner {
  public:
   class Unusual : public std::exception {
@@ -80,7 +82,7 @@ class JsonScanner {
   double nonNegativeNumber();
   std::uint32_t unsignedInteger(std::uint32_t min = 0, std::uint32_t max = UINT32_MAX);
   bool boolean();
-  bool takeNull();  ///< false if the next value is another one, which is left where it is
+  bool isNull();  ///< a value that is null is taken; another one is left where it is
   std::string string();
   void numbers(std::span<double> values);  ///< an array of exactly so many
   template <std::size_t Count>

@@ -105,6 +105,8 @@ KeptFile::~KeptFile() {
 
 void keepWhatIsRead() { keeps_what_is_read = true; }
 
+bool keepsWhatIsRead() { return keeps_what_is_read; }
+
 void noteRead(const std::filesystem::path& path) {
   if (!keeps_what_is_read) return;
   const std::optional<FileIdentity> identity = identityOf(path);

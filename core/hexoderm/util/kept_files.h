@@ -33,6 +33,7 @@ class KeptFile {
 
 /// From now on every file that this process reads is kept to its end. For programs that run one command.
 void keepWhatIsRead();
+[[nodiscard]] bool keepsWhatIsRead();
 /// That a file is an input. Whatever reads one says so.
 void noteRead(const std::filesystem::path& path);
 

@@ -14,7 +14,7 @@ constexpr std::uint32_t kMostDecimals = 17;
 /// Behind the key of the English.
 constexpr const char* kMessageKey = "_message";
 
-constexpr EnumNames<Unit, 5> kUnits = {{"", "deg", "mm", "mg", "s"}};
+constexpr EnumNames<Unit> kUnits = {{"none", "deg", "mm", "mg", "s"}};
 
 nlohmann::ordered_json jsonOf(std::int64_t count) { return count; }
 nlohmann::ordered_json jsonOf(const std::string& text) { return text; }

@@ -14,7 +14,7 @@ TEST(FindingAdvice, EveryCodeHasItsReasonAndWhatToDo) {
     const FindingDescription& advice = findingTable()[k];
     const std::string name(advice.name);
     EXPECT_EQ(static_cast<std::size_t>(advice.code), k) << name;
-    EXPECT_EQ(&adviceOn(advice.code), &advice) << name;
+    EXPECT_EQ(&descriptionOf(advice.code), &advice) << name;
     for (const Message& text : {advice.why, advice.what_to_do}) {
       ASSERT_FALSE(text.empty()) << name;
       EXPECT_EQ(text.english().back(), '.') << name;
@@ -27,11 +27,11 @@ TEST(FindingAdvice, EveryCodeHasItsReasonAndWhatToDo) {
 
 TEST(FindingAdvice, WhatIsWrongWithAPoseCanBeDoneAboutThePose) {
   for (const FindingCode code : {FindingCode::PartMoved, FindingCode::InconsistentPose}) {
-    const std::vector<FindingRemedy>& remedies = adviceOn(code).remedies;
+    const std::vector<FindingRemedy>& remedies = descriptionOf(code).remedies;
     EXPECT_EQ(remedies, (std::vector{FindingRemedy::RecapturePose, FindingRemedy::DisablePose}));
   }
   for (const FindingCode code : {FindingCode::LinkNotRigid, FindingCode::ImplausibleBend}) {
-    EXPECT_EQ(std::ranges::count(adviceOn(code).remedies, FindingRemedy::MuteLink), 1);
+    EXPECT_EQ(std::ranges::count(descriptionOf(code).remedies, FindingRemedy::MuteLink), 1);
   }
 }
 

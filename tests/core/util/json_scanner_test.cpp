@@ -141,7 +141,7 @@ std::optional<std::size_t> countOf(std::string_view text) {
     std::size_t count = 0;
     scanner.beginArray();
     for (; scanner.nextItem(); ++count) {
-      if (!scanner.takeNull()) static_cast<void>(scanner.boolean());
+      if (!scanner.isNull()) static_cast<void>(scanner.boolean());
     }
     return count;
   });

@@ -132,7 +132,10 @@ TEST(MessageJson, MalformedIsAFormatErrorThatNamesThePlace) {
   EXPECT_THAT(refused(R"({"template": "cell {", "arguments": [7]})"), HasSubstr("expected a text with a {}"));
   EXPECT_THAT(refused(R"({"template": "cell {}", "arguments": 7})"), HasSubstr("expected an array"));
   EXPECT_THAT(refused(R"({"template": "cell {}", "arguments": [true]})"), HasSubstr("arguments[0]"));
-  EXPECT_THAT(refused(R"({"template": "{}", "arguments": [{"value": 1, "unit": "ft"}]})"), HasSubstr("unit"));
+  for (const std::string unit : {"ft", "none", ""}) {
+    EXPECT_THAT(refused(R"({"template": "{}", "arguments": [{"value": 1, "unit": ")" + unit + "\"}]})"),
+                HasSubstr("unit"));
+  }
   EXPECT_THAT(refused(R"({"template": "{}", "arguments": [{"value": 1, "decimals": 99}]})"), HasSubstr("decimals"));
   std::string deep = "1";
   for (int k = 0; k < 50; ++k) deep = "[" + deep + "]";

@@ -26,8 +26,8 @@ TEST(FindingCard, SaysWhatWhereWhyAndWhatToDo) {
   EXPECT_EQ(textOf(card, "findingSeverity"), QStringLiteral("Warning"));
   EXPECT_TRUE(textOf(card, "findingWhat").contains(QStringLiteral("3:1 - 4:2 moved by 5.7°")));
   EXPECT_EQ(textOf(card, "findingWhere"), QStringLiteral("cells 3, 4"));
-  EXPECT_TRUE(textOf(card, "findingWhy").contains(words(adviceOn(finding.code).why)));
-  EXPECT_TRUE(textOf(card, "findingToDo").contains(words(adviceOn(finding.code).what_to_do)));
+  EXPECT_TRUE(textOf(card, "findingWhy").contains(words(descriptionOf(finding.code).why)));
+  EXPECT_TRUE(textOf(card, "findingToDo").contains(words(descriptionOf(finding.code).what_to_do)));
   for (const char* name : {"findingWhy", "findingToDo"}) {
     EXPECT_TRUE(card.findChild<QLabel*>(QLatin1String(name))->isVisibleTo(&card));
   }

@@ -5,6 +5,7 @@
 #include "hexoderm/device/sample_frame.h"
 #include "hexoderm/device/simulation/patch_plan.h"
 #include "hexoderm/device/simulation/simulated_skin.h"
+#include "hexoderm/util/enum_names.h"
 
 #include <bitset>
 #include <optional>
@@ -16,7 +17,7 @@ namespace hexoderm {
 
 /// The defects of one cell's sensor.
 struct CellHealth {
-  std::bitset<12> faults;  ///< by SkinFault
+  std::bitset<enumeratorCount<SkinFault>()> faults;  ///< by SkinFault
   int stuck_axis = -1;
   int dead_axis = -1;
   /// From the cell as it lies now to the cell as it is said to lie; of a reglued one, see reglued_before.

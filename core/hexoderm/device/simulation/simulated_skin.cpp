@@ -31,7 +31,7 @@ struct SensorChain {
 
 CellId cellNumbered(std::size_t index) { return CellId(static_cast<std::uint32_t>(index + 1)); }
 
-constexpr EnumNames<LinkLaw, 2> kLinkLaws = {{"bend", "surface"}};
+constexpr EnumNames<LinkLaw> kLinkLaws = {{"bend", "surface"}};
 
 }  // namespace
 

@@ -265,23 +265,17 @@ Decoded messageIn(const v1::Line& line) {
   return unknown;
 }
 
-Decoded parsePayload(std::uint8_t type, ByteView payload) {
+template <class Proto>
+Decoded parsed(ByteView payload) {
   // Kept, so that the arrays of samples need not grow again for every one of a thousand messages a second.
-  thread_local v1::Line line;
-  const google::protobuf::FieldDescriptor* field = v1::Line::descriptor()->FindFieldByNumber(type + 1);
-  if (field == nullptr || field->containing_oneof() == nullptr) {
-    return failed(
-        DecodeOutcome::UnknownType,
-        {OffenceKind::UnknownMessage, message("there is no message of type {}; expected 1 to 7", std::uint32_t{type})});
-  }
+  thread_local Proto proto;
   const NoWordsOfProtobuf quiet;
-  google::protobuf::Message& proto = *line.GetReflection()->MutableMessage(&line, field);
   if (!proto.ParseFromArray(payload.data(), static_cast<int>(payload.size()))) {
     return failed(DecodeOutcome::Broken,
                   {OffenceKind::WrongType, message("the payload is not the protobuf message {} that its type says",
                                                    proto.GetDescriptor()->name())});
   }
-  Decoded decoded = messageIn(line);
+  Decoded decoded = checked(plain(proto));
   const auto& unknown = proto.GetReflection()->GetUnknownFields(proto);
   if (!unknown.empty()) {
     decoded.offences.insert(
@@ -290,6 +284,30 @@ Decoded parsePayload(std::uint8_t type, ByteView payload) {
          message("{} has no field with the number {}", proto.GetDescriptor()->name(), unknown.field(0).number())});
   }
   return decoded;
+}
+
+/// A type is the number of its field of Line, less one.
+Decoded parsePayload(std::uint8_t type, ByteView payload) {
+  switch (type + 1) {
+    case v1::Line::kHelloFieldNumber:
+      return parsed<v1::Hello>(payload);
+    case v1::Line::kTopologyFieldNumber:
+      return parsed<v1::Topology>(payload);
+    case v1::Line::kSamplesFieldNumber:
+      return parsed<v1::Samples>(payload);
+    case v1::Line::kStatusFieldNumber:
+      return parsed<v1::Status>(payload);
+    case v1::Line::kCommandFieldNumber:
+      return parsed<v1::Command>(payload);
+    case v1::Line::kAckFieldNumber:
+      return parsed<v1::Ack>(payload);
+    case v1::Line::kJointsFieldNumber:
+      return parsed<v1::Joints>(payload);
+    default:
+      return failed(DecodeOutcome::UnknownType,
+                    {OffenceKind::UnknownMessage,
+                     message("there is no message of type {}; expected 1 to 7", std::uint32_t{type})});
+  }
 }
 
 void checkBeforeEncoding(const Message& message) {

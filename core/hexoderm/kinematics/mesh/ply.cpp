@@ -53,10 +53,9 @@ class PlyReader {
   void read() {
     readHeader();
     for (const PlyElement& element : elements_) {
-      if (element.properties.empty()) continue;  // rows of no bytes, and there may be billions
       if (element.name == "vertex") {
         readPoints(element);
-      } else {
+      } else if (!element.properties.empty()) {  // otherwise rows of no bytes, and there may be billions
         if (element.count > MeshBuilder::kMostOfAKind) {
           mesh_.failTooMany(element.count, message("rows of the element \"{}\"", excerptOf(element.name)));
         }

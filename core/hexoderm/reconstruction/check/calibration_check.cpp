@@ -430,8 +430,7 @@ class CalibrationChecker {
 }  // namespace
 
 std::string_view cellChangeName(CellChange change) {
-  constexpr EnumNames<CellChange, 6> kNames = {
-      {"none", "turned", "drifted", "turned_or_drifted", "broken", "not_told"}};
+  constexpr EnumNames<CellChange> kNames = {{"none", "turned", "drifted", "turned_or_drifted", "broken", "not_told"}};
   return kNames.of(change);
 }
 

@@ -75,7 +75,7 @@ bool canContradict(const PatchReconstruction& patch) {
          std::ranges::any_of(patch.cells, [](const CellPlacement& cell) { return cell.cov_t_r.has_value(); });
 }
 
-constexpr EnumNames<SurfaceKind, 4> kSurfaceNames = {{"plane", "sphere", "cylinder", "cone"}};
+constexpr EnumNames<SurfaceKind> kSurfaceNames = {{"plane", "sphere", "cylinder", "cone"}};
 
 /// A caliper that is this many standard deviations off is not a matter of chance.
 constexpr double kContradictingSigmas = 4;

@@ -189,6 +189,6 @@ class Attitudes : public Explainer {
 
 }  // namespace
 
-std::unique_ptr<Explainer> explainAttitudes() { return std::make_unique<Attitudes>(); }
+std::unique_ptr<Explainer> makeAttitudeExplainer() { return std::make_unique<Attitudes>(); }
 
 }  // namespace hexoderm

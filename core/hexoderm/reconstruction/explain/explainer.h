@@ -26,19 +26,19 @@ class Explainer {
 /// By neighbouring cells alone (SuspectSearch): a pose in which the part moved, cells that contradict their neighbours,
 /// and then the links that no skin link can be. A cell that two poses don't clearly show to be wrong is called
 /// suspicious and stays, and so do its links.
-std::unique_ptr<Explainer> explainNeighbors();
+std::unique_ptr<Explainer> makeNeighborExplainer();
 
 /// By the joint estimate: the cell whose readings fit the gravity of all others worst, in whatever position, or which
 /// turned against them between two poses.
-std::unique_ptr<Explainer> explainMisfits();
+std::unique_ptr<Explainer> makeMisfitExplainer();
 
 /// By the joint estimate: in every patch the link that leaves its loops open by more than askew cells can, a cable that
 /// looks like a skin link in its angles. One link a patch, because the others give way to it.
-std::unique_ptr<Explainer> explainOpenLinks();
+std::unique_ptr<Explainer> makeOpenLinkExplainer();
 
 /// By the attitudes of solved patches (AttitudeSearch): links, and cells that are mounted otherwise or whose readings
 /// are each other's. Of a tree's readings also what a hand that turned the part added to them.
-std::unique_ptr<Explainer> explainAttitudes();
+std::unique_ptr<Explainer> makeAttitudeExplainer();
 
 /// One of each, in the order in which they are asked: those that need least of the estimate first.
 std::vector<std::unique_ptr<Explainer>> allExplainers();

@@ -4,10 +4,10 @@ namespace hexoderm {
 
 std::vector<std::unique_ptr<Explainer>> allExplainers() {
   std::vector<std::unique_ptr<Explainer>> explainers;
-  explainers.push_back(explainNeighbors());
-  explainers.push_back(explainMisfits());
-  explainers.push_back(explainOpenLinks());
-  explainers.push_back(explainAttitudes());
+  explainers.push_back(makeNeighborExplainer());
+  explainers.push_back(makeMisfitExplainer());
+  explainers.push_back(makeOpenLinkExplainer());
+  explainers.push_back(makeAttitudeExplainer());
   return explainers;
 }
 

@@ -89,6 +89,6 @@ class Misfits : public Explainer {
 
 }  // namespace
 
-std::unique_ptr<Explainer> explainMisfits() { return std::make_unique<Misfits>(); }
+std::unique_ptr<Explainer> makeMisfitExplainer() { return std::make_unique<Misfits>(); }
 
 }  // namespace hexoderm

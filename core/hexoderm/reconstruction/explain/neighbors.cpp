@@ -66,6 +66,6 @@ class Neighbors : public Explainer {
 
 }  // namespace
 
-std::unique_ptr<Explainer> explainNeighbors() { return std::make_unique<Neighbors>(); }
+std::unique_ptr<Explainer> makeNeighborExplainer() { return std::make_unique<Neighbors>(); }
 
 }  // namespace hexoderm

@@ -46,6 +46,6 @@ class OpenLinks : public Explainer {
 
 }  // namespace
 
-std::unique_ptr<Explainer> explainOpenLinks() { return std::make_unique<OpenLinks>(); }
+std::unique_ptr<Explainer> makeOpenLinkExplainer() { return std::make_unique<OpenLinks>(); }
 
 }  // namespace hexoderm

@@ -61,7 +61,7 @@ class PatchSolver {
   bool lacks_origin_ = false;
 };
 
-/// Names the poses in which the cells of a refined patch contradict each other far more than in the others: the part
+/// Names the poses in which the cells of a solved patch contradict each other far more than in the others: the part
 /// moved while it was sampled.
 void nameInconsistentPoses(const SkinLinks& skin, const PatchSolver& patch, std::vector<Finding>& findings);
 

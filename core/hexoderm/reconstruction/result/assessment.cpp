@@ -5,10 +5,10 @@
 namespace hexoderm {
 namespace {
 
-constexpr EnumNames<VerdictLevel, 4> kVerdicts = {{"good", "usable", "not_enough", "failed"}};
-constexpr EnumNames<Limit, 8> kLimits = {
+constexpr EnumNames<VerdictLevel> kVerdicts = {{"good", "usable", "not_enough", "failed"}};
+constexpr EnumNames<Limit> kLimits = {
     {"nothing", "no_skin", "no_pose", "directions", "readings", "mould", "patches", "findings"}};
-constexpr EnumNames<Remedy, 4> kRemedies = {{"nothing", "check_skin", "take_pose", "retake_poses"}};
+constexpr EnumNames<Remedy> kRemedies = {{"nothing", "check_skin", "take_pose", "retake_poses"}};
 
 }  // namespace
 

@@ -8,7 +8,7 @@
 namespace hexoderm {
 namespace {
 
-constexpr EnumNames<EdgeQuality, 4> kQualities = {{"un", "partially", "fully", "over"}};
+constexpr EnumNames<EdgeQuality> kQualities = {{"un", "partially", "fully", "over"}};
 
 }  // namespace
 

@@ -10,18 +10,18 @@
 namespace hexoderm {
 namespace {
 
-constexpr EnumNames<Solver, 2> kSolvers = {{"global", "tree"}};
-constexpr EnumNames<GapModel, 3> kGapModels = {{"fit", "arc", "pivot"}};
-constexpr EnumNames<Centring, 3> kCentrings = {{"auto", "on", "off"}};
-constexpr EnumNames<SupportAxes, 3> kSupportAxes = {{"auto", "on", "off"}};
-constexpr EnumNames<LinkWeights, 2> kWeights = {{"paper", "residual"}};
+constexpr EnumNames<Solver> kSolvers = {{"global", "tree"}};
+constexpr EnumNames<GapModel> kGapModels = {{"fit", "arc", "pivot"}};
+constexpr EnumNames<Centring> kCentrings = {{"auto", "on", "off"}};
+constexpr EnumNames<SupportAxes> kSupportAxes = {{"auto", "on", "off"}};
+constexpr EnumNames<LinkWeights> kWeights = {{"paper", "residual"}};
 
-template <class Enum, std::size_t Count>
-Enum fromName(const EnumNames<Enum, Count>& names, std::string_view name, const std::string& option) {
+template <class Enum>
+Enum fromName(const EnumNames<Enum>& names, std::string_view name, const std::string& option) {
   if (const std::optional<Enum> value = names.find(name)) return *value;
   std::string known;
-  for (std::size_t i = 0; i < Count; ++i) {
-    known += (i == 0 ? "" : i + 1 == Count ? " or " : ", ") + std::string(names.names[i]);
+  for (std::size_t i = 0; i < names.names.size(); ++i) {
+    known += (i == 0 ? "" : i + 1 == names.names.size() ? " or " : ", ") + std::string(names.names[i]);
   }
   throw InvalidArgument(option + ": expected " + known + ", found \"" + std::string(name) + "\"");
 }

@@ -323,7 +323,7 @@ void judgeHinge(Hinge& hinge, bool ambiguous, double least_probable) {
 }  // namespace
 
 std::string_view hingeKnowledgeName(HingeKnowledge knowledge) {
-  constexpr EnumNames<HingeKnowledge, 3> kNames = {{"found", "no_axis", "not_determined"}};
+  constexpr EnumNames<HingeKnowledge> kNames = {{"found", "no_axis", "not_determined"}};
   return kNames.of(knowledge);
 }
 

@@ -318,7 +318,7 @@ class PartsFinder {
 }  // namespace
 
 std::string_view movementName(Movement movement) {
-  constexpr EnumNames<Movement, 3> kNames = {{"together", "apart", "cant_tell"}};
+  constexpr EnumNames<Movement> kNames = {{"together", "apart", "cant_tell"}};
   return kNames.of(movement);
 }
 

@@ -499,7 +499,7 @@ void PlaceOptions::validate() const {
 }
 
 std::string_view placeVerdictName(PlaceVerdict verdict) {
-  constexpr EnumNames<PlaceVerdict, 5> kNames = {{"placed", "open", "several", "none_fits", "too_large"}};
+  constexpr EnumNames<PlaceVerdict> kNames = {{"placed", "open", "several", "none_fits", "too_large"}};
   return kNames.of(verdict);
 }
 

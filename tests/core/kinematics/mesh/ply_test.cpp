@@ -107,6 +107,10 @@ TEST(Ply, RefusesMoreOfAnythingThanItReads) {
 TEST(Ply, RefusesAHeaderThatMakesNoSense) {
   EXPECT_THAT(refusalOf("m", "ply\nformat ascii 1.0\nelement vertex 1\nproperty float x\nend_header\n0"),
               saysAll("x, y and z"));
+  EXPECT_THAT(refusalOf("m",
+                        "ply\nformat ascii 1.0\nelement vertex 3\nelement face 1\nproperty list uchar int "
+                        "vertex_index\nend_header\n3 0 1 2"),
+              saysAll("x, y and z"));
   EXPECT_THAT(refusalOf("m", "ply\nformat utf8 1.0\nend_header\n"), saysAll("utf8", "binary_little_endian"));
   EXPECT_THAT(refusalOf("m", "ply\nformat ascii 1.0\nelement vertex 1\nproperty quad x\n"), saysAll("line 4", "quad"));
   std::string endless = "ply\n";

@@ -15,7 +15,7 @@ using ::testing::Field;
 
 /// Excludes what neighbouring cells show, until there is nothing left.
 void explainAll(Estimate& estimate) {
-  const std::unique_ptr<Explainer> neighbors = explainNeighbors();
+  const std::unique_ptr<Explainer> neighbors = makeNeighborExplainer();
   while (true) {
     ASSERT_EQ(estimate.bringTo(neighbors->needs(), {}), Completion::Finished);
     std::optional<Explanation> explanation = neighbors->explain(estimate);
@@ -39,8 +39,8 @@ TEST(Neighbors, ACellThatContradictsItsNeighboursIsDroppedInsteadOfItsLinks) {
   for (const GraphLink& link : skin.graph().links()) EXPECT_FALSE(link.muted());
 }
 
-/// As explainNeighbors() chooses cells, but with everything estimated and judged anew after each: what it must agree
-/// with.
+/// As makeNeighborExplainer() chooses cells, but with everything estimated and judged anew after each: what it must
+/// agree with.
 std::vector<std::size_t> cellsDroppedTheLongWay(SkinLinks& skin) {
   std::vector<std::size_t> dropped;
   while (true) {
