@@ -106,7 +106,7 @@ using PackageFolders = std::map<std::string, std::filesystem::path>;
 class RobotModel {
  public:
   /// Throws StorageError (missing, unreadable) or FormatError, which name file, place and expectation. Meshes are not
-  /// opened, except that a program that keeps what it reads (keepWhatIsRead()) looks up the buffers of glTF files;
+  /// opened, except by hexoderm-cli, which looks up the buffers of glTF files because it never replaces an input;
   /// malformed shapes of links are for bodyOf() to refuse.
   static RobotModel read(const std::filesystem::path& urdf, PackageFolders packages = {});
   /// The same of a text; `file` is named in errors, and meshes are looked for from its folder.
