@@ -50,7 +50,7 @@ CLI::Option* take(CLI::Option* option, const std::string& expected, const std::s
   return option->check(CLI::Validator(refusal, in_help));
 }
 
-std::string inWords(double number) {
+std::string boundText(double number) {
   return number == std::floor(number) ? formatFixed(number, 0) : formatExact(number);
 }
 
@@ -124,14 +124,14 @@ void requireReplaceableOutputs(const CLI::App& command) {
 }
 
 CLI::Option* takeNumbers(CLI::Option* option, double least, double most) {
-  const std::string expected = "a number from " + inWords(least) + " to " + inWords(most);
-  const std::string in_help = "FLOAT in [" + inWords(least) + " - " + inWords(most) + "]";
+  const std::string expected = "a number from " + boundText(least) + " to " + boundText(most);
+  const std::string in_help = "FLOAT in [" + boundText(least) + " - " + boundText(most) + "]";
   return takeReals(option, expected, in_help, [=](double value) { return value >= least && value <= most; });
 }
 
 CLI::Option* takeNumbersAbove(CLI::Option* option, double bound, double most) {
-  const std::string expected = "a number above " + inWords(bound) + " and at most " + inWords(most);
-  const std::string in_help = "FLOAT in (" + inWords(bound) + " - " + inWords(most) + "]";
+  const std::string expected = "a number above " + boundText(bound) + " and at most " + boundText(most);
+  const std::string in_help = "FLOAT in (" + boundText(bound) + " - " + boundText(most) + "]";
   return takeReals(option, expected, in_help, [=](double value) { return value > bound && value <= most; });
 }
 

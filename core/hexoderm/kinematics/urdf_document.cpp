@@ -189,7 +189,7 @@ class UrdfChecker {
     try {
       urdfOrigin(joint.node.child("origin"));
     } catch (const UrdfFault& fault) {
-      failAt(lineAt(fault.offset), located(message("joint {}", joint.name), fault.what));
+      failAt(lineAt(fault.offset), located(message("joint {}", joint.name), fault.message()));
     }
   }
 
