@@ -8,6 +8,7 @@
 #include "hexoderm/util/text.h"
 
 #include <chrono>
+#include <concepts>
 #include <cstdint>
 #include <iostream>
 #include <limits>
@@ -22,7 +23,7 @@ namespace {
 constexpr const char* kLastWords =
     "hexoderm-cli: ended while something was held up; every pose that was reported as captured is in the file\n";
 
-/// Says on standard error what goes on. No overload is const: that of all other events would be the better match.
+/// Says on standard error what goes on.
 class Remarks {
  public:
   Remarks(const LiveCaptureOptions& options, const Common& common)
@@ -53,7 +54,11 @@ class Remarks {
     common_.note("No readings for " + formatFixed(wait.duration_s, 0) + " s. " + wait.why.english());
   }
   void operator()(const PoseAdvised& next) { common_.note("Next: " + next.advice.english()); }
-  void operator()(const CourseEvent& event) { std::visit(*this, event); }
+  /// A template, for which no event of the course is taken: each has an overload of its own.
+  template <std::same_as<CourseEvent> Event>
+  void operator()(const Event& event) {
+    std::visit(*this, event);
+  }
   void operator()(const PoseKept& kept) {
     const CapturedPose& captured = kept.captured;
     const std::string pose = "Pose " + toString(captured.pose->id);
@@ -78,8 +83,12 @@ class Remarks {
   void operator()(const TurnRefused& refused) {
     common_.note("The device does not turn there: " + refused.why.english());
   }
-  template <class Other>
-  void operator()(const Other& /*event*/) {}
+  // Of these nothing is said: LiveCapture itself deals with them.
+  void operator()(const PoseTaken& /*event*/) {}
+  void operator()(const PoseLost& /*event*/) {}
+  void operator()(const AdviceWanted& /*event*/) {}
+  void operator()(const AdviceChanged& /*event*/) {}
+  void operator()(const CourseFinished& /*event*/) {}
 
  private:
   const LiveCaptureOptions& options_;
