@@ -153,8 +153,7 @@ QWidget* MainWindow::makeTopBar() {
   actions_.fillMenuBar(views_->menus, panels_->toggleActions());
   auto* top_bar = new QFrame;
   top_bar->setObjectName(QStringLiteral("topBar"));
-  auto* layout = spaced(new QHBoxLayout(top_bar), {0, 0, 0, 1});  // the line below
-  layout->setSpacing(0);
+  auto* layout = spaced(new QHBoxLayout(top_bar), {0, 0, 0, 1}, 0);  // the line below
   addWidgets(layout, {app_name, views_->menus});
   layout->addWidget(views_->session_name, 1);
   return top_bar;
