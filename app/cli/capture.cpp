@@ -26,13 +26,8 @@ constexpr const char* kLastWords =
 /// Says on standard error what goes on.
 class Remarks {
  public:
-  Remarks(const LiveCaptureOptions& options, const Common& common)
-      : options_(options), common_(common), offences_(common) {}
+  explicit Remarks(const Common& common) : common_(common), offences_(common) {}
 
-  void operator()(const SkinDescription& skin) {
-    if (is_begun_ || !options_.automatic || skin.can_turn) return;
-    throw DeviceError(options_.source + ": --auto needs a device that turns by itself, and this one can't");
-  }
   void operator()(const CaptureBegun& begun) {
     is_begun_ = true;
     common_.note(begun.skin.device.english() + ": " + counted(begun.skin.neighbors.size(), "cell"));
@@ -84,6 +79,7 @@ class Remarks {
     common_.note("The device does not turn there: " + refused.why.english());
   }
   // Of these nothing is said: LiveCapture itself deals with them.
+  void operator()(const SkinDescription& /*event*/) {}
   void operator()(const PoseTaken& /*event*/) {}
   void operator()(const PoseLost& /*event*/) {}
   void operator()(const AdviceWanted& /*event*/) {}
@@ -91,7 +87,6 @@ class Remarks {
   void operator()(const CourseFinished& /*event*/) {}
 
  private:
-  const LiveCaptureOptions& options_;
   const Common& common_;
   OffenceNotes offences_;
   bool is_begun_ = false;
@@ -206,7 +201,7 @@ LiveCaptureState takePoses(const LiveCaptureOptions& options, const Common& comm
   // A recording is an input file; devices complain in their own way.
   std::unique_ptr<SkinSource> source = asInput([&] { return openSkinSource(options.source); });
   requireReplaceable(options.record_to, "--record " + options.record_to.string());  // the source may read it
-  Remarks remarks(options, common);
+  Remarks remarks(common);
   LiveCapture capture(options, std::move(source),
                       [&remarks](const LiveCaptureEvent& event) { std::visit(remarks, event); });
   common.progress("Connecting to " + options.source + " ...");
