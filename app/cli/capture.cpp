@@ -269,12 +269,12 @@ void addCapture(CLI::App& app, Common& common) {
     if (!capture.recording_error.empty()) return static_cast<int>(kStorage);
     return capture.result ? exitCodeOf(capture.result->assessment) : static_cast<int>(kNotGoodEnough);
   };
-  finish(*command, common,
-         "A pose is captured when the part is held still. Ctrl+C ends and keeps what there is.\n"
-         "Example:\n  hexoderm-cli capture --source sim:x17 --auto --poses 4 -o arm.hexo\n"
-         "  hexoderm-cli capture --source sim:robot --auto --poses 8 -o arm.hexo\n"
-         "  hexoderm-cli solve arm.hexo -o arm.calibration.json",
-         run);
+  complete(*command, common,
+           "A pose is captured when the part is held still. Ctrl+C ends and keeps what there is.\n"
+           "Example:\n  hexoderm-cli capture --source sim:x17 --auto --poses 4 -o arm.hexo\n"
+           "  hexoderm-cli capture --source sim:robot --auto --poses 8 -o arm.hexo\n"
+           "  hexoderm-cli solve arm.hexo -o arm.calibration.json",
+           run);
 }
 
 }  // namespace hexoderm::cli

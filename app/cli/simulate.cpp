@@ -200,11 +200,11 @@ void addSimulate(CLI::App& app, Common& common) {
   addOutput(*command, "-o,--output", options->output,
             "Session to write (*.session.json, or *.hexo, which must not exist yet; - is standard output)")
       ->required();
-  finish(*command, common,
-         "Example:\n  hexoderm-cli simulate --patch x17 --surface cylinder:r=0.0501 --poses 2 --seed 1 "
-         "-o arm.session.json\n"
-         "  hexoderm-cli simulate --robot demo --poses 8 -o arm.session.json",
-         [options, &common] { return run(*options, common); });
+  complete(*command, common,
+           "Example:\n  hexoderm-cli simulate --patch x17 --surface cylinder:r=0.0501 --poses 2 --seed 1 "
+           "-o arm.session.json\n"
+           "  hexoderm-cli simulate --robot demo --poses 8 -o arm.session.json",
+           [options, &common] { return run(*options, common); });
 }
 
 }  // namespace hexoderm::cli
