@@ -23,9 +23,7 @@ namespace {
 constexpr double kMostOffsetSigma_mg = 100'000;
 
 struct SimulateOptions {
-  SimulateOptions() { words.robot.clear(); }
-
-  RobotInWords words;  ///< without a robot: of a skin alone
+  RobotInWords words;
   std::string cell_model = "hex-bma150";
   std::string link_law = "bend";
   std::string motion = "hand";
