@@ -189,8 +189,12 @@ void MainWindow::connectRefresh() {
 }
 
 void MainWindow::refresh() {
-  const Presenters& all = *presenters_;
-  for (Presenter* each : {all.picked.get(), all.guide.get(), all.speech.get(), all.findings.get()}) each->refresh();
+  // Which actions can be used, before what asks them: steps, what is said aloud, and offers beside findings.
+  presenters_->picked->refresh();
+  presenters_->guide->refresh();
+  presenters_->speech->refresh();
+  presenters_->findings->refresh();
+  // Of the others none asks what another has done.
   presenters_->results.refresh();
   presenters_->marks->refresh();
   presenters_->place.refresh();
