@@ -8,6 +8,7 @@
 #include "hexoderm/util/text.h"
 
 #include <chrono>
+#include <concepts>
 #include <cstdint>
 #include <iostream>
 #include <limits>
@@ -22,16 +23,11 @@ namespace {
 constexpr const char* kLastWords =
     "hexoderm-cli: ended while something was held up; every pose that was reported as captured is in the file\n";
 
-/// Says on standard error what goes on. No overload is const: that of all other events would be the better match.
+/// Says on standard error what goes on.
 class Remarks {
  public:
-  Remarks(const LiveCaptureOptions& options, const Common& common)
-      : options_(options), common_(common), offences_(common) {}
+  explicit Remarks(const Common& common) : common_(common), offences_(common) {}
 
-  void operator()(const SkinDescription& skin) {
-    if (is_begun_ || !options_.automatic || skin.can_turn) return;
-    throw DeviceError(options_.source + ": --auto needs a device that turns by itself, and this one can't");
-  }
   void operator()(const CaptureBegun& begun) {
     is_begun_ = true;
     common_.note(begun.skin.device.english() + ": " + counted(begun.skin.neighbors.size(), "cell"));
@@ -53,7 +49,11 @@ class Remarks {
     common_.note("No readings for " + formatFixed(wait.duration_s, 0) + " s. " + wait.why.english());
   }
   void operator()(const PoseAdvised& next) { common_.note("Next: " + next.advice.english()); }
-  void operator()(const CourseEvent& event) { std::visit(*this, event); }
+  /// A template, for which no event of the course is taken: each has an overload of its own.
+  template <std::same_as<CourseEvent> Event>
+  void operator()(const Event& event) {
+    std::visit(*this, event);
+  }
   void operator()(const PoseKept& kept) {
     const CapturedPose& captured = kept.captured;
     const std::string pose = "Pose " + toString(captured.pose->id);
@@ -78,11 +78,15 @@ class Remarks {
   void operator()(const TurnRefused& refused) {
     common_.note("The device does not turn there: " + refused.why.english());
   }
-  template <class Other>
-  void operator()(const Other& /*event*/) {}
+  // Of these nothing is said: LiveCapture itself deals with them.
+  void operator()(const SkinDescription& /*event*/) {}
+  void operator()(const PoseTaken& /*event*/) {}
+  void operator()(const PoseLost& /*event*/) {}
+  void operator()(const AdviceWanted& /*event*/) {}
+  void operator()(const AdviceChanged& /*event*/) {}
+  void operator()(const CourseFinished& /*event*/) {}
 
  private:
-  const LiveCaptureOptions& options_;
   const Common& common_;
   OffenceNotes offences_;
   bool is_begun_ = false;
@@ -197,7 +201,7 @@ LiveCaptureState takePoses(const LiveCaptureOptions& options, const Common& comm
   // A recording is an input file; devices complain in their own way.
   std::unique_ptr<SkinSource> source = asInput([&] { return openSkinSource(options.source); });
   requireReplaceable(options.record_to, "--record " + options.record_to.string());  // the source may read it
-  Remarks remarks(options, common);
+  Remarks remarks(common);
   LiveCapture capture(options, std::move(source),
                       [&remarks](const LiveCaptureEvent& event) { std::visit(remarks, event); });
   common.progress("Connecting to " + options.source + " ...");
@@ -265,12 +269,12 @@ void addCapture(CLI::App& app, Common& common) {
     if (!capture.recording_error.empty()) return static_cast<int>(kStorage);
     return capture.result ? exitCodeOf(capture.result->assessment) : static_cast<int>(kNotGoodEnough);
   };
-  finish(*command, common,
-         "A pose is captured when the part is held still. Ctrl+C ends and keeps what there is.\n"
-         "Example:\n  hexoderm-cli capture --source sim:x17 --auto --poses 4 -o arm.hexo\n"
-         "  hexoderm-cli capture --source sim:robot --auto --poses 8 -o arm.hexo\n"
-         "  hexoderm-cli solve arm.hexo -o arm.calibration.json",
-         run);
+  complete(*command, common,
+           "A pose is captured when the part is held still. Ctrl+C ends and keeps what there is.\n"
+           "Example:\n  hexoderm-cli capture --source sim:x17 --auto --poses 4 -o arm.hexo\n"
+           "  hexoderm-cli capture --source sim:robot --auto --poses 8 -o arm.hexo\n"
+           "  hexoderm-cli solve arm.hexo -o arm.calibration.json",
+           run);
 }
 
 }  // namespace hexoderm::cli

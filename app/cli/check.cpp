@@ -126,12 +126,12 @@ void addCheck(CLI::App& app, Common& common) {
       ->needs(source);
   addOutput(*command, "-o,--output", options->live.file, "Keep the poses that are taken in a session (*.hexo)")
       ->needs(source);
-  finish(*command, common,
-         "The calibration is not changed. A part that sits otherwise on the robot as a whole is no change.\n"
-         "Exit code 1: something is not as calibrated, or nothing could be told.\n"
-         "Example:\n  hexoderm-cli check arm.calibration.json today.session.json\n"
-         "  hexoderm-cli check arm.calibration.json --source tcp://localhost:7700 --poses 2",
-         [options, &common] { return run(*options, common); });
+  complete(*command, common,
+           "The calibration is not changed. A part that sits otherwise on the robot as a whole is no change.\n"
+           "Exit code 1: something is not as calibrated, or nothing could be told.\n"
+           "Example:\n  hexoderm-cli check arm.calibration.json today.session.json\n"
+           "  hexoderm-cli check arm.calibration.json --source tcp://localhost:7700 --poses 2",
+           [options, &common] { return run(*options, common); });
 }
 
 }  // namespace hexoderm::cli

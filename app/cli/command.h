@@ -146,9 +146,9 @@ class Output {
   std::ostringstream nowhere_;
 };
 
-/// Ends a command that `run` does, which returns the exit code: with the options that every command has, and a footer.
+/// Gives a command what all have: the options of every command, a footer, and `run`, which returns the exit code.
 template <class Run>
-void finish(CLI::App& command, Common& common, const std::string& footer, Run run) {
+void complete(CLI::App& command, Common& common, const std::string& footer, Run run) {
   common.addTo(command);
   command.footer(footer);
   command.callback([&common, run] { common.exit_code = run(); });

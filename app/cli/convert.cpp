@@ -76,8 +76,8 @@ void addConvert(CLI::App& app, Common& common) {
       ->required();
   addInput(*command, "--cell-model", options->cell_model, "Of a TUM file: built-in name or JSON file")
       ->capture_default_str();
-  finish(*command, common, "Example:\n  hexoderm-cli convert skin_config.xml -o skin.calibration.json",
-         [options, &common] { return run(*options, common); });
+  complete(*command, common, "Example:\n  hexoderm-cli convert skin_config.xml -o skin.calibration.json",
+           [options, &common] { return run(*options, common); });
 }
 
 }  // namespace hexoderm::cli

@@ -209,8 +209,9 @@ void addEvaluate(CLI::App& app, Common& common) {
       kMostLength_m);
   command->add_option("--loop", options->loop, "Gap between two free ports: CELL:PORT,CELL:PORT");
   addInput(*command, "--against", options->against, "Calibration, or session with truth, to compare with");
-  finish(*command, common, "Example:\n  hexoderm-cli evaluate arm.calibration.json --fit cylinder --true-radius 0.0501",
-         [options, radius, &common] { return run(*options, radius->count() > 0, common); });
+  complete(*command, common,
+           "Example:\n  hexoderm-cli evaluate arm.calibration.json --fit cylinder --true-radius 0.0501",
+           [options, radius, &common] { return run(*options, radius->count() > 0, common); });
 }
 
 }  // namespace hexoderm::cli

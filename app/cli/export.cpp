@@ -239,12 +239,12 @@ void addExport(CLI::App& app, Common& common) {
       ->add_flag("--all-patches", options->options.all_patches,
                  "Write every patch to a vtp file too, each in its own frame, their origins at one place")
       ->excludes(patch);
-  finish(*command, common,
-         "Where --robot is given, the names of links are those of the robot, with every format.\n"
-         "Examples:\n  hexoderm-cli export arm.calibration.json --to urdf -o arm.urdf\n"
-         "  hexoderm-cli export arm.calibration.json --to robot-urdf --robot robot.urdf "
-         "--place r_forearm:0.02,0,0.1,0,1.5708,0 -o robot_with_skin.urdf",
-         [options, patch, &common] { return run(*options, patch->count() > 0, common); });
+  complete(*command, common,
+           "Where --robot is given, the names of links are those of the robot, with every format.\n"
+           "Examples:\n  hexoderm-cli export arm.calibration.json --to urdf -o arm.urdf\n"
+           "  hexoderm-cli export arm.calibration.json --to robot-urdf --robot robot.urdf "
+           "--place r_forearm:0.02,0,0.1,0,1.5708,0 -o robot_with_skin.urdf",
+           [options, patch, &common] { return run(*options, patch->count() > 0, common); });
 }
 
 }  // namespace hexoderm::cli

@@ -103,8 +103,8 @@ void addInspect(CLI::App& app, Common& common) {
       ->capture_default_str();
   addWithDefault(*command, "--solver", options->solver,
                  "Of a session: global, as 'solve' does; or tree, which is quicker and finds less");
-  finish(*command, common, "Example:\n  hexoderm-cli inspect arm.session.json",
-         [options, &common] { return run(*options, common); });
+  complete(*command, common, "Example:\n  hexoderm-cli inspect arm.session.json",
+           [options, &common] { return run(*options, common); });
 }
 
 }  // namespace hexoderm::cli

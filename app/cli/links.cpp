@@ -217,11 +217,11 @@ void addLinks(CLI::App& app, Common& common) {
   takeDirection(command->add_option("--up", arguments->up,
                                     "The direction that points up in the frame of the robot's base: x,y,z"));
   command->add_flag("--exact-joints", arguments->exact_joints, "Joints have no zero errors");
-  finish(*command, common,
-         "From gravity and joint angles: the base stands still, and where on its link a patch lies is not told.\n"
-         "Exit code 1: some patch is on no link that is known.\n"
-         "Example:\n  hexoderm-cli links robot.session.json --robot robot.urdf --joints robot.joints.csv",
-         [arguments, &common] { return run(*arguments, common); });
+  complete(*command, common,
+           "From gravity and joint angles: the base stands still, and where on its link a patch lies is not told.\n"
+           "Exit code 1: some patch is on no link that is known.\n"
+           "Example:\n  hexoderm-cli links robot.session.json --robot robot.urdf --joints robot.joints.csv",
+           [arguments, &common] { return run(*arguments, common); });
 }
 
 }  // namespace hexoderm::cli

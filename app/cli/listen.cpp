@@ -266,7 +266,7 @@ void addListen(CLI::App& app, Common& common) {
       command->add_option("--rate", options->rate_hz, "Ask for so many samples a second of each cell (SetRate)"), 0,
       kMostRate_hz);
   command->add_flag("--explore", options->explore, "Ask the device to explore its neighbours again (ExploreAgain)");
-  finish(
+  complete(
       *command, common,
       "The first offence of each kind is said at once on standard error; rates, losses, norms, noise, links and the\n"
       "counts of all offences follow at the end. Exit code 0: a calibration could begin; 1: it could not, and why;\n"

@@ -201,7 +201,7 @@ void addParts(CLI::App& app, Common& common) {
   CLI::App* command = app.add_subcommand(
       "parts", "Tell which patches move together, how they are turned against each other, and where hinges are");
   addInput(*command, "session", *input, "Session (*.hexo or *.session.json)")->required();
-  finish(
+  complete(
       *command, common,
       "From gravity alone: where patches and hinges lie, it doesn't say. A joint that stood still in all poses can't "
       "be\n"

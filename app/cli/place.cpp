@@ -390,14 +390,15 @@ void addPlace(CLI::App& app, Common& common) {
               toMillimetres(kMostPlaceLength_m));
   addOutput(*command, "-o,--output", options->output,
             "File for the best place, which export takes with --placements; - is standard output");
-  finish(*command, common,
-         "All places that fit are given, the best first, with what is left open and how far the patch can be moved.\n"
-         "Exit code 1: no place fits, several do, or one from which the patch can be moved; or gravity says that\n"
-         "the patch is on another link.\n"
-         "Example:\n  hexoderm-cli place arm.calibration.json --robot robot.urdf --link r_forearm --rotation 0,90,12:1 "
-         "-o placements.json\n"
-         "  hexoderm-cli place arm.hexo --robot robot.urdf --link r_forearm --rotation links --joints joints.csv",
-         [options, &common] { return run(*options, common); });
+  complete(
+      *command, common,
+      "All places that fit are given, the best first, with what is left open and how far the patch can be moved.\n"
+      "Exit code 1: no place fits, several do, or one from which the patch can be moved; or gravity says that\n"
+      "the patch is on another link.\n"
+      "Example:\n  hexoderm-cli place arm.calibration.json --robot robot.urdf --link r_forearm --rotation 0,90,12:1 "
+      "-o placements.json\n"
+      "  hexoderm-cli place arm.hexo --robot robot.urdf --link r_forearm --rotation links --joints joints.csv",
+      [options, &common] { return run(*options, common); });
 }
 
 }  // namespace hexoderm::cli

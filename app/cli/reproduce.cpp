@@ -49,8 +49,8 @@ void addReproduce(CLI::App& app, Common& common) {
   std::vector<std::string> names;
   for (const Part& part : kParts) names.emplace_back(part.name);
   command->add_option("--only", options->only, "One part of it")->check(CLI::IsMember(names));
-  finish(*command, common, "Example:\n  hexoderm-cli reproduce --seeds 200",
-         [options, &common] { return run(*options, common); });
+  complete(*command, common, "Example:\n  hexoderm-cli reproduce --seeds 200",
+           [options, &common] { return run(*options, common); });
 }
 
 }  // namespace hexoderm::cli

@@ -143,13 +143,13 @@ void addSensors(CLI::App& app, Common& common) {
       ->required();
   addOutput(*command, "-o,--output", options->output,
             "Cell model to write: the sessions' with the estimated sigmas (*.json; - is standard output)");
-  finish(*command, common,
-         "One pose tells nothing, two the offsets, three the scale errors too, and six, as of a cube's faces, all.\n"
-         "Exit code 1: nothing can be told; the model is written all the same.\n"
-         "Example:\n  hexoderm-cli simulate --poses 6 -o arm.session.json\n"
-         "  hexoderm-cli sensors arm.session.json -o chip.json\n"
-         "  hexoderm-cli simulate --poses 6 --cell-model chip.json -o next.session.json",
-         [options, &common] { return run(*options, common); });
+  complete(*command, common,
+           "One pose tells nothing, two the offsets, three the scale errors too, and six, as of a cube's faces, all.\n"
+           "Exit code 1: nothing can be told; the model is written all the same.\n"
+           "Example:\n  hexoderm-cli simulate --poses 6 -o arm.session.json\n"
+           "  hexoderm-cli sensors arm.session.json -o chip.json\n"
+           "  hexoderm-cli simulate --poses 6 --cell-model chip.json -o next.session.json",
+           [options, &common] { return run(*options, common); });
 }
 
 }  // namespace hexoderm::cli

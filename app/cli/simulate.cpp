@@ -23,9 +23,7 @@ namespace {
 constexpr double kMostOffsetSigma_mg = 100'000;
 
 struct SimulateOptions {
-  SimulateOptions() { words.robot.clear(); }
-
-  RobotInWords words;  ///< without a robot: of a skin alone
+  RobotInWords words;
   std::string cell_model = "hex-bma150";
   std::string link_law = "bend";
   std::string motion = "hand";
@@ -200,11 +198,11 @@ void addSimulate(CLI::App& app, Common& common) {
   addOutput(*command, "-o,--output", options->output,
             "Session to write (*.session.json, or *.hexo, which must not exist yet; - is standard output)")
       ->required();
-  finish(*command, common,
-         "Example:\n  hexoderm-cli simulate --patch x17 --surface cylinder:r=0.0501 --poses 2 --seed 1 "
-         "-o arm.session.json\n"
-         "  hexoderm-cli simulate --robot demo --poses 8 -o arm.session.json",
-         [options, &common] { return run(*options, common); });
+  complete(*command, common,
+           "Example:\n  hexoderm-cli simulate --patch x17 --surface cylinder:r=0.0501 --poses 2 --seed 1 "
+           "-o arm.session.json\n"
+           "  hexoderm-cli simulate --robot demo --poses 8 -o arm.session.json",
+           [options, &common] { return run(*options, common); });
 }
 
 }  // namespace hexoderm::cli

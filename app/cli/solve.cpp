@@ -102,7 +102,7 @@ void addSolve(CLI::App& app, Common& common) {
       command->add_option("-j,--jobs", options->jobs,
                           "Of many sessions, so many at the same time (default: as the computer has threads)"),
       1, 1024);
-  finish(
+  complete(
       *command, common,
       "Many sessions are solved at the same time, each as if it were alone. Each gets a line on standard output, with\n"
       "--json an object in a line; the exit code is the largest of all.\n"

@@ -28,9 +28,7 @@ constexpr int kBadInput = 3;
 constexpr int kDevice = 4;
 
 struct Options {
-  Options() { words.robot.clear(); }
-
-  RobotInWords words;  ///< without a robot: of a skin alone
+  RobotInWords words;
   std::string cell_model = "hex-bma150";
   std::string link_law = "bend";
   double offset_sigma_mg = -1;

@@ -1,5 +1,12 @@
 # Completion of Hexoderm's programs for bash: they are asked with --help what they take.
 
+# The help of a program, or of one of its commands. Nobody waits long for one that does not answer.
+_hexoderm_help() {
+  local limit=()
+  type -P timeout >/dev/null && limit=(timeout 2)
+  "${limit[@]}" "$@" --help </dev/null 2>/dev/null
+}
+
 _hexoderm() {
   local words=() word before program help commands options="" spelled value
   # "--option=value" comes as three words.
@@ -9,13 +16,16 @@ _hexoderm() {
   [ "$word" != = ] || words+=("")
   before="${words[-2]}"
 
-  program="${words[0]/#\~/$HOME}"
-  help="$("$program" --help 2>/dev/null)"
+  # It comes as it is typed: without quotes and backslashes it is the name of a file, or else there may be one on PATH.
+  program="${words[0]//[\\\"\']/}"
+  program="${program/#\~/$HOME}"
+  program="$(type -P "$program" || type -P "${program##*/}")"
+  help="$(_hexoderm_help "$program")"
   commands="$(sed -nE '/^Subcommands:/,/^$/s/^  ([a-z]+) .*/\1/p' <<<"$help")"
   for word in "${words[@]:1:${#words[@]}-2}"; do
     if grep -qxF -e "$word" <<<"$commands"; then
       commands=""
-      help="$("$program" "$word" --help 2>/dev/null)"
+      help="$(_hexoderm_help "$program" "$word")"
       break
     fi
   done

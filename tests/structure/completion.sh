@@ -10,10 +10,11 @@ trap 'rm -rf "$folder"' EXIT
 cd "$folder"
 touch arm.hexo arm.calibration.json
 
-# expect WORDS... -> WHAT...: the last of the words is completed.
+# expect WORDS... -> WHAT...: the last of the words is completed, the first being "$typed".
+typed="$cli"
 expect() {
   local expected=()
-  COMP_WORDS=("$cli")
+  COMP_WORDS=("$typed")
   while [ "$1" != '->' ]; do
     COMP_WORDS+=("$1")
     shift
@@ -21,7 +22,7 @@ expect() {
   shift
   expected=("$@")
   COMP_CWORD=$((${#COMP_WORDS[@]} - 1))
-  _hexoderm
+  _hexoderm || true  # a shell that is waiting for a user does not end at errors
   local found
   found="$(printf '%s\n' "${COMPREPLY[@]}" | sort | tr '\n' ' ')"
   [ "$found" = "${expected[*]} " ] ||
@@ -36,3 +37,20 @@ expect reproduce --only p '->' paper place
 expect reproduce --only = p '->' paper place
 expect reproduce --only = '->' accuracy check detection paper place uncertainty
 expect --json solve --we '->' --weights
+
+# However the program is spelled, and from PATH where that says nothing.
+mkdir "two words"
+ln -s "$cli" "two words/hexoderm-cli"
+PATH="$folder/two words:$PATH"
+for typed in '"two words"/hexoderm-cli' "'two words'/hexoderm-cli" 'two\ words/hexoderm-cli' hexoderm-cli \
+  "\$FOLDER/hexoderm-cli"; do
+  expect solve --so '->' --solver
+done
+
+# One that does not answer is not waited for.
+printf '#!/bin/sh\nexec sleep 60\n' >mute
+chmod +x mute
+typed=./mute
+SECONDS=0
+expect arm.h '->' arm.hexo
+[ "$SECONDS" -lt 30 ] || { echo "waited $SECONDS s for a program that does not answer"; exit 1; }

@@ -344,7 +344,7 @@ bool GraphView::event(QEvent* event) {
     }
     return true;
   }
-  if (event->type() == QEvent::FontChange || event->type() == QEvent::PaletteChange) recolor();
+  if (event->type() == QEvent::FontChange || dressed_.isChangedBy(*event)) recolor();
   return QWidget::event(event);
 }
 

@@ -6,6 +6,7 @@
 #include "widgets/graph/graph_picture.h"
 #include "widgets/graph/graph_pointing.h"
 #include "widgets/graph/graph_sheet.h"
+#include "widgets/style/dressed_theme.h"
 #include "widgets/style/palette.h"
 
 #include <QList>
@@ -114,6 +115,7 @@ class GraphView : public QWidget {
   [[nodiscard]] GraphMarks marks() const;
 
   Selection* selection_;
+  DressedTheme dressed_{*this};
   std::shared_ptr<const GraphScene> scene_ = std::make_shared<GraphScene>();
   std::shared_ptr<const GraphPaint> paint_ = std::make_shared<GraphPaint>();
   const ScaleRanges* ranges_ = nullptr;

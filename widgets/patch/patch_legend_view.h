@@ -12,6 +12,7 @@
 #include <QWidget>
 #include <algorithm>
 #include <optional>
+#include <utility>
 
 namespace hexoderm {
 
@@ -177,7 +178,8 @@ class PatchLegendView : public QWidget {
       }
     }
     setVisible(is_there);
-    emit heightChanged(is_there ? parentWidget()->height() - geometry().top() : 0);
+    const int covered = is_there ? parentWidget()->height() - geometry().top() : 0;
+    if (std::exchange(covered_px_, covered) != covered) emit heightChanged(covered);
     update();
   }
 
@@ -214,6 +216,7 @@ class PatchLegendView : public QWidget {
 
   std::optional<LegendContent> content_;
   std::optional<PatchLegend> legend_;
+  int covered_px_ = 0;  ///< of the bottom of the parent, as heightChanged() says
   QToolButton* button_ = new QToolButton(this);
   RangePopup* popup_ = new RangePopup(this);
   std::optional<double> marked_;

@@ -20,6 +20,7 @@
 #include "widgets/patch/scene_widget.h"
 #include "widgets/scene/patch_scene.h"
 #include "widgets/scene/scene_builder.h"
+#include "widgets/style/dressed_theme.h"
 
 #include <vtkRenderWindowInteractor.h>
 #include <vtkRenderer.h>
@@ -53,6 +54,7 @@ struct PatchView::Parts : public QObject {
   Parts(PatchView* owner, Selection* shared) : view(owner), selection(shared), measure(shared, owner) {}
 
   PatchView* view;
+  DressedTheme dressed{*view};
   Selection* selection;
   MeasureTool measure;
   std::shared_ptr<const Reconstruction> reconstruction;
@@ -408,7 +410,7 @@ void PatchView::setMarkedValue(std::optional<double> value, const QString& word)
 
 void PatchView::changeEvent(QEvent* event) {
   QWidget::changeEvent(event);
-  if (event->type() == QEvent::PaletteChange) parts_->dress();
+  if (parts_->dressed.isChangedBy(*event)) parts_->dress();
 }
 
 void PatchView::paintEvent(QPaintEvent* /*event*/) {

@@ -4,6 +4,7 @@
 #include "widgets/controls/panel_parts.h"
 #include "widgets/plot/plot_items.h"
 #include "widgets/plot/plot_pointing.h"
+#include "widgets/style/dressed_theme.h"
 #include "widgets/style/palette.h"
 #include "widgets/words/formatting.h"
 
@@ -74,6 +75,7 @@ struct PlotView::Parts : public QObject {
   Parts(PlotView* owner, Selection* shared) : view(owner), selection(shared) {}
 
   PlotView* view;
+  DressedTheme dressed{*view};
   Selection* selection;
   std::shared_ptr<const Reconstruction> reconstruction;
   CellFigures figures;  ///< of its cells, once they are needed
@@ -336,7 +338,7 @@ void PlotView::showEvent(QShowEvent* event) {
 
 void PlotView::changeEvent(QEvent* event) {
   QWidget::changeEvent(event);
-  if (event->type() == QEvent::FontChange || event->type() == QEvent::PaletteChange) parts_->dress();
+  if (event->type() == QEvent::FontChange || parts_->dressed.isChangedBy(*event)) parts_->dress();
 }
 
 }  // namespace hexoderm

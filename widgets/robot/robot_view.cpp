@@ -88,7 +88,7 @@ void RobotView::setPicture(const RobotPicture& picture) {
 
 void RobotView::changeEvent(QEvent* event) {
   QWidget::changeEvent(event);
-  if (event->type() == QEvent::PaletteChange) dress();
+  if (dressed_.isChangedBy(*event)) dress();
 }
 
 void RobotView::dress() {

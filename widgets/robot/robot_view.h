@@ -1,6 +1,7 @@
 #pragma once
 
 #include "widgets/robot/robot_scene.h"
+#include "widgets/style/dressed_theme.h"
 
 #include <QImage>
 #include <QWidget>
@@ -73,6 +74,7 @@ class RobotView : public QWidget {
   bool moveByKey(const QKeyEvent& event);
   void showCursor();
 
+  DressedTheme dressed_{*this};
   RobotPicture picture_;
   bool picking_ = false;
   bool moving_ = false;           ///< by keys

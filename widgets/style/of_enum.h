@@ -1,15 +1,17 @@
 #pragma once
 
+#include "hexoderm/util/enum_names.h"
+
 #include <cstddef>
-#include <initializer_list>
 
 namespace hexoderm {
 
-/// What stands for an enumerator in a list that has one for each, in the order of their declaration.
-template <class Enum, class Value>
-Value ofEnum(Enum which, std::initializer_list<Value> values) {
-  const auto index = static_cast<std::size_t>(which);
-  return index < values.size() ? values.begin()[index] : Value();
+/// What stands for an enumerator in a list of values, in the order of their declaration. Each enumerator has one, or it
+/// does not compile.
+template <class Enum, class Value, std::size_t kCount>
+Value ofEnum(Enum which, const Value (&values)[kCount]) {
+  static_assert(kCount == enumeratorCount<Enum>(), "one value for each enumerator");
+  return values[static_cast<std::size_t>(which)];
 }
 
 }  // namespace hexoderm

@@ -17,6 +17,7 @@ CellTable::CellTable(QObject* parent) : ReconstructionTable(parent) {
   const QString mm = QStringLiteral("mm");
   const QString deg = QStringLiteral("deg");
   add(tr("Cell"), {}, 0, tr("ID of the cell"), [](const Row& row) { return row.summary.cell.value(); });
+  columns.back().spoken = [this](int row) { return tr("Cell %1").arg(cellAt(row).value()); };
   add(tr("Patch"), {}, 0, tr("Cells joined by rigid links make a patch; each has a frame of its own"),
       [](const Row& row) { return row.summary.patch.value() + 1; });
   const auto addPlace = [&](const QString& name, int axis) {
@@ -84,7 +85,6 @@ int CellTable::rowOf(CellId cell) const {
 QVariant CellTable::data(const QModelIndex& index, int role) const {
   if (!checkIndex(index, CheckIndexOption::IndexIsValid)) return {};
   if (role == Qt::ToolTipRole) return cellToolTip(*reconstruction(), cellAt(index.row()));
-  if (role == Qt::AccessibleTextRole && index.column() == 0) return tr("Cell %1").arg(cellAt(index.row()).value());
   return ReconstructionTable::data(index, role);
 }
 

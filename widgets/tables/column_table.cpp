@@ -27,10 +27,16 @@ QString ColumnTable::textAt(const QModelIndex& index) const {
 
 QVariant ColumnTable::data(const QModelIndex& index, int role) const {
   if (!checkIndex(index, CheckIndexOption::IndexIsValid)) return {};
+  const Column& column = columns_[static_cast<std::size_t>(index.column())];
   switch (role) {
     case Qt::DisplayRole:
-    case Qt::AccessibleTextRole:
       return textAt(index);
+    case Qt::AccessibleTextRole:
+      return column.spoken ? column.spoken(index.row()) : textAt(index);
+    case Qt::DecorationRole:
+      return column.decoration ? column.decoration(index.row()) : QVariant();
+    case Qt::ToolTipRole:
+      return column.tool_tip ? column.tool_tip(index.row()) : QVariant();
     case kRawRole:
       return valueAt(index);
     case Qt::TextAlignmentRole:

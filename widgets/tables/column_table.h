@@ -24,6 +24,10 @@ class ColumnTable : public QAbstractTableModel {
     std::function<QVariant(int row)> value{};
     /// The text of a row, where it is not the value in words.
     std::function<QString(int row)> text{};
+    /// What else a row has in this column: an icon, a tool tip, and what a screen reader says instead of the text.
+    std::function<QVariant(int row)> decoration{};
+    std::function<QString(int row)> tool_tip{};
+    std::function<QString(int row)> spoken{};
   };
   /// A value of the column as the table shows it.
   static QString inWords(const Column& column, const QVariant& value);

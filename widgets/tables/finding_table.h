@@ -21,22 +21,16 @@ class FindingTable : public ReconstructionTable {
     const auto column = [this](const QString& name, QString (*text)(const Finding&)) {
       return Column{.name = name, .is_text = true, .value = [this, text](int row) { return text(findingAt(row)); }};
     };
-    setColumns({column(tr("Severity"), [](const Finding& finding) { return severityWord(finding.severity); }),
-                column(tr("What"), [](const Finding& finding) { return words(finding.message); }),
+    Column severity = column(tr("Severity"), [](const Finding& finding) { return severityWord(finding.severity); });
+    severity.decoration = [this](int row) { return severityMark(findingAt(row).severity); };
+    setColumns({severity, column(tr("What"), [](const Finding& finding) { return words(finding.message); }),
                 column(tr("Where"), [](const Finding& finding) { return placeInWords(finding); })});
   }
 
   QVariant data(const QModelIndex& index, int role) const override {
     if (!checkIndex(index, CheckIndexOption::IndexIsValid)) return {};
-    const Finding& finding = findingAt(index.row());
-    switch (role) {
-      case Qt::DecorationRole:
-        return index.column() == 0 ? QVariant(severityMark(finding.severity)) : QVariant();
-      case Qt::ToolTipRole:
-        return findingToolTip(finding);
-      default:
-        return ReconstructionTable::data(index, role);
-    }
+    if (role == Qt::ToolTipRole) return findingToolTip(findingAt(index.row()));
+    return ReconstructionTable::data(index, role);
   }
 
   [[nodiscard]] const Finding& findingAt(int row) const {

@@ -25,47 +25,44 @@ LinkTable::LinkTable(QObject* parent) : LinkRowTable(parent) {
       return link.hasFigures() ? std::optional(link.*angle_rad) : std::nullopt;
     };
   };
-  setColumns(
-      {text(tr("Link"), tr("Cell and port of both ends"), [](const LinkEstimate& link) { return shortLinkName(link); }),
-       text(tr("Quality"), tr("How well the poses determine the link's rotation"),
-            [](const LinkEstimate& link) {
-              return link.hasFigures() ? QVariant(qualityWord(link.quality)) : QVariant();
-            }),
-       angle(tr("Residual"),
-             tr("How badly the readings of the two cells fit together, the estimated errors of their sensors "
-                "taken away: rms over the poses"),
-             [](const LinkEstimate& link) { return link.knownResidual(); }),
-       angle(tr("Predicted"), tr("Expected standard deviation of the link's rotation about its worst axis"),
-             [](const LinkEstimate& link) { return link.knownSigma(); }),
-       angle(tr("Bend"), tr("Angle by which the surface folds at the link"), ofFigures(&LinkEstimate::bend_rad)),
-       angle(tr("Twist"), tr("Angle by which the cells are turned about the line that joins them"),
-             ofFigures(&LinkEstimate::twist_rad)),
-       angle(tr("Yaw"), tr("Angle by which the cells are turned within the surface"),
-             ofFigures(&LinkEstimate::yaw_rad)),
-       text(tr("State"), tr("Whether the link is used, and whether it lies on the shortest-path tree"),
-            [](const LinkEstimate& link) {
-              if (link.muted_by == FindingCode::LinkSetAside) return tr("set aside");
-              if (!link.used) return tr("muted");
-              return link.in_tree ? tr("used, in tree") : tr("used");
-            })});
+  Column name =
+      text(tr("Link"), tr("Cell and port of both ends"), [](const LinkEstimate& link) { return shortLinkName(link); });
+  name.spoken = [this](int row) { return longLinkName(linkAt(row)); };
+  Column quality = text(
+      tr("Quality"), tr("How well the poses determine the link's rotation"),
+      [](const LinkEstimate& link) { return link.hasFigures() ? QVariant(qualityWord(link.quality)) : QVariant(); });
+  quality.decoration = [this](int row) {
+    const LinkEstimate& link = linkAt(row);
+    return link.hasFigures() ? QVariant(strokeMark(link.quality)) : QVariant();
+  };
+  setColumns({name, quality,
+              angle(tr("Residual"),
+                    tr("How badly the readings of the two cells fit together, the estimated errors of their sensors "
+                       "taken away: rms over the poses"),
+                    [](const LinkEstimate& link) { return link.knownResidual(); }),
+              angle(tr("Predicted"), tr("Expected standard deviation of the link's rotation about its worst axis"),
+                    [](const LinkEstimate& link) { return link.knownSigma(); }),
+              angle(tr("Bend"), tr("Angle by which the surface folds at the link"), ofFigures(&LinkEstimate::bend_rad)),
+              angle(tr("Twist"), tr("Angle by which the cells are turned about the line that joins them"),
+                    ofFigures(&LinkEstimate::twist_rad)),
+              angle(tr("Yaw"), tr("Angle by which the cells are turned within the surface"),
+                    ofFigures(&LinkEstimate::yaw_rad)),
+              text(tr("State"), tr("Whether the link is used, and whether it lies on the shortest-path tree"),
+                   [](const LinkEstimate& link) {
+                     if (link.muted_by == FindingCode::LinkSetAside) return tr("set aside");
+                     if (!link.used) return tr("muted");
+                     return link.in_tree ? tr("used, in tree") : tr("used");
+                   })});
 }
 
 QVariant LinkTable::data(const QModelIndex& index, int role) const {
   if (!checkIndex(index, CheckIndexOption::IndexIsValid)) return {};
-  constexpr int kNameColumn = 0;
-  constexpr int kQualityColumn = 1;
   const LinkEstimate& link = linkAt(index.row());
   switch (role) {
-    case Qt::DecorationRole:
-      if (index.column() != kQualityColumn || !link.hasFigures()) return {};
-      return strokeMark(link.quality);
     case Qt::ForegroundRole:
       return link.used ? QVariant() : mutedForeground();
     case Qt::ToolTipRole:
       return linkToolTip(*reconstruction(), link);
-    case Qt::AccessibleTextRole:
-      if (index.column() == kNameColumn) return longLinkName(link);
-      [[fallthrough]];
     default:
       return LinkRowTable::data(index, role);
   }

@@ -14,17 +14,28 @@ PoseTable::PoseTable(QObject* parent) : ReconstructionTable(parent) {
   setColumns({{.name = tr("Pose"),
                .explanation = tr("Number of the pose; a check mark if it is used, a dash if it is disabled"),
                .is_text = true,
-               .value = of([](const PoseSummary& pose) { return pose.pose.value(); })},
+               .value = of([](const PoseSummary& pose) { return pose.pose.value(); }),
+               .decoration = of([](const PoseSummary& pose) { return usedMark(pose.enabled); }),
+               .spoken = of([](const PoseSummary& pose) {
+                 return (pose.enabled ? tr("Pose %1, used") : tr("Pose %1, disabled")).arg(pose.pose.value());
+               })},
               {.name = tr("Label"),
                .explanation = tr("What the pose is called"),
                .is_text = true,
                .value = of([](const PoseSummary& pose) { return words(pose.label); }),
-               .text = of([](const PoseSummary& pose) { return pose.label.empty() ? noValue() : words(pose.label); })},
+               .text = of([](const PoseSummary& pose) { return pose.label.empty() ? noValue() : words(pose.label); }),
+               .tool_tip = of([](const PoseSummary& pose) { return words(pose.label); })},
               {.name = tr("Cells"),
                .explanation = tr("Cells that gave a reading, of all cells"),
                .value = of([](const PoseSummary& pose) { return static_cast<qulonglong>(pose.cells_measured); }),
                .text = of([this](const PoseSummary& pose) {
                  return QStringLiteral("%1/%2").arg(pose.cells_measured).arg(reconstruction()->cellCount());
+               }),
+               .tool_tip = of([this](const PoseSummary& pose) {
+                 const std::size_t cells = reconstruction()->cellCount();
+                 return pose.cells_measured < cells
+                            ? tr("%1 cells gave no reading in this pose.").arg(cells - pose.cells_measured)
+                            : QString();
                })},
               {.name = tr("Noise mg"),
                .unit = QStringLiteral("mg"),
@@ -37,7 +48,10 @@ PoseTable::PoseTable(QObject* parent) : ReconstructionTable(parent) {
                .unit = deg,
                .explanation = tr("Angle to the nearest direction of gravity seen in an earlier pose"),
                .sign = QStringLiteral("°"),
-               .value = of([](const PoseSummary& pose) { return rawDegrees(pose.new_by_rad); })},
+               .value = of([](const PoseSummary& pose) { return rawDegrees(pose.new_by_rad); }),
+               .tool_tip = of([](const PoseSummary& pose) {
+                 return pose.new_by_rad ? QString() : tr("There is no earlier pose to compare it with.");
+               })},
               {.name = tr("Residual"),
                .unit = deg,
                .explanation = tr("How badly the pose fits the reconstruction: rms over the links"),
@@ -50,28 +64,15 @@ int PoseTable::rows() const { return reconstruction() ? static_cast<int>(reconst
 
 QVariant PoseTable::data(const QModelIndex& index, int role) const {
   if (!checkIndex(index, CheckIndexOption::IndexIsValid)) return {};
-  constexpr int kPoseColumn = 0;
-  constexpr int kLabelColumn = 1;
   const PoseSummary& pose = reconstruction()->poses[static_cast<std::size_t>(index.row())];
-  const int column = index.column();
   switch (role) {
-    case Qt::DecorationRole:
-      return column == kPoseColumn ? QVariant(usedMark(pose.enabled)) : QVariant();
     case Qt::ForegroundRole:
       return pose.enabled ? QVariant() : mutedForeground();
-    case Qt::ToolTipRole:
+    case Qt::ToolTipRole: {
       if (!pose.enabled) return tr("Pose %1 is disabled: it is kept, but not used.").arg(pose.pose.value());
-      if (column == kLabelColumn) return words(pose.label);
-      if (column == kCellsColumn && pose.cells_measured < reconstruction()->cellCount()) {
-        return tr("%1 cells gave no reading in this pose.").arg(reconstruction()->cellCount() - pose.cells_measured);
-      }
-      if (column == kNewByColumn && !pose.new_by_rad) return tr("There is no earlier pose to compare it with.");
-      return headerData(column, Qt::Horizontal, role);
-    case Qt::AccessibleTextRole:
-      if (column == kPoseColumn) {
-        return (pose.enabled ? tr("Pose %1, used") : tr("Pose %1, disabled")).arg(pose.pose.value());
-      }
-      [[fallthrough]];
+      const QString of_column = ReconstructionTable::data(index, role).toString();
+      return of_column.isEmpty() ? headerData(index.column(), Qt::Horizontal, role) : of_column;
+    }
     default:
       return ReconstructionTable::data(index, role);
   }

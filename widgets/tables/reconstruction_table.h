@@ -3,7 +3,9 @@
 #include "hexoderm/reconstruction/result/reconstruction.h"
 #include "widgets/tables/column_table.h"
 
+#include <algorithm>
 #include <memory>
+#include <unordered_map>
 #include <utility>
 #include <vector>
 
@@ -48,20 +50,24 @@ class LinkRowTable : public ReconstructionTable {
   /// -1 if there is none
   [[nodiscard]] int rowOf(LinkEnd source, LinkEnd target) const {
     if (target < source) std::swap(source, target);
-    for (int row = 0; row < static_cast<int>(rows_.size()); ++row) {
-      const LinkEstimate& link = linkAt(row);
-      if (link.source == source && link.target == target) return row;
-    }
-    return -1;
+    const auto [first, last] = rows_from_.equal_range(source.cell);
+    const auto found = std::find_if(first, last, [&](const auto& row_from) {
+      const LinkEstimate& link = linkAt(row_from.second);
+      return link.source == source && link.target == target;
+    });
+    return found == last ? -1 : found->second;
   }
 
  protected:
   [[nodiscard]] int rows() const override { return static_cast<int>(rows_.size()); }
   void rebuild() override {
     rows_.clear();
+    rows_from_.clear();
     if (!reconstruction()) return;
     for (std::size_t patch = 0; patch < reconstruction()->patches.size(); ++patch) {
-      for (std::size_t link = 0; link < reconstruction()->patches[patch].links.size(); ++link) {
+      const std::vector<LinkEstimate>& links = reconstruction()->patches[patch].links;
+      for (std::size_t link = 0; link < links.size(); ++link) {
+        rows_from_.emplace(links[link].source.cell, static_cast<int>(rows_.size()));
         rows_.emplace_back(patch, link);
       }
     }
@@ -69,6 +75,7 @@ class LinkRowTable : public ReconstructionTable {
 
  private:
   std::vector<std::pair<std::size_t, std::size_t>> rows_;  ///< patch, link
+  std::unordered_multimap<CellId, int> rows_from_;         ///< of the links whose source is this cell's
 };
 
 }  // namespace hexoderm

@@ -3,6 +3,7 @@
 #include "hexoderm/util/units.h"
 #include "widgets/controls/panel_parts.h"
 #include "widgets/controls/selection.h"
+#include "widgets/style/dressed_theme.h"
 #include "widgets/style/palette.h"
 #include "widgets/words/formatting.h"
 
@@ -147,7 +148,7 @@ QWidget* titled(const QString& title, QwtPlot* plot) {
 }  // namespace
 
 struct ResidualPlots::Parts {
-  explicit Parts(Selection* shared) : selection(shared) {
+  Parts(const QWidget& view, Selection* shared) : dressed(view), selection(shared) {
     for (QwtPlot* plot : {pose_plot, link_plot, ratio_plot}) {
       plot->setMinimumSize(140, 70);
       static_cast<QwtPlotCanvas*>(plot->canvas())->setFrameStyle(QFrame::NoFrame);
@@ -171,6 +172,7 @@ struct ResidualPlots::Parts {
     as_predicted->attach(ratio_plot);
   }
 
+  DressedTheme dressed;
   Selection* selection;
   std::shared_ptr<const Reconstruction> reconstruction;
   ResidualSummary summary;
@@ -194,7 +196,7 @@ struct ResidualPlots::Parts {
 };
 
 ResidualPlots::ResidualPlots(Selection* selection, QWidget* parent)
-    : QWidget(parent), parts_(std::make_unique<Parts>(selection)) {
+    : QWidget(parent), parts_(std::make_unique<Parts>(*this, selection)) {
   Parts& parts = *parts_;
   parts.pose_plot->setObjectName(QStringLiteral("posePlot"));
   parts.link_plot->setObjectName(QStringLiteral("linkPlot"));
@@ -327,7 +329,7 @@ void ResidualPlots::showPicked() {
 
 void ResidualPlots::changeEvent(QEvent* event) {
   QWidget::changeEvent(event);
-  if (event->type() == QEvent::PaletteChange || event->type() == QEvent::FontChange) dress();
+  if (event->type() == QEvent::FontChange || parts_->dressed.isChangedBy(*event)) dress();
 }
 
 void ResidualPlots::dress() {

@@ -213,7 +213,7 @@ class ConnectDialog : public QDialog {
   }
 
   void chooseRecording() {
-    askForFile(this, "", tr("Recording to play"), QFileInfo(path_->text()).absolutePath(), {},
+    askForFile(this, "", tr("Recording to play"), QFileInfo(path_->text()).absolutePath(), {}, this,
                [this](const QString& path) { address_->setEditText(path); });
   }
 

@@ -234,7 +234,7 @@ class ExportDialog : public QDialog {
     row->addWidget(edit, 1);
     row->addWidget(browse);
     connect(browse, &QPushButton::clicked, this, [this, edit, title = words(option.label)] {
-      askForFile(this, "", title, QFileInfo(edit->text()).absolutePath(), {},
+      askForFile(this, "", title, QFileInfo(edit->text()).absolutePath(), {}, edit,
                  [edit](const QString& path) { edit->setText(path); });
     });
     return field;

@@ -10,8 +10,6 @@
 
 namespace hexoderm {
 
-class UnsavedSessions;
-
 /// The sessions of earlier times, for the step Connect: those that were not saved, and the newest of the recent files.
 class EarlierPanel : public QWidget {
   Q_OBJECT

@@ -16,8 +16,6 @@
 
 namespace hexoderm {
 
-class UnsavedSessions;
-
 /// The middle of the window as long as nothing is open: ways to begin, recent files, and sessions that were not saved.
 class WelcomePanel : public QScrollArea {
   Q_OBJECT

@@ -153,8 +153,7 @@ QWidget* MainWindow::makeTopBar() {
   actions_.fillMenuBar(views_->menus, panels_->toggleActions());
   auto* top_bar = new QFrame;
   top_bar->setObjectName(QStringLiteral("topBar"));
-  auto* layout = spaced(new QHBoxLayout(top_bar), {0, 0, 0, 1});  // the line below
-  layout->setSpacing(0);
+  auto* layout = spaced(new QHBoxLayout(top_bar), {0, 0, 0, 1}, 0);  // the line below
   addWidgets(layout, {app_name, views_->menus});
   layout->addWidget(views_->session_name, 1);
   return top_bar;
@@ -190,8 +189,12 @@ void MainWindow::connectRefresh() {
 }
 
 void MainWindow::refresh() {
-  const Presenters& all = *presenters_;
-  for (Presenter* each : {all.picked.get(), all.guide.get(), all.speech.get(), all.findings.get()}) each->refresh();
+  // Which actions can be used, before what asks them: steps, what is said aloud, and offers beside findings.
+  presenters_->picked->refresh();
+  presenters_->guide->refresh();
+  presenters_->speech->refresh();
+  presenters_->findings->refresh();
+  // Of the others none asks what another has done.
   presenters_->results.refresh();
   presenters_->marks->refresh();
   presenters_->place.refresh();

@@ -27,7 +27,7 @@ class ComparePresenter : public Presenter {
       : Presenter(parts), verification_(verification), now_(controller_.reconstruction()) {
     connect(actions_.compare, &QAction::triggered, this, &ComparePresenter::open);
     connect(&controller_, &SessionController::reconstructionChanged, this, &ComparePresenter::note);
-    connect(&verification_, &Verification::compared, this, &ComparePresenter::refresh);
+    connect(&verification_, &Verification::compared, this, &ComparePresenter::showComparison);
   }
 
   /// The comparison's window goes before what its views refer to.
@@ -40,7 +40,7 @@ class ComparePresenter : public Presenter {
     // A null one stands between two sessions: what was before belongs to the other.
     before_ = reconstruction ? now_ : nullptr;
     now_ = reconstruction;
-    refresh();
+    showComparison();
   }
 
   void open() {
@@ -54,7 +54,7 @@ class ComparePresenter : public Presenter {
       layout->addWidget(view_);
       connect(view_, &CompareView::sourceChosen, this, [this](int index) {
         chosen_ = sources_.at(static_cast<std::size_t>(index));
-        refresh();
+        showComparison();
       });
       dialog_->resize(QSize(1100, 640).boundedTo(0.9 * window_.screen()->availableSize()));
     }
@@ -64,11 +64,11 @@ class ComparePresenter : public Presenter {
       dialog_->show();
       dialog_->raise();
       dialog_->activateWindow();
-      refresh();
+      showComparison();
     });
   }
 
-  void refresh() override {
+  void showComparison() {
     if (dialog_ == nullptr || !dialog_->isVisible()) return;
     const std::shared_ptr<const Reconstruction>& calibration = verification_.reference();
     QStringList names;

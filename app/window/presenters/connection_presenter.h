@@ -14,8 +14,6 @@
 
 namespace hexoderm {
 
-struct ConnectRequest;
-
 /// Shows the connection to a skin, from the dialog that asks for its address to the words on what it captured.
 class ConnectionPresenter : public Presenter {
   Q_OBJECT
@@ -54,8 +52,7 @@ class ConnectionPresenter : public Presenter {
     views_.live_strip->setVisible(live.isRunning() && !is_well);
     views_.status->setLosses(live.isRunning() ? lossesInWords(status, live.hold()) : QString(),
                              tr("Since the skin was connected: %1. Poses need no more than their own samples, so a few "
-                                "lost ones do no harm; "
-                                "many speak of a slow network or cable.")
+                                "lost ones do no harm; many speak of a slow network or cable.")
                                  .arg(countersInWords(status, live.hold())));
     if (!live.isRunning()) return;
     views_.live_strip->setStatus(status, live.hold());

@@ -78,7 +78,7 @@ void FilePresenter::startRobotDemo() {
 
 void FilePresenter::askToOpen() {
   askForFile(&window_, "openDialog", tr("Open a session or a calibration"), lastFolder(),
-             tr("Sessions and calibrations (*.hexo *.json *.xml)") + QStringLiteral(";;") + tr("All files (*)"),
+             tr("Sessions and calibrations (*.hexo *.json *.xml)") + QStringLiteral(";;") + tr("All files (*)"), this,
              [this](const QString& path) { openFile(path); });
 }
 

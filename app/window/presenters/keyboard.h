@@ -14,8 +14,6 @@
 
 namespace hexoderm {
 
-class WindowActions;
-
 /// Leads the keyboard from one part of the window to the next.
 class Keyboard : public QObject {
   Q_OBJECT

@@ -15,8 +15,6 @@
 
 namespace hexoderm {
 
-struct PlaceFaults;
-
 /// Moves the patch that the step "Place on the robot" is about by hand: takes it at the operator's word, moves it as
 /// it is pulled in the view, and lays it for the fit to begin there.
 class PlaceByHand : public QObject {

@@ -167,25 +167,26 @@ void PlacePresenter::take(const QString& fault) {
 
 void PlacePresenter::askForRobot() {
   askForFile(&window_, "robotDialog", tr("Choose the robot's URDF"), lastFolder(),
-             tr("Robots (*.urdf *.xml);;All files (*)"), [this](const QString& path) {
+             tr("Robots (*.urdf *.xml);;All files (*)"), this, [this](const QString& path) {
                rememberFolder(path);
                pickRobot({path.toStdString(), {}, {}});
              });
 }
 
 void PlacePresenter::askForPackage() {
-  askForFolder(&window_, "packageDialog", tr("The folder of a package"), lastFolder(), [this](const QString& path) {
-    if (!facts_.robot) return;
-    RobotDescription description = facts_.robot->description;
-    description.sha256.clear();
-    description.packages[QDir(path).dirName().toStdString()] = path.toStdString();
-    pickRobot(description);
-  });
+  askForFolder(&window_, "packageDialog", tr("The folder of a package"), lastFolder(), this,
+               [this](const QString& path) {
+                 if (!facts_.robot) return;
+                 RobotDescription description = facts_.robot->description;
+                 description.sha256.clear();
+                 description.packages[QDir(path).dirName().toStdString()] = path.toStdString();
+                 pickRobot(description);
+               });
 }
 
 void PlacePresenter::askForJoints() {
   askForFile(&window_, "jointsDialog", tr("Choose a table of joint angles"), lastFolder(),
-             tr("Tables (*.csv *.tsv *.txt);;All files (*)"), [this](const QString& path) {
+             tr("Tables (*.csv *.tsv *.txt);;All files (*)"), this, [this](const QString& path) {
                rememberFolder(path);
                readJoints(path);
              });

@@ -16,8 +16,6 @@
 
 namespace hexoderm {
 
-struct PlaceFaults;
-
 /// Has the session's robot read, and links and places found for what is known, as often as that changes. What comes of
 /// it, and what goes wrong, is written into the facts and faults of the step "Place on the robot".
 class PlaceSearch : public QObject {

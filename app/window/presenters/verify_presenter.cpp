@@ -70,7 +70,7 @@ class VerifyPresenter : public Presenter {
 
   void askForComparison() {
     askForFile(&window_, "comparisonDialog", tr("Compare with an earlier calibration"), lastFolder(),
-               tr("Calibrations and sessions (*.calibration.json *.hexo *.session.json *.xml)"),
+               tr("Calibrations and sessions (*.calibration.json *.hexo *.session.json *.xml)"), this,
                [this](const QString& path) {
                  rememberFolder(path);
                  views_.verify_panel->compareWith(path);
@@ -79,7 +79,8 @@ class VerifyPresenter : public Presenter {
 
   void askForOldCalibration() {
     askForFile(&window_, "oldCalibrationDialog", tr("Check an old calibration"), lastFolder(),
-               tr("Calibrations and sessions (*.calibration.json *.hexo *.session.json)"), [this](const QString& path) {
+               tr("Calibrations and sessions (*.calibration.json *.hexo *.session.json)"), this,
+               [this](const QString& path) {
                  rememberFolder(path);
                  views_.verify_panel->checkOldCalibration(path);
                });

@@ -343,7 +343,7 @@ class PreferencesDialog : public QDialog {
   }
 
   void chooseFolder() {
-    askForFolder(this, "preferenceFolderDialog", tr("Folder for sessions"), folder_->text(),
+    askForFolder(this, "preferenceFolderDialog", tr("Folder for sessions"), folder_->text(), this,
                  [this](const QString& path) {
                    folder_->setText(QDir::toNativeSeparators(path));
                    preferences_.setSessionFolder(path);

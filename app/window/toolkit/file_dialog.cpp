@@ -13,12 +13,12 @@ namespace hexoderm {
 
 namespace {
 
-void ask(FileDialog* dialog, const char* name, QFileDialog::FileMode mode,
+void ask(FileDialog* dialog, const char* name, QFileDialog::FileMode mode, const QObject* receiver,
          const std::function<void(const QString&)>& take) {
   dialog->setObjectName(QLatin1String(name));
   dialog->setFileMode(mode);
   dialog->setOption(QFileDialog::ShowDirsOnly, mode == QFileDialog::Directory);
-  QObject::connect(dialog, &QFileDialog::fileSelected, dialog, take);
+  QObject::connect(dialog, &QFileDialog::fileSelected, receiver, take);
   openInTurns(dialog);
 }
 
@@ -37,13 +37,13 @@ FileDialog::FileDialog(QWidget* parent, const QString& title, const QString& fol
 }
 
 void askForFile(QWidget* parent, const char* name, const QString& title, const QString& folder, const QString& filter,
-                const std::function<void(const QString&)>& take) {
-  ask(new FileDialog(parent, title, folder, filter), name, QFileDialog::ExistingFile, take);
+                const QObject* receiver, const std::function<void(const QString&)>& take) {
+  ask(new FileDialog(parent, title, folder, filter), name, QFileDialog::ExistingFile, receiver, take);
 }
 
 void askForFolder(QWidget* parent, const char* name, const QString& title, const QString& folder,
-                  const std::function<void(const QString&)>& take) {
-  ask(new FileDialog(parent, title, folder), name, QFileDialog::Directory, take);
+                  const QObject* receiver, const std::function<void(const QString&)>& take) {
+  ask(new FileDialog(parent, title, folder), name, QFileDialog::Directory, receiver, take);
 }
 
 QPushButton* addPrimaryButton(QDialogButtonBox* buttons, const QString& text, const char* name) {

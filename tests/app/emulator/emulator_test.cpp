@@ -186,6 +186,7 @@ TEST(Emulator, IsARobotThatSaysWhereItsJointsStand) {
 
   // To how it would be with other angles.
   RobotInWords words;
+  words.robot = "demo";
   words.ideal = true;
   const SimulatedRobot same = makeRobot(builtInCellModel("hex-bma150"), words);
   const auto upIn = [&](const MountedPatch& patch, const JointAngles& angles) {

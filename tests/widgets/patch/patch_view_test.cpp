@@ -71,6 +71,18 @@ TEST_F(PatchViewTest, SeveralSizesAndColoursOneAfterTheOtherMakeOnePictureWhichI
   EXPECT_EQ(drawn.count(), 1);
 }
 
+TEST_F(PatchViewTest, AnotherPaletteOfTheSameThemeDrawsNothing) {
+  view.setReconstruction(demo());
+  ASSERT_TRUE(test::waitUntil([this] { return canvas->isPictureSmoothed(); }));
+  QCoreApplication::processEvents();
+  const test::PictureCounter drawn(*canvas);
+  QPalette palette = view.palette();
+  palette.setColor(QPalette::Link, Qt::red);
+  view.setPalette(palette);
+  test::letTurnsPass();
+  EXPECT_EQ(drawn.count(), 0);
+}
+
 TEST_F(PatchViewTest, AnotherSizeShowsThePictureThereIsUntilItIsDrawn) {
   view.setReconstruction(demo());
   const QSize small = canvas->picture().size();

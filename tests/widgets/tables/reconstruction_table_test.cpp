@@ -65,6 +65,18 @@ TEST_F(ReconstructionTableTest, DisabledPosesAreGreyAndSaySo) {
   };
   EXPECT_EQ(mark(0), mark(1));
   EXPECT_NE(mark(0), mark(2));
+  EXPECT_TRUE(poses_.index(0, 1).data(Qt::DecorationRole).isNull());
+}
+
+TEST_F(ReconstructionTableTest, ToolTipsOfPosesExplainTheRowOrElseTheColumn) {
+  poses_.setReconstruction(sampleX17());
+  constexpr int kResidualColumn = 5;
+  EXPECT_EQ(text(poses_, 1, 1, Qt::ToolTipRole), "on its side");
+  EXPECT_THAT(text(poses_, 0, PoseTable::kNewByColumn, Qt::ToolTipRole), HasSubstr("no earlier pose"));
+  for (const int column : {PoseTable::kCellsColumn, PoseTable::kNewByColumn, kResidualColumn}) {
+    EXPECT_EQ(poses_.index(1, column).data(Qt::ToolTipRole),
+              poses_.headerData(column, Qt::Horizontal, Qt::ToolTipRole));
+  }
 }
 
 TEST_F(ReconstructionTableTest, FiguresStandAtTheRightWordsAtTheLeft) {

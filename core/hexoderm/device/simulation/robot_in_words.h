@@ -14,7 +14,7 @@ inline constexpr std::string_view kMountSyntax = "LINK:X,Y,Z or LINK:X,Y,Z,ROLL,
 
 /// A simulated robot as people name it, in the options of a program or in an address.
 struct RobotInWords {
-  std::string robot = "demo";         ///< as for robotNamed()
+  std::string robot;                  ///< as for robotNamed(); empty: none, a skin alone
   std::vector<std::string> packages;  ///< likewise
   std::vector<std::string> mounts;    ///< kMountSyntax; none: demoMounts(), for the demo robot only
   std::string base = "fixed";         ///< or motors: fixed, with the motors on; or hand

@@ -4,6 +4,7 @@
 #include "hexoderm/device/simulation/robot_in_words.h"
 #include "hexoderm/device/simulation/simulated_skin.h"
 #include "hexoderm/geometry/surface.h"
+#include "hexoderm/kinematics/demo_robot.h"
 #include "hexoderm/util/error.h"
 #include "hexoderm/util/text.h"
 
@@ -183,6 +184,7 @@ SimulatedSkinOptions skinInAddress(const std::string& address, const std::string
 
 RobotInWords robotInAddress(const std::string& address, const std::vector<AddressOption>& parts) {
   RobotInWords robot;
+  robot.robot = kDemoRobotName;
   for (const auto& [text, name, value] : parts) {
     if (name == "urdf") {
       robot.robot = value;

@@ -21,6 +21,7 @@ using testing::SizeIs;
 
 RobotInWords idealDemo() {
   RobotInWords words;
+  words.robot = "demo";
   words.ideal = true;
   return words;
 }
@@ -132,6 +133,7 @@ TEST(LiveSimulatedRobot, InAHandItIsTurnedWhereverItIsAskedTo) {
 
 TEST(LiveSimulatedRobot, MissesWhatItReportsByItsZeroOffsets) {
   RobotInWords words;
+  words.robot = "demo";
   SimulatedRobot robot = demoRobot(words);
   robot.turnToNextPose();
   JointAngles reported = robot.jointAngles();
