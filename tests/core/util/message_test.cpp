@@ -133,7 +133,7 @@ TEST(MessageJson, MalformedIsAFormatErrorThatNamesThePlace) {
   EXPECT_THAT(refused(R"({"template": "cell {}", "arguments": 7})"), HasSubstr("expected an array"));
   EXPECT_THAT(refused(R"({"template": "cell {}", "arguments": [true]})"), HasSubstr("arguments[0]"));
   for (const std::string unit : {"ft", "none", ""}) {
-    EXPECT_THAT(refused(R"({"template": "{}", "arguments": [{"value": 1, "unit": ")" + unit + "\"}]})"),
+    EXPECT_THAT(refused(R"({"template": "{}", "arguments": [{"value": 1, "unit": ")" + unit + "\"}]}"),
                 HasSubstr("unit"));
   }
   EXPECT_THAT(refused(R"({"template": "{}", "arguments": [{"value": 1, "decimals": 99}]})"), HasSubstr("decimals"));
