@@ -8,7 +8,7 @@
 
 namespace hexoderm {
 
-CellTable::CellTable(QObject* parent) : ReconstructionTable(parent) {
+CellTableModel::CellTableModel(QObject* parent) : ReconstructionTable(parent) {
   std::vector<Column> columns;
   const auto add = [&](const QString& name, const QString& unit, int decimals, const QString& explanation, auto value) {
     columns.push_back({.name = name, .unit = unit, .explanation = explanation, .decimals = decimals});
@@ -64,7 +64,7 @@ CellTable::CellTable(QObject* parent) : ReconstructionTable(parent) {
   setColumns(std::move(columns));
 }
 
-void CellTable::rebuild() {
+void CellTableModel::rebuild() {
   rows_.clear();
   row_of_.clear();
   if (!reconstruction()) return;
@@ -75,14 +75,14 @@ void CellTable::rebuild() {
   }
 }
 
-CellId CellTable::cellAt(int row) const { return rows_.at(static_cast<std::size_t>(row)).summary.cell; }
+CellId CellTableModel::cellAt(int row) const { return rows_.at(static_cast<std::size_t>(row)).summary.cell; }
 
-int CellTable::rowOf(CellId cell) const {
+int CellTableModel::rowOf(CellId cell) const {
   const auto found = row_of_.find(cell);
   return found == row_of_.end() ? -1 : found->second;
 }
 
-QVariant CellTable::data(const QModelIndex& index, int role) const {
+QVariant CellTableModel::data(const QModelIndex& index, int role) const {
   if (!checkIndex(index, CheckIndexOption::IndexIsValid)) return {};
   if (role == Qt::ToolTipRole) return cellToolTip(*reconstruction(), cellAt(index.row()));
   return ReconstructionTable::data(index, role);

@@ -10,11 +10,11 @@ namespace hexoderm {
 
 /// The columns Cell | Patch | X | Y | Z | Roll | Pitch | Yaw | ± mm | ± ° | Placed by | Worst residual | Offset |
 /// Scale; one row per cell, patch by patch, with placements in the frame of the patch's origin.
-class CellTable : public ReconstructionTable {
+class CellTableModel : public ReconstructionTable {
   Q_OBJECT
 
  public:
-  explicit CellTable(QObject* parent = nullptr);
+  explicit CellTableModel(QObject* parent = nullptr);
   QVariant data(const QModelIndex& index, int role) const override;
 
   [[nodiscard]] CellId cellAt(int row) const;

@@ -24,7 +24,7 @@ class ResultTables {
       : poses(new PoseTable(owner)),
         links(new LinkTable(owner)),
         findings(new FindingTable(owner)),
-        cells(new CellTable(owner)),
+        cells(new CellTableModel(owner)),
         pose_view(makeTable(new SortedTable(poses, owner), "poseView", tr("Poses"))),
         link_view(makeTable(new SortedTable(links, owner), "linkView", tr("Links"))),
         finding_view(makeTable(findings, "findingView", tr("Findings"))),
@@ -46,7 +46,7 @@ class ResultTables {
   PoseTable* poses;
   LinkTable* links;
   FindingTable* findings;
-  CellTable* cells;
+  CellTableModel* cells;
   QTableView* pose_view;
   QTableView* link_view;
   QTableView* finding_view;

@@ -25,7 +25,7 @@ bool isSameSum(double a, double b) { return std::abs(a - b) <= 1e-9 * std::max(1
 
 /// Whether the links of a patch have weights that are small whole numbers, as the paper's are: distances are then whole
 /// numbers too.
-bool hasWholeWeights(const PatchView& view, std::span<const double> link_weights) {
+bool hasWholeWeights(const PatchGraph& view, std::span<const double> link_weights) {
   constexpr double kLargest = 64;
   return std::ranges::all_of(view.cells(), [&](std::size_t cell) {
     const auto [begin, end] = out_edges(cell, view);
@@ -43,7 +43,7 @@ using FlatGraph = boost::compressed_sparse_row_graph<boost::directedS, boost::no
                                                      std::uint32_t, std::uint32_t>;
 
 /// A patch as it is searched again and again: vertex k is the cell `order[k]`.
-FlatGraph flatGraph(const PatchView& view, std::span<const double> link_weights, std::span<const std::size_t> order) {
+FlatGraph flatGraph(const PatchGraph& view, std::span<const double> link_weights, std::span<const std::size_t> order) {
   const PlaceInPatch place = get(boost::vertex_index, view);
   std::vector<std::uint32_t> vertex_of(order.size());
   for (std::size_t v = 0; v < order.size(); ++v) vertex_of[place[order[v]]] = static_cast<std::uint32_t>(v);
@@ -147,7 +147,7 @@ struct Relax : boost::bfs_visitor<> {
 class OriginSearch {
  public:
   /// `order`: of the patch's cells, and whether each can be the origin; at least one can.
-  OriginSearch(const PatchView& view, std::span<const double> link_weights, std::vector<std::size_t> order,
+  OriginSearch(const PatchGraph& view, std::span<const double> link_weights, std::vector<std::size_t> order,
                std::vector<bool> eligible)
       : graph_(flatGraph(view, link_weights, order)),
         cells_(std::move(order)),
@@ -354,7 +354,7 @@ class OriginSearch {
 
 OriginFound searchOrigin(const SkinGraph& graph, std::span<const double> link_weights, std::size_t patch,
                          const std::vector<bool>& eligible) {
-  const PatchView view{&graph, patch};
+  const PatchGraph view{&graph, patch};
   const std::size_t first = view.cells().front();
   if (view.cells().size() == 1) return {first, 0, 0};
   // Neighbours stand near each other, which is most of what makes a search of a large patch fast.

@@ -19,13 +19,13 @@ struct RecordOrder : boost::dijkstra_visitor<> {
   std::vector<std::size_t>* order;
 
   explicit RecordOrder(std::vector<std::size_t>& cells) : order(&cells) {}
-  void examine_vertex(std::size_t cell, const PatchView& /*view*/) { order->push_back(cell); }
+  void examine_vertex(std::size_t cell, const PatchGraph& /*view*/) { order->push_back(cell); }
 };
 
 }  // namespace
 
 ShortestPaths findShortestPaths(const SkinGraph& graph, std::span<const double> link_weights, std::size_t root) {
-  const PatchView view{&graph, graph.cells()[root].patch.value()};
+  const PatchGraph view{&graph, graph.cells()[root].patch.value()};
   const PlaceInPatch place = get(boost::vertex_index, view);
   const std::size_t count = view.cells().size();
   ShortestPaths paths;

@@ -29,7 +29,7 @@ struct SkinEdge {
 };
 
 /// One patch of a graph: its cells, indexed by their place in it, and their links.
-struct PatchView {
+struct PatchGraph {
   const SkinGraph* graph = nullptr;
   std::size_t patch = 0;
 
@@ -79,7 +79,7 @@ struct boost::graph_traits<hexoderm::SkinGraph> : hexoderm::boost_graph::Traits 
   using vertex_iterator = boost::counting_iterator<std::size_t>;
 };
 template <>
-struct boost::graph_traits<hexoderm::PatchView> : hexoderm::boost_graph::Traits {
+struct boost::graph_traits<hexoderm::PatchGraph> : hexoderm::boost_graph::Traits {
   struct traversal_category : boost::incidence_graph_tag, boost::vertex_list_graph_tag {};
   using vertex_iterator = std::vector<std::size_t>::const_iterator;
 };
@@ -87,7 +87,7 @@ struct boost::graph_traits<hexoderm::PatchView> : hexoderm::boost_graph::Traits 
 template <>
 struct boost::graph_traits<const hexoderm::SkinGraph> : boost::graph_traits<hexoderm::SkinGraph> {};
 template <>
-struct boost::graph_traits<const hexoderm::PatchView> : boost::graph_traits<hexoderm::PatchView> {};
+struct boost::graph_traits<const hexoderm::PatchGraph> : boost::graph_traits<hexoderm::PatchGraph> {};
 
 namespace hexoderm {
 
@@ -124,12 +124,12 @@ inline boost::typed_identity_property_map<std::size_t> get(boost::vertex_index_t
 }
 inline std::size_t get(boost::vertex_index_t /*tag*/, const SkinGraph& /*graph*/, std::size_t cell) { return cell; }
 
-inline std::size_t source(const SkinEdge& edge, const PatchView& /*view*/) { return edge.from; }
-inline std::size_t target(const SkinEdge& edge, const PatchView& view) { return target(edge, *view.graph); }
-inline auto out_edges(std::size_t cell, const PatchView& view) { return out_edges(cell, *view.graph); }
-inline std::size_t out_degree(std::size_t cell, const PatchView& view) { return out_degree(cell, *view.graph); }
-inline auto vertices(const PatchView& view) { return std::pair(view.cells().begin(), view.cells().end()); }
-inline std::size_t num_vertices(const PatchView& view) { return view.cells().size(); }
+inline std::size_t source(const SkinEdge& edge, const PatchGraph& /*view*/) { return edge.from; }
+inline std::size_t target(const SkinEdge& edge, const PatchGraph& view) { return target(edge, *view.graph); }
+inline auto out_edges(std::size_t cell, const PatchGraph& view) { return out_edges(cell, *view.graph); }
+inline std::size_t out_degree(std::size_t cell, const PatchGraph& view) { return out_degree(cell, *view.graph); }
+inline auto vertices(const PatchGraph& view) { return std::pair(view.cells().begin(), view.cells().end()); }
+inline std::size_t num_vertices(const PatchGraph& view) { return view.cells().size(); }
 
 /// The place of a cell in its patch.
 struct PlaceInPatch : boost::put_get_helper<std::size_t, PlaceInPatch> {
@@ -143,8 +143,8 @@ struct PlaceInPatch : boost::put_get_helper<std::size_t, PlaceInPatch> {
   explicit PlaceInPatch(const SkinGraph& graph) : cells(graph.cells().data()) {}
   std::size_t operator[](std::size_t cell) const { return cells[cell].place; }
 };
-inline PlaceInPatch get(boost::vertex_index_t /*tag*/, const PatchView& view) { return PlaceInPatch(*view.graph); }
-inline std::size_t get(boost::vertex_index_t tag, const PatchView& view, std::size_t cell) {
+inline PlaceInPatch get(boost::vertex_index_t /*tag*/, const PatchGraph& view) { return PlaceInPatch(*view.graph); }
+inline std::size_t get(boost::vertex_index_t tag, const PatchGraph& view, std::size_t cell) {
   return get(tag, view)[cell];
 }
 
@@ -170,7 +170,7 @@ struct boost::property_map<hexoderm::SkinGraph, boost::vertex_index_t> {
   using const_type = type;
 };
 template <>
-struct boost::property_map<hexoderm::PatchView, boost::vertex_index_t> {
+struct boost::property_map<hexoderm::PatchGraph, boost::vertex_index_t> {
   using type = hexoderm::PlaceInPatch;
   using const_type = type;
 };

@@ -48,7 +48,7 @@ class WindowInspectTest : public WindowTest {
   std::optional<CellId> rowPicked() {
     const QModelIndexList rows = find<QTableView>("cellView")->selectionModel()->selectedRows();
     if (rows.size() != 1) return std::nullopt;
-    return window_->findChild<CellTable*>()->cellAt(sourceRow(rows.front()));
+    return window_->findChild<CellTableModel*>()->cellAt(sourceRow(rows.front()));
   }
   PatchView* patch_ = nullptr;
 };

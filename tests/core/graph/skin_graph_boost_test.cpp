@@ -25,7 +25,7 @@ void assertConcepts() {
 
 TEST(SkinGraphAsABoostGraph, ModelsTheConceptsOfTheLibrary) {
   assertConcepts<SkinGraph>();
-  assertConcepts<PatchView>();
+  assertConcepts<PatchGraph>();
   BOOST_CONCEPT_ASSERT((boost::EdgeListGraphConcept<SkinGraph>));
 }
 
@@ -50,7 +50,7 @@ TEST(SkinGraphAsABoostGraph, AnEdgeIsTheSameFromBothEnds) {
 
 TEST(SkinGraphAsABoostGraph, APatchIsIndexedByThePlacesOfItsCells) {
   const SkinGraph graph = test::skin(5, {{1, 3}, {2, 4}, {4, 5}});
-  const PatchView second{&graph, 1};
+  const PatchGraph second{&graph, 1};
   EXPECT_EQ(num_vertices(second), 3);
   EXPECT_THAT(std::vector<std::size_t>(vertices(second).first, vertices(second).second), ElementsAre(1, 3, 4));
   EXPECT_EQ(get(boost::vertex_index, second, 3), 1);

@@ -10,7 +10,7 @@
 namespace hexoderm {
 namespace {
 
-std::string text(const CellTable& table, int row, const char* header) {
+std::string text(const CellTableModel& table, int row, const char* header) {
   for (int column = 0; column < table.columnCount(); ++column) {
     if (table.headerData(column, Qt::Horizontal, Qt::DisplayRole).toString() == header) {
       return table.index(row, column).data().toString().toStdString();
@@ -30,8 +30,8 @@ std::shared_ptr<Reconstruction> oneKnownCell() {
   return reconstruction;
 }
 
-TEST(CellTable, KeepsTheContractOfItemModelsAndIsEmptyWithoutAReconstruction) {
-  CellTable table;
+TEST(CellTableModel, KeepsTheContractOfItemModelsAndIsEmptyWithoutAReconstruction) {
+  CellTableModel table;
   const QAbstractItemModelTester tester(&table, QAbstractItemModelTester::FailureReportingMode::Fatal);
   EXPECT_EQ(table.rowCount(), 0);
   table.setReconstruction(oneKnownCell());
@@ -40,8 +40,8 @@ TEST(CellTable, KeepsTheContractOfItemModelsAndIsEmptyWithoutAReconstruction) {
   EXPECT_EQ(table.rowCount(), 0);
 }
 
-TEST(CellTable, ShowsWhereACellIsAndHowWellThatIsKnown) {
-  CellTable table;
+TEST(CellTableModel, ShowsWhereACellIsAndHowWellThatIsKnown) {
+  CellTableModel table;
   table.setReconstruction(oneKnownCell());
   const int row = table.rowOf(CellId(2));
   EXPECT_EQ(table.cellAt(row), CellId(2));
@@ -58,8 +58,8 @@ TEST(CellTable, ShowsWhereACellIsAndHowWellThatIsKnown) {
   EXPECT_EQ(text(table, row, "Placed by"), "readings");
 }
 
-TEST(CellTable, SaysWhatIsNotKnownAndWhoIsPlacedByLinks) {
-  CellTable table;
+TEST(CellTableModel, SaysWhatIsNotKnownAndWhoIsPlacedByLinks) {
+  CellTableModel table;
   table.setReconstruction(oneKnownCell());
   EXPECT_EQ(text(table, table.rowOf(CellId(1)), "Placed by"), "origin");
   EXPECT_EQ(text(table, table.rowOf(CellId(22)), "Placed by"), "links");
@@ -68,8 +68,8 @@ TEST(CellTable, SaysWhatIsNotKnownAndWhoIsPlacedByLinks) {
   EXPECT_EQ(table.rowOf(CellId(99)), -1);
 }
 
-TEST(CellTable, EveryColumnExplainsItselfAndHasAUnitForFiles) {
-  CellTable table;
+TEST(CellTableModel, EveryColumnExplainsItselfAndHasAUnitForFiles) {
+  CellTableModel table;
   ASSERT_GT(table.columnCount(), 0);
   for (int column = 0; column < table.columnCount(); ++column) {
     EXPECT_FALSE(table.headerData(column, Qt::Horizontal, Qt::ToolTipRole).toString().isEmpty()) << column;

@@ -133,7 +133,7 @@ PatchPlan planSheet(std::size_t rows, std::size_t cols, const CellModel& model, 
 
 }  // namespace
 
-PatchShape parsePatch(const std::string& patch) {
+NamedPatch parsePatch(const std::string& patch) {
   if (patch == "x17") return {};
   const std::string ring = "ring";
   if (patch.starts_with(ring) && patch.size() > ring.size()) {
@@ -161,8 +161,8 @@ PatchShape parsePatch(const std::string& patch) {
       message("patch \"{}\" is not known; expected x17, ringN, ringN:closed or sheet:ROWSxCOLS", patch));
 }
 
-PatchShape parseLivePatch(const std::string& patch) {
-  const PatchShape shape = parsePatch(patch);
+NamedPatch parseLivePatch(const std::string& patch) {
+  const NamedPatch shape = parsePatch(patch);
   if (shape.rows * shape.cols > kMostLiveCells) {
     throw InvalidArgument(
         message("patch \"{}\": a live skin, or one on a robot, has at most {} cells", patch, kMostLiveCells));
@@ -171,7 +171,7 @@ PatchShape parseLivePatch(const std::string& patch) {
 }
 
 PatchPlan planPatch(const std::string& patch, const CellModel& model) {
-  const PatchShape shape = parsePatch(patch);
+  const NamedPatch shape = parsePatch(patch);
   switch (shape.kind) {
     case PatchKind::X17:
       return planX17(model, patch);

@@ -39,17 +39,17 @@ struct PatchPlan {
 
 enum class PatchKind { X17, Ring, ClosedRing, Sheet };
 /// The meaning of a patch's name.
-struct PatchShape {
+struct NamedPatch {
   PatchKind kind = PatchKind::X17;
   std::size_t rows = 0;  ///< rows of a sheet; all cells of a ring
   std::size_t cols = 0;
 };
 /// x17 | ringN | ringN:closed | sheet:ROWSxCOLS. Throws InvalidArgument for any other text, a ring of less than 3 or
 /// more than 100,000 cells, and a sheet of more than 1,000,000.
-PatchShape parsePatch(const std::string& patch);
+NamedPatch parsePatch(const std::string& patch);
 /// The same for a patch that is live or worn by a robot, of which every reading of every cell is kept for a while.
 /// Throws InvalidArgument for more than 100,000 cells too.
-PatchShape parseLivePatch(const std::string& patch);
+NamedPatch parseLivePatch(const std::string& patch);
 
 /// A patch by its name, made of the model's pairs of opposite ports. Throws as parsePatch(), and InvalidArgument for a
 /// model with too few opposite ports.

@@ -86,7 +86,7 @@ std::size_t AttitudeSearch::placeOf(std::size_t cell) const { return skin_.graph
 /// Headings of the cells' x axes in the sheet laid flat, from one of them.
 std::vector<double> AttitudeSearch::headings() const {
   const SkinGraph& graph = skin_.graph();
-  const PatchView view{&graph, graph.cells()[cells_.front()].patch.value()};
+  const PatchGraph view{&graph, graph.cells()[cells_.front()].patch.value()};
   std::vector<double> heading(cells_.size(), 0);
   BreadthFirst(view).searchFrom(cells_.front(), [&](const SkinEdge& edge) {
     const GraphLink& link = graph.links()[edge.link];

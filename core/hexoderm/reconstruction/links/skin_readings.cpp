@@ -43,7 +43,7 @@ std::vector<std::size_t> SkinReadings::update(const CellModel& model, const Skin
 
 /// The cells without readings that are joined to `cell` by cells without readings, with it, ascending.
 std::vector<std::size_t> SkinReadings::blindAround(const SkinGraph& graph, std::size_t cell) const {
-  const PatchView view{&graph, graph.cells()[cell].patch.value()};
+  const PatchGraph view{&graph, graph.cells()[cell].patch.value()};
   BreadthFirst search(view);
   std::vector<std::size_t> blind =
       search.searchFrom(cell, [&](const SkinEdge& edge) { return !measured_[target(edge, view)]; });
