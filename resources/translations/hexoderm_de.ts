@@ -345,7 +345,7 @@
     </message>
 </context>
 <context>
-    <name>hexoderm::CellTable</name>
+    <name>hexoderm::CellTableModel</name>
     <message>
         <source>origin</source>
         <translation>Ursprung</translation>
