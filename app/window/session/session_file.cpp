@@ -71,7 +71,7 @@ bool SessionFile::hasUnsavedChanges() const {
 }
 
 bool SessionFile::isWriting() const {
-  return work_.isWriting() || (journal_ && journal_->isWaiting() && journal_->problem().isEmpty());
+  return work_.isWriting() || (isKept() && journal_->isWaiting() && journal_->problem().isEmpty());
 }
 
 void SessionFile::close() {

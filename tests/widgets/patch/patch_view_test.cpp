@@ -73,8 +73,11 @@ TEST_F(PatchViewTest, SeveralSizesAndColoursOneAfterTheOtherMakeOnePictureWhichI
 
 TEST_F(PatchViewTest, AnotherPaletteOfTheSameThemeDrawsNothing) {
   view.setReconstruction(demo());
-  ASSERT_TRUE(test::waitUntil([this] { return canvas->isPictureSmoothed(); }));
-  QCoreApplication::processEvents();
+  ASSERT_TRUE(test::waitUntil([this] {
+    const test::PictureCounter still_drawn(*canvas);
+    test::letTurnsPass();
+    return canvas->isPictureSmoothed() && still_drawn.count() == 0;
+  }));
   const test::PictureCounter drawn(*canvas);
   QPalette palette = view.palette();
   palette.setColor(QPalette::Link, Qt::red);
