@@ -81,10 +81,13 @@ class Errors(InFolder):
     def test_options_of_a_solution(self):
         session = hexoderm.read_session(self.session)
         for name, value in [("solver", "best"), ("centre", "maybe"), ("support_axes", "1"), ("weights", "none"),
-                            ("gap_model", "rubber"), ("class_threshold", -1.0), ("class_threshold", 1e9)]:
+                            ("gap_model", "rubber")]:
             with self.subTest(name=name):
                 self.expect_same(hexoderm.InvalidArgument, lambda: hexoderm.solve(session, **{name: value}),
                                  "solve", self.session, "--" + name.replace("_", "-"), value)
+        for value in (-1.0, 0.0, 1e9, float("nan")):
+            with self.assertRaisesRegex(hexoderm.InvalidArgument, "class threshold must be above 0 and at most 1000"):
+                hexoderm.solve(session, class_threshold=value)
 
     def test_simulations(self):
         out = self.folder / "new.session.json"
