@@ -71,7 +71,7 @@ bool SessionFile::hasUnsavedChanges() const {
 }
 
 bool SessionFile::isWriting() const {
-  return work_.isWriting() || (isKept() && journal_->isWaiting() && journal_->problem().isEmpty());
+  return work_.isWriting() || (journal_ && journal_->isWaiting() && journal_->problem().isEmpty());
 }
 
 void SessionFile::close() {
@@ -267,12 +267,13 @@ void SessionFile::dropJournal() {
 SessionJournal::Told SessionFile::told() {
   return [this](const QString& why) {
     if (!scratch_path_.isEmpty()) {
-      if (why.isEmpty()) return;
-      // The session can go on without a file.
-      scratch_fails_ = true;
-      dropJournal();
-      emit noticed(tr("Until it is saved, this session is kept in memory only. %1").arg(why));
-      emit keptInMemoryOnly();
+      if (!why.isEmpty()) {
+        // The session can go on without a file.
+        scratch_fails_ = true;
+        dropJournal();
+        emit noticed(tr("Until it is saved, this session is kept in memory only. %1").arg(why));
+        emit keptInMemoryOnly();
+      }
       emit changed();
       return;
     }
