@@ -129,19 +129,19 @@ StreamRecorder::StreamRecorder(std::filesystem::path path, SkinListener& next)
   impl_->is_new = !std::filesystem::exists(impl_->path);
   const bool replaces = std::filesystem::is_regular_file(impl_->path);
   impl_->file.open(impl_->path, std::ios::binary | std::ios::app);
+  if (impl_->file.is_open()) impl_->place = FileDescriptor(::open(impl_->path.c_str(), O_PATH | O_CLOEXEC));
   if (impl_->file.is_open() && !replaces) impl_->begin();
   if (!impl_->file) {
     const int reason = errno;
     removeWhatIsEmpty();
     throw StorageError(impl_->path.string(), message("a recording can't be written there: {}", systemReason(reason)));
   }
-  impl_->place = FileDescriptor(::open(impl_->path.c_str(), O_PATH | O_CLOEXEC));
 }
 
 StreamRecorder::~StreamRecorder() { removeWhatIsEmpty(); }
 
 void StreamRecorder::removeWhatIsEmpty() noexcept {
-  if (impl_->skin.model || !impl_->is_new) return;
+  if (impl_->skin.model || !impl_->is_new || !isAt(impl_->path, impl_->place.get())) return;
   std::error_code ignored;
   std::filesystem::remove(impl_->path, ignored);
 }

@@ -322,6 +322,15 @@ TEST_F(Recording, EndsWhereItsFileIsMovedOrRemovedButListeningGoesOn) {
   }
 }
 
+TEST_F(Recording, WithoutASkinLeavesWhatHasItsNameByNow) {
+  {
+    StreamRecorder recorder(path_, listener_);
+    std::filesystem::remove(path_);
+    write("of somebody else");
+  }
+  EXPECT_EQ(readFile(path_), "of somebody else");
+}
+
 TEST_F(Recording, AFileThatIsGoneAtTheEndIsSaid) {
   StreamRecorder recorder(path_, listener_);
   recorder.onSkin(twoCells());
