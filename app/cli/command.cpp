@@ -233,6 +233,28 @@ void setUp(const std::vector<double>& up, LinksOptions& options) {
 
 int exitCodeOf(const Assessment& verdict) { return verdict.isUsable() ? kDone : kNotGoodEnough; }
 
+int runProgram(CLI::App& app, int argc, char** argv, const Common& common) {
+  try {
+    app.parse(argc, argv);
+    std::cout.flush();
+    if (!std::cout) throw StorageError("standard output: cannot be written");
+    return common.exit_code;
+  } catch (const CLI::ParseError& error) {
+    // Help and version as they are; a complaint about the arguments repeats them.
+    std::ostringstream complaint;
+    const int code = app.exit(error, std::cout, complaint);
+    for (const std::string& line : split(complaint.str(), '\n')) {
+      if (!line.empty()) std::cerr << forTerminal(line) << '\n';
+    }
+    return code == 0 ? kDone : kUsage;
+  } catch (const std::exception& error) {
+    const std::optional<int> code = exitCodeOf(error);
+    if (!code) throw;
+    std::cerr << app.get_name() << ": " << forTerminal(error.what()) << '\n';
+    return *code;
+  }
+}
+
 std::optional<int> exitCodeOf(const std::exception& error) {
   if (isA<BadInput>(error)) return kBadInput;
   if (isA<FormatError>(error)) return kStorage;  // what is written can't be made; what is read is BadInput

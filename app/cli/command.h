@@ -167,7 +167,6 @@ void addSensors(CLI::App& app, Common& common);
 void addParts(CLI::App& app, Common& common);
 void addLinks(CLI::App& app, Common& common);
 void addPlace(CLI::App& app, Common& common);
-void addReproduce(CLI::App& app, Common& common);
 
 /// Captures as `capture` does and returns the session, which may have no pose. Says on standard error what goes on.
 Session captureSession(const LiveCaptureOptions& options, const Common& common);
@@ -213,6 +212,8 @@ std::map<PoseId, JointAngles> anglesOfPoses(const Session& session, const std::s
 /// `--up`, three numbers or none. Throws InvalidArgument naming it where they are no direction.
 void setUp(const std::vector<double>& up, LinksOptions& options);
 
+/// Parses the arguments, which runs a command, and says what goes wrong in one line. Returns the exit code.
+int runProgram(CLI::App& app, int argc, char** argv, const Common& common);
 int exitCodeOf(const Assessment& verdict);
 /// Of an error that ends a command; nothing for what no command should throw.
 std::optional<int> exitCodeOf(const std::exception& error);

@@ -1,34 +1,8 @@
 #include "app/cli/command.h"
 #include "app/cli/version.h"
 
-#include "hexoderm/util/error.h"
 #include "hexoderm/util/freed_memory.h"
 #include "hexoderm/util/kept_files.h"
-#include "hexoderm/util/text.h"
-
-#include <iostream>
-#include <optional>
-#include <sstream>
-
-namespace {
-
-/// One line that says what is wrong, where and what was expected; the exit code says whose fault it is.
-int fail(const std::exception& error, int code) {
-  std::cerr << "hexoderm-cli: " << hexoderm::forTerminal(error.what()) << '\n';
-  return code;
-}
-
-/// Help and version as they are; a complaint about the arguments repeats them.
-int exitAfterParsing(const CLI::App& app, const CLI::ParseError& error) {
-  std::ostringstream complaint;
-  const int code = app.exit(error, std::cout, complaint);
-  for (const std::string& line : hexoderm::split(complaint.str(), '\n')) {
-    if (!line.empty()) std::cerr << hexoderm::forTerminal(line) << '\n';
-  }
-  return code == 0 ? hexoderm::cli::kDone : hexoderm::cli::kUsage;
-}
-
-}  // namespace
 
 int main(int argc, char** argv) {
   using namespace hexoderm;
@@ -59,21 +33,9 @@ int main(int argc, char** argv) {
   cli::addParts(app, common);
   cli::addLinks(app, common);
   cli::addPlace(app, common);
-  cli::addReproduce(app, common);
   app.parse_complete_callback([&] {
     for (const CLI::App* command : app.get_subcommands()) cli::requireReplaceableOutputs(*command);
   });
 
-  try {
-    app.parse(argc, argv);
-    std::cout.flush();
-    if (!std::cout) throw StorageError("standard output: cannot be written");
-    return common.exit_code;
-  } catch (const CLI::ParseError& error) {
-    return exitAfterParsing(app, error);
-  } catch (const std::exception& error) {
-    const std::optional<int> code = cli::exitCodeOf(error);
-    if (!code) throw;
-    return fail(error, *code);
-  }
+  return cli::runProgram(app, argc, argv, common);
 }

@@ -33,9 +33,9 @@ expect --ver '->' --version
 expect solve --so '->' --solver
 expect solve a '->' arm.calibration.json arm.hexo
 expect solve -o arm.c '->' arm.calibration.json
-expect reproduce --only p '->' paper place
-expect reproduce --only = p '->' paper place
-expect reproduce --only = '->' accuracy check detection paper place uncertainty
+expect simulate --base m '->' motors
+expect simulate --base = m '->' motors
+expect simulate --base = '->' fixed hand motors
 expect --json solve --we '->' --weights
 
 # However the program is spelled, and from PATH where that says nothing.

@@ -325,14 +325,13 @@ TEST_F(Cli, EveryCommandHasHelpWithAnExampleThatWorks) {
   run("simulate --seed 1 -o arm.session.json");
   run("solve arm.session.json -o arm.calibration.json");
   std::filesystem::copy_file(HEXODERM_TEST_DATA "/two_patches.tum.xml", path("skin_config.xml"));
-  for (const std::string command : {"simulate", "solve", "evaluate", "export", "convert", "inspect", "reproduce"}) {
+  for (const std::string command : {"simulate", "solve", "evaluate", "export", "convert", "inspect"}) {
     const Outcome help = run(command + " --help");
     EXPECT_EQ(help.exit_code, 0);
     const std::size_t at = help.out.find("\n  hexoderm-cli " + command);
     ASSERT_NE(at, std::string::npos) << command;
     const std::size_t begin = at + std::string("\n  hexoderm-cli ").size();
-    std::string example = help.out.substr(begin, help.out.find('\n', begin) - begin);
-    if (command == "reproduce") example = "reproduce --seeds 2 --only paper";  // the example itself takes a while
+    const std::string example = help.out.substr(begin, help.out.find('\n', begin) - begin);
     const Outcome result = run(example);
     EXPECT_EQ(result.exit_code, 0) << example << '\n' << result.err;
   }

@@ -222,7 +222,7 @@ std::vector<Case> cases() {
        {kByForce},
        after({small}, withFifo("in.session.json", afterOutput(cli("solve a.session.json in.session.json -o out"),
                                                               "out/a.calibration.json")))},
-      {"ReproduceInTheMiddleOfIt", {kByForce}, atOnce(cli("reproduce"))},
+      {"ReproduceInTheMiddleOfIt", {kByForce}, atOnce({HEXODERM_REPRODUCE})},
       {"EmulatorWithAHostThatDoesNotRead", {0}, emulatorWithAHostThatDoesNotRead},
       {"EmulatorWhoseAnswersNobodyReads",
        {kByForce},

@@ -164,7 +164,7 @@ TEST(Garbage, TheTreeFindsItToo) {
   EXPECT_THAT(*solved({.whole = {WholeSkinFault::AxesSwapped}}, 1, 4, tree), HasFinding(FindingCode::ContradictsModel));
 }
 
-/// The rates are `hexoderm-cli reproduce --only detection`'s to measure.
+/// The rates are `hexoderm-reproduce --only detection`'s to measure.
 TEST(Garbage, HealthySkinsHaveNone) {
   const std::vector<SkinCase> skins = {
       {},

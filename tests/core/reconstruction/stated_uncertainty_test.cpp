@@ -1,6 +1,6 @@
 // Checks that the stated uncertainty is honest: normalised estimation errors squared of positions and orientations on
 // simulated skins, through the public interface; 1 if errors are as large as stated, more if they are larger.
-// `hexoderm-cli reproduce --only uncertainty` counts them for more skins, laws of links and sensors, and with wrong
+// `hexoderm-reproduce --only uncertainty` counts them for more skins, laws of links and sensors, and with wrong
 // priors.
 
 #include "hexoderm/reconstruction/reconstructor.h"

@@ -365,7 +365,7 @@ CalibrationCheck simulatedCheck(SimulatedSkinOptions options) {
   return check(*calibration, today);
 }
 
-// How many are found, with which error, and how many healthy cells are blamed: `hexoderm-cli reproduce --only check`
+// How many are found, with which error, and how many healthy cells are blamed: `hexoderm-reproduce --only check`
 // counts it on hundreds of skins in a hand.
 TEST(CalibrationCheck, NamesTheRegluedCellOfASimulatedSkinAndNoOther) {
   for (const bool hand_held : {false, true}) {

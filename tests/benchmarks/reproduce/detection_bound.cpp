@@ -1,4 +1,4 @@
-#include "app/cli/reproduce/detection_bound.h"
+#include "tests/benchmarks/reproduce/detection_bound.h"
 
 #include "hexoderm/util/units.h"
 

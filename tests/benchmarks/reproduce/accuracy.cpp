@@ -1,4 +1,4 @@
-#include "app/cli/reproduce/experiments.h"
+#include "tests/benchmarks/reproduce/experiments.h"
 
 #include "hexoderm/reconstruction/reconstructor.h"
 #include "hexoderm/util/text.h"

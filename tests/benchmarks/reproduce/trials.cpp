@@ -1,4 +1,4 @@
-#include "app/cli/reproduce/trials.h"
+#include "tests/benchmarks/reproduce/trials.h"
 
 #include "hexoderm/session/simulated_session.h"
 #include "hexoderm/util/text.h"

@@ -1,6 +1,7 @@
-// `hexoderm-cli reproduce` with so few skins that it is quick: its form, and what few skins can tell.
+// hexoderm-reproduce with so few skins that it is quick: its form, and what few skins can tell.
 
 #include "tests/app/cli/cli_program.h"
+#include "tests/support/paths.h"
 
 #include <gmock/gmock.h>
 #include <nlohmann/json.hpp>
@@ -16,7 +17,10 @@ using ::testing::AllOf;
 using ::testing::HasSubstr;
 using ::testing::Not;
 
-using Reproduce = Cli;
+class Reproduce : public Cli {
+ protected:
+  Reproduce() { program_ = HEXODERM_REPRODUCE; }
+};
 
 /// JSON has no words for NaN and infinity: they are written as null, which only some keys may be.
 void expectFinite(const nlohmann::json& row, const std::vector<std::string>& keys) {
@@ -27,10 +31,10 @@ void expectFinite(const nlohmann::json& row, const std::vector<std::string>& key
 }
 
 TEST_F(Reproduce, PrintsThePapersFiguresBesideOurs) {
-  const std::string text = outputOf("reproduce --quiet --seeds 3 --only paper");
+  const std::string text = outputOf("--quiet --seeds 3 --only paper");
   EXPECT_THAT(text, AllOf(HasSubstr("-0.30"), HasSubstr("1.62"), HasSubstr("10.46"), HasSubstr("4.71"),
                           HasSubstr("20 mg"), HasSubstr("60 mg"), HasSubstr("100 mg"), HasSubstr("imulated")));
-  const auto json = jsonOf("reproduce --quiet --seeds 3 --only paper --json");
+  const auto json = jsonOf("--quiet --seeds 3 --only paper --json");
   EXPECT_EQ(json.at("simulated"), true);
   EXPECT_FALSE(json.contains("accuracy"));
   ASSERT_EQ(json.at("paper").at("rows").size(), 12);
@@ -43,7 +47,7 @@ TEST_F(Reproduce, PrintsThePapersFiguresBesideOurs) {
 }
 
 TEST_F(Reproduce, PlacesOnEveryLinkAreCounted) {
-  const auto json = jsonOf("reproduce --quiet --seeds 1 --only place --json");
+  const auto json = jsonOf("--quiet --seeds 1 --only place --json");
   const auto& rows = json.at("place").at("rows");
   ASSERT_EQ(rows.size(), 3 * 2 + 1);
   for (const auto& row : rows) {
@@ -53,7 +57,7 @@ TEST_F(Reproduce, PlacesOnEveryLinkAreCounted) {
 }
 
 TEST_F(Reproduce, AccuracyTableIsWholeAndTheGlobalSolverBeatsThePapersMethod) {
-  const auto json = jsonOf("reproduce --quiet --seeds 2 --only accuracy --json");
+  const auto json = jsonOf("--quiet --seeds 2 --only accuracy --json");
   const auto& rows = json.at("accuracy").at("rows");
   // 4 of orientation; per law 2 of X17, 3 of the ring twice, 2 of the closed one, 1 of 1,000 cells.
   ASSERT_EQ(rows.size(), 4 + 2 * (2 + 2 * 3 + 2 + 1));
@@ -72,31 +76,37 @@ TEST_F(Reproduce, AccuracyTableIsWholeAndTheGlobalSolverBeatsThePapersMethod) {
 }
 
 TEST_F(Reproduce, UncertaintyAndDetectionAreCounted) {
-  const auto uncertainty = jsonOf("reproduce --quiet --seeds 1 --only uncertainty --json").at("uncertainty");
+  const auto uncertainty = jsonOf("--quiet --seeds 1 --only uncertainty --json").at("uncertainty");
   EXPECT_EQ(uncertainty.at("rows").size(), 4 * 2 * 2 * 3);
   EXPECT_EQ(uncertainty.at("wrong_prior").size(), 4);
   for (const auto& row : uncertainty.at("rows")) {
     expectFinite(row, {"nees_position", "nees_orientation"});
     EXPECT_GT(row.at("nees_position").get<double>(), 0);
   }
-  const auto detection = jsonOf("reproduce --quiet --seeds 2 --only detection --json").at("detection");
+  const auto detection = jsonOf("--quiet --seeds 2 --only detection --json").at("detection");
   EXPECT_EQ(detection.at("sessions"), 2);
   EXPECT_EQ(detection.at("rows").size(), 11);
   for (const auto& row : detection.at("rows")) expectFinite(row, {"false_per_link_percent", "false_per_cell_percent"});
 }
 
+TEST_F(Reproduce, HelpHasAnExampleAndWrongUsageIsRefused) {
+  EXPECT_THAT(outputOf("--help"), HasSubstr("\n  hexoderm-reproduce --seeds 200"));
+  EXPECT_THAT(complaint("--seeds 0", 2), HasSubstr("--seeds: expected a whole number from 1 to 100000, found \"0\""));
+  EXPECT_EQ(run("--only nothing").exit_code, 2);
+}
+
 TEST_F(Reproduce, TextHasEveryPart) {
-  EXPECT_THAT(outputOf("reproduce --quiet --seeds 1"),
+  EXPECT_THAT(outputOf("--quiet --seeds 1"),
               AllOf(HasSubstr("The paper's two experiments"), HasSubstr("Accuracy on simulated skins"),
                     HasSubstr("Stated uncertainty"), HasSubstr("What is broken is found"), HasSubstr("By hand"),
                     Not(HasSubstr("nan")), Not(HasSubstr("inf "))));
 }
 
 TEST_F(Reproduce, ChecksOfCalibrationsAreCountedWithIntervals) {
-  const std::string text = outputOf("reproduce --quiet --seeds 3 --only check");
+  const std::string text = outputOf("--quiet --seeds 3 --only check");
   EXPECT_THAT(text, AllOf(HasSubstr("turned by 10 deg"), HasSubstr("offset drifted by 60 mg"), HasSubstr("healthy"),
                           HasSubstr("imulated")));
-  const auto json = jsonOf("reproduce --quiet --seeds 3 --only check --json");
+  const auto json = jsonOf("--quiet --seeds 3 --only check --json");
   EXPECT_FALSE(json.contains("detection"));
   for (const auto& row : json.at("check").at("rows")) {
     expectFinite(row.at("blamed_per_cell"), {"percent", "low_percent", "high_percent"});

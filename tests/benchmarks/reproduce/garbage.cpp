@@ -1,5 +1,5 @@
-#include "app/cli/reproduce/detection_bound.h"
-#include "app/cli/reproduce/experiments.h"
+#include "tests/benchmarks/reproduce/detection_bound.h"
+#include "tests/benchmarks/reproduce/experiments.h"
 
 #include "hexoderm/device/simulation/fault_names.h"
 #include "hexoderm/reconstruction/reconstructor.h"

@@ -1,4 +1,4 @@
-#include "app/cli/reproduce/experiments.h"
+#include "tests/benchmarks/reproduce/experiments.h"
 
 #include "hexoderm/geometry/mesh_surface.h"
 #include "hexoderm/kinematics/demo_robot.h"

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "app/cli/reproduce/trials.h"
+#include "tests/benchmarks/reproduce/trials.h"
 
 namespace hexoderm::cli {
 
