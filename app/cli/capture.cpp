@@ -238,6 +238,13 @@ LiveCaptureState takePoses(const LiveCaptureOptions& options, const Common& comm
   return capture.state();
 }
 
+int run(const LiveCaptureOptions& options, const Common& common) {
+  const LiveCaptureState capture = takePoses(options, common);
+  print(capture, options, common);
+  if (!capture.recording_error.empty()) return kStorage;
+  return capture.result ? exitCodeOf(capture.result->assessment) : kNotGoodEnough;
+}
+
 }  // namespace
 
 Session captureSession(const LiveCaptureOptions& options, const Common& common) {
@@ -247,34 +254,27 @@ Session captureSession(const LiveCaptureOptions& options, const Common& common) 
 }
 
 void addCapture(CLI::App& app, Common& common) {
-  const auto options = std::make_shared<LiveCaptureOptions>();
-  CLI::App* command = app.add_subcommand("capture", "Take the poses of a skin that is connected, or of a recording");
-  command->add_option("--source", options->source, sourceKindsInWords())->required();
+  auto [command, options] = addCommand<LiveCaptureOptions>(
+      app, common, "capture", "Take the poses of a skin that is connected, or of a recording",
+      "A pose is captured when the part is held still. Ctrl+C ends and keeps what there is.\n"
+      "Example:\n  hexoderm-cli capture --source sim:x17 --auto --poses 4 -o arm.hexo\n"
+      "  hexoderm-cli capture --source sim:robot --auto --poses 8 -o arm.hexo\n"
+      "  hexoderm-cli solve arm.hexo -o arm.calibration.json",
+      run);
+  command.add_option("--source", options.source, sourceKindsInWords())->required();
   takeWholeNumbers(
-      command->add_option("--poses", options->poses,
-                          "End after so many (default: at the stream's end or Ctrl+C; with --auto when they are good)"),
+      command.add_option("--poses", options.poses,
+                         "End after so many (default: at the stream's end or Ctrl+C; with --auto when they are good)"),
       0, std::numeric_limits<std::uint32_t>::max());
-  command->add_flag("--auto", options->automatic, "The device turns itself, to where each pose helps most");
-  command->add_flag("--keep-raw", options->keep_raw, "Keep every sample of the poses in the session too");
-  addOutput(*command, "--record", options->record_to, "Write all that the device sends to this file, for replay:FILE");
+  command.add_flag("--auto", options.automatic, "The device turns itself, to where each pose helps most");
+  command.add_flag("--keep-raw", options.keep_raw, "Keep every sample of the poses in the session too");
+  addOutput(command, "--record", options.record_to, "Write all that the device sends to this file, for replay:FILE");
   takeNumbersAbove(
       addWithDefault(
-          *command, "--timeout", options->timeout_s,
+          command, "--timeout", options.timeout_s,
           "Seconds to wait for a device to describe itself; with --auto also for each pose, whatever turns it refuses"),
       0, kLongestWait_s);
-  addOutput(*command, "-o,--output", options->file, "Session to make (*.hexo)")->required();
-  const auto run = [options, &common] {
-    const LiveCaptureState capture = takePoses(*options, common);
-    print(capture, *options, common);
-    if (!capture.recording_error.empty()) return static_cast<int>(kStorage);
-    return capture.result ? exitCodeOf(capture.result->assessment) : static_cast<int>(kNotGoodEnough);
-  };
-  complete(*command, common,
-           "A pose is captured when the part is held still. Ctrl+C ends and keeps what there is.\n"
-           "Example:\n  hexoderm-cli capture --source sim:x17 --auto --poses 4 -o arm.hexo\n"
-           "  hexoderm-cli capture --source sim:robot --auto --poses 8 -o arm.hexo\n"
-           "  hexoderm-cli solve arm.hexo -o arm.calibration.json",
-           run);
+  addOutput(command, "-o,--output", options.file, "Session to make (*.hexo)")->required();
 }
 
 }  // namespace hexoderm::cli

@@ -110,28 +110,26 @@ int run(const CheckOptions& options, const Common& common) {
 }  // namespace
 
 void addCheck(CLI::App& app, Common& common) {
-  const auto options = std::make_shared<CheckOptions>();
-  options->live.poses = 2;
-  CLI::App* command = app.add_subcommand(
-      "check", "Does an old calibration still hold? Compare it, cell by cell, with one to three new poses");
-  addInput(*command, "calibration", options->calibration, "Calibration (*.calibration.json)")->required();
-  addInput(*command, "session", options->session, "Session with the new poses (*.hexo or *.session.json)");
+  auto [command, options] = addCommand<CheckOptions>(
+      app, common, "check", "Does an old calibration still hold? Compare it, cell by cell, with one to three new poses",
+      "The calibration is not changed. A part that sits otherwise on the robot as a whole is no change.\n"
+      "Exit code 1: something is not as calibrated, or nothing could be told.\n"
+      "Example:\n  hexoderm-cli check arm.calibration.json today.session.json\n"
+      "  hexoderm-cli check arm.calibration.json --source tcp://localhost:7700 --poses 2",
+      run);
+  options.live.poses = 2;
+  addInput(command, "calibration", options.calibration, "Calibration (*.calibration.json)")->required();
+  addInput(command, "session", options.session, "Session with the new poses (*.hexo or *.session.json)");
   CLI::Option* source =
-      command->add_option("--source", options->live.source, "Take the poses now: " + sourceKindsInWords());
-  takeWholeNumbers(addWithDefault(*command, "--poses", options->live.poses, "Poses to take"), 1, 100)->needs(source);
-  command->add_flag("--auto", options->live.automatic, "The device turns itself")->needs(source);
-  takeNumbersAbove(addWithDefault(*command, "--timeout", options->live.timeout_s,
+      command.add_option("--source", options.live.source, "Take the poses now: " + sourceKindsInWords());
+  takeWholeNumbers(addWithDefault(command, "--poses", options.live.poses, "Poses to take"), 1, 100)->needs(source);
+  command.add_flag("--auto", options.live.automatic, "The device turns itself")->needs(source);
+  takeNumbersAbove(addWithDefault(command, "--timeout", options.live.timeout_s,
                                   "Seconds to wait for a device to describe itself; with --auto also for each pose"),
                    0, kLongestWait_s)
       ->needs(source);
-  addOutput(*command, "-o,--output", options->live.file, "Keep the poses that are taken in a session (*.hexo)")
+  addOutput(command, "-o,--output", options.live.file, "Keep the poses that are taken in a session (*.hexo)")
       ->needs(source);
-  complete(*command, common,
-           "The calibration is not changed. A part that sits otherwise on the robot as a whole is no change.\n"
-           "Exit code 1: something is not as calibrated, or nothing could be told.\n"
-           "Example:\n  hexoderm-cli check arm.calibration.json today.session.json\n"
-           "  hexoderm-cli check arm.calibration.json --source tcp://localhost:7700 --poses 2",
-           [options, &common] { return run(*options, common); });
 }
 
 }  // namespace hexoderm::cli

@@ -146,27 +146,25 @@ class Output {
   std::ostringstream nowhere_;
 };
 
-/// Gives a command what all have: the options of every command, a footer, and `run`, which returns the exit code.
-template <class Run>
-void complete(CLI::App& command, Common& common, const std::string& footer, Run run) {
-  common.addTo(command);
-  command.footer(footer);
-  command.callback([&common, run] { common.exit_code = run(); });
+/// A command and its options, which live as long as it does.
+template <class Options>
+struct AddedCommand {
+  CLI::App& command;
+  Options& options;
+};
+/// Adds a command; `run` returns the exit code. The options that every command has are not among its own.
+template <class Options>
+AddedCommand<Options> addCommand(CLI::App& app, Common& common, const std::string& name, const std::string& help,
+                                 const std::string& footer, int (*run)(const Options& options, const Common& common)) {
+  const auto options = std::make_shared<Options>();
+  CLI::App* command = app.add_subcommand(name, help)->footer(footer);
+  command->callback([options, &common, run] { common.exit_code = run(*options, common); });
+  return {*command, *options};
 }
 
-void addSimulate(CLI::App& app, Common& common);
-void addCapture(CLI::App& app, Common& common);
-void addListen(CLI::App& app, Common& common);
-void addSolve(CLI::App& app, Common& common);
-void addEvaluate(CLI::App& app, Common& common);
-void addCheck(CLI::App& app, Common& common);
-void addExport(CLI::App& app, Common& common);
-void addConvert(CLI::App& app, Common& common);
-void addInspect(CLI::App& app, Common& common);
-void addSensors(CLI::App& app, Common& common);
-void addParts(CLI::App& app, Common& common);
-void addLinks(CLI::App& app, Common& common);
-void addPlace(CLI::App& app, Common& common);
+using AddCommand = void(CLI::App& app, Common& common);
+AddCommand addSimulate, addCapture, addListen, addSolve, addEvaluate, addCheck, addExport, addConvert, addInspect,
+    addSensors, addParts, addLinks, addPlace;
 
 /// Captures as `capture` does and returns the session, which may have no pose. Says on standard error what goes on.
 Session captureSession(const LiveCaptureOptions& options, const Common& common);

@@ -65,19 +65,17 @@ int run(const ConvertOptions& options, const Common& common) {
 }  // namespace
 
 void addConvert(CLI::App& app, Common& common) {
-  const auto options = std::make_shared<ConvertOptions>();
-  CLI::App* command = app.add_subcommand(
-      "convert",
-      "*.hexo to *.session.json and back; TUM SkinConfig XML to a calibration, or its topology to a session");
-  addInput(*command, "input", options->input, "*.hexo, *.session.json, *.calibration.json or TUM *.xml")->required();
-  addOutput(*command, "-o,--output", options->output,
+  auto [command, options] = addCommand<ConvertOptions>(
+      app, common, "convert",
+      "*.hexo to *.session.json and back; TUM SkinConfig XML to a calibration, or its topology to a session",
+      "Example:\n  hexoderm-cli convert skin_config.xml -o skin.calibration.json", run);
+  addInput(command, "input", options.input, "*.hexo, *.session.json, *.calibration.json or TUM *.xml")->required();
+  addOutput(command, "-o,--output", options.output,
             "*.hexo (must not exist yet), *.session.json or *.calibration.json; - is standard output, which gets the "
             "JSON of what the input is")
       ->required();
-  addInput(*command, "--cell-model", options->cell_model, "Of a TUM file: built-in name or JSON file")
+  addInput(command, "--cell-model", options.cell_model, "Of a TUM file: built-in name or JSON file")
       ->capture_default_str();
-  complete(*command, common, "Example:\n  hexoderm-cli convert skin_config.xml -o skin.calibration.json",
-           [options, &common] { return run(*options, common); });
 }
 
 }  // namespace hexoderm::cli

@@ -15,7 +15,7 @@ namespace {
 struct EvaluateOptions {
   std::string input;
   std::string fit;
-  double true_radius_m = 0;
+  std::optional<double> true_radius_m;
   std::string loop;
   std::string against;
 };
@@ -179,12 +179,13 @@ class Evaluation {
   Json result_;
 };
 
-int run(const EvaluateOptions& options, bool has_radius, const Common& common) {
-  if (has_radius && options.fit.empty()) throw InvalidArgument("--true-radius: needs --fit cylinder or --fit sphere");
+int run(const EvaluateOptions& options, const Common& common) {
+  if (options.true_radius_m && options.fit.empty())
+    throw InvalidArgument("--true-radius: needs --fit cylinder or --fit sphere");
   const auto calibration = openCalibration(options.input);
   Evaluation evaluation(*calibration, common.json);
   if (!options.fit.empty()) {
-    evaluation.fit(surfaceKindFromName(options.fit), has_radius ? std::optional(options.true_radius_m) : std::nullopt);
+    evaluation.fit(surfaceKindFromName(options.fit), options.true_radius_m);
   }
   if (!options.loop.empty()) {
     const std::vector<std::string> ends = split(options.loop, ',');
@@ -199,19 +200,16 @@ int run(const EvaluateOptions& options, bool has_radius, const Common& common) {
 }  // namespace
 
 void addEvaluate(CLI::App& app, Common& common) {
-  const auto options = std::make_shared<EvaluateOptions>();
-  CLI::App* command =
-      app.add_subcommand("evaluate", "Surface fits, loop closure, comparison with a truth or a calibration");
-  addInput(*command, "calibration", options->input, "Calibration (*.calibration.json, or TUM XML)")->required();
-  command->add_option("--fit", options->fit, "plane, sphere, cylinder or cone through the cell centres");
-  CLI::Option* radius = takeNumbersAbove(
-      command->add_option("--true-radius", options->true_radius_m, "Known radius in metres: gives eqs. (20), (21)"), 0,
+  auto [command, options] = addCommand<EvaluateOptions>(
+      app, common, "evaluate", "Surface fits, loop closure, comparison with a truth or a calibration",
+      "Example:\n  hexoderm-cli evaluate arm.calibration.json --fit cylinder --true-radius 0.0501", run);
+  addInput(command, "calibration", options.input, "Calibration (*.calibration.json, or TUM XML)")->required();
+  command.add_option("--fit", options.fit, "plane, sphere, cylinder or cone through the cell centres");
+  takeNumbersAbove(
+      command.add_option("--true-radius", options.true_radius_m, "Known radius in metres: gives eqs. (20), (21)"), 0,
       kMostLength_m);
-  command->add_option("--loop", options->loop, "Gap between two free ports: CELL:PORT,CELL:PORT");
-  addInput(*command, "--against", options->against, "Calibration, or session with truth, to compare with");
-  complete(*command, common,
-           "Example:\n  hexoderm-cli evaluate arm.calibration.json --fit cylinder --true-radius 0.0501",
-           [options, radius, &common] { return run(*options, radius->count() > 0, common); });
+  command.add_option("--loop", options.loop, "Gap between two free ports: CELL:PORT,CELL:PORT");
+  addInput(command, "--against", options.against, "Calibration, or session with truth, to compare with");
 }
 
 }  // namespace hexoderm::cli

@@ -29,7 +29,7 @@ struct ExportCommandOptions {
   std::map<std::string_view, std::string> values;  ///< of exportOptions(), by name
   std::vector<std::string> placements;
   std::string placements_file;
-  std::uint32_t patch_of_cell = 0;
+  std::optional<std::uint32_t> patch_of_cell;
   ExportOptions options;
 };
 
@@ -108,11 +108,11 @@ std::vector<ExportInput> inputFile(const std::string& path) {
   return {{"calibration", std::filesystem::path(path).filename().string(), sha256Hex(readFile(path))}};
 }
 
-int run(ExportCommandOptions command, bool one_patch, const Common& common) {
+int run(const ExportCommandOptions& command, const Common& common) {
   const std::vector<ExportFormat> formats = formatsFrom(command.formats);
-  ExportOptions& options = command.options;
+  ExportOptions options = command.options;
   for (const ExportOptionDescription& option : exportOptions()) option.set(options, command.values.at(option.name));
-  if (one_patch) options.patch = CellId(command.patch_of_cell);
+  if (command.patch_of_cell) options.patch = CellId(*command.patch_of_cell);
   if (options.robot_urdf.empty() && std::ranges::find(formats, ExportFormat::RobotUrdf) != formats.end()) {
     throw InvalidArgument("--to robot-urdf: expected --robot FILE too, the URDF of the robot that gets the skin");
   }
@@ -187,10 +187,10 @@ std::string helpOf(const ExportOptionDescription& option) {
   return option.help.english() + " (" + inWords(option.formats) + ")";
 }
 
-void addFormatOptions(CLI::App& command, const std::shared_ptr<ExportCommandOptions>& options) {
+void addFormatOptions(CLI::App& command, ExportCommandOptions& options) {
   for (const ExportOptionDescription& description : exportOptions()) {
-    std::string& value = options->values[description.name];
-    value = description.get(options->options);
+    std::string& value = options.values[description.name];
+    value = description.get(options.options);
     CLI::Option* option = command.add_option("--" + std::string(description.name), value, helpOf(description));
     std::vector<std::string> choices;
     for (const auto& choice : description.choices) choices.emplace_back(choice.value);
@@ -203,48 +203,47 @@ void addFormatOptions(CLI::App& command, const std::shared_ptr<ExportCommandOpti
 }  // namespace
 
 void addExport(CLI::App& app, Common& common) {
-  const auto options = std::make_shared<ExportCommandOptions>();
-  CLI::App* command = app.add_subcommand("export", "Write a calibration in forms that other software reads");
+  auto [command, options] = addCommand<ExportCommandOptions>(
+      app, common, "export", "Write a calibration in forms that other software reads",
+      "Where --robot is given, the names of links are those of the robot, with every format.\n"
+      "Examples:\n  hexoderm-cli export arm.calibration.json --to urdf -o arm.urdf\n"
+      "  hexoderm-cli export arm.calibration.json --to robot-urdf --robot robot.urdf "
+      "--place r_forearm:0.02,0,0.1,0,1.5708,0 -o robot_with_skin.urdf",
+      run);
   std::string formats;
   for (const ExportFormatDescription& format : exportFormats()) {
     formats += "\n  " + std::string(format.name) + ": " + format.summary.english();
     if (!format.not_carried.empty()) formats += ". " + format.not_carried.english();
   }
-  addInput(*command, "calibration", options->input, "Calibration (*.calibration.json, or TUM XML)")->required();
+  addInput(command, "calibration", options.input, "Calibration (*.calibration.json, or TUM XML)")->required();
   command
-      ->add_option(
-          "--to", options->formats,
+      .add_option(
+          "--to", options.formats,
           "Format, or several with commas between for a folder or archive with all of them and a manifest.json:" +
               formats)
       ->required();
-  addOutput(*command, "-o,--output", options->output,
+  addOutput(command, "-o,--output", options.output,
             "File to write; for csv and for several formats a folder, or with the ending .zip an archive; - is "
             "standard output")
       ->required();
-  addFormatOptions(*command, options);
-  command->add_option(
-      "--place", options->placements,
+  addFormatOptions(command, options);
+  command.add_option(
+      "--place", options.placements,
       "[CELL@]LINK:x,y,z,roll,pitch,yaw: where the patch of a cell is on a link of the robot, in metres and "
       "radians as the origin of a URDF joint; once for each patch");
-  addInput(*command, "--placements", options->placements_file,
+  addInput(command, "--placements", options.placements_file,
            "File of hexoderm-cli place, which says where patches are on links of the robot");
-  command->add_option("--in-link", options->options.in_link,
-                      "Write coordinates in the frame of this link, of the patches that are placed on it");
+  command.add_option("--in-link", options.options.in_link,
+                     "Write coordinates in the frame of this link, of the patches that are placed on it");
   CLI::Option* patch = takeWholeNumbers(
-      command->add_option("--patch", options->patch_of_cell,
-                          "Cell whose patch is written; without it all patches are where the format keeps their "
-                          "frames apart, else the one with the most cells"),
+      command.add_option("--patch", options.patch_of_cell,
+                         "Cell whose patch is written; without it all patches are where the format keeps their "
+                         "frames apart, else the one with the most cells"),
       0, std::numeric_limits<std::uint32_t>::max());
   command
-      ->add_flag("--all-patches", options->options.all_patches,
-                 "Write every patch to a vtp file too, each in its own frame, their origins at one place")
+      .add_flag("--all-patches", options.options.all_patches,
+                "Write every patch to a vtp file too, each in its own frame, their origins at one place")
       ->excludes(patch);
-  complete(*command, common,
-           "Where --robot is given, the names of links are those of the robot, with every format.\n"
-           "Examples:\n  hexoderm-cli export arm.calibration.json --to urdf -o arm.urdf\n"
-           "  hexoderm-cli export arm.calibration.json --to robot-urdf --robot robot.urdf "
-           "--place r_forearm:0.02,0,0.1,0,1.5708,0 -o robot_with_skin.urdf",
-           [options, patch, &common] { return run(*options, patch->count() > 0, common); });
 }
 
 }  // namespace hexoderm::cli

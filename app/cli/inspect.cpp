@@ -96,15 +96,14 @@ int run(const InspectOptions& options, const Common& common) {
 }  // namespace
 
 void addInspect(CLI::App& app, Common& common) {
-  const auto options = std::make_shared<InspectOptions>();
-  CLI::App* command = app.add_subcommand("inspect", "Say what is in a file, what is wrong with it and what to do next");
-  addInput(*command, "input", options->input, "Session, calibration or TUM XML")->required();
-  addInput(*command, "--cell-model", options->cell_model, "Of a TUM file: built-in name or JSON file")
+  auto [command, options] = addCommand<InspectOptions>(
+      app, common, "inspect", "Say what is in a file, what is wrong with it and what to do next",
+      "Example:\n  hexoderm-cli inspect arm.session.json", run);
+  addInput(command, "input", options.input, "Session, calibration or TUM XML")->required();
+  addInput(command, "--cell-model", options.cell_model, "Of a TUM file: built-in name or JSON file")
       ->capture_default_str();
-  addWithDefault(*command, "--solver", options->solver,
+  addWithDefault(command, "--solver", options.solver,
                  "Of a session: global, as 'solve' does; or tree, which is quicker and finds less");
-  complete(*command, common, "Example:\n  hexoderm-cli inspect arm.session.json",
-           [options, &common] { return run(*options, common); });
 }
 
 }  // namespace hexoderm::cli

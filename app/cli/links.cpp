@@ -204,24 +204,22 @@ int run(const LinksArguments& arguments, const Common& common) {
 }  // namespace
 
 void addLinks(CLI::App& app, Common& common) {
-  const auto arguments = std::make_shared<LinksArguments>();
-  CLI::App* command =
-      app.add_subcommand("links", "Tell on which link of a robot each patch is, and how it is turned there");
-  addInput(*command, "session", arguments->session, "Session (*.hexo or *.session.json)")->required();
-  addInput(*command, "--robot", arguments->robot, "The robot as URDF, or demo")->required();
-  addInput(*command, "--joints", arguments->joints,
+  auto [command, arguments] = addCommand<LinksArguments>(
+      app, common, "links", "Tell on which link of a robot each patch is, and how it is turned there",
+      "From gravity and joint angles: the base stands still, and where on its link a patch lies is not told.\n"
+      "Exit code 1: some patch is on no link that is known.\n"
+      "Example:\n  hexoderm-cli links robot.session.json --robot robot.urdf --joints robot.joints.csv",
+      run);
+  addInput(command, "session", arguments.session, "Session (*.hexo or *.session.json)")->required();
+  addInput(command, "--robot", arguments.robot, "The robot as URDF, or demo")->required();
+  addInput(command, "--joints", arguments.joints,
            "Joint angles of the poses as CSV (default: those that the session holds)");
-  command->add_option("--package", arguments->packages, "NAME=FOLDER of meshes at package://NAME/...; may be repeated");
-  command->add_option("--put", arguments->chosen,
-                      "CELL=LINK: take the patch of a cell to be on a link, whatever fits; may be repeated");
-  takeDirection(command->add_option("--up", arguments->up,
-                                    "The direction that points up in the frame of the robot's base: x,y,z"));
-  command->add_flag("--exact-joints", arguments->exact_joints, "Joints have no zero errors");
-  complete(*command, common,
-           "From gravity and joint angles: the base stands still, and where on its link a patch lies is not told.\n"
-           "Exit code 1: some patch is on no link that is known.\n"
-           "Example:\n  hexoderm-cli links robot.session.json --robot robot.urdf --joints robot.joints.csv",
-           [arguments, &common] { return run(*arguments, common); });
+  command.add_option("--package", arguments.packages, "NAME=FOLDER of meshes at package://NAME/...; may be repeated");
+  command.add_option("--put", arguments.chosen,
+                     "CELL=LINK: take the patch of a cell to be on a link, whatever fits; may be repeated");
+  takeDirection(
+      command.add_option("--up", arguments.up, "The direction that points up in the frame of the robot's base: x,y,z"));
+  command.add_flag("--exact-joints", arguments.exact_joints, "Joints have no zero errors");
 }
 
 }  // namespace hexoderm::cli

@@ -252,27 +252,24 @@ int run(const ListenOptions& options, const Common& common) {
 }  // namespace
 
 void addListen(CLI::App& app, Common& common) {
-  const auto options = std::make_shared<ListenOptions>();
-  CLI::App* command =
-      app.add_subcommand("listen", "Listen to a device, and say what it does wrong: for those who make one");
-  command->add_option("source", options->source, sourceKindsInWords())->required();
-  takeNumbersAbove(
-      addWithDefault(*command, "--for", options->time_s, "Seconds to listen; Ctrl+C ends it before, with its report"),
-      0, kLongestWait_s);
-  takeWholeNumbers(
-      command->add_option("--light", options->light, "Light this cell, and say how the device answers (SetLed)"), 1,
-      std::numeric_limits<std::uint32_t>::max());
-  takeNumbersAbove(
-      command->add_option("--rate", options->rate_hz, "Ask for so many samples a second of each cell (SetRate)"), 0,
-      kMostRate_hz);
-  command->add_flag("--explore", options->explore, "Ask the device to explore its neighbours again (ExploreAgain)");
-  complete(
-      *command, common,
+  auto [command, options] = addCommand<ListenOptions>(
+      app, common, "listen", "Listen to a device, and say what it does wrong: for those who make one",
       "The first offence of each kind is said at once on standard error; rates, losses, norms, noise, links and the\n"
       "counts of all offences follow at the end. Exit code 0: a calibration could begin; 1: it could not, and why;\n"
       "4: no device there.\n"
       "Example:\n  hexoderm-cli listen sim:x17 --for 1",
-      [options, &common] { return run(*options, common); });
+      run);
+  command.add_option("source", options.source, sourceKindsInWords())->required();
+  takeNumbersAbove(
+      addWithDefault(command, "--for", options.time_s, "Seconds to listen; Ctrl+C ends it before, with its report"), 0,
+      kLongestWait_s);
+  takeWholeNumbers(
+      command.add_option("--light", options.light, "Light this cell, and say how the device answers (SetLed)"), 1,
+      std::numeric_limits<std::uint32_t>::max());
+  takeNumbersAbove(
+      command.add_option("--rate", options.rate_hz, "Ask for so many samples a second of each cell (SetRate)"), 0,
+      kMostRate_hz);
+  command.add_flag("--explore", options.explore, "Ask the device to explore its neighbours again (ExploreAgain)");
 }
 
 }  // namespace hexoderm::cli

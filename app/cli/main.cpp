@@ -20,19 +20,12 @@ int main(int argc, char** argv) {
       "  hexoderm-cli simulate --poses 3 -o arm.session.json\n"
       "  hexoderm-cli solve arm.session.json -o arm.calibration.json\n"
       "  hexoderm-cli export arm.calibration.json --to urdf -o arm.urdf");
-  cli::addSimulate(app, common);
-  cli::addCapture(app, common);
-  cli::addListen(app, common);
-  cli::addSolve(app, common);
-  cli::addEvaluate(app, common);
-  cli::addCheck(app, common);
-  cli::addExport(app, common);
-  cli::addConvert(app, common);
-  cli::addInspect(app, common);
-  cli::addSensors(app, common);
-  cli::addParts(app, common);
-  cli::addLinks(app, common);
-  cli::addPlace(app, common);
+  for (cli::AddCommand* add : {cli::addSimulate, cli::addCapture, cli::addListen, cli::addSolve, cli::addEvaluate,
+                               cli::addCheck, cli::addExport, cli::addConvert, cli::addInspect, cli::addSensors,
+                               cli::addParts, cli::addLinks, cli::addPlace}) {
+    add(app, common);
+  }
+  for (CLI::App* command : app.get_subcommands({})) common.addTo(*command);
   app.parse_complete_callback([&] {
     for (const CLI::App* command : app.get_subcommands()) cli::requireReplaceableOutputs(*command);
   });

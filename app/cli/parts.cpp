@@ -197,18 +197,16 @@ int run(const std::string& input, const Common& common) {
 }  // namespace
 
 void addParts(CLI::App& app, Common& common) {
-  const auto input = std::make_shared<std::string>();
-  CLI::App* command = app.add_subcommand(
-      "parts", "Tell which patches move together, how they are turned against each other, and where hinges are");
-  addInput(*command, "session", *input, "Session (*.hexo or *.session.json)")->required();
-  complete(
-      *command, common,
+  auto [command, input] = addCommand<std::string>(
+      app, common, "parts",
+      "Tell which patches move together, how they are turned against each other, and where hinges are",
       "From gravity alone: where patches and hinges lie, it doesn't say. A joint that stood still in all poses can't "
       "be\n"
       "seen. Hinges take five poses.\n"
       "Exit code 1: of some parts the poses can't tell whether they move together.\n"
       "Example:\n  hexoderm-cli parts robot.session.json --json",
-      [input, &common] { return run(*input, common); });
+      run);
+  addInput(command, "session", input, "Session (*.hexo or *.session.json)")->required();
 }
 
 }  // namespace hexoderm::cli

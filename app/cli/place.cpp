@@ -347,58 +347,55 @@ int run(const PlaceCommandOptions& options, const Common& common) {
 }  // namespace
 
 void addPlace(CLI::App& app, Common& common) {
-  const auto options = std::make_shared<PlaceCommandOptions>();
-  CLI::App* command = app.add_subcommand(
-      "place", "Find where on a link of the robot a patch lies: by the link's surface, points, distances");
-  addInput(*command, "skin", options->input,
-           "Calibration (*.calibration.json), or session (*.hexo or *.session.json), which says better how "
-           "certain the cells are")
-      ->required();
-  addInput(*command, "--robot", options->robot, "URDF of the robot; demo is the built-in arm")->required();
-  command->add_option("--package", options->packages, "NAME=FOLDER: where the files of package://NAME/ are");
-  command->add_option("--link", options->link, "Link that the patch is on")->required();
-  takeWholeNumbers(
-      command->add_option("--patch", options->patches,
-                          "Cell whose patch is placed; several are placed together. Without it the patches of "
-                          "distances and points, or the one with the most cells"),
-      0, std::numeric_limits<std::uint32_t>::max());
-  command->add_option("--rotation", options->rotations,
-                      std::string(kRotationSyntax) +
-                          ": how the patch is turned on the link, as rpy of a URDF, in degrees, and 1 sigma about each "
-                          "axis (1). Or links: as gravity and the joint angles say, which takes a session. Without it "
-                          "any");
-  addInput(*command, "--joints", options->joints,
-           "With --rotation links: joint angles of the poses as CSV (default: those that the session holds)");
-  takeDirection(command->add_option("--up", options->up,
-                                    "With --rotation links: what points up in the frame of the base, x,y,z"));
-  command->add_option("--point", options->points,
-                      std::string(kPointSyntax) +
-                          ": the middle of a cell's front is at this point of the link, m; sigma an axis, m (0.001)");
-  command->add_option("--distance", options->distances,
-                      std::string(kDistanceSyntax) +
-                          ": between the middles of the fronts of cells of two patches on the link, m (sigma 0.001)");
-  command->add_flag("--no-surface", options->no_surface, "Do without the link's surface");
-  addWithDefault(*command, "--body", options->body, "Which of the link's descriptions is its surface")
-      ->check(CLI::IsMember({"any", "visual", "collision"}));
-  takeNumbers(addWithDefault(*command, "--surface-sigma", options->surface_sigma_mm,
-                             "How far backs of cells are off the mesh, 1 sigma, mm"),
-              toMillimetres(kLeastPlaceSigma_m), toMillimetres(kMostPlaceLength_m));
-  takeNumbers(addWithDefault(*command, "--normal-sigma", options->normal_sigma_deg,
-                             "How far cells are tilted against it, 1 sigma, deg"),
-              kLeastAngleSigma_deg, kFullTurn_deg);
-  takeNumbers(addWithDefault(*command, "--gap", options->gap_mm, "Glue or cloth between the backs and the mesh, mm"), 0,
-              toMillimetres(kMostPlaceLength_m));
-  addOutput(*command, "-o,--output", options->output,
-            "File for the best place, which export takes with --placements; - is standard output");
-  complete(
-      *command, common,
+  auto [command, options] = addCommand<PlaceCommandOptions>(
+      app, common, "place", "Find where on a link of the robot a patch lies: by the link's surface, points, distances",
       "All places that fit are given, the best first, with what is left open and how far the patch can be moved.\n"
       "Exit code 1: no place fits, several do, or one from which the patch can be moved; or gravity says that\n"
       "the patch is on another link.\n"
       "Example:\n  hexoderm-cli place arm.calibration.json --robot robot.urdf --link r_forearm --rotation 0,90,12:1 "
       "-o placements.json\n"
       "  hexoderm-cli place arm.hexo --robot robot.urdf --link r_forearm --rotation links --joints joints.csv",
-      [options, &common] { return run(*options, common); });
+      run);
+  addInput(command, "skin", options.input,
+           "Calibration (*.calibration.json), or session (*.hexo or *.session.json), which says better how "
+           "certain the cells are")
+      ->required();
+  addInput(command, "--robot", options.robot, "URDF of the robot; demo is the built-in arm")->required();
+  command.add_option("--package", options.packages, "NAME=FOLDER: where the files of package://NAME/ are");
+  command.add_option("--link", options.link, "Link that the patch is on")->required();
+  takeWholeNumbers(
+      command.add_option("--patch", options.patches,
+                         "Cell whose patch is placed; several are placed together. Without it the patches of "
+                         "distances and points, or the one with the most cells"),
+      0, std::numeric_limits<std::uint32_t>::max());
+  command.add_option("--rotation", options.rotations,
+                     std::string(kRotationSyntax) +
+                         ": how the patch is turned on the link, as rpy of a URDF, in degrees, and 1 sigma about each "
+                         "axis (1). Or links: as gravity and the joint angles say, which takes a session. Without it "
+                         "any");
+  addInput(command, "--joints", options.joints,
+           "With --rotation links: joint angles of the poses as CSV (default: those that the session holds)");
+  takeDirection(
+      command.add_option("--up", options.up, "With --rotation links: what points up in the frame of the base, x,y,z"));
+  command.add_option("--point", options.points,
+                     std::string(kPointSyntax) +
+                         ": the middle of a cell's front is at this point of the link, m; sigma an axis, m (0.001)");
+  command.add_option("--distance", options.distances,
+                     std::string(kDistanceSyntax) +
+                         ": between the middles of the fronts of cells of two patches on the link, m (sigma 0.001)");
+  command.add_flag("--no-surface", options.no_surface, "Do without the link's surface");
+  addWithDefault(command, "--body", options.body, "Which of the link's descriptions is its surface")
+      ->check(CLI::IsMember({"any", "visual", "collision"}));
+  takeNumbers(addWithDefault(command, "--surface-sigma", options.surface_sigma_mm,
+                             "How far backs of cells are off the mesh, 1 sigma, mm"),
+              toMillimetres(kLeastPlaceSigma_m), toMillimetres(kMostPlaceLength_m));
+  takeNumbers(addWithDefault(command, "--normal-sigma", options.normal_sigma_deg,
+                             "How far cells are tilted against it, 1 sigma, deg"),
+              kLeastAngleSigma_deg, kFullTurn_deg);
+  takeNumbers(addWithDefault(command, "--gap", options.gap_mm, "Glue or cloth between the backs and the mesh, mm"), 0,
+              toMillimetres(kMostPlaceLength_m));
+  addOutput(command, "-o,--output", options.output,
+            "File for the best place, which export takes with --placements; - is standard output");
 }
 
 }  // namespace hexoderm::cli

@@ -135,21 +135,20 @@ int run(const SensorsOptions& options, const Common& common) {
 }  // namespace
 
 void addSensors(CLI::App& app, Common& common) {
-  const auto options = std::make_shared<SensorsOptions>();
-  CLI::App* command = app.add_subcommand(
-      "sensors", "Estimate how large the errors of the accelerometers are, and write a cell model that says so");
-  addInput(*command, "sessions", options->inputs,
+  auto [command, options] = addCommand<SensorsOptions>(
+      app, common, "sensors",
+      "Estimate how large the errors of the accelerometers are, and write a cell model that says so",
+      "One pose tells nothing, two the offsets, three the scale errors too, and six, as of a cube's faces, all.\n"
+      "Exit code 1: nothing can be told; the model is written all the same.\n"
+      "Example:\n  hexoderm-cli simulate --poses 6 -o arm.session.json\n"
+      "  hexoderm-cli sensors arm.session.json -o chip.json\n"
+      "  hexoderm-cli simulate --poses 6 --cell-model chip.json -o next.session.json",
+      run);
+  addInput(command, "sessions", options.inputs,
            "Sessions (*.hexo or *.session.json) with one cell model, of chips of one lot")
       ->required();
-  addOutput(*command, "-o,--output", options->output,
+  addOutput(command, "-o,--output", options.output,
             "Cell model to write: the sessions' with the estimated sigmas (*.json; - is standard output)");
-  complete(*command, common,
-           "One pose tells nothing, two the offsets, three the scale errors too, and six, as of a cube's faces, all.\n"
-           "Exit code 1: nothing can be told; the model is written all the same.\n"
-           "Example:\n  hexoderm-cli simulate --poses 6 -o arm.session.json\n"
-           "  hexoderm-cli sensors arm.session.json -o chip.json\n"
-           "  hexoderm-cli simulate --poses 6 --cell-model chip.json -o next.session.json",
-           [options, &common] { return run(*options, common); });
 }
 
 }  // namespace hexoderm::cli

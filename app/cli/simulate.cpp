@@ -29,7 +29,7 @@ struct SimulateOptions {
   std::string motion = "hand";
   std::size_t poses = 2;
   std::size_t samples = 100;
-  double offset_sigma_mg = -1;
+  std::optional<double> offset_sigma_mg;
   std::vector<std::string> faults;
   std::string joints;  ///< empty: beside the session
   std::string truth;
@@ -98,7 +98,7 @@ int run(const SimulateOptions& options, const Common& common) {
                           "\"");
   }
   CellModel model = asInput([&] { return loadCellModel(options.cell_model); });
-  if (options.offset_sigma_mg >= 0) model.accelerometer.offset_sigma_g = options.offset_sigma_mg / 1000;
+  if (options.offset_sigma_mg) model.accelerometer.offset_sigma_g = *options.offset_sigma_mg / 1000;
   model.validate();
   RobotInWords words = options.words;
   words.link_law = linkLawFromName(options.link_law);
@@ -140,69 +140,68 @@ int run(const SimulateOptions& options, const Common& common) {
 }  // namespace
 
 void addSimulate(CLI::App& app, Common& common) {
-  const auto options = std::make_shared<SimulateOptions>();
-  CLI::App* command = app.add_subcommand("simulate", "Make a session of a simulated skin, with the truth beside it");
-  addWithDefault(*command, "--patch", options->words.patch,
+  auto [command, options] = addCommand<SimulateOptions>(
+      app, common, "simulate", "Make a session of a simulated skin, with the truth beside it",
+      "Example:\n  hexoderm-cli simulate --patch x17 --surface cylinder:r=0.0501 --poses 2 --seed 1 "
+      "-o arm.session.json\n"
+      "  hexoderm-cli simulate --robot demo --poses 8 -o arm.session.json",
+      run);
+  addWithDefault(command, "--patch", options.words.patch,
                  "x17, ringN, ringN:closed or sheet:ROWSxCOLS (1,000,000 cells at most)");
-  command->add_option("--surface", options->words.surface,
-                      "plane, cylinder:r=M, sphere:r=M, cone:r=M,angle=RAD or torus:R=M,r=M "
-                      "(default: what suits the patch)");
-  addWithDefault(*command, "--link-law", options->link_law, "How the mould lets neighbours lie: bend or surface")
+  command.add_option("--surface", options.words.surface,
+                     "plane, cylinder:r=M, sphere:r=M, cone:r=M,angle=RAD or torus:R=M,r=M "
+                     "(default: what suits the patch)");
+  addWithDefault(command, "--link-law", options.link_law, "How the mould lets neighbours lie: bend or surface")
       ->check(CLI::IsMember({"bend", "surface"}));
-  takeWholeNumbers(addWithDefault(*command, "--poses", options->poses, "Number of poses"), 0, 1000);
-  takeWholeNumbers(addWithDefault(*command, "--samples", options->samples, "Samples averaged in a pose"), 1, 100'000);
-  takeWholeNumbers(addWithDefault(*command, "--seed", options->words.seed, "Seed of everything random"), 0,
+  takeWholeNumbers(addWithDefault(command, "--poses", options.poses, "Number of poses"), 0, 1000);
+  takeWholeNumbers(addWithDefault(command, "--samples", options.samples, "Samples averaged in a pose"), 1, 100'000);
+  takeWholeNumbers(addWithDefault(command, "--seed", options.words.seed, "Seed of everything random"), 0,
                    std::numeric_limits<std::uint64_t>::max());
-  addInput(*command, "--cell-model", options->cell_model, "Built-in name or JSON file")->capture_default_str();
-  takeNumbers(command->add_option("--offset-sigma", options->offset_sigma_mg,
-                                  "Accelerometer offsets, 1 sigma, in mg (default: the cell model's)"),
+  addInput(command, "--cell-model", options.cell_model, "Built-in name or JSON file")->capture_default_str();
+  takeNumbers(command.add_option("--offset-sigma", options.offset_sigma_mg,
+                                 "Accelerometer offsets, 1 sigma, in mg (default: the cell model's)"),
               0, kMostOffsetSigma_mg);
-  CLI::Option* faults = command->add_option("--fault", options->faults, faultSyntax() + "; may be repeated");
+  CLI::Option* faults = command.add_option("--fault", options.faults, faultSyntax() + "; may be repeated");
   CLI::Option* motion =
-      addWithDefault(*command, "--motion", options->motion,
+      addWithDefault(command, "--motion", options.motion,
                      "What holds and turns the part: hand; or robot, with its motors on: 8 to 35 mg of vibration, 20 "
                      "readings a second, and a single joint")
           ->check(CLI::IsMember({"hand", "robot"}));
   CLI::Option* ideal =
-      command->add_flag("--ideal", options->words.ideal, "No jitter, no sensor errors, no noise, no hand")
+      command.add_flag("--ideal", options.words.ideal, "No jitter, no sensor errors, no noise, no hand")
           ->excludes(motion);
   CLI::Option* robot =
-      addInput(*command, "--robot", options->words.robot,
+      addInput(command, "--robot", options.words.robot,
                "A robot that wears the skin, as URDF, or demo: an arm with a patch on the upper arm and one on "
                "the forearm. In every pose its joints stand in angles drawn at random")
           ->excludes(motion)
           ->excludes(faults);
-  takeTexts(command->add_option(
-                "--mount", options->words.mounts,
+  takeTexts(command.add_option(
+                "--mount", options.words.mounts,
                 "A patch on the robot: " + std::string(kMountSyntax) +
                     ", the place of its middle in the link's frame in m and rad, z out of the skin; without --surface "
                     "it lies on the link's body where that is nearest; may be repeated"),
             requireMount)
       ->needs(robot);
-  addWithDefault(*command, "--base", options->words.base,
+  addWithDefault(command, "--base", options.words.base,
                  "What holds the robot: fixed, on a base that holds still; motors, the same with its motors on, which "
                  "shake it by 8 to 35 mg; or hand, which turns the whole robot anew in every pose")
       ->check(CLI::IsMember({"fixed", "motors", "hand"}))
       ->needs(robot)
       ->excludes(ideal);
   command
-      ->add_option("--package", options->words.packages, "NAME=FOLDER of meshes at package://NAME/...; may be repeated")
+      .add_option("--package", options.words.packages, "NAME=FOLDER of meshes at package://NAME/...; may be repeated")
       ->needs(robot);
-  addOutput(*command, "--joints", options->joints,
+  addOutput(command, "--joints", options.joints,
             "Joint angles to write (default: *.joints.csv beside the session; none beside -)")
       ->needs(robot);
-  addOutput(*command, "--truth", options->truth,
+  addOutput(command, "--truth", options.truth,
             "Truth to write: places of cells on links, errors of joints, links in every pose (default: "
             "*.truth.json beside the session; none beside -)")
       ->needs(robot);
-  addOutput(*command, "-o,--output", options->output,
+  addOutput(command, "-o,--output", options.output,
             "Session to write (*.session.json, or *.hexo, which must not exist yet; - is standard output)")
       ->required();
-  complete(*command, common,
-           "Example:\n  hexoderm-cli simulate --patch x17 --surface cylinder:r=0.0501 --poses 2 --seed 1 "
-           "-o arm.session.json\n"
-           "  hexoderm-cli simulate --robot demo --poses 8 -o arm.session.json",
-           [options, &common] { return run(*options, common); });
 }
 
 }  // namespace hexoderm::cli

@@ -81,29 +81,8 @@ int run(const SolveOptions& options, const Common& common) {
 }  // namespace
 
 void addSolve(CLI::App& app, Common& common) {
-  const auto options = std::make_shared<SolveOptions>();
-  CLI::App* command = app.add_subcommand("solve", "Find the placement of every cell of a session");
-  addInput(*command, "input", options->inputs, "Session (*.hexo or *.session.json), or many")->required();
-  addOutput(*command, "-o,--output", options->output,
-            "Calibration to write (*.calibration.json; - is standard output); of several sessions, or with "
-            "a / at its end, the folder for their calibrations");
-  for (const SolverChoice& choice : solverChoices()) {
-    std::string& value = options->choices[choice.name];
-    value = choice.get(SolverOptions());
-    addWithDefault(*command, "--" + std::string(choice.name), value, std::string(choice.help));
-  }
-  takeWholeNumbers(
-      command->add_option("--without", options->without, "Leave this cell's readings out; may be repeated"), 0,
-      std::numeric_limits<std::uint32_t>::max());
-  takeNumbersAbove(addWithDefault(*command, "--class-threshold", options->class_threshold,
-                                  "Singular value from which a direction counts as defined; 1 is the paper's"),
-                   0, kMostClassThreshold);
-  takeWholeNumbers(
-      command->add_option("-j,--jobs", options->jobs,
-                          "Of many sessions, so many at the same time (default: as the computer has threads)"),
-      1, 1024);
-  complete(
-      *command, common,
+  auto [command, options] = addCommand<SolveOptions>(
+      app, common, "solve", "Find the placement of every cell of a session",
       "Many sessions are solved at the same time, each as if it were alone. Each gets a line on standard output, with\n"
       "--json an object in a line; the exit code is the largest of all.\n"
       "Example:\n  hexoderm-cli solve arm.session.json -o arm.calibration.json\n"
@@ -112,7 +91,25 @@ void addSolve(CLI::App& app, Common& common) {
       "The paper's own method:\n  hexoderm-cli solve arm.session.json --solver tree --centre off\n"
       "All sessions of a folder, arm.session.json to out/arm.calibration.json:\n"
       "  hexoderm-cli solve *.session.json -o out/",
-      [options, &common] { return run(*options, common); });
+      run);
+  addInput(command, "input", options.inputs, "Session (*.hexo or *.session.json), or many")->required();
+  addOutput(command, "-o,--output", options.output,
+            "Calibration to write (*.calibration.json; - is standard output); of several sessions, or with "
+            "a / at its end, the folder for their calibrations");
+  for (const SolverChoice& choice : solverChoices()) {
+    std::string& value = options.choices[choice.name];
+    value = choice.get(SolverOptions());
+    addWithDefault(command, "--" + std::string(choice.name), value, std::string(choice.help));
+  }
+  takeWholeNumbers(command.add_option("--without", options.without, "Leave this cell's readings out; may be repeated"),
+                   0, std::numeric_limits<std::uint32_t>::max());
+  takeNumbersAbove(addWithDefault(command, "--class-threshold", options.class_threshold,
+                                  "Singular value from which a direction counts as defined; 1 is the paper's"),
+                   0, kMostClassThreshold);
+  takeWholeNumbers(
+      command.add_option("-j,--jobs", options.jobs,
+                         "Of many sessions, so many at the same time (default: as the computer has threads)"),
+      1, 1024);
 }
 
 }  // namespace hexoderm::cli

@@ -53,7 +53,8 @@ int main(int argc, char** argv) {
   std::vector<std::string> names;
   for (const cli::Part& part : cli::kParts) names.emplace_back(part.name);
   app.add_option("--only", only, "One part of it")->check(CLI::IsMember(names));
-  cli::complete(app, common, "Example:\n  hexoderm-reproduce --seeds 200",
-                [&] { return cli::run(seeds, only, common); });
+  common.addTo(app);
+  app.footer("Example:\n  hexoderm-reproduce --seeds 200");
+  app.callback([&] { common.exit_code = cli::run(seeds, only, common); });
   return cli::runProgram(app, argc, argv, common);
 }
