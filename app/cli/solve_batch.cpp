@@ -8,12 +8,13 @@
 #include "hexoderm/util/text.h"
 
 #include <algorithm>
+#include <atomic>
 #include <chrono>
-#include <condition_variable>
+#include <future>
 #include <iostream>
 #include <map>
-#include <mutex>
 #include <optional>
+#include <semaphore>
 #include <set>
 #include <stop_token>
 #include <system_error>
@@ -95,130 +96,108 @@ std::string jsonLineOf(const std::string& input, const std::filesystem::path& wr
   return line + ",\"calibration\":" + (calibration.empty() ? "null" : inOneLine(calibration)) + "}";
 }
 
+/// Solves one session, reads it and writes its calibration; nothing if it was stopped.
+std::optional<EndedSession> solveOne(const std::string& input, const std::filesystem::path& written,
+                                     const SolverOptions& solver, bool json, const std::stop_token& stop) {
+  EndedSession ended;
+  try {
+    const auto result = reconstruct(*openSession(input).snapshot(), solver, nullptr, stop);
+    if (result == nullptr) return std::nullopt;
+    if (!written.empty()) writeCalibrationJson(*result, written);
+    ended.exit_code = exitCodeOf(result->assessment);
+    ended.line = json ? jsonLineOf(input, written, ended, calibrationToJson(*result)) : lineOf(input, *result, written);
+  } catch (const std::exception& error) {
+    const std::optional<int> code = exitCodeOf(error);
+    if (!code) throw;
+    ended.exit_code = *code;
+    ended.error = error.what();
+    if (!ended.error.starts_with(input)) ended.error = input + ": " + ended.error;
+    if (json) ended.line = jsonLineOf(input, {}, ended, {});
+  }
+  return ended;
+}
+
 /// Threads that take up the sessions in their order, each of them one at a time.
 class BatchThreads {
  public:
-  BatchThreads(const SolveBatch& batch, std::vector<std::filesystem::path> files, bool json)
-      : batch_(batch), files_(std::move(files)), json_(json), ended_(batch.inputs.size()) {
+  /// `files`: of the calibrations; empty: none is written.
+  BatchThreads(const SolveBatch& batch, const std::vector<std::filesystem::path>& files, bool json)
+      : outcomes_(batch.inputs.size()) {
     const std::size_t jobs = std::min(batch.jobs, batch.inputs.size());
-    ahead_ = json ? kMostWaitingTexts * jobs : batch.inputs.size();
-    for (std::size_t k = 0; k < jobs; ++k) threads_.emplace_back([this, k] { work(k == 0 ? 0 : 1); });
+    for (std::promise<EndedSession>& outcome : outcomes_) futures_.push_back(outcome.get_future());
+    ahead_.release(static_cast<std::ptrdiff_t>(json ? kMostWaitingTexts * jobs : batch.inputs.size() + jobs));
+    for (std::size_t job = 0; job < jobs; ++job) {
+      threads_.emplace_back([this, &batch, files, json, job] {
+        const CoresInUse in_use(job == 0 ? 0 : 1);  // the first has the core that every call has
+        for (std::size_t k = takeUp(); k < outcomes_.size(); k = takeUp()) {
+          auto ended = solveOne(batch.inputs[k], files.empty() ? std::filesystem::path() : files[k], batch.solver, json,
+                                stop_.get_token());
+          if (ended) outcomes_[k].set_value(*std::move(ended));
+        }
+      });
+    }
   }
-  ~BatchThreads() { stop_.request_stop(); }
+  ~BatchThreads() { stop(); }
   BatchThreads(const BatchThreads&) = delete;
   BatchThreads& operator=(const BatchThreads&) = delete;
 
   /// Waits for a session, which is then let go; nothing if the user wants the program to end.
   std::optional<EndedSession> waitFor(std::size_t session) {
-    std::unique_lock lock(mutex_);
-    const auto has_ended = [&] { return ended_[session].has_value(); };
     do {
       if (isInterrupted()) return std::nullopt;
-    } while (!changed_.wait_for(lock, kLookForInterruptEvery, has_ended));
-    shown_ = session + 1;
-    changed_.notify_all();
-    return std::exchange(ended_[session], std::nullopt);
+    } while (futures_[session].wait_for(kLookForInterruptEvery) != std::future_status::ready);
+    ahead_.release();
+    return futures_[session].get();
   }
-
   /// Nothing new begins from now on.
-  void requestStop() { stop_.request_stop(); }
+  void stop() {
+    stop_.request_stop();
+    ahead_.release(static_cast<std::ptrdiff_t>(threads_.size()));
+  }
   void waitUntilStopped() { threads_.clear(); }
   /// A session that has ended and was not let go yet.
   std::optional<EndedSession> takeEnded(std::size_t session) {
-    const std::lock_guard lock(mutex_);
-    return std::exchange(ended_[session], std::nullopt);
+    std::future<EndedSession>& future = futures_[session];
+    if (!future.valid() || future.wait_for(std::chrono::seconds(0)) != std::future_status::ready) return std::nullopt;
+    return future.get();
   }
 
  private:
-  /// `cores`: that this thread takes from the others' solutions; the first has the one that every call has.
-  void work(std::size_t cores) {
-    const CoresInUse in_use(cores);
-    while (const std::optional<std::size_t> session = takeUp()) {
-      std::optional<EndedSession> ended = solve(*session);
-      const std::lock_guard lock(mutex_);
-      ended_[*session] = std::move(ended);
-      changed_.notify_all();
-    }
+  /// The session to solve next; one that there is not: none.
+  std::size_t takeUp() {
+    ahead_.acquire();
+    return stop_.stop_requested() ? outcomes_.size() : next_++;
   }
 
-  std::optional<std::size_t> takeUp() {
-    std::unique_lock lock(mutex_);
-    const auto may_go_on = [&] { return next_ == ended_.size() || next_ < shown_ + ahead_; };
-    changed_.wait(lock, stop_.get_token(), may_go_on);
-    if (stop_.stop_requested() || next_ == ended_.size()) return std::nullopt;
-    return next_++;
-  }
-
-  /// Nothing if it was stopped.
-  std::optional<EndedSession> solve(std::size_t number) const {
-    const std::string& input = batch_.inputs[number];
-    EndedSession ended;
-    try {
-      const auto result = reconstruct(*openSession(input).snapshot(), batch_.solver, nullptr, stop_.get_token());
-      if (result == nullptr) return std::nullopt;
-      const std::filesystem::path written = files_.empty() ? std::filesystem::path() : files_[number];
-      if (!written.empty()) writeCalibrationJson(*result, written);
-      ended.exit_code = exitCodeOf(result->assessment);
-      ended.line =
-          json_ ? jsonLineOf(input, written, ended, calibrationToJson(*result)) : lineOf(input, *result, written);
-    } catch (const std::exception& error) {
-      const std::optional<int> code = exitCodeOf(error);
-      if (!code) throw;
-      ended.exit_code = *code;
-      ended.error = error.what();
-      if (!ended.error.starts_with(input)) ended.error = input + ": " + ended.error;
-      if (json_) ended.line = jsonLineOf(input, {}, ended, {});
-    }
-    return ended;
-  }
-
-  const SolveBatch& batch_;
-  const std::vector<std::filesystem::path> files_;  ///< empty: none is written
-  const bool json_;
-  std::size_t ahead_ = 0;  ///< so many may be taken up before the first of them is let go
-
-  std::mutex mutex_;
-  std::condition_variable_any changed_;
-  std::vector<std::optional<EndedSession>> ended_;
-  std::size_t next_ = 0;   ///< to be taken up
-  std::size_t shown_ = 0;  ///< all before it were let go
+  std::vector<std::promise<EndedSession>> outcomes_;
+  std::vector<std::future<EndedSession>> futures_;
+  std::counting_semaphore<> ahead_{0};  ///< so many more may be taken up before the first of them is let go
+  std::atomic<std::size_t> next_ = 0;   ///< to be taken up
   std::stop_source stop_;
   std::vector<std::jthread> threads_;  // last: they use all of the above
 };
 
 /// Prints what came of the sessions, and counts.
-class BatchReport {
- public:
-  explicit BatchReport(const Common& common) : common_(common) {}
+struct BatchReport {
+  const Common& common;
+  std::size_t count = 0;
+  std::size_t not_good_enough = 0;
+  std::size_t failed = 0;
+  int exit_code = kDone;
 
   void add(const EndedSession& ended) {
-    common_.endProgress();
-    ++count_;
-    exit_code_ = std::max(exit_code_, ended.exit_code);
+    common.endProgress();
+    ++count;
+    exit_code = std::max(exit_code, ended.exit_code);
     if (!ended.error.empty()) {
-      std::cerr << "hexoderm-cli: " << forTerminal(ended.error) << '\n';
-      ++failed_;
+      common.complain(ended.error);
+      ++failed;
     } else if (ended.exit_code != kDone) {
-      ++not_good_enough_;
+      ++not_good_enough;
     }
     // Each line at once, for whoever waits for it at the end of a pipe.
     if (!ended.line.empty()) std::cout << forTerminal(ended.line) << '\n' << std::flush;
   }
-
-  [[nodiscard]] std::size_t count() const { return count_; }
-  [[nodiscard]] int exitCode() const { return exit_code_; }
-  [[nodiscard]] std::string inWords() const {
-    return counted(count_, "session") + ": " + std::to_string(count_ - not_good_enough_ - failed_) +
-           " good or usable, " + std::to_string(not_good_enough_) + " not enough or failed, " +
-           std::to_string(failed_) + " with an error";
-  }
-
- private:
-  const Common& common_;
-  std::size_t count_ = 0;
-  std::size_t not_good_enough_ = 0;
-  std::size_t failed_ = 0;
-  int exit_code_ = kDone;
 };
 
 void makeFolders(const std::vector<std::filesystem::path>& files) {
@@ -285,8 +264,8 @@ int solveBatch(const SolveBatch& batch, const Common& common) {
     makeFolders(files);
   }
   endOnInterrupt(kLastWordsOfBatch);
-  BatchThreads threads(batch, std::move(files), common.json);
-  BatchReport report(common);
+  BatchThreads threads(batch, files, common.json);
+  BatchReport report{common};
   const std::size_t count = batch.inputs.size();
   const auto next = [&](std::size_t session) {
     common.progress("Solved " + std::to_string(session) + " of " + std::to_string(count) + " sessions ...");
@@ -298,10 +277,14 @@ int solveBatch(const SolveBatch& batch, const Common& common) {
   while (session < count && next(session)) ++session;
   common.endProgress();
   if (session == count) {
-    if (!common.json) std::cout << report.inWords() << '\n';
-    return report.exitCode();
+    if (!common.json) {
+      std::cout << counted(count, "session") << ": " << count - report.not_good_enough - report.failed
+                << " good or usable, " << report.not_good_enough << " not enough or failed, " << report.failed
+                << " with an error\n";
+    }
+    return report.exit_code;
   }
-  threads.requestStop();
+  threads.stop();
   // What has ended is said before those that are under way are waited for, which may be in vain.
   for (const bool is_last_time : {false, true}) {
     if (is_last_time) threads.waitUntilStopped();
@@ -309,7 +292,7 @@ int solveBatch(const SolveBatch& batch, const Common& common) {
       if (const std::optional<EndedSession> ended = threads.takeEnded(k)) report.add(*ended);
     }
   }
-  common.note("Interrupted: " + std::to_string(report.count()) + " of " + std::to_string(count) +
+  common.note("Interrupted: " + std::to_string(report.count) + " of " + std::to_string(count) +
               " sessions were solved");
   return kEndedByForce;
 }
