@@ -34,24 +34,6 @@ Doubles unknowns(std::initializer_list<std::size_t> shape) {
   return array;
 }
 
-Doubles arrayOf(const Eigen::Vector3d& vector) {
-  Doubles array(3);
-  copyTo(array.mutable_data(), vector);
-  return array;
-}
-
-Doubles arrayOf(const Eigen::Matrix3d& matrix) {
-  Doubles array({3, 3});
-  copyTo(array.mutable_data(), matrix);
-  return array;
-}
-
-Doubles arrayOf(const Matrix6d& matrix) {
-  Doubles array({6, 6});
-  copyTo(array.mutable_data(), matrix);
-  return array;
-}
-
 Numbers wholeNumbers(const pybind11::object& given, const char* what) {
   const auto array = pybind11::array::ensure(given);
   if (!array) throw pybind11::error_already_set();

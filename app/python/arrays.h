@@ -6,13 +6,13 @@
 #include <pybind11/numpy.h>
 
 #include <Eigen/Core>
+#include <algorithm>
 #include <cstdint>
 #include <functional>
 #include <initializer_list>
 #include <limits>
 #include <optional>
 #include <string>
-#include <type_traits>
 #include <vector>
 
 namespace hexoderm::python {
@@ -33,42 +33,40 @@ void copyTo(double* out, const Matrix& values) {
   }
 }
 
-Doubles arrayOf(const Eigen::Vector3d& vector);
-Doubles arrayOf(const Eigen::Matrix3d& matrix);
-Doubles arrayOf(const Matrix6d& matrix);
+template <int Rows, int Columns, int Options>
+Doubles arrayOf(const Eigen::Matrix<double, Rows, Columns, Options>& matrix) {
+  Doubles array = Columns == 1 ? Doubles(Rows) : Doubles({Rows, Columns});
+  copyTo(array.mutable_data(), matrix);
+  return array;
+}
 
-/// (N, 3) or (N, n, n): what `get`, a function or a member, says of each item, an optional vector or matrix. NaN where
-/// it says nothing.
+/// (N, 3) or (N, n, n): what `get`, a function or a member, says of each item, a vector or matrix or an optional one.
+/// NaN where it says nothing.
 template <class Items, class Get>
 Doubles stacked(const Items& items, const Get& get) {
-  using Matrix = typename std::remove_cvref_t<decltype(std::invoke(get, *items.begin()))>::value_type;
+  using Matrix = typename decltype(std::optional(std::invoke(get, *items.begin())))::value_type;
   constexpr std::size_t kRows = Matrix::RowsAtCompileTime;
   constexpr std::size_t kColumns = Matrix::ColsAtCompileTime;
   Doubles array = kColumns == 1 ? unknowns({items.size(), kRows}) : unknowns({items.size(), kRows, kColumns});
   double* out = array.mutable_data();
   for (const auto& item : items) {
-    if (const std::optional<Matrix> values = std::invoke(get, item)) copyTo(out, *values);
+    if (const std::optional values = std::invoke(get, item)) copyTo(out, *values);
     out += kRows * kColumns;
   }
   return array;
 }
 
-/// What `get` says of each item: whole numbers.
-template <class Items, class Get>
-Numbers numbersOf(const Items& items, const Get& get) {
-  Numbers array(static_cast<pybind11::ssize_t>(items.size()));
-  std::int64_t* out = array.mutable_data();
-  for (const auto& item : items) *out++ = static_cast<std::int64_t>(get(item));
+/// (N,): what `get`, a function or a member, says of each item.
+template <class Number, class Items, class Get>
+pybind11::array_t<Number> row(const Items& items, const Get& get) {
+  pybind11::array_t<Number> array(static_cast<pybind11::ssize_t>(items.size()));
+  std::ranges::transform(items, array.mutable_data(), [&](const auto& item) { return Number(std::invoke(get, item)); });
   return array;
 }
-
-/// The numbers of IDs, as a list of Python.
-template <class Ids>
-std::vector<std::uint32_t> valuesOf(const Ids& ids) {
-  std::vector<std::uint32_t> values;
-  values.reserve(ids.size());
-  for (const auto& id : ids) values.push_back(id.value());
-  return values;
+/// The numbers of the IDs that a member of each item is.
+template <class Items, class Item, class Tag>
+pybind11::array_t<std::int64_t> numbersOf(const Items& items, StrongId<Tag> Item::*id) {
+  return row<std::int64_t>(items, [id](const Item& item) { return (item.*id).value(); });
 }
 
 /// Of whatever NumPy makes an array of. Throws InvalidArgument naming `what` if these are no whole numbers.

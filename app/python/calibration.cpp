@@ -1,4 +1,3 @@
-#include "app/python/arrays.h"
 #include "app/python/bindings.h"
 #include "app/python/unlocked.h"
 
@@ -8,7 +7,6 @@
 #include "hexoderm/reconstruction/evaluation/evaluation.h"
 #include "hexoderm/util/error.h"
 
-#include <pybind11/stl.h>
 #include <pybind11/stl/filesystem.h>
 
 #include <algorithm>
@@ -20,45 +18,46 @@ namespace {
 
 namespace py = pybind11;
 
-std::vector<PatchOf> patchesOf(const Calibration& self) {
-  std::vector<PatchOf> patches;
-  for (std::size_t k = 0; k < self.result->patches.size(); ++k) patches.push_back({self.result, k});
+/// A patch, which keeps the result that it is a part of.
+std::shared_ptr<PatchReconstruction> patchAt(const Calibration& self, std::size_t index) {
+  return {self, &self->patches[index]};
+}
+
+std::vector<std::shared_ptr<PatchReconstruction>> patchesOf(const Calibration& self) {
+  std::vector<std::shared_ptr<PatchReconstruction>> patches;
+  for (std::size_t k = 0; k < self->patches.size(); ++k) patches.push_back(patchAt(self, k));
   return patches;
 }
 
-PatchOf patchOf(const Calibration& self, std::uint32_t cell) {
-  const PatchReconstruction* patch = self.result->find(CellId(cell)).patch;
+std::shared_ptr<PatchReconstruction> patchOf(const Calibration& self, std::uint32_t cell) {
+  const PatchReconstruction* patch = self->find(CellId(cell)).patch;
   if (patch == nullptr) throw InvalidArgument("no patch holds a cell " + std::to_string(cell));
-  return {self.result, static_cast<std::size_t>(patch - self.result->patches.data())};
+  return patchAt(self, static_cast<std::size_t>(patch - self->patches.data()));
 }
 
-py::dict optionsOf(const Calibration& self) {
-  const SolverOptions& options = self.result->options;
+py::dict optionsOf(const Reconstruction& self) {
+  const SolverOptions& options = self.options;
   py::dict dict;
   for (const SolverChoice& choice : solverChoices()) {
     std::string name(choice.name);
     std::ranges::replace(name, '-', '_');
     dict[py::str(name)] = choice.get(options);
   }
-  dict["without"] = valuesOf(options.left_out);
+  dict["without"] = options.left_out;
   dict["class_threshold"] = options.class_threshold;
   return dict;
 }
 
 /// The pose that would help most next; none without a pose so far, for the first may be any.
-std::optional<PoseAdvice> adviceOf(const Calibration& self) {
+std::optional<PoseAdvice> adviceOf(const Reconstruction& self) {
   const Unlocked unlocked;
-  const std::vector<Eigen::Vector3d> seen_o = directionsSeen(*self.result);
-  return seen_o.empty() ? std::nullopt : std::optional(adviseNextPose(*self.result->model, seen_o));
+  const std::vector<Eigen::Vector3d> seen_o = directionsSeen(self);
+  return seen_o.empty() ? std::nullopt : std::optional(adviseNextPose(*self.model, seen_o));
 }
 
-std::vector<Comparison> compareToSession(const Calibration& self, const Session& session) {
+std::vector<Comparison> compareToSession(const Reconstruction& self, const Session& session) {
   if (!session.truth()) throw InvalidArgument("this session holds no truth to compare with");
-  return compareToTruth(*self.result, *session.truth());
-}
-
-std::vector<Comparison> compareToCalibration(const Calibration& self, const Calibration& other) {
-  return compareToReconstruction(*self.result, *other.result);
+  return compareToTruth(self, *session.truth());
 }
 
 /// Named after what the file holds, as the core tells it apart.
@@ -67,7 +66,7 @@ std::variant<Session, Calibration> read(const std::filesystem::path& path, const
   const Unlocked unlocked;
   OpenedFile opened = openFile(path, model);
   if (auto* session = std::get_if<Session>(&opened)) return std::move(*session);
-  return Calibration{std::get<std::shared_ptr<const Reconstruction>>(opened)};
+  return calibrationOf(std::get<std::shared_ptr<const Reconstruction>>(opened));
 }
 
 void bindComparison(py::module_& module) {
@@ -76,28 +75,16 @@ void bindComparison(py::module_& module) {
       "A patch beside a reference, after the positions' best fit: the rotation and shift that bring\n"
       "its cells as near to the reference's as can be. Orientations have the one rotation taken off\n"
       "that fits all of them best.")
+      .def_readonly("patch", &Comparison::patch, "The patch's ID.")
       .def_property_readonly(
-          "patch", [](const Comparison& self) { return self.patch.value(); }, "The patch's ID.")
-      .def_property_readonly(
-          "cells",
-          [](const Comparison& self) {
-            return numbersOf(self.cells, [](const CellDifference& cell) { return cell.cell.value(); });
-          },
+          "cells", [](const Comparison& self) { return numbersOf(self.cells, &CellDifference::cell); },
           "(N,): the IDs of the cells that both have.")
       .def_property_readonly(
-          "positions",
-          [](const Comparison& self) {
-            return stacked(self.cells, [](const CellDifference& cell) { return std::optional(cell.position_m); });
-          },
+          "positions", [](const Comparison& self) { return stacked(self.cells, &CellDifference::position_m); },
           "(N, 3): the reference's position less the fitted one of this patch, in the frame of the reference, m.")
       .def_property_readonly(
           "orientations",
-          [](const Comparison& self) {
-            Doubles array(static_cast<py::ssize_t>(self.cells.size()));
-            double* out = array.mutable_data();
-            for (const CellDifference& cell : self.cells) *out++ = cell.orientation_rad;
-            return array;
-          },
+          [](const Comparison& self) { return row<double>(self.cells, &CellDifference::orientation_rad); },
           "(N,): the angle between both orientations, from 0 on, rad.")
       .def_readonly("position_rms_m", &Comparison::position_rms_m, "Root mean square of the lengths of `positions`, m.")
       .def_readonly("orientation_rms_rad", &Comparison::orientation_rms_rad, "Root mean square of `orientations`, rad.")
@@ -110,65 +97,60 @@ void bindComparison(py::module_& module) {
 
 void bindCalibration(py::module_& module) {
   bindComparison(module);
-  py::class_<Calibration>(module, "Calibration",
-                          "Where every cell is: the result of solve(), or of a file. Never changes.")
+  py::class_<Reconstruction, Calibration>(module, "Calibration",
+                                          "Where every cell is: the result of solve(), or of a file. Never changes.")
       .def_static(
           "from_json",
           [](const std::string& text, const std::string& file) {
-            return Calibration{parseCalibrationJson(text, file)};
+            return calibrationOf(parseCalibrationJson(text, file));
           },
           py::arg("text"), py::arg("file") = "text", py::call_guard<Unlocked>(),
           "Reads the text of a *.calibration.json; errors name `file`.")
       .def(
-          "to_json", [](const Calibration& self) { return calibrationToJson(*self.result); },
-          py::call_guard<Unlocked>(), "The text of a *.calibration.json.")
+          "to_json", [](const Reconstruction& self) { return calibrationToJson(self); }, py::call_guard<Unlocked>(),
+          "The text of a *.calibration.json.")
       .def(
           "write",
-          [](const Calibration& self, const std::filesystem::path& path) { writeCalibrationJson(*self.result, path); },
+          [](const Reconstruction& self, const std::filesystem::path& path) { writeCalibrationJson(self, path); },
           py::arg("path"), py::call_guard<Unlocked>(),
           "Writes a *.calibration.json, which replaces what is there. Either whole or not at all.")
       .def_property_readonly("patches", &patchesOf, "In the order of their smallest cells.")
       .def("patch", &patchOf, py::arg("cell"), "The patch that holds a cell.")
+      .def_readonly("findings", &Reconstruction::findings,
+                    "What is wrong with the skin, its links or poses, or worth knowing.")
+      .def_readonly("verdict", &Reconstruction::assessment, "How well the skin is known, and what helps next.")
       .def_property_readonly(
-          "findings", [](const Calibration& self) { return self.result->findings; },
-          "What is wrong with the skin, its links or poses, or worth knowing.")
-      .def_property_readonly(
-          "verdict", [](const Calibration& self) { return self.result->assessment; },
-          "How well the skin is known, and what helps next.")
-      .def_property_readonly(
-          "cell_model", [](const Calibration& self) { return *self.result->model; }, "The kind of its cells.")
+          "cell_model", [](const Reconstruction& self) { return *self.model; }, "The kind of its cells.")
       .def_property_readonly(
           "advice",
-          [](const Calibration& self) {
+          [](const Reconstruction& self) {
             const auto advice = adviceOf(self);
-            return advice ? adviceInWords(*advice, *self.result).english() : std::string();
+            return advice ? adviceInWords(*advice, self).english() : std::string();
           },
           "The pose that would help most next, in words; empty before the first, which may be any.\n"
           "verdict.remedy says whether another one is needed.")
       .def_property_readonly(
           "advised_up",
-          [](const Calibration& self) {
+          [](const Reconstruction& self) {
             const auto advice = adviceOf(self);
-            return advice ? std::optional(arrayOf(advice->up)) : std::nullopt;
+            return advice ? std::optional(advice->up) : std::nullopt;
           },
           "The same: what to turn up, a unit vector in the frame of the largest patch; None before the first pose.")
-      .def_property_readonly(
-          "solver", [](const Calibration& self) { return self.result->solver; }, "global, tree or imported.")
+      .def_readonly("solver", &Reconstruction::solver, "global, tree or imported.")
       .def_property_readonly("options", &optionsOf, "What solve() was given.")
       .def_property_readonly(
-          "description", [](const Calibration& self) { return self.result->source.text.english(); },
+          "description", [](const Reconstruction& self) { return self.source.text; },
           "Where the session comes from, in words.")
-      .def_property_readonly(
-          "solve_seconds", [](const Calibration& self) { return self.result->solve_seconds; },
-          "How long it took; 0 where it was read from a file.")
-      .def("compare", &compareToCalibration, py::arg("other"),
+      .def_readonly("solve_seconds", &Reconstruction::solve_seconds,
+                    "How long it took; 0 where it was read from a file.")
+      .def("compare", &compareToReconstruction, py::arg("other"),
            "Cell by cell with another calibration, or with the truth of a session: one for each patch that has a cell\n"
            "in common with it.")
       .def("compare", &compareToSession, py::arg("other"),
            "The session's truth is that of the simulator, or what from_arrays() was given.")
-      .def("__repr__", [](const Calibration& self) {
-        return "<Calibration: " + sizeInWords(*self.result).english() + ", " +
-               std::string(verdictName(self.result->assessment.level)) + ">";
+      .def("__repr__", [](const Reconstruction& self) {
+        return "<Calibration: " + sizeInWords(self).english() + ", " + std::string(verdictName(self.assessment.level)) +
+               ">";
       });
 
   module.def(
@@ -176,7 +158,7 @@ void bindCalibration(py::module_& module) {
       [](const std::filesystem::path& path, const Given<ModelOrName>& cell_model) {
         const CellModel model = modelFrom(cell_model);
         const Unlocked unlocked;
-        return Calibration{openCalibration(path, model)};
+        return calibrationOf(openCalibration(path, model));
       },
       py::arg("path"), py::arg("cell_model") = "hex-bma150",
       "Reads a *.calibration.json, or a TUM SkinConfig XML, whose cells are of the given model.");

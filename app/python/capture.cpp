@@ -1,4 +1,3 @@
-#include "app/python/arrays.h"
 #include "app/python/bindings.h"
 #include "app/python/interruptible.h"
 #include "app/python/unlocked.h"
@@ -9,7 +8,6 @@
 #include "hexoderm/util/text.h"
 #include "hexoderm/util/units.h"
 
-#include <pybind11/stl.h>
 #include <pybind11/stl/filesystem.h>
 
 #include <cstddef>
@@ -116,11 +114,7 @@ void bindCapture(py::module_& module) {
           "session", [](const LiveCapture& self) { return self.state().session; },
           "A copy of the session as it is; None before a skin described itself, which is noticed by next().")
       .def_property_readonly(
-          "calibration",
-          [](const LiveCapture& self) {
-            const auto result = self.state().result;
-            return result ? std::optional(Calibration{result}) : std::nullopt;
-          },
+          "calibration", [](const LiveCapture& self) { return calibrationOf(self.state().result); },
           "The result of all poses so far; None before the first.")
       .def_property_readonly(
           "remarks",
@@ -131,17 +125,13 @@ void bindCapture(py::module_& module) {
           "What was odd about the pose that came last, in words: cells that were silent or restless, an earlier pose\n"
           "that it repeats.")
       .def_property_readonly(
-          "status", [](const LiveCapture& self) { return self.state().status.english(); },
+          "status", [](const LiveCapture& self) { return self.state().status; },
           "What is waited for, in words: of the connection until a skin described itself, then of the part.")
       .def_property_readonly(
-          "advice", [](const LiveCapture& self) { return self.state().advice.english(); },
+          "advice", [](const LiveCapture& self) { return self.state().advice; },
           "The pose that would help most, in words; empty where none is known, or where there are enough.")
       .def_property_readonly(
-          "advised_up",
-          [](const LiveCapture& self) {
-            const auto up = self.state().up;
-            return up ? std::optional(arrayOf(*up)) : std::nullopt;
-          },
+          "advised_up", [](const LiveCapture& self) { return self.state().up; },
           "The same: what to turn up, a unit vector in the frame of the largest patch; None where none is known.");
   explainMisfits(capture, "__init__");
 }

@@ -1,9 +1,7 @@
-#include "app/python/arrays.h"
 #include "app/python/bindings.h"
 
 #include "hexoderm/graph/cell_model.h"
 
-#include <pybind11/stl.h>
 #include <pybind11/stl/filesystem.h>
 
 namespace hexoderm::python {
@@ -13,12 +11,8 @@ namespace py = pybind11;
 
 py::dict portsOf(const CellModel& model) {
   py::dict ports;
-  for (const Port& port : model.ports) ports[py::int_(port.number.value())] = arrayOf(port.vector_m);
+  for (const Port& port : model.ports) ports[py::cast(port.number)] = port.vector_m;
   return ports;
-}
-
-Doubles outlineOf(const CellModel& model) {
-  return stacked(model.outline(), [](const Eigen::Vector3d& corner) { return std::optional(corner); });
 }
 
 }  // namespace
@@ -47,7 +41,7 @@ void bindCellModel(py::module_& module) {
           "ports", &portsOf,
           "By the port's number, the vector in the cell frame from the centre to half-way across the gap, m.")
       .def_property_readonly(
-          "outline", &outlineOf,
+          "outline", [](const CellModel& model) { return stacked(model.outline(), std::identity()); },
           "(6, 3): the corners of the front face in the cell frame, m, counter-clockwise from outside.")
       .def("__repr__", [](const CellModel& model) { return "<CellModel " + model.name + ">"; });
   module.def("built_in_cell_models", &builtInCellModelNames, "The names that CellModel.load() knows.");

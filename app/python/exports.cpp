@@ -1,4 +1,3 @@
-#include "app/python/arrays.h"
 #include "app/python/bindings.h"
 #include "app/python/unlocked.h"
 
@@ -8,7 +7,6 @@
 #include "hexoderm/util/error.h"
 #include "hexoderm/util/text.h"
 
-#include <pybind11/stl.h>
 #include <pybind11/stl/filesystem.h>
 
 #include <algorithm>
@@ -74,7 +72,7 @@ PatchOnLink placeFrom(std::uint32_t origin, const std::string& link, const Doubl
   return place;
 }
 
-Exported exportTo(const Calibration& self, const std::variant<std::string, std::vector<std::string>>& to,
+Exported exportTo(const Reconstruction& self, const std::variant<std::string, std::vector<std::string>>& to,
                   const std::filesystem::path& path, std::optional<std::uint32_t> patch, bool all_patches,
                   const std::vector<PatchOnLink>& placements, const std::string& in_link, const py::kwargs& others) {
   const auto* name = std::get_if<std::string>(&to);
@@ -87,7 +85,7 @@ Exported exportTo(const Calibration& self, const std::variant<std::string, std::
   if (patch) options.patch = CellId(*patch);
   options.all_patches = all_patches;
   options.in_link = in_link;
-  options.placements = placements.empty() ? placedPatches(*self.result) : placements;
+  options.placements = placements.empty() ? placedPatches(self) : placements;
   for (const ExportFormat format : formats) options.validateFor(format);
   const bool is_folder = formats.size() > 1 || formats.front() == ExportFormat::Csv || isZip(path);
   if (is_folder && path.extension() == ".csv") {
@@ -98,13 +96,13 @@ Exported exportTo(const Calibration& self, const std::variant<std::string, std::
   const Unlocked unlocked;
   Exported exported;
   for (const ExportFormat format : formats) {
-    addOnce(exported.remarks, leftOutInWords(patchesLeftOut(*self.result, format, options)).english());
+    addOnce(exported.remarks, leftOutInWords(patchesLeftOut(self, format, options)).english());
   }
   for (const ExportFormat format : formats) {
     addOnce(exported.remarks, exportFormatDescription(format).not_carried.english());
   }
-  exported.files = is_folder ? exportBundle(*self.result, formats, path, options)
-                             : exportReconstruction(*self.result, formats.front(), path, options);
+  exported.files = is_folder ? exportBundle(self, formats, path, options)
+                             : exportReconstruction(self, formats.front(), path, options);
   return exported;
 }
 
@@ -134,13 +132,12 @@ void bindExports(py::module_& module) {
           py::init(&placeFrom), py::arg("origin"), py::arg("link"), py::arg("position"), py::arg("rotation"),
           "origin: the patch's origin cell. position (3,), m, and rotation (3, 3) map from the patch's frame into the\n"
           "link's: x_link = rotation @ x_patch + position.")
-      .def_property_readonly(
-          "origin", [](const PatchOnLink& self) { return self.origin.value(); }, "The patch's origin cell.")
+      .def_readonly("origin", &PatchOnLink::origin, "The patch's origin cell.")
       .def_readonly("link", &PatchOnLink::link, "The link's name in the URDF.")
       .def_property_readonly(
-          "position", [](const PatchOnLink& self) { return arrayOf(self.T_l_o.t); }, "(3,), m, in the link's frame.")
+          "position", [](const PatchOnLink& self) { return self.T_l_o.t; }, "(3,), m, in the link's frame.")
       .def_property_readonly(
-          "rotation", [](const PatchOnLink& self) { return arrayOf(self.T_l_o.R); },
+          "rotation", [](const PatchOnLink& self) { return self.T_l_o.R; },
           "(3, 3): from the patch's frame to the link's.")
       .def("__repr__", [](const PatchOnLink& self) {
         return "<PatchOnLink: patch of cell " + toString(self.origin) + " on " + self.link + ">";
@@ -152,7 +149,7 @@ void bindExports(py::module_& module) {
       .def("__repr__",
            [](const Exported& self) { return "<Exported: " + std::to_string(self.files.size()) + " files>"; });
 
-  py::class_<Calibration> calibration = module.attr("Calibration");
+  py::class_<Reconstruction, Calibration> calibration = module.attr("Calibration");
   calibration.def(
       "export", &exportTo, py::arg("to"), py::arg("path"), py::kw_only(), py::arg("patch") = py::none(),
       py::arg("all_patches") = false, py::arg("placements") = std::vector<PatchOnLink>(), py::arg("in_link") = "",

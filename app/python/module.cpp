@@ -13,14 +13,9 @@ PYBIND11_MODULE(_core, module) {
       "named:\n"
       "x_patch = R @ x_cell + t. How several patches lie to each other is not known, so each has arrays of its own.";
   module.attr("__version__") = HEXODERM_VERSION;
-  bindErrors(module);
-  bindCellModel(module);
-  bindSession(module);
-  bindSimulate(module);
-  bindJudgement(module);
-  bindPatch(module);
-  bindCalibration(module);
-  bindSolve(module);
-  bindExports(module);
-  bindCapture(module);
+  // Types are added before what names them, so that help() has their Python names.
+  for (Bind* bind : {bindErrors, bindCellModel, bindSession, bindSimulate, bindJudgement, bindPatch, bindCalibration,
+                     bindSolve, bindExports, bindCapture}) {
+    bind(module);
+  }
 }

@@ -1,65 +1,39 @@
-#include "app/python/arrays.h"
 #include "app/python/bindings.h"
 #include "app/python/unlocked.h"
 
 #include "hexoderm/util/error.h"
-
-#include <pybind11/stl.h>
-
-#include <utility>
 
 namespace hexoderm::python {
 namespace {
 
 namespace py = pybind11;
 
-std::pair<std::uint32_t, std::uint32_t> numbersOfEnd(const LinkEnd& end) {
-  return {end.cell.value(), end.port.value()};
-}
-
-const PlacementCovariance& covarianceOf(const PatchOf& self) {
-  const auto& covariance = self.patch().covariance;
-  if (covariance) return *covariance;
-  throw InvalidArgument("the covariance of two cells is known of a fresh result of the global solver only");
-}
-
-Doubles covariance(const PatchOf& self, std::uint32_t a, std::uint32_t b) {
-  const PlacementCovariance& known = covarianceOf(self);
+/// Of two cells, by `get`, which needs no lock.
+Doubles covariance(const PatchReconstruction& self, std::uint32_t a, std::uint32_t b,
+                   Matrix6d (PlacementCovariance::*get)(CellId a, CellId b) const) {
+  const auto& known = self.covariance;
+  if (!known) throw InvalidArgument("the covariance of two cells is known of a fresh result of the global solver only");
   const Matrix6d values = [&] {
     const Unlocked unlocked;
-    return known.relative(CellId(a), CellId(b));
+    return ((*known).*get)(CellId(a), CellId(b));
   }();
   return arrayOf(values);
 }
 
-Doubles covarianceTogether(const PatchOf& self, std::uint32_t a, std::uint32_t b) {
-  const PlacementCovariance& known = covarianceOf(self);
-  const Matrix6d values = [&] {
-    const Unlocked unlocked;
-    return known.together(CellId(a), CellId(b));
-  }();
-  return arrayOf(values);
-}
-
-std::vector<SensorPlacement> sensorsOf(const PatchOf& self, std::uint32_t cell) {
-  const CellPlacement* placed = self.patch().findCell(CellId(cell));
+std::vector<SensorPlacement> sensorsOf(const PatchReconstruction& self, std::uint32_t cell) {
+  const CellPlacement* placed = self.findCell(CellId(cell));
   if (placed == nullptr) throw InvalidArgument("no cell " + std::to_string(cell) + " is in the patch");
   return placed->sensors;
 }
 
 void bindLink(py::module_& module) {
   py::class_<LinkEstimate>(module, "Link", "All that is known of one link between two cells.")
-      .def_property_readonly(
-          "source", [](const LinkEstimate& link) { return numbersOfEnd(link.source); },
-          "(cell, port), the smaller of both ends.")
-      .def_property_readonly(
-          "target", [](const LinkEstimate& link) { return numbersOfEnd(link.target); }, "(cell, port).")
-      .def_property_readonly(
-          "rotation", [](const LinkEstimate& link) { return arrayOf(link.R_c_n); },
-          "(3, 3): from the frame of the target's cell to that of the source's.")
-      .def_property_readonly(
-          "quality", [](const LinkEstimate& link) { return qualityName(link.quality); },
-          "How well the poses determine the rotation: un, partially, fully or over.")
+      .def_readonly("source", &LinkEstimate::source, "(cell, port), the smaller of both ends.")
+      .def_readonly("target", &LinkEstimate::target, "(cell, port).")
+      .def_readonly("rotation", &LinkEstimate::R_c_n,
+                    "(3, 3): from the frame of the target's cell to that of the source's.")
+      .def_readonly("quality", &LinkEstimate::quality,
+                    "How well the poses determine the rotation: un, partially, fully or over.")
       .def_property_readonly("residual_rad", &LinkEstimate::knownResidual,
                              "Angle between both cells' readings, rms over the poses; None where it is not known.")
       .def_property_readonly("sigma_rad", &LinkEstimate::knownSigma,
@@ -75,12 +49,8 @@ void bindLink(py::module_& module) {
                     "About the source's z: positive counter-clockwise, seen from outside. Nearly 0.")
       .def_readonly("used", &LinkEstimate::used, "It is part of the solution; a muted one is not.")
       .def_readonly("in_tree", &LinkEstimate::in_tree, "It is on the shortest-path tree.")
-      .def_property_readonly(
-          "muted_by",
-          [](const LinkEstimate& link) {
-            return link.muted_by ? std::optional(std::string(codeName(*link.muted_by))) : std::nullopt;
-          },
-          "The code of the finding that it is muted by; None if there is none.")
+      .def_readonly("muted_by", &LinkEstimate::muted_by,
+                    "The code of the finding that it is muted by; None if there is none.")
       .def("__repr__", [](const LinkEstimate& link) {
         return "<Link " + hexoderm::inWords(link.source).english() + " to " + hexoderm::inWords(link.target).english() +
                ">";
@@ -92,9 +62,9 @@ void bindSensor(py::module_& module) {
       .def_readonly("name", &SensorPlacement::name, "As in the cell model.")
       .def_readonly("type", &SensorPlacement::type, "As in the cell model, for example temperature.")
       .def_property_readonly(
-          "position", [](const SensorPlacement& sensor) { return arrayOf(sensor.T_o_s.t); }, "(3,), m.")
+          "position", [](const SensorPlacement& sensor) { return sensor.T_o_s.t; }, "(3,), m.")
       .def_property_readonly(
-          "rotation", [](const SensorPlacement& sensor) { return arrayOf(sensor.T_o_s.R); },
+          "rotation", [](const SensorPlacement& sensor) { return sensor.T_o_s.R; },
           "(3, 3): from the sensor's axes to the patch's.")
       .def("__repr__", [](const SensorPlacement& sensor) { return "<Sensor " + sensor.name + ">"; });
 }
@@ -104,29 +74,22 @@ void bindSensor(py::module_& module) {
 void bindPatch(py::module_& module) {
   bindLink(module);
   bindSensor(module);
-  const auto cells = [](const PatchOf& self) -> const std::vector<CellPlacement>& { return self.patch().cells; };
   const auto of_cells = [](auto get) {
-    return [get](const PatchOf& self) { return stacked(self.patch().cells, get); };
+    return [get](const PatchReconstruction& self) { return stacked(self.cells, get); };
   };
-  py::class_<PatchOf>(
+  py::class_<PatchReconstruction, std::shared_ptr<PatchReconstruction>>(
       module, "Patch",
       "Cells that are joined by links. All arrays are in the order of `cells`, and in the patch's frame,\n"
       "which is that of the origin cell.")
+      .def_readonly("id", &PatchReconstruction::id, "A number from 0 on.")
+      .def_readonly("origin", &PatchReconstruction::origin, "The origin cell.")
       .def_property_readonly(
-          "id", [](const PatchOf& self) { return self.patch().id.value(); }, "A number from 0 on.")
-      .def_property_readonly(
-          "origin", [](const PatchOf& self) { return self.patch().origin.value(); }, "The origin cell.")
-      .def_property_readonly(
-          "cells",
-          [cells](const PatchOf& self) {
-            return numbersOf(cells(self), [](const CellPlacement& cell) { return cell.cell.value(); });
-          },
+          "cells", [](const PatchReconstruction& self) { return numbersOf(self.cells, &CellPlacement::cell); },
           "(N,): the cells' IDs, ascending.")
-      .def_property_readonly("positions",
-                             of_cells([](const CellPlacement& cell) { return std::optional(cell.T_o_u.t); }),
+      .def_property_readonly("positions", of_cells([](const CellPlacement& cell) { return cell.T_o_u.t; }),
                              "(N, 3): the centres of the cells' front faces, m.")
       .def_property_readonly(
-          "rotations", of_cells([](const CellPlacement& cell) { return std::optional(cell.T_o_u.R); }),
+          "rotations", of_cells([](const CellPlacement& cell) { return cell.T_o_u.R; }),
           "(N, 3, 3): from each cell's frame to the patch's; the last column is where the cell faces.")
       .def_property_readonly(
           "covariances", of_cells(&CellPlacement::cov_t_r),
@@ -138,11 +101,8 @@ void bindPatch(py::module_& module) {
           "the global solver; NaN from the tree.")
       .def_property_readonly(
           "measured",
-          [cells](const PatchOf& self) {
-            py::array_t<bool> array(static_cast<py::ssize_t>(cells(self).size()));
-            bool* out = array.mutable_data();
-            for (const CellPlacement& cell : cells(self)) *out++ = cell.placed_by == PlacedBy::Samples;
-            return array;
+          [](const PatchReconstruction& self) {
+            return row<bool>(self.cells, [](const CellPlacement& cell) { return cell.placed_by == PlacedBy::Samples; });
           },
           "(N,): placed by readings of its own; else by its links alone.")
       .def_property_readonly(
@@ -151,33 +111,33 @@ void bindPatch(py::module_& module) {
       .def_property_readonly("scales", of_cells(&CellPlacement::accel_scale),
                              "(N, 3): their scales, reading = scale * force + offset; NaN where there are none.")
       .def_property_readonly(
-          "gravity",
-          [](const PatchOf& self) {
-            return stacked(self.patch().gravity,
-                           [](const GravityDirection& gravity) { return std::optional(gravity.g_o); });
-          },
+          "gravity", [](const PatchReconstruction& self) { return stacked(self.gravity, &GravityDirection::g_o); },
           "(poses, 3): unit vectors that point up, in the order of `gravity_poses`.")
       .def_property_readonly(
           "gravity_poses",
-          [](const PatchOf& self) {
-            return numbersOf(self.patch().gravity,
-                             [](const GravityDirection& gravity) { return gravity.pose.value(); });
-          },
+          [](const PatchReconstruction& self) { return numbersOf(self.gravity, &GravityDirection::pose); },
           "(poses,): the IDs of the poses.")
-      .def_property_readonly(
-          "links", [](const PatchOf& self) { return self.patch().links; }, "All links of its cells, muted ones too.")
+      .def_readonly("links", &PatchReconstruction::links, "All links of its cells, muted ones too.")
       .def("sensors", &sensorsOf, py::arg("cell"), "The sensors of a cell.")
       .def(
-          "covariance", &covariance, py::arg("a"), py::arg("b"),
+          "covariance",
+          [](const PatchReconstruction& self, std::uint32_t a, std::uint32_t b) {
+            return covariance(self, a, b, &PlacementCovariance::relative);
+          },
+          py::arg("a"), py::arg("b"),
           "(6, 6): covariance of the placement of cell b in a's frame, position (m, frame of a) before rotation (rad,\n"
           "right-multiplied error in the frame of b). Of a fresh result of the global solver only.")
       .def(
-          "covariance_together", &covarianceTogether, py::arg("a"), py::arg("b"),
+          "covariance_together",
+          [](const PatchReconstruction& self, std::uint32_t a, std::uint32_t b) {
+            return covariance(self, a, b, &PlacementCovariance::together);
+          },
+          py::arg("a"), py::arg("b"),
           "(6, 6): covariance between the errors of two cells as `covariances` states them of each; rows a, columns b.")
-      .def("__len__", [cells](const PatchOf& self) { return cells(self).size(); })
-      .def("__repr__", [cells](const PatchOf& self) {
-        return "<Patch " + toString(self.patch().id) + ": " + std::to_string(cells(self).size()) +
-               " cells, origin cell " + toString(self.patch().origin) + ">";
+      .def("__len__", [](const PatchReconstruction& self) { return self.cells.size(); })
+      .def("__repr__", [](const PatchReconstruction& self) {
+        return "<Patch " + toString(self.id) + ": " + std::to_string(self.cells.size()) + " cells, origin cell " +
+               toString(self.origin) + ">";
       });
 }
 

@@ -1,4 +1,3 @@
-#include "app/python/arrays.h"
 #include "app/python/bindings.h"
 #include "app/python/session_arrays.h"
 #include "app/python/unlocked.h"
@@ -8,7 +7,6 @@
 #include "hexoderm/session/session.h"
 #include "hexoderm/util/error.h"
 
-#include <pybind11/stl.h>
 #include <pybind11/stl/filesystem.h>
 
 #include <algorithm>
@@ -78,29 +76,22 @@ void bindPose(py::module_& module) {
   py::class_<SessionPose>(module, "Pose",
                           "A pose of a session: gravity as every cell saw it while the part was held still.")
       .def_property_readonly(
-          "id", [](const SessionPose& pose) { return pose.capture->id.value(); },
+          "id", [](const SessionPose& pose) { return pose.capture->id; },
           "From 1 on, and kept when other poses are removed: not its place in Session.poses.")
       .def_property_readonly(
-          "label", [](const SessionPose& pose) { return pose.capture->label.english(); }, "Its name, for people.")
+          "label", [](const SessionPose& pose) { return pose.capture->label; }, "Its name, for people.")
       .def_readonly("disabled", &SessionPose::disabled, "It is not used.")
       .def_readonly("why_disabled", &SessionPose::why_disabled, "The words of whoever disabled it.")
       .def_property_readonly(
-          "cells",
-          [](const SessionPose& pose) {
-            return numbersOf(pose.capture->samples, [](const GravitySample& sample) { return sample.cell.value(); });
-          },
+          "cells", [](const SessionPose& pose) { return numbersOf(pose.capture->samples, &GravitySample::cell); },
           "(N,): the cells that have a reading.")
-      .def_property_readonly("readings",
-                             of_samples([](const GravitySample& sample) { return std::optional(sample.mean_g); }),
+      .def_property_readonly("readings", of_samples(&GravitySample::mean_g),
                              "(N, 3): mean readings, g, along the axes of each accelerometer.")
-      .def_property_readonly("covariances",
-                             of_samples([](const GravitySample& sample) { return std::optional(sample.cov_g2); }),
+      .def_property_readonly("covariances", of_samples(&GravitySample::cov_g2),
                              "(N, 3, 3): covariances of the means, g^2; zero where they are not known.")
       .def_property_readonly(
           "counts",
-          [](const SessionPose& pose) {
-            return numbersOf(pose.capture->samples, [](const GravitySample& sample) { return sample.count; });
-          },
+          [](const SessionPose& pose) { return row<std::int64_t>(pose.capture->samples, &GravitySample::count); },
           "(N,): samples averaged; 0 where it is not known.")
       .def_property_readonly(
           "taken_at_ms", [](const SessionPose& pose) { return pose.capture->taken_at_ms; },
@@ -154,8 +145,7 @@ void bindSession(py::module_& module) {
       .def_property_readonly(
           "cell_model", [](const Session& self) { return self.model(); }, "The kind of its cells.")
       .def_property_readonly(
-          "description", [](const Session& self) { return self.source().text.english(); },
-          "Where it comes from, in words.")
+          "description", [](const Session& self) { return self.source().text; }, "Where it comes from, in words.")
       .def_property_readonly("poses", &Session::poses, "A list, in the order in which they were added.")
       .def("add_pose", &addPose, py::arg("readings"), py::kw_only(), py::arg("covariances") = py::none(),
            py::arg("counts") = py::none(), py::arg("label") = "",

@@ -8,8 +8,6 @@
 #include "hexoderm/io/session_json.h"
 #include "hexoderm/util/error.h"
 
-#include <pybind11/stl.h>
-
 #include <algorithm>
 #include <map>
 
@@ -19,6 +17,7 @@ namespace {
 namespace py = pybind11;
 
 constexpr const char* kArrays = "arrays";
+constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
 
 Eigen::Matrix3d matrixAt(const double* values) {
   return Eigen::Map<const Eigen::Matrix<double, 3, 3, Eigen::RowMajor>>(values);
@@ -103,39 +102,34 @@ Session fromArrays(const Given<Doubles>& readings_given, const py::object& links
   return session;
 }
 
-/// What `get` says of the sample of each pose and cell, in the order of poses and cells.
-template <class Fill>
-void forEachSample(const Session& session, const Fill& fill) {
+/// (poses, cells) and the shape of what `get` says of a sample; `lacking` where a cell has no reading.
+template <class Number, class Get>
+py::array_t<Number> ofSamples(const Session& session, std::vector<std::size_t> shape, Number lacking, const Get& get) {
+  shape.insert(shape.begin(), {session.poses().size(), session.neighbors().size()});
+  py::array_t<Number> array(shape);
+  std::fill_n(array.mutable_data(), array.size(), lacking);
   std::map<CellId, std::size_t> index;
   for (const CellReport& cell : session.neighbors()) index.emplace(cell.id, index.size());
   for (std::size_t pose = 0; pose < session.poses().size(); ++pose) {
     for (const GravitySample& sample : session.poses()[pose].capture->samples) {
       const auto found = index.find(sample.cell);
-      if (found != index.end()) fill(pose * session.neighbors().size() + found->second, sample);
+      if (found != index.end()) get(sample, array.mutable_data(pose, found->second));
     }
   }
+  return array;
 }
 
 Doubles readingsOf(const Session& session) {
-  Doubles array = unknowns({session.poses().size(), session.neighbors().size(), 3});
-  double* const out = array.mutable_data();
-  forEachSample(session, [&](std::size_t k, const GravitySample& sample) { copyTo(out + 3 * k, sample.mean_g); });
-  return array;
+  return ofSamples(session, {3}, kUnknown,
+                   [](const GravitySample& sample, double* out) { copyTo(out, sample.mean_g); });
 }
-
 Doubles covariancesOf(const Session& session) {
-  Doubles array = unknowns({session.poses().size(), session.neighbors().size(), 3, 3});
-  double* const out = array.mutable_data();
-  forEachSample(session, [&](std::size_t k, const GravitySample& sample) { copyTo(out + 9 * k, sample.cov_g2); });
-  return array;
+  return ofSamples(session, {3, 3}, kUnknown,
+                   [](const GravitySample& sample, double* out) { copyTo(out, sample.cov_g2); });
 }
-
 Numbers countsOf(const Session& session) {
-  Numbers array({session.poses().size(), session.neighbors().size()});
-  std::int64_t* const out = array.mutable_data();
-  std::fill_n(out, array.size(), 0);
-  forEachSample(session, [&](std::size_t k, const GravitySample& sample) { out[k] = sample.count; });
-  return array;
+  return ofSamples(session, {}, std::int64_t{0},
+                   [](const GravitySample& sample, std::int64_t* out) { *out = sample.count; });
 }
 
 }  // namespace
@@ -187,10 +181,7 @@ void bindSessionArrays(py::class_<Session>& session) {
           "frame; for Calibration.compare().\n\n"
           "What is wrong with the numbers is said by array and place, or as for a file of the name \"arrays\".")
       .def_property_readonly(
-          "cells",
-          [](const Session& self) {
-            return numbersOf(self.neighbors(), [](const CellReport& cell) { return cell.id.value(); });
-          },
+          "cells", [](const Session& self) { return numbersOf(self.neighbors(), &CellReport::id); },
           "(cells,): the cells' IDs.")
       .def_property_readonly("links", &linksOf,
                              "(links, 4): cell, port, cell, port; a port that the skin does not report is -1.")

@@ -109,9 +109,9 @@ GroundTruth truthFrom(const py::object& truth, const NeighborList& skin) {
 py::object truthOf(const Session& session) {
   if (!session.truth()) return py::none();
   const auto& cells = session.truth()->cells;
-  return py::make_tuple(numbersOf(cells, [](const TrueCellPlacement& cell) { return cell.id.value(); }),
-                        stacked(cells, [](const TrueCellPlacement& cell) { return std::optional(cell.T_b_u.t); }),
-                        stacked(cells, [](const TrueCellPlacement& cell) { return std::optional(cell.T_b_u.R); }));
+  return py::make_tuple(numbersOf(cells, &TrueCellPlacement::id),
+                        stacked(cells, [](const TrueCellPlacement& cell) { return cell.T_b_u.t; }),
+                        stacked(cells, [](const TrueCellPlacement& cell) { return cell.T_b_u.R; }));
 }
 
 }  // namespace hexoderm::python

@@ -5,8 +5,6 @@
 #include "hexoderm/reconstruction/reconstructor.h"
 #include "hexoderm/session/session.h"
 
-#include <pybind11/stl.h>
-
 namespace hexoderm::python {
 namespace {
 
@@ -15,7 +13,7 @@ namespace py = pybind11;
 Calibration solve(const Given<Session>& session, const Given<std::string>& solver, const Given<std::string>& centre,
                   const Given<std::string>& support_axes, const Given<std::string>& weights,
                   const Given<std::string>& gap_model, const Given<std::vector<std::uint32_t>>& without,
-                  const Given<double>& class_threshold, const Given<Calibration>& earlier) {
+                  const Given<double>& class_threshold, const Given<Reconstruction>& earlier) {
   const Session& measured = session.as("session", "a Session, as read_session() reads it from a file");
   SolverOptions options;
   options.solver = solverFromName(solver.as("solver"));
@@ -27,10 +25,9 @@ Calibration solve(const Given<Session>& session, const Given<std::string>& solve
   options.class_threshold = class_threshold.as("class_threshold");
   options.validate();
   const std::shared_ptr<const SessionSnapshot> snapshot = measured.snapshot();
-  const std::shared_ptr<const Reconstruction> start =
-      earlier.object().is_none() ? nullptr : earlier.as("earlier", "a Calibration").result;
-  return {
-      interruptible([&](const std::stop_token& stop) { return reconstruct(*snapshot, options, start.get(), stop); })};
+  const Reconstruction* start = earlier.object().is_none() ? nullptr : &earlier.as("earlier", "a Calibration");
+  return calibrationOf(
+      interruptible([&](const std::stop_token& stop) { return reconstruct(*snapshot, options, start, stop); }));
 }
 
 }  // namespace
