@@ -2,6 +2,7 @@
 
 #include "hexoderm/util/error.h"
 
+#include <array>
 #include <cstring>
 #include <exception>
 #include <string>
@@ -12,22 +13,30 @@ namespace {
 
 namespace py = pybind11;
 
-/// The exceptions of the module. They live as long as the interpreter, which may translate an error at any time.
-struct Exceptions {
-  PyObject* error = nullptr;
-  PyObject* invalid_argument = nullptr;
-  PyObject* format_error = nullptr;
-  PyObject* storage_error = nullptr;
-  PyObject* device_error = nullptr;
-};
-Exceptions exceptions;
-
-PyObject* addException(py::module_& module, const char* name, const char* doc, const py::tuple& bases) {
-  PyObject* type = PyErr_NewExceptionWithDoc((std::string("hexoderm.") + name).c_str(), doc, bases.ptr(), nullptr);
-  if (type == nullptr) throw py::error_already_set();
-  module.attr(name) = py::handle(type);
-  return type;
+template <class... Kinds>
+bool isA(const std::exception& error) {
+  return (... || (dynamic_cast<const Kinds*>(&error) != nullptr));
 }
+
+/// An exception of the module. It lives as long as the interpreter, which may translate an error at any time.
+struct Exception {
+  const char* name;
+  const char* doc;
+  PyObject** of_python;  ///< its base, beside Error
+  bool (*stands_for)(const std::exception& error);
+  PyObject* type = nullptr;
+};
+/// The first one is the base of the others, and stands for what none of them does.
+std::array<Exception, 5> exceptions = {{
+    {"Error", "Base of what Hexoderm raises; the text says what is wrong, where, and what was expected.",
+     &PyExc_Exception, isA<Error>},
+    {"InvalidArgument", "An argument or option is out of its range.", &PyExc_ValueError, isA<InvalidArgument>},
+    {"FormatError", "A file is not what its format says.", &PyExc_ValueError, isA<FormatError>},
+    // A system_error is one of std::filesystem, above all.
+    {"StorageError", "Reading or writing failed: missing, not permitted, full.", &PyExc_OSError,
+     isA<StorageError, std::system_error>},
+    {"DeviceError", "A device or the way to it failed.", &PyExc_OSError, isA<DeviceError>},
+}};
 
 /// A text may quote the bytes of a file's name, which need not be UTF-8.
 void raise(PyObject* type, const char* text) {
@@ -36,44 +45,31 @@ void raise(PyObject* type, const char* text) {
   if (message) PyErr_SetObject(type, message.ptr());
 }
 
-void translate(std::exception_ptr error) {
-  if (!error) return;
+void translate(std::exception_ptr thrown) {
+  if (!thrown) return;
   try {
-    std::rethrow_exception(std::move(error));
-  } catch (const InvalidArgument& e) {
-    raise(exceptions.invalid_argument, e.what());
-  } catch (const FormatError& e) {
-    raise(exceptions.format_error, e.what());
-  } catch (const StorageError& e) {
-    raise(exceptions.storage_error, e.what());
-  } catch (const DeviceError& e) {
-    raise(exceptions.device_error, e.what());
-  } catch (const Error& e) {
-    raise(exceptions.error, e.what());
-  } catch (const std::system_error& e) {  // of std::filesystem, above all
-    raise(exceptions.storage_error, e.what());
+    std::rethrow_exception(thrown);
+  } catch (const std::exception& error) {
+    for (auto exception = exceptions.rbegin(); exception != exceptions.rend(); ++exception) {
+      if (exception->stands_for(error)) return raise(exception->type, error.what());
+    }
+    throw;
   }
 }
 
 }  // namespace
 
 void bindErrors(py::module_& module) {
-  const py::handle exception = PyExc_Exception;
-  const py::handle value_error = PyExc_ValueError;
-  const py::handle os_error = PyExc_OSError;
-  exceptions.error = addException(
-      module, "Error", "Base of what Hexoderm raises; the text says what is wrong, where, and what was expected.",
-      py::make_tuple(exception));
-  const py::handle error = exceptions.error;
-  exceptions.invalid_argument = addException(module, "InvalidArgument", "An argument or option is out of its range.",
-                                             py::make_tuple(error, value_error));
-  exceptions.format_error =
-      addException(module, "FormatError", "A file is not what its format says.", py::make_tuple(error, value_error));
-  exceptions.storage_error =
-      addException(module, "StorageError", "Reading or writing failed: missing, not permitted, full.",
-                   py::make_tuple(error, os_error));
-  exceptions.device_error =
-      addException(module, "DeviceError", "A device or the way to it failed.", py::make_tuple(error, os_error));
+  for (Exception& exception : exceptions) {
+    const py::handle of_python(*exception.of_python);
+    const py::tuple bases = &exception == &exceptions.front()
+                                ? py::make_tuple(of_python)
+                                : py::make_tuple(py::handle(exceptions.front().type), of_python);
+    exception.type = PyErr_NewExceptionWithDoc((std::string("hexoderm.") + exception.name).c_str(), exception.doc,
+                                               bases.ptr(), nullptr);
+    if (exception.type == nullptr) throw py::error_already_set();
+    module.attr(exception.name) = py::handle(exception.type);
+  }
   py::register_exception_translator(translate);
 }
 

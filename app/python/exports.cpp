@@ -39,13 +39,17 @@ void requireOneThatHas(const ExportOptionDescription& option, const std::vector<
   throw InvalidArgument(given + ": is an option of " + inWords(option.formats) + ", found " + inWords(formats));
 }
 
-/// The names are those of the command line, with underscores.
+/// The name of an option of the command line, in Python.
+std::string inPython(std::string_view name) {
+  std::string underscored(name);
+  std::ranges::replace(underscored, '-', '_');
+  return underscored;
+}
+
 void setOption(ExportOptions& options, const std::vector<ExportFormat>& formats, const std::string& given,
                const std::string& value) {
-  std::string name = given;
-  std::ranges::replace(name, '_', '-');
   for (const ExportOptionDescription& option : exportOptions()) {
-    if (option.name != name) continue;
+    if (inPython(option.name) != given) continue;
     requireOneThatHas(option, formats, given);
     const auto is_value = [&](const auto& choice) { return choice.value == value; };
     if (!option.choices.empty() && std::ranges::none_of(option.choices, is_value)) {
@@ -56,9 +60,8 @@ void setOption(ExportOptions& options, const std::vector<ExportFormat>& formats,
     option.set(options, value);
     return;
   }
-  std::string names = inARow(exportOptions(), &ExportOptionDescription::name);
-  std::ranges::replace(names, '-', '_');
-  throw InvalidArgument(given + ": is no option of an export, expected one of " + names);
+  throw InvalidArgument(given + ": is no option of an export, expected one of " +
+                        inPython(inARow(exportOptions(), &ExportOptionDescription::name)));
 }
 
 PatchOnLink placeFrom(std::uint32_t origin, const std::string& link, const Doubles& position, const Doubles& rotation) {
@@ -106,21 +109,15 @@ Exported exportTo(const Reconstruction& self, const std::variant<std::string, st
   return exported;
 }
 
-std::map<std::string, std::string> formatsInWords() {
-  std::map<std::string, std::string> formats;
-  for (const ExportFormatDescription& format : exportFormats()) {
-    formats.emplace(format.name, format.summary.english());
-  }
+std::map<std::string, Message> formatsInWords() {
+  std::map<std::string, Message> formats;
+  for (const ExportFormatDescription& format : exportFormats()) formats.emplace(format.name, format.summary);
   return formats;
 }
 
-std::map<std::string, std::string> optionsInWords() {
-  std::map<std::string, std::string> options;
-  for (const ExportOptionDescription& option : exportOptions()) {
-    std::string name(option.name);
-    std::ranges::replace(name, '-', '_');
-    options.emplace(name, option.help.english());
-  }
+std::map<std::string, Message> optionsInWords() {
+  std::map<std::string, Message> options;
+  for (const ExportOptionDescription& option : exportOptions()) options.emplace(inPython(option.name), option.help);
   return options;
 }
 
