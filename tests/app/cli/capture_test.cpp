@@ -82,18 +82,6 @@ TEST_F(CliCapture, SaysNothingOfThatWhereAPoseWasCaptured) {
   EXPECT_EQ(json.at("hold").at("blocked").at(0).at("by"), "not_moved") << "it was held on";
 }
 
-TEST_F(CliCapture, ASimulatedRobotWithItsMotorsOnIsCapturedHoldByHold) {
-  const Outcome outcome =
-      run("capture --source 'sim:x17?motion=robot&seed=3&speed=max' --poses 4 --timeout 600 --json -o robot.hexo");
-  EXPECT_NE(outcome.exit_code, 4) << outcome.err;
-  EXPECT_EQ(nlohmann::json::parse(outcome.out).at("poses"), 4) << outcome.err;
-  EXPECT_THAT(outcome.err, HasSubstr("on a robot with its motors on"));
-  const Session session = readSessionStore(path("robot.hexo"));
-  for (const SessionPose& pose : session.poses()) {
-    EXPECT_NEAR(pose.capture->samples.front().count, 15, 2) << "20 readings a second";
-  }
-}
-
 TEST_F(CliCapture, ARobotTellsItsJointAnglesWithEachPoseAndLinksAreFoundByThem) {
   const Outcome capture =
       run("capture --source 'sim:robot?seed=2&speed=30' --auto --poses 6 --timeout 600 --record arm.skinrec --json "
@@ -166,14 +154,6 @@ std::string afterTheFirstPose(const std::string& command) {
          command + "; wait $!; }; meanwhile ";
 }
 
-TEST_F(CliCapture, ASessionThatIsRemovedMeanwhileIsWrittenAnew) {
-  const Outcome outcome =
-      run("capture --source 'sim:x17?speed=2' --auto --poses 3 -o arm.hexo", afterTheFirstPose("rm arm.hexo"));
-  EXPECT_LE(outcome.exit_code, 1) << outcome.err;
-  EXPECT_THAT(outcome.err, HasSubstr("arm.hexo: was removed while it was open; the whole session was written anew."));
-  EXPECT_EQ(readSessionStore(path("arm.hexo")).poses().size(), 3U);
-}
-
 TEST_F(CliCapture, ARecordingThatFailsIsSaidOnceAndTheResultIsWritten) {
   const Outcome outcome =
       run("capture --source 'sim:x17?speed=2' --auto --poses 3 --record arm.skinrec --json -o arm.hexo",
@@ -188,25 +168,6 @@ TEST_F(CliCapture, ARecordingThatFailsIsSaidOnceAndTheResultIsWritten) {
   EXPECT_THAT(json.at("recording_error").get<std::string>(), HasSubstr("arm.skinrec: the recording ended"));
   EXPECT_FALSE(json.at("verdict").is_null());
   EXPECT_EQ(readSessionStore(path("arm.hexo")).poses().size(), 3U);
-}
-
-TEST_F(CliCapture, RawSamplesThatDoNotFitCostNoPose) {
-  // On a disk of its own, which only that process sees.
-  const std::string small_disk =
-      "mkdir disk && unshare --user --map-root-user --mount sh -c 'mount -t tmpfs -o size=3m none disk || exit 97; "
-      "\"$0\" \"$@\"; code=$?; cp disk/sheet.hexo . ; exit $code' ";
-  const Outcome outcome =
-      run("capture --source 'sim:sheet:20x20?speed=max' --auto --poses 2 --timeout 600 --keep-raw -o disk/sheet.hexo",
-          small_disk);
-  if (!exists("sheet.hexo") && outcome.err.find("unshare: ") != std::string::npos) {
-    GTEST_LOG_(INFO) << "no small disk can be mounted here; SessionRecorderTest covers the same";
-    return;
-  }
-  EXPECT_LE(outcome.exit_code, 1) << outcome.err;
-  EXPECT_THAT(outcome.err, AllOf(HasSubstr("Pose 2 is kept without its raw samples: "), HasSubstr("sheet.hexo")));
-  const SessionStore store = SessionStore::openReadOnly(path("sheet.hexo"));
-  ASSERT_EQ(store.readSession().poses().size(), 2U);
-  EXPECT_TRUE(store.readRawSamples(1).empty());
 }
 
 TEST_F(CliCapture, InterruptedItKeepsWhatThereIs) {

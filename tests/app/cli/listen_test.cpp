@@ -239,32 +239,5 @@ TEST_F(CliListen, CaptureNoticesAnotherCellModel) {
                                  HasSubstr("The device says that it has another cell model; poses stay.")));
 }
 
-TEST_F(CliListen, SessionFilesInAnotherUnitAreRefusedWithThePlace) {
-  ASSERT_EQ(run("simulate --poses 3 -o arm.session.json").exit_code, 0);
-  for (const auto& [factor, words] :
-       std::vector<std::pair<double, std::string>>{{9.80665, "are these m/s2?"}, {1000, "are these mg?"}}) {
-    Json session = Json::parse(readFile(path("arm.session.json")));
-    for (Json& pose : session["poses"]) {
-      for (Json& sample : pose["samples"]) {
-        for (Json& value : sample["mean_g"]) value = value.get<double>() * factor;
-      }
-    }
-    writeFileAtomically(path("wrong.session.json"), session.dump());
-    EXPECT_THAT(errorOf("solve wrong.session.json -o out.calibration.json", 3),
-                AllOf(HasSubstr("wrong.session.json: poses[0].samples[0].mean_g: "), HasSubstr(words)));
-  }
-  EXPECT_EQ(run("inspect arm.session.json").exit_code, 0);
-}
-
-TEST_F(CliListen, ARecordingInAnotherUnitIsToldWhenItIsPlayed) {
-  Device device = Device::right();
-  device.scale(9.80665);
-  writeFileAtomically(path("device"), device.lines());
-  run("capture --source stdin --record arm.skinrec -o a.hexo", "cat device | ");
-  const Outcome outcome = run("listen 'replay:arm.skinrec?speed=max' --json");
-  EXPECT_EQ(outcome.exit_code, 1);
-  EXPECT_NE(findOffence(Json::parse(outcome.out), OffenceKind::AccelerationUnit), nullptr) << outcome.out;
-}
-
 }  // namespace
 }  // namespace hexoderm

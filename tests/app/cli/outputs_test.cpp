@@ -246,25 +246,6 @@ TEST_F(CliOutputs, TwoCalibrationsOfABatchAreNotOneFile) {
   expectRefused("solve arm.session.json leg.session.json -o out", 2, {"leg.calibration.json", "collides with"});
 }
 
-TEST_F(CliOutputs, ASessionIsNotMadeBesideTheLogOfAnother) {
-  const auto refuses = [&](const std::string& made) {
-    expectRefused("convert arm.session.json -o " + made, 5, {made, "-wal lies beside it"});
-    expectRefused("simulate --poses 2 -o " + made, 5, {made, "-wal lies beside it"});
-  };
-  std::ofstream(path("notes.hexo-wal")) << "somebody's notes";
-  refuses("notes.hexo");
-  // What a killed program leaves, and nobody has the session itself any more.
-  std::ofstream(path("lost.hexo-wal"), std::ios::binary) << std::string("\x37\x7f\x06\x82\x00\x2d\xe2\x18", 8);
-  refuses("lost.hexo");
-  std::ofstream(path("lost.hexo"));
-  for (const std::string name : {"lost.hexo", "lost.hexo-wal"}) {
-    expectRefused("solve arm.session.json -o " + name, 5, {name, "captured"});
-  }
-  fs::create_hard_link(path("lost.hexo-wal"), path("hard.skinrec"));
-  expectRefused("capture --source sim:x17 --auto --poses 2 -o new.hexo --record hard.skinrec", 5,
-                {"hard.skinrec", "belongs to a session"});
-}
-
 TEST_F(CliOutputs, ARecordingStaysUntilASkinHasDescribedItself) {
   std::ofstream(path("earlier.skinrec")) << "earlier";
   EXPECT_EQ(run("capture --source tcp://localhost:1 --timeout 1 --record earlier.skinrec -o new.hexo").exit_code, 4);
@@ -305,29 +286,6 @@ TEST_F(CliOutputs, AnInputIsNotTakenForLeftBehind) {
 
 TEST_F(CliOutputs, AFileIsNoFolderForCalibrations) {
   expectRefused("solve arm.session.json -o arm.session.json/", 2, {"expected a folder", "arm.session.json"});
-}
-
-TEST_F(CliOutputs, NothingIsWrittenInThePlaceOfASessionThatAnotherProcessCapturesInto) {
-  std::thread capturing([&] {
-    std::ignore =
-        std::system(("cd '" + folder_.path().string() + "' && '" + program_ +
-                     "' capture --source sim:x17?speed=20 --auto --poses 12 -o live.hexo >live.txt 2>/dev/null")
-                        .c_str());
-  });
-  while (!exists("live.hexo")) std::this_thread::sleep_for(std::chrono::milliseconds(2));
-  std::size_t refused = 0;
-  do {
-    for (const std::string name : {"live.hexo", "live.hexo-wal", "live.hexo-shm"}) {
-      EXPECT_NE(run("solve arm.session.json -o " + name).exit_code, 0);
-      EXPECT_NE(run("solve live.hexo -o " + name).exit_code, 0);
-      EXPECT_NE(run("export arm.calibration.json --to urdf -o " + name).exit_code, 0);
-      refused += 3;
-    }
-  } while (readFile(path("live.txt")).empty());
-  capturing.join();
-  EXPECT_GE(refused, 9U);
-  EXPECT_THAT(readFile(path("live.txt")), HasSubstr("12 poses of 17 cells"));
-  EXPECT_EQ(readSessionStore(path("live.hexo")).poses().size(), 12U);
 }
 
 }  // namespace

@@ -11,7 +11,6 @@
 
 #include <algorithm>
 #include <cstdint>
-#include <random>
 #include <string>
 #include <vector>
 
@@ -19,7 +18,6 @@ namespace hexoderm {
 namespace {
 
 using ::testing::AllOf;
-using ::testing::AnyOf;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
@@ -195,52 +193,6 @@ TEST_F(CliPatches, EvaluateGivesFiguresOfEachPatchByItselfAndNoneBetweenThem) {
   EXPECT_TRUE(std::ranges::any_of(json.at("fits"), [](const auto& fit) { return fit.contains("why_not"); }));
   EXPECT_THAT(errorOf("evaluate arm.calibration.json --loop " + std::to_string(fallen_) + ":1," + free_end_, 2),
               HasSubstr("lie in different patches"));
-}
-
-/// Many times the same patch, each read a little otherwise.
-nlohmann::json repeated(const nlohmann::json& session, std::uint32_t times) {
-  nlohmann::json many = session;
-  many.erase("truth");
-  many["cells"] = nlohmann::json::array();
-  for (auto& pose : many["poses"]) pose["samples"] = nlohmann::json::array();
-  const auto cells = static_cast<std::uint32_t>(session["cells"].size());
-  std::mt19937 random(1);
-  std::normal_distribution<double> noise(0, 1e-3);
-  for (std::uint32_t k = 0; k < times; ++k) {
-    const std::uint32_t first = k * cells;
-    for (auto cell : session["cells"]) {
-      cell["id"] = cell["id"].get<std::uint32_t>() + first;
-      for (auto& port : cell["ports"]) {
-        if (port["cell"] != 0) port["cell"] = port["cell"].get<std::uint32_t>() + first;
-      }
-      many["cells"].push_back(std::move(cell));
-    }
-    for (std::size_t pose = 0; pose < session["poses"].size(); ++pose) {
-      for (auto sample : session["poses"][pose]["samples"]) {
-        sample["cell"] = sample["cell"].get<std::uint32_t>() + first;
-        for (auto& axis : sample["mean_g"]) axis = axis.get<double>() + noise(random);
-        many["poses"][pose]["samples"].push_back(std::move(sample));
-      }
-    }
-  }
-  return many;
-}
-
-TEST_F(Cli, ManyPatchesTakeNoMoreMemoryThanTheirCells) {
-  ASSERT_EQ(run("simulate --patch sheet:5x5 --poses 3 --seed 2 -o small.session.json").exit_code, 0);
-  const auto small = nlohmann::json::parse(readFile(path("small.session.json")));
-  writeFileAtomically(path("many.session.json"), repeated(small, 400).dump());
-#ifdef __SANITIZE_ADDRESS__
-  const std::string at_most;  // what the sanitizer reserves is beyond any limit
-#else
-  // 10,000 cells take about 120 MB. Were anything kept of each cell for each patch, they would take gigabytes.
-  const std::string at_most = "ulimit -v 700000; ";
-#endif
-  for (const std::string solver : {"tree", "global"}) {
-    const Outcome solved = run("solve many.session.json --solver " + solver + " -o many.calibration.json", at_most);
-    EXPECT_THAT(solved.exit_code, AnyOf(0, 1)) << solved.err;
-    EXPECT_THAT(solved.out, HasSubstr("10000 cells, 14400 links, 400 patches")) << solver;
-  }
 }
 
 }  // namespace
