@@ -50,22 +50,6 @@ class Errors(InFolder):
         for path in (self.session, self.hexo):
             self.expect_same(hexoderm.FormatError, lambda: hexoderm.read_calibration(path), "evaluate", path)
 
-    def test_sessions_are_never_replaced(self):
-        hidden = self.file("hidden.json", self.hexo.read_bytes())
-        link = self.folder / "link.calibration.json"
-        link.symlink_to(self.hexo)
-        session = hexoderm.read_session(self.session)
-        calibration = hexoderm.solve(session)
-        for path in (self.hexo, hidden, link):
-            before = path.read_bytes()
-            for write in (calibration.write, lambda path: calibration.export("stl", path), session.write,
-                          lambda path: hexoderm.Capture("sim:x17", record=path)):
-                with self.assertRaisesRegex(hexoderm.StorageError, "never replaced"):
-                    write(path)
-            self.assertEqual(path.read_bytes(), before)
-        calibration.write(self.calibration)
-        session.write(self.session)
-
     def test_what_is_read_is_not_replaced_by_what_is_made_of_it(self):
         robot = self.file("robot.urdf", b'<robot name="arm"><link name="base_link"/></robot>')
         with self.assertRaisesRegex(hexoderm.InvalidArgument, "is one of the inputs"):
