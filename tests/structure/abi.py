@@ -1,9 +1,9 @@
 #!/usr/bin/env python3
 """Checks that public types are laid out alike, whatever vector instructions a program is compiled for.
 
-Lists every class of the installed headers, asks the compiler for its size and alignment with no flags of its own, and
-then compiles the answers as static assertions with flags under which Eigen aligns and vectorises otherwise. Also fails for
-a matrix of dynamic size that a public class holds: with such flags, Eigen allocates it in another way.
+Asks g++ for the size and alignment of every class of the installed headers, with no flags of its own and with flags under
+which Eigen aligns and vectorises otherwise. Also fails for a matrix of dynamic size that a public class holds: with such
+flags, Eigen allocates it in another way.
 
 Usage: abi.py COMPILER INCLUDE_FOLDER [COMPILER_ARGUMENT...]
 """
@@ -17,104 +17,43 @@ import tempfile
 # What programs are compiled with; those that a compiler does not know, as on another processor, are left out.
 FLAGS = (["-mavx2", "-mfma"], ["-mavx512f", "-mfma"], ["-DEIGEN_DONT_VECTORIZE"])
 
-TOKEN = re.compile(r"//[^\n]*|/\*.*?\*/|\"(?:\\.|[^\"\\])*\"|'(?:\\.|[^'\\])+'|#[^\n]*(?:\\\n[^\n]*)*|\d(?:'?\w)*|\w+|"
-                   r"::|[^\s\w]", re.S)
+LAYOUT = re.compile(r"^Class (hexoderm::.*)\n   (size=\d+ align=\d+)$", re.M)
+ALIAS = re.compile(r"^using (\w+) = Eigen::", re.M)
 DYNAMIC = re.compile(r"\bEigen::(?:(?:Matrix|Array|Vector|RowVector)\w*X[a-z]*|\w*\bDynamic)\b(?!\s*&)")
-
-
-def tokens(text):
-    """The tokens of a header without comments, literals and directives."""
-    return [token for token in TOKEN.findall(text) if not token.startswith(("//", "/*", "\"", "'", "#"))]
-
-
-def classes(text):
-    """The names, with their scopes, of all classes of a header that can be named from outside. No templates."""
-    found = []
-    scopes = []  # (kind, name, whether members can be named)
-    words = tokens(text)
-    statement = []  # tokens since the last ; { or }
-    for index, word in enumerate(words):
-        if word == "{":
-            kind, name = "block", ""
-            if "namespace" in statement:
-                kind, name = "namespace", "".join(statement[statement.index("namespace") + 1:])
-            elif "enum" not in statement and "=" not in statement and "(" not in statement:
-                for keyword in ("class", "struct"):
-                    if keyword in statement:
-                        kind, name = keyword, statement[statement.index(keyword) + 1]
-            is_template = "template" in statement
-            is_visible = all(scope[2] for scope in scopes)
-            if kind in ("class", "struct") and not is_template and is_visible:
-                found.append("::".join([scope[1] for scope in scopes if scope[1]] + [name]))
-            scopes.append([kind, name, kind in ("namespace", "struct") and not is_template])
-            statement = []
-        elif word == "}":
-            if scopes:
-                scopes.pop()
-            statement = []
-        elif word == ";":
-            statement = []
-        elif word == ":" and statement and statement[-1] in ("public", "private", "protected"):
-            if scopes and scopes[-1][0] in ("class", "struct"):
-                scopes[-1][2] = statement[-1] == "public"
-            statement = []
-        else:
-            statement.append(word)
-    return found
-
-
-def aliases(text):
-    """The types of Eigen that a header gives a name of its own, outside of classes."""
-    return re.findall(r"^using (\w+) = Eigen::", text, re.M)
 
 
 def main():
     if len(sys.argv) < 3:
         sys.exit(__doc__)
-    compiler, folder, arguments = sys.argv[1], pathlib.Path(sys.argv[2]), sys.argv[3:]
-    headers = sorted(path.relative_to(folder).as_posix() for path in folder.rglob("*.h"))
-    types = []
-    violations = []
-    for header in headers:
-        text = (folder / header).read_text(encoding="utf-8")
-        types += classes(text) + ["hexoderm::" + name for name in aliases(text)]
-        for number, line in enumerate(text.splitlines(), 1):
-            if DYNAMIC.search(line.split("//")[0]):
-                violations.append(f"{header}:{number}: a matrix of dynamic size is no public member: {line.strip()}")
-    types = sorted(set(types))
-    if not types:
-        sys.exit(f"no classes are in {folder}")
-    includes = "".join(f'#include "{header}"\n' for header in headers)
-    compile_only = [compiler, "-std=c++20", "-I", str(folder), *arguments]
+    folder = pathlib.Path(sys.argv[2])
+    headers = {path.relative_to(folder).as_posix(): path.read_text(encoding="utf-8") for path in sorted(folder.rglob("*.h"))}
+    violations = [f"{header}:{number}: a matrix of dynamic size is no public member: {line.strip()}"
+                  for header, text in headers.items() for number, line in enumerate(text.splitlines(), 1)
+                  if DYNAMIC.search(line.split("//")[0])]
+    # Types of Eigen that have a name of their own are looked at as members.
+    source = "".join(f'#include "{header}"\n' for header in headers) + "namespace hexoderm {\n" + "".join(
+        f"struct Of{name} {{ {name} value; }};\n" for text in headers.values() for name in ALIAS.findall(text)) + "}\n"
 
     with tempfile.TemporaryDirectory() as scratch:
-        source = pathlib.Path(scratch) / "layout.cpp"
-        program = pathlib.Path(scratch) / "layout"
-        prints = "".join(f'  std::printf("%zu %zu {name}\\n", sizeof({name}), alignof({name}));\n' for name in types)
-        source.write_text(f"{includes}#include <cstdio>\nint main() {{\n{prints}}}\n", encoding="utf-8")
-        subprocess.run([*compile_only, str(source), "-o", str(program)], check=True)
-        layout = subprocess.run([str(program)], check=True, capture_output=True, text=True).stdout
+        def compiled(flags, text):
+            """Whether it compiles, and the layout of its classes."""
+            dump = pathlib.Path(scratch) / "classes"
+            run = subprocess.run([sys.argv[1], "-std=c++20", "-x", "c++", "-fsyntax-only", f"-fdump-lang-class={dump}", "-I",
+                                  folder, *sys.argv[3:], *flags, "-"], input=text, text=True, check=False)
+            return run.returncode == 0, dict(LAYOUT.findall(dump.read_text(encoding="utf-8")) if dump.exists() else [])
 
-        assertions = "".join(
-            f'static_assert(sizeof({name}) == {size} && alignof({name}) == {alignment}, "layout of {name}");\n'
-            for size, alignment, name in (line.split(" ") for line in layout.splitlines()))
-        empty = pathlib.Path(scratch) / "empty.cpp"
-        empty.write_text("", encoding="utf-8")
-        source.write_text(includes + assertions, encoding="utf-8")
+        is_compiled, layout = compiled([], source)
+        if not is_compiled or not layout:
+            sys.exit(f"no classes are in {folder}")
         for flags in FLAGS:
-            known = subprocess.run([*compile_only, *flags, "-fsyntax-only", str(empty)], capture_output=True, check=False)
-            if known.returncode != 0:
+            if not compiled(flags, "")[0]:
                 print(f"{' '.join(flags)}: the compiler does not know it")
                 continue
-            result = subprocess.run([*compile_only, *flags, "-fsyntax-only", str(source)], capture_output=True,
-                                    text=True, check=False)
-            if result.returncode == 0:
-                continue
-            changed = sorted(set(re.findall(r"layout of ([\w:]+)", result.stderr)))
-            if not changed:
-                violations.append(result.stderr)
-            violations += [f"with {' '.join(flags)} {name} is laid out otherwise" for name in changed]
-    print(f"{len(types)} classes")
+            is_compiled, other = compiled(flags, source)
+            changed = [name for name in layout if other.get(name) != layout[name]]
+            if changed or not is_compiled:
+                violations.append(f"with {' '.join(flags)} these are laid out otherwise: {', '.join(changed)}")
+    print(f"{len(layout)} classes")
     if violations:
         sys.exit("\n".join(violations))
 
