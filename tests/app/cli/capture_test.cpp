@@ -128,26 +128,6 @@ TEST_F(CliCapture, ALooseLinkDoesNotFillTheSession) {
   EXPECT_TRUE(readSessionStore(path("loose.hexo")).neighbors()[0].neighbors.empty()) << "as the device said last";
 }
 
-TEST_F(CliCapture, NeverReplacesASession) {
-  ASSERT_EQ(run("simulate -o arm.hexo").exit_code, 0);
-  EXPECT_THAT(errorOf("capture --source sim:x17 -o arm.hexo", 5), HasSubstr("arm.hexo: exists already"));
-  EXPECT_EQ(readSessionStore(path("arm.hexo")).poses().size(), 2U);
-}
-
-TEST_F(CliCapture, AFullDiskIsSaidAndWhatFittedIsKept) {
-  // Files may grow to 512 KiB: room for a session with its truth and some poses of 400 cells, not for all.
-  const std::string said =
-      errorOf("capture --source 'sim:sheet:20x20?speed=max' --auto --poses 12 --timeout 600 -o sheet.hexo", 5,
-              "trap '' XFSZ; ulimit -f 512; ");
-  EXPECT_THAT(said, AllOf(HasSubstr("sheet.hexo"), HasSubstr("Trying again")));
-  const Session session = readSessionStore(path("sheet.hexo"));
-  EXPECT_GT(session.poses().size(), 0U);
-  EXPECT_LT(session.poses().size(), 12U);
-  const std::string stored = std::to_string(session.poses().size());
-  EXPECT_THAT(
-      said, HasSubstr("; pose " + std::to_string(session.poses().size() + 1) + " is not stored; " + stored + " pose"));
-}
-
 /// Runs `command` as soon as the first pose is captured.
 std::string afterTheFirstPose(const std::string& command) {
   return "meanwhile() { \"$@\" & until grep -q 'Pose 1 captured' stderr.txt || ! kill -0 $!; do sleep 0.02; done; " +

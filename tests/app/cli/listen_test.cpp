@@ -89,18 +89,6 @@ TEST_F(CliListen, ADeviceIsRightInEveryDialectAndKindOfReading) {
   expectNothingWrong(listen(without_numbers.lines(), "--json"));
 }
 
-TEST_F(CliListen, SamplesBeforeTheDescriptionAreNotOfUnknownCells) {
-  Device device = Device::right();
-  const std::string lines = device.lines();
-  const std::string hello = lines.substr(0, lines.find('\n') + 1);
-  const std::size_t topology_end = lines.find('\n', hello.size()) + 1;
-  const std::size_t first_end = lines.find('\n', topology_end) + 1;
-  const Outcome outcome = listen(lines.substr(topology_end, first_end - topology_end) + lines, "--json");
-  const Json report = Json::parse(outcome.out);
-  EXPECT_GT(report.at("undescribed_samples"), 0);
-  EXPECT_EQ(report.at("unknown_samples"), 0);
-}
-
 TEST_F(CliListen, SendsCommandsAndSaysHowTheyAreAnswered) {
   const Emulator emulator({"--pty", "--patch", "ring8", "--rate", "100"});
   const std::string asked = " --light 5 --rate 50 --explore";
@@ -191,18 +179,6 @@ TEST_F(CliListen, CtrlCEndsItWithItsReport) {
   EXPECT_GT(Json::parse(outcome.out).at("frames"), 0);
 }
 
-TEST_F(CliListen, AnEmulatorWithABrokenPortIsToldWhichLinkIsOneSided) {
-  const Emulator emulator({"--tcp", "0", "--patch", "sheet:3x3"});
-  expectNothingWrong(run("listen " + emulator.address + " --for 1 --json"));  // it has explored once
-  ASSERT_THAT(emulator.type("break deaf 5 1"), Not(IsEmpty()));
-  ASSERT_THAT(emulator.type("explore"), Not(IsEmpty()));
-  const Outcome outcome = run("listen " + emulator.address + " --for 2 --json");
-  const Json report = Json::parse(outcome.out);
-  const Json* offence = findOffence(report, OffenceKind::OneSidedLink);
-  ASSERT_NE(offence, nullptr) << outcome.out << outcome.err;
-  EXPECT_THAT(offence->at("reason").get<std::string>(), HasSubstr("link 9 port 4 - 5 port 1"));
-}
-
 // ---- capture
 
 TEST_F(CliListen, CaptureSaysTheFirstOffenceOfEachKindAndCounts) {
@@ -226,17 +202,6 @@ TEST_F(CliListen, CaptureOfADeviceThatNeverDescribesItselfSaysWhy) {
   const Json* offence = findOffence(report, OffenceKind::NotJson);
   ASSERT_NE(offence, nullptr);
   EXPECT_EQ(offence->at("count"), 2);
-}
-
-TEST_F(CliListen, CaptureNoticesAnotherCellModel) {
-  Device device = Device::right();
-  for (const WrongDevice& wrong : wrongDevices()) {
-    if (wrong.kind == OffenceKind::CellModelChanged) wrong.spoil(device);
-  }
-  writeFileAtomically(path("device"), device.lines());
-  const Outcome outcome = run("capture --source stdin -o a.hexo", "cat device | ");
-  EXPECT_THAT(outcome.err, AllOf(HasSubstr("changed its cell model from hex-bma150 to other"),
-                                 HasSubstr("The device says that it has another cell model; poses stay.")));
 }
 
 }  // namespace
