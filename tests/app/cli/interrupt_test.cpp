@@ -2,17 +2,12 @@
 
 #include "hexoderm/io/calibration_json.h"
 #include "hexoderm/util/text.h"
+#include "tests/core/device/sources/loopback_device.h"
 #include "tests/support/child_process.h"
 #include "tests/support/paths.h"
 #include "tests/support/temporary_folder.h"
 
-#include <arpa/inet.h>
-#include <fcntl.h>
-#include <netinet/in.h>
-#include <poll.h>
-#include <sys/socket.h>
 #include <sys/stat.h>
-#include <unistd.h>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -31,47 +26,6 @@ namespace {
 using Stream = test::ChildProcess::Stream;
 /// An exit code, or 128 and the number of a signal; nothing of what does not end.
 using End = std::optional<int>;
-
-/// Listens and accepts, and says nothing.
-class SilentServer {
- public:
-  SilentServer() : socket_(::socket(AF_INET, SOCK_STREAM | SOCK_CLOEXEC, 0)) {
-    sockaddr_in at{};
-    at.sin_family = AF_INET;
-    at.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
-    socklen_t size = sizeof(at);
-    auto* const address = static_cast<sockaddr*>(static_cast<void*>(&at));
-    if (::bind(socket_, address, size) != 0 || ::listen(socket_, 8) != 0 ||
-        ::getsockname(socket_, address, &size) != 0) {
-      throw std::runtime_error("no socket");
-    }
-    port_ = ntohs(at.sin_port);
-  }
-  ~SilentServer() { ::close(socket_); }
-  SilentServer(const SilentServer&) = delete;
-  SilentServer& operator=(const SilentServer&) = delete;
-  [[nodiscard]] std::string address() const { return "tcp://127.0.0.1:" + std::to_string(port_); }
-  void waitForCaller() const {
-    pollfd waiting{socket_, POLLIN, 0};
-    ::poll(&waiting, 1, -1);
-  }
-
- private:
-  int socket_ = -1;
-  unsigned port_ = 0;
-};
-
-int connectTo(std::uint16_t port) {
-  const int host = ::socket(AF_INET, SOCK_STREAM | SOCK_CLOEXEC, 0);
-  sockaddr_in to{};
-  to.sin_family = AF_INET;
-  to.sin_port = htons(port);
-  to.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
-  if (::connect(host, static_cast<const sockaddr*>(static_cast<const void*>(&to)), sizeof(to)) != 0) {
-    throw std::runtime_error("no connection");
-  }
-  return host;
-}
 
 constexpr int kByForce = 130;
 
@@ -154,30 +108,24 @@ std::string rowOfCells(int count) {
 }
 
 End captureFromADeviceThatSaysNothing(const std::string& folder) {
-  const SilentServer device;
+  TcpDevice device;
   test::ChildProcess program(cli("capture -o a.hexo --source " + device.address()), folder);
-  device.waitForCaller();
+  const DeviceConnection silent = device.accept();
   program.interrupt();
   return program.wait();
 }
 End captureFromASerialPortWithoutAWord(const std::string& folder) {
-  const int terminal = ::posix_openpt(O_RDWR | O_NOCTTY | O_CLOEXEC);
-  if (terminal < 0 || ::grantpt(terminal) != 0 || ::unlockpt(terminal) != 0) throw std::runtime_error("no pty");
-  const End end = whenIdle(cli(std::string("capture -o a.hexo --source serial:") + ::ptsname(terminal)))(folder);
-  ::close(terminal);
-  return end;
+  const SerialDevice device;
+  return whenIdle(cli("capture -o a.hexo --source " + device.address()))(folder);
 }
 End emulatorWithAHostThatDoesNotRead(const std::string& folder) {
   test::ChildProcess program(emulator("--tcp 0 --patch sheet:15x20 --speed 50"), folder);
   const std::string line = program.readLine();
-  const int host = connectTo(static_cast<std::uint16_t>(std::stoul(line.substr(line.rfind(':') + 1))));
+  boost::asio::ip::tcp::iostream host("127.0.0.1", line.substr(line.rfind(':') + 1));
   program.waitForOutput("messages\n");
-  char byte = 0;
-  EXPECT_EQ(::recv(host, &byte, 1, 0), 1) << "it is served";
+  EXPECT_TRUE(host.get() != std::iostream::traits_type::eof()) << "it is served";
   program.interrupt();
-  const End end = program.wait();
-  ::close(host);
-  return end;
+  return program.wait();
 }
 std::vector<Case> cases() {
   const std::string two_poses = "capture --source sim:x17?speed=max --auto --poses 2 -o a.hexo";
