@@ -118,6 +118,14 @@ Json toJson(const CellHeard& cell) {
           {"noise_mg", orNull(cell.noise_g, kMilli)}};
 }
 
+Json toJson(const CommandTrial::Answered& command) {
+  return {{"command", command.name},
+          {"sent", command.is_sent},
+          {"done", command.is_done},
+          {"message", command.message},
+          {"after_s", orNull(command.after_s)}};
+}
+
 Json toJson(const ListeningReport& report, const CommandTrial& trial, const ListenOptions& options) {
   const SourceStatus& status = report.status;
   return {
@@ -144,7 +152,7 @@ Json toJson(const ListeningReport& report, const CommandTrial& trial, const List
       {"silent_cells", numbersOf(report.silent_cells)},
       {"cells", arrayOf(report.cells, [](const CellHeard& cell) { return toJson(cell); })},
       {"slowness", orNull(report.slowness)},
-      {"commands", trial.toJson()},
+      {"commands", arrayOf(trial.answers(), [](const auto& answered) { return toJson(answered); })},
       {"offences", cli::toJson(report.offences)}};
 }
 
@@ -195,6 +203,16 @@ void printCells(const std::vector<CellHeard>& cells) {
   if (cells.size() > kMost) std::cout << "... and " << cells.size() - kMost << " more; --json has all\n";
 }
 
+void print(const CommandTrial::Answered& command) {
+  std::cout << "Command " << command.name << ": ";
+  if (!command.after_s) {
+    std::cout << (command.is_sent ? "no answer yet\n" : "was not sent, for the device has not described itself\n");
+    return;
+  }
+  std::cout << (command.is_done ? "done" : "not done") << " after " << formatFixed(*command.after_s, 2) << " s"
+            << (command.message.empty() ? "" : ": ") << command.message << '\n';
+}
+
 void print(const ListeningReport& report, const CommandTrial& trial) {
   const SourceStatus& status = report.status;
   if (report.is_described) {
@@ -219,7 +237,7 @@ void print(const ListeningReport& report, const CommandTrial& trial) {
   for (const Offence& offence : report.offences) {
     std::cout << "  " << offenceName(offence.kind) << " (" << offence.count << "): " << inWords(offence) << '\n';
   }
-  trial.print();
+  for (const CommandTrial::Answered& command : trial.answers()) print(command);
   for (const Message& remark : report.remarks) std::cout << remark << '\n';
   if (report.obstacle.empty()) {
     std::cout << "A calibration could begin.\n";

@@ -1,9 +1,6 @@
 #include "app/cli/listen_commands.h"
 
-#include "hexoderm/util/text.h"
-
 #include <algorithm>
-#include <iostream>
 
 namespace hexoderm::cli {
 
@@ -17,7 +14,7 @@ void CommandTrial::sendOnce(SkinSource& source) {
 
 void CommandTrial::add(const CommandOutcome& outcome) {
   const std::lock_guard lock(mutex_);
-  answers_[outcome.command] = {outcome.done, outcome.message, Clock::now()};
+  answers_[outcome.command] = {outcome, Clock::now()};
 }
 
 bool CommandTrial::isAnswered() const {
@@ -25,42 +22,19 @@ bool CommandTrial::isAnswered() const {
   return std::ranges::all_of(sent_, [this](const Sent& sent) { return answers_.contains(sent.number); });
 }
 
-const CommandTrial::Answer* CommandTrial::answerTo(std::size_t command) const {
-  if (command >= sent_.size()) return nullptr;
-  const auto found = answers_.find(sent_[command].number);
-  return found == answers_.end() ? nullptr : &found->second;
-}
-
-void CommandTrial::print() const {
+std::vector<CommandTrial::Answered> CommandTrial::answers() const {
   const std::lock_guard lock(mutex_);
+  std::vector<Answered> all;
   for (std::size_t k = 0; k < commands_.size(); ++k) {
-    std::cout << "Command " << commands_[k].name << ": ";
-    const Answer* answer = answerTo(k);
-    if (answer == nullptr) {
-      std::cout << (sent_.empty() ? "was not sent, for the device has not described itself\n" : "no answer yet\n");
-      continue;
-    }
-    const double after_s = std::chrono::duration<double>(answer->at - sent_[k].at).count();
-    std::cout << (answer->done ? "done" : "not done") << " after " << formatFixed(after_s, 2) << " s";
-    if (!answer->message.empty()) std::cout << ": " << answer->message;
-    std::cout << '\n';
+    Answered& command = all.emplace_back(Answered{commands_[k].name, !sent_.empty()});
+    const auto found = sent_.empty() ? answers_.end() : answers_.find(sent_[k].number);
+    if (found == answers_.end()) continue;
+    const auto& [outcome, at] = found->second;
+    command.is_done = outcome.done;
+    command.message = outcome.message.english();
+    command.after_s = std::chrono::duration<double>(at - sent_[k].at).count();
   }
-}
-
-nlohmann::ordered_json CommandTrial::toJson() const {
-  const std::lock_guard lock(mutex_);
-  auto json = nlohmann::ordered_json::array();
-  for (std::size_t k = 0; k < commands_.size(); ++k) {
-    nlohmann::ordered_json entry = {{"command", commands_[k].name}, {"sent", !sent_.empty()}};
-    const Answer* answer = answerTo(k);
-    entry["done"] = answer != nullptr && answer->done;
-    entry["message"] = answer == nullptr ? "" : answer->message.english();
-    entry["after_s"] = answer == nullptr
-                           ? nlohmann::ordered_json(nullptr)
-                           : nlohmann::ordered_json(std::chrono::duration<double>(answer->at - sent_[k].at).count());
-    json.push_back(std::move(entry));
-  }
-  return json;
+  return all;
 }
 
 }  // namespace hexoderm::cli

@@ -5,7 +5,7 @@
 #include <chrono>
 #include <map>
 #include <mutex>
-#include <nlohmann/json.hpp>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -26,21 +26,26 @@ class CommandTrial {
   /// Whether every command that was sent has its outcome.
   [[nodiscard]] bool isAnswered() const;
 
-  void print() const;
-  [[nodiscard]] nlohmann::ordered_json toJson() const;
+  /// A command and how it was answered.
+  struct Answered {
+    std::string name;
+    bool is_sent = false;
+    bool is_done = false;
+    std::string message{};
+    std::optional<double> after_s{};  ///< nothing: no answer so far
+  };
+  [[nodiscard]] std::vector<Answered> answers() const;
 
  private:
   using Clock = std::chrono::steady_clock;
-  struct Answer {
-    bool done = false;
-    Message message;
-    Clock::time_point at;
-  };
   struct Sent {
     std::uint32_t number = 0;
     Clock::time_point at;
   };
-  [[nodiscard]] const Answer* answerTo(std::size_t command) const;
+  struct Answer {
+    CommandOutcome outcome;
+    Clock::time_point at;
+  };
 
   std::vector<Named> commands_;
   std::vector<Sent> sent_;  ///< of all commands, or none
