@@ -8,7 +8,6 @@
 #include "hexoderm/util/text.h"
 
 #include <chrono>
-#include <concepts>
 #include <cstdint>
 #include <iostream>
 #include <limits>
@@ -49,11 +48,7 @@ class Remarks {
     common_.note("No readings for " + formatFixed(wait.duration_s, 0) + " s. " + wait.why.english());
   }
   void operator()(const PoseAdvised& next) { common_.note("Next: " + next.advice.english()); }
-  /// A template, for which no event of the course is taken: each has an overload of its own.
-  template <std::same_as<CourseEvent> Event>
-  void operator()(const Event& event) {
-    std::visit(*this, event);
-  }
+  void operator()(const CourseEvent& event) { std::visit(*this, event); }
   void operator()(const PoseKept& kept) {
     const CapturedPose& captured = kept.captured;
     const std::string pose = "Pose " + toString(captured.pose->id);
@@ -78,13 +73,9 @@ class Remarks {
   void operator()(const TurnRefused& refused) {
     common_.note("The device does not turn there: " + refused.why.english());
   }
-  // Of these nothing is said: LiveCapture itself deals with them.
-  void operator()(const SkinDescription& /*event*/) {}
-  void operator()(const PoseTaken& /*event*/) {}
-  void operator()(const PoseLost& /*event*/) {}
-  void operator()(const AdviceWanted& /*event*/) {}
-  void operator()(const AdviceChanged& /*event*/) {}
-  void operator()(const CourseFinished& /*event*/) {}
+  /// Of the others nothing is said: LiveCapture itself deals with them.
+  template <class Event>
+  void operator()(const Event& /*event*/) {}
 
  private:
   const Common& common_;
