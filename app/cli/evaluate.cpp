@@ -32,12 +32,11 @@ std::string inMm(const Eigen::Vector3d& v) { return "[" + inWords(v / kMillimetr
 
 class Evaluation {
  public:
-  Evaluation(const Reconstruction& calibration, bool json) : calibration_(calibration), json_(json) {
-    if (!json_) {
-      std::cout << sizeInWords(calibration) << '\n';
-      if (calibration.patches.size() > 1) {
-        std::cout << "How the patches lie to each other is not known: every figure is one of a patch by itself.\n";
-      }
+  Evaluation(const Reconstruction& calibration, bool json)
+      : calibration_(calibration), json_(json), out_(json ? nullptr : std::cout.rdbuf()) {
+    out_ << sizeInWords(calibration) << '\n';
+    if (calibration.patches.size() > 1) {
+      out_ << "How the patches lie to each other is not known: every figure is one of a patch by itself.\n";
     }
     result_["patches"] = calibration.patches.size();
   }
@@ -53,30 +52,29 @@ class Evaluation {
         // A cell that fell off does not stand in the way of the others.
         if (&patch == &calibration_.patches.back() && fitted == 0) throw;
         fits.push_back({{"patch", patch.id.value()}, {"surface", surfaceKindName(kind)}, {"why_not", error.what()}});
-        if (!json_) std::cout << "Patch " << patch.id << ": " << error.what() << '\n';
+        out_ << "Patch " << patch.id << ": " << error.what() << '\n';
         continue;
       }
       ++fitted;
       fits.push_back(toJson(surface));
-      if (json_) continue;
-      std::cout << "Patch " << patch.id << ", " << surfaceKindName(kind) << " through " << surface.cells.size()
-                << " cell centres: ";
-      if (surface.radius_m) std::cout << "radius " << millimetres(*surface.radius_m) << ", ";
-      std::cout << "distances " << millimetres(surface.rms_m, 3) << " rms\n";
+      out_ << "Patch " << patch.id << ", " << surfaceKindName(kind) << " through " << surface.cells.size()
+           << " cell centres: ";
+      if (surface.radius_m) out_ << "radius " << millimetres(*surface.radius_m) << ", ";
+      out_ << "distances " << millimetres(surface.rms_m, 3) << " rms\n";
       if (surface.better) {
-        std::cout << "  It is not this surface: the cells face " << degrees(surface.tilt_rms_rad, 1)
-                  << " rms away from it, and " << degrees(surface.better->tilt_rms_rad, 1) << " from a "
-                  << surfaceKindName(surface.better->kind) << '\n';
+        out_ << "  It is not this surface: the cells face " << degrees(surface.tilt_rms_rad, 1)
+             << " rms away from it, and " << degrees(surface.better->tilt_rms_rad, 1) << " from a "
+             << surfaceKindName(surface.better->kind) << '\n';
       }
-      std::cout << "  point " << inMm(surface.point);
+      out_ << "  point " << inMm(surface.point);
       if (kind != SurfaceKind::Sphere) {
-        std::cout << (kind == SurfaceKind::Plane ? ", normal [" : ", axis [") << inWords(surface.axis, 4, "; ") << "]";
+        out_ << (kind == SurfaceKind::Plane ? ", normal [" : ", axis [") << inWords(surface.axis, 4, "; ") << "]";
       }
-      if (surface.half_angle_rad) std::cout << ", half angle " << degrees(*surface.half_angle_rad, 2);
-      std::cout << '\n';
+      if (surface.half_angle_rad) out_ << ", half angle " << degrees(*surface.half_angle_rad, 2);
+      out_ << '\n';
       if (surface.delta_m) {
-        std::cout << "  Delta, eq. (20): " << millimetres(*surface.delta_m, 3)
-                  << "; eps, eq. (21): " << millimetres(*surface.epsilon_m, 3) << '\n';
+        out_ << "  Delta, eq. (20): " << millimetres(*surface.delta_m, 3)
+             << "; eps, eq. (21): " << millimetres(*surface.epsilon_m, 3) << '\n';
       }
     }
     result_["fits"] = fits;
@@ -88,10 +86,9 @@ class Evaluation {
                        {"length_mm", toMillimetres(loop.length_m)},
                        {"loop_length_mm", toMillimetres(loop.loop_length_m)},
                        {"percent", loop.percent}};
-    if (json_) return;
-    std::cout << "Loop gap between cell " << first.cell << " port " << first.port << " and cell " << second.cell
-              << " port " << second.port << ": " << inMm(loop.gap_m) << ", " << millimetres(loop.length_m) << " long, "
-              << formatFixed(loop.percent, 2) << " % of the loop's " << millimetres(loop.loop_length_m) << '\n';
+    out_ << "Loop gap between cell " << first.cell << " port " << first.port << " and cell " << second.cell << " port "
+         << second.port << ": " << inMm(loop.gap_m) << ", " << millimetres(loop.length_m) << " long, "
+         << formatFixed(loop.percent, 2) << " % of the loop's " << millimetres(loop.loop_length_m) << '\n';
   }
 
   void against(const OpenedFile& other, const std::string& path) {
@@ -104,7 +101,7 @@ class Evaluation {
     }
     if (comparisons.empty()) throw BadInput(path + ": has no cell in common with the calibration");
     result_["against"] = arrayOf(comparisons, [](const Comparison& comparison) { return toJson(comparison); });
-    if (!json_) std::ranges::for_each(comparisons, print);
+    for (const Comparison& comparison : comparisons) print(comparison);
   }
 
   void findingsAndVerdict() {
@@ -154,28 +151,28 @@ class Evaluation {
             {"cells", arrayOf(comparison.cells, cell_json)}};
   }
 
-  static void print(const Comparison& comparison) {
+  void print(const Comparison& comparison) {
     if (comparison.cells.size() == 1) {
-      std::cout << "Patch " << comparison.patch << ": cell " << comparison.cells.front().cell
-                << " alone, which fits wherever it is: nothing to compare\n";
+      out_ << "Patch " << comparison.patch << ": cell " << comparison.cells.front().cell
+           << " alone, which fits wherever it is: nothing to compare\n";
       return;
     }
-    std::cout << "Patch " << comparison.patch << ", after alignment: position "
-              << millimetres(comparison.position_rms_m, 3) << " rms, orientation "
-              << degrees(comparison.orientation_rms_rad, 3) << " rms\n";
-    std::cout << "  cell   position  (stated)   orientation  (stated)\n";
+    out_ << "Patch " << comparison.patch << ", after alignment: position " << millimetres(comparison.position_rms_m, 3)
+         << " rms, orientation " << degrees(comparison.orientation_rms_rad, 3) << " rms\n";
+    out_ << "  cell   position  (stated)   orientation  (stated)\n";
     for (const CellDifference& cell : comparison.cells) {
       const auto stated = [](std::optional<double> sigma, auto format) {
         return sigma ? "(" + format(*sigma, 2) + ")" : std::string("(-)");
       };
-      std::cout << "  " << cell.cell << "   " << millimetres(cell.position_m.norm()) << " "
-                << stated(cell.sigma_t_m, millimetres) << "   " << degrees(cell.orientation_rad) << " "
-                << stated(cell.sigma_r_rad, degrees) << '\n';
+      out_ << "  " << cell.cell << "   " << millimetres(cell.position_m.norm()) << " "
+           << stated(cell.sigma_t_m, millimetres) << "   " << degrees(cell.orientation_rad) << " "
+           << stated(cell.sigma_r_rad, degrees) << '\n';
     }
   }
 
   const Reconstruction& calibration_;
   bool json_;
+  std::ostream out_;  ///< with --json nowhere
   Json result_;
 };
 
