@@ -1,6 +1,7 @@
 #include "app/cli/command.h"
 #include "app/cli/json.h"
 
+#include "hexoderm/io/session_json.h"
 #include "hexoderm/kinematics/demo_robot.h"
 #include "hexoderm/kinematics/joint_angles_csv.h"
 #include "hexoderm/session/session_joint_angles.h"
@@ -54,13 +55,16 @@ std::string boundText(double number) {
   return number == std::floor(number) ? formatFixed(number, 0) : formatExact(number);
 }
 
-template <class IsInRange>
-CLI::Option* takeReals(CLI::Option* option, const std::string& expected, const std::string& in_help,
-                       const IsInRange& isInRange) {
-  return take(option, expected, in_help, [=](const std::string& text) {
-    double value = 0;
-    return CLI::detail::lexical_cast(text, value) && isInRange(value);
-  });
+CLI::Option* takeReals(CLI::Option* option, double least, double most, bool is_least_taken) {
+  const std::string from = boundText(least);
+  const std::string to = boundText(most);
+  return take(option,
+              is_least_taken ? "a number from " + from + " to " + to : "a number above " + from + " and at most " + to,
+              (is_least_taken ? "FLOAT in [" : "FLOAT in (") + from + " - " + to + "]", [=](const std::string& text) {
+                double value = 0;
+                return CLI::detail::lexical_cast(text, value) && value <= most &&
+                       (is_least_taken ? value >= least : value > least);
+              });
 }
 
 template <class Kind>
@@ -124,15 +128,11 @@ void requireReplaceableOutputs(const CLI::App& command) {
 }
 
 CLI::Option* takeNumbers(CLI::Option* option, double least, double most) {
-  const std::string expected = "a number from " + boundText(least) + " to " + boundText(most);
-  const std::string in_help = "FLOAT in [" + boundText(least) + " - " + boundText(most) + "]";
-  return takeReals(option, expected, in_help, [=](double value) { return value >= least && value <= most; });
+  return takeReals(option, least, most, true);
 }
 
 CLI::Option* takeNumbersAbove(CLI::Option* option, double bound, double most) {
-  const std::string expected = "a number above " + boundText(bound) + " and at most " + boundText(most);
-  const std::string in_help = "FLOAT in (" + boundText(bound) + " - " + boundText(most) + "]";
-  return takeReals(option, expected, in_help, [=](double value) { return value > bound && value <= most; });
+  return takeReals(option, bound, most, false);
 }
 
 CLI::Option* takeWholeNumbers(CLI::Option* option, std::uint64_t least, std::uint64_t most) {
@@ -177,6 +177,11 @@ void Output::write(const ProduceBytes& produce) const {
   std::ostream out(standard_);
   produce([&](std::string_view bytes) { out << bytes; });
   if (!out.flush()) throw StorageError("standard output: cannot be written");
+}
+
+void Output::write(const Session& session) const {
+  if (!isStandard()) return saveSession(session, name_);
+  write([&](const WriteBytes& take) { writeSessionJson(session, take); });
 }
 
 void OffenceNotes::show(const std::vector<Offence>& offences) {

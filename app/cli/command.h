@@ -139,6 +139,8 @@ class Output {
   /// Writes a document: as writeFileAtomically(), or to standard output.
   void write(std::string_view content) const;
   void write(const ProduceBytes& produce) const;
+  /// As saveSession(), or its JSON to standard output.
+  void write(const Session& session) const;
 
  private:
   std::string name_;

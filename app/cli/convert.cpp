@@ -1,7 +1,6 @@
 #include "app/cli/command.h"
 
 #include "hexoderm/io/calibration_json.h"
-#include "hexoderm/io/session_json.h"
 #include "hexoderm/session/session_store.h"
 #include "hexoderm/util/text.h"
 
@@ -15,14 +14,6 @@ struct ConvertOptions {
   std::string output;
   std::string cell_model = "hex-bma150";
 };
-
-void writeSession(const Session& session, const ConvertOptions& options, const Output& output) {
-  if (output.isStandard()) {
-    output.write([&](const WriteBytes& write) { writeSessionJson(session, write); });
-  } else {
-    saveSession(session, options.output);
-  }
-}
 
 void writeCalibration(const Reconstruction& calibration, const Output& output) {
   output.write([&](const WriteBytes& write) { writeCalibrationJson(calibration, write); });
@@ -42,7 +33,7 @@ int run(const ConvertOptions& options, const Common& common) {
     const OpenedFile opened =
         openInput(options.input, options.cell_model, output.isStandard() ? TumAs::Calibration : TumAs::Session);
     if (const auto* session = std::get_if<Session>(&opened)) {
-      writeSession(*session, options, output);
+      output.write(*session);
       if (session->poses().empty()) common.note("Only the topology was taken over: the file holds no readings.");
       if (asInput([&] { return isSessionStore(options.input); })) {
         common.note("The session as it is now was taken over; removed poses, raw samples and its history stay in " +

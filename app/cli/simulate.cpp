@@ -5,7 +5,6 @@
 #include "hexoderm/device/simulation/simulated_skin.h"
 #include "hexoderm/io/open_file.h"
 #include "hexoderm/io/robot_truth_json.h"
-#include "hexoderm/io/session_json.h"
 #include "hexoderm/session/session_joint_angles.h"
 #include "hexoderm/session/simulated_session.h"
 #include "hexoderm/util/file.h"
@@ -61,11 +60,7 @@ int runRobot(SimulatedRobot robot, const SimulateOptions& options, const Output&
   common.progress("Taking poses ...");
   const SimulatedRobotSession simulated = simulateRobotSession(robot, options.poses, options.samples);
   common.progress("Writing ...");
-  if (output.isStandard()) {
-    output.write(sessionToJson(simulated.session));
-  } else {
-    saveSession(simulated.session, options.output);
-  }
+  output.write(simulated.session);
   const bool beside = !output.isStandard();
   const bool has_joints = moves && options.poses > 0 && (beside || !options.joints.empty());
   const bool has_truth = beside || !options.truth.empty();
@@ -119,11 +114,7 @@ int run(const SimulateOptions& options, const Common& common) {
     return simulateSession(skin, options.poses, options.samples);
   }();
   common.progress("Writing ...");
-  if (output.isStandard()) {
-    output.write(sessionToJson(session));
-  } else {
-    saveSession(session, options.output);
-  }
+  output.write(session);
   common.endProgress();
   if (common.json) {
     printJson({{"file", options.output},
