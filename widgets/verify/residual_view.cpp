@@ -3,6 +3,7 @@
 #include "widgets/coloring/coloring.h"
 #include "widgets/controls/panel_parts.h"
 #include "widgets/controls/selection.h"
+#include "widgets/style/color_maps.h"
 #include "widgets/tables/row_picking.h"
 #include "widgets/tables/sorted_table.h"
 #include "widgets/tables/table_roles.h"
