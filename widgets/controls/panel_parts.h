@@ -8,6 +8,7 @@
 #include <QScrollArea>
 #include <QString>
 #include <QTableView>
+#include <QTimer>
 #include <initializer_list>
 
 namespace hexoderm {
@@ -44,6 +45,30 @@ inline void setNames(QWidget* widget, const QString& name, const QString& access
 inline void setPlainParagraph(QLabel* label) {
   label->setWordWrap(true);
   label->setTextFormat(Qt::PlainText);
+}
+
+/// A label of this name with such texts.
+inline QLabel* paragraph(const char* name, QWidget* parent = nullptr) {
+  auto* label = new QLabel(parent);
+  label->setObjectName(QLatin1String(name));
+  setPlainParagraph(label);
+  return label;
+}
+
+/// A button of this name that the keyboard reaches, and that leaves the keys where they were when it is clicked.
+template <class Button>
+Button* quiet(Button* button, const char* name) {
+  button->setObjectName(QLatin1String(name));
+  button->setFocusPolicy(Qt::TabFocus);
+  return button;
+}
+
+/// Makes a timer that, once started, does this once.
+template <class Work>
+void setUpOnce(QTimer& timer, int after_ms, QObject* receiver, Work work) {
+  timer.setSingleShot(true);
+  timer.setInterval(after_ms);
+  QObject::connect(&timer, &QTimer::timeout, receiver, work);
 }
 
 /// Grey, and then it says why.
