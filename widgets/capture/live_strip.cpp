@@ -98,11 +98,8 @@ LiveStrip::LiveStrip(QAction* end, QWidget* parent)
   // A long text must not widen the window.
   text_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
   text_->setWordWrap(true);
-  auto* disconnect = new ActionButton(this);
-  disconnect->setObjectName(QStringLiteral("liveDisconnect"));
+  auto* disconnect = quiet(new ActionButton(this), "liveDisconnect");
   disconnect->setAction(end);
-  // A click leaves the keys where they were.
-  disconnect->setFocusPolicy(Qt::TabFocus);
   auto* row = spaced(new QHBoxLayout(this), {14, 8, 10, 8}, 10);
   addWidgets(row, {sign_, word_});
   row->addWidget(text_, 1);
