@@ -72,26 +72,22 @@ class FigureCard : public QFrame {
       setAttribute(Qt::WA_TransparentForMouseEvents);
       addWidgets(layout, {text_, value_});
     } else {
-      close_ = new QToolButton(this);
-      close_->setObjectName(QStringLiteral("closeFigures"));
-      close_->setText(QStringLiteral("×"));
-      close_->setProperty("flat", true);
-      close_->setToolTip(tr("Close this card (Esc)"));
-      close_->setAccessibleName(tr("Close the card with the figures"));
-      close_->setFocusPolicy(Qt::TabFocus);
-      connect(close_, &QToolButton::clicked, this, &FigureCard::closed);
+      auto* close = quiet(new QToolButton(this), "closeFigures");
+      close->setText(QStringLiteral("×"));
+      close->setProperty("flat", true);
+      close->setToolTip(tr("Close this card (Esc)"));
+      close->setAccessibleName(tr("Close the card with the figures"));
+      connect(close, &QToolButton::clicked, this, &FigureCard::closed);
       auto* head = new QHBoxLayout;
       head->addWidget(text_, 1, Qt::AlignTop);
-      head->addWidget(close_, 0, Qt::AlignTop);
+      head->addWidget(close, 0, Qt::AlignTop);
       layout->addLayout(head);
       layout->addWidget(value_);
       neighbors_word_ = new QLabel(tr("Neighbours"), this);
       neighbors_word_->setProperty("muted", true);
       layout->addWidget(neighbors_word_);
       neighbors_ = new QWidget(this);
-      neighbor_layout_ = new FlowLayout(neighbors_);
-      neighbor_layout_->setContentsMargins(0, 0, 0, 0);
-      neighbor_layout_->setSpacing(5);
+      spaced(new FlowLayout(neighbors_), {0, 0, 0, 0}, 5);
       layout->addWidget(neighbors_);
     }
     hide();
@@ -150,7 +146,7 @@ class FigureCard : public QFrame {
       button->setFocusPolicy(Qt::TabFocus);
       const std::size_t k = buttons_.size();
       connect(button, &QToolButton::clicked, this, [this, k] { emit neighborChosen(cells_[k]); });
-      neighbor_layout_->addWidget(button);
+      neighbors_->layout()->addWidget(button);
       buttons_.push_back(button);
     }
     cells_.clear();
@@ -180,8 +176,6 @@ class FigureCard : public QFrame {
   QLabel* value_ = new QLabel;
   QLabel* neighbors_word_ = nullptr;
   QWidget* neighbors_ = nullptr;
-  FlowLayout* neighbor_layout_ = nullptr;
-  QToolButton* close_ = nullptr;
   std::vector<QToolButton*> buttons_;
   std::vector<CellId> cells_;
 };

@@ -139,20 +139,17 @@ class StepPanel::Row : public QWidget {
       : QWidget(parent),
         head_(new StepHead(number, this)),
         body_(new QFrame(this)),
-        what_(new QLabel(body_)),
-        why_(new QLabel(body_)),
-        because_(new QLabel(body_)),
+        what_(paragraph("stepWhat", body_)),
+        why_(paragraph("stepWhy", body_)),
+        because_(paragraph("stepBecause", body_)),
         content_(new QVBoxLayout),
         buttons_(new FlowLayout) {
     setObjectName(QStringLiteral("step%1").arg(number));
     head_->setObjectName(QStringLiteral("stepHead%1").arg(number));
     body_->setProperty("stepBody", true);
-    setPlainParagraph(what_);
     what_->setProperty("stepWhat", true);
-    setPlainParagraph(why_);
     why_->setProperty("muted", true);
     because_->setObjectName(QStringLiteral("stepBecause%1").arg(number));
-    setPlainParagraph(because_);
     auto* body = spaced(new QVBoxLayout(body_), {kMargin + 6, 2, kMargin, 14}, 8);
     addWidgets(body, {what_, why_, because_});
     body->addLayout(content_);
@@ -170,8 +167,7 @@ class StepPanel::Row : public QWidget {
     because_->setText(readinessInWords(step.readiness).arg(step.because));
     because_->setVisible(!step.because.isEmpty());
     while (buttons_shown_.size() < step.actions.size()) {
-      auto* button = new ActionButton(body_);
-      button->setFocusPolicy(Qt::TabFocus);
+      auto* button = quiet(new ActionButton(body_), "stepButton");
       buttons_->addWidget(button);
       buttons_shown_.push_back(button);
       const QMargins margins = body_->layout()->contentsMargins();
@@ -212,15 +208,12 @@ StepPanel::StepPanel(QWidget* parent) : QScrollArea(parent), layout_(nullptr) {
   scrollPlainly(this);
   auto* content = new QWidget;
   content->setObjectName(QStringLiteral("stepContent"));
-  layout_ = new QVBoxLayout(content);
-  layout_->setContentsMargins(0, 4, 0, 4);
-  layout_->setSpacing(0);
+  layout_ = spaced(new QVBoxLayout(content), {0, 4, 0, 4}, 0);
   layout_->addStretch(1);
   // It scrolls up and down only, and is as wide as its place, whatever is in it.
   content->setMinimumWidth(1);
   setWidget(content);
-  make_room_.setSingleShot(true);
-  connect(&make_room_, &QTimer::timeout, this, [this] {
+  setUpOnce(make_room_, 0, this, [this] {
     // An operator who has scrolled meanwhile stays there, and so does one who is at another heading by the keyboard.
     if (verticalScrollBar()->value() == placed_at_ && !isFocusElsewhere()) makeRoom();
   });
