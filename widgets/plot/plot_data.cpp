@@ -55,8 +55,7 @@ void addLinks(const Reconstruction& reconstruction, PlotData& data) {
     for (const LinkEstimate& link : patch.links) {
       if (!link.used) continue;
       const auto y = data.choice.is_histogram ? 0 : valueOf(data.choice.y, link);
-      const auto [first, second] = std::minmax(link.source, link.target);
-      addPoint(data, {link.source.cell, Selection::Link(first, second)}, valueOf(data.choice.x, link), y);
+      addPoint(data, {link.source.cell, Selection::linkOf(link.source, link.target)}, valueOf(data.choice.x, link), y);
     }
   }
 }

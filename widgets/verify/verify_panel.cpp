@@ -399,11 +399,7 @@ void VerifyPanel::showHoldOutFigures() {
   const bool any = hold_out_result_ && !hold_out_result_->cells.empty();
   by_cell_->setVisible(any);
   by_link_->setVisible(any);
-  if (!any) {
-    hold_out_->setFigures({});
-  } else {
-    hold_out_->setFigures(by_link_->isChecked() ? holdOutLinks(*hold_out_result_) : holdOutCells(*hold_out_result_));
-  }
+  hold_out_->setFigures(any ? holdOutFigures(*hold_out_result_, by_link_->isChecked()) : VerifyFigures());
 }
 
 void VerifyPanel::showLoops(const std::vector<FoundLoop>& loops) {
