@@ -59,37 +59,25 @@ class ResidualMatrixDelegate : public QStyledItemDelegate {
 };
 
 /// The colours with what they mean.
-class ResidualLegend : public QWidget {
- public:
-  ResidualLegend() {
-    setAccessibleName(ResidualView::tr("Colours: residual from 0 to %1 degrees and more").arg(scaleEnd_deg()));
-    setToolTip(accessibleName());
+QWidget* makeLegend() {
+  constexpr int kBar = 96;
+  auto* legend = new QWidget;
+  legend->setAccessibleName(ResidualView::tr("Colours: residual from 0 to %1 degrees and more").arg(scaleEnd_deg()));
+  legend->setToolTip(legend->accessibleName());
+  QPixmap colors(kBar, legend->fontMetrics().height() / 2);
+  QPainter painter(&colors);
+  for (int x = 0; x < kBar; ++x) {
+    painter.fillRect(QRect(x, 0, 1, colors.height()), viridis(static_cast<double>(x) / (kBar - 1)));
   }
-  [[nodiscard]] QSize sizeHint() const override {
-    const QFontMetrics metrics(font());
-    return {metrics.horizontalAdvance(left() + right()) + kBar + 12, metrics.height() + 2};
-  }
-
- protected:
-  void paintEvent(QPaintEvent*) override {
-    QPainter painter(this);
-    const QFontMetrics metrics(font());
-    const int bar_left = metrics.horizontalAdvance(left()) + 6;
-    const int bar_height = metrics.height() / 2;
-    const int top = (height() - bar_height) / 2;
-    for (int x = 0; x < kBar; ++x) {
-      painter.fillRect(QRect(bar_left + x, top, 1, bar_height), viridis(static_cast<double>(x) / (kBar - 1)));
-    }
-    painter.setPen(palette().color(QPalette::PlaceholderText));
-    painter.drawText(QRect(0, 0, bar_left, height()), Qt::AlignLeft | Qt::AlignVCenter, left());
-    painter.drawText(QRect(bar_left + kBar + 6, 0, width(), height()), Qt::AlignLeft | Qt::AlignVCenter, right());
-  }
-
- private:
-  static constexpr int kBar = 96;
-  static QString left() { return ResidualView::tr("Residual 0°"); }
-  static QString right() { return ResidualView::tr("≥ %1°").arg(scaleEnd_deg()); }
-};
+  painter.end();
+  auto* bar = new QLabel;
+  bar->setPixmap(colors);
+  auto* left = new QLabel(ResidualView::tr("Residual 0°"));
+  auto* right = new QLabel(ResidualView::tr("≥ %1°").arg(scaleEnd_deg()));
+  for (QLabel* label : {left, right}) label->setProperty("muted", true);
+  addWidgets(spaced(new QHBoxLayout(legend), {0, 0, 0, 0}, 6), {left, bar, right});
+  return legend;
+}
 
 }  // namespace
 
@@ -99,7 +87,7 @@ ResidualView::ResidualView(Selection* selection, QWidget* parent)
       table_(new ResidualTable(this)),
       sorted_(new SortedTable(table_, this)),
       plots_(new ResidualPlots(selection)),
-      legend_(new ResidualLegend) {
+      legend_(makeLegend()) {
   setNames(matrix_, QStringLiteral("residualMatrix"), tr("Residuals per link and pose"));
   matrix_->setModel(sorted_);
   matrix_->setItemDelegate(new ResidualMatrixDelegate(matrix_));
