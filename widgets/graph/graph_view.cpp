@@ -17,6 +17,7 @@
 #include <QWheelEvent>
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <utility>
 
 namespace hexoderm {
@@ -28,28 +29,8 @@ constexpr QSize kLeastForButton(220, 150);
 /// A larger skin takes long to draw.
 constexpr std::size_t kMostCellsAtOnce = 300;
 
-QPointF positionIn(const QMouseEvent& event) {
-#if QT_VERSION >= QT_VERSION_CHECK(6, 0, 0)
-  return event.position();
-#else
-  return event.localPos();
-#endif
-}
-
-std::optional<QPointF> arrowDirection(int key) {
-  switch (key) {
-    case Qt::Key_Left:
-      return QPointF(-1, 0);
-    case Qt::Key_Right:
-      return QPointF(1, 0);
-    case Qt::Key_Up:
-      return QPointF(0, 1);
-    case Qt::Key_Down:
-      return QPointF(0, -1);
-    default:
-      return std::nullopt;
-  }
-}
+const std::map<int, QPointF> kArrows = {
+    {Qt::Key_Left, {-1, 0}}, {Qt::Key_Right, {1, 0}}, {Qt::Key_Up, {0, 1}}, {Qt::Key_Down, {0, -1}}};
 
 }  // namespace
 
@@ -154,11 +135,6 @@ void GraphView::recolor() {
   const auto fixed = ranges_ == nullptr ? std::nullopt : ranges_->fixed(coloring());
   paint_ = std::make_shared<const GraphPaint>(paintOf(*scene_, coloring(), themeOf(palette()), fixed));
   arrange();
-  if (follows_size_) {
-    fit();
-  } else {
-    repaintSheet();
-  }
 }
 
 void GraphView::arrange() {
@@ -172,6 +148,11 @@ void GraphView::arrange() {
   if (scene_->patches().size() > 1) neighbors.caption_height_px = fontMetrics().height() + 2.0;
   fit_ = GraphFit(*scene_, size(), neighbors);
   button_->move(fit_.buttonPlace());
+  if (follows_size_) {
+    fit();
+  } else {
+    repaintSheet();
+  }
 }
 
 void GraphView::fit() {
@@ -255,7 +236,7 @@ void GraphView::hover(const GraphHit& hit) {
 
 void GraphView::showMenu(const GraphHit& hit, const QPoint& global_position) {
   if (scene_->cells().empty()) return;
-  if (!hit.isNothing()) pickHit(*scene_, hit, *selection_);
+  if (!hit.isNothing()) pickHit(*scene_, hit, *selection_, false);
   auto* menu = new QMenu(this);
   menu->setObjectName(QStringLiteral("graphMenu"));
   menu->setAttribute(Qt::WA_DeleteOnClose);
@@ -351,11 +332,6 @@ bool GraphView::event(QEvent* event) {
 void GraphView::resizeEvent(QResizeEvent* event) {
   camera_.size = size();
   arrange();
-  if (follows_size_) {
-    fit();
-  } else {
-    repaintSheet();
-  }
   QWidget::resizeEvent(event);
 }
 
@@ -367,18 +343,17 @@ void GraphView::wheelEvent(QWheelEvent* event) {
 
 void GraphView::mousePressEvent(QMouseEvent* event) {
   if (event->button() != Qt::LeftButton && event->button() != Qt::MiddleButton) return;
-  pressed_at_ = positionIn(*event).toPoint();
-  last_mouse_ = positionIn(*event);
+  pressed_at_ = last_mouse_ = event->pos();
 }
 
 void GraphView::mouseMoveEvent(QMouseEvent* event) {
-  const QPointF position = positionIn(*event);
+  const QPoint position = event->pos();
   if (!pressed_at_) {
     hover(hitAt(*scene_, camera_, position));
     return;
   }
   if (!is_panning_) {
-    if ((position.toPoint() - *pressed_at_).manhattanLength() < QApplication::startDragDistance()) return;
+    if ((position - *pressed_at_).manhattanLength() < QApplication::startDragDistance()) return;
     if (scene_->cells().empty()) return;
     is_panning_ = true;
     hover({});
@@ -395,7 +370,7 @@ void GraphView::mouseReleaseEvent(QMouseEvent* event) {
   if (is_panning_) {
     unsetCursor();
   } else if (event->button() == Qt::LeftButton) {
-    pickHit(*scene_, hitAt(*scene_, camera_, positionIn(*event)), *selection_);
+    pickHit(*scene_, hitAt(*scene_, camera_, event->pos()), *selection_, false);
   }
   pressed_at_.reset();
   is_panning_ = false;
@@ -403,15 +378,9 @@ void GraphView::mouseReleaseEvent(QMouseEvent* event) {
 
 void GraphView::mouseDoubleClickEvent(QMouseEvent* event) {
   if (event->button() != Qt::LeftButton) return;
-  const GraphHit hit = hitAt(*scene_, camera_, positionIn(*event));
-  if (hit.cell) {
-    selection_->seekCell(scene_->cells()[*hit.cell].id);
-  } else if (hit.link) {
-    const LinkEstimate& link = *scene_->links()[*hit.link].estimate;
-    selection_->seekLink(link.source, link.target);
-  } else {
-    fit();
-  }
+  const GraphHit hit = hitAt(*scene_, camera_, event->pos());
+  if (hit.isNothing()) return fit();
+  pickHit(*scene_, hit, *selection_, true);
 }
 
 void GraphView::contextMenuEvent(QContextMenuEvent* event) {
@@ -436,8 +405,9 @@ void GraphView::keyPressEvent(QKeyEvent* event) {
     findCell();
   } else if (event->modifiers() & (Qt::ControlModifier | Qt::AltModifier | Qt::MetaModifier)) {
     QWidget::keyPressEvent(event);
-  } else if (const auto direction = arrowDirection(event->key())) {
-    if (const auto next = cellToward(*scene_, picked(), *direction)) selection_->selectCell(scene_->cells()[*next].id);
+  } else if (const auto arrow = kArrows.find(event->key()); arrow != kArrows.end()) {
+    if (const auto next = cellToward(*scene_, picked(), arrow->second))
+      selection_->selectCell(scene_->cells()[*next].id);
   } else if (event->key() == Qt::Key_F) {
     fit();
   } else if (event->key() == Qt::Key_Plus || event->key() == Qt::Key_Equal) {

@@ -132,7 +132,7 @@ class GraphView : public QWidget {
 
   GraphHit hovered_;
   std::optional<QPoint> pressed_at_;
-  QPointF last_mouse_;
+  QPoint last_mouse_;
   bool is_panning_ = false;
   bool shows_focus_ = false;  ///< the keyboard focus came by keyboard
 };

@@ -18,6 +18,7 @@
 #include <QToolTip>
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -115,10 +116,14 @@ class PlotPointing : public QObject {
 
  private:
   static constexpr double kNear_px = 10;  // from a point at which the mouse still means it
+  static std::vector<std::size_t> allOf(const PlotData& data) {
+    std::vector<std::size_t> points(data.points.size());
+    std::iota(points.begin(), points.end(), std::size_t{0});
+    return points;
+  }
   /// Indices of the points, ordered along or up the plot; equal ones stay in the order of their IDs.
   static std::vector<std::size_t> ordered(const PlotData& data, bool by_height) {
-    std::vector<std::size_t> order(data.points.size());
-    for (std::size_t k = 0; k < order.size(); ++k) order[k] = k;
+    std::vector<std::size_t> order = allOf(data);
     std::ranges::stable_sort(order, {}, [&](std::size_t k) { return by_height ? data.points[k].y : data.points[k].x; });
     return order;
   }
@@ -194,9 +199,7 @@ class PlotPointing : public QObject {
 
   bool onKey(const QKeyEvent& event) {
     if (event.matches(QKeySequence::SelectAll)) {
-      std::vector<std::size_t> all(data_.points.size());
-      for (std::size_t k = 0; k < all.size(); ++k) all[k] = k;
-      brushPoints(all, false);
+      brushPoints(allOf(data_), false);
       return true;
     }
     if (event.key() == Qt::Key_Escape && (!selection_.brushed().empty() || selection_.cell() || selection_.link())) {
@@ -293,7 +296,7 @@ class PlotPointing : public QObject {
     const auto placeOf = [&](std::size_t point) {
       return static_cast<std::size_t>(std::ranges::find(order, point) - order.begin());
     };
-    const std::optional<std::size_t> picked = pickedPoint();
+    const std::optional<std::size_t> picked = data_.pickedIn(selection_);
     const std::optional<std::size_t> place = picked ? std::optional(placeOf(*picked)) : std::nullopt;
     const std::size_t next = *nextPlace(key, place, order.size());
     if (!extends || !anchor_) anchor_ = picked && extends ? *picked : order[next];
@@ -316,15 +319,6 @@ class PlotPointing : public QObject {
     }
     brushPoints(inside, false);
     emit binReached(bin_);
-  }
-
-  /// The point that is picked, if it is shown.
-  [[nodiscard]] std::optional<std::size_t> pickedPoint() const {
-    for (std::size_t k = 0; k < data_.points.size(); ++k) {
-      const PlotPoint& point = data_.points[k];
-      if (point.link ? selection_.link() == point.link : selection_.cell() == point.cell) return k;
-    }
-    return std::nullopt;
   }
 
   QwtPlot* plot_;

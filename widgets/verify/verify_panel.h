@@ -93,6 +93,7 @@ class VerifyPanel : public QWidget {
   void refreshControls();
   [[nodiscard]] std::size_t otherPoses() const;
   void showHoldOutFigures();
+  void forget(VerifyCheck check);
 
   std::shared_ptr<const Reconstruction> reconstruction_;
   QString awaited_;
