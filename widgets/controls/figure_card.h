@@ -9,7 +9,6 @@
 #include <QFrame>
 #include <QHBoxLayout>
 #include <QLabel>
-#include <QPainter>
 #include <QPoint>
 #include <QRect>
 #include <QString>
@@ -61,6 +60,7 @@ class FigureCard : public QFrame {
 
   explicit FigureCard(Kind kind, QWidget* parent) : QFrame(parent), kind_(kind) {
     setObjectName(kind == Kind::Passing ? QStringLiteral("hoverCard") : QStringLiteral("figureCard"));
+    setProperty("notice", true);
     for (QLabel* label : {value_, text_}) {
       label->setWordWrap(true);
       label->setTextFormat(Qt::RichText);
@@ -125,15 +125,6 @@ class FigureCard : public QFrame {
   void changeEvent(QEvent* event) override {
     QFrame::changeEvent(event);
     if (event->type() == QEvent::PaletteChange) write();
-  }
-
-  void paintEvent(QPaintEvent* /*event*/) override {
-    const Colors& colors = Colors::of(palette());
-    QPainter painter(this);
-    painter.setRenderHint(QPainter::Antialiasing);
-    painter.setPen(QPen(colors.text_muted, 1));
-    painter.setBrush(colors.panel);
-    painter.drawRoundedRect(QRectF(rect()).adjusted(0.5, 0.5, -0.5, -0.5), 6, 6);
   }
 
  private:

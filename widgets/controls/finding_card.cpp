@@ -23,6 +23,7 @@ FindingCard::FindingCard(QWidget* parent)
       buttons_(new QWidget(details_)),
       button_layout_(spaced(new FlowLayout(buttons_), {0, 0, 0, 0}, 6)) {
   setObjectName(QStringLiteral("findingCard"));
+  setProperty("card", true);
   severity_->setObjectName(QStringLiteral("findingSeverity"));
   makeBold(severity_);
   where_->setProperty("muted", true);
@@ -96,17 +97,13 @@ void FindingCard::setUnfolded(bool unfolded) {
 bool FindingCard::isUnfolded() const { return !details_->isHidden(); }
 
 /// A stripe on the left in the colour of the severity, which the word says too.
-void FindingCard::paintEvent(QPaintEvent* /*event*/) {
-  const Colors& colors = Colors::of(palette());
+void FindingCard::paintEvent(QPaintEvent* event) {
+  QFrame::paintEvent(event);
   QPainter painter(this);
   painter.setRenderHint(QPainter::Antialiasing);
-  painter.setPen(QPen(colors.border, 1));
-  painter.setBrush(colors.panel);
-  const QRectF card = QRectF(rect()).adjusted(0.5, 0.5, -0.5, -0.5);
-  painter.drawRoundedRect(card, 6, 6);
   painter.setPen(Qt::NoPen);
   painter.setBrush(toneColor(toneOf(finding_.severity), themeOf(palette())));
-  painter.drawRoundedRect(QRectF(card.left() + 4, card.top() + 8, 3, card.height() - 16), 1.5, 1.5);
+  painter.drawRoundedRect(QRectF(4.5, 8.5, 3, height() - 17), 1.5, 1.5);
 }
 
 FindingCards::FindingCards(const QString& object_name, QWidget* parent) : QWidget(parent) {

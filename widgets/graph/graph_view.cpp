@@ -28,6 +28,7 @@ constexpr double kKeyZoom = 1.25;
 constexpr QSize kLeastForButton(220, 150);
 /// A larger skin takes long to draw.
 constexpr std::size_t kMostCellsAtOnce = 300;
+constexpr int kDrawAfter_ms = 1;  // 0 may be in the turn in which the window is painted
 
 const std::map<int, QPointF> kArrows = {
     {Qt::Key_Left, {-1, 0}}, {Qt::Key_Right, {1, 0}}, {Qt::Key_Up, {0, 1}}, {Qt::Key_Down, {0, -1}}};
@@ -39,7 +40,10 @@ GraphView::GraphView(Selection* selection, QWidget* parent)
       selection_(selection),
       finder_(new FindCellField([this](CellId id) { return scene_->indexOf(id).has_value(); }, this)),
       button_(new GraphColoringButton(this)),
-      sheet_(this, [this](QPainter& painter) { picture().draw(painter); }) {
+      draw_soon_(kDrawAfter_ms, [this] {
+        static_cast<void>(currentSheet());
+        update();
+      }) {
   setObjectName(QStringLiteral("graphView"));
   setAccessibleName(tr("Skin graph"));
   setFocusPolicy(Qt::StrongFocus);
@@ -106,9 +110,9 @@ GraphMarks GraphView::marks() const { return {button_->marksTree(), scene_->hasM
 
 GraphPicture GraphView::picture() const { return {scene_, paint_, camera_, style(), marks(), fit_.legendArea()}; }
 
-void GraphView::drawNow() { static_cast<void>(sheet_.currentPicture()); }
+void GraphView::drawNow() { static_cast<void>(currentSheet()); }
 
-void GraphView::copyPicture() { QApplication::clipboard()->setPixmap(sheet_.currentPicture()); }
+void GraphView::copyPicture() { QApplication::clipboard()->setPixmap(currentSheet()); }
 
 GraphHit GraphView::picked() const { return pickedIn(*scene_, *selection_); }
 
@@ -208,7 +212,26 @@ void GraphView::showFigures() {
   QToolTip::showText(mapToGlobal(camera_.toScreen(*middle).toPoint()), toolTipOf(*scene_, picked()), this);
 }
 
-void GraphView::repaintSheet() { sheet_.invalidate(scene_->cells().size() > kMostCellsAtOnce); }
+void GraphView::repaintSheet() {
+  is_sheet_current_ = false;
+  if (scene_->cells().size() > kMostCellsAtOnce && !sheet_.isNull()) {
+    draw_soon_.start();
+  } else {
+    update();
+  }
+}
+
+const QPixmap& GraphView::currentSheet() {
+  const double ratio = devicePixelRatioF();
+  const QSize pixels = (QSizeF(size()) * ratio).toSize();
+  if (is_sheet_current_ && sheet_.size() == pixels) return sheet_;
+  if (sheet_.size() != pixels) sheet_ = QPixmap(pixels);
+  sheet_.setDevicePixelRatio(ratio);
+  QPainter painter(&sheet_);
+  picture().draw(painter);
+  is_sheet_current_ = true;
+  return sheet_;
+}
 
 // --- pointing and picking ---
 
@@ -290,7 +313,7 @@ QRect GraphView::regionOf(const GraphHit& hit) const {
 }
 
 void GraphView::paintEvent(QPaintEvent* event) {
-  const QPixmap& sheet = sheet_.picture();
+  const QPixmap& sheet = draw_soon_.isActive() ? sheet_ : currentSheet();
   QPainter painter(this);
   const double ratio = sheet.devicePixelRatioF();
   const QRect covered(QPoint(0, 0), (QSizeF(sheet.size()) / ratio).toSize());
