@@ -131,9 +131,6 @@ TEST_P(PaletteOfTheme, StrokesDifferInStyleAndWordNotOnlyInHue) {
   }
   EXPECT_EQ(styles.size(), 4u);
   EXPECT_EQ(words.size(), 4u);
-  EXPECT_EQ(linkStroke(EdgeQuality::Undefined, GetParam()).style, Qt::DotLine);
-  EXPECT_EQ(linkStroke(EdgeQuality::Partially, GetParam()).style, Qt::DashLine);
-  EXPECT_TRUE(linkStroke(EdgeQuality::Over, GetParam()).doubled);
 }
 
 TEST_P(PaletteOfTheme, QtPaletteCarriesTheColours) {
