@@ -31,10 +31,10 @@ constexpr double kLargestSentence = 3.0;
 constexpr double kSmallestAtLines = 24;  // width, in line heights, up to which it is the smallest
 constexpr double kSideBySideAtLines = 40;
 
-/// Setting what is there already would lay everything out anew, twenty times a second.
+/// What is there already is not laid out anew, twenty times a second.
 void showIfAny(QLabel* label, const QString& text) {
-  if (label->text() != text) label->setText(text);
-  if (label->isHidden() != text.isEmpty()) label->setVisible(!text.isEmpty());
+  label->setText(text);
+  label->setVisible(!text.isEmpty());
 }
 
 QWidget* makeSwitch(QAction* automatic) {

@@ -186,15 +186,9 @@ void StillnessView::refresh() {
   refresh_soon_.stop();
   if (!isVisible()) return;
   const bool empty = trace_.points().empty();
-  if (nothing_->isHidden() == empty) {
-    nothing_->setVisible(empty);
-    strip_->setVisible(!empty);
-  }
-  const QString text = header();
-  if (header_->text() != text) {
-    header_->setText(text);
-    header_->setAccessibleName(text);
-  }
+  nothing_->setVisible(empty);
+  strip_->setVisible(!empty);
+  header_->setText(header());
   strip_->update();
 }
 

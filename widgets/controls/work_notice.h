@@ -30,7 +30,7 @@ class WorkNotice : public QFrame {
 
   /// `done` of `total` parts; a total below 2: nobody knows how far it is.
   void showWork(const QString& what, int done, int total) {
-    if (text_->text() != what) text_->setText(what);
+    text_->setText(what);
     const int most = total < 2 ? 0 : total;
     if (bar_->maximum() != most) bar_->setRange(0, most);
     if (most > 0) bar_->setValue(done);

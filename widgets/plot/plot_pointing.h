@@ -1,9 +1,8 @@
 #pragma once
 
-#include "widgets/plot/plot_data.h"
+#include "widgets/plot/plot_items.h"
 #include "widgets/words/formatting.h"
 
-#include <qwt_plot.h>
 #include <qwt_plot_canvas.h>
 #include <qwt_scale_map.h>
 
@@ -23,8 +22,6 @@
 #include <utility>
 #include <vector>
 
-class QwtPlot;
-
 namespace hexoderm {
 
 /// Mouse and keyboard on a plot's canvas: what is under the mouse, picking, and brushing.
@@ -38,10 +35,10 @@ class PlotPointing : public QObject {
 
  public:
   /// All outlive this.
-  PlotPointing(QwtPlot* plot, const PlotData& data, Selection& selection, QObject* parent = nullptr)
-      : QObject(parent),
-        plot_(plot),
+  PlotPointing(QwtPlot* plot, const PlotData& data, PlotPicture::Marks& marks, Selection& selection)
+      : plot_(plot),
         data_(data),
+        marks_(marks),
         selection_(selection),
         band_(new QRubberBand(QRubberBand::Rectangle, plot->canvas())) {
     plot->canvas()->installEventFilter(this);
@@ -50,7 +47,8 @@ class PlotPointing : public QObject {
   /// Other data is shown.
   void restart() {
     anchor_.reset();
-    bin_.reset();
+    marks_.bin.reset();
+    marks_.hovered.reset();
     pressed_at_.reset();
     band_->hide();
   }
@@ -83,10 +81,6 @@ class PlotPointing : public QObject {
     return text;
   }
 
- signals:
-  void pointedAt(const std::optional<std::size_t>& point);
-  void binReached(const std::optional<std::size_t>& bin);
-
  protected:
   bool eventFilter(QObject* /*watched*/, QEvent* event) override {
     switch (event->type()) {
@@ -102,7 +96,7 @@ class PlotPointing : public QObject {
         if (static_cast<QKeyEvent*>(event)->matches(QKeySequence::SelectAll)) event->accept();
         return false;
       case QEvent::Leave:
-        emit pointedAt(std::nullopt);
+        mark(marks_.hovered, std::nullopt);
         return false;
       case QEvent::ToolTip: {
         const auto* help = static_cast<QHelpEvent*>(event);
@@ -147,6 +141,10 @@ class PlotPointing : public QObject {
     }
   }
 
+  void mark(std::optional<std::size_t>& which, std::optional<std::size_t> place) {
+    if (std::exchange(which, place) != place) plot_->replot();
+  }
+
   bool onPress(const QMouseEvent& event) {
     if (event.button() != Qt::LeftButton) return false;
     pressed_at_ = event.pos();
@@ -155,13 +153,13 @@ class PlotPointing : public QObject {
 
   bool onMove(const QMouseEvent& event) {
     if (!pressed_at_) {
-      emit pointedAt(nearest(event.pos()));
+      mark(marks_.hovered, nearest(event.pos()));
       return false;
     }
     if (!band_->isVisible() && (event.pos() - *pressed_at_).manhattanLength() < QApplication::startDragDistance()) {
       return true;
     }
-    emit pointedAt(std::nullopt);
+    mark(marks_.hovered, std::nullopt);
     band_->setGeometry(QRect(*pressed_at_, event.pos()).normalized());
     band_->show();
     return true;
@@ -188,9 +186,9 @@ class PlotPointing : public QObject {
     } else if (const auto bin = binAt(event.pos())) {
       const double left = plot_->transform(QwtPlot::xBottom, data_.bins[*bin].lower);
       const double right = plot_->transform(QwtPlot::xBottom, data_.bins[*bin].upper);
-      bin_ = anchor_ = bin;
+      anchor_ = bin;
       brushArea(QRectF(left, 0, right - left, 1), adds);
-      emit binReached(bin_);
+      mark(marks_.bin, bin);
     } else {
       selection_.clear();
     }
@@ -309,25 +307,25 @@ class PlotPointing : public QObject {
   }
 
   void goThroughBins(int key, bool extends) {
-    bin_ = nextPlace(key, bin_, data_.bins.size());
-    if (!extends || !anchor_) anchor_ = bin_;
-    const auto [from, to] = std::minmax(*anchor_, *bin_);
+    const std::size_t next = *nextPlace(key, marks_.bin, data_.bins.size());
+    if (!extends || !anchor_) anchor_ = next;
+    const auto [from, to] = std::minmax(*anchor_, next);
     std::vector<std::size_t> inside;
     for (std::size_t k = 0; k < data_.points.size(); ++k) {
       const auto bin = binOf(data_.bins, data_.points[k].x);
       if (bin && *bin >= from && *bin <= to) inside.push_back(k);
     }
     brushPoints(inside, false);
-    emit binReached(bin_);
+    mark(marks_.bin, next);
   }
 
   QwtPlot* plot_;
   const PlotData& data_;
+  PlotPicture::Marks& marks_;
   Selection& selection_;
   QRubberBand* band_;
   std::optional<QPoint> pressed_at_;
   std::optional<std::size_t> anchor_;  ///< place in the order along, or bin, from which Shift extends
-  std::optional<std::size_t> bin_;
 };
 
 }  // namespace hexoderm

@@ -2,7 +2,6 @@
 
 #include "widgets/coloring/coloring_words.h"
 #include "widgets/controls/panel_parts.h"
-#include "widgets/plot/plot_items.h"
 #include "widgets/plot/plot_pointing.h"
 #include "widgets/style/dressed_theme.h"
 #include "widgets/style/palette.h"
@@ -95,14 +94,14 @@ struct PlotView::Parts : public QObject {
   QwtPlotGrid* grid = new QwtPlotGrid;
   PlotPicture* picture = new PlotPicture;
   QLabel* summary = paragraph("plotSummary");
-  PlotPointing* pointing = nullptr;
+  PlotPointing pointing{plot, data, marks, *selection};
   QTimer readings_soon;
 
   void build() {
     plot->setObjectName(QStringLiteral("figurePlot"));
     plot->setAutoReplot(false);
     plot->setMinimumSize(120, 60);
-    auto* canvas = new QwtPlotCanvas(plot);
+    auto* canvas = static_cast<QwtPlotCanvas*>(plot->canvas());
     canvas->setFrameStyle(QFrame::NoFrame);
     canvas->setFocusIndicator(QwtPlotCanvas::CanvasFocusIndicator);
     canvas->setFocusPolicy(Qt::StrongFocus);
@@ -110,7 +109,6 @@ struct PlotView::Parts : public QObject {
     canvas->setBackgroundRole(QPalette::Base);
     plot->setToolTip(PlotView::tr("Drag a rectangle to mark cells in all views, or use the arrow keys with Shift"));
     canvas->setMouseTracking(true);
-    plot->setCanvas(canvas);
     view->setFocusProxy(canvas);
     for (const int axis : {QwtPlot::xBottom, QwtPlot::yLeft}) {
       plot->setAxisScaleDraw(axis, new PlotScale);
@@ -134,13 +132,6 @@ struct PlotView::Parts : public QObject {
     for (QComboBox* box : {subject_box, x_box, y_box}) {
       connect(box, qOverload<int>(&QComboBox::currentIndexChanged), this, [this] { takeBoxes(); });
     }
-    pointing = new PlotPointing(plot, data, *selection, this);
-    connect(pointing, &PlotPointing::pointedAt, this, [this](const std::optional<std::size_t>& point) {
-      if (std::exchange(marks.hovered, point) != point) plot->replot();
-    });
-    connect(pointing, &PlotPointing::binReached, this, [this](const std::optional<std::size_t>& bin) {
-      if (std::exchange(marks.bin, bin) != bin) plot->replot();
-    });
     setUpOnce(readings_soon, kReadingsEvery_ms, this, [this] {
       if (view->isVisible()) refresh();
     });
@@ -210,9 +201,7 @@ struct PlotView::Parts : public QObject {
     if (!std::exchange(has_figures, true)) figures = reconstruction ? makeCellFigures(*reconstruction) : CellFigures();
     fillBoxes();
     data = makePlotData(reconstruction.get(), figures, readings, choice);
-    marks.hovered.reset();
-    marks.bin.reset();
-    pointing->restart();
+    pointing.restart();
     if (choice.is_histogram) {
       const auto fullest = std::ranges::max_element(data.bins, {}, &ValueBin::count);
       const double most = fullest == data.bins.end() ? 1 : static_cast<double>(fullest->count);
@@ -239,7 +228,7 @@ struct PlotView::Parts : public QObject {
       marks.brushed[k] = std::ranges::all_of(data.cellsOf(data.points[k]), isBrushed);
     }
     marks.picked = data.pickedIn(*selection);
-    if (marks.picked) marks.picked_word = pointing->nameOf(*marks.picked);
+    if (marks.picked) marks.picked_word = pointing.nameOf(*marks.picked);
     summarise();
     plot->replot();
   }
@@ -255,7 +244,7 @@ struct PlotView::Parts : public QObject {
       if (data.unknown > 0) text += QStringLiteral(" · ") + PlotView::tr("%1 without a value").arg(data.unknown);
     }
     summary->setText(text);
-    plot->canvas()->setAccessibleDescription(marks.picked ? pointing->describe(*marks.picked) : text);
+    plot->canvas()->setAccessibleDescription(marks.picked ? pointing.describe(*marks.picked) : text);
   }
 
   /// Gathers the data anew, now or when the plot is shown.
@@ -323,7 +312,7 @@ const PlotData& PlotView::data() const { return parts_->data; }
 
 QwtPlot* PlotView::plot() const { return parts_->plot; }
 
-QPoint PlotView::positionOf(std::size_t point) const { return parts_->pointing->positionOf(point).toPoint(); }
+QPoint PlotView::positionOf(std::size_t point) const { return parts_->pointing.positionOf(point).toPoint(); }
 
 QSize PlotView::sizeHint() const { return {36 * fontMetrics().averageCharWidth(), 16 * fontMetrics().height()}; }
 QSize PlotView::minimumSizeHint() const { return {24 * fontMetrics().averageCharWidth(), 10 * fontMetrics().height()}; }
