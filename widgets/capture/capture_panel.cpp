@@ -31,12 +31,6 @@ constexpr double kLargestSentence = 3.0;
 constexpr double kSmallestAtLines = 24;  // width, in line heights, up to which it is the smallest
 constexpr double kSideBySideAtLines = 40;
 
-/// What is there already is not laid out anew, twenty times a second.
-void showIfAny(QLabel* label, const QString& text) {
-  label->setText(text);
-  label->setVisible(!text.isEmpty());
-}
-
 QWidget* makeSwitch(QAction* automatic) {
   auto* toggle = quiet(new ToggleSwitch, "captureAutomatic");
   QObject::connect(toggle, &QCheckBox::clicked, automatic, [automatic] { automatic->trigger(); });

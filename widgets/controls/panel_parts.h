@@ -1,7 +1,9 @@
 #pragma once
 
+#include <QButtonGroup>
 #include <QComboBox>
 #include <QGridLayout>
+#include <QHBoxLayout>
 #include <QHeaderView>
 #include <QLabel>
 #include <QMargins>
@@ -9,6 +11,7 @@
 #include <QString>
 #include <QTableView>
 #include <QTimer>
+#include <QToolButton>
 #include <initializer_list>
 
 namespace hexoderm {
@@ -53,6 +56,23 @@ inline QLabel* paragraph(const char* name, QWidget* parent = nullptr) {
   label->setObjectName(QLatin1String(name));
   setPlainParagraph(label);
   return label;
+}
+
+/// Hidden without a text. What is there already is not laid out anew.
+inline void showIfAny(QLabel* label, const QString& text) {
+  label->setText(text);
+  label->setVisible(!text.isEmpty());
+}
+
+/// One of several buttons in a row, of which one is pressed.
+inline QToolButton* addChoice(QButtonGroup* group, QHBoxLayout* row, const char* name, const QString& text) {
+  auto* button = new QToolButton;
+  button->setObjectName(QLatin1String(name));
+  button->setText(text);
+  button->setCheckable(true);
+  group->addButton(button);
+  row->addWidget(button);
+  return button;
 }
 
 /// A button of this name that the keyboard reaches, and that leaves the keys where they were when it is clicked.

@@ -44,11 +44,10 @@ class StepHead : public QAbstractButton {
     setSizePolicy(policy);
   }
 
-  void set(const Step& step, bool last_known_open) {
+  void set(const Step& step) {
     title_ = step.title;
     note_ = step.note;
     state_ = step.state;
-    open_ = last_known_open;
     setAccessibleName(StepPanel::tr("Step %1, %2: %3").arg(number_).arg(title_, stateInWords(state_)));
     setAccessibleDescription(note_);
     updateGeometry();
@@ -159,20 +158,17 @@ class StepPanel::Row : public QWidget {
   }
 
   void set(const Step& step) {
-    head_->set(step, !body_->isHidden());
-    what_->setText(unbroken(step.what));
-    what_->setVisible(!step.what.isEmpty());
-    why_->setText(step.why);
-    why_->setVisible(!step.why.isEmpty());
+    head_->set(step);
+    showIfAny(what_, unbroken(step.what));
+    showIfAny(why_, step.why);
     because_->setText(readinessInWords(step.readiness).arg(step.because));
     because_->setVisible(!step.because.isEmpty());
     while (buttons_shown_.size() < step.actions.size()) {
       auto* button = quiet(new ActionButton(body_), "stepButton");
       buttons_->addWidget(button);
       buttons_shown_.push_back(button);
-      const QMargins margins = body_->layout()->contentsMargins();
-      button->setRoom(width() - margins.left() - margins.right());
     }
+    giveRoom();
     for (std::size_t k = 0; k < buttons_shown_.size(); ++k) {
       buttons_shown_[k]->setAction(k < step.actions.size() ? step.actions[k] : nullptr);
     }
@@ -186,12 +182,16 @@ class StepPanel::Row : public QWidget {
 
  protected:
   void resizeEvent(QResizeEvent* event) override {
-    const QMargins margins = body_->layout()->contentsMargins();
-    for (ActionButton* button : buttons_shown_) button->setRoom(width() - margins.left() - margins.right());
+    giveRoom();
     QWidget::resizeEvent(event);
   }
 
  private:
+  void giveRoom() {
+    const QMargins margins = body_->layout()->contentsMargins();
+    for (ActionButton* button : buttons_shown_) button->setRoom(width() - margins.left() - margins.right());
+  }
+
   StepHead* head_;
   QFrame* body_;
   QLabel* what_;

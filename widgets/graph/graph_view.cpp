@@ -108,7 +108,7 @@ GraphStyle GraphView::style() const {
 
 GraphMarks GraphView::marks() const { return {button_->marksTree(), scene_->hasMutedLinks()}; }
 
-GraphPicture GraphView::picture() const { return {scene_, paint_, camera_, style(), marks(), fit_.legendArea()}; }
+GraphPicture GraphView::picture() const { return {scene_, paint_, camera_, style(), marks(), fit_.legend_area}; }
 
 void GraphView::drawNow() { static_cast<void>(currentSheet()); }
 
@@ -151,7 +151,7 @@ void GraphView::arrange() {
   if (has_cells) neighbors.legend = &legend;
   if (scene_->patches().size() > 1) neighbors.caption_height_px = fontMetrics().height() + 2.0;
   fit_ = GraphFit(*scene_, size(), neighbors);
-  button_->move(fit_.buttonPlace());
+  button_->move(fit_.button_place);
   if (follows_size_) {
     fit();
   } else {
@@ -160,7 +160,7 @@ void GraphView::arrange() {
 }
 
 void GraphView::fit() {
-  camera_ = fit_.camera();
+  camera_ = fit_.camera;
   follows_size_ = true;
   repaintSheet();
 }
@@ -174,7 +174,7 @@ void GraphView::moveCamera(const GraphCamera& camera) {
 void GraphView::zoom(double factor, const QPointF& about) {
   if (scene_->cells().empty()) return;
   GraphCamera zoomed = camera_;
-  zoomed.zoomTo(std::clamp(camera_.scale * factor, 0.5 * fit_.camera().scale, fit_.largestScale(*scene_)), about);
+  zoomed.zoomTo(std::clamp(camera_.scale * factor, 0.5 * fit_.camera.scale, fit_.largestScale(*scene_)), about);
   moveCamera(zoomed);
 }
 

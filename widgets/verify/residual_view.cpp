@@ -11,7 +11,6 @@
 #include "widgets/verify/residual_table.h"
 #include "widgets/words/formatting.h"
 
-#include <QButtonGroup>
 #include <QEvent>
 #include <QHBoxLayout>
 #include <QHeaderView>
@@ -118,17 +117,10 @@ QWidget* ResidualView::buildHeader() {
   auto* header = new QWidget;
   auto* row = spaced(new QHBoxLayout(header), {6, 2, 8, 2});
   auto* group = new QButtonGroup(this);
-  const auto add = [&](QToolButton* button, const QString& text, const QString& explanation, const char* name) {
-    button->setText(text);
-    button->setToolTip(explanation);
-    button->setObjectName(QLatin1String(name));
-    button->setCheckable(true);
-    group->addButton(button);
-    row->addWidget(button);
-  };
-  add(matrix_button_, tr("Matrix"), tr("Every link in every pose, as numbers and colours"), "residualMatrixButton");
-  add(plots_button_, tr("Plots"), tr("Residuals by pose, by link, and beside what was predicted"),
-      "residualPlotsButton");
+  matrix_button_ = addChoice(group, row, "residualMatrixButton", tr("Matrix"));
+  matrix_button_->setToolTip(tr("Every link in every pose, as numbers and colours"));
+  plots_button_ = addChoice(group, row, "residualPlotsButton", tr("Plots"));
+  plots_button_->setToolTip(tr("Residuals by pose, by link, and beside what was predicted"));
   connect(matrix_button_, &QToolButton::clicked, this, &ResidualView::showMatrix);
   connect(plots_button_, &QToolButton::clicked, this, &ResidualView::showPlots);
   row->addStretch();

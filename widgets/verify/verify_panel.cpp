@@ -8,7 +8,6 @@
 #include "widgets/words/surface_words.h"
 #include "widgets/words/words.h"
 
-#include <QButtonGroup>
 #include <QGridLayout>
 #include <QHBoxLayout>
 #include <QLabel>
@@ -116,17 +115,12 @@ void VerifyPanel::buildHoldOut() {
 
   QHBoxLayout* rows = hold_out_->addRow();
   auto* group = new QButtonGroup(this);
-  const auto add = [&](QToolButton* button, const QString& text, const char* name) {
-    button->setText(text);
-    button->setObjectName(QLatin1String(name));
-    button->setCheckable(true);
+  by_cell_ = addChoice(group, rows, "holdOutByCell", tr("By cell"));
+  by_link_ = addChoice(group, rows, "holdOutByLink", tr("By link"));
+  for (QToolButton* button : {by_cell_, by_link_}) {
     button->hide();
-    group->addButton(button);
-    rows->addWidget(button);
     connect(button, &QToolButton::clicked, this, &VerifyPanel::showHoldOutFigures);
-  };
-  add(by_cell_, tr("By cell"), "holdOutByCell");
-  add(by_link_, tr("By link"), "holdOutByLink");
+  }
   by_cell_->setChecked(true);
   rows->addStretch();
 }

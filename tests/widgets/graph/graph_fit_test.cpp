@@ -17,9 +17,9 @@ TEST(GraphFit, CoversNoCaptionOfAPatchWithTheButton) {
     for (int height = 200; height <= 600; height += 50) {
       const GraphFit fit(scene, QSize(width, height), {kButton, nullptr, kCaption_px});
       for (const GraphScene::Patch& patch : scene.patches()) {
-        const QRectF box = fit.camera().toScreen(patch.bounds);
+        const QRectF box = fit.camera.toScreen(patch.bounds);
         const QRectF caption(box.left(), box.top() - kCaption_px, box.width(), kCaption_px);
-        EXPECT_FALSE(caption.intersects(QRectF(fit.buttonPlace(), kButton))) << width << " x " << height;
+        EXPECT_FALSE(caption.intersects(QRectF(fit.button_place, kButton))) << width << " x " << height;
       }
     }
   }
@@ -30,8 +30,8 @@ TEST(GraphFit, TheButtonTakesNoHeightFromASkinThatLeavesAPlaceAtTheTop) {
   const GraphScene scene(sampleX17());
   const GraphFit alone(scene, kView, {});
   const GraphFit beside(scene, kView, {kButton, nullptr, 0});
-  EXPECT_EQ(beside.camera().scale, alone.camera().scale);
-  EXPECT_EQ(beside.camera().center, alone.camera().center);
+  EXPECT_EQ(beside.camera.scale, alone.camera.scale);
+  EXPECT_EQ(beside.camera.center, alone.camera.center);
 }
 
 TEST(GraphCamera, ZoomsAboutAPointAndPansNoFurtherThanNeeded) {
