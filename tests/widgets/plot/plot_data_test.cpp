@@ -100,12 +100,5 @@ TEST(PlotData, ValuesAreWrittenWithThreeDigitsAndTheirUnit) {
   EXPECT_EQ(plotValueInWords(std::nullopt, 17), QStringLiteral("17"));
 }
 
-TEST(PlotData, GoalsAreThoseOfTheAssessment) {
-  const auto limits = plotLimits(Coloring::PositionUncertainty);
-  ASSERT_EQ(limits.size(), 1U);
-  EXPECT_DOUBLE_EQ(limits[0].value, 3);
-  EXPECT_TRUE(plotLimits(Coloring::PathDistance).empty());
-}
-
 }  // namespace
 }  // namespace hexoderm
