@@ -31,17 +31,36 @@ constexpr double kLargestSentence = 3.0;
 constexpr double kSmallestAtLines = 24;  // width, in line heights, up to which it is the smallest
 constexpr double kSideBySideAtLines = 40;
 
-QLabel* wrappedLabel(const char* object_name, QWidget* parent) {
-  auto* label = new QLabel(parent);
-  label->setObjectName(QLatin1String(object_name));
-  setPlainParagraph(label);
-  return label;
+QWidget* makeSwitch(QAction* automatic) {
+  auto* toggle = quiet(new ToggleSwitch, "captureAutomatic");
+  QObject::connect(toggle, &QCheckBox::clicked, automatic, [automatic] { automatic->trigger(); });
+  const auto follow = [toggle, automatic] {
+    toggle->setText(automatic->iconText());
+    toggle->setChecked(automatic->isChecked());
+    toggle->setEnabled(automatic->isEnabled());
+    toggle->setToolTip(automatic->toolTip());
+    toggle->setAccessibleDescription(automatic->toolTip());
+  };
+  QObject::connect(automatic, &QAction::changed, toggle, follow);
+  follow();
+  return toggle;
 }
 
-/// Setting what is there already would lay everything out anew, twenty times a second.
-void showIfAny(QLabel* label, const QString& text) {
-  if (label->text() != text) label->setText(text);
-  if (label->isHidden() != text.isEmpty()) label->setVisible(!text.isEmpty());
+/// The button with its key beside it.
+QWidget* makeButton(QAction* action, const char* object_name) {
+  auto* row = new QWidget;
+  auto* button = quiet(new ActionButton(row), object_name);
+  button->setAction(action);
+  auto* key = new QLabel(row);
+  key->setProperty("muted", true);
+  const auto follow = [key, action] {
+    key->setText(action->shortcut().toString(QKeySequence::NativeText));
+    key->setVisible(!action->shortcut().isEmpty());
+  };
+  QObject::connect(action, &QAction::changed, key, follow);
+  follow();
+  addWidgets(spaced(new QHBoxLayout(row), {0, 0, 0, 0}), {button, key});
+  return row;
 }
 
 }  // namespace
@@ -49,19 +68,17 @@ void showIfAny(QLabel* label, const QString& text) {
 CapturePanel::CapturePanel(const Actions& actions, QWidget* parent)
     : QWidget(parent),
       columns_(new QBoxLayout(QBoxLayout::TopToBottom, this)),
-      what_(wrappedLabel("captureWhat", this)),
-      turn_(wrappedLabel("captureTurn", this)),
-      why_(wrappedLabel("captureWhy", this)),
-      sigma_(wrappedLabel("captureSigma", this)),
+      what_(paragraph("captureWhat", this)),
+      turn_(paragraph("captureTurn", this)),
+      why_(paragraph("captureWhy", this)),
+      sigma_(paragraph("captureSigma", this)),
       ring_(new HoldRing(this)),
-      wait_(wrappedLabel("captureWait", this)),
-      odd_(wrappedLabel("captureOdd", this)),
-      remark_(wrappedLabel("captureRemark", this)) {
+      wait_(paragraph("captureWait", this)),
+      odd_(paragraph("captureOdd", this)),
+      remark_(paragraph("captureRemark", this)) {
   setNames(this, QStringLiteral("capturePanel"), tr("Capturing poses"));
   for (QLabel* label : {why_, sigma_, odd_}) label->setProperty("muted", true);
-  captured_timer_->setSingleShot(true);
-  captured_timer_->setInterval(kCapturedShown_ms);
-  connect(captured_timer_, &QTimer::timeout, this, [this] {
+  setUpOnce(captured_timer_, kCapturedShown_ms, this, [this] {
     captured_.reset();
     refresh();
   });
@@ -77,50 +94,12 @@ CapturePanel::CapturePanel(const Actions& actions, QWidget* parent)
   if (actions.turn) doing->addWidget(makeButton(actions.turn, "captureTurnForMe"), 0, Qt::AlignLeft);
   if (actions.skip) doing->addWidget(makeButton(actions.skip, "captureSkip"), 0, Qt::AlignLeft);
   doing->addStretch(1);
-  columns_->setContentsMargins(0, 0, 0, 0);
-  columns_->setSpacing(8);
+  spaced(columns_, {0, 0, 0, 0}, 8);
   columns_->addLayout(words, 1);
   columns_->addLayout(doing, 1);
   setSource(std::nullopt);
   refreshAdvice();
   fitText();
-}
-
-QWidget* CapturePanel::makeSwitch(QAction* automatic) {
-  auto* toggle = new ToggleSwitch(this);
-  toggle->setObjectName(QStringLiteral("captureAutomatic"));
-  toggle->setFocusPolicy(Qt::TabFocus);
-  connect(toggle, &QCheckBox::clicked, automatic, [automatic] { automatic->trigger(); });
-  const auto follow = [toggle, automatic] {
-    toggle->setText(automatic->iconText());
-    toggle->setChecked(automatic->isChecked());
-    toggle->setEnabled(automatic->isEnabled());
-    toggle->setToolTip(automatic->toolTip());
-    toggle->setAccessibleDescription(automatic->toolTip());
-  };
-  connect(automatic, &QAction::changed, toggle, follow);
-  follow();
-  return toggle;
-}
-
-/// The button with its key beside it.
-QWidget* CapturePanel::makeButton(QAction* action, const char* object_name) {
-  auto* row = new QWidget(this);
-  auto* button = new ActionButton(row);
-  button->setObjectName(QLatin1String(object_name));
-  button->setFocusPolicy(Qt::TabFocus);
-  button->setAction(action);
-  auto* key = new QLabel(row);
-  key->setProperty("muted", true);
-  const auto follow = [key, action] {
-    key->setText(action->shortcut().toString(QKeySequence::NativeText));
-    key->setVisible(!action->shortcut().isEmpty());
-  };
-  connect(action, &QAction::changed, key, follow);
-  follow();
-  auto* layout = spaced(new QHBoxLayout(row), {0, 0, 0, 0});
-  addWidgets(layout, {button, key});
-  return row;
 }
 
 void CapturePanel::setSource(const std::optional<SourceStatus>& status) {
@@ -153,7 +132,7 @@ void CapturePanel::setAdvice(const std::optional<NextPose>& next) {
 void CapturePanel::showWriting(PoseId pose) {
   writing_ = pose;
   captured_.reset();
-  captured_timer_->stop();
+  captured_timer_.stop();
   showIfAny(remark_, {});
   refresh();
 }
@@ -167,7 +146,7 @@ void CapturePanel::showCaptured(PoseId pose, const QString& remark) {
   if (writing_ == pose) writing_.reset();
   captured_ = pose;
   showIfAny(remark_, remark);
-  captured_timer_->start();
+  captured_timer_.start();
   refresh();
 }
 
@@ -206,15 +185,12 @@ void CapturePanel::refresh() {
   } else if (writing_) {
     ring_->setContent({tr("Writing"), tr("pose %1").arg(writing_->value()), 1, false});
   } else {
-    const HoldWords words = holdInWords(hold_);
     // An operator on the way to the next pose is not told to stop.
     const bool on_the_way = hold_.phase == HoldPhase::Watching && hold_.stillness.blocker == Blocker::Turning &&
                             next_ && next_->turn && next_->turn->angle_rad > kOnTheWay;
-    if (on_the_way) {
-      ring_->setContent({tr("Keep turning"), tr("%1 to go").arg(turnAngleInWords(*next_)), 0, false});
-    } else {
-      ring_->setContent({words.word, words.detail, hold_.progress, false});
-    }
+    const HoldWords words =
+        on_the_way ? HoldWords{tr("Keep turning"), tr("%1 to go").arg(turnAngleInWords(*next_))} : holdInWords(hold_);
+    ring_->setContent({words.word, words.detail, on_the_way ? 0 : hold_.progress, false});
   }
   showIfAny(wait_, waitInWords(hold_));
   showIfAny(odd_, oddCellsInWords(hold_));
@@ -222,17 +198,13 @@ void CapturePanel::refresh() {
 
 void CapturePanel::refreshAdvice() {
   tellInstruction();
-  if (!source_) {
-    showIfAny(what_, tr("No skin is connected."));
-    showIfAny(turn_, {});
-    showIfAny(why_, {});
-    showIfAny(sigma_, {});
-    return;
-  }
-  showIfAny(what_, next_ ? nextPoseInWords(*next_) : tr("Working out which pose helps most…"));
-  showIfAny(turn_, next_ ? turnInWords(*next_) : QString());
-  showIfAny(why_, next_ ? gainInWords(*next_) : QString());
-  showIfAny(sigma_, next_ ? unbroken(sigmaInWords(*next_)) : QString());
+  const bool is_known = source_ && next_;
+  showIfAny(what_, !source_ ? tr("No skin is connected.")
+                   : next_  ? nextPoseInWords(*next_)
+                            : tr("Working out which pose helps most…"));
+  showIfAny(turn_, is_known ? turnInWords(*next_) : QString());
+  showIfAny(why_, is_known ? gainInWords(*next_) : QString());
+  showIfAny(sigma_, is_known ? unbroken(sigmaInWords(*next_)) : QString());
 }
 
 void CapturePanel::resizeEvent(QResizeEvent* event) {

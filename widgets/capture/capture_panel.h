@@ -62,8 +62,6 @@ class CapturePanel : public QWidget {
   void refreshAdvice();
   void tellInstruction();
   void fitText();
-  QWidget* makeSwitch(QAction* automatic);
-  QWidget* makeButton(QAction* action, const char* object_name);
 
   QBoxLayout* columns_;
   QLabel* what_;
@@ -74,7 +72,7 @@ class CapturePanel : public QWidget {
   QLabel* wait_;
   QLabel* odd_;
   QLabel* remark_;
-  QTimer* captured_timer_ = new QTimer(this);
+  QTimer captured_timer_;
   std::optional<SourceStatus> source_;
   HoldStatus hold_;
   std::optional<NextPose> next_;

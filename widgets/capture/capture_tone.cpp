@@ -8,7 +8,7 @@
 #include <algorithm>
 #include <atomic>
 #include <cmath>
-#include <utility>
+#include <memory>
 #include <vector>
 #if QT_VERSION >= QT_VERSION_CHECK(6, 0, 0)
 #include <QAudioDevice>
@@ -66,8 +66,10 @@ std::unique_ptr<AudioOutput> openOutput() {
   return std::make_unique<AudioOutput>(device, format);
 }
 
+}  // namespace
+
 /// Lives on a thread of its own: looking for devices can wait for a sound server.
-class Player : public QObject {
+class CaptureTone::Player : public QObject {
  public:
   void play(ToneKind kind) {
     if (!is_opened_) {
@@ -91,8 +93,6 @@ class Player : public QObject {
   bool is_opened_ = false;
 };
 
-}  // namespace
-
 QByteArray toneSamples(ToneKind kind, int rate_hz) {
   constexpr double kLoudness = 0.35;  // share of full scale
   constexpr double kFade_s = 0.012;   // so that no note begins or ends with a click
@@ -109,43 +109,27 @@ QByteArray toneSamples(ToneKind kind, int rate_hz) {
   return {reinterpret_cast<const char*>(samples.data()), static_cast<int>(samples.size() * sizeof(qint16))};
 }
 
-struct CaptureTone::Parts {
-  QThread* thread = nullptr;
-  Player* player = nullptr;
-  bool enabled = true;
-
-  void play(ToneKind kind) {
-    if (thread == nullptr) {
-      thread = new QThread;
-      player = new Player;
-      player->moveToThread(thread);
-      QObject::connect(thread, &QThread::finished, player, &QObject::deleteLater);
-      thread->start();
-    }
-    QMetaObject::invokeMethod(
-        player, [player = player, kind] { player->play(kind); }, Qt::QueuedConnection);
-  }
-};
-
-CaptureTone::CaptureTone(QObject* parent) : QObject(parent), parts_(std::make_unique<Parts>()) {}
-
 CaptureTone::~CaptureTone() {
   constexpr unsigned long kPatience_ms = 500;
-  if (parts_->thread == nullptr) return;
-  parts_->thread->quit();
+  if (thread_ == nullptr) return;
+  thread_->quit();
   // A sound server that hangs must not keep the window from closing: its thread is then left to the end of the process.
-  if (parts_->thread->wait(kPatience_ms)) delete parts_->thread;
+  if (thread_->wait(kPatience_ms)) delete thread_;
 }
 
-void CaptureTone::setEnabled(bool enabled) { parts_->enabled = enabled; }
-bool CaptureTone::isEnabled() const { return parts_->enabled; }
-bool CaptureTone::hasDevice() const { return parts_->player != nullptr && parts_->player->has_device; }
-void CaptureTone::playCaptured() { play(ToneKind::Captured); }
-void CaptureTone::playStartsOver() { play(ToneKind::StartsOver); }
+bool CaptureTone::hasDevice() const { return player_ != nullptr && player_->has_device; }
 
 void CaptureTone::play(ToneKind kind) {
-  if (!parts_->enabled) return;
-  parts_->play(kind);
+  if (!enabled_) return;
+  if (thread_ == nullptr) {
+    thread_ = new QThread;
+    player_ = new Player;
+    player_->moveToThread(thread_);
+    connect(thread_, &QThread::finished, player_, &QObject::deleteLater);
+    thread_->start();
+  }
+  QMetaObject::invokeMethod(
+      player_, [player = player_, kind] { player->play(kind); }, Qt::QueuedConnection);
   emit played(kind);
 }
 

@@ -2,7 +2,8 @@
 
 #include <QByteArray>
 #include <QObject>
-#include <memory>
+
+class QThread;
 
 namespace hexoderm {
 
@@ -14,27 +15,29 @@ class CaptureTone : public QObject {
   Q_OBJECT
 
  public:
-  explicit CaptureTone(QObject* parent = nullptr);
+  using QObject::QObject;
   ~CaptureTone() override;
 
-  void setEnabled(bool enabled);
-  [[nodiscard]] bool isEnabled() const;
+  void setEnabled(bool enabled) { enabled_ = enabled; }
+  [[nodiscard]] bool isEnabled() const { return enabled_; }
   /// There is a device to play on; looked up by the first tone.
   [[nodiscard]] bool hasDevice() const;
 
  public slots:
-  void playCaptured();
-  void playStartsOver();
+  void playCaptured() { play(ToneKind::Captured); }
+  void playStartsOver() { play(ToneKind::StartsOver); }
 
  signals:
   /// A tone was asked for while they are enabled, heard or not.
   void played(hexoderm::ToneKind kind);
 
  private:
+  class Player;
   void play(ToneKind kind);
 
-  struct Parts;
-  std::unique_ptr<Parts> parts_;
+  QThread* thread_ = nullptr;
+  Player* player_ = nullptr;
+  bool enabled_ = true;
 };
 
 /// 16 bit signed mono samples of a tone at a sample rate, little-endian.

@@ -121,31 +121,30 @@ QString missingInWords(const PoseCoverage& coverage, const std::optional<Eigen::
   const MissingDirection& missing = *coverage.missing;
   if (missing.which == 1) return CaptureWords::tr("No pose yet: any direction will do.");
   const bool second = missing.which == 2;
-  if (next_up_o && fillsMissing(coverage, *next_up_o)) {
-    const QString still_missing =
-        second ? CaptureWords::tr("A second direction is missing (value %1, needs %2); the next pose is one.")
-               : CaptureWords::tr("A third direction is missing (value %1, needs %2); the next pose is one.");
-    return still_missing.arg(figureInWords(missing.value, 2), figureInWords(coverage.threshold, 2));
-  }
+  const QString value = figureInWords(missing.value, 2);
+  const QString threshold = figureInWords(coverage.threshold, 2);
   if (next_up_o) {
-    // Another pose is asked for at the moment, for a better reason: there are no two instructions at a time.
-    const QString not_seen = second ? CaptureWords::tr("A second direction is not seen yet: its value is %1, of %2.")
-                                    : CaptureWords::tr("A third direction is not seen yet: its value is %1, of %2.");
-    return not_seen.arg(figureInWords(missing.value, 2), figureInWords(coverage.threshold, 2));
+    // If another pose is asked for at the moment, for a better reason, there are no two instructions at a time.
+    const bool fills = fillsMissing(coverage, *next_up_o);
+    const QString sentence =
+        fills ? (second ? CaptureWords::tr("A second direction is missing (value %1, needs %2); the next pose is one.")
+                        : CaptureWords::tr("A third direction is missing (value %1, needs %2); the next pose is one."))
+              : (second ? CaptureWords::tr("A second direction is not seen yet: its value is %1, of %2.")
+                        : CaptureWords::tr("A third direction is not seen yet: its value is %1, of %2."));
+    return sentence.arg(value, threshold);
   }
-  QString sentence;
-  if (missing.facing.facing == Facing::Wall) {
-    sentence =
-        second ? CaptureWords::tr("No pose yet with the side of cell %1 up or down: the second value is %2, needs %3.")
-               : CaptureWords::tr("No pose yet with the side of cell %1 up or down: the third value is %2, needs %3.");
-  } else {
-    sentence = second
-                   ? CaptureWords::tr(
-                         "No pose yet with cell %1 facing the ceiling or the floor: the second value is %2, needs %3.")
-                   : CaptureWords::tr(
-                         "No pose yet with cell %1 facing the ceiling or the floor: the third value is %2, needs %3.");
-  }
-  return sentence.arg(name(missing.facing.cell), figureInWords(missing.value, 2), figureInWords(coverage.threshold, 2));
+  const QString sentence =
+      missing.facing.facing == Facing::Wall
+          ? (second ? CaptureWords::tr(
+                          "No pose yet with the side of cell %1 up or down: the second value is %2, needs %3.")
+                    : CaptureWords::tr(
+                          "No pose yet with the side of cell %1 up or down: the third value is %2, needs %3."))
+          : (second
+                 ? CaptureWords::tr(
+                       "No pose yet with cell %1 facing the ceiling or the floor: the second value is %2, needs %3.")
+                 : CaptureWords::tr(
+                       "No pose yet with cell %1 facing the ceiling or the floor: the third value is %2, needs %3."));
+  return sentence.arg(name(missing.facing.cell), value, threshold);
 }
 
 QString longMissingInWords() {

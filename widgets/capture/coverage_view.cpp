@@ -180,6 +180,12 @@ struct CoverageView::Parts {
     paintWords(painter, where);
   }
 
+  static constexpr int kLeft = Qt::AlignLeft | Qt::AlignVCenter;
+  static void write(QPainter& painter, const QRectF& box, int flags, const QColor& color, const QString& text) {
+    painter.setPen(color);
+    painter.drawText(box, flags, text);
+  }
+
   void paintDisc(QPainter& painter, const Layout& layout, std::size_t side) const {
     const QPointF& center = layout.centers.at(side);
     painter.setPen(QPen(colors().border, 1));
@@ -192,9 +198,8 @@ struct CoverageView::Parts {
     }
     painter.drawLine(center - QPointF(layout.radius, 0), center + QPointF(layout.radius, 0));
     painter.drawLine(center - QPointF(0, layout.radius), center + QPointF(0, layout.radius));
-    painter.setPen(colors().text_muted);
-    painter.drawText(QRectF(center.x() - layout.radius, layout.names_top, 2 * layout.radius, line()), Qt::AlignCenter,
-                     side == 0 ? frontName() : backName());
+    write(painter, {center.x() - layout.radius, layout.names_top, 2 * layout.radius, line()}, Qt::AlignCenter,
+          colors().text_muted, side == 0 ? frontName() : backName());
   }
 
   void paintPoses(QPainter& painter, const Layout& layout) const {
@@ -210,9 +215,8 @@ struct CoverageView::Parts {
       painter.setBrush(seen.enabled ? full : colors().panel);
       painter.drawEllipse(center, mark(), mark());
       const QColor& on_full = theme() == Theme::Dark ? colors().accent_text : colors().text;
-      painter.setPen(seen.enabled ? on_full : colors().text_muted);
-      painter.drawText(QRectF(center.x() - 20, center.y() - 20, 40, 40), Qt::AlignCenter,
-                       QString::number(seen.pose.value()));
+      write(painter, {center.x() - 20, center.y() - 20, 40, 40}, Qt::AlignCenter,
+            seen.enabled ? on_full : colors().text_muted, QString::number(seen.pose.value()));
       if (seen.pose != picked) continue;
       painter.setBrush(Qt::NoBrush);
       painter.setPen(QPen(colors().selection, 2));
@@ -241,24 +245,19 @@ struct CoverageView::Parts {
   }
 
   void paintLegend(QPainter& painter, const Layout& layout) const {
-    const QFontMetrics metrics = view->fontMetrics();
-    const std::array<QString, 2> names = {nowName(), nextName()};
-    const double sign = line();
     double x = (view->width() - legendWidth()) / 2;
     const double y = layout.legend_top + 0.5 * line();
-    for (std::size_t k = 0; k < names.size(); ++k) {
-      const QPointF center(x + 0.5 * sign, y);
-      if (k == 0) {
-        paintCurrent(painter, center, 0.42 * line());
-      } else {
-        paintNext(painter, center, 0.38 * line());
-      }
-      painter.setPen(colors().text_muted);
-      const double advance = metrics.horizontalAdvance(names.at(k));
-      painter.drawText(QRectF(x + sign + kSignGap, y - 0.5 * line(), advance + 2, line()),
-                       Qt::AlignLeft | Qt::AlignVCenter, names.at(k));
-      x += sign + kSignGap + advance + line();
-    }
+    paintCurrent(painter, {x + 0.5 * line(), y}, 0.42 * line());
+    x = writeName(painter, x, layout.legend_top, nowName());
+    paintNext(painter, {x + 0.5 * line(), y}, 0.38 * line());
+    writeName(painter, x, layout.legend_top, nextName());
+  }
+
+  /// Beside its sign; returns where the next sign stands.
+  double writeName(QPainter& painter, double x, double top, const QString& name) const {
+    const double advance = view->fontMetrics().horizontalAdvance(name);
+    write(painter, {x + line() + kSignGap, top, advance + 2, line()}, kLeft, colors().text_muted, name);
+    return x + line() + kSignGap + advance + line();
   }
 
   void paintGauges(QPainter& painter, const Layout& layout) const {
@@ -277,9 +276,7 @@ struct CoverageView::Parts {
       const bool reached = value >= coverage.threshold;
       const double top = layout.gauges_top + k * gaugeStep();
       const double middle = top + 0.5 * line();
-      painter.setPen(colors().text_muted);
-      painter.drawText(QRectF(kMargin, top, left, line()), Qt::AlignLeft | Qt::AlignVCenter,
-                       names.at(static_cast<std::size_t>(k)));
+      write(painter, {kMargin, top, left, line()}, kLeft, colors().text_muted, names.at(static_cast<std::size_t>(k)));
       painter.setPen(Qt::NoPen);
       painter.setBrush(colors().border);
       painter.drawRoundedRect(QRectF(left, middle - thick / 2, bar, thick), 2, 2);
@@ -293,30 +290,23 @@ struct CoverageView::Parts {
       painter.setPen(QPen(colors().text, 2));
       painter.drawLine(QPointF(limit, middle - 0.42 * line()), QPointF(limit, middle + 0.42 * line()));
       const QString text = QLocale().toString(value, 'f', 2);
-      painter.setPen(reached ? colors().text : colors().text_muted);
-      painter.drawText(QRectF(left + bar + 6, top, value_width + 4, line()), Qt::AlignRight | Qt::AlignVCenter,
-                       reached ? QStringLiteral("✓ ") + text : text);
+      write(painter, {left + bar + 6, top, value_width + 4, line()}, Qt::AlignRight | Qt::AlignVCenter,
+            reached ? colors().text : colors().text_muted, reached ? QStringLiteral("✓ ") + text : text);
     }
   }
 
   void paintWords(QPainter& painter, const Layout& layout) const {
-    const QFontMetrics metrics = view->fontMetrics();
     const double width = view->width() - 2 * kMargin;
-    const QRectF all(kMargin, layout.words_top, width, wordsHeight(view->width()));
-    constexpr int kFlags = Qt::AlignLeft | Qt::AlignTop | Qt::TextWordWrap;
-    if (isEmpty()) {
-      painter.setPen(colors().text_muted);
-      painter.drawText(all, kFlags, words());
-      return;
+    QRectF all(kMargin, layout.words_top, width, wordsHeight(view->width()));
+    if (!isEmpty()) {
+      const double middle = layout.words_top + 0.5 * line();
+      drawStroke(painter, linkStroke(coverage.quality, theme()), QLineF(kMargin, middle, kMargin + 26, middle), 3);
+      const QString quality = CoverageView::tr("%1 · mark: enough").arg(qualityWord(coverage.quality));
+      write(painter, {kMargin + 33, layout.words_top, width - 33, line()}, kLeft, colors().text,
+            view->fontMetrics().elidedText(quality, Qt::ElideRight, static_cast<int>(width - 33)));
+      all.translate(0, 1.3 * line());
     }
-    const double middle = layout.words_top + 0.5 * line();
-    drawStroke(painter, linkStroke(coverage.quality, theme()), QLineF(kMargin, middle, kMargin + 26, middle), 3);
-    painter.setPen(colors().text);
-    painter.drawText(QRectF(kMargin + 33, layout.words_top, width - 33, line()), Qt::AlignLeft | Qt::AlignVCenter,
-                     metrics.elidedText(CoverageView::tr("%1 · mark: enough").arg(qualityWord(coverage.quality)),
-                                        Qt::ElideRight, static_cast<int>(width - 33)));
-    painter.setPen(colors().text_muted);
-    painter.drawText(all.translated(0, 1.3 * line()), kFlags, words());
+    write(painter, all, Qt::AlignLeft | Qt::AlignTop | Qt::TextWordWrap, colors().text_muted, words());
   }
 
   [[nodiscard]] Theme theme() const { return themeOf(view->palette()); }
@@ -362,14 +352,12 @@ void CoverageView::setPickedPose(std::optional<PoseId> pose) {
 
 void CoverageView::setEmptyHint(const QString& hint) {
   parts_->empty_hint = hint;
-  updateGeometry();
-  parts_->changed();
+  parts_->sayAnew();
 }
 
 void CoverageView::setAwaited(const QString& awaited) {
   parts_->awaited = awaited;
-  updateGeometry();
-  parts_->changed();
+  parts_->sayAnew();
 }
 
 std::optional<PoseId> CoverageView::pickedPose() const { return parts_->picked; }

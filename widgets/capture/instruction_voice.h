@@ -1,6 +1,7 @@
 #pragma once
 
 #include "widgets/capture/speaker.h"
+#include "widgets/controls/panel_parts.h"
 
 #include <QObject>
 #include <QString>
@@ -20,9 +21,7 @@ class InstructionVoice : public QObject {
   /// Takes over the speaker.
   explicit InstructionVoice(Speaker* speaker, QObject* parent = nullptr) : QObject(parent), speaker_(speaker) {
     speaker_->setParent(this);
-    stands_.setSingleShot(true);
-    stands_.setInterval(kStands_ms);
-    connect(&stands_, &QTimer::timeout, this, &InstructionVoice::speak);
+    setUpOnce(stands_, kStands_ms, this, [this] { speak(); });
     connect(speaker_, &Speaker::lookedFor, this, &InstructionVoice::lookedFor);
   }
 

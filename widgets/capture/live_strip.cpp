@@ -28,10 +28,6 @@ QLabel* plainLabel(const char* object_name, QWidget* parent) {
   return label;
 }
 
-void setIfChanged(QLabel* label, const QString& text) {
-  if (label->text() != text) label->setText(text);
-}
-
 QString countInWords(std::uint64_t count) { return QLocale().toString(static_cast<qulonglong>(count)); }
 
 }  // namespace
@@ -98,11 +94,8 @@ LiveStrip::LiveStrip(QAction* end, QWidget* parent)
   // A long text must not widen the window.
   text_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
   text_->setWordWrap(true);
-  auto* disconnect = new ActionButton(this);
-  disconnect->setObjectName(QStringLiteral("liveDisconnect"));
+  auto* disconnect = quiet(new ActionButton(this), "liveDisconnect");
   disconnect->setAction(end);
-  // A click leaves the keys where they were.
-  disconnect->setFocusPolicy(Qt::TabFocus);
   auto* row = spaced(new QHBoxLayout(this), {14, 8, 10, 8}, 10);
   addWidgets(row, {sign_, word_});
   row->addWidget(text_, 1);
@@ -111,15 +104,15 @@ LiveStrip::LiveStrip(QAction* end, QWidget* parent)
 }
 
 void LiveStrip::setStatus(const SourceStatus& status, const HoldStatus& hold) {
-  setIfChanged(sign_, sourceStateSign(status.state));
+  sign_->setText(sourceStateSign(status.state));
   setTone(sign_, sourceStateTone(status.state));
-  setIfChanged(word_, sourceStateWord(status.state));
+  word_->setText(sourceStateWord(status.state));
   // "Streaming: my skin" would say it twice.
   QString text = words(status.message);
   const QString again = word_->text() + QStringLiteral(": ");
   if (text.startsWith(again)) text.remove(0, again.size());
-  setIfChanged(text_, text);
-  setIfChanged(counters_, countersInWords(status, hold));
+  text_->setText(text);
+  counters_->setText(countersInWords(status, hold));
 }
 
 }  // namespace hexoderm

@@ -2,9 +2,11 @@
 
 #include "hexoderm/capture/stillness_trace.h"
 
+#include <QTimer>
 #include <QWidget>
-#include <memory>
 #include <optional>
+
+class QLabel;
 
 namespace hexoderm {
 
@@ -17,7 +19,6 @@ class StillnessView : public QWidget {
 
  public:
   explicit StillnessView(QWidget* parent = nullptr);
-  ~StillnessView() override;
 
   /// Cheap: at most 20 times a second. Drawn while visible, ten times a second.
   void add(const HoldStatus& hold, const SkinPreview& preview);
@@ -28,7 +29,7 @@ class StillnessView : public QWidget {
 
   /// "cell 7 · x y z, deviation from its mean, last 10 s, limit 30 mg".
   [[nodiscard]] QString header() const;
-  [[nodiscard]] const StillnessTrace& trace() const;
+  [[nodiscard]] const StillnessTrace& trace() const { return trace_; }
 
   QSize sizeHint() const override;
   QSize minimumSizeHint() const override;
@@ -41,8 +42,14 @@ class StillnessView : public QWidget {
   void showEvent(QShowEvent* event) override;
 
  private:
-  struct Parts;
-  std::unique_ptr<Parts> parts_;
+  class Strip;
+  void refresh();
+
+  StillnessTrace trace_;
+  QLabel* header_;
+  Strip* strip_;
+  QLabel* nothing_;
+  QTimer refresh_soon_;
 };
 
 }  // namespace hexoderm

@@ -3,7 +3,6 @@
 #include <QCoreApplication>
 #include <QThread>
 #include <memory>
-#include <mutex>
 #include <utility>
 #ifdef HEXODERM_HAS_SPEECH
 #include <QTextToSpeech>
@@ -19,12 +18,23 @@ struct SpeakerWords {
 #ifdef HEXODERM_HAS_SPEECH
 
 /// Lives on a thread of its own: an engine may have to start a server first.
-class Engine : public QObject {
+class Engine final : public Speaker {
  public:
   /// "C" is nobody's language; texts are English then.
   explicit Engine(const QLocale& locale)
       : locale_(locale.language() == QLocale::C ? QLocale(QLocale::English) : locale) {}
 
+  void lookForVoice() override { emit lookedFor(open()); }
+  void say(const QString& sentence) override {
+    if (!open().isEmpty()) return;
+    speech_->stop();
+    speech_->say(sentence);
+  }
+  void stop() override {
+    if (speech_) speech_->stop();
+  }
+
+ private:
   /// Empty if it can speak.
   QString open() {
     if (!speech_ && !QTextToSpeech::availableEngines().isEmpty()) speech_ = std::make_unique<QTextToSpeech>();
@@ -40,16 +50,7 @@ class Engine : public QObject {
     return SpeakerWords::tr("This computer's engine has no voice for %1.")
         .arg(QLocale::languageToString(locale_.language()));
   }
-  void say(const QString& sentence) {
-    if (!open().isEmpty()) return;
-    speech_->stop();
-    speech_->say(sentence);
-  }
-  void stop() {
-    if (speech_) speech_->stop();
-  }
 
- private:
   QLocale locale_;
   std::unique_ptr<QTextToSpeech> speech_;
 };
@@ -57,17 +58,13 @@ class Engine : public QObject {
 class SystemSpeaker final : public Speaker {
  public:
   SystemSpeaker(const QLocale& locale, QObject* parent)
-      : Speaker(parent), thread_(new QThread), engine_(new Engine(locale)), answer_(std::make_shared<Answer>()) {
-    answer_->speaker = this;
+      : Speaker(parent), thread_(new QThread), engine_(new Engine(locale)) {
     engine_->moveToThread(thread_);
     connect(thread_, &QThread::finished, engine_, &QObject::deleteLater);
+    connect(engine_, &Speaker::lookedFor, this, &Speaker::lookedFor);
   }
   ~SystemSpeaker() override {
     constexpr unsigned long kPatience_ms = 500;
-    {
-      const std::lock_guard lock(answer_->mutex);
-      answer_->speaker = nullptr;
-    }
     if (!thread_->isRunning()) {
       delete engine_;
       delete thread_;
@@ -79,14 +76,7 @@ class SystemSpeaker final : public Speaker {
   }
 
   void lookForVoice() override {
-    onThread([engine = engine_, answer = answer_] {
-      const QString why_not = engine->open();
-      const std::lock_guard lock(answer->mutex);
-      SystemSpeaker* speaker = answer->speaker;
-      if (speaker == nullptr) return;
-      QMetaObject::invokeMethod(
-          speaker, [speaker, why_not] { emit speaker->lookedFor(why_not); }, Qt::QueuedConnection);
-    });
+    onThread([engine = engine_] { engine->lookForVoice(); });
   }
   void say(const QString& sentence) override {
     onThread([engine = engine_, sentence] { engine->say(sentence); });
@@ -96,12 +86,6 @@ class SystemSpeaker final : public Speaker {
   }
 
  private:
-  /// To whom the engine's thread, which may outlive the speaker, answers.
-  struct Answer {
-    std::mutex mutex;
-    SystemSpeaker* speaker = nullptr;
-  };
-
   template <class Work>
   void onThread(Work work) {
     if (!thread_->isRunning()) thread_->start();
@@ -110,7 +94,6 @@ class SystemSpeaker final : public Speaker {
 
   QThread* thread_;
   Engine* engine_;
-  std::shared_ptr<Answer> answer_;
 };
 
 #else

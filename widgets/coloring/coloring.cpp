@@ -34,22 +34,6 @@ std::optional<double> sizeOfYaw(const LinkEstimate& link) {
   return link.hasFigures() ? std::optional(toDegrees(std::abs(link.yaw_rad))) : std::nullopt;
 }
 
-/// The angle beyond which a link is no skin link.
-template <double SolverOptions::*Largest>
-std::vector<ScaleLimit> eitherWay(const SolverOptions& options) {
-  const double angle = toDegrees(options.*Largest);
-  return {{ScaleLimit::Kind::Limit, -angle}, {ScaleLimit::Kind::Limit, angle}};
-}
-std::vector<ScaleLimit> limitOfYaw(const SolverOptions& options) {
-  return {{ScaleLimit::Kind::Limit, toDegrees(options.max_yaw_rad)}};
-}
-std::vector<ScaleLimit> limitsOfPositions(const SolverOptions& /*options*/) {
-  return {{ScaleLimit::Kind::Goal, toMillimetres(kGoodPosition_m)}};
-}
-std::vector<ScaleLimit> limitsOfOrientations(const SolverOptions& /*options*/) {
-  return {{ScaleLimit::Kind::Goal, toDegrees(kGoodOrientation_rad)}};
-}
-
 /// One of a cell's angles or lengths among its figures.
 template <std::vector<std::optional<double>> CellFigures::*Angles>
 std::optional<double> angleOfCell(const CellFigures& figures, const CellReadings& /*readings*/, std::size_t index) {
@@ -77,6 +61,29 @@ std::optional<double> surfaceDistanceOfCell(const CellFigures& figures, const Ce
   return inMillimetres(lookedUp(readings.surface_distance_m, figures.cells[index]));
 }
 
+// What rows of one kind have in common.
+
+constexpr ColoringRow angleOfLinks(ColoringRow row) {
+  row.group = ColoringGroup::Links;
+  row.unit = "°";
+  row.colors_links = true;
+  row.missing = QT_TRANSLATE_NOOP("hexoderm::Coloring", "No link was measured yet");
+  return row;
+}
+constexpr ColoringRow uncertainty(ColoringRow row) {
+  row.group = ColoringGroup::Uncertainty;
+  row.least_span = 0.1;
+  row.patch_title = row.graph_title;
+  return row;
+}
+constexpr ColoringRow reading(ColoringRow row) {
+  row.group = ColoringGroup::Readings;
+  row.unit = "g";
+  row.is_fitted = false;
+  row.missing = QT_TRANSLATE_NOOP("hexoderm::Coloring", "There are no readings: connect a skin");
+  return row;
+}
+
 // The usual scales of quantities end beyond good values, so that these can be told apart, and where bad is bad enough.
 constexpr std::array kTable = {
     ColoringRow{.coloring = Coloring::LinkQuality,
@@ -85,115 +92,82 @@ constexpr std::array kTable = {
                 .colors_links = true,
                 .graph_title = QT_TRANSLATE_NOOP("hexoderm::Coloring", "link quality"),
                 .patch_title = QT_TRANSLATE_NOOP("hexoderm::Coloring", "link quality")},
-    ColoringRow{.coloring = Coloring::Residual,
-                .group = ColoringGroup::Links,
-                .name = QT_TRANSLATE_NOOP("hexoderm::Coloring", "residual"),
-                .unit = "°",
-                .of_link = [](const LinkEstimate& link) { return inDegrees(link.knownResidual()); },
-                .of_cell = angleOfCell<&CellFigures::residual_rad>,
-                .range = ColorRange{0, 2},
-                .least_span = 0.1,
-                .colors_links = true,
-                .graph_title = QT_TRANSLATE_NOOP("hexoderm::Coloring", "residual, rms over poses"),
-                .patch_title = QT_TRANSLATE_NOOP("hexoderm::Coloring", "worst link's residual"),
-                .missing = QT_TRANSLATE_NOOP("hexoderm::Coloring", "No link was measured yet")},
-    ColoringRow{.coloring = Coloring::Deviation,
-                .group = ColoringGroup::Links,
-                .name = QT_TRANSLATE_NOOP("hexoderm::Coloring", "predicted deviation"),
-                .unit = "°",
-                .of_link = [](const LinkEstimate& link) { return inDegrees(link.knownSigma()); },
-                .of_cell = angleOfCell<&CellFigures::sigma_rad>,
-                .range = ColorRange{0, 6},
-                .least_span = 0.1,
-                .colors_links = true,
-                .graph_title = QT_TRANSLATE_NOOP("hexoderm::Coloring", "predicted deviation"),
-                .patch_title = QT_TRANSLATE_NOOP("hexoderm::Coloring", "worst link's predicted deviation"),
-                .missing = QT_TRANSLATE_NOOP("hexoderm::Coloring", "No link was measured yet")},
-    ColoringRow{.coloring = Coloring::Bend,
-                .group = ColoringGroup::Links,
-                .name = QT_TRANSLATE_NOOP("hexoderm::Coloring", "bend"),
-                .unit = "°",
-                .of_link = angleOfLink<&LinkEstimate::bend_rad>,
-                .of_cell = angleOfCell<&CellFigures::bend_rad>,
-                .range = ColorRange{-30, 30},
-                .least_span = 2,
-                .center = 0,
-                .limits = eitherWay<&SolverOptions::max_bend_rad>,
-                .colors_links = true,
-                .graph_title = QT_TRANSLATE_NOOP("hexoderm::Coloring", "bend"),
-                .patch_title = QT_TRANSLATE_NOOP("hexoderm::Coloring", "largest bend of the cell's links"),
-                .missing = QT_TRANSLATE_NOOP("hexoderm::Coloring", "No link was measured yet")},
-    ColoringRow{.coloring = Coloring::Twist,
-                .group = ColoringGroup::Links,
-                .name = QT_TRANSLATE_NOOP("hexoderm::Coloring", "twist"),
-                .unit = "°",
-                .of_link = angleOfLink<&LinkEstimate::twist_rad>,
-                .of_cell = angleOfCell<&CellFigures::twist_rad>,
-                .range = ColorRange{-20, 20},
-                .least_span = 2,
-                .center = 0,
-                .limits = eitherWay<&SolverOptions::max_twist_rad>,
-                .colors_links = true,
-                .graph_title = QT_TRANSLATE_NOOP("hexoderm::Coloring", "twist"),
-                .patch_title = QT_TRANSLATE_NOOP("hexoderm::Coloring", "largest twist of the cell's links"),
-                .missing = QT_TRANSLATE_NOOP("hexoderm::Coloring", "No link was measured yet")},
-    ColoringRow{.coloring = Coloring::Yaw,
-                .group = ColoringGroup::Links,
-                .name = QT_TRANSLATE_NOOP("hexoderm::Coloring", "yaw"),
-                .unit = "°",
-                .of_link = sizeOfYaw,
-                .of_cell = angleOfCell<&CellFigures::yaw_rad>,
-                .range = ColorRange{0, 6},
-                .least_span = 1,
-                .limits = limitOfYaw,
-                .colors_links = true,
-                .graph_title = QT_TRANSLATE_NOOP("hexoderm::Coloring", "yaw, either way"),
-                .patch_title = QT_TRANSLATE_NOOP("hexoderm::Coloring", "largest yaw of the cell's links"),
-                .missing = QT_TRANSLATE_NOOP("hexoderm::Coloring", "No link was measured yet")},
-    ColoringRow{
-        .coloring = Coloring::ShapeUncertainty,
-        .group = ColoringGroup::Uncertainty,
-        .name = QT_TRANSLATE_NOOP("hexoderm::Coloring", "uncertainty of the shape"),
-        .unit = "mm",
-        .of_cell = lengthOfCell<&CellFigures::shape_position_95_m>,
-        .range = ColorRange{0, 3},
-        .least_span = 0.1,
-        .graph_title = QT_TRANSLATE_NOOP("hexoderm::Coloring", "uncertainty of the shape (95 %)"),
-        .patch_title = QT_TRANSLATE_NOOP("hexoderm::Coloring", "uncertainty of the shape (95 %)"),
-        .missing = QT_TRANSLATE_NOOP("hexoderm::Coloring", "This result does not state how well its shape is known")},
-    ColoringRow{
-        .coloring = Coloring::ShapeOrientation,
-        .group = ColoringGroup::Uncertainty,
-        .name = QT_TRANSLATE_NOOP("hexoderm::Coloring", "orientation in the shape"),
-        .unit = "°",
-        .of_cell = angleOfCell<&CellFigures::shape_orientation_95_rad>,
-        .range = ColorRange{0, 3},
-        .least_span = 0.1,
-        .graph_title = QT_TRANSLATE_NOOP("hexoderm::Coloring", "uncertainty of the orientation in the shape (95 %)"),
-        .patch_title = QT_TRANSLATE_NOOP("hexoderm::Coloring", "uncertainty of the orientation in the shape (95 %)"),
-        .missing = QT_TRANSLATE_NOOP("hexoderm::Coloring", "This result does not state how well its shape is known")},
-    ColoringRow{.coloring = Coloring::PositionUncertainty,
-                .group = ColoringGroup::Uncertainty,
-                .name = QT_TRANSLATE_NOOP("hexoderm::Coloring", "position uncertainty"),
-                .unit = "mm",
-                .of_cell = lengthOfCell<&CellFigures::position_95_m>,
-                .range = ColorRange{0, 6},
-                .least_span = 0.1,
-                .limits = limitsOfPositions,
-                .graph_title = QT_TRANSLATE_NOOP("hexoderm::Coloring", "position uncertainty (95 %)"),
-                .patch_title = QT_TRANSLATE_NOOP("hexoderm::Coloring", "position uncertainty (95 %)"),
-                .missing = QT_TRANSLATE_NOOP("hexoderm::Coloring", "This result states no uncertainties")},
-    ColoringRow{.coloring = Coloring::OrientationUncertainty,
-                .group = ColoringGroup::Uncertainty,
-                .name = QT_TRANSLATE_NOOP("hexoderm::Coloring", "orientation uncertainty"),
-                .unit = "°",
-                .of_cell = angleOfCell<&CellFigures::orientation_95_rad>,
-                .range = ColorRange{0, 6},
-                .least_span = 0.1,
-                .limits = limitsOfOrientations,
-                .graph_title = QT_TRANSLATE_NOOP("hexoderm::Coloring", "orientation uncertainty (95 %)"),
-                .patch_title = QT_TRANSLATE_NOOP("hexoderm::Coloring", "orientation uncertainty (95 %)"),
-                .missing = QT_TRANSLATE_NOOP("hexoderm::Coloring", "This result states no uncertainties")},
+    angleOfLinks({.coloring = Coloring::Residual,
+                  .name = QT_TRANSLATE_NOOP("hexoderm::Coloring", "residual"),
+                  .of_link = [](const LinkEstimate& link) { return inDegrees(link.knownResidual()); },
+                  .of_cell = angleOfCell<&CellFigures::residual_rad>,
+                  .range = ColorRange{0, 2},
+                  .least_span = 0.1,
+                  .graph_title = QT_TRANSLATE_NOOP("hexoderm::Coloring", "residual, rms over poses"),
+                  .patch_title = QT_TRANSLATE_NOOP("hexoderm::Coloring", "worst link's residual")}),
+    angleOfLinks({.coloring = Coloring::Deviation,
+                  .name = QT_TRANSLATE_NOOP("hexoderm::Coloring", "predicted deviation"),
+                  .of_link = [](const LinkEstimate& link) { return inDegrees(link.knownSigma()); },
+                  .of_cell = angleOfCell<&CellFigures::sigma_rad>,
+                  .range = ColorRange{0, 6},
+                  .least_span = 0.1,
+                  .graph_title = QT_TRANSLATE_NOOP("hexoderm::Coloring", "predicted deviation"),
+                  .patch_title = QT_TRANSLATE_NOOP("hexoderm::Coloring", "worst link's predicted deviation")}),
+    angleOfLinks({.coloring = Coloring::Bend,
+                  .name = QT_TRANSLATE_NOOP("hexoderm::Coloring", "bend"),
+                  .of_link = angleOfLink<&LinkEstimate::bend_rad>,
+                  .of_cell = angleOfCell<&CellFigures::bend_rad>,
+                  .range = ColorRange{-30, 30},
+                  .least_span = 2,
+                  .center = 0,
+                  .limit_rad = &SolverOptions::max_bend_rad,
+                  .graph_title = QT_TRANSLATE_NOOP("hexoderm::Coloring", "bend"),
+                  .patch_title = QT_TRANSLATE_NOOP("hexoderm::Coloring", "largest bend of the cell's links")}),
+    angleOfLinks({.coloring = Coloring::Twist,
+                  .name = QT_TRANSLATE_NOOP("hexoderm::Coloring", "twist"),
+                  .of_link = angleOfLink<&LinkEstimate::twist_rad>,
+                  .of_cell = angleOfCell<&CellFigures::twist_rad>,
+                  .range = ColorRange{-20, 20},
+                  .least_span = 2,
+                  .center = 0,
+                  .limit_rad = &SolverOptions::max_twist_rad,
+                  .graph_title = QT_TRANSLATE_NOOP("hexoderm::Coloring", "twist"),
+                  .patch_title = QT_TRANSLATE_NOOP("hexoderm::Coloring", "largest twist of the cell's links")}),
+    angleOfLinks({.coloring = Coloring::Yaw,
+                  .name = QT_TRANSLATE_NOOP("hexoderm::Coloring", "yaw"),
+                  .of_link = sizeOfYaw,
+                  .of_cell = angleOfCell<&CellFigures::yaw_rad>,
+                  .range = ColorRange{0, 6},
+                  .limit_rad = &SolverOptions::max_yaw_rad,
+                  .graph_title = QT_TRANSLATE_NOOP("hexoderm::Coloring", "yaw, either way"),
+                  .patch_title = QT_TRANSLATE_NOOP("hexoderm::Coloring", "largest yaw of the cell's links")}),
+    uncertainty(
+        {.coloring = Coloring::ShapeUncertainty,
+         .name = QT_TRANSLATE_NOOP("hexoderm::Coloring", "uncertainty of the shape"),
+         .unit = "mm",
+         .of_cell = lengthOfCell<&CellFigures::shape_position_95_m>,
+         .range = ColorRange{0, 3},
+         .graph_title = QT_TRANSLATE_NOOP("hexoderm::Coloring", "uncertainty of the shape (95 %)"),
+         .missing = QT_TRANSLATE_NOOP("hexoderm::Coloring", "This result does not state how well its shape is known")}),
+    uncertainty(
+        {.coloring = Coloring::ShapeOrientation,
+         .name = QT_TRANSLATE_NOOP("hexoderm::Coloring", "orientation in the shape"),
+         .unit = "°",
+         .of_cell = angleOfCell<&CellFigures::shape_orientation_95_rad>,
+         .range = ColorRange{0, 3},
+         .graph_title = QT_TRANSLATE_NOOP("hexoderm::Coloring", "uncertainty of the orientation in the shape (95 %)"),
+         .missing = QT_TRANSLATE_NOOP("hexoderm::Coloring", "This result does not state how well its shape is known")}),
+    uncertainty({.coloring = Coloring::PositionUncertainty,
+                 .name = QT_TRANSLATE_NOOP("hexoderm::Coloring", "position uncertainty"),
+                 .unit = "mm",
+                 .of_cell = lengthOfCell<&CellFigures::position_95_m>,
+                 .range = ColorRange{0, 6},
+                 .goal = toMillimetres(kGoodPosition_m),
+                 .graph_title = QT_TRANSLATE_NOOP("hexoderm::Coloring", "position uncertainty (95 %)"),
+                 .missing = QT_TRANSLATE_NOOP("hexoderm::Coloring", "This result states no uncertainties")}),
+    uncertainty({.coloring = Coloring::OrientationUncertainty,
+                 .name = QT_TRANSLATE_NOOP("hexoderm::Coloring", "orientation uncertainty"),
+                 .unit = "°",
+                 .of_cell = angleOfCell<&CellFigures::orientation_95_rad>,
+                 .range = ColorRange{0, 6},
+                 .goal = toDegrees(kGoodOrientation_rad),
+                 .graph_title = QT_TRANSLATE_NOOP("hexoderm::Coloring", "orientation uncertainty (95 %)"),
+                 .missing = QT_TRANSLATE_NOOP("hexoderm::Coloring", "This result states no uncertainties")}),
     ColoringRow{.coloring = Coloring::PathDistance,
                 .group = ColoringGroup::Shape,
                 .name = QT_TRANSLATE_NOOP("hexoderm::Coloring", "distance from the origin"),
@@ -229,46 +203,30 @@ constexpr std::array kTable = {
         .graph_title = QT_TRANSLATE_NOOP("hexoderm::Coloring", "body part"),
         .patch_title = QT_TRANSLATE_NOOP("hexoderm::Coloring", "body part"),
         .missing = QT_TRANSLATE_NOOP("hexoderm::Coloring", "The skin does not say which body part its cells are on")},
-    ColoringRow{.coloring = Coloring::ReadingX,
-                .group = ColoringGroup::Readings,
-                .name = QT_TRANSLATE_NOOP("hexoderm::Coloring", "reading x"),
-                .unit = "g",
-                .of_cell = readingOfCell<0>,
-                .range = ColorRange{-1, 1},
-                .is_fitted = false,
-                .center = 0,
-                .patch_title = QT_TRANSLATE_NOOP("hexoderm::Coloring", "newest reading along x"),
-                .missing = QT_TRANSLATE_NOOP("hexoderm::Coloring", "There are no readings: connect a skin")},
-    ColoringRow{.coloring = Coloring::ReadingY,
-                .group = ColoringGroup::Readings,
-                .name = QT_TRANSLATE_NOOP("hexoderm::Coloring", "reading y"),
-                .unit = "g",
-                .of_cell = readingOfCell<1>,
-                .range = ColorRange{-1, 1},
-                .is_fitted = false,
-                .center = 0,
-                .patch_title = QT_TRANSLATE_NOOP("hexoderm::Coloring", "newest reading along y"),
-                .missing = QT_TRANSLATE_NOOP("hexoderm::Coloring", "There are no readings: connect a skin")},
-    ColoringRow{.coloring = Coloring::ReadingZ,
-                .group = ColoringGroup::Readings,
-                .name = QT_TRANSLATE_NOOP("hexoderm::Coloring", "reading z"),
-                .unit = "g",
-                .of_cell = readingOfCell<2>,
-                .range = ColorRange{-1, 1},
-                .is_fitted = false,
-                .center = 0,
-                .patch_title = QT_TRANSLATE_NOOP("hexoderm::Coloring", "newest reading along z"),
-                .missing = QT_TRANSLATE_NOOP("hexoderm::Coloring", "There are no readings: connect a skin")},
-    ColoringRow{.coloring = Coloring::ReadingNorm,
-                .group = ColoringGroup::Readings,
-                .name = QT_TRANSLATE_NOOP("hexoderm::Coloring", "reading, norm"),
-                .unit = "g",
-                .of_cell = normOfCell,
-                .range = ColorRange{0.8, 1.2},
-                .is_fitted = false,
-                .center = 1,
-                .patch_title = QT_TRANSLATE_NOOP("hexoderm::Coloring", "norm of the newest reading"),
-                .missing = QT_TRANSLATE_NOOP("hexoderm::Coloring", "There are no readings: connect a skin")},
+    reading({.coloring = Coloring::ReadingX,
+             .name = QT_TRANSLATE_NOOP("hexoderm::Coloring", "reading x"),
+             .of_cell = readingOfCell<0>,
+             .range = ColorRange{-1, 1},
+             .center = 0,
+             .patch_title = QT_TRANSLATE_NOOP("hexoderm::Coloring", "newest reading along x")}),
+    reading({.coloring = Coloring::ReadingY,
+             .name = QT_TRANSLATE_NOOP("hexoderm::Coloring", "reading y"),
+             .of_cell = readingOfCell<1>,
+             .range = ColorRange{-1, 1},
+             .center = 0,
+             .patch_title = QT_TRANSLATE_NOOP("hexoderm::Coloring", "newest reading along y")}),
+    reading({.coloring = Coloring::ReadingZ,
+             .name = QT_TRANSLATE_NOOP("hexoderm::Coloring", "reading z"),
+             .of_cell = readingOfCell<2>,
+             .range = ColorRange{-1, 1},
+             .center = 0,
+             .patch_title = QT_TRANSLATE_NOOP("hexoderm::Coloring", "newest reading along z")}),
+    reading({.coloring = Coloring::ReadingNorm,
+             .name = QT_TRANSLATE_NOOP("hexoderm::Coloring", "reading, norm"),
+             .of_cell = normOfCell,
+             .range = ColorRange{0.8, 1.2},
+             .center = 1,
+             .patch_title = QT_TRANSLATE_NOOP("hexoderm::Coloring", "norm of the newest reading")}),
     ColoringRow{.coloring = Coloring::Temperature,
                 .group = ColoringGroup::Readings,
                 .name = QT_TRANSLATE_NOOP("hexoderm::Coloring", "temperature"),
@@ -291,6 +249,17 @@ bool isQuantity(Coloring coloring) {
 }
 
 bool isReading(Coloring coloring) { return coloringRow(coloring).group == ColoringGroup::Readings; }
+
+std::vector<ScaleLimit> limitsOf(Coloring coloring, const SolverOptions& options) {
+  const ColoringRow& row = coloringRow(coloring);
+  std::vector<ScaleLimit> limits;
+  if (row.goal) limits.push_back({ScaleLimit::Kind::Goal, *row.goal});
+  if (row.limit_rad == nullptr) return limits;
+  const double limit = toDegrees(options.*row.limit_rad);
+  if (row.center) limits.push_back({ScaleLimit::Kind::Limit, -limit});
+  limits.push_back({ScaleLimit::Kind::Limit, limit});
+  return limits;
+}
 
 std::vector<std::optional<double>> cellValues(Coloring coloring, const CellFigures& figures,
                                               const CellReadings& readings) {

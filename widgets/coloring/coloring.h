@@ -50,6 +50,7 @@ struct ScaleLimit {
   enum class Kind { Goal, Limit };
   Kind kind = Kind::Goal;
   double value = 0;
+  friend bool operator==(const ScaleLimit&, const ScaleLimit&) = default;
 };
 
 /// Values of cells that are no part of a reconstruction.
@@ -79,10 +80,10 @@ struct ColoringRow {
   std::optional<ColorRange> range{};
   /// They are fitted to the values that are shown, unless the operator has fixed them; else they are the usual ones.
   bool is_fitted = true;
-  double least_span = 1;           ///< a smaller spread is no difference worth seeing
-  std::optional<double> center{};  ///< of signed values: lies in the middle of the scale
-  /// What is wanted of the values, and from where on they are bad; null: nothing is.
-  std::vector<ScaleLimit> (*limits)(const SolverOptions& options) = nullptr;
+  double least_span = 1;                       ///< a smaller spread is no difference worth seeing
+  std::optional<double> center{};              ///< of signed values: lies in the middle of the scale
+  std::optional<double> goal{};                ///< what is wanted of the values
+  double SolverOptions::*limit_rad = nullptr;  ///< the angle beyond which a link is no skin link
 
   bool colors_links = false;          ///< in the graph, where the other colourings colour cells
   const char* graph_title = nullptr;  ///< in the graph's legend; null: the graph does not offer the colouring
@@ -99,6 +100,9 @@ const ColoringRow& coloringRow(Coloring coloring);
 bool isQuantity(Coloring coloring);
 /// Changes with the readings.
 bool isReading(Coloring coloring);
+
+/// What is wanted of the values, and from where on they are bad; of signed values at both ends.
+std::vector<ScaleLimit> limitsOf(Coloring coloring, const SolverOptions& options);
 
 /// The values of all cells in the order of the figures.
 std::vector<std::optional<double>> cellValues(Coloring coloring, const CellFigures& figures,

@@ -27,15 +27,6 @@ QString cellsInWords(std::size_t count) {
 
 }  // namespace
 
-bool operator==(const ScaleLegend& a, const ScaleLegend& b) {
-  return a.coloring == b.coloring && a.range == b.range && a.is_fixed == b.is_fixed &&
-         a.counts.counts == b.counts.counts && a.counts.below == b.counts.below && a.counts.above == b.counts.above &&
-         a.counts.unknown == b.counts.unknown && a.extremes == b.extremes &&
-         std::ranges::equal(a.limits, b.limits, [](const ScaleLimit& x, const ScaleLimit& y) {
-           return x.kind == y.kind && x.value == y.value;
-         });
-}
-
 ScaleLegend makeScaleLegend(Coloring coloring, const std::vector<std::optional<double>>& shown,
                             const std::vector<std::optional<double>>& scaled, const std::optional<ColorRange>& fixed,
                             const SolverOptions& options) {
@@ -44,7 +35,7 @@ ScaleLegend makeScaleLegend(Coloring coloring, const std::vector<std::optional<d
   legend.range = rangeOf(coloring, scaled, fixed);
   legend.is_fixed = fixed.has_value();
   legend.counts = countValues(shown, legend.range, ScaleLegend::kBins);
-  if (const auto limits = coloringRow(coloring).limits) legend.limits = limits(options);
+  legend.limits = limitsOf(coloring, options);
   for (const std::optional<double>& value : shown) {
     if (!value || !std::isfinite(*value)) continue;
     if (!legend.extremes) legend.extremes = {*value, *value};

@@ -21,7 +21,7 @@ struct ScaleLegend {
   std::vector<ScaleLimit> limits;
   std::optional<std::pair<double, double>> extremes;  ///< the smallest and the largest value
 
-  friend bool operator==(const ScaleLegend& a, const ScaleLegend& b);
+  friend bool operator==(const ScaleLegend&, const ScaleLegend&) = default;
 };
 
 /// `shown`: the values of what is coloured. `scaled`: those that the scale is fitted to (scaledValues()).

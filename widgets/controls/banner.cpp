@@ -7,7 +7,6 @@
 
 #include <QHBoxLayout>
 #include <QLabel>
-#include <QPainter>
 #include <QStyle>
 #include <QVariant>
 #include <array>
@@ -35,40 +34,20 @@ void setTone(QLabel* label, Tone tone) {
   label->style()->polish(label);
 }
 
-/// In the colour of the tone.
-class Banner::Dot : public QWidget {
- public:
-  explicit Dot(QWidget* parent) : QWidget(parent) { setFixedSize(kSize, kSize); }
-  void setTone(Tone tone) {
-    tone_ = tone;
-    update();
-  }
-
- protected:
-  void paintEvent(QPaintEvent* /*event*/) override {
-    QPainter painter(this);
-    painter.setRenderHint(QPainter::Antialiasing);
-    painter.setPen(Qt::NoPen);
-    painter.setBrush(toneColor(tone_, themeOf(palette())));
-    painter.drawEllipse(0, 0, kSize, kSize);
-  }
-
- private:
-  static constexpr int kSize = 14;
-  Tone tone_ = Tone::Neutral;
-};
-
 Banner::Banner(QWidget* parent)
-    : QFrame(parent), dot_(new Dot(this)), sentence_(new ElidedLabel(2, this)), button_(new ActionButton(this)) {
+    : QFrame(parent),
+      dot_(new QLabel(this)),
+      sentence_(new ElidedLabel(2, this)),
+      button_(quiet(new ActionButton(this), "bannerButton")) {
   setNames(this, QStringLiteral("banner"), tr("Where we stand"));
   setProperty("banner", true);
 
+  dot_->setProperty("dot", true);
+  constexpr int kDot = 14;
+  dot_->setFixedSize(kDot, kDot);
   sentence_->setObjectName(QStringLiteral("bannerSentence"));
   sentence_->setProperty("headline", true);
-  button_->setObjectName(QStringLiteral("bannerButton"));
   button_->setProperty("primary", true);
-  // A click leaves the keys where they were.
-  button_->setFocusPolicy(Qt::TabFocus);
 
   auto* layout = spaced(new QHBoxLayout(this), {16, 6, 16, 6}, 14);
   layout->addWidget(dot_);
@@ -77,7 +56,7 @@ Banner::Banner(QWidget* parent)
 }
 
 void Banner::setContent(const Content& content) {
-  dot_->setTone(content.tone);
+  setTone(dot_, content.tone);
   sentence_->setText(content.sentence);
   button_->setAction(content.action);
 }

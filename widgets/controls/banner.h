@@ -37,9 +37,7 @@ class Banner : public QFrame {
   void setContent(const Content& content);
 
  private:
-  class Dot;
-
-  Dot* dot_;
+  QLabel* dot_;
   ElidedLabel* sentence_;
   ActionButton* button_;
 };

@@ -51,11 +51,7 @@ class CardDock : public QDockWidget {
   }
 
   /// Never widens the dock: it ends in dots where it finds no room.
-  void setRemark(const QString& remark) {
-    remark_->setText(remark);
-    // Without words it would still take the space beside it.
-    remark_->setVisible(!remark.isEmpty());
-  }
+  void setRemark(const QString& remark) { showIfAny(remark_, remark); }
 
   /// Shows `widget`, for example tabs, in the place of the heading.
   void setHead(QWidget* widget) {

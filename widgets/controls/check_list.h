@@ -21,8 +21,7 @@ class CheckList : public QWidget {
  public:
   explicit CheckList(QWidget* parent = nullptr) : QWidget(parent) {
     setObjectName(QStringLiteral("checkList"));
-    layout_->setContentsMargins(0, 0, 0, 0);
-    layout_->setSpacing(6);
+    spaced(layout_, {0, 0, 0, 0}, 6);
   }
 
   void setCheck(const SkinCheck& check) {

@@ -9,7 +9,6 @@
 #include <QFrame>
 #include <QHBoxLayout>
 #include <QLabel>
-#include <QPainter>
 #include <QPoint>
 #include <QRect>
 #include <QString>
@@ -61,6 +60,7 @@ class FigureCard : public QFrame {
 
   explicit FigureCard(Kind kind, QWidget* parent) : QFrame(parent), kind_(kind) {
     setObjectName(kind == Kind::Passing ? QStringLiteral("hoverCard") : QStringLiteral("figureCard"));
+    setProperty("notice", true);
     for (QLabel* label : {value_, text_}) {
       label->setWordWrap(true);
       label->setTextFormat(Qt::RichText);
@@ -72,26 +72,22 @@ class FigureCard : public QFrame {
       setAttribute(Qt::WA_TransparentForMouseEvents);
       addWidgets(layout, {text_, value_});
     } else {
-      close_ = new QToolButton(this);
-      close_->setObjectName(QStringLiteral("closeFigures"));
-      close_->setText(QStringLiteral("×"));
-      close_->setProperty("flat", true);
-      close_->setToolTip(tr("Close this card (Esc)"));
-      close_->setAccessibleName(tr("Close the card with the figures"));
-      close_->setFocusPolicy(Qt::TabFocus);
-      connect(close_, &QToolButton::clicked, this, &FigureCard::closed);
+      auto* close = quiet(new QToolButton(this), "closeFigures");
+      close->setText(QStringLiteral("×"));
+      close->setProperty("flat", true);
+      close->setToolTip(tr("Close this card (Esc)"));
+      close->setAccessibleName(tr("Close the card with the figures"));
+      connect(close, &QToolButton::clicked, this, &FigureCard::closed);
       auto* head = new QHBoxLayout;
       head->addWidget(text_, 1, Qt::AlignTop);
-      head->addWidget(close_, 0, Qt::AlignTop);
+      head->addWidget(close, 0, Qt::AlignTop);
       layout->addLayout(head);
       layout->addWidget(value_);
       neighbors_word_ = new QLabel(tr("Neighbours"), this);
       neighbors_word_->setProperty("muted", true);
       layout->addWidget(neighbors_word_);
       neighbors_ = new QWidget(this);
-      neighbor_layout_ = new FlowLayout(neighbors_);
-      neighbor_layout_->setContentsMargins(0, 0, 0, 0);
-      neighbor_layout_->setSpacing(5);
+      spaced(new FlowLayout(neighbors_), {0, 0, 0, 0}, 5);
       layout->addWidget(neighbors_);
     }
     hide();
@@ -131,15 +127,6 @@ class FigureCard : public QFrame {
     if (event->type() == QEvent::PaletteChange) write();
   }
 
-  void paintEvent(QPaintEvent* /*event*/) override {
-    const Colors& colors = Colors::of(palette());
-    QPainter painter(this);
-    painter.setRenderHint(QPainter::Antialiasing);
-    painter.setPen(QPen(colors.text_muted, 1));
-    painter.setBrush(colors.panel);
-    painter.drawRoundedRect(QRectF(rect()).adjusted(0.5, 0.5, -0.5, -0.5), 6, 6);
-  }
-
  private:
   void setNeighbors(const std::vector<Neighbor>& neighbors) {
     neighbors_word_->setVisible(!neighbors.empty());
@@ -150,7 +137,7 @@ class FigureCard : public QFrame {
       button->setFocusPolicy(Qt::TabFocus);
       const std::size_t k = buttons_.size();
       connect(button, &QToolButton::clicked, this, [this, k] { emit neighborChosen(cells_[k]); });
-      neighbor_layout_->addWidget(button);
+      neighbors_->layout()->addWidget(button);
       buttons_.push_back(button);
     }
     cells_.clear();
@@ -180,8 +167,6 @@ class FigureCard : public QFrame {
   QLabel* value_ = new QLabel;
   QLabel* neighbors_word_ = nullptr;
   QWidget* neighbors_ = nullptr;
-  FlowLayout* neighbor_layout_ = nullptr;
-  QToolButton* close_ = nullptr;
   std::vector<QToolButton*> buttons_;
   std::vector<CellId> cells_;
 };

@@ -84,8 +84,7 @@ class FindCellField : public QFrame {
     bool is_number = false;
     const quint32 id = field_->text().toUInt(&is_number);
     const bool there_is = is_number && exists_(CellId(id));
-    answer_->setText(there_is || field_->text().isEmpty() ? QString() : tr("no such cell"));
-    answer_->setVisible(!answer_->text().isEmpty());
+    showIfAny(answer_, there_is || field_->text().isEmpty() ? QString() : tr("no such cell"));
     adjustSize();
     if (there_is) emit found(id);
   }

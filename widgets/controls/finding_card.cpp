@@ -9,37 +9,26 @@
 #include <QHBoxLayout>
 #include <QPainter>
 #include <algorithm>
+#include <string>
 
 namespace hexoderm {
-namespace {
-
-QLabel* paragraph(QWidget* parent, const char* name) {
-  auto* label = new QLabel(parent);
-  label->setObjectName(QLatin1String(name));
-  setPlainParagraph(label);
-  return label;
-}
-
-}  // namespace
-
 FindingCard::FindingCard(QWidget* parent)
     : QFrame(parent),
-      what_(paragraph(this, "findingWhat")),
-      where_(paragraph(this, "findingWhere")),
-      why_(paragraph(details_, "findingWhy")),
-      todo_(paragraph(details_, "findingToDo")),
+      what_(paragraph("findingWhat", this)),
+      where_(paragraph("findingWhere", this)),
+      show_(quiet(new QPushButton(tr("Show"), this), "findingShow")),
+      fold_(quiet(new QToolButton(this), "findingFold")),
+      why_(paragraph("findingWhy", details_)),
+      todo_(paragraph("findingToDo", details_)),
       buttons_(new QWidget(details_)),
-      button_layout_(new FlowLayout(buttons_)) {
+      button_layout_(spaced(new FlowLayout(buttons_), {0, 0, 0, 0}, 6)) {
   setObjectName(QStringLiteral("findingCard"));
+  setProperty("card", true);
   severity_->setObjectName(QStringLiteral("findingSeverity"));
   makeBold(severity_);
   where_->setProperty("muted", true);
-  show_->setObjectName(QStringLiteral("findingShow"));
-  show_->setFocusPolicy(Qt::TabFocus);
-  fold_->setObjectName(QStringLiteral("findingFold"));
   fold_->setCheckable(true);
   fold_->setProperty("flat", true);
-  fold_->setFocusPolicy(Qt::TabFocus);
   fold_->setToolButtonStyle(Qt::ToolButtonTextOnly);
   fold_->setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Ignored);  // as high as the button beside it
   // A copy: what follows may bring another finding here.
@@ -54,8 +43,6 @@ FindingCard::FindingCard(QWidget* parent)
   actions->addStretch(1);
   auto* details = spaced(new QVBoxLayout(details_), {0, 2, 0, 0}, 6);
   addWidgets(details, {why_, todo_, buttons_});
-  button_layout_->setContentsMargins(0, 0, 0, 0);
-  button_layout_->setSpacing(6);
   auto* layout = spaced(new QVBoxLayout(this), {14, 9, 10, 10}, 6);
   layout->addLayout(head);
   layout->addWidget(what_);
@@ -90,9 +77,8 @@ void FindingCard::setOffers(const std::vector<FindingOffer>& offers) {
     delete item;
   }
   for (const FindingOffer& offer : offers) {
-    auto* button = new QPushButton(offer.text, buttons_);
-    button->setObjectName(QStringLiteral("findingRemedy%1").arg(static_cast<int>(offer.remedy)));
-    button->setFocusPolicy(Qt::TabFocus);
+    const std::string name = "findingRemedy" + std::to_string(static_cast<int>(offer.remedy));
+    auto* button = quiet(new QPushButton(offer.text, buttons_), name.c_str());
     connect(button, &QPushButton::clicked, this,
             [this, remedy = offer.remedy] { emit remedyWanted(Finding(finding_), remedy); });
     button_layout_->addWidget(button);
@@ -111,23 +97,18 @@ void FindingCard::setUnfolded(bool unfolded) {
 bool FindingCard::isUnfolded() const { return !details_->isHidden(); }
 
 /// A stripe on the left in the colour of the severity, which the word says too.
-void FindingCard::paintEvent(QPaintEvent* /*event*/) {
-  const Colors& colors = Colors::of(palette());
+void FindingCard::paintEvent(QPaintEvent* event) {
+  QFrame::paintEvent(event);
   QPainter painter(this);
   painter.setRenderHint(QPainter::Antialiasing);
-  painter.setPen(QPen(colors.border, 1));
-  painter.setBrush(colors.panel);
-  const QRectF card = QRectF(rect()).adjusted(0.5, 0.5, -0.5, -0.5);
-  painter.drawRoundedRect(card, 6, 6);
   painter.setPen(Qt::NoPen);
   painter.setBrush(toneColor(toneOf(finding_.severity), themeOf(palette())));
-  painter.drawRoundedRect(QRectF(card.left() + 4, card.top() + 8, 3, card.height() - 16), 1.5, 1.5);
+  painter.drawRoundedRect(QRectF(4.5, 8.5, 3, height() - 17), 1.5, 1.5);
 }
 
 FindingCards::FindingCards(const QString& object_name, QWidget* parent) : QWidget(parent) {
   setObjectName(object_name);
-  layout_->setContentsMargins(0, 0, 0, 0);
-  layout_->setSpacing(8);
+  spaced(layout_, {0, 0, 0, 0}, 8);
   others_->setProperty("flat", true);
   others_->setFocusPolicy(Qt::TabFocus);
   others_->hide();

@@ -50,8 +50,8 @@ class FindingCard : public QFrame {
   QLabel* severity_ = new QLabel(this);
   QLabel* what_;
   QLabel* where_;
-  QPushButton* show_ = new QPushButton(tr("Show"), this);
-  QToolButton* fold_ = new QToolButton(this);
+  QPushButton* show_;
+  QToolButton* fold_;
   QWidget* details_ = new QWidget(this);
   QLabel* why_;
   QLabel* todo_;

@@ -26,8 +26,6 @@ class MessageBar : public QFrame {
   explicit MessageBar(QWidget* parent = nullptr) : QFrame(parent) {
     setObjectName(QStringLiteral("messageBar"));
     setProperty("card", true);
-    text_->setObjectName(QStringLiteral("messageText"));
-    setPlainParagraph(text_);
     text_->setTextInteractionFlags(Qt::TextSelectableByMouse);
     button_->setObjectName(QStringLiteral("messageButton"));
     connect(button_, &QPushButton::clicked, this, [this] {
@@ -86,7 +84,7 @@ class MessageBar : public QFrame {
   }
 
  private:
-  QLabel* text_ = new QLabel(this);
+  QLabel* text_ = paragraph("messageText", this);
   QPushButton* button_ = new QPushButton(this);
   std::function<void()> pressed_;
   Tone tone_ = Tone::Neutral;

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "widgets/controls/panel_parts.h"
+
 #include <QEvent>
 #include <QVBoxLayout>
 #include <QVariant>
@@ -17,9 +19,7 @@ class NoticeStack : public QWidget {
   /// Lies over `host`, which owns it.
   explicit NoticeStack(QWidget* host) : QWidget(host) {
     setObjectName(QStringLiteral("noticeStack"));
-    auto* layout = new QVBoxLayout(this);
-    layout->setContentsMargins(0, 0, 0, 0);
-    layout->setSpacing(6);
+    spaced(new QVBoxLayout(this), {0, 0, 0, 0}, 6);
     host->installEventFilter(this);
     hide();
   }

@@ -1,13 +1,17 @@
 #pragma once
 
+#include <QButtonGroup>
 #include <QComboBox>
 #include <QGridLayout>
+#include <QHBoxLayout>
 #include <QHeaderView>
 #include <QLabel>
 #include <QMargins>
 #include <QScrollArea>
 #include <QString>
 #include <QTableView>
+#include <QTimer>
+#include <QToolButton>
 #include <initializer_list>
 
 namespace hexoderm {
@@ -44,6 +48,47 @@ inline void setNames(QWidget* widget, const QString& name, const QString& access
 inline void setPlainParagraph(QLabel* label) {
   label->setWordWrap(true);
   label->setTextFormat(Qt::PlainText);
+}
+
+/// A label of this name with such texts.
+inline QLabel* paragraph(const char* name, QWidget* parent = nullptr) {
+  auto* label = new QLabel(parent);
+  label->setObjectName(QLatin1String(name));
+  setPlainParagraph(label);
+  return label;
+}
+
+/// Hidden without a text. What is there already is not laid out anew.
+inline void showIfAny(QLabel* label, const QString& text) {
+  label->setText(text);
+  label->setVisible(!text.isEmpty());
+}
+
+/// One of several buttons in a row, of which one is pressed.
+inline QToolButton* addChoice(QButtonGroup* group, QHBoxLayout* row, const char* name, const QString& text) {
+  auto* button = new QToolButton;
+  button->setObjectName(QLatin1String(name));
+  button->setText(text);
+  button->setCheckable(true);
+  group->addButton(button);
+  row->addWidget(button);
+  return button;
+}
+
+/// A button of this name that the keyboard reaches, and that leaves the keys where they were when it is clicked.
+template <class Button>
+Button* quiet(Button* button, const char* name) {
+  button->setObjectName(QLatin1String(name));
+  button->setFocusPolicy(Qt::TabFocus);
+  return button;
+}
+
+/// Makes a timer that, once started, does this once.
+template <class Work>
+void setUpOnce(QTimer& timer, int after_ms, QObject* receiver, Work work) {
+  timer.setSingleShot(true);
+  timer.setInterval(after_ms);
+  QObject::connect(&timer, &QTimer::timeout, receiver, work);
 }
 
 /// Grey, and then it says why.

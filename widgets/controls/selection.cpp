@@ -1,14 +1,10 @@
 #include "widgets/controls/selection.h"
 
-#include <algorithm>
-
 namespace hexoderm {
-
-Selection::Selection(QObject* parent) : QObject(parent) {}
 
 void Selection::selectCell(CellId cell) { set(cell, std::nullopt); }
 
-void Selection::selectLink(LinkEnd a, LinkEnd b) { set(std::nullopt, a < b ? Link(a, b) : Link(b, a)); }
+void Selection::selectLink(LinkEnd a, LinkEnd b) { set(std::nullopt, linkOf(a, b)); }
 
 void Selection::seekCell(CellId cell) {
   selectCell(cell);

@@ -3,6 +3,7 @@
 #include "hexoderm/util/ids.h"
 
 #include <QObject>
+#include <algorithm>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -17,8 +18,9 @@ class Selection : public QObject {
 
  public:
   using Link = std::pair<LinkEnd, LinkEnd>;  ///< ordered: the smaller (ID, port) first
+  static Link linkOf(LinkEnd a, LinkEnd b) { return std::minmax(a, b); }
 
-  explicit Selection(QObject* parent = nullptr);
+  using QObject::QObject;
 
   [[nodiscard]] std::optional<CellId> cell() const { return cell_; }
   [[nodiscard]] std::optional<Link> link() const { return link_; }

@@ -44,11 +44,10 @@ class StepHead : public QAbstractButton {
     setSizePolicy(policy);
   }
 
-  void set(const Step& step, bool last_known_open) {
+  void set(const Step& step) {
     title_ = step.title;
     note_ = step.note;
     state_ = step.state;
-    open_ = last_known_open;
     setAccessibleName(StepPanel::tr("Step %1, %2: %3").arg(number_).arg(title_, stateInWords(state_)));
     setAccessibleDescription(note_);
     updateGeometry();
@@ -139,20 +138,17 @@ class StepPanel::Row : public QWidget {
       : QWidget(parent),
         head_(new StepHead(number, this)),
         body_(new QFrame(this)),
-        what_(new QLabel(body_)),
-        why_(new QLabel(body_)),
-        because_(new QLabel(body_)),
+        what_(paragraph("stepWhat", body_)),
+        why_(paragraph("stepWhy", body_)),
+        because_(paragraph("stepBecause", body_)),
         content_(new QVBoxLayout),
         buttons_(new FlowLayout) {
     setObjectName(QStringLiteral("step%1").arg(number));
     head_->setObjectName(QStringLiteral("stepHead%1").arg(number));
     body_->setProperty("stepBody", true);
-    setPlainParagraph(what_);
     what_->setProperty("stepWhat", true);
-    setPlainParagraph(why_);
     why_->setProperty("muted", true);
     because_->setObjectName(QStringLiteral("stepBecause%1").arg(number));
-    setPlainParagraph(because_);
     auto* body = spaced(new QVBoxLayout(body_), {kMargin + 6, 2, kMargin, 14}, 8);
     addWidgets(body, {what_, why_, because_});
     body->addLayout(content_);
@@ -162,21 +158,17 @@ class StepPanel::Row : public QWidget {
   }
 
   void set(const Step& step) {
-    head_->set(step, !body_->isHidden());
-    what_->setText(unbroken(step.what));
-    what_->setVisible(!step.what.isEmpty());
-    why_->setText(step.why);
-    why_->setVisible(!step.why.isEmpty());
+    head_->set(step);
+    showIfAny(what_, unbroken(step.what));
+    showIfAny(why_, step.why);
     because_->setText(readinessInWords(step.readiness).arg(step.because));
     because_->setVisible(!step.because.isEmpty());
     while (buttons_shown_.size() < step.actions.size()) {
-      auto* button = new ActionButton(body_);
-      button->setFocusPolicy(Qt::TabFocus);
+      auto* button = quiet(new ActionButton(body_), "stepButton");
       buttons_->addWidget(button);
       buttons_shown_.push_back(button);
-      const QMargins margins = body_->layout()->contentsMargins();
-      button->setRoom(width() - margins.left() - margins.right());
     }
+    giveRoom();
     for (std::size_t k = 0; k < buttons_shown_.size(); ++k) {
       buttons_shown_[k]->setAction(k < step.actions.size() ? step.actions[k] : nullptr);
     }
@@ -190,12 +182,16 @@ class StepPanel::Row : public QWidget {
 
  protected:
   void resizeEvent(QResizeEvent* event) override {
-    const QMargins margins = body_->layout()->contentsMargins();
-    for (ActionButton* button : buttons_shown_) button->setRoom(width() - margins.left() - margins.right());
+    giveRoom();
     QWidget::resizeEvent(event);
   }
 
  private:
+  void giveRoom() {
+    const QMargins margins = body_->layout()->contentsMargins();
+    for (ActionButton* button : buttons_shown_) button->setRoom(width() - margins.left() - margins.right());
+  }
+
   StepHead* head_;
   QFrame* body_;
   QLabel* what_;
@@ -212,15 +208,12 @@ StepPanel::StepPanel(QWidget* parent) : QScrollArea(parent), layout_(nullptr) {
   scrollPlainly(this);
   auto* content = new QWidget;
   content->setObjectName(QStringLiteral("stepContent"));
-  layout_ = new QVBoxLayout(content);
-  layout_->setContentsMargins(0, 4, 0, 4);
-  layout_->setSpacing(0);
+  layout_ = spaced(new QVBoxLayout(content), {0, 4, 0, 4}, 0);
   layout_->addStretch(1);
   // It scrolls up and down only, and is as wide as its place, whatever is in it.
   content->setMinimumWidth(1);
   setWidget(content);
-  make_room_.setSingleShot(true);
-  connect(&make_room_, &QTimer::timeout, this, [this] {
+  setUpOnce(make_room_, 0, this, [this] {
     // An operator who has scrolled meanwhile stays there, and so does one who is at another heading by the keyboard.
     if (verticalScrollBar()->value() == placed_at_ && !isFocusElsewhere()) makeRoom();
   });

@@ -23,9 +23,7 @@ class ViewMark : public QWidget {
     bool has_frame = true;
     bool is_muted = false;  ///< a veil lies over the picture
 
-    bool operator==(const Content& other) const {
-      return tone == other.tone && words == other.words && has_frame == other.has_frame && is_muted == other.is_muted;
-    }
+    friend bool operator==(const Content&, const Content&) = default;
   };
 
   /// Lies over `view`, which owns it, as large as that is.

@@ -17,15 +17,10 @@ class WorkNotice : public QFrame {
  public:
   explicit WorkNotice(QWidget* parent = nullptr) : QFrame(parent) {
     setNames(this, QStringLiteral("workNotice"), tr("Work that takes a while"));
-    text_->setObjectName(QStringLiteral("workText"));
-    setPlainParagraph(text_);
     bar_->setTextVisible(false);
     bar_->setAccessibleName(tr("Progress"));
     bar_->setFixedWidth(14 * fontMetrics().averageCharWidth());
-    cancel_->setObjectName(QStringLiteral("workCancel"));
     cancel_->setToolTip(tr("Stop this; what is shown stays as it was before"));
-    // A click leaves the keys where they were.
-    cancel_->setFocusPolicy(Qt::TabFocus);
     connect(cancel_, &QPushButton::clicked, this, &WorkNotice::cancelled);
     auto* layout = spaced(new QHBoxLayout(this), {16, 6, 8, 6}, 12);
     layout->addWidget(text_, 1);
@@ -35,7 +30,7 @@ class WorkNotice : public QFrame {
 
   /// `done` of `total` parts; a total below 2: nobody knows how far it is.
   void showWork(const QString& what, int done, int total) {
-    if (text_->text() != what) text_->setText(what);
+    text_->setText(what);
     const int most = total < 2 ? 0 : total;
     if (bar_->maximum() != most) bar_->setRange(0, most);
     if (most > 0) bar_->setValue(done);
@@ -48,9 +43,9 @@ class WorkNotice : public QFrame {
   void cancelled();
 
  private:
-  QLabel* text_ = new QLabel(this);
+  QLabel* text_ = paragraph("workText", this);
   QProgressBar* bar_ = new QProgressBar(this);
-  QPushButton* cancel_ = new QPushButton(tr("Cancel"), this);
+  QPushButton* cancel_ = quiet(new QPushButton(tr("Cancel"), this), "workCancel");
 };
 
 }  // namespace hexoderm

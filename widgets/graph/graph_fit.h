@@ -13,8 +13,7 @@ namespace hexoderm {
 
 /// The division of a graph view's area when the whole skin is shown in it: the legend lies along the bottom, the
 /// colouring button at the top, where it covers no cell if there is such a place, and the skin fills the rest.
-class GraphFit {
- public:
+struct GraphFit {
   /// Around the skin and the legend.
   static constexpr double kMargin_px = 12;
 
@@ -25,33 +24,32 @@ class GraphFit {
     double caption_height_px = 0;         ///< of the line above each patch; 0 where patches have no captions
   };
 
+  GraphCamera camera;  ///< sees everything at once; a small skin is not enlarged to fill the view
+  QPoint button_place;
+  QRectF legend_area;  ///< empty where there is no room for the legend
+
   GraphFit() = default;
   /// `view`: the size of the view in pixels.
   GraphFit(const GraphScene& scene, QSize view, const Neighbors& neighbors)
-      : button_place_(kButtonEdge_px, kButtonEdge_px), legend_area_(placeLegend(neighbors.legend, view)) {
+      : button_place(kButtonEdge_px, kButtonEdge_px), legend_area(placeLegend(neighbors.legend, view)) {
     QRectF room(QPointF(0, 0), QSizeF(view));
     room.adjust(kMargin_px, kMargin_px + neighbors.caption_height_px, -kMargin_px, -kMargin_px);
-    if (!legend_area_.isEmpty()) room.setBottom(legend_area_.top() - 0.5 * kMargin_px);
-    camera_ = fittedInto(room, scene, view);
+    if (!legend_area.isEmpty()) room.setBottom(legend_area.top() - 0.5 * kMargin_px);
+    camera = fittedInto(room, scene, view);
     if (!neighbors.button) return;
-    if (const auto place = freePlaceFor(*neighbors.button, scene, camera_, neighbors.caption_height_px)) {
-      button_place_ = *place;
+    if (const auto place = freePlaceFor(*neighbors.button, scene, neighbors.caption_height_px)) {
+      button_place = *place;
       return;
     }
     // Beside many a skin there is room for the button; where there is not, the skin goes below it.
     constexpr double kBelowButton_px = 4;
-    room.setTop(QRect(button_place_, *neighbors.button).bottom() + kBelowButton_px + neighbors.caption_height_px);
-    camera_ = fittedInto(room, scene, view);
+    room.setTop(QRect(button_place, *neighbors.button).bottom() + kBelowButton_px + neighbors.caption_height_px);
+    camera = fittedInto(room, scene, view);
   }
 
-  /// Sees everything at once. A small skin is not enlarged to fill the view.
-  [[nodiscard]] const GraphCamera& camera() const { return camera_; }
-  [[nodiscard]] QPoint buttonPlace() const { return button_place_; }
-  /// Empty where there is no room for the legend.
-  [[nodiscard]] const QRectF& legendArea() const { return legend_area_; }
   /// The largest useful scale, in pixels per metre.
   [[nodiscard]] double largestScale(const GraphScene& scene) const {
-    return std::max(camera_.scale, kLargestRadius_px / scene.radius_m());
+    return std::max(camera.scale, kLargestRadius_px / scene.radius_m());
   }
 
  private:
@@ -93,8 +91,8 @@ class GraphFit {
 
   /// A place at the top where the button covers no cell and no caption: on the left, else on the right, else in the
   /// middle.
-  static std::optional<QPoint> freePlaceFor(QSize button, const GraphScene& scene, const GraphCamera& camera,
-                                            double caption_height_px) {
+  [[nodiscard]] std::optional<QPoint> freePlaceFor(QSize button, const GraphScene& scene,
+                                                   double caption_height_px) const {
     const double reach = 1.3 * scene.radius_m() * camera.scale;
     const int view_width = static_cast<int>(camera.size.width());
     const int right = view_width - button.width() - kButtonEdge_px;
@@ -112,10 +110,6 @@ class GraphFit {
     }
     return std::nullopt;
   }
-
-  GraphCamera camera_;
-  QPoint button_place_;
-  QRectF legend_area_;
 };
 
 }  // namespace hexoderm

@@ -30,20 +30,18 @@ GraphLegend::GraphLegend(const GraphPaint& paint, const GraphMarks& marks, Theme
   const bool of_cells = !coloringRow(paint.coloring).colors_links;
   for (std::size_t k = 0; k < std::min(paint.words.size(), kMostClasses); ++k) {
     entries_.push_back({of_cells ? Sample::Fill : Sample::Line,
-                        of_cells ? LinkStroke{paint.fills[k], Qt::SolidLine, false} : paint.strokes[k],
-                        paint.words[k]});
+                        of_cells ? LinkStroke{paint.fills[k]} : paint.strokes[k], paint.words[k]});
   }
   if (paint.words.size() > kMostClasses || (of_cells && !scale_ && paint.words.empty() && !paint.fills.empty())) {
-    entries_.push_back({Sample::Fill, {Qt::transparent, Qt::SolidLine, false}, tr("and so on")});
+    entries_.push_back({Sample::Fill, {Qt::transparent}, tr("and so on")});
   }
   if (paint.has_unknown) {
-    entries_.push_back({of_cells ? Sample::Fill : Sample::Line,
-                        {of_cells ? colors_.cell_fill : colors_.muted_link, Qt::SolidLine, false},
-                        notKnownWord()});
+    entries_.push_back(
+        {of_cells ? Sample::Fill : Sample::Line, {of_cells ? colors_.cell_fill : colors_.muted_link}, notKnownWord()});
   }
-  if (marks.muted) entries_.push_back({Sample::Muted, {colors_.muted_link, Qt::SolidLine, false}, tr("not used")});
-  if (marks.tree) entries_.push_back({Sample::Tree, {colors_.tree_band, Qt::SolidLine, false}, tr("shortest paths")});
-  entries_.push_back({Sample::Origin, {colors_.text, Qt::SolidLine, false}, tr("origin")});
+  if (marks.muted) entries_.push_back({Sample::Muted, {colors_.muted_link}, tr("not used")});
+  if (marks.tree) entries_.push_back({Sample::Tree, {colors_.tree_band}, tr("shortest paths")});
+  entries_.push_back({Sample::Origin, {colors_.text}, tr("origin")});
 }
 
 double GraphLegend::rowHeight() const { return std::ceil(QFontMetricsF(font_).height() + 2); }
@@ -59,20 +57,20 @@ double GraphLegend::titleWidth() const {
 
 double GraphLegend::scaleHeight() const { return scale_ ? std::max(scale_->height(), 2 * rowHeight()) + 2 : 0.0; }
 
-GraphLegend::Arrangement GraphLegend::arrange(double width) const {
+GraphLegend::Arrangement GraphLegend::arrange(double room) const {
   const auto count = static_cast<int>(entries_.size());
-  if (scale_ && titleWidth() + (kBetween + kLeastBarWidth) * rowHeight() > width) return {};
-  double total = (count - 1) * kBetween * rowHeight();
-  double widest = 0;
+  const double between = kBetween * rowHeight();
+  if (scale_ && titleWidth() + between + kLeastBarWidth * rowHeight() > room) return {};
+  double total = -between;
+  double column = 0;
   for (const Entry& entry : entries_) {
-    total += widthOf(entry);
-    widest = std::max(widest, widthOf(entry));
+    total += widthOf(entry) + between;
+    column = std::max(column, widthOf(entry) + between);
   }
-  if (total <= width) return {1, count, 0};
-  const double column = widest + kBetween * rowHeight();
+  if (total <= room) return {1, count, 0, total};
   for (int rows = 2; rows <= kMostRows; ++rows) {
     const int columns = (count + rows - 1) / rows;
-    if (columns * column - kBetween * rowHeight() <= width) return {rows, columns, column};
+    if (columns * column - between <= room) return {rows, columns, column, columns * column - between};
   }
   return {};
 }
@@ -111,14 +109,7 @@ void GraphLegend::drawScale(QPainter& painter, const QRectF& area) const {
 void GraphLegend::drawEntries(QPainter& painter, const QRectF& area) const {
   const Arrangement arrangement = arrange(area.width());
   if (arrangement.rows == 0) return;
-  double total = 0;
-  if (arrangement.column_width > 0) {
-    total = arrangement.columns * arrangement.column_width - kBetween * rowHeight();
-  } else {
-    for (const Entry& entry : entries_) total += widthOf(entry) + kBetween * rowHeight();
-    total -= kBetween * rowHeight();
-  }
-  const double left = area.left() + 0.5 * (area.width() - total);
+  const double left = area.left() + 0.5 * (area.width() - arrangement.width);
   double x = left;
   for (std::size_t k = 0; k < entries_.size(); ++k) {
     const int row = static_cast<int>(k) / arrangement.columns;

@@ -43,9 +43,10 @@ class GraphLegend {
     int rows = 0;
     int columns = 0;
     double column_width = 0;  ///< 0: one row, each entry as wide as it is
+    double width = 0;
   };
 
-  [[nodiscard]] Arrangement arrange(double width) const;
+  [[nodiscard]] Arrangement arrange(double room) const;
   [[nodiscard]] double widthOf(const Entry& entry) const;
   [[nodiscard]] double rowHeight() const;
   [[nodiscard]] double titleWidth() const;

@@ -66,6 +66,17 @@ bool GraphPainter::isSeen(const QPointF& a, const QPointF& b) const {
          std::max(a.y(), b.y()) >= seen_.top() && std::min(a.y(), b.y()) <= seen_.bottom();
 }
 
+/// The lines that a link is drawn as, if it is seen: one, or of a cut one a stub at each end.
+template <class Draw>
+void GraphPainter::forEachPiece(const GraphScene::Link& link, Draw draw) const {
+  const QPointF source = camera_.toScreen(scene_.cells()[link.source].center);
+  const QPointF target = camera_.toScreen(scene_.cells()[link.target].center);
+  if (!isSeen(source, target)) return;
+  if (!link.cut) return draw(source, target);
+  draw(source, camera_.toScreen(link.from));
+  draw(target, camera_.toScreen(link.to));
+}
+
 QPolygonF GraphPainter::hexagon(const QPointF& center, double angle_rad) const {
   const double cosine = camera_.scale * std::cos(angle_rad);
   const double sine = camera_.scale * std::sin(angle_rad);
@@ -82,11 +93,6 @@ QPolygonF GraphPainter::hexagon(std::size_t cell) const {
   return hexagon(camera_.toScreen(drawn.center), drawn.angle_rad);
 }
 
-QPen GraphPainter::pen(const LinkStroke& stroke, double width) const {
-  if (radius_px_ >= graph_levels::kStyleRadius) return strokePen(stroke, width);
-  return {stroke.color, width, Qt::SolidLine, Qt::FlatCap};
-}
-
 /// The two directed edges of a link, or one line where both would fall together.
 void GraphPainter::addDirections(const QPointF& a, const QPointF& b, QVector<QLineF>& lines) const {
   if (separation_px_ < 1.6) {
@@ -98,16 +104,12 @@ void GraphPainter::addDirections(const QPointF& a, const QPointF& b, QVector<QLi
   lines.append(QLineF(b - aside, a - aside));
 }
 
-/// Lines without smoothing, one pixel wide: Qt has a way of its own for these, many times as fast as any other.
-void GraphPainter::drawThinLines(QPainter& painter, const QVector<QLineF>& lines, const QColor& color) const {
-  painter.setPen(QPen(color, 1, Qt::SolidLine, Qt::FlatCap));
-  painter.drawLines(lines);
-}
-
 void GraphPainter::drawStrokes(QPainter& painter, const QVector<QLineF>& lines, const LinkStroke& stroke) const {
   if (lines.isEmpty()) return;
   if (radius_px_ < graph_levels::kOutlineRadius || is_crowded_) {
-    drawThinLines(painter, lines, stroke.color);
+    // Lines without smoothing, one pixel wide: Qt has a way of its own for these, many times as fast as any other.
+    painter.setPen(QPen(stroke.color, 1, Qt::SolidLine, Qt::FlatCap));
+    painter.drawLines(lines);
     return;
   }
   double width = std::clamp(0.16 * radius_px_, 1.0, 5.0);
@@ -120,7 +122,7 @@ void GraphPainter::drawStrokes(QPainter& painter, const QVector<QLineF>& lines, 
   }
   const bool doubled = stroke.doubled && styled;
   if (doubled) width *= 1.5;
-  painter.setPen(pen(stroke, width));
+  painter.setPen(styled ? strokePen(stroke, width) : QPen(stroke.color, width, Qt::SolidLine, Qt::FlatCap));
   painter.drawLines(lines);
   if (doubled) {
     painter.setPen(QPen(colors_.panel, 0.36 * width, Qt::SolidLine, Qt::FlatCap));
@@ -134,15 +136,7 @@ void GraphPainter::drawTree(QPainter& painter) const {
   QVector<QLineF> lines;
   for (const GraphScene::Link& link : scene_.links()) {
     if (!link.estimate->used || !link.estimate->in_tree) continue;
-    const QPointF source = camera_.toScreen(scene_.cells()[link.source].center);
-    const QPointF target = camera_.toScreen(scene_.cells()[link.target].center);
-    if (!isSeen(source, target)) continue;
-    if (link.cut) {
-      lines.append(QLineF(source, camera_.toScreen(link.from)));
-      lines.append(QLineF(target, camera_.toScreen(link.to)));
-    } else {
-      lines.append(QLineF(source, target));
-    }
+    forEachPiece(link, [&](const QPointF& a, const QPointF& b) { lines.append(QLineF(a, b)); });
   }
   painter.setPen(QPen(colors_.tree_band, 0.98 * radius_px_, Qt::SolidLine, Qt::FlatCap));
   painter.drawLines(lines);
@@ -166,19 +160,10 @@ void GraphPainter::drawLinks(QPainter& painter) const {
   };
   for (std::size_t k = 0; k < scene_.links().size(); ++k) {
     const GraphScene::Link& link = scene_.links()[k];
-    const QPointF source = camera_.toScreen(scene_.cells()[link.source].center);
-    const QPointF target = camera_.toScreen(scene_.cells()[link.target].center);
-    if (!isSeen(source, target)) continue;
     if (!link.estimate->used) continue;
     const std::int16_t kind = paint_.of_link[k];
     QVector<QLineF>& group = kind == GraphPaint::kPlain ? plain : lines[static_cast<std::size_t>(kind)];
-    const bool in_tree = link.estimate->in_tree;
-    if (link.cut) {
-      add(source, camera_.toScreen(link.from), in_tree, group);
-      add(target, camera_.toScreen(link.to), in_tree, group);
-    } else {
-      add(source, target, in_tree, group);
-    }
+    forEachPiece(link, [&](const QPointF& a, const QPointF& b) { add(a, b, link.estimate->in_tree, group); });
   }
   if (!plain.isEmpty()) {
     const double width = std::clamp(0.1 * radius_px_, 1.0, 3.0);
@@ -257,8 +242,7 @@ GraphPainter::CellKind GraphPainter::kindOf(std::size_t cell) const {
   return {paint_.of_cell[cell], drawn.origin, drawn.placed_by_links};
 }
 
-QColor GraphPainter::fillOf(std::size_t cell) const {
-  const std::int16_t fill = paint_.of_cell[cell];
+QColor GraphPainter::fillColor(std::int16_t fill) const {
   return fill == GraphPaint::kPlain ? colors_.cell_fill : paint_.fills[static_cast<std::size_t>(fill)];
 }
 
@@ -271,8 +255,7 @@ void GraphPainter::choosePens(QPainter& painter, const CellKind& kind) const {
     pen.setDashPattern({2.5, 2});
   }
   painter.setPen(pen);
-  painter.setBrush(kind.fill == GraphPaint::kPlain ? colors_.cell_fill
-                                                   : paint_.fills[static_cast<std::size_t>(kind.fill)]);
+  painter.setBrush(fillColor(kind.fill));
 }
 
 void GraphPainter::drawCells(QPainter& painter) const {

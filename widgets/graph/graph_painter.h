@@ -48,16 +48,17 @@ class GraphPainter {
   };
 
   [[nodiscard]] bool isSeen(const QPointF& a, const QPointF& b) const;
+  template <class Draw>
+  void forEachPiece(const GraphScene::Link& link, Draw draw) const;
   [[nodiscard]] QPolygonF hexagon(const QPointF& center, double angle_rad) const;
   [[nodiscard]] QPolygonF hexagon(std::size_t cell) const;
   [[nodiscard]] CellKind kindOf(std::size_t cell) const;
-  [[nodiscard]] QColor fillOf(std::size_t cell) const;
+  [[nodiscard]] QColor fillColor(std::int16_t fill) const;
+  [[nodiscard]] QColor fillOf(std::size_t cell) const { return fillColor(paint_.of_cell[cell]); }
   void choosePens(QPainter& painter, const CellKind& kind) const;
-  [[nodiscard]] QPen pen(const LinkStroke& stroke, double width) const;
   void drawLinks(QPainter& painter) const;
   void drawTree(QPainter& painter) const;
   void drawStrokes(QPainter& painter, const QVector<QLineF>& lines, const LinkStroke& stroke) const;
-  void drawThinLines(QPainter& painter, const QVector<QLineF>& lines, const QColor& color) const;
   void drawMutedLinks(QPainter& painter) const;
   void drawCutCurves(QPainter& painter) const;
   [[nodiscard]] QPainterPath cutCurve(const GraphScene::Link& link) const;

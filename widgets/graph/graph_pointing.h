@@ -50,15 +50,15 @@ inline GraphHit pickedIn(const GraphScene& scene, const Selection& selection) {
   return hit;
 }
 
-inline void pickHit(const GraphScene& scene, const GraphHit& hit, Selection& selection) {
+/// `seeks`: and turns the views to it.
+inline void pickHit(const GraphScene& scene, const GraphHit& hit, Selection& selection, bool seeks) {
+  if (hit.isNothing()) return selection.clear();
   if (hit.cell) {
-    selection.selectCell(scene.cells()[*hit.cell].id);
-  } else if (hit.link) {
-    const LinkEstimate& link = *scene.links()[*hit.link].estimate;
-    selection.selectLink(link.source, link.target);
-  } else {
-    selection.clear();
+    const CellId cell = scene.cells()[*hit.cell].id;
+    return seeks ? selection.seekCell(cell) : selection.selectCell(cell);
   }
+  const LinkEstimate& link = *scene.links()[*hit.link].estimate;
+  return seeks ? selection.seekLink(link.source, link.target) : selection.selectLink(link.source, link.target);
 }
 
 /// The cell that an arrow key leads to from what is picked: a neighbour in the direction (unit length, y up), an end of

@@ -80,12 +80,10 @@ class GraphScene {
   [[nodiscard]] std::optional<std::size_t> indexOf(LinkEnd source, LinkEnd target) const {
     const auto cell = indexOf(source.cell);
     if (!cell) return std::nullopt;
+    const auto ends = std::minmax(source, target);
     for (const std::size_t link : cells_[*cell].links) {
       const LinkEstimate& estimate = *links_[link].estimate;
-      if ((estimate.source == source && estimate.target == target) ||
-          (estimate.source == target && estimate.target == source)) {
-        return link;
-      }
+      if (std::minmax(estimate.source, estimate.target) == ends) return link;
     }
     return std::nullopt;
   }

@@ -17,6 +17,7 @@
 #include <QWheelEvent>
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <utility>
 
 namespace hexoderm {
@@ -27,29 +28,10 @@ constexpr double kKeyZoom = 1.25;
 constexpr QSize kLeastForButton(220, 150);
 /// A larger skin takes long to draw.
 constexpr std::size_t kMostCellsAtOnce = 300;
+constexpr int kDrawAfter_ms = 1;  // 0 may be in the turn in which the window is painted
 
-QPointF positionIn(const QMouseEvent& event) {
-#if QT_VERSION >= QT_VERSION_CHECK(6, 0, 0)
-  return event.position();
-#else
-  return event.localPos();
-#endif
-}
-
-std::optional<QPointF> arrowDirection(int key) {
-  switch (key) {
-    case Qt::Key_Left:
-      return QPointF(-1, 0);
-    case Qt::Key_Right:
-      return QPointF(1, 0);
-    case Qt::Key_Up:
-      return QPointF(0, 1);
-    case Qt::Key_Down:
-      return QPointF(0, -1);
-    default:
-      return std::nullopt;
-  }
-}
+const std::map<int, QPointF> kArrows = {
+    {Qt::Key_Left, {-1, 0}}, {Qt::Key_Right, {1, 0}}, {Qt::Key_Up, {0, 1}}, {Qt::Key_Down, {0, -1}}};
 
 }  // namespace
 
@@ -58,7 +40,10 @@ GraphView::GraphView(Selection* selection, QWidget* parent)
       selection_(selection),
       finder_(new FindCellField([this](CellId id) { return scene_->indexOf(id).has_value(); }, this)),
       button_(new GraphColoringButton(this)),
-      sheet_(this, [this](QPainter& painter) { picture().draw(painter); }) {
+      draw_soon_(kDrawAfter_ms, [this] {
+        static_cast<void>(currentSheet());
+        update();
+      }) {
   setObjectName(QStringLiteral("graphView"));
   setAccessibleName(tr("Skin graph"));
   setFocusPolicy(Qt::StrongFocus);
@@ -123,11 +108,11 @@ GraphStyle GraphView::style() const {
 
 GraphMarks GraphView::marks() const { return {button_->marksTree(), scene_->hasMutedLinks()}; }
 
-GraphPicture GraphView::picture() const { return {scene_, paint_, camera_, style(), marks(), fit_.legendArea()}; }
+GraphPicture GraphView::picture() const { return {scene_, paint_, camera_, style(), marks(), fit_.legend_area}; }
 
-void GraphView::drawNow() { static_cast<void>(sheet_.currentPicture()); }
+void GraphView::drawNow() { static_cast<void>(currentSheet()); }
 
-void GraphView::copyPicture() { QApplication::clipboard()->setPixmap(sheet_.currentPicture()); }
+void GraphView::copyPicture() { QApplication::clipboard()->setPixmap(currentSheet()); }
 
 GraphHit GraphView::picked() const { return pickedIn(*scene_, *selection_); }
 
@@ -154,11 +139,6 @@ void GraphView::recolor() {
   const auto fixed = ranges_ == nullptr ? std::nullopt : ranges_->fixed(coloring());
   paint_ = std::make_shared<const GraphPaint>(paintOf(*scene_, coloring(), themeOf(palette()), fixed));
   arrange();
-  if (follows_size_) {
-    fit();
-  } else {
-    repaintSheet();
-  }
 }
 
 void GraphView::arrange() {
@@ -171,11 +151,16 @@ void GraphView::arrange() {
   if (has_cells) neighbors.legend = &legend;
   if (scene_->patches().size() > 1) neighbors.caption_height_px = fontMetrics().height() + 2.0;
   fit_ = GraphFit(*scene_, size(), neighbors);
-  button_->move(fit_.buttonPlace());
+  button_->move(fit_.button_place);
+  if (follows_size_) {
+    fit();
+  } else {
+    repaintSheet();
+  }
 }
 
 void GraphView::fit() {
-  camera_ = fit_.camera();
+  camera_ = fit_.camera;
   follows_size_ = true;
   repaintSheet();
 }
@@ -189,7 +174,7 @@ void GraphView::moveCamera(const GraphCamera& camera) {
 void GraphView::zoom(double factor, const QPointF& about) {
   if (scene_->cells().empty()) return;
   GraphCamera zoomed = camera_;
-  zoomed.zoomTo(std::clamp(camera_.scale * factor, 0.5 * fit_.camera().scale, fit_.largestScale(*scene_)), about);
+  zoomed.zoomTo(std::clamp(camera_.scale * factor, 0.5 * fit_.camera.scale, fit_.largestScale(*scene_)), about);
   moveCamera(zoomed);
 }
 
@@ -227,7 +212,26 @@ void GraphView::showFigures() {
   QToolTip::showText(mapToGlobal(camera_.toScreen(*middle).toPoint()), toolTipOf(*scene_, picked()), this);
 }
 
-void GraphView::repaintSheet() { sheet_.invalidate(scene_->cells().size() > kMostCellsAtOnce); }
+void GraphView::repaintSheet() {
+  is_sheet_current_ = false;
+  if (scene_->cells().size() > kMostCellsAtOnce && !sheet_.isNull()) {
+    draw_soon_.start();
+  } else {
+    update();
+  }
+}
+
+const QPixmap& GraphView::currentSheet() {
+  const double ratio = devicePixelRatioF();
+  const QSize pixels = (QSizeF(size()) * ratio).toSize();
+  if (is_sheet_current_ && sheet_.size() == pixels) return sheet_;
+  if (sheet_.size() != pixels) sheet_ = QPixmap(pixels);
+  sheet_.setDevicePixelRatio(ratio);
+  QPainter painter(&sheet_);
+  picture().draw(painter);
+  is_sheet_current_ = true;
+  return sheet_;
+}
 
 // --- pointing and picking ---
 
@@ -255,7 +259,7 @@ void GraphView::hover(const GraphHit& hit) {
 
 void GraphView::showMenu(const GraphHit& hit, const QPoint& global_position) {
   if (scene_->cells().empty()) return;
-  if (!hit.isNothing()) pickHit(*scene_, hit, *selection_);
+  if (!hit.isNothing()) pickHit(*scene_, hit, *selection_, false);
   auto* menu = new QMenu(this);
   menu->setObjectName(QStringLiteral("graphMenu"));
   menu->setAttribute(Qt::WA_DeleteOnClose);
@@ -309,7 +313,7 @@ QRect GraphView::regionOf(const GraphHit& hit) const {
 }
 
 void GraphView::paintEvent(QPaintEvent* event) {
-  const QPixmap& sheet = sheet_.picture();
+  const QPixmap& sheet = draw_soon_.isActive() ? sheet_ : currentSheet();
   QPainter painter(this);
   const double ratio = sheet.devicePixelRatioF();
   const QRect covered(QPoint(0, 0), (QSizeF(sheet.size()) / ratio).toSize());
@@ -351,11 +355,6 @@ bool GraphView::event(QEvent* event) {
 void GraphView::resizeEvent(QResizeEvent* event) {
   camera_.size = size();
   arrange();
-  if (follows_size_) {
-    fit();
-  } else {
-    repaintSheet();
-  }
   QWidget::resizeEvent(event);
 }
 
@@ -367,18 +366,17 @@ void GraphView::wheelEvent(QWheelEvent* event) {
 
 void GraphView::mousePressEvent(QMouseEvent* event) {
   if (event->button() != Qt::LeftButton && event->button() != Qt::MiddleButton) return;
-  pressed_at_ = positionIn(*event).toPoint();
-  last_mouse_ = positionIn(*event);
+  pressed_at_ = last_mouse_ = event->pos();
 }
 
 void GraphView::mouseMoveEvent(QMouseEvent* event) {
-  const QPointF position = positionIn(*event);
+  const QPoint position = event->pos();
   if (!pressed_at_) {
     hover(hitAt(*scene_, camera_, position));
     return;
   }
   if (!is_panning_) {
-    if ((position.toPoint() - *pressed_at_).manhattanLength() < QApplication::startDragDistance()) return;
+    if ((position - *pressed_at_).manhattanLength() < QApplication::startDragDistance()) return;
     if (scene_->cells().empty()) return;
     is_panning_ = true;
     hover({});
@@ -395,7 +393,7 @@ void GraphView::mouseReleaseEvent(QMouseEvent* event) {
   if (is_panning_) {
     unsetCursor();
   } else if (event->button() == Qt::LeftButton) {
-    pickHit(*scene_, hitAt(*scene_, camera_, positionIn(*event)), *selection_);
+    pickHit(*scene_, hitAt(*scene_, camera_, event->pos()), *selection_, false);
   }
   pressed_at_.reset();
   is_panning_ = false;
@@ -403,15 +401,9 @@ void GraphView::mouseReleaseEvent(QMouseEvent* event) {
 
 void GraphView::mouseDoubleClickEvent(QMouseEvent* event) {
   if (event->button() != Qt::LeftButton) return;
-  const GraphHit hit = hitAt(*scene_, camera_, positionIn(*event));
-  if (hit.cell) {
-    selection_->seekCell(scene_->cells()[*hit.cell].id);
-  } else if (hit.link) {
-    const LinkEstimate& link = *scene_->links()[*hit.link].estimate;
-    selection_->seekLink(link.source, link.target);
-  } else {
-    fit();
-  }
+  const GraphHit hit = hitAt(*scene_, camera_, event->pos());
+  if (hit.isNothing()) return fit();
+  pickHit(*scene_, hit, *selection_, true);
 }
 
 void GraphView::contextMenuEvent(QContextMenuEvent* event) {
@@ -436,8 +428,9 @@ void GraphView::keyPressEvent(QKeyEvent* event) {
     findCell();
   } else if (event->modifiers() & (Qt::ControlModifier | Qt::AltModifier | Qt::MetaModifier)) {
     QWidget::keyPressEvent(event);
-  } else if (const auto direction = arrowDirection(event->key())) {
-    if (const auto next = cellToward(*scene_, picked(), *direction)) selection_->selectCell(scene_->cells()[*next].id);
+  } else if (const auto arrow = kArrows.find(event->key()); arrow != kArrows.end()) {
+    if (const auto next = cellToward(*scene_, picked(), arrow->second))
+      selection_->selectCell(scene_->cells()[*next].id);
   } else if (event->key() == Qt::Key_F) {
     fit();
   } else if (event->key() == Qt::Key_Plus || event->key() == Qt::Key_Equal) {

@@ -2,14 +2,15 @@
 
 #include "hexoderm/reconstruction/result/reconstruction.h"
 #include "widgets/coloring/coloring.h"
+#include "widgets/controls/heavy_turn.h"
 #include "widgets/graph/graph_fit.h"
 #include "widgets/graph/graph_picture.h"
 #include "widgets/graph/graph_pointing.h"
-#include "widgets/graph/graph_sheet.h"
 #include "widgets/style/dressed_theme.h"
 #include "widgets/style/palette.h"
 
 #include <QList>
+#include <QPixmap>
 #include <QPoint>
 #include <QWidget>
 #include <memory>
@@ -106,6 +107,7 @@ class GraphView : public QWidget {
   void hover(const GraphHit& hit);
   void showMenu(const GraphHit& hit, const QPoint& global_position);
   void repaintSheet();
+  const QPixmap& currentSheet();
   void drawHint(QPainter& painter) const;
   void drawHighlights(QPainter& painter) const;
   /// The pixels that the outline of a cell or a link covers.
@@ -128,11 +130,16 @@ class GraphView : public QWidget {
   GraphFit fit_;
   GraphCamera camera_;
   bool follows_size_ = true;  ///< shows everything, until somebody zooms or pans
-  GraphSheet sheet_;
+  /// The drawn graph without the picked cell or link, so that picking and pointing cost nothing. A drawing that takes
+  /// long has a turn of the event loop to itself, apart from the one in which the whole window may be painted; until
+  /// then the earlier picture is shown.
+  QPixmap sheet_;
+  bool is_sheet_current_ = false;
+  HeavyTurn draw_soon_;
 
   GraphHit hovered_;
   std::optional<QPoint> pressed_at_;
-  QPointF last_mouse_;
+  QPoint last_mouse_;
   bool is_panning_ = false;
   bool shows_focus_ = false;  ///< the keyboard focus came by keyboard
 };

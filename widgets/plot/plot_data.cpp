@@ -1,7 +1,5 @@
 #include "widgets/plot/plot_data.h"
 
-#include "hexoderm/reconstruction/advice/assess.h"
-#include "hexoderm/util/units.h"
 #include "widgets/coloring/coloring_words.h"
 #include "widgets/words/formatting.h"
 
@@ -55,8 +53,7 @@ void addLinks(const Reconstruction& reconstruction, PlotData& data) {
     for (const LinkEstimate& link : patch.links) {
       if (!link.used) continue;
       const auto y = data.choice.is_histogram ? 0 : valueOf(data.choice.y, link);
-      const auto [first, second] = std::minmax(link.source, link.target);
-      addPoint(data, {link.source.cell, Selection::Link(first, second)}, valueOf(data.choice.x, link), y);
+      addPoint(data, {link.source.cell, Selection::linkOf(link.source, link.target)}, valueOf(data.choice.x, link), y);
     }
   }
 }
@@ -79,9 +76,8 @@ QString plotFigureName(PlotSubject subject, PlotFigure figure) {
 }
 
 QString plotAxisTitle(PlotSubject subject, PlotFigure figure) {
-  const QString unit = figure ? QString::fromUtf8(coloringRow(*figure).unit) : QString();
-  const QString name = plotFigureName(subject, figure);
-  return unit.isEmpty() ? name : name + QStringLiteral(", ") + unit;
+  if (!figure) return plotFigureName(subject, figure);
+  return subject == PlotSubject::Links ? graphTitle(*figure) : patchTitle(*figure);
 }
 
 QString plotValueInWords(PlotFigure figure, double value) {
@@ -95,24 +91,22 @@ QString plotValueInWords(PlotFigure figure, double value) {
 
 std::vector<PlotLimit> plotLimits(PlotFigure figure) {
   if (!figure) return {};
-  const QString goal = PlotWords::tr("goal");
-  switch (*figure) {
-    case Coloring::PositionUncertainty:
-      return {{toMillimetres(kGoodPosition_m), goal}};
-    case Coloring::OrientationUncertainty:
-      return {{toDegrees(kGoodOrientation_rad), goal}};
-    case Coloring::ReadingNorm:
-      return {{1, PlotWords::tr("at rest")}};
-    case Coloring::SurfaceDistance:
-      return {{0, PlotWords::tr("the surface")}};
-    default:
-      return {};
-  }
+  if (const auto goal = coloringRow(*figure).goal) return {{*goal, PlotWords::tr("goal")}};
+  if (*figure == Coloring::ReadingNorm) return {{1, PlotWords::tr("at rest")}};
+  if (*figure == Coloring::SurfaceDistance) return {{0, PlotWords::tr("the surface")}};
+  return {};
 }
 
 std::vector<CellId> PlotData::cellsOf(const PlotPoint& point) const {
   if (!point.link) return {point.cell};
   return {point.link->first.cell, point.link->second.cell};
+}
+
+std::optional<std::size_t> PlotData::pickedIn(const Selection& selection) const {
+  const auto found = std::ranges::find_if(points, [&](const PlotPoint& point) {
+    return point.link ? selection.link() == point.link : selection.cell() == point.cell;
+  });
+  return found == points.end() ? std::nullopt : std::optional<std::size_t>(found - points.begin());
 }
 
 ColorRange PlotData::bounds(bool along_y) const {

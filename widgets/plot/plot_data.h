@@ -59,6 +59,8 @@ struct PlotData {
 
   /// The cells of a point: one, or both ends of a link.
   [[nodiscard]] std::vector<CellId> cellsOf(const PlotPoint& point) const;
+  /// The point that is picked, if there is one.
+  [[nodiscard]] std::optional<std::size_t> pickedIn(const Selection& selection) const;
   /// The ends of the points' values; from 0 to 1 without points. `along_y`: else along x.
   [[nodiscard]] ColorRange bounds(bool along_y) const;
 };

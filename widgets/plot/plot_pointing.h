@@ -1,9 +1,8 @@
 #pragma once
 
-#include "widgets/plot/plot_data.h"
+#include "widgets/plot/plot_items.h"
 #include "widgets/words/formatting.h"
 
-#include <qwt_plot.h>
 #include <qwt_plot_canvas.h>
 #include <qwt_scale_map.h>
 
@@ -18,11 +17,10 @@
 #include <QToolTip>
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <optional>
 #include <utility>
 #include <vector>
-
-class QwtPlot;
 
 namespace hexoderm {
 
@@ -37,10 +35,10 @@ class PlotPointing : public QObject {
 
  public:
   /// All outlive this.
-  PlotPointing(QwtPlot* plot, const PlotData& data, Selection& selection, QObject* parent = nullptr)
-      : QObject(parent),
-        plot_(plot),
+  PlotPointing(QwtPlot* plot, const PlotData& data, PlotPicture::Marks& marks, Selection& selection)
+      : plot_(plot),
         data_(data),
+        marks_(marks),
         selection_(selection),
         band_(new QRubberBand(QRubberBand::Rectangle, plot->canvas())) {
     plot->canvas()->installEventFilter(this);
@@ -49,7 +47,8 @@ class PlotPointing : public QObject {
   /// Other data is shown.
   void restart() {
     anchor_.reset();
-    bin_.reset();
+    marks_.bin.reset();
+    marks_.hovered.reset();
     pressed_at_.reset();
     band_->hide();
   }
@@ -82,10 +81,6 @@ class PlotPointing : public QObject {
     return text;
   }
 
- signals:
-  void pointedAt(const std::optional<std::size_t>& point);
-  void binReached(const std::optional<std::size_t>& bin);
-
  protected:
   bool eventFilter(QObject* /*watched*/, QEvent* event) override {
     switch (event->type()) {
@@ -101,7 +96,7 @@ class PlotPointing : public QObject {
         if (static_cast<QKeyEvent*>(event)->matches(QKeySequence::SelectAll)) event->accept();
         return false;
       case QEvent::Leave:
-        emit pointedAt(std::nullopt);
+        mark(marks_.hovered, std::nullopt);
         return false;
       case QEvent::ToolTip: {
         const auto* help = static_cast<QHelpEvent*>(event);
@@ -115,10 +110,14 @@ class PlotPointing : public QObject {
 
  private:
   static constexpr double kNear_px = 10;  // from a point at which the mouse still means it
+  static std::vector<std::size_t> allOf(const PlotData& data) {
+    std::vector<std::size_t> points(data.points.size());
+    std::iota(points.begin(), points.end(), std::size_t{0});
+    return points;
+  }
   /// Indices of the points, ordered along or up the plot; equal ones stay in the order of their IDs.
   static std::vector<std::size_t> ordered(const PlotData& data, bool by_height) {
-    std::vector<std::size_t> order(data.points.size());
-    for (std::size_t k = 0; k < order.size(); ++k) order[k] = k;
+    std::vector<std::size_t> order = allOf(data);
     std::ranges::stable_sort(order, {}, [&](std::size_t k) { return by_height ? data.points[k].y : data.points[k].x; });
     return order;
   }
@@ -142,6 +141,10 @@ class PlotPointing : public QObject {
     }
   }
 
+  void mark(std::optional<std::size_t>& which, std::optional<std::size_t> place) {
+    if (std::exchange(which, place) != place) plot_->replot();
+  }
+
   bool onPress(const QMouseEvent& event) {
     if (event.button() != Qt::LeftButton) return false;
     pressed_at_ = event.pos();
@@ -150,13 +153,13 @@ class PlotPointing : public QObject {
 
   bool onMove(const QMouseEvent& event) {
     if (!pressed_at_) {
-      emit pointedAt(nearest(event.pos()));
+      mark(marks_.hovered, nearest(event.pos()));
       return false;
     }
     if (!band_->isVisible() && (event.pos() - *pressed_at_).manhattanLength() < QApplication::startDragDistance()) {
       return true;
     }
-    emit pointedAt(std::nullopt);
+    mark(marks_.hovered, std::nullopt);
     band_->setGeometry(QRect(*pressed_at_, event.pos()).normalized());
     band_->show();
     return true;
@@ -183,9 +186,9 @@ class PlotPointing : public QObject {
     } else if (const auto bin = binAt(event.pos())) {
       const double left = plot_->transform(QwtPlot::xBottom, data_.bins[*bin].lower);
       const double right = plot_->transform(QwtPlot::xBottom, data_.bins[*bin].upper);
-      bin_ = anchor_ = bin;
+      anchor_ = bin;
       brushArea(QRectF(left, 0, right - left, 1), adds);
-      emit binReached(bin_);
+      mark(marks_.bin, bin);
     } else {
       selection_.clear();
     }
@@ -194,9 +197,7 @@ class PlotPointing : public QObject {
 
   bool onKey(const QKeyEvent& event) {
     if (event.matches(QKeySequence::SelectAll)) {
-      std::vector<std::size_t> all(data_.points.size());
-      for (std::size_t k = 0; k < all.size(); ++k) all[k] = k;
-      brushPoints(all, false);
+      brushPoints(allOf(data_), false);
       return true;
     }
     if (event.key() == Qt::Key_Escape && (!selection_.brushed().empty() || selection_.cell() || selection_.link())) {
@@ -293,7 +294,7 @@ class PlotPointing : public QObject {
     const auto placeOf = [&](std::size_t point) {
       return static_cast<std::size_t>(std::ranges::find(order, point) - order.begin());
     };
-    const std::optional<std::size_t> picked = pickedPoint();
+    const std::optional<std::size_t> picked = data_.pickedIn(selection_);
     const std::optional<std::size_t> place = picked ? std::optional(placeOf(*picked)) : std::nullopt;
     const std::size_t next = *nextPlace(key, place, order.size());
     if (!extends || !anchor_) anchor_ = picked && extends ? *picked : order[next];
@@ -306,34 +307,25 @@ class PlotPointing : public QObject {
   }
 
   void goThroughBins(int key, bool extends) {
-    bin_ = nextPlace(key, bin_, data_.bins.size());
-    if (!extends || !anchor_) anchor_ = bin_;
-    const auto [from, to] = std::minmax(*anchor_, *bin_);
+    const std::size_t next = *nextPlace(key, marks_.bin, data_.bins.size());
+    if (!extends || !anchor_) anchor_ = next;
+    const auto [from, to] = std::minmax(*anchor_, next);
     std::vector<std::size_t> inside;
     for (std::size_t k = 0; k < data_.points.size(); ++k) {
       const auto bin = binOf(data_.bins, data_.points[k].x);
       if (bin && *bin >= from && *bin <= to) inside.push_back(k);
     }
     brushPoints(inside, false);
-    emit binReached(bin_);
-  }
-
-  /// The point that is picked, if it is shown.
-  [[nodiscard]] std::optional<std::size_t> pickedPoint() const {
-    for (std::size_t k = 0; k < data_.points.size(); ++k) {
-      const PlotPoint& point = data_.points[k];
-      if (point.link ? selection_.link() == point.link : selection_.cell() == point.cell) return k;
-    }
-    return std::nullopt;
+    mark(marks_.bin, next);
   }
 
   QwtPlot* plot_;
   const PlotData& data_;
+  PlotPicture::Marks& marks_;
   Selection& selection_;
   QRubberBand* band_;
   std::optional<QPoint> pressed_at_;
   std::optional<std::size_t> anchor_;  ///< place in the order along, or bin, from which Shift extends
-  std::optional<std::size_t> bin_;
 };
 
 }  // namespace hexoderm

@@ -2,7 +2,6 @@
 
 #include "widgets/coloring/coloring_words.h"
 #include "widgets/controls/panel_parts.h"
-#include "widgets/plot/plot_items.h"
 #include "widgets/plot/plot_pointing.h"
 #include "widgets/style/dressed_theme.h"
 #include "widgets/style/palette.h"
@@ -47,7 +46,7 @@ QComboBox* figureBox(const char* name, const QString& accessible_name) {
   auto* box = new QComboBox;
   setNames(box, QLatin1String(name), accessible_name);
   box->setToolTip(accessible_name);
-  box->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+  makeNarrow(box);
   constexpr int kShown = 16;
   box->setMinimumContentsLength(kShown);
   return box;
@@ -94,15 +93,15 @@ struct PlotView::Parts : public QObject {
   QwtPlot* plot = new QwtPlot;
   QwtPlotGrid* grid = new QwtPlotGrid;
   PlotPicture* picture = new PlotPicture;
-  QLabel* summary = new QLabel;
-  PlotPointing* pointing = nullptr;
+  QLabel* summary = paragraph("plotSummary");
+  PlotPointing pointing{plot, data, marks, *selection};
   QTimer readings_soon;
 
   void build() {
     plot->setObjectName(QStringLiteral("figurePlot"));
     plot->setAutoReplot(false);
     plot->setMinimumSize(120, 60);
-    auto* canvas = new QwtPlotCanvas(plot);
+    auto* canvas = static_cast<QwtPlotCanvas*>(plot->canvas());
     canvas->setFrameStyle(QFrame::NoFrame);
     canvas->setFocusIndicator(QwtPlotCanvas::CanvasFocusIndicator);
     canvas->setFocusPolicy(Qt::StrongFocus);
@@ -110,7 +109,6 @@ struct PlotView::Parts : public QObject {
     canvas->setBackgroundRole(QPalette::Base);
     plot->setToolTip(PlotView::tr("Drag a rectangle to mark cells in all views, or use the arrow keys with Shift"));
     canvas->setMouseTracking(true);
-    plot->setCanvas(canvas);
     view->setFocusProxy(canvas);
     for (const int axis : {QwtPlot::xBottom, QwtPlot::yLeft}) {
       plot->setAxisScaleDraw(axis, new PlotScale);
@@ -119,9 +117,7 @@ struct PlotView::Parts : public QObject {
     grid->attach(plot);
     picture->attach(plot);
     picture->show(&data, &marks);
-    summary->setObjectName(QStringLiteral("plotSummary"));
     summary->setProperty("muted", true);
-    setPlainParagraph(summary);
 
     // The boxes are the titles of the axes, and stand where these would.
     auto* layout = spaced(new QVBoxLayout(view), {10, 4, 10, 6}, 3);
@@ -136,16 +132,7 @@ struct PlotView::Parts : public QObject {
     for (QComboBox* box : {subject_box, x_box, y_box}) {
       connect(box, qOverload<int>(&QComboBox::currentIndexChanged), this, [this] { takeBoxes(); });
     }
-    pointing = new PlotPointing(plot, data, *selection, this);
-    connect(pointing, &PlotPointing::pointedAt, this, [this](const std::optional<std::size_t>& point) {
-      if (std::exchange(marks.hovered, point) != point) plot->replot();
-    });
-    connect(pointing, &PlotPointing::binReached, this, [this](const std::optional<std::size_t>& bin) {
-      if (std::exchange(marks.bin, bin) != bin) plot->replot();
-    });
-    readings_soon.setSingleShot(true);
-    readings_soon.setInterval(kReadingsEvery_ms);
-    connect(&readings_soon, &QTimer::timeout, this, [this] {
+    setUpOnce(readings_soon, kReadingsEvery_ms, this, [this] {
       if (view->isVisible()) refresh();
     });
     connect(selection, &Selection::changed, this, [this] { markAnew(); });
@@ -214,18 +201,14 @@ struct PlotView::Parts : public QObject {
     if (!std::exchange(has_figures, true)) figures = reconstruction ? makeCellFigures(*reconstruction) : CellFigures();
     fillBoxes();
     data = makePlotData(reconstruction.get(), figures, readings, choice);
-    marks.hovered.reset();
-    marks.bin.reset();
-    pointing->restart();
+    pointing.restart();
     if (choice.is_histogram) {
       const auto fullest = std::ranges::max_element(data.bins, {}, &ValueBin::count);
       const double most = fullest == data.bins.end() ? 1 : static_cast<double>(fullest->count);
       setScale(plot, QwtPlot::yLeft, {0, most}, true);
-      if (data.bins.empty()) {
-        setScale(plot, QwtPlot::xBottom, {}, false);
-      } else {
-        setScale(plot, QwtPlot::xBottom, {data.bins.front().lower, data.bins.back().upper}, false);
-      }
+      const bool any = !data.bins.empty();
+      setScale(plot, QwtPlot::xBottom, any ? ColorRange{data.bins.front().lower, data.bins.back().upper} : ColorRange(),
+               false);
     } else {
       setScale(plot, QwtPlot::xBottom, data.bounds(false), choice.x.has_value());
       setScale(plot, QwtPlot::yLeft, data.bounds(true), choice.y.has_value());
@@ -241,13 +224,11 @@ struct PlotView::Parts : public QObject {
     if (is_stale) return;
     const auto isBrushed = [this](CellId cell) { return selection->isBrushed(cell); };
     marks.brushed.assign(data.points.size(), false);
-    marks.picked.reset();
     for (std::size_t k = 0; k < data.points.size(); ++k) {
-      const PlotPoint& point = data.points[k];
-      marks.brushed[k] = std::ranges::all_of(data.cellsOf(point), isBrushed);
-      if (point.link ? selection->link() == point.link : selection->cell() == point.cell) marks.picked = k;
+      marks.brushed[k] = std::ranges::all_of(data.cellsOf(data.points[k]), isBrushed);
     }
-    if (marks.picked) marks.picked_word = pointing->nameOf(*marks.picked);
+    marks.picked = data.pickedIn(*selection);
+    if (marks.picked) marks.picked_word = pointing.nameOf(*marks.picked);
     summarise();
     plot->replot();
   }
@@ -263,7 +244,13 @@ struct PlotView::Parts : public QObject {
       if (data.unknown > 0) text += QStringLiteral(" · ") + PlotView::tr("%1 without a value").arg(data.unknown);
     }
     summary->setText(text);
-    plot->canvas()->setAccessibleDescription(marks.picked ? pointing->describe(*marks.picked) : text);
+    plot->canvas()->setAccessibleDescription(marks.picked ? pointing.describe(*marks.picked) : text);
+  }
+
+  /// Gathers the data anew, now or when the plot is shown.
+  void renew() {
+    is_stale = true;
+    if (view->isVisible()) refresh();
   }
 
   void dress() {
@@ -287,8 +274,7 @@ PlotView::~PlotView() {
 void PlotView::setReconstruction(std::shared_ptr<const Reconstruction> reconstruction) {
   parts_->reconstruction = std::move(reconstruction);
   parts_->has_figures = false;
-  parts_->is_stale = true;
-  if (isVisible()) parts_->refresh();
+  parts_->renew();
 }
 
 void PlotView::setSurface(const std::shared_ptr<const SurfaceEvaluation>& surface) {
@@ -298,14 +284,15 @@ void PlotView::setSurface(const std::shared_ptr<const SurfaceEvaluation>& surfac
       parts_->readings.surface_distance_m[surface->cells[k]] = surface->distance_m[k];
     }
   }
-  parts_->is_stale = true;
-  if (isVisible()) parts_->refresh();
+  parts_->renew();
 }
 
 void PlotView::setReadings(const std::shared_ptr<const CellReadings>& readings) {
   const bool came = parts_->readings.acceleration_g.empty() && readings != nullptr;
-  parts_->readings.acceleration_g = readings ? readings->acceleration_g : decltype(readings->acceleration_g){};
-  parts_->readings.temperature_c = readings ? readings->temperature_c : decltype(readings->temperature_c){};
+  static const CellReadings kNone;
+  const CellReadings& now = readings ? *readings : kNone;
+  parts_->readings.acceleration_g = now.acceleration_g;
+  parts_->readings.temperature_c = now.temperature_c;
   const PlotChoice& choice = parts_->choice;
   const bool is_shown =
       (choice.x && isReading(*choice.x)) || (!choice.is_histogram && choice.y && isReading(*choice.y));
@@ -318,15 +305,14 @@ const PlotChoice& PlotView::choice() const { return parts_->choice; }
 
 void PlotView::setChoice(const PlotChoice& choice) {
   parts_->choice = choice;
-  parts_->is_stale = true;
-  if (isVisible()) parts_->refresh();
+  parts_->renew();
 }
 
 const PlotData& PlotView::data() const { return parts_->data; }
 
 QwtPlot* PlotView::plot() const { return parts_->plot; }
 
-QPoint PlotView::positionOf(std::size_t point) const { return parts_->pointing->positionOf(point).toPoint(); }
+QPoint PlotView::positionOf(std::size_t point) const { return parts_->pointing.positionOf(point).toPoint(); }
 
 QSize PlotView::sizeHint() const { return {36 * fontMetrics().averageCharWidth(), 16 * fontMetrics().height()}; }
 QSize PlotView::minimumSizeHint() const { return {24 * fontMetrics().averageCharWidth(), 10 * fontMetrics().height()}; }

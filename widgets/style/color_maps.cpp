@@ -31,6 +31,11 @@ constexpr std::array<std::uint32_t, 8> kClassesOnDark = {0x8277FB, 0xC6A634, 0x7
                                                          0x82AB7D, 0xDBED51, 0xB97FA3, 0xA7FEBE};
 constexpr std::array<std::uint32_t, 6> kClassesOnLight = {0x06299E, 0xDA5819, 0x3F9788, 0x614B7A, 0x2E3E0F, 0x480F2E};
 
+/// Every 17th of the 256 colours of viridis (van der Walt, Smith, Firing; CC0); between them it is nearly linear.
+constexpr std::array<std::uint32_t, 16> kViridis = {0x440154, 0x481A6C, 0x472F7D, 0x414487, 0x39568C, 0x31688E,
+                                                    0x2A788E, 0x23888E, 0x1F988B, 0x22A884, 0x35B779, 0x54C568,
+                                                    0x7AD151, 0xA5DB36, 0xD2E21B, 0xFDE725};
+
 Rgb fromHex(std::uint32_t rgb) {
   constexpr double kFull = 255;
   return {(rgb >> 16U & 0xFFU) / kFull, (rgb >> 8U & 0xFFU) / kFull, (rgb & 0xFFU) / kFull};
@@ -65,6 +70,11 @@ const std::vector<Rgb>& classColors(Theme theme) {
   static const std::vector<Rgb> on_dark = fromHex(kClassesOnDark);
   static const std::vector<Rgb> on_light = fromHex(kClassesOnLight);
   return theme == Theme::Dark ? on_dark : on_light;
+}
+
+QColor viridis(double t) {
+  static const std::vector<Rgb> steps = fromHex(kViridis);
+  return toQColor(onScale(steps, t));
 }
 
 QColor toQColor(const Rgb& color) { return QColor::fromRgbF(color[0], color[1], color[2]); }

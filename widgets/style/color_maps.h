@@ -21,6 +21,9 @@ const ColorMap& divergingMap(Theme theme);
 /// For classes without an order, told apart by eyes that can't tell red from green, too.
 const std::vector<Rgb>& classColors(Theme theme);
 
+/// Viridis (perceptually uniform, safe for colour-blind eyes) at `t` in [0, 1].
+QColor viridis(double t);
+
 QColor toQColor(const Rgb& color);
 Rgb toRgb(const QColor& color);
 

@@ -64,9 +64,6 @@ QString qualityWord(EdgeQuality quality);
 QPalette qtPalette(Theme theme);
 QString styleSheet(Theme theme);
 
-/// Viridis (perceptually uniform, safe for colour-blind eyes) at `t` in [0, 1].
-QColor viridis(double t);
-
 /// Dark or light, whichever is read better on `ground`.
 QColor textOn(const QColor& ground);
 

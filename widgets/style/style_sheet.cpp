@@ -33,6 +33,10 @@ QLabel[tone="neutral"] { color: @text_muted@; }
 QLabel[tone="good"] { color: @good@; }
 QLabel[tone="caution"] { color: @caution@; }
 QLabel[tone="bad"] { color: @bad@; }
+QLabel[dot="true"] { background: @text_muted@; border-radius: 7px; }
+QLabel[dot="true"][tone="good"] { background: @good@; }
+QLabel[dot="true"][tone="caution"] { background: @caution@; }
+QLabel[dot="true"][tone="bad"] { background: @bad@; }
 
 QMenuBar { background: @panel@; border-bottom: 1px solid @border@; padding: 3px 5px; }
 QMenuBar::item { background: transparent; color: @text_muted@; padding: 4px 9px; border-radius: 4px; }

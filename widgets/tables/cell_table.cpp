@@ -82,10 +82,8 @@ int CellTableModel::rowOf(CellId cell) const {
   return found == row_of_.end() ? -1 : found->second;
 }
 
-QVariant CellTableModel::data(const QModelIndex& index, int role) const {
-  if (!checkIndex(index, CheckIndexOption::IndexIsValid)) return {};
-  if (role == Qt::ToolTipRole) return cellToolTip(*reconstruction(), cellAt(index.row()));
-  return ReconstructionTable::data(index, role);
+QVariant CellTableModel::ofRow(int row, int role) const {
+  return role == Qt::ToolTipRole ? cellToolTip(*reconstruction(), cellAt(row)) : QVariant();
 }
 
 }  // namespace hexoderm

@@ -15,13 +15,13 @@ class CellTableModel : public ReconstructionTable {
 
  public:
   explicit CellTableModel(QObject* parent = nullptr);
-  QVariant data(const QModelIndex& index, int role) const override;
 
   [[nodiscard]] CellId cellAt(int row) const;
   [[nodiscard]] int rowOf(CellId cell) const;  ///< -1 if there is none
 
  protected:
   [[nodiscard]] int rows() const override { return static_cast<int>(rows_.size()); }
+  [[nodiscard]] QVariant ofRow(int row, int role) const override;
   void rebuild() override;
 
  private:

@@ -27,6 +27,7 @@ QString ColumnTable::textAt(const QModelIndex& index) const {
 
 QVariant ColumnTable::data(const QModelIndex& index, int role) const {
   if (!checkIndex(index, CheckIndexOption::IndexIsValid)) return {};
+  if (QVariant of_row = ofRow(index.row(), role); of_row.isValid()) return of_row;
   const Column& column = columns_[static_cast<std::size_t>(index.column())];
   switch (role) {
     case Qt::DisplayRole:

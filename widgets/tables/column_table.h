@@ -43,6 +43,8 @@ class ColumnTable : public QAbstractTableModel {
   /// In the constructor, or between beginResetModel and endResetModel.
   void setColumns(std::vector<Column> columns) { columns_ = std::move(columns); }
   [[nodiscard]] virtual QVariant valueAt(const QModelIndex& index) const;
+  /// What a whole row has in a role, before its columns are asked; invalid: nothing of its own.
+  [[nodiscard]] virtual QVariant ofRow(int /*row*/, int /*role*/) const { return {}; }
 
  private:
   [[nodiscard]] QString textAt(const QModelIndex& index) const;

@@ -27,17 +27,14 @@ class FindingTable : public ReconstructionTable {
                 column(tr("Where"), [](const Finding& finding) { return placeInWords(finding); })});
   }
 
-  QVariant data(const QModelIndex& index, int role) const override {
-    if (!checkIndex(index, CheckIndexOption::IndexIsValid)) return {};
-    if (role == Qt::ToolTipRole) return findingToolTip(findingAt(index.row()));
-    return ReconstructionTable::data(index, role);
-  }
-
   [[nodiscard]] const Finding& findingAt(int row) const {
     return reconstruction()->findings[rows_.at(static_cast<std::size_t>(row))];
   }
 
  protected:
+  [[nodiscard]] QVariant ofRow(int row, int role) const override {
+    return role == Qt::ToolTipRole ? findingToolTip(findingAt(row)) : QVariant();
+  }
   [[nodiscard]] int rows() const override { return static_cast<int>(rows_.size()); }
   void rebuild() override {
     rows_.clear();

@@ -55,17 +55,10 @@ LinkTable::LinkTable(QObject* parent) : LinkRowTable(parent) {
                    })});
 }
 
-QVariant LinkTable::data(const QModelIndex& index, int role) const {
-  if (!checkIndex(index, CheckIndexOption::IndexIsValid)) return {};
-  const LinkEstimate& link = linkAt(index.row());
-  switch (role) {
-    case Qt::ForegroundRole:
-      return link.used ? QVariant() : mutedForeground();
-    case Qt::ToolTipRole:
-      return linkToolTip(*reconstruction(), link);
-    default:
-      return LinkRowTable::data(index, role);
-  }
+QVariant LinkTable::ofRow(int row, int role) const {
+  const LinkEstimate& link = linkAt(row);
+  if (role == Qt::ToolTipRole) return linkToolTip(*reconstruction(), link);
+  return role == Qt::ForegroundRole && !link.used ? mutedForeground() : QVariant();
 }
 
 }  // namespace hexoderm

@@ -15,7 +15,9 @@ class LinkTable : public LinkRowTable {
   static constexpr int kYawColumn = 6;
 
   explicit LinkTable(QObject* parent = nullptr);
-  QVariant data(const QModelIndex& index, int role) const override;
+
+ protected:
+  [[nodiscard]] QVariant ofRow(int row, int role) const override;
 };
 
 }  // namespace hexoderm

@@ -62,20 +62,17 @@ PoseTable::PoseTable(QObject* parent) : ReconstructionTable(parent) {
 
 int PoseTable::rows() const { return reconstruction() ? static_cast<int>(reconstruction()->poses.size()) : 0; }
 
+QVariant PoseTable::ofRow(int row, int role) const {
+  const PoseSummary& pose = reconstruction()->poses[static_cast<std::size_t>(row)];
+  if (pose.enabled) return {};
+  if (role == Qt::ToolTipRole) return tr("Pose %1 is disabled: it is kept, but not used.").arg(pose.pose.value());
+  return role == Qt::ForegroundRole ? mutedForeground() : QVariant();
+}
+
 QVariant PoseTable::data(const QModelIndex& index, int role) const {
-  if (!checkIndex(index, CheckIndexOption::IndexIsValid)) return {};
-  const PoseSummary& pose = reconstruction()->poses[static_cast<std::size_t>(index.row())];
-  switch (role) {
-    case Qt::ForegroundRole:
-      return pose.enabled ? QVariant() : mutedForeground();
-    case Qt::ToolTipRole: {
-      if (!pose.enabled) return tr("Pose %1 is disabled: it is kept, but not used.").arg(pose.pose.value());
-      const QString of_column = ReconstructionTable::data(index, role).toString();
-      return of_column.isEmpty() ? headerData(index.column(), Qt::Horizontal, role) : of_column;
-    }
-    default:
-      return ReconstructionTable::data(index, role);
-  }
+  const QVariant data = ReconstructionTable::data(index, role);
+  const bool is_unexplained = role == Qt::ToolTipRole && data.toString().isEmpty();
+  return is_unexplained ? headerData(index.column(), Qt::Horizontal, role) : data;
 }
 
 }  // namespace hexoderm

@@ -20,7 +20,7 @@ class PoseTable : public ReconstructionTable {
 
  protected:
   [[nodiscard]] int rows() const override;
-  void rebuild() override {}
+  [[nodiscard]] QVariant ofRow(int row, int role) const override;
 };
 
 }  // namespace hexoderm

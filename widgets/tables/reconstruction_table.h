@@ -29,7 +29,7 @@ class ReconstructionTable : public ColumnTable {
 
  protected:
   /// Called between beginResetModel and endResetModel.
-  virtual void rebuild() = 0;
+  virtual void rebuild() {}
 
  private:
   std::shared_ptr<const Reconstruction> reconstruction_;

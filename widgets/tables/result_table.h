@@ -33,16 +33,14 @@ class ResultTable : public ColumnTable {
 
   [[nodiscard]] const Row& rowAt(int row) const { return rows_.at(static_cast<std::size_t>(row)); }
 
-  QVariant data(const QModelIndex& index, int role) const override {
-    if (role != Qt::FontRole) return ColumnTable::data(index, role);
-    if (!checkIndex(index, CheckIndexOption::IndexIsValid) || !rowAt(index.row()).remarkable) return {};
+ protected:
+  [[nodiscard]] int rows() const override { return static_cast<int>(rows_.size()); }
+  [[nodiscard]] QVariant ofRow(int row, int role) const override {
+    if (role != Qt::FontRole || !rowAt(row).remarkable) return {};
     QFont font = QApplication::font();
     font.setBold(true);
     return font;
   }
-
- protected:
-  [[nodiscard]] int rows() const override { return static_cast<int>(rows_.size()); }
   [[nodiscard]] QVariant valueAt(const QModelIndex& index) const override {
     return rowAt(index.row()).values.at(static_cast<std::size_t>(index.column()));
   }

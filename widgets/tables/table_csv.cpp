@@ -14,15 +14,11 @@
 namespace hexoderm {
 namespace {
 
-bool isReal(const QVariant& value) {
-  return value.userType() == QMetaType::Double || value.userType() == QMetaType::Float;
-}
-
 QByteArray quoted(const QString& field) { return QByteArray::fromStdString(csvQuoted(field.toStdString())); }
 
 QByteArray field(const QModelIndex& index) {
   const QVariant raw = index.data(kRawRole);
-  if (isReal(raw)) return QByteArray::fromStdString(formatExact(raw.toDouble()));
+  if (raw.userType() == QMetaType::Double) return QByteArray::fromStdString(formatExact(raw.toDouble()));
   if (raw.isValid()) return quoted(raw.toString());
   // In tables that know the role an invalid value means "not known"; other tables have nothing but their texts.
   const bool knows_role = index.model()->headerData(index.column(), Qt::Horizontal, kUnitRole).isValid();
@@ -46,19 +42,18 @@ QByteArray tableAsCsv(const QAbstractItemModel& model) {
   // Tables without names for their rows leave it to Qt, which counts them.
   const bool row_names = rows > 0 && model.headerData(0, Qt::Vertical, kRawRole).isValid();
   QByteArray csv;
-  if (row_names) csv += quoted(model.headerData(0, Qt::Vertical, kUnitRole).toString());
-  for (int column = 0; column < columns; ++column) {
-    if (column > 0 || row_names) csv += ',';
-    csv += heading(model, column);
-  }
-  csv += "\r\n";
+  QByteArrayList fields;
+  const auto endLine = [&] {
+    csv += fields.join(',') + "\r\n";
+    fields.clear();
+  };
+  if (row_names) fields << quoted(model.headerData(0, Qt::Vertical, kUnitRole).toString());
+  for (int column = 0; column < columns; ++column) fields << heading(model, column);
+  endLine();
   for (int row = 0; row < rows; ++row) {
-    if (row_names) csv += quoted(model.headerData(row, Qt::Vertical, kRawRole).toString());
-    for (int column = 0; column < columns; ++column) {
-      if (column > 0 || row_names) csv += ',';
-      csv += field(model.index(row, column));
-    }
-    csv += "\r\n";
+    if (row_names) fields << quoted(model.headerData(row, Qt::Vertical, kRawRole).toString());
+    for (int column = 0; column < columns; ++column) fields << field(model.index(row, column));
+    endLine();
   }
   return csv;
 }

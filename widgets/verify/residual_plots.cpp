@@ -24,6 +24,7 @@
 #include <QPainter>
 #include <QVBoxLayout>
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <functional>
 #include <utility>
@@ -62,22 +63,21 @@ class FigureScale : public QwtScaleDraw {
 /// Something drawn in a plot's coordinates. Qwt 6.1's own curves are no valid C++20.
 class DrawnItem : public QwtPlotItem {
  public:
-  using Draw = std::function<void(QPainter&, const QwtScaleMap& x, const QwtScaleMap& y)>;
+  using Draw = std::function<void(QPainter&, const QwtScaleMap& x, const QwtScaleMap& y, const Colors&)>;
 
-  explicit DrawnItem(QwtPlot* plot) {
+  DrawnItem(QwtPlot* plot, Draw draw) : draw_(std::move(draw)) {
     setItemAttribute(AutoScale);
     setRenderHint(RenderAntialiased);
     setZ(10);
     attach(plot);
   }
-  /// `bounds`: what the scales have to show, y upwards.
-  void setContent(const QRectF& bounds, Draw draw) {
+  /// What the scales have to show, y upwards.
+  void setBounds(const QRectF& bounds) {
     bounds_ = bounds;
-    draw_ = std::move(draw);
     itemChanged();
   }
   void draw(QPainter* painter, const QwtScaleMap& x, const QwtScaleMap& y, const QRectF&) const override {
-    if (draw_) draw_(*painter, x, y);
+    draw_(*painter, x, y, Colors::of(plot()->palette()));
   }
   [[nodiscard]] QRectF boundingRect() const override { return bounds_; }
 
@@ -86,7 +86,7 @@ class DrawnItem : public QwtPlotItem {
   Draw draw_;
 };
 
-void drawBoxes(QPainter& painter, const QwtScaleMap& x, const QwtScaleMap& y, const std::vector<PoseResiduals>& poses,
+void drawBoxes(const std::vector<PoseResiduals>& poses, QPainter& painter, const QwtScaleMap& x, const QwtScaleMap& y,
                const Colors& colors) {
   constexpr double kWidest = 26;
   const double half_width = std::max(1.0, std::min(kWidest, 0.6 * std::abs(x.transform(2) - x.transform(1))) / 2);
@@ -103,7 +103,7 @@ void drawBoxes(QPainter& painter, const QwtScaleMap& x, const QwtScaleMap& y, co
   }
 }
 
-void drawRanks(QPainter& painter, const QwtScaleMap& x, const QwtScaleMap& y, const std::vector<RankedLink>& links,
+void drawRanks(const std::vector<RankedLink>& links, QPainter& painter, const QwtScaleMap& x, const QwtScaleMap& y,
                const Colors& colors) {
   const auto pointOf = [&](std::size_t k, double angle_rad) {
     return QPointF(x.transform(static_cast<double>(k + 1)), y.transform(std::max(kLeast_deg, toDegrees(angle_rad))));
@@ -123,7 +123,7 @@ void drawRanks(QPainter& painter, const QwtScaleMap& x, const QwtScaleMap& y, co
   for (const QPointF& point : line) painter.drawRect(QRectF(point - QPointF(1.5, 1.5), QSizeF(3, 3)));
 }
 
-void drawBins(QPainter& painter, const QwtScaleMap& x, const QwtScaleMap& y, const std::vector<RatioBin>& bins,
+void drawBins(const std::vector<RatioBin>& bins, QPainter& painter, const QwtScaleMap& x, const QwtScaleMap& y,
               const Colors& colors) {
   painter.setPen(QPen(colors.panel, 1));
   painter.setBrush(colors.accent);
@@ -149,7 +149,7 @@ QWidget* titled(const QString& title, QwtPlot* plot) {
 
 struct ResidualPlots::Parts {
   Parts(const QWidget& view, Selection* shared) : dressed(view), selection(shared) {
-    for (QwtPlot* plot : {pose_plot, link_plot, ratio_plot}) {
+    for (QwtPlot* plot : plots) {
       plot->setMinimumSize(140, 70);
       static_cast<QwtPlotCanvas*>(plot->canvas())->setFrameStyle(QFrame::NoFrame);
       plot->canvas()->setFocusPolicy(Qt::StrongFocus);
@@ -182,11 +182,12 @@ struct ResidualPlots::Parts {
   QwtPlot* pose_plot = new QwtPlot;
   QwtPlot* link_plot = new QwtPlot;
   QwtPlot* ratio_plot = new QwtPlot;
+  std::array<QwtPlot*, 3> plots = {pose_plot, link_plot, ratio_plot};
   PoseScale* pose_scale = new PoseScale;
-  DrawnItem* boxes = new DrawnItem(pose_plot);
-  DrawnItem* ranked = new DrawnItem(link_plot);
+  DrawnItem* boxes = new DrawnItem(pose_plot, std::bind_front(drawBoxes, std::cref(summary.poses)));
+  DrawnItem* ranked = new DrawnItem(link_plot, std::bind_front(drawRanks, std::cref(summary.links)));
   QwtPlotMarker* picked = new QwtPlotMarker;
-  DrawnItem* ratios = new DrawnItem(ratio_plot);
+  DrawnItem* ratios = new DrawnItem(ratio_plot, std::bind_front(drawBins, std::cref(summary.ratios)));
   QwtPlotMarker* as_predicted = new QwtPlotMarker;
   std::vector<QwtPlotGrid*> grids;
 
@@ -198,12 +199,9 @@ struct ResidualPlots::Parts {
 ResidualPlots::ResidualPlots(Selection* selection, QWidget* parent)
     : QWidget(parent), parts_(std::make_unique<Parts>(*this, selection)) {
   Parts& parts = *parts_;
-  parts.pose_plot->setObjectName(QStringLiteral("posePlot"));
-  parts.link_plot->setObjectName(QStringLiteral("linkPlot"));
-  parts.ratio_plot->setObjectName(QStringLiteral("ratioPlot"));
-  parts.pose_plot->setAccessibleName(tr("Residuals of each pose"));
-  parts.link_plot->setAccessibleName(tr("Residuals of the links, the worst first"));
-  parts.ratio_plot->setAccessibleName(tr("Links by their residual beside the predicted deviation"));
+  setNames(parts.pose_plot, QStringLiteral("posePlot"), tr("Residuals of each pose"));
+  setNames(parts.link_plot, QStringLiteral("linkPlot"), tr("Residuals of the links, the worst first"));
+  setNames(parts.ratio_plot, QStringLiteral("ratioPlot"), tr("Links by their residual beside the predicted deviation"));
   auto* layout = spaced(new QHBoxLayout(this), {8, 2, 8, 4}, 14);
   layout->addWidget(titled(tr("By pose, ° (box: half the links)"), parts.pose_plot), 1);
   layout->addWidget(titled(tr("By link, ° (○ predicted)"), parts.link_plot), 1);
@@ -258,7 +256,7 @@ void ResidualPlots::resizeEvent(QResizeEvent* event) {
   constexpr int kMost = 6;
   const int line = fontMetrics().height();
   const int steps = std::clamp((height() - 4 * line) / (2 * line), 1, kMost);
-  for (QwtPlot* plot : {parts_->pose_plot, parts_->link_plot, parts_->ratio_plot}) {
+  for (QwtPlot* plot : parts_->plots) {
     plot->setAxisMaxMajor(QwtPlot::yLeft, steps);
     plot->replot();
   }
@@ -269,14 +267,10 @@ void ResidualPlots::refresh() {
   parts.stale = false;
   parts.summary = parts.reconstruction ? summariseResiduals(*parts.reconstruction) : ResidualSummary();
 
-  const auto colors = [this]() -> const Colors& { return Colors::of(palette()); };
   const std::vector<PoseResiduals>& poses = parts.summary.poses;
   const double pose_count = std::max(1.0, static_cast<double>(poses.size()));
   const auto highest = std::ranges::max_element(poses, {}, &PoseResiduals::largest);
-  parts.boxes->setContent({0.5, 0, pose_count, highest == poses.end() ? 1 : toDegrees(highest->largest)},
-                          [&parts, colors](QPainter& painter, const QwtScaleMap& x, const QwtScaleMap& y) {
-                            drawBoxes(painter, x, y, parts.summary.poses, colors());
-                          });
+  parts.boxes->setBounds({0.5, 0, pose_count, highest == poses.end() ? 1 : toDegrees(highest->largest)});
   parts.pose_scale->setPoses(poses);
   parts.pose_plot->setAxisScale(QwtPlot::xBottom, 0.5, pose_count + 0.5, std::ceil(pose_count / 12));
 
@@ -285,24 +279,18 @@ void ResidualPlots::refresh() {
   double lowest_deg = links.empty() ? 0.1 : toDegrees(links.back().residual_rad);
   double highest_deg = links.empty() ? 1 : toDegrees(links.front().residual_rad);
   for (const RankedLink& link : links) {
-    if (!link.sigma_rad) continue;
-    lowest_deg = std::min(lowest_deg, toDegrees(*link.sigma_rad));
-    highest_deg = std::max(highest_deg, toDegrees(*link.sigma_rad));
+    const double predicted_deg = toDegrees(link.sigma_rad.value_or(link.residual_rad));
+    lowest_deg = std::min(lowest_deg, predicted_deg);
+    highest_deg = std::max(highest_deg, predicted_deg);
   }
   lowest_deg = std::max(kLeast_deg, lowest_deg);
-  parts.ranked->setContent({0.5, lowest_deg, link_count, std::max(lowest_deg, highest_deg) - lowest_deg},
-                           [&parts, colors](QPainter& painter, const QwtScaleMap& x, const QwtScaleMap& y) {
-                             drawRanks(painter, x, y, parts.summary.links, colors());
-                           });
+  parts.ranked->setBounds({0.5, lowest_deg, link_count, std::max(lowest_deg, highest_deg) - lowest_deg});
   parts.link_plot->setAxisScale(QwtPlot::xBottom, 0.5, link_count + 0.5);
 
   const std::vector<RatioBin>& bins = parts.summary.ratios;
   const double widest = bins.empty() ? 2 : std::max(2.0, bins.back().upper);
   const auto fullest = std::ranges::max_element(bins, {}, &RatioBin::count);
-  parts.ratios->setContent({0, 0, widest, fullest == bins.end() ? 1 : static_cast<double>(fullest->count)},
-                           [&parts, colors](QPainter& painter, const QwtScaleMap& x, const QwtScaleMap& y) {
-                             drawBins(painter, x, y, parts.summary.ratios, colors());
-                           });
+  parts.ratios->setBounds({0, 0, widest, fullest == bins.end() ? 1 : static_cast<double>(fullest->count)});
   parts.ratio_plot->setAxisScale(QwtPlot::xBottom, 0, widest);
   parts.pose_plot->replot();
   parts.ratio_plot->replot();
@@ -317,13 +305,11 @@ void ResidualPlots::showPicked() {
     const LinkEstimate& link = parts.linkOf(ranked);
     return parts.selection->link() == Selection::Link(link.source, link.target);
   });
-  parts.picked->setVisible(found != links.end());
-  if (found != links.end()) {
-    parts.picked->setXValue(static_cast<double>(found - links.begin() + 1));
-    parts.link_plot->setToolTip(linkToolTip(*parts.reconstruction, parts.linkOf(*found)));
-  } else {
-    parts.link_plot->setToolTip(tr("Click a link to pick it."));
-  }
+  const bool is_shown = found != links.end();
+  parts.picked->setVisible(is_shown);
+  parts.picked->setXValue(static_cast<double>(found - links.begin() + 1));
+  parts.link_plot->setToolTip(is_shown ? linkToolTip(*parts.reconstruction, parts.linkOf(*found))
+                                       : tr("Click a link to pick it."));
   parts.link_plot->replot();
 }
 
@@ -335,7 +321,7 @@ void ResidualPlots::changeEvent(QEvent* event) {
 void ResidualPlots::dress() {
   Parts& parts = *parts_;
   const Colors& colors = Colors::of(palette());
-  for (QwtPlot* plot : {parts.pose_plot, parts.link_plot, parts.ratio_plot}) {
+  for (QwtPlot* plot : parts.plots) {
     for (const int axis : {QwtPlot::xBottom, QwtPlot::yLeft}) plot->setAxisFont(axis, font());
   }
   for (QwtPlotGrid* grid : parts.grids) grid->setPen(QPen(colors.border, 1));
@@ -344,7 +330,7 @@ void ResidualPlots::dress() {
   QwtText label = parts.as_predicted->label();
   label.setColor(colors.text);
   parts.as_predicted->setLabel(label);
-  for (QwtPlot* plot : {parts.pose_plot, parts.link_plot, parts.ratio_plot}) plot->replot();
+  for (QwtPlot* plot : parts.plots) plot->replot();
 }
 
 }  // namespace hexoderm

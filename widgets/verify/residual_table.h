@@ -20,23 +20,6 @@ class ResidualTable : public LinkRowTable {
 
  public:
   using LinkRowTable::LinkRowTable;
-  QVariant data(const QModelIndex& index, int role) const override {
-    if (!checkIndex(index, CheckIndexOption::IndexIsValid)) return {};
-    switch (role) {
-      case Qt::ToolTipRole:
-        return linkToolTip(*reconstruction(), linkAt(index.row()));
-      case Qt::AccessibleTextRole: {
-        const QString link = longLinkName(linkAt(index.row()));
-        const QString residual = degreesInWords(residualAt(index));
-        const std::optional<PoseId> pose = poseAt(index.column());
-        return pose ? tr("%1, pose %2: %3").arg(link).arg(pose->value()).arg(residual)
-                    : tr("%1, all poses: %2").arg(link, residual);
-      }
-      default:
-        return LinkRowTable::data(index, role);
-    }
-  }
-
   QVariant headerData(int section, Qt::Orientation orientation, int role) const override {
     if (orientation == Qt::Horizontal) return LinkRowTable::headerData(section, orientation, role);
     if (section < 0 || section >= rowCount()) return {};
@@ -61,34 +44,39 @@ class ResidualTable : public LinkRowTable {
     return reconstruction()->poses[static_cast<std::size_t>(column - 1)].pose;
   }
 
-  /// radians
-  [[nodiscard]] std::optional<double> residualAt(const QModelIndex& index) const {
-    const LinkEstimate& link = linkAt(index.row());
-    if (index.column() == 0) return link.knownResidual();
-    const auto pose = static_cast<std::size_t>(index.column() - 1);
-    return pose < link.pose_residual_rad.size() ? link.pose_residual_rad[pose] : std::nullopt;
-  }
-
  protected:
   void rebuild() override {
     LinkRowTable::rebuild();
     setColumns({});
     if (!reconstruction()) return;
-    constexpr int kDecimals = 2;
-    const QString deg = QStringLiteral("deg");
     std::vector<Column> columns;
-    columns.push_back({tr("All"), deg, tr("Rms over the poses, degrees"), kDecimals});
+    // `spoken`: with a place for the link and one for the residual.
+    const auto add = [&](const QString& name, const QString& explanation, const QString& spoken, auto residual) {
+      columns.push_back({.name = name, .unit = QStringLiteral("deg"), .explanation = explanation, .decimals = 2});
+      columns.back().value = [this, residual](int row) { return rawDegrees(residual(linkAt(row))); };
+      columns.back().spoken = [this, residual, spoken](int row) {
+        return spoken.arg(longLinkName(linkAt(row)), degreesInWords(residual(linkAt(row))));
+      };
+    };
+    add(tr("All"), tr("Rms over the poses, degrees"), tr("%1, all poses: %2"),
+        [](const LinkEstimate& link) { return link.knownResidual(); });
     for (const PoseSummary& pose : reconstruction()->poses) {
       const auto number = pose.pose.value();
-      columns.push_back({tr("Pose %1").arg(number), deg,
-                         pose.enabled ? tr("Pose %1 %2, degrees").arg(number).arg(words(pose.label)).simplified()
-                                      : tr("Pose %1 is disabled: it is kept, but not used.").arg(number),
-                         kDecimals});
+      const std::size_t place = columns.size() - 1;
+      add(tr("Pose %1").arg(number),
+          pose.enabled ? tr("Pose %1 %2, degrees").arg(number).arg(words(pose.label)).simplified()
+                       : tr("Pose %1 is disabled: it is kept, but not used.").arg(number),
+          tr("%1, pose %2: %3").arg(QStringLiteral("%1"), QString::number(number), QStringLiteral("%2")),
+          [place](const LinkEstimate& link) {
+            return place < link.pose_residual_rad.size() ? link.pose_residual_rad[place] : std::nullopt;
+          });
     }
     setColumns(std::move(columns));
   }
 
-  [[nodiscard]] QVariant valueAt(const QModelIndex& index) const override { return rawDegrees(residualAt(index)); }
+  [[nodiscard]] QVariant ofRow(int row, int role) const override {
+    return role == Qt::ToolTipRole ? linkToolTip(*reconstruction(), linkAt(row)) : QVariant();
+  }
 };
 
 }  // namespace hexoderm

@@ -3,6 +3,7 @@
 #include "widgets/coloring/coloring.h"
 #include "widgets/controls/panel_parts.h"
 #include "widgets/controls/selection.h"
+#include "widgets/style/color_maps.h"
 #include "widgets/tables/row_picking.h"
 #include "widgets/tables/sorted_table.h"
 #include "widgets/tables/table_roles.h"
@@ -10,7 +11,6 @@
 #include "widgets/verify/residual_table.h"
 #include "widgets/words/formatting.h"
 
-#include <QButtonGroup>
 #include <QEvent>
 #include <QHBoxLayout>
 #include <QHeaderView>
@@ -58,37 +58,25 @@ class ResidualMatrixDelegate : public QStyledItemDelegate {
 };
 
 /// The colours with what they mean.
-class ResidualLegend : public QWidget {
- public:
-  ResidualLegend() {
-    setAccessibleName(ResidualView::tr("Colours: residual from 0 to %1 degrees and more").arg(scaleEnd_deg()));
-    setToolTip(accessibleName());
+QWidget* makeLegend() {
+  constexpr int kBar = 96;
+  auto* legend = new QWidget;
+  legend->setAccessibleName(ResidualView::tr("Colours: residual from 0 to %1 degrees and more").arg(scaleEnd_deg()));
+  legend->setToolTip(legend->accessibleName());
+  QPixmap colors(kBar, legend->fontMetrics().height() / 2);
+  QPainter painter(&colors);
+  for (int x = 0; x < kBar; ++x) {
+    painter.fillRect(QRect(x, 0, 1, colors.height()), viridis(static_cast<double>(x) / (kBar - 1)));
   }
-  [[nodiscard]] QSize sizeHint() const override {
-    const QFontMetrics metrics(font());
-    return {metrics.horizontalAdvance(left() + right()) + kBar + 12, metrics.height() + 2};
-  }
-
- protected:
-  void paintEvent(QPaintEvent*) override {
-    QPainter painter(this);
-    const QFontMetrics metrics(font());
-    const int bar_left = metrics.horizontalAdvance(left()) + 6;
-    const int bar_height = metrics.height() / 2;
-    const int top = (height() - bar_height) / 2;
-    for (int x = 0; x < kBar; ++x) {
-      painter.fillRect(QRect(bar_left + x, top, 1, bar_height), viridis(static_cast<double>(x) / (kBar - 1)));
-    }
-    painter.setPen(palette().color(QPalette::PlaceholderText));
-    painter.drawText(QRect(0, 0, bar_left, height()), Qt::AlignLeft | Qt::AlignVCenter, left());
-    painter.drawText(QRect(bar_left + kBar + 6, 0, width(), height()), Qt::AlignLeft | Qt::AlignVCenter, right());
-  }
-
- private:
-  static constexpr int kBar = 96;
-  static QString left() { return ResidualView::tr("Residual 0°"); }
-  static QString right() { return ResidualView::tr("≥ %1°").arg(scaleEnd_deg()); }
-};
+  painter.end();
+  auto* bar = new QLabel;
+  bar->setPixmap(colors);
+  auto* left = new QLabel(ResidualView::tr("Residual 0°"));
+  auto* right = new QLabel(ResidualView::tr("≥ %1°").arg(scaleEnd_deg()));
+  for (QLabel* label : {left, right}) label->setProperty("muted", true);
+  addWidgets(spaced(new QHBoxLayout(legend), {0, 0, 0, 0}, 6), {left, bar, right});
+  return legend;
+}
 
 }  // namespace
 
@@ -98,7 +86,7 @@ ResidualView::ResidualView(Selection* selection, QWidget* parent)
       table_(new ResidualTable(this)),
       sorted_(new SortedTable(table_, this)),
       plots_(new ResidualPlots(selection)),
-      legend_(new ResidualLegend) {
+      legend_(makeLegend()) {
   setNames(matrix_, QStringLiteral("residualMatrix"), tr("Residuals per link and pose"));
   matrix_->setModel(sorted_);
   matrix_->setItemDelegate(new ResidualMatrixDelegate(matrix_));
@@ -129,17 +117,10 @@ QWidget* ResidualView::buildHeader() {
   auto* header = new QWidget;
   auto* row = spaced(new QHBoxLayout(header), {6, 2, 8, 2});
   auto* group = new QButtonGroup(this);
-  const auto add = [&](QToolButton* button, const QString& text, const QString& explanation, const char* name) {
-    button->setText(text);
-    button->setToolTip(explanation);
-    button->setObjectName(QLatin1String(name));
-    button->setCheckable(true);
-    group->addButton(button);
-    row->addWidget(button);
-  };
-  add(matrix_button_, tr("Matrix"), tr("Every link in every pose, as numbers and colours"), "residualMatrixButton");
-  add(plots_button_, tr("Plots"), tr("Residuals by pose, by link, and beside what was predicted"),
-      "residualPlotsButton");
+  matrix_button_ = addChoice(group, row, "residualMatrixButton", tr("Matrix"));
+  matrix_button_->setToolTip(tr("Every link in every pose, as numbers and colours"));
+  plots_button_ = addChoice(group, row, "residualPlotsButton", tr("Plots"));
+  plots_button_->setToolTip(tr("Residuals by pose, by link, and beside what was predicted"));
   connect(matrix_button_, &QToolButton::clicked, this, &ResidualView::showMatrix);
   connect(plots_button_, &QToolButton::clicked, this, &ResidualView::showPlots);
   row->addStretch();

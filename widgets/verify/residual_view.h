@@ -56,8 +56,8 @@ class ResidualView : public QWidget {
   QTableView* matrix_ = new QTableView;
   ResidualPlots* plots_;
   QStackedWidget* pages_ = new QStackedWidget;
-  QToolButton* matrix_button_ = new QToolButton;
-  QToolButton* plots_button_ = new QToolButton;
+  QToolButton* matrix_button_ = nullptr;
+  QToolButton* plots_button_ = nullptr;
   QWidget* legend_;
   bool following_ = false;  ///< the matrix is being moved to what was picked elsewhere
 };

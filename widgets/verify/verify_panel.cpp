@@ -8,7 +8,6 @@
 #include "widgets/words/surface_words.h"
 #include "widgets/words/words.h"
 
-#include <QButtonGroup>
 #include <QGridLayout>
 #include <QHBoxLayout>
 #include <QLabel>
@@ -29,6 +28,8 @@ constexpr int kAllPoses = 0;
 /// What an old calibration is compared with at first: as few as tell most, and none of its own where the session goes
 /// on with new ones.
 constexpr int kUsualPoses = 2;
+constexpr std::array kChecks = {VerifyCheck::HoldOut, VerifyCheck::Loops, VerifyCheck::Surface, VerifyCheck::Comparison,
+                                VerifyCheck::OldCalibration};
 
 std::optional<SurfaceEvaluation> largestOf(const std::vector<SurfaceEvaluation>& surfaces) {
   const auto largest =
@@ -36,15 +37,18 @@ std::optional<SurfaceEvaluation> largestOf(const std::vector<SurfaceEvaluation>&
   return largest == surfaces.end() ? std::nullopt : std::optional(*largest);
 }
 
-/// The surface that a row of the table belongs to, which lists one after the other.
-std::optional<SurfaceEvaluation> ofRow(const std::vector<SurfaceEvaluation>& surfaces, int row) {
-  auto left = static_cast<std::size_t>(row);
-  for (const SurfaceEvaluation& surface : surfaces) {
-    if (left < surface.cells.size()) return surface;
-    left -= surface.cells.size();
-  }
-  return std::nullopt;
+/// A length in millimetres, which is typed in place of `unknown`.
+void setUpLength(QDoubleSpinBox* field, int decimals, const QString& unknown) {
+  constexpr double kMost_mm = 100000;
+  field->setRange(0, kMost_mm);
+  field->setDecimals(decimals);
+  field->setSuffix(VerifyPanel::tr(" mm"));
+  field->setSpecialValueText(unknown);
+  field->setKeyboardTracking(false);
+  letTypingReplaceSpecialText(field);
 }
+
+CellId cellIn(const QSpinBox* field) { return CellId(static_cast<std::uint32_t>(field->value())); }
 
 }  // namespace
 
@@ -77,8 +81,7 @@ VerifyPanel::VerifyPanel(Selection* selection, QWidget* parent)
   layout->setSpacing(18);
   for (VerifySection* section : sections()) layout->addWidget(section);
 
-  for (const VerifyCheck check : {VerifyCheck::HoldOut, VerifyCheck::Loops, VerifyCheck::Surface,
-                                  VerifyCheck::Comparison, VerifyCheck::OldCalibration}) {
+  for (const VerifyCheck check : kChecks) {
     connect(sectionOf(check), &VerifySection::cancelled, this, [this, check] { emit cancelRequested(check); });
   }
   // What it said was about other poses.
@@ -89,8 +92,13 @@ VerifyPanel::VerifyPanel(Selection* selection, QWidget* parent)
   connect(loop_, &VerifySection::rowPicked, this, [this](int row) {
     emit loopShown(row < 0 ? std::nullopt : std::optional(loops_.at(static_cast<std::size_t>(row)).closure));
   });
+  // The surface that the row belongs to: the table lists one after the other.
   connect(surface_, &VerifySection::rowPicked, this, [this](int row) {
-    if (row >= 0) emit surfaceShown(ofRow(surfaces_, row));
+    for (const SurfaceEvaluation& surface : surfaces_) {
+      const auto count = static_cast<int>(surface.cells.size());
+      if (row >= 0 && row < count) emit surfaceShown(surface);
+      row -= count;
+    }
   });
   setReconstruction(nullptr);
 }
@@ -107,17 +115,12 @@ void VerifyPanel::buildHoldOut() {
 
   QHBoxLayout* rows = hold_out_->addRow();
   auto* group = new QButtonGroup(this);
-  const auto add = [&](QToolButton* button, const QString& text, const char* name) {
-    button->setText(text);
-    button->setObjectName(QLatin1String(name));
-    button->setCheckable(true);
+  by_cell_ = addChoice(group, rows, "holdOutByCell", tr("By cell"));
+  by_link_ = addChoice(group, rows, "holdOutByLink", tr("By link"));
+  for (QToolButton* button : {by_cell_, by_link_}) {
     button->hide();
-    group->addButton(button);
-    rows->addWidget(button);
     connect(button, &QToolButton::clicked, this, &VerifyPanel::showHoldOutFigures);
-  };
-  add(by_cell_, tr("By cell"), "holdOutByCell");
-  add(by_link_, tr("By link"), "holdOutByLink");
+  }
   by_cell_->setChecked(true);
   rows->addStretch();
 }
@@ -130,12 +133,7 @@ void VerifyPanel::buildSurface() {
     kind_->addItem(surfaceKindWord(kind), static_cast<int>(kind));
   }
   setNames(radius_mm_, QStringLiteral("surfaceRadius"), tr("True radius of the surface"));
-  radius_mm_->setRange(0, 100000);
-  radius_mm_->setDecimals(2);
-  radius_mm_->setSuffix(tr(" mm"));
-  radius_mm_->setSpecialValueText(tr("not known"));
-  radius_mm_->setKeyboardTracking(false);
-  letTypingReplaceSpecialText(radius_mm_);
+  setUpLength(radius_mm_, 2, tr("not known"));
   auto* grid = new QGridLayout;
   grid->setColumnStretch(1, 1);
   addField(grid, 0, 0, tr("Surface"), kind_);
@@ -157,12 +155,7 @@ void VerifyPanel::buildCaliper() {
   makeCell(first_, "caliperFirst", tr("One cell"));
   makeCell(second_, "caliperSecond", tr("The other cell"));
   setNames(distance_mm_, QStringLiteral("caliperDistance"), tr("Measured distance"));
-  distance_mm_->setRange(0, 100000);
-  distance_mm_->setDecimals(1);
-  distance_mm_->setSuffix(tr(" mm"));
-  distance_mm_->setSpecialValueText(tr("not measured"));
-  distance_mm_->setKeyboardTracking(false);
-  letTypingReplaceSpecialText(distance_mm_);
+  setUpLength(distance_mm_, 1, tr("not measured"));
   connect(distance_mm_, qOverload<double>(&QDoubleSpinBox::valueChanged), this, &VerifyPanel::checkCaliper);
   QGridLayout* grid = gridOfFields();
   addField(grid, 0, 0, tr("From cell"), first_);
@@ -174,9 +167,7 @@ void VerifyPanel::buildCaliper() {
 /// The two cells that are proposed are far apart; others stay as long as they are there.
 void VerifyPanel::proposeCells() {
   if (!reconstruction_) return;
-  const auto isThere = [this](const QSpinBox* cell) {
-    return reconstruction_->find(CellId(static_cast<std::uint32_t>(cell->value()))).cell != nullptr;
-  };
+  const auto isThere = [this](const QSpinBox* cell) { return reconstruction_->find(cellIn(cell)).cell != nullptr; };
   if (isThere(first_) && isThere(second_)) return;
   const PatchReconstruction* patch = largestPatch(*reconstruction_);
   const auto cells = patch != nullptr ? farApart(*patch) : std::nullopt;
@@ -200,8 +191,7 @@ void VerifyPanel::checkCaliper() {
   }
   try {
     caliper_->setSentence(distanceCheckInWords(
-        checkDistance(*reconstruction_, CellId(static_cast<std::uint32_t>(first_->value())),
-                      CellId(static_cast<std::uint32_t>(second_->value())), distance_mm_->value() * kMillimetre)));
+        checkDistance(*reconstruction_, cellIn(first_), cellIn(second_), distance_mm_->value() * kMillimetre)));
   } catch (const InvalidArgument& error) {
     caliper_->setSentence({Tone::Caution, words(error)});
   }
@@ -226,7 +216,7 @@ void VerifyPanel::dropComparison() {
   comparison_->clear();
   refreshControls();
   emit comparisonDropped();
-  emit comparisonShown({});
+  forget(VerifyCheck::Comparison);
 }
 
 void VerifyPanel::buildOldCalibration() {
@@ -295,11 +285,7 @@ void VerifyPanel::setReconstruction(std::shared_ptr<const Reconstruction> recons
   pose_->setCurrentIndex(place >= 0 ? place : pose_->count() - 1);
   if (!reconstruction_) {
     for (VerifySection* section : sections()) section->clear();
-    loops_.clear();
-    surfaces_.clear();
-    emit loopShown(std::nullopt);
-    emit surfaceShown(std::nullopt);
-    emit comparisonShown({});
+    for (const VerifyCheck check : kChecks) forget(check);
   }
   proposeCells();
   checkCaliper();
@@ -399,11 +385,7 @@ void VerifyPanel::showHoldOutFigures() {
   const bool any = hold_out_result_ && !hold_out_result_->cells.empty();
   by_cell_->setVisible(any);
   by_link_->setVisible(any);
-  if (!any) {
-    hold_out_->setFigures({});
-  } else {
-    hold_out_->setFigures(by_link_->isChecked() ? holdOutLinks(*hold_out_result_) : holdOutCells(*hold_out_result_));
-  }
+  hold_out_->setFigures(any ? holdOutFigures(*hold_out_result_, by_link_->isChecked()) : VerifyFigures());
 }
 
 void VerifyPanel::showLoops(const std::vector<FoundLoop>& loops) {
@@ -450,24 +432,22 @@ void VerifyPanel::showFailure(VerifyCheck check, const QString& message) {
   VerifySection* section = sectionOf(check);
   section->setFigures({});
   section->setSentence({Tone::Bad, message});
-  switch (check) {
-    case VerifyCheck::HoldOut:
-      hold_out_result_.reset();
-      showHoldOutFigures();
-      break;
-    case VerifyCheck::Loops:
-      loops_.clear();
-      emit loopShown(std::nullopt);
-      break;
-    case VerifyCheck::Surface:
-      surfaces_.clear();
-      emit surfaceShown(std::nullopt);
-      break;
-    case VerifyCheck::Comparison:
-      emit comparisonShown({});
-      break;
-    case VerifyCheck::OldCalibration:
-      break;
+  forget(check);
+}
+
+/// Drops the result of a check, here and from the other views.
+void VerifyPanel::forget(VerifyCheck check) {
+  if (check == VerifyCheck::HoldOut) {
+    hold_out_result_.reset();
+    showHoldOutFigures();
+  } else if (check == VerifyCheck::Loops) {
+    loops_.clear();
+    emit loopShown(std::nullopt);
+  } else if (check == VerifyCheck::Surface) {
+    surfaces_.clear();
+    emit surfaceShown(std::nullopt);
+  } else if (check == VerifyCheck::Comparison) {
+    emit comparisonShown({});
   }
 }
 
@@ -481,9 +461,8 @@ void VerifyPanel::requestSurface() {
   refreshControls();
   const int kind = kind_->currentData().toInt();
   if (kind == kNoSurface) {
-    surfaces_.clear();
     surface_->clear();
-    emit surfaceShown(std::nullopt);
+    forget(VerifyCheck::Surface);
     emit surfaceDropped();
     return;
   }

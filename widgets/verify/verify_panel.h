@@ -93,6 +93,7 @@ class VerifyPanel : public QWidget {
   void refreshControls();
   [[nodiscard]] std::size_t otherPoses() const;
   void showHoldOutFigures();
+  void forget(VerifyCheck check);
 
   std::shared_ptr<const Reconstruction> reconstruction_;
   QString awaited_;
@@ -112,8 +113,8 @@ class VerifyPanel : public QWidget {
   VerifySection* old_;
   QComboBox* pose_ = new QComboBox;
   QPushButton* run_ = new QPushButton(tr("Run"));
-  QToolButton* by_cell_ = new QToolButton;
-  QToolButton* by_link_ = new QToolButton;
+  QToolButton* by_cell_ = nullptr;
+  QToolButton* by_link_ = nullptr;
   QComboBox* kind_ = new QComboBox;
   QDoubleSpinBox* radius_mm_ = new QDoubleSpinBox;
   QSpinBox* first_ = new QSpinBox;

@@ -17,12 +17,6 @@
 #include <utility>
 
 namespace hexoderm {
-namespace {
-
-constexpr int kMostRowsSeen = 8;
-
-}  // namespace
-
 VerifySection::VerifySection(const QString& heading, const QString& question, const QString& name, Selection* selection)
     : selection_(selection), table_(new ResultTable(this)), sorted_(new SortedTable(table_, this)) {
   setNames(this, name, heading);
@@ -47,9 +41,8 @@ VerifySection::VerifySection(const QString& heading, const QString& question, co
 
   sign_->setAlignment(Qt::AlignTop);
   sentence_->setObjectName(name + QStringLiteral("Sentence"));
-  sentence_->setWordWrap(true);
+  setPlainParagraph(sentence_);
   sentence_->setTextInteractionFlags(Qt::TextSelectableByMouse | Qt::TextSelectableByKeyboard);
-  sentence_->setTextFormat(Qt::PlainText);
   auto* said = spaced(new QHBoxLayout, 7);
   said->addWidget(sign_);
   said->addWidget(sentence_, 1);
@@ -73,9 +66,7 @@ VerifySection::VerifySection(const QString& heading, const QString& question, co
   layout->addLayout(said);
   layout->addWidget(view_);
   constexpr int kBlink_ms = 200;
-  patience_->setSingleShot(true);
-  patience_->setInterval(kBlink_ms);
-  connect(patience_, &QTimer::timeout, this, [this] {
+  setUpOnce(patience_, kBlink_ms, this, [this] {
     progress_->show();
     paintSentence();
   });
@@ -103,6 +94,7 @@ void VerifySection::setFigures(VerifyFigures figures) {
   constexpr int kColumnsThatFit = 3;
   const bool fits = table_->columnCount() <= kColumnsThatFit;
   view_->horizontalHeader()->setSectionResizeMode(fits ? QHeaderView::Stretch : QHeaderView::ResizeToContents);
+  constexpr int kMostRowsSeen = 8;
   const int shown = std::min(rows, kMostRowsSeen);
   const int bar = view_->horizontalScrollBar()->sizeHint().height();
   view_->setFixedHeight(view_->horizontalHeader()->sizeHint().height() +
@@ -117,10 +109,10 @@ void VerifySection::clear() {
 void VerifySection::setRunning(bool running) {
   running_ = running;
   if (running) {
-    if (!patience_->isActive() && progress_->isHidden()) patience_->start();
+    if (!patience_.isActive() && progress_->isHidden()) patience_.start();
     return;
   }
-  patience_->stop();
+  patience_.stop();
   progress_->hide();
   paintSentence();
 }

@@ -58,7 +58,7 @@ class VerifySection : public QFrame {
   CsvActions* csv_actions_;
   VerifySentence said_;
   bool running_ = false;
-  QTimer* patience_ = new QTimer(this);
+  QTimer patience_;
 };
 
 }  // namespace hexoderm

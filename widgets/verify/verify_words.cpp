@@ -1,6 +1,7 @@
 #include "widgets/verify/verify_words.h"
 
 #include "hexoderm/util/units.h"
+#include "widgets/tables/table_cells.h"
 #include "widgets/words/formatting.h"
 #include "widgets/words/surface_words.h"
 #include "widgets/words/words.h"
@@ -20,20 +21,40 @@ QString degrees(double angle_rad) { return figureInWords(toDegrees(angle_rad), 2
 QString millimetres(double length_m) { return millimetresInWords(length_m, 2); }
 QString percent(double value) { return figureInWords(value, 1) + QStringLiteral(" %"); }
 
-QVariant inDegrees(std::optional<double> angle_rad) { return angle_rad ? QVariant(toDegrees(*angle_rad)) : QVariant(); }
 QVariant inMillimetres(std::optional<double> length_m) {
   return length_m ? QVariant(toMillimetres(*length_m)) : QVariant();
 }
 
-Selection::Link ordered(LinkEnd a, LinkEnd b) { return b < a ? Selection::Link(b, a) : Selection::Link(a, b); }
+using Column = ResultTable::Column;
+Column figureColumn(const QString& name, const QString& unit, const QString& explanation, int decimals) {
+  return {.name = name, .unit = unit, .explanation = explanation, .decimals = decimals};
+}
+Column cellColumn() { return figureColumn(VerifyTexts::tr("Cell"), {}, VerifyTexts::tr("ID of the cell"), 0); }
+Column degreeColumn(const QString& name, const QString& explanation) {
+  return figureColumn(name, QStringLiteral("deg"), explanation, 2);
+}
+Column millimetreColumn(const QString& name, const QString& explanation) {
+  return figureColumn(name, QStringLiteral("mm"), explanation, 2);
+}
+Column textColumn(const QString& name, const QString& explanation) {
+  return {.name = name, .explanation = explanation, .is_text = true};
+}
 
-ResultTable::Column cellColumn() { return {VerifyTexts::tr("Cell"), {}, VerifyTexts::tr("ID of the cell"), 0, false}; }
-ResultTable::Column degreeColumn(const QString& name, const QString& explanation) {
-  return {name, QStringLiteral("deg"), explanation, 2, false};
+/// "Cylinder, radius 50.30 mm"
+QString formInWords(const SurfaceEvaluation& surface) {
+  const QString kind = surfaceKindWord(surface.kind);
+  if (!surface.radius_m) return kind;
+  return surface.half_angle_rad ? VerifyTexts::tr("%1, half angle %2, radius %3 at its middle")
+                                      .arg(kind, degrees(*surface.half_angle_rad), millimetres(*surface.radius_m))
+                                : VerifyTexts::tr("%1, radius %2").arg(kind, millimetres(*surface.radius_m));
 }
-ResultTable::Column millimetreColumn(const QString& name, const QString& explanation) {
-  return {name, QStringLiteral("mm"), explanation, 2, false};
+
+bool isChanged(const CheckedCell& cell) {
+  return cell.change != CellChange::None && cell.change != CellChange::NotTold;
 }
+
+/// 0: changed, 1: nothing can be told, 2: as calibrated.
+int rankInList(const CheckedCell& cell) { return isChanged(cell) ? 0 : cell.change == CellChange::NotTold ? 1 : 2; }
 
 }  // namespace
 
@@ -60,9 +81,7 @@ VerifySentence holdOutInWords(const HoldOutResult& result) {
           .arg(result.cells.size())
           .arg(degrees(result.expected_rms_rad));
   const auto worst = std::ranges::max_element(result.cells, {}, &HoldOutCell::error_rad);
-  const QString worst_cell =
-      VerifyTexts::tr("Worst: cell %1, %2.").arg(worst->cell.value()).arg(degrees(worst->error_rad));
-  QString more = worst_cell;
+  QString more = VerifyTexts::tr("Worst: cell %1, %2.").arg(worst->cell.value()).arg(degrees(worst->error_rad));
   if (result.turned) {
     more += QLatin1Char(' ') +
             VerifyTexts::tr("The part turned while it was read: %1 rad/s², of a still hand %2 are expected.")
@@ -86,36 +105,32 @@ VerifySentence holdOutInWords(const HoldOutResult& result) {
                          .arg(figures, more)};
 }
 
-VerifyFigures holdOutCells(const HoldOutResult& result) {
+VerifyFigures holdOutFigures(const HoldOutResult& result, bool by_link) {
+  const Column expected = degreeColumn(VerifyTexts::tr("Expected"),
+                                       VerifyTexts::tr("What the stated uncertainties lead one to expect, rms"));
   VerifyFigures figures;
+  if (by_link) {
+    figures.columns = {textColumn(VerifyTexts::tr("Link"), VerifyTexts::tr("Cell and port of both ends")),
+                       degreeColumn(VerifyTexts::tr("Error °"),
+                                    VerifyTexts::tr("Between what its two cells read, brought into one frame")),
+                       expected};
+    for (const HoldOutLink& link : result.links) {
+      figures.rows.push_back(
+          {.values = {shortLinkName(link.source, link.target), toDegrees(link.error_rad), toDegrees(link.expected_rad)},
+           .link = Selection::linkOf(link.source, link.target),
+           .remarkable = isRemarkable(link.error_rad, link.expected_rad)});
+    }
+    return figures;
+  }
   figures.columns = {
       cellColumn(),
       degreeColumn(VerifyTexts::tr("Error °"),
                    VerifyTexts::tr("Between the gravity the cell read and what the other cells and poses predict")),
-      degreeColumn(VerifyTexts::tr("Expected"),
-                   VerifyTexts::tr("What the stated uncertainties lead one to expect, rms"))};
+      expected};
   for (const HoldOutCell& cell : result.cells) {
-    figures.rows.push_back({{cell.cell.value(), toDegrees(cell.error_rad), toDegrees(cell.expected_rad)},
-                            cell.cell,
-                            std::nullopt,
-                            isRemarkable(cell.error_rad, cell.expected_rad)});
-  }
-  return figures;
-}
-
-VerifyFigures holdOutLinks(const HoldOutResult& result) {
-  VerifyFigures figures;
-  figures.columns = {{VerifyTexts::tr("Link"), {}, VerifyTexts::tr("Cell and port of both ends"), 0, true},
-                     degreeColumn(VerifyTexts::tr("Error °"),
-                                  VerifyTexts::tr("Between what its two cells read, brought into one frame")),
-                     degreeColumn(VerifyTexts::tr("Expected"),
-                                  VerifyTexts::tr("What the stated uncertainties lead one to expect, rms"))};
-  for (const HoldOutLink& link : result.links) {
-    figures.rows.push_back(
-        {{shortLinkName(link.source, link.target), toDegrees(link.error_rad), toDegrees(link.expected_rad)},
-         std::nullopt,
-         ordered(link.source, link.target),
-         isRemarkable(link.error_rad, link.expected_rad)});
+    figures.rows.push_back({.values = {cell.cell.value(), toDegrees(cell.error_rad), toDegrees(cell.expected_rad)},
+                            .cell = cell.cell,
+                            .remarkable = isRemarkable(cell.error_rad, cell.expected_rad)});
   }
   return figures;
 }
@@ -160,29 +175,25 @@ VerifySentence loopsInWords(const std::vector<FoundLoop>& loops, std::size_t pat
 VerifyFigures loopFigures(const std::vector<FoundLoop>& loops) {
   VerifyFigures figures;
   figures.columns = {
-      {VerifyTexts::tr("Between"), {}, VerifyTexts::tr("The two ports at which the loop is closed, or open"), 0, true},
+      textColumn(VerifyTexts::tr("Between"), VerifyTexts::tr("The two ports at which the loop is closed, or open")),
       millimetreColumn(VerifyTexts::tr("Gap mm"),
                        VerifyTexts::tr("Length of what is missing when the loop is walked round")),
-      {VerifyTexts::tr("Share %"), QStringLiteral("%"),
-       VerifyTexts::tr("The gap in per cent of the accumulated port vectors"), 1, false},
-      {VerifyTexts::tr("Kind"), {}, VerifyTexts::tr("Closed by a link, or open between two free ports"), 0, true},
-      {VerifyTexts::tr("Cells"), {}, VerifyTexts::tr("Cells of the loop"), 0, false},
-      millimetreColumn(VerifyTexts::tr("X mm"), VerifyTexts::tr("The gap, in the patch's frame")),
-      millimetreColumn(VerifyTexts::tr("Y mm"), VerifyTexts::tr("The gap, in the patch's frame")),
-      millimetreColumn(VerifyTexts::tr("Z mm"), VerifyTexts::tr("The gap, in the patch's frame"))};
+      figureColumn(VerifyTexts::tr("Share %"), QStringLiteral("%"),
+                   VerifyTexts::tr("The gap in per cent of the accumulated port vectors"), 1),
+      textColumn(VerifyTexts::tr("Kind"), VerifyTexts::tr("Closed by a link, or open between two free ports")),
+      figureColumn(VerifyTexts::tr("Cells"), {}, VerifyTexts::tr("Cells of the loop"), 0)};
+  for (const QString& axis : {VerifyTexts::tr("X mm"), VerifyTexts::tr("Y mm"), VerifyTexts::tr("Z mm")}) {
+    figures.columns.push_back(millimetreColumn(axis, VerifyTexts::tr("The gap, in the patch's frame")));
+  }
   for (const FoundLoop& loop : loops) {
     const LoopEvaluation& closure = loop.closure;
     ResultTable::Row row;
-    row.values = {shortLinkName(closure.first, closure.second),
-                  toMillimetres(closure.length_m),
-                  closure.percent,
+    row.values = {shortLinkName(closure.first, closure.second), toMillimetres(closure.length_m), closure.percent,
                   loop.closed ? VerifyTexts::tr("closed") : VerifyTexts::tr("open"),
-                  static_cast<qulonglong>(loop.cells.size()),
-                  toMillimetres(closure.gap_m.x()),
-                  toMillimetres(closure.gap_m.y()),
-                  toMillimetres(closure.gap_m.z())};
+                  static_cast<qulonglong>(loop.cells.size())};
+    for (const double gap_m : closure.gap_m) row.values.emplace_back(toMillimetres(gap_m));
     if (loop.closed) {
-      row.link = ordered(closure.first, closure.second);
+      row.link = Selection::linkOf(closure.first, closure.second);
     } else {
       row.cell = closure.first.cell;
     }
@@ -191,19 +202,6 @@ VerifyFigures loopFigures(const std::vector<FoundLoop>& loops) {
   }
   return figures;
 }
-
-namespace {
-
-/// "Cylinder, radius 50.30 mm"
-QString formInWords(const SurfaceEvaluation& surface) {
-  const QString kind = surfaceKindWord(surface.kind);
-  if (!surface.radius_m) return kind;
-  return surface.half_angle_rad ? VerifyTexts::tr("%1, half angle %2, radius %3 at its middle")
-                                      .arg(kind, degrees(*surface.half_angle_rad), millimetres(*surface.radius_m))
-                                : VerifyTexts::tr("%1, radius %2").arg(kind, millimetres(*surface.radius_m));
-}
-
-}  // namespace
 
 VerifySentence surfaceInWords(const SurfaceEvaluation& surface, std::optional<double> stated_m) {
   const std::size_t worst = surface.furthest();
@@ -247,11 +245,10 @@ VerifyFigures surfaceFigures(const std::vector<SurfaceEvaluation>& surfaces) {
       degreeColumn(VerifyTexts::tr("Tilt °"), VerifyTexts::tr("Between the cell's face and the surface below it"))};
   for (const SurfaceEvaluation& surface : surfaces) {
     for (std::size_t k = 0; k < surface.cells.size(); ++k) {
-      figures.rows.push_back(
-          {{surface.cells[k].value(), toMillimetres(surface.distance_m[k]), toDegrees(surface.tilt_rad.at(k))},
-           surface.cells[k],
-           std::nullopt,
-           isRemarkable(surface.distance_m[k], surface.rms_m)});
+      figures.rows.push_back({.values = {surface.cells[k].value(), toMillimetres(surface.distance_m[k]),
+                                         toDegrees(surface.tilt_rad.at(k))},
+                              .cell = surface.cells[k],
+                              .remarkable = isRemarkable(surface.distance_m[k], surface.rms_m)});
     }
   }
   return figures;
@@ -309,12 +306,11 @@ VerifySentence comparisonInWords(const std::vector<Comparison>& comparisons, con
           .arg(within.stated)
           .arg(within.position)
           .arg(within.orientation);
-  return within.holds()
-             ? VerifySentence{Tone::Good,
-                              VerifyTexts::tr("Within what was stated for 95 % of cells. %1 %2").arg(figures, counts)}
-             : VerifySentence{
-                   Tone::Caution,
-                   VerifyTexts::tr("Further apart than what was stated for 95 % of cells. %1 %2").arg(figures, counts)};
+  if (within.holds()) {
+    return {Tone::Good, VerifyTexts::tr("Within what was stated for 95 % of cells. %1 %2").arg(figures, counts)};
+  }
+  return {Tone::Caution,
+          VerifyTexts::tr("Further apart than what was stated for 95 % of cells. %1 %2").arg(figures, counts)};
 }
 
 VerifyFigures comparisonFigures(const std::vector<Comparison>& comparisons) {
@@ -330,34 +326,16 @@ VerifyFigures comparisonFigures(const std::vector<Comparison>& comparisons) {
   for (const Comparison& comparison : comparisons) {
     for (const CellDifference& cell : comparison.cells) {
       const bool stated = cell.sigma_t_m.value_or(0) > 0 && cell.sigma_r_rad.value_or(0) > 0;
-      figures.rows.push_back({{cell.cell.value(), toMillimetres(cell.position_m.norm()), inMillimetres(cell.sigma_t_m),
-                               toDegrees(cell.orientation_rad), inDegrees(cell.sigma_r_rad)},
-                              cell.cell,
-                              std::nullopt,
-                              stated && (!isWithinStated(cell.position_m.norm(), cell.sigma_t_m) ||
-                                         !isWithinStated(cell.orientation_rad, cell.sigma_r_rad))});
+      figures.rows.push_back(
+          {.values = {cell.cell.value(), toMillimetres(cell.position_m.norm()), inMillimetres(cell.sigma_t_m),
+                      toDegrees(cell.orientation_rad), rawDegrees(cell.sigma_r_rad)},
+           .cell = cell.cell,
+           .remarkable = stated && (!isWithinStated(cell.position_m.norm(), cell.sigma_t_m) ||
+                                    !isWithinStated(cell.orientation_rad, cell.sigma_r_rad))});
     }
   }
   return figures;
 }
-
-namespace {
-
-bool isChanged(const CheckedCell& cell) {
-  return cell.change != CellChange::None && cell.change != CellChange::NotTold;
-}
-
-/// Every cell could be compared, and a turn about any axis would have been seen.
-bool isWhollyCompared(const CalibrationCheck& check) {
-  return std::ranges::all_of(check.cells, [](const CheckedCell& cell) {
-    return cell.change != CellChange::NotTold && cell.noticed_turn_rad.has_value();
-  });
-}
-
-/// 0: changed, 1: nothing can be told, 2: as calibrated.
-int rankInList(const CheckedCell& cell) { return isChanged(cell) ? 0 : cell.change == CellChange::NotTold ? 1 : 2; }
-
-}  // namespace
 
 VerifySentence oldCalibrationInWords(const CalibrationCheck& check, const QString& calibration) {
   QStringList sentences;
@@ -368,18 +346,21 @@ VerifySentence oldCalibrationInWords(const CalibrationCheck& check, const QStrin
   const QString poses =
       words(check.poses.size() == 1 ? message("pose {}", check.poses.front()) : message("poses {}", check.poses));
   sentences << VerifyTexts::tr("Compared with %1: %2.").arg(calibration, poses);
-  const Tone tone = check.changed ? Tone::Bad : check.compared && isWhollyCompared(check) ? Tone::Good : Tone::Caution;
+  // Every cell could be compared, and a turn about any axis would have been seen.
+  const bool is_whole = check.compared && std::ranges::all_of(check.cells, [](const CheckedCell& cell) {
+                          return cell.change != CellChange::NotTold && cell.noticed_turn_rad.has_value();
+                        });
+  const Tone tone = check.changed ? Tone::Bad : is_whole ? Tone::Good : Tone::Caution;
   return {tone, sentences.join(QLatin1Char(' '))};
 }
 
 VerifyFigures oldCalibrationFigures(const CalibrationCheck& check, const Reconstruction& today) {
   VerifyFigures figures;
   figures.columns = {
-      cellColumn(),
-      {VerifyTexts::tr("Now"), {}, VerifyTexts::tr("What became of the cell, with 1 sigma"), 0, true},
+      cellColumn(), textColumn(VerifyTexts::tr("Now"), VerifyTexts::tr("What became of the cell, with 1 sigma")),
       degreeColumn(VerifyTexts::tr("Turned °"), VerifyTexts::tr("The turn that explains best what the cell reads")),
-      {VerifyTexts::tr("Drift mg"), QStringLiteral("mg"),
-       VerifyTexts::tr("The drift of its sensor's offset that explains best what the cell reads"), 0, false},
+      figureColumn(VerifyTexts::tr("Drift mg"), QStringLiteral("mg"),
+                   VerifyTexts::tr("The drift of its sensor's offset that explains best what the cell reads"), 0),
       degreeColumn(VerifyTexts::tr("Noticed from °"),
                    VerifyTexts::tr("A turn by so much, about whatever axis, would be found in these poses with 95 %; "
                                    "no figure: a turn about some axis would not be"))};
@@ -390,9 +371,9 @@ VerifyFigures oldCalibrationFigures(const CalibrationCheck& check, const Reconst
     constexpr double kMilli = 1000;
     ResultTable::Row row;
     row.values = {cell->cell.value(), words(cell->words),
-                  inDegrees(cell->turn ? std::optional(cell->turn->angle_rad) : std::nullopt),
+                  rawDegrees(cell->turn ? std::optional(cell->turn->angle_rad) : std::nullopt),
                   cell->drift ? QVariant(kMilli * cell->drift->offset_g.norm()) : QVariant(),
-                  inDegrees(cell->noticed_turn_rad)};
+                  rawDegrees(cell->noticed_turn_rad)};
     if (today.find(cell->cell).cell != nullptr) row.cell = cell->cell;
     row.remarkable = isChanged(*cell);
     figures.rows.push_back(std::move(row));

@@ -23,8 +23,8 @@ struct VerifyFigures {
 };
 
 VerifySentence holdOutInWords(const HoldOutResult& result);
-VerifyFigures holdOutCells(const HoldOutResult& result);
-VerifyFigures holdOutLinks(const HoldOutResult& result);
+/// Of its cells, or `by_link`.
+VerifyFigures holdOutFigures(const HoldOutResult& result, bool by_link);
 
 /// `patches`: how many there are to have loops in.
 VerifySentence loopsInWords(const std::vector<FoundLoop>& loops, std::size_t patches);

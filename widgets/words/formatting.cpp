@@ -13,6 +13,7 @@
 #include <QStringList>
 #include <algorithm>
 #include <cmath>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -30,8 +31,6 @@ QString asToolTip(const QString& title, const QStringList& lines) {
   return text;
 }
 
-QString andMore(std::size_t count) { return Words::tr("and %1 more").arg(count); }
-
 /// Names the first few of many, so that a row stays a row.
 template <class Id>
 QString listOf(const std::vector<Id>& ids, const QString& one, const QString& several) {
@@ -39,7 +38,7 @@ QString listOf(const std::vector<Id>& ids, const QString& one, const QString& se
   QStringList names;
   for (std::size_t k = 0; k < std::min(ids.size(), kMost); ++k) names << QString::number(ids[k].value());
   QString text = (ids.size() == 1 ? one : several).arg(names.join(QStringLiteral(", ")));
-  if (ids.size() > kMost) text += QStringLiteral(" ") + andMore(ids.size() - kMost);
+  if (ids.size() > kMost) text += QStringLiteral(" ") + Words::tr("and %1 more").arg(ids.size() - kMost);
   return text;
 }
 
@@ -137,11 +136,7 @@ QString longLinkName(const LinkEstimate& link) {
 
 QString mutedBecause(const LinkEstimate& link) {
   if (link.used) return {};
-  if (!link.muted_by) return Words::tr("It is not used.");
-  const auto table = findingTable();
-  const auto entry = std::ranges::find(table, *link.muted_by, &FindingDescription::code);
-  if (entry == table.end()) return Words::tr("It is not used.");
-  return words(entry->meaning);
+  return link.muted_by ? words(descriptionOf(*link.muted_by).meaning) : Words::tr("It is not used.");
 }
 
 QString severityWord(Severity severity) {
@@ -156,14 +151,8 @@ QString placeInWords(const Finding& finding) {
 }
 
 QString findingToolTip(const Finding& finding) {
-  const auto table = findingTable();
-  const auto entry = std::ranges::find(table, finding.code, &FindingDescription::code);
-  QStringList lines;
-  if (entry != table.end()) {
-    lines << words(entry->meaning);
-    lines << QString::fromUtf8(entry->name.data(), static_cast<int>(entry->name.size()));
-  }
-  return asToolTip(words(finding.message), lines);
+  const FindingDescription& kind = descriptionOf(finding.code);
+  return asToolTip(words(finding.message), {words(kind.meaning), QString::fromStdString(std::string(kind.name))});
 }
 
 QString mutedBecause(const Reconstruction& reconstruction, const LinkEstimate& link) {

@@ -20,6 +20,9 @@ QString wordsOf(const Quantity& quantity) {
   return QString::fromStdString(MessageArgument(quantity).english())
       .replace(QLatin1Char('.'), QString(QLocale().decimalPoint()));
 }
+QString filled(const QString& words, const std::vector<std::string>& arguments) {
+  return QString::fromStdString(fillTemplate(words.toStdString(), arguments));
+}
 QString wordsOf(const MessageArgument::List& items) {
   QString text;
   const std::size_t said = saidOf(items.size());
@@ -31,15 +34,13 @@ QString wordsOf(const MessageArgument::List& items) {
       text += QStringLiteral(", ") + item;
     } else {
       // Its context as a literal, because lupdate reads it here.
-      const QString last = QCoreApplication::translate("hexoderm::Message", "{} and {}", "the end of a list");
-      const std::vector<std::string> both = {text.toStdString(), item.toStdString()};
-      text = QString::fromStdString(fillTemplate(last.toStdString(), both));
+      text = filled(QCoreApplication::translate("hexoderm::Message", "{} and {}", "the end of a list"),
+                    {text.toStdString(), item.toStdString()});
     }
   }
   if (said == items.size()) return text;
-  const QString others = QCoreApplication::translate("hexoderm::Message", "{} and {} others", "the end of a long list");
-  const std::vector<std::string> both = {text.toStdString(), std::to_string(items.size() - said)};
-  return QString::fromStdString(fillTemplate(others.toStdString(), both));
+  return filled(QCoreApplication::translate("hexoderm::Message", "{} and {} others", "the end of a long list"),
+                {text.toStdString(), std::to_string(items.size() - said)});
 }
 
 /// Messages in a row ("{}, {}") have nothing to translate but themselves.
@@ -57,9 +58,9 @@ QString words(const Message& message) {
     arguments.push_back(std::visit([](const auto& held) { return wordsOf(held); }, argument.value).toStdString());
   }
   const std::string& english = message.englishTemplate();
-  const std::string translated =
-      hasWords(english) ? QCoreApplication::translate(kMessageContext, english.c_str()).toStdString() : english;
-  return QString::fromStdString(fillTemplate(translated, arguments));
+  return filled(hasWords(english) ? QCoreApplication::translate(kMessageContext, english.c_str())
+                                  : QString::fromStdString(english),
+                arguments);
 }
 
 QString words(const std::exception& error) { return words(messageOf(error)); }

@@ -76,7 +76,7 @@ void ReportPage::addVerify() {
   if (verify.hold_out) {
     heading(tr("A pose that was held out"));
     say(holdOutInWords(*verify.hold_out));
-    VerifyFigures cells = holdOutCells(*verify.hold_out);
+    VerifyFigures cells = holdOutFigures(*verify.hold_out, false);
     std::ranges::stable_sort(cells.rows, [](const ResultTable::Row& a, const ResultTable::Row& b) {
       return a.values.at(1).toDouble() > b.values.at(1).toDouble();
     });

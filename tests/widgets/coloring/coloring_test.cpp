@@ -63,15 +63,15 @@ TEST(Coloring, BendsAreSignedAndYawsCountEitherWay) {
 TEST(Coloring, LimitsAreThoseOfTheVerdictAndOfTheSolver) {
   SolverOptions options;
   options.max_bend_rad = 50 * kDegree;
-  const auto bend = coloringRow(Coloring::Bend).limits(options);
+  const auto bend = limitsOf(Coloring::Bend, options);
   ASSERT_EQ(bend.size(), 2U);
   EXPECT_NEAR(bend[0].value, -50, 1e-9);
   EXPECT_NEAR(bend[1].value, 50, 1e-9);
-  const auto position = coloringRow(Coloring::PositionUncertainty).limits(options);
+  const auto position = limitsOf(Coloring::PositionUncertainty, options);
   ASSERT_EQ(position.size(), 1U);
   EXPECT_EQ(position[0].kind, ScaleLimit::Kind::Goal);
   EXPECT_NEAR(position[0].value, 3, 1e-9);
-  EXPECT_EQ(coloringRow(Coloring::ShapeUncertainty).limits, nullptr)
+  EXPECT_TRUE(limitsOf(Coloring::ShapeUncertainty, options).empty())
       << "the verdict judges cells relative to the origin";
 }
 

@@ -73,12 +73,5 @@ TEST(ScaleLegend, BinsAreSaidWithTheirValuesAndCells) {
   QLocale::setDefault(QLocale::system());
 }
 
-TEST(ScaleLegend, TellsApartWhatLooksDifferent) {
-  const ScaleLegend legend = legendOf(Coloring::Residual, {0.1, 0.5});
-  EXPECT_EQ(legend, legendOf(Coloring::Residual, {0.1, 0.5}));
-  EXPECT_FALSE(legend == legendOf(Coloring::Residual, {0.1, 0.5, std::nullopt}));
-  EXPECT_FALSE(legend == legendOf(Coloring::Residual, {0.1, 0.5}, legend.range));
-}
-
 }  // namespace
 }  // namespace hexoderm

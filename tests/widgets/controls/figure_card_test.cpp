@@ -64,6 +64,7 @@ TEST(FigureCard, IsAPlateInTheColoursOfTheTheme) {
   card.resize(card.sizeFor(view.size()));
   for (const Theme theme : {Theme::Light, Theme::Dark}) {
     card.setPalette(qtPalette(theme));
+    card.setStyleSheet(styleSheet(theme));
     const QImage picture = card.grab().toImage();
     EXPECT_EQ(picture.pixelColor(picture.width() / 2, 4), Colors::of(theme).panel);
     bool is_written = false;

@@ -46,16 +46,6 @@ class GraphColorsTest : public GraphViewTest {
   QPoint linkTo2() { return view_.positionOf({CellId(1), PortNumber(1)}, {CellId(2), PortNumber(4)}).value(); }
 };
 
-/// Pixels that are not ground.
-int markedPixels(const QImage& image, const QRect& area) {
-  const QColor ground = Colors::of(Theme::Light).panel;
-  int count = 0;
-  for (int y = area.top(); y <= area.bottom(); ++y) {
-    for (int x = area.left(); x <= area.right(); ++x) count += image.pixelColor(x, y) == ground ? 0 : 1;
-  }
-  return count;
-}
-
 QColor beyond(const ColorMap& map) { return toQColor(map.above); }
 
 TEST_F(GraphColorsTest, LinksAreColouredByAFigureOnAScaleThatShowsWhatLiesBeyondIt) {

@@ -60,4 +60,14 @@ inline int countColor(const QImage& image, QPoint around, int reach, const QColo
   return count;
 }
 
+/// Pixels that are not ground.
+inline int markedPixels(const QImage& image, const QRect& area) {
+  const QRgb ground = Colors::of(Theme::Light).panel.rgb();
+  int count = 0;
+  for (int y = area.top(); y <= area.bottom(); ++y) {
+    for (int x = area.left(); x <= area.right(); ++x) count += image.pixel(x, y) == ground ? 0 : 1;
+  }
+  return count;
+}
+
 }  // namespace hexoderm

@@ -14,15 +14,9 @@ constexpr LinkEnd kLink9{CellId(9), PortNumber(2)};
 
 /// The pixels about the middle that are not ground: a text's, in any font.
 int drawnPixels(const QImage& image) {
-  const QPoint center = image.rect().center();
-  const QRgb ground = image.pixel(center.x(), 2);
-  int count = 0;
-  for (int x = center.x() - 150; x <= center.x() + 150; ++x) {
-    for (int y = center.y() - 30; y <= center.y() + 30; ++y) {
-      if (image.valid(x, y) && image.pixel(x, y) != ground) ++count;
-    }
-  }
-  return count;
+  QRect area(0, 0, 301, 61);
+  area.moveCenter(image.rect().center());
+  return markedPixels(image, area & image.rect());
 }
 
 TEST_F(GraphViewTest, ShowsAHintInsteadOfNothing) {

@@ -1,7 +1,7 @@
 #include "widgets/plot/plot_data.h"
 
 #include "hexoderm/util/units.h"
-#include "tests/support/hand_made_skins.h"
+#include "tests/widgets/plot/growing_sheet.h"
 
 #include <gmock/gmock.h>
 #include <algorithm>
@@ -14,16 +14,10 @@ PlotData plotted(const Reconstruction& result, const PlotChoice& choice, const C
   return makePlotData(&result, makeCellFigures(result), readings, choice);
 }
 
-/// A sheet whose cells say how well they are known, the farther in the list the worse; the last says nothing.
+/// Of which the last cell does not say how well it is known.
 std::shared_ptr<Reconstruction> sheetWithUncertainties() {
-  auto result = sampleSheet(4, 5);
-  double sigma_m = 0.0001;
-  auto& cells = result->patches[0].cells;
-  for (std::size_t k = 0; k + 1 < cells.size(); ++k, sigma_m += 0.0001) {
-    cells[k].cov_t_r = Matrix6d::Zero();
-    cells[k].cov_t_r->diagonal().setConstant(sigma_m * sigma_m);
-  }
-  cells.back().cov_t_r.reset();
+  auto result = growingSheet(4, 5);
+  result->patches[0].cells.back().cov_t_r.reset();
   return result;
 }
 
@@ -104,13 +98,6 @@ TEST(PlotData, ValuesAreWrittenWithThreeDigitsAndTheirUnit) {
   EXPECT_EQ(plotValueInWords(Coloring::PositionUncertainty, 12.349), QStringLiteral("12.3\u00a0mm"));
   EXPECT_EQ(plotValueInWords(Coloring::Bend, 123.49), QStringLiteral("123°"));
   EXPECT_EQ(plotValueInWords(std::nullopt, 17), QStringLiteral("17"));
-}
-
-TEST(PlotData, GoalsAreThoseOfTheAssessment) {
-  const auto limits = plotLimits(Coloring::PositionUncertainty);
-  ASSERT_EQ(limits.size(), 1U);
-  EXPECT_DOUBLE_EQ(limits[0].value, 3);
-  EXPECT_TRUE(plotLimits(Coloring::PathDistance).empty());
 }
 
 }  // namespace

@@ -1,9 +1,9 @@
 #include "widgets/plot/plot_view.h"
 
 #include "tests/support/app_theme.h"
-#include "tests/support/hand_made_skins.h"
 #include "tests/support/kept_picture.h"
 #include "tests/support/qt_wait.h"
+#include "tests/widgets/plot/growing_sheet.h"
 
 #include <gmock/gmock.h>
 #include <qwt_plot.h>
@@ -30,18 +30,6 @@ TEST(Brush, CellsAreKeptInOrderAndOnce) {
   selection.clear();
   EXPECT_TRUE(selection.brushed().empty());
   EXPECT_EQ(changed.count(), 2);
-}
-
-/// A sheet whose position uncertainty grows with the cell's number.
-std::shared_ptr<Reconstruction> growingSheet(std::uint32_t rows = 3, std::uint32_t columns = 4) {
-  auto result = sampleSheet(rows, columns);
-  double sigma_m = 0.0003;
-  for (CellPlacement& cell : result->patches[0].cells) {
-    cell.cov_t_r = Matrix6d::Zero();
-    cell.cov_t_r->diagonal().setConstant(sigma_m * sigma_m);
-    sigma_m += 0.0003;
-  }
-  return result;
 }
 
 class PlotViewTest : public testing::Test {

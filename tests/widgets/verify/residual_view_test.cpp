@@ -6,6 +6,7 @@
 #include "tests/support/kept_picture.h"
 #include "tests/support/qt_wait.h"
 #include "widgets/controls/selection.h"
+#include "widgets/style/color_maps.h"
 #include "widgets/tables/sorted_table.h"
 #include "widgets/tables/table_csv.h"
 #include "widgets/tables/table_roles.h"

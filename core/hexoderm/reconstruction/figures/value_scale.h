@@ -50,6 +50,7 @@ struct ValueHistogram {
   std::size_t unknown = 0;
 
   [[nodiscard]] std::size_t largest() const;  ///< of the counts; 0 without bins
+  friend bool operator==(const ValueHistogram&, const ValueHistogram&) = default;
 };
 /// Throws InvalidArgument for no bins, and for a range that is none.
 ValueHistogram countValues(std::span<const std::optional<double>> values, const ValueRange& range, std::size_t bins);
