@@ -55,11 +55,12 @@ class CapturePresenter : public Presenter {
   }
 
   void connectPreferences() {
-    views_.tone->setEnabled(preferences_.tone());
-    views_.patch->setAnimated(!preferences_.reducedMotion());
-    connect(&preferences_, &Preferences::toneChanged, views_.tone, &CaptureTone::setEnabled);
-    connect(&preferences_, &Preferences::reducedMotionChanged, this,
-            [this](bool reduced) { views_.patch->setAnimated(!reduced); });
+    const auto follow = [this] {
+      views_.tone->setEnabled(preferences_.isOn(Switch::Tone));
+      views_.patch->setAnimated(!preferences_.isOn(Switch::ReducedMotion));
+    };
+    follow();
+    connect(&preferences_, &Preferences::switched, this, follow);
   }
 
   void showSource() {

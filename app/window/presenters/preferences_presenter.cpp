@@ -56,7 +56,7 @@ class PreferencesPresenter : public Presenter {
       return;
     }
     views_.messages->showMessage(Tone::Caution, what, tr("Draw without the graphics card"), [this] {
-      preferences_.setSoftwareOpenGl(true);
+      preferences_.set(Switch::SoftwareOpenGl, true);
       views_.messages->showMessage(
           Tone::Neutral, tr("From the next start on, the processor draws. Start Hexoderm again when it suits you."));
     });

@@ -11,8 +11,9 @@ class SpeechPresenter : public Presenter {
  public:
   explicit SpeechPresenter(const WindowParts& parts) : Presenter(parts) {
     connect(views_.capture_panel, &CapturePanel::instructionChanged, this, &SpeechPresenter::refresh);
-    connect(&preferences_, &Preferences::speechChanged, views_.voice, &InstructionVoice::setEnabled);
-    views_.voice->setEnabled(preferences_.speech());
+    const auto follow = [this] { views_.voice->setEnabled(preferences_.isOn(Switch::Speech)); };
+    follow();
+    connect(&preferences_, &Preferences::switched, this, follow);
   }
 
   void refresh() override { views_.voice->setInstruction(instruction()); }
