@@ -184,22 +184,6 @@ TEST_F(WindowLiveTest, APoseThatLacksReadingsIsTakenAgainByTheButtonOnTop) {
   EXPECT_EQ(controller().liveSession().recapturing(), std::nullopt);
 }
 
-TEST_F(WindowLiveTest, WhatCanNotBeWrittenWaitsUntilItCan) {
-  const QString path = pathTo("later/arm.hexo");
-  window_->connectTo({kQuickSkin, path, false});
-  ASSERT_TRUE(waitForPoses(1));
-  ASSERT_TRUE(waitForMessage("arm.hexo"));
-  EXPECT_TRUE(controller().file().hasUnsavedChanges());
-  EXPECT_EQ(labelText("savedStatus"), "not on disk");
-  EXPECT_EQ(find<QPushButton>("messageButton")->text(), "Try again");
-  keepPicture(window_->picture(), "live-stuck");
-  ASSERT_TRUE(QDir(folder_.path()).mkdir("later"));
-  click(find<QPushButton>("messageButton"));
-  ASSERT_TRUE(waitForMessage("Saved to " + path));
-  EXPECT_FALSE(controller().file().hasUnsavedChanges());
-  EXPECT_EQ(read(path).poses().size(), 1U);
-}
-
 TEST_F(WindowLiveTest, ConnectionsMayEndAtAnyMoment) {
   for (int k = 0; k < 9; ++k) {
     window_->connectTo({kQuickSkin, pathTo(QStringLiteral("arm%1.hexo").arg(k)), false});
