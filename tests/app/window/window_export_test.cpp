@@ -216,27 +216,26 @@ TEST_F(WindowExportTest, NothingReplacesASession) {
   QString package_failed;
   QObject::connect(&files, &ResultFiles::packageFailed, &files,
                    [&](const QString& message) { package_failed = message; });
-  for (const QString& path : {pathTo("arm.hexo"), pathTo("arm.html"), pathTo("arm.zip")}) {
-    const std::vector<std::function<void()>> ways = {
-        [&] {
-          files.exportTo({std::nullopt, path, {}});
-        },
-        [&] {
-          files.exportTo({ExportFormat::Stl, path, {}});
-        },
-        [&] { files.saveImage(QImage(8, 8, QImage::Format_RGB32), path); },
-        [&] { files.savePicture([] { return true; }, path); },
-        [&] { files.saveTable("a,b", path); },
-    };
-    for (std::size_t k = 0; k < ways.size(); ++k) {
-      ways[k]();
-      ASSERT_TRUE(waitForMessage("never replaced")) << path.toStdString() << ' ' << k;
-      EXPECT_TRUE(message().contains(path)) << message().toStdString();
-      click(find<QWidget>("messageClose"));
-    }
+  const std::pair<QString, std::function<void(const QString&)>> ways[] = {
+      {pathTo("arm.hexo"),
+       [&](const QString& path) {
+         files.exportTo({std::nullopt, path, {}});
+       }},
+      {pathTo("arm.html"),
+       [&](const QString& path) {
+         files.exportTo({ExportFormat::Stl, path, {}});
+       }},
+      {pathTo("arm.zip"), [&](const QString& path) { files.saveImage(QImage(8, 8, QImage::Format_RGB32), path); }},
+      {pathTo("arm.html"), [&](const QString& path) { files.savePicture([] { return true; }, path); }},
+      {pathTo("arm.zip"), [&](const QString& path) { files.saveTable("a,b", path); }},
+      {pathTo("arm.html"), [&](const QString& path) { files.writeReport(report, path); }},
+  };
+  for (const auto& [path, write] : ways) {
+    write(path);
+    ASSERT_TRUE(waitForMessage("never replaced")) << path.toStdString();
+    EXPECT_TRUE(message().contains(path)) << message().toStdString();
+    click(find<QWidget>("messageClose"));
   }
-  files.writeReport(report, pathTo("arm.html"));
-  ASSERT_TRUE(waitForMessage("never replaced"));
   PackageRequest package;
   package.formats = {ExportFormat::Stl};
   package.path = pathTo("arm.zip");

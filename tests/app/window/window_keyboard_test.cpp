@@ -139,15 +139,6 @@ void DemoByKeys::capturePoses() {
   EXPECT_FALSE(controller().liveSession().isAutomatic());
   key(Qt::Key_Space);
   EXPECT_TRUE(controller().liveSession().isAutomatic());
-  // The second is taken again, in its place.
-  ASSERT_NO_FATAL_FAILURE(tabTo("poseView"));
-  ASSERT_NO_FATAL_FAILURE(goToRow(1));
-  const auto second = controller().session()->poses()[1].capture;
-  key(Qt::Key_R);
-  EXPECT_EQ(controller().liveSession().recapturing(), second->id);
-  ASSERT_TRUE(waitUntil([&] { return controller().session()->poses()[1].capture != second; }));
-  ASSERT_TRUE(waitUntilIdle());
-  ASSERT_GE(posesShown(), 3U);
   key(Qt::Key_A);
   EXPECT_FALSE(controller().liveSession().isAutomatic());
   ASSERT_TRUE(waitUntilIdle());
@@ -162,12 +153,6 @@ void DemoByKeys::review() {
   ASSERT_TRUE(waitUntilIdle());
   EXPECT_TRUE(controller().session()->poses()[2].disabled);
   key(Qt::Key_Z, Qt::ControlModifier);
-  ASSERT_TRUE(waitUntilIdle());
-  EXPECT_FALSE(controller().session()->poses()[2].disabled);
-  key(Qt::Key_Z, Qt::ControlModifier | Qt::ShiftModifier);
-  ASSERT_TRUE(waitUntilIdle());
-  EXPECT_TRUE(controller().session()->poses()[2].disabled);
-  key(Qt::Key_Delete);
   ASSERT_TRUE(waitUntilIdle());
   EXPECT_FALSE(controller().session()->poses()[2].disabled);
   key(Qt::Key_Delete, Qt::ShiftModifier);

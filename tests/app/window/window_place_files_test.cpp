@@ -115,25 +115,6 @@ TEST_F(WindowPlaceTest, ARobotWithoutItsMeshesIsOfUseForLinksAndSaysWhatIsMissin
   EXPECT_FALSE(stand().places.isEmpty()) << "points say where it lies: " << stand().place_says.text.toStdString();
 }
 
-TEST_F(WindowPlaceTest, ASessionWhoseRobotHasHostileMeshesOpensAndSaysWhatIsWrongWithThem) {
-  ASSERT_NO_FATAL_FAILURE(openSession());
-  QString text = robotText();
-  text.replace("meshes/forearm.obj", HEXODERM_TEST_DATA "/../fuzz/corpus/mesh/selfnode.dae");
-  text.replace("meshes/upper_arm.obj", HEXODERM_TEST_DATA "/../fuzz/corpus/mesh/index.ply");
-  ASSERT_NO_FATAL_FAILURE(chooseRobot(writeFile("hostile.urdf", text.toUtf8())));
-  controller().file().saveSession(pathTo("hostile.hexo"));
-  ASSERT_TRUE(waitForMessage("Saved to"));
-  window_->openFile(pathTo("arm.session.json"));
-  ASSERT_TRUE(waitUntil([this] { return !controller().session()->robot(); }));
-  window_->openFile(pathTo("hostile.hexo"));
-  ASSERT_TRUE(waitUntil([this] { return controller().session()->robot().has_value(); }));
-  ASSERT_NO_FATAL_FAILURE(openStep());
-  ASSERT_TRUE(waitForWork());
-  EXPECT_TRUE(stand().has_robot);
-  EXPECT_EQ(stand().robot.tone, Tone::Bad);
-  EXPECT_THAT(stand().robot.text.toStdString(), AllOf(HasSubstr("selfnode.dae"), HasSubstr("index.ply")));
-}
-
 TEST_F(WindowPlaceTest, AMeshInMillimetresIsNoticedByItsSize) {
   ASSERT_NO_FATAL_FAILURE(openSession());
   QString text = robotText();

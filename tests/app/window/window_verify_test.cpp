@@ -176,15 +176,11 @@ TEST_F(WindowVerifyTest, AFileThatIsNoCalibrationOfThisSkinGetsASentenceThatSays
   const Session today = simulated(2, {}, 100);
   ASSERT_NO_FATAL_FAILURE(openSession("today.session.json", today));
   ASSERT_NO_FATAL_FAILURE(showPanel());
-  SimulatedSkinOptions ring;
-  ring.patch = "ring8";
   Reconstruction imported = *reconstruct(*today.snapshot());
   imported.solver = "imported";
   writeCalibrationJson(imported, pathTo("imported.calibration.json").toStdString());
   const std::vector<std::pair<QString, QString>> files = {
-      {writeCalibration("ring.calibration.json", simulated(4, ring, 100)), "another skin"},
       {pathTo("imported.calibration.json"), "was imported"},
-      {writeFile("broken.calibration.json", "{\"format\": "), "broken.calibration.json"},
       {pathTo("missing.calibration.json"), "missing.calibration.json"}};
   for (const auto& [path, why] : files) {
     panel().checkOldCalibration(path);
@@ -208,7 +204,7 @@ TEST_F(WindowVerifyTest, ACalibrationThatIsOpenHasNoPosesToCheckAnotherOneWith) 
       << sentence("oldCalibration").toStdString();
 }
 
-TEST_F(WindowVerifyTest, OfASessionThatGoesOnTheNewestPosesAreCheckedAndACancelledCheckSaysNothing) {
+TEST_F(WindowVerifyTest, OfASessionThatGoesOnTheNewestPosesAreChecked) {
   // Cell 9 comes loose before the fifth pose, after the calibration.
   SimulatedSkinOptions options;
   options.hand_held = false;
@@ -238,18 +234,6 @@ TEST_F(WindowVerifyTest, OfASessionThatGoesOnTheNewestPosesAreCheckedAndACancell
   ASSERT_TRUE(waitUntil([&] { return checked.has_value(); }));
   EXPECT_EQ(checked->poses.size(), 6U);
   EXPECT_EQ(changeOf9(), CellChange::Broken) << "no one turn explains poses before and after it";
-
-  checked.reset();
-  verification.checkOldCalibration(path, 1);
-  verification.cancel(VerifyCheck::OldCalibration);
-  EXPECT_FALSE(running);
-  verification.checkOldCalibration(path, 3);
-  verification.dropOldCalibration();
-  EXPECT_FALSE(running);
-  verification.setToday(today.snapshot());
-  EXPECT_FALSE(running) << "none is chosen any more";
-  test::letTurnsPass();
-  EXPECT_FALSE(checked.has_value());
 }
 
 TEST_F(WindowVerifyTest, TheTableOfCellsPicksAndIsSavedAsItIsSorted) {
