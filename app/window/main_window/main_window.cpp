@@ -4,7 +4,6 @@
 #include "app/window/log/event_recorder.h"
 #include "app/window/presenters/connection_presenter.h"
 #include "app/window/presenters/file_presenter.h"
-#include "app/window/presenters/keyboard.h"
 #include "app/window/presenters/picture_presenter.h"
 #include "app/window/presenters/place_presenter.h"
 #include "app/window/presenters/presenters.h"
@@ -13,6 +12,7 @@
 #include "app/window/presenters/theme_presenter.h"
 #include "app/window/session/placing.h"
 #include "app/window/session/verification.h"
+#include "app/window/toolkit/focus_order.h"
 #include "app/window/toolkit/table_views.h"
 #include "widgets/controls/notice_stack.h"
 #include "widgets/controls/panel_parts.h"
@@ -77,6 +77,9 @@ struct MainWindow::Presenters {
     connectLog(parts);
     connectHelp(parts);
     connectViewCommands(parts);
+    const WindowActions& keys = parts.actions;
+    connect(keys.next_pane, &QAction::triggered, &keyboard, [this] { keyboard.moveToPane(true); });
+    connect(keys.previous_pane, &QAction::triggered, &keyboard, [this] { keyboard.moveToPane(false); });
   }
 
   QObject wires;
@@ -99,10 +102,9 @@ struct MainWindow::Presenters {
   const std::unique_ptr<Presenter> compare = makeComparePresenter(parts, verification);
   const std::unique_ptr<Presenter> marks = makeMarkPresenter(parts);
   // As one reads the window: from the top, and from left to right.
-  Keyboard keyboard{{parts.views.banner, parts.views.messages, parts.views.live_strip, parts.views.work_notice,
-                     parts.views.steps, parts.panels.centralWidget(), &parts.panels.graph(), &parts.panels.coverage(),
-                     &parts.panels.plot(), &parts.panels.poses(), &parts.panels.details()},
-                    parts.actions};
+  FocusOrder keyboard{{parts.views.banner, parts.views.messages, parts.views.live_strip, parts.views.work_notice,
+                       parts.views.steps, parts.panels.centralWidget(), &parts.panels.graph(), &parts.panels.coverage(),
+                       &parts.panels.plot(), &parts.panels.poses(), &parts.panels.details()}};
 };
 
 MainWindow::MainWindow(QWidget* parent)
