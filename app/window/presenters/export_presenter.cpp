@@ -47,7 +47,7 @@ class ExportPresenter : public Presenter {
     content.reconstruction = controller.reconstruction();
     if (!content.reconstruction) return content;
     content.name = controller.file().name();
-    content.pictures = takeReportPictures(content.reconstruction);
+    content.graph = takeReportGraph(content.reconstruction);
     content.made_at = QDateTime::currentDateTime();
     content.title = keptReportTitle(sessionKey()).value_or(ReportTitle());
     content.verify = verification_.outcome();

@@ -37,13 +37,6 @@ ReportTextStyle body(double points = 9) { return {points * kPoint, false, paper(
 ReportTextStyle bold(double points) { return {points * kPoint, true, paper().text}; }
 ReportTextStyle muted(double points = 8) { return {points * kPoint, false, paper().text_muted}; }
 
-QColor tintOf(const QColor& color, double share) {
-  const auto mix = [share](double channel) { return 1 - share * (1 - channel); };
-  return QColor::fromRgbF(mix(color.redF()), mix(color.greenF()), mix(color.blueF()));
-}
-
-QColor colorOf(Tone tone) { return tone == Tone::Neutral ? paper().text : toneColor(tone, Theme::Light); }
-
 /// What is never parted by the end of a page.
 struct Strip {
   double space_before = 0;  ///< dropped at the top of a page
@@ -187,7 +180,7 @@ class StripMaker {
           laid->height(),
           leads_,
           {},
-          [laid, color = colorOf(paragraph.tone)](QPainter& painter, double top) {
+          [laid, color = reportColor(paragraph.tone)](QPainter& painter, double top) {
             painter.fillRect(QRectF(kSide, top, 0.9 * kMm, laid->height()), color);
             laid->draw(painter, {kSide + 4 * kMm, top});
           },
@@ -208,8 +201,8 @@ class StripMaker {
           height,
           true,
           {},
-          [laid, height, color = colorOf(verdict.tone)](QPainter& painter, double top) {
-            painter.fillRect(QRectF(kSide, top, kWidth, height), tintOf(color, 0.08));
+          [laid, height, color = reportColor(verdict.tone)](QPainter& painter, double top) {
+            painter.fillRect(QRectF(kSide, top, kWidth, height), reportTint(color));
             painter.fillRect(QRectF(kSide, top, 1.4 * kMm, height), color);
             double y = top + 4 * kMm;
             for (const ReportText& text : *laid) {

@@ -1,7 +1,6 @@
 #include "app/window/report/report.h"
 #include "app/window/report/report_page.h"
 #include "app/window/report/report_pdf.h"
-#include "app/window/report/report_pictures.h"
 #include "app/window/report/report_title.h"
 #include "hexoderm/util/error.h"
 #include "hexoderm/util/file.h"
@@ -27,9 +26,8 @@ ReportContent contentOf(const Reconstruction& result) {
   ReportContent content;
   content.reconstruction = std::make_shared<const Reconstruction>(result);
   content.name = QStringLiteral("arm <b>left</b> & hand.hexo");
-  QImage image(40, 30, QImage::Format_RGB32);
-  image.fill(Qt::blue);
-  content.pictures = {{QStringLiteral("Patch, front"), image, {}, {}}, {QStringLiteral("nothing"), QImage(), {}, {}}};
+  content.graph = {QStringLiteral("Skin graph"), QSize(40, 30),
+                   [](QPainter& painter) { painter.fillRect(0, 0, 40, 30, Qt::blue); }};
   content.made_at = QDateTime(QDate(2026, 3, 4), QTime(5, 6, 7));
   return content;
 }
@@ -116,8 +114,7 @@ std::map<QString, QByteArray> picturesIn(const QString& html) {
 TEST(Report, ShowsThePatchFromFourSidesWithScaleBarsAndIds) {
   const QString html = reportHtml(contentOf(withUncertainty()));
   const auto pictures = picturesIn(html);
-  EXPECT_TRUE(pictures.count(QStringLiteral("Patch, front")));
-  EXPECT_FALSE(pictures.count(QStringLiteral("nothing"))) << "a picture that is none";
+  EXPECT_TRUE(pictures.count(QStringLiteral("Skin graph")));
   EXPECT_EQ(html.count(QStringLiteral("<figcaption>")), html.count(QStringLiteral("<img ")));
   std::set<QByteArray> different;
   QString ids;
@@ -231,7 +228,7 @@ TEST(Report, BreaksItsTablesWell) {
       result.findings.push_back(makeFinding(FindingCode::NoPoses, message("Finding number {}.", k)));
     }
     ReportContent content = contentOf(result);
-    content.pictures.clear();
+    content.graph.reset();
     int seen = 0;
     for (const QString& page : pagesInWords(content)) {
       const int rows = page.count(QStringLiteral("Finding number "));
@@ -245,7 +242,7 @@ TEST(Report, BreaksItsTablesWell) {
 
 TEST(Report, OfASkinWithoutAnythingIsStillAReport) {
   ReportContent content = contentOf(test::ResultBuilder().build());
-  content.pictures.clear();
+  content.graph.reset();
   EXPECT_FALSE(textOf(reportHtml(content)).isEmpty());
   EXPECT_TRUE(reportPdf(content).startsWith("%PDF"));
 }
