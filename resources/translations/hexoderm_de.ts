@@ -7409,6 +7409,10 @@ Die Balken sagen, wie sehr sich die gesehenen Richtungen in drei Achsen untersch
         <source>Plot</source>
         <translation>Diagramm</translation>
     </message>
+    <message>
+        <source>Skin patch</source>
+        <translation>Hautstück</translation>
+    </message>
 </context>
 <context>
     <name>hexoderm::PartMotion</name>
@@ -10705,21 +10709,6 @@ Auf einem entfernten Bildschirm oder mit einem fehlerhaften Treiber kann es helf
     <message>
         <source>Figures: %1</source>
         <translation>Zahlen: %1</translation>
-    </message>
-</context>
-<context>
-    <name>hexoderm::ViewSwap</name>
-    <message>
-        <source>Skin patch</source>
-        <translation>Hautstück</translation>
-    </message>
-    <message>
-        <source>Skin graph</source>
-        <translation>Hautgraph</translation>
-    </message>
-    <message>
-        <source>The patch in three dimensions</source>
-        <translation>Das Hautstück in drei Dimensionen</translation>
     </message>
 </context>
 <context>
