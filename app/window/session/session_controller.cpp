@@ -185,7 +185,6 @@ void SessionController::noteRobot() {
   if (reconstruction_) reconstruction_ = withPlacements(*reconstruction_, *session_);
   robot_is_newer_ = isSolving();
   emit changed();
-  emit robotChanged();
 }
 
 void SessionController::setSolverOptions(const SolverOptions& options) {

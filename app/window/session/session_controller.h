@@ -97,9 +97,6 @@ class SessionController : public QObject {
   void reconstructionChanged(std::shared_ptr<const hexoderm::Reconstruction> reconstruction);
   /// There are other ones, or none any more; not emitted where reconstructionChanged() takes their place.
   void firstPlacementsChanged();
-  /// The session's robot, its joint angles or the places of patches on it changed; reconstruction() holds them, and is
-  /// the same otherwise.
-  void robotChanged();
   void opened(const QString& name);
   /// One message for a person, as core said it. From the parts too.
   void failed(const QString& message);
@@ -110,7 +107,7 @@ class SessionController : public QObject {
   void connectParts();
   void closeCurrent();
   void submit();
-  /// An edit that needs no solving.
+  /// An edit that needs no solving: the session's robot, its joint angles or the places of patches on it.
   void noteRobot();
   void receive(const ReconstructionOutcome& outcome);
   /// On the thread that solves.
