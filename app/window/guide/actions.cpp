@@ -122,12 +122,8 @@ void WindowActions::fillMenuBar(QMenuBar* bar, const std::vector<QAction*>& pane
 }
 
 void WindowActions::refreshCapture(const SessionController& controller, const QString& no_session) {
-  const bool live = controller.liveSession().isLive();
-  QString no_skin = no_session;
-  if (no_skin.isEmpty() && !live) no_skin = tr("No skin is connected");
-  if (live && controller.liveSession().source().status().state != SourceState::Streaming) {
-    no_skin = tr("The skin does not send: %1").arg(words(controller.liveSession().source().status().message));
-  }
+  const QString not_live = controller.liveSession().isLive() ? QString() : tr("No skin is connected");
+  const QString no_skin = no_session.isEmpty() ? whyNoReadings(controller) : no_session;
   allow(capture, no_skin);
   QString no_advice = no_skin;
   if (no_advice.isEmpty() && !controller.poseGuide().nextPose()) no_advice = tr("The next pose is being worked out");
@@ -159,13 +155,20 @@ void WindowActions::refreshCapture(const SessionController& controller, const QS
   const bool are_enough = controller.enabledPoses() > 0 && !controller.poseGuide().wantsMorePoses();
   allow(turn, no_robot.isEmpty() && !are_enough ? not_wanted : no_robot);
   automatic->setChecked(controller.liveSession().isAutomatic());
-  allow(automatic, live ? QString() : tr("No skin is connected"));
+  allow(automatic, not_live);
   allow(disconnect_skin, controller.liveSession().source().isRunning() ? QString() : tr("No skin is connected"));
-  const bool is_tried = controller.liveSession().source().isRunning() && !live;
+  const bool is_tried = controller.liveSession().source().isRunning() && !not_live.isEmpty();
   connect_skin->setIconText(is_tried ? tr("Correct the address…") : QString());
   live_mode->setChecked(controller.liveMode().isOn());
   live_mode->setIconText(controller.liveMode().isOn() ? tr("End live mode") : tr("Live mode"));
-  allow(live_mode, live ? QString() : tr("No skin is connected"));
+  allow(live_mode, not_live);
+}
+
+QString WindowActions::whyNoReadings(const SessionController& controller) {
+  const LiveSession& live = controller.liveSession();
+  if (!live.isLive()) return tr("No skin is connected");
+  if (live.source().status().state == SourceState::Streaming) return {};
+  return tr("The skin does not send: %1").arg(words(live.source().status().message));
 }
 
 QString WindowActions::whyNoSession(const SessionController& controller) {
@@ -201,13 +204,7 @@ void WindowActions::refreshRetake(const SessionController& controller) {
   const PoseId pose = controller.session()->poses()[*index].capture->id;
   retake->setText(live.recapturing() == pose ? tr("Don't take &pose %1 again").arg(pose.value())
                                              : tr("Take &pose %1 again").arg(pose.value()));
-  QString no_skin;
-  if (!live.isLive()) {
-    no_skin = tr("No skin is connected");
-  } else if (live.source().status().state != SourceState::Streaming) {
-    no_skin = tr("The skin does not send: %1").arg(words(live.source().status().message));
-  }
-  allow(retake, no_skin);
+  allow(retake, whyNoReadings(controller));
 }
 
 void WindowActions::refreshDevice(const SessionController& controller, std::optional<CellId> cell) {

@@ -35,7 +35,6 @@ struct LoadedRobot {
 /// Joint angles as they were read for a session.
 struct LoadedJoints {
   std::vector<SetJointAngles> edits;
-  std::vector<PoseId> without_angles;
   QString file;
 };
 
@@ -57,15 +56,13 @@ class Placing : public QObject {
   /// Of the poses of the session as it is now.
   void readJoints(const QString& path, std::shared_ptr<const LoadedRobot> robot, const Session& session) {
     // The copy shares the captures.
-    requests_.request(
-        PlaceWork::Joints,
-        [this, path, robot = std::move(robot),
-         copy = std::make_shared<const Session>(session)](const std::stop_token&) -> Announcement {
-          const JointAnglesTable table = readJointAnglesCsv(toPath(path), robot->model);
-          JointAnglesForSession read = jointAnglesFor(*copy, table);
-          LoadedJoints joints{std::move(read.edits), std::move(read.without_angles), QFileInfo(path).fileName()};
-          return [this, joints] { emit jointsRead(joints); };
-        });
+    requests_.request(PlaceWork::Joints,
+                      [this, path, robot = std::move(robot),
+                       copy = std::make_shared<const Session>(session)](const std::stop_token&) -> Announcement {
+                        const JointAnglesTable table = readJointAnglesCsv(toPath(path), robot->model);
+                        const LoadedJoints joints{jointAnglesFor(*copy, table).edits, QFileInfo(path).fileName()};
+                        return [this, joints] { emit jointsRead(joints); };
+                      });
   }
 
   void findLinks(std::shared_ptr<const Reconstruction> reconstruction, std::shared_ptr<const LoadedRobot> robot,
