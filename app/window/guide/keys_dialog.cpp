@@ -129,6 +129,7 @@ void showKeysDialog(QWidget* parent, const QMenuBar& menus) {
   const int width = list->columnWidth(0) + 44 * dialog->fontMetrics().averageCharWidth() + 80;
   const int height = (rows + 6) * (dialog->fontMetrics().height() + 6);
   dialog->resize(QSize(width, height).boundedTo(0.85 * parent->screen()->availableSize()));
+  search->setFocus();
   openInTurns(dialog, Qt::NonModal);
 }
 

@@ -18,7 +18,6 @@
 #include <QScrollArea>
 #include <QScrollBar>
 #include <QTabBar>
-#include <QToolButton>
 #include <condition_variable>
 #include <map>
 #include <mutex>
@@ -175,23 +174,6 @@ TEST_F(WindowLayoutTest, TablesShowEightRowsAtTheFirstStart) {
     test::letTurnsPass();
     EXPECT_GE(rowsSeen(views[page]), 8) << views[page];
   }
-}
-
-TEST_F(WindowLayoutTest, TheButtonsOverThe3DViewStandInOneRowAndFold) {
-  ASSERT_NO_FATAL_FAILURE(takeDemoPoses(2));
-  auto* view = window_->findChild<PatchView*>();
-  auto* more = view->findChild<QToolButton*>(QStringLiteral("moreButton"));
-  ASSERT_NE(more, nullptr);
-  const auto heightOfRow = [&] { return more->parentWidget()->height(); };
-  window_->resize(1600, 900);
-  action("actionResetLayout")->trigger();
-  test::letTurnsPass();
-  const int wide = heightOfRow();
-  press(Qt::Key_G);  // into the panel at the side, which is narrow
-  test::letTurnsPass();
-  EXPECT_TRUE(more->isVisible());
-  EXPECT_EQ(heightOfRow(), wide);
-  EXPECT_LE(more->geometry().right(), more->parentWidget()->width());
 }
 
 /// Language and size of the text; sizes that everything must fit into.
