@@ -78,9 +78,9 @@ class Script : public QObject {
     if (!controller.isCurrent()) return;
     if (controller.liveSession().isDemo() && poses_ > 0 && !is_robot_asked_) {
       is_robot_asked_ = true;
-      controller.poseGuide().letRobotTake(static_cast<std::size_t>(poses_));
+      controller.liveSession().letRobotTake(static_cast<std::size_t>(poses_));
     }
-    if (controller.poseGuide().isRobotOn()) return;
+    if (controller.liveSession().isRobotOn()) return;
     done_ = true;
     controller.liveSession().setAutomatic(false);
     if (picture_.isEmpty()) return;

@@ -2140,6 +2140,14 @@ Die Balken sagen, wie sehr sich die gesehenen Richtungen in drei Achsen untersch
         <source>The device says that it has another cell model; the poses stay.</source>
         <translation>Das Gerät meldet ein anderes Zellmodell; die Posen bleiben erhalten.</translation>
     </message>
+    <message>
+        <source>The device refused to turn %1 times, so it is not asked any more. The last time: %2</source>
+        <translation>Das Gerät hat %1-mal abgelehnt, sich zu drehen, und wird nicht mehr gefragt. Zuletzt: %2</translation>
+    </message>
+    <message>
+        <source>The device does not turn there: %1. The next best pose is advised instead.</source>
+        <translation>Das Gerät dreht sich nicht dorthin: %1. Stattdessen wird eine andere Pose vorgeschlagen.</translation>
+    </message>
 </context>
 <context>
     <name>hexoderm::LiveStrip</name>
@@ -8570,17 +8578,6 @@ Auf einem entfernten Bildschirm oder mit einem fehlerhaften Treiber kann es helf
     <message>
         <source>Drag a rectangle to mark cells in all views, or use the arrow keys with Shift</source>
         <translation>Ein Rechteck ziehen, um Zellen in allen Ansichten zu markieren, oder mit Umschalt die Pfeiltasten benutzen</translation>
-    </message>
-</context>
-<context>
-    <name>hexoderm::PoseGuide</name>
-    <message>
-        <source>The device refused to turn %1 times, so it is not asked any more. The last time: %2</source>
-        <translation>Das Gerät hat %1-mal abgelehnt, sich zu drehen, und wird nicht mehr gefragt. Zuletzt: %2</translation>
-    </message>
-    <message>
-        <source>The device does not turn there: %1. The next best pose is advised instead.</source>
-        <translation>Das Gerät dreht sich nicht dorthin: %1. Stattdessen wird eine andere Pose vorgeschlagen.</translation>
     </message>
 </context>
 <context>

@@ -126,13 +126,13 @@ void WindowActions::refreshCapture(const SessionController& controller, const QS
   const QString no_skin = no_session.isEmpty() ? whyNoReadings(controller) : no_session;
   allow(capture, no_skin);
   QString no_advice = no_skin;
-  if (no_advice.isEmpty() && !controller.poseGuide().nextPose()) no_advice = tr("The next pose is being worked out");
+  if (no_advice.isEmpty() && !controller.liveSession().nextPose()) no_advice = tr("The next pose is being worked out");
   allow(show_next_pose, no_advice);
   QString not_wanted;
-  if (controller.poseGuide().nextPose() && !controller.poseGuide().isNextPoseWanted()) {
+  if (controller.liveSession().nextPose() && !controller.liveSession().isNextPoseWanted()) {
     // After a capture the advice from before it is still there for a moment.
     not_wanted = controller.enabledPoses() == 0 ? tr("Any way up will do for the first pose")
-                 : controller.poseGuide().wantsMorePoses()
+                 : controller.liveSession().wantsMorePoses()
                      ? tr("The next pose is being worked out")
                      : tr("There are enough poses; turn and capture more by hand if you like");
   }
@@ -141,18 +141,18 @@ void WindowActions::refreshCapture(const SessionController& controller, const QS
   if (no_robot.isEmpty() && !controller.liveSession().canTurn()) {
     no_robot = tr("This device can't turn itself; turn the part by hand");
   }
-  robot->setChecked(controller.poseGuide().isRobotOn());
+  robot->setChecked(controller.liveSession().isRobotOn());
   const QString who = controller.liveSession().isDemo() ? tr("Let the simulated robot take the poses")
                                                         : tr("Let the robot take the poses");
-  robot->setIconText(controller.poseGuide().isRobotOn() ? tr("Stop the robot") : who);
+  robot->setIconText(controller.liveSession().isRobotOn() ? tr("Stop the robot") : who);
   QString no_more = no_robot;
-  if (no_more.isEmpty() && !controller.poseGuide().isRobotOn() && !controller.poseGuide().wantsMorePoses()) {
+  if (no_more.isEmpty() && !controller.liveSession().isRobotOn() && !controller.liveSession().wantsMorePoses()) {
     no_more = tr("There are enough poses; turn and capture more by hand if you like");
   }
   allow(robot, no_more);
-  if (no_robot.isEmpty() && !controller.poseGuide().nextPose()) no_robot = tr("The next pose is being worked out");
+  if (no_robot.isEmpty() && !controller.liveSession().nextPose()) no_robot = tr("The next pose is being worked out");
   // Where there are enough poses, whoever wants a better result still can turn to another one.
-  const bool are_enough = controller.enabledPoses() > 0 && !controller.poseGuide().wantsMorePoses();
+  const bool are_enough = controller.enabledPoses() > 0 && !controller.liveSession().wantsMorePoses();
   allow(turn, no_robot.isEmpty() && !are_enough ? not_wanted : no_robot);
   automatic->setChecked(controller.liveSession().isAutomatic());
   allow(automatic, not_live);

@@ -21,10 +21,10 @@ struct Guide {
 QAction* bestAction(const SessionController& controller, const WindowActions& actions) {
   if (controller.isEmpty()) return actions.demo;
   const Reconstruction* result = controller.reconstruction().get();
-  if (controller.poseGuide().isRobotOn()) return actions.robot;
+  if (controller.liveSession().isRobotOn()) return actions.robot;
   if (controller.wasCancelled()) return actions.solve_again;
   if (actions.retake->isEnabled()) return actions.retake;
-  if (controller.poseGuide().wantsMorePoses())
+  if (controller.liveSession().wantsMorePoses())
     return controller.liveSession().canTurn() ? actions.robot : actions.show_next_pose;
   if (!result || (controller.session() && !result->assessment.isUsable())) return actions.connect_skin;
   const Finding* finding = worstFinding(*result);
@@ -199,7 +199,7 @@ Step captureStep(const SessionController& controller, const WindowActions& actio
     sayOf(step, *actions.capture, {});
     return step;
   }
-  const bool more = controller.poseGuide().wantsMorePoses();
+  const bool more = controller.liveSession().wantsMorePoses();
   step.note = posesInWords(controller.enabledPoses());
   if (controller.liveSession().canTurn())
     step.actions = {actions.robot, actions.live_mode};
@@ -356,7 +356,7 @@ Banner::Content describeStand(const SessionController& controller, const WindowA
             : Guide::tr(
                   "The skin does not send any more. Check cable, power and address: once it sends again, this goes on "
                   "by itself.");
-  } else if (controller.poseGuide().isRobotOn()) {
+  } else if (controller.liveSession().isRobotOn()) {
     const auto next = controller.enabledPoses() + 1;
     content.sentence = Guide::tr("%1 is taking pose %2.").arg(robotInWords(controller)).arg(next);
   } else if (controller.wasCancelled()) {

@@ -194,7 +194,7 @@ void MainWindow::handOutResults() {
 
 void MainWindow::connectRefresh() {
   connect(&controller_, &SessionController::changed, &refresh_, &OncePerTurn::request);
-  connect(&controller_.poseGuide(), &PoseGuide::nextPoseChanged, &refresh_, &OncePerTurn::request);
+  connect(&controller_.liveSession(), &LiveSession::nextPoseChanged, &refresh_, &OncePerTurn::request);
   connect(&presenters_->review, &ReviewPresenter::pickedPoseChanged, &refresh_, &OncePerTurn::request);
   connect(actions_.reset_layout, &QAction::triggered, panels_, &Panels::reset);
   connect(&refresh_, &OncePerTurn::done, this, &MainWindow::refreshed);

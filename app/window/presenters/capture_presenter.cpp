@@ -31,9 +31,9 @@ class CapturePresenter : public Presenter {
             [this](const CapturedPose& captured) { views.capture_panel->showWriting(captured.pose->id); });
     connect(&live_session, &LiveSession::poseKept, this, &CapturePresenter::showCaptured);
     connect(&live_session, &LiveSession::poseLost, views.capture_panel, &CapturePanel::endWriting);
-    connect(&controller.poseGuide(), &PoseGuide::nextPoseChanged, this, &CapturePresenter::showNextPose);
+    connect(&controller.liveSession(), &LiveSession::nextPoseChanged, this, &CapturePresenter::showNextPose);
     connect(views.steps, &StepPanel::opened, this, &CapturePresenter::followPart);
-    connect(views.patch, &PatchView::turnRequested, &controller.poseGuide(), &PoseGuide::turnTo);
+    connect(views.patch, &PatchView::turnRequested, &controller.liveSession(), &LiveSession::turnTo);
     connect(&selection, &Selection::changed, this, [this] { views.stillness->setCell(selection.cell()); });
     connect(&results, &ResultPresenter::handedOut, this, &CapturePresenter::showCoverage);
     connectCommands();
@@ -42,11 +42,11 @@ class CapturePresenter : public Presenter {
 
  private:
   void connectCommands() {
-    connect(actions.turn, &QAction::triggered, &controller.poseGuide(), &PoseGuide::turnToNextPose);
+    connect(actions.turn, &QAction::triggered, &controller.liveSession(), &LiveSession::turnToNextPose);
     connect(actions.automatic, &QAction::triggered, &controller.liveSession(), &LiveSession::setAutomatic);
     connect(actions.capture, &QAction::triggered, &controller.liveSession(), &LiveSession::captureNow);
-    connect(actions.skip_pose, &QAction::triggered, &controller.poseGuide(), &PoseGuide::skipPose);
-    connect(actions.robot, &QAction::triggered, &controller.poseGuide(), &PoseGuide::setRobot);
+    connect(actions.skip_pose, &QAction::triggered, &controller.liveSession(), &LiveSession::skipPose);
+    connect(actions.robot, &QAction::triggered, &controller.liveSession(), &LiveSession::setRobot);
     connect(actions.live_mode, &QAction::triggered, &controller.liveMode(), &LiveMode::setOn);
     connect(actions.show_next_pose, &QAction::triggered, this, [this] {
       views.steps->openStep(static_cast<int>(GuideStep::Capture));
@@ -109,17 +109,17 @@ class CapturePresenter : public Presenter {
 
   void showNextPose() {
     const std::shared_ptr<const Reconstruction>& result = controller.reconstruction();
-    const std::optional<PoseAdvice>& advice = controller.poseGuide().nextPose();
+    const std::optional<PoseAdvice>& advice = controller.liveSession().nextPose();
     const bool known = advice && result;
-    views.coverage->setNext(known && controller.poseGuide().isNextPoseWanted() ? std::optional(advice->up)
-                                                                               : std::nullopt);
+    views.coverage->setNext(known && controller.liveSession().isNextPoseWanted() ? std::optional(advice->up)
+                                                                                 : std::nullopt);
     showAdvice();
     followPart();
   }
 
   void showAdvice() {
     const std::shared_ptr<const Reconstruction>& result = controller.reconstruction();
-    const std::optional<PoseAdvice>& advice = controller.poseGuide().nextPose();
+    const std::optional<PoseAdvice>& advice = controller.liveSession().nextPose();
     const std::optional<NextPose> next =
         advice && result ? describeNextPose(*advice, *result, current_up_) : std::nullopt;
     views.capture_panel->setAdvice(next);
@@ -141,7 +141,7 @@ class CapturePresenter : public Presenter {
     constexpr qint64 kReadable_ms = 400;
     if (!advice_age_.isValid() || advice_age_.elapsed() > kReadable_ms) {
       advice_age_.start();
-      if (result && controller.poseGuide().nextPose()) showAdvice();
+      if (result && controller.liveSession().nextPose()) showAdvice();
     }
   }
 
@@ -162,9 +162,9 @@ class CapturePresenter : public Presenter {
     const SkinPreview& preview = controller.liveSession().source().preview();
     moment.readings = isReading() ? readingsOf(preview.means, preview.temperatures) : nullptr;
     moment.up_o = capturing ? current_up_ : std::nullopt;
-    const bool shows_next = capturing && controller.poseGuide().isNextPoseWanted();
+    const bool shows_next = capturing && controller.liveSession().isNextPoseWanted();
     moment.told_cell = shows_next ? told_cell_ : std::nullopt;
-    moment.next_up_o = shows_next ? std::optional(controller.poseGuide().nextPose()->up) : std::nullopt;
+    moment.next_up_o = shows_next ? std::optional(controller.liveSession().nextPose()->up) : std::nullopt;
     views.patch->setMoment(moment);
   }
 

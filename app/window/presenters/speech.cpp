@@ -16,7 +16,7 @@ void refreshSpeech(const WindowParts& parts) {
   const SessionController& controller = parts.controller;
   QString instruction;
   if (controller.liveSession().source().isRunning() && !controller.liveMode().isOn()) {
-    if (!controller.poseGuide().isRobotOn()) instruction = parts.views.capture_panel->instruction();
+    if (!controller.liveSession().isRobotOn()) instruction = parts.views.capture_panel->instruction();
     if (instruction.isEmpty()) instruction = describeStand(controller, parts.actions).sentence;
   }
   parts.views.voice->setInstruction(instruction);

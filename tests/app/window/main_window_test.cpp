@@ -65,8 +65,8 @@ TEST_F(MainWindowTest, FourKeysLeadFromTheStartToAnExportedCalibrationWithinAMin
   press(Qt::Key_D, Qt::ControlModifier);
   ASSERT_TRUE(waitUntil([this] { return action("actionRobot")->isEnabled(); }));
   press(Qt::Key_B);
-  EXPECT_TRUE(controller().poseGuide().isRobotOn());
-  ASSERT_TRUE(waitUntil([this] { return !controller().poseGuide().isRobotOn(); }));
+  EXPECT_TRUE(controller().liveSession().isRobotOn());
+  ASSERT_TRUE(waitUntil([this] { return !controller().liveSession().isRobotOn(); }));
   // By the skin's clock: a busy computer is no fault of the window.
   const double rate_hz = controller().session()->model().accelerometer.rate_hz;
   EXPECT_LT(static_cast<double>(controller().liveSession().source().status().frames) / rate_hz, 60);
@@ -79,7 +79,7 @@ TEST_F(MainWindowTest, FourKeysLeadFromTheStartToAnExportedCalibrationWithinAMin
 
 TEST_F(MainWindowTest, TheRobotTakesAllPosesAfterTheFirstAndNoneIsSkippedWhenThereAreEnough) {
   ASSERT_NO_FATAL_FAILURE(takeDemoPoses(0));
-  ASSERT_TRUE(waitUntil([this] { return controller().poseGuide().nextPose().has_value(); }));
+  ASSERT_TRUE(waitUntil([this] { return controller().liveSession().nextPose().has_value(); }));
   const auto isAsked = [this] { return action("actionTurn")->isEnabled() && action("actionSkipPose")->isEnabled(); };
   for (const char* name : {"actionTurn", "actionSkipPose"}) {
     EXPECT_FALSE(action(name)->isEnabled()) << name;
@@ -92,12 +92,12 @@ TEST_F(MainWindowTest, TheRobotTakesAllPosesAfterTheFirstAndNoneIsSkippedWhenThe
 
   ASSERT_TRUE(waitUntil([this] { return find<QPushButton>("bannerButton")->text().startsWith("Let the simulated"); }));
   clickBanner();
-  ASSERT_TRUE(waitUntil([this] { return controller().poseGuide().isRobotOn(); }));
+  ASSERT_TRUE(waitUntil([this] { return controller().liveSession().isRobotOn(); }));
   EXPECT_EQ(find<QPushButton>("bannerButton")->text(), "Stop the robot");
-  ASSERT_TRUE(waitUntil([this] { return !controller().poseGuide().isRobotOn(); }));
+  ASSERT_TRUE(waitUntil([this] { return !controller().liveSession().isRobotOn(); }));
   ASSERT_TRUE(waitUntilIdle());
   ASSERT_TRUE(waitUntil([&] { return !isAsked(); }));
-  EXPECT_FALSE(controller().poseGuide().wantsMorePoses());
+  EXPECT_FALSE(controller().liveSession().wantsMorePoses());
   EXPECT_EQ(find<QPushButton>("bannerButton")->text(), "Export…");
   EXPECT_FALSE(controller().reconstruction()->assessment.wantsPose())
       << posesShown() << " poses: " << controller().reconstruction()->assessment.reason;

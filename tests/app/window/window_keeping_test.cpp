@@ -176,17 +176,17 @@ TEST_F(WindowKeepingTest, TheNextSkinIsAskedNothingThatTheLastWasAsked) {
   ASSERT_NO_FATAL_FAILURE(takeDemoPoses(1));
   controller().file().saveSession(pathTo("arm.hexo"));
   ASSERT_TRUE(waitUntil([this] { return controller().file().isKept(); }));
-  controller().poseGuide().setRobot(true);
+  controller().liveSession().setRobot(true);
   controller().liveMode().setOn(true);
   controller().liveSession().lightCell(CellId(3));
-  ASSERT_TRUE(controller().poseGuide().isRobotOn() && controller().liveMode().isOn() &&
+  ASSERT_TRUE(controller().liveSession().isRobotOn() && controller().liveMode().isOn() &&
               controller().liveSession().litCell());
   // A skin that is never there.
   ConnectRequest request;
   request.address = QStringLiteral("replay:") + pathTo("none.skinrec");
   request.continue_session = true;
   controller().liveSession().connectTo(request);
-  EXPECT_FALSE(controller().poseGuide().isRobotOn());
+  EXPECT_FALSE(controller().liveSession().isRobotOn());
   EXPECT_FALSE(controller().liveMode().isOn());
   EXPECT_EQ(controller().liveSession().litCell(), std::nullopt);
   ASSERT_TRUE(waitUntil([this] { return !controller().liveSession().source().isRunning(); }));
@@ -195,10 +195,10 @@ TEST_F(WindowKeepingTest, TheNextSkinIsAskedNothingThatTheLastWasAsked) {
 
 TEST_F(WindowKeepingTest, ATurnByHandEndsTheRobotsRunForAllToSee) {
   ASSERT_NO_FATAL_FAILURE(takeDemoPoses(1));
-  controller().poseGuide().setRobot(true);
+  controller().liveSession().setRobot(true);
   ASSERT_TRUE(waitUntil([this] { return action("actionRobot")->isChecked(); }));
-  controller().poseGuide().turnTo(Eigen::Vector3d::UnitX());
-  EXPECT_FALSE(controller().poseGuide().isRobotOn());
+  controller().liveSession().turnTo(Eigen::Vector3d::UnitX());
+  EXPECT_FALSE(controller().liveSession().isRobotOn());
   EXPECT_TRUE(waitUntil([this] { return !action("actionRobot")->isChecked(); }));
 }
 

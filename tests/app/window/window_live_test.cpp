@@ -246,7 +246,7 @@ TEST_F(WindowLiveTest, ASkinThatFallsSilentIsToldAboveTheRobotAndItsLastReadings
   })) << labelText("bannerSentence").toStdString();
 
   ASSERT_TRUE(waitUntil([this] { return labelText("bannerSentence").startsWith("The skin does not send any more"); }));
-  EXPECT_TRUE(controller().poseGuide().isRobotOn()) << "it goes on when the skin does";
+  EXPECT_TRUE(controller().liveSession().isRobotOn()) << "it goes on when the skin does";
   EXPECT_EQ(find<QPushButton>("bannerButton")->text(), action("actionConnect")->iconText());
   EXPECT_TRUE(stillness->trace().points().empty());
   EXPECT_EQ(patch->moment().readings, nullptr);

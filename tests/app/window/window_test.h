@@ -178,8 +178,8 @@ class WindowTest : public testing::Test {
   void turnBy(Ask ask) {
     constexpr std::uint64_t kLongestTurn = 3500;  // samples: half a turn, and what a status may be late
     ASSERT_TRUE(waitUntil([this] {
-      return controller().liveSession().canTurn() && controller().poseGuide().nextPose() &&
-             (action("actionTurn")->isEnabled() || !controller().poseGuide().wantsMorePoses());
+      return controller().liveSession().canTurn() && controller().liveSession().nextPose() &&
+             (action("actionTurn")->isEnabled() || !controller().liveSession().wantsMorePoses());
     }));
     ask();
     const LiveSource& live = controller().liveSession().source();
@@ -194,10 +194,10 @@ class WindowTest : public testing::Test {
   void takeNextPose() {
     const std::size_t before = posesShown();
     ASSERT_NO_FATAL_FAILURE(turnBy([this] {
-      if (controller().poseGuide().wantsMorePoses()) {
+      if (controller().liveSession().wantsMorePoses()) {
         action("actionTurn")->trigger();
       } else {
-        controller().poseGuide().turnTo(controller().poseGuide().nextPose()->up);
+        controller().liveSession().turnTo(controller().liveSession().nextPose()->up);
       }
     }));
     controller().liveSession().captureNow();

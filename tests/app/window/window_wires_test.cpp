@@ -69,7 +69,7 @@ class WindowWiresTest : public WindowTest, public testing::WithParamInterface<Wi
   void turnToTheSecondPose() {
     ASSERT_TRUE(waitUntil([this] { return action("actionTurn")->isEnabled(); }))
         << action("actionTurn")->toolTip().toStdString();
-    advised_o_ = controller().poseGuide().nextPose()->up;
+    advised_o_ = controller().liveSession().nextPose()->up;
     press(Qt::Key_T);
     ASSERT_TRUE(waitForMessage("Pose 2 captured: 17 cells."));
     EXPECT_FALSE(message().contains("repeats")) << message().toStdString();
