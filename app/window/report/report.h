@@ -36,9 +36,7 @@ struct ReportTitle {
   [[nodiscard]] bool isEmpty() const {
     return robot.isEmpty() && part.isEmpty() && made_by.isEmpty() && notes.isEmpty();
   }
-  friend bool operator==(const ReportTitle& a, const ReportTitle& b) {
-    return a.robot == b.robot && a.part == b.part && a.made_by == b.made_by && a.notes == b.notes;
-  }
+  friend bool operator==(const ReportTitle&, const ReportTitle&) = default;
 };
 
 /// The checks of the step Verify as they stand; absent: it was not made, or is out of date.
