@@ -13,7 +13,6 @@
 #include <functional>
 #include <memory>
 #include <numeric>
-#include <optional>
 
 namespace hexoderm {
 namespace {

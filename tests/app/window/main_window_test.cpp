@@ -14,8 +14,7 @@ using MainWindowTest = WindowTest;
 
 TEST_F(MainWindowTest, ExportDialogSaysWhatIsMissing) {
   ASSERT_NO_FATAL_FAILURE(takeDemoPoses(1));
-  press(Qt::Key_E, Qt::ControlModifier);
-  auto* dialog = waitForDialog("exportDialog");
+  auto* dialog = openExportDialog();
   auto* edit = dialog->findChild<QLineEdit*>("exportPath");
   auto* button = dialog->findChild<QPushButton*>("exportButton");
   auto* note = dialog->findChild<QLabel*>("exportNote");
@@ -71,8 +70,7 @@ TEST_F(MainWindowTest, FourKeysLeadFromTheStartToAnExportedCalibrationWithinAMin
   const double rate_hz = controller().session()->model().accelerometer.rate_hz;
   EXPECT_LT(static_cast<double>(controller().liveSession().source().status().frames) / rate_hz, 60);
   ASSERT_TRUE(waitUntilIdle());
-  press(Qt::Key_E, Qt::ControlModifier);
-  waitForDialog("exportDialog");
+  openExportDialog();
   QTest::keyClick(QApplication::focusWidget(), Qt::Key_Return);
   ASSERT_TRUE(waitForMessage("Exported to "));
 }

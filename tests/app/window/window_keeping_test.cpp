@@ -1,8 +1,7 @@
 // Sessions that are undone, saved and connected in any order are whole in their files, and nothing of one skin is left
 // for the next.
 
-#include "app/window/files/session_paths.h"
-#include "tests/app/window/window_test.h"
+#include "tests/app/window/presenters/presenter_test.h"
 #include "tests/support/failing_disk.h"
 #include "widgets/capture/capture_tone.h"
 #include "widgets/capture/hold_ring.h"
@@ -18,20 +17,14 @@ std::vector<std::uint32_t> poseIds(const Session& session) {
   return ids;
 }
 
-class WindowKeepingTest : public WindowTest {
+class WindowKeepingTest : public PresenterTest {
  protected:
-  void SetUp() override {
-    QDir(unsavedFolder()).removeRecursively();
-    QFile::remove(unsavedFolder());
-    WindowTest::SetUp();
-  }
   void TearDown() override {
     window_.reset();
-    QDir(unsavedFolder()).removeRecursively();
+    PresenterTest::TearDown();
     QFile::remove(unsavedFolder());
   }
 
-  static Session read(const QString& path) { return readSessionStore(path.toStdString()); }
   /// The scratch file of a session that came from NAME.session.json; empty if there is none.
   static QString scratchOf(const QString& name) {
     const QFileInfoList files = QDir(unsavedFolder()).entryInfoList({name + "-*.hexo"}, QDir::Files);

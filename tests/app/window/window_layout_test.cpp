@@ -1,6 +1,5 @@
 // Nothing in the window jumps, everything fits, and what is shown says when it is not what it usually is.
 
-#include "app/window/guide/guide.h"
 #include "app/window/settings/preferences.h"
 #include "app/window/settings/translation.h"
 #include "hexoderm/reconstruction/reconstructor.h"
@@ -52,7 +51,6 @@ class WindowLayoutTest : public WindowTest {
       EXPECT_NEAR(now.height(), place.height(), kRounding_px) << name;
     }
   }
-  void openStep(GuideStep step) { find<StepPanel>("stepPanel")->openStep(static_cast<int>(step)); }
   const std::optional<ViewMark::Content>& middleMark() { return find<ViewMark>("middleMark")->content(); }
 };
 

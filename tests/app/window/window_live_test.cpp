@@ -27,7 +27,6 @@ class WindowLiveTest : public WindowTest {
     window_->connectTo({kQuickSkin, path});
     ASSERT_TRUE(waitForPoses(1));
   }
-  static Session read(const QString& path) { return readSessionStore(path.toStdString()); }
   /// Two cells on a TCP port of this computer, which `hello` describes; the window connects to it.
   void connectToTwoCells(const char* hello) {
     window_->connectTo({device_.address(), pathTo("arm.hexo"), false});

@@ -127,7 +127,7 @@ TEST_F(WindowPlaceTest, EveryDecisionCanBeUndoneAndIsKept) {
   ASSERT_TRUE(waitUntil([this] { return controller().session()->placements().empty(); }));
   window_->openFile(pathTo("kept.hexo"));
   ASSERT_TRUE(waitUntil([this] { return !controller().session()->placements().empty(); }));
-  ASSERT_NO_FATAL_FAILURE(openStep());
+  ASSERT_NO_FATAL_FAILURE(openPlace());
   ASSERT_TRUE(waitForWork());
   EXPECT_TRUE(stand().has_robot);
   ASSERT_EQ(placedPatches(*controller().reconstruction()).size(), 1U);
@@ -139,7 +139,7 @@ TEST_F(WindowPlaceTest, BeforeTheExportTheCellsAreLookedAtWithTheirNumbers) {
   const bool draws = window_->robotView()->canDraw();
   window_->robotView()->fit();
   const QImage whole = draws ? window_->robotView()->screenshot() : QImage();
-  window_->findChild<StepPanel*>()->openStep(static_cast<int>(GuideStep::Export));
+  openStep(GuideStep::Export);
   ASSERT_TRUE(waitUntil([this] { return window_->robotView()->isVisible(); }));
   EXPECT_EQ(window_->robotView()->picture().patches.size(), 1U);
   EXPECT_FALSE(window_->robotView()->picture().movable) << "nothing is moved here";
@@ -168,7 +168,7 @@ TEST_F(WindowPlaceTest, ACalibrationShowsItsPlacesButDecidesNothing) {
   controller().undoStack()->setClean();
   window_->openFile(pathTo("arm.calibration.json"));
   ASSERT_TRUE(waitUntil([this] { return controller().session() == nullptr; }));
-  ASSERT_NO_FATAL_FAILURE(openStep());
+  ASSERT_NO_FATAL_FAILURE(openPlace());
   ASSERT_TRUE(waitForWork());
   EXPECT_THAT(stand().why_not.toStdString(), HasSubstr("A calibration is open"));
   EXPECT_FALSE(find<QPushButton>("placeChooseRobot")->isEnabled());

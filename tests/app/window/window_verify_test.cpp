@@ -1,12 +1,10 @@
 // The tables, residuals and checks of a calibration in the real window.
 
-#include "app/window/guide/guide.h"
 #include "app/window/session/verification.h"
 #include "hexoderm/io/calibration_json.h"
 #include "hexoderm/reconstruction/reconstructor.h"
 #include "hexoderm/util/units.h"
 #include "tests/app/window/window_test.h"
-#include "widgets/controls/step_panel.h"
 #include "widgets/verify/verify_panel.h"
 
 #include <QComboBox>
@@ -31,7 +29,7 @@ class WindowVerifyTest : public WindowTest {
     return path;
   }
   void showPanel() {
-    window_->findChild<StepPanel*>()->openStep(static_cast<int>(GuideStep::Verify));
+    openStep(GuideStep::Verify);
     ASSERT_TRUE(waitUntil([&] { return panel().isVisible(); }));
   }
 };
