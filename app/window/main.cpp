@@ -20,6 +20,7 @@
 #include <cstring>
 #include <memory>
 #include <optional>
+#include <utility>
 
 namespace {
 
@@ -31,6 +32,10 @@ constexpr int kBadInput = 3;
 constexpr int kNoDisplay = 4;
 constexpr int kDevice = 4;
 constexpr int kStorage = 5;
+
+struct Main {
+  Q_DECLARE_TR_FUNCTIONS(main)
+};
 
 int complain(const QString& message, int code) {
   QTextStream(stderr) << "hexoderm: " << message << '\n';
@@ -73,9 +78,9 @@ class Script : public QObject {
     if (!controller.isCurrent()) return;
     if (controller.liveSession().isDemo() && poses_ > 0 && !is_robot_asked_) {
       is_robot_asked_ = true;
-      controller.poseGuide().letRobotTake(static_cast<std::size_t>(poses_));
+      controller.liveSession().letRobotTake(static_cast<std::size_t>(poses_));
     }
-    if (controller.poseGuide().isRobotOn()) return;
+    if (controller.liveSession().isRobotOn()) return;
     done_ = true;
     controller.liveSession().setAutomatic(false);
     if (picture_.isEmpty()) return;
@@ -86,15 +91,12 @@ class Script : public QObject {
   /// Returns the exit code.
   int finish() {
     if (!window_.picture().save(picture_, "PNG")) {
-      return complain(QCoreApplication::translate("main", "The picture %1 could not be written.").arg(picture_),
-                      kStorage);
+      return complain(Main::tr("The picture %1 could not be written.").arg(picture_), kStorage);
     }
     const Session* session = window_.controller().session();
     const int taken = session == nullptr ? 0 : static_cast<int>(session->poses().size());
     if (taken >= poses_) return 0;
-    return complain(
-        QCoreApplication::translate("main", "The robot took %1 of %2 poses, and stopped.").arg(taken).arg(poses_),
-        kDevice);
+    return complain(Main::tr("The robot took %1 of %2 poses, and stopped.").arg(taken).arg(poses_), kDevice);
   }
 
   MainWindow& window_;
@@ -109,31 +111,26 @@ struct Arguments {
   QCommandLineParser parser;
   QCommandLineOption help = parser.addHelpOption();
   QCommandLineOption version = parser.addVersionOption();
-  QCommandLineOption demo{QStringLiteral("demo"), QCoreApplication::translate("main", "Start the demo skin.")};
-  QCommandLineOption poses{QStringLiteral("poses"),
-                           QCoreApplication::translate("main", "Let the demo take N poses at once."),
-                           QStringLiteral("N"), QStringLiteral("0")};
-  QCommandLineOption theme{QStringLiteral("theme"),
-                           QCoreApplication::translate("main", "light, dark or system, for this time."),
-                           QStringLiteral("THEME")};
-  QCommandLineOption language{QStringLiteral("language"),
-                              QCoreApplication::translate("main", "en, de or system, for this time."),
-                              QStringLiteral("LANGUAGE")};
-  QCommandLineOption screenshot{
-      QStringLiteral("screenshot"),
-      QCoreApplication::translate("main", "Save a picture of the window after the first result, and quit."),
-      QStringLiteral("FILE")};
-  QCommandLineOption software_opengl{
-      QStringLiteral("software-opengl"),
-      QCoreApplication::translate("main", "Draw in 3D without the graphics card, for this time.")};
+  QCommandLineOption demo = add("demo", Main::tr("Start the demo skin."));
+  QCommandLineOption poses = add("poses", Main::tr("Let the demo take N poses at once."), "N", "0");
+  QCommandLineOption theme = add("theme", Main::tr("light, dark or system, for this time."), "THEME");
+  QCommandLineOption language = add("language", Main::tr("en, de or system, for this time."), "LANGUAGE");
+  QCommandLineOption screenshot =
+      add("screenshot", Main::tr("Save a picture of the window after the first result, and quit."), "FILE");
+  QCommandLineOption software_opengl =
+      add("software-opengl", Main::tr("Draw in 3D without the graphics card, for this time."));
 
   Arguments() {
-    parser.setApplicationDescription(
-        QCoreApplication::translate("main", "Finds out where every cell of a robot's artificial skin is."));
-    parser.addPositionalArgument(QStringLiteral("FILE"),
-                                 QCoreApplication::translate("main", "A session or calibration to open."),
+    parser.setApplicationDescription(Main::tr("Finds out where every cell of a robot's artificial skin is."));
+    parser.addPositionalArgument(QStringLiteral("FILE"), Main::tr("A session or calibration to open."),
                                  QStringLiteral("[FILE]"));
-    parser.addOptions({demo, poses, theme, language, screenshot, software_opengl});
+  }
+
+ private:
+  QCommandLineOption add(const char* name, const QString& what, const char* value = "", const char* at_first = "") {
+    QCommandLineOption option(QLatin1String(name), what, QLatin1String(value), QLatin1String(at_first));
+    parser.addOption(option);
+    return option;
   }
 };
 
@@ -147,9 +144,9 @@ QByteArray& noDisplayLine() {
 std::optional<int> answerWithoutDisplay(int argc, char** argv) {
   QCoreApplication app(argc, argv);
   installTranslations(app, languageFromArguments(QCoreApplication::arguments()));
-  noDisplayLine() = QCoreApplication::translate("main",
-                                                "The window needs a display, and none can be reached: set DISPLAY, or "
-                                                "use hexoderm-cli.")
+  noDisplayLine() = Main::tr(
+                        "The window needs a display, and none can be reached: set DISPLAY, or "
+                        "use hexoderm-cli.")
                         .toLocal8Bit();
   Arguments arguments;
   // Options of Qt's own are not known yet; a mistake is told by the application that knows them.
@@ -215,32 +212,26 @@ int main(int argc, char** argv) {
   QCommandLineParser& parser = arguments.parser;
   parser.process(*app);
 
-  if (parser.positionalArguments().size() > 1) {
-    return complain(QCoreApplication::translate("main", "One file at a time; see --help."), kUsage);
-  }
-  if (parser.isSet(arguments.demo) && !parser.positionalArguments().isEmpty()) {
-    return complain(QCoreApplication::translate("main", "Give either --demo or a file, not both."), kUsage);
-  }
+  const QStringList files = parser.positionalArguments();
   bool is_number = false;
   const int pose_count = parser.value(arguments.poses).toInt(&is_number);
-  if (!is_number || pose_count < 0 || pose_count > 1000) {
-    return complain(QCoreApplication::translate("main", "--poses takes a number from 0 to 1000."), kUsage);
-  }
-  if (pose_count > 0 && !parser.isSet(arguments.demo)) {
-    return complain(QCoreApplication::translate("main", "--poses goes with --demo."), kUsage);
-  }
   const std::optional<ThemeChoice> choice = themeChoiceFromName(parser.value(arguments.theme));
-  if (parser.isSet(arguments.theme) && !choice) {
-    return complain(QCoreApplication::translate("main", "--theme takes light, dark or system."), kUsage);
-  }
-  if (parser.isSet(arguments.language) && !isLanguageChoice(parser.value(arguments.language))) {
-    return complain(QCoreApplication::translate("main", "--language takes en, de or system."), kUsage);
-  }
-  if (parser.isSet(arguments.screenshot) && !parser.isSet(arguments.demo) && parser.positionalArguments().isEmpty()) {
-    return complain(QCoreApplication::translate("main", "--screenshot needs a file or --demo to show."), kUsage);
+  const bool is_demo = parser.isSet(arguments.demo);
+  const std::pair<bool, QString> mistakes[] = {
+      {files.size() > 1, Main::tr("One file at a time; see --help.")},
+      {is_demo && !files.isEmpty(), Main::tr("Give either --demo or a file, not both.")},
+      {!is_number || pose_count < 0 || pose_count > 1000, Main::tr("--poses takes a number from 0 to 1000.")},
+      {pose_count > 0 && !is_demo, Main::tr("--poses goes with --demo.")},
+      {parser.isSet(arguments.theme) && !choice, Main::tr("--theme takes light, dark or system.")},
+      {parser.isSet(arguments.language) && !isLanguageChoice(parser.value(arguments.language)),
+       Main::tr("--language takes en, de or system.")},
+      {parser.isSet(arguments.screenshot) && !is_demo && files.isEmpty(),
+       Main::tr("--screenshot needs a file or --demo to show.")}};
+  for (const auto& [is_made, text] : mistakes) {
+    if (is_made) return complain(text, kUsage);
   }
 
-  const QString file = parser.positionalArguments().value(0);
+  const QString file = files.value(0);
   const QString picture = parser.value(arguments.screenshot);
   try {
     const KeptFile input(toPath(file));
@@ -256,7 +247,7 @@ int main(int argc, char** argv) {
   if (choice) window.setThemeChoice(*choice, false);
   window.show();
   const Script script(window, pose_count, picture);
-  if (parser.isSet(arguments.demo)) window.startDemo();
+  if (is_demo) window.startDemo();
   if (!file.isEmpty()) window.openFile(file);
   return QApplication::exec();
 }

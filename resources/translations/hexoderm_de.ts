@@ -1852,13 +1852,6 @@ Die Balken sagen, wie sehr sich die gesehenen Richtungen in drei Achsen untersch
     </message>
 </context>
 <context>
-    <name>hexoderm::GuidePresenter</name>
-    <message>
-        <source>Step &amp;%1: %2</source>
-        <translation>Schritt &amp;%1: %2</translation>
-    </message>
-</context>
-<context>
     <name>hexoderm::GuideWindow</name>
     <message>
         <source>en</source>
@@ -1901,32 +1894,6 @@ Die Balken sagen, wie sehr sich die gesehenen Richtungen in drei Achsen untersch
     <message>
         <source>Find the next one</source>
         <translation>Nächste Stelle</translation>
-    </message>
-</context>
-<context>
-    <name>hexoderm::HelpPresenter</name>
-    <message>
-        <source>About Hexoderm</source>
-        <translation>Über Hexoderm</translation>
-    </message>
-    <message>
-        <source>&lt;b&gt;Hexoderm %1&lt;/b&gt;&lt;p&gt;Finds out where every cell of a robot&apos;s artificial skin is.&lt;/p&gt;&lt;p&gt;BSD 3-Clause licence.&lt;/p&gt;</source>
-        <translation>&lt;b&gt;Hexoderm %1&lt;/b&gt;&lt;p&gt;Findet heraus, wo jede Zelle der künstlichen Haut eines Roboters ist.&lt;/p&gt;&lt;p&gt;BSD-3-Klausel-Lizenz.&lt;/p&gt;</translation>
-    </message>
-</context>
-<context>
-    <name>hexoderm::HistoryPresenter</name>
-    <message>
-        <source>One session was not saved: %1</source>
-        <translation>Eine Sitzung wurde nicht gespeichert: %1</translation>
-    </message>
-    <message>
-        <source>%1 sessions were not saved. The newest: %2</source>
-        <translation>%1 Sitzungen wurden nicht gespeichert. Die neueste: %2</translation>
-    </message>
-    <message>
-        <source>Recover</source>
-        <translation>Wiederherstellen</translation>
     </message>
 </context>
 <context>
@@ -2173,6 +2140,14 @@ Die Balken sagen, wie sehr sich die gesehenen Richtungen in drei Achsen untersch
         <source>The device says that it has another cell model; the poses stay.</source>
         <translation>Das Gerät meldet ein anderes Zellmodell; die Posen bleiben erhalten.</translation>
     </message>
+    <message>
+        <source>The device refused to turn %1 times, so it is not asked any more. The last time: %2</source>
+        <translation>Das Gerät hat %1-mal abgelehnt, sich zu drehen, und wird nicht mehr gefragt. Zuletzt: %2</translation>
+    </message>
+    <message>
+        <source>The device does not turn there: %1. The next best pose is advised instead.</source>
+        <translation>Das Gerät dreht sich nicht dorthin: %1. Stattdessen wird eine andere Pose vorgeschlagen.</translation>
+    </message>
 </context>
 <context>
     <name>hexoderm::LiveStrip</name>
@@ -2273,21 +2248,6 @@ Die Balken sagen, wie sehr sich die gesehenen Richtungen in drei Achsen untersch
     <message>
         <source>What</source>
         <translation>Was</translation>
-    </message>
-</context>
-<context>
-    <name>hexoderm::LogPresenter</name>
-    <message>
-        <source>The log is kept in memory only. %1</source>
-        <translation>Das Protokoll bleibt nur im Speicher. %1</translation>
-    </message>
-    <message>
-        <source>Copied: versions, graphics, what is open and the last lines of the log, with your home folder as ~. Paste it into the report.</source>
-        <translation>Kopiert: Versionen, Grafik, was offen ist und die letzten Zeilen des Protokolls, mit dem eigenen Ordner als ~. In den Bericht einfügen.</translation>
-    </message>
-    <message>
-        <source>No program to show folders was found. The log is %1.</source>
-        <translation>Es wurde kein Programm gefunden, das Ordner zeigt. Das Protokoll ist %1.</translation>
     </message>
 </context>
 <context>
@@ -7457,6 +7417,10 @@ Die Balken sagen, wie sehr sich die gesehenen Richtungen in drei Achsen untersch
         <source>Plot</source>
         <translation>Diagramm</translation>
     </message>
+    <message>
+        <source>Skin patch</source>
+        <translation>Hautstück</translation>
+    </message>
 </context>
 <context>
     <name>hexoderm::PartMotion</name>
@@ -8617,17 +8581,6 @@ Auf einem entfernten Bildschirm oder mit einem fehlerhaften Treiber kann es helf
     </message>
 </context>
 <context>
-    <name>hexoderm::PoseGuide</name>
-    <message>
-        <source>The device refused to turn %1 times, so it is not asked any more. The last time: %2</source>
-        <translation>Das Gerät hat %1-mal abgelehnt, sich zu drehen, und wird nicht mehr gefragt. Zuletzt: %2</translation>
-    </message>
-    <message>
-        <source>The device does not turn there: %1. The next best pose is advised instead.</source>
-        <translation>Das Gerät dreht sich nicht dorthin: %1. Stattdessen wird eine andere Pose vorgeschlagen.</translation>
-    </message>
-</context>
-<context>
     <name>hexoderm::PoseTable</name>
     <message>
         <source>Pose %1 is disabled: it is kept, but not used.</source>
@@ -8971,25 +8924,6 @@ Auf einem entfernten Bildschirm oder mit einem fehlerhaften Treiber kann es helf
     <message>
         <source>Not available: %1</source>
         <translation>Nicht verfügbar: %1</translation>
-    </message>
-</context>
-<context>
-    <name>hexoderm::PreferencesPresenter</name>
-    <message>
-        <source>There is no OpenGL 3.2 here, so the 3D view is empty; graph and tables work.</source>
-        <translation>Hier gibt es kein OpenGL 3.2, darum ist die 3D-Ansicht leer; Graph und Tabellen arbeiten.</translation>
-    </message>
-    <message>
-        <source>%1 Drawing by the processor did not help either.</source>
-        <translation>%1 Auch Zeichnen im Prozessor half nicht.</translation>
-    </message>
-    <message>
-        <source>Draw without the graphics card</source>
-        <translation>Ohne Grafikkarte zeichnen</translation>
-    </message>
-    <message>
-        <source>From the next start on, the processor draws. Start Hexoderm again when it suits you.</source>
-        <translation>Ab dem nächsten Start zeichnet der Prozessor. Hexoderm bei Gelegenheit neu starten.</translation>
     </message>
 </context>
 <context>
@@ -10075,93 +10009,6 @@ Auf einem entfernten Bildschirm oder mit einem fehlerhaften Treiber kann es helf
     </message>
 </context>
 <context>
-    <name>hexoderm::StatusPresenter</name>
-    <message>
-        <source>No skin</source>
-        <translation>Keine Haut</translation>
-    </message>
-    <message>
-        <source>Hexoderm</source>
-        <translation>Hexoderm</translation>
-    </message>
-    <message>
-        <source>%1[*] · Hexoderm</source>
-        <translation>%1[*] · Hexoderm</translation>
-    </message>
-    <message>
-        <source>cells %1/%2</source>
-        <translation>Zellen %1/%2</translation>
-    </message>
-    <message>
-        <source>Cells that were measured in the fullest pose, of all cells</source>
-        <translation>Zellen, die in der vollständigsten Pose gemessen wurden, von allen</translation>
-    </message>
-    <message>
-        <source>solved in %1 · %2</source>
-        <translation>gelöst in %1 · %2</translation>
-    </message>
-    <message>
-        <source>%1, read from the file</source>
-        <translation>%1, aus der Datei</translation>
-    </message>
-    <message>
-        <source>not on disk</source>
-        <translation>nicht auf der Platte</translation>
-    </message>
-    <message>
-        <source>not saved</source>
-        <translation>nicht gespeichert</translation>
-    </message>
-    <message>
-        <source>saved at %1</source>
-        <translation>gespeichert um %1</translation>
-    </message>
-    <message>
-        <source>R recapture · Del disable · Ctrl+Z undo</source>
-        <translation>R: neu · Entf: aus · Strg+Z: zurück</translation>
-    </message>
-    <message>
-        <source>Del disable · Ctrl+Z undo</source>
-        <translation>Entf: aus · Strg+Z: zurück</translation>
-    </message>
-    <message>
-        <source>Findings %1</source>
-        <translation>Befunde %1</translation>
-    </message>
-    <message>
-        <source>Findings</source>
-        <translation>Befunde</translation>
-    </message>
-    <message>
-        <source>Links %1</source>
-        <translation>Verbindungen %1</translation>
-    </message>
-    <message>
-        <source>Links</source>
-        <translation>Verbindungen</translation>
-    </message>
-    <message>
-        <source>Cells %1</source>
-        <translation>Zellen %1</translation>
-    </message>
-    <message>
-        <source>Cells</source>
-        <translation>Zellen</translation>
-    </message>
-    <message>
-        <source>How long the last result took to work out, and by which method: global uses all links and poses at once, tree goes from cell to cell as in the paper</source>
-        <translation>Wie lange die Berechnung des letzten Ergebnisses dauerte, und nach welchem Verfahren: global nimmt alle Verbindungen und Posen auf einmal, tree geht wie im Aufsatz von Zelle zu Zelle</translation>
-    </message>
-    <message>
-        <source>%1 ms</source>
-        <translation>%1 ms</translation>
-    </message>
-    <message>
-        <source>%1 s</source>
-        <translation>%1 s</translation>
-    </message>
-</context>
-<context>
     <name>hexoderm::StepPanel</name>
     <message>
         <source>waiting</source>
@@ -10847,25 +10694,6 @@ Auf einem entfernten Bildschirm oder mit einem fehlerhaften Treiber kann es helf
     </message>
 </context>
 <context>
-    <name>hexoderm::VerifyPresenter</name>
-    <message>
-        <source>Compare with an earlier calibration</source>
-        <translation>Mit früherer Kalibrierung vergleichen</translation>
-    </message>
-    <message>
-        <source>Calibrations and sessions (*.calibration.json *.hexo *.session.json *.xml)</source>
-        <translation>Kalibrierungen und Sitzungen (*.calibration.json *.hexo *.session.json *.xml)</translation>
-    </message>
-    <message>
-        <source>Check an old calibration</source>
-        <translation>Eine alte Kalibrierung prüfen</translation>
-    </message>
-    <message>
-        <source>Calibrations and sessions (*.calibration.json *.hexo *.session.json)</source>
-        <translation>Kalibrierungen und Sitzungen (*.calibration.json *.hexo *.session.json)</translation>
-    </message>
-</context>
-<context>
     <name>hexoderm::VerifySection</name>
     <message>
         <source>Working</source>
@@ -10878,21 +10706,6 @@ Auf einem entfernten Bildschirm oder mit einem fehlerhaften Treiber kann es helf
     <message>
         <source>Figures: %1</source>
         <translation>Zahlen: %1</translation>
-    </message>
-</context>
-<context>
-    <name>hexoderm::ViewSwap</name>
-    <message>
-        <source>Skin patch</source>
-        <translation>Hautstück</translation>
-    </message>
-    <message>
-        <source>Skin graph</source>
-        <translation>Hautgraph</translation>
-    </message>
-    <message>
-        <source>The patch in three dimensions</source>
-        <translation>Das Hautstück in drei Dimensionen</translation>
     </message>
 </context>
 <context>
@@ -11543,6 +11356,161 @@ Auf einem entfernten Bildschirm oder mit einem fehlerhaften Treiber kann es helf
     <message>
         <source>Nothing was found that does not fit</source>
         <translation>Es wurde nichts gefunden, was nicht passt</translation>
+    </message>
+</context>
+<context>
+    <name>hexoderm::WindowParts</name>
+    <message>
+        <source>Step &amp;%1: %2</source>
+        <translation>Schritt &amp;%1: %2</translation>
+    </message>
+    <message>
+        <source>About Hexoderm</source>
+        <translation>Über Hexoderm</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;Hexoderm %1&lt;/b&gt;&lt;p&gt;Finds out where every cell of a robot&apos;s artificial skin is.&lt;/p&gt;&lt;p&gt;BSD 3-Clause licence.&lt;/p&gt;</source>
+        <translation>&lt;b&gt;Hexoderm %1&lt;/b&gt;&lt;p&gt;Findet heraus, wo jede Zelle der künstlichen Haut eines Roboters ist.&lt;/p&gt;&lt;p&gt;BSD-3-Klausel-Lizenz.&lt;/p&gt;</translation>
+    </message>
+    <message>
+        <source>One session was not saved: %1</source>
+        <translation>Eine Sitzung wurde nicht gespeichert: %1</translation>
+    </message>
+    <message>
+        <source>%1 sessions were not saved. The newest: %2</source>
+        <translation>%1 Sitzungen wurden nicht gespeichert. Die neueste: %2</translation>
+    </message>
+    <message>
+        <source>Recover</source>
+        <translation>Wiederherstellen</translation>
+    </message>
+    <message>
+        <source>Copied: versions, graphics, what is open and the last lines of the log, with your home folder as ~. Paste it into the report.</source>
+        <translation>Kopiert: Versionen, Grafik, was offen ist und die letzten Zeilen des Protokolls, mit dem eigenen Ordner als ~. In den Bericht einfügen.</translation>
+    </message>
+    <message>
+        <source>No program to show folders was found. The log is %1.</source>
+        <translation>Es wurde kein Programm gefunden, das Ordner zeigt. Das Protokoll ist %1.</translation>
+    </message>
+    <message>
+        <source>The log is kept in memory only. %1</source>
+        <translation>Das Protokoll bleibt nur im Speicher. %1</translation>
+    </message>
+    <message>
+        <source>There is no OpenGL 3.2 here, so the 3D view is empty; graph and tables work.</source>
+        <translation>Hier gibt es kein OpenGL 3.2, darum ist die 3D-Ansicht leer; Graph und Tabellen arbeiten.</translation>
+    </message>
+    <message>
+        <source>%1 Drawing by the processor did not help either.</source>
+        <translation>%1 Auch Zeichnen im Prozessor half nicht.</translation>
+    </message>
+    <message>
+        <source>Draw without the graphics card</source>
+        <translation>Ohne Grafikkarte zeichnen</translation>
+    </message>
+    <message>
+        <source>From the next start on, the processor draws. Start Hexoderm again when it suits you.</source>
+        <translation>Ab dem nächsten Start zeichnet der Prozessor. Hexoderm bei Gelegenheit neu starten.</translation>
+    </message>
+    <message>
+        <source>No skin</source>
+        <translation>Keine Haut</translation>
+    </message>
+    <message>
+        <source>Hexoderm</source>
+        <translation>Hexoderm</translation>
+    </message>
+    <message>
+        <source>%1[*] · Hexoderm</source>
+        <translation>%1[*] · Hexoderm</translation>
+    </message>
+    <message>
+        <source>%1 ms</source>
+        <translation>%1 ms</translation>
+    </message>
+    <message>
+        <source>%1 s</source>
+        <translation>%1 s</translation>
+    </message>
+    <message>
+        <source>cells %1/%2</source>
+        <translation>Zellen %1/%2</translation>
+    </message>
+    <message>
+        <source>Cells that were measured in the fullest pose, of all cells</source>
+        <translation>Zellen, die in der vollständigsten Pose gemessen wurden, von allen</translation>
+    </message>
+    <message>
+        <source>solved in %1 · %2</source>
+        <translation>gelöst in %1 · %2</translation>
+    </message>
+    <message>
+        <source>%1, read from the file</source>
+        <translation>%1, aus der Datei</translation>
+    </message>
+    <message>
+        <source>How long the last result took to work out, and by which method: global uses all links and poses at once, tree goes from cell to cell as in the paper</source>
+        <translation>Wie lange die Berechnung des letzten Ergebnisses dauerte, und nach welchem Verfahren: global nimmt alle Verbindungen und Posen auf einmal, tree geht wie im Aufsatz von Zelle zu Zelle</translation>
+    </message>
+    <message>
+        <source>not on disk</source>
+        <translation>nicht auf der Platte</translation>
+    </message>
+    <message>
+        <source>not saved</source>
+        <translation>nicht gespeichert</translation>
+    </message>
+    <message>
+        <source>saved at %1</source>
+        <translation>gespeichert um %1</translation>
+    </message>
+    <message>
+        <source>R recapture · Del disable · Ctrl+Z undo</source>
+        <translation>R: neu · Entf: aus · Strg+Z: zurück</translation>
+    </message>
+    <message>
+        <source>Del disable · Ctrl+Z undo</source>
+        <translation>Entf: aus · Strg+Z: zurück</translation>
+    </message>
+    <message>
+        <source>Findings %1</source>
+        <translation>Befunde %1</translation>
+    </message>
+    <message>
+        <source>Findings</source>
+        <translation>Befunde</translation>
+    </message>
+    <message>
+        <source>Links %1</source>
+        <translation>Verbindungen %1</translation>
+    </message>
+    <message>
+        <source>Links</source>
+        <translation>Verbindungen</translation>
+    </message>
+    <message>
+        <source>Cells %1</source>
+        <translation>Zellen %1</translation>
+    </message>
+    <message>
+        <source>Cells</source>
+        <translation>Zellen</translation>
+    </message>
+    <message>
+        <source>Compare with an earlier calibration</source>
+        <translation>Mit früherer Kalibrierung vergleichen</translation>
+    </message>
+    <message>
+        <source>Calibrations and sessions (*.calibration.json *.hexo *.session.json *.xml)</source>
+        <translation>Kalibrierungen und Sitzungen (*.calibration.json *.hexo *.session.json *.xml)</translation>
+    </message>
+    <message>
+        <source>Check an old calibration</source>
+        <translation>Eine alte Kalibrierung prüfen</translation>
+    </message>
+    <message>
+        <source>Calibrations and sessions (*.calibration.json *.hexo *.session.json)</source>
+        <translation>Kalibrierungen und Sitzungen (*.calibration.json *.hexo *.session.json)</translation>
     </message>
 </context>
 <context>

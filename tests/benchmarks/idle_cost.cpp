@@ -80,8 +80,8 @@ bool takePoses(MainWindow& window) {
   };
   if (!test::waitUntil([&] { return controller.liveSession().isLive() && isIdle(); })) return false;
   constexpr std::size_t kPoses = 3;
-  controller.poseGuide().letRobotTake(kPoses);
-  if (!test::waitUntil([&] { return !controller.poseGuide().isRobotOn() && isIdle(); })) return false;
+  controller.liveSession().letRobotTake(kPoses);
+  if (!test::waitUntil([&] { return !controller.liveSession().isRobotOn() && isIdle(); })) return false;
   constexpr int kGhostTurns_ms = 10000;  // three times, and then it rests
   letPass(kGhostTurns_ms);
   return controller.session() && controller.session()->poses().size() >= kPoses;

@@ -180,15 +180,15 @@ QStringList ScreenshotTour::run(QSize size) {
   visitSteps(QStringLiteral("start"));
   SessionController& controller = window_.controller();
   stepHead(static_cast<int>(GuideStep::Capture) + 1)->click();
-  controller.poseGuide().setRobot(true);
+  controller.liveSession().setRobot(true);
   const auto poses = [&] { return controller.reconstruction() ? controller.reconstruction()->poses.size() : 0; };
   if (!waitUntil([&] { return poses() >= 1; })) return problems_ << QStringLiteral("no pose was taken");
   stop(window_, QStringLiteral("first-pose"));
   if (!waitUntil([&] { return poses() >= 2; })) return problems_ << QStringLiteral("no second pose was taken");
   stop(window_, QStringLiteral("second-pose"));
   const bool is_done =
-      waitUntil([&] { return poses() >= kMostPoses || (poses() > 1 && !controller.poseGuide().wantsMorePoses()); });
-  controller.poseGuide().setRobot(false);
+      waitUntil([&] { return poses() >= kMostPoses || (poses() > 1 && !controller.liveSession().wantsMorePoses()); });
+  controller.liveSession().setRobot(false);
   controller.liveSession().setAutomatic(false);
   if (!is_done || !waitUntilIdle()) return problems_ << QStringLiteral("the robot did not take enough poses");
   visitSteps(QStringLiteral("done"));

@@ -99,6 +99,7 @@ class ExportDialog : public QDialog {
     layout->setRowStretch(1, 1);
     resize(780, 520);
 
+    setNames(path_, QStringLiteral("exportPath"), tr("File to write"));
     path_->setText(suggestion + kCalibrationExtension);
     extension_ = kCalibrationExtension;
     connect(buttons, &QDialogButtonBox::accepted, this, &ExportDialog::accept);
@@ -114,26 +115,18 @@ class ExportDialog : public QDialog {
   }
 
   [[nodiscard]] ExportRequest request() const {
-    ExportRequest request;
-    if (const std::optional<ExportFormatDescription> format = formatOfRow(formats_->currentRow())) {
-      request.format = format->format;
-    }
-    request.path = QDir::fromNativeSeparators(path_->text().trimmed());
-    request.options = options_;
-    if (patch_->count() > 0) {
-      const QVariant origin = patch_->currentData();
-      request.options.all_patches = !origin.isValid();
-      if (origin.isValid() && origin.toUInt() != kAllPlaced) request.options.patch = CellId(origin.toUInt());
-    }
+    ExportRequest request{std::nullopt, path(), options_};
+    if (const ExportFormatDescription* chosen = format()) request.format = chosen->format;
+    request.options.all_patches = patch_->count() > 0 && !patch_->currentData().isValid();
+    request.options.patch = chosenPatch();
     return request;
   }
 
   [[nodiscard]] PackageRequest packageRequest() const {
     PackageRequest asked = package_->request();
-    asked.path = QDir::fromNativeSeparators(path_->text().trimmed());
+    asked.path = path();
     asked.options = options_;
-    const QVariant origin = patch_->currentData();
-    if (origin.isValid() && origin.toUInt() != kAllPlaced) asked.options.patch = CellId(origin.toUInt());
+    asked.options.patch = chosenPatch();
     return asked;
   }
 
@@ -167,15 +160,16 @@ class ExportDialog : public QDialog {
   static QString toQString(std::string_view text) {
     return QString::fromUtf8(text.data(), static_cast<int>(text.size()));
   }
-  /// Row of the list; row 0 is the calibration file, the others follow exportFormats().
-  static std::optional<ExportFormatDescription> formatOfRow(int row) {
-    if (row <= 0 || static_cast<std::size_t>(row) > exportFormats().size()) return std::nullopt;
-    return exportFormats()[static_cast<std::size_t>(row) - 1];
+  [[nodiscard]] bool isPackage() const { return kinds_->currentIndex() == 1; }
+  [[nodiscard]] QString path() const { return QDir::fromNativeSeparators(path_->text().trimmed()); }
+  /// Of the one file; null: the calibration, row 0 of the list. The others follow exportFormats().
+  [[nodiscard]] const ExportFormatDescription* format() const {
+    const int row = formats_->currentRow();
+    return row > 0 ? &exportFormats()[static_cast<std::size_t>(row) - 1] : nullptr;
   }
-
-  static QLineEdit* named(QLineEdit* edit, const char* object_name, const QString& accessible_name) {
-    setNames(edit, QLatin1String(object_name), accessible_name);
-    return edit;
+  [[nodiscard]] std::optional<CellId> chosenPatch() const {
+    const uint origin = patch_->currentData().toUInt();
+    return origin != kAllPlaced ? std::optional(CellId(origin)) : std::nullopt;
   }
 
   QWidget* makeFormatList() {
@@ -262,51 +256,49 @@ class ExportDialog : public QDialog {
 
   /// The patches that can be chosen in the present format.
   void offerPatches() {
-    const bool has_one_format = !isPackage();
-    const std::optional<ExportFormatDescription> format =
-        has_one_format ? formatOfRow(formats_->currentRow()) : std::nullopt;
+    const ExportFormatDescription* one = isPackage() ? nullptr : format();
     const QSignalBlocker blocker(patch_);
     const QVariant before = patch_->currentData();
     patch_->clear();
     std::vector<const PatchReconstruction*> patches;
-    if ((format || !chosenFormats().empty()) && reconstruction_) {
+    if (!chosenFormats().empty() && reconstruction_) {
       for (const PatchReconstruction& patch : reconstruction_->patches) {
         if (!patch.cells.empty()) patches.push_back(&patch);
       }
       const PatchReconstruction* largest = largestPatch(*reconstruction_);
       std::stable_partition(patches.begin(), patches.end(), [largest](const auto* patch) { return patch == largest; });
     }
-    const bool has_links =
-        format && (format->patches == PatchesInFile::OnLinks || format->patches == PatchesInFile::OnALink);
+    const auto holds = [one](PatchesInFile patches_in_file) { return one && one->patches == patches_in_file; };
+    const bool has_links = holds(PatchesInFile::OnLinks) || holds(PatchesInFile::OnALink);
     if (has_links && !options_.placements.empty()) patch_->addItem(tr("All that are placed on the robot"), kAllPlaced);
     if (isPackage()) patch_->addItem(tr("As many as each format can hold"), kAllPlaced);
     const auto offerAll = [this] { patch_->addItem(tr("All, each in its own frame")); };
-    if (format && format->patches == PatchesInFile::All) offerAll();
+    if (holds(PatchesInFile::All)) offerAll();
     for (const PatchReconstruction* patch : patches) {
       patch_->addItem(patch->cells.size() == 1
                           ? tr("Cell %1 alone").arg(patch->origin.value())
                           : tr("Patch of cell %1, %2 cells").arg(patch->origin.value()).arg(patch->cells.size()),
                       patch->origin.value());
     }
-    if (format && format->patches == PatchesInFile::AllIfAsked) offerAll();
+    if (holds(PatchesInFile::AllIfAsked)) offerAll();
     if (isPackage()) patch_->setCurrentIndex(std::max(0, patch_->findData(before)));
     patch_row_->setVisible(patches.size() > 1);
   }
 
   void chooseFormat() {
-    const std::optional<ExportFormatDescription> format = formatOfRow(formats_->currentRow());
+    const ExportFormatDescription* one = format();
     summary_->setText(
-        format ? QStringList({words(format->summary), words(format->not_carried)}).join(QLatin1Char('\n')).trimmed()
-               : tr("Hexoderm's own file: everything that is known, to be opened again, compared and exported "
-                    "from later."));
+        one ? QStringList({words(one->summary), words(one->not_carried)}).join(QLatin1Char('\n')).trimmed()
+            : tr("Hexoderm's own file: everything that is known, to be opened again, compared and exported "
+                 "from later."));
     showOptions();
     offerPatches();
     // The name stays, the extension follows the format.
-    QString path = path_->text();
-    if (!extension_.isEmpty() && path.endsWith(extension_)) path.chop(extension_.size());
+    QString name = path_->text();
+    if (!extension_.isEmpty() && name.endsWith(extension_)) name.chop(extension_.size());
     extension_ = extension();
-    if (!path.isEmpty() && !path.endsWith(extension_)) path += extension_;
-    path_->setText(path);
+    if (!name.isEmpty() && !name.endsWith(extension_)) name += extension_;
+    path_->setText(name);
     check();
   }
 
@@ -324,44 +316,74 @@ class ExportDialog : public QDialog {
   }
 
   void check() {
-    if (isPackage()) {
-      checkPackage();
-      return;
+    if (isPackage() && extension().isEmpty() && path_->text().endsWith(kZip)) {
+      // A name that was typed says it, too.
+      const QSignalBlocker blocker(container_);
+      container_->setCurrentIndex(1);
+      extension_ = kZip;
     }
-    const QFileInfo target(request().path);
-    QString problem;
+    const QFileInfo target(path());
     QString remark;
-    QString left_out;
-    if (path_->text().trimmed().isEmpty()) {
-      problem = tr("Say where the file should go.");
-    } else if (!target.absoluteDir().exists()) {
-      problem = tr("There is no folder %1.").arg(QDir::toNativeSeparators(target.absolutePath()));
-    } else if (!extension().isEmpty() && target.isDir()) {
-      problem = tr("%1 is a folder; give the file a name.").arg(QDir::toNativeSeparators(target.filePath()));
-    } else {
-      try {
-        const ExportRequest asked = request();
-        if (asked.format) asked.options.validateFor(*asked.format);
-        left_out = leftOut();
-      } catch (const InvalidArgument& error) {
-        problem = words(error);
-      }
-    }
-    const bool replaces =
-        problem.isEmpty() &&
-        (extension().isEmpty() ? QDir(target.filePath()).exists(QStringLiteral("cells.csv")) : target.exists());
+    const QString refused = describeChoice(remark);
+    QString problem = problemWith(target);
+    if (problem.isEmpty()) problem = refused;
+    const bool is_folder = extension().isEmpty();
+    const bool is_there =
+        is_folder && !isPackage() ? QDir(target.filePath()).exists(QStringLiteral("cells.csv")) : target.exists();
+    const bool replaces = problem.isEmpty() && is_there;
     if (replaces) {
-      remark = extension().isEmpty() ? tr("The tables in this folder will be replaced.")
-                                     : tr("There is a file of this name; it will be replaced.");
+      const QString what = !is_folder    ? tr("There is a file of this name; it will be replaced.")
+                           : isPackage() ? tr("There is a folder of this name; files of the same names in it are "
+                                              "replaced.")
+                                         : tr("The tables in this folder will be replaced.");
+      remark = QStringList({what, remark}).join(QLatin1Char('\n')).trimmed();
     }
-    if (problem.isEmpty()) remark = QStringList({remark, left_out}).join(QLatin1Char('\n')).trimmed();
-    showCheck(problem, remark, replaces);
+    export_->setText(replaces ? tr("Replace") : tr("Export"));
+    export_->setEnabled(problem.isEmpty());
+    export_->setToolTip(problem);
+    note_->setText(problem.isEmpty() ? remark : problem);
   }
 
-  [[nodiscard]] bool isPackage() const { return kinds_->currentIndex() == 1; }
+  [[nodiscard]] QString problemWith(const QFileInfo& target) const {
+    const QString name = QDir::toNativeSeparators(target.filePath());
+    if (isPackage() && packageRequest().isEmpty()) return tr("Tick the files that the package is to hold.");
+    if (path().isEmpty()) {
+      return isPackage() ? tr("Say where the package should go.") : tr("Say where the file should go.");
+    }
+    if (!target.absoluteDir().exists()) {
+      return tr("There is no folder %1.").arg(QDir::toNativeSeparators(target.absolutePath()));
+    }
+    if (!extension().isEmpty() && target.isDir()) return tr("%1 is a folder; give the file a name.").arg(name);
+    if (isPackage() && extension().isEmpty() && target.exists() && !target.isDir()) {
+      return tr("%1 is a file; give the folder another name.").arg(name);
+    }
+    return {};
+  }
+
+  /// What the files of the package will hold, or what the one file will not; returns why there can be none.
+  QString describeChoice(QString& left_out) {
+    try {
+      if (isPackage()) {
+        const PackageRequest asked = packageRequest();
+        preview_->setHtml(asked.isEmpty() || !reconstruction_
+                              ? QString()
+                              : packageInWords(previewPackage(*reconstruction_, packageContent(asked), asked.options)));
+      } else if (const ExportRequest asked = request(); asked.format) {
+        asked.options.validateFor(*asked.format);
+        if (reconstruction_) {
+          left_out = words(leftOutInWords(patchesLeftOut(*reconstruction_, *asked.format, asked.options)));
+        }
+      }
+      return {};
+    } catch (const InvalidArgument& error) {
+      preview_->clear();
+      return words(error);
+    }
+  }
+
   void connectFields() {
     connect(kinds_, &QTabBar::currentChanged, this, &ExportDialog::chooseKind);
-    connect(container_, QOverload<int>::of(&QComboBox::currentIndexChanged), this, &ExportDialog::chooseContainer);
+    connect(container_, QOverload<int>::of(&QComboBox::currentIndexChanged), this, &ExportDialog::chooseFormat);
     connect(formats_, &QListWidget::currentRowChanged, this, &ExportDialog::chooseFormat);
     connect(package_, &QListWidget::itemChanged, this, &ExportDialog::chooseFormat);
     connect(patch_, QOverload<int>::of(&QComboBox::currentIndexChanged), this, &ExportDialog::check);
@@ -376,70 +398,15 @@ class ExportDialog : public QDialog {
     chooseFormat();
   }
 
-  void chooseContainer() { chooseFormat(); }
-  void showCheck(const QString& problem, const QString& remark, bool replaces) {
-    export_->setText(replaces ? tr("Replace") : tr("Export"));
-    export_->setEnabled(problem.isEmpty());
-    export_->setToolTip(problem);
-    note_->setText(problem.isEmpty() ? remark : problem);
-  }
-
-  void checkPackage() {
-    if (extension().isEmpty() && path_->text().endsWith(kZip)) {
-      // A name that was typed says it, too.
-      const QSignalBlocker blocker(container_);
-      container_->setCurrentIndex(1);
-      extension_ = kZip;
-    }
-    const PackageRequest asked = packageRequest();
-    const QFileInfo target(asked.path);
-    QString problem;
-    try {
-      preview_->setHtml(asked.isEmpty() || !reconstruction_
-                            ? QString()
-                            : packageInWords(previewPackage(*reconstruction_, packageContent(asked), asked.options)));
-    } catch (const InvalidArgument& error) {
-      preview_->clear();
-      problem = words(error);
-    }
-    if (asked.isEmpty()) {
-      problem = tr("Tick the files that the package is to hold.");
-    } else if (path_->text().trimmed().isEmpty()) {
-      problem = tr("Say where the package should go.");
-    } else if (!target.absoluteDir().exists()) {
-      problem = tr("There is no folder %1.").arg(QDir::toNativeSeparators(target.absolutePath()));
-    } else if (!extension().isEmpty() && target.isDir()) {
-      problem = tr("%1 is a folder; give the file a name.").arg(QDir::toNativeSeparators(target.filePath()));
-    } else if (extension().isEmpty() && target.exists() && !target.isDir()) {
-      problem = tr("%1 is a file; give the folder another name.").arg(QDir::toNativeSeparators(target.filePath()));
-    }
-    QString remark;
-    const bool replaces = problem.isEmpty() && target.exists();
-    if (replaces) {
-      remark = extension().isEmpty() ? tr("There is a folder of this name; files of the same names in it are replaced.")
-                                     : tr("There is a file of this name; it will be replaced.");
-    }
-    showCheck(problem, remark, replaces);
-  }
-
   /// The formats whose options matter.
   [[nodiscard]] std::vector<ExportFormat> chosenFormats() const {
     if (isPackage()) return package_->request().formats;
-    const std::optional<ExportFormatDescription> format = formatOfRow(formats_->currentRow());
-    return format ? std::vector{format->format} : std::vector<ExportFormat>{};
+    return format() ? std::vector{format()->format} : std::vector<ExportFormat>{};
   }
 
   [[nodiscard]] QString extension() const {
     if (isPackage()) return container_->currentIndex() == 1 ? kZip : QString();
-    const std::optional<ExportFormatDescription> format = formatOfRow(formats_->currentRow());
-    return format ? toQString(format->extension) : kCalibrationExtension;
-  }
-
-  /// What the present format and patch leave out; empty if nothing.
-  [[nodiscard]] QString leftOut() const {
-    const ExportRequest asked = request();
-    if (!asked.format || !reconstruction_) return {};
-    return words(leftOutInWords(patchesLeftOut(*reconstruction_, *asked.format, asked.options)));
+    return format() ? toQString(format()->extension) : kCalibrationExtension;
   }
 
   std::shared_ptr<const Reconstruction> reconstruction_;
@@ -451,7 +418,7 @@ class ExportDialog : public QDialog {
   QLabel* summary_ = new QLabel(this);
   QTextBrowser* preview_ = new QTextBrowser(this);
   QComboBox* container_ = new QComboBox(this);
-  QLineEdit* path_ = named(new QLineEdit(this), "exportPath", tr("File to write"));
+  QLineEdit* path_ = new QLineEdit(this);
   ExportOptions options_;
   /// The row of each of exportOptions().
   struct OptionRow {

@@ -8,7 +8,6 @@
 #include <QWidget>
 #include <cstdint>
 #include <functional>
-#include <memory>
 #include <vector>
 
 class QMenu;

@@ -122,21 +122,17 @@ void WindowActions::fillMenuBar(QMenuBar* bar, const std::vector<QAction*>& pane
 }
 
 void WindowActions::refreshCapture(const SessionController& controller, const QString& no_session) {
-  const bool live = controller.liveSession().isLive();
-  QString no_skin = no_session;
-  if (no_skin.isEmpty() && !live) no_skin = tr("No skin is connected");
-  if (live && controller.liveSession().source().status().state != SourceState::Streaming) {
-    no_skin = tr("The skin does not send: %1").arg(words(controller.liveSession().source().status().message));
-  }
+  const QString not_live = controller.liveSession().isLive() ? QString() : tr("No skin is connected");
+  const QString no_skin = no_session.isEmpty() ? whyNoReadings(controller) : no_session;
   allow(capture, no_skin);
   QString no_advice = no_skin;
-  if (no_advice.isEmpty() && !controller.poseGuide().nextPose()) no_advice = tr("The next pose is being worked out");
+  if (no_advice.isEmpty() && !controller.liveSession().nextPose()) no_advice = tr("The next pose is being worked out");
   allow(show_next_pose, no_advice);
   QString not_wanted;
-  if (controller.poseGuide().nextPose() && !controller.poseGuide().isNextPoseWanted()) {
+  if (controller.liveSession().nextPose() && !controller.liveSession().isNextPoseWanted()) {
     // After a capture the advice from before it is still there for a moment.
     not_wanted = controller.enabledPoses() == 0 ? tr("Any way up will do for the first pose")
-                 : controller.poseGuide().wantsMorePoses()
+                 : controller.liveSession().wantsMorePoses()
                      ? tr("The next pose is being worked out")
                      : tr("There are enough poses; turn and capture more by hand if you like");
   }
@@ -145,27 +141,34 @@ void WindowActions::refreshCapture(const SessionController& controller, const QS
   if (no_robot.isEmpty() && !controller.liveSession().canTurn()) {
     no_robot = tr("This device can't turn itself; turn the part by hand");
   }
-  robot->setChecked(controller.poseGuide().isRobotOn());
+  robot->setChecked(controller.liveSession().isRobotOn());
   const QString who = controller.liveSession().isDemo() ? tr("Let the simulated robot take the poses")
                                                         : tr("Let the robot take the poses");
-  robot->setIconText(controller.poseGuide().isRobotOn() ? tr("Stop the robot") : who);
+  robot->setIconText(controller.liveSession().isRobotOn() ? tr("Stop the robot") : who);
   QString no_more = no_robot;
-  if (no_more.isEmpty() && !controller.poseGuide().isRobotOn() && !controller.poseGuide().wantsMorePoses()) {
+  if (no_more.isEmpty() && !controller.liveSession().isRobotOn() && !controller.liveSession().wantsMorePoses()) {
     no_more = tr("There are enough poses; turn and capture more by hand if you like");
   }
   allow(robot, no_more);
-  if (no_robot.isEmpty() && !controller.poseGuide().nextPose()) no_robot = tr("The next pose is being worked out");
+  if (no_robot.isEmpty() && !controller.liveSession().nextPose()) no_robot = tr("The next pose is being worked out");
   // Where there are enough poses, whoever wants a better result still can turn to another one.
-  const bool are_enough = controller.enabledPoses() > 0 && !controller.poseGuide().wantsMorePoses();
+  const bool are_enough = controller.enabledPoses() > 0 && !controller.liveSession().wantsMorePoses();
   allow(turn, no_robot.isEmpty() && !are_enough ? not_wanted : no_robot);
   automatic->setChecked(controller.liveSession().isAutomatic());
-  allow(automatic, live ? QString() : tr("No skin is connected"));
+  allow(automatic, not_live);
   allow(disconnect_skin, controller.liveSession().source().isRunning() ? QString() : tr("No skin is connected"));
-  const bool is_tried = controller.liveSession().source().isRunning() && !live;
+  const bool is_tried = controller.liveSession().source().isRunning() && !not_live.isEmpty();
   connect_skin->setIconText(is_tried ? tr("Correct the address…") : QString());
   live_mode->setChecked(controller.liveMode().isOn());
   live_mode->setIconText(controller.liveMode().isOn() ? tr("End live mode") : tr("Live mode"));
-  allow(live_mode, live ? QString() : tr("No skin is connected"));
+  allow(live_mode, not_live);
+}
+
+QString WindowActions::whyNoReadings(const SessionController& controller) {
+  const LiveSession& live = controller.liveSession();
+  if (!live.isLive()) return tr("No skin is connected");
+  if (live.source().status().state == SourceState::Streaming) return {};
+  return tr("The skin does not send: %1").arg(words(live.source().status().message));
 }
 
 QString WindowActions::whyNoSession(const SessionController& controller) {
@@ -201,13 +204,7 @@ void WindowActions::refreshRetake(const SessionController& controller) {
   const PoseId pose = controller.session()->poses()[*index].capture->id;
   retake->setText(live.recapturing() == pose ? tr("Don't take &pose %1 again").arg(pose.value())
                                              : tr("Take &pose %1 again").arg(pose.value()));
-  QString no_skin;
-  if (!live.isLive()) {
-    no_skin = tr("No skin is connected");
-  } else if (live.source().status().state != SourceState::Streaming) {
-    no_skin = tr("The skin does not send: %1").arg(words(live.source().status().message));
-  }
-  allow(retake, no_skin);
+  allow(retake, whyNoReadings(controller));
 }
 
 void WindowActions::refreshDevice(const SessionController& controller, std::optional<CellId> cell) {

@@ -168,6 +168,7 @@ class WindowActions {
   QAction* make(const char* name, const QString& text, const QString& purpose,
                 const QList<QKeySequence>& shortcuts = {}) const;
   [[nodiscard]] static QString whyNoSession(const SessionController& controller);
+  [[nodiscard]] static QString whyNoReadings(const SessionController& controller);
   void refreshCapture(const SessionController& controller, const QString& no_session);
   void refreshSolving(const SessionController& controller);
   void refreshRetake(const SessionController& controller);

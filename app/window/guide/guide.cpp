@@ -21,10 +21,10 @@ struct Guide {
 QAction* bestAction(const SessionController& controller, const WindowActions& actions) {
   if (controller.isEmpty()) return actions.demo;
   const Reconstruction* result = controller.reconstruction().get();
-  if (controller.poseGuide().isRobotOn()) return actions.robot;
+  if (controller.liveSession().isRobotOn()) return actions.robot;
   if (controller.wasCancelled()) return actions.solve_again;
   if (actions.retake->isEnabled()) return actions.retake;
-  if (controller.poseGuide().wantsMorePoses())
+  if (controller.liveSession().wantsMorePoses())
     return controller.liveSession().canTurn() ? actions.robot : actions.show_next_pose;
   if (!result || (controller.session() && !result->assessment.isUsable())) return actions.connect_skin;
   const Finding* finding = worstFinding(*result);
@@ -40,6 +40,10 @@ QString findingsInWords(const Reconstruction& reconstruction) {
 /// Nothing more will come, and no use to wait.
 bool isOver(const LiveSource& live) {
   return live.status().state == SourceState::Ended || live.status().state == SourceState::Incompatible;
+}
+/// A skin is asked for its cells, and has not told them yet.
+bool isTried(const SessionController& controller) {
+  return controller.liveSession().source().isRunning() && !controller.liveSession().isLive();
 }
 /// A session in which nothing was captured: what is shown was not measured.
 bool hasNoPose(const SessionController& controller) { return controller.session() && controller.enabledPoses() == 0; }
@@ -60,8 +64,6 @@ bool fellSilent(const SessionController& controller) {
   // One that has just connected is waited for.
   return hasReadings(controller) || state == SourceState::Silent || state == SourceState::Incompatible;
 }
-QString noPose() { return Guide::tr("No pose has been captured yet."); }
-
 void say(Step& step, Readiness readiness, const QString& because) {
   step.readiness = readiness;
   step.because = because;
@@ -101,25 +103,32 @@ void sayOf(Step& step, const QAction& action, const QString& because) {
   }
 }
 
+/// Ready, if anything was captured.
+void sayOfPoses(Step& step, const SessionController& controller, const QString& because) {
+  if (hasNoPose(controller)) {
+    say(step, Readiness::Blocked, Guide::tr("No pose has been captured yet."));
+  } else {
+    say(step, Readiness::Ready, because);
+  }
+}
+
 Step connectStep(const SessionController& controller, const WindowActions& actions) {
   Step step;
   step.title = Guide::tr("Connect");
   step.actions = {actions.demo, actions.robot_demo, actions.connect_skin, actions.open};
-  if (controller.liveSession().source().isRunning()) step.actions = {actions.disconnect_skin};
-  if (controller.liveSession().source().isRunning() && !controller.liveSession().isLive()) {
+  const LiveSource& source = controller.liveSession().source();
+  if (source.isRunning()) step.actions = {actions.disconnect_skin};
+  if (isTried(controller)) {
     step.actions.push_back(actions.connect_skin);
-  }
-  if (controller.liveSession().source().isRunning() && !controller.liveSession().isLive()) {
     step.state = StepState::Current;
-    step.note = controller.liveSession().source().address();
+    step.note = source.address();
     step.what = Guide::tr("Check that the device is switched on, and that its address is right.");
     step.why = Guide::tr("The steps go on when the skin has said which cells it has.");
-    if (isOver(controller.liveSession().source())) {
+    if (isOver(source)) {
       step.what = Guide::tr("Disconnect, and connect to another skin or recording.");
       step.why = Guide::tr("Nothing more will come from this one.");
     }
-    say(step, isOver(controller.liveSession().source()) ? Readiness::Blocked : Readiness::Waiting,
-        words(controller.liveSession().source().status().message));
+    say(step, isOver(source) ? Readiness::Blocked : Readiness::Waiting, words(source.status().message));
     return step;
   }
   if (controller.isEmpty()) {
@@ -140,12 +149,12 @@ Step connectStep(const SessionController& controller, const WindowActions& actio
                                     : words(controller.reconstruction()->source.text);
   }
   if (controller.liveSession().isLive()) {
-    if (controller.liveSession().source().status().state != SourceState::Streaming) {
-      say(step, Readiness::Blocked, words(controller.liveSession().source().status().message));
-    } else if (hasReadings(controller)) {
-      say(step, Readiness::Ready, Guide::tr("The skin has said which cells it has, and sends."));
+    if (source.status().state != SourceState::Streaming) {
+      say(step, Readiness::Blocked, words(source.status().message));
     } else {
-      say(step, Readiness::Ready, Guide::tr("The skin has said which cells it has."));
+      say(step, Readiness::Ready,
+          hasReadings(controller) ? Guide::tr("The skin has said which cells it has, and sends.")
+                                  : Guide::tr("The skin has said which cells it has."));
     }
   } else {
     say(step, Readiness::Ready,
@@ -190,7 +199,7 @@ Step captureStep(const SessionController& controller, const WindowActions& actio
     sayOf(step, *actions.capture, {});
     return step;
   }
-  const bool more = controller.poseGuide().wantsMorePoses();
+  const bool more = controller.liveSession().wantsMorePoses();
   step.note = posesInWords(controller.enabledPoses());
   if (controller.liveSession().canTurn())
     step.actions = {actions.robot, actions.live_mode};
@@ -223,13 +232,9 @@ Step reviewStep(const SessionController& controller, const WindowActions& action
   const Reconstruction* result = controller.reconstruction().get();
   if (!result) return step;
   step.note = findingsInWords(*result);
-  if (hasNoPose(controller)) {
-    say(step, Readiness::Blocked, noPose());
-  } else {
-    say(step, Readiness::Ready,
-        Guide::tr("There is a result of %1.")
-            .arg(posesInWords(controller.session() ? controller.enabledPoses() : result->poses.size())));
-  }
+  sayOfPoses(step, controller,
+             Guide::tr("There is a result of %1.")
+                 .arg(posesInWords(controller.session() ? controller.enabledPoses() : result->poses.size())));
   const Finding* finding = worstFinding(*result);
   if (captured) step.state = finding ? StepState::Current : StepState::Done;
   // The verdict itself stands in the banner, and the cards below say what was found.
@@ -252,11 +257,7 @@ Step verifyStep(const SessionController& controller) {
   if (!result) return step;
   step.note = Guide::tr("optional");
   // Never called done: nobody has to run a check, and what a check has found stands beside it.
-  if (hasNoPose(controller)) {
-    say(step, Readiness::Blocked, noPose());
-  } else {
-    say(step, Readiness::Ready, Guide::tr("There is a result to check."));
-  }
+  sayOfPoses(step, controller, Guide::tr("There is a result to check."));
   step.what = Guide::tr("See whether the result holds.");
   step.why = Guide::tr("Each check uses something that did not go into the result.");
   return step;
@@ -277,10 +278,8 @@ Step placeStep(const SessionController& controller) {
   step.note = placedInWords(*result);
   if (!controller.session()) {
     say(step, Readiness::Blocked, Guide::tr("A calibration is open: it holds the result, not the poses."));
-  } else if (hasNoPose(controller)) {
-    say(step, Readiness::Blocked, noPose());
   } else {
-    say(step, Readiness::Ready, Guide::tr("There is a result to place."));
+    sayOfPoses(step, controller, Guide::tr("There is a result to place."));
   }
   step.what = Guide::tr("Say where on the robot each patch is.");
   step.why = Guide::tr(
@@ -341,7 +340,7 @@ QString describeAwaited(const SessionController& controller) {
 Banner::Content describeStand(const SessionController& controller, const WindowActions& actions) {
   Banner::Content content;
   content.action = bestAction(controller, actions);
-  if (controller.liveSession().source().isRunning() && !controller.liveSession().isLive()) {
+  if (isTried(controller)) {
     // The strip below says what is tried, counts down to the next try, and can give it up.
     const bool is_over = isOver(controller.liveSession().source());
     content.action = is_over ? actions.disconnect_skin : actions.connect_skin;
@@ -357,7 +356,7 @@ Banner::Content describeStand(const SessionController& controller, const WindowA
             : Guide::tr(
                   "The skin does not send any more. Check cable, power and address: once it sends again, this goes on "
                   "by itself.");
-  } else if (controller.poseGuide().isRobotOn()) {
+  } else if (controller.liveSession().isRobotOn()) {
     const auto next = controller.enabledPoses() + 1;
     content.sentence = Guide::tr("%1 is taking pose %2.").arg(robotInWords(controller)).arg(next);
   } else if (controller.wasCancelled()) {

@@ -258,7 +258,7 @@ QString guidePageFor(const SessionController& controller) {
   if (controller.isEmpty()) return QStringLiteral("demo");
   const Reconstruction* result = controller.reconstruction().get();
   if (!result) return QStringLiteral("check");
-  if (controller.poseGuide().wantsMorePoses()) return QStringLiteral("capture");
+  if (controller.liveSession().wantsMorePoses()) return QStringLiteral("capture");
   const bool has_faults = std::any_of(result->findings.begin(), result->findings.end(),
                                       [](const Finding& finding) { return finding.severity != Severity::Info; });
   if (has_faults) return QStringLiteral("faults");

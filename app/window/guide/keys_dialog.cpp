@@ -8,16 +8,14 @@
 #include <QCoreApplication>
 #include <QDialog>
 #include <QDialogButtonBox>
-#include <QHBoxLayout>
 #include <QLabel>
 #include <QLineEdit>
 #include <QMenu>
 #include <QMenuBar>
 #include <QScreen>
-#include <QScrollArea>
+#include <QTreeWidget>
 #include <QVBoxLayout>
 #include <QVariant>
-#include <algorithm>
 
 namespace hexoderm {
 namespace {
@@ -45,34 +43,22 @@ void addActions(KeyGroup& group, const QList<QAction*>& actions) {
   }
 }
 
-/// A heading with its keys, of which a search hides those that it does not mean.
-struct ShownGroup {
-  QLabel* title;
-  std::vector<std::pair<QWidget*, QString>> rows;  ///< with what is searched
-};
-
-ShownGroup show(const KeyGroup& group, int keys_width, QVBoxLayout* layout) {
-  ShownGroup shown;
-  shown.title = new QLabel(group.title.toUpper());
-  shown.title->setProperty("caption", true);
-  shown.title->setContentsMargins(0, 10, 0, 2);
-  layout->addWidget(shown.title);
-  for (const KeyLine& line : group.lines) {
-    auto* row = new QWidget(layout->parentWidget());
-    auto* keys = new QLabel(line.keys);
-    QFont bold = keys->font();
-    bold.setWeight(QFont::DemiBold);
-    keys->setFont(bold);
-    keys->setFixedWidth(keys_width);
-    auto* what = new QLabel(line.what);
-    what->setWordWrap(true);
-    auto* columns = spaced(new QHBoxLayout(row), {0, 2, 0, 2}, 20);
-    columns->addWidget(keys);
-    columns->addWidget(what, 1);
-    layout->addWidget(row);
-    shown.rows.emplace_back(row, line.keys + QLatin1Char(' ') + line.what);
+/// Shows the keys that have a text in them or in what they do, under their headings; false: there are none.
+bool showOnly(const QTreeWidget& list, const QString& text) {
+  bool any = false;
+  for (int k = 0; k < list.topLevelItemCount(); ++k) {
+    QTreeWidgetItem* group = list.topLevelItem(k);
+    bool any_here = false;
+    for (int row = 0; row < group->childCount(); ++row) {
+      QTreeWidgetItem* line = group->child(row);
+      const bool meant = (line->text(0) + QLatin1Char(' ') + line->text(1)).contains(text, Qt::CaseInsensitive);
+      line->setHidden(!meant);
+      any_here = any_here || meant;
+    }
+    group->setHidden(!any_here);
+    any = any || any_here;
   }
-  return shown;
+  return any;
 }
 
 }  // namespace
@@ -108,56 +94,42 @@ void showKeysDialog(QWidget* parent, const QMenuBar& menus) {
   search->setAccessibleName(search->placeholderText());
   search->setClearButtonEnabled(true);
 
-  // The area gets its parent before it is filled: a widget that gets another parent is styled again, with all its
-  // contents.
-  auto* area = new QScrollArea(dialog);
-  auto* content = new QWidget;
-  area->setWidget(content);
-  auto* list = spaced(new QVBoxLayout(content), {0, 0, 10, 0}, 0);
-  const std::vector<KeyGroup> groups = keysOf(menus);
+  auto* list = new QTreeWidget(dialog);
+  setNames(list, QStringLiteral("keysList"), KeysDialog::tr("Keys"));
+  list->setColumnCount(2);
+  list->setHeaderHidden(true);
+  list->setRootIsDecorated(false);
+  list->setItemsExpandable(false);
+  list->setWordWrap(true);
+  list->setFrameShape(QFrame::NoFrame);
+  list->setSelectionMode(QAbstractItemView::NoSelection);
+  list->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
   QFont bold = dialog->font();
   bold.setWeight(QFont::DemiBold);
-  int keys_width = 0;
-  for (const KeyGroup& group : groups) {
-    for (const KeyLine& line : group.lines) {
-      keys_width = std::max(keys_width, QFontMetrics(bold).horizontalAdvance(line.keys) + 2);
-    }
+  int rows = 0;
+  for (const KeyGroup& group : keysOf(menus)) {
+    auto* head = new QTreeWidgetItem(list, {group.title.toUpper()});
+    head->setFirstColumnSpanned(true);
+    for (const KeyLine& line : group.lines) (new QTreeWidgetItem(head, {line.keys, line.what}))->setFont(0, bold);
+    rows += 1 + head->childCount();
   }
-  std::vector<ShownGroup> shown;
-  for (const KeyGroup& group : groups) shown.push_back(show(group, keys_width, list));
+  list->expandAll();
+  list->resizeColumnToContents(0);
   auto* nothing = new QLabel(KeysDialog::tr("No key is like that."));
   nothing->setProperty("muted", true);
   nothing->hide();
-  list->addWidget(nothing);
-  list->addStretch(1);
-  area->setWidgetResizable(true);
-  area->setFrameShape(QFrame::NoFrame);
-  area->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-  area->setAccessibleName(KeysDialog::tr("Keys"));
-
-  QObject::connect(search, &QLineEdit::textChanged, dialog, [shown, nothing](const QString& text) {
-    bool any = false;
-    for (const ShownGroup& group : shown) {
-      bool any_here = false;
-      for (const auto& row : group.rows) {
-        const bool meant = row.second.contains(text.trimmed(), Qt::CaseInsensitive);
-        row.first->setVisible(meant);
-        any_here = any_here || meant;
-      }
-      group.title->setVisible(any_here);
-      any = any || any_here;
-    }
-    nothing->setVisible(!any);
-  });
+  QObject::connect(search, &QLineEdit::textChanged, dialog,
+                   [list, nothing](const QString& text) { nothing->setHidden(showOnly(*list, text.trimmed())); });
   auto* buttons = new QDialogButtonBox(QDialogButtonBox::Close);
   QObject::connect(buttons, &QDialogButtonBox::rejected, dialog, &QDialog::reject);
   auto* layout = spaced(new QVBoxLayout(dialog), {22, 18, 12, 14}, 10);
-  layout->addWidget(search);
-  layout->addWidget(area, 1);
+  addWidgets(layout, {search, nothing});
+  layout->addWidget(list, 1);
   layout->addWidget(buttons);
-  const int width = keys_width + 44 * dialog->fontMetrics().averageCharWidth() + 80;
-  const int height = content->sizeHint().height() + 6 * dialog->fontMetrics().height();
+  const int width = list->columnWidth(0) + 44 * dialog->fontMetrics().averageCharWidth() + 80;
+  const int height = (rows + 6) * (dialog->fontMetrics().height() + 6);
   dialog->resize(QSize(width, height).boundedTo(0.85 * parent->screen()->availableSize()));
+  search->setFocus();
   openInTurns(dialog, Qt::NonModal);
 }
 

@@ -14,7 +14,6 @@
 #include <QStringList>
 #include <QSysInfo>
 #include <QWidget>
-#include <algorithm>
 
 namespace hexoderm {
 namespace {

@@ -1,5 +1,6 @@
 #include "app/window/log/event_log.h"
 
+#include "app/window/files/job_queue.h"
 #include "widgets/style/of_enum.h"
 
 #include <QCoreApplication>
@@ -26,66 +27,47 @@ const char* englishWord(Severity severity) { return ofEnum(severity, {"INFO   ",
 
 }  // namespace
 
-/// Appends lines to the file on a thread of its own, which lives as long as the disk keeps it waiting, and so may
-/// outlive the log.
-class EventLog::Writer : public std::enable_shared_from_this<Writer> {
+/// Appends lines to the file on a thread of its own.
+class EventLog::Writer {
  public:
   Writer(EventLog& log, QString folder) : log_(&log), folder_(std::move(folder)) {}
 
-  void start() {
-    std::thread([self = shared_from_this()] { self->run(); }).detach();
-  }
   void add(const QString& line) {
-    {
-      const std::lock_guard lock(mutex_);
-      if (dropped_ == 0 && lines_.size() < kMaxWaiting) {
-        lines_.push_back(line);
-      } else {
-        ++dropped_;
-      }
+    const std::lock_guard lock(mutex_);
+    if (dropped_ > 0 || lines_.size() >= kMaxWaiting) {
+      ++dropped_;
+      return;
     }
-    changed_.notify_all();
+    lines_.push_back(line);
+    if (!std::exchange(busy_, true)) jobs_.addEssential([this] { writeAll(); });
   }
   bool waitUntilWritten(int timeout_ms) {
     std::unique_lock lock(mutex_);
-    return changed_.wait_for(lock, std::chrono::milliseconds(timeout_ms), [this] { return lines_.empty() && !busy_; });
+    return written_.wait_for(lock, std::chrono::milliseconds(timeout_ms), [this] { return !busy_; });
   }
-  void end() {
-    {
-      const std::lock_guard lock(mutex_);
-      ending_ = true;
-      log_ = nullptr;
-    }
-    changed_.notify_all();
-    constexpr int kPatience_ms = 1000;
-    std::unique_lock lock(mutex_);
-    changed_.wait_for(lock, std::chrono::milliseconds(kPatience_ms), [this] { return ended_; });
+  /// The log is told nothing any more.
+  void forgetLog() {
+    const std::lock_guard lock(mutex_);
+    log_ = nullptr;
   }
 
  private:
-  void run() {
-    std::size_t refused = 0;  // by the disk, before what waits
+  void writeAll() {
     std::unique_lock lock(mutex_);
-    for (;;) {
-      changed_.wait(lock, [this] { return ending_ || !lines_.empty(); });
-      if (lines_.empty()) break;
-      std::deque<QString> batch;
-      batch.swap(lines_);
+    while (!lines_.empty()) {
+      std::deque<QString> batch = std::exchange(lines_, {});
       const std::size_t dropped = std::exchange(dropped_, 0);
       const std::size_t count = batch.size() + dropped;
-      if (refused > 0) batch.push_front(linesAreMissing(refused));
+      if (refused_ > 0) batch.push_front(linesAreMissing(refused_));
       if (dropped > 0) batch.push_back(linesAreMissing(dropped));
-      busy_ = true;
       lock.unlock();
       const QString problem = write(batch);
       lock.lock();
-      busy_ = false;
-      refused = problem.isEmpty() ? 0 : refused + count;
+      refused_ = problem.isEmpty() ? 0 : refused_ + count;
       if (!problem.isEmpty()) say(problem);
-      changed_.notify_all();
     }
-    ended_ = true;
-    changed_.notify_all();
+    busy_ = false;
+    written_.notify_all();
   }
 
   static QString linesAreMissing(std::size_t count) {
@@ -126,16 +108,16 @@ class EventLog::Writer : public std::enable_shared_from_this<Writer> {
     return QStringLiteral("%1: %2").arg(QDir::toNativeSeparators(path), file.errorString());
   }
 
-  EventLog* log_;  ///< null once it ends
+  EventLog* log_;  ///< null once it goes
   QString folder_;
   std::mutex mutex_;  ///< guards all but the folder
-  std::condition_variable changed_;
+  std::condition_variable written_;
   std::deque<QString> lines_;
   std::size_t dropped_ = 0;  ///< later lines, which are too many
+  std::size_t refused_ = 0;  ///< by the disk, before what waits
   bool said_ = false;
   bool busy_ = false;
-  bool ending_ = false;
-  bool ended_ = false;
+  JobQueue jobs_;  // last: its thread has ended before what it uses goes
 };
 
 namespace {
@@ -168,10 +150,7 @@ Severity severityOf(QtMsgType type) {
 }  // namespace
 
 EventLog::EventLog(const QString& folder, QObject* parent) : QObject(parent), folder_(folder) {
-  if (!folder_.isEmpty()) {
-    writer_ = std::make_shared<Writer>(*this, folder_);
-    writer_->start();
-  }
+  if (!folder_.isEmpty()) writer_ = std::make_unique<Writer>(*this, folder_);
   Handlers& all = handlers();
   const std::lock_guard lock(all.mutex);
   if (all.logs.empty()) all.before = qInstallMessageHandler(&EventLog::takeQtMessage);
@@ -185,7 +164,11 @@ EventLog::~EventLog() {
     all.logs.erase(std::find(all.logs.begin(), all.logs.end(), this));
     if (all.logs.empty()) qInstallMessageHandler(all.before);
   }
-  if (writer_) writer_->end();
+  if (!writer_) return;
+  writer_->forgetLog();
+  constexpr int kPatience_ms = 1000;
+  // A disk that takes longer keeps the writer, and nobody else.
+  if (!writer_->waitUntilWritten(kPatience_ms)) std::thread([writer = std::move(writer_)] {}).detach();
 }
 
 void EventLog::takeQtMessage(QtMsgType type, const QMessageLogContext& context, const QString& text) {

@@ -61,7 +61,7 @@ class EventLog : public QObject {
   static void takeQtMessage(QtMsgType type, const QMessageLogContext& context, const QString& text);
 
   QString folder_;
-  std::shared_ptr<Writer> writer_;
+  std::unique_ptr<Writer> writer_;
 
   mutable std::mutex mutex_;  ///< guards what follows
   std::deque<LogLine> lines_;

@@ -93,16 +93,7 @@ QVariant LogModel::headerData(int section, Qt::Orientation orientation, int role
   if (orientation != Qt::Horizontal || role != Qt::DisplayRole) {
     return role == Qt::TextAlignmentRole ? QVariant(static_cast<int>(Qt::AlignLeft | Qt::AlignVCenter)) : QVariant();
   }
-  switch (section) {
-    case kTime:
-      return tr("Time");
-    case kSeverity:
-      return tr("Severity");
-    case kText:
-      return tr("What");
-    default:
-      return {};
-  }
+  return QStringList{tr("Time"), tr("Severity"), tr("What")}.value(section);
 }
 
 LogView::LogView(const EventLog& log, QWidget* parent) : QWidget(parent), model_(new LogModel(log, this)) {

@@ -4,7 +4,6 @@
 #include "app/window/log/event_recorder.h"
 #include "app/window/presenters/connection_presenter.h"
 #include "app/window/presenters/file_presenter.h"
-#include "app/window/presenters/keyboard.h"
 #include "app/window/presenters/picture_presenter.h"
 #include "app/window/presenters/place_presenter.h"
 #include "app/window/presenters/presenters.h"
@@ -13,6 +12,7 @@
 #include "app/window/presenters/theme_presenter.h"
 #include "app/window/session/placing.h"
 #include "app/window/session/verification.h"
+#include "app/window/toolkit/focus_order.h"
 #include "app/window/toolkit/table_views.h"
 #include "widgets/controls/notice_stack.h"
 #include "widgets/controls/panel_parts.h"
@@ -54,13 +54,35 @@ QSize roomOnScreen(const QWidget& window) {
 /// Each gets those before it that it speaks to. Where several answer to the same signal, they do so in this order.
 struct MainWindow::Presenters {
   explicit Presenters(MainWindow& window)
-      : parts{window,          *window.views_,    *window.panels_,      window.refresh_,     window.controller_,
-              window.actions_, window.selection_, window.scale_ranges_, window.preferences_, window.log_,
-              window.recent_,  window.unsaved_},
+      : parts{wires,
+              window,
+              *window.views_,
+              *window.panels_,
+              window.refresh_,
+              window.controller_,
+              window.actions_,
+              window.selection_,
+              window.scale_ranges_,
+              window.preferences_,
+              window.log_,
+              window.recent_,
+              window.unsaved_},
         recorder(window.log_, window.controller_, *parts.views.messages, window.QWidget::actions()) {
+    connectVerify(parts, verification, files);
+    connectPlot(parts);
+    connectGuide(parts);
+    connectHistory(parts, files);
+    connectPreferences(parts, themes);
+    connectSpeech(parts);
+    connectLog(parts);
+    connectHelp(parts);
     connectViewCommands(parts);
+    const WindowActions& keys = parts.actions;
+    connect(keys.next_pane, &QAction::triggered, &keyboard, [this] { keyboard.moveToPane(true); });
+    connect(keys.previous_pane, &QAction::triggered, &keyboard, [this] { keyboard.moveToPane(false); });
   }
 
+  QObject wires;
   const WindowParts parts;
   EventRecorder recorder;
   ResultPresenter results{parts.controller};
@@ -74,25 +96,15 @@ struct MainWindow::Presenters {
   const std::unique_ptr<Presenter> picked = makePickedCommands(parts, review);
   const std::unique_ptr<Presenter> findings = makeFindingPresenter(parts, results, review);
   Verification verification;
-  const std::unique_ptr<Presenter> verify = makeVerifyPresenter(parts, verification, files);
   const std::unique_ptr<Presenter> exports = makeExportPresenter(parts, verification, files);
   Placing placing;
   PlacePresenter place{parts, placing};
   const std::unique_ptr<Presenter> compare = makeComparePresenter(parts, verification);
-  const std::unique_ptr<Presenter> plot = makePlotPresenter(parts);
   const std::unique_ptr<Presenter> marks = makeMarkPresenter(parts);
-  const std::unique_ptr<Presenter> guide = makeGuidePresenter(parts);
-  const std::unique_ptr<Presenter> status = makeStatusPresenter(parts);
-  const std::unique_ptr<Presenter> history = makeHistoryPresenter(parts, files);
-  const std::unique_ptr<Presenter> preferences = makePreferencesPresenter(parts, themes);
-  const std::unique_ptr<Presenter> speech = makeSpeechPresenter(parts);
-  const std::unique_ptr<Presenter> log = makeLogPresenter(parts);
-  const std::unique_ptr<Presenter> help = makeHelpPresenter(parts);
   // As one reads the window: from the top, and from left to right.
-  Keyboard keyboard{{parts.views.banner, parts.views.messages, parts.views.live_strip, parts.views.work_notice,
-                     parts.views.steps, parts.panels.centralWidget(), &parts.panels.graph(), &parts.panels.coverage(),
-                     &parts.panels.plot(), &parts.panels.poses(), &parts.panels.details()},
-                    parts.actions};
+  FocusOrder keyboard{{parts.views.banner, parts.views.messages, parts.views.live_strip, parts.views.work_notice,
+                       parts.views.steps, parts.panels.centralWidget(), &parts.panels.graph(), &parts.panels.coverage(),
+                       &parts.panels.plot(), &parts.panels.poses(), &parts.panels.details()}};
 };
 
 MainWindow::MainWindow(QWidget* parent)
@@ -182,7 +194,7 @@ void MainWindow::handOutResults() {
 
 void MainWindow::connectRefresh() {
   connect(&controller_, &SessionController::changed, &refresh_, &OncePerTurn::request);
-  connect(&controller_.poseGuide(), &PoseGuide::nextPoseChanged, &refresh_, &OncePerTurn::request);
+  connect(&controller_.liveSession(), &LiveSession::nextPoseChanged, &refresh_, &OncePerTurn::request);
   connect(&presenters_->review, &ReviewPresenter::pickedPoseChanged, &refresh_, &OncePerTurn::request);
   connect(actions_.reset_layout, &QAction::triggered, panels_, &Panels::reset);
   connect(&refresh_, &OncePerTurn::done, this, &MainWindow::refreshed);
@@ -191,16 +203,16 @@ void MainWindow::connectRefresh() {
 void MainWindow::refresh() {
   // Which actions can be used, before what asks them: steps, what is said aloud, and offers beside findings.
   presenters_->picked->refresh();
-  presenters_->guide->refresh();
-  presenters_->speech->refresh();
+  refreshGuide(presenters_->parts);
+  refreshSpeech(presenters_->parts);
   presenters_->findings->refresh();
   // Of the others none asks what another has done.
   presenters_->results.refresh();
   presenters_->marks->refresh();
   presenters_->place.refresh();
-  presenters_->status->refresh();
+  refreshStatus(presenters_->parts);
   presenters_->connection.refresh();
-  presenters_->history->refresh();
+  refreshHistory(presenters_->parts);
 }
 
 PlacePanel* MainWindow::placePanel() { return views_->place_panel; }

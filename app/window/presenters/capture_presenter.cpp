@@ -22,19 +22,19 @@ class CapturePresenter : public Presenter {
 
  public:
   CapturePresenter(const WindowParts& parts, const ResultPresenter& results) : Presenter(parts) {
-    const LiveSource& live = controller_.liveSession().source();
+    const LiveSource& live = controller.liveSession().source();
     connect(&live, &LiveSource::previewChanged, this, &CapturePresenter::showMoment);
     connect(&live, &LiveSource::statusChanged, this, &CapturePresenter::showSource);
     connect(&live, &LiveSource::holdChanged, this, &CapturePresenter::showHold);
-    const LiveSession& live_session = controller_.liveSession();
+    const LiveSession& live_session = controller.liveSession();
     connect(&live_session, &LiveSession::poseTaken, this,
-            [this](const CapturedPose& captured) { views_.capture_panel->showWriting(captured.pose->id); });
+            [this](const CapturedPose& captured) { views.capture_panel->showWriting(captured.pose->id); });
     connect(&live_session, &LiveSession::poseKept, this, &CapturePresenter::showCaptured);
-    connect(&live_session, &LiveSession::poseLost, views_.capture_panel, &CapturePanel::endWriting);
-    connect(&controller_.poseGuide(), &PoseGuide::nextPoseChanged, this, &CapturePresenter::showNextPose);
-    connect(views_.steps, &StepPanel::opened, this, &CapturePresenter::followPart);
-    connect(views_.patch, &PatchView::turnRequested, &controller_.poseGuide(), &PoseGuide::turnTo);
-    connect(&selection_, &Selection::changed, this, [this] { views_.stillness->setCell(selection_.cell()); });
+    connect(&live_session, &LiveSession::poseLost, views.capture_panel, &CapturePanel::endWriting);
+    connect(&controller.liveSession(), &LiveSession::nextPoseChanged, this, &CapturePresenter::showNextPose);
+    connect(views.steps, &StepPanel::opened, this, &CapturePresenter::followPart);
+    connect(views.patch, &PatchView::turnRequested, &controller.liveSession(), &LiveSession::turnTo);
+    connect(&selection, &Selection::changed, this, [this] { views.stillness->setCell(selection.cell()); });
     connect(&results, &ResultPresenter::handedOut, this, &CapturePresenter::showCoverage);
     connectCommands();
     connectPreferences();
@@ -42,129 +42,130 @@ class CapturePresenter : public Presenter {
 
  private:
   void connectCommands() {
-    connect(actions_.turn, &QAction::triggered, &controller_.poseGuide(), &PoseGuide::turnToNextPose);
-    connect(actions_.automatic, &QAction::triggered, &controller_.liveSession(), &LiveSession::setAutomatic);
-    connect(actions_.capture, &QAction::triggered, &controller_.liveSession(), &LiveSession::captureNow);
-    connect(actions_.skip_pose, &QAction::triggered, &controller_.poseGuide(), &PoseGuide::skipPose);
-    connect(actions_.robot, &QAction::triggered, &controller_.poseGuide(), &PoseGuide::setRobot);
-    connect(actions_.live_mode, &QAction::triggered, &controller_.liveMode(), &LiveMode::setOn);
-    connect(actions_.show_next_pose, &QAction::triggered, this, [this] {
-      views_.steps->openStep(static_cast<int>(GuideStep::Capture));
-      views_.patch->fit();
+    connect(actions.turn, &QAction::triggered, &controller.liveSession(), &LiveSession::turnToNextPose);
+    connect(actions.automatic, &QAction::triggered, &controller.liveSession(), &LiveSession::setAutomatic);
+    connect(actions.capture, &QAction::triggered, &controller.liveSession(), &LiveSession::captureNow);
+    connect(actions.skip_pose, &QAction::triggered, &controller.liveSession(), &LiveSession::skipPose);
+    connect(actions.robot, &QAction::triggered, &controller.liveSession(), &LiveSession::setRobot);
+    connect(actions.live_mode, &QAction::triggered, &controller.liveMode(), &LiveMode::setOn);
+    connect(actions.show_next_pose, &QAction::triggered, this, [this] {
+      views.steps->openStep(static_cast<int>(GuideStep::Capture));
+      views.patch->fit();
     });
   }
 
   void connectPreferences() {
-    views_.tone->setEnabled(preferences_.tone());
-    views_.patch->setAnimated(!preferences_.reducedMotion());
-    connect(&preferences_, &Preferences::toneChanged, views_.tone, &CaptureTone::setEnabled);
-    connect(&preferences_, &Preferences::reducedMotionChanged, this,
-            [this](bool reduced) { views_.patch->setAnimated(!reduced); });
+    const auto follow = [this] {
+      views.tone->setEnabled(preferences.isOn(Switch::Tone));
+      views.patch->setAnimated(!preferences.isOn(Switch::ReducedMotion));
+    };
+    follow();
+    connect(&preferences, &Preferences::switched, this, follow);
   }
 
   void showSource() {
-    const LiveSource& source = controller_.liveSession().source();
-    views_.capture_panel->setSource(source.isRunning() ? std::optional(source.status()) : std::nullopt);
+    const LiveSource& source = controller.liveSession().source();
+    views.capture_panel->setSource(source.isRunning() ? std::optional(source.status()) : std::nullopt);
     if (isReading()) return;
     // The last readings of a skin that does not send are not those of this moment.
     current_up_.reset();
-    views_.stillness->clear();
-    views_.coverage->setCurrent({});
+    views.stillness->clear();
+    views.coverage->setCurrent({});
     followPart();
     showAdvice();
   }
 
   /// The skin sends, so that what was read last is what there is at this moment.
   bool isReading() const {
-    const LiveSource& source = controller_.liveSession().source();
+    const LiveSource& source = controller.liveSession().source();
     return source.isRunning() && source.status().state == SourceState::Streaming;
   }
 
   void showHold() {
-    const HoldStatus& hold = controller_.liveSession().source().hold();
-    views_.capture_panel->setHold(hold);
-    if (hold.restarts > restarts_) views_.tone->playStartsOver();
+    const HoldStatus& hold = controller.liveSession().source().hold();
+    views.capture_panel->setHold(hold);
+    if (hold.restarts > restarts_) views.tone->playStartsOver();
     restarts_ = hold.restarts;
   }
 
   void showCaptured(const CapturedPose& captured) {
-    views_.tone->playCaptured();
-    views_.stillness->addCaptured(captured.pose->id, captured.end_s);
-    views_.capture_panel->showCaptured(
+    views.tone->playCaptured();
+    views.stillness->addCaptured(captured.pose->id, captured.end_s);
+    views.capture_panel->showCaptured(
         captured.pose->id, captured.repeats ? tr("It repeats pose %1.").arg(captured.repeats->value()) : QString());
   }
 
   /// Of the result, or nothing without one.
   void showCoverage() {
-    const std::shared_ptr<const Reconstruction>& reconstruction = controller_.reconstruction();
+    const std::shared_ptr<const Reconstruction>& reconstruction = controller.reconstruction();
     std::vector<std::shared_ptr<const PoseCapture>> captures;
-    if (controller_.session()) {
-      for (const SessionPose& pose : controller_.session()->poses()) captures.push_back(pose.capture);
+    if (controller.session()) {
+      for (const SessionPose& pose : controller.session()->poses()) captures.push_back(pose.capture);
     }
     const PoseCoverage coverage = reconstruction ? coverageOf(*reconstruction, captures) : PoseCoverage{};
-    views_.coverage->setCoverage(coverage);
-    panels_.coverage().setRemark(reconstruction ? poseCountInWords(coverage) : QString());
+    views.coverage->setCoverage(coverage);
+    panels.coverage().setRemark(reconstruction ? poseCountInWords(coverage) : QString());
   }
 
   void showNextPose() {
-    const std::shared_ptr<const Reconstruction>& result = controller_.reconstruction();
-    const std::optional<PoseAdvice>& advice = controller_.poseGuide().nextPose();
+    const std::shared_ptr<const Reconstruction>& result = controller.reconstruction();
+    const std::optional<PoseAdvice>& advice = controller.liveSession().nextPose();
     const bool known = advice && result;
-    views_.coverage->setNext(known && controller_.poseGuide().isNextPoseWanted() ? std::optional(advice->up)
+    views.coverage->setNext(known && controller.liveSession().isNextPoseWanted() ? std::optional(advice->up)
                                                                                  : std::nullopt);
     showAdvice();
     followPart();
   }
 
   void showAdvice() {
-    const std::shared_ptr<const Reconstruction>& result = controller_.reconstruction();
-    const std::optional<PoseAdvice>& advice = controller_.poseGuide().nextPose();
+    const std::shared_ptr<const Reconstruction>& result = controller.reconstruction();
+    const std::optional<PoseAdvice>& advice = controller.liveSession().nextPose();
     const std::optional<NextPose> next =
         advice && result ? describeNextPose(*advice, *result, current_up_) : std::nullopt;
-    views_.capture_panel->setAdvice(next);
+    views.capture_panel->setAdvice(next);
     told_cell_ = next && next->isWanted() ? std::optional(next->target.cell) : std::nullopt;
-    PatchMoment moment = views_.patch->moment();
+    PatchMoment moment = views.patch->moment();
     moment.told_cell = follows_part_ ? told_cell_ : std::nullopt;
     moment.next_turn = next ? turnAngleInWords(*next).toStdString() : std::string();
-    views_.patch->setMoment(moment);
+    views.patch->setMoment(moment);
   }
 
   void showMoment() {
-    const SkinPreview& preview = controller_.liveSession().source().preview();
-    const std::shared_ptr<const Reconstruction>& result = controller_.reconstruction();
+    const SkinPreview& preview = controller.liveSession().source().preview();
+    const std::shared_ptr<const Reconstruction>& result = controller.reconstruction();
     current_up_ = result ? currentUp(*result, preview.means) : std::nullopt;
-    views_.stillness->add(controller_.liveSession().source().hold(), preview);
-    views_.coverage->setCurrent(current_up_);
+    views.stillness->add(controller.liveSession().source().hold(), preview);
+    views.coverage->setCurrent(current_up_);
     followPart();
     // The angle to the next pose changes with every reading, but sentences that flicker can't be read.
     constexpr qint64 kReadable_ms = 400;
     if (!advice_age_.isValid() || advice_age_.elapsed() > kReadable_ms) {
       advice_age_.start();
-      if (result && controller_.poseGuide().nextPose()) showAdvice();
+      if (result && controller.liveSession().nextPose()) showAdvice();
     }
   }
 
   /// In the step Capture the picture turns as the part is turned.
   void followPart() {
     // In the other steps the picture is the operator's own to turn.
-    const bool capturing = controller_.liveSession().isLive() && !controller_.liveMode().isOn() &&
-                           views_.steps->openIndex() == static_cast<int>(GuideStep::Capture);
+    const bool capturing = controller.liveSession().isLive() && !controller.liveMode().isOn() &&
+                           views.steps->openIndex() == static_cast<int>(GuideStep::Capture);
     if (std::exchange(follows_part_, capturing) != capturing) {
       if (capturing) {
-        views_.patch->keepView();
+        views.patch->keepView();
       } else {
-        views_.patch->returnToKeptView();
+        views.patch->returnToKeptView();
       }
     }
-    views_.patch->setTurnable(capturing && controller_.liveSession().canTurn());
-    PatchMoment moment = views_.patch->moment();
-    const SkinPreview& preview = controller_.liveSession().source().preview();
+    views.patch->setTurnable(capturing && controller.liveSession().canTurn());
+    PatchMoment moment = views.patch->moment();
+    const SkinPreview& preview = controller.liveSession().source().preview();
     moment.readings = isReading() ? readingsOf(preview.means, preview.temperatures) : nullptr;
     moment.up_o = capturing ? current_up_ : std::nullopt;
-    const bool shows_next = capturing && controller_.poseGuide().isNextPoseWanted();
+    const bool shows_next = capturing && controller.liveSession().isNextPoseWanted();
     moment.told_cell = shows_next ? told_cell_ : std::nullopt;
-    moment.next_up_o = shows_next ? std::optional(controller_.poseGuide().nextPose()->up) : std::nullopt;
-    views_.patch->setMoment(moment);
+    moment.next_up_o = shows_next ? std::optional(controller.liveSession().nextPose()->up) : std::nullopt;
+    views.patch->setMoment(moment);
   }
 
   std::optional<Eigen::Vector3d> current_up_;  ///< of the part just now, in the frame of the largest patch

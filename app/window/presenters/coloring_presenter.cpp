@@ -27,28 +27,28 @@ class ColoringPresenter : public Presenter {
   ColoringPresenter(const WindowParts& parts, const ResultPresenter& results) : Presenter(parts) {
     ScaleRanges& ranges = parts.scale_ranges;
     restoreScaleRanges(ranges);
-    views_.patch->setScaleRanges(&ranges);
-    views_.graph->setScaleRanges(&ranges);
+    views.patch->setScaleRanges(&ranges);
+    views.graph->setScaleRanges(&ranges);
     connect(&ranges, &ScaleRanges::changed, this, [&ranges](Coloring changed) { keepScaleRange(ranges, changed); });
-    connect(&preferences_, &Preferences::restored, &ranges, [&ranges] {
+    connect(&preferences, &Preferences::restored, &ranges, [&ranges] {
       for (const ColoringRow& row : coloringTable()) ranges.release(row.coloring);
     });
-    connect(views_.patch, &PatchView::coloringPicked, this, [this] { is_chosen_ = true; });
-    connect(views_.steps, &StepPanel::opened, this, &ColoringPresenter::choose);
+    connect(views.patch, &PatchView::coloringPicked, this, [this] { is_chosen_ = true; });
+    connect(views.steps, &StepPanel::opened, this, &ColoringPresenter::choose);
     connect(&results, &ResultPresenter::handedOut, this, &ColoringPresenter::choose);
-    connect(&controller_.liveMode(), &LiveMode::toggled, this, &ColoringPresenter::choose);
+    connect(&controller.liveMode(), &LiveMode::toggled, this, &ColoringPresenter::choose);
   }
 
  private:
   void choose() {
-    if (!is_chosen_) views_.patch->setColoring(suggested());
+    if (!is_chosen_) views.patch->setColoring(suggested());
   }
 
   Coloring suggested() const {
-    const Reconstruction* result = controller_.reconstruction().get();
+    const Reconstruction* result = controller.reconstruction().get();
     // A single moment says nothing of uncertainty.
-    if (controller_.liveMode().isOn()) return Coloring::LinkQuality;
-    if (result == nullptr || views_.steps->openIndex() < static_cast<int>(GuideStep::Review) ||
+    if (controller.liveMode().isOn()) return Coloring::LinkQuality;
+    if (result == nullptr || views.steps->openIndex() < static_cast<int>(GuideStep::Review) ||
         !isOfOneQuality(*result)) {
       return Coloring::LinkQuality;
     }

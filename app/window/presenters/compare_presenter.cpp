@@ -11,7 +11,6 @@
 #include <QTimer>
 #include <QVBoxLayout>
 #include <algorithm>
-#include <utility>
 #include <vector>
 
 namespace hexoderm {
@@ -24,9 +23,9 @@ class ComparePresenter : public Presenter {
 
  public:
   ComparePresenter(const WindowParts& parts, const Verification& verification)
-      : Presenter(parts), verification_(verification), now_(controller_.reconstruction()) {
-    connect(actions_.compare, &QAction::triggered, this, &ComparePresenter::open);
-    connect(&controller_, &SessionController::reconstructionChanged, this, &ComparePresenter::note);
+      : Presenter(parts), verification_(verification), now_(controller.reconstruction()) {
+    connect(actions.compare, &QAction::triggered, this, &ComparePresenter::open);
+    connect(&controller, &SessionController::reconstructionChanged, this, &ComparePresenter::note);
     connect(&verification_, &Verification::compared, this, &ComparePresenter::showComparison);
   }
 
@@ -45,18 +44,18 @@ class ComparePresenter : public Presenter {
 
   void open() {
     if (dialog_ == nullptr) {
-      dialog_ = new QDialog(&window_, Qt::Window);
+      dialog_ = new QDialog(&window, Qt::Window);
       dialog_->setObjectName(QStringLiteral("compareDialog"));
       dialog_->setWindowTitle(tr("Before and after"));
       auto* layout = new QVBoxLayout(dialog_);
       layout->setContentsMargins(0, 0, 0, 0);
-      view_ = new CompareView(&selection_);
+      view_ = new CompareView(&selection);
       layout->addWidget(view_);
       connect(view_, &CompareView::sourceChosen, this, [this](int index) {
         chosen_ = sources_.at(static_cast<std::size_t>(index));
         showComparison();
       });
-      dialog_->resize(QSize(1100, 640).boundedTo(0.9 * window_.screen()->availableSize()));
+      dialog_->resize(QSize(1100, 640).boundedTo(0.9 * window.screen()->availableSize()));
     }
     // Made in one turn of the event loop and shown in a later one, so that clicks and keys wait for one of them at a
     // time.

@@ -26,16 +26,16 @@ class ExportPresenter : public Presenter {
  public:
   ExportPresenter(const WindowParts& parts, const Verification& verification, FilePresenter& files)
       : Presenter(parts), verification_(verification), files_(files) {
-    connect(actions_.export_to, &QAction::triggered, this, &ExportPresenter::showExportDialog);
-    connect(actions_.report, &QAction::triggered, this, &ExportPresenter::askForReport);
-    connect(actions_.report_title, &QAction::triggered, this,
+    connect(actions.export_to, &QAction::triggered, this, &ExportPresenter::showExportDialog);
+    connect(actions.report, &QAction::triggered, this, &ExportPresenter::askForReport);
+    connect(actions.report_title, &QAction::triggered, this,
             [this] { askForTitle(keptReportTitle(sessionKey()).value_or(proposedReportTitle()), tr("Keep"), [] {}); });
   }
 
  private:
   /// By what the title is remembered.
   QString sessionKey() const {
-    const SessionFile& file = controller_.file();
+    const SessionFile& file = controller.file();
     for (const QString& path : {file.sessionPath(), file.calibrationPath()}) {
       if (!path.isEmpty()) return path;
     }
@@ -44,14 +44,14 @@ class ExportPresenter : public Presenter {
 
   ReportContent content() const {
     ReportContent content;
-    content.reconstruction = controller_.reconstruction();
+    content.reconstruction = controller.reconstruction();
     if (!content.reconstruction) return content;
-    content.name = controller_.file().name();
-    content.pictures = takeReportPictures(content.reconstruction);
+    content.name = controller.file().name();
+    content.graph = takeReportGraph(content.reconstruction);
     content.made_at = QDateTime::currentDateTime();
     content.title = keptReportTitle(sessionKey()).value_or(ReportTitle());
     content.verify = verification_.outcome();
-    const Session* session = controller_.session();
+    const Session* session = controller.session();
     content.simulated = isSimulated(content.reconstruction->source) || (session != nullptr && session->truth());
     return content;
   }
@@ -66,7 +66,7 @@ class ExportPresenter : public Presenter {
   }
 
   void askForTitle(const ReportTitle& title, const QString& button, std::function<void()> proceed) {
-    auto* dialog = new ReportTitleDialog(title, controller_.file().name(), button, &window_);
+    auto* dialog = new ReportTitleDialog(title, controller.file().name(), button, &window);
     connect(dialog, &QDialog::accepted, this, [this, dialog, key = sessionKey(), proceed = std::move(proceed)] {
       keepReportTitle(key, dialog->title());
       // Another session may have been opened meanwhile; its report is another matter.
@@ -79,16 +79,16 @@ class ExportPresenter : public Presenter {
     afterTitle([this] {
       files_.askForPath(tr("Write a report"), files_.suggestedName(),
                         tr("Documents (*.pdf);;Pages for the browser (*.html)"), QStringLiteral(".pdf"),
-                        [this](const QString& path) { controller_.resultFiles().writeReport(content(), path); });
+                        [this](const QString& path) { controller.resultFiles().writeReport(content(), path); });
     });
   }
 
   void showExportDialog() {
     auto* dialog =
-        new ExportDialog(controller_.reconstruction(), QDir(lastFolder()).filePath(files_.suggestedName()), &window_);
+        new ExportDialog(controller.reconstruction(), QDir(lastFolder()).filePath(files_.suggestedName()), &window);
     connect(dialog, &ExportDialog::exportRequested, this, [this](const ExportRequest& request) {
       rememberFolder(request.path);
-      controller_.resultFiles().exportTo(request);
+      controller.resultFiles().exportTo(request);
     });
     connect(dialog, &ExportDialog::packageRequested, this, [this](const PackageRequest& request) {
       rememberFolder(request.path);
@@ -102,11 +102,11 @@ class ExportPresenter : public Presenter {
   }
 
   void startPackage(const PackageRequest& request) {
-    if (!controller_.reconstruction()) return;
-    auto* dialog = new PackageDialog(controller_.resultFiles(), request.path, &window_);
+    if (!controller.reconstruction()) return;
+    auto* dialog = new PackageDialog(controller.resultFiles(), request.path, &window);
     connect(dialog, &PackageDialog::folderWanted, &files_, &FilePresenter::openFolderOf);
     openInTurns(dialog, Qt::WindowModal);
-    controller_.resultFiles().exportPackage(request, content());
+    controller.resultFiles().exportPackage(request, content());
   }
 
   const Verification& verification_;

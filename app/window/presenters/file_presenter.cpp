@@ -20,25 +20,25 @@ const QString kCalibrationExtension = QStringLiteral(".calibration.json");
 }  // namespace
 
 FilePresenter::FilePresenter(const WindowParts& parts) : Presenter(parts) {
-  connect(actions_.demo, &QAction::triggered, this, &FilePresenter::startDemo);
-  connect(actions_.robot_demo, &QAction::triggered, this, &FilePresenter::startRobotDemo);
-  connect(actions_.open, &QAction::triggered, this, &FilePresenter::askToOpen);
-  connect(actions_.save, &QAction::triggered, this, [this] { saveSession(false); });
-  connect(actions_.save_as, &QAction::triggered, this, [this] { saveSession(true); });
-  connect(actions_.save_calibration, &QAction::triggered, this, &FilePresenter::saveCalibration);
-  connect(actions_.quit, &QAction::triggered, &window_, &QWidget::close);
+  connect(actions.demo, &QAction::triggered, this, &FilePresenter::startDemo);
+  connect(actions.robot_demo, &QAction::triggered, this, &FilePresenter::startRobotDemo);
+  connect(actions.open, &QAction::triggered, this, &FilePresenter::askToOpen);
+  connect(actions.save, &QAction::triggered, this, [this] { saveSession(false); });
+  connect(actions.save_as, &QAction::triggered, this, [this] { saveSession(true); });
+  connect(actions.save_calibration, &QAction::triggered, this, &FilePresenter::saveCalibration);
+  connect(actions.quit, &QAction::triggered, &window, &QWidget::close);
   connect(
-      &controller_, &SessionController::changed, this,
+      &controller, &SessionController::changed, this,
       [this] {
-        if (close_when_written_ && !controller_.file().isWriting()) window_.close();
+        if (close_when_written_ && !controller.file().isWriting()) window.close();
       },
       Qt::QueuedConnection);
-  connect(&controller_, &SessionController::opened, views_.messages, &QWidget::hide);
-  connect(&controller_.file(), &SessionFile::sessionSaved, this, [this](const QString& path) {
+  connect(&controller, &SessionController::opened, views.messages, &QWidget::hide);
+  connect(&controller.file(), &SessionFile::sessionSaved, this, [this](const QString& path) {
     showDone(tr("Saved to %1").arg(path), path);
     if (const auto proceed = std::exchange(after_saving_, nullptr)) proceed();
   });
-  connect(&controller_.resultFiles(), &ResultFiles::exported, this,
+  connect(&controller.resultFiles(), &ResultFiles::exported, this,
           [this](const QString& path, const QString& left_out) {
             if (left_out.isEmpty()) {
               showDone(tr("Exported to %1").arg(path), path);
@@ -46,15 +46,15 @@ FilePresenter::FilePresenter(const WindowParts& parts) : Presenter(parts) {
               showDone(tr("Exported to %1. %2").arg(path, left_out), path, Tone::Caution);
             }
           });
-  connect(&controller_, &SessionController::failed, this, [this](const QString& message) {
+  connect(&controller, &SessionController::failed, this, [this](const QString& message) {
     forgetPlans();
-    views_.messages->showMessage(Tone::Bad, message);
+    views.messages->showMessage(Tone::Bad, message);
   });
-  connect(&controller_.file(), &SessionFile::journalStuck, this, [this](const QString& why) {
+  connect(&controller.file(), &SessionFile::journalStuck, this, [this](const QString& why) {
     forgetPlans();
-    views_.messages->showMessage(Tone::Bad,
-                                 tr("Not on disk yet; it waits in memory and the work can go on. %1").arg(why),
-                                 tr("Try again"), [this] { controller_.file().retryWriting(); });
+    views.messages->showMessage(Tone::Bad,
+                                tr("Not on disk yet; it waits in memory and the work can go on. %1").arg(why),
+                                tr("Try again"), [this] { controller.file().retryWriting(); });
   });
 }
 
@@ -65,26 +65,26 @@ void FilePresenter::forgetPlans() {
 
 void FilePresenter::openFile(const QString& path) {
   rememberFolder(path);
-  afterAskingToSave([this, path] { controller_.file().openFile(path); });
+  afterAskingToSave([this, path] { controller.file().openFile(path); });
 }
 
 void FilePresenter::startDemo() {
-  afterAskingToSave([this] { controller_.liveSession().startDemo(); });
+  afterAskingToSave([this] { controller.liveSession().startDemo(); });
 }
 
 void FilePresenter::startRobotDemo() {
-  afterAskingToSave([this] { controller_.file().openRobotDemo(); });
+  afterAskingToSave([this] { controller.file().openRobotDemo(); });
 }
 
 void FilePresenter::askToOpen() {
-  askForFile(&window_, "openDialog", tr("Open a session or a calibration"), lastFolder(),
+  askForFile(&window, "openDialog", tr("Open a session or a calibration"), lastFolder(),
              tr("Sessions and calibrations (*.hexo *.json *.xml)") + QStringLiteral(";;") + tr("All files (*)"), this,
              [this](const QString& path) { openFile(path); });
 }
 
 QString FilePresenter::suggestedName() const {
-  if (controller_.liveSession().isDemo() && controller_.file().sessionPath().isEmpty()) return QStringLiteral("demo");
-  QString name = controller_.file().name();
+  if (controller.liveSession().isDemo() && controller.file().sessionPath().isEmpty()) return QStringLiteral("demo");
+  QString name = controller.file().name();
   for (const QString& extension :
        {kSessionExtension, kJournalExtension, kCalibrationExtension, QStringLiteral(".xml")}) {
     if (name.endsWith(extension)) name.chop(extension.size());
@@ -94,7 +94,7 @@ QString FilePresenter::suggestedName() const {
 
 void FilePresenter::askForPath(const QString& title, const QString& name, const QString& filter,
                                const QString& extension, std::function<void(QString)> chosen) {
-  auto* dialog = new FileDialog(&window_, title, lastFolder(), filter);
+  auto* dialog = new FileDialog(&window, title, lastFolder(), filter);
   dialog->setObjectName(QStringLiteral("saveDialog"));
   dialog->setAcceptMode(QFileDialog::AcceptSave);
   dialog->setDefaultSuffix(extension.mid(1));
@@ -113,51 +113,51 @@ void FilePresenter::askForPath(const QString& title, const QString& name, const 
   openInTurns(dialog);
 }
 
-void FilePresenter::saveTablesOf(CsvActions* actions) {
-  connect(actions, &CsvActions::saveRequested, this, [this](const QString& name, const QByteArray& csv) {
+void FilePresenter::saveTablesOf(CsvActions* of_table) {
+  connect(of_table, &CsvActions::saveRequested, this, [this](const QString& name, const QByteArray& csv) {
     askForPath(tr("Save the table"), name, tr("Tables (*.csv)"), QStringLiteral(".csv"),
-               [this, csv](const QString& path) { controller_.resultFiles().saveTable(csv, path); });
+               [this, csv](const QString& path) { controller.resultFiles().saveTable(csv, path); });
   });
 }
 
 void FilePresenter::saveSession(bool always_ask) {
-  if (!controller_.session()) return;
-  if (!always_ask && (controller_.file().isKept() || controller_.file().sessionPath().endsWith(kSessionExtension))) {
-    controller_.file().saveSession(controller_.file().sessionPath());
+  if (!controller.session()) return;
+  if (!always_ask && (controller.file().isKept() || controller.file().sessionPath().endsWith(kSessionExtension))) {
+    controller.file().saveSession(controller.file().sessionPath());
     return;
   }
   askForPath(tr("Save the session"), suggestedName(),
              tr("Sessions (*.session.json);;Sessions that keep every change (*.hexo)"), kSessionExtension,
-             [this](const QString& path) { controller_.file().saveSession(path); });
+             [this](const QString& path) { controller.file().saveSession(path); });
 }
 
 void FilePresenter::saveCalibration() {
   askForPath(tr("Save the calibration"), suggestedName(), tr("Calibrations (*.calibration.json)"),
              kCalibrationExtension, [this](const QString& path) {
-               controller_.resultFiles().exportTo({std::nullopt, path, {}});
+               controller.resultFiles().exportTo({std::nullopt, path, {}});
              });
 }
 
 void FilePresenter::showDone(const QString& text, const QString& path, Tone tone) {
-  views_.messages->showMessage(tone, text, tr("Open folder"), [this, path] { openFolderOf(path); });
+  views.messages->showMessage(tone, text, tr("Open folder"), [this, path] { openFolderOf(path); });
 }
 
 void FilePresenter::openFolderOf(const QString& path) {
   const QString folder = QFileInfo(path).absolutePath();
   if (!QDesktopServices::openUrl(QUrl::fromLocalFile(folder))) {
-    views_.messages->showMessage(Tone::Caution,
-                                 tr("No program to show folders was found. The folder is %1.").arg(folder));
+    views.messages->showMessage(Tone::Caution,
+                                tr("No program to show folders was found. The folder is %1.").arg(folder));
   }
 }
 
 void FilePresenter::afterAskingToSave(std::function<void()> proceed) {
-  if (!controller_.file().hasUnsavedChanges()) {
+  if (!controller.file().hasUnsavedChanges()) {
     proceed();
     return;
   }
   auto* box = new QMessageBox(QMessageBox::Question, tr("Unsaved poses"),
                               tr("Save the session first? Its latest changes are not on disk yet."),
-                              QMessageBox::Save | QMessageBox::Discard | QMessageBox::Cancel, &window_);
+                              QMessageBox::Save | QMessageBox::Discard | QMessageBox::Cancel, &window);
   box->setObjectName(QStringLiteral("unsavedBox"));
   box->setAttribute(Qt::WA_DeleteOnClose);
   box->setDefaultButton(QMessageBox::Save);
@@ -174,16 +174,16 @@ void FilePresenter::afterAskingToSave(std::function<void()> proceed) {
 }
 
 bool FilePresenter::mayClose() {
-  if (!may_close_ && controller_.file().hasUnsavedChanges()) {
-    if (window_.findChild<QMessageBox*>(QStringLiteral("unsavedBox"))) return false;
+  if (!may_close_ && controller.file().hasUnsavedChanges()) {
+    if (window.findChild<QMessageBox*>(QStringLiteral("unsavedBox"))) return false;
     afterAskingToSave([this] {
       may_close_ = true;
-      window_.close();
+      window.close();
     });
     return false;
   }
   // A file that is being written is finished first; it takes moments, and nothing waits for it here.
-  close_when_written_ = controller_.file().isWriting();
+  close_when_written_ = controller.file().isWriting();
   return !close_when_written_;
 }
 

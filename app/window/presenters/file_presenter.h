@@ -36,7 +36,7 @@ class FilePresenter : public Presenter {
   /// Shows the folder of a file in the desktop's program for that; says so if there is none.
   void openFolderOf(const QString& path);
   /// Serves "Save as CSV…" of a table.
-  void saveTablesOf(CsvActions* actions);
+  void saveTablesOf(CsvActions* of_table);
 
  private:
   void askToOpen();

@@ -32,25 +32,25 @@ class FindingPresenter : public Presenter {
  public:
   FindingPresenter(const WindowParts& parts, const ResultPresenter& results, ReviewPresenter& review)
       : Presenter(parts), review_(review) {
-    for (FindingCards* cards : {views_.check_findings, views_.review_findings}) {
+    for (FindingCards* cards : {views.check_findings, views.review_findings}) {
       connect(cards, &FindingCards::showWanted, &review_, &ReviewPresenter::showFinding);
       connect(cards, &FindingCards::remedyWanted, this, &FindingPresenter::apply);
       connect(cards, &FindingCards::allWanted, this, &FindingPresenter::showAll);
     }
-    connect(views_.finding_card, &FindingCard::showWanted, &review_, &ReviewPresenter::showFinding);
-    connect(views_.finding_card, &FindingCard::remedyWanted, this, &FindingPresenter::apply);
-    connect(views_.tables.finding_view->selectionModel(), &QItemSelectionModel::selectionChanged, this,
+    connect(views.finding_card, &FindingCard::showWanted, &review_, &ReviewPresenter::showFinding);
+    connect(views.finding_card, &FindingCard::remedyWanted, this, &FindingPresenter::apply);
+    connect(views.tables.finding_view->selectionModel(), &QItemSelectionModel::selectionChanged, this,
             &FindingPresenter::showPickedInTable);
     connect(&results, &ResultPresenter::handedOut, this, &FindingPresenter::takeFindings);
-    views_.finding_card->setUnfolded(true);
+    views.finding_card->setUnfolded(true);
     showPickedInTable();
   }
 
   /// What can be done may have changed. The actions have to know already which of them can be used.
   void refresh() override {
-    const LiveSession& live = controller_.liveSession();
-    const auto now = std::make_tuple(controller_.submittedRevision(), live.isLive(), live.litCell(),
-                                     actions_.show_next_pose->isEnabled());
+    const LiveSession& live = controller.liveSession();
+    const auto now = std::make_tuple(controller.submittedRevision(), live.isLive(), live.litCell(),
+                                     actions.show_next_pose->isEnabled());
     if (known_ == now) return;
     known_ = now;
     std::vector<FindingCards::Item> in_check;
@@ -60,20 +60,20 @@ class FindingPresenter : public Presenter {
       in_review.push_back(item);
       if (isAboutTheReport(finding)) in_check.push_back(item);
     }
-    views_.check_findings->setItems(in_check);
-    views_.review_findings->setItems(in_review);
+    views.check_findings->setItems(in_check);
+    views.review_findings->setItems(in_review);
     showPickedInTable();
   }
 
  private:
   void showAll() {
-    panels_.details().show();
-    panels_.details().raise();
-    views_.detail_tabs->setCurrentIndex(0);
+    panels.details().show();
+    panels.details().raise();
+    views.detail_tabs->setCurrentIndex(0);
   }
 
   void takeFindings() {
-    const std::shared_ptr<const Reconstruction>& reconstruction = controller_.reconstruction();
+    const std::shared_ptr<const Reconstruction>& reconstruction = controller.reconstruction();
     known_.reset();
     by_weight_.clear();
     if (reconstruction) {
@@ -86,19 +86,19 @@ class FindingPresenter : public Presenter {
 
   /// Without a row that is picked it is about the first, which is the worst.
   void showPickedInTable() {
-    const QModelIndexList rows = views_.tables.finding_view->selectionModel()->selectedRows();
+    const QModelIndexList rows = views.tables.finding_view->selectionModel()->selectedRows();
     const int row = rows.isEmpty() ? 0 : rows.front().row();
-    const bool any = row < views_.tables.findings->rowCount();
-    views_.finding_card->setVisible(any);
+    const bool any = row < views.tables.findings->rowCount();
+    views.finding_card->setVisible(any);
     if (!any) return;
-    const Finding& finding = views_.tables.findings->findingAt(row);
-    views_.finding_card->setFinding(finding, offersFor(finding));
+    const Finding& finding = views.tables.findings->findingAt(row);
+    views.finding_card->setFinding(finding, offersFor(finding));
   }
 
   /// Of the first pose that the finding names, among the session's.
   std::optional<std::size_t> poseOf(const Finding& finding) const {
-    if (finding.poses.empty() || !controller_.session()) return std::nullopt;
-    const auto& poses = controller_.session()->poses();
+    if (finding.poses.empty() || !controller.session()) return std::nullopt;
+    const auto& poses = controller.session()->poses();
     const auto found =
         std::ranges::find_if(poses, [&](const SessionPose& pose) { return pose.capture->id == finding.poses.front(); });
     return found == poses.end() ? std::nullopt : std::optional(static_cast<std::size_t>(found - poses.begin()));
@@ -113,8 +113,8 @@ class FindingPresenter : public Presenter {
   }
 
   std::optional<QString> offer(FindingRemedy remedy, const Finding& finding) const {
-    const Session* session = controller_.session();
-    const LiveSession& live = controller_.liveSession();
+    const Session* session = controller.session();
+    const LiveSession& live = controller.liveSession();
     switch (remedy) {
       case FindingRemedy::MuteLink:
         if (session == nullptr || !namesLink(finding)) return std::nullopt;
@@ -130,7 +130,7 @@ class FindingPresenter : public Presenter {
         if (!live.isLive() || !poseOf(finding)) return std::nullopt;
         return tr("Take pose %1 again").arg(finding.poses.front().value());
       case FindingRemedy::TakePose:
-        if (!actions_.show_next_pose->isEnabled()) return std::nullopt;
+        if (!actions.show_next_pose->isEnabled()) return std::nullopt;
         return session != nullptr && session->poses().empty() ? tr("Take the first pose") : tr("Take another pose");
       case FindingRemedy::LightCell:
         if (finding.cells.empty() || !live.isLive() || !live.source().skin() ||
@@ -148,28 +148,28 @@ class FindingPresenter : public Presenter {
     if (!offer(remedy, finding)) return;
     switch (remedy) {
       case FindingRemedy::MuteLink: {
-        const bool muted = controller_.session()->findMutedLink(firstEnd(finding), secondEnd(finding)) != nullptr;
-        selection_.selectLink(firstEnd(finding), secondEnd(finding));
-        controller_.setLinkMuted(firstEnd(finding), secondEnd(finding), !muted);
+        const bool muted = controller.session()->findMutedLink(firstEnd(finding), secondEnd(finding)) != nullptr;
+        selection.selectLink(firstEnd(finding), secondEnd(finding));
+        controller.setLinkMuted(firstEnd(finding), secondEnd(finding), !muted);
         break;
       }
       case FindingRemedy::DisablePose: {
         const std::size_t index = *poseOf(finding);
-        controller_.setPoseDisabled(index, !controller_.session()->poses()[index].disabled);
+        controller.setPoseDisabled(index, !controller.session()->poses()[index].disabled);
         break;
       }
       case FindingRemedy::RecapturePose:
         review_.pickPose(finding.poses.front());
-        if (actions_.recapture->isEnabled()) actions_.recapture->trigger();
+        if (actions.recapture->isEnabled()) actions.recapture->trigger();
         break;
       case FindingRemedy::TakePose:
-        actions_.show_next_pose->trigger();
+        actions.show_next_pose->trigger();
         break;
       case FindingRemedy::LightCell: {
         const CellId cell = finding.cells.front();
-        const bool is_lit = controller_.liveSession().litCell() == cell;
-        selection_.seekCell(cell);
-        controller_.liveSession().lightCell(is_lit ? std::nullopt : std::optional(cell));
+        const bool is_lit = controller.liveSession().litCell() == cell;
+        selection.seekCell(cell);
+        controller.liveSession().lightCell(is_lit ? std::nullopt : std::optional(cell));
         break;
       }
     }

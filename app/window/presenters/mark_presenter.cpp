@@ -29,9 +29,9 @@ class MarkPresenter : public Presenter {
       refresh();
     });
     connect(&tick_, &QTimer::timeout, this, &MarkPresenter::showProgress);
-    connect(views_.work_notice, &WorkNotice::cancelled, &controller_, &SessionController::cancelSolving);
-    connect(actions_.cancel_solving, &QAction::triggered, &controller_, &SessionController::cancelSolving);
-    connect(actions_.solve_again, &QAction::triggered, &controller_, &SessionController::solveAgain);
+    connect(views.work_notice, &WorkNotice::cancelled, &controller, &SessionController::cancelSolving);
+    connect(actions.cancel_solving, &QAction::triggered, &controller, &SessionController::cancelSolving);
+    connect(actions.solve_again, &QAction::triggered, &controller, &SessionController::solveAgain);
   }
 
   void refresh() override {
@@ -41,11 +41,11 @@ class MarkPresenter : public Presenter {
 
  private:
   void refreshWork() {
-    if (!controller_.isSolving()) {
+    if (!controller.isSolving()) {
       patience_.stop();
       tick_.stop();
       is_long_ = false;
-      views_.work_notice->hide();
+      views.work_notice->hide();
     } else if (is_long_) {
       showProgress();
     } else if (!patience_.isActive()) {
@@ -71,41 +71,41 @@ class MarkPresenter : public Presenter {
   }
 
   void showProgress() {
-    const SolveProgress& progress = controller_.progress();
+    const SolveProgress& progress = controller.progress();
     constexpr qint64 kSecond_ms = 1000;
     const QString what = tr("Working out the result of %1: %2 · %3 s")
-                             .arg(posesInWords(controller_.enabledPoses()), stageInWords(progress),
+                             .arg(posesInWords(controller.enabledPoses()), stageInWords(progress),
                                   QLocale().toString(since_.elapsed() / kSecond_ms));
     const bool counts = progress.stage() == SolveStage::Patches;
-    views_.work_notice->showWork(what, static_cast<int>(progress.patch()),
-                                 counts ? static_cast<int>(progress.patches()) : 0);
+    views.work_notice->showWork(what, static_cast<int>(progress.patch()),
+                                counts ? static_cast<int>(progress.patches()) : 0);
   }
 
   /// The picture shows a result of another state of the session.
   bool isOld() const {
-    if (!controller_.reconstruction() || controller_.isCurrent()) return false;
-    return is_long_ || !controller_.isSolving();
+    if (!controller.reconstruction() || controller.isCurrent()) return false;
+    return is_long_ || !controller.isSolving();
   }
 
   void refreshMarks() {
     std::optional<ViewMark::Content> middle;
     std::optional<ViewMark::Content> side;
-    if (isDeviceLost(controller_)) {
+    if (isDeviceLost(controller)) {
       middle = {Tone::Bad, tr("✕ No readings from the skin: check cable, power and address"), true, false};
       side = {Tone::Bad, tr("✕ No readings"), true, false};
-    } else if (controller_.liveMode().isOn()) {
+    } else if (controller.liveMode().isOn()) {
       middle = {Tone::Neutral, tr("● Live: the readings of this moment, not the result"), true, false};
       side = {Tone::Neutral, tr("● Live"), true, false};
-    } else if (controller_.firstPlacements()) {
+    } else if (controller.firstPlacements()) {
       middle = {Tone::Caution, tr("preliminary: not fully checked yet, without uncertainty"), false, true};
       side = {Tone::Caution, tr("preliminary"), false, true};
     } else if (isOld()) {
-      const auto& poses = controller_.reconstruction()->poses;
+      const auto& poses = controller.reconstruction()->poses;
       const auto used = static_cast<std::size_t>(std::ranges::count(poses, true, &PoseSummary::enabled));
       middle = side = {Tone::Caution, tr("from before: %1").arg(posesInWords(used)), false, true};
     }
-    panels_.middleMark().setContent(middle);
-    panels_.sideMark().setContent(side);
+    panels.middleMark().setContent(middle);
+    panels.sideMark().setContent(side);
   }
 
   QTimer patience_;  ///< what is done before it ends is not worth a word

@@ -16,72 +16,69 @@ class PickedCommands : public Presenter {
 
  public:
   PickedCommands(const WindowParts& parts, const ReviewPresenter& review) : Presenter(parts), review_(review) {
-    views_.graph->setLinkActions({actions_.mute_link});
-    views_.graph->setCellActions({actions_.light_cell});
-    views_.tables.link_view->setContextMenuPolicy(Qt::ActionsContextMenu);
-    views_.tables.link_view->addAction(actions_.mute_link);
-    connect(actions_.toggle_pose, &QAction::triggered, this, &PickedCommands::togglePose);
-    connect(actions_.delete_pose, &QAction::triggered, this, &PickedCommands::removePose);
-    connect(actions_.recapture, &QAction::triggered, this, [this] { recapturePose(pickedPose()); });
-    connect(actions_.retake, &QAction::triggered, this, [this] { recapturePose(controller_.indexToRetake()); });
-    connect(actions_.mute_link, &QAction::triggered, this, &PickedCommands::muteLink);
-    connect(actions_.light_cell, &QAction::triggered, this,
-            [this](bool on) { controller_.liveSession().lightCell(on ? selection_.cell() : std::nullopt); });
+    views.graph->setLinkActions({actions.mute_link});
+    views.graph->setCellActions({actions.light_cell});
+    views.tables.link_view->setContextMenuPolicy(Qt::ActionsContextMenu);
+    views.tables.link_view->addAction(actions.mute_link);
+    connect(actions.toggle_pose, &QAction::triggered, this, &PickedCommands::togglePose);
+    connect(actions.delete_pose, &QAction::triggered, this, &PickedCommands::removePose);
+    connect(actions.recapture, &QAction::triggered, this, [this] { recapturePose(pickedPose()); });
+    connect(actions.retake, &QAction::triggered, this, [this] { recapturePose(controller.indexToRetake()); });
+    connect(actions.mute_link, &QAction::triggered, this, &PickedCommands::muteLink);
+    connect(actions.light_cell, &QAction::triggered, this,
+            [this](bool on) { controller.liveSession().lightCell(on ? selection.cell() : std::nullopt); });
     connect(&review_, &ReviewPresenter::pickedPoseChanged, this, &PickedCommands::refresh);
-    connect(&selection_, &Selection::changed, this, [this] {
+    connect(&selection, &Selection::changed, this, [this] {
       // The light on the skin follows what is picked here.
-      if (controller_.liveSession().litCell() && selection_.cell())
-        controller_.liveSession().lightCell(selection_.cell());
+      if (controller.liveSession().litCell() && selection.cell()) controller.liveSession().lightCell(selection.cell());
       refresh();
     });
   }
 
   /// Tells the actions of the window which of them can be used with what is picked.
   void refresh() override {
-    actions_.refresh(controller_, review_.pickedPoseRow(), selection_.cell());
-    actions_.refreshLink(controller_, selection_.link());
+    actions.refresh(controller, review_.pickedPoseRow(), selection.cell());
+    actions.refreshLink(controller, selection.link());
     // An offer to call off a recapture that is done, or called off elsewhere.
-    if (!controller_.liveSession().recapturing() && views_.messages->text() == recapture_offer_)
-      views_.messages->hide();
+    if (!controller.liveSession().recapturing() && views.messages->text() == recapture_offer_) views.messages->hide();
   }
 
  private:
   /// Of the picked pose among the session's.
   std::optional<std::size_t> pickedPose() const {
     const std::optional<int> row = review_.pickedPoseRow();
-    return row ? controller_.sessionIndexOfPoseRow(*row) : std::nullopt;
+    return row ? controller.sessionIndexOfPoseRow(*row) : std::nullopt;
   }
 
   void togglePose() {
     const std::optional<std::size_t> index = pickedPose();
-    if (index) controller_.setPoseDisabled(*index, !controller_.session()->poses()[*index].disabled);
+    if (index) controller.setPoseDisabled(*index, !controller.session()->poses()[*index].disabled);
   }
 
   void removePose() {
-    if (const std::optional<std::size_t> index = pickedPose()) controller_.removePose(*index);
+    if (const std::optional<std::size_t> index = pickedPose()) controller.removePose(*index);
   }
 
   /// The pose at `index` of the session, or none any more, if it is that already.
   void recapturePose(std::optional<std::size_t> index) {
     if (!index) return;
-    const PoseId pose = controller_.session()->poses()[*index].capture->id;
-    if (controller_.liveSession().recapturing() == pose) {
-      controller_.liveSession().cancelRecapture();
+    const PoseId pose = controller.session()->poses()[*index].capture->id;
+    if (controller.liveSession().recapturing() == pose) {
+      controller.liveSession().cancelRecapture();
       return;
     }
-    controller_.liveSession().recapturePose(*index);
-    views_.steps->openStep(static_cast<int>(GuideStep::Capture));
+    controller.liveSession().recapturePose(*index);
+    views.steps->openStep(static_cast<int>(GuideStep::Capture));
     recapture_offer_ =
         tr("The next capture takes the place of pose %1. Hold the part as it was held then.").arg(pose.value());
-    views_.messages->showMessage(Tone::Neutral, recapture_offer_, tr("Don't recapture"),
-                                 [this] { controller_.liveSession().cancelRecapture(); });
+    views.messages->showMessage(Tone::Neutral, recapture_offer_, tr("Don't recapture"),
+                                [this] { controller.liveSession().cancelRecapture(); });
   }
 
   void muteLink() {
-    const std::optional<Selection::Link> link = selection_.link();
-    if (!link || !controller_.session()) return;
-    controller_.setLinkMuted(link->first, link->second,
-                             !controller_.session()->findMutedLink(link->first, link->second));
+    const std::optional<Selection::Link> link = selection.link();
+    if (!link || !controller.session()) return;
+    controller.setLinkMuted(link->first, link->second, !controller.session()->findMutedLink(link->first, link->second));
   }
 
   const ReviewPresenter& review_;

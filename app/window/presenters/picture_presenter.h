@@ -20,19 +20,19 @@ class PicturePresenter : public Presenter {
 
  public:
   PicturePresenter(const WindowParts& parts, FilePresenter& files) : Presenter(parts), files_(files) {
-    connect(actions_.screenshot, &QAction::triggered, this, &PicturePresenter::savePicture);
-    connect(views_.patch, &PatchView::pictureRequested, this, &PicturePresenter::savePatch);
-    connect(views_.graph, &GraphView::pictureWanted, this, &PicturePresenter::saveGraph);
+    connect(actions.screenshot, &QAction::triggered, this, &PicturePresenter::savePicture);
+    connect(views.patch, &PatchView::pictureRequested, this, &PicturePresenter::savePatch);
+    connect(views.graph, &GraphView::pictureWanted, this, &PicturePresenter::saveGraph);
   }
 
   /// The whole window as it looks now. Waits for the 3D view to be up to date (PatchView::waitUntilUpToDate()).
   [[nodiscard]] QImage picture() {
     // Large views draw when there is time; until then a picture of the window would show their last state.
     settle();
-    views_.graph->drawNow();
-    views_.patch->waitUntilUpToDate();
-    views_.patch->drawNow();
-    if (views_.robot->isVisible()) views_.robot->drawNow();
+    views.graph->drawNow();
+    views.patch->waitUntilUpToDate();
+    views.patch->drawNow();
+    if (views.robot->isVisible()) views.robot->drawNow();
     return pictureAsDrawn();
   }
 
@@ -40,7 +40,7 @@ class PicturePresenter : public Presenter {
   /// Layouts have not caught up with a text that has just changed, inner ones ask outer ones for room; and a theme that
   /// was just chosen may still wait for its turn.
   void settle() {
-    refresh_.finish();
+    once_per_turn.finish();
     finishTheme();
     constexpr int kNested = 4;
     for (int k = 0; k < kNested; ++k) QCoreApplication::sendPostedEvents(nullptr, QEvent::LayoutRequest);
@@ -48,7 +48,7 @@ class PicturePresenter : public Presenter {
 
   QImage pictureAsDrawn() {
     settle();
-    return window_.grab().toImage();
+    return window.grab().toImage();
   }
 
   void savePicture() {
@@ -56,7 +56,7 @@ class PicturePresenter : public Presenter {
     const QDir folder(QDir(pictures).exists() ? pictures : lastFolder());
     const QString stamp = QDateTime::currentDateTime().toString(QStringLiteral("yyyyMMdd-HHmmss-zzz"));
     const QString path = folder.filePath(QStringLiteral("hexoderm-%1.png").arg(stamp));
-    views_.patch->whenUpToDate([this, path] { drawAndSave(path); });
+    views.patch->whenUpToDate([this, path] { drawAndSave(path); });
   }
 
   /// In turns of their own, because a theme, drawing and the picture all take their time without a graphics card. A
@@ -65,11 +65,11 @@ class PicturePresenter : public Presenter {
     constexpr int kNextTurn_ms = 1;
     afterTheme([this, path] {
       settle();
-      views_.graph->drawNow();
+      views.graph->drawNow();
       QTimer::singleShot(kNextTurn_ms, this, [this, path] {
-        views_.patch->drawNow();
+        views.patch->drawNow();
         QTimer::singleShot(kNextTurn_ms, this, [this, path] {
-          afterTheme([this, path] { controller_.resultFiles().saveImage(pictureAsDrawn(), path); });
+          afterTheme([this, path] { controller.resultFiles().saveImage(pictureAsDrawn(), path); });
         });
       });
     });
@@ -88,8 +88,8 @@ class PicturePresenter : public Presenter {
   void savePatch() {
     files_.askForPath(tr("Save a picture of the 3D view"), files_.suggestedName() + tr("-3d"), tr("Pictures (*.png)"),
                       QStringLiteral(".png"), [this](const QString& path) {
-                        views_.patch->whenUpToDate(
-                            [this, path] { controller_.resultFiles().saveImage(views_.patch->screenshot(), path); });
+                        views.patch->whenUpToDate(
+                            [this, path] { controller.resultFiles().saveImage(views.patch->screenshot(), path); });
                       });
   }
 
@@ -97,8 +97,8 @@ class PicturePresenter : public Presenter {
     files_.askForPath(tr("Save a picture of the graph"), files_.suggestedName() + tr("-graph"),
                       tr("Vector graphics (*.svg);;Pictures (*.png)"), QStringLiteral(".svg"),
                       [this](const QString& path) {
-                        controller_.resultFiles().savePicture(
-                            [picture = views_.graph->picture(), path] { return picture.save(path); }, path);
+                        controller.resultFiles().savePicture(
+                            [picture = views.graph->picture(), path] { return picture.save(path); }, path);
                       });
   }
 

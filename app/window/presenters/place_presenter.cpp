@@ -20,19 +20,19 @@ QString endingOf(const QString& path) { return QFileInfo(path).suffix().toLower(
 PlacePresenter::PlacePresenter(const WindowParts& parts, Placing& placing)
     : Presenter(parts),
       placing_(placing),
-      facts_(controller_),
-      search_(controller_, placing, facts_, faults_),
-      by_hand_(*views_.place_panel, *views_.robot, controller_, facts_, faults_),
+      facts_(controller),
+      search_(controller, placing, facts_, faults_),
+      by_hand_(*views.place_panel, *views.robot, controller, facts_, faults_),
       sentences_(facts_, faults_),
-      decisions_(controller_, facts_) {
+      decisions_(controller, facts_) {
   connectPanel();
   connectWork();
   connectEdits();
-  connect(views_.steps, &StepPanel::opened, this, [this] {
+  connect(views.steps, &StepPanel::opened, this, [this] {
     showStand();
     showRobot();
   });
-  connect(&controller_, &SessionController::opened, this, [this] {
+  connect(&controller, &SessionController::opened, this, [this] {
     joints_file_.clear();
     faults_.robot.clear();
     faults_.joints.clear();
@@ -47,7 +47,7 @@ PlacePresenter::PlacePresenter(const WindowParts& parts, Placing& placing)
 }
 
 void PlacePresenter::connectPanel() {
-  PlacePanel* panel = views_.place_panel;
+  PlacePanel* panel = views.place_panel;
   connect(panel, &PlacePanel::robotWanted, this, &PlacePresenter::askForRobot);
   connect(panel, &PlacePanel::packageWanted, this, &PlacePresenter::askForPackage);
   connect(panel, &PlacePanel::jointsWanted, this, &PlacePresenter::askForJoints);
@@ -83,15 +83,15 @@ void PlacePresenter::connectPanel() {
     if (std::exchange(facts_.preview, row) != row) showStand();
   });
   connect(panel, &PlacePanel::lookWanted, this,
-          [this] { views_.robot->lookAtSkin(indexInPicture(picture(), facts_.patch())); });
-  connect(panel, &PlacePanel::pickingChanged, views_.robot, &RobotView::setPicking);
-  connect(views_.robot, &RobotView::pointPicked, panel, [this](std::size_t link, const Eigen::Vector3d& x_l) {
+          [this] { views.robot->lookAtSkin(indexInPicture(picture(), facts_.patch())); });
+  connect(panel, &PlacePanel::pickingChanged, views.robot, &RobotView::setPicking);
+  connect(views.robot, &RobotView::pointPicked, panel, [this](std::size_t link, const Eigen::Vector3d& x_l) {
     const PatchReconstruction* of = facts_.patch();
     if (!facts_.robot || of == nullptr) return;
     const std::string& name = facts_.robot->model.links()[link].name;
     if (name == facts_.linkOf(*of)) {
       faults_.known.clear();
-      views_.place_panel->proposePoint(x_l);
+      views.place_panel->proposePoint(x_l);
     } else {
       faults_.known = tr("This point is on link %1, and the patch on %2: pick a point of that link.")
                           .arg(QString::fromStdString(name), QString::fromStdString(facts_.linkOf(*of)));
@@ -101,20 +101,20 @@ void PlacePresenter::connectPanel() {
 }
 
 void PlacePresenter::connectWork() {
-  connect(&placing_, &Placing::runningChanged, views_.place_panel, &PlacePanel::setRunning);
+  connect(&placing_, &Placing::runningChanged, views.place_panel, &PlacePanel::setRunning);
   connect(&placing_, &Placing::jointsRead, this, [this](const LoadedJoints& joints) {
     faults_.joints.clear();
     joints_file_ = joints.file;
     std::vector<SessionEdit> edits;
     // Poses may have gone while the file was read.
-    const std::size_t poses = controller_.session() ? controller_.session()->poses().size() : 0;
+    const std::size_t poses = controller.session() ? controller.session()->poses().size() : 0;
     for (const SetJointAngles& edit : joints.edits) {
       if (edit.index < poses) edits.emplace_back(edit);
     }
     if (edits.empty()) {
       faults_.joints = tr("%1 has no line for any pose of this session.").arg(joints.file);
     } else {
-      controller_.perform(edits, tr("read the joint angles of %1").arg(joints.file));
+      controller.perform(edits, tr("read the joint angles of %1").arg(joints.file));
     }
     refresh();
   });
@@ -140,9 +140,9 @@ void PlacePresenter::connectWork() {
 }
 
 void PlacePresenter::connectEdits() {
-  PlacePanel* panel = views_.place_panel;
+  PlacePanel* panel = views.place_panel;
   connect(panel, &PlacePanel::robotRemoved, this, [this] {
-    if (controller_.session()) controller_.perform({SetRobot{}});
+    if (controller.session()) controller.perform({SetRobot{}});
   });
   connect(panel, &PlacePanel::linkChosen, this, [this](const QString& link) { take(decisions_.chooseLink(link)); });
   connect(panel, &PlacePanel::surfaceChosen, this,
@@ -166,7 +166,7 @@ void PlacePresenter::take(const QString& fault) {
 // --- files
 
 void PlacePresenter::askForRobot() {
-  askForFile(&window_, "robotDialog", tr("Choose the robot's URDF"), lastFolder(),
+  askForFile(&window, "robotDialog", tr("Choose the robot's URDF"), lastFolder(),
              tr("Robots (*.urdf *.xml);;All files (*)"), this, [this](const QString& path) {
                rememberFolder(path);
                pickRobot({path.toStdString(), {}, {}});
@@ -174,7 +174,7 @@ void PlacePresenter::askForRobot() {
 }
 
 void PlacePresenter::askForPackage() {
-  askForFolder(&window_, "packageDialog", tr("The folder of a package"), lastFolder(), this,
+  askForFolder(&window, "packageDialog", tr("The folder of a package"), lastFolder(), this,
                [this](const QString& path) {
                  if (!facts_.robot) return;
                  RobotDescription description = facts_.robot->description;
@@ -185,7 +185,7 @@ void PlacePresenter::askForPackage() {
 }
 
 void PlacePresenter::askForJoints() {
-  askForFile(&window_, "jointsDialog", tr("Choose a table of joint angles"), lastFolder(),
+  askForFile(&window, "jointsDialog", tr("Choose a table of joint angles"), lastFolder(),
              tr("Tables (*.csv *.tsv *.txt);;All files (*)"), this, [this](const QString& path) {
                rememberFolder(path);
                readJoints(path);
@@ -199,14 +199,14 @@ void PlacePresenter::pickRobot(const RobotDescription& description) {
 
 void PlacePresenter::readJoints(const QString& path) {
   faults_.joints.clear();
-  if (!facts_.robot || !controller_.session()) return;
-  placing_.readJoints(path, facts_.robot, *controller_.session());
+  if (!facts_.robot || !controller.session()) return;
+  placing_.readJoints(path, facts_.robot, *controller.session());
 }
 
 void PlacePresenter::setAngles(const std::vector<TypedAngle>& angles) {
-  if (!controller_.session()) return;
+  if (!controller.session()) return;
   faults_.joints.clear();
-  const std::vector<SessionPose>& poses = controller_.session()->poses();
+  const std::vector<SessionPose>& poses = controller.session()->poses();
   std::map<std::size_t, JointAngles> of_poses;
   for (const TypedAngle& angle : angles) {
     if (angle.row >= poses.size()) continue;
@@ -220,7 +220,7 @@ void PlacePresenter::setAngles(const std::vector<TypedAngle>& angles) {
   std::vector<SessionEdit> edits;
   for (auto& [index, of_pose] : of_poses) edits.emplace_back(SetJointAngles{index, std::move(of_pose)});
   if (edits.empty()) return;
-  controller_.perform(edits, edits.size() > 1 ? tr("set joint angles of %1 poses").arg(edits.size()) : QString());
+  controller.perform(edits, edits.size() > 1 ? tr("set joint angles of %1 poses").arg(edits.size()) : QString());
   refresh();
 }
 
@@ -229,7 +229,7 @@ bool PlacePresenter::takeFile(const QString& path) {
   const bool is_robot = ending == QStringLiteral("urdf");
   const bool is_table = ending == QStringLiteral("csv") || ending == QStringLiteral("tsv");
   if ((!is_robot && !is_table) || !whyNot().isEmpty()) return false;
-  views_.steps->openStep(static_cast<int>(GuideStep::Place));
+  views.steps->openStep(static_cast<int>(GuideStep::Place));
   if (is_robot) {
     pickRobot({path.toStdString(), {}, {}});
   } else if (facts_.robot) {
@@ -267,11 +267,11 @@ void PlacePresenter::refresh() {
 }
 
 QString PlacePresenter::whyNot() const {
-  if (!controller_.reconstruction()) {
-    const QString awaited = describeAwaited(controller_);
+  if (!controller.reconstruction()) {
+    const QString awaited = describeAwaited(controller);
     return awaited.isEmpty() ? tr("There is no skin yet.") : awaited;
   }
-  if (!controller_.session()) return tr("A calibration is open: it holds the result, not the poses.");
+  if (!controller.session()) return tr("A calibration is open: it holds the result, not the poses.");
   return {};
 }
 
@@ -279,7 +279,7 @@ QString PlacePresenter::whyNot() const {
 
 RobotPicture PlacePresenter::picture() const {
   RobotPicture picture = robotPicture(facts_, by_hand_.hand());
-  if (by_hand_.handle() && views_.steps->openIndex() == static_cast<int>(GuideStep::Place)) {
+  if (by_hand_.handle() && views.steps->openIndex() == static_cast<int>(GuideStep::Place)) {
     picture.movable = indexInPicture(picture, facts_.patch());
   }
   return picture;
@@ -318,11 +318,11 @@ void PlacePresenter::showStand() {
     }
   }
   const RobotPicture drawn = picture();
-  views_.robot->setPicture(drawn);
+  views.robot->setPicture(drawn);
   lookAtWhatIsNew(drawn);
   stand.is_drawn = indexInPicture(drawn, facts_.patch()).has_value();
-  stand.can_move = by_hand_.handle().has_value() && views_.robot->canDraw();
-  views_.place_panel->setStand(stand);
+  stand.can_move = by_hand_.handle().has_value() && views.robot->canDraw();
+  views.place_panel->setStand(stand);
 }
 
 /// The camera goes up to a patch when it is drawn on a link for the first time; after that it is the operator's.
@@ -330,22 +330,22 @@ void PlacePresenter::lookAtWhatIsNew(const RobotPicture& drawn) {
   const auto index = indexInPicture(drawn, facts_.patch());
   if (!index) return;
   const std::pair<CellId, std::size_t> seen{facts_.spoken_of, drawn.patches[*index].link};
-  if (std::exchange(looked_at_, seen) != seen) views_.robot->lookAtSkin(index);
+  if (std::exchange(looked_at_, seen) != seen) views.robot->lookAtSkin(index);
 }
 
 /// In the step itself; and before the export where there is something to be seen of it: there it is looked at closely,
 /// so that the cells' numbers can be compared with the skin.
 void PlacePresenter::showRobot() {
-  const int open = views_.steps->openIndex();
+  const int open = views.steps->openIndex();
   const bool opened = std::exchange(open_step_, open) != open;
-  const bool placed = controller_.reconstruction() && !placedPatches(*controller_.reconstruction()).empty();
+  const bool placed = controller.reconstruction() && !placedPatches(*controller.reconstruction()).empty();
   const bool before_export = placed && open == static_cast<int>(GuideStep::Export);
-  if (facts_.robot && before_export && opened) views_.robot->lookAtSkin();
+  if (facts_.robot && before_export && opened) views.robot->lookAtSkin();
   const bool shown = facts_.robot && (open == static_cast<int>(GuideStep::Place) || before_export);
-  if (shown == views_.robot->isVisibleTo(views_.robot->parentWidget())) return;
-  views_.robot->setVisible(shown);
+  if (shown == views.robot->isVisibleTo(views.robot->parentWidget())) return;
+  views.robot->setVisible(shown);
   // Beneath, it would take the keyboard and not be seen.
-  panels_.middle().setVisible(!shown);
+  panels.middle().setVisible(!shown);
 }
 
 }  // namespace hexoderm

@@ -19,10 +19,14 @@ class UnsavedSessions;
 
 /// What the presenters wire: the window, its views and panels, and what these show. All outlive the presenters.
 struct WindowParts {
+  Q_DECLARE_TR_FUNCTIONS(hexoderm::WindowParts)
+
+ public:
+  QObject& wires;   ///< the receiver of connections of functions: it ends with the presenters
   QWidget& window;  ///< dialogs belong to it
   const Views& views;
   Panels& panels;
-  OncePerTurn& refresh;  ///< of the window
+  OncePerTurn& once_per_turn;  ///< refreshes the window
   SessionController& controller;
   WindowActions& actions;
   Selection& selection;
@@ -33,33 +37,15 @@ struct WindowParts {
   UnsavedSessions& unsaved;
 };
 
-/// Wires the session and the views, as far as one duty goes.
-class Presenter : public QObject {
+/// Wires the session and the views, as far as one duty goes that has a state of its own; the others are functions
+/// (presenters.h).
+class Presenter : public QObject, protected WindowParts {
  public:
   /// Shows what has changed, once a turn of the event loop at most. The actions know already which of them can be used.
   virtual void refresh() {}
 
  protected:
-  explicit Presenter(const WindowParts& parts)
-      : window_(parts.window),
-        views_(parts.views),
-        panels_(parts.panels),
-        refresh_(parts.refresh),
-        controller_(parts.controller),
-        actions_(parts.actions),
-        selection_(parts.selection),
-        preferences_(parts.preferences),
-        log_(parts.log) {}
-
-  QWidget& window_;
-  const Views& views_;
-  Panels& panels_;
-  OncePerTurn& refresh_;
-  SessionController& controller_;
-  WindowActions& actions_;
-  Selection& selection_;
-  Preferences& preferences_;
-  EventLog& log_;
+  explicit Presenter(const WindowParts& parts) : WindowParts(parts) {}
 };
 
 }  // namespace hexoderm

@@ -17,60 +17,59 @@ namespace hexoderm {
 
 ReviewPresenter::ReviewPresenter(const WindowParts& parts, FilePresenter& files, const ResultPresenter& results)
     : Presenter(parts) {
-  const ResultTables& tables = views_.tables;
+  const ResultTables& tables = views.tables;
   files.saveTablesOf(new CsvActions(tables.pose_view, QStringLiteral("poses")));
   files.saveTablesOf(new CsvActions(tables.link_view, QStringLiteral("links")));
   files.saveTablesOf(new CsvActions(tables.cell_view, QStringLiteral("cells")));
   files.saveTablesOf(new CsvActions(tables.finding_view, QStringLiteral("findings")));
-  files.saveTablesOf(new CsvActions(views_.residuals->matrix(), QStringLiteral("residuals")));
+  files.saveTablesOf(new CsvActions(views.residuals->matrix(), QStringLiteral("residuals")));
   connectTables();
   connect(&results, &ResultPresenter::handedOut, this, &ReviewPresenter::showPicks);
-  connect(&controller_, &SessionController::opened, this, [this] {
-    selection_.clear();
+  connect(&controller, &SessionController::opened, this, [this] {
+    selection.clear();
     picked_pose_.reset();
   });
-  connect(&selection_, &Selection::changed, this, &ReviewPresenter::showPickedLink);
-  connect(&selection_, &Selection::changed, this, &ReviewPresenter::showPickedCell);
-  connect(&selection_, &Selection::sought, this, &ReviewPresenter::scrollToPicked);
-  connect(views_.check_list, &CheckList::cellPicked, &selection_, &Selection::seekCell);
-  connect(views_.residuals, &ResidualView::posePicked, this, &ReviewPresenter::pickPose);
-  connect(views_.coverage, &CoverageView::posePicked, this, &ReviewPresenter::pickPose);
+  connect(&selection, &Selection::changed, this, &ReviewPresenter::showPickedLink);
+  connect(&selection, &Selection::changed, this, &ReviewPresenter::showPickedCell);
+  connect(&selection, &Selection::sought, this, &ReviewPresenter::scrollToPicked);
+  connect(views.check_list, &CheckList::cellPicked, &selection, &Selection::seekCell);
+  connect(views.residuals, &ResidualView::posePicked, this, &ReviewPresenter::pickPose);
+  connect(views.coverage, &CoverageView::posePicked, this, &ReviewPresenter::pickPose);
   connectActions();
 }
 
 void ReviewPresenter::connectActions() {
-  connect(actions_.show_finding, &QAction::triggered, this, &ReviewPresenter::showWorstFinding);
-  connect(actions_.worst_cell, &QAction::triggered, this, &ReviewPresenter::showWorstCell);
-  connect(actions_.figures, &QAction::triggered, this, [this] { showFigures(!views_.patch->areFiguresShown()); });
+  connect(actions.show_finding, &QAction::triggered, this, &ReviewPresenter::showWorstFinding);
+  connect(actions.worst_cell, &QAction::triggered, this, &ReviewPresenter::showWorstCell);
+  connect(actions.figures, &QAction::triggered, this, [this] { showFigures(!views.patch->areFiguresShown()); });
 }
 
 void ReviewPresenter::connectTables() {
-  const ResultTables& tables = views_.tables;
-  const auto show = [this](const QModelIndex& index) { showFinding(views_.tables.findings->findingAt(index.row())); };
+  const ResultTables& tables = views.tables;
+  const auto show = [this](const QModelIndex& index) { showFinding(views.tables.findings->findingAt(index.row())); };
   connect(tables.finding_view, &QTableView::clicked, this, show);
   onPicked(tables.finding_view, this, show);
   onPicked(tables.link_view, this, [this](const QModelIndex& picked) {
-    const LinkEstimate& link = views_.tables.links->linkAt(sourceRow(picked));
-    selection_.selectLink(link.source, link.target);
+    const LinkEstimate& link = views.tables.links->linkAt(sourceRow(picked));
+    selection.selectLink(link.source, link.target);
   });
-  onPicked(tables.cell_view, this, [this](const QModelIndex& picked) {
-    selection_.selectCell(views_.tables.cells->cellAt(sourceRow(picked)));
-  });
+  onPicked(tables.cell_view, this,
+           [this](const QModelIndex& picked) { selection.selectCell(views.tables.cells->cellAt(sourceRow(picked))); });
   connect(tables.link_view, &QTableView::doubleClicked, this, [this](const QModelIndex& index) {
-    const LinkEstimate& link = views_.tables.links->linkAt(sourceRow(index));
-    selection_.seekLink(link.source, link.target);
+    const LinkEstimate& link = views.tables.links->linkAt(sourceRow(index));
+    selection.seekLink(link.source, link.target);
   });
   connect(tables.cell_view, &QTableView::doubleClicked, this,
-          [this](const QModelIndex& index) { selection_.seekCell(views_.tables.cells->cellAt(sourceRow(index))); });
+          [this](const QModelIndex& index) { selection.seekCell(views.tables.cells->cellAt(sourceRow(index))); });
   connect(tables.pose_view->selectionModel(), &QItemSelectionModel::selectionChanged, this,
           &ReviewPresenter::showPickedPose);
   onPicked(tables.pose_view, this, [this](const QModelIndex& /*picked*/) { showPickedPose(); });
 }
 
 void ReviewPresenter::showPicks() {
-  PatchOverlays overlays = views_.patch->overlays();
-  overlays.truth = controller_.session() ? controller_.session()->truth() : nullptr;
-  views_.patch->setOverlays(overlays);
+  PatchOverlays overlays = views.patch->overlays();
+  overlays.truth = controller.session() ? controller.session()->truth() : nullptr;
+  views.patch->setOverlays(overlays);
   // The pose stays picked although the tables start anew. Qt's selection models tell nobody when they are reset, so
   // that it is still known here.
   if (const std::optional<PoseId> picked = picked_pose_) pickPose(*picked);
@@ -82,33 +81,33 @@ void ReviewPresenter::showPicks() {
 void ReviewPresenter::showPickedPose() {
   picked_pose_.reset();
   if (const std::optional<int> row = pickedPoseRow()) {
-    picked_pose_ = views_.tables.poses->reconstruction()->poses[static_cast<std::size_t>(*row)].pose;
+    picked_pose_ = views.tables.poses->reconstruction()->poses[static_cast<std::size_t>(*row)].pose;
   }
-  PatchMoment moment = views_.patch->moment();
+  PatchMoment moment = views.patch->moment();
   moment.pose = picked_pose_;
-  views_.patch->setMoment(moment);
-  views_.coverage->setPickedPose(picked_pose_);
+  views.patch->setMoment(moment);
+  views.coverage->setPickedPose(picked_pose_);
   emit pickedPoseChanged();
 }
 
 std::optional<int> ReviewPresenter::pickedPoseRow() const {
-  const QModelIndexList rows = views_.tables.pose_view->selectionModel()->selectedRows();
+  const QModelIndexList rows = views.tables.pose_view->selectionModel()->selectedRows();
   return rows.isEmpty() ? std::nullopt : std::optional(sourceRow(rows.front()));
 }
 
 void ReviewPresenter::showPickedLink() {
-  const std::optional<Selection::Link> link = selection_.link();
-  selectSourceRow(views_.tables.link_view, link ? views_.tables.links->rowOf(link->first, link->second) : -1);
+  const std::optional<Selection::Link> link = selection.link();
+  selectSourceRow(views.tables.link_view, link ? views.tables.links->rowOf(link->first, link->second) : -1);
 }
 
 void ReviewPresenter::showPickedCell() {
-  const std::optional<CellId> cell = selection_.cell();
-  selectSourceRow(views_.tables.cell_view, cell ? views_.tables.cells->rowOf(*cell) : -1);
+  const std::optional<CellId> cell = selection.cell();
+  selectSourceRow(views.tables.cell_view, cell ? views.tables.cells->rowOf(*cell) : -1);
 }
 
 void ReviewPresenter::pickPose(PoseId pose) {
-  const Reconstruction* shown = controller_.reconstruction().get();
-  QTableView* view = views_.tables.pose_view;
+  const Reconstruction* shown = controller.reconstruction().get();
+  QTableView* view = views.tables.pose_view;
   for (std::size_t row = 0; shown && row < shown->poses.size(); ++row) {
     if (shown->poses[row].pose == pose) view->selectRow(shownRow(view, static_cast<int>(row)).row());
   }
@@ -117,15 +116,15 @@ void ReviewPresenter::pickPose(PoseId pose) {
 void ReviewPresenter::showFinding(const Finding& finding) {
   if (!finding.poses.empty()) pickPose(finding.poses.front());
   if (finding.cells.size() >= 2 && finding.ports.size() >= 2) {
-    selection_.seekLink({finding.cells[0], finding.ports[0]}, {finding.cells[1], finding.ports[1]});
+    selection.seekLink({finding.cells[0], finding.ports[0]}, {finding.cells[1], finding.ports[1]});
   } else if (!finding.cells.empty()) {
-    selection_.seekCell(finding.cells.front());
+    selection.seekCell(finding.cells.front());
   }
 }
 
 /// A row that is picked already may have been scrolled away.
 void ReviewPresenter::scrollToPicked() {
-  for (QTableView* view : {views_.tables.cell_view, views_.tables.link_view}) {
+  for (QTableView* view : {views.tables.cell_view, views.tables.link_view}) {
     const QModelIndexList rows = view->selectionModel()->selectedRows();
     if (!rows.isEmpty()) view->scrollTo(rows.front());
   }
@@ -133,29 +132,29 @@ void ReviewPresenter::scrollToPicked() {
 
 /// Where position and orientation are least certain at two cells, the second time shows the other one.
 void ReviewPresenter::showWorstCell() {
-  const Reconstruction* result = controller_.reconstruction().get();
+  const Reconstruction* result = controller.reconstruction().get();
   const std::vector<CellId> worst = result ? worstCells(*result) : std::vector<CellId>();
   if (worst.empty()) return;
-  selection_.seekCell(selection_.cell() == worst.front() ? worst.back() : worst.front());
+  selection.seekCell(selection.cell() == worst.front() ? worst.back() : worst.front());
   showFigures(true);
   // So that the arrow keys go on to its neighbours.
-  QWidget* const walkable = views_.patch->isVisible() ? static_cast<QWidget*>(views_.patch) : views_.graph;
+  QWidget* const walkable = views.patch->isVisible() ? static_cast<QWidget*>(views.patch) : views.graph;
   walkable->setFocus(Qt::ShortcutFocusReason);
 }
 
 void ReviewPresenter::showFigures(bool shown) {
-  views_.patch->setFiguresShown(shown);
+  views.patch->setFiguresShown(shown);
   // Where there is no 3D view, or another view in its place, the graph has them.
-  const bool is_seen = views_.patch->isVisible() && views_.patch->areFiguresShown();
-  if (shown && !is_seen) views_.graph->showFigures();
+  const bool is_seen = views.patch->isVisible() && views.patch->areFiguresShown();
+  if (shown && !is_seen) views.graph->showFigures();
 }
 
 void ReviewPresenter::showWorstFinding() {
-  const Finding* worst = controller_.reconstruction() ? worstFinding(*controller_.reconstruction()) : nullptr;
+  const Finding* worst = controller.reconstruction() ? worstFinding(*controller.reconstruction()) : nullptr;
   if (!worst) return;
-  views_.steps->openStep(static_cast<int>(GuideStep::Review));
-  for (int row = 0; row < views_.tables.findings->rowCount(); ++row) {
-    if (&views_.tables.findings->findingAt(row) == worst) views_.tables.finding_view->selectRow(row);
+  views.steps->openStep(static_cast<int>(GuideStep::Review));
+  for (int row = 0; row < views.tables.findings->rowCount(); ++row) {
+    if (&views.tables.findings->findingAt(row) == worst) views.tables.finding_view->selectRow(row);
   }
   showFinding(*worst);
 }

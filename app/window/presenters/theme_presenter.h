@@ -14,8 +14,8 @@ class ThemePresenter : public Presenter {
 
  public:
   explicit ThemePresenter(const WindowParts& parts) : Presenter(parts) {
-    connect(actions_.themes, &QActionGroup::triggered, this, [this] { setChoice(choice(), true); });
-    connect(&preferences_, &Preferences::textFactorChanged, this, [this](double factor) {
+    connect(actions.themes, &QActionGroup::triggered, this, [this] { setChoice(choice(), true); });
+    connect(&preferences, &Preferences::textFactorChanged, this, [this](double factor) {
       applyTextFactor(factor);
       // The style sheet's sizes follow the application's; in a turn of the event loop of their own.
       QTimer::singleShot(1, this, [this] { setChoice(choice(), true); });
@@ -29,13 +29,13 @@ class ThemePresenter : public Presenter {
   /// `remember`: also for the next start.
   void setChoice(ThemeChoice choice, bool remember) {
     applyTheme(resolveTheme(choice));
-    actions_.theme[static_cast<std::size_t>(choice)]->setChecked(true);
-    if (remember) preferences_.setTheme(choice);
+    actions.theme[static_cast<std::size_t>(choice)]->setChecked(true);
+    if (remember) preferences.setTheme(choice);
   }
 
   /// The choice that is in force.
   [[nodiscard]] ThemeChoice choice() const {
-    return static_cast<ThemeChoice>(actions_.themes->actions().indexOf(actions_.themes->checkedAction()));
+    return static_cast<ThemeChoice>(actions.themes->actions().indexOf(actions.themes->checkedAction()));
   }
 };
 

@@ -20,7 +20,7 @@ void connectViewCommands(const WindowParts& parts) {
   for (const auto& [action, view] : looks) {
     QObject::connect(action, &QAction::triggered, patch, [patch, look = view] { patch->showStandardView(look); });
   }
-  QObject::connect(actions.swap_views, &QAction::triggered, &panels->swap(), &ViewSwap::swap);
+  QObject::connect(actions.swap_views, &QAction::triggered, panels, &Panels::swapViews);
   QObject::connect(actions.find_cell, &QAction::triggered, graph, [panels, graph] {
     panels->graph().show();
     panels->graph().raise();

@@ -7,7 +7,6 @@
 #include "hexoderm/reconstruction/result/reconstruction.h"
 
 #include <QDateTime>
-#include <QImage>
 #include <QSize>
 #include <QString>
 #include <QStringList>
@@ -20,12 +19,11 @@ class QPainter;
 
 namespace hexoderm {
 
-/// A picture for the report: an image, or what draws one of a size on the thread that writes the report.
+/// A picture for the report, which is drawn on the thread that writes the report.
 struct ReportPicture {
   QString title;  ///< under the picture: "Skin graph"
-  QImage image{};
-  std::function<void(QPainter& painter)> draw{};
-  QSize size{};  ///< that `draw` fills, in pixels of a screen
+  QSize size;     ///< that `draw` fills, in pixels of a screen
+  std::function<void(QPainter& painter)> draw;
 };
 
 /// What stands at the head of a report besides the name of the file, in the operator's words. Empty ones are left out.
@@ -38,9 +36,7 @@ struct ReportTitle {
   [[nodiscard]] bool isEmpty() const {
     return robot.isEmpty() && part.isEmpty() && made_by.isEmpty() && notes.isEmpty();
   }
-  friend bool operator==(const ReportTitle& a, const ReportTitle& b) {
-    return a.robot == b.robot && a.part == b.part && a.made_by == b.made_by && a.notes == b.notes;
-  }
+  friend bool operator==(const ReportTitle&, const ReportTitle&) = default;
 };
 
 /// The checks of the step Verify as they stand; absent: it was not made, or is out of date.
@@ -59,7 +55,7 @@ struct VerifyOutcome {
 struct ReportContent {
   std::shared_ptr<const Reconstruction> reconstruction;  ///< not null
   QString name;                                          ///< name of the session or calibration
-  std::vector<ReportPicture> pictures;                   ///< those that are neither are left out
+  std::optional<ReportPicture> graph{};                  ///< of the skin
   QDateTime made_at;
   ReportTitle title{};
   VerifyOutcome verify{};

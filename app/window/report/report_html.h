@@ -2,6 +2,7 @@
 
 #include "app/window/report/report_blocks.h"
 #include "app/window/report/report_page.h"
+#include "app/window/report/report_plots.h"
 #include "widgets/style/palette.h"
 
 #include <QBuffer>
@@ -58,16 +59,6 @@ inline QString reportStyles() {
   return css;
 }
 
-inline QString hexTint(const QColor& color) {
-  constexpr double kShare = 0.08;
-  const auto mix = [](double channel) { return 1 - kShare * (1 - channel); };
-  return QColor::fromRgbF(mix(color.redF()), mix(color.greenF()), mix(color.blueF())).name();
-}
-
-inline QString colorName(Tone tone) {
-  return (tone == Tone::Neutral ? Colors::of(Theme::Light).text : toneColor(tone, Theme::Light)).name();
-}
-
 inline QString dataUri(const char* type, const QByteArray& bytes) {
   return QStringLiteral("data:%1;base64,%2").arg(QLatin1String(type), QString::fromLatin1(bytes.toBase64()));
 }
@@ -88,12 +79,9 @@ inline QByteArray svgOf(const ReportDrawing& drawing, const QSizeF& size) {
 }
 
 inline QByteArray pngOf(const ReportDrawing& drawing, const QSizeF& size) {
-  QImage image((size * kPictureFineness).toSize(), QImage::Format_RGB32);
-  image.fill(Qt::white);
-  QPainter painter(&image);
-  painter.setRenderHints(QPainter::Antialiasing | QPainter::SmoothPixmapTransform);
-  drawing.draw(painter, QRectF(QPointF(0, 0), size * kPictureFineness), kPixelsPerPoint * kPictureFineness);
-  painter.end();
+  const QImage image = reportImage((size * kPictureFineness).toSize(), [&](QPainter& painter) {
+    drawing.draw(painter, QRectF(QPointF(0, 0), size * kPictureFineness), kPixelsPerPoint * kPictureFineness);
+  });
   QBuffer buffer;
   buffer.open(QIODevice::WriteOnly);
   image.save(&buffer, "PNG");
@@ -150,13 +138,13 @@ class HtmlMaker {
       return;
     }
     html_ += QStringLiteral("<p class=\"said\" style=\"border-color:%1\">%2</p>\n")
-                 .arg(colorName(paragraph.tone), paragraph.text.toHtmlEscaped());
+                 .arg(reportColor(paragraph.tone).name(), paragraph.text.toHtmlEscaped());
   }
 
   void add(const ReportVerdict& verdict) {
-    const QString color = colorName(verdict.tone);
+    const QColor color = reportColor(verdict.tone);
     html_ += QStringLiteral("<div class=\"verdict\" style=\"border-color:%1;background:%2\">\n")
-                 .arg(color, hexTint(QColor(color)));
+                 .arg(color.name(), reportTint(color).name());
     for (const QString& text : {verdict.reason, verdict.meaning, verdict.next}) {
       if (!text.isEmpty()) element("p", text);
     }

@@ -27,15 +27,17 @@ QString hundredths(std::optional<double> angle_rad) {
   return angle_rad ? figureInWords(toDegrees(*angle_rad), 2) + QStringLiteral("°") : noValue();
 }
 
-QImage fineImage(const ReportPicture& picture) {
-  constexpr double kDots = 3;  // for a pixel of the screen: sharp in print
-  QImage image(picture.size * kDots, QImage::Format_RGB32);
-  image.fill(Qt::white);
-  QPainter painter(&image);
-  painter.setRenderHint(QPainter::Antialiasing);
-  painter.scale(kDots, kDots);
-  picture.draw(painter);
-  return image;
+ReportDrawing drawingOf(const ReportPicture& picture) {
+  return {picture.title, static_cast<double>(picture.size.height()) / picture.size.width(),
+          [picture](QPainter& painter, const QRectF& area, double) {
+            constexpr double kDots = 3;  // for a pixel of the screen: sharp in print
+            const QImage image = reportImage(picture.size * kDots, [&](QPainter& on_image) {
+              on_image.scale(kDots, kDots);
+              picture.draw(on_image);
+            });
+            painter.setRenderHint(QPainter::SmoothPixmapTransform);
+            painter.drawImage(area, image, QRectF(image.rect()));
+          }};
 }
 
 QString countInWords(std::size_t count) { return QLocale().toString(static_cast<qulonglong>(count)); }
@@ -79,19 +81,6 @@ void ReportPage::note(const QString& text) { document_.blocks.emplace_back(Repor
 void ReportPage::table(std::vector<ReportTable::Column> columns, std::vector<ReportTable::Row> rows,
                        const QString& note) {
   document_.blocks.emplace_back(ReportTable{std::move(columns), std::move(rows), note});
-}
-
-void ReportPage::addPicture(std::size_t index, std::vector<ReportDrawing>& drawings) const {
-  if (index >= content_.pictures.size()) return;
-  const ReportPicture& picture = content_.pictures[index];
-  const QSize size = picture.draw ? picture.size : picture.image.size();
-  if (size.isEmpty()) return;
-  drawings.push_back({picture.title, static_cast<double>(size.height()) / size.width(),
-                      [picture](QPainter& painter, const QRectF& area, double) {
-                        const QImage image = picture.draw ? fineImage(picture) : picture.image;
-                        painter.setRenderHint(QPainter::SmoothPixmapTransform);
-                        painter.drawImage(area, image, QRectF(image.rect()));
-                      }});
 }
 
 void ReportPage::addTitle() {
@@ -268,11 +257,9 @@ void ReportPage::linkTable(const std::vector<const LinkEstimate*>& links) {
 }
 
 void ReportPage::addLinks() {
-  if (result_.linkCount() == 0 && content_.pictures.empty()) return;
+  if (result_.linkCount() == 0 && !content_.graph) return;
   heading(tr("Links"), true);
-  std::vector<ReportDrawing> graph;
-  addPicture(0, graph);
-  if (!graph.empty()) document_.blocks.emplace_back(ReportDrawings{1, std::move(graph)});
+  if (content_.graph) document_.blocks.emplace_back(ReportDrawings{1, {drawingOf(*content_.graph)}});
   std::vector<const LinkEstimate*> links;
   for (const PatchReconstruction& patch : result_.patches) {
     for (const LinkEstimate& link : patch.links) {

@@ -5,7 +5,6 @@
 
 #include <QCoreApplication>
 #include <QStringList>
-#include <utility>
 #include <vector>
 
 namespace hexoderm {
@@ -43,8 +42,6 @@ class ReportPage {
   void note(const QString& text);
   void table(std::vector<ReportTable::Column> columns, std::vector<ReportTable::Row> rows, const QString& note = {});
   void linkTable(const std::vector<const LinkEstimate*>& links);
-  /// A picture of the content, as a drawing; none if its index is beyond them or its image is null.
-  void addPicture(std::size_t index, std::vector<ReportDrawing>& drawings) const;
 
   const ReportContent& content_;
   const Reconstruction& result_;

@@ -9,7 +9,6 @@
 
 #include <QCoreApplication>
 #include <QFontMetricsF>
-#include <QImage>
 #include <QLocale>
 #include <QPainter>
 #include <QPainterPath>
@@ -345,13 +344,10 @@ void drawSide(const PatchPicture& picture, std::size_t side, QPainter& painter, 
   }
   constexpr double kPointsPerInch = 72;
   const double fineness = kPictureDpi / kPointsPerInch / point;
-  QImage image((area.size() * fineness).toSize(), QImage::Format_RGB32);
-  image.fill(Qt::white);
-  QPainter on_image(&image);
-  on_image.setRenderHint(QPainter::Antialiasing);
-  SidePainter(picture, side, on_image, QRectF(QPointF(0, 0), QSizeF(image.size())), point * fineness).draw();
-  on_image.end();
-  painter.drawImage(area, image);
+  const QSize size = (area.size() * fineness).toSize();
+  painter.drawImage(area, reportImage(size, [&](QPainter& on_image) {
+                      SidePainter(picture, side, on_image, QRectF(QPointF(0, 0), size), point * fineness).draw();
+                    }));
 }
 
 }  // namespace

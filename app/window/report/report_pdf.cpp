@@ -13,7 +13,6 @@
 #include <functional>
 #include <memory>
 #include <numeric>
-#include <optional>
 
 namespace hexoderm {
 namespace {
@@ -36,13 +35,6 @@ const Colors& paper() { return Colors::of(Theme::Light); }
 ReportTextStyle body(double points = 9) { return {points * kPoint, false, paper().text}; }
 ReportTextStyle bold(double points) { return {points * kPoint, true, paper().text}; }
 ReportTextStyle muted(double points = 8) { return {points * kPoint, false, paper().text_muted}; }
-
-QColor tintOf(const QColor& color, double share) {
-  const auto mix = [share](double channel) { return 1 - share * (1 - channel); };
-  return QColor::fromRgbF(mix(color.redF()), mix(color.greenF()), mix(color.blueF()));
-}
-
-QColor colorOf(Tone tone) { return tone == Tone::Neutral ? paper().text : toneColor(tone, Theme::Light); }
 
 /// What is never parted by the end of a page.
 struct Strip {
@@ -76,18 +68,17 @@ class StripMaker {
   [[nodiscard]] const std::vector<std::shared_ptr<const Strip>>& strips() const { return strips_; }
 
  private:
-  void push(Strip strip) { strips_.push_back(std::make_shared<const Strip>(std::move(strip))); }
+  void push(double space_before, double height, bool stays_with_next, const QStringList& texts,
+            std::function<void(QPainter& painter, double top)> draw) {
+    strips_.push_back(
+        std::make_shared<const Strip>(Strip{space_before, height, stays_with_next, {}, std::move(draw), texts}));
+  }
 
   void pushText(const QString& text, const ReportTextStyle& style, double space_before, bool stays_with_next = false) {
     auto laid = std::make_shared<const ReportText>(text, style, kWidth);
-    push({space_before,
-          laid->height(),
-          stays_with_next,
-          {},
-          [laid](QPainter& painter, double top) {
-            laid->draw(painter, {kSide, top});
-          },
-          {text}});
+    push(space_before, laid->height(), stays_with_next, {text}, [laid](QPainter& painter, double top) {
+      laid->draw(painter, {kSide, top});
+    });
   }
 
   void addTitle(const ReportDocument& document) {
@@ -141,19 +132,14 @@ class StripMaker {
       laid->emplace_back(ReportText(above, upper, column), ReportText(below, lower, column));
       height = std::max(height, laid->back().first.height() + laid->back().second.height());
     }
-    push({space_before,
-          height,
-          stays_with_next,
-          {},
-          [laid, column](QPainter& painter, double top) {
-            double left = kSide;
-            for (const auto& [above, below] : *laid) {
-              above.draw(painter, {left, top});
-              below.draw(painter, {left, top + above.height()});
-              left += column + kGutter;
-            }
-          },
-          texts});
+    push(space_before, height, stays_with_next, texts, [laid, column](QPainter& painter, double top) {
+      double left = kSide;
+      for (const auto& [above, below] : *laid) {
+        above.draw(painter, {left, top});
+        below.draw(painter, {left, top + above.height()});
+        left += column + kGutter;
+      }
+    });
   }
 
   void add(const ReportHeading& heading) {
@@ -162,17 +148,12 @@ class StripMaker {
       return;
     }
     auto laid = std::make_shared<const ReportText>(heading.text, bold(13), kWidth);
-    push({9 * kMm,
-          laid->height() + 1.5 * kMm,
-          true,
-          {},
-          [laid](QPainter& painter, double top) {
-            laid->draw(painter, {kSide, top});
-            const double line = top + laid->height() + 0.8 * kMm;
-            painter.setPen(QPen(paper().text_muted, 0.6 * kPoint));
-            painter.drawLine(QPointF(kSide, line), QPointF(kSide + kWidth, line));
-          },
-          {heading.text}});
+    push(9 * kMm, laid->height() + 1.5 * kMm, true, {heading.text}, [laid](QPainter& painter, double top) {
+      laid->draw(painter, {kSide, top});
+      const double line = top + laid->height() + 0.8 * kMm;
+      painter.setPen(QPen(paper().text_muted, 0.6 * kPoint));
+      painter.drawLine(QPointF(kSide, line), QPointF(kSide + kWidth, line));
+    });
   }
 
   void add(const ReportParagraph& paragraph) {
@@ -183,15 +164,11 @@ class StripMaker {
     }
     // A bar of the tone's colour, as the verdict has it; the words say the same.
     auto laid = std::make_shared<const ReportText>(paragraph.text, style, kWidth - 4 * kMm);
-    push({1.8 * kMm,
-          laid->height(),
-          leads_,
-          {},
-          [laid, color = colorOf(paragraph.tone)](QPainter& painter, double top) {
-            painter.fillRect(QRectF(kSide, top, 0.9 * kMm, laid->height()), color);
-            laid->draw(painter, {kSide + 4 * kMm, top});
-          },
-          {paragraph.text}});
+    push(1.8 * kMm, laid->height(), leads_, {paragraph.text},
+         [laid, color = reportColor(paragraph.tone)](QPainter& painter, double top) {
+           painter.fillRect(QRectF(kSide, top, 0.9 * kMm, laid->height()), color);
+           laid->draw(painter, {kSide + 4 * kMm, top});
+         });
   }
 
   void add(const ReportVerdict& verdict) {
@@ -204,20 +181,16 @@ class StripMaker {
     constexpr double kBetween = 2 * kMm;
     double height = 2 * 4 * kMm - kBetween;
     for (const ReportText& text : *laid) height += text.height() + kBetween;
-    push({6 * kMm,
-          height,
-          true,
-          {},
-          [laid, height, color = colorOf(verdict.tone)](QPainter& painter, double top) {
-            painter.fillRect(QRectF(kSide, top, kWidth, height), tintOf(color, 0.08));
-            painter.fillRect(QRectF(kSide, top, 1.4 * kMm, height), color);
-            double y = top + 4 * kMm;
-            for (const ReportText& text : *laid) {
-              text.draw(painter, {kSide + kInset, y});
-              y += text.height() + kBetween;
-            }
-          },
-          {verdict.reason, verdict.meaning, verdict.next}});
+    push(6 * kMm, height, true, {verdict.reason, verdict.meaning, verdict.next},
+         [laid, height, color = reportColor(verdict.tone)](QPainter& painter, double top) {
+           painter.fillRect(QRectF(kSide, top, kWidth, height), reportTint(color));
+           painter.fillRect(QRectF(kSide, top, 1.4 * kMm, height), color);
+           double y = top + 4 * kMm;
+           for (const ReportText& text : *laid) {
+             text.draw(painter, {kSide + kInset, y});
+             y += text.height() + kBetween;
+           }
+         });
   }
 
   void add(const ReportFigures& figures) {
@@ -227,19 +200,15 @@ class StripMaker {
 
   void add(const ReportPairs& pairs) {
     constexpr double kNames = (kWidth + kGutter) / 3;  // one column of three
-    std::size_t left = pairs.rows.size();
+    std::size_t left = pairs.rows.size();              // they are few, and stay together
     for (const auto& [name, value] : pairs.rows) {
       auto laid = std::make_shared<const std::pair<ReportText, ReportText>>(
           ReportText(name, muted(8), kNames - 2 * kMm), ReportText(value, body(8), kWidth - kNames));
-      push({0.8 * kMm,
-            std::max(laid->first.height(), laid->second.height()),
-            --left > 0,  // they are few, and stay together
-            {},
-            [laid](QPainter& painter, double top) {
-              laid->first.draw(painter, {kSide, top});
-              laid->second.draw(painter, {kSide + kNames, top});
-            },
-            {name, value}});
+      push(0.8 * kMm, std::max(laid->first.height(), laid->second.height()), --left > 0, {name, value},
+           [laid](QPainter& painter, double top) {
+             laid->first.draw(painter, {kSide, top});
+             laid->second.draw(painter, {kSide + kNames, top});
+           });
     }
   }
 
@@ -257,21 +226,17 @@ class StripMaker {
         picture = std::max(picture, width * row.drawings[k].aspect);
         caption = std::max(caption, drawings->back().second.height());
       }
-      push({3 * kMm,
-            picture + 1 * kMm + caption,
-            false,
-            {},
-            [drawings, width, picture](QPainter& painter, double top) {
-              double left = kSide;
-              for (const auto& [drawing, words] : *drawings) {
-                painter.save();
-                drawing.draw(painter, QRectF(left, top, width, width * drawing.aspect), kPoint);
-                painter.restore();
-                words.draw(painter, {left, top + picture + 1 * kMm});
-                left += width + kGutter;
-              }
-            },
-            texts});
+      push(3 * kMm, picture + 1 * kMm + caption, false, texts,
+           [drawings, width, picture](QPainter& painter, double top) {
+             double left = kSide;
+             for (const auto& [drawing, words] : *drawings) {
+               painter.save();
+               drawing.draw(painter, QRectF(left, top, width, width * drawing.aspect), kPoint);
+               painter.restore();
+               words.draw(painter, {left, top + picture + 1 * kMm});
+               left += width + kGutter;
+             }
+           });
     }
   }
 
@@ -288,7 +253,7 @@ class StripMaker {
       // Neither the first nor the last row stands alone.
       const bool is_last = k + 1 == table.rows.size();
       row.stays_with_next = is_last ? !table.note.isEmpty() : k == 0 || k + 2 == table.rows.size();
-      push(std::move(row));
+      strips_.push_back(std::make_shared<const Strip>(std::move(row)));
     }
     if (!table.note.isEmpty()) pushText(table.note, muted(8), 1.5 * kMm);
   }

@@ -16,10 +16,9 @@ struct ReportPictures {
 /// As wide as the paper's column at the size that texts have there.
 inline constexpr QSize kReportGraph(860, 400);
 
-/// The pictures that only views can draw: the skin graph, and the directions of gravity that were seen, for paper (the
-/// light colours, whatever the window has), without anything that is there to be pressed. On the GUI thread. The
-/// patches are drawn with the report itself.
-inline std::vector<ReportPicture> takeReportPictures(const std::shared_ptr<const Reconstruction>& reconstruction) {
+/// The picture that only a view can draw, the skin graph, for paper (the light colours, whatever the window has),
+/// without anything that is there to be pressed. On the GUI thread. The patches are drawn with the report itself.
+inline ReportPicture takeReportGraph(const std::shared_ptr<const Reconstruction>& reconstruction) {
   Selection nothing_picked;
   GraphView graph(&nothing_picked);
   graph.setPalette(qtPalette(Theme::Light));
@@ -29,12 +28,8 @@ inline std::vector<ReportPicture> takeReportPictures(const std::shared_ptr<const
   graph.show();
   graph.setReconstruction(reconstruction);
   graph.fit();
-  ReportPicture picture;
-  picture.title =
-      ReportPictures::tr("Skin graph: the patches laid flat, their links by how well the poses determine them");
-  picture.size = kReportGraph;
-  picture.draw = [drawn = graph.picture()](QPainter& painter) { drawn.draw(painter); };
-  return {picture};
+  return {ReportPictures::tr("Skin graph: the patches laid flat, their links by how well the poses determine them"),
+          kReportGraph, [drawn = graph.picture()](QPainter& painter) { drawn.draw(painter); }};
 }
 
 }  // namespace hexoderm

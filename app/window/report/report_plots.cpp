@@ -37,6 +37,37 @@ std::size_t countStep(std::size_t largest) {
 
 int decimalsOf(double width) { return std::max(0, static_cast<int>(std::ceil(-std::log10(width) - 1e-9))); }
 
+/// Lines across a plot with their figures at its left, and what both axes are.
+struct Grid {
+  struct Line {
+    double y;
+    QString figure;
+  };
+  QRectF area;
+  QRectF frame;  ///< of what is plotted
+  std::vector<Line> lines;
+  QString value;  ///< over the vertical axis
+  QString axis;   ///< below the horizontal one
+};
+
+void drawGrid(const Grid& grid, QPainter& painter, const QFontMetricsF& metrics, double point) {
+  const Colors& colors = Colors::of(Theme::Light);
+  const QRectF& area = grid.area;
+  const QRectF& frame = grid.frame;
+  for (const Grid::Line& line : grid.lines) {
+    painter.setPen(QPen(colors.border, kHairline * point));
+    painter.drawLine(QPointF(frame.left(), line.y), QPointF(frame.right(), line.y));
+    painter.setPen(colors.text_muted);
+    painter.drawText(
+        QRectF(area.left(), line.y - metrics.height(), frame.left() - area.left() - 3 * point, 2 * metrics.height()),
+        Qt::AlignRight | Qt::AlignVCenter, line.figure);
+  }
+  painter.drawText(QRectF(area.left(), area.top(), area.width(), metrics.height()), Qt::AlignLeft | Qt::AlignTop,
+                   grid.value);
+  painter.drawText(QRectF(frame.left(), area.bottom() - metrics.height(), frame.width(), metrics.height()),
+                   Qt::AlignHCenter | Qt::AlignBottom, grid.axis);
+}
+
 class HistogramPainter {
  public:
   HistogramPainter(const HistogramPlot& plot, QPainter& painter, const QRectF& area, double point)
@@ -76,16 +107,11 @@ class HistogramPainter {
   }
 
   void drawCounts() {
+    Grid grid{area_, frame_, {}, plot_.count, plot_.axis};
     for (std::size_t count = 0; count <= top_; count += step_) {
-      painter_.setPen(QPen(colors_.border, kHairline * point_));
-      painter_.drawLine(QPointF(frame_.left(), y(count)), QPointF(frame_.right(), y(count)));
-      painter_.setPen(colors_.text_muted);
-      const QRectF box(area_.left(), y(count) - metrics_.height(), frame_.left() - area_.left() - 3 * point_,
-                       2 * metrics_.height());
-      painter_.drawText(box, Qt::AlignRight | Qt::AlignVCenter, QLocale().toString(static_cast<qulonglong>(count)));
+      grid.lines.push_back({y(count), QLocale().toString(static_cast<qulonglong>(count))});
     }
-    painter_.drawText(QRectF(area_.left(), area_.top(), area_.width(), metrics_.height()), Qt::AlignLeft | Qt::AlignTop,
-                      plot_.count);
+    drawGrid(grid, painter_, metrics_, point_);
   }
 
   void drawBars() {
@@ -137,9 +163,6 @@ class HistogramPainter {
     painter_.setPen(QPen(colors_.text_muted, kHairline * point_));
     painter_.drawLine(QPointF(frame_.left(), base), QPointF(frame_.right(), base));
     if (!bins_.empty()) drawTicks(base);
-    painter_.setPen(colors_.text_muted);
-    painter_.drawText(QRectF(frame_.left(), area_.bottom() - metrics_.height(), frame_.width(), metrics_.height()),
-                      Qt::AlignHCenter | Qt::AlignBottom, plot_.axis);
   }
 
   void drawTicks(double base) {
@@ -196,17 +219,11 @@ void drawBoxes(const BoxPlot& plot, QPainter& painter, const QRectF& area, doubl
   const QRectF frame = area.adjusted(left, 1.5 * metrics.height(), 0, -2.3 * metrics.height());
   const auto y = [&](double degrees) { return frame.bottom() - frame.height() * degrees / top; };
   painter.setFont(font);
+  Grid grid{area, frame, {}, plot.value, plot.axis};
   for (double value = 0; value <= top * (1 + 1e-9); value += step) {
-    painter.setPen(QPen(colors.border, kHairline * point));
-    painter.drawLine(QPointF(frame.left(), y(value)), QPointF(frame.right(), y(value)));
-    painter.setPen(colors.text_muted);
-    painter.drawText(QRectF(area.left(), y(value) - metrics.height(), left - 3 * point, 2 * metrics.height()),
-                     Qt::AlignRight | Qt::AlignVCenter, figureInWords(value, decimals));
+    grid.lines.push_back({y(value), figureInWords(value, decimals)});
   }
-  painter.drawText(QRectF(area.left(), area.top(), area.width(), metrics.height()), Qt::AlignLeft | Qt::AlignTop,
-                   plot.value);
-  painter.drawText(QRectF(frame.left(), area.bottom() - metrics.height(), frame.width(), metrics.height()),
-                   Qt::AlignHCenter | Qt::AlignBottom, plot.axis);
+  drawGrid(grid, painter, metrics, point);
   const double width = frame.width() / static_cast<double>(std::max<std::size_t>(1, plot.poses.size()));
   double free_from = frame.left() - width;
   for (std::size_t k = 0; k < plot.poses.size(); ++k) {
@@ -239,6 +256,25 @@ QFont reportFont(double pixels, bool is_bold) {
   font.setPixelSize(std::max(1, static_cast<int>(std::lround(pixels))));
   if (is_bold) font.setWeight(QFont::DemiBold);
   return font;
+}
+
+QColor reportColor(Tone tone) {
+  return tone == Tone::Neutral ? Colors::of(Theme::Light).text : toneColor(tone, Theme::Light);
+}
+
+QColor reportTint(const QColor& color) {
+  constexpr double kShare = 0.08;
+  const auto mix = [](double channel) { return 1 - kShare * (1 - channel); };
+  return QColor::fromRgbF(mix(color.redF()), mix(color.greenF()), mix(color.blueF()));
+}
+
+QImage reportImage(const QSize& size, const std::function<void(QPainter& painter)>& draw) {
+  QImage image(size, QImage::Format_RGB32);
+  image.fill(Qt::white);
+  QPainter painter(&image);
+  painter.setRenderHints(QPainter::Antialiasing | QPainter::SmoothPixmapTransform);
+  draw(painter);
+  return image;
 }
 
 QColor reportScale(double share) { return viridis(std::clamp(share, 0.0, 1.0)); }

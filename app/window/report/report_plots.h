@@ -7,6 +7,7 @@
 
 #include <QColor>
 #include <QFont>
+#include <QImage>
 #include <QString>
 #include <functional>
 #include <vector>
@@ -15,6 +16,13 @@ namespace hexoderm {
 
 /// The font of reports, in pixels, so that it is as large on paper as in a picture.
 QFont reportFont(double pixels, bool is_bold = false);
+
+/// Of a tone on paper, and what lies behind what is said in a colour.
+QColor reportColor(Tone tone);
+QColor reportTint(const QColor& color);
+
+/// What `draw` makes of a white picture.
+QImage reportImage(const QSize& size, const std::function<void(QPainter& painter)>& draw);
 
 /// Colour of a value from 0 (the least) to 1 (the largest) in the pictures of a report and their legend.
 QColor reportScale(double share);

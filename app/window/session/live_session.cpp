@@ -7,6 +7,7 @@
 #include "widgets/words/words.h"
 
 #include <QFileInfo>
+#include <QMetaObject>
 #include <QSettings>
 #include <utility>
 
@@ -148,9 +149,51 @@ void LiveSession::onCourseEvent(const CourseEvent& event) {
     emit noticed(skin->other_model  ? tr("The device says that it has another cell model; the poses stay.")
                  : skin->on_joining ? tr("The links are others than those of the session; the poses stay.")
                                     : tr("The device says that its cells or links have changed; the poses stay."));
-  } else {
-    emit told(event);
+  } else if (const auto* wanted = std::get_if<AdviceWanted>(&event)) {
+    advise(wanted->question);
+  } else if (std::holds_alternative<AdviceChanged>(event)) {
+    emit nextPoseChanged();
+  } else if (const auto* refused = std::get_if<TurnRefused>(&event)) {
+    announce(*refused);
+  } else if (std::holds_alternative<CourseFinished>(event)) {
+    emit changed();
   }
+}
+
+void LiveSession::announce(const TurnRefused& refused) {
+  const QString why = words(refused.why);
+  emit noticed(refused.gave_up
+                   ? tr("The device refused to turn %1 times, so it is not asked any more. The last time: %2")
+                         .arg(QString::number(refused.times), why)
+                   : tr("The device does not turn there: %1. The next best pose is advised instead.").arg(why));
+  if (refused.gave_up) emit changed();
+}
+
+void LiveSession::advise(const AdviceQuestion& question) {
+  // The course takes the answer to its newest question alone.
+  adviser_.submit([this, question](const std::stop_token&) {
+    const AdviceAnswer answer = adviseOn(question);
+    QMetaObject::invokeMethod(
+        this, [this, answer] { course_.setAdvice(answer); }, Qt::QueuedConnection);
+  });
+}
+
+void LiveSession::turnToNextPose() {
+  if (isLive()) course_.turnToNextPose();
+}
+
+void LiveSession::turnTo(const Eigen::Vector3d& up_o) {
+  if (!isLive()) return;
+  const bool was_on = isRobotOn();
+  course_.turnTo(up_o);
+  if (was_on) emit changed();
+}
+
+void LiveSession::startRobot(bool on, std::size_t poses) {
+  on = on && canTurn();
+  if (on) setAutomatic(true);
+  course_.setRobot(on, poses);
+  emit changed();
 }
 
 void LiveSession::announce(const PoseKept& kept) {

@@ -2,6 +2,7 @@
 
 #include "app/window/session/live_source.h"
 #include "hexoderm/course/capture_course.h"
+#include "hexoderm/util/latest_worker.h"
 
 #include <QObject>
 #include <cstdint>
@@ -19,7 +20,8 @@ struct ConnectRequest {
   bool demo = false;              ///< the simulated skin that everything can be tried with
 };
 
-/// The connected skin, whose poses the open session grows by. CaptureCourse decides what becomes of them.
+/// The connected skin, whose poses the open session grows by. CaptureCourse decides what becomes of them, and which
+/// pose is advised next, to a person or to the robot.
 class LiveSession : public QObject, private CaptureOwner {
   Q_OBJECT
 
@@ -29,7 +31,6 @@ class LiveSession : public QObject, private CaptureOwner {
 
   /// The skin that is connected, or about to be.
   [[nodiscard]] const LiveSource& source() const { return source_; }
-  [[nodiscard]] const CaptureCourse& course() const { return course_; }
   /// The open session grows by the poses of the connected skin.
   [[nodiscard]] bool isLive() const { return course_.isOn() && source_.isRunning(); }
   /// The session is that of the simulated skin that everything can be tried with.
@@ -42,9 +43,20 @@ class LiveSession : public QObject, private CaptureOwner {
   /// The cell whose light was switched on.
   [[nodiscard]] std::optional<CellId> litCell() const { return lit_; }
 
+  /// The pose that would help most, in the frame of the largest patch; none before the first result, or where no skin
+  /// is connected.
+  [[nodiscard]] const std::optional<PoseAdvice>& nextPose() const { return course_.nextPose(); }
+  /// Following that advice would help: not for the first pose, which may be any, nor where there are enough.
+  [[nodiscard]] bool isNextPoseWanted() const { return course_.isNextPoseWanted(); }
+  /// The connected skin should be held for another pose, as the result's assessment says.
+  [[nodiscard]] bool wantsMorePoses() const {
+    return isLive() && source_.status().state != SourceState::Ended && course_.wantsMorePoses();
+  }
+  /// The device turns itself from pose to pose until there are enough.
+  [[nodiscard]] bool isRobotOn() const { return course_.isRobotOn(); }
+
   // For the other parts of the session.
 
-  [[nodiscard]] CaptureCourse& course() { return course_; }
   /// Another session is opened, or none.
   void forget();
   void noteChange();
@@ -68,6 +80,15 @@ class LiveSession : public QObject, private CaptureOwner {
   void lightCell(std::optional<hexoderm::CellId> cell);
   /// Sets the options of captures, from the next connection on.
   void setRecorderOptions(const hexoderm::PoseRecorderOptions& options) { recorder_options_ = options; }
+  /// Asks the device to turn itself to where the next pose helps most.
+  void turnToNextPose();
+  /// Asks the device to turn until `up_o` (frame of the largest patch) points up.
+  void turnTo(const Eigen::Vector3d& up_o);
+  /// The part can't be brought there: advises the next best pose.
+  void skipPose() { course_.skipPose(); }
+  void setRobot(bool on) { startRobot(on, 0); }
+  /// The same until the session has so many poses, whether they are wanted or not.
+  void letRobotTake(std::size_t poses) { startRobot(true, poses); }
 
  signals:
   void changed();
@@ -81,8 +102,7 @@ class LiveSession : public QObject, private CaptureOwner {
   void poseLost(hexoderm::PoseId pose);
   /// The same as poseKept(), in words; `remarkable` if the operator should read them.
   void captured(const QString& text, bool remarkable);
-  /// Advice and turns, see CaptureCourse.
-  void told(const hexoderm::CourseEvent& event);
+  void nextPoseChanged();
   /// No skin is connected any more, or another one is being.
   void ended();
 
@@ -97,6 +117,9 @@ class LiveSession : public QObject, private CaptureOwner {
   [[nodiscard]] bool begin(const SkinDescription& skin);
   [[nodiscard]] bool join(const SkinDescription& skin);
   void announce(const PoseKept& kept);
+  void announce(const TurnRefused& refused);
+  void startRobot(bool on, std::size_t poses);
+  void advise(const AdviceQuestion& question);
   /// Those that the next capture may repeat.
   [[nodiscard]] std::vector<std::shared_ptr<const PoseCapture>> earlierPoses() const;
 
@@ -109,6 +132,7 @@ class LiveSession : public QObject, private CaptureOwner {
   bool automatic_ = true;
   std::optional<CellId> lit_;
   LiveSource source_;
+  LatestWorker adviser_;  // last: its thread has ended before what it reports to goes
 };
 
 }  // namespace hexoderm

@@ -42,7 +42,6 @@ class LiveSource : public QObject {
     feed_->recorder().setNextPoseId(options.next_pose);
     feed_->recorder().setEarlierPoses(options.earlier_poses);
     address_ = options.address;
-    automatic_ = options.recorder.automatic;
     status_.state = SourceState::Connecting;
     status_.message = message("Connecting to {}", address_.toStdString());
     jobs_.add([feed = feed_, address = address_.toStdString()] {
@@ -79,10 +78,8 @@ class LiveSource : public QObject {
   [[nodiscard]] const SkinPreview& preview() const { return preview_; }
   /// The device's description of itself; none before it has arrived.
   [[nodiscard]] const std::optional<SkinDescription>& skin() const { return skin_; }
-  [[nodiscard]] bool isAutomatic() const { return automatic_; }
 
   void setAutomatic(bool automatic) {
-    automatic_ = automatic;
     if (feed_) feed_->recorder().setAutomatic(automatic);
   }
 
@@ -219,7 +216,6 @@ class LiveSource : public QObject {
   HoldStatus hold_;
   SkinPreview preview_;
   std::optional<SkinDescription> skin_;
-  bool automatic_ = true;
 
   JobQueue jobs_;  // last: it has ended before anything it reports to goes
 };

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "app/window/files/session_paths.h"
+#include "app/window/toolkit/newest_requests.h"
 #include "hexoderm/kinematics/joint_angles_csv.h"
 #include "hexoderm/kinematics/joint_check.h"
 #include "hexoderm/kinematics/robot_model.h"
@@ -9,17 +10,12 @@
 #include "hexoderm/session/session_edit.h"
 #include "hexoderm/session/session_joint_angles.h"
 #include "hexoderm/util/error.h"
-#include "hexoderm/util/latest_worker.h"
 #include "widgets/robot/place_panel.h"
 #include "widgets/robot/robot_scene.h"
 #include "widgets/words/words.h"
 
 #include <QFileInfo>
-#include <QMetaObject>
 #include <QObject>
-#include <array>
-#include <exception>
-#include <functional>
 #include <map>
 #include <memory>
 #include <stop_token>
@@ -39,21 +35,20 @@ struct LoadedRobot {
 /// Joint angles as they were read for a session.
 struct LoadedJoints {
   std::vector<SetJointAngles> edits;
-  std::vector<PoseId> without_angles;
   QString file;
 };
 
-/// Does the work of the step "Place on the robot" on a thread of its own. The newest request of a kind wins: one that
-/// waits is dropped, and the result of one that runs is not shown. An exception becomes a message.
+/// Does the work of the step "Place on the robot" on a thread of its own. The newest request of a kind wins, see
+/// NewestRequests. An exception becomes a message.
 class Placing : public QObject {
   Q_OBJECT
 
  public:
   /// The destructor waits for the running work to end.
-  explicit Placing(QObject* parent = nullptr) : QObject(parent), worker_(kKinds) {}
+  explicit Placing(QObject* parent = nullptr) : QObject(parent) {}
 
   void readRobot(const RobotDescription& description) {
-    request(PlaceWork::Robot, [this, description](const std::stop_token& stop) -> Announcement {
+    requests_.request(PlaceWork::Robot, [this, description](const std::stop_token& stop) -> Announcement {
       return [this, robot = loadRobot(description, stop)] { emit robotRead(robot); };
     });
   }
@@ -61,42 +56,36 @@ class Placing : public QObject {
   /// Of the poses of the session as it is now.
   void readJoints(const QString& path, std::shared_ptr<const LoadedRobot> robot, const Session& session) {
     // The copy shares the captures.
-    request(PlaceWork::Joints,
-            [this, path, robot = std::move(robot),
-             copy = std::make_shared<const Session>(session)](const std::stop_token&) -> Announcement {
-              const JointAnglesTable table = readJointAnglesCsv(toPath(path), robot->model);
-              JointAnglesForSession read = jointAnglesFor(*copy, table);
-              LoadedJoints joints{std::move(read.edits), std::move(read.without_angles), QFileInfo(path).fileName()};
-              return [this, joints] { emit jointsRead(joints); };
-            });
+    requests_.request(PlaceWork::Joints,
+                      [this, path, robot = std::move(robot),
+                       copy = std::make_shared<const Session>(session)](const std::stop_token&) -> Announcement {
+                        const JointAnglesTable table = readJointAnglesCsv(toPath(path), robot->model);
+                        const LoadedJoints joints{jointAnglesFor(*copy, table).edits, QFileInfo(path).fileName()};
+                        return [this, joints] { emit jointsRead(joints); };
+                      });
   }
 
   void findLinks(std::shared_ptr<const Reconstruction> reconstruction, std::shared_ptr<const LoadedRobot> robot,
                  std::map<PoseId, JointAngles> angles, LinksOptions options) {
-    request(PlaceWork::Links,
-            [this, reconstruction = std::move(reconstruction), robot = std::move(robot), angles = std::move(angles),
-             options = std::move(options)](const std::stop_token&) -> Announcement {
-              auto links = std::make_shared<const LinksResult>(
-                  hexoderm::findLinks(*reconstruction, robot->model, angles, options));
-              return [this, links] { emit linksFound(links); };
-            });
+    requests_.request(
+        PlaceWork::Links,
+        [this, reconstruction = std::move(reconstruction), robot = std::move(robot), angles = std::move(angles),
+         options = std::move(options)](const std::stop_token&) -> Announcement {
+          auto links =
+              std::make_shared<const LinksResult>(hexoderm::findLinks(*reconstruction, robot->model, angles, options));
+          return [this, links] { emit linksFound(links); };
+        });
   }
 
   void findPlaces(PlaceTask task) {
-    request(PlaceWork::Places, [this, task = std::move(task)](const std::stop_token&) -> Announcement {
+    requests_.request(PlaceWork::Places, [this, task = std::move(task)](const std::stop_token&) -> Announcement {
       auto places = std::make_shared<const PlaceResult>(placePatches(task));
       return [this, places] { emit placesFound(places); };
     });
   }
 
-  void cancel(PlaceWork work) {
-    const std::size_t slot = slotOf(work);
-    worker_.cancel(slot);
-    ++newest_.at(slot);
-    setRunning(work, false);
-  }
-
-  [[nodiscard]] bool isRunning(PlaceWork work) const { return running_.at(slotOf(work)); }
+  void cancel(PlaceWork work) { requests_.cancel(work); }
+  [[nodiscard]] bool isRunning(PlaceWork work) const { return requests_.isRunning(work); }
 
  signals:
   void runningChanged(hexoderm::PlaceWork work, bool running);
@@ -107,6 +96,9 @@ class Placing : public QObject {
   void failed(hexoderm::PlaceWork work, const QString& message);
 
  private:
+  using Announcement = NewestRequests<PlaceWork>::Announcement;
+  static constexpr std::size_t kKinds = 4;
+
   /// A mesh that can't be read is said, and leaves its link without a body: the other links are of use all the same.
   static TriangleMesh bodyOrFinding(const RobotModel& robot, std::size_t link, std::vector<VerifySentence>& findings) {
     if (!robot.hasBody(link)) return {};
@@ -145,44 +137,9 @@ class Placing : public QObject {
         LoadedRobot{std::move(read), std::move(model), std::move(bodies), std::move(findings)});
   }
 
-  using Announcement = std::function<void()>;
-  using Work = std::function<Announcement(const std::stop_token&)>;
-  static std::size_t slotOf(PlaceWork work) { return static_cast<std::size_t>(work); }
-  void request(PlaceWork kind, Work work) {
-    const std::size_t slot = slotOf(kind);
-    worker_.cancel(slot);
-    const std::uint64_t number = ++newest_.at(slot);
-    worker_.submit(
-        [this, kind, number, work = std::move(work)](const std::stop_token& stop) {
-          Announcement announce;
-          try {
-            announce = work(stop);
-          } catch (const std::exception& error) {
-            announce = [this, kind, message = words(error)] { emit failed(kind, message); };
-          }
-          QMetaObject::invokeMethod(
-              this, [this, kind, number, announce = std::move(announce)] { finish(kind, number, announce); },
-              Qt::QueuedConnection);
-        },
-        slot);
-    setRunning(kind, true);
-  }
-
-  void finish(PlaceWork kind, std::uint64_t number, const Announcement& announce) {
-    if (newest_.at(slotOf(kind)) != number) return;
-    setRunning(kind, false);
-    announce();
-  }
-
-  void setRunning(PlaceWork kind, bool running) {
-    bool& told = running_.at(slotOf(kind));
-    if (std::exchange(told, running) != running) emit runningChanged(kind, running);
-  }
-
-  static constexpr std::size_t kKinds = 4;
-  std::array<std::uint64_t, kKinds> newest_{};  ///< request per kind; results of older ones are dropped
-  std::array<bool, kKinds> running_{};          ///< as runningChanged() last said
-  LatestWorker worker_;  // a mailbox per kind; last: it has ended before anything that it uses is destroyed
+  NewestRequests<PlaceWork> requests_{*this, kKinds,
+                                      [this](PlaceWork work, bool running) { emit runningChanged(work, running); },
+                                      [this](PlaceWork work, const QString& message) { emit failed(work, message); }};
 };
 
 }  // namespace hexoderm

@@ -31,51 +31,52 @@ void ResultFiles::startWriting(const QString& activity, BackgroundWork::Work wor
   });
 }
 
+void ResultFiles::write(const QString& activity, const QString& path, std::function<QString()> make) {
+  startWriting(activity.arg(QFileInfo(path).fileName()),
+               [this, path, make = std::move(make)]() -> BackgroundWork::Continuation {
+                 return [this, path, left_out = make()] { emit exported(path, left_out); };
+               });
+}
+
 void ResultFiles::exportTo(const ExportRequest& request) {
   if (!controller_.reconstruction()) return;
-  startWriting(tr("Exporting %1").arg(QFileInfo(request.path).fileName()),
-               [this, request, reconstruction = controller_.reconstruction()]() -> BackgroundWork::Continuation {
-                 QString left_out;
-                 if (request.format) {
-                   left_out = words(leftOutInWords(patchesLeftOut(*reconstruction, *request.format, request.options)));
-                   exportReconstruction(*reconstruction, *request.format, toPath(request.path), request.options);
-                 } else {
-                   writeCalibrationJson(*reconstruction, toPath(request.path));
-                 }
-                 return [this, path = request.path, left_out] { emit exported(path, left_out); };
-               });
+  write(tr("Exporting %1"), request.path, [request, reconstruction = controller_.reconstruction()] {
+    if (!request.format) {
+      writeCalibrationJson(*reconstruction, toPath(request.path));
+      return QString();
+    }
+    exportReconstruction(*reconstruction, *request.format, toPath(request.path), request.options);
+    return words(leftOutInWords(patchesLeftOut(*reconstruction, *request.format, request.options)));
+  });
 }
 
 void ResultFiles::saveImage(const QImage& image, const QString& path) {
   savePicture([image, path] { return image.save(path, "PNG"); }, path);
 }
 
-void ResultFiles::savePicture(std::function<bool()> write, const QString& path) {
-  startWriting(tr("Saving %1").arg(QFileInfo(path).fileName()),
-               [this, write = std::move(write), path]() -> BackgroundWork::Continuation {
-                 requireReplaceable(toPath(path), path.toStdString());
-                 if (!write()) {
-                   throw StorageError(
-                       message("The picture {} could not be written: is the folder writable?", path.toStdString()));
-                 }
-                 return [this, path] { emit exported(path, {}); };
-               });
+void ResultFiles::savePicture(std::function<bool()> save, const QString& path) {
+  write(tr("Saving %1"), path, [save = std::move(save), path] {
+    requireReplaceable(toPath(path), path.toStdString());
+    if (!save()) {
+      throw StorageError(message("The picture {} could not be written: is the folder writable?", path.toStdString()));
+    }
+    return QString();
+  });
 }
 
 void ResultFiles::saveTable(const QByteArray& csv, const QString& path) {
-  startWriting(tr("Saving %1").arg(QFileInfo(path).fileName()), [this, csv, path]() -> BackgroundWork::Continuation {
+  write(tr("Saving %1"), path, [csv, path] {
     writeFileAtomically(toPath(path), std::string_view(csv.constData(), static_cast<std::size_t>(csv.size())));
-    return [this, path] { emit exported(path, {}); };
+    return QString();
   });
 }
 
 void ResultFiles::writeReport(const ReportContent& content, const QString& path) {
   if (!content.reconstruction) return;
-  startWriting(tr("Writing the report %1").arg(QFileInfo(path).fileName()),
-               [this, content, path]() -> BackgroundWork::Continuation {
-                 hexoderm::writeReport(content, path);
-                 return [this, path] { emit exported(path, {}); };
-               });
+  write(tr("Writing the report %1"), path, [content, path] {
+    hexoderm::writeReport(content, path);
+    return QString();
+  });
 }
 
 void ResultFiles::exportPackage(const PackageRequest& request, const ReportContent& report) {

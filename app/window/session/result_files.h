@@ -51,8 +51,8 @@ class ResultFiles : public QObject {
  public slots:
   /// The result, in a format of other programs or in Hexoderm's own.
   void exportTo(const hexoderm::ExportRequest& request);
-  /// Calls `write` on the thread for files; false from it is a failure.
-  void savePicture(std::function<bool()> write, const QString& path);
+  /// Calls `save` on the thread for files; false from it is a failure.
+  void savePicture(std::function<bool()> save, const QString& path);
   void saveImage(const QImage& image, const QString& path);
   /// A table of the window, as CSV.
   void saveTable(const QByteArray& csv, const QString& path);
@@ -74,6 +74,8 @@ class ResultFiles : public QObject {
  private:
   /// In place of no file that is open in the window.
   void startWriting(const QString& activity, BackgroundWork::Work work);
+  /// One file. `activity` has a place for its name; `make` returns what of the result is not in it.
+  void write(const QString& activity, const QString& path, std::function<QString()> make);
 
   const SessionController& controller_;
   BackgroundWork& work_;

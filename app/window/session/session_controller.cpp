@@ -21,7 +21,6 @@ SessionController::SessionController(QObject* parent)
       worker_(makeWorker(ReconstructionWorker::startingFromTheLast(progress_))),
       result_files_(*this, work_),
       live_session_(*this),
-      pose_guide_(live_session_),
       live_mode_(*this),
       file_(*this, work_) {
   connect(&undo_stack_, &QUndoStack::indexChanged, this, [this] {
@@ -66,8 +65,6 @@ void SessionController::connectParts() {
   connect(&live_session_, &LiveSession::noticed, this, &SessionController::noticed);
   connect(&live_session_, &LiveSession::ended, &live_mode_, [this] { live_mode_.setOn(false); });
   connect(&live_session_.source(), &LiveSource::previewChanged, &live_mode_, &LiveMode::solve);
-  connect(&pose_guide_, &PoseGuide::changed, this, &SessionController::changed);
-  connect(&pose_guide_, &PoseGuide::noticed, this, &SessionController::noticed);
   connect(&live_mode_, &LiveMode::toggled, this, &SessionController::changed);
   connect(&live_mode_, &LiveMode::noticed, this, &SessionController::noticed);
 }
@@ -185,7 +182,6 @@ void SessionController::noteRobot() {
   if (reconstruction_) reconstruction_ = withPlacements(*reconstruction_, *session_);
   robot_is_newer_ = isSolving();
   emit changed();
-  emit robotChanged();
 }
 
 void SessionController::setSolverOptions(const SolverOptions& options) {
@@ -201,7 +197,7 @@ void SessionController::cancelSolving() {
   was_cancelled_ = true;
   setFirstPlacements(nullptr);
   // The robot would wait for the result.
-  pose_guide_.setRobot(false);
+  live_session_.setRobot(false);
   emit changed();
 }
 

@@ -3,7 +3,6 @@
 #include "app/window/session/background_work.h"
 #include "app/window/session/live_mode.h"
 #include "app/window/session/live_session.h"
-#include "app/window/session/pose_guide.h"
 #include "app/window/session/result_files.h"
 #include "app/window/session/session_commands.h"
 #include "app/window/session/session_file.h"
@@ -32,8 +31,6 @@ class SessionController : public QObject {
   [[nodiscard]] ResultFiles& resultFiles() { return result_files_; }
   [[nodiscard]] LiveSession& liveSession() { return live_session_; }
   [[nodiscard]] const LiveSession& liveSession() const { return live_session_; }
-  [[nodiscard]] PoseGuide& poseGuide() { return pose_guide_; }
-  [[nodiscard]] const PoseGuide& poseGuide() const { return pose_guide_; }
   [[nodiscard]] LiveMode& liveMode() { return live_mode_; }
   [[nodiscard]] const LiveMode& liveMode() const { return live_mode_; }
   [[nodiscard]] const BackgroundWork& work() const { return work_; }
@@ -97,9 +94,6 @@ class SessionController : public QObject {
   void reconstructionChanged(std::shared_ptr<const hexoderm::Reconstruction> reconstruction);
   /// There are other ones, or none any more; not emitted where reconstructionChanged() takes their place.
   void firstPlacementsChanged();
-  /// The session's robot, its joint angles or the places of patches on it changed; reconstruction() holds them, and is
-  /// the same otherwise.
-  void robotChanged();
   void opened(const QString& name);
   /// One message for a person, as core said it. From the parts too.
   void failed(const QString& message);
@@ -110,7 +104,7 @@ class SessionController : public QObject {
   void connectParts();
   void closeCurrent();
   void submit();
-  /// An edit that needs no solving.
+  /// An edit that needs no solving: the session's robot, its joint angles or the places of patches on it.
   void noteRobot();
   void receive(const ReconstructionOutcome& outcome);
   /// On the thread that solves.
@@ -138,7 +132,6 @@ class SessionController : public QObject {
   BackgroundWork work_;
   ResultFiles result_files_;
   LiveSession live_session_;
-  PoseGuide pose_guide_;
   LiveMode live_mode_;
   SessionFile file_;
 };

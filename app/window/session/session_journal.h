@@ -28,19 +28,15 @@ class SessionJournal {
   /// below may have changed.
   SessionJournal(QObject& context, JobQueue& jobs, QString path, SessionRecorder::Open open, Written opened,
                  Told changed)
-      : context_(context),
-        jobs_(jobs),
-        path_(std::move(path)),
-        state_(std::make_shared<State>(State{0, {}, std::move(changed)})),
-        recorder_(std::make_shared<SessionRecorder>(std::move(open), acknowledgement(std::move(opened)))) {}
+      : SessionJournal(context, jobs, std::move(path), std::move(changed)) {
+    recorder_ = std::make_shared<SessionRecorder>(std::move(open), acknowledgement(std::move(opened)));
+  }
 
   /// For a store that is open already.
   SessionJournal(QObject& context, JobQueue& jobs, QString path, SessionStore store, Told changed)
-      : context_(context),
-        jobs_(jobs),
-        path_(std::move(path)),
-        state_(std::make_shared<State>(State{0, {}, std::move(changed)})),
-        recorder_(std::make_shared<SessionRecorder>(std::move(store))) {}
+      : SessionJournal(context, jobs, std::move(path), std::move(changed)) {
+    recorder_ = std::make_shared<SessionRecorder>(std::move(store));
+  }
 
   /// Closes the file on the thread of `jobs`, after one last try.
   ~SessionJournal() {
@@ -71,6 +67,12 @@ class SessionJournal {
     QString problem;
     Told changed;
   };
+  SessionJournal(QObject& context, JobQueue& jobs, QString path, Told changed)
+      : context_(context),
+        jobs_(jobs),
+        path_(std::move(path)),
+        state_(std::make_shared<State>(State{0, {}, std::move(changed)})) {}
+
   SessionRecorder::Acknowledge acknowledgement(Written written) {
     ++state_->waiting;
     return

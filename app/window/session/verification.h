@@ -2,6 +2,7 @@
 
 #include "app/window/files/session_paths.h"
 #include "app/window/report/report.h"
+#include "app/window/toolkit/newest_requests.h"
 #include "hexoderm/io/open_file.h"
 #include "hexoderm/reconstruction/check/calibration_check.h"
 #include "hexoderm/reconstruction/evaluation/evaluation.h"
@@ -9,18 +10,13 @@
 #include "hexoderm/reconstruction/hold_out.h"
 #include "hexoderm/reconstruction/reconstructor.h"
 #include "hexoderm/util/error.h"
-#include "hexoderm/util/latest_worker.h"
 #include "widgets/verify/verify_panel.h"
 #include "widgets/words/words.h"
 
 #include <QFileInfo>
-#include <QMetaObject>
 #include <QObject>
 #include <QStringList>
 #include <algorithm>
-#include <array>
-#include <exception>
-#include <functional>
 #include <memory>
 #include <optional>
 #include <stop_token>
@@ -29,14 +25,14 @@
 namespace hexoderm {
 
 /// Computes the checks of the step Verify on a thread of its own and keeps them up to date with the reconstruction and
-/// the session. The newest request for a check wins: one that waits is dropped, one that runs is stopped, and its
-/// result is not shown. An exception that a check throws becomes a message.
+/// the session. The newest request for a check wins, see NewestRequests. An exception that a check throws becomes a
+/// message.
 class Verification : public QObject {
   Q_OBJECT
 
  public:
   /// The destructor waits for the running check to stop.
-  explicit Verification(QObject* parent = nullptr) : QObject(parent), worker_(kChecks) { keepOutcome(); }
+  explicit Verification(QObject* parent = nullptr) : QObject(parent) {}
 
   /// What is verified from now on; null: nothing. Loops, surface and comparison are computed anew; a hold-out that is
   /// running is cancelled. An old calibration is checked anew by setToday().
@@ -51,7 +47,10 @@ class Verification : public QObject {
       return;
     }
     request(VerifyCheck::Loops, [this, seen = reconstruction_](const std::stop_token&) -> Announcement {
-      return [this, loops = findLoops(*seen)] { emit loopsFound(loops); };
+      return [this, loops = findLoops(*seen)] {
+        outcome_.loops = loops;
+        emit loopsFound(loops);
+      };
     });
     fitSurface();
     compare();
@@ -63,7 +62,10 @@ class Verification : public QObject {
     request(VerifyCheck::HoldOut,
             [this, session = std::move(session), pose,
              options = reconstruction_->options](const std::stop_token& stop) -> Announcement {
-              return [this, result = evaluateHoldOut(*session, pose, options, stop)] { emit heldOut(result); };
+              return [this, result = evaluateHoldOut(*session, pose, options, stop)] {
+                outcome_.hold_out = result;
+                emit heldOut(result);
+              };
             });
   }
 
@@ -116,11 +118,8 @@ class Verification : public QObject {
   }
 
   void cancel(VerifyCheck check) {
-    const std::size_t slot = slotOf(check);
-    worker_.cancel(slot);
-    ++newest_.at(slot);
     forgetOutcome(check);
-    setRunning(check, false);
+    requests_.cancel(check);
   }
 
   /// The results that are in force, for reports.
@@ -136,7 +135,6 @@ class Verification : public QObject {
   void failed(hexoderm::VerifyCheck check, const QString& message);
 
  private:
-  static std::size_t slotOf(VerifyCheck check) { return static_cast<std::size_t>(check); }
   /// A session is solved with the options of the result that it is compared with. Null if it was stopped.
   static std::shared_ptr<const Reconstruction> readReference(const QString& path, const SolverOptions& options,
                                                              const std::stop_token& stop) {
@@ -172,39 +170,16 @@ class Verification : public QObject {
     }
   }
 
-  using Announcement = std::function<void()>;
-  using Work = std::function<Announcement(const std::stop_token&)>;
+  using Announcement = NewestRequests<VerifyCheck>::Announcement;
   /// A file of the operator's, with the calibration in it.
   struct Reference {
     QString path;                                       ///< empty: none is chosen
     std::shared_ptr<const Reconstruction> calibration;  ///< once it was read
     SolverOptions options;                              ///< that it was solved with, if it is a session
   };
-  void request(VerifyCheck check, Work work) {
-    const std::size_t slot = slotOf(check);
-    worker_.cancel(slot);
-    const std::uint64_t number = ++newest_.at(slot);
+  void request(VerifyCheck check, NewestRequests<VerifyCheck>::Work work) {
     forgetOutcome(check);
-    worker_.submit(
-        [this, check, number, work = std::move(work)](const std::stop_token& stop) {
-          Announcement announce;
-          try {
-            announce = work(stop);
-          } catch (const std::exception& error) {
-            announce = [this, check, message = words(error)] { emit failed(check, message); };
-          }
-          QMetaObject::invokeMethod(
-              this, [this, check, number, announce = std::move(announce)] { finish(check, number, announce); },
-              Qt::QueuedConnection);
-        },
-        slot);
-    setRunning(check, true);
-  }
-
-  void finish(VerifyCheck check, std::uint64_t number, const Announcement& announce) {
-    if (newest_.at(slotOf(check)) != number) return;
-    setRunning(check, false);
-    announce();
+    requests_.request(check, std::move(work));
   }
 
   void fitSurface() {
@@ -222,7 +197,11 @@ class Verification : public QObject {
                   remarks << tr("Patch %1: %2").arg(patch.id.value() + 1).arg(words(error));
                 }
               }
-              return [this, surfaces = std::move(surfaces), remarks] { emit surfacesFitted(surfaces, remarks); };
+              return [this, surfaces = std::move(surfaces), remarks] {
+                outcome_.surfaces = surfaces;
+                outcome_.surface_remarks = remarks;
+                emit surfacesFitted(surfaces, remarks);
+              };
             });
   }
 
@@ -238,7 +217,9 @@ class Verification : public QObject {
               if (stop.stop_requested()) return [] {};
               return [this, path, seen, reference, comparisons = compareToReconstruction(*seen, *reference)] {
                 reference_ = {path, reference, seen->options};
-                emit compared(comparisons, QFileInfo(path).fileName());
+                outcome_.comparisons = comparisons;
+                outcome_.compared_with = referenceName();
+                emit compared(comparisons, referenceName());
               };
             });
   }
@@ -256,34 +237,10 @@ class Verification : public QObject {
                       check = aboutFile(
                           path, [&] { return checkCalibration(*calibration, withNewestPoses(*today, poses)); })] {
                 old_ = {path, calibration, options};
-                emit oldCalibrationChecked(check, QFileInfo(path).fileName());
+                outcome_.old_calibration = check;
+                outcome_.old_calibration_name = QFileInfo(path).fileName();
+                emit oldCalibrationChecked(check, outcome_.old_calibration_name);
               };
-            });
-  }
-
-  void setRunning(VerifyCheck check, bool running) {
-    bool& told = running_.at(slotOf(check));
-    if (std::exchange(told, running) != running) emit runningChanged(check, running);
-  }
-
-  void keepOutcome() {
-    connect(this, &Verification::heldOut, this, [this](const HoldOutResult& result) { outcome_.hold_out = result; });
-    connect(this, &Verification::loopsFound, this,
-            [this](const std::vector<FoundLoop>& loops) { outcome_.loops = loops; });
-    connect(this, &Verification::surfacesFitted, this,
-            [this](const std::vector<SurfaceEvaluation>& surfaces, const QStringList& remarks) {
-              outcome_.surfaces = surfaces;
-              outcome_.surface_remarks = remarks;
-            });
-    connect(this, &Verification::compared, this,
-            [this](const std::vector<Comparison>& comparisons, const QString& against) {
-              outcome_.comparisons = comparisons;
-              outcome_.compared_with = against;
-            });
-    connect(this, &Verification::oldCalibrationChecked, this,
-            [this](const CalibrationCheck& check, const QString& calibration) {
-              outcome_.old_calibration = check;
-              outcome_.old_calibration_name = calibration;
             });
   }
 
@@ -319,9 +276,9 @@ class Verification : public QObject {
   VerifyOutcome outcome_;
 
   static constexpr std::size_t kChecks = 5;
-  std::array<std::uint64_t, kChecks> newest_{};  ///< request per check; results of older ones are dropped
-  std::array<bool, kChecks> running_{};          ///< as runningChanged() last said
-  LatestWorker worker_;  // a mailbox per check; last: it has ended before anything that it uses is destroyed
+  NewestRequests<VerifyCheck> requests_{
+      *this, kChecks, [this](VerifyCheck check, bool running) { emit runningChanged(check, running); },
+      [this](VerifyCheck check, const QString& why) { emit failed(check, why); }};
 };
 
 }  // namespace hexoderm

@@ -12,6 +12,7 @@
 #include <QSettings>
 #include <QStandardPaths>
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace hexoderm {
@@ -19,18 +20,33 @@ namespace {
 
 const QString kLanguage = QStringLiteral("view/language");
 const QString kTextFactor = QStringLiteral("view/text_factor");
-const QString kReducedMotion = QStringLiteral("view/reduced_motion");
-const QString kSoftwareOpenGl = QStringLiteral("view/software_opengl");
 const QString kTheme = QStringLiteral("view/theme");
-const QString kTone = QStringLiteral("capture/tone");
-const QString kSpeech = QStringLiteral("capture/speech");
-const QString kDrift = QStringLiteral("capture/drift_limit_deg_s");
-const QString kExcess = QStringLiteral("capture/excess_limit_mg");
-const QString kHold = QStringLiteral("capture/hold_s");
 const QString kSamples = QStringLiteral("capture/samples_per_cell");
 const QString kFolder = QStringLiteral("paths/sessions");
 const QString kLastFolder = QStringLiteral("paths/last");
 const QString kThreshold = QStringLiteral("solver/class_threshold");
+
+struct SwitchRow {
+  const char* key;
+  bool is_on_at_first;
+};
+/// In the order of Switch.
+constexpr std::array<SwitchRow, 4> kSwitches = {{{"capture/tone", true},
+                                                 {"capture/speech", false},
+                                                 {"view/reduced_motion", false},
+                                                 {"view/software_opengl", false}}};
+
+bool read(const SwitchRow& row) { return QSettings().value(QLatin1String(row.key), row.is_on_at_first).toBool(); }
+
+/// A limit of the recorder, which is kept in a unit of its own.
+struct LimitRow {
+  const char* key;
+  double StillnessOptions::*limit;
+  double unit;
+};
+constexpr LimitRow kLimits[] = {{"capture/drift_limit_deg_s", &StillnessOptions::drift_limit_rad_s, kDegree},
+                                {"capture/excess_limit_mg", &StillnessOptions::excess_limit_g, kMilliG},
+                                {"capture/hold_s", &StillnessOptions::hold_s, 1}};
 
 /// "solver/gap_model" of gap-model.
 QString keyOf(const SolverChoice& choice) {
@@ -73,33 +89,13 @@ void Preferences::setTextFactor(double factor) {
   emit textFactorChanged(textFactor());
 }
 
-bool Preferences::tone() const { return QSettings().value(kTone, true).toBool(); }
+bool Preferences::isOn(Switch which) const { return read(kSwitches.at(static_cast<std::size_t>(which))); }
 
-void Preferences::setTone(bool on) {
-  if (on == tone()) return;
-  QSettings().setValue(kTone, on);
-  emit toneChanged(on);
+void Preferences::set(Switch which, bool on) {
+  if (on == isOn(which)) return;
+  QSettings().setValue(QLatin1String(kSwitches.at(static_cast<std::size_t>(which)).key), on);
+  emit switched(which, on);
 }
-
-bool Preferences::speech() const { return QSettings().value(kSpeech, false).toBool(); }
-
-void Preferences::setSpeech(bool on) {
-  if (on == speech()) return;
-  QSettings().setValue(kSpeech, on);
-  emit speechChanged(on);
-}
-
-bool Preferences::reducedMotion() const { return QSettings().value(kReducedMotion, false).toBool(); }
-
-void Preferences::setReducedMotion(bool on) {
-  if (on == reducedMotion()) return;
-  QSettings().setValue(kReducedMotion, on);
-  emit reducedMotionChanged(on);
-}
-
-bool Preferences::softwareOpenGl() const { return QSettings().value(kSoftwareOpenGl, false).toBool(); }
-
-void Preferences::setSoftwareOpenGl(bool on) { QSettings().setValue(kSoftwareOpenGl, on); }
 
 QString Preferences::sessionFolder() const { return QSettings().value(kFolder).toString(); }
 
@@ -137,9 +133,7 @@ void Preferences::setSolverOptions(const SolverOptions& options) {
 
 PoseRecorderOptions Preferences::recorderOptions() const {
   PoseRecorderOptions options;
-  readNumber(kDrift, options.stillness.drift_limit_rad_s, kDegree);
-  readNumber(kExcess, options.stillness.excess_limit_g, kMilliG);
-  readNumber(kHold, options.stillness.hold_s);
+  for (const LimitRow& row : kLimits) readNumber(QLatin1String(row.key), options.stillness.*row.limit, row.unit);
   options.samples_per_cell = QSettings().value(kSamples, options.samples_per_cell).toUInt();
   options.stillness.drift_window_s = std::max(options.stillness.drift_window_s, options.stillness.hold_s);
   try {
@@ -152,34 +146,26 @@ PoseRecorderOptions Preferences::recorderOptions() const {
 
 void Preferences::setRecorderOptions(const PoseRecorderOptions& options) {
   const PoseRecorderOptions before = recorderOptions();
-  // Rounded, so that what was typed is what is kept.
-  const auto rounded = [](double value) { return std::round(value * 1e6) / 1e6; };
   QSettings settings;
-  settings.setValue(kDrift, rounded(options.stillness.drift_limit_rad_s / kDegree));
-  settings.setValue(kExcess, rounded(options.stillness.excess_limit_g / kMilliG));
-  settings.setValue(kHold, rounded(options.stillness.hold_s));
+  for (const LimitRow& row : kLimits) {
+    // Rounded, so that what was typed is what is kept.
+    settings.setValue(QLatin1String(row.key), std::round(options.stillness.*row.limit / row.unit * 1e6) / 1e6);
+  }
   settings.setValue(kSamples, options.samples_per_cell);
   const PoseRecorderOptions now = recorderOptions();
-  if (now.stillness.drift_limit_rad_s != before.stillness.drift_limit_rad_s ||
-      now.stillness.excess_limit_g != before.stillness.excess_limit_g ||
-      now.stillness.hold_s != before.stillness.hold_s || now.samples_per_cell != before.samples_per_cell) {
-    emit recorderOptionsChanged(now);
-  }
+  const bool is_limit_changed = std::ranges::any_of(
+      kLimits, [&](const LimitRow& row) { return now.stillness.*row.limit != before.stillness.*row.limit; });
+  if (is_limit_changed || now.samples_per_cell != before.samples_per_cell) emit recorderOptionsChanged(now);
 }
 
 void Preferences::restoreDefaults() {
-  const bool tone_before = tone();
-  const bool motion_before = reducedMotion();
-  setSpeech(false);
+  for (std::size_t k = 0; k < kSwitches.size(); ++k) set(static_cast<Switch>(k), kSwitches.at(k).is_on_at_first);
   QSettings settings;
-  for (const QString& key : {kLanguage, kSoftwareOpenGl, kTheme, kFolder, kTone, kSpeech, kReducedMotion}) {
-    settings.remove(key);
-  }
+  for (const QString& key : {kLanguage, kTheme, kFolder}) settings.remove(key);
+  for (const SwitchRow& row : kSwitches) settings.remove(QLatin1String(row.key));
   setTextFactor(1);
   setSolverOptions({});
   setRecorderOptions({});
-  if (tone() != tone_before) emit toneChanged(tone());
-  if (reducedMotion() != motion_before) emit reducedMotionChanged(reducedMotion());
   emit restored();
 }
 
@@ -210,7 +196,7 @@ void applyTextFactor(double factor) {
 }
 
 bool prepareSoftwareOpenGl(bool asked) {
-  if (!asked && !QSettings().value(kSoftwareOpenGl, false).toBool()) return false;
+  if (!asked && !read(kSwitches.at(static_cast<std::size_t>(Switch::SoftwareOpenGl)))) return false;
   qputenv("LIBGL_ALWAYS_SOFTWARE", "1");
   // It would send all drawing to the display's server, which knows no OpenGL that is new enough.
   qunsetenv("LIBGL_ALWAYS_INDIRECT");

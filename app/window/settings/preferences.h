@@ -11,6 +11,14 @@ namespace hexoderm {
 
 inline constexpr double kMilliG = 1e-3;  ///< g in a thousandth of it
 
+/// What can be switched on and off.
+enum class Switch {
+  Tone,
+  Speech,  ///< instructions are spoken
+  ReducedMotion,
+  SoftwareOpenGl,  ///< looked at by prepareSoftwareOpenGl() at the next start
+};
+
 /// The operator's choices for all sessions, kept in the settings. Every change is kept and signalled at once; nothing
 /// has to be confirmed. A setting that makes no sense (edited by hand, of another version) is replaced by its default.
 class Preferences : public QObject {
@@ -27,16 +35,8 @@ class Preferences : public QObject {
   /// On top of the system's text size: 0.8 to 2.
   [[nodiscard]] double textFactor() const;
   void setTextFactor(double factor);
-  [[nodiscard]] bool tone() const;
-  void setTone(bool on);
-  /// Instructions are spoken; off at first.
-  [[nodiscard]] bool speech() const;
-  void setSpeech(bool on);
-  [[nodiscard]] bool reducedMotion() const;
-  void setReducedMotion(bool on);
-  /// Looked at by prepareSoftwareOpenGl() at the next start.
-  [[nodiscard]] bool softwareOpenGl() const;
-  void setSoftwareOpenGl(bool on);
+  [[nodiscard]] bool isOn(Switch which) const;
+  void set(Switch which, bool on);
   /// The folder for new sessions; empty: the folder of the last file.
   [[nodiscard]] QString sessionFolder() const;
   void setSessionFolder(const QString& folder);
@@ -54,9 +54,7 @@ class Preferences : public QObject {
   void solverOptionsChanged(const hexoderm::SolverOptions& options);
   void recorderOptionsChanged(const hexoderm::PoseRecorderOptions& options);
   void textFactorChanged(double factor);
-  void toneChanged(bool on);
-  void speechChanged(bool on);
-  void reducedMotionChanged(bool on);
+  void switched(hexoderm::Switch which, bool on);
   /// The defaults are restored, the theme's too; dialogs show everything again.
   void restored();
 };

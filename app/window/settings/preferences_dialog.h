@@ -21,13 +21,17 @@
 #include <QPushButton>
 #include <QScreen>
 #include <QScrollArea>
+#include <QSignalBlocker>
 #include <QSpinBox>
 #include <QTabBar>
 #include <QTabWidget>
 #include <QVBoxLayout>
 #include <QVariant>
+#include <algorithm>
 #include <array>
 #include <cmath>
+#include <functional>
+#include <vector>
 
 namespace hexoderm {
 
@@ -80,7 +84,7 @@ class PreferencesDialog : public QDialog {
     why_no_speech_->setText(why_not.isEmpty() ? QString() : tr("Not available: %1").arg(why_not));
     why_no_speech_->setVisible(!why_not.isEmpty());
     // What is switched on can be switched off, whatever became of the voice.
-    speech_->setEnabled(why_not.isEmpty() || preferences_.speech());
+    speech_->setEnabled(why_not.isEmpty() || preferences_.isOn(Switch::Speech));
   }
 
  signals:
@@ -88,14 +92,16 @@ class PreferencesDialog : public QDialog {
 
  private:
   static constexpr std::array<double, 6> kTextFactors = {0.9, 1.0, 1.15, 1.3, 1.5, 2.0};
-  /// One sentence under a control.
-  static void addWhy(QFormLayout* form, const QString& why) {
-    auto* label = new QLabel(why);
+  /// Sentences over the whole width, under a control or at the end of a page.
+  static QLabel* addText(QFormLayout* form, const QString& text, int below = 0) {
+    auto* label = new QLabel(text);
     label->setWordWrap(true);
     label->setProperty("muted", true);
-    label->setContentsMargins(0, 0, 0, 8);
+    label->setContentsMargins(0, 0, 0, below);
     form->addRow(label);
+    return label;
   }
+  static void addWhy(QFormLayout* form, const QString& why) { addText(form, why, 8); }
 
   static void addRow(QFormLayout* form, const QString& text, QWidget* control, const QString& why) {
     control->setAccessibleName(QString(text).remove(QLatin1Char('&')));
@@ -124,139 +130,137 @@ class PreferencesDialog : public QDialog {
   void fillAppearance(QFormLayout* form) {
     theme_ = makeChoice(form, "preferenceTheme", tr("&Theme"), {tr("Like the system"), tr("Light"), tr("Dark")},
                         tr("Light or dark, or what the system asks for."));
-    language_ =
+    connect(theme_, qOverload<int>(&QComboBox::activated), this,
+            [this](int index) { emit themeChosen(static_cast<ThemeChoice>(index)); });
+    auto* language =
         makeChoice(form, "preferenceLanguage", tr("&Language"), {tr("Like the system")}, tr("From the next start on."));
-    language_->setItemData(0, QLatin1String(kSystemLanguage));
-    for (const QString& language : shippedLanguages()) {
-      language_->addItem(languageName(language), language);
-    }
+    language->setItemData(0, QLatin1String(kSystemLanguage));
+    for (const QString& shipped : shippedLanguages()) language->addItem(languageName(shipped), shipped);
+    bind(
+        language, [this, language] { return language->findData(preferences_.language()); },
+        [this, language](int index) { preferences_.setLanguage(language->itemData(index).toString()); });
     QStringList sizes;
     for (const double factor : kTextFactors) {
       sizes << (factor == 1.0 ? tr("Like the system") : tr("%1 %").arg(qRound(100 * factor)));
     }
-    text_size_ = makeChoice(form, "preferenceTextSize", tr("Te&xt size"), sizes,
-                            tr("Relative to the text size that the system asks for."));
-    reduced_motion_ = makeSwitch(form, "preferenceReducedMotion", tr("&Less motion"),
-                                 tr("Views jump to where they would otherwise glide, and nothing moves by itself."));
-    software_opengl_ = makeSwitch(
-        form, "preferenceSoftwareOpenGl", tr("&Draw without the graphics card"),
-        tr("For remote desktops and faulty drivers: OpenGL by the processor, from the next start on. Slower, "
-           "and enough for thousands of cells."));
-    auto* units =
-        new QLabel(tr("Lengths are in millimetres and angles in degrees on screen; files hold metres and "
-                      "radians."));
-    units->setWordWrap(true);
-    units->setProperty("muted", true);
-    form->addRow(units);
-
-    connect(theme_, qOverload<int>(&QComboBox::activated), this,
-            [this](int index) { emit themeChosen(static_cast<ThemeChoice>(index)); });
-    connect(language_, qOverload<int>(&QComboBox::activated), this,
-            [this](int index) { preferences_.setLanguage(language_->itemData(index).toString()); });
-    connect(text_size_, qOverload<int>(&QComboBox::activated), this,
-            [this](int index) { preferences_.setTextFactor(kTextFactors.at(static_cast<std::size_t>(index))); });
-    connect(reduced_motion_, &QCheckBox::clicked, this, [this](bool on) { preferences_.setReducedMotion(on); });
-    connect(software_opengl_, &QCheckBox::clicked, this, [this](bool on) { preferences_.setSoftwareOpenGl(on); });
+    bind(
+        makeChoice(form, "preferenceTextSize", tr("Te&xt size"), sizes,
+                   tr("Relative to the text size that the system asks for.")),
+        [this] {
+          const auto distance = [this](double factor) { return std::abs(factor - preferences_.textFactor()); };
+          return static_cast<int>(std::ranges::min_element(kTextFactors, {}, distance) - kTextFactors.begin());
+        },
+        [this](int index) { preferences_.setTextFactor(kTextFactors.at(static_cast<std::size_t>(index))); });
+    makeSwitch(form, "preferenceReducedMotion", Switch::ReducedMotion, tr("&Less motion"),
+               tr("Views jump to where they would otherwise glide, and nothing moves by itself."));
+    makeSwitch(form, "preferenceSoftwareOpenGl", Switch::SoftwareOpenGl, tr("&Draw without the graphics card"),
+               tr("For remote desktops and faulty drivers: OpenGL by the processor, from the next start on. Slower, "
+                  "and enough for thousands of cells."));
+    addText(form, tr("Lengths are in millimetres and angles in degrees on screen; files hold metres and "
+                     "radians."));
   }
 
   void fillCapture(QFormLayout* form) {
-    tone_ = makeSwitch(form, "preferenceTone", tr("&Sound when a pose is captured"),
-                       tr("So that you know without looking at the screen."));
+    makeSwitch(form, "preferenceTone", Switch::Tone, tr("&Sound when a pose is captured"),
+               tr("So that you know without looking at the screen."));
     speech_ =
-        makeSwitch(form, "preferenceSpeech", tr("S&peak instructions"),
+        makeSwitch(form, "preferenceSpeech", Switch::Speech, tr("S&peak instructions"),
                    tr("For hands and eyes that are on the robot: what to do next is spoken when it changes, in the "
                       "language of the window."));
-    why_no_speech_ = new QLabel;
+    why_no_speech_ = addText(form, {}, 8);
+    why_no_speech_->setProperty("muted", false);
     why_no_speech_->setObjectName(QStringLiteral("preferenceWhyNoSpeech"));
-    why_no_speech_->setWordWrap(true);
-    why_no_speech_->setContentsMargins(0, 0, 0, 8);
     why_no_speech_->hide();
-    form->addRow(why_no_speech_);
-    excess_ = makeNumber(form, "preferenceExcess", tr("Largest s&catter"), 1, 1000, 1, QStringLiteral("mg"),
+    bindLimit(makeNumber(form, "preferenceExcess", tr("Largest s&catter"), 1, 1000, 1, QStringLiteral("mg"),
                          tr("The part counts as still when its cells scatter by less than this beyond their own noise; "
-                            "30 mg is a hand that holds it. A robot's arm allows less."));
-    drift_ = makeNumber(form, "preferenceDrift", tr("Largest &turn"), 0.1, 20, 0.1, tr("°/s"),
-                        tr("The part counts as still when it turns more slowly than this."));
-    hold_ = makeNumber(form, "preferenceHold", tr("&Hold for"), 0.2, 1.5, 0.1, QStringLiteral("s"),
-                       tr("How long it must be still before samples are taken."));
-    samples_ = new QSpinBox;
-    samples_->setObjectName(QStringLiteral("preferenceSamples"));
-    samples_->setRange(0, 5000);
-    samples_->setSingleStep(50);
-    samples_->setSpecialValueText(tr("automatic"));
-    samples_->setKeyboardTracking(false);
-    letTypingReplaceSpecialText(samples_);
+                            "30 mg is a hand that holds it. A robot's arm allows less.")),
+              &StillnessOptions::excess_limit_g, kMilliG);
+    bindLimit(makeNumber(form, "preferenceDrift", tr("Largest &turn"), 0.1, 20, 0.1, tr("°/s"),
+                         tr("The part counts as still when it turns more slowly than this.")),
+              &StillnessOptions::drift_limit_rad_s, kDegree);
+    bindLimit(makeNumber(form, "preferenceHold", tr("&Hold for"), 0.2, 1.5, 0.1, QStringLiteral("s"),
+                         tr("How long it must be still before samples are taken.")),
+              &StillnessOptions::hold_s, 1);
+    auto* samples = new QSpinBox;
+    samples->setObjectName(QStringLiteral("preferenceSamples"));
+    samples->setRange(0, 5000);
+    samples->setSingleStep(50);
+    samples->setSpecialValueText(tr("automatic"));
+    samples->setKeyboardTracking(false);
+    letTypingReplaceSpecialText(samples);
     addRow(
-        form, tr("Samples of &each cell"), samples_,
+        form, tr("Samples of &each cell"), samples,
         tr("Automatic takes 100, or what slower cells send in 0.75 s. More take longer and make the mean steadier."));
-    auto* when = new QLabel(tr("Limits act from the next connection on."));
-    when->setWordWrap(true);
-    when->setProperty("muted", true);
-    form->addRow(when);
-
-    connect(tone_, &QCheckBox::clicked, this, [this](bool on) { preferences_.setTone(on); });
-    connect(speech_, &QCheckBox::clicked, this, [this](bool on) { preferences_.setSpeech(on); });
-    for (QDoubleSpinBox* box : {drift_, excess_, hold_}) {
-      connect(box, qOverload<double>(&QDoubleSpinBox::valueChanged), this, &PreferencesDialog::takeRecorder);
-    }
-    connect(samples_, qOverload<int>(&QSpinBox::valueChanged), this, &PreferencesDialog::takeRecorder);
+    bind(
+        samples, [this] { return static_cast<int>(preferences_.recorderOptions().samples_per_cell); },
+        [this](int count) {
+          PoseRecorderOptions options = preferences_.recorderOptions();
+          options.samples_per_cell = static_cast<std::uint32_t>(count);
+          preferences_.setRecorderOptions(options);
+        });
+    addText(form, tr("Limits act from the next connection on."));
   }
 
   void fillSolver(QFormLayout* form) {
     const QStringList automatic = {tr("Automatic"), tr("On"), tr("Off")};
-    solver_ =
-        makeChoice(form, "preferenceSolver", tr("&Solver"), {tr("Global"), tr("Tree, as in the paper")},
-                   tr("Global uses all links and poses at once and says how sure it is; the tree goes from cell to "
-                      "cell along shortest paths."));
-    gap_model_ = makeChoice(form, "preferenceGapModel", tr("&Gap between cells"),
-                            {tr("Fit: found from closed loops"), tr("Arc: the mould stretches along an arc"),
-                             tr("Pivot: the gap bends in one point")},
-                            tr("How the mould gives way between two cells. Fit estimates it from each patch; a patch "
-                               "without loops can't tell, and the stated uncertainty says so."));
-    centring_ =
-        makeChoice(form, "preferenceCentring", tr("Remove sensor &offsets"), automatic,
-                   tr("Subtracts each cell's mean over the poses, which takes its sensor's offset away. Automatic "
-                      "does so where the poses are good enough for it."));
-    support_axes_ = makeChoice(form, "preferenceSupportAxes", tr("Support &axes"), automatic,
-                               tr("Keep links nearly flat in directions that no pose has determined."));
-    weights_ =
+    bindSolver(makeChoice(form, "preferenceSolver", tr("&Solver"), {tr("Global"), tr("Tree, as in the paper")},
+                          tr("Global uses all links and poses at once and says how sure it is; the tree goes from "
+                             "cell to cell along shortest paths.")),
+               &SolverOptions::solver);
+    bindSolver(makeChoice(form, "preferenceGapModel", tr("&Gap between cells"),
+                          {tr("Fit: found from closed loops"), tr("Arc: the mould stretches along an arc"),
+                           tr("Pivot: the gap bends in one point")},
+                          tr("How the mould gives way between two cells. Fit estimates it from each patch; a patch "
+                             "without loops can't tell, and the stated uncertainty says so.")),
+               &SolverOptions::gap_model);
+    bindSolver(makeChoice(form, "preferenceCentring", tr("Remove sensor &offsets"), automatic,
+                          tr("Subtracts each cell's mean over the poses, which takes its sensor's offset away. "
+                             "Automatic does so where the poses are good enough for it.")),
+               &SolverOptions::centring);
+    bindSolver(makeChoice(form, "preferenceSupportAxes", tr("Support &axes"), automatic,
+                          tr("Keep links nearly flat in directions that no pose has determined.")),
+               &SolverOptions::support_axes);
+    bindSolver(
         makeChoice(form, "preferenceWeights", tr("&Weights of the paths"), {tr("Paper: by class"), tr("By residual")},
-                   tr("Which links the tree prefers: those of a good class, or those that fit well."));
-    threshold_ = makeNumber(form, "preferenceThreshold", tr("&Threshold of the classes"), 0.05, 3, 0.05, {},
-                            tr("A direction counts as defined from this singular value on: 0.5 accepts poses 60° to "
-                               "120° apart, 1 is the paper's."));
-    for (QComboBox* box : {solver_, gap_model_, centring_, support_axes_, weights_}) {
-      connect(box, qOverload<int>(&QComboBox::activated), this, &PreferencesDialog::takeSolver);
-    }
-    connect(threshold_, qOverload<double>(&QDoubleSpinBox::valueChanged), this, &PreferencesDialog::takeSolver);
+                   tr("Which links the tree prefers: those of a good class, or those that fit well.")),
+        &SolverOptions::weights);
+    bind(
+        makeNumber(form, "preferenceThreshold", tr("&Threshold of the classes"), 0.05, 3, 0.05, {},
+                   tr("A direction counts as defined from this singular value on: 0.5 accepts poses 60° to "
+                      "120° apart, 1 is the paper's.")),
+        [this] { return preferences_.solverOptions().class_threshold; },
+        [this](double threshold) { setSolver(&SolverOptions::class_threshold, threshold); });
   }
 
   void fillFiles(QFormLayout* form) {
     auto* field = new QWidget;
     auto* row = spaced(new QHBoxLayout(field), {0, 0, 0, 0});
-    folder_ = new QLineEdit;
-    folder_->setObjectName(QStringLiteral("preferenceFolder"));
-    folder_->setPlaceholderText(tr("the folder of the last file"));
-    folder_->setClearButtonEnabled(true);
+    auto* folder = new QLineEdit;
+    folder->setObjectName(QStringLiteral("preferenceFolder"));
+    folder->setPlaceholderText(tr("the folder of the last file"));
+    folder->setClearButtonEnabled(true);
     auto* browse = new QPushButton(tr("&Browse…"));
     browse->setObjectName(QStringLiteral("preferenceBrowse"));
     browse->setAutoDefault(false);
-    row->addWidget(folder_, 1);
+    row->addWidget(folder, 1);
     row->addWidget(browse);
     const QString why = tr("Where new sessions of a connected skin go unless another folder is chosen there.");
-    folder_->setAccessibleName(tr("Folder for sessions"));
-    folder_->setAccessibleDescription(why);
-    form->addRow(labelFor(folder_, tr("&Folder for sessions")), field);
+    folder->setAccessibleName(tr("Folder for sessions"));
+    folder->setAccessibleDescription(why);
+    form->addRow(labelFor(folder, tr("&Folder for sessions")), field);
     addWhy(form, why);
-    auto* kept =
-        new QLabel(tr("A session that was not saved anywhere is kept beside the program's own data, and offered "
-                      "at the next start."));
-    kept->setWordWrap(true);
-    kept->setProperty("muted", true);
-    form->addRow(kept);
-    connect(browse, &QPushButton::clicked, this, &PreferencesDialog::chooseFolder);
-    connect(folder_, &QLineEdit::editingFinished, this,
-            [this] { preferences_.setSessionFolder(QDir::fromNativeSeparators(folder_->text().trimmed())); });
+    addText(form, tr("A session that was not saved anywhere is kept beside the program's own data, and offered "
+                     "at the next start."));
+    show_.emplace_back([this, folder] { folder->setText(QDir::toNativeSeparators(preferences_.sessionFolder())); });
+    connect(folder, &QLineEdit::editingFinished, this,
+            [this, folder] { preferences_.setSessionFolder(QDir::fromNativeSeparators(folder->text().trimmed())); });
+    connect(browse, &QPushButton::clicked, this, [this, folder] {
+      askForFolder(this, "preferenceFolderDialog", tr("Folder for sessions"), folder->text(), this,
+                   [this, folder](const QString& path) {
+                     folder->setText(QDir::toNativeSeparators(path));
+                     preferences_.setSessionFolder(path);
+                   });
+    });
   }
 
   QComboBox* makeChoice(QFormLayout* form, const char* name, const QString& label, const QStringList& choices,
@@ -282,96 +286,67 @@ class PreferencesDialog : public QDialog {
     return box;
   }
 
-  QCheckBox* makeSwitch(QFormLayout* form, const char* name, const QString& label, const QString& why) {
+  QCheckBox* makeSwitch(QFormLayout* form, const char* name, Switch which, const QString& label, const QString& why) {
     auto* box = new QCheckBox(label);
     box->setObjectName(QLatin1String(name));
     box->setAccessibleDescription(why);
     form->addRow(box);
     addWhy(form, why);
+    show_.emplace_back([this, box, which] { box->setChecked(preferences_.isOn(which)); });
+    connect(box, &QCheckBox::clicked, this, [this, which](bool on) { preferences_.set(which, on); });
     return box;
   }
 
-  void showAll() {
-    showing_ = true;
-    language_->setCurrentIndex(language_->findData(preferences_.language()));
-    std::size_t nearest = 0;
-    for (std::size_t k = 0; k < kTextFactors.size(); ++k) {
-      const double factor = preferences_.textFactor();
-      if (std::abs(kTextFactors.at(k) - factor) < std::abs(kTextFactors.at(nearest) - factor)) nearest = k;
-    }
-    text_size_->setCurrentIndex(static_cast<int>(nearest));
-    reduced_motion_->setChecked(preferences_.reducedMotion());
-    software_opengl_->setChecked(preferences_.softwareOpenGl());
-    tone_->setChecked(preferences_.tone());
-    speech_->setChecked(preferences_.speech());
-    const PoseRecorderOptions recorder = preferences_.recorderOptions();
-    drift_->setValue(toDegrees(recorder.stillness.drift_limit_rad_s));
-    excess_->setValue(recorder.stillness.excess_limit_g / kMilliG);
-    hold_->setValue(recorder.stillness.hold_s);
-    samples_->setValue(static_cast<int>(recorder.samples_per_cell));
-    const SolverOptions solver = preferences_.solverOptions();
-    solver_->setCurrentIndex(static_cast<int>(solver.solver));
-    gap_model_->setCurrentIndex(static_cast<int>(solver.gap_model));
-    centring_->setCurrentIndex(static_cast<int>(solver.centring));
-    support_axes_->setCurrentIndex(static_cast<int>(solver.support_axes));
-    weights_->setCurrentIndex(static_cast<int>(solver.weights));
-    threshold_->setValue(solver.class_threshold);
-    folder_->setText(QDir::toNativeSeparators(preferences_.sessionFolder()));
-    showing_ = false;
+  /// The box shows what `get` says, and what the operator makes of it goes to `set`.
+  template <class Get, class Set>
+  void bind(QComboBox* box, Get get, Set set) {
+    show_.emplace_back([box, get] { box->setCurrentIndex(get()); });
+    connect(box, qOverload<int>(&QComboBox::activated), this, set);
   }
 
-  void takeSolver() {
-    if (showing_) return;
+  template <class SpinBox, class Get, class Set>
+  void bind(SpinBox* box, Get get, Set set) {
+    show_.emplace_back([box, get] {
+      const QSignalBlocker shown_only(box);
+      box->setValue(get());
+    });
+    connect(box, qOverload<decltype(box->value())>(&SpinBox::valueChanged), this, set);
+  }
+
+  void bindLimit(QDoubleSpinBox* box, double StillnessOptions::*limit, double unit) {
+    bind(
+        box, [this, limit, unit] { return preferences_.recorderOptions().stillness.*limit / unit; },
+        [this, limit, unit](double value) {
+          PoseRecorderOptions options = preferences_.recorderOptions();
+          options.stillness.*limit = value * unit;
+          preferences_.setRecorderOptions(options);
+        });
+  }
+
+  /// The choices stand in the order of their enumeration.
+  template <class Choice>
+  void bindSolver(QComboBox* box, Choice SolverOptions::*choice) {
+    bind(
+        box, [this, choice] { return static_cast<int>(preferences_.solverOptions().*choice); },
+        [this, choice](int index) { setSolver(choice, static_cast<Choice>(index)); });
+  }
+
+  template <class Value>
+  void setSolver(Value SolverOptions::*option, Value value) {
     SolverOptions options = preferences_.solverOptions();
-    options.solver = static_cast<Solver>(solver_->currentIndex());
-    options.gap_model = static_cast<GapModel>(gap_model_->currentIndex());
-    options.centring = static_cast<Centring>(centring_->currentIndex());
-    options.support_axes = static_cast<SupportAxes>(support_axes_->currentIndex());
-    options.weights = static_cast<LinkWeights>(weights_->currentIndex());
-    options.class_threshold = threshold_->value();
+    options.*option = value;
     preferences_.setSolverOptions(options);
   }
 
-  void takeRecorder() {
-    if (showing_) return;
-    PoseRecorderOptions options = preferences_.recorderOptions();
-    options.stillness.drift_limit_rad_s = drift_->value() * kDegree;
-    options.stillness.excess_limit_g = excess_->value() * kMilliG;
-    options.stillness.hold_s = hold_->value();
-    options.samples_per_cell = static_cast<std::uint32_t>(samples_->value());
-    preferences_.setRecorderOptions(options);
-  }
-
-  void chooseFolder() {
-    askForFolder(this, "preferenceFolderDialog", tr("Folder for sessions"), folder_->text(), this,
-                 [this](const QString& path) {
-                   folder_->setText(QDir::toNativeSeparators(path));
-                   preferences_.setSessionFolder(path);
-                 });
+  void showAll() {
+    for (const auto& show : show_) show();
   }
 
   Preferences& preferences_;
-  bool showing_ = false;  ///< controls are being set, not changed by the operator
-
+  std::vector<std::function<void()>> show_;  ///< in each control what the preferences say
   QComboBox* theme_;
-  QComboBox* language_;
-  QComboBox* text_size_;
-  QCheckBox* reduced_motion_;
-  QCheckBox* software_opengl_;
-  QCheckBox* tone_;
   QCheckBox* speech_;
   QLabel* why_no_speech_;
-  QDoubleSpinBox* drift_;
-  QDoubleSpinBox* excess_;
-  QDoubleSpinBox* hold_;
-  QSpinBox* samples_;
-  QComboBox* solver_;
-  QComboBox* gap_model_;
-  QComboBox* centring_;
-  QComboBox* support_axes_;
-  QComboBox* weights_;
-  QDoubleSpinBox* threshold_;
-  QLineEdit* folder_;
 };
 
 }  // namespace hexoderm

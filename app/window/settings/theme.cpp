@@ -250,17 +250,7 @@ std::optional<ThemeChoice> themeChoiceFromName(const QString& name) {
   return std::nullopt;
 }
 
-Theme resolveTheme(ThemeChoice choice) {
-  switch (choice) {
-    case ThemeChoice::System:
-      return knownSystemTheme();
-    case ThemeChoice::Light:
-      return Theme::Light;
-    case ThemeChoice::Dark:
-      return Theme::Dark;
-  }
-  return knownSystemTheme();
-}
+Theme resolveTheme(ThemeChoice choice) { return ofEnum(choice, {knownSystemTheme(), Theme::Light, Theme::Dark}); }
 
 void setSystemTheme(Theme theme) { knownSystemTheme() = theme; }
 

@@ -1,7 +1,13 @@
 #pragma once
 
+#include "widgets/controls/step_panel.h"
+
+#include <QAbstractButton>
+#include <QAbstractSpinBox>
 #include <QApplication>
+#include <QComboBox>
 #include <QDockWidget>
+#include <QKeyEvent>
 #include <QLayout>
 #include <QPointer>
 #include <QScrollArea>
@@ -21,13 +27,22 @@ inline void bringIntoView(QWidget* widget) {
   }
 }
 
-/// The large parts of the window in reading order, for the keyboard: F6 goes from part to part, and Tab through all
-/// controls, part by part and within a part in the order of the layout. Order and stops are looked up at every key, as
-/// controls come and go with the operator's work. The widget that gets the focus is scrolled into view.
-class FocusOrder {
+/// Leads the keyboard through the large parts of the window: from part to part, and through all controls, part by part
+/// and within a part in the order of the layout. Order and stops are looked up at every key, as controls come and go
+/// with the operator's work. The widget that gets the focus is scrolled into view.
+class FocusOrder : public QObject {
  public:
-  /// No part lies in another.
-  void add(QWidget* pane) { panes_.push_back({pane, nullptr}); }
+  /// `panes`: the parts in the order in which they are read; none lies in another.
+  explicit FocusOrder(const std::vector<QWidget*>& panes) {
+    for (QWidget* pane : panes) panes_.push_back({pane, nullptr});
+    connect(qApp, &QApplication::focusChanged, this, [this](QWidget* /*old*/, QWidget* now) {
+      for (Pane& pane : panes_) {
+        if (now && pane.widget && isIn(now, pane.widget)) pane.last = now;
+      }
+    });
+    qApp->installEventFilter(this);
+  }
+
   /// Moves to the next or previous part that has a stop: to the place where it was left, else to its beginning. From
   /// outside all parts it moves to the first one. False if there is no stop.
   bool moveToPane(bool forward) {
@@ -64,11 +79,17 @@ class FocusOrder {
     return next != stops.end() && focus(*next, forward);
   }
 
-  /// Notes that a widget has got the focus, by any means.
-  void noteFocus(QWidget* widget) {
-    for (Pane& pane : panes_) {
-      if (widget && pane.widget && isIn(widget, pane.widget)) pane.last = widget;
+  /// Space presses the button that has the focus before it captures a pose.
+  bool eventFilter(QObject* watched, QEvent* event) override {
+    // The heading of the step that is open has nothing to be pressed for.
+    if (event->type() == QEvent::ShortcutOverride && static_cast<QKeyEvent*>(event)->key() == Qt::Key_Space &&
+        !watched->property(StepPanel::kIsOpen).toBool() &&
+        (qobject_cast<QAbstractButton*>(watched) || qobject_cast<QComboBox*>(watched) ||
+         qobject_cast<QAbstractSpinBox*>(watched))) {
+      event->accept();
+      return true;
     }
+    return QObject::eventFilter(watched, event);
   }
 
  private:

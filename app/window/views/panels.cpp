@@ -24,6 +24,7 @@ namespace {
 /// Raised when docks come or go, so that an older layout is not forced onto a newer window.
 constexpr int kLayoutVersion = 3;
 const QString kState = QStringLiteral("window/state");
+const QString kSwapped = QStringLiteral("window/swapped");
 /// So wide that the sentences of the steps can be read, whatever the size of the text.
 constexpr int kStepCharacters = 35;
 /// The graph, the directions and the poses with their most important columns.
@@ -53,7 +54,7 @@ class TableAndCard : public QWidget {
 
 }  // namespace
 
-Panels::Panels(const Views& views, QWidget* parent) : QMainWindow(parent) {
+Panels::Panels(const Views& views, QWidget* parent) : QMainWindow(parent), views_(views) {
   setObjectName(QStringLiteral("panels"));
   setWindowFlags(Qt::Widget);
   setContextMenuPolicy(Qt::PreventContextMenu);
@@ -73,31 +74,48 @@ Panels::Panels(const Views& views, QWidget* parent) : QMainWindow(parent) {
   views.coverage->setEmptyHint(tr("No poses yet."));
   coverage_ = new CardDock(tr("Directions seen"), QStringLiteral("coverageDock"), views.coverage, this);
   plot_ = new CardDock(tr("Plot"), QStringLiteral("plotDock"), views.plot, this);
-  swap_ = std::make_unique<ViewSwap>(*views.patch, *views.graph, *graph_);
-  // In their order from below.
-  connect(swap_.get(), &ViewSwap::swapped, views.robot, &QWidget::raise);
-  connect(swap_.get(), &ViewSwap::swapped, views.welcome, &QWidget::raise);
   details_ = makeDetails(views);
   middle_mark_ = new ViewMark(middle_);
   middle_mark_->setObjectName(QStringLiteral("middleMark"));
   side_mark_ = new ViewMark(graph_->widget());
   side_mark_->setObjectName(QStringLiteral("sideMark"));
-  const auto place_marks = [this] {
-    // Below the buttons over the 3D view, and beside that over the graph.
-    constexpr int kAroundText_px = 30;
-    const int buttons = fontMetrics().height() + kAroundText_px;
-    const bool is_swapped = swap_->isSwapped();
-    middle_mark_->setPlace(is_swapped ? 0 : buttons, is_swapped);
-    side_mark_->setPlace(is_swapped ? buttons : 0, !is_swapped);
-  };
-  connect(swap_.get(), &ViewSwap::swapped, this, place_marks);
-  place_marks();
+  placeMarks();
+  if (QSettings().value(kSwapped, false).toBool()) exchangeViews();
   connect(views.steps, &StepPanel::opened, this,
           [this](int step) { setVerifying(step == static_cast<int>(GuideStep::Verify)); });
   arrange();
 }
 
-Panels::~Panels() = default;
+void Panels::placeMarks() {
+  // Below the buttons over the 3D view, and beside that over the graph.
+  constexpr int kAroundText_px = 30;
+  const int buttons = fontMetrics().height() + kAroundText_px;
+  middle_mark_->setPlace(isSwapped() ? 0 : buttons, isSwapped());
+  side_mark_->setPlace(isSwapped() ? buttons : 0, !isSwapped());
+}
+
+bool Panels::isSwapped() const { return graph_->isAncestorOf(views_.patch); }
+
+void Panels::swapViews() {
+  exchangeViews();
+  QSettings().setValue(kSwapped, isSwapped());
+}
+
+void Panels::exchangeViews() {
+  QWidget* const of_patch = views_.patch->parentWidget();
+  QWidget* const of_graph = views_.graph->parentWidget();
+  of_patch->layout()->removeWidget(views_.patch);
+  of_graph->layout()->removeWidget(views_.graph);
+  of_patch->layout()->addWidget(views_.graph);
+  of_graph->layout()->addWidget(views_.patch);
+  views_.graph->show();
+  views_.patch->show();
+  graph_->setHeading(isSwapped() ? tr("Skin patch") : tr("Skin graph"));
+  // In their order from below.
+  views_.robot->raise();
+  views_.welcome->raise();
+  placeMarks();
+}
 
 QWidget* Panels::makeCentre(const Views& views) {
   views.patch->setAccessibleName(tr("The patch in three dimensions"));
@@ -254,7 +272,7 @@ void Panels::shareRoom() {
 void Panels::reset() {
   const bool was_verifying = is_verifying_;
   setVerifying(false);
-  if (swap_->isSwapped()) swap_->swap();
+  if (isSwapped()) swapViews();
   for (CardDock* dock : docks()) {
     dock->setFloating(false);
     removeDockWidget(dock);

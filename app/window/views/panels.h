@@ -1,11 +1,9 @@
 #pragma once
 
-#include "app/window/toolkit/view_swap.h"
 #include "widgets/controls/card_dock.h"
 
 #include <QMainWindow>
 #include <QSize>
-#include <memory>
 #include <vector>
 
 class QSettings;
@@ -25,9 +23,8 @@ class Panels : public QMainWindow {
   Q_OBJECT
 
  public:
-  /// Takes over the views that it shows.
+  /// Takes over the views that it shows; the list of them outlives the panels.
   explicit Panels(const Views& views, QWidget* parent = nullptr);
-  ~Panels() override;
 
   [[nodiscard]] CardDock& steps() { return *steps_; }
   [[nodiscard]] CardDock& graph() { return *graph_; }
@@ -36,7 +33,6 @@ class Panels : public QMainWindow {
   [[nodiscard]] CardDock& plot() { return *plot_; }
   [[nodiscard]] CardDock& poses() { return *poses_; }
   [[nodiscard]] CardDock& details() { return *details_; }
-  [[nodiscard]] ViewSwap& swap() { return *swap_; }
   /// What lies in the middle: the 3D view or the graph. The robot takes its place.
   [[nodiscard]] QWidget& middle() { return *middle_; }
   /// Over what lies in the middle, and over what lies in the graph's panel.
@@ -53,6 +49,9 @@ class Panels : public QMainWindow {
   void remember(QSettings& settings);
   /// As they are at the first start, in a window of this size.
   void reset();
+  /// Exchanges the 3D view and the graph: one is in the middle, the other in the graph's panel. The settings remember
+  /// it for the next start.
+  void swapViews();
 
  private:
   /// A panel that gave its room to the checks.
@@ -73,6 +72,11 @@ class Panels : public QMainWindow {
   /// Among the panels, so that the middle has the greatest part in a small window as in a large one.
   void shareRoom();
   [[nodiscard]] std::vector<CardDock*> docks() const;
+  void exchangeViews();
+  void placeMarks();
+  [[nodiscard]] bool isSwapped() const;
+
+  const Views& views_;
 
   QWidget* middle_ = nullptr;
   QSplitter* centre_ = nullptr;
@@ -86,7 +90,6 @@ class Panels : public QMainWindow {
   CardDock* poses_;
   CardDock* coverage_;
   CardDock* plot_;
-  std::unique_ptr<ViewSwap> swap_;
   CardDock* details_;
   std::vector<TableOrHint*> tables_;
 };

@@ -2,6 +2,7 @@
 // nothing is cut off.
 
 #include "tests/app/window/keyboard.h"
+#include "tests/screenshots/text_fit.h"
 
 #include <QAbstractButton>
 #include <QAbstractItemView>
@@ -40,24 +41,10 @@ class AccessibilityTest : public KeyboardTest {
   }
 
   /// Texts that have less room than they need.
-  static QStringList cutOff(QWidget* root) {
-    QStringList found;
-    for (QWidget* widget : root->findChildren<QWidget*>()) {
-      if (!widget->isVisibleTo(root) || widget->width() == 0) continue;
-      const auto* label = qobject_cast<QLabel*>(widget);
-      const auto* button = qobject_cast<QPushButton*>(widget);
-      if ((!label || label->text().isEmpty()) && !button) continue;
-      const QString text = label ? label->text() : button->text();
-      QSize needed = widget->minimumSizeHint();
-      if (label && label->wordWrap()) needed = {0, label->heightForWidth(label->width())};
-      if (widget->width() + 1 < needed.width() || widget->height() + 1 < needed.height()) {
-        found << QStringLiteral("\"%1\" has %2x%3 and needs %4x%5")
-                     .arg(text)
-                     .arg(widget->width())
-                     .arg(widget->height())
-                     .arg(needed.width())
-                     .arg(needed.height());
-      }
+  static std::string cutOff(const QWidget& root) {
+    std::string found;
+    for (const CutText& cut : findCutTexts(root)) {
+      found += qPrintable(QStringLiteral("%1: \"%2\" %3\n").arg(cut.where, cut.text, cut.how));
     }
     return found;
   }
@@ -108,7 +95,7 @@ TEST_F(AccessibilityTest, EverythingInDialogsHasANameAndRoom) {
       if (tabs) tabs->setCurrentIndex(page);
       QCoreApplication::processEvents();
       EXPECT_EQ(nameless(dialog).join("\n").toStdString(), "") << name << ", page " << page;
-      EXPECT_EQ(cutOff(dialog).join("\n").toStdString(), "") << name << ", page " << page;
+      EXPECT_EQ(cutOff(*dialog), "") << name << ", page " << page;
     }
     dialog->close();
     ASSERT_TRUE(waitUntil([&] { return dialog.isNull(); })) << name;
@@ -171,7 +158,7 @@ TEST_F(AccessibilityTest, NothingIsCutOffAtSmallSizesAndWithLargeText) {
         if (points == font.pointSizeF() && size.width() == 1280) {
           EXPECT_EQ(window_->size(), size) << name.toStdString();
         }
-        for (QWidget* part : parts) EXPECT_EQ(cutOff(part).join("\n").toStdString(), "") << name.toStdString();
+        for (QWidget* part : parts) EXPECT_EQ(cutOff(*part), "") << name.toStdString();
       }
     };
     expectRoom("welcome", {find<QWidget>("welcomePanel")});

@@ -40,13 +40,9 @@ class WindowExportTest : public WindowTest {
     QTest::mouseClick(formats->viewport(), Qt::LeftButton, Qt::NoModifier, formats->visualItemRect(found[0]).center());
     ASSERT_EQ(formats->currentItem(), found[0]);
   }
-  QDialog* openDialog() {
-    press(Qt::Key_E, Qt::ControlModifier);
-    return waitForDialog("exportDialog");
-  }
   /// Chooses, types the path and confirms. The extension is that of the format.
   void exportAs(const QString& format, const QString& path) {
-    QDialog* dialog = openDialog();
+    QDialog* dialog = openExportDialog();
     ASSERT_NO_FATAL_FAILURE(choose(dialog, format));
     if (auto* robot = dialog->findChild<QLineEdit*>("export-robot"); robot->isVisible()) {
       EXPECT_FALSE(dialog->findChild<QPushButton*>("exportButton")->isEnabled()) << "the robot is missing";
@@ -96,7 +92,7 @@ TEST_F(WindowExportTest, EveryFormatIsWrittenWhereTheMessageSays) {
 
 TEST_F(WindowExportTest, TheNameKeepsItsBeginningAndTakesTheFormatsEnding) {
   ASSERT_NO_FATAL_FAILURE(openSession("arm.hexo", simulated(4)));
-  QDialog* dialog = openDialog();
+  QDialog* dialog = openExportDialog();
   const auto* edit = dialog->findChild<QLineEdit*>("exportPath");
   EXPECT_EQ(edit->text(), pathTo("arm.calibration.json"));
   for (const ExportFormatDescription& format : exportFormats()) {
@@ -107,7 +103,7 @@ TEST_F(WindowExportTest, TheNameKeepsItsBeginningAndTakesTheFormatsEnding) {
 
 TEST_F(WindowExportTest, OptionsOfAFormatAreInTheFile) {
   ASSERT_NO_FATAL_FAILURE(openSession("arm.hexo", simulated(4)));
-  QDialog* dialog = openDialog();
+  QDialog* dialog = openExportDialog();
   ASSERT_NO_FATAL_FAILURE(choose(dialog, "URDF"));
   for (const auto& [name, text] : {std::pair("export-model-name", "arm7"), std::pair("export-parent", "elbow_link"),
                                    std::pair("export-prefix", "tactile_")}) {
@@ -129,7 +125,7 @@ TEST_F(WindowExportTest, OptionsOfAFormatAreInTheFile) {
 TEST_F(WindowExportTest, OfSeveralPatchesOneIsChosenAndTheOthersAreNamed) {
   ASSERT_NO_FATAL_FAILURE(openFile(QStringLiteral(HEXODERM_TEST_DATA "/two_patches.tum.xml")));
   ASSERT_EQ(controller().reconstruction()->patches.size(), 2U);
-  QDialog* dialog = openDialog();
+  QDialog* dialog = openExportDialog();
   ASSERT_NO_FATAL_FAILURE(choose(dialog, "Calibration"));
   EXPECT_FALSE(dialog->findChild<QComboBox*>("exportPatch")->isVisible());
   const auto noteOf = [&] { return dialog->findChild<QLabel*>("exportNote")->text(); };
@@ -150,7 +146,7 @@ TEST_F(WindowExportTest, OfSeveralPatchesOneIsChosenAndTheOthersAreNamed) {
   EXPECT_TRUE(contentOf(pathTo("large.ply")).contains("in the frame of cell 2,"));
   click(find<QWidget>("messageClose"));
 
-  dialog = openDialog();
+  dialog = openExportDialog();
   ASSERT_NO_FATAL_FAILURE(choose(dialog, "PLY"));
   QTest::keyClick(patchOf(), Qt::Key_Down);
   EXPECT_EQ(patchOf()->currentText(), "Cell 7 alone");
@@ -216,27 +212,26 @@ TEST_F(WindowExportTest, NothingReplacesASession) {
   QString package_failed;
   QObject::connect(&files, &ResultFiles::packageFailed, &files,
                    [&](const QString& message) { package_failed = message; });
-  for (const QString& path : {pathTo("arm.hexo"), pathTo("arm.html"), pathTo("arm.zip")}) {
-    const std::vector<std::function<void()>> ways = {
-        [&] {
-          files.exportTo({std::nullopt, path, {}});
-        },
-        [&] {
-          files.exportTo({ExportFormat::Stl, path, {}});
-        },
-        [&] { files.saveImage(QImage(8, 8, QImage::Format_RGB32), path); },
-        [&] { files.savePicture([] { return true; }, path); },
-        [&] { files.saveTable("a,b", path); },
-    };
-    for (std::size_t k = 0; k < ways.size(); ++k) {
-      ways[k]();
-      ASSERT_TRUE(waitForMessage("never replaced")) << path.toStdString() << ' ' << k;
-      EXPECT_TRUE(message().contains(path)) << message().toStdString();
-      click(find<QWidget>("messageClose"));
-    }
+  const std::pair<QString, std::function<void(const QString&)>> ways[] = {
+      {pathTo("arm.hexo"),
+       [&](const QString& path) {
+         files.exportTo({std::nullopt, path, {}});
+       }},
+      {pathTo("arm.html"),
+       [&](const QString& path) {
+         files.exportTo({ExportFormat::Stl, path, {}});
+       }},
+      {pathTo("arm.zip"), [&](const QString& path) { files.saveImage(QImage(8, 8, QImage::Format_RGB32), path); }},
+      {pathTo("arm.html"), [&](const QString& path) { files.savePicture([] { return true; }, path); }},
+      {pathTo("arm.zip"), [&](const QString& path) { files.saveTable("a,b", path); }},
+      {pathTo("arm.html"), [&](const QString& path) { files.writeReport(report, path); }},
+  };
+  for (const auto& [path, write] : ways) {
+    write(path);
+    ASSERT_TRUE(waitForMessage("never replaced")) << path.toStdString();
+    EXPECT_TRUE(message().contains(path)) << message().toStdString();
+    click(find<QWidget>("messageClose"));
   }
-  files.writeReport(report, pathTo("arm.html"));
-  ASSERT_TRUE(waitForMessage("never replaced"));
   PackageRequest package;
   package.formats = {ExportFormat::Stl};
   package.path = pathTo("arm.zip");

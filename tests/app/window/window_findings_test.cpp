@@ -17,14 +17,6 @@ using Poses = std::vector<PoseCapture>;
 
 class WindowFindingsTest : public WindowTest {
  protected:
-  static Session withNeighbors(const std::function<void(NeighborList&)>& edit) {
-    const Session session = simulated(4, {}, 100);
-    NeighborList neighbors = session.neighbors();
-    edit(neighbors);
-    Session edited(session.model(), neighbors, session.source());
-    for (const SessionPose& pose : session.poses()) edited.addPose(pose);
-    return edited;
-  }
   static Session withPoses(std::size_t count, const std::function<void(Poses&)>& edit) {
     const Session session = simulated(count, {}, 100);
     Poses poses;
@@ -129,17 +121,6 @@ TEST_F(WindowFindingsTest, OfEveryKindAreNamedAndPickedAndTheRestIsStillReconstr
   } cases[] = {
       {"dead_cell", FindingCode::DeadSensor, {CellId(7)}, withDeadCell()},
       {"joint", FindingCode::LinkNotRigid, {CellId(1)}, withJoint()},
-      {"one_sided_link", FindingCode::OneSidedLink, {CellId(17)}, withNeighbors([](NeighborList& list) {
-         std::ranges::find(list, CellId(17), &CellReport::id)->neighbors.clear();
-       })},
-      {"cell_without_samples_in_a_pose",
-       FindingCode::MissingSamples,
-       {CellId(7)},
-       withPoses(4,
-                 [](Poses& poses) {
-                   std::erase_if(poses[1].samples,
-                                 [](const GravitySample& sample) { return sample.cell == CellId(7); });
-                 })},
       {"repeated_pose",
        FindingCode::RepeatedPose,
        {},

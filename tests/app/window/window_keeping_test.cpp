@@ -1,8 +1,7 @@
 // Sessions that are undone, saved and connected in any order are whole in their files, and nothing of one skin is left
 // for the next.
 
-#include "app/window/files/session_paths.h"
-#include "tests/app/window/window_test.h"
+#include "tests/app/window/presenters/presenter_test.h"
 #include "tests/support/failing_disk.h"
 #include "widgets/capture/capture_tone.h"
 #include "widgets/capture/hold_ring.h"
@@ -18,20 +17,14 @@ std::vector<std::uint32_t> poseIds(const Session& session) {
   return ids;
 }
 
-class WindowKeepingTest : public WindowTest {
+class WindowKeepingTest : public PresenterTest {
  protected:
-  void SetUp() override {
-    QDir(unsavedFolder()).removeRecursively();
-    QFile::remove(unsavedFolder());
-    WindowTest::SetUp();
-  }
   void TearDown() override {
     window_.reset();
-    QDir(unsavedFolder()).removeRecursively();
+    PresenterTest::TearDown();
     QFile::remove(unsavedFolder());
   }
 
-  static Session read(const QString& path) { return readSessionStore(path.toStdString()); }
   /// The scratch file of a session that came from NAME.session.json; empty if there is none.
   static QString scratchOf(const QString& name) {
     const QFileInfoList files = QDir(unsavedFolder()).entryInfoList({name + "-*.hexo"}, QDir::Files);
@@ -77,19 +70,6 @@ TEST_F(WindowKeepingTest, WhatIsUndoneAfterSavingIsUndoneInTheFile) {
   const Session kept = read(path);
   ASSERT_THAT(poseIds(kept), ElementsAre(1U, 2U, 3U));
   EXPECT_TRUE(kept.poses()[2].disabled) << "the pose that is meant, and no other";
-}
-
-TEST_F(WindowKeepingTest, ACaptureThatWasUndoneBeforeSavingComesBackInTheFile) {
-  ASSERT_NO_FATAL_FAILURE(takeDemoPoses(2));
-  press(Qt::Key_Z, Qt::ControlModifier);
-  ASSERT_TRUE(waitForPoses(1));
-  const QString path = pathTo("kept.hexo");
-  controller().file().saveSession(path);
-  ASSERT_TRUE(waitUntil([this] { return controller().file().isKept(); }));
-  press(Qt::Key_Z, Qt::ControlModifier | Qt::ShiftModifier);
-  ASSERT_TRUE(waitForPoses(2));
-  ASSERT_TRUE(waitUntilWritten());
-  EXPECT_THAT(poseIds(read(path)), ElementsAre(1U, 2U));
 }
 
 TEST_F(WindowKeepingTest, ASessionGetsItsScratchFileAlthoughTheOneBeforeGotNone) {
@@ -172,6 +152,7 @@ TEST_F(WindowKeepingTest, RingToneAndStatusSayCapturedWhenThePoseIsOnDiskAndNotB
     EXPECT_EQ(controller().session()->poses().size(), 1U);
     ASSERT_TRUE(waitForPoses(1)) << "the work goes on";
     EXPECT_EQ(word_while_written, "Writing");
+    EXPECT_EQ(labelText("savedStatus"), "not on disk");
     EXPECT_FALSE(saysCaptured()) << labelText("saidStatus").toStdString() << message().toStdString();
     EXPECT_FALSE(is_ring_captured);
     EXPECT_EQ(read(pathTo("arm.hexo")).poses().size(), 0U);
@@ -188,17 +169,17 @@ TEST_F(WindowKeepingTest, TheNextSkinIsAskedNothingThatTheLastWasAsked) {
   ASSERT_NO_FATAL_FAILURE(takeDemoPoses(1));
   controller().file().saveSession(pathTo("arm.hexo"));
   ASSERT_TRUE(waitUntil([this] { return controller().file().isKept(); }));
-  controller().poseGuide().setRobot(true);
+  controller().liveSession().setRobot(true);
   controller().liveMode().setOn(true);
   controller().liveSession().lightCell(CellId(3));
-  ASSERT_TRUE(controller().poseGuide().isRobotOn() && controller().liveMode().isOn() &&
+  ASSERT_TRUE(controller().liveSession().isRobotOn() && controller().liveMode().isOn() &&
               controller().liveSession().litCell());
   // A skin that is never there.
   ConnectRequest request;
   request.address = QStringLiteral("replay:") + pathTo("none.skinrec");
   request.continue_session = true;
   controller().liveSession().connectTo(request);
-  EXPECT_FALSE(controller().poseGuide().isRobotOn());
+  EXPECT_FALSE(controller().liveSession().isRobotOn());
   EXPECT_FALSE(controller().liveMode().isOn());
   EXPECT_EQ(controller().liveSession().litCell(), std::nullopt);
   ASSERT_TRUE(waitUntil([this] { return !controller().liveSession().source().isRunning(); }));
@@ -207,10 +188,10 @@ TEST_F(WindowKeepingTest, TheNextSkinIsAskedNothingThatTheLastWasAsked) {
 
 TEST_F(WindowKeepingTest, ATurnByHandEndsTheRobotsRunForAllToSee) {
   ASSERT_NO_FATAL_FAILURE(takeDemoPoses(1));
-  controller().poseGuide().setRobot(true);
+  controller().liveSession().setRobot(true);
   ASSERT_TRUE(waitUntil([this] { return action("actionRobot")->isChecked(); }));
-  controller().poseGuide().turnTo(Eigen::Vector3d::UnitX());
-  EXPECT_FALSE(controller().poseGuide().isRobotOn());
+  controller().liveSession().turnTo(Eigen::Vector3d::UnitX());
+  EXPECT_FALSE(controller().liveSession().isRobotOn());
   EXPECT_TRUE(waitUntil([this] { return !action("actionRobot")->isChecked(); }));
 }
 

@@ -117,16 +117,16 @@ void DemoByKeys::captureByButtons(std::size_t poses) {
 void DemoByKeys::capturePoses() {
   key(Qt::Key_3, Qt::ControlModifier);
   ASSERT_TRUE(waitUntil([this] { return action("actionSkipPose")->isEnabled(); }));
-  const Eigen::Vector3d advised = controller().poseGuide().nextPose()->up;
+  const Eigen::Vector3d advised = controller().liveSession().nextPose()->up;
   key(Qt::Key_N);
-  ASSERT_TRUE(waitUntil([&] { return !controller().poseGuide().nextPose()->up.isApprox(advised); }))
+  ASSERT_TRUE(waitUntil([&] { return !controller().liveSession().nextPose()->up.isApprox(advised); }))
       << "another one is advised";
-  EXPECT_LT(controller().poseGuide().nextPose()->up.dot(advised), std::cos(29.9 * kDegree));
+  EXPECT_LT(controller().liveSession().nextPose()->up.dot(advised), std::cos(29.9 * kDegree));
   ASSERT_NO_FATAL_FAILURE(captureByButtons(2));
   // The robot takes what is still wanted.
   key(Qt::Key_B);
-  EXPECT_TRUE(controller().poseGuide().isRobotOn());
-  ASSERT_TRUE(waitUntil([this] { return !controller().poseGuide().isRobotOn(); }));
+  EXPECT_TRUE(controller().liveSession().isRobotOn());
+  ASSERT_TRUE(waitUntil([this] { return !controller().liveSession().isRobotOn(); }));
   ASSERT_TRUE(waitUntilIdle());
   ASSERT_GE(posesShown(), 3U);
   // One more than the result asks for, so that one can be held out later.
@@ -139,15 +139,6 @@ void DemoByKeys::capturePoses() {
   EXPECT_FALSE(controller().liveSession().isAutomatic());
   key(Qt::Key_Space);
   EXPECT_TRUE(controller().liveSession().isAutomatic());
-  // The second is taken again, in its place.
-  ASSERT_NO_FATAL_FAILURE(tabTo("poseView"));
-  ASSERT_NO_FATAL_FAILURE(goToRow(1));
-  const auto second = controller().session()->poses()[1].capture;
-  key(Qt::Key_R);
-  EXPECT_EQ(controller().liveSession().recapturing(), second->id);
-  ASSERT_TRUE(waitUntil([&] { return controller().session()->poses()[1].capture != second; }));
-  ASSERT_TRUE(waitUntilIdle());
-  ASSERT_GE(posesShown(), 3U);
   key(Qt::Key_A);
   EXPECT_FALSE(controller().liveSession().isAutomatic());
   ASSERT_TRUE(waitUntilIdle());
@@ -162,12 +153,6 @@ void DemoByKeys::review() {
   ASSERT_TRUE(waitUntilIdle());
   EXPECT_TRUE(controller().session()->poses()[2].disabled);
   key(Qt::Key_Z, Qt::ControlModifier);
-  ASSERT_TRUE(waitUntilIdle());
-  EXPECT_FALSE(controller().session()->poses()[2].disabled);
-  key(Qt::Key_Z, Qt::ControlModifier | Qt::ShiftModifier);
-  ASSERT_TRUE(waitUntilIdle());
-  EXPECT_TRUE(controller().session()->poses()[2].disabled);
-  key(Qt::Key_Delete);
   ASSERT_TRUE(waitUntilIdle());
   EXPECT_FALSE(controller().session()->poses()[2].disabled);
   key(Qt::Key_Delete, Qt::ShiftModifier);

@@ -1,6 +1,5 @@
 // Nothing in the window jumps, everything fits, and what is shown says when it is not what it usually is.
 
-#include "app/window/guide/guide.h"
 #include "app/window/settings/preferences.h"
 #include "app/window/settings/translation.h"
 #include "hexoderm/reconstruction/reconstructor.h"
@@ -18,7 +17,6 @@
 #include <QScrollArea>
 #include <QScrollBar>
 #include <QTabBar>
-#include <QToolButton>
 #include <condition_variable>
 #include <map>
 #include <mutex>
@@ -53,7 +51,6 @@ class WindowLayoutTest : public WindowTest {
       EXPECT_NEAR(now.height(), place.height(), kRounding_px) << name;
     }
   }
-  void openStep(GuideStep step) { find<StepPanel>("stepPanel")->openStep(static_cast<int>(step)); }
   const std::optional<ViewMark::Content>& middleMark() { return find<ViewMark>("middleMark")->content(); }
 };
 
@@ -175,23 +172,6 @@ TEST_F(WindowLayoutTest, TablesShowEightRowsAtTheFirstStart) {
     test::letTurnsPass();
     EXPECT_GE(rowsSeen(views[page]), 8) << views[page];
   }
-}
-
-TEST_F(WindowLayoutTest, TheButtonsOverThe3DViewStandInOneRowAndFold) {
-  ASSERT_NO_FATAL_FAILURE(takeDemoPoses(2));
-  auto* view = window_->findChild<PatchView*>();
-  auto* more = view->findChild<QToolButton*>(QStringLiteral("moreButton"));
-  ASSERT_NE(more, nullptr);
-  const auto heightOfRow = [&] { return more->parentWidget()->height(); };
-  window_->resize(1600, 900);
-  action("actionResetLayout")->trigger();
-  test::letTurnsPass();
-  const int wide = heightOfRow();
-  press(Qt::Key_G);  // into the panel at the side, which is narrow
-  test::letTurnsPass();
-  EXPECT_TRUE(more->isVisible());
-  EXPECT_EQ(heightOfRow(), wide);
-  EXPECT_LE(more->geometry().right(), more->parentWidget()->width());
 }
 
 /// Language and size of the text; sizes that everything must fit into.

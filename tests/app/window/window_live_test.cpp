@@ -27,7 +27,6 @@ class WindowLiveTest : public WindowTest {
     window_->connectTo({kQuickSkin, path});
     ASSERT_TRUE(waitForPoses(1));
   }
-  static Session read(const QString& path) { return readSessionStore(path.toStdString()); }
   /// Two cells on a TCP port of this computer, which `hello` describes; the window connects to it.
   void connectToTwoCells(const char* hello) {
     window_->connectTo({device_.address(), pathTo("arm.hexo"), false});
@@ -184,22 +183,6 @@ TEST_F(WindowLiveTest, APoseThatLacksReadingsIsTakenAgainByTheButtonOnTop) {
   EXPECT_EQ(controller().liveSession().recapturing(), std::nullopt);
 }
 
-TEST_F(WindowLiveTest, WhatCanNotBeWrittenWaitsUntilItCan) {
-  const QString path = pathTo("later/arm.hexo");
-  window_->connectTo({kQuickSkin, path, false});
-  ASSERT_TRUE(waitForPoses(1));
-  ASSERT_TRUE(waitForMessage("arm.hexo"));
-  EXPECT_TRUE(controller().file().hasUnsavedChanges());
-  EXPECT_EQ(labelText("savedStatus"), "not on disk");
-  EXPECT_EQ(find<QPushButton>("messageButton")->text(), "Try again");
-  keepPicture(window_->picture(), "live-stuck");
-  ASSERT_TRUE(QDir(folder_.path()).mkdir("later"));
-  click(find<QPushButton>("messageButton"));
-  ASSERT_TRUE(waitForMessage("Saved to " + path));
-  EXPECT_FALSE(controller().file().hasUnsavedChanges());
-  EXPECT_EQ(read(path).poses().size(), 1U);
-}
-
 TEST_F(WindowLiveTest, ConnectionsMayEndAtAnyMoment) {
   for (int k = 0; k < 9; ++k) {
     window_->connectTo({kQuickSkin, pathTo(QStringLiteral("arm%1.hexo").arg(k)), false});
@@ -262,7 +245,7 @@ TEST_F(WindowLiveTest, ASkinThatFallsSilentIsToldAboveTheRobotAndItsLastReadings
   })) << labelText("bannerSentence").toStdString();
 
   ASSERT_TRUE(waitUntil([this] { return labelText("bannerSentence").startsWith("The skin does not send any more"); }));
-  EXPECT_TRUE(controller().poseGuide().isRobotOn()) << "it goes on when the skin does";
+  EXPECT_TRUE(controller().liveSession().isRobotOn()) << "it goes on when the skin does";
   EXPECT_EQ(find<QPushButton>("bannerButton")->text(), action("actionConnect")->iconText());
   EXPECT_TRUE(stillness->trace().points().empty());
   EXPECT_EQ(patch->moment().readings, nullptr);

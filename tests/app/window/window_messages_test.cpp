@@ -111,25 +111,6 @@ TEST_F(WindowMessagesTest, APartThatWasNotMovedIsAskedToMoveAndAPoseThatRepeatsA
   EXPECT_EQ(labelText("captureRemark"), "It repeats pose 1.");
 }
 
-TEST_F(WindowMessagesTest, AHoldThatIsBrokenOffStartsOverAndTakesNothingOfIt) {
-  ASSERT_NO_FATAL_FAILURE(connectDevice());
-  // Still long enough to begin, and not to end.
-  while (controller().liveSession().source().hold().phase == HoldPhase::Watching) {
-    device_.hold(0.1, kUp);
-    ASSERT_TRUE(waitUntil([&, seen = controller().liveSession().source().preview().time_s] {
-      return controller().liveSession().source().preview().time_s > seen ||
-             controller().liveSession().source().hold().phase != HoldPhase::Watching;
-    }));
-  }
-  ASSERT_TRUE(waitForRing("Hold…"));
-  turn(1, 0, 40);
-  ASSERT_TRUE(waitUntil([this] { return controller().liveSession().source().hold().restarts > 0; }));
-  ASSERT_TRUE(waitForRing("Hold still"));
-  EXPECT_EQ(controller().session()->poses().size(), 0U);
-  turn(3.2, 40, 40);
-  EXPECT_TRUE(waitForPoses(1));
-}
-
 TEST_F(WindowMessagesTest, AStepStaysOpenWhateverHappens) {
   ASSERT_NO_FATAL_FAILURE(connectDevice());
   const auto* steps = window_->findChild<StepPanel*>();

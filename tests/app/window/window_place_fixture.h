@@ -1,6 +1,5 @@
 #pragma once
 
-#include "app/window/guide/guide.h"
 #include "hexoderm/device/simulation/simulated_robot.h"
 #include "hexoderm/kinematics/joint_angles_csv.h"
 #include "hexoderm/kinematics/robot_model.h"
@@ -10,7 +9,6 @@
 #include "hexoderm/util/units.h"
 #include "tests/app/window/keyboard.h"
 #include "tests/support/paths.h"
-#include "widgets/controls/step_panel.h"
 #include "widgets/robot/place_panel.h"
 #include "widgets/robot/robot_view.h"
 
@@ -58,13 +56,13 @@ class WindowPlaceTest : public KeyboardTest {
              return !isWorking();
            });
   }
-  void openStep() {
-    window_->findChild<StepPanel*>()->openStep(static_cast<int>(GuideStep::Place));
+  void openPlace() {
+    openStep(GuideStep::Place);
     ASSERT_TRUE(waitUntil([this] { return panel().isVisible(); }));
   }
   void openSession() {
     ASSERT_NO_FATAL_FAILURE(openFile(pathTo("arm.session.json")));
-    openStep();
+    openPlace();
   }
   /// Scrolls to it first, as a person does.
   template <class T>

@@ -12,51 +12,20 @@ namespace {
 
 using testing::HasSubstr;
 
-TEST_F(WindowPlaceTest, TwoPatchesArePlacedByMouse) {
-  ASSERT_NO_FATAL_FAILURE(openSession());
-  EXPECT_FALSE(window_->robotView()->isVisible());
-  EXPECT_FALSE(find<QPushButton>("placeChooseJoints")->isEnabled()) << "the robot comes first";
-  ASSERT_NO_FATAL_FAILURE(chooseRobot(HEXODERM_DEMO_ROBOT));
-  EXPECT_THAT(stand().robot.text.toStdString(), HasSubstr("demo_arm"));
-  EXPECT_TRUE(window_->robotView()->isVisible()) << "it takes the place of the patch";
-  EXPECT_THAT(stand().joints.text.toStdString(), HasSubstr("No pose has joint angles"));
-  ASSERT_NO_FATAL_FAILURE(chooseJoints(pathTo("arm.csv")));
-  EXPECT_THAT(stand().joints.text.toStdString(), HasSubstr("8 of 8 poses"));
-
-  ASSERT_EQ(stand().patches.size(), 2U);
-  for (const PlaceStand::Choice& choice : std::vector(stand().patches)) {
-    ASSERT_NO_FATAL_FAILURE(choosePatch(choice.id));
-    EXPECT_EQ(stand().link.toStdString(), mounted(CellId(choice.id)).link) << "the only link that fits is taken";
-    EXPECT_EQ(stand().link_says.tone, Tone::Good) << stand().link_says.text.toStdString();
-    EXPECT_EQ(controller().session()->placements().size(), 0U + (choice.id == stand().patches[0].id ? 0U : 1U));
-    ASSERT_NO_FATAL_FAILURE(typePoints(CellId(choice.id)));
-    ASSERT_FALSE(stand().places.isEmpty()) << stand().place_says.text.toStdString();
-    // It is shown before it is chosen.
-    const auto& drawn = window_->robotView()->picture().patches;
-    EXPECT_TRUE(std::ranges::any_of(drawn, &RobotPicture::Patch::is_proposal));
-    ASSERT_NO_FATAL_FAILURE(clickRowOf(find<QListWidget>("placePlaceList"), 0));
-    ASSERT_TRUE(waitForWork());
-    EXPECT_EQ(stand().place, 0);
-  }
-  ASSERT_NO_FATAL_FAILURE(expectPlacedWell());
-  const auto& picture = window_->robotView()->picture();
-  EXPECT_EQ(picture.patches.size(), 2U);
-  EXPECT_TRUE(std::ranges::none_of(picture.patches, &RobotPicture::Patch::is_proposal));
-  keepPicture(window_->picture(), "place-light");
-  window_->setThemeChoice(ThemeChoice::Dark, false);
-  keepPicture(window_->picture(), "place-dark");
-}
-
-TEST_F(WindowPlaceTest, TheSameByTheKeyboardAndOnToTheRobotsUrdfWithTheSkinOnIt) {
+TEST_F(WindowPlaceTest, TwoPatchesArePlacedByTheKeyboardAndOnToTheRobotsUrdfWithTheSkinOnIt) {
   window_->openFile(pathTo("arm.session.json"));
   ASSERT_TRUE(waitForPoses(8));
   key(Qt::Key_6, Qt::ControlModifier);
   ASSERT_TRUE(waitUntil([this] { return panel().isVisible(); }));
+  EXPECT_FALSE(window_->robotView()->isVisible());
+  EXPECT_FALSE(find<QPushButton>("placeChooseJoints")->isEnabled()) << "the robot comes first";
   ASSERT_NO_FATAL_FAILURE(tabTo("placeChooseRobot"));
   key(Qt::Key_Space);
   ASSERT_NO_FATAL_FAILURE(typeIntoFileDialog("robotDialog", HEXODERM_DEMO_ROBOT));
   ASSERT_NO_FATAL_FAILURE(comeBack());
   ASSERT_TRUE(waitForWork());
+  EXPECT_TRUE(window_->robotView()->isVisible()) << "it takes the place of the patch";
+  EXPECT_THAT(stand().joints.text.toStdString(), HasSubstr("No pose has joint angles"));
   ASSERT_NO_FATAL_FAILURE(tabTo("placeChooseJoints"));
   key(Qt::Key_Space);
   ASSERT_NO_FATAL_FAILURE(typeIntoFileDialog("jointsDialog", pathTo("arm.csv")));
@@ -70,6 +39,8 @@ TEST_F(WindowPlaceTest, TheSameByTheKeyboardAndOnToTheRobotsUrdfWithTheSkinOnIt)
     const CellId origin(stand().patch);
     ASSERT_EQ(origin.value(), stand().patches[k].id);
     const MountedPatch& patch = mounted(origin);
+    EXPECT_EQ(stand().link.toStdString(), patch.link) << "the only link that fits is taken";
+    EXPECT_EQ(stand().link_says.tone, Tone::Good) << stand().link_says.text.toStdString();
     for (const CellId cell : {patch.cells.front(), patch.cells.back()}) {
       const Eigen::Vector3d x_mm = trueCell(cell).t / kMillimetre;
       const auto type = [this](const char* field, const QString& text, int code = Qt::Key_Tab) {
@@ -88,6 +59,9 @@ TEST_F(WindowPlaceTest, TheSameByTheKeyboardAndOnToTheRobotsUrdfWithTheSkinOnIt)
       ASSERT_TRUE(waitForWork());
     }
     ASSERT_FALSE(stand().places.isEmpty()) << stand().place_says.text.toStdString();
+    // It is shown before it is chosen.
+    const auto& drawn = window_->robotView()->picture().patches;
+    EXPECT_TRUE(std::ranges::any_of(drawn, &RobotPicture::Patch::is_proposal));
     ASSERT_NO_FATAL_FAILURE(tabTo("placePlaceList"));
     key(Qt::Key_Home);
     key(Qt::Key_Return);
@@ -95,6 +69,7 @@ TEST_F(WindowPlaceTest, TheSameByTheKeyboardAndOnToTheRobotsUrdfWithTheSkinOnIt)
     ASSERT_TRUE(waitForWork());
   }
   ASSERT_NO_FATAL_FAILURE(expectPlacedWell());
+  EXPECT_TRUE(std::ranges::none_of(window_->robotView()->picture().patches, &RobotPicture::Patch::is_proposal));
 
   // The robot is turned by keys too.
   if (window_->robotView()->canDraw()) {
@@ -152,7 +127,7 @@ TEST_F(WindowPlaceTest, EveryDecisionCanBeUndoneAndIsKept) {
   ASSERT_TRUE(waitUntil([this] { return controller().session()->placements().empty(); }));
   window_->openFile(pathTo("kept.hexo"));
   ASSERT_TRUE(waitUntil([this] { return !controller().session()->placements().empty(); }));
-  ASSERT_NO_FATAL_FAILURE(openStep());
+  ASSERT_NO_FATAL_FAILURE(openPlace());
   ASSERT_TRUE(waitForWork());
   EXPECT_TRUE(stand().has_robot);
   ASSERT_EQ(placedPatches(*controller().reconstruction()).size(), 1U);
@@ -164,7 +139,7 @@ TEST_F(WindowPlaceTest, BeforeTheExportTheCellsAreLookedAtWithTheirNumbers) {
   const bool draws = window_->robotView()->canDraw();
   window_->robotView()->fit();
   const QImage whole = draws ? window_->robotView()->screenshot() : QImage();
-  window_->findChild<StepPanel*>()->openStep(static_cast<int>(GuideStep::Export));
+  openStep(GuideStep::Export);
   ASSERT_TRUE(waitUntil([this] { return window_->robotView()->isVisible(); }));
   EXPECT_EQ(window_->robotView()->picture().patches.size(), 1U);
   EXPECT_FALSE(window_->robotView()->picture().movable) << "nothing is moved here";
@@ -193,7 +168,7 @@ TEST_F(WindowPlaceTest, ACalibrationShowsItsPlacesButDecidesNothing) {
   controller().undoStack()->setClean();
   window_->openFile(pathTo("arm.calibration.json"));
   ASSERT_TRUE(waitUntil([this] { return controller().session() == nullptr; }));
-  ASSERT_NO_FATAL_FAILURE(openStep());
+  ASSERT_NO_FATAL_FAILURE(openPlace());
   ASSERT_TRUE(waitForWork());
   EXPECT_THAT(stand().why_not.toStdString(), HasSubstr("A calibration is open"));
   EXPECT_FALSE(find<QPushButton>("placeChooseRobot")->isEnabled());

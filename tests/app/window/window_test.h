@@ -1,5 +1,6 @@
 #pragma once
 
+#include "app/window/guide/guide.h"
 #include "app/window/main_window/main_window.h"
 #include "hexoderm/device/simulation/simulated_skin.h"
 #include "hexoderm/io/session_json.h"
@@ -9,6 +10,7 @@
 #include "tests/support/kept_picture.h"
 #include "tests/support/paths.h"
 #include "tests/support/qt_wait.h"
+#include "widgets/controls/step_panel.h"
 #include "widgets/graph/graph_view.h"
 
 #include <gmock/gmock.h>
@@ -154,6 +156,12 @@ class WindowTest : public testing::Test {
     const QRect cell = view->visualRect(view->model()->index(row, 0));
     QTest::mouseClick(view->viewport(), Qt::LeftButton, Qt::NoModifier, cell.center());
   }
+  void openStep(GuideStep step) { window_->findChild<StepPanel*>()->openStep(static_cast<int>(step)); }
+  QDialog* openExportDialog() {
+    press(Qt::Key_E, Qt::ControlModifier);
+    return waitForDialog("exportDialog");
+  }
+  static Session read(const QString& path) { return readSessionStore(path.toStdString()); }
   /// A page of the panel below, whose name begins so.
   void showTab(const QString& name) {
     auto* tabs = find<QTabBar>("detailTabs");
@@ -178,8 +186,8 @@ class WindowTest : public testing::Test {
   void turnBy(Ask ask) {
     constexpr std::uint64_t kLongestTurn = 3500;  // samples: half a turn, and what a status may be late
     ASSERT_TRUE(waitUntil([this] {
-      return controller().liveSession().canTurn() && controller().poseGuide().nextPose() &&
-             (action("actionTurn")->isEnabled() || !controller().poseGuide().wantsMorePoses());
+      return controller().liveSession().canTurn() && controller().liveSession().nextPose() &&
+             (action("actionTurn")->isEnabled() || !controller().liveSession().wantsMorePoses());
     }));
     ask();
     const LiveSource& live = controller().liveSession().source();
@@ -194,10 +202,10 @@ class WindowTest : public testing::Test {
   void takeNextPose() {
     const std::size_t before = posesShown();
     ASSERT_NO_FATAL_FAILURE(turnBy([this] {
-      if (controller().poseGuide().wantsMorePoses()) {
+      if (controller().liveSession().wantsMorePoses()) {
         action("actionTurn")->trigger();
       } else {
-        controller().poseGuide().turnTo(controller().poseGuide().nextPose()->up);
+        controller().liveSession().turnTo(controller().liveSession().nextPose()->up);
       }
     }));
     controller().liveSession().captureNow();

@@ -80,6 +80,8 @@ class WindowUndoTest : public WindowTest {
     ASSERT_NO_FATAL_FAILURE(expectAllAre(before, "undone again"));
     press(Qt::Key_Y, Qt::ControlModifier);
     ASSERT_NO_FATAL_FAILURE(expectAllAre(after, "redone by the other key"));
+    EXPECT_FALSE(action("actionRedo")->isEnabled());
+    EXPECT_EQ(action("actionRedo")->toolTip(), "Nothing to redo");
   }
   void pickPose(int row) {
     clickRow("poseView", row);
@@ -145,56 +147,6 @@ TEST_F(WindowUndoOfCapturesTest, APoseThatIsTakenAndOneThatIsTakenAgainInOneStep
   EXPECT_EQ(controller().undoStack()->count(), steps + 1);
   EXPECT_EQ(now().poses[0].first, PoseId(1)) << "it keeps its number";
   EXPECT_EQ(now().poses[1].first, PoseId(2));
-}
-
-TEST_F(WindowUndoOfCapturesTest, EverythingIsTakenBackToTheBeginningAndDoneAgainToTheEnd) {
-  ASSERT_NO_FATAL_FAILURE(connectSkin());
-  std::vector<State> states = {now()};
-  const auto then = [&](const std::function<void()>& change) {
-    change();
-    ASSERT_TRUE(waitUntilKept());
-    ASSERT_FALSE(now() == states.back());
-    states.push_back(now());
-  };
-  ASSERT_NO_FATAL_FAILURE(then([this] { capture(2); }));
-  ASSERT_NO_FATAL_FAILURE(then([this] { capture(3); }));
-  ASSERT_NO_FATAL_FAILURE(pickPose(1));
-  ASSERT_NO_FATAL_FAILURE(then([this] { press(Qt::Key_Delete); }));
-  ASSERT_NO_FATAL_FAILURE(pickPose(0));
-  ASSERT_NO_FATAL_FAILURE(then([this] { press(Qt::Key_Delete, Qt::ShiftModifier); }));
-  const LinkEstimate& link = controller().reconstruction()->patches.front().links.front();
-  window_->selection().selectLink(link.source, link.target);
-  ASSERT_NO_FATAL_FAILURE(then([this] { press(Qt::Key_M); }));
-  ASSERT_NO_FATAL_FAILURE(then([this] { press(Qt::Key_M); }));
-  ASSERT_NO_FATAL_FAILURE(pickPose(0));
-  ASSERT_NO_FATAL_FAILURE(then([this] { press(Qt::Key_Delete); }));
-  for (std::size_t k = states.size() - 1; k-- > 0;) {
-    undo();
-    ASSERT_NO_FATAL_FAILURE(expectAllAre(states[k], "on the way back"));
-  }
-  for (std::size_t k = 1; k < states.size(); ++k) {
-    redo();
-    ASSERT_NO_FATAL_FAILURE(expectAllAre(states[k], "on the way forth"));
-  }
-  EXPECT_FALSE(action("actionRedo")->isEnabled());
-  EXPECT_EQ(action("actionRedo")->toolTip(), "Nothing to redo");
-}
-
-TEST_F(WindowUndoTest, WhatWasUndoneIsGoneWhenSomethingElseIsDone) {
-  ASSERT_NO_FATAL_FAILURE(openKept());
-  ASSERT_NO_FATAL_FAILURE(pickPose(1));
-  press(Qt::Key_Delete);
-  ASSERT_TRUE(waitUntilKept());
-  undo();
-  ASSERT_TRUE(waitUntilKept());
-  EXPECT_TRUE(action("actionRedo")->isEnabled());
-  ASSERT_NO_FATAL_FAILURE(pickPose(2));
-  press(Qt::Key_Delete);
-  const State last = now();
-  ASSERT_NO_FATAL_FAILURE(expectAllAre(last, "done"));
-  EXPECT_FALSE(action("actionRedo")->isEnabled());
-  redo();
-  ASSERT_NO_FATAL_FAILURE(expectAllAre(last, "nothing to redo"));
 }
 
 }  // namespace

@@ -30,9 +30,9 @@ TEST_F(WindowWithoutOpenGlTest, OffersToDrawByTheProcessorFromTheNextStartOn) {
   ASSERT_TRUE(waitForMessage("There is no OpenGL 3.2 here"));
   auto* button = find<QPushButton>("messageButton");
   EXPECT_EQ(button->text(), "Draw without the graphics card");
-  EXPECT_FALSE(window_->preferences().softwareOpenGl());
+  EXPECT_FALSE(window_->preferences().isOn(Switch::SoftwareOpenGl));
   click(button);
-  EXPECT_TRUE(window_->preferences().softwareOpenGl());
+  EXPECT_TRUE(window_->preferences().isOn(Switch::SoftwareOpenGl));
   EXPECT_TRUE(waitForMessage("Start Hexoderm again"));
 }
 

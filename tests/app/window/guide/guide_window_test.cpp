@@ -9,8 +9,6 @@
 #include <QSignalSpy>
 #include <QTest>
 #include <QTextBrowser>
-#include <QTextFrame>
-#include <QTextTable>
 #include <QToolButton>
 
 namespace hexoderm {
@@ -129,22 +127,6 @@ TEST(UserGuide, FindsWordsInThePageOnceAround) {
   search->setText(QStringLiteral("xylophone"));
   QTest::keyClick(search, Qt::Key_Return);
   EXPECT_TRUE(not_found->isVisible());
-}
-
-TEST(UserGuide, ItsTablesHaveRoomInTheirCellsAndNoFrame) {
-  GuideWindow guide(nullptr, QStringLiteral("export"));
-  const auto* browser = guide.findChild<QTextBrowser*>(QStringLiteral("guidePage"));
-  int tables = 0;
-  for (const QTextFrame* frame : browser->document()->rootFrame()->childFrames()) {
-    const auto* table = qobject_cast<const QTextTable*>(frame);
-    if (table == nullptr) continue;
-    ++tables;
-    EXPECT_EQ(table->format().border(), 0);
-    EXPECT_EQ(table->format().cellSpacing(), 0);
-    EXPECT_GE(table->format().cellPadding(), 3);
-    EXPECT_GE(table->format().topMargin(), 3);
-  }
-  EXPECT_GE(tables, 1);
 }
 
 class GuideFromTheWindow : public WindowTest {};

@@ -1,6 +1,4 @@
-#include "app/window/guide/guide.h"
 #include "tests/app/window/presenters/presenter_test.h"
-#include "widgets/controls/step_panel.h"
 #include "widgets/patch/patch_controls.h"
 #include "widgets/patch/patch_legend_view.h"
 #include "widgets/patch/patch_view.h"
@@ -21,7 +19,6 @@ class ColoringPresenterTest : public PresenterTest {
   }
   PatchView& patch() { return *window_->findChild<PatchView*>(); }
   StepPanel& steps() { return *window_->findChild<StepPanel*>(); }
-  void open(GuideStep step) { steps().openStep(static_cast<int>(step)); }
   void choose(Coloring coloring) { window_->findChild<PatchControls*>()->action(coloring)->trigger(); }
   PatchLegendView& legend() { return *find<PatchLegendView>("patchLegend"); }
 };
@@ -31,15 +28,15 @@ TEST_F(ColoringPresenterTest, ReviewShowsHowWellTheShapeIsKnownOnceTheClassIsThe
   ASSERT_NO_FATAL_FAILURE(openSession());
   ASSERT_EQ(steps().openIndex(), static_cast<int>(GuideStep::Review));
   EXPECT_EQ(patch().coloring(), Coloring::ShapeUncertainty);
-  open(GuideStep::Capture);
+  openStep(GuideStep::Capture);
   EXPECT_EQ(patch().coloring(), Coloring::LinkQuality) << "while poses are taken, classes change";
-  open(GuideStep::Verify);
+  openStep(GuideStep::Verify);
   EXPECT_EQ(patch().coloring(), Coloring::ShapeUncertainty);
 }
 
 TEST_F(ColoringPresenterTest, AMomentThatSaysNothingOfUncertaintyIsColouredByTheLinks) {
   ASSERT_NO_FATAL_FAILURE(takeDemoPoses(3));
-  open(GuideStep::Verify);
+  openStep(GuideStep::Verify);
   ASSERT_EQ(patch().coloring(), Coloring::ShapeUncertainty);
   window_->controller().liveMode().setOn(true);
   EXPECT_EQ(patch().coloring(), Coloring::LinkQuality);
@@ -50,8 +47,8 @@ TEST_F(ColoringPresenterTest, AMomentThatSaysNothingOfUncertaintyIsColouredByThe
 TEST_F(ColoringPresenterTest, WhatTheOperatorChoosesStands) {
   ASSERT_NO_FATAL_FAILURE(openSession());
   choose(Coloring::Residual);
-  open(GuideStep::Capture);
-  open(GuideStep::Review);
+  openStep(GuideStep::Capture);
+  openStep(GuideStep::Review);
   EXPECT_EQ(patch().coloring(), Coloring::Residual);
   ASSERT_NO_FATAL_FAILURE(openFile(writeSession(pathTo("another.hexo"), 4)));
   EXPECT_EQ(patch().coloring(), Coloring::Residual);

@@ -1,5 +1,7 @@
 #include "tests/app/window/presenters/presenter_test.h"
 
+#include <QTreeWidget>
+
 namespace hexoderm {
 namespace {
 
@@ -8,10 +10,11 @@ class HelpPresenterTest : public PresenterTest {};
 TEST_F(HelpPresenterTest, TheListOfKeysHasEveryKeyIsSearchedAndIsAllThatEscapeCloses) {
   press(Qt::Key_H);
   auto* dialog = waitForDialog("keysDialog");
+  auto* list = dialog->findChild<QTreeWidget*>("keysList");
   const auto shownTexts = [&] {
     QStringList texts;
-    for (const QLabel* label : dialog->findChildren<QLabel*>()) {
-      if (label->isVisible()) texts << label->text();
+    for (QTreeWidgetItemIterator shown(list, QTreeWidgetItemIterator::NotHidden); *shown != nullptr; ++shown) {
+      texts << (*shown)->text(0) << (*shown)->text(1);
     }
     return texts;
   };

@@ -15,7 +15,7 @@ TEST_F(PreferencesPresenterTest, PreferencesActAtOnceAndAreRemembered) {
   EXPECT_EQ(QApplication::activeModalWidget(), nullptr);
   QSignalSpy solver(&window_->preferences(), &Preferences::solverOptionsChanged);
   QSignalSpy recorder(&window_->preferences(), &Preferences::recorderOptionsChanged);
-  QSignalSpy tone(&window_->preferences(), &Preferences::toneChanged);
+  QSignalSpy tone(&window_->preferences(), &Preferences::switched);
   auto* tabs = dialog->findChild<QTabWidget*>("preferencesTabs");
   // Where an empty 3D view sends people.
   EXPECT_EQ(dialog->findChild<QAbstractButton*>("preferenceSoftwareOpenGl")->text().remove('&'),
@@ -51,7 +51,7 @@ TEST_F(PreferencesPresenterTest, PreferencesActAtOnceAndAreRemembered) {
                    PoseRecorderOptions().stillness.drift_limit_rad_s);
   QTest::mouseClick(dialog->findChild<QCheckBox*>("preferenceTone"), Qt::LeftButton, Qt::NoModifier, QPoint(8, 8));
   EXPECT_EQ(tone.size(), 1);
-  EXPECT_FALSE(window_->preferences().tone());
+  EXPECT_FALSE(window_->preferences().isOn(Switch::Tone));
   QTest::keyClick(dialog, Qt::Key_Escape);
   ASSERT_TRUE(waitUntilGone("preferencesDialog"));
 
@@ -62,7 +62,7 @@ TEST_F(PreferencesPresenterTest, PreferencesActAtOnceAndAreRemembered) {
   dialog = waitForDialog("preferencesDialog");
   click(dialog->findChild<QPushButton*>("preferencesDefaults"));
   EXPECT_EQ(window_->preferences().solverOptions().solver, Solver::Global);
-  EXPECT_TRUE(window_->preferences().tone());
+  EXPECT_TRUE(window_->preferences().isOn(Switch::Tone));
   EXPECT_DOUBLE_EQ(dialog->findChild<QDoubleSpinBox*>("preferenceExcess")->value(), 30);
 }
 

@@ -24,6 +24,7 @@ class PresenterTest : public WindowTest {
     window_.reset();
     openWindow();
   }
+  using WindowTest::writeSession;
   QString writeSession(const QString& path, std::size_t poses) {
     QDir().mkpath(QFileInfo(path).absolutePath());
     return WindowTest::writeSession(path, simulated(poses));

@@ -16,10 +16,10 @@ TEST_F(SpeechPresenterTest, IsOffAtFirstAndSpeaksWhatTheStepCaptureSaysOnceItIsW
   QObject::connect(voice(), &InstructionVoice::spoken, [&](const QString& sentence) { spoken << sentence; });
   ASSERT_NO_FATAL_FAILURE(takeDemoPoses(1));
   EXPECT_TRUE(spoken.isEmpty());
-  window_->preferences().setSpeech(true);
+  window_->preferences().set(Switch::Speech, true);
   EXPECT_TRUE(waitUntil([&] { return !spoken.isEmpty(); }));
   EXPECT_TRUE(waitUntil([&] { return spoken.contains(labelText("captureWhat")); })) << spoken.join(" / ").toStdString();
-  window_->preferences().setSpeech(false);
+  window_->preferences().set(Switch::Speech, false);
   EXPECT_FALSE(voice()->isEnabled());
 }
 
