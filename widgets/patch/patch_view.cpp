@@ -14,7 +14,6 @@
 #include "widgets/patch/patch_menu.h"
 #include "widgets/patch/patch_pointing.h"
 #include "widgets/patch/patch_words.h"
-#include "widgets/patch/picture_smoothing.h"
 #include "widgets/patch/scene_legend.h"
 #include "widgets/patch/scene_look.h"
 #include "widgets/patch/scene_widget.h"
@@ -64,10 +63,9 @@ struct PatchView::Parts : public QObject {
   PatchMoment moment;
 
   const OpenGlInfo opengl = queryOpenGl();
-  SceneWidget* canvas = nullptr;                ///< null without OpenGL
-  std::unique_ptr<PatchScene> scene;            ///< likewise
-  std::unique_ptr<PictureSmoothing> smoothing;  ///< likewise
-  std::unique_ptr<PatchClicks> clicks;          ///< likewise
+  SceneWidget* canvas = nullptr;        ///< null without OpenGL
+  std::unique_ptr<PatchScene> scene;    ///< likewise
+  std::unique_ptr<PatchClicks> clicks;  ///< likewise
   std::unique_ptr<SceneBuilder> builder;
   PartMotion* motion = nullptr;       ///< likewise
   PatchPointing* pointing = nullptr;  ///< likewise
@@ -118,7 +116,7 @@ struct PatchView::Parts : public QObject {
   }
 
   void buildScene(QGridLayout* layout) {
-    canvas = new SceneWidget(view);
+    canvas = new SceneWidget(opengl.software, view);
     vtkRenderWindow* window = canvas->renderWindow();
     canvas->setAccessibleName(PatchView::tr("Skin patch in 3D"));
     canvas->setFocusPolicy(Qt::NoFocus);
@@ -126,7 +124,6 @@ struct PatchView::Parts : public QObject {
     window->GetInteractor()->SetInteractorStyle(makeSceneInteractorStyle());
     scene = std::make_unique<PatchScene>();
     scene->attachTo(window);
-    smoothing = std::make_unique<PictureSmoothing>(canvas, *scene, opengl.software);
     clicks = std::make_unique<PatchClicks>(canvas, *scene, [this] { requestRender(); });
     builder = std::make_unique<SceneBuilder>(
         [this](std::shared_ptr<const SceneContent> content) { setContent(std::move(content)); });
@@ -296,7 +293,6 @@ struct PatchView::Parts : public QObject {
   /// Several changes in one turn of the event loop make one picture.
   void requestRender() {
     if (canvas == nullptr || !canvas->isVisible()) return;
-    smoothing->expectRender();
     canvas->requestRender();
   }
 
@@ -498,7 +494,7 @@ void PatchView::waitUntilUpToDate() {
 }
 
 void PatchView::drawNow() {
-  if (parts_->smoothing) parts_->smoothing->drawNow();
+  if (parts_->canvas != nullptr) parts_->canvas->drawNow();
 }
 
 QImage PatchView::screenshot() {

@@ -11,7 +11,6 @@
 #include <QLabel>
 #include <QMouseEvent>
 #include <QPainter>
-#include <QTimer>
 #include <QVBoxLayout>
 
 namespace hexoderm {
@@ -21,8 +20,6 @@ struct RobotView::Parts {
   std::unique_ptr<RobotScene> scene;
   QLabel* hint = nullptr;
   QPoint pressed_at;
-  bool by_processor = false;  ///< the canvas draws, and its pictures are smoothed
-  QTimer at_rest;             ///< smooths the last picture, where it was too large to be smoothed at once
 };
 
 RobotView::RobotView(QWidget* parent) : QWidget(parent) {
@@ -54,24 +51,13 @@ void RobotView::build() {
     layout->addWidget(parts_->hint);
     return;
   }
-  parts_->canvas = new SceneWidget(this);
+  parts_->canvas = new SceneWidget(opengl.software, this);
   parts_->canvas->setAccessibleName(accessibleName());
   parts_->canvas->setFocusPolicy(Qt::NoFocus);
   parts_->canvas->installEventFilter(this);
   parts_->canvas->renderWindow()->GetInteractor()->SetInteractorStyle(makeSceneInteractorStyle());
   parts_->scene = std::make_unique<RobotScene>();
   parts_->scene->attachTo(parts_->canvas->renderWindow());
-  parts_->by_processor = opengl.software;
-  if (parts_->by_processor) {
-    // Several samples a pixel take the processor several times as long as smoothing.
-    constexpr double kSmoothing_ms = 8;
-    constexpr int kRest_ms = 150;
-    parts_->canvas->renderWindow()->SetMultiSamples(0);
-    parts_->canvas->setSmoothingBudget(kSmoothing_ms);
-    parts_->at_rest.setSingleShot(true);
-    parts_->at_rest.setInterval(kRest_ms);
-    connect(&parts_->at_rest, &QTimer::timeout, parts_->canvas, &SceneWidget::smoothPictureBeside);
-  }
   layout->addWidget(parts_->canvas);
   setFocusPolicy(Qt::TabFocus);
   dress();
@@ -116,15 +102,11 @@ void RobotView::showCursor() {
 bool RobotView::canDraw() const { return parts_ && parts_->scene; }
 
 void RobotView::requestRender() {
-  if (!canDraw() || !parts_->canvas->isVisible()) return;
-  parts_->canvas->requestRender();
-  if (parts_->by_processor) parts_->at_rest.start();
+  if (canDraw() && parts_->canvas->isVisible()) parts_->canvas->requestRender();
 }
 
 void RobotView::drawNow() {
-  if (!canDraw()) return;
-  parts_->canvas->drawNow();
-  if (parts_->by_processor) parts_->canvas->smoothPicture();
+  if (canDraw()) parts_->canvas->drawNow();
 }
 
 QImage RobotView::screenshot() {

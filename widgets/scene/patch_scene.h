@@ -27,7 +27,6 @@
 #include <vtkProperty.h>
 #include <vtkRenderWindow.h>
 #include <vtkRenderer.h>
-#include <vtkRendererCollection.h>
 #include <vtkWeakPointer.h>
 
 #include <algorithm>
@@ -52,7 +51,7 @@ class PatchScene {
  public:
   using View = SceneCamera::View;
 
-  PatchScene() : parts_(std::make_unique<Parts>()) { setSmoothed(true); }
+  PatchScene() : parts_(std::make_unique<Parts>()) {}
 
   /// Adds the scene's renderers to the window; once. The scene must outlive the window's last rendering.
   void attachTo(vtkRenderWindow* window) {
@@ -173,14 +172,6 @@ class PatchScene {
     parts_->corners.setTextVisible(visible);
   }
 
-  /// Smooths edges after drawing (FXAA); on by default. It doubles the time of a picture in software OpenGL, where
-  /// smoothEdges() does it in less.
-  void setSmoothed(bool smoothed) {
-    parts_->renderer->SetUseFXAA(smoothed);
-    parts_->corners.setSmoothed(smoothed);
-    parts_->ghost.setSmoothed(smoothed);
-  }
-
   /// Pixels of the window's top that something else covers: what is fitted stays below.
   void setTopMargin(int pixels) { parts_->camera.setTopMargin(pixels); }
   /// The same at the bottom.
@@ -234,33 +225,6 @@ class PatchScene {
   }
 
   [[nodiscard]] const std::optional<SceneCut>& cut() const { return parts_->cut; }
-
-  /// What the depths mean that the last picture left in the window.
-  struct Depths {
-    double near_m = 0;
-    double far_m = 1;
-    bool parallel = false;
-    /// Left, bottom, right and top of the small pictures over the scene, in pixels: what lies there is not the scene's.
-    std::vector<std::array<int, 4>> elsewhere;
-  };
-  [[nodiscard]] Depths depths() const {
-    vtkCamera* camera = parts_->renderer->GetActiveCamera();
-    Depths depths;
-    depths.parallel = camera->GetParallelProjection() != 0;
-    camera->GetClippingRange(depths.near_m, depths.far_m);
-    if (!parts_->window) return depths;
-    const int* size = parts_->window->GetSize();
-    vtkRendererCollection* renderers = parts_->window->GetRenderers();
-    renderers->InitTraversal();
-    while (vtkRenderer* other = renderers->GetNextItem()) {
-      if (other == parts_->renderer || other->GetDraw() == 0) continue;
-      const double* place = other->GetViewport();
-      depths.elsewhere.push_back(
-          {static_cast<int>(std::floor(place[0] * size[0])), static_cast<int>(std::floor(place[1] * size[1])),
-           static_cast<int>(std::ceil(place[2] * size[0])), static_cast<int>(std::ceil(place[3] * size[1]))});
-    }
-    return depths;
-  }
 
   /// The cells whose IDs the last picture has.
   [[nodiscard]] std::vector<CellId> labelledCells() const {

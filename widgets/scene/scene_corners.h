@@ -141,11 +141,6 @@ class SceneCorners {
     for (auto& letter : parts_->letters) letter->SetVisibility(visible);
   }
 
-  void setSmoothed(bool smoothed) {
-    parts_->axes->SetUseFXAA(smoothed);
-    parts_->gravity->SetUseFXAA(smoothed);
-  }
-
   /// Looks the same way as `camera`, and keeps the size in pixels; called before each rendering.
   void follow(vtkCamera* camera, vtkRenderWindow* window) {
     const int* size = window->GetSize();

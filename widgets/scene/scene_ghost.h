@@ -63,8 +63,6 @@ class SceneGhost {
     }
   }
 
-  void setSmoothed(bool smoothed) { parts_->renderer->SetUseFXAA(smoothed); }
-
   /// `first` and `count`: the cells of the layout that are shown.
   void setPatch(const SceneLayout& layout, std::size_t first, std::size_t count) {
     parts_->cells = count;
