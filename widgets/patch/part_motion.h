@@ -3,6 +3,7 @@
 #include "hexoderm/capture/calm_up.h"
 #include "hexoderm/geometry/se3.h"
 #include "hexoderm/util/units.h"
+#include "widgets/patch/arrow_keys.h"
 #include "widgets/patch/ghost_caption.h"
 #include "widgets/scene/part_camera.h"
 #include "widgets/scene/patch_scene.h"
@@ -178,28 +179,12 @@ class PartMotion : public QObject {
 
   bool onKey(QEvent* event) {
     if (!turnable_ || !button_->isChecked()) return false;
-    double right = 0;
-    double down = 0;
-    switch (static_cast<QKeyEvent*>(event)->key()) {
-      case Qt::Key_Left:
-        right = -kKeyStep;
-        break;
-      case Qt::Key_Right:
-        right = kKeyStep;
-        break;
-      case Qt::Key_Up:
-        down = -kKeyStep;
-        break;
-      case Qt::Key_Down:
-        down = kKeyStep;
-        break;
-      default:
-        return false;
-    }
+    const auto way = directionOfKey(static_cast<QKeyEvent*>(event)->key());
+    if (!way) return false;
     // Keys that follow each other quickly add up, although the part has not arrived yet.
     if (!turn_over_.isActive()) beginTurn();
     turn_over_.start();
-    turnBy(right, down);
+    turnBy(kKeyStep * way->x(), -kKeyStep * way->y());
     return true;
   }
 

@@ -21,8 +21,8 @@ namespace hexoderm {
 /// without a graphics card takes longer than drawing the scene.
 ///
 /// Draws when it is asked to, and not by itself: with another size it shows the picture that it has until then. Needs
-/// OpenGL (see queryOpenGl()). Edges are smoothed by a shader; without a graphics card, where that takes longer than the
-/// drawing, only in the picture at rest, which is drawn once more for it.
+/// OpenGL (see queryOpenGl()). Edges are smoothed by a shader; without a graphics card, where that takes longer than
+/// the drawing, only in the picture at rest, which is drawn once more for it.
 class SceneWidget : public QWidget {
   Q_OBJECT
 
