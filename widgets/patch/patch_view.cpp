@@ -221,6 +221,7 @@ struct PatchView::Parts : public QObject {
                          .arg(QLocale().toString(static_cast<int>(reconstruction->cellCount())));
     } else {
       content.gravity = scene->showsGravity();
+      if (scene->showsGhost()) content.next_pose = QString::fromStdString(moment.next_turn);
       explained = legendOf(*scene, coloring);
       content.legend = legendInWords(*explained);
       content.notes = notesInWords(scene->notes(), overlays);
@@ -285,7 +286,6 @@ struct PatchView::Parts : public QObject {
   /// Called when the things drawn over the cells have changed.
   void refresh() {
     updateCaptions();
-    if (motion != nullptr) motion->refresh();
     if (pointing != nullptr) pointing->refresh();
     requestRender();
   }
@@ -441,14 +441,17 @@ void PatchView::redraw() { parts_->requestRender(); }
 void PatchView::setMoment(const PatchMoment& moment) {
   const PatchMoment before = std::exchange(parts_->moment, moment);
   if (!parts_->motion) return;
-  const bool was_shown = parts_->scene->showsGravity();
+  const auto captioned = [scene = parts_->scene.get()] {
+    return std::pair(scene->showsGravity(), scene->showsGhost());
+  };
+  const auto captioned_before = captioned();
   parts_->motion->setMoment(moment);
   parts_->pointing->setTold(moment.told_cell);
   const bool other_readings = moment.readings != before.readings;
   if (other_readings && comesOrGoes(before.readings.get(), moment.readings.get())) parts_->updateControls();
   if (moment.pose != before.pose || (other_readings && isReading(parts_->coloring))) {
     parts_->refresh();
-  } else if (parts_->scene->showsGravity() != was_shown) {
+  } else if (captioned() != captioned_before || moment.next_turn != before.next_turn) {
     parts_->updateCaptions();
   }
 }
@@ -505,7 +508,6 @@ QImage PatchView::screenshot() {
   parts_->pointing->paintMarks(painter);
   parts_->captions->paint(painter, parts_->canvas->size());
   parts_->legend_view->paintPicture(painter, parts_->canvas->size());
-  parts_->motion->paintCaption(painter, parts_->canvas->size());
   return image;
 }
 
