@@ -11,7 +11,6 @@
 #include "widgets/patch/patch_clicks.h"
 #include "widgets/patch/patch_controls.h"
 #include "widgets/patch/patch_legend_view.h"
-#include "widgets/patch/patch_menu.h"
 #include "widgets/patch/patch_pointing.h"
 #include "widgets/patch/patch_words.h"
 #include "widgets/patch/scene_legend.h"
@@ -26,6 +25,7 @@
 #include <QAction>
 #include <QClipboard>
 #include <QContextMenuEvent>
+#include <QCoreApplication>
 #include <QGridLayout>
 #include <QGuiApplication>
 #include <QKeyEvent>
@@ -46,6 +46,10 @@ bool comesOrGoes(const CellReadings* before, const CellReadings* after) {
   };
   return kinds(before) != kinds(after);
 }
+
+struct PatchMenu {
+  Q_DECLARE_TR_FUNCTIONS(hexoderm::PatchMenu)
+};
 
 }  // namespace
 
@@ -143,7 +147,6 @@ struct PatchView::Parts : public QObject {
     connect(clicks.get(), &PatchClicks::menuWanted, this, &Parts::openMenuAt);
     connect(controls, &PatchControls::coloringChosen, pointing, &PatchPointing::setColoring);
     connect(controls, &PatchControls::heightChanged, pointing, &PatchPointing::setTopMargin);
-    connect(controls, &PatchControls::viewRequested, pointing, &PatchPointing::forgetReturn);
     // What has the mouse or the keyboard lies above what lets both through.
     controls->raise();
     pointing->raise();
@@ -165,10 +168,7 @@ struct PatchView::Parts : public QObject {
       refresh();
     });
     connect(controls, &PatchControls::fitRequested, view, &PatchView::fit);
-    connect(controls, &PatchControls::viewRequested, this, [this](PatchScene::View standard) {
-      scene->showStandardView(standard);
-      requestRender();
-    });
+    connect(controls, &PatchControls::viewRequested, view, &PatchView::showStandardView);
     connect(controls, &PatchControls::heightChanged, captions, &PatchCaptions::setTopMargin);
     connect(controls, &PatchControls::heightChanged, this, [this](int height) {
       controls_height = height;
@@ -210,8 +210,7 @@ struct PatchView::Parts : public QObject {
       content.hint = PatchView::tr(
           "The 3D view needs OpenGL 3.2, which is not available here. The graph and the tables still work.\n\n"
           "On a remote desktop, or with a faulty driver, it may help to let the processor draw: Edit, Preferences, "
-          "\"Draw "
-          "without the graphics card\", then start Hexoderm again.");
+          "\"Draw without the graphics card\", then start Hexoderm again.");
     } else if (!reconstruction) {
       content.hint = awaited.isEmpty() ? PatchView::tr("No skin yet: open a session or start the demo.") : awaited;
     } else if (reconstruction->cellCount() == 0) {
@@ -296,15 +295,40 @@ struct PatchView::Parts : public QObject {
     canvas->requestRender();
   }
 
-  /// Opens the menu for the cell at this place of the canvas, if there is one.
+  /// Opens the menu at this place of the canvas: first what can be done with the cell there, if there is one, then what
+  /// the buttons over the scene offer too.
   void openMenuAt(const QPoint& position) {
     if (scene->content() == nullptr) return;
     auto* menu = new QMenu(view);
     menu->setObjectName(QStringLiteral("patchMenu"));
     menu->setAttribute(Qt::WA_DeleteOnClose);
-    fillPatchMenu(*menu, *controls, pointing->cellAt(position),
-                  {[this](CellId cell) { selection->selectCell(cell); }, [this](CellId cell) { view->centerOn(cell); },
-                   [this] { view->copyPicture(); }});
+    menu->setToolTipsVisible(true);
+    const auto add = [&](const char* name, const QString& text, const auto& then) {
+      QAction* action = menu->addAction(text, this, then);
+      action->setObjectName(QLatin1String(name));
+      return action;
+    };
+    if (const auto cell = pointing->cellAt(position)) {
+      add("actionPickCell", PatchMenu::tr("&Pick cell %1").arg(cell->value()),
+          [this, cell] { selection->selectCell(*cell); });
+      add("actionCenterCell", PatchMenu::tr("&Bring cell %1 into the middle").arg(cell->value()),
+          [this, cell] { view->centerOn(*cell); });
+      menu->addSeparator();
+    }
+    menu->addAction(controls->fitAction());
+    QMenu* look = menu->addMenu(PatchMenu::tr("&Look from"));
+    look->setToolTipsVisible(true);
+    for (QAction* from : controls->viewActions()) look->addAction(from);
+    menu->addActions({controls->parallelAction(), controls->cutAction()});
+    menu->addSeparator();
+    menu->addMenu(controls->coloringMenu());
+    menu->addMenu(controls->showMenu());
+    menu->addAction(controls->measureAction());
+    menu->addSeparator();
+    add("actionCopyPicture", PatchMenu::tr("Copy pict&ure"), [this] {
+      view->copyPicture();
+    })->setToolTip(PatchMenu::tr("The scene with its legend, to be pasted elsewhere"));
+    menu->addAction(controls->pictureAction());
     menu->popup(canvas->mapToGlobal(position));
   }
 
@@ -425,8 +449,7 @@ void PatchView::setOverlays(const PatchOverlays& overlays) {
 const PatchOverlays& PatchView::overlays() const { return parts_->overlays; }
 
 void PatchView::setShiftFactor(std::optional<double> factor) {
-  if (!parts_->scene) return;
-  parts_->scene->setShiftFactor(factor);
+  if (parts_->scene) parts_->scene->setShiftFactor(factor);
   parts_->refresh();
 }
 
@@ -519,8 +542,7 @@ void PatchView::fit() {
 }
 
 void PatchView::centerOn(CellId cell) {
-  if (!parts_->scene) return;
-  parts_->scene->centerOn(cell);
+  if (parts_->scene) parts_->scene->centerOn(cell);
   parts_->requestRender();
 }
 
@@ -539,8 +561,7 @@ void PatchView::keepView() {
 }
 
 void PatchView::returnToKeptView() {
-  if (!parts_->scene) return;
-  parts_->scene->returnToKeptView();
+  if (parts_->scene) parts_->scene->returnToKeptView();
   parts_->requestRender();
 }
 
