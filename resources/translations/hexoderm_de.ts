@@ -1443,17 +1443,6 @@ Die Balken sagen, wie sehr sich die gesehenen Richtungen in drei Achsen untersch
     </message>
 </context>
 <context>
-    <name>hexoderm::GhostCaption</name>
-    <message>
-        <source>next pose</source>
-        <translation>nächste Pose</translation>
-    </message>
-    <message>
-        <source>next pose, %1</source>
-        <translation>nächste Pose, %1</translation>
-    </message>
-</context>
-<context>
     <name>hexoderm::GraphColoringButton</name>
     <message>
         <source>What the colours of links and cells show</source>
@@ -7438,6 +7427,14 @@ Die Balken sagen, wie sehr sich die gesehenen Richtungen in drei Achsen untersch
     <message>
         <source>gravity</source>
         <translation>Schwerkraft</translation>
+    </message>
+    <message>
+        <source>next pose</source>
+        <translation>nächste Pose</translation>
+    </message>
+    <message>
+        <source>next pose, %1</source>
+        <translation>nächste Pose, %1</translation>
     </message>
 </context>
 <context>

@@ -7,7 +7,7 @@
 // column CPU is the time of all threads together: on a busy computer it tells more than the frames/s do.
 
 #include "tests/support/hand_made_skins.h"
-#include "widgets/patch/edge_smoothing.h"
+#include "widgets/scene/edge_smoothing.h"
 #include "widgets/scene/patch_scene.h"
 
 #include <benchmark/benchmark.h>
@@ -15,7 +15,6 @@
 #include <vtkNew.h>
 #include <vtkRenderWindow.h>
 #include <vtkRenderer.h>
-#include <vtkUnsignedCharArray.h>
 #include <array>
 #include <cmath>
 #include <map>
@@ -66,7 +65,7 @@ struct Stage {
     static Stage& stage = *new Stage;  // never destroyed: OpenGL may be gone by then
     stage.scene.setContent(content);
     stage.scene.setColoring(Coloring::LinkQuality);
-    stage.scene.setSmoothed(false);  // as while the mouse turns the scene
+    setSmoothed(*stage.window, false);  // as while the mouse turns the scene
     stage.scene.showStandardView(PatchScene::View::Oblique);
     stage.draw();
     return stage;
@@ -82,7 +81,7 @@ struct Stage {
 
 void turn(benchmark::State& state, bool smoothed) {
   Stage& stage = Stage::showing(makeSceneContent(skinOf(state.range(0))));
-  stage.scene.setSmoothed(smoothed);
+  setSmoothed(*stage.window, smoothed);
   stage.draw();
   for ([[maybe_unused]] auto _ : state) {
     stage.scene.renderer()->GetActiveCamera()->Azimuth(3);
@@ -157,16 +156,6 @@ void ReadingsRecolour(benchmark::State& state) {
   }
 }
 
-/// The window's work at rest without a graphics card.
-void PictureSmoothed(benchmark::State& state) {
-  Stage& stage = Stage::showing(makeSceneContent(skinOf(state.range(0))));
-  const vtkNew<vtkUnsignedCharArray> pixels;
-  stage.window->GetRGBACharPixelData(0, 0, kWidth - 1, kHeight - 1, 0, pixels);
-  const QImage picture =
-      QImage(pixels->GetPointer(0), kWidth, kHeight, QImage::Format_RGBX8888).convertToFormat(QImage::Format_RGB32);
-  for ([[maybe_unused]] auto _ : state) benchmark::DoNotOptimize(smoothEdges(picture));
-}
-
 /// The first pick of a result sorts its cells; the next ones are quicker.
 void FirstPick(benchmark::State& state) {
   const auto content = makeSceneContent(skinOf(state.range(0)));
@@ -198,7 +187,6 @@ void sizes(benchmark::internal::Benchmark* each) {
 BENCHMARK(Turning)->Apply(sizes);
 BENCHMARK(TurningSmoothed)->Apply(sizes);
 BENCHMARK(TurningNear)->Apply(sizes);
-BENCHMARK(PictureSmoothed)->Apply(sizes);
 BENCHMARK(NewResultPrepared)->Apply(sizes);
 BENCHMARK(NewResultTakenOver)->Apply(sizes);
 BENCHMARK(NewResultTakenOverAndDrawn)->Apply(sizes);

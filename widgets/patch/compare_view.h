@@ -16,6 +16,7 @@
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QLocale>
+#include <QSignalBlocker>
 #include <QSlider>
 #include <QStringList>
 #include <QToolButton>
@@ -24,6 +25,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <initializer_list>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -48,44 +50,50 @@ class CompareView : public QWidget {
 
   /// `selection` must outlive the view.
   explicit CompareView(Selection* selection, QWidget* parent = nullptr)
-      : QWidget(parent), parts_(std::make_unique<Parts>(this, selection)) {
+      : QWidget(parent), before_(new PatchView(selection)), now_(new PatchView(selection)) {
     setNames(this, QStringLiteral("compareView"), tr("Before and after"));
-    parts_->build();
+    auto* layout = spaced(new QVBoxLayout(this), {10, 8, 10, 8}, 6);
+    buildHead(layout);
+    auto* panes = spaced(new QHBoxLayout, 8);
+    before_pane_ = addPane(panes, "compareBeforeTitle", tr("BEFORE"), before_);
+    addPane(panes, "compareNowTitle", tr("NOW"), now_);
+    setNames(before_, QStringLiteral("compareBefore"), tr("The patch before"));
+    setNames(now_, QStringLiteral("compareNow"), tr("The patch now"));
+    layout->addLayout(panes, 1);
+    summary_->setObjectName(QStringLiteral("compareSummary"));
+    summary_->setWordWrap(true);
+    layout->addWidget(summary_);
+    cameras_ = std::make_unique<CameraLink>(*before_, *now_);
+    connect(before_, &PatchView::coloringChanged, now_, &PatchView::setColoring);
+    connect(now_, &PatchView::coloringChanged, before_, &PatchView::setColoring);
   }
 
-  ~CompareView() override { parts_->cameras.reset(); }
-
   void setContent(const Content& content) {
-    parts_->content = content;
-    parts_->show();
+    content_ = content;
+    showContent();
   }
 
   /// The results that can be "before", in words; `why_none` is said where there are none.
   void setSources(const QStringList& sources, int chosen, const QString& why_none) {
-    parts_->is_filling = true;
-    parts_->source->clear();
-    parts_->source->addItems(sources);
-    parts_->source->setCurrentIndex(chosen);
-    parts_->source->setEnabled(!sources.isEmpty());
+    source_->clear();
+    source_->addItems(sources);
+    source_->setCurrentIndex(chosen);
+    source_->setEnabled(!sources.isEmpty());
     // What the box asks for leaves out the frame of its arrow.
-    parts_->source->setMinimumWidth(parts_->source->sizeHint().width() +
-                                    parts_->source->fontMetrics().averageCharWidth());
-    parts_->is_filling = false;
-    if (sources.isEmpty()) parts_->summary->setText(why_none);
-    disconnect(parts_->source, nullptr, this, nullptr);
-    connect(parts_->source, qOverload<int>(&QComboBox::activated), this, &CompareView::sourceChosen);
+    source_->setMinimumWidth(source_->sizeHint().width() + source_->fontMetrics().averageCharWidth());
+    if (sources.isEmpty()) summary_->setText(why_none);
   }
 
   void setMode(Mode mode) {
-    parts_->mode = mode;
-    parts_->show();
+    mode_ = mode;
+    showContent();
   }
 
-  [[nodiscard]] Mode mode() const { return parts_->mode; }
-  [[nodiscard]] PatchView& before() const { return *parts_->before; }
-  [[nodiscard]] PatchView& now() const { return *parts_->now; }
+  [[nodiscard]] Mode mode() const { return mode_; }
+  [[nodiscard]] PatchView& before() const { return *before_; }
+  [[nodiscard]] PatchView& now() const { return *now_; }
   /// As the arrows are drawn.
-  [[nodiscard]] std::optional<double> factor() const { return parts_->now->shiftFactor(); }
+  [[nodiscard]] std::optional<double> factor() const { return now_->shiftFactor(); }
 
  signals:
   void sourceChosen(int index);
@@ -93,13 +101,6 @@ class CompareView : public QWidget {
  private:
   /// The steps of the slider: those in which arrows are enlarged by themselves.
   static constexpr std::array kFactors = {1.0, 2.0, 5.0, 10.0, 20.0, 50.0, 100.0, 200.0, 500.0, 1000.0};
-  static QLabel* caption(const char* name, const QString& text) {
-    auto* label = new QLabel(text);
-    label->setObjectName(QLatin1String(name));
-    label->setProperty("caption", true);
-    label->setTextFormat(Qt::PlainText);
-    return label;
-  }
 
   /// The cell that lies farthest from where it was; null without any.
   static const CellDifference* farthestMoved(const std::vector<Comparison>& comparisons) {
@@ -112,136 +113,104 @@ class CompareView : public QWidget {
     return farthest;
   }
 
-  struct Parts {
-    Parts(CompareView* owner, Selection* selection)
-        : view(owner), before(new PatchView(selection)), now(new PatchView(selection)) {}
+  static QWidget* addPane(QHBoxLayout* panes, const char* name, const QString& text, PatchView* patch) {
+    auto* title = new QLabel(text);
+    title->setObjectName(QLatin1String(name));
+    title->setProperty("caption", true);
+    title->setTextFormat(Qt::PlainText);
+    auto* pane = new QWidget;
+    auto* column = spaced(new QVBoxLayout(pane), {0, 0, 0, 0}, 2);
+    column->addWidget(title);
+    column->addWidget(patch, 1);
+    panes->addWidget(pane, 1);
+    return pane;
+  }
 
-    CompareView* view;
-    PatchView* before;
-    PatchView* now;
-    std::unique_ptr<CameraLink> cameras;
-    Content content;
-    Mode mode = Mode::SideBySide;
-    bool is_filling = false;
-
-    QComboBox* source = new QComboBox;
-    QToolButton* side_by_side = new QToolButton;
-    QToolButton* arrows = new QToolButton;
-    QWidget* enlarged = new QWidget;
-    QSlider* slider = new QSlider(Qt::Horizontal);
-    QLabel* factor_label = new QLabel;
-    QWidget* before_pane = new QWidget;
-    QLabel* summary = new QLabel;
-
-    void build() {
-      auto* layout = spaced(new QVBoxLayout(view), {10, 8, 10, 8}, 6);
-      buildHead(layout);
-      const auto pane = [](QWidget* holder, QLabel* title, PatchView* patch) {
-        auto* column = spaced(new QVBoxLayout(holder), {0, 0, 0, 0}, 2);
-        column->addWidget(title);
-        column->addWidget(patch, 1);
-      };
-      pane(before_pane, caption("compareBeforeTitle", CompareView::tr("BEFORE")), before);
-      auto* now_pane = new QWidget;
-      pane(now_pane, caption("compareNowTitle", CompareView::tr("NOW")), now);
-      setNames(before, QStringLiteral("compareBefore"), CompareView::tr("The patch before"));
-      setNames(now, QStringLiteral("compareNow"), CompareView::tr("The patch now"));
-      auto* panes = spaced(new QHBoxLayout, 8);
-      panes->addWidget(before_pane, 1);
-      panes->addWidget(now_pane, 1);
-      layout->addLayout(panes, 1);
-      summary->setObjectName(QStringLiteral("compareSummary"));
-      summary->setWordWrap(true);
-      layout->addWidget(summary);
-      cameras = std::make_unique<CameraLink>(*before, *now);
-      connect(before, &PatchView::coloringChanged, now, &PatchView::setColoring);
-      connect(now, &PatchView::coloringChanged, before, &PatchView::setColoring);
-    }
-
-    void buildHead(QVBoxLayout* layout) {
-      source->setObjectName(QStringLiteral("compareSource"));
-      source->setSizeAdjustPolicy(QComboBox::AdjustToContents);
-      source->setAccessibleName(CompareView::tr("What the result of now is compared with"));
-      auto* from = new QLabel(CompareView::tr("Before:"));
-      from->setBuddy(source);
-      auto* modes = new QButtonGroup(view);
-      const auto add = [&](QToolButton* button, const char* name, const QString& text, const QString& tip) {
-        button->setObjectName(QLatin1String(name));
-        button->setText(text);
-        button->setToolTip(tip);
-        button->setCheckable(true);
-        modes->addButton(button);
-      };
-      add(side_by_side, "compareSideBySide", CompareView::tr("Side by side"),
-          CompareView::tr("Both results, seen from the same side"));
-      add(arrows, "compareArrows", CompareView::tr("Arrows"),
-          CompareView::tr("The result of now, with an arrow from where each cell was"));
-      side_by_side->setChecked(true);
-      connect(side_by_side, &QToolButton::clicked, view, [this] { view->setMode(Mode::SideBySide); });
-      connect(arrows, &QToolButton::clicked, view, [this] { view->setMode(Mode::Arrows); });
-      setNames(slider, QStringLiteral("compareFactor"), CompareView::tr("Enlargement of the arrows"));
-      slider->setRange(0, static_cast<int>(kFactors.size()) - 1);
-      slider->setPageStep(3);
-      slider->setMinimumWidth(24 * view->fontMetrics().averageCharWidth());
-      connect(slider, &QSlider::valueChanged, view, [this](int step) {
-        if (is_filling) return;
-        now->setShiftFactor(kFactors.at(static_cast<std::size_t>(step)));
-        showFactor();
-      });
-      factor_label->setObjectName(QStringLiteral("compareFactorLabel"));
-      auto* row = spaced(new QHBoxLayout(enlarged), {8, 0, 0, 0});
-      row->addWidget(new QLabel(CompareView::tr("Arrows enlarged")));
-      addWidgets(row, {slider, factor_label});
-      auto* head = new FlowLayout;
-      for (QWidget* widget : std::initializer_list<QWidget*>{from, source, side_by_side, arrows, enlarged}) {
-        head->addWidget(widget);
-      }
-      layout->addLayout(head);
-      enlarged->hide();
-    }
-
-    void show() {
-      const bool with_arrows = mode == Mode::Arrows;
-      before_pane->setVisible(!with_arrows);
-      enlarged->setVisible(with_arrows);
-      (with_arrows ? arrows : side_by_side)->setChecked(true);
-      before->setReconstruction(with_arrows ? nullptr : content.before);
-      if (now->overlays().comparison != nullptr || with_arrows) {
-        PatchOverlays overlays;
-        if (with_arrows) overlays.comparison = content.comparison;
-        now->setOverlays(overlays);
-      }
-      now->setReconstruction(content.now);
-      summary->setText(inWords());
+  void buildHead(QVBoxLayout* layout) {
+    setNames(source_, QStringLiteral("compareSource"), tr("What the result of now is compared with"));
+    source_->setSizeAdjustPolicy(QComboBox::AdjustToContents);
+    connect(source_, qOverload<int>(&QComboBox::activated), this, &CompareView::sourceChosen);
+    auto* modes = new QButtonGroup(this);
+    const auto add = [&](QToolButton* button, const char* name, const QString& text, const QString& tip, Mode mode) {
+      button->setObjectName(QLatin1String(name));
+      button->setText(text);
+      button->setToolTip(tip);
+      button->setCheckable(true);
+      modes->addButton(button);
+      connect(button, &QToolButton::clicked, this, [this, mode] { setMode(mode); });
+    };
+    add(side_by_side_, "compareSideBySide", tr("Side by side"), tr("Both results, seen from the same side"),
+        Mode::SideBySide);
+    add(arrows_, "compareArrows", tr("Arrows"), tr("The result of now, with an arrow from where each cell was"),
+        Mode::Arrows);
+    side_by_side_->setChecked(true);
+    setNames(slider_, QStringLiteral("compareFactor"), tr("Enlargement of the arrows"));
+    slider_->setRange(0, static_cast<int>(kFactors.size()) - 1);
+    slider_->setPageStep(3);
+    slider_->setMinimumWidth(24 * fontMetrics().averageCharWidth());
+    connect(slider_, &QSlider::valueChanged, this, [this](int step) {
+      now_->setShiftFactor(kFactors.at(static_cast<std::size_t>(step)));
       showFactor();
+    });
+    factor_label_->setObjectName(QStringLiteral("compareFactorLabel"));
+    auto* row = spaced(new QHBoxLayout(enlarged_), {8, 0, 0, 0});
+    addWidgets(row, {new QLabel(tr("Arrows enlarged")), slider_, factor_label_});
+    auto* head = new FlowLayout;
+    for (QWidget* widget : std::initializer_list<QWidget*>{labelFor(source_, tr("Before:")), source_, side_by_side_,
+                                                           arrows_, enlarged_}) {
+      head->addWidget(widget);
     }
+    layout->addLayout(head);
+    enlarged_->hide();
+  }
 
-    void showFactor() {
-      const std::optional<double> shown = now->shiftFactor();
-      slider->setEnabled(shown.has_value());
-      factor_label->setText(shown ? CompareView::tr("%1 times").arg(QLocale().toString(*shown, 'f', 0)) : noValue());
-      if (!shown) return;
-      is_filling = true;
-      const auto step = std::ranges::lower_bound(kFactors, *shown - 0.5) - kFactors.begin();
-      slider->setValue(static_cast<int>(step));
-      is_filling = false;
-    }
+  void showContent() {
+    const bool with_arrows = mode_ == Mode::Arrows;
+    before_pane_->setVisible(!with_arrows);
+    enlarged_->setVisible(with_arrows);
+    (with_arrows ? arrows_ : side_by_side_)->setChecked(true);
+    before_->setReconstruction(with_arrows ? nullptr : content_.before);
+    PatchOverlays overlays;
+    if (with_arrows) overlays.comparison = content_.comparison;
+    now_->setOverlays(overlays);
+    now_->setReconstruction(content_.now);
+    summary_->setText(inWords());
+    showFactor();
+  }
 
-    QString inWords() const {
-      if (!content.before || !content.comparison) return {};
-      const ComparisonSummary all = summariseComparisons(*content.comparison);
-      const CellDifference* farthest = farthestMoved(*content.comparison);
-      if (all.cells == 0 || farthest == nullptr) return CompareView::tr("The two have no cells in common.");
-      return CompareView::tr(
-                 "%1 cells in common. Between before and now they lie %2 apart and are turned by %3 (rms, after "
-                 "the best fit of both); cell %4 has moved most, by %5.")
-          .arg(QString::number(all.cells), millimetresInWords(all.position_rms_m, 2),
-               degreesInWords(all.orientation_rms_rad), QString::number(farthest->cell.value()),
-               millimetresInWords(farthest->position_m.norm(), 2));
-    }
-  };
+  void showFactor() {
+    const std::optional<double> shown = now_->shiftFactor();
+    slider_->setEnabled(shown.has_value());
+    factor_label_->setText(shown ? tr("%1 times").arg(QLocale().toString(*shown, 'f', 0)) : noValue());
+    const QSignalBlocker quiet(slider_);
+    if (shown) slider_->setValue(static_cast<int>(std::ranges::lower_bound(kFactors, *shown - 0.5) - kFactors.begin()));
+  }
 
-  std::unique_ptr<Parts> parts_;
+  [[nodiscard]] QString inWords() const {
+    if (!content_.before || !content_.comparison) return {};
+    const ComparisonSummary all = summariseComparisons(*content_.comparison);
+    const CellDifference* farthest = farthestMoved(*content_.comparison);
+    if (all.cells == 0 || farthest == nullptr) return tr("The two have no cells in common.");
+    return tr("%1 cells in common. Between before and now they lie %2 apart and are turned by %3 (rms, after "
+              "the best fit of both); cell %4 has moved most, by %5.")
+        .arg(QString::number(all.cells), millimetresInWords(all.position_rms_m, 2),
+             degreesInWords(all.orientation_rms_rad), QString::number(farthest->cell.value()),
+             millimetresInWords(farthest->position_m.norm(), 2));
+  }
+
+  PatchView* before_;
+  PatchView* now_;
+  std::unique_ptr<CameraLink> cameras_;
+  Content content_;
+  Mode mode_ = Mode::SideBySide;
+  QComboBox* source_ = new QComboBox;
+  QToolButton* side_by_side_ = new QToolButton;
+  QToolButton* arrows_ = new QToolButton;
+  QWidget* enlarged_ = new QWidget;
+  QSlider* slider_ = new QSlider(Qt::Horizontal);
+  QLabel* factor_label_ = new QLabel;
+  QWidget* before_pane_ = nullptr;
+  QLabel* summary_ = new QLabel;
 };
 
 }  // namespace hexoderm

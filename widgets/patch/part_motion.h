@@ -3,7 +3,7 @@
 #include "hexoderm/capture/calm_up.h"
 #include "hexoderm/geometry/se3.h"
 #include "hexoderm/util/units.h"
-#include "widgets/patch/ghost_caption.h"
+#include "widgets/patch/arrow_keys.h"
 #include "widgets/scene/part_camera.h"
 #include "widgets/scene/patch_scene.h"
 
@@ -17,6 +17,7 @@
 #include <QMouseEvent>
 #include <QObject>
 #include <QPoint>
+#include <QTimeLine>
 #include <QTimer>
 #include <QToolButton>
 #include <algorithm>
@@ -25,7 +26,6 @@
 #include <optional>
 #include <utility>
 
-class QPainter;
 class QWidget;
 
 namespace hexoderm {
@@ -44,12 +44,7 @@ class PartMotion : public QObject {
   /// the picture or the part, and is shown while the part can be turned. `render` asks for a picture soon. All but
   /// `canvas` must outlive this.
   PartMotion(QWidget* view, QWidget* canvas, QToolButton* button, PatchScene& scene, std::function<void()> render)
-      : view_(view),
-        canvas_(canvas),
-        scene_(scene),
-        render_(std::move(render)),
-        caption_(new GhostCaption(view)),
-        button_(button) {
+      : view_(view), canvas_(canvas), scene_(scene), render_(std::move(render)), button_(button) {
     button_->setObjectName(QStringLiteral("turnThePart"));
     button_->setText(tr("Turn the part"));
     button_->setCheckable(true);
@@ -64,15 +59,15 @@ class PartMotion : public QObject {
     connect(&request_soon_, &QTimer::timeout, this, &PartMotion::request);
     turn_over_.setSingleShot(true);
     turn_over_.setInterval(kTurnOver_ms);
-    frames_.setInterval(kFrame_ms);
-    connect(&frames_, &QTimer::timeout, this, &PartMotion::nextFrame);
+    turns_.setUpdateInterval(kFrame_ms);
+    turns_.setLoopCount(kPlays);
+    turns_.setEasingCurve(QEasingCurve::Linear);
+    connect(&turns_, &QTimeLine::valueChanged, this, &PartMotion::turnGhost);
+    connect(&turns_, &QTimeLine::finished, this, [this] { turnGhost(1); });
     // Later than the view's own: what turns the part is not seen by anybody else.
     canvas_->installEventFilter(this);
     view_->installEventFilter(this);
-    place();
   }
-
-  ~PartMotion() override = default;
 
   /// Hands the moment on to the scene with the up direction that CalmUp makes of it, and starts the ghost's turn where
   /// the next pose is another one.
@@ -81,18 +76,13 @@ class PartMotion : public QObject {
     shown.up_o = calm_up_.follow(moment.up_o);
     const std::optional<Eigen::Vector3d> up_before = std::exchange(up_o_, shown.up_o);
     const std::optional<Eigen::Vector3d> next_before = std::exchange(next_o_, moment.next_up_o);
-    caption_->setAngle(QString::fromStdString(moment.next_turn));
     scene_.setMoment(shown);
     const bool is_other_next = next_o_.has_value() != next_before.has_value() ||
                                (next_o_ && angleBetween(*next_o_, *next_before) > kOtherNext);
     if (is_other_next) play();
-    if (up_o_ == up_before && next_o_ == next_before) return;
-    updateCaption();
-    render_();
+    if (up_o_ != up_before || next_o_ != next_before) render_();
   }
 
-  /// Must be called when another skin, or another shape of it, is shown.
-  void refresh() { updateCaption(); }
   void setTurnable(bool turnable) {
     turnable_ = turnable;
     if (!turnable) {
@@ -109,10 +99,7 @@ class PartMotion : public QObject {
     play();
   }
 
-  /// Paints the words beside the ghost into a screenshot of this size.
-  void paintCaption(QPainter& painter, const QSize& area) const { caption_->paint(painter, area); }
-
-  [[nodiscard]] bool isAnimating() const { return frames_.isActive(); }
+  [[nodiscard]] bool isAnimating() const { return turns_.state() == QTimeLine::Running; }
 
  signals:
   /// The part should be turned until this direction points up; at most 20 times a second.
@@ -120,13 +107,10 @@ class PartMotion : public QObject {
 
  protected:
   bool eventFilter(QObject* watched, QEvent* event) override {
-    if (watched == view_) {
-      if (event->type() == QEvent::Resize) place();
-      return event->type() == QEvent::KeyPress && onKey(event);
-    }
+    if (watched == view_) return event->type() == QEvent::KeyPress && onKey(event);
     switch (event->type()) {
       case QEvent::Hide:
-        frames_.stop();
+        turns_.stop();
         return false;
       case QEvent::Show:
         if (next_o_ && animated_) play();
@@ -141,7 +125,7 @@ class PartMotion : public QObject {
   }
 
  private:
-  static constexpr double kPlay_s = 2.0;
+  static constexpr int kPlay_ms = 2000;
   static constexpr double kTurning = 0.65;  // share of it
   static constexpr int kPlays = 3;
   static constexpr int kFrame_ms = 40;
@@ -178,28 +162,12 @@ class PartMotion : public QObject {
 
   bool onKey(QEvent* event) {
     if (!turnable_ || !button_->isChecked()) return false;
-    double right = 0;
-    double down = 0;
-    switch (static_cast<QKeyEvent*>(event)->key()) {
-      case Qt::Key_Left:
-        right = -kKeyStep;
-        break;
-      case Qt::Key_Right:
-        right = kKeyStep;
-        break;
-      case Qt::Key_Up:
-        down = -kKeyStep;
-        break;
-      case Qt::Key_Down:
-        down = kKeyStep;
-        break;
-      default:
-        return false;
-    }
+    const auto way = directionOfKey(static_cast<QKeyEvent*>(event)->key());
+    if (!way) return false;
     // Keys that follow each other quickly add up, although the part has not arrived yet.
     if (!turn_over_.isActive()) beginTurn();
     turn_over_.start();
-    turnBy(right, down);
+    turnBy(kKeyStep * way->x(), -kKeyStep * way->y());
     return true;
   }
 
@@ -237,39 +205,25 @@ class PartMotion : public QObject {
   }
 
   void play() {
-    frames_.stop();
-    if (!next_o_ || !animated_) {
-      scene_.setGhostPhase(1);
-      render_();
-      return;
-    }
-    since_start_.start();
-    scene_.setGhostPhase(0);
-    if (canvas_->isVisible()) frames_.start();
+    turns_.stop();
+    const bool moves = next_o_ && animated_;
+    turnGhost(moves ? 0 : 1);
+    if (moves && canvas_->isVisible()) turns_.start();
   }
 
-  void nextFrame() {
-    const double played = static_cast<double>(since_start_.elapsed()) / 1000 / kPlay_s;
-    const double within = played - std::floor(played);
-    if (played >= kPlays) frames_.stop();
-    const double phase = played >= kPlays ? 1 : eased(std::min(1.0, within / kTurning));
+  /// `share`: of the time of one turn, at the end of which it rests.
+  void turnGhost(double share) {
+    const double phase = eased(std::min(1.0, share / kTurning));
     // While it rests there is nothing to draw.
-    if (phase == 1 && played < kPlays && within > kTurning + 0.1) return;
+    if (std::exchange(ghost_phase_, phase) == phase) return;
     scene_.setGhostPhase(phase);
     render_();
-  }
-
-  void updateCaption() { caption_->setShown(scene_.showsGhost()); }
-  void place() {
-    caption_->setGeometry(view_->rect());
-    caption_->raise();
   }
 
   QWidget* view_;
   QWidget* canvas_;
   PatchScene& scene_;
   std::function<void()> render_;
-  GhostCaption* caption_;
   QToolButton* button_;
 
   CalmUp calm_up_;
@@ -286,8 +240,8 @@ class PartMotion : public QObject {
   QTimer turn_over_;  ///< the keys have rested: the next turn starts from where the part is
 
   bool animated_ = true;
-  QTimer frames_;
-  QElapsedTimer since_start_;
+  QTimeLine turns_{kPlay_ms};  ///< of the ghost
+  double ghost_phase_ = 1;
 };
 
 }  // namespace hexoderm

@@ -1,26 +1,32 @@
 #pragma once
 
 #include "widgets/scene/scene_corners.h"
+#include "widgets/scene/scene_ghost.h"
 #include "widgets/style/palette.h"
 
 #include <QImage>
 #include <QPainter>
+#include <QPainterPath>
 #include <QStringList>
 #include <QWidget>
 #include <algorithm>
+#include <array>
+#include <cmath>
 #include <optional>
 
 namespace hexoderm {
 
-/// The texts over the 3D scene: a line for each thing drawn over the cells, the word beside
-/// the gravity arrow, and a hint if there is nothing to see. Lets the mouse through.
+/// The texts over the 3D scene: a line for each thing drawn over the cells, the word beside the gravity arrow, that of
+/// the next pose beside its ghost with a curved arrow that leads there, and a hint if there is nothing to see. Lets the
+/// mouse through.
 class PatchCaptions : public QWidget {
   Q_OBJECT
 
  public:
   struct Content {
-    QString hint;          ///< instead of everything else, where not empty
-    bool gravity = false;  ///< the arrow is there
+    QString hint;                      ///< instead of everything else, where not empty
+    bool gravity = false;              ///< the arrow is there
+    std::optional<QString> next_pose;  ///< its ghost is there; how far it is ("70°"), or empty
     QStringList notes;
     QString message;  ///< the message of a tool; emphasised above the notes
     QString legend;   ///< in words, for screen readers
@@ -81,6 +87,7 @@ class PatchCaptions : public QWidget {
       writeOnGround(painter, word, tr("gravity"), colors.text_muted, colors.scene_bottom);
     }
     paintNotes(painter, area);
+    if (content_.next_pose) paintNextPose(painter, area);
   }
 
  protected:
@@ -130,6 +137,43 @@ class PatchCaptions : public QWidget {
     if (!content_.message.isEmpty()) write(content_.message, colors.text, true);
     for (const QString& note : content_.notes) write(note, colors.text_muted, false);
     painter.restore();
+  }
+
+  void paintNextPose(QPainter& painter, const QSize& area) const {
+    const Colors& colors = Colors::of(palette());
+    const auto [left, bottom, right, top] = SceneGhost::placeIn(area.width(), area.height());
+    const QRectF ghost(left, area.height() - top, right - left, top - bottom);
+    QFont bold = font();
+    bold.setWeight(QFont::DemiBold);
+    painter.setFont(bold);
+    const double line = QFontMetricsF(bold).height();
+    const QString& angle = *content_.next_pose;
+    const QString words = angle.isEmpty() ? tr("next pose") : tr("next pose, %1").arg(angle);
+    QRectF plate(0, 0, QFontMetricsF(bold).horizontalAdvance(words) + line, 1.2 * line);
+    plate.moveCenter({ghost.center().x(), ghost.top() - 0.9 * line});
+    constexpr double kInset_px = 8;
+    plate.moveRight(std::min(plate.right(), area.width() - kInset_px));
+    paintPlate(painter, plate.toAlignedRect(), colors.scene_top);
+    painter.setPen(colors.accent);
+    painter.drawText(plate, Qt::AlignCenter, words);
+    // From the part, over its upper right, to the ghost.
+    const QPointF from(ghost.left() - 0.34 * ghost.width(), ghost.top() + 0.26 * ghost.height());
+    const QPointF to(ghost.left() + 0.06 * ghost.width(), ghost.top() + 0.16 * ghost.height());
+    const QPointF over(0.5 * (from.x() + to.x()), ghost.top() - 0.14 * ghost.height());
+    QPainterPath path(from);
+    path.quadTo(over, to);
+    painter.setBrush(Qt::NoBrush);
+    painter.setPen(QPen(colors.accent, 2.5, Qt::SolidLine, Qt::RoundCap));
+    painter.drawPath(path);
+    QPointF along = to - over;
+    along /= std::hypot(along.x(), along.y());
+    const QPointF across(-along.y(), along.x());
+    const double size = 0.75 * line;
+    const std::array<QPointF, 3> head = {to + 0.4 * size * along, to - 0.6 * size * along + 0.45 * size * across,
+                                         to - 0.6 * size * along - 0.45 * size * across};
+    painter.setPen(Qt::NoPen);
+    painter.setBrush(colors.accent);
+    painter.drawPolygon(head.data(), 3);
   }
 
   Content content_;

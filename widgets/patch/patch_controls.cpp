@@ -24,20 +24,19 @@ void allow(QAction* action, const QString& purpose, const QString& why_not) {
 }  // namespace
 
 PatchControls::PatchControls(QWidget* parent) : QFrame(parent), buttons_(new FoldingRow(this)) {
-  measure_->setObjectName(QStringLiteral("actionMeasure"));
-  measure_->setCheckable(true);
-  measure_->setToolTip(tr("Distance between two cells, and the angle between their faces"));
-  parallel_->setObjectName(QStringLiteral("actionParallel"));
-  parallel_->setCheckable(true);
-  parallel_->setToolTip(tr("Without perspective: equal lengths look equally long wherever they are"));
-  picture_->setObjectName(QStringLiteral("actionScenePicture"));
-  picture_->setToolTip(tr("The scene with its legend as an image file"));
-  fit_->setObjectName(QStringLiteral("actionSceneFit"));
-  fit_->setToolTip(tr("Show the whole skin, and all that is drawn with it"));
+  const auto describe = [](QAction* action, const char* name, bool checkable, const QString& tip) {
+    action->setObjectName(QLatin1String(name));
+    action->setCheckable(checkable);
+    action->setToolTip(tip);
+  };
+  describe(measure_, "actionMeasure", true, tr("Distance between two cells, and the angle between their faces"));
+  describe(parallel_, "actionParallel", true,
+           tr("Without perspective: equal lengths look equally long wherever they are"));
+  describe(picture_, "actionScenePicture", false, tr("The scene with its legend as an image file"));
+  describe(fit_, "actionSceneFit", false, tr("Show the whole skin, and all that is drawn with it"));
   connect(fit_, &QAction::triggered, this, &PatchControls::fitRequested);
-  cut_->setObjectName(QStringLiteral("actionCut"));
-  cut_->setCheckable(true);
-  cut_->setToolTip(tr("Takes away what is nearer to you than a plane, so that you see what lies behind"));
+  describe(cut_, "actionCut", true,
+           tr("Takes away what is nearer to you than a plane, so that you see what lies behind"));
   buttons_->setContentsMargins(10, 10, 10, 0);
   buttons_->setSpacing(6);
   buildColoringMenu();
@@ -61,22 +60,26 @@ QToolButton* PatchControls::addButton(const QString& text, const QString& tip) {
   return button;
 }
 
+QMenu* PatchControls::addMenu(QToolButton* button, const char* name, const QString& title) {
+  button->setPopupMode(QToolButton::InstantPopup);
+  auto* menu = new QMenu(title, button);
+  menu->setObjectName(QLatin1String(name));
+  menu->setToolTipsVisible(true);
+  button->setMenu(menu);
+  return menu;
+}
+
 void PatchControls::buildColoringMenu() {
   coloring_button_ = addButton({}, tr("What the cells' colour shows"));
-  coloring_button_->setPopupMode(QToolButton::InstantPopup);
-  auto* menu = new QMenu(coloring_button_);
-  coloring_menu_ = menu;
-  menu->setTitle(tr("C&olour"));
-  menu->setObjectName(QStringLiteral("coloringMenu"));
-  menu->setToolTipsVisible(true);
-  auto* group = new QActionGroup(menu);
+  coloring_menu_ = addMenu(coloring_button_, "coloringMenu", tr("C&olour"));
+  auto* group = new QActionGroup(coloring_menu_);
   std::optional<ColoringGroup> group_before;
   for (const ColoringRow& row : coloringTable()) {
     if (row.patch_title == nullptr) continue;
-    if (group_before && *group_before != row.group) menu->addSeparator();
+    if (group_before && *group_before != row.group) coloring_menu_->addSeparator();
     group_before = row.group;
     const QString name = coloringName(row.coloring);
-    QAction* action = menu->addAction(name);
+    QAction* action = coloring_menu_->addAction(name);
     action->setCheckable(true);
     group->addAction(action);
     colorings_.emplace(row.coloring, action);
@@ -89,18 +92,13 @@ void PatchControls::buildColoringMenu() {
     });
     connect(action, &QAction::triggered, this, [this, coloring = row.coloring] { emit coloringPicked(coloring); });
   }
-  coloring_button_->setMenu(menu);
   colorings_.at(Coloring::LinkQuality)->setChecked(true);
 }
 
 void PatchControls::buildShowMenu() {
   QToolButton* button = addButton(tr("Show ▾"), tr("What is drawn over the cells, and how"));
   button->setAccessibleName(tr("Show"));
-  button->setPopupMode(QToolButton::InstantPopup);
-  show_menu_ = new QMenu(button);
-  show_menu_->setTitle(tr("&Show"));
-  show_menu_->setObjectName(QStringLiteral("showMenu"));
-  show_menu_->setToolTipsVisible(true);
+  show_menu_ = addMenu(button, "showMenu", tr("&Show"));
   for (const SceneItem item : kSceneItems) {
     if (item == SceneItem::Links || item == SceneItem::Truth) show_menu_->addSeparator();
     QAction* action = show_menu_->addAction(itemName(item));
@@ -112,7 +110,6 @@ void PatchControls::buildShowMenu() {
   }
   show_menu_->addSeparator();
   show_menu_->addAction(picture_);
-  button->setMenu(show_menu_);
 }
 
 void PatchControls::buildViewMenu() {
@@ -123,10 +120,7 @@ void PatchControls::buildViewMenu() {
   }
   QToolButton* button = addButton(tr("View ▾"), tr("From where the skin is looked at, and how"));
   button->setAccessibleName(tr("View"));
-  button->setPopupMode(QToolButton::InstantPopup);
-  auto* menu = new QMenu(button);
-  menu->setObjectName(QStringLiteral("viewMenu"));
-  menu->setToolTipsVisible(true);
+  QMenu* menu = addMenu(button, "viewMenu", {});
   const auto look = [&](const QString& text, const QString& tip, PatchScene::View view) {
     QAction* action = menu->addAction(text);
     allow(action, tip, {});
@@ -140,7 +134,6 @@ void PatchControls::buildViewMenu() {
   look(tr("Isometric"), tr("Look from between the three axes"), PatchScene::View::Isometric);
   menu->addSeparator();
   menu->addActions({parallel_, cut_});
-  button->setMenu(menu);
 }
 
 void PatchControls::setWhyNot(Coloring coloring, const QString& why_not) {

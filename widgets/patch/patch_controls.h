@@ -60,6 +60,7 @@ class PatchControls : public QFrame {
 
  private:
   QToolButton* addButton(const QString& text, const QString& tip);
+  static QMenu* addMenu(QToolButton* button, const char* name, const QString& title);
   void buildColoringMenu();
   void buildShowMenu();
   void buildViewMenu();

@@ -4,6 +4,7 @@
 #include "widgets/coloring/coloring_words.h"
 #include "widgets/controls/figure_card.h"
 #include "widgets/controls/selection.h"
+#include "widgets/patch/arrow_keys.h"
 #include "widgets/patch/found_places.h"
 #include "widgets/patch/patch_marks.h"
 #include "widgets/scene/camera_glide.h"
@@ -15,12 +16,12 @@
 #include <vtkCommand.h>
 #include <vtkRenderer.h>
 
-#include <QElapsedTimer>
 #include <QKeyEvent>
 #include <QMouseEvent>
 #include <QObject>
 #include <QPoint>
 #include <QShortcut>
+#include <QTimeLine>
 #include <QTimer>
 #include <algorithm>
 #include <functional>
@@ -52,8 +53,13 @@ class PatchPointing : public QObject {
     look_soon_.setSingleShot(true);
     look_soon_.setInterval(kLook_ms);
     connect(&look_soon_, &QTimer::timeout, this, &PatchPointing::look);
-    frames_.setInterval(kGlideFrame_ms);
-    connect(&frames_, &QTimer::timeout, this, &PatchPointing::nextGlideFrame);
+    glide_time_.setUpdateInterval(kGlideFrame_ms);
+    glide_time_.setEasingCurve(QEasingCurve::InOutSine);
+    connect(&glide_time_, &QTimeLine::valueChanged, this, [this](double share) {
+      if (glide_) glide_->moveTo(share);
+      render_();
+    });
+    connect(&glide_time_, &QTimeLine::finished, this, &PatchPointing::stopGlide);
     connect(selection_, &Selection::changed, this, [this] {
       updateMarks();
       updateFigures();
@@ -84,7 +90,7 @@ class PatchPointing : public QObject {
   /// Only cells can be pointed at, as while distances between them are measured.
   void setOnlyCells(bool only) {
     only_cells_ = only;
-    escape_->setEnabled(!only && (return_to_ || figures_shown_));
+    updateEscape();
   }
 
   /// Kept free for the buttons.
@@ -135,14 +141,14 @@ class PatchPointing : public QObject {
     if (const auto link = selection_->link()) stand = standBefore(scene_, link->first, link->second);
     if (!stand) return;
     if (!return_to_) return_to_ = standOf(scene_.renderer()->GetActiveCamera());
-    escape_->setEnabled(!only_cells_);
+    updateEscape();
     glideTo(*stand);
   }
 
   /// Shows the figures of what is picked, whatever that is, until it is closed.
   void setFiguresShown(bool shown) {
     figures_shown_ = shown;
-    escape_->setEnabled(!only_cells_ && (return_to_ || figures_shown_));
+    updateEscape();
     updateFigures();
   }
 
@@ -151,7 +157,7 @@ class PatchPointing : public QObject {
   void forgetReturn() {
     stopGlide();
     return_to_.reset();
-    escape_->setEnabled(!only_cells_ && figures_shown_);
+    updateEscape();
   }
 
   /// Walks to a neighbour by an arrow key, or shows the figures by Return.
@@ -169,7 +175,7 @@ class PatchPointing : public QObject {
     return true;
   }
 
-  [[nodiscard]] bool isGliding() const { return frames_.isActive(); }
+  [[nodiscard]] bool isGliding() const { return glide_time_.state() == QTimeLine::Running; }
   /// What stays in a picture of the view.
   void paintMarks(QPainter& painter) const { marks_->paintLasting(painter); }
   /// The outlines right above the canvas, the cards above everything else in the view.
@@ -239,7 +245,7 @@ class PatchPointing : public QObject {
  private:
   static constexpr int kLook_ms = 20;
   static constexpr int kGlideFrame_ms = 30;
-  static constexpr double kGlide_s = 0.4;
+  static constexpr int kGlide_ms = 400;
   static constexpr double kSlack_px = 6;
   static constexpr int kCardMargin = 10;
   /// Where more is wrong, the list of findings says it better.
@@ -253,23 +259,6 @@ class PatchPointing : public QObject {
     return way;
   }
 
-  /// Slow at both ends.
-  static double smoothStep(double t) { return t * t * (3 - 2 * t); }
-  static std::optional<Eigen::Vector2d> directionOfKey(int key) {
-    switch (key) {
-      case Qt::Key_Left:
-        return Eigen::Vector2d(-1, 0);
-      case Qt::Key_Right:
-        return Eigen::Vector2d(1, 0);
-      case Qt::Key_Up:
-        return Eigen::Vector2d(0, 1);
-      case Qt::Key_Down:
-        return Eigen::Vector2d(0, -1);
-      default:
-        return std::nullopt;
-    }
-  }
-
   /// What a card says.
   struct Figures {
     QString text;
@@ -279,6 +268,8 @@ class PatchPointing : public QObject {
     [[nodiscard]] QString title() const { return text.section(QStringLiteral("<br>"), 0, 0); }
   };
 
+  /// There is something to come back from.
+  void updateEscape() { escape_->setEnabled(!only_cells_ && (return_to_ || figures_shown_)); }
   void afterRender() {
     updateMarks();
     placeFigures();
@@ -369,29 +360,17 @@ class PatchPointing : public QObject {
     figure_card_->setGeometry(goes_left ? left : right);
   }
 
-  [[nodiscard]] CameraStand besideFigures(const CameraStand& stand) const;
   void glideTo(const CameraStand& stand) {
     glide_.emplace(scene_.renderer()->GetActiveCamera(), stand, scene_.moment().up_o);
-    if (animated_ && canvas_->isVisible()) {
-      since_start_.start();
-      frames_.start();
-      return;
-    }
-    frames_.stop();
+    glide_time_.stop();
+    if (animated_ && canvas_->isVisible()) return glide_time_.start();
     glide_->moveTo(1);
     glide_.reset();
     render_();
   }
 
-  void nextGlideFrame() {
-    const double share = std::min(1.0, static_cast<double>(since_start_.elapsed()) / 1000 / kGlide_s);
-    if (glide_) glide_->moveTo(smoothStep(share));
-    if (share >= 1) stopGlide();
-    render_();
-  }
-
   void stopGlide() {
-    frames_.stop();
+    glide_time_.stop();
     glide_.reset();
   }
 
@@ -399,7 +378,7 @@ class PatchPointing : public QObject {
     setFiguresShown(false);
     if (return_to_) glideTo(*return_to_);
     return_to_.reset();
-    escape_->setEnabled(false);
+    updateEscape();
   }
 
   void walk(const Eigen::Vector2d& direction) {
@@ -538,7 +517,6 @@ class PatchPointing : public QObject {
   Coloring coloring_ = Coloring::LinkQuality;
   bool only_cells_ = false;
   bool figures_shown_ = false;
-  bool figures_left_ = false;  ///< where their card is
   int top_margin_ = 0;
   std::optional<CellId> told_;
   std::vector<FoundPlace> found_;  ///< in the result that is shown
@@ -550,8 +528,7 @@ class PatchPointing : public QObject {
   bool animated_ = true;
   std::optional<CameraGlide> glide_;
   std::optional<CameraStand> return_to_;
-  QTimer frames_;
-  QElapsedTimer since_start_;
+  QTimeLine glide_time_{kGlide_ms};
 };
 
 }  // namespace hexoderm

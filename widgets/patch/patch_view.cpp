@@ -11,10 +11,8 @@
 #include "widgets/patch/patch_clicks.h"
 #include "widgets/patch/patch_controls.h"
 #include "widgets/patch/patch_legend_view.h"
-#include "widgets/patch/patch_menu.h"
 #include "widgets/patch/patch_pointing.h"
 #include "widgets/patch/patch_words.h"
-#include "widgets/patch/picture_smoothing.h"
 #include "widgets/patch/scene_legend.h"
 #include "widgets/patch/scene_look.h"
 #include "widgets/patch/scene_widget.h"
@@ -27,6 +25,7 @@
 #include <QAction>
 #include <QClipboard>
 #include <QContextMenuEvent>
+#include <QCoreApplication>
 #include <QGridLayout>
 #include <QGuiApplication>
 #include <QKeyEvent>
@@ -48,6 +47,10 @@ bool comesOrGoes(const CellReadings* before, const CellReadings* after) {
   return kinds(before) != kinds(after);
 }
 
+struct PatchMenu {
+  Q_DECLARE_TR_FUNCTIONS(hexoderm::PatchMenu)
+};
+
 }  // namespace
 
 struct PatchView::Parts : public QObject {
@@ -64,10 +67,9 @@ struct PatchView::Parts : public QObject {
   PatchMoment moment;
 
   const OpenGlInfo opengl = queryOpenGl();
-  SceneWidget* canvas = nullptr;                ///< null without OpenGL
-  std::unique_ptr<PatchScene> scene;            ///< likewise
-  std::unique_ptr<PictureSmoothing> smoothing;  ///< likewise
-  std::unique_ptr<PatchClicks> clicks;          ///< likewise
+  SceneWidget* canvas = nullptr;        ///< null without OpenGL
+  std::unique_ptr<PatchScene> scene;    ///< likewise
+  std::unique_ptr<PatchClicks> clicks;  ///< likewise
   std::unique_ptr<SceneBuilder> builder;
   PartMotion* motion = nullptr;       ///< likewise
   PatchPointing* pointing = nullptr;  ///< likewise
@@ -118,7 +120,7 @@ struct PatchView::Parts : public QObject {
   }
 
   void buildScene(QGridLayout* layout) {
-    canvas = new SceneWidget(view);
+    canvas = new SceneWidget(opengl.software, view);
     vtkRenderWindow* window = canvas->renderWindow();
     canvas->setAccessibleName(PatchView::tr("Skin patch in 3D"));
     canvas->setFocusPolicy(Qt::NoFocus);
@@ -126,7 +128,6 @@ struct PatchView::Parts : public QObject {
     window->GetInteractor()->SetInteractorStyle(makeSceneInteractorStyle());
     scene = std::make_unique<PatchScene>();
     scene->attachTo(window);
-    smoothing = std::make_unique<PictureSmoothing>(canvas, *scene, opengl.software);
     clicks = std::make_unique<PatchClicks>(canvas, *scene, [this] { requestRender(); });
     builder = std::make_unique<SceneBuilder>(
         [this](std::shared_ptr<const SceneContent> content) { setContent(std::move(content)); });
@@ -146,7 +147,6 @@ struct PatchView::Parts : public QObject {
     connect(clicks.get(), &PatchClicks::menuWanted, this, &Parts::openMenuAt);
     connect(controls, &PatchControls::coloringChosen, pointing, &PatchPointing::setColoring);
     connect(controls, &PatchControls::heightChanged, pointing, &PatchPointing::setTopMargin);
-    connect(controls, &PatchControls::viewRequested, pointing, &PatchPointing::forgetReturn);
     // What has the mouse or the keyboard lies above what lets both through.
     controls->raise();
     pointing->raise();
@@ -168,10 +168,7 @@ struct PatchView::Parts : public QObject {
       refresh();
     });
     connect(controls, &PatchControls::fitRequested, view, &PatchView::fit);
-    connect(controls, &PatchControls::viewRequested, this, [this](PatchScene::View standard) {
-      scene->showStandardView(standard);
-      requestRender();
-    });
+    connect(controls, &PatchControls::viewRequested, view, &PatchView::showStandardView);
     connect(controls, &PatchControls::heightChanged, captions, &PatchCaptions::setTopMargin);
     connect(controls, &PatchControls::heightChanged, this, [this](int height) {
       controls_height = height;
@@ -213,8 +210,7 @@ struct PatchView::Parts : public QObject {
       content.hint = PatchView::tr(
           "The 3D view needs OpenGL 3.2, which is not available here. The graph and the tables still work.\n\n"
           "On a remote desktop, or with a faulty driver, it may help to let the processor draw: Edit, Preferences, "
-          "\"Draw "
-          "without the graphics card\", then start Hexoderm again.");
+          "\"Draw without the graphics card\", then start Hexoderm again.");
     } else if (!reconstruction) {
       content.hint = awaited.isEmpty() ? PatchView::tr("No skin yet: open a session or start the demo.") : awaited;
     } else if (reconstruction->cellCount() == 0) {
@@ -224,6 +220,7 @@ struct PatchView::Parts : public QObject {
                          .arg(QLocale().toString(static_cast<int>(reconstruction->cellCount())));
     } else {
       content.gravity = scene->showsGravity();
+      if (scene->showsGhost()) content.next_pose = QString::fromStdString(moment.next_turn);
       explained = legendOf(*scene, coloring);
       content.legend = legendInWords(*explained);
       content.notes = notesInWords(scene->notes(), overlays);
@@ -288,7 +285,6 @@ struct PatchView::Parts : public QObject {
   /// Called when the things drawn over the cells have changed.
   void refresh() {
     updateCaptions();
-    if (motion != nullptr) motion->refresh();
     if (pointing != nullptr) pointing->refresh();
     requestRender();
   }
@@ -296,19 +292,43 @@ struct PatchView::Parts : public QObject {
   /// Several changes in one turn of the event loop make one picture.
   void requestRender() {
     if (canvas == nullptr || !canvas->isVisible()) return;
-    smoothing->expectRender();
     canvas->requestRender();
   }
 
-  /// Opens the menu for the cell at this place of the canvas, if there is one.
+  /// Opens the menu at this place of the canvas: first what can be done with the cell there, if there is one, then what
+  /// the buttons over the scene offer too.
   void openMenuAt(const QPoint& position) {
     if (scene->content() == nullptr) return;
     auto* menu = new QMenu(view);
     menu->setObjectName(QStringLiteral("patchMenu"));
     menu->setAttribute(Qt::WA_DeleteOnClose);
-    fillPatchMenu(*menu, *controls, pointing->cellAt(position),
-                  {[this](CellId cell) { selection->selectCell(cell); }, [this](CellId cell) { view->centerOn(cell); },
-                   [this] { view->copyPicture(); }});
+    menu->setToolTipsVisible(true);
+    const auto add = [&](const char* name, const QString& text, const auto& then) {
+      QAction* action = menu->addAction(text, this, then);
+      action->setObjectName(QLatin1String(name));
+      return action;
+    };
+    if (const auto cell = pointing->cellAt(position)) {
+      add("actionPickCell", PatchMenu::tr("&Pick cell %1").arg(cell->value()),
+          [this, cell] { selection->selectCell(*cell); });
+      add("actionCenterCell", PatchMenu::tr("&Bring cell %1 into the middle").arg(cell->value()),
+          [this, cell] { view->centerOn(*cell); });
+      menu->addSeparator();
+    }
+    menu->addAction(controls->fitAction());
+    QMenu* look = menu->addMenu(PatchMenu::tr("&Look from"));
+    look->setToolTipsVisible(true);
+    for (QAction* from : controls->viewActions()) look->addAction(from);
+    menu->addActions({controls->parallelAction(), controls->cutAction()});
+    menu->addSeparator();
+    menu->addMenu(controls->coloringMenu());
+    menu->addMenu(controls->showMenu());
+    menu->addAction(controls->measureAction());
+    menu->addSeparator();
+    add("actionCopyPicture", PatchMenu::tr("Copy pict&ure"), [this] {
+      view->copyPicture();
+    })->setToolTip(PatchMenu::tr("The scene with its legend, to be pasted elsewhere"));
+    menu->addAction(controls->pictureAction());
     menu->popup(canvas->mapToGlobal(position));
   }
 
@@ -429,8 +449,7 @@ void PatchView::setOverlays(const PatchOverlays& overlays) {
 const PatchOverlays& PatchView::overlays() const { return parts_->overlays; }
 
 void PatchView::setShiftFactor(std::optional<double> factor) {
-  if (!parts_->scene) return;
-  parts_->scene->setShiftFactor(factor);
+  if (parts_->scene) parts_->scene->setShiftFactor(factor);
   parts_->refresh();
 }
 
@@ -445,14 +464,17 @@ void PatchView::redraw() { parts_->requestRender(); }
 void PatchView::setMoment(const PatchMoment& moment) {
   const PatchMoment before = std::exchange(parts_->moment, moment);
   if (!parts_->motion) return;
-  const bool was_shown = parts_->scene->showsGravity();
+  const auto captioned = [scene = parts_->scene.get()] {
+    return std::pair(scene->showsGravity(), scene->showsGhost());
+  };
+  const auto captioned_before = captioned();
   parts_->motion->setMoment(moment);
   parts_->pointing->setTold(moment.told_cell);
   const bool other_readings = moment.readings != before.readings;
   if (other_readings && comesOrGoes(before.readings.get(), moment.readings.get())) parts_->updateControls();
   if (moment.pose != before.pose || (other_readings && isReading(parts_->coloring))) {
     parts_->refresh();
-  } else if (parts_->scene->showsGravity() != was_shown) {
+  } else if (captioned() != captioned_before || moment.next_turn != before.next_turn) {
     parts_->updateCaptions();
   }
 }
@@ -498,7 +520,7 @@ void PatchView::waitUntilUpToDate() {
 }
 
 void PatchView::drawNow() {
-  if (parts_->smoothing) parts_->smoothing->drawNow();
+  if (parts_->canvas != nullptr) parts_->canvas->drawNow();
 }
 
 QImage PatchView::screenshot() {
@@ -509,7 +531,6 @@ QImage PatchView::screenshot() {
   parts_->pointing->paintMarks(painter);
   parts_->captions->paint(painter, parts_->canvas->size());
   parts_->legend_view->paintPicture(painter, parts_->canvas->size());
-  parts_->motion->paintCaption(painter, parts_->canvas->size());
   return image;
 }
 
@@ -521,8 +542,7 @@ void PatchView::fit() {
 }
 
 void PatchView::centerOn(CellId cell) {
-  if (!parts_->scene) return;
-  parts_->scene->centerOn(cell);
+  if (parts_->scene) parts_->scene->centerOn(cell);
   parts_->requestRender();
 }
 
@@ -541,8 +561,7 @@ void PatchView::keepView() {
 }
 
 void PatchView::returnToKeptView() {
-  if (!parts_->scene) return;
-  parts_->scene->returnToKeptView();
+  if (parts_->scene) parts_->scene->returnToKeptView();
   parts_->requestRender();
 }
 

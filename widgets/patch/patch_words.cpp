@@ -53,31 +53,18 @@ QString itemName(SceneItem item) {
 }
 
 QString itemTip(SceneItem item) {
-  switch (item) {
-    case SceneItem::Ports:
-      return PatchWords::tr("Discs where a link joins a neighbour, rings where a port is free");
-    case SceneItem::Ids:
-      return PatchWords::tr("Each cell's number, on faces that look at you");
-    case SceneItem::Axes:
-      return PatchWords::tr("The directions of the patch's frame, which is the origin cell's");
-    case SceneItem::Gravity:
-      return PatchWords::tr("Where gravity points in the picked pose");
-    case SceneItem::Links:
-      return PatchWords::tr("Every link in the colour and line style of its class; muted links are crossed");
-    case SceneItem::Tree:
-      return PatchWords::tr("The links by which every cell is reached from the origin on the shortest way");
-    case SceneItem::Ellipsoids:
-      return PatchWords::tr("The region that holds each cell's centre with 95 % probability, relative to the origin");
-    case SceneItem::Truth:
-      return PatchWords::tr("Where the simulated cells really are, moved onto the result as well as possible");
-    case SceneItem::Surface:
-      return PatchWords::tr("The surface fitted to the cells, with each cell's distance from it");
-    case SceneItem::Loop:
-      return PatchWords::tr("The gap between the two ports where the loop should close");
-    case SceneItem::Comparison:
-      return PatchWords::tr("From where each cell was to where it is now");
-  }
-  return {};
+  return ofEnum(
+      item, {PatchWords::tr("Discs where a link joins a neighbour, rings where a port is free"),
+             PatchWords::tr("Each cell's number, on faces that look at you"),
+             PatchWords::tr("The directions of the patch's frame, which is the origin cell's"),
+             PatchWords::tr("Where gravity points in the picked pose"),
+             PatchWords::tr("Every link in the colour and line style of its class; muted links are crossed"),
+             PatchWords::tr("The links by which every cell is reached from the origin on the shortest way"),
+             PatchWords::tr("The region that holds each cell's centre with 95 % probability, relative to the origin"),
+             PatchWords::tr("Where the simulated cells really are, moved onto the result as well as possible"),
+             PatchWords::tr("The surface fitted to the cells, with each cell's distance from it"),
+             PatchWords::tr("The gap between the two ports where the loop should close"),
+             PatchWords::tr("From where each cell was to where it is now")});
 }
 
 QString whyNotShown(SceneItem item, Availability availability) {

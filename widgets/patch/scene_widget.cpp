@@ -1,14 +1,12 @@
 #include "widgets/patch/scene_widget.h"
 
-#include "hexoderm/util/thread_priority.h"
-#include "widgets/patch/edge_smoothing.h"
 #include "widgets/patch/opengl_info.h"
+#include "widgets/scene/edge_smoothing.h"
 
 #include <QVTKInteractor.h>
 #include <vtkCommand.h>
 #include <vtkOpenGLFramebufferObject.h>
 #include <vtkOpenGLState.h>
-#include <QElapsedTimer>
 #include <QEvent>
 #include <QOpenGLFunctions>
 #include <QPainter>
@@ -22,17 +20,13 @@ namespace {
 constexpr int kRenderAfter_ms = 10;
 /// Nor is it shown in the turn that has drawn it.
 constexpr int kShowAfter_ms = 1;
-
-/// The threads of a pool end and begin when it likes.
-void giveWayOnce() {
-  thread_local bool gives_way = false;
-  if (!std::exchange(gives_way, true)) giveWayToOtherThreads();
-}
+constexpr int kRest_ms = 150;
 
 }  // namespace
 
-SceneWidget::SceneWidget(QWidget* parent)
+SceneWidget::SceneWidget(bool by_processor, QWidget* parent)
     : QWidget(parent),
+      by_processor_(by_processor),
       render_soon_(kRenderAfter_ms, [this] { window_->Render(); }),
       show_soon_(kShowAfter_ms, [this] { showWhenDrawn(); }) {
   setMouseTracking(true);
@@ -49,12 +43,18 @@ SceneWidget::SceneWidget(QWidget* parent)
   window_->SetOwnContext(0);
   window_->OpenGLInitContext();
   window_->SetFrameBlitModeToNoBlit();
+  window_->SetMultiSamples(0);  // which take the processor several times as long as smoothing
   const vtkNew<QVTKInteractor> interactor;
   interactor->SetRenderWindow(window_);
   interactor->Initialize();
   interactor->EnableRenderOff();  // several moves of the mouse in one turn of the event loop are one drawing
   interactor->AddObserver(vtkCommand::RenderEvent, this, &SceneWidget::requestRender);
-  smoother_.setMaxThreadCount(1);
+  at_rest_.setSingleShot(true);
+  at_rest_.setInterval(kRest_ms);
+  connect(&at_rest_, &QTimer::timeout, this, [this] {
+    smooths_ = true;
+    if (isVisible()) render_soon_.start();
+  });
   takeSize();
 }
 
@@ -79,7 +79,8 @@ void SceneWidget::answerWindow(vtkObject* /*window*/, unsigned long event, void*
     case vtkCommand::StartEvent:  // whoever draws, draws all that was asked for
       render_soon_.stop();
       // VTK would copy what it has drawn for a screen, and wait for that to be drawn.
-      window_->SetSwapBuffers(static_cast<vtkTypeBool>(isMultisampled()));
+      window_->SwapBuffersOff();
+      setSmoothed(*window_, smooths_);
       break;
     case vtkCommand::WindowMakeCurrentEvent:
       makeCurrent();
@@ -92,6 +93,7 @@ void SceneWidget::answerWindow(vtkObject* /*window*/, unsigned long event, void*
       break;
     default:
       is_newer_drawn_ = true;
+      is_smoothed_ = smooths_;
       context_.extraFunctions()->glDeleteSync(drawing_);
       drawing_ = context_.extraFunctions()->glFenceSync(GL_SYNC_GPU_COMMANDS_COMPLETE, 0);
       context_.functions()->glFlush();
@@ -100,6 +102,10 @@ void SceneWidget::answerWindow(vtkObject* /*window*/, unsigned long event, void*
 }
 
 void SceneWidget::requestRender() {
+  if (by_processor_) {
+    smooths_ = false;
+    at_rest_.start();
+  }
   if (!render_soon_.isActive()) render_soon_.start();
 }
 
@@ -132,11 +138,11 @@ QImage SceneWidget::picture() {
 }
 
 void SceneWidget::drawNow() {
+  at_rest_.stop();
+  smooths_ = true;
   window_->Render();
   readPicture();
 }
-
-bool SceneWidget::isMultisampled() const { return window_->GetMultiSamples() > 1; }
 
 bool SceneWidget::isDrawn() {
   return drawing_ == nullptr || !makeCurrent() ||
@@ -155,8 +161,7 @@ void SceneWidget::showWhenDrawn() {
 
 void SceneWidget::readPicture() {
   if (!std::exchange(is_newer_drawn_, false) || !makeCurrent()) return;
-  vtkOpenGLFramebufferObject* drawn =
-      isMultisampled() ? window_->GetDisplayFramebuffer() : window_->GetRenderFramebuffer();
+  vtkOpenGLFramebufferObject* drawn = window_->GetRenderFramebuffer();
   std::array<int, 2> size{};
   drawn->GetLastSize(size[0], size[1]);
   QImage upside_down(size[0], size[1], QImage::Format_RGB32);
@@ -168,70 +173,6 @@ void SceneWidget::readPicture() {
   state->PopReadFramebufferBinding();
   picture_ = std::move(upside_down).mirrored();
   picture_.setDevicePixelRatio(devicePixelRatioF());
-  is_smoothed_ = false;
-  ++drawn_;
-  const double pixels = 1.0 * size[0] * size[1];
-  // The first one tells how long it takes.
-  if (smoothing_budget_ms_ > 0 && pixels * smoothing_ms_per_pixel_.value_or(0) <= smoothing_budget_ms_) {
-    take(smoothed(roughPicture()));
-  }
-}
-
-SceneWidget::Rough SceneWidget::roughPicture() {
-  Rough rough{picture_, hollows_ ? hollows_() : std::nullopt, {}};
-  const QSize size = picture_.size();
-  if (!rough.sight || size != QSize(window_->GetSize()[0], window_->GetSize()[1]) || !makeCurrent()) {
-    rough.sight.reset();
-    return rough;
-  }
-  rough.depths.assign(static_cast<std::size_t>(size.width()) * static_cast<std::size_t>(size.height()), 1.0F);
-  window_->GetZbufferData(0, 0, size.width() - 1, size.height() - 1, rough.depths.data());
-  return rough;
-}
-
-SceneWidget::Smoothed SceneWidget::smoothed(const Rough& rough) {
-  constexpr double kNanoseconds = 1e-6;  // in milliseconds
-  QElapsedTimer timer;
-  timer.start();
-  QImage picture = rough.picture;
-  if (rough.sight) {
-    picture = shadeHollows(picture, depthPicture(rough.depths, picture.size(), *rough.sight), rough.sight->full_m);
-  }
-  picture = smoothEdges(picture);
-  const double pixels = 1.0 * picture.width() * picture.height();
-  return {std::move(picture), kNanoseconds * static_cast<double>(timer.nsecsElapsed()) / pixels};
-}
-
-void SceneWidget::take(Smoothed result) {
-  constexpr double kNewest = 0.3;  // one slow picture, of a busy computer, is not all of them
-  picture_ = std::move(result.picture);
-  is_smoothed_ = true;
-  double& kept =
-      smoothing_ms_per_pixel_ ? *smoothing_ms_per_pixel_ : smoothing_ms_per_pixel_.emplace(result.ms_per_pixel);
-  kept += kNewest * (result.ms_per_pixel - kept);
-}
-
-void SceneWidget::smoothPicture() {
-  readPicture();
-  if (is_smoothed_ || picture_.isNull()) return;
-  take(smoothed(roughPicture()));
-  update();
-}
-
-void SceneWidget::smoothPictureBeside() {
-  readPicture();
-  if (is_smoothed_ || picture_.isNull()) return;
-  smoother_.start([this, rough = roughPicture(), drawn = drawn_] {
-    giveWayOnce();
-    QMetaObject::invokeMethod(
-        this,
-        [this, result = smoothed(rough), drawn] {
-          if (is_newer_drawn_ || is_smoothed_ || drawn != drawn_) return;
-          take(result);
-          update();
-        },
-        Qt::QueuedConnection);
-  });
 }
 
 bool SceneWidget::event(QEvent* event) {

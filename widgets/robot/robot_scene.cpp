@@ -3,21 +3,20 @@
 #include "hexoderm/reconstruction/figures/patch_mesh.h"
 #include "hexoderm/util/units.h"
 #include "widgets/scene/blending_renderer.h"
+#include "widgets/scene/cell_meshes.h"
+#include "widgets/scene/mesh_actor.h"
+#include "widgets/scene/part_camera.h"
 #include "widgets/scene/polydata_builder.h"
 #include "widgets/scene/scene_content.h"
 #include "widgets/scene/scene_labels.h"
 #include "widgets/scene/scene_skin.h"
 #include "widgets/scene/vtk_eigen.h"
 
-#include <vtkActor.h>
 #include <vtkCamera.h>
 #include <vtkCellPicker.h>
 #include <vtkCommand.h>
 #include <vtkConeSource.h>
-#include <vtkMatrix4x4.h>
 #include <vtkNew.h>
-#include <vtkPolyDataMapper.h>
-#include <vtkProperty.h>
 #include <vtkRenderWindow.h>
 #include <vtkRenderer.h>
 #include <vtkTubeFilter.h>
@@ -25,7 +24,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
+#include <iterator>
 #include <utility>
 
 namespace hexoderm {
@@ -37,51 +36,12 @@ constexpr double kHeadLength = 0.6;
 constexpr double kHeadRadius = 0.25;
 constexpr double kShortWay = 2;  // length of an arrow where nothing says how far one can go
 constexpr double kPointSize = 0.35;
-constexpr std::size_t kFacesOfPrism = 8;
-
-/// What is drawn of one thing.
-struct RobotActor {
-  vtkNew<vtkPolyDataMapper> mapper;
-  vtkNew<vtkActor> actor;
-  RobotActor() { actor->SetMapper(mapper); }
-};
-
-void setPlace(vtkActor* actor, const SE3& T) {
-  const vtkNew<vtkMatrix4x4> matrix;
-  for (int row = 0; row < 3; ++row) {
-    for (int column = 0; column < 3; ++column) matrix->SetElement(row, column, T.R(row, column));
-    matrix->SetElement(row, 3, T.t(row));
-  }
-  actor->SetUserMatrix(matrix);
-}
 
 vtkSmartPointer<vtkPolyData> polyDataOf(const TriangleMesh& mesh) {
   PolyDataBuilder data;
-  for (const Eigen::Vector3d& point : mesh.points) data.addPoint(point);
-  for (const auto& triangle : mesh.triangles) {
-    data.addPolygon({static_cast<vtkIdType>(triangle[0]), static_cast<vtkIdType>(triangle[1]),
-                     static_cast<vtkIdType>(triangle[2])});
-  }
+  static_cast<void>(data.addPoints(mesh.points));
+  for (const auto& triangle : mesh.triangles) data.addPolygon({triangle.begin(), triangle.end()});
   return data.finish();
-}
-
-/// The prism of a cell: front, back, and six sides.
-void addPrism(const CellModel& model, const SE3& T_w_u, const Rgb& color, PolyDataBuilder& mesh) {
-  const vtkIdType first = mesh.pointCount();
-  for (const Eigen::Vector3d& corner : prismCorners(model, T_w_u)) mesh.addPoint(corner);
-  const Rgb shade = mixed({0, 0, 0}, color, 0.7);
-  std::vector<vtkIdType> front;
-  std::vector<vtkIdType> back;
-  for (vtkIdType k = 0; k < 6; ++k) {
-    front.push_back(first + k);
-    back.push_back(first + 11 - k);
-  }
-  mesh.addPolygon(front, color);
-  mesh.addPolygon(back, shade);
-  for (vtkIdType k = 0; k < 6; ++k) {
-    const vtkIdType next = (k + 1) % 6;
-    mesh.addPolygon({first + k + 6, first + next + 6, first + next, first + k}, shade);
-  }
 }
 
 /// Middle and mean normal of a patch, in its frame.
@@ -114,8 +74,7 @@ std::vector<Eigen::Vector3d> wayOfMiddle(const PatchReconstruction& patch, const
 
 vtkSmartPointer<vtkPolyData> tubeAlong(const std::vector<Eigen::Vector3d>& way, double radius_m) {
   PolyDataBuilder line;
-  for (const Eigen::Vector3d& point : way) line.addPoint(point);
-  for (vtkIdType k = 1; k < line.pointCount(); ++k) line.addLine({k - 1, k});
+  line.addLine(line.addPoints(way));
   const vtkNew<vtkTubeFilter> tube;
   tube->SetInputData(line.finish());
   tube->SetRadius(radius_m);
@@ -145,12 +104,12 @@ struct RobotScene::Parts {
   vtkNew<BlendingRenderer> renderer;
   vtkWeakPointer<vtkRenderWindow> window;
   unsigned long observer = 0;
-  std::vector<std::unique_ptr<RobotActor>> links;  ///< of every link
-  RobotActor skin;
+  std::vector<std::unique_ptr<MeshActor>> links;  ///< of every link
+  MeshActor skin;
   SceneLabels labels{renderer};
   std::shared_ptr<SceneContent> labelled;  ///< the cells in the frame of the base
   std::vector<std::size_t> patch_of_cell;  ///< index into the picture's patches, of each of these cells
-  std::vector<std::unique_ptr<RobotActor>> marks;
+  std::vector<std::unique_ptr<MeshActor>> marks;
   bool fit_pending = false;
   struct Look {
     std::optional<std::size_t> patch;
@@ -164,7 +123,7 @@ struct RobotScene::Parts {
     renderer->ResetCameraClippingRange();
     if (!window) return;
     const int* pixels = window->GetSize();
-    labels.update({pixels[0], pixels[1]}, window->GetDPI());
+    labels.update(SceneSight::of(renderer->GetActiveCamera(), {pixels[0], pixels[1]}, window->GetDPI()));
   }
 
   void fit() {
@@ -177,29 +136,28 @@ struct RobotScene::Parts {
 
   /// From where the cells face.
   void lookAt(const Look& look) {
-    Eigen::Vector3d low = Eigen::Vector3d::Constant(std::numeric_limits<double>::infinity());
-    Eigen::Vector3d high = -low;
+    Eigen::AlignedBox3d box;
     Eigen::Vector3d facing = Eigen::Vector3d::Zero();
     for (std::size_t k = 0; k < patch_of_cell.size(); ++k) {
       if (look.patch && *look.patch != patch_of_cell[k]) continue;
       const SE3& T_w_u = labelled->layout.cells[k].T_s_u;
       const Eigen::Vector3d reach = Eigen::Vector3d::Constant(picture.skin->model->side_m);
-      low = low.cwiseMin(T_w_u.t - reach);
-      high = high.cwiseMax(T_w_u.t + reach);
+      box.extend(T_w_u.t - reach);
+      box.extend(T_w_u.t + reach);
       facing += T_w_u.R.col(2);
     }
-    if (!(high.x() >= low.x())) return;
+    if (box.isEmpty()) return;
     vtkCamera* camera = renderer->GetActiveCamera();
-    const Eigen::Vector3d middle = (low + high) / 2;
+    const Eigen::Vector3d middle = box.center();
     // Patches all around a link face nowhere in the mean: the camera stays on its side then.
-    const Eigen::Vector3d back = -Eigen::Vector3d(camera->GetDirectionOfProjection());
-    const Eigen::Vector3d from = facing.norm() > 1 ? Eigen::Vector3d(facing.normalized()) : back;
+    const Eigen::Vector3d from = facing.norm() > 1 ? Eigen::Vector3d(facing.normalized()) : backOfCamera(camera);
     const Eigen::Vector3d position = middle + from;
     constexpr double kUpright = 0.95;
-    camera->SetFocalPoint(middle.x(), middle.y(), middle.z());
-    camera->SetPosition(position.x(), position.y(), position.z());
-    camera->SetViewUp(std::abs(from.z()) > kUpright ? 1 : 0, 0, std::abs(from.z()) > kUpright ? 0 : 1);
-    const std::array<double, 6> bounds{low.x(), high.x(), low.y(), high.y(), low.z(), high.z()};
+    camera->SetFocalPoint(middle.data());
+    camera->SetPosition(position.data());
+    camera->SetViewUp(Eigen::Vector3d::Unit(std::abs(from.z()) > kUpright ? 0 : 2).eval().data());
+    const std::array<double, 6> bounds{box.min().x(), box.max().x(), box.min().y(),
+                                       box.max().y(), box.min().z(), box.max().z()};
     renderer->ResetCamera(bounds.data());
   }
 
@@ -213,27 +171,22 @@ struct RobotScene::Parts {
     links.clear();
     if (!picture.bodies) return;
     for (const TriangleMesh& body : *picture.bodies) {
-      links.push_back(std::make_unique<RobotActor>());
-      links.back()->mapper->SetInputData(polyDataOf(body));
-      links.back()->mapper->ScalarVisibilityOff();
-      links.back()->actor->SetVisibility(!body.empty());
+      links.push_back(std::make_unique<MeshActor>());
+      links.back()->show(polyDataOf(body));
       renderer->AddActor(links.back()->actor);
     }
   }
 
   void placeLinks() {
     for (std::size_t k = 0; k < std::min(links.size(), picture.T_w_l.size()); ++k) {
-      setPlace(links[k]->actor, picture.T_w_l[k]);
+      setPlace(links[k]->actor, picture.T_w_l[k].R, picture.T_w_l[k].t);
       // The link that is spoken of stands out by being lighter or darker too, not by its hue alone.
-      Rgb color = picture.link == k ? mixed(colors.neutral, colors.overlay, 0.45) : colors.neutral;
-      links[k]->actor->GetProperty()->SetColor(color.data());
-      links[k]->actor->GetProperty()->SetAmbient(0.25);
-      links[k]->actor->GetProperty()->SetDiffuse(0.75);
+      links[k]->setColor(picture.link == k ? mixed(colors.neutral, colors.overlay, 0.45) : colors.neutral);
+      links[k]->setAmbient(0.25);
     }
   }
 
   void makeSkin() {
-    PolyDataBuilder mesh;
     std::vector<Rgb> front_colors;
     labelled.reset();
     patch_of_cell.clear();
@@ -249,17 +202,16 @@ struct RobotScene::Parts {
             placed.is_proposal ? colors.overlay : categoryColor(colors, placed.patch, picture.skin->patches.size());
         for (const CellPlacement& cell : patch.cells) {
           const SE3 T_w_u = T_w_o * cell.T_o_u;
-          addPrism(*picture.skin->model, T_w_u, color, mesh);
+          std::ranges::copy(prismCorners(*picture.skin->model, T_w_u), std::back_inserter(labelled->layout.points));
           labelled->layout.cells.push_back({cell.cell, T_w_u, placed.patch, cell.cell == patch.origin});
           front_colors.push_back(color);
           patch_of_cell.push_back(index);
         }
       }
     }
-    skin.mapper->SetInputData(mesh.finish());
-    Rgb edge = colors.edge;
-    skin.actor->GetProperty()->SetEdgeColor(edge.data());
-    skin.actor->SetVisibility(mesh.pointCount() > 0);
+    if (labelled) labelled->surface = makePrisms(labelled->layout);
+    skin.show(labelled ? makeColoredSurface(*labelled, front_colors, colors) : nullptr);
+    skin.property()->SetEdgeColor(colors.edge.data());
     labels.setContent(labelled);
     labels.setColors(front_colors, colors);
   }
@@ -287,17 +239,14 @@ struct RobotScene::Parts {
     }
   }
 
-  RobotActor& addMark(vtkSmartPointer<vtkPolyData> data, const SE3& T_w_l, const Rgb& color) {
-    marks.push_back(std::make_unique<RobotActor>());
-    RobotActor& mark = *marks.back();
+  void addMark(vtkPolyData* data, const SE3& T_w_l, const Rgb& color) {
+    marks.push_back(std::make_unique<MeshActor>());
+    const MeshActor& mark = *marks.back();
     mark.mapper->SetInputData(data);
-    mark.mapper->ScalarVisibilityOff();
-    Rgb value = color;
-    mark.actor->GetProperty()->SetColor(value.data());
+    mark.setColor(color);
     mark.actor->PickableOff();
-    setPlace(mark.actor, T_w_l);
+    setPlace(mark.actor, T_w_l.R, T_w_l.t);
     renderer->AddActor(mark.actor);
-    return mark;
   }
 
   bool isDrawn(const RobotPicture::Patch& patch) const {
@@ -309,7 +258,7 @@ RobotScene::Parts::Parts() {
   addSceneLights(renderer);
   renderer->GradientBackgroundOn();
   skin.actor->PickableOff();
-  skin.actor->GetProperty()->EdgeVisibilityOn();
+  skin.property()->EdgeVisibilityOn();
   renderer->AddActor(skin.actor);
   observer = renderer->AddObserver(vtkCommand::StartEvent, this, &Parts::beforeRender);
 }
@@ -342,10 +291,8 @@ const RobotPicture& RobotScene::picture() const { return parts_->picture; }
 
 void RobotScene::setColors(const SceneColors& colors) {
   parts_->colors = colors;
-  Rgb top = colors.background_top;
-  Rgb bottom = colors.background_bottom;
-  parts_->renderer->SetBackground(bottom.data());
-  parts_->renderer->SetBackground2(top.data());
+  parts_->renderer->SetBackground(parts_->colors.background_bottom.data());
+  parts_->renderer->SetBackground2(parts_->colors.background_top.data());
   parts_->placeLinks();
   parts_->makeSkin();
   parts_->makeMarks();
@@ -360,11 +307,8 @@ void RobotScene::lookAtSkin(std::optional<std::size_t> patch) { parts_->look_pen
 
 Eigen::Vector3d RobotScene::wayOnScreen(double right_m, double up_m, std::size_t link) {
   parts_->moveCamera();
-  vtkCamera* camera = parts_->renderer->GetActiveCamera();
-  const Eigen::Vector3d into(camera->GetDirectionOfProjection());
-  const Eigen::Vector3d right = into.cross(Eigen::Vector3d(camera->GetViewUp())).normalized();
-  const Eigen::Vector3d way_w = right_m * right + up_m * right.cross(into);
-  return parts_->picture.T_w_l.at(link).R.transpose() * way_w;
+  const SceneSight sight = SceneSight::of(parts_->renderer->GetActiveCamera(), {}, 72);
+  return parts_->picture.T_w_l.at(link).R.transpose() * (right_m * sight.right + up_m * sight.up);
 }
 
 void RobotScene::turn(double right_deg, double up_deg) {
@@ -396,9 +340,8 @@ std::optional<RobotScene::Grip> RobotScene::grip(double x, double y) {
   parts_->skin.actor->PickableOn();
   const bool hit = picker->Pick(x, y, 0, parts_->renderer) != 0;
   parts_->skin.actor->PickableOff();
-  if (!hit || picker->GetActor() != parts_->skin.actor || picker->GetCellId() < 0) return std::nullopt;
-  const std::size_t cell = static_cast<std::size_t>(picker->GetCellId()) / kFacesOfPrism;
-  if (cell >= parts_->patch_of_cell.size()) return std::nullopt;
+  if (!hit || picker->GetActor() != parts_->skin.actor) return std::nullopt;
+  const std::size_t cell = static_cast<std::size_t>(picker->GetCellId()) / parts_->labelled->polygonsPerCell();
   const Eigen::Vector3d x_w = toEigen(picker->GetPickPosition());
   Grip grip;
   grip.patch = parts_->patch_of_cell[cell];

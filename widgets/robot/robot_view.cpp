@@ -2,6 +2,7 @@
 
 #include "hexoderm/util/units.h"
 #include "widgets/controls/heavy_turn.h"
+#include "widgets/patch/arrow_keys.h"
 #include "widgets/patch/opengl_info.h"
 #include "widgets/patch/scene_look.h"
 #include "widgets/patch/scene_widget.h"
@@ -11,19 +12,9 @@
 #include <QLabel>
 #include <QMouseEvent>
 #include <QPainter>
-#include <QTimer>
 #include <QVBoxLayout>
 
 namespace hexoderm {
-
-struct RobotView::Parts {
-  SceneWidget* canvas = nullptr;  ///< null without OpenGL
-  std::unique_ptr<RobotScene> scene;
-  QLabel* hint = nullptr;
-  QPoint pressed_at;
-  bool by_processor = false;  ///< the canvas draws, and its pictures are smoothed
-  QTimer at_rest;             ///< smooths the last picture, where it was too large to be smoothed at once
-};
 
 RobotView::RobotView(QWidget* parent) : QWidget(parent) {
   setObjectName(QStringLiteral("robotView"));
@@ -32,56 +23,44 @@ RobotView::RobotView(QWidget* parent) : QWidget(parent) {
 }
 
 RobotView::~RobotView() {
-  if (!parts_) return;
   // The scene gives its OpenGL objects back while the context is still there.
-  parts_->scene.reset();
-  delete parts_->canvas;
+  scene_.reset();
+  delete canvas_;
 }
 
 void RobotView::build() {
-  parts_ = std::make_unique<Parts>();
+  is_built_ = true;
   auto* layout = new QVBoxLayout(this);
   constexpr int kFrame = 2;  // shows that the view has the keyboard
   layout->setContentsMargins(kFrame, kFrame, kFrame, kFrame);
   const OpenGlInfo opengl = queryOpenGl();
   if (!opengl.usable) {
-    parts_->hint =
+    auto* hint =
         new QLabel(tr("The 3D view needs OpenGL 3.2, which is not available here. Links, places and points can "
                       "still be chosen in the lists."));
-    parts_->hint->setWordWrap(true);
-    parts_->hint->setAlignment(Qt::AlignCenter);
-    parts_->hint->setMargin(24);
-    layout->addWidget(parts_->hint);
+    hint->setWordWrap(true);
+    hint->setAlignment(Qt::AlignCenter);
+    hint->setMargin(24);
+    layout->addWidget(hint);
     return;
   }
-  parts_->canvas = new SceneWidget(this);
-  parts_->canvas->setAccessibleName(accessibleName());
-  parts_->canvas->setFocusPolicy(Qt::NoFocus);
-  parts_->canvas->installEventFilter(this);
-  parts_->canvas->renderWindow()->GetInteractor()->SetInteractorStyle(makeSceneInteractorStyle());
-  parts_->scene = std::make_unique<RobotScene>();
-  parts_->scene->attachTo(parts_->canvas->renderWindow());
-  parts_->by_processor = opengl.software;
-  if (parts_->by_processor) {
-    // Several samples a pixel take the processor several times as long as smoothing.
-    constexpr double kSmoothing_ms = 8;
-    constexpr int kRest_ms = 150;
-    parts_->canvas->renderWindow()->SetMultiSamples(0);
-    parts_->canvas->setSmoothingBudget(kSmoothing_ms);
-    parts_->at_rest.setSingleShot(true);
-    parts_->at_rest.setInterval(kRest_ms);
-    connect(&parts_->at_rest, &QTimer::timeout, parts_->canvas, &SceneWidget::smoothPictureBeside);
-  }
-  layout->addWidget(parts_->canvas);
+  canvas_ = new SceneWidget(opengl.software, this);
+  canvas_->setAccessibleName(accessibleName());
+  canvas_->setFocusPolicy(Qt::NoFocus);
+  canvas_->installEventFilter(this);
+  canvas_->renderWindow()->GetInteractor()->SetInteractorStyle(makeSceneInteractorStyle());
+  scene_ = std::make_unique<RobotScene>();
+  scene_->attachTo(canvas_->renderWindow());
+  layout->addWidget(canvas_);
   setFocusPolicy(Qt::TabFocus);
   dress();
 }
 
 void RobotView::setPicture(const RobotPicture& picture) {
   picture_ = picture;
-  if (!parts_ && picture.bodies) build();
-  if (!parts_ || !parts_->scene) return;
-  parts_->scene->setPicture(picture);
+  if (!is_built_ && picture.bodies) build();
+  if (!canDraw()) return;
+  scene_->setPicture(picture);
   HeavyTurn::note();
   requestRender();
 }
@@ -93,8 +72,8 @@ void RobotView::changeEvent(QEvent* event) {
 
 void RobotView::dress() {
   if (!canDraw()) return;
-  parts_->scene->setColors(sceneColors(themeOf(palette())));
-  parts_->canvas->setBackground(Colors::of(palette()).scene_bottom);
+  scene_->setColors(sceneColors(themeOf(palette())));
+  canvas_->setBackground(Colors::of(palette()).scene_bottom);
   requestRender();
 }
 
@@ -109,57 +88,53 @@ void RobotView::setMoving(bool moving) {
 }
 
 void RobotView::showCursor() {
-  if (!parts_ || parts_->canvas == nullptr) return;
-  parts_->canvas->setCursor(pulling_ ? Qt::ClosedHandCursor : picking_ ? Qt::CrossCursor : Qt::ArrowCursor);
+  if (!canDraw()) return;
+  canvas_->setCursor(pulling_ ? Qt::ClosedHandCursor : picking_ ? Qt::CrossCursor : Qt::ArrowCursor);
 }
 
-bool RobotView::canDraw() const { return parts_ && parts_->scene; }
+bool RobotView::canDraw() const { return scene_ != nullptr; }
 
 void RobotView::requestRender() {
-  if (!canDraw() || !parts_->canvas->isVisible()) return;
-  parts_->canvas->requestRender();
-  if (parts_->by_processor) parts_->at_rest.start();
+  if (canDraw() && canvas_->isVisible()) canvas_->requestRender();
 }
 
 void RobotView::drawNow() {
-  if (!canDraw()) return;
-  parts_->canvas->drawNow();
-  if (parts_->by_processor) parts_->canvas->smoothPicture();
+  if (canDraw()) canvas_->drawNow();
 }
 
 QImage RobotView::screenshot() {
   if (!canDraw()) return {};
   drawNow();
-  return parts_->canvas->picture();
+  return canvas_->picture();
 }
 
 void RobotView::fit() {
   if (!canDraw()) return;
-  parts_->scene->fit();
+  scene_->fit();
   requestRender();
 }
 
 void RobotView::lookAtSkin(std::optional<std::size_t> patch) {
   if (!canDraw()) return;
-  parts_->scene->lookAtSkin(patch);
+  scene_->lookAtSkin(patch);
   requestRender();
 }
 
 std::pair<double, double> RobotView::pixelAt(const QPoint& position) const {
-  const double ratio = parts_->canvas->devicePixelRatioF();
-  return {ratio * position.x(), ratio * (parts_->canvas->height() - 1 - position.y())};
+  const double ratio = canvas_->devicePixelRatioF();
+  return {ratio * position.x(), ratio * (canvas_->height() - 1 - position.y())};
 }
 
 void RobotView::pickAt(const QPoint& position) {
   const auto [x, y] = pixelAt(position);
-  const auto picked = parts_->scene->pick(x, y);
+  const auto picked = scene_->pick(x, y);
   if (picked) emit pointPicked(picked->link, picked->x_l);
 }
 
 bool RobotView::beginPulling(const QPoint& position) {
   if (picking_ || !picture_.movable) return false;
   const auto [x, y] = pixelAt(position);
-  const auto grip = parts_->scene->grip(x, y);
+  const auto grip = scene_->grip(x, y);
   if (!grip || grip->patch != *picture_.movable) return false;
   pulling_ = true;
   showCursor();
@@ -172,7 +147,7 @@ bool RobotView::beginPulling(const QPoint& position) {
 void RobotView::pullTo(const QPoint& position) {
   if (!picture_.movable) return;
   const auto [x, y] = pixelAt(position);
-  const auto picked = parts_->scene->pick(x, y);
+  const auto picked = scene_->pick(x, y);
   if (picked && picked->link == picture_.patches[*picture_.movable].link) emit pulledTo(picked->x_l);
 }
 
@@ -189,12 +164,12 @@ bool RobotView::eventFilter(QObject* /*watched*/, QEvent* event) {
       return false;
     case QEvent::MouseButtonPress: {
       const auto* mouse = static_cast<QMouseEvent*>(event);
-      parts_->pressed_at = mouse->pos();
+      pressed_at_ = mouse->pos();
       return mouse->button() == Qt::LeftButton && beginPulling(mouse->pos());
     }
     case QEvent::MouseMove: {
       const QPoint at = static_cast<QMouseEvent*>(event)->pos();
-      if (pulling_ && (at - parts_->pressed_at).manhattanLength() > kClickSlack) pullTo(at);
+      if (pulling_ && (at - pressed_at_).manhattanLength() > kClickSlack) pullTo(at);
       return pulling_;
     }
     case QEvent::MouseButtonRelease: {
@@ -205,7 +180,7 @@ bool RobotView::eventFilter(QObject* /*watched*/, QEvent* event) {
         emit released();
         return true;
       }
-      const bool is_click = (mouse->pos() - parts_->pressed_at).manhattanLength() <= kClickSlack;
+      const bool is_click = (mouse->pos() - pressed_at_).manhattanLength() <= kClickSlack;
       if (picking_ && mouse->button() == Qt::LeftButton && is_click) pickAt(mouse->pos());
       return false;
     }
@@ -223,23 +198,12 @@ bool RobotView::moveByKey(const QKeyEvent& event) {
   }
   if (!moving_ || !picture_.movable) return false;
   const double times = (event.modifiers() & Qt::ShiftModifier) != 0 ? 10 : 1;
-  const double way_m = times * kMillimetre;
-  const auto slide = [&](double right_m, double up_m) {
-    emit slid(parts_->scene->wayOnScreen(right_m, up_m, picture_.patches[*picture_.movable].link));
-  };
+  if (const auto way = directionOfKey(event.key())) {
+    const Eigen::Vector2d way_m = times * kMillimetre * *way;
+    emit slid(scene_->wayOnScreen(way_m.x(), way_m.y(), picture_.patches[*picture_.movable].link));
+    return true;
+  }
   switch (event.key()) {
-    case Qt::Key_Left:
-      slide(-way_m, 0);
-      return true;
-    case Qt::Key_Right:
-      slide(way_m, 0);
-      return true;
-    case Qt::Key_Up:
-      slide(0, way_m);
-      return true;
-    case Qt::Key_Down:
-      slide(0, -way_m);
-      return true;
     case Qt::Key_PageUp:
       emit turned(times * kDegree);
       return true;
@@ -260,27 +224,12 @@ void RobotView::keyPressEvent(QKeyEvent* event) {
   constexpr double kZoom = 1.15;
   if (!canDraw()) return QWidget::keyPressEvent(event);
   if ((moving_ || pulling_) && moveByKey(*event)) return;
-  switch (event->key()) {
-    case Qt::Key_Left:
-      parts_->scene->turn(-kTurn_deg, 0);
-      break;
-    case Qt::Key_Right:
-      parts_->scene->turn(kTurn_deg, 0);
-      break;
-    case Qt::Key_Up:
-      parts_->scene->turn(0, kTurn_deg);
-      break;
-    case Qt::Key_Down:
-      parts_->scene->turn(0, -kTurn_deg);
-      break;
-    case Qt::Key_Plus:
-      parts_->scene->zoom(kZoom);
-      break;
-    case Qt::Key_Minus:
-      parts_->scene->zoom(1 / kZoom);
-      break;
-    default:
-      return QWidget::keyPressEvent(event);
+  if (const auto way = directionOfKey(event->key())) {
+    scene_->turn(kTurn_deg * way->x(), kTurn_deg * way->y());
+  } else if (event->key() == Qt::Key_Plus || event->key() == Qt::Key_Minus) {
+    scene_->zoom(event->key() == Qt::Key_Plus ? kZoom : 1 / kZoom);
+  } else {
+    return QWidget::keyPressEvent(event);
   }
   requestRender();
 }

@@ -4,12 +4,15 @@
 #include "widgets/style/dressed_theme.h"
 
 #include <QImage>
+#include <QPoint>
 #include <QWidget>
 #include <memory>
 #include <optional>
 #include <utility>
 
 namespace hexoderm {
+
+class SceneWidget;
 
 /// The robot in 3D with the skin on it, to be turned by the mouse, or by the arrow keys once it has the keyboard. It
 /// computes nothing itself; without OpenGL it says so in words and stays empty.
@@ -63,7 +66,6 @@ class RobotView : public QWidget {
   void paintEvent(QPaintEvent* event) override;
 
  private:
-  struct Parts;
   void build();
   void dress();
   void requestRender();
@@ -77,9 +79,12 @@ class RobotView : public QWidget {
   DressedTheme dressed_{*this};
   RobotPicture picture_;
   bool picking_ = false;
-  bool moving_ = false;           ///< by keys
-  bool pulling_ = false;          ///< by the mouse
-  std::unique_ptr<Parts> parts_;  ///< from the first robot on: getting OpenGL ready takes its time
+  bool moving_ = false;                ///< by keys
+  bool pulling_ = false;               ///< by the mouse
+  bool is_built_ = false;              ///< from the first robot on: getting OpenGL ready takes its time
+  SceneWidget* canvas_ = nullptr;      ///< null until then, and without OpenGL
+  std::unique_ptr<RobotScene> scene_;  ///< likewise
+  QPoint pressed_at_;
 };
 
 }  // namespace hexoderm

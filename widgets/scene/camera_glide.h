@@ -46,9 +46,9 @@ inline CameraStand standOf(vtkCamera* camera) {
 
 inline void placeCamera(vtkCamera* camera, const CameraStand& stand) {
   const Eigen::Vector3d position = stand.focus + stand.distance * stand.back;
-  camera->SetFocalPoint(stand.focus.x(), stand.focus.y(), stand.focus.z());
-  camera->SetPosition(position.x(), position.y(), position.z());
-  camera->SetViewUp(stand.up.x(), stand.up.y(), stand.up.z());
+  camera->SetFocalPoint(stand.focus.data());
+  camera->SetPosition(position.data());
+  camera->SetViewUp(stand.up.data());
   camera->SetParallelScale(stand.distance * halfAngleOf(camera));
 }
 

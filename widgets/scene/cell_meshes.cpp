@@ -24,36 +24,24 @@ constexpr double kPortRingWidth = 0.4;    // share of the radius
 constexpr double kOriginRadius = 0.42;    // share of the side length
 constexpr double kOriginRingWidth = 0.1;  // share of the radius
 
-using Bytes = std::array<unsigned char, 3>;
-
-Bytes toBytes(const Rgb& color) {
-  Bytes bytes{};
-  for (std::size_t k = 0; k < bytes.size(); ++k) {
-    bytes.at(k) = static_cast<unsigned char>(std::lround(255.0 * std::clamp(color.at(k), 0.0, 1.0)));
-  }
-  return bytes;
-}
-
 /// A flat ring in the xy plane of the cell at `center`; `inner` 0 makes a disc.
 void addRing(PolyDataBuilder& mesh, const SE3& T_s_u, const Eigen::Vector3d& center, double inner, double outer,
              const Rgb& color) {
-  constexpr int kSegments = 24;
-  const vtkIdType first = mesh.pointCount();
-  for (int k = 0; k < kSegments; ++k) {
-    const double angle = 2 * kPi * k / kSegments;
-    const Eigen::Vector3d direction(std::cos(angle), std::sin(angle), 0);
-    mesh.addPoint(T_s_u * (center + outer * direction));
-    if (inner > 0) mesh.addPoint(T_s_u * (center + inner * direction));
-  }
-  if (inner > 0) {
-    for (vtkIdType k = 0; k < kSegments; ++k) {
-      const vtkIdType next = (k + 1) % kSegments;
-      mesh.addPolygon({first + 2 * k, first + 2 * next, first + 2 * next + 1, first + 2 * k + 1}, color);
+  constexpr std::size_t kSegments = 24;
+  const auto circle = [&](double radius) {
+    std::vector<Eigen::Vector3d> points;
+    for (std::size_t k = 0; k < kSegments; ++k) {
+      const double angle = 2 * kPi * static_cast<double>(k) / kSegments;
+      points.push_back(T_s_u * (center + radius * Eigen::Vector3d(std::cos(angle), std::sin(angle), 0)));
     }
-  } else {
-    std::vector<vtkIdType> disc(kSegments);
-    for (vtkIdType k = 0; k < kSegments; ++k) disc[static_cast<std::size_t>(k)] = first + k;
-    mesh.addPolygon(disc, color);
+    return mesh.addPoints(points);
+  };
+  const std::vector<vtkIdType> around = circle(outer);
+  if (inner == 0) return mesh.addPolygon(around, color);
+  const std::vector<vtkIdType> within = circle(inner);
+  for (std::size_t k = 0; k < kSegments; ++k) {
+    const std::size_t next = (k + 1) % kSegments;
+    mesh.addPolygon({around[k], around[next], within[next], within[k]}, color);
   }
 }
 
@@ -80,7 +68,7 @@ vtkSmartPointer<vtkPolyData> withPointColors(vtkPolyData* faces, std::size_t poi
   colors->SetNumberOfTuples(static_cast<vtkIdType>(points_per_cell * front_colors.size()));
   unsigned char* out = front_colors.empty() ? nullptr : colors->GetPointer(0);
   for (const Rgb& color : front_colors) {
-    const Bytes bytes = toBytes(color);
+    const auto bytes = toBytes(color);
     for (std::size_t k = 0; k < points_per_cell; ++k) out = std::ranges::copy(bytes, out).out;
   }
   data->GetPointData()->SetScalars(colors);
@@ -102,9 +90,9 @@ vtkSmartPointer<vtkPolyData> makeColoredSurface(const SceneContent& content, con
   colors->SetNumberOfTuples(static_cast<vtkIdType>(per_cell * front_colors.size()));
   unsigned char* out = front_colors.empty() ? nullptr : colors->GetPointer(0);
   for (const Rgb& color : front_colors) {
-    const Bytes front = toBytes(color);
-    const Bytes back = toBytes(mixed({0, 0, 0}, mixed(color, backGrey(scene_colors), kBackGrey), kUndersideShade));
-    const Bytes side = toBytes(mixed({0, 0, 0}, color, kUndersideShade));
+    const auto front = toBytes(color);
+    const auto back = toBytes(mixed({0, 0, 0}, mixed(color, backGrey(scene_colors), kBackGrey), kUndersideShade));
+    const auto side = toBytes(mixed({0, 0, 0}, color, kUndersideShade));
     for (std::size_t k = 0; k < per_cell; ++k) out = std::ranges::copy(k == 0 ? front : k == 1 ? back : side, out).out;
   }
   // The polygons of a prism share their points.
@@ -146,27 +134,6 @@ vtkSmartPointer<vtkPolyData> makeOriginMarks(const SceneContent& content, const 
     if (!cell.origin) continue;
     addRing(mesh, cell.T_s_u, {0, 0, kMarkLift * side_m}, (1 - kOriginRingWidth) * radius_m, radius_m,
             markOn(front_colors[k], colors));
-  }
-  return mesh.finish();
-}
-
-vtkSmartPointer<vtkPolyData> makeCellOutlines(const SceneContent& content, std::initializer_list<CellId> cells) {
-  constexpr double kOutside = 1.015;
-  PolyDataBuilder mesh;
-  for (const CellId cell : cells) {
-    const SceneCell* found = content.layout.find(cell);
-    if (found == nullptr) continue;
-    const vtkIdType first = mesh.pointCount();
-    const auto corners = prismCorners(*content.reconstruction->model, found->T_s_u);
-    Eigen::Vector3d center = Eigen::Vector3d::Zero();
-    for (const Eigen::Vector3d& corner : corners) center += corner / static_cast<double>(corners.size());
-    for (const Eigen::Vector3d& corner : corners) mesh.addPoint(center + kOutside * (corner - center));
-    for (vtkIdType k = 0; k < 6; ++k) {
-      const vtkIdType next = (k + 1) % 6;
-      mesh.addLine({first + k, first + next});
-      mesh.addLine({first + k + 6, first + next + 6});
-      mesh.addLine({first + k, first + k + 6});
-    }
   }
   return mesh.finish();
 }

@@ -5,7 +5,6 @@
 
 #include <vtkPolyData.h>
 #include <vtkSmartPointer.h>
-#include <initializer_list>
 #include <vector>
 
 namespace hexoderm {
@@ -32,8 +31,5 @@ vtkSmartPointer<vtkPolyData> makePortMarks(const SceneContent& content, const st
 /// A ring on the origin of each patch, likewise.
 vtkSmartPointer<vtkPolyData> makeOriginMarks(const SceneContent& content, const std::vector<Rgb>& front_colors,
                                              const SceneColors& colors);
-
-/// The edges of the cells' prisms, a hair outside them. Cells that are not there have none.
-vtkSmartPointer<vtkPolyData> makeCellOutlines(const SceneContent& content, std::initializer_list<CellId> cells);
 
 }  // namespace hexoderm

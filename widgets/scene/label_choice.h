@@ -1,11 +1,9 @@
 #pragma once
 
-#include "hexoderm/util/units.h"
 #include "widgets/scene/scene_content.h"
 #include "widgets/scene/scene_cut.h"
-#include "widgets/scene/vtk_eigen.h"
+#include "widgets/scene/scene_sight.h"
 
-#include <vtkCamera.h>
 #include <Eigen/Core>
 
 #include <algorithm>
@@ -15,47 +13,9 @@
 #include <limits>
 #include <memory>
 #include <optional>
-#include <unordered_map>
 #include <vector>
 
 namespace hexoderm {
-
-/// From where labels are read, in the scene's frame. Pixels count from the window's lower left corner.
-struct LabelSight {
-  Eigen::Vector3d eye = Eigen::Vector3d::Zero();
-  Eigen::Vector3d right = Eigen::Vector3d::UnitX();  ///< with `up` and `back` (towards the viewer) a right-handed frame
-  Eigen::Vector3d up = Eigen::Vector3d::UnitY();
-  Eigen::Vector3d back = Eigen::Vector3d::UnitZ();
-  bool parallel = false;
-  double pixels_per_m = 1;  ///< in parallel projection; in perspective one metre before the eye
-  Eigen::Vector2d middle_px = Eigen::Vector2d::Zero();  ///< the pixel straight ahead
-  std::array<int, 2> window{};
-  double text_scale = 1;  ///< pixels of a letter per pixel at 72 dpi
-
-  static LabelSight of(vtkCamera* camera, const std::array<int, 2>& window, int dpi) {
-    LabelSight sight;
-    sight.eye = toEigen(camera->GetPosition());
-    sight.back = -toEigen(camera->GetDirectionOfProjection());
-    sight.right = toEigen(camera->GetViewUp()).cross(sight.back).normalized();
-    sight.up = sight.back.cross(sight.right);
-    sight.parallel = camera->GetParallelProjection() != 0;
-    sight.pixels_per_m =
-        0.5 * window[1] /
-        (sight.parallel ? camera->GetParallelScale() : std::tan(0.5 * camera->GetViewAngle() * kDegree));
-    const double* center = camera->GetWindowCenter();
-    sight.middle_px = {0.5 * window[0] * (1 - center[0]), 0.5 * window[1] * (1 - center[1])};
-    sight.window = window;
-    sight.text_scale = dpi / 72.0;
-    return sight;
-  }
-
-  /// Pixels per metre at this distance before the eye; 0 behind it.
-  [[nodiscard]] double scaleAt(double depth_m) const {
-    return parallel ? pixels_per_m : depth_m > 0 ? pixels_per_m / depth_m : 0;
-  }
-  [[nodiscard]] double depthOf(const Eigen::Vector3d& p) const { return (eye - p).dot(back); }
-  friend bool operator==(const LabelSight&, const LabelSight&) = default;
-};
 
 /// Where an ID stands.
 struct PlacedLabel {
@@ -90,10 +50,10 @@ class LabelChoice {
   }
 
   /// Cells that a cut removes have none.
-  const std::vector<PlacedLabel>& choose(const LabelSight& sight, const std::optional<SceneCut>& cut) {
+  const std::vector<PlacedLabel>& choose(const SceneSight& sight, const std::optional<SceneCut>& cut) {
     chosen_.clear();
     if (!content_ || content_->layout.cells.empty()) return chosen_;
-    TakenRoom taken;
+    std::vector<Eigen::AlignedBox2d> taken;
     const auto roomFor = [&](const PlacedLabel& label) {
       const double height = sight.text_scale * label.font_px;
       const int digits = digitsOf(content_->layout.cells[label.cell].id.value());
@@ -104,7 +64,10 @@ class LabelChoice {
     findCandidates(sight, cut);
     for (const Candidate& candidate : candidates_) {
       if (chosen_.size() >= kMost) break;
-      if (taken.take(roomFor(candidate.label))) chosen_.push_back(candidate.label);
+      const Eigen::AlignedBox2d room = roomFor(candidate.label);
+      if (std::ranges::any_of(taken, [&](const Eigen::AlignedBox2d& other) { return overlaps(other, room); })) continue;
+      taken.push_back(room);
+      chosen_.push_back(candidate.label);
     }
     return chosen_;
   }
@@ -130,64 +93,31 @@ class LabelChoice {
     return digits;
   }
 
-  /// Rectangles in the picture, found by the squares of a grid that they touch.
-  class TakenRoom {
-   public:
-    /// False, and nothing taken, if another one is in the way.
-    bool take(const Eigen::AlignedBox2d& room) {
-      bool is_free = true;
-      forSquares(room, [&](std::int64_t square) {
-        const auto found = squares_.find(square);
-        if (found == squares_.end()) return;
-        for (const std::size_t k : found->second) is_free = is_free && !overlaps(rooms_[k], room);
-      });
-      if (!is_free) return false;
-      rooms_.push_back(room);
-      forSquares(room, [&](std::int64_t square) { squares_[square].push_back(rooms_.size() - 1); });
-      return true;
-    }
-
-   private:
-    static bool overlaps(const Eigen::AlignedBox2d& a, const Eigen::AlignedBox2d& b) {
-      return (a.min().array() < b.max().array()).all() && (b.min().array() < a.max().array()).all();
-    }
-    template <class Visit>
-    static void forSquares(const Eigen::AlignedBox2d& room, const Visit& visit) {
-      constexpr double kSquare_px = 48;
-      const auto at = [](double pixel) { return static_cast<std::int64_t>(std::floor(pixel / kSquare_px)); };
-      for (std::int64_t y = at(room.min().y()); y <= at(room.max().y()); ++y) {
-        for (std::int64_t x = at(room.min().x()); x <= at(room.max().x()); ++x) visit((y << 32) + x);
-      }
-    }
-
-    std::vector<Eigen::AlignedBox2d> rooms_;
-    std::unordered_map<std::int64_t, std::vector<std::size_t>> squares_;
-  };
+  static bool overlaps(const Eigen::AlignedBox2d& a, const Eigen::AlignedBox2d& b) {
+    return (a.min().array() < b.max().array()).all() && (b.min().array() < a.max().array()).all();
+  }
 
   struct Candidate {
     std::uint32_t roundness = 0;  ///< the smaller come first
     PlacedLabel label;
   };
-  [[nodiscard]] PlacedLabel placed(std::size_t cell, double wanted_px, const LabelSight& sight, double facing) const {
+  [[nodiscard]] PlacedLabel placed(std::size_t cell, double wanted_px, const SceneSight& sight, double facing) const {
     PlacedLabel label;
     label.cell = cell;
     // Even sizes only, so that zooming does not make new letters at every step.
     label.font_px =
         std::clamp(2 * static_cast<int>(std::min(wanted_px, 1.0 * kFonts.back()) / 2), kFonts.front(), kFonts.back());
     const Eigen::Vector3d& center = content_->layout.cells[cell].T_s_u.t;
-    const Eigen::Vector3d at = center - sight.eye;
-    const double depth = -at.dot(sight.back);
-    const double scale = sight.scaleAt(depth);
-    label.at_px = sight.middle_px + scale * Eigen::Vector2d(at.dot(sight.right), at.dot(sight.up));
+    label.at_px = sight.at(center);
     // The text stands upright to the viewer: it comes along the line of sight until its own tilted face can't cut it,
     // and stays behind everything that really is in front.
     const double steepest = std::max(facing, 0.3);
     const double tilt = std::sqrt(std::max(0.0, 1 - steepest * steepest)) / steepest;
-    label.depth_m = depth - side_m_ * (0.05 + 0.4 * tilt);
+    label.depth_m = sight.depthOf(center) - side_m_ * (0.05 + 0.4 * tilt);
     return label;
   }
 
-  [[nodiscard]] bool anyCanBeRead(const LabelSight& sight) const {
+  [[nodiscard]] bool anyCanBeRead(const SceneSight& sight) const {
     if (box_.isEmpty()) return false;
     // The corner that comes closest. A camera within the box is as close as can be.
     double least = std::numeric_limits<double>::infinity();
@@ -199,18 +129,15 @@ class LabelChoice {
     return kLetterShare * side_m_ * sight.scaleAt(least) >= kTightest * kFonts.front() * sight.text_scale;
   }
 
-  void findCandidates(const LabelSight& sight, const std::optional<SceneCut>& cut) {
+  void findCandidates(const SceneSight& sight, const std::optional<SceneCut>& cut) {
     candidates_.clear();
     const std::vector<SceneCell>& cells = content_->layout.cells;
     const double smallest = kTightest * kFonts.front();
     for (std::size_t k = 0; k < cells.size(); ++k) {
       const Eigen::Vector3d& center = cells[k].T_s_u.t;
-      const Eigen::Vector3d sight_line = sight.eye - center;
-      const double depth = sight_line.dot(sight.back);
-      const double pixels = side_m_ * sight.scaleAt(depth) / sight.text_scale;
+      const double pixels = side_m_ * sight.scaleAt(sight.depthOf(center)) / sight.text_scale;
       if (!(kLetterShare * pixels >= smallest)) continue;
-      const auto normal = cells[k].T_s_u.R.col(2);
-      const double facing = sight.parallel ? normal.dot(sight.back) : normal.dot(sight_line) / sight_line.norm();
+      const double facing = cells[k].T_s_u.R.col(2).dot(sight.towards(center));
       if (facing <= kLeastFacing || (cut && cut->removes(center))) continue;
       const std::uint32_t id = cells[k].id.value();
       const double wanted = std::min(kLetterShare, kWidthShare / (LabelChoice::kDigitAdvance * digitsOf(id))) * pixels;

@@ -5,6 +5,10 @@
 #include "hexoderm/util/units.h"
 #include "widgets/scene/polydata_builder.h"
 
+#include <vtkDoubleArray.h>
+#include <vtkNew.h>
+#include <vtkSphereSource.h>
+#include <vtkTensorGlyph.h>
 #include <array>
 
 namespace hexoderm {
@@ -24,35 +28,6 @@ constexpr double kCross = 0.12;     // half of a muted link's cross
 constexpr double kGapRoom = 1.2;    // the arrow of a gap
 constexpr double kGapArrowWidth = 0.12;
 constexpr double kShiftArrowWidth = 0.09;
-
-/// A straight piece of a polyline, cut into dashes; the pattern runs on from piece to piece.
-class Dashes {
- public:
-  Dashes(PolyDataBuilder& mesh, double period, double share, const Rgb& color)
-      : mesh_(mesh), period_(period), share_(share), color_(color) {}
-
-  void addPiece(const Eigen::Vector3d& from, const Eigen::Vector3d& to) {
-    const double length = (to - from).norm();
-    if (length <= 0) return;
-    const Eigen::Vector3d along = (to - from) / length;
-    double at = -phase_;
-    while (at < length) {
-      const double begin = std::max(at, 0.0);
-      const double end = std::min(at + share_ * period_, length);
-      if (end > begin)
-        mesh_.addLine({mesh_.addPoint(from + begin * along), mesh_.addPoint(from + end * along)}, color_);
-      at += period_;
-    }
-    phase_ = length - (at - period_);
-  }
-
- private:
-  PolyDataBuilder& mesh_;
-  double period_;
-  double share_;
-  Rgb color_;
-  double phase_ = 0;
-};
 
 /// The two ends of a link in the scene; none if a cell or port is not there.
 struct PlacedLink {
@@ -81,16 +56,12 @@ std::array<Eigen::Vector3d, 4> wayOf(const PlacedLink& link, double lift, double
           link.target->T_s_u * (link.target_port_u + left_target), link.target->T_s_u * left_target};
 }
 
-void addSolid(PolyDataBuilder& mesh, const std::array<Eigen::Vector3d, 4>& way, const Rgb& color) {
-  std::array<vtkIdType, 4> ids{};
-  for (std::size_t k = 0; k < way.size(); ++k) ids.at(k) = mesh.addPoint(way.at(k));
-  mesh.addLine({ids[0], ids[1], ids[2], ids[3]}, color);
-}
-
 void addDashed(PolyDataBuilder& mesh, const std::array<Eigen::Vector3d, 4>& way, double period, double share,
                const Rgb& color) {
-  Dashes dashes(mesh, period, share, color);
-  for (std::size_t k = 0; k + 1 < way.size(); ++k) dashes.addPiece(way.at(k), way.at(k + 1));
+  double phase = 0;  // the pattern runs on from piece to piece
+  for (std::size_t k = 0; k + 1 < way.size(); ++k) {
+    phase = mesh.addDashes(way.at(k), way.at(k + 1), period, share, color, phase);
+  }
 }
 
 void addCross(PolyDataBuilder& mesh, const PlacedLink& link, double lift, double size, const Rgb& color) {
@@ -102,28 +73,14 @@ void addCross(PolyDataBuilder& mesh, const PlacedLink& link, double lift, double
   }
 }
 
-/// A ball of unit radius, stretched by the columns of A.
-void addEllipsoid(PolyDataBuilder& mesh, const Eigen::Vector3d& center, const Eigen::Matrix3d& A, int rings,
-                  int segments) {
-  const Eigen::Vector3d lengths = A.colwise().norm().cwiseMax(1e-9).transpose();
-  const Eigen::Matrix3d axes = A * lengths.cwiseInverse().asDiagonal();
-  const vtkIdType first = mesh.pointCount();
-  for (int ring = 0; ring <= rings; ++ring) {
-    const double polar = kPi * ring / rings;
-    for (int segment = 0; segment < segments; ++segment) {
-      const double around = 2 * kPi * segment / segments;
-      const Eigen::Vector3d s(std::sin(polar) * std::cos(around), std::sin(polar) * std::sin(around), std::cos(polar));
-      const Eigen::Vector3d normal = axes * s.cwiseQuotient(lengths);
-      mesh.addPoint(center + A * s, normal.norm() > 0 ? Eigen::Vector3d(normal.normalized()) : s);
-    }
-  }
-  for (vtkIdType ring = 0; ring < rings; ++ring) {
-    for (vtkIdType segment = 0; segment < segments; ++segment) {
-      const vtkIdType next = (segment + 1) % segments;
-      const vtkIdType above = first + ring * segments;
-      const vtkIdType below = above + segments;
-      mesh.addPolygon({above + segment, below + segment, below + next, above + next});
-    }
+/// The edges of a prism with these corners, as prismCorners() has them.
+void addPrismEdges(PolyDataBuilder& mesh, const std::array<Eigen::Vector3d, 12>& corners) {
+  const std::vector<vtkIdType> ids = mesh.addPoints(corners);
+  for (std::size_t k = 0; k < 6; ++k) {
+    const std::size_t next = (k + 1) % 6;
+    mesh.addLine({ids[k], ids[next]});
+    mesh.addLine({ids[k + 6], ids[next + 6]});
+    mesh.addLine({ids[k], ids[k + 6]});
   }
 }
 
@@ -161,11 +118,10 @@ void addArrow(PolyDataBuilder& mesh, const Eigen::Vector3d& from, const Eigen::V
 }  // namespace
 
 EnlargedShape makeEllipsoids(const SceneContent& content) {
-  struct Placed {
-    Eigen::Vector3d center;
-    Eigen::Matrix3d A;
-  };
-  std::vector<Placed> ellipsoids;
+  constexpr vtkIdType kFew = 300;
+  const vtkNew<vtkPoints> centers;
+  const vtkNew<vtkDoubleArray> stretches;  // of a ball, by columns
+  stretches->SetNumberOfComponents(9);
   double largest = 0;
   for (std::size_t p = 0; p < content.reconstruction->patches.size(); ++p) {
     for (const CellPlacement& cell : content.reconstruction->patches[p].cells) {
@@ -174,23 +130,34 @@ EnlargedShape makeEllipsoids(const SceneContent& content) {
       const double longest = A.col(2).norm();
       if (longest <= 0) continue;
       largest = std::max(largest, longest);
-      ellipsoids.push_back({cell.T_o_u.t + content.layout.shifts[p], A});
+      const Eigen::Vector3d center = cell.T_o_u.t + content.layout.shifts[p];
+      centers->InsertNextPoint(center.data());
+      stretches->InsertNextTypedTuple(A.data());
     }
   }
-  constexpr std::size_t kFew = 300;
-  const int rings = ellipsoids.size() <= kFew ? 10 : 6;
+  if (centers->GetNumberOfPoints() == 0) return {};
   EnlargedShape shape;
   shape.factor = enlargement(largest, kEllipsoidRoom * content.reconstruction->model->side_m);
-  PolyDataBuilder mesh;
-  for (const Placed& ellipsoid : ellipsoids) {
-    addEllipsoid(mesh, ellipsoid.center, shape.factor * ellipsoid.A, rings, 2 * rings);
-  }
-  shape.data = mesh.finish();
+  const vtkNew<vtkPolyData> placed;
+  placed->SetPoints(centers);
+  placed->GetPointData()->SetTensors(stretches);
+  const int rings = centers->GetNumberOfPoints() <= kFew ? 10 : 6;
+  const vtkNew<vtkSphereSource> ball;
+  ball->SetRadius(1);
+  ball->SetPhiResolution(rings + 1);
+  ball->SetThetaResolution(2 * rings);
+  const vtkNew<vtkTensorGlyph> ellipsoids;
+  ellipsoids->SetInputData(placed);
+  ellipsoids->SetSourceConnection(ball->GetOutputPort());
+  ellipsoids->ExtractEigenvaluesOff();
+  ellipsoids->ColorGlyphsOff();
+  ellipsoids->SetScaleFactor(shape.factor);
+  ellipsoids->Update();
+  shape.data = ellipsoids->GetOutput();
   return shape;
 }
 
-vtkSmartPointer<vtkPolyData> makePatchFrames(const SceneContent& content, const std::vector<std::size_t>& patches,
-                                             const Rgb& color) {
+vtkSmartPointer<vtkPolyData> makePatchFrames(const SceneContent& content, const std::vector<std::size_t>& patches) {
   const double side_m = content.reconstruction->model->side_m;
   PolyDataBuilder mesh;
   for (const std::size_t patch : patches) {
@@ -198,7 +165,7 @@ vtkSmartPointer<vtkPolyData> makePatchFrames(const SceneContent& content, const 
     for (unsigned from = 0; from < 8; ++from) {
       for (unsigned axis = 0; axis < 3; ++axis) {
         const unsigned to = from | 1U << axis;
-        if (to != from) Dashes(mesh, kFrameDash * side_m, 0.55, color).addPiece(corners.at(from), corners.at(to));
+        if (to != from) mesh.addDashes(corners.at(from), corners.at(to), kFrameDash * side_m, 0.55);
       }
     }
   }
@@ -222,10 +189,11 @@ vtkSmartPointer<vtkPolyData> makeLinkLines(const SceneContent& content, const Sc
       } else if (link.quality == EdgeQuality::Partially) {
         addDashed(mesh, wayOf(*placed, lift, 0), kDash * side_m, 0.65, color);
       } else if (link.quality == EdgeQuality::Fully) {
-        addSolid(mesh, wayOf(*placed, lift, 0), color);
+        mesh.addLine(mesh.addPoints(wayOf(*placed, lift, 0)), color);
       } else {
-        addSolid(mesh, wayOf(*placed, lift, kDoubleApart * side_m), color);
-        addSolid(mesh, wayOf(*placed, lift, -kDoubleApart * side_m), color);
+        for (const double aside : {kDoubleApart * side_m, -kDoubleApart * side_m}) {
+          mesh.addLine(mesh.addPoints(wayOf(*placed, lift, aside)), color);
+        }
       }
     }
   }
@@ -239,10 +207,7 @@ vtkSmartPointer<vtkPolyData> makeTreeLines(const SceneContent& content) {
       if (!link.used || !link.in_tree) continue;
       const std::optional<PlacedLink> placed = place(content, link);
       if (!placed) continue;
-      const auto way = wayOf(*placed, kTreeLift * content.reconstruction->model->side_m, 0);
-      std::array<vtkIdType, 4> ids{};
-      for (std::size_t k = 0; k < way.size(); ++k) ids.at(k) = mesh.addPoint(way.at(k));
-      mesh.addLine({ids[0], ids[1], ids[2], ids[3]});
+      mesh.addLine(mesh.addPoints(wayOf(*placed, kTreeLift * content.reconstruction->model->side_m, 0)));
     }
   }
   return mesh.finish();
@@ -251,17 +216,24 @@ vtkSmartPointer<vtkPolyData> makeTreeLines(const SceneContent& content) {
 vtkSmartPointer<vtkPolyData> makeGhostOutlines(const SceneContent& content, const std::vector<AlignedCell>& cells) {
   PolyDataBuilder mesh;
   for (const AlignedCell& cell : cells) {
-    const Eigen::Vector3d& shift = content.layout.shifts[cell.patch];
-    const vtkIdType first = mesh.pointCount();
-    for (const Eigen::Vector3d& corner : prismCorners(*content.reconstruction->model, cell.T_o_u)) {
-      mesh.addPoint(corner + shift);
-    }
-    for (vtkIdType k = 0; k < 6; ++k) {
-      const vtkIdType next = (k + 1) % 6;
-      mesh.addLine({first + k, first + next});
-      mesh.addLine({first + 6 + k, first + 6 + next});
-      mesh.addLine({first + k, first + 6 + k});
-    }
+    auto corners = prismCorners(*content.reconstruction->model, cell.T_o_u);
+    for (Eigen::Vector3d& corner : corners) corner += content.layout.shifts[cell.patch];
+    addPrismEdges(mesh, corners);
+  }
+  return mesh.finish();
+}
+
+vtkSmartPointer<vtkPolyData> makeCellOutlines(const SceneContent& content, std::initializer_list<CellId> cells) {
+  constexpr double kOutside = 1.015;
+  PolyDataBuilder mesh;
+  for (const CellId cell : cells) {
+    const SceneCell* found = content.layout.find(cell);
+    if (found == nullptr) continue;
+    auto corners = prismCorners(*content.reconstruction->model, found->T_s_u);
+    Eigen::Vector3d center = Eigen::Vector3d::Zero();
+    for (const Eigen::Vector3d& corner : corners) center += corner / static_cast<double>(corners.size());
+    for (Eigen::Vector3d& corner : corners) corner = center + kOutside * (corner - center);
+    addPrismEdges(mesh, corners);
   }
   return mesh.finish();
 }

@@ -7,6 +7,7 @@
 
 #include <vtkPolyData.h>
 #include <vtkSmartPointer.h>
+#include <initializer_list>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -26,8 +27,7 @@ struct EnlargedShape {
 EnlargedShape makeEllipsoids(const SceneContent& content);
 
 /// The edges of a box about each of these patches, dashed: indices into the reconstruction's.
-vtkSmartPointer<vtkPolyData> makePatchFrames(const SceneContent& content, const std::vector<std::size_t>& patches,
-                                             const Rgb& color);
+vtkSmartPointer<vtkPolyData> makePatchFrames(const SceneContent& content, const std::vector<std::size_t>& patches);
 
 /// Every link from centre to centre through both ports, in the colour of its class and dotted, dashed, solid or double
 /// as in the graph; muted links grey, dashed and crossed.
@@ -37,6 +37,9 @@ vtkSmartPointer<vtkPolyData> makeTreeLines(const SceneContent& content);
 
 /// The edges of a prism at each of the placements.
 vtkSmartPointer<vtkPolyData> makeGhostOutlines(const SceneContent& content, const std::vector<AlignedCell>& cells);
+
+/// The edges of the cells' prisms, a hair outside them. Cells that are not there have none.
+vtkSmartPointer<vtkPolyData> makeCellOutlines(const SceneContent& content, std::initializer_list<CellId> cells);
 
 /// The surface as a smooth sheet, `patch` an index into the reconstruction's.
 vtkSmartPointer<vtkPolyData> makeSurfaceSheet(const SceneContent& content, const SurfaceMesh& mesh, std::size_t patch);

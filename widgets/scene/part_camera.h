@@ -20,8 +20,8 @@ inline void lookFromBack(vtkCamera* camera, const Eigen::Vector3d& back, const E
   const Eigen::Vector3d focus = toEigen(camera->GetFocalPoint());
   const Eigen::Vector3d position = focus + camera->GetDistance() * back;
   const Eigen::Vector3d& upwards = back.cross(up).norm() > kAlong ? up : other_up;
-  camera->SetPosition(position.x(), position.y(), position.z());
-  camera->SetViewUp(upwards.x(), upwards.y(), upwards.z());
+  camera->SetPosition(position.data());
+  camera->SetViewUp(upwards.data());
   camera->OrthogonalizeViewUp();
 }
 

@@ -5,7 +5,7 @@
 #include "widgets/coloring/scale_legend.h"
 #include "widgets/scene/blending_renderer.h"
 #include "widgets/scene/brush_marks.h"
-#include "widgets/scene/cell_meshes.h"
+#include "widgets/scene/mesh_actor.h"
 #include "widgets/scene/patch_moment.h"
 #include "widgets/scene/patch_overlays.h"
 #include "widgets/scene/scene_camera.h"
@@ -16,18 +16,15 @@
 #include "widgets/scene/scene_items.h"
 #include "widgets/scene/scene_labels.h"
 #include "widgets/scene/scene_overlays.h"
+#include "widgets/scene/scene_sight.h"
 #include "widgets/scene/scene_skin.h"
 #include "widgets/style/scene_colors.h"
 
-#include <vtkActor.h>
 #include <vtkCamera.h>
 #include <vtkCommand.h>
 #include <vtkNew.h>
-#include <vtkPolyDataMapper.h>
-#include <vtkProperty.h>
 #include <vtkRenderWindow.h>
 #include <vtkRenderer.h>
-#include <vtkRendererCollection.h>
 #include <vtkWeakPointer.h>
 
 #include <algorithm>
@@ -52,29 +49,48 @@ class PatchScene {
  public:
   using View = SceneCamera::View;
 
-  PatchScene() : parts_(std::make_unique<Parts>()) { setSmoothed(true); }
+  PatchScene() {
+    // A ring lies on the faces and keeps its colour in any light.
+    brush_.property()->LightingOff();
+    brush_.show(nullptr);
+    renderer_->AddActor(brush_.actor);
+    addSceneLights(renderer_);
+    renderer_->GradientBackgroundOn();
+    observer_ = renderer_->AddObserver(vtkCommand::StartEvent, this, &PatchScene::beforeRender);
+  }
+
+  ~PatchScene() {
+    renderer_->RemoveObserver(observer_);
+    if (!window_) return;
+    corners_.detachFrom(window_);
+    ghost_.detachFrom(window_);
+    window_->RemoveRenderer(renderer_);
+  }
+
+  PatchScene(const PatchScene&) = delete;
+  PatchScene& operator=(const PatchScene&) = delete;
 
   /// Adds the scene's renderers to the window; once. The scene must outlive the window's last rendering.
   void attachTo(vtkRenderWindow* window) {
-    parts_->window = window;
+    window_ = window;
     window->SetMultiSamples(0);
     window->SetNumberOfLayers(2);
-    window->AddRenderer(parts_->renderer);
-    parts_->corners.attachTo(window);
-    parts_->ghost.attachTo(window);
+    window->AddRenderer(renderer_);
+    corners_.attachTo(window);
+    ghost_.attachTo(window);
   }
 
   /// Null empties the scene. The camera moves only when the set of cells has changed.
   void setContent(std::shared_ptr<const SceneContent> content) {
-    parts_->content = std::move(content);
-    parts_->camera.setContent(parts_->content);
-    parts_->skin.setContent(parts_->content);
-    parts_->drawn_overlays.setContent(parts_->content);
-    parts_->labels.setContent(parts_->content);
-    parts_->recolor();
-    parts_->updateItems();
-    if (parts_->cut_share) parts_->updateCut();
-    parts_->showGhostOfLargestPatch();
+    content_ = std::move(content);
+    camera_.setContent(content_);
+    skin_.setContent(content_);
+    drawn_overlays_.setContent(content_);
+    labels_.setContent(content_);
+    ghost_.setLayout(content_ ? content_->layout : SceneLayout{});
+    recolor();
+    updateItems();
+    if (cut_share_) updateCut();
   }
 
   /// Makes the content here and now, and shows it.
@@ -83,115 +99,110 @@ class PatchScene {
   }
 
   void setColors(const SceneColors& colors) {
-    parts_->colors = colors;
-    parts_->skin.setColors(colors);
-    parts_->drawn_overlays.setColors(colors);
-    parts_->recolor();
+    colors_ = colors;
+    skin_.setColors(colors);
+    drawn_overlays_.setColors(colors);
+    recolor();
   }
 
   void setColoring(Coloring coloring) {
-    parts_->skin.setColoring(coloring);
-    parts_->recolor();
+    skin_.setColoring(coloring);
+    recolor();
   }
 
   /// Of the scale of the colouring; none: fitted to what is shown.
   void setFixedRange(const std::optional<ColorRange>& range) {
-    parts_->skin.setFixedRange(range);
-    parts_->recolor();
+    skin_.setFixedRange(range);
+    recolor();
   }
 
   /// Draws anew only the overlays that are other ones than before.
   void setOverlays(const PatchOverlays& overlays) {
-    const bool other_surface = overlays.surface != parts_->overlays.surface;
-    parts_->overlays = overlays;
-    parts_->drawn_overlays.setOverlays(overlays);
+    const bool other_surface = overlays.surface != overlays_.surface;
+    overlays_ = overlays;
+    drawn_overlays_.setOverlays(overlays);
     if (!other_surface) return;
     std::unordered_map<CellId, double> distance_m;
     if (const SurfaceEvaluation* surface = overlays.surface.get()) {
       for (std::size_t k = 0; k < surface->cells.size(); ++k) distance_m[surface->cells[k]] = surface->distance_m[k];
     }
-    parts_->skin.setSurfaceDistances(std::move(distance_m));
-    parts_->recolor();
+    skin_.setSurfaceDistances(std::move(distance_m));
+    recolor();
   }
 
-  [[nodiscard]] const PatchOverlays& overlays() const { return parts_->overlays; }
+  [[nodiscard]] const PatchOverlays& overlays() const { return overlays_; }
   /// The enlargement of the differences with another calibration; none: as far as they can be told apart.
-  void setShiftFactor(std::optional<double> factor) { parts_->drawn_overlays.setShiftFactor(factor); }
+  void setShiftFactor(std::optional<double> factor) { drawn_overlays_.setShiftFactor(factor); }
   /// Draws anew only what has changed since the moment before. Cells without a reading are neutral.
   void setMoment(const PatchMoment& moment) {
-    const PatchMoment before = std::exchange(parts_->moment, moment);
+    const PatchMoment before = std::exchange(moment_, moment);
     if (moment.readings != before.readings) {
-      parts_->skin.setReadings(moment.readings ? *moment.readings : CellReadings{});
-      if (isReading(parts_->skin.coloring())) parts_->recolor();
+      skin_.setReadings(moment.readings ? *moment.readings : CellReadings{});
+      if (isReading(skin_.coloring())) recolor();
     }
     const bool other_up = moment.up_o != before.up_o;
-    if (other_up) parts_->camera.follow(moment.up_o);
-    if (other_up || moment.pose != before.pose) parts_->updateGravity();
-    if (other_up || moment.pose != before.pose || moment.next_up_o != before.next_up_o) parts_->updateGhost();
+    if (other_up) camera_.follow(moment.up_o);
+    if (other_up || moment.pose != before.pose || moment.next_up_o != before.next_up_o) updateUp();
   }
 
-  [[nodiscard]] const PatchMoment& moment() const { return parts_->moment; }
+  [[nodiscard]] const PatchMoment& moment() const { return moment_; }
   void setShown(SceneItem item, bool shown) {
-    parts_->shown.at(indexOf(item)) = shown;
-    parts_->drawn_overlays.setShown(item, shown);
-    parts_->updateItems();
+    shown_.at(indexOf(item)) = shown;
+    drawn_overlays_.setShown(item, shown);
+    updateItems();
   }
 
-  [[nodiscard]] Availability availability(SceneItem item) const { return parts_->drawn_overlays.availability(item); }
+  [[nodiscard]] Availability availability(SceneItem item) const { return drawn_overlays_.availability(item); }
   /// Notes on the overlays that are drawn over the cells, with their enlargements.
-  [[nodiscard]] const SceneNotes& notes() { return parts_->drawn_overlays.notes(); }
+  [[nodiscard]] const SceneNotes& notes() { return drawn_overlays_.notes(); }
   /// The arrow of gravity is that in the frame of this cell's patch; none, or a cell of another skin: of the largest
   /// patch. What is picked is marked over the picture, so that the scene need not be drawn anew for it.
   void setPicked(std::optional<CellId> cell) {
-    parts_->picked_cell = cell;
-    parts_->updateGravity();
-    parts_->updateGhost();
+    picked_cell_ = cell;
+    updateUp();
   }
 
   /// Marks these cells with a ring on their faces, those of them that the reconstruction has.
   void setBrushed(std::vector<CellId> cells) {
-    parts_->brushed = std::move(cells);
-    parts_->updateBrushed();
+    brushed_ = std::move(cells);
+    updateBrushed();
   }
 
   /// The cells between which is measured: one is outlined, two are joined by a line.
   void setMeasured(std::optional<CellId> first, std::optional<CellId> second) {
-    parts_->drawn_overlays.setMeasured(first, second);
+    drawn_overlays_.setMeasured(first, second);
   }
 
   /// Turns the ghost from the present orientation (0) to the next (1).
-  void setGhostPhase(double phase) { parts_->ghost.setPhase(phase); }
-  [[nodiscard]] bool showsGhost() const { return parts_->ghost.isVisible(); }
+  void setGhostPhase(double phase) { ghost_.setPhase(phase); }
+  [[nodiscard]] bool showsGhost() const { return ghost_.isVisible(); }
   /// The present up, else that of the pose whose gravity is shown; none without either.
-  [[nodiscard]] std::optional<Eigen::Vector3d> upShown() const { return parts_->upShown(); }
-  /// Makes the part seem to turn about gravity, counter-clockwise seen from above.
-  void spin(double angle_rad) { parts_->camera.spin(parts_->upShown(), angle_rad); }
-  /// IDs and the letters of the axes; pictures that are compared go without.
-  void setTextVisible(bool visible) {
-    parts_->text_visible = visible;
-    parts_->updateItems();
-    parts_->corners.setTextVisible(visible);
+  [[nodiscard]] std::optional<Eigen::Vector3d> upShown() const {
+    if (moment_.up_o) return moment_.up_o;
+    const GravityDirection* direction = gravity();
+    return direction == nullptr ? std::nullopt : std::optional<Eigen::Vector3d>(direction->g_o);
   }
 
-  /// Smooths edges after drawing (FXAA); on by default. It doubles the time of a picture in software OpenGL, where
-  /// smoothEdges() does it in less.
-  void setSmoothed(bool smoothed) {
-    parts_->renderer->SetUseFXAA(smoothed);
-    parts_->corners.setSmoothed(smoothed);
-    parts_->ghost.setSmoothed(smoothed);
+  /// Makes the part seem to turn about gravity, counter-clockwise seen from above.
+  void spin(double angle_rad) { camera_.spin(upShown(), angle_rad); }
+  /// IDs and the letters of the axes; pictures that are compared go without.
+  void setTextVisible(bool visible) {
+    text_visible_ = visible;
+    updateItems();
+    corners_.setTextVisible(visible);
   }
 
   /// Pixels of the window's top that something else covers: what is fitted stays below.
-  void setTopMargin(int pixels) { parts_->camera.setTopMargin(pixels); }
+  void setTopMargin(int pixels) { camera_.setTopMargin(pixels); }
   /// The same at the bottom.
-  void setBottomMargin(int pixels) { parts_->camera.setBottomMargin(pixels); }
+  void setBottomMargin(int pixels) { camera_.setBottomMargin(pixels); }
   /// Moves the camera along its direction until everything that is drawn fits into the window.
-  void fit() { parts_->camera.fit(); }
-  void showStandardView(View view) { parts_->camera.lookFrom(view); }
+  void fit() { camera_.fit(); }
+  void showStandardView(View view) { camera_.lookFrom(view); }
   /// Brings a cell into the middle of the picture without turning or zooming, if it is there.
   void centerOn(CellId cell) {
-    const SceneCell* found = parts_->content ? parts_->content->layout.find(cell) : nullptr;
-    if (found != nullptr) parts_->camera.centerOn(found->T_s_u.t);
+    const SceneCell* found = content_ ? content_->layout.find(cell) : nullptr;
+    if (found != nullptr) camera_.centerOn(found->T_s_u.t);
   }
 
   /// The view that a knob of the axes stands for, at a pixel of the window (origin lower left); where it is seen from
@@ -199,266 +210,188 @@ class PatchScene {
   [[nodiscard]] std::optional<View> viewAt(double x, double y) const {
     constexpr std::array<View, 3> kPositive = {View::Side, View::Top, View::Front};
     constexpr std::array<View, 3> kNegative = {View::OtherSide, View::Bottom, View::Back};
-    const std::optional<AxisEnd> end = parts_->corners.endAt(x, y);
+    const std::optional<AxisEnd> end = corners_.endAt(x, y);
     if (!end) return std::nullopt;
     const View wanted = (end->positive ? kPositive : kNegative).at(end->axis);
-    return parts_->camera.looksFrom(wanted) ? (end->positive ? kNegative : kPositive).at(end->axis) : wanted;
+    return camera_.looksFrom(wanted) ? (end->positive ? kNegative : kPositive).at(end->axis) : wanted;
   }
 
   /// Lights the knob at this pixel; true if that changes the picture.
-  bool hoverAxes(double x, double y) { return parts_->corners.setHovered(parts_->corners.endAt(x, y)); }
+  bool hoverAxes(double x, double y) { return corners_.setHovered(corners_.endAt(x, y)); }
   /// Remembers the present direction; returnToKeptView() looks from there again and fits. Without a kept view it does
   /// nothing.
-  void keepView() { parts_->camera.keepView(); }
-  void returnToKeptView() { parts_->camera.returnToKeptView(); }
+  void keepView() { camera_.keepView(); }
+  void returnToKeptView() { camera_.returnToKeptView(); }
   /// Parallel instead of perspective projection; the point that is looked at keeps its size.
-  void setParallel(bool parallel) { parts_->camera.setParallel(parallel); }
+  void setParallel(bool parallel) { camera_.setParallel(parallel); }
 
   /// Carries out a fit that was asked for, as the next rendering would.
   void fitIfDue() {
-    if (parts_->window) parts_->camera.fitIfPending(parts_->surroundings());
+    if (window_) camera_.fitIfPending(surroundings());
   }
 
   /// Cuts the scene open by a plane that faces the viewer as he looks now: `share` of the skin's depth in that
   /// direction is taken away, 0 to 1. The plane then stays where it is, so that one can look at the cut from elsewhere;
   /// another share moves it along. None: the skin is whole again.
   void setCut(std::optional<double> share) {
-    parts_->cut_share = share;
-    parts_->updateCut();
+    cut_share_ = share;
+    updateCut();
   }
 
   /// Makes the plane face the viewer as he looks now.
   void alignCut() {
-    parts_->cut.reset();
-    parts_->updateCut();
+    cut_.reset();
+    updateCut();
   }
 
-  [[nodiscard]] const std::optional<SceneCut>& cut() const { return parts_->cut; }
-
-  /// What the depths mean that the last picture left in the window.
-  struct Depths {
-    double near_m = 0;
-    double far_m = 1;
-    bool parallel = false;
-    /// Left, bottom, right and top of the small pictures over the scene, in pixels: what lies there is not the scene's.
-    std::vector<std::array<int, 4>> elsewhere;
-  };
-  [[nodiscard]] Depths depths() const {
-    vtkCamera* camera = parts_->renderer->GetActiveCamera();
-    Depths depths;
-    depths.parallel = camera->GetParallelProjection() != 0;
-    camera->GetClippingRange(depths.near_m, depths.far_m);
-    if (!parts_->window) return depths;
-    const int* size = parts_->window->GetSize();
-    vtkRendererCollection* renderers = parts_->window->GetRenderers();
-    renderers->InitTraversal();
-    while (vtkRenderer* other = renderers->GetNextItem()) {
-      if (other == parts_->renderer || other->GetDraw() == 0) continue;
-      const double* place = other->GetViewport();
-      depths.elsewhere.push_back(
-          {static_cast<int>(std::floor(place[0] * size[0])), static_cast<int>(std::floor(place[1] * size[1])),
-           static_cast<int>(std::ceil(place[2] * size[0])), static_cast<int>(std::ceil(place[3] * size[1]))});
-    }
-    return depths;
-  }
+  [[nodiscard]] const std::optional<SceneCut>& cut() const { return cut_; }
 
   /// The cells whose IDs the last picture has.
   [[nodiscard]] std::vector<CellId> labelledCells() const {
     std::vector<CellId> cells;
-    for (const PlacedLabel& label : parts_->labels.drawn()) {
-      cells.push_back(parts_->content->layout.cells.at(label.cell).id);
+    for (const PlacedLabel& label : labels_.drawn()) {
+      cells.push_back(content_->layout.cells.at(label.cell).id);
     }
     return cells;
   }
 
   /// The cell at a pixel of the window (origin lower left); none beside the skin.
   [[nodiscard]] std::optional<CellId> pick(double x, double y) {
-    if (!parts_->window) return std::nullopt;
+    if (!window_) return std::nullopt;
     fitIfDue();
-    return parts_->skin.pick(x, y);
+    return skin_.pick(sight(), {x, y});
   }
 
-  [[nodiscard]] const SceneContent* content() const { return parts_->content.get(); }
-  [[nodiscard]] const CellReadings& readings() const { return parts_->skin.readings(); }
+  [[nodiscard]] const SceneContent* content() const { return content_.get(); }
+  [[nodiscard]] const CellReadings& readings() const { return skin_.readings(); }
   /// The values that the cells are coloured by, in the unit that is shown; for the legend.
   [[nodiscard]] std::vector<std::optional<double>> values() const {
-    if (!parts_->content) return {};
-    return cellValues(parts_->skin.coloring(), parts_->content->figures, parts_->skin.readings());
+    if (!content_) return {};
+    return cellValues(skin_.coloring(), content_->figures, skin_.readings());
   }
 
   /// The scale of the colouring, if that is one of a quantity and cells are shown.
-  [[nodiscard]] std::optional<ScaleLegend> scale() const { return parts_->skin.scale(); }
+  [[nodiscard]] std::optional<ScaleLegend> scale() const { return skin_.scale(); }
   /// True if the arrow of gravity is there: not without a pose, nor while it is switched off.
-  [[nodiscard]] bool showsGravity() const { return parts_->upShown().has_value(); }
+  [[nodiscard]] bool showsGravity() const { return upShown().has_value(); }
 
-  [[nodiscard]] vtkRenderer* renderer() const { return parts_->renderer; }
+  [[nodiscard]] vtkRenderer* renderer() const { return renderer_; }
+  /// As the camera looks now.
+  [[nodiscard]] SceneSight sight() const {
+    const int* pixels = window_ ? window_->GetSize() : nullptr;
+    const std::array<int, 2> size = {pixels != nullptr ? pixels[0] : 0, pixels != nullptr ? pixels[1] : 0};
+    return SceneSight::of(renderer_->GetActiveCamera(), size, window_ ? window_->GetDPI() : 72);
+  }
 
  private:
-  struct Parts {
-    std::shared_ptr<const SceneContent> content;
-    SceneColors colors;
-    std::optional<CellId> picked_cell;
-    std::vector<CellId> brushed;
-    PatchMoment moment;
-    PatchOverlays overlays;
-    std::optional<double> cut_share;
-    std::optional<SceneCut> cut;
-    bool text_visible = true;
-    ShownItems shown = kShownAtFirst;
+  SceneCamera::Surroundings surroundings() const {
+    const SceneSight now = sight();
+    return {now.window, now.text_scale, ghost_.isVisible(), showsGravity()};
+  }
 
-    vtkNew<BlendingRenderer> renderer;
-    vtkWeakPointer<vtkRenderWindow> window;
-    unsigned long observer = 0;
-    SceneCamera camera{renderer};
-    SceneSkin skin{renderer};
-    SceneOverlays drawn_overlays{renderer};
-    SceneLabels labels{renderer};
-    vtkNew<vtkActor> brush_actor;
-    vtkNew<vtkPolyDataMapper> brush_mapper;
-    SceneCorners corners;
-    SceneGhost ghost;
+  void beforeRender() {
+    if (drawn_overlays_.update()) camera_.setMore(drawn_overlays_.points());
+    camera_.prepare(surroundings());
+    renderer_->ResetCameraClippingRange();
+    if (!window_) return;
+    const SceneSight now = sight();
+    skin_.update(now);
+    labels_.update(now);
+    corners_.follow(now);
+    ghost_.follow(now);
+  }
 
-    Parts() {
-      // An outline lies on the faces and keeps its colour in any light.
-      brush_actor->SetMapper(brush_mapper);
-      brush_actor->VisibilityOff();
-      brush_actor->GetProperty()->LightingOff();
-      renderer->AddActor(brush_actor);
+  void recolor() {
+    renderer_->SetBackground2(colors_.background_top.data());
+    renderer_->SetBackground(colors_.background_bottom.data());
+    corners_.setColors(colors_);
+    ghost_.setColors(colors_);
+    labels_.setColors(skin_.frontColors(), colors_);
+    updateBrushed();
+  }
 
-      addSceneLights(renderer);
-      renderer->GradientBackgroundOn();
+  void updateItems() {
+    skin_.setPortsVisible(shown_.at(indexOf(SceneItem::Ports)));
+    labels_.setVisible(text_visible_ && shown_.at(indexOf(SceneItem::Ids)));
+    corners_.setAxesVisible(content_ && !content_->layout.cells.empty() && shown_.at(indexOf(SceneItem::Axes)));
+    updateUp();
+  }
 
-      observer = renderer->AddObserver(vtkCommand::StartEvent, this, &Parts::beforeRender);
-    }
+  void updateBrushed() {
+    const bool any = content_ && !brushed_.empty();
+    brush_.show(any ? makeBrushMarks(*content_, brushed_, skin_.frontColors(), colors_) : nullptr);
+  }
 
-    ~Parts() {
-      renderer->RemoveObserver(observer);
-      if (window) {
-        corners.detachFrom(window);
-        ghost.detachFrom(window);
-        window->RemoveRenderer(renderer);
+  void updateUp() {
+    const std::optional<Eigen::Vector3d> up = upShown();
+    corners_.setDown(up ? std::optional<Eigen::Vector3d>(-*up) : std::nullopt);
+    const bool was_there = ghost_.isVisible();
+    ghost_.setTurn(up.value_or(Eigen::Vector3d::UnitZ()), up ? moment_.next_up_o : std::nullopt);
+    // The skin makes room for it.
+    if (ghost_.isVisible() != was_there) camera_.fitIfUntouched();
+  }
+
+  void updateCut() {
+    if (!cut_share_ || !content_ || content_->layout.points.empty()) {
+      cut_.reset();
+    } else {
+      if (!cut_) cut_ = SceneCut{backOfCamera(renderer_->GetActiveCamera()), 0};
+      double least = std::numeric_limits<double>::infinity();
+      double most = -least;
+      for (const Eigen::Vector3d& p : content_->layout.points) {
+        least = std::min(least, cut_->normal.dot(p));
+        most = std::max(most, cut_->normal.dot(p));
       }
+      // At the ends everything is there, or nothing.
+      constexpr double kBeyond = 0.001;
+      const double beyond = kBeyond * (most - least);
+      cut_->offset_m = most + beyond - *cut_share_ * (most - least + 2 * beyond);
     }
+    skin_.setCut(cut_);
+    drawn_overlays_.setCut(cut_);
+    labels_.setCut(cut_);
+  }
 
-    SceneCamera::Surroundings surroundings() const {
-      SceneCamera::Surroundings around;
-      if (window) {
-        const int* pixels = window->GetSize();
-        around.window = {pixels[0], pixels[1]};
-        around.pixels_per_point = window->GetDPI() / 72.0;
-      }
-      around.ghost = ghost.isVisible();
-      around.arrow_of_gravity = upShown().has_value();
-      return around;
+  /// Every patch has a frame of its own: this is the gravity of the picked cell's patch, or else of the largest
+  /// patch, or of the first that has one.
+  const GravityDirection* gravity() const {
+    if (!content_ || content_->layout.cells.empty() || !shown_.at(indexOf(SceneItem::Gravity))) return nullptr;
+    const Reconstruction* reconstruction = content_->reconstruction.get();
+    const PatchReconstruction* patch = picked_cell_ ? reconstruction->find(*picked_cell_).patch : nullptr;
+    if (patch == nullptr) patch = largestPatch(*reconstruction);
+    if (patch->gravity.empty() && !picked_cell_) {
+      const auto found =
+          std::ranges::find_if(reconstruction->patches, [](const auto& p) { return !p.gravity.empty(); });
+      if (found == reconstruction->patches.end()) return nullptr;
+      patch = &*found;
     }
+    if (patch->gravity.empty()) return nullptr;
+    if (!moment_.pose) return &patch->gravity.back();
+    const auto found = std::ranges::find(patch->gravity, *moment_.pose, &GravityDirection::pose);
+    return found == patch->gravity.end() ? nullptr : &*found;
+  }
 
-    void beforeRender() {
-      const SceneCamera::Surroundings around = surroundings();
-      if (drawn_overlays.update()) camera.setMore(drawn_overlays.points());
-      camera.prepare(around);
-      renderer->ResetCameraClippingRange();
-      if (!window) return;
-      skin.update(around.window[1]);
-      labels.update(around.window, window->GetDPI());
-      corners.follow(renderer->GetActiveCamera(), window);
-      ghost.follow(renderer->GetActiveCamera(), window);
-    }
+  std::shared_ptr<const SceneContent> content_;
+  SceneColors colors_;
+  std::optional<CellId> picked_cell_;
+  std::vector<CellId> brushed_;
+  PatchMoment moment_;
+  PatchOverlays overlays_;
+  std::optional<double> cut_share_;
+  std::optional<SceneCut> cut_;
+  bool text_visible_ = true;
+  ShownItems shown_ = kShownAtFirst;
 
-    void recolor() {
-      renderer->SetBackground2(colors.background_top.data());
-      renderer->SetBackground(colors.background_bottom.data());
-      corners.setColors(colors);
-      ghost.setColors(colors);
-      labels.setColors(skin.frontColors(), colors);
-      updateBrushed();
-    }
-
-    void updateItems() {
-      skin.setPortsVisible(shown.at(indexOf(SceneItem::Ports)));
-      labels.setVisible(text_visible && shown.at(indexOf(SceneItem::Ids)));
-      corners.setAxesVisible(content && !content->layout.cells.empty() && shown.at(indexOf(SceneItem::Axes)));
-      updateGravity();
-    }
-
-    void updateBrushed() {
-      const bool any = content && !brushed.empty();
-      brush_actor->SetVisibility(any);
-      if (any) brush_mapper->SetInputData(makeBrushMarks(*content, brushed, skin.frontColors(), colors));
-    }
-
-    void updateGravity() {
-      const std::optional<Eigen::Vector3d> up = upShown();
-      corners.setDown(up ? std::optional<Eigen::Vector3d>(-*up) : std::nullopt);
-    }
-
-    void updateGhost() {
-      const bool was_there = ghost.isVisible();
-      ghost.setTurn(upShown().value_or(Eigen::Vector3d::UnitZ()), upShown() ? moment.next_up_o : std::nullopt);
-      // The skin makes room for it.
-      if (ghost.isVisible() != was_there) camera.fitIfUntouched();
-    }
-
-    void updateCut() {
-      if (!cut_share || !content || content->layout.points.empty()) {
-        cut.reset();
-      } else {
-        if (!cut) cut = SceneCut{-Eigen::Vector3d(renderer->GetActiveCamera()->GetDirectionOfProjection()), 0};
-        double least = std::numeric_limits<double>::infinity();
-        double most = -least;
-        for (const Eigen::Vector3d& p : content->layout.points) {
-          least = std::min(least, cut->normal.dot(p));
-          most = std::max(most, cut->normal.dot(p));
-        }
-        // At the ends everything is there, or nothing.
-        constexpr double kBeyond = 0.001;
-        const double beyond = kBeyond * (most - least);
-        cut->offset_m = most + beyond - *cut_share * (most - least + 2 * beyond);
-      }
-      skin.setCut(cut);
-      drawn_overlays.setCut(cut);
-      labels.setCut(cut);
-    }
-
-    void showGhostOfLargestPatch() {
-      std::size_t first = 0;
-      const Reconstruction* shown_skin = content ? content->reconstruction.get() : nullptr;
-      const PatchReconstruction* largest = shown_skin ? largestPatch(*shown_skin) : nullptr;
-      if (largest != nullptr) {
-        for (const PatchReconstruction* patch = shown_skin->patches.data(); patch != largest; ++patch) {
-          first += patch->cells.size();
-        }
-      }
-      ghost.setPatch(content ? content->layout : SceneLayout{}, first, largest == nullptr ? 0 : largest->cells.size());
-      updateGhost();
-    }
-
-    /// The present up, else that of the pose whose gravity is shown; none without either.
-    std::optional<Eigen::Vector3d> upShown() const {
-      if (moment.up_o) return moment.up_o;
-      const GravityDirection* direction = gravity();
-      return direction == nullptr ? std::nullopt : std::optional<Eigen::Vector3d>(direction->g_o);
-    }
-
-    /// Every patch has a frame of its own: this is the gravity of the picked cell's patch, or else of the largest
-    /// patch, or of the first that has one.
-    const GravityDirection* gravity() const {
-      if (!content || content->layout.cells.empty() || !shown.at(indexOf(SceneItem::Gravity))) return nullptr;
-      const Reconstruction* reconstruction = content->reconstruction.get();
-      const PatchReconstruction* patch = picked_cell ? reconstruction->find(*picked_cell).patch : nullptr;
-      if (patch == nullptr) patch = largestPatch(*reconstruction);
-      if (patch->gravity.empty() && !picked_cell) {
-        const auto found =
-            std::ranges::find_if(reconstruction->patches, [](const auto& p) { return !p.gravity.empty(); });
-        if (found == reconstruction->patches.end()) return nullptr;
-        patch = &*found;
-      }
-      if (patch->gravity.empty()) return nullptr;
-      if (!moment.pose) return &patch->gravity.back();
-      const auto found = std::ranges::find(patch->gravity, *moment.pose, &GravityDirection::pose);
-      return found == patch->gravity.end() ? nullptr : &*found;
-    }
-  };
-  std::unique_ptr<Parts> parts_;
+  vtkNew<BlendingRenderer> renderer_;
+  vtkWeakPointer<vtkRenderWindow> window_;
+  unsigned long observer_ = 0;
+  SceneCamera camera_{renderer_};
+  SceneSkin skin_{renderer_};
+  SceneOverlays drawn_overlays_{renderer_};
+  SceneLabels labels_{renderer_};
+  MeshActor brush_;
+  SceneCorners corners_;
+  SceneGhost ghost_;
 };
 
 }  // namespace hexoderm

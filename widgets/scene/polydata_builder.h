@@ -12,34 +12,63 @@
 #include <vtkUnsignedCharArray.h>
 #include <Eigen/Core>
 #include <algorithm>
+#include <array>
 #include <cmath>
-#include <initializer_list>
+#include <optional>
 #include <vector>
 
 namespace hexoderm {
+
+/// A colour as OpenGL takes it.
+inline std::array<unsigned char, 3> toBytes(const Rgb& color) {
+  std::array<unsigned char, 3> bytes{};
+  for (std::size_t k = 0; k < bytes.size(); ++k) {
+    bytes.at(k) = static_cast<unsigned char>(std::lround(255.0 * std::clamp(color.at(k), 0.0, 1.0)));
+  }
+  return bytes;
+}
 
 /// Collects points, lines and polygons for one vtkPolyData. Colours go with lines and polygons, normals with points;
 /// either all of them have one or none.
 class PolyDataBuilder {
  public:
+  PolyDataBuilder() {
+    colors_->SetNumberOfComponents(3);
+    normals_->SetNumberOfComponents(3);
+  }
+
   vtkIdType addPoint(const Eigen::Vector3d& p) { return points_->InsertNextPoint(p.x(), p.y(), p.z()); }
   vtkIdType addPoint(const Eigen::Vector3d& p, const Eigen::Vector3d& normal) {
     normals_->InsertNextTuple3(normal.x(), normal.y(), normal.z());
     return addPoint(p);
   }
-  void addLine(std::initializer_list<vtkIdType> ids) { lines_->InsertNextCell(ids); }
-  void addLine(std::initializer_list<vtkIdType> ids, const Rgb& color) {
-    addLine(ids);
-    addColor(color);
+  void addLine(const std::vector<vtkIdType>& ids, const std::optional<Rgb>& color = std::nullopt) {
+    add(lines_, ids, color);
   }
-  void addPolygon(std::initializer_list<vtkIdType> ids) { polygons_->InsertNextCell(ids); }
-  void addPolygon(std::initializer_list<vtkIdType> ids, const Rgb& color) {
-    addPolygon(ids);
-    addColor(color);
+  void addPolygon(const std::vector<vtkIdType>& ids, const std::optional<Rgb>& color = std::nullopt) {
+    add(polygons_, ids, color);
   }
-  void addPolygon(const std::vector<vtkIdType>& ids, const Rgb& color) {
-    polygons_->InsertNextCell(static_cast<vtkIdType>(ids.size()), ids.data());
-    addColor(color);
+  /// The IDs of these points, for addLine() or addPolygon().
+  template <class Points>
+  [[nodiscard]] std::vector<vtkIdType> addPoints(const Points& points) {
+    std::vector<vtkIdType> ids;
+    for (const Eigen::Vector3d& point : points) ids.push_back(addPoint(point));
+    return ids;
+  }
+  /// Dashes, each a line of its own, because OpenGL draws none: `share` of each `period` is drawn. `phase` of the first
+  /// one is left out; returns that of a piece that continues this one.
+  double addDashes(const Eigen::Vector3d& from, const Eigen::Vector3d& to, double period, double share,
+                   const std::optional<Rgb>& color = std::nullopt, double phase = 0) {
+    const double length = (to - from).norm();
+    if (length <= 0) return phase;
+    const Eigen::Vector3d along = (to - from) / length;
+    double at = -phase;
+    for (; at < length; at += period) {
+      const double begin = std::max(at, 0.0);
+      const double end = std::min(at + share * period, length);
+      if (end > begin) addLine({addPoint(from + begin * along), addPoint(from + end * along)}, color);
+    }
+    return length - (at - period);
   }
   [[nodiscard]] vtkIdType pointCount() const { return points_->GetNumberOfPoints(); }
 
@@ -54,22 +83,16 @@ class PolyDataBuilder {
   }
 
  private:
-  void addColor(const Rgb& color) {
-    if (colors_->GetNumberOfComponents() != 3) colors_->SetNumberOfComponents(3);
-    for (const double value : color) {
-      colors_->InsertNextValue(static_cast<unsigned char>(std::lround(255.0 * std::clamp(value, 0.0, 1.0))));
-    }
+  void add(vtkCellArray* cells, const std::vector<vtkIdType>& ids, const std::optional<Rgb>& color) {
+    cells->InsertNextCell(static_cast<vtkIdType>(ids.size()), ids.data());
+    if (color) colors_->InsertNextTypedTuple(toBytes(*color).data());
   }
 
-  vtkSmartPointer<vtkPoints> points_ = vtkSmartPointer<vtkPoints>::New();
-  vtkSmartPointer<vtkCellArray> lines_ = vtkSmartPointer<vtkCellArray>::New();
-  vtkSmartPointer<vtkCellArray> polygons_ = vtkSmartPointer<vtkCellArray>::New();
-  vtkSmartPointer<vtkUnsignedCharArray> colors_ = vtkSmartPointer<vtkUnsignedCharArray>::New();
-  vtkSmartPointer<vtkFloatArray> normals_ = [] {
-    auto array = vtkSmartPointer<vtkFloatArray>::New();
-    array->SetNumberOfComponents(3);
-    return array;
-  }();
+  vtkNew<vtkPoints> points_;
+  vtkNew<vtkCellArray> lines_;
+  vtkNew<vtkCellArray> polygons_;
+  vtkNew<vtkUnsignedCharArray> colors_;
+  vtkNew<vtkFloatArray> normals_;
 };
 
 }  // namespace hexoderm

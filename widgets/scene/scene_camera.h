@@ -5,8 +5,9 @@
 #include "widgets/scene/scene_content.h"
 #include "widgets/scene/scene_corners.h"
 #include "widgets/scene/scene_ghost.h"
+#include "widgets/scene/scene_sight.h"
 #include "widgets/scene/standard_view.h"
-#include "widgets/scene/vtk_eigen.h"
+#include "widgets/style/of_enum.h"
 
 #include <vtkCamera.h>
 #include <vtkRenderer.h>
@@ -15,7 +16,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <iterator>
 #include <limits>
 #include <memory>
 #include <optional>
@@ -84,44 +84,28 @@ class SceneCamera {
     if (isUntouched()) fit_pending_ = true;
   }
 
-  void lookFrom(View view) {
-    const ViewDirection direction = directionOf(view);
-    const Eigen::Vector3d focus = toEigen(camera()->GetFocalPoint());
-    const Eigen::Vector3d position = focus + std::max(camera()->GetDistance(), 1e-3) * direction.from;
-    camera()->SetPosition(position.x(), position.y(), position.z());
-    camera()->SetViewUp(direction.up.x(), direction.up.y(), direction.up.z());
-    camera()->OrthogonalizeViewUp();
-    fit_pending_ = true;
-  }
+  void lookFrom(View view) { lookFrom(directionOf(view)); }
 
   /// Turns about what is in the middle of the picture now by bringing this point there; the direction, and what fits
   /// into the picture, stay.
   void centerOn(const Eigen::Vector3d& point) {
     const Eigen::Vector3d position = toEigen(camera()->GetPosition()) + point - toEigen(camera()->GetFocalPoint());
-    camera()->SetFocalPoint(point.x(), point.y(), point.z());
-    camera()->SetPosition(position.x(), position.y(), position.z());
+    camera()->SetFocalPoint(point.data());
+    camera()->SetPosition(position.data());
   }
 
   /// The camera looks along this view's direction already, whatever is upwards.
   [[nodiscard]] bool looksFrom(View view) const {
     constexpr double kSame = 0.9999;  // cosine
-    return -toEigen(camera()->GetDirectionOfProjection()).dot(directionOf(view).from) > kSame;
+    return backOfCamera(camera()).dot(directionOf(view).from) > kSame;
   }
 
   /// Remembers the present direction; returnToKeptView() looks from there again and fits. Without a kept view it does
   /// nothing.
-  void keepView() {
-    kept_view_ = KeptView{-toEigen(camera()->GetDirectionOfProjection()), toEigen(camera()->GetViewUp())};
-  }
+  void keepView() { kept_view_ = ViewDirection{backOfCamera(camera()), toEigen(camera()->GetViewUp())}; }
 
   void returnToKeptView() {
-    if (!kept_view_) return;
-    const Eigen::Vector3d& up = kept_view_->up;
-    const Eigen::Vector3d position = toEigen(camera()->GetFocalPoint()) + camera()->GetDistance() * kept_view_->back;
-    camera()->SetPosition(position.x(), position.y(), position.z());
-    camera()->SetViewUp(up.x(), up.y(), up.z());
-    kept_view_.reset();
-    fit_pending_ = true;
+    if (const auto kept = std::exchange(kept_view_, std::nullopt)) lookFrom(*kept);
   }
 
   /// Parallel instead of perspective projection; the point that is looked at keeps its size.
@@ -133,10 +117,7 @@ class SceneCamera {
     } else if (parallel) {
       camera()->SetParallelScale(camera()->GetDistance() * half);
     } else {
-      const Eigen::Vector3d focus = toEigen(camera()->GetFocalPoint());
-      const Eigen::Vector3d back = -toEigen(camera()->GetDirectionOfProjection());
-      const Eigen::Vector3d position = focus + camera()->GetParallelScale() / half * back;
-      camera()->SetPosition(position.x(), position.y(), position.z());
+      camera()->Dolly(camera()->GetDistance() * half / camera()->GetParallelScale());
     }
     camera()->SetParallelProjection(parallel);
   }
@@ -191,26 +172,18 @@ class SceneCamera {
     Eigen::Vector3d up;
   };
 
-  static ViewDirection directionOf(SceneCamera::View view) {
-    switch (view) {
-      case SceneCamera::View::Front:
-        return {Eigen::Vector3d::UnitZ(), Eigen::Vector3d::UnitY()};
-      case SceneCamera::View::Side:
-        return {Eigen::Vector3d::UnitX(), Eigen::Vector3d::UnitY()};
-      case SceneCamera::View::Top:
-        return {Eigen::Vector3d::UnitY(), -Eigen::Vector3d::UnitZ()};
-      case SceneCamera::View::Back:
-        return {-Eigen::Vector3d::UnitZ(), Eigen::Vector3d::UnitY()};
-      case SceneCamera::View::OtherSide:
-        return {-Eigen::Vector3d::UnitX(), Eigen::Vector3d::UnitY()};
-      case SceneCamera::View::Bottom:
-        return {-Eigen::Vector3d::UnitY(), Eigen::Vector3d::UnitZ()};
-      case SceneCamera::View::Isometric:
-        return {Eigen::Vector3d::Ones().normalized(), Eigen::Vector3d::UnitY()};
-      case SceneCamera::View::Oblique:
-        break;
-    }
-    return {Eigen::Vector3d(0.45, 0.42, 1.0).normalized(), Eigen::Vector3d::UnitY()};
+  static ViewDirection directionOf(View view) {
+    const Eigen::Vector3d x = Eigen::Vector3d::UnitX();
+    const Eigen::Vector3d y = Eigen::Vector3d::UnitY();
+    const Eigen::Vector3d z = Eigen::Vector3d::UnitZ();
+    return ofEnum<View, ViewDirection>(view, {{Eigen::Vector3d(0.45, 0.42, 1.0).normalized(), y},
+                                              {z, y},
+                                              {x, y},
+                                              {y, -z},
+                                              {-z, y},
+                                              {-x, y},
+                                              {-y, z},
+                                              {Eigen::Vector3d::Ones().normalized(), y}});
   }
 
   static bool sameCells(const SceneContent* before, const SceneContent* after) {
@@ -238,43 +211,38 @@ class SceneCamera {
     double extent_m = 0;
     bool wider = false;  ///< it made room for more than the cells
   };
-  struct KeptView {
-    Eigen::Vector3d back;
-    Eigen::Vector3d up;
-  };
 
   [[nodiscard]] vtkCamera* camera() const { return renderer_->GetActiveCamera(); }
+  void lookFrom(const ViewDirection& direction) {
+    lookFromBack(camera(), direction.from, direction.up, direction.up);
+    fit_pending_ = true;
+  }
+
   void fitNow() {
     const auto [width, height] = around_.window;
     if (!content_ || content_->layout.points.empty() || width <= 0 || height <= 0) return;
     fit_pending_ = false;
-    const Eigen::Vector3d back = -toEigen(camera()->GetDirectionOfProjection());
-    const Eigen::Vector3d up =
-        (toEigen(camera()->GetViewUp()) - toEigen(camera()->GetViewUp()).dot(back) * back).normalized();
-    const Eigen::Vector3d right = up.cross(back);
+    const SceneSight sight = SceneSight::of(camera(), around_.window, 72);
+    Eigen::Matrix3d axes;
+    axes << sight.right, sight.up, sight.back;
+    std::vector<Eigen::Vector3d> seen;  // right, up, towards the viewer
     Eigen::AlignedBox3d box;
-    std::vector<Eigen::Vector3d> points = content_->layout.points;
-    for (const std::size_t patch : content_->layout.framed()) {
-      std::ranges::copy(content_->frameCorners(patch), std::back_inserter(points));
-    }
-    const std::size_t of_cells = points.size();
-    std::ranges::copy(more_, std::back_inserter(points));
-    Eigen::AlignedBox3d cell_box;
-    for (std::size_t k = 0; k < of_cells; ++k) {
-      cell_box.extend(Eigen::Vector3d(right.dot(points[k]), up.dot(points[k]), back.dot(points[k])));
-    }
-    for (const Eigen::Vector3d& p : points) box.extend(Eigen::Vector3d(right.dot(p), up.dot(p), back.dot(p)));
+    const auto see = [&](const Eigen::Vector3d& p) {
+      seen.emplace_back(axes.transpose() * p);
+      box.extend(seen.back());
+    };
+    std::ranges::for_each(content_->layout.points, see);
+    for (const std::size_t patch : content_->layout.framed()) std::ranges::for_each(content_->frameCorners(patch), see);
+    const Eigen::AlignedBox3d cell_box = box;
+    std::ranges::for_each(more_, see);
     const Eigen::Vector3d center = box.center();
     const double tan_height = freeHeight() * std::tan(0.5 * kViewAngle_deg * kDegree);
     const double tan_width = freeWidth() * std::tan(0.5 * kViewAngle_deg * kDegree) * width / height;
     const double least = 2 * content_->reconstruction->model->side_m;
     double distance = least;
     double flat_distance = least;  // from where a skin without depth would fit
-    std::vector<Eigen::Vector3d> seen;
-    seen.reserve(points.size());
-    for (const Eigen::Vector3d& p : points) {
-      const Eigen::Vector3d v = Eigen::Vector3d(right.dot(p), up.dot(p), back.dot(p)) - center;
-      seen.push_back(v);
+    for (Eigen::Vector3d& v : seen) {
+      v -= center;
       // A part that is turned has to stay in the picture.
       if (up_o_) distance = std::max(distance, v.norm() / std::sin(std::atan(std::min(tan_width, tan_height))));
       const double flat = up_o_ ? v.norm() / std::min(tan_width, tan_height)
@@ -297,10 +265,10 @@ class SceneCamera {
         break;
       }
     }
-    const Eigen::Vector3d focus = right * (center.x() + shift) + up * center.y() + back * center.z();
-    const Eigen::Vector3d position = focus + distance * back;
-    camera()->SetFocalPoint(focus.x(), focus.y(), focus.z());
-    camera()->SetPosition(position.x(), position.y(), position.z());
+    const Eigen::Vector3d focus = axes * (center + shift * Eigen::Vector3d::UnitX());
+    const Eigen::Vector3d position = focus + distance * sight.back;
+    camera()->SetFocalPoint(focus.data());
+    camera()->SetPosition(position.data());
     camera()->SetParallelScale(flat_distance * std::tan(0.5 * kViewAngle_deg * kDegree));
     fitted_ = Fitted{
         position, focus, camera()->GetParallelScale(), {width, height}, content_->extent_m, !cell_box.contains(box)};
@@ -339,23 +307,14 @@ class SceneCamera {
     // Small changes, as every new pose brings them, must not make the picture jump.
     constexpr double kOtherShape = 0.1;
     if (std::abs(content_->extent_m - fitted_->extent_m) > kOtherShape * fitted_->extent_m) return true;
-    const auto [width, height] = around_.window;
-    const Eigen::Vector3d position = toEigen(camera()->GetPosition());
-    const Eigen::Vector3d ahead = toEigen(camera()->GetDirectionOfProjection());
-    const Eigen::Vector3d right = ahead.cross(toEigen(camera()->GetViewUp())).normalized();
-    const Eigen::Vector3d up = right.cross(ahead);
-    const double tan_height = std::tan(0.5 * kViewAngle_deg * kDegree);
-    const double tan_width = tan_height * width / height;
+    const SceneSight sight = SceneSight::of(camera(), around_.window, 72);
+    const Eigen::Array2d half_window(0.5 * around_.window[0], 0.5 * around_.window[1]);
     const bool has_arrow = around_.arrow_of_gravity && !up_o_;
     const Eigen::Vector2d corner = cornerFrom(0) + windowCenter();
     const auto isOutside = [&](const Eigen::Vector3d& p) {
-      const Eigen::Vector3d v = p - position;
-      const double depth = camera()->GetParallelProjection() ? camera()->GetParallelScale() / tan_height : v.dot(ahead);
-      return std::abs(v.dot(right)) > (freeWidth() + kEdge) * tan_width * depth ||
-             v.dot(up) > (freeHeight() + slackAbove()) * tan_height * depth ||
-             -v.dot(up) > (freeHeight() + kEdge) * tan_height * depth ||
-             (has_arrow && v.dot(right) > corner.x() * tan_width * depth &&
-              v.dot(up) < corner.y() * tan_height * depth);
+      const Eigen::Array2d v = (sight.at(p) - sight.middle_px).array() / half_window;
+      return !sight.isAhead(p) || std::abs(v.x()) > freeWidth() + kEdge || v.y() > freeHeight() + slackAbove() ||
+             -v.y() > freeHeight() + kEdge || (has_arrow && v.x() > corner.x() && v.y() < corner.y());
     };
     return std::ranges::any_of(content_->layout.points, isOutside) || std::ranges::any_of(more_, isOutside);
   }
@@ -404,7 +363,7 @@ class SceneCamera {
   Surroundings around_;
   std::optional<Eigen::Vector3d> up_o_;  ///< followed
   std::optional<Fitted> fitted_;
-  std::optional<KeptView> kept_view_;
+  std::optional<ViewDirection> kept_view_;
   std::vector<Eigen::Vector3d> more_;
   bool fit_pending_ = false;
   bool content_is_new_ = false;  ///< since the last picture: the cells, or what is drawn besides

@@ -1,14 +1,17 @@
 #include "widgets/scene/scene_content.h"
 
 #include "hexoderm/reconstruction/figures/patch_mesh.h"
+#include "widgets/scene/polydata_builder.h"
 
 #include <vtkCellArray.h>
 #include <vtkFloatArray.h>
 #include <vtkIdTypeArray.h>
+#include <vtkNew.h>
 #include <vtkPointData.h>
 #include <vtkPoints.h>
 #include <algorithm>
 #include <cmath>
+#include <span>
 
 namespace hexoderm {
 namespace {
@@ -89,46 +92,21 @@ vtkSmartPointer<vtkPoints> makePoints(const std::vector<Eigen::Vector3d>& points
   return result;
 }
 
-vtkSmartPointer<vtkPolyData> makePrisms(const SceneLayout& layout) {
-  vtkNew<vtkCellArray> polygons;
-  const auto count = static_cast<vtkIdType>(layout.cells.size());
-  polygons->AllocateExact(8 * count, 36 * count);
-  for (vtkIdType cell = 0; cell < count; ++cell) {
-    const vtkIdType first = 2 * kSides * cell;
-    polygons->InsertNextCell({first, first + 1, first + 2, first + 3, first + 4, first + 5});
-    polygons->InsertNextCell({first + 11, first + 10, first + 9, first + 8, first + 7, first + 6});
-    for (vtkIdType k = 0; k < kSides; ++k) {
-      const vtkIdType next = (k + 1) % kSides;
-      polygons->InsertNextCell({first + next, first + k, first + kSides + k, first + kSides + next});
-    }
-  }
-  auto data = vtkSmartPointer<vtkPolyData>::New();
-  data->SetPoints(makePoints(layout.points));
-  data->SetPolys(polygons);
-  return data;
-}
-
 vtkSmartPointer<vtkPolyData> makeBackMarks(const SceneLayout& layout, double side_m) {
   constexpr double kShare = 0.6;
   constexpr double kLift = 0.015;  // share of the side
-  std::vector<Eigen::Vector3d> points;
-  points.reserve(kSides * layout.cells.size());
-  vtkNew<vtkCellArray> polygons;
-  const auto count = static_cast<vtkIdType>(layout.cells.size());
-  polygons->AllocateExact(count, kSides * count);
-  for (vtkIdType cell = 0; cell < count; ++cell) {
-    const Eigen::Vector3d* back = &layout.points[static_cast<std::size_t>(2 * kSides * cell + kSides)];
+  PolyDataBuilder mesh;
+  for (std::size_t cell = 0; cell < layout.cells.size(); ++cell) {
+    const std::span<const Eigen::Vector3d> back(&layout.points[2 * kSides * cell + kSides], kSides);
     Eigen::Vector3d center = Eigen::Vector3d::Zero();
-    for (vtkIdType k = 0; k < kSides; ++k) center += back[k] / kSides;
-    const Eigen::Vector3d lift = -kLift * side_m * layout.cells[static_cast<std::size_t>(cell)].T_s_u.R.col(2);
-    for (vtkIdType k = 0; k < kSides; ++k) points.push_back(center + kShare * (back[k] - center) + lift);
-    const vtkIdType first = kSides * cell;
-    polygons->InsertNextCell({first + 5, first + 4, first + 3, first + 2, first + 1, first});
+    for (const Eigen::Vector3d& corner : back) center += corner / kSides;
+    const Eigen::Vector3d lift = -kLift * side_m * layout.cells[cell].T_s_u.R.col(2);
+    std::vector<Eigen::Vector3d> corners;
+    for (const Eigen::Vector3d& corner : back) corners.push_back(center + kShare * (corner - center) + lift);
+    std::ranges::reverse(corners);
+    mesh.addPolygon(mesh.addPoints(corners));
   }
-  auto data = vtkSmartPointer<vtkPolyData>::New();
-  data->SetPoints(makePoints(points));
-  data->SetPolys(polygons);
-  return data;
+  return mesh.finish();
 }
 
 /// `Points` points a cell with its normal, cut into triangles.
@@ -190,6 +168,25 @@ vtkSmartPointer<vtkPolyData> makeBricks(const SceneLayout& layout) {
 
 }  // namespace
 
+vtkSmartPointer<vtkPolyData> makePrisms(const SceneLayout& layout) {
+  vtkNew<vtkCellArray> polygons;
+  const auto count = static_cast<vtkIdType>(layout.cells.size());
+  polygons->AllocateExact(8 * count, 36 * count);
+  for (vtkIdType cell = 0; cell < count; ++cell) {
+    const vtkIdType first = 2 * kSides * cell;
+    polygons->InsertNextCell({first, first + 1, first + 2, first + 3, first + 4, first + 5});
+    polygons->InsertNextCell({first + 11, first + 10, first + 9, first + 8, first + 7, first + 6});
+    for (vtkIdType k = 0; k < kSides; ++k) {
+      const vtkIdType next = (k + 1) % kSides;
+      polygons->InsertNextCell({first + next, first + k, first + kSides + k, first + kSides + next});
+    }
+  }
+  auto data = vtkSmartPointer<vtkPolyData>::New();
+  data->SetPoints(makePoints(layout.points));
+  data->SetPolys(polygons);
+  return data;
+}
+
 const SceneCell* SceneLayout::find(CellId id) const {
   const auto found = index.find(id);
   return found == index.end() ? nullptr : &cells[found->second];
@@ -208,6 +205,12 @@ std::vector<std::size_t> SceneLayout::framed() const {
   std::vector<std::size_t> patches = notPlaced();
   if (patches.size() > kMost) patches.clear();
   return patches;
+}
+
+std::optional<Eigen::Vector3d> SceneContent::portPoint(const LinkEnd& end) const {
+  const SceneCell* cell = layout.find(end.cell);
+  const Port* port = reconstruction->model->findPort(end.port);
+  return cell != nullptr && port != nullptr ? std::optional(cell->T_s_u * port->vector_m) : std::nullopt;
 }
 
 std::array<Eigen::Vector3d, 8> SceneContent::frameCorners(std::size_t patch) const {
@@ -236,13 +239,13 @@ std::shared_ptr<const SceneContent> makeSceneContent(std::shared_ptr<const Recon
   for (const Eigen::Vector3d& point : content->layout.points) box.extend(point);
   content->extent_m = box.isEmpty() ? 0 : box.diagonal().norm();
   content->surface = content->prisms ? makePrisms(content->layout) : makeFrontFaces(content->layout);
-  if (content->prisms) content->backs = makeBackMarks(content->layout, r.model->side_m);
-  if (!content->prisms) {
+  if (content->prisms) {
+    content->backs = makeBackMarks(content->layout, r.model->side_m);
+  } else {
     content->bricks = makeBricks(content->layout);
-    content->locator = vtkSmartPointer<vtkStaticCellLocator>::New();
-    content->locator->SetDataSet(content->surface);
-    content->locator->BuildLocator();
   }
+  content->locator->SetDataSet(content->surface);
+  if (!content->layout.cells.empty()) content->locator->BuildLocator();
   return content;
 }
 

@@ -5,6 +5,7 @@
 #include "hexoderm/reconstruction/figures/skin_signs.h"
 #include "hexoderm/reconstruction/result/reconstruction.h"
 
+#include <vtkNew.h>
 #include <vtkPolyData.h>
 #include <vtkSmartPointer.h>
 #include <vtkStaticCellLocator.h>
@@ -67,14 +68,18 @@ struct SceneContent {
   /// A large skin from far away: hexagons of a few pixels look like bricks of the same area, which join as closely and
   /// have half the triangles. Null for prisms.
   vtkSmartPointer<vtkPolyData> bricks;
-  /// Finds where a line meets the surface. Made with a large skin's content, where it takes a while; of a small one
-  /// null.
-  vtkSmartPointer<vtkStaticCellLocator> locator;
+  /// Finds where a line meets the surface.
+  vtkNew<vtkStaticCellLocator> locator;
 
+  /// The point at which a link joins a cell, in the scene; none if there is no such cell or port.
+  [[nodiscard]] std::optional<Eigen::Vector3d> portPoint(const LinkEnd& end) const;
   /// Corners of the frame about a patch, in the scene: bit k of an index says to which end of axis k the corner lies.
   [[nodiscard]] std::array<Eigen::Vector3d, 8> frameCorners(std::size_t patch) const;
   [[nodiscard]] std::size_t polygonsPerCell() const { return prisms ? 8 : 4; }
 };
+
+/// Eight polygons a cell, of layouts with 12 points a cell: front, back, sides.
+vtkSmartPointer<vtkPolyData> makePrisms(const SceneLayout& layout);
 
 /// Null of null.
 std::shared_ptr<const SceneContent> makeSceneContent(std::shared_ptr<const Reconstruction> reconstruction);

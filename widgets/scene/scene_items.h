@@ -37,7 +37,6 @@ struct SceneNotes {
   std::optional<double> distance_factor;  ///< enlargement of the lines from the fitted surface to the cells
   bool truth = false;
   bool tree = false;
-  bool links = false;
 };
 
 }  // namespace hexoderm

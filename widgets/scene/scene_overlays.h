@@ -1,7 +1,7 @@
 #pragma once
 
 #include "hexoderm/reconstruction/figures/overlays.h"
-#include "widgets/scene/cell_meshes.h"
+#include "widgets/scene/mesh_actor.h"
 #include "widgets/scene/overlay_meshes.h"
 #include "widgets/scene/patch_overlays.h"
 #include "widgets/scene/scene_content.h"
@@ -9,10 +9,6 @@
 #include "widgets/scene/scene_items.h"
 #include "widgets/style/scene_colors.h"
 
-#include <vtkActor.h>
-#include <vtkNew.h>
-#include <vtkPolyDataMapper.h>
-#include <vtkProperty.h>
 #include <vtkRenderer.h>
 #include <vtkShaderProperty.h>
 
@@ -36,15 +32,12 @@ class SceneOverlays {
   static constexpr std::size_t kMaxCells = 5000;
   static constexpr std::size_t kMaxEllipsoids = 2000;
 
-  explicit SceneOverlays(vtkRenderer* renderer) : parts_(std::make_unique<Parts>()) {
-    parts_->renderer = renderer;
-    for (DrawnOverlay& thing : parts_->drawn) {
-      thing.actor->SetMapper(thing.mapper);
-      thing.actor->PickableOff();
-      thing.actor->VisibilityOff();
+  explicit SceneOverlays(vtkRenderer* renderer) {
+    for (DrawnOverlay& thing : drawn_) {
+      thing.show(nullptr);
       renderer->AddActor(thing.actor);
     }
-    const auto property = [this](Kind kind) { return parts_->drawn.at(kind).actor->GetProperty(); };
+    const auto property = [this](Kind kind) { return drawn_.at(kind).property(); };
     for (const Kind kind : {kFrames, kLinks, kTree, kTruth, kDistances, kMeasure}) property(kind)->LightingOff();
     property(kFrames)->SetLineWidth(1.5F);
     property(kLinks)->SetLineWidth(3.0F);
@@ -56,63 +49,88 @@ class SceneOverlays {
     property(kMeasure)->SetLineWidth(3.5F);
     property(kEllipsoids)->SetOpacity(0.7);
     property(kSheet)->SetOpacity(0.28);
-    property(kSheet)->SetAmbient(0.5);
-    property(kSheet)->SetDiffuse(0.5);
-    for (const Kind kind : {kEllipsoids, kLoop, kShifts}) {
-      property(kind)->SetAmbient(0.45);
-      property(kind)->SetDiffuse(0.55);
-    }
+    drawn_.at(kSheet).setAmbient(0.5);
+    for (const Kind kind : {kEllipsoids, kLoop, kShifts}) drawn_.at(kind).setAmbient(0.45);
     // Faces lie in the fitted surface, which cuts them here and there; drawn a little behind them it leaves them whole.
-    setDepth(parts_->drawn.at(kSheet).actor, "min(gl_FragCoord.z + 0.01, 1.0)");
+    setDepth(kSheet, "min(gl_FragCoord.z + 0.01, 1.0)");
     // Arrows come from below the faces as well as from above: they are seen through everything, as is what is measured.
-    for (const Kind kind : {kLoop, kShifts, kMeasure}) setDepth(parts_->drawn.at(kind).actor, "0.001 * gl_FragCoord.z");
+    for (const Kind kind : {kLoop, kShifts, kMeasure}) setDepth(kind, "0.001 * gl_FragCoord.z");
   }
 
   void setContent(std::shared_ptr<const SceneContent> content) {
-    parts_->content = std::move(content);
-    parts_->surface_mesh.reset();
-    parts_->invalidateAll();
+    content_ = std::move(content);
+    surface_mesh_.reset();
+    invalidateAll();
   }
 
   void setColors(const SceneColors& colors) {
-    parts_->colors = colors;
-    parts_->setStyles();
-    parts_->invalidate({kFrames, kLinks});
+    colors_ = colors;
+    const std::pair<Kind, Rgb> paints[] = {
+        {kFrames, colors.neutral},  {kTree, colors.text},         {kEllipsoids, colors.ellipsoid},
+        {kTruth, colors.overlay},   {kSheet, colors.overlay},     {kDistances, colors.text},
+        {kLoop, colors.difference}, {kShifts, colors.difference}, {kMeasure, colors.selection}};
+    for (const auto& [kind, color] : paints) drawn_.at(kind).setColor(color);
+    invalidate({kLinks});
   }
 
   void setShown(SceneItem item, bool shown) {
-    parts_->shown.at(indexOf(item)) = shown;
-    parts_->invalidateAll();
+    shown_.at(indexOf(item)) = shown;
+    invalidateAll();
   }
 
   void setOverlays(const PatchOverlays& overlays) {
-    const PatchOverlays before = std::exchange(parts_->overlays, overlays);
-    if (overlays.truth != before.truth) parts_->invalidate({kTruth});
+    const PatchOverlays before = std::exchange(overlays_, overlays);
+    if (overlays.truth != before.truth) invalidate({kTruth});
     if (overlays.surface != before.surface) {
-      parts_->surface_mesh.reset();
-      parts_->invalidate({kSheet, kDistances});
+      surface_mesh_.reset();
+      invalidate({kSheet, kDistances});
     }
-    if (overlays.loop != before.loop) parts_->invalidate({kLoop});
-    if (overlays.comparison != before.comparison) parts_->invalidate({kShifts});
+    if (overlays.loop != before.loop) invalidate({kLoop});
+    if (overlays.comparison != before.comparison) invalidate({kShifts});
   }
 
   /// The enlargement of the differences; none: as far as they can be told apart.
   void setShiftFactor(std::optional<double> factor) {
-    if (std::exchange(parts_->shift_factor, factor) != factor) parts_->invalidate({kShifts});
+    if (std::exchange(shift_factor_, factor) != factor) invalidate({kShifts});
   }
 
   /// A line between the centres of two cells of a patch, or outlines about cells of two patches or the first alone.
   void setMeasured(std::optional<CellId> first, std::optional<CellId> second) {
-    parts_->first = first;
-    parts_->second = second;
-    parts_->invalidate({kMeasure});
+    first_ = first;
+    second_ = second;
+    invalidate({kMeasure});
   }
 
   /// Availability of the items that are drawn here; the others are always available.
-  [[nodiscard]] Availability availability(SceneItem item) const { return parts_->availability(item); }
+  [[nodiscard]] Availability availability(SceneItem item) const {
+    if (cells() == 0) return Availability::NoSkin;
+    const auto needs = [](bool data) { return data ? Availability::Available : Availability::NoData; };
+    const Availability limited = cells() > kMaxCells ? Availability::TooManyCells : Availability::Available;
+    switch (item) {
+      case SceneItem::Links:
+      case SceneItem::Tree:
+        return limited;
+      case SceneItem::Ellipsoids: {
+        const auto& known = content_->figures.position_95_m;
+        const bool any = std::ranges::any_of(known, [](const auto& figure) { return figure.value_or(0) > 0; });
+        return any && cells() > kMaxEllipsoids ? Availability::TooManyCells : needs(any);
+      }
+      case SceneItem::Truth:
+        return overlays_.truth ? limited : Availability::NoData;
+      case SceneItem::Comparison:
+        return overlays_.comparison && !overlays_.comparison->empty() ? limited : Availability::NoData;
+      case SceneItem::Surface:
+        return needs(surfacePatch().has_value());
+      case SceneItem::Loop:
+        return needs(loopPoints().has_value());
+      default:
+        return Availability::Available;
+    }
+  }
+
   [[nodiscard]] const SceneNotes& notes() {
     update();
-    return parts_->notes;
+    return notes_;
   }
 
   /// Brings what is drawn up to date; called before each rendering.
@@ -120,14 +138,11 @@ class SceneOverlays {
   bool update() {
     bool changed = false;
     for (std::size_t kind = 0; kind < kKinds; ++kind) {
-      DrawnOverlay& thing = parts_->drawn.at(kind);
-      if (!thing.stale) continue;
-      thing.stale = false;
-      const vtkSmartPointer<vtkPolyData> data = parts_->make(static_cast<Kind>(kind));
-      const bool any = data && data->GetNumberOfCells() > 0;
-      if (any) thing.mapper->SetInputData(data);
-      changed = changed || any || thing.actor->GetVisibility() != 0;
-      thing.actor->SetVisibility(any);
+      DrawnOverlay& thing = drawn_.at(kind);
+      if (!std::exchange(thing.stale, false)) continue;
+      const bool was_shown = thing.isShown();
+      thing.show(make(static_cast<Kind>(kind)));
+      changed = changed || was_shown || thing.isShown();
     }
     return changed;
   }
@@ -136,8 +151,8 @@ class SceneOverlays {
   [[nodiscard]] std::vector<Eigen::Vector3d> points() const {
     std::vector<Eigen::Vector3d> points;
     for (const Kind kind : {kEllipsoids, kTruth, kSheet, kDistances, kLoop, kShifts}) {
-      const DrawnOverlay& thing = parts_->drawn.at(kind);
-      if (thing.actor->GetVisibility() == 0) continue;
+      const DrawnOverlay& thing = drawn_.at(kind);
+      if (!thing.isShown()) continue;
       vtkPolyData* data = thing.mapper->GetInput();
       for (vtkIdType k = 0; k < data->GetNumberOfPoints(); ++k) points.emplace_back(Eigen::Vector3d(data->GetPoint(k)));
     }
@@ -147,16 +162,14 @@ class SceneOverlays {
   /// What lies in front of the plane is cut away, but for arrows and what is measured, which are seen through
   /// everything.
   void setCut(const std::optional<SceneCut>& cut) {
-    const auto mapper = [this](Kind kind) -> vtkMapper* { return parts_->drawn.at(kind).mapper; };
-    parts_->cut.set(cut, {mapper(kFrames), mapper(kLinks), mapper(kTree), mapper(kEllipsoids), mapper(kTruth),
-                          mapper(kSheet), mapper(kDistances)});
+    const auto mapper = [this](Kind kind) -> vtkMapper* { return drawn_.at(kind).mapper; };
+    cut_.set(cut, {mapper(kFrames), mapper(kLinks), mapper(kTree), mapper(kEllipsoids), mapper(kTruth), mapper(kSheet),
+                   mapper(kDistances)});
   }
 
  private:
   /// One kind of overlay.
-  struct DrawnOverlay {
-    vtkNew<vtkActor> actor;
-    vtkNew<vtkPolyDataMapper> mapper;
+  struct DrawnOverlay : MeshActor {
     bool stale = true;
   };
 
@@ -175,180 +188,120 @@ class SceneOverlays {
   };
 
   /// The depth at which a thing counts, as GLSL.
-  static void setDepth(vtkActor* actor, const std::string& depth) {
-    actor->GetShaderProperty()->AddFragmentShaderReplacement("//VTK::Depth::Impl", true,
-                                                             "gl_FragDepth = " + depth + ";\n", false);
+  void setDepth(Kind kind, const std::string& depth) {
+    drawn_.at(kind).actor->GetShaderProperty()->AddFragmentShaderReplacement("//VTK::Depth::Impl", true,
+                                                                             "gl_FragDepth = " + depth + ";\n", false);
   }
 
-  struct Parts {
-    vtkRenderer* renderer = nullptr;
-    std::shared_ptr<const SceneContent> content;
-    SceneColors colors;
-    ShownItems shown = kShownAtFirst;
-    PatchOverlays overlays;
-    std::optional<SurfaceMesh> surface_mesh;  ///< the sheet and the distances are drawn from the same mesh
-    std::optional<double> shift_factor;
-    std::optional<CellId> first;
-    std::optional<CellId> second;
-    std::array<DrawnOverlay, kKinds> drawn;
-    DrawnCut cut;
-    SceneNotes notes;
+  void invalidate(std::initializer_list<Kind> kinds) {
+    for (const Kind kind : kinds) drawn_.at(kind).stale = true;
+  }
+  void invalidateAll() {
+    for (DrawnOverlay& thing : drawn_) thing.stale = true;
+  }
+  [[nodiscard]] std::size_t cells() const { return content_ ? content_->layout.cells.size() : 0; }
+  [[nodiscard]] bool draws(SceneItem item) const {
+    return shown_.at(indexOf(item)) && availability(item) == Availability::Available;
+  }
+  /// Index of the evaluated patch, or none.
+  [[nodiscard]] std::optional<std::size_t> surfacePatch() const {
+    if (!content_ || !overlays_.surface) return std::nullopt;
+    const auto& patches = content_->reconstruction->patches;
+    const auto found = std::ranges::find(patches, overlays_.surface->patch, &PatchReconstruction::id);
+    return found == patches.end() ? std::nullopt : std::optional(static_cast<std::size_t>(found - patches.begin()));
+  }
 
-    void setStyles() {
-      const auto paint = [&](Kind kind, const Rgb& color) {
-        Rgb copy = color;
-        drawn.at(kind).actor->GetProperty()->SetColor(copy.data());
-      };
-      paint(kFrames, colors.neutral);
-      paint(kTree, colors.text);
-      paint(kEllipsoids, colors.ellipsoid);
-      paint(kTruth, colors.overlay);
-      paint(kSheet, colors.overlay);
-      paint(kDistances, colors.text);
-      paint(kLoop, colors.difference);
-      paint(kShifts, colors.difference);
-      paint(kMeasure, colors.selection);
-    }
+  /// The link points of the loop, second first, in the scene; none if they are in different patches.
+  [[nodiscard]] std::optional<std::pair<Eigen::Vector3d, Eigen::Vector3d>> loopPoints() const {
+    if (!content_ || !overlays_.loop) return std::nullopt;
+    const auto to = content_->portPoint(overlays_.loop->first);
+    const auto from = content_->portPoint(overlays_.loop->second);
+    if (!to || !from) return std::nullopt;
+    const auto patchOf = [this](const LinkEnd& end) { return content_->layout.find(end.cell)->patch; };
+    if (patchOf(overlays_.loop->first) != patchOf(overlays_.loop->second)) return std::nullopt;
+    return std::pair(*from, *to);
+  }
 
-    void invalidate(std::initializer_list<Kind> kinds) {
-      for (const Kind kind : kinds) drawn.at(kind).stale = true;
-    }
-    void invalidateAll() {
-      for (DrawnOverlay& thing : drawn) thing.stale = true;
-    }
-    [[nodiscard]] std::size_t cells() const { return content ? content->layout.cells.size() : 0; }
-    Availability availability(SceneItem item) const {
-      if (cells() == 0) return Availability::NoSkin;
-      const auto needs = [](bool data) { return data ? Availability::Available : Availability::NoData; };
-      const Availability limited = cells() > kMaxCells ? Availability::TooManyCells : Availability::Available;
-      switch (item) {
-        case SceneItem::Links:
-        case SceneItem::Tree:
-          return limited;
-        case SceneItem::Ellipsoids: {
-          const auto& known = content->figures.position_95_m;
-          const bool any = std::ranges::any_of(known, [](const auto& figure) { return figure.value_or(0) > 0; });
-          return !any ? Availability::NoData : cells() > kMaxEllipsoids ? Availability::TooManyCells : needs(true);
-        }
-        case SceneItem::Truth:
-          return overlays.truth ? limited : Availability::NoData;
-        case SceneItem::Comparison:
-          return overlays.comparison && !overlays.comparison->empty() ? limited : Availability::NoData;
-        case SceneItem::Surface:
-          return needs(surfacePatch().has_value());
-        case SceneItem::Loop:
-          return needs(loopPoints().has_value());
-        case SceneItem::Ports:
-        case SceneItem::Ids:
-        case SceneItem::Axes:
-        case SceneItem::Gravity:
-          break;
+  /// Null where nothing is to be drawn.
+  vtkSmartPointer<vtkPolyData> make(Kind kind) {
+    const auto enlarged = [](EnlargedShape shape, std::optional<double>& factor) {
+      factor = shape.factor;
+      return shape.data;
+    };
+    switch (kind) {
+      case kFrames: {
+        const std::vector<std::size_t> apart = content_ ? content_->layout.notPlaced() : std::vector<std::size_t>();
+        notes_.not_placed.clear();
+        for (const std::size_t p : apart) notes_.not_placed.push_back(content_->reconstruction->patches[p].origin);
+        const std::vector<std::size_t> framed = content_ ? content_->layout.framed() : std::vector<std::size_t>();
+        notes_.frames = !framed.empty();
+        return notes_.frames ? makePatchFrames(*content_, framed) : nullptr;
       }
-      return Availability::Available;
-    }
-
-    [[nodiscard]] bool draws(SceneItem item) const {
-      return shown.at(indexOf(item)) && availability(item) == Availability::Available;
-    }
-    /// Index of the evaluated patch, or none.
-    std::optional<std::size_t> surfacePatch() const {
-      if (!content || !overlays.surface) return std::nullopt;
-      const auto& patches = content->reconstruction->patches;
-      const auto found = std::ranges::find(patches, overlays.surface->patch, &PatchReconstruction::id);
-      return found == patches.end() ? std::nullopt : std::optional(static_cast<std::size_t>(found - patches.begin()));
-    }
-
-    /// The link points of the loop, second first, in the scene; none if they are in different patches.
-    std::optional<std::pair<Eigen::Vector3d, Eigen::Vector3d>> loopPoints() const {
-      if (!content || !overlays.loop) return std::nullopt;
-      const auto point = [&](const LinkEnd& end) -> std::optional<Eigen::Vector3d> {
-        const SceneCell* cell = content->layout.find(end.cell);
-        const Port* port = content->reconstruction->model->findPort(end.port);
-        if (cell == nullptr || port == nullptr) return std::nullopt;
-        return cell->T_s_u * port->vector_m;
-      };
-      const SceneCell* first_cell = content->layout.find(overlays.loop->first.cell);
-      const SceneCell* second_cell = content->layout.find(overlays.loop->second.cell);
-      if (!first_cell || !second_cell || first_cell->patch != second_cell->patch) return std::nullopt;
-      const auto to = point(overlays.loop->first);
-      const auto from = point(overlays.loop->second);
-      if (!to || !from) return std::nullopt;
-      return std::pair(*from, *to);
-    }
-
-    /// Null where nothing is to be drawn.
-    vtkSmartPointer<vtkPolyData> make(Kind kind) {
-      const auto enlarged = [](EnlargedShape shape, std::optional<double>& factor) {
-        factor = shape.factor;
-        return shape.data;
-      };
-      switch (kind) {
-        case kFrames: {
-          const std::vector<std::size_t> apart = content ? content->layout.notPlaced() : std::vector<std::size_t>();
-          notes.not_placed.clear();
-          for (const std::size_t p : apart) notes.not_placed.push_back(content->reconstruction->patches[p].origin);
-          const std::vector<std::size_t> framed = content ? content->layout.framed() : std::vector<std::size_t>();
-          notes.frames = !framed.empty();
-          return notes.frames ? makePatchFrames(*content, framed, colors.neutral) : nullptr;
-        }
-        case kLinks:
-          notes.links = draws(SceneItem::Links);
-          return notes.links ? makeLinkLines(*content, colors) : nullptr;
-        case kTree:
-          notes.tree = draws(SceneItem::Tree);
-          return notes.tree ? makeTreeLines(*content) : nullptr;
-        case kEllipsoids:
-          notes.ellipsoid_factor.reset();
-          return draws(SceneItem::Ellipsoids) ? enlarged(makeEllipsoids(*content), notes.ellipsoid_factor) : nullptr;
-        case kTruth:
-          notes.truth = draws(SceneItem::Truth);
-          return notes.truth ? makeGhostOutlines(*content, alignTruth(*content->reconstruction, *overlays.truth))
-                             : nullptr;
-        case kSheet:
-        case kDistances: {
-          if (kind == kDistances) notes.distance_factor.reset();
-          if (!draws(SceneItem::Surface)) return nullptr;
-          const std::size_t patch = *surfacePatch();
-          const Reconstruction& r = *content->reconstruction;
-          if (!surface_mesh) surface_mesh = meshSurface(*overlays.surface, r.patches[patch], 1.5 * r.model->side_m);
-          const SurfaceMesh& mesh = *surface_mesh;
-          if (mesh.points.empty()) return nullptr;
-          if (kind == kSheet) return makeSurfaceSheet(*content, mesh, patch);
-          return cells() > kMaxCells ? nullptr
-                                     : enlarged(makeDistanceLines(*content, mesh, patch), notes.distance_factor);
-        }
-        case kLoop: {
-          notes.loop_factor.reset();
-          if (!draws(SceneItem::Loop)) return nullptr;
-          const auto [from, to] = *loopPoints();
-          return enlarged(makeGapArrow(*content, from, to), notes.loop_factor);
-        }
-        case kShifts:
-          notes.shift_factor.reset();
-          return draws(SceneItem::Comparison)
-                     ? enlarged(makeShiftArrows(*content, shiftsOf(*content->reconstruction, *overlays.comparison),
-                                                shift_factor),
-                                notes.shift_factor)
-                     : nullptr;
-        case kMeasure:
-          return makeMeasure();
-        case kKinds:
-          break;
+      case kLinks:
+        return draws(SceneItem::Links) ? makeLinkLines(*content_, colors_) : nullptr;
+      case kTree:
+        notes_.tree = draws(SceneItem::Tree);
+        return notes_.tree ? makeTreeLines(*content_) : nullptr;
+      case kEllipsoids:
+        notes_.ellipsoid_factor.reset();
+        return draws(SceneItem::Ellipsoids) ? enlarged(makeEllipsoids(*content_), notes_.ellipsoid_factor) : nullptr;
+      case kTruth:
+        notes_.truth = draws(SceneItem::Truth);
+        return notes_.truth ? makeGhostOutlines(*content_, alignTruth(*content_->reconstruction, *overlays_.truth))
+                            : nullptr;
+      case kSheet:
+      case kDistances: {
+        if (kind == kDistances) notes_.distance_factor.reset();
+        if (!draws(SceneItem::Surface)) return nullptr;
+        const std::size_t patch = *surfacePatch();
+        const Reconstruction& r = *content_->reconstruction;
+        if (!surface_mesh_) surface_mesh_ = meshSurface(*overlays_.surface, r.patches[patch], 1.5 * r.model->side_m);
+        if (surface_mesh_->points.empty()) return nullptr;
+        if (kind == kSheet) return makeSurfaceSheet(*content_, *surface_mesh_, patch);
+        return cells() > kMaxCells
+                   ? nullptr
+                   : enlarged(makeDistanceLines(*content_, *surface_mesh_, patch), notes_.distance_factor);
       }
-      return nullptr;
+      case kLoop: {
+        notes_.loop_factor.reset();
+        if (!draws(SceneItem::Loop)) return nullptr;
+        const auto [from, to] = *loopPoints();
+        return enlarged(makeGapArrow(*content_, from, to), notes_.loop_factor);
+      }
+      case kShifts: {
+        notes_.shift_factor.reset();
+        if (!draws(SceneItem::Comparison)) return nullptr;
+        const auto shifts = shiftsOf(*content_->reconstruction, *overlays_.comparison);
+        return enlarged(makeShiftArrows(*content_, shifts, shift_factor_), notes_.shift_factor);
+      }
+      case kMeasure:
+        return makeMeasure();
+      case kKinds:
+        break;
     }
+    return nullptr;
+  }
 
-    vtkSmartPointer<vtkPolyData> makeMeasure() const {
-      if (!content || !first) return nullptr;
-      const SceneCell* a = content->layout.find(*first);
-      if (a == nullptr) return nullptr;
-      const SceneCell* b = second ? content->layout.find(*second) : nullptr;
-      if (b == nullptr) return makeCellOutlines(*content, {*first});
-      // There is no distance between patches, and so no line.
-      return a->patch == b->patch ? makeLine(a->T_s_u.t, b->T_s_u.t) : makeCellOutlines(*content, {*first, *second});
-    }
-  };
-  std::unique_ptr<Parts> parts_;
+  [[nodiscard]] vtkSmartPointer<vtkPolyData> makeMeasure() const {
+    const SceneCell* a = content_ && first_ ? content_->layout.find(*first_) : nullptr;
+    if (a == nullptr) return nullptr;
+    const SceneCell* b = second_ ? content_->layout.find(*second_) : nullptr;
+    if (b == nullptr) return makeCellOutlines(*content_, {*first_});
+    // There is no distance between patches, and so no line.
+    return a->patch == b->patch ? makeLine(a->T_s_u.t, b->T_s_u.t) : makeCellOutlines(*content_, {*first_, *second_});
+  }
+
+  std::shared_ptr<const SceneContent> content_;
+  SceneColors colors_;
+  ShownItems shown_ = kShownAtFirst;
+  PatchOverlays overlays_;
+  std::optional<SurfaceMesh> surface_mesh_;  ///< the sheet and the distances are drawn from the same mesh
+  std::optional<double> shift_factor_;
+  std::optional<CellId> first_;
+  std::optional<CellId> second_;
+  std::array<DrawnOverlay, kKinds> drawn_;
+  DrawnCut cut_;
+  SceneNotes notes_;
 };
 
 }  // namespace hexoderm

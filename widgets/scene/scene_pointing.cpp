@@ -1,16 +1,9 @@
 #include "widgets/scene/scene_pointing.h"
 
 #include "hexoderm/reconstruction/figures/patch_mesh.h"
-#include "hexoderm/util/units.h"
 #include "widgets/scene/patch_scene.h"
-#include "widgets/scene/vtk_eigen.h"
 
-#include <vtkCamera.h>
-#include <vtkRenderer.h>
 #include <algorithm>
-#include <array>
-#include <cmath>
-#include <limits>
 
 namespace hexoderm {
 namespace {
@@ -18,42 +11,6 @@ namespace {
 constexpr double kLeastSide_px = 12;   // of a cell whose links can be aimed at
 constexpr double kFromPort = 0.7;      // where a link begins to be hit, as a share of the way from centre to port
 constexpr double kLeastFacing = 0.15;  // cosine between a face and the line of sight
-
-/// Points of the scene in the picture.
-class PictureOfScene {
- public:
-  explicit PictureOfScene(const PatchScene& scene)
-      : renderer_(scene.renderer()),
-        eye_(toEigen(renderer_->GetActiveCamera()->GetPosition())),
-        ahead_(toEigen(renderer_->GetActiveCamera()->GetDirectionOfProjection())),
-        parallel_(renderer_->GetActiveCamera()->GetParallelProjection() != 0) {}
-
-  [[nodiscard]] bool isAhead(const Eigen::Vector3d& point) const {
-    return parallel_ || (point - eye_).dot(ahead_) > 1e-6;
-  }
-  [[nodiscard]] Eigen::Vector2d at(const Eigen::Vector3d& point) const {
-    renderer_->SetWorldPoint(point.x(), point.y(), point.z(), 1);
-    renderer_->WorldToDisplay();
-    const double* pixel = renderer_->GetDisplayPoint();
-    return {pixel[0], pixel[1]};
-  }
-  /// Unit, from the point to the camera.
-  [[nodiscard]] Eigen::Vector3d toward(const Eigen::Vector3d& point) const {
-    return parallel_ ? Eigen::Vector3d(-ahead_) : Eigen::Vector3d((eye_ - point).normalized());
-  }
-  [[nodiscard]] double pixelsPerMetre(const Eigen::Vector3d& point) const {
-    vtkCamera* camera = renderer_->GetActiveCamera();
-    const double half_height = 0.5 * renderer_->GetSize()[1];
-    if (parallel_) return half_height / camera->GetParallelScale();
-    return half_height / (std::tan(0.5 * camera->GetViewAngle() * kDegree) * (point - eye_).dot(ahead_));
-  }
-
- private:
-  vtkRenderer* renderer_;
-  Eigen::Vector3d eye_;
-  Eigen::Vector3d ahead_;
-  bool parallel_;
-};
 
 double turnAtCorner(const Eigen::Vector2d& a, const Eigen::Vector2d& b, const Eigen::Vector2d& c) {
   return (b - a).x() * (c - a).y() - (b - a).y() * (c - a).x();
@@ -85,13 +42,10 @@ double pixelsToSegment(const Eigen::Vector2d& point, const Eigen::Vector2d& a, c
 
 /// The points that a link passes: centre, port, port, centre. Empty if one is missing.
 std::vector<Eigen::Vector3d> waypointsOfLink(const SceneContent& content, LinkEnd a, LinkEnd b) {
-  const CellModel& model = *content.reconstruction->model;
-  const SceneCell* cell_a = content.layout.find(a.cell);
-  const SceneCell* cell_b = content.layout.find(b.cell);
-  const Port* port_a = model.findPort(a.port);
-  const Port* port_b = model.findPort(b.port);
-  if (cell_a == nullptr || cell_b == nullptr || port_a == nullptr || port_b == nullptr) return {};
-  return {cell_a->T_s_u.t, cell_a->T_s_u * port_a->vector_m, cell_b->T_s_u * port_b->vector_m, cell_b->T_s_u.t};
+  const auto port_a = content.portPoint(a);
+  const auto port_b = content.portPoint(b);
+  if (!port_a || !port_b) return {};
+  return {content.layout.find(a.cell)->T_s_u.t, *port_a, *port_b, content.layout.find(b.cell)->T_s_u.t};
 }
 
 }  // namespace
@@ -111,19 +65,19 @@ SceneHit hitAt(PatchScene& scene, const Eigen::Vector2d& pixel, double slack_px)
       if (const auto found = scene.pick(near.x(), near.y())) around.push_back(*found);
     }
   }
-  const PictureOfScene picture(scene);
+  const SceneSight sight = scene.sight();
   SceneHit hit{cell, std::nullopt};
   double nearest = slack_px;
   for (const CellId id : around) {
     const auto index = content->layout.index.find(id);
     if (index == content->layout.index.end()) continue;
     const Eigen::Vector3d& center = content->layout.cells[index->second].T_s_u.t;
-    if (content->reconstruction->model->side_m * picture.pixelsPerMetre(center) < kLeastSide_px) continue;
+    if (content->reconstruction->model->side_m * sight.scaleAt(sight.depthOf(center)) < kLeastSide_px) continue;
     for (const LinkEstimate* link : content->links.of(index->second)) {
       const auto way = waypointsOfLink(*content, link->source, link->target);
-      if (way.empty() || !std::ranges::all_of(way, [&](const auto& point) { return picture.isAhead(point); })) continue;
-      const Eigen::Vector2d from = picture.at(way[0] + kFromPort * (way[1] - way[0]));
-      const Eigen::Vector2d to = picture.at(way[3] + kFromPort * (way[2] - way[3]));
+      if (way.empty() || !std::ranges::all_of(way, [&](const auto& point) { return sight.isAhead(point); })) continue;
+      const Eigen::Vector2d from = sight.at(way[0] + kFromPort * (way[1] - way[0]));
+      const Eigen::Vector2d to = sight.at(way[3] + kFromPort * (way[2] - way[3]));
       const double away = pixelsToSegment(pixel, from, to);
       if (away > nearest) continue;
       nearest = away;
@@ -137,16 +91,16 @@ std::optional<SeenCell> seenCell(PatchScene& scene, CellId id) {
   const SceneContent* content = scene.content();
   const SceneCell* cell = content == nullptr ? nullptr : content->layout.find(id);
   if (cell == nullptr) return std::nullopt;
-  const PictureOfScene picture(scene);
+  const SceneSight sight = scene.sight();
   SeenCell seen;
   std::vector<Eigen::Vector2d> corners;
   for (const Eigen::Vector3d& corner : prismCorners(*content->reconstruction->model, cell->T_s_u)) {
-    if (!picture.isAhead(corner)) return std::nullopt;
-    corners.push_back(picture.at(corner));
+    if (!sight.isAhead(corner)) return std::nullopt;
+    corners.push_back(sight.at(corner));
   }
   seen.outline = hullOf(std::move(corners));
-  seen.center = picture.at(cell->T_s_u.t);
-  const bool faces = cell->T_s_u.R.col(2).dot(picture.toward(cell->T_s_u.t)) > kLeastFacing;
+  seen.center = sight.at(cell->T_s_u.t);
+  const bool faces = cell->T_s_u.R.col(2).dot(sight.towards(cell->T_s_u.t)) > kLeastFacing;
   seen.is_seen = faces && scene.pick(seen.center.x(), seen.center.y()) == id;
   return seen;
 }
@@ -154,11 +108,11 @@ std::optional<SeenCell> seenCell(PatchScene& scene, CellId id) {
 std::vector<Eigen::Vector2d> seenLink(const PatchScene& scene, LinkEnd a, LinkEnd b) {
   const SceneContent* content = scene.content();
   if (content == nullptr) return {};
-  const PictureOfScene picture(scene);
+  const SceneSight sight = scene.sight();
   std::vector<Eigen::Vector2d> line;
   for (const Eigen::Vector3d& point : waypointsOfLink(*content, a, b)) {
-    if (!picture.isAhead(point)) return {};
-    line.push_back(picture.at(point));
+    if (!sight.isAhead(point)) return {};
+    line.push_back(sight.at(point));
   }
   return line;
 }

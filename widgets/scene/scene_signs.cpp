@@ -34,9 +34,9 @@ class FacePainter {
   }
 
   void polygon(const std::vector<Eigen::Vector2d>& corners, const Rgb& color) {
-    std::vector<vtkIdType> ids;
-    for (const Eigen::Vector2d& corner : corners) ids.push_back(mesh_.addPoint(T_ * at(corner)));
-    mesh_.addPolygon(ids, color);
+    std::vector<Eigen::Vector3d> points;
+    for (const Eigen::Vector2d& corner : corners) points.push_back(T_ * at(corner));
+    mesh_.addPolygon(mesh_.addPoints(points), color);
   }
   void bar(const Eigen::Vector2d& from, const Eigen::Vector2d& to, double width, const Rgb& color) {
     const Eigen::Vector2d along = (to - from).normalized();
@@ -158,7 +158,7 @@ vtkSmartPointer<vtkPolyData> makeSigns(const SceneContent& content, const std::v
       });
     }
   }
-  return mesh.pointCount() == 0 ? nullptr : mesh.finish();
+  return mesh.finish();
 }
 
 }  // namespace hexoderm

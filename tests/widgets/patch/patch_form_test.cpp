@@ -1,9 +1,8 @@
-// The 3D view's menu, its directions to look from, the cut, and pictures that are smoothed as they come.
+// The 3D view's menu, its directions to look from, and the cut.
 #include "tests/widgets/patch/patch_view_fixture.h"
 #include "widgets/patch/cut_bar.h"
 #include "widgets/scene/scene_corners.h"
 
-#include <vtkRenderWindow.h>
 #include <QAction>
 #include <QApplication>
 #include <QClipboard>
@@ -159,25 +158,6 @@ TEST_F(PatchFormTest, TheCutHasASliderThatTheKeysMoveAndThatIsThereOnlyForIt) {
   EXPECT_FALSE(bar->isVisible());
   view.showStandardView(PatchView::StandardView::Front);
   EXPECT_TRUE(test::waitUntil([&] { return view.screenshot() == whole; })) << "as soon as the buttons stand as before";
-}
-
-TEST_F(PatchFormTest, PicturesAreSmoothedAsTheyComeWithinABudgetAndElseAtRest) {
-  canvas->setSmoothingBudget(1e9);
-  canvas->renderWindow()->Render();
-  const QImage at_once = canvas->picture();
-  EXPECT_TRUE(canvas->isPictureSmoothed());
-  canvas->setSmoothingBudget(0);
-  canvas->renderWindow()->Render();
-  const QImage rough = canvas->picture();
-  EXPECT_FALSE(canvas->isPictureSmoothed());
-  EXPECT_NE(rough, at_once);
-  canvas->smoothPicture();
-  EXPECT_EQ(canvas->picture(), at_once);
-  canvas->renderWindow()->Render();
-  EXPECT_EQ(canvas->picture(), rough);
-  canvas->smoothPictureBeside();
-  EXPECT_TRUE(test::waitUntil([this] { return canvas->isPictureSmoothed(); }));
-  EXPECT_EQ(canvas->picture(), at_once);
 }
 
 }  // namespace

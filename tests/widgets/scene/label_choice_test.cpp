@@ -19,9 +19,9 @@ constexpr std::array kWindow = {800, 600};
 std::shared_ptr<const SceneContent> contentOf(Reconstruction skin) { return makeSceneContent(shared(std::move(skin))); }
 
 /// Looks at `target` from this direction, with letters of so many pixels where it is (at 72 dpi).
-LabelSight looking(const SceneContent& content, const Eigen::Vector3d& target, const Eigen::Vector3d& from,
+SceneSight looking(const SceneContent& content, const Eigen::Vector3d& target, const Eigen::Vector3d& from,
                    double letters_px, bool parallel = true) {
-  LabelSight sight;
+  SceneSight sight;
   sight.window = kWindow;
   sight.middle_px = {0.5 * kWindow[0], 0.5 * kWindow[1]};
   sight.back = from.normalized();
@@ -36,7 +36,7 @@ LabelSight looking(const SceneContent& content, const Eigen::Vector3d& target, c
 
 class LabelChoiceTest : public testing::Test {
  protected:
-  std::vector<CellId> chosen(const LabelSight& sight, const std::optional<SceneCut>& cut = std::nullopt) {
+  std::vector<CellId> chosen(const SceneSight& sight, const std::optional<SceneCut>& cut = std::nullopt) {
     std::vector<CellId> ids;
     for (const PlacedLabel& label : choice.choose(sight, cut)) {
       ids.push_back(choice.content()->layout.cells[label.cell].id);
@@ -84,7 +84,7 @@ TEST_F(LabelChoiceTest, ALongIdNeedsALargerCell) {
 
 TEST_F(LabelChoiceTest, OnlyFacesThatLookAtTheViewerHaveIds) {
   show(cylinderSheet(60, 40));
-  const LabelSight sight = looking(*content, middle(), Eigen::Vector3d::UnitZ(), 6);
+  const SceneSight sight = looking(*content, middle(), Eigen::Vector3d::UnitZ(), 6);
   const auto ids = chosen(sight);
   ASSERT_FALSE(ids.empty());
   for (const CellId id : ids) {
@@ -96,7 +96,7 @@ TEST_F(LabelChoiceTest, NearCellsOfALargeSkinHaveIdsAndFarOnesHaveNone) {
   show(sheetReconstruction(100, 100));
   EXPECT_TRUE(chosen(looking(*content, middle(), Eigen::Vector3d::UnitZ(), 3)).empty());
   // Along the sheet, so that one end of it is near.
-  LabelSight sight = looking(*content, middle(), Eigen::Vector3d(1, 0, 0.8), 1, false);
+  SceneSight sight = looking(*content, middle(), Eigen::Vector3d(1, 0, 0.8), 1, false);
   const double side_m = content->reconstruction->model->side_m;
   sight.eye = content->layout.cells.back().T_s_u.t + 12 * side_m * sight.back;
   sight.pixels_per_m = 600;
@@ -137,7 +137,7 @@ TEST_F(LabelChoiceTest, NoTwoLabelsCoverEachOther) {
 
 TEST_F(LabelChoiceTest, ThereAreNoMoreThanABudgetAndRoundNumbersComeFirst) {
   show(sheetReconstruction(100, 100));
-  LabelSight sight = looking(*content, middle(), Eigen::Vector3d::UnitZ(), 6);
+  SceneSight sight = looking(*content, middle(), Eigen::Vector3d::UnitZ(), 6);
   sight.window = {3000, 3000};
   sight.middle_px = {1500, 1500};
   const auto ids = chosen(sight);
@@ -165,7 +165,7 @@ TEST_F(LabelChoiceTest, WhileTheSkinTurnsOnceAnIdComesAndGoesButOnceOrTwice) {
   constexpr int kSteps = 720;
   for (int step = 0; step <= kSteps; ++step) {
     const double angle = 2 * kPi * step / kSteps;
-    LabelSight sight = looking(*content, middle(), Eigen::Vector3d(std::sin(angle), 0, std::cos(angle)), 12);
+    SceneSight sight = looking(*content, middle(), Eigen::Vector3d(std::sin(angle), 0, std::cos(angle)), 12);
     sight.up = Eigen::Vector3d::UnitY();
     sight.right = sight.up.cross(sight.back);
     const auto ids = chosen(sight);
@@ -182,7 +182,7 @@ TEST_F(LabelChoiceTest, WhileTheSkinTurnsOnceAnIdComesAndGoesButOnceOrTwice) {
 
 TEST_F(LabelChoiceTest, TheSameSightHasTheSameIdsWhateverWasSeenBefore) {
   show(cylinderSheet(60, 40));
-  const LabelSight sight = looking(*content, middle(), Eigen::Vector3d(0.3, 0.1, 1), 7);
+  const SceneSight sight = looking(*content, middle(), Eigen::Vector3d(0.3, 0.1, 1), 7);
   const auto first = chosen(sight);
   chosen(looking(*content, middle(), Eigen::Vector3d(-1, 0.1, 0.2), 20));
   EXPECT_EQ(chosen(sight), first);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "tests/support/hand_made_skins.h"
+#include "widgets/scene/edge_smoothing.h"
 #include "widgets/scene/patch_scene.h"
 
 #include <gmock/gmock.h>
@@ -125,6 +126,7 @@ class PatchSceneTest : public OffScreenTest {
     scene.setTextVisible(false);
     scene.setColors(testColors(true));
     scene.attachTo(window);
+    setSmoothed(*window, true);
   }
 
   using OffScreenTest::pixelOf;

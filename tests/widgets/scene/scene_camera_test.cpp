@@ -19,7 +19,7 @@ TEST_F(PatchSceneTest, LargeSkinShowsShadedCellsFromBehindAndCanBePickedThere) {
   scene.setReconstruction(shared(sheet));
   scene.setShown(SceneItem::Gravity, false);
   scene.setShown(SceneItem::Axes, false);
-  scene.setSmoothed(false);
+  setSmoothed(*window, false);
   scene.showStandardView(PatchScene::View::Front);
   const CellId middle(30 + 60 * 25);
   const auto colourOf = [&](vtkImageData* image) {
@@ -72,7 +72,7 @@ TEST_F(PatchSceneTest, CellsOfAPixelAreDrawnAsBricksThatLookTheSame) {
     return sum / 3600;
   };
   scene.setContent(content);
-  scene.setSmoothed(false);
+  setSmoothed(*window, false);
   scene.showStandardView(PatchScene::View::Front);
   const double far = middleOf(picture());
   EXPECT_EQ(pointsDrawn(), 4 * 300 * 220);

@@ -85,7 +85,7 @@ TEST(SceneLayout, OnePatchOrNoneNeedsNoPlace) {
 
 TEST(PatchFrames, StandAboutThePatchesThatAreNotPlacedAlone) {
   const auto content = makeSceneContent(shared(scattered(1)));
-  const auto frames = makePatchFrames(*content, {2}, Rgb{0.5, 0.5, 0.5});
+  const auto frames = makePatchFrames(*content, {2});
   EXPECT_GT(frames->GetNumberOfLines(), 24) << "dashes";
   const double* bounds = frames->GetBounds();
   const Eigen::AlignedBox3d drawn(Eigen::Vector3d(bounds[0], bounds[2], bounds[4]),
