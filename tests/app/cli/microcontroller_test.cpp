@@ -125,13 +125,13 @@ TEST_F(Microcontroller, AnswersCommands) {
   CollectingListener listener;
   WireOptions patient;
   patient.silent_after = patient.reconnect_after = patient.command_timeout = test::kForever;
-  WireSource source(board.address, patient);
-  source.start(listener);
+  const auto source = wireSource(board.address, patient);
+  source->start(listener);
   ASSERT_TRUE(listener.waitFor([](const Delivered& d) { return d.frames.size() >= 20; })) << "nothing came";
   EXPECT_EQ(listener.delivered().skins.at(0).neighbors, trueNeighbors());
 
   const auto outcomeOf = [&](const SkinCommand& command) {
-    const std::uint32_t number = source.send(command);
+    const std::uint32_t number = source->send(command);
     EXPECT_TRUE(listener.waitFor([&](const Delivered& d) { return d.outcomeOf(number) != nullptr; }));
     const Delivered delivered = listener.delivered();
     const CommandOutcome* outcome = delivered.outcomeOf(number);
@@ -141,7 +141,7 @@ TEST_F(Microcontroller, AnswersCommands) {
   EXPECT_EQ(outcomeOf(SetLed{CellId(8), 255, 0, 16}), "there is no such cell");
   EXPECT_EQ(outcomeOf(SetRate{1000}), "the rate is 1 to 200 Hz");
   EXPECT_EQ(outcomeOf(ExploreAgain{}), "done");
-  const std::uint32_t first_turn = source.send(TurnTo{CellId(2), Eigen::Vector3d::UnitX()});
+  const std::uint32_t first_turn = source->send(TurnTo{CellId(2), Eigen::Vector3d::UnitX()});
   EXPECT_EQ(outcomeOf(TurnTo{CellId(2), -Eigen::Vector3d::UnitX()}), "done");
   const Delivered turned = listener.delivered();
   ASSERT_NE(turned.outcomeOf(first_turn), nullptr);
@@ -150,7 +150,7 @@ TEST_F(Microcontroller, AnswersCommands) {
   EXPECT_EQ(outcomeOf(SetRate{50}), "done");
   const std::size_t before = listener.delivered().frames.size();
   ASSERT_TRUE(listener.waitFor([&](const Delivered& d) { return d.frames.size() >= before + 20; }));
-  source.stop();
+  source->stop();
   const Delivered delivered = listener.delivered();
   // Between two messages a busy computer may leave a gap; the ticks of a message follow each other.
   double shortest_s = 1;

@@ -130,17 +130,17 @@ TEST_P(EmulatorUnderLoad, KeepsUpOrSaysPreciselyWhatWasDropped) {
   Bookkeeper bookkeeper(means_of);
   WireOptions patient;
   patient.silent_after = patient.reconnect_after = patient.command_timeout = test::kForever;
-  WireSource source(emulator.address, patient);
-  source.start(bookkeeper);
+  const auto source = wireSource(emulator.address, patient);
+  source->start(bookkeeper);
   constexpr double kLong_s = 3;
   EXPECT_TRUE(bookkeeper.waitUntil([](const Bookkeeper& b) { return b.seconds() > kLong_s && b.judged() > 2; }));
 
   // A frame a second: what was dropped last shows as a gap before the next one.
   bookkeeper.endOfClock();
-  source.send(SetRate{std::max(1.0, static_cast<double>(means_of))});
+  source->send(SetRate{std::max(1.0, static_cast<double>(means_of))});
   // The books may agree for a moment before the device has slowed down.
   EXPECT_TRUE(bookkeeper.waitUntil([](const Bookkeeper& b) { return b.isAnswered() && b.isSettled(); }));
-  source.stop();
+  source->stop();
   const SourceStatus& status = bookkeeper.source();
   EXPECT_EQ(status.lost_samples, bookkeeper.device().samples_dropped);
   EXPECT_EQ(status.dropped_by_device, bookkeeper.device().samples_dropped);

@@ -48,10 +48,11 @@ WireOptions patient() {
 }
 
 struct Host {
-  explicit Host(const std::string& address, const WireOptions& options = patient()) : source(address, options) {
-    source.start(listener);
+  explicit Host(const std::string& address, const WireOptions& options = patient())
+      : source(wireSource(address, options)) {
+    source->start(listener);
   }
-  ~Host() { source.stop(); }
+  ~Host() { source->stop(); }
 
   bool waitForFrames(std::size_t count) {
     return listener.waitFor([&](const Delivered& d) { return d.frames.size() >= count; });
@@ -65,7 +66,7 @@ struct Host {
   }
   std::size_t statusesSoFar() { return listener.delivered().statuses.size(); }
   CommandOutcome ask(const SkinCommand& command) {
-    const std::uint32_t number = source.send(command);
+    const std::uint32_t number = source->send(command);
     EXPECT_TRUE(listener.waitFor([&](const Delivered& d) { return d.outcomeOf(number) != nullptr; }));
     const Delivered delivered = listener.delivered();
     const CommandOutcome* outcome = delivered.outcomeOf(number);
@@ -73,7 +74,7 @@ struct Host {
   }
 
   CollectingListener listener;
-  WireSource source;
+  std::unique_ptr<SkinSource> source;
 };
 
 /// The topology that the emulator should report of its skin.
@@ -139,7 +140,7 @@ void talk(const Emulator& emulator, std::size_t cells) {
   EXPECT_TRUE(host.ask(SetLed{CellId(7), 255, 0, 16}).done);
   EXPECT_EQ(emulator.type("led 7"), "cell 7 #ff0010");
   EXPECT_THAT(host.ask(SetLed{CellId(70), 1, 1, 1}).message.english(), HasSubstr("no cell 70"));
-  host.source.stop();
+  host.source->stop();
   const Delivered all = host.listener.delivered();
   const SourceStatus status = all.status();
   // The missing samples are reported, to the sample.
@@ -356,7 +357,7 @@ TEST(Emulator, AConnectionThatSaysNothingGivesWayToTheNext) {
   ASSERT_TRUE(host.waitForNewFrames(200));
   EXPECT_FALSE(next.hasHeard());
   EXPECT_EQ(host.listener.delivered().status().reconnects, reconnects);
-  host.source.stop();
+  host.source->stop();
   EXPECT_TRUE(next.hears()) << "it waited until the host had gone";
 }
 

@@ -81,8 +81,8 @@ TEST(UnlinkedCells, TwentyThousandAreCapturedInLittleMemory) {
   TcpDevice device;
   Recording recording;
   const WireOptions patient{.silent_after = test::kForever, .reconnect_after = test::kForever};
-  WireSource source(device.address(), patient);
-  source.start(recording);
+  const auto source = wireSource(device.address(), patient);
+  source->start(recording);
   DeviceConnection connection = device.accept();
   connection.send(skinwire::Hello{skinwire::kMinor, "many", cellModelToJson(model), false, false, 100, 1});
   connection.send(topology);
@@ -96,7 +96,7 @@ TEST(UnlinkedCells, TwentyThousandAreCapturedInLittleMemory) {
     connection.send(samples);
   }
   const std::shared_ptr<const PoseCapture> pose = recording.waitForPose();
-  source.stop();
+  source->stop();
   ASSERT_NE(pose, nullptr);
   EXPECT_EQ(pose->samples.size(), kCells);
   EXPECT_EQ(recording.skin().neighbors.size(), kCells);

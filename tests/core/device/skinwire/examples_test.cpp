@@ -39,17 +39,17 @@ void expectDeviceOnTcp(std::vector<std::string> command, std::size_t cells) {
   CollectingListener listener;
   const WireOptions patient{
       .silent_after = test::kForever, .reconnect_after = test::kForever, .command_timeout = test::kForever};
-  WireSource source(line.substr(at), patient);
-  source.start(listener);
+  const auto source = wireSource(line.substr(at), patient);
+  source->start(listener);
   ASSERT_TRUE(listener.waitFor([](const Delivered& d) { return d.frames.size() >= 20; })) << "nothing came";
-  const std::uint32_t led = source.send(SetLed{CellId(1), 255, 0, 0});
-  const std::uint32_t rate = source.send(SetRate{50});
+  const std::uint32_t led = source->send(SetLed{CellId(1), 255, 0, 0});
+  const std::uint32_t rate = source->send(SetRate{50});
   ASSERT_TRUE(listener.waitFor(
       [&](const Delivered& d) { return d.outcomeOf(led) != nullptr && d.outcomeOf(rate) != nullptr; }));
   EXPECT_TRUE(listener.delivered().outcomeOf(led)->done);
   EXPECT_FALSE(listener.delivered().outcomeOf(rate)->done);
   EXPECT_NE(listener.delivered().outcomeOf(rate)->message.english().find("only light"), std::string::npos);
-  source.stop();
+  source->stop();
   expectRest(listener.delivered(), cells);
   const SourceStatus status = listener.delivered().status();
   EXPECT_EQ(status.rejected_messages + status.lost_samples + status.late_frames + status.unknown_samples, 0U);
@@ -58,10 +58,10 @@ void expectDeviceOnTcp(std::vector<std::string> command, std::size_t cells) {
 void expectDeviceOnStdin(std::vector<std::string> command, std::size_t cells) {
   const ChildProcess program(std::move(command));
   CollectingListener listener;
-  StdinSource source(program.output());
-  source.start(listener);
+  const auto source = stdinSource(program.output());
+  source->start(listener);
   ASSERT_TRUE(listener.waitFor([](const Delivered& d) { return d.frames.size() >= 20; })) << "nothing came";
-  source.stop();
+  source->stop();
   expectRest(listener.delivered(), cells);
   EXPECT_EQ(listener.delivered().status().rejected_messages, 0U);
 }

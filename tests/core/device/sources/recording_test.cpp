@@ -47,11 +47,11 @@ void record(const std::filesystem::path& path) {
 
 CollectingListener::Delivered play(const std::filesystem::path& path, ReplayOptions options) {
   CollectingListener listener;
-  ReplaySource source(path, options);
-  source.start(listener);
+  const auto source = replaySource(path, options);
+  source->start(listener);
   EXPECT_TRUE(listener.waitFor(
       [](const auto& d) { return d.sawState(SourceState::Ended) || d.sawState(SourceState::Incompatible); }));
-  source.stop();
+  source->stop();
   return listener.delivered();
 }
 
@@ -223,49 +223,49 @@ TEST_F(Recording, IsPlayedInRealTimeOrFaster) {
   EXPECT_EQ(delivered.frames.size(), 2U);
 
   // Played at its own pace, it can be stopped long before its end.
-  ReplaySource source(path_);
-  source.start(listener_);
+  const auto source = replaySource(path_);
+  source->start(listener_);
   EXPECT_TRUE(listener_.waitFor([](const auto& d) { return d.sawState(SourceState::Streaming); }));
-  source.stop();
+  source->stop();
   EXPECT_TRUE(listener_.delivered().frames.empty());
 }
 
 TEST_F(Recording, IsPlayedStepByStep) {
   record(path_);
-  ReplaySource source(path_, {1, true});
-  source.start(listener_);
+  const auto source = replaySource(path_, {1, true});
+  source->start(listener_);
   // A refused command shows that the thread waits although nothing may be delivered.
-  const std::uint32_t command = source.send(SetRate{100});
+  const std::uint32_t command = source->send(SetRate{100});
   ASSERT_TRUE(listener_.waitFor([&](const auto& d) { return d.outcomeOf(command) != nullptr; }));
   EXPECT_FALSE(listener_.delivered().outcomeOf(command)->done);
   for (std::size_t step = 1; step <= 3; ++step) {
-    source.step();
+    source->step();
     ASSERT_TRUE(listener_.waitFor([&](const auto& d) { return d.frames.size() == step; }));
   }
-  source.step(1000);
+  source->step(1000);
   ASSERT_TRUE(listener_.waitFor([](const auto& d) { return d.sawState(SourceState::Ended); }));
   EXPECT_EQ(listener_.delivered().frames.size(), 10U);
-  source.stop();
+  source->stop();
 }
 
 TEST_F(Recording, StopsWhileItWaitsForAStep) {
   record(path_);
-  ReplaySource source(path_, {1, true});
-  source.start(listener_);
+  const auto source = replaySource(path_, {1, true});
+  source->start(listener_);
   ASSERT_TRUE(listener_.waitFor([](const auto& d) { return !d.skins.empty(); }));
-  source.stop();
+  source->stop();
   EXPECT_TRUE(listener_.delivered().frames.empty());
 }
 
 TEST_F(Recording, FilesThatAreNoneAreNamed) {
-  EXPECT_THROW(ReplaySource(path_).start(listener_), StorageError);
-  EXPECT_THROW(ReplaySource(folder_.path()).start(listener_), StorageError);
+  EXPECT_THROW(replaySource(path_)->start(listener_), StorageError);
+  EXPECT_THROW(replaySource(folder_.path())->start(listener_), StorageError);
   for (const char* content : {"", "SKIN", "{\"format\": \"hexoderm-session\"}"}) {
     write(content);
-    EXPECT_THROW(ReplaySource(path_).start(listener_), FormatError) << content;
+    EXPECT_THROW(replaySource(path_)->start(listener_), FormatError) << content;
   }
   write("SKINREC2...");
-  EXPECT_THAT(test::messageOf<FormatError>([&] { ReplaySource(path_).start(listener_); }),
+  EXPECT_THAT(test::messageOf<FormatError>([&] { replaySource(path_)->start(listener_); }),
               HasSubstr("version 2, this program reads version 1"));
 }
 
@@ -351,7 +351,7 @@ TEST_F(Recording, AFrameThatCantBeWrittenEndsRecordingButNotListening) {
 
 TEST_F(Recording, SpeedsWithoutSenseAreRefused) {
   for (const double speed : {0.0, -1.0, std::numeric_limits<double>::quiet_NaN()}) {
-    EXPECT_THROW(ReplaySource("a", {speed, false}), InvalidArgument);
+    EXPECT_THROW(replaySource("a", {speed, false}), InvalidArgument);
   }
 }
 

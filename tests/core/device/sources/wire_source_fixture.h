@@ -52,10 +52,11 @@ template <class Device>
 struct DeviceAndSource {
   Device device;
   CollectingListener listener;
-  WireSource source;
+  std::unique_ptr<SkinSource> source;
 
-  DeviceAndSource(const WireOptions& options, const std::string& query) : source(device.address() + query, options) {
-    source.start(listener);
+  DeviceAndSource(const WireOptions& options, const std::string& query)
+      : source(wireSource(device.address() + query, options)) {
+    source->start(listener);
   }
 };
 
