@@ -335,6 +335,37 @@ TEST(LiveCapture, ARecordingThatEndsIsToldAtOnceAndTheCaptureGoesOn) {
   EXPECT_NE(state.result, nullptr);
 }
 
+TEST(LiveCapture, ARecordingThatBreaksInItsLastFlushIsToldAfterADeviceThatFailed) {
+  const test::TemporaryFolder folder;
+  LiveCaptureOptions options;
+  options.record_to = folder.path() / "live.skinrec";
+  Scripted scripted(options);
+  scripted.source->describe(false);
+  scripted.source->read(0.1, 0);
+  const test::NoFileGrows full;
+  scripted.source->say(SourceState::Incompatible);
+  EXPECT_EQ(messageOf<DeviceError>([&] { scripted.capture->next(); }), "script: as the script says");
+  ASSERT_THAT(scripted.told<RecordingEnded>(), SizeIs(1));
+  EXPECT_THAT(scripted.told<RecordingEnded>().front().why.english(), saysAll("live.skinrec", "the recording ended"));
+}
+
+TEST(LiveCapture, ADeviceThatFailsIsSaidBeforeThePosesThatAreNotStored) {
+  const test::TemporaryFolder folder;
+  LiveCaptureOptions options;
+  options.file = folder.path() / "live.hexo";
+  Scripted scripted(options);
+  std::optional<test::NoFileGrows> full;
+  scripted.then = [&](const LiveCaptureEvent& event) {
+    if (std::holds_alternative<CaptureBegun>(event)) full.emplace();
+    if (tells<FileRefused>(event)) scripted.source->say(SourceState::Incompatible);
+  };
+  scripted.source->describe(false);
+  scripted.source->read(5, 0);
+  EXPECT_THAT(messageOf<DeviceError>([&] { scripted.capture->next(); }),
+              testing::AllOf(testing::StartsWith("script: as the script says; "),
+                             testing::EndsWith("pose 1 is not stored; 0 poses were stored before")));
+}
+
 TEST(LiveCapture, TellsWhatHappensInItsOrder) {
   Scripted scripted({.source = "script", .poses = 1});
   scripted.source->describe(false);
