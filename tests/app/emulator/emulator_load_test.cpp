@@ -1,7 +1,6 @@
 // 10,000 cells at 1 kHz on TCP: whatever this computer can do of it, every sample is received or said to be missing.
 
-#include "hexoderm/device/sources/wire_source.h"
-#include "tests/support/patience.h"
+#include "tests/core/device/sources/wire_host.h"
 #include "tests/support/slow_build.h"
 
 #include "tests/app/emulator/emulator_program.h"
@@ -128,9 +127,7 @@ TEST_P(EmulatorUnderLoad, KeepsUpOrSaysPreciselyWhatWasDropped) {
   }
   const Emulator emulator(arguments);
   Bookkeeper bookkeeper(means_of);
-  WireOptions patient;
-  patient.silent_after = patient.reconnect_after = patient.command_timeout = test::kForever;
-  const auto source = wireSource(emulator.address, patient);
+  const auto source = wireSource(emulator.address, patient());
   source->start(bookkeeper);
   constexpr double kLong_s = 3;
   EXPECT_TRUE(bookkeeper.waitUntil([](const Bookkeeper& b) { return b.seconds() > kLong_s && b.judged() > 2; }));

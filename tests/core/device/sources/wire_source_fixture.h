@@ -2,10 +2,9 @@
 
 // A source at the host's end of a wire, and what tests wait for at it.
 
-#include "hexoderm/device/sources/wire_source.h"
-#include "tests/core/device/skinwire/collecting_listener.h"
 #include "tests/core/device/skinwire/wire_messages.h"
 #include "tests/core/device/sources/loopback_device.h"
+#include "tests/core/device/sources/wire_host.h"
 
 #include <chrono>
 #include <cstddef>
@@ -37,14 +36,6 @@ bool passesWithPatience(const Test& passes) {
     if (passes(options)) return true;
   }
   return false;
-}
-
-/// Options for tests in which nothing may time out: every event has another reason.
-inline WireOptions patient() {
-  return {.first_retry = milliseconds(10),
-          .silent_after = test::kForever,
-          .reconnect_after = test::kForever,
-          .command_timeout = test::kForever};
 }
 
 /// A device, and a source that was started at its address; the source goes first.
