@@ -20,22 +20,8 @@
 namespace hexoderm::emulator {
 namespace {
 
-constexpr std::array<std::pair<std::string_view, PortFaultKind>, 3> kPortFaults = {
-    {{"deaf", PortFaultKind::Deaf}, {"mute", PortFaultKind::Mute}, {"cut", PortFaultKind::Cut}}};
+constexpr EnumNames<PortFaultKind> kPortFaultNames = {{"deaf", "mute", "cut"}};
 constexpr std::string_view kNoAnswer = "no-answer";
-
-template <class Kinds>
-auto kindNamed(const Kinds& kinds, std::string_view name) {
-  for (const auto& [known, kind] : kinds) {
-    if (known == name) return std::optional(kind);
-  }
-  return decltype(std::optional(kinds.front().second))();
-}
-
-template <class Kinds>
-std::string namesOf(const Kinds& kinds) {
-  return inARow(kinds, [](const auto& kind) { return kind.first; });
-}
 
 class Words {
  public:
@@ -77,23 +63,23 @@ std::string breakIt(const Words& words, Emulator& emulator) {
       device.breakController(words.cell(2));
       return "cell " + words[2] + " will not answer when the cells explore again";
     }
-    const std::optional<SkinFault> fault = kindNamed(skinFaultNames(), kind);
+    const std::optional<SkinFault> fault = kSkinFaultNames.find(kind);
     if (!fault) {
-      throw InvalidArgument("break KIND CELL: expected one of " + namesOf(skinFaultNames()) + ", " +
+      throw InvalidArgument("break KIND CELL: expected one of " + inARow(kSkinFaultNames.names) + ", " +
                             std::string(kNoAnswer));
     }
     device.breakCell({*fault, words.cell(2)});
     return "cell " + words[2] + " is broken: " + kind;
   }
   const LinkEnd at = words.end(2);
-  if (const std::optional<PortFaultKind> fault = kindNamed(kPortFaults, kind)) {
+  if (const std::optional<PortFaultKind> fault = kPortFaultNames.find(kind)) {
     device.breakPort({*fault, at});
     return "cell " + words[2] + ", port " + words[3] + " will be " + kind + " when the cells explore again";
   }
-  const std::optional<LinkFaultKind> fault = kindNamed(linkFaultNames(), kind);
+  const std::optional<LinkFaultKind> fault = kLinkFaultNames.find(kind);
   if (!fault) {
-    throw InvalidArgument("break KIND CELL PORT: expected one of " + namesOf(linkFaultNames()) + ", " +
-                          namesOf(kPortFaults));
+    throw InvalidArgument("break KIND CELL PORT: expected one of " + inARow(kLinkFaultNames.names) + ", " +
+                          inARow(kPortFaultNames.names));
   }
   emulator.withDevice([&](EmulatedDevice::Messages& out) { device.breakLink({*fault, at}, out); });
   return "the device starts again with a broken link at cell " + words[2] + ", port " + words[3] + ": " + kind;
@@ -146,10 +132,10 @@ std::string turnIt(const Words& words, Emulator& emulator) {
 std::string consoleHelp() {
   return "While it runs, on standard input:\n"
          "  break KIND CELL        " +
-         namesOf(skinFaultNames()) + ", " + std::string(kNoAnswer) +
+         inARow(kSkinFaultNames.names) + ", " + std::string(kNoAnswer) +
          "\n"
          "  break KIND CELL PORT   " +
-         namesOf(linkFaultNames()) + " (the device starts again), " + namesOf(kPortFaults) +
+         inARow(kLinkFaultNames.names) + " (the device starts again), " + inARow(kPortFaultNames.names) +
          "\n"
          "  mend CELL [PORT]\n"
          "  explore                the cells explore their neighbours again\n"
@@ -160,25 +146,6 @@ std::string consoleHelp() {
          "  silence on|off         nothing is sent at all\n"
          "  disconnect             takes leave of the host\n"
          "  led CELL, status, help, quit";
-}
-
-std::string faultSyntax() {
-  return "KIND:CELL with KIND " + namesOf(skinFaultNames()) + ", or KIND:CELL:PORT with KIND " +
-         namesOf(linkFaultNames());
-}
-
-void addFault(const std::string& text, std::vector<CellFault>& cells, std::vector<LinkFault>& links) {
-  const std::vector<std::string> parts = split(text, ':');
-  const auto number = [&](std::size_t part) { return parseUnsigned(parts[part], "--fault " + text); };
-  const auto cell_fault = kindNamed(skinFaultNames(), parts[0]);
-  const auto link_fault = kindNamed(linkFaultNames(), parts[0]);
-  if (parts.size() == 2 && cell_fault) {
-    cells.push_back({*cell_fault, CellId(number(1))});
-  } else if (parts.size() == 3 && link_fault) {
-    links.push_back({*link_fault, {CellId(number(1)), PortNumber(number(2))}});
-  } else {
-    throw InvalidArgument("--fault: expected " + faultSyntax() + ", found \"" + text + "\"");
-  }
 }
 
 std::string runLine(const std::string& line, Emulator& emulator) {

@@ -17,10 +17,6 @@ std::string consoleHelp();
 /// understood or done.
 std::string runLine(const std::string& line, Emulator& emulator);
 
-/// "KIND:CELL" or "KIND:CELL:PORT" of the command line, to the faults of a skin that is not yet made.
-void addFault(const std::string& text, std::vector<CellFault>& cells, std::vector<LinkFault>& links);
-std::string faultSyntax();
-
 /// Reads lines of standard input on a thread of its own. Not by Asio: it would make the descriptor non-blocking for
 /// every program that shares the terminal.
 class LineReader {

@@ -41,15 +41,45 @@ constexpr std::chrono::seconds kUdpHostLives(5);
 constexpr std::chrono::seconds kStalledHostLives(3);
 constexpr std::chrono::milliseconds kWatchEvery(250);
 
-/// Runs a task again and again, until the timer goes.
-void repeat(asio::steady_timer& timer, const std::function<void()>& task) {
-  timer.expires_after(kWatchEvery);
-  timer.async_wait([&timer, task](const error_code& error) {
-    if (error) return;
-    task();
-    repeat(timer, task);
-  });
-}
+/// What is common to all wires: bodies that are framed as the wire wants, and a look now and then at the host.
+class Wire : public DeviceLink {
+ public:
+  [[nodiscard]] std::string address() const final { return address_; }
+  [[nodiscard]] std::size_t maxBody() const final { return max_body_; }
+  void start(Callbacks callbacks) final {
+    callbacks_ = std::move(callbacks);
+    begin();
+    watchLater();
+  }
+  [[nodiscard]] Bytes framed(const skinwire::Message& message) const final {
+    return framing_ ? skinwire::encodeFrame(*framing_, message) : skinwire::encodeBody(message);
+  }
+
+ protected:
+  /// Without framing, each body is a datagram.
+  Wire(asio::io_context& io, std::optional<skinwire::Framing> framing, std::size_t max_body)
+      : framing_(framing), max_body_(max_body), timer_(io) {}
+
+  virtual void begin() = 0;
+  virtual void watch() = 0;
+
+  std::optional<skinwire::Framing> framing_;
+  std::string address_;
+  Callbacks callbacks_;
+
+ private:
+  void watchLater() {
+    timer_.expires_after(kWatchEvery);
+    timer_.async_wait([this](const error_code& error) {
+      if (error) return;
+      watch();
+      watchLater();
+    });
+  }
+
+  std::size_t max_body_;
+  asio::steady_timer timer_;
+};
 
 /// A stream of bytes in both directions, from when it is open until it is closed.
 template <class Channel>
@@ -140,31 +170,22 @@ typename Protocol::endpoint endpointOf(const std::string& host, std::uint16_t po
 
 /// A connection is a host once it sends a command, and then keeps the device until it goes or takes nothing any more.
 /// One that says nothing (a scanner of ports, a terminal that was forgotten) gives way to the next.
-class TcpLink final : public DeviceLink {
+class TcpLink final : public Wire {
  public:
   TcpLink(asio::io_context& io, const tcp::endpoint& at, skinwire::Framing framing)
-      : acceptor_(io), timer_(io), framing_(framing) {
+      : Wire(io, framing, skinwire::kMaxBody), acceptor_(io) {
     error_code error;
     acceptor_.open(at.protocol(), error);
     if (!error) acceptor_.set_option(tcp::acceptor::reuse_address(true), error);
     if (!error) acceptor_.bind(at, error);
     if (!error) acceptor_.listen(asio::socket_base::max_listen_connections, error);
     if (error) fail(addressOf<tcp>("tcp", at), error.message());
+    address_ = addressOf<tcp>("tcp", acceptor_.local_endpoint());
   }
   ~TcpLink() override {
     if (stream_) stream_->close();
   }
 
-  [[nodiscard]] std::string address() const override { return addressOf<tcp>("tcp", acceptor_.local_endpoint()); }
-  [[nodiscard]] std::size_t maxBody() const override { return skinwire::kMaxBody; }
-  void start(Callbacks callbacks) override {
-    callbacks_ = std::move(callbacks);
-    accept();
-    repeat(timer_, [this] { watch(); });
-  }
-  [[nodiscard]] Bytes framed(const skinwire::Message& message) const override {
-    return skinwire::encodeFrame(framing_, message);
-  }
   [[nodiscard]] bool isFull() const override { return stream_ && stream_->waitingBytes() > kFullBytes; }
   bool send(Bytes frame) override {
     if (!stream_) return false;
@@ -182,6 +203,8 @@ class TcpLink final : public DeviceLink {
 
  private:
   using TcpStream = Stream<tcp::socket>;
+
+  void begin() override { accept(); }
 
   void accept() {
     if (std::exchange(is_accepting_, true)) return;
@@ -209,7 +232,8 @@ class TcpLink final : public DeviceLink {
       has_spoken_ = true;
       callbacks_.commanded(command);
     };
-    stream_ = std::make_shared<TcpStream>(std::move(socket), framing_, TcpStream::Callbacks{take, [this] { leave(); }});
+    stream_ =
+        std::make_shared<TcpStream>(std::move(socket), *framing_, TcpStream::Callbacks{take, [this] { leave(); }});
     callbacks_.host_came();
     if (stream_) stream_->start();
     accept();
@@ -228,41 +252,31 @@ class TcpLink final : public DeviceLink {
     });
   }
 
-  void watch() {
+  void watch() override {
     if (stream_ && stream_->isStalled(kStalledHostLives)) disconnect();
     if (!next_) accept();
   }
 
   tcp::acceptor acceptor_;
-  asio::steady_timer timer_;
-  skinwire::Framing framing_;
-  Callbacks callbacks_;
   std::shared_ptr<TcpStream> stream_;
   bool has_spoken_ = false;
   bool is_accepting_ = false;
   std::optional<tcp::socket> next_;  ///< waits until the host has gone; more wait in the acceptor
 };
 
-class UdpLink final : public DeviceLink {
+class UdpLink final : public Wire {
  public:
-  UdpLink(asio::io_context& io, const udp::endpoint& at) : socket_(io), timer_(io) {
+  UdpLink(asio::io_context& io, const udp::endpoint& at) : Wire(io, std::nullopt, skinwire::kMaxDatagram), socket_(io) {
     error_code error;
     socket_.open(at.protocol(), error);
     if (!error) socket_.bind(at, error);
     if (!error) socket_.non_blocking(true, error);
     if (error) fail(addressOf<udp>("udp", at), error.message());
+    address_ = addressOf<udp>("udp", socket_.local_endpoint());
     error_code ignored;
     socket_.set_option(asio::socket_base::send_buffer_size(kFullBytes), ignored);
   }
 
-  [[nodiscard]] std::string address() const override { return addressOf<udp>("udp", socket_.local_endpoint()); }
-  [[nodiscard]] std::size_t maxBody() const override { return skinwire::kMaxDatagram; }
-  void start(Callbacks callbacks) override {
-    callbacks_ = std::move(callbacks);
-    receive();
-    repeat(timer_, [this] { watch(); });
-  }
-  [[nodiscard]] Bytes framed(const skinwire::Message& message) const override { return skinwire::encodeBody(message); }
   [[nodiscard]] bool isFull() const override { return false; }
   bool send(Bytes frame) override {
     if (!has_host_) return false;
@@ -277,6 +291,8 @@ class UdpLink final : public DeviceLink {
   }
 
  private:
+  void begin() override { receive(); }
+
   void receive() {
     socket_.async_receive_from(asio::buffer(buffer_), sender_, [this](const error_code& error, std::size_t size) {
       if (error == asio::error::operation_aborted) return;
@@ -303,13 +319,11 @@ class UdpLink final : public DeviceLink {
     if (is_host) callbacks_.commanded(*command);
   }
 
-  void watch() {
+  void watch() override {
     if (has_host_ && Clock::now() - asked_ > kUdpHostLives) disconnect();
   }
 
   udp::socket socket_;
-  asio::steady_timer timer_;
-  Callbacks callbacks_;
   std::array<std::uint8_t, 65'536> buffer_{};
   udp::endpoint sender_;
   udp::endpoint host_;
@@ -317,44 +331,31 @@ class UdpLink final : public DeviceLink {
   Clock::time_point asked_{};
 };
 
-class PseudoTerminalLink final : public DeviceLink {
+class PseudoTerminalLink final : public Wire {
  public:
-  explicit PseudoTerminalLink(asio::io_context& io) : timer_(io), io_(io) {}
-
-  void open() {
+  explicit PseudoTerminalLink(asio::io_context& io)
+      : Wire(io, skinwire::Framing::Cobs, 4096) {  // little is lost with a broken byte
     FileDescriptor near_end(::posix_openpt(O_RDWR | O_NOCTTY | O_CLOEXEC));
     const auto failed = [] { fail("pseudo-terminal", std::strerror(errno)); };
     if (near_end.get() < 0 || ::grantpt(near_end.get()) != 0 || ::unlockpt(near_end.get()) != 0) failed();
     std::array<char, 256> name{};
     if (::ptsname_r(near_end.get(), name.data(), name.size()) != 0) failed();
-    path_ = name.data();
+    address_ = std::string("serial:") + name.data();
     // Kept open: reading would end whenever a host goes.
-    far_end_ = FileDescriptor(::open(path_.c_str(), O_RDWR | O_NOCTTY | O_CLOEXEC));
+    far_end_ = FileDescriptor(::open(name.data(), O_RDWR | O_NOCTTY | O_CLOEXEC));
     if (!far_end_.valid()) failed();
     termios settings{};
     if (::tcgetattr(far_end_.get(), &settings) != 0) failed();
     ::cfmakeraw(&settings);
     if (::tcsetattr(far_end_.get(), TCSANOW, &settings) != 0) failed();
     stream_ = std::make_shared<SerialStream>(
-        asio::posix::stream_descriptor(io_, near_end.release()), skinwire::Framing::Cobs,
+        asio::posix::stream_descriptor(io, near_end.release()), *framing_,
         SerialStream::Callbacks{[this](const skinwire::Command& command) { take(command); }, [this] { disconnect(); }});
   }
-  ~PseudoTerminalLink() override {
-    if (stream_) stream_->close();
-  }
+  ~PseudoTerminalLink() override { stream_->close(); }
   PseudoTerminalLink(const PseudoTerminalLink&) = delete;
   PseudoTerminalLink& operator=(const PseudoTerminalLink&) = delete;
 
-  [[nodiscard]] std::string address() const override { return "serial:" + path_; }
-  [[nodiscard]] std::size_t maxBody() const override { return 4096; }  // little is lost with a broken byte
-  void start(Callbacks callbacks) override {
-    callbacks_ = std::move(callbacks);
-    stream_->start();
-    repeat(timer_, [this] { watch(); });
-  }
-  [[nodiscard]] Bytes framed(const skinwire::Message& message) const override {
-    return skinwire::encodeFrame(skinwire::Framing::Cobs, message);
-  }
   [[nodiscard]] bool isFull() const override { return stream_->waitingBytes() > kFullBytes / 16; }
   bool send(Bytes frame) override { return has_host_ && stream_->send(std::move(frame)); }
   void disconnect() override {
@@ -366,6 +367,8 @@ class PseudoTerminalLink final : public DeviceLink {
 
  private:
   using SerialStream = Stream<asio::posix::stream_descriptor>;
+
+  void begin() override { stream_->start(); }
 
   void take(const skinwire::Command& command) {
     const auto* describe = std::get_if<skinwire::Describe>(&command.request);
@@ -380,15 +383,11 @@ class PseudoTerminalLink final : public DeviceLink {
   }
 
   /// Nor when it closes it: but then nobody reads.
-  void watch() {
+  void watch() override {
     if (has_host_ && stream_->isStalled(kStalledHostLives)) disconnect();
   }
 
-  asio::steady_timer timer_;
-  asio::io_context& io_;
-  std::string path_;
   FileDescriptor far_end_;
-  Callbacks callbacks_;
   std::shared_ptr<SerialStream> stream_;
   bool has_host_ = false;
 };
@@ -405,9 +404,7 @@ std::unique_ptr<DeviceLink> listenUdp(asio::io_context& io, const std::string& h
 }
 
 std::unique_ptr<DeviceLink> openPseudoTerminal(asio::io_context& io) {
-  auto link = std::make_unique<PseudoTerminalLink>(io);
-  link->open();
-  return link;
+  return std::make_unique<PseudoTerminalLink>(io);
 }
 
 }  // namespace hexoderm::emulator

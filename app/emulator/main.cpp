@@ -1,4 +1,5 @@
 #include "app/emulator/console.h"
+#include "hexoderm/device/simulation/fault_names.h"
 #include "hexoderm/device/simulation/robot_in_words.h"
 #include "hexoderm/device/simulation/simulated_skin.h"
 #include "hexoderm/util/error.h"
@@ -100,14 +101,17 @@ void addOptions(CLI::App& app, Options& options) {
       ->capture_default_str();
 }
 
-std::unique_ptr<SimulatedBody> makeBody(const Options& options) {
+std::unique_ptr<SimulatedBody> bodyOf(const Options& options) {
   CellModel model = loadCellModel(options.cell_model);
   if (options.offset_sigma_mg >= 0) model.accelerometer.offset_sigma_g = options.offset_sigma_mg / 1000;
+  SimulatedSkinOptions broken;
+  for (const std::string& fault : options.faults) addFault(fault, "--fault", broken);
   RobotInWords words = options.words;
   words.link_law = linkLawFromName(options.link_law);
-  for (const std::string& fault : options.faults) addFault(fault, words.faults, words.link_faults);
-  if (!words.robot.empty()) return std::make_unique<SimulatedRobot>(makeRobot(std::move(model), words));
-  return std::make_unique<SimulatedSkin>(std::move(model), skinOptions(words));
+  words.faults = broken.faults;
+  words.link_faults = broken.link_faults;
+  words.whole_skin_faults = broken.whole_skin_faults;
+  return makeBody(std::move(model), words);
 }
 
 std::unique_ptr<DeviceLink> openLink(boost::asio::io_context& io, const Options& options) {
@@ -147,7 +151,7 @@ void run(Options options) {
   options.device.working_every_s *= options.speed;
   options.device.message_every_s *= options.speed;
   const std::string address = link->address();
-  EmulatedDevice device(makeBody(options), options.device);
+  EmulatedDevice device(bodyOf(options), options.device);
   const Exploration& exploration = device.exploration();
   std::cout << "listening on " << address << '\n'
             << device.body().description() << ": " << device.body().neighbors().size()

@@ -4,6 +4,7 @@
 
 #include "hexoderm/device/skinwire/framing.h"
 
+#include "tests/core/device/skinwire/random_messages.h"
 #include "tests/fuzz/fuzz_checks.h"
 #include "tests/fuzz/wire_bytes.h"
 
@@ -14,7 +15,6 @@
 #include <cstdlib>
 #include <functional>
 #include <iostream>
-#include <random>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -36,21 +36,13 @@ constexpr long kMostMemory_KiB = 4L << 20U;  // what is freed is kept for a whil
 constexpr long kMostMemory_KiB = 1L << 20U;
 #endif
 
-class Attacker {
+class Attacker : public skinwire::RandomMessages {
  public:
-  explicit Attacker(std::uint64_t seed) : random_(seed) {}
+  using RandomMessages::RandomMessages;
 
-  std::uint64_t upTo(std::uint64_t most) { return std::uniform_int_distribution<std::uint64_t>(0, most)(random_); }
-  bool chance(unsigned percent) { return upTo(99) < percent; }
   template <class Values>
   auto oneOf(const Values& values) {
     return *(std::begin(values) + static_cast<std::ptrdiff_t>(upTo(std::size(values) - 1)));
-  }
-  std::uint8_t byte() { return static_cast<std::uint8_t>(upTo(255)); }
-  Bytes garbage(std::size_t most) {
-    Bytes bytes(upTo(most));
-    for (std::uint8_t& one : bytes) one = byte();
-    return bytes;
   }
 
   std::uint64_t time_us() {
@@ -111,7 +103,6 @@ class Attacker {
   }
 
  private:
-  std::mt19937_64 random_;
   std::uint64_t time_us_ = 0;
   std::uint64_t sequence_ = 0;
 };
@@ -134,79 +125,64 @@ struct Stream {
 constexpr std::array<Stream, 4> kStreams = {
     {{kLength, Framing::Length}, {kCobs, Framing::Cobs}, {kLines, Framing::Lines}, {kDetected, Framing::Length}}};
 
-Bytes begin(Attacker& attacker, const Stream& stream) {
+/// A stream that is described, and frames after that, each of which may be spoiled.
+struct Attack {
+  std::string_view name;
+  int frames;
+  skinwire::Message (*message)(Attacker&);
+  void (*spoil)(Bytes& frame, Attacker& attacker);
+  bool has_lengths = false;  ///< its frames have their lengths in front
+};
+
+Bytes madeOf(const Attack& attack, Attacker& attacker) {
+  const Stream stream = attack.has_lengths ? kStreams[attacker.chance(50) ? 0 : 3] : attacker.oneOf(kStreams);
   Bytes input = {stream.head, attacker.byte()};
   append(described(stream.framing), input);
+  for (int k = 0; k < attack.frames; ++k) {
+    Bytes frame = skinwire::encodeFrame(stream.framing, attack.message(attacker));
+    attack.spoil(frame, attacker);
+    append(frame, input);
+  }
   return input;
 }
 
+skinwire::Message anything(Attacker& attacker) { return attacker.anything(); }
+skinwire::Message samples(Attacker& attacker) { return attacker.samples(); }
+/// Another skin, another model or another stream with nearly every message.
+skinwire::Message anotherSkin(Attacker& attacker) {
+  if (attacker.chance(50)) return attacker.samples();
+  if (attacker.chance(20)) return attacker.hello();
+  return attacker.topology();
+}
+
+void leaveWhole(Bytes& /*frame*/, Attacker& /*attacker*/) {}
 /// The length in front of a body is another one.
-Bytes lengthLies(Attacker& attacker) {
-  const Stream stream = attacker.chance(50) ? kStreams[0] : kStreams[3];
-  Bytes input = begin(attacker, stream);
+void lieAboutItsLength(Bytes& frame, Attacker& attacker) {
   static constexpr std::array<std::uint32_t, 9> kLies = {0, 1, 5, 6, 7, 1U << 20U, 1U << 24U, UINT32_MAX, 0x7B7B7B7B};
-  for (int k = 0; k < 20; ++k) {
-    Bytes frame = skinwire::encodeFrame(stream.framing, attacker.anything());
-    if (attacker.chance(20)) {
-      const std::uint32_t lie =
-          attacker.chance(50) ? attacker.oneOf(kLies) : static_cast<std::uint32_t>(frame.size() + attacker.upTo(4)) - 6;
-      for (std::size_t b = 0; b < 4; ++b) frame.at(b) = static_cast<std::uint8_t>(lie >> (8 * b));
-    }
-    append(frame, input);
-  }
-  return input;
+  if (!attacker.chance(20)) return;
+  const std::uint32_t lie =
+      attacker.chance(50) ? attacker.oneOf(kLies) : static_cast<std::uint32_t>(frame.size() + attacker.upTo(4)) - 6;
+  for (std::size_t b = 0; b < 4; ++b) frame.at(b) = static_cast<std::uint8_t>(lie >> (8 * b));
+}
+/// The frame breaks off, and a whole one follows.
+void truncate(Bytes& frame, Attacker& attacker) {
+  if (attacker.chance(30)) frame.resize(attacker.upTo(frame.size()));
+}
+/// Bytes of something else in the frame and before it.
+void babble(Bytes& frame, Attacker& attacker) {
+  const auto insert = [&frame](std::size_t at, const Bytes& bytes) {
+    frame.insert(frame.begin() + static_cast<std::ptrdiff_t>(at), bytes.begin(), bytes.end());
+  };
+  if (attacker.chance(20)) insert(attacker.upTo(frame.size()), attacker.garbage(8));
+  if (attacker.chance(20)) frame.at(attacker.upTo(frame.size() - 1)) ^= attacker.byte();
+  if (attacker.chance(20)) insert(0, attacker.garbage(300));
 }
 
-/// Frames that break off, whole ones behind them.
-Bytes truncated(Attacker& attacker) {
-  const Stream stream = attacker.oneOf(kStreams);
-  Bytes input = begin(attacker, stream);
-  for (int k = 0; k < 20; ++k) {
-    Bytes frame = skinwire::encodeFrame(stream.framing, attacker.anything());
-    if (attacker.chance(30)) frame.resize(attacker.upTo(frame.size()));
-    append(frame, input);
-  }
-  return input;
-}
-
-/// Bytes of something else between the frames and in them.
-Bytes babble(Attacker& attacker) {
-  const Stream stream = attacker.oneOf(kStreams);
-  Bytes input = begin(attacker, stream);
-  for (int k = 0; k < 20; ++k) {
-    Bytes frame = skinwire::encodeFrame(stream.framing, attacker.anything());
-    if (attacker.chance(20)) {
-      const Bytes inside = attacker.garbage(8);
-      frame.insert(frame.begin() + static_cast<std::ptrdiff_t>(attacker.upTo(frame.size())), inside.begin(),
-                   inside.end());
-    }
-    if (attacker.chance(20)) frame.at(attacker.upTo(frame.size() - 1)) ^= attacker.byte();
-    if (attacker.chance(20)) append(attacker.garbage(300), input);
-    append(frame, input);
-  }
-  return input;
-}
-
-/// Whole frames only: another skin, another model or another stream with nearly every message.
-Bytes flapping(Attacker& attacker) {
-  const Stream stream = attacker.oneOf(kStreams);
-  Bytes input = begin(attacker, stream);
-  for (int k = 0; k < 60; ++k) {
-    skinwire::Message message = attacker.topology();
-    if (attacker.chance(20)) message = attacker.hello();
-    if (attacker.chance(50)) message = attacker.samples();
-    append(skinwire::encodeFrame(stream.framing, message), input);
-  }
-  return input;
-}
-
-/// Whole frames only: clock and numbers jump.
-Bytes timeJumps(Attacker& attacker) {
-  const Stream stream = attacker.oneOf(kStreams);
-  Bytes input = begin(attacker, stream);
-  for (int k = 0; k < 100; ++k) append(skinwire::encodeFrame(stream.framing, attacker.samples()), input);
-  return input;
-}
+constexpr std::array<Attack, 5> kAttacks = {{{"length lies", 20, anything, lieAboutItsLength, true},
+                                             {"truncated", 20, anything, truncate},
+                                             {"babble", 20, anything, babble},
+                                             {"flapping", 60, anotherSkin, leaveWhole},
+                                             {"time jumps", 100, samples, leaveWhole}}};
 
 /// Bodies whose CRC is right and whose protobuf says that there is more, or is cut off.
 Bytes giantCounts(Attacker& attacker) {
@@ -265,30 +241,22 @@ std::vector<Bytes> largest() {
   return inputs;
 }
 
-struct Kind {
-  std::string_view name;
-  Bytes (*make)(Attacker&);
-};
-constexpr std::array<Kind, 6> kKinds = {{{"length lies", lengthLies},
-                                         {"truncated", truncated},
-                                         {"babble", babble},
-                                         {"flapping", flapping},
-                                         {"time jumps", timeJumps},
-                                         {"giant counts", giantCounts}}};
-
 }  // namespace
 
 int main() {
   constexpr std::uint64_t kEach = 1000;
-  for (const Kind& kind : kKinds) {
+  const auto attackBy = [](std::string_view name, const std::function<Bytes(Attacker&)>& make) {
     for (std::uint64_t seed = 1; seed <= kEach; ++seed) {
       Attacker attacker(seed);
-      const Bytes input = kind.make(attacker);
+      const Bytes input = make(attacker);
       LLVMFuzzerTestOneInput(input.data(), input.size());
     }
-    std::cout << kEach << " of " << kind.name
-              << std::endl;  // the kind behind the last one named is the one that crashes
+    std::cout << kEach << " of " << name << std::endl;  // the kind behind the last one named is the one that crashes
+  };
+  for (const Attack& attack : kAttacks) {
+    attackBy(attack.name, [&](Attacker& attacker) { return madeOf(attack, attacker); });
   }
+  attackBy("giant counts", giantCounts);
   const std::vector<Bytes> large = largest();
   for (const Bytes& input : large) LLVMFuzzerTestOneInput(input.data(), input.size());
   std::cout << large.size() << " of the largest" << std::endl;

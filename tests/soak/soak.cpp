@@ -4,7 +4,7 @@
 //   soak [--minutes N] [--growth-mib M]      simulated minutes; 0 MiB: memory is not judged (sanitizers keep some)
 
 #include "hexoderm/capture/pose_recorder.h"
-#include "hexoderm/device/simulation/simulated_source.h"
+#include "hexoderm/device/sources/open_source.h"
 #include "hexoderm/session/session_recorder.h"
 #include "hexoderm/util/units.h"
 #include "tests/support/temporary_folder.h"
@@ -176,7 +176,7 @@ class Operator final : public SkinListener, public PoseRecorderListener {
 };
 
 int soak(double minutes, double growth_mib) {
-  const auto source = SimulatedSource::open("sim:x17?seed=1&speed=max");
+  const auto source = openSkinSource("sim:x17?seed=1&speed=max");
   Operator at_work(*source, minutes * 60);
   source->start(at_work);
   at_work.wait();

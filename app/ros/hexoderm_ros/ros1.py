@@ -174,14 +174,7 @@ def pass_on(skin, intake, watch, say_ready):
 def publish(transforms, say_ready):
     """Publishes static transforms until ROS ends, or the user ends it: KeyboardInterrupt."""
     with _node("hexoderm_transforms") as (_, end):
-        messages = []
-        for transform in transforms:
-            message = geometry_msgs.msg.TransformStamped()
-            message.header.stamp = rospy.Time.now()
-            message.header.frame_id, message.child_frame_id = transform.parent, transform.child
-            message.transform.translation = geometry_msgs.msg.Vector3(*transform.translation)
-            message.transform.rotation = geometry_msgs.msg.Quaternion(*transform.rotation)
-            messages.append(message)
+        messages = [each.put_in(geometry_msgs.msg.TransformStamped(), rospy.Time.now()) for each in transforms]
         tf2_ros.StaticTransformBroadcaster().sendTransform(messages)
         say_ready()
         end.wait()

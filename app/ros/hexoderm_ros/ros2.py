@@ -83,15 +83,7 @@ def publish(transforms, say_ready):
     """Publishes static transforms until ROS ends."""
     rclpy.init()
     node = rclpy.create_node("hexoderm_transforms")
-    messages = []
-    for transform in transforms:
-        message = geometry_msgs.msg.TransformStamped()
-        message.header.stamp = node.get_clock().now().to_msg()
-        message.header.frame_id, message.child_frame_id = transform.parent, transform.child
-        translation, rotation = message.transform.translation, message.transform.rotation
-        translation.x, translation.y, translation.z = transform.translation
-        rotation.x, rotation.y, rotation.z, rotation.w = transform.rotation
-        messages.append(message)
+    messages = [each.put_in(geometry_msgs.msg.TransformStamped(), node.get_clock().now().to_msg()) for each in transforms]
     broadcaster = tf2_ros.StaticTransformBroadcaster(node)
     broadcaster.sendTransform(messages)
     say_ready()

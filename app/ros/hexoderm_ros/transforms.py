@@ -15,6 +15,15 @@ class Transform(NamedTuple):
     translation: tuple  # x, y, z, m
     rotation: tuple  # x, y, z, w
 
+    def put_in(self, message, stamp):
+        """Returns the message, a geometry_msgs/TransformStamped of either ROS."""
+        message.header.stamp = stamp
+        message.header.frame_id, message.child_frame_id = self.parent, self.child
+        for part, values in ((message.transform.translation, self.translation), (message.transform.rotation, self.rotation)):
+            for name, value in zip("xyzw", values):
+                setattr(part, name, value)
+        return message
+
 
 class TransformError(InputError):
     """Of a file of transforms."""

@@ -10,6 +10,7 @@
 #include <chrono>
 #include <cmath>
 #include <deque>
+#include <functional>
 #include <map>
 #include <mutex>
 #include <utility>
@@ -74,14 +75,7 @@ void PoseRecorderOptions::validate() const {
 }
 
 struct PoseRecorder::State {
-  /// Requests from other threads.
-  struct Commands {
-    std::optional<bool> automatic;
-    std::optional<PoseId> next_id;
-    std::optional<std::vector<std::shared_ptr<const PoseCapture>>> earlier;
-    bool capture_now = false;
-    bool cancel = false;
-  };
+  using Command = std::function<void(State&)>;
 
   State(PoseRecorderListener& pose_listener, PoseRecorderOptions recorder_options)
       : listener(pose_listener),
@@ -93,7 +87,7 @@ struct PoseRecorder::State {
   PoseRecorderListener& listener;
   const PoseRecorderOptions options;
   std::mutex mutex;
-  Commands commands;  // guarded by the mutex; all other members belong to the feeding thread
+  std::vector<Command> commands;  // guarded by the mutex; all other members belong to the feeding thread
 
   Accelerometer accelerometer;
   std::vector<CellId> described;
@@ -115,24 +109,24 @@ struct PoseRecorder::State {
   std::vector<std::uint64_t> samples_noted_in, means_noted_in;  ///< the tick in which each cell was last noted
   std::uint64_t restarts = 0;
 
+  /// From any thread.
+  void ask(Command command) {
+    const std::lock_guard lock(mutex);
+    commands.push_back(std::move(command));
+  }
   void obey() {
-    Commands wanted;
+    std::vector<Command> wanted;
     {
       const std::lock_guard lock(mutex);
-      wanted = std::exchange(commands, {});
+      wanted.swap(commands);
     }
-    if (wanted.automatic) automatic = *wanted.automatic;
-    if (wanted.next_id) next_id = *wanted.next_id;
-    if (wanted.earlier) earlier = std::move(*wanted.earlier);
-    if (wanted.cancel) {
-      window.reset();
-      asked = false;
-    }
-    if (wanted.capture_now) {
-      window.reset();
-      asked = true;
-    }
+    for (const Command& command : wanted) command(*this);
     if (window && !forced && !automatic) window.reset();
+  }
+  /// Gives up the capture under way; another may be wanted at once.
+  void startOver(bool is_asked) {
+    window.reset();
+    asked = is_asked;
   }
 
   void setSkin(const SkinDescription& skin) {
@@ -384,30 +378,19 @@ void PoseRecorder::addFrame(const SampleFrame& frame) { state_->addFrame(frame);
 void PoseRecorder::addJoints(const JointReport& joints) { state_->addJoints(joints); }
 
 void PoseRecorder::setAutomatic(bool automatic) {
-  const std::lock_guard lock(state_->mutex);
-  state_->commands.automatic = automatic;
+  state_->ask([automatic](State& state) { state.automatic = automatic; });
 }
-
 void PoseRecorder::captureNow() {
-  const std::lock_guard lock(state_->mutex);
-  state_->commands.capture_now = true;
-  state_->commands.cancel = false;
+  state_->ask([](State& state) { state.startOver(true); });
 }
-
 void PoseRecorder::cancelCapture() {
-  const std::lock_guard lock(state_->mutex);
-  state_->commands.cancel = true;
-  state_->commands.capture_now = false;
+  state_->ask([](State& state) { state.startOver(false); });
 }
-
 void PoseRecorder::setNextPoseId(PoseId id) {
-  const std::lock_guard lock(state_->mutex);
-  state_->commands.next_id = id;
+  state_->ask([id](State& state) { state.next_id = id; });
 }
-
 void PoseRecorder::setEarlierPoses(std::vector<std::shared_ptr<const PoseCapture>> poses) {
-  const std::lock_guard lock(state_->mutex);
-  state_->commands.earlier = std::move(poses);
+  state_->ask([poses = std::move(poses)](State& state) { state.earlier = poses; });
 }
 
 }  // namespace hexoderm

@@ -114,8 +114,12 @@ class LiveCapture::Run final : public CaptureOwner, public SkinListener, public 
           waitForEvent();
         }
       }
+    } catch (const DeviceError& failure) {
+      const Message not_stored = endAfterFailure();
+      if (not_stored.empty()) throw;
+      throw DeviceError(inRow({failure.message(), not_stored}, "; "));
     } catch (...) {
-      finish();  // captured poses stay
+      endAfterFailure();
       throw;
     }
     return std::nullopt;
@@ -440,24 +444,43 @@ class LiveCapture::Run final : public CaptureOwner, public SkinListener, public 
     tell_(RecordingEnded{why});
   }
 
-  void finishRecording() {
-    if (!recording_) return;
+  /// Returns why not all was recorded, which is told; empty if it was.
+  Message finishRecording() {
+    if (!recording_) return {};
     try {
       recording_->finish();
-    } catch (const StorageError& error) {
-      {
-        const std::lock_guard lock(mutex_);
-        state_.recording_error = error.message();
-      }
+    } catch (const StorageError&) {
       tellOfRecording();
-      throw;
     }
+    return recording_->error();
+  }
+
+  /// Captured poses stay where something else failed, which is what is thrown. Returns which are not stored, and why.
+  Message endAfterFailure() {
+    Message not_stored;
+    try {
+      finish();
+    } catch (const StorageError& error) {
+      not_stored = error.message();
+    } catch (...) {  // by the listener, which was told of the failure before
+    }
+    try {
+      finishRecording();
+    } catch (...) {  // likewise
+    }
+    return not_stored;
   }
 
   void end() {
     if (is_ended_) return;
     finish();
-    finishRecording();
+    if (const Message why = finishRecording(); !why.empty()) {
+      {
+        const std::lock_guard lock(mutex_);
+        state_.recording_error = why;
+      }
+      throw StorageError(why);
+    }
     if (!session_ && !is_closing_) throw DeviceError(options_.source, state_.status);
   }
 

@@ -108,7 +108,8 @@ class LiveCapture {
   void start();
   /// Waits for the next pose that counts as captured, and solves all poses; nullopt if there are enough, the stream is
   /// over, or `stop` or close() was called. Without `automatic` it waits for a pose without limit. Throws DeviceError
-  /// or StorageError; what was captured stays. A recording that ended early is said so at the end, after all else.
+  /// or StorageError; what was captured stays, and a DeviceError says which poses are not stored. A recording that
+  /// ended early is said so at the end, after all else.
   std::optional<CapturedPose> next(const std::stop_token& stop = {}) { return next(stop, stop); }
   /// The same where the solver is stopped by `stop_solving`, which comes later than `stop`.
   std::optional<CapturedPose> next(const std::stop_token& stop, const std::stop_token& stop_solving);

@@ -4,9 +4,10 @@
 #include "hexoderm/device/skinwire/examples/firmware/skin.h"
 #include "hexoderm/device/skinwire/framing.h"
 #include "hexoderm/device/sources/wire_source.h"
+#include "hexoderm/geometry/se3.h"
 #include "hexoderm/io/session_json.h"
 #include "tests/app/cli/cli_program.h"
-#include "tests/core/device/skinwire/collecting_listener.h"
+#include "tests/core/device/sources/wire_host.h"
 #include "tests/support/child_process.h"
 #include "tests/support/paths.h"
 
@@ -86,36 +87,29 @@ TEST_F(Microcontroller, AnswersCommands) {
   using Delivered = CollectingListener::Delivered;
   const Board board;
   ASSERT_FALSE(board.address.empty()) << board.said;
-  CollectingListener listener;
-  WireOptions patient;
-  patient.silent_after = patient.reconnect_after = patient.command_timeout = test::kForever;
-  WireSource source(board.address, patient);
-  source.start(listener);
-  ASSERT_TRUE(listener.waitFor([](const Delivered& d) { return d.frames.size() >= 20; })) << "nothing came";
-  EXPECT_EQ(listener.delivered().skins.at(0).neighbors, trueNeighbors());
+  WireHost host(board.address);
+  ASSERT_TRUE(host.waitForFrames(20)) << "nothing came";
+  EXPECT_EQ(host.listener.delivered().skins.at(0).neighbors, trueNeighbors());
 
   const auto outcomeOf = [&](const SkinCommand& command) {
-    const std::uint32_t number = source.send(command);
-    EXPECT_TRUE(listener.waitFor([&](const Delivered& d) { return d.outcomeOf(number) != nullptr; }));
-    const Delivered delivered = listener.delivered();
-    const CommandOutcome* outcome = delivered.outcomeOf(number);
-    return outcome == nullptr ? "no answer" : outcome->done ? "done" : outcome->message.english();
+    const CommandOutcome outcome = host.ask(command);
+    return outcome.done ? "done" : outcome.message.english();
   };
   EXPECT_EQ(outcomeOf(SetLed{CellId(7), 255, 0, 16}), "done");
   EXPECT_EQ(outcomeOf(SetLed{CellId(8), 255, 0, 16}), "there is no such cell");
   EXPECT_EQ(outcomeOf(SetRate{1000}), "the rate is 1 to 200 Hz");
   EXPECT_EQ(outcomeOf(ExploreAgain{}), "done");
-  const std::uint32_t first_turn = source.send(TurnTo{CellId(2), Eigen::Vector3d::UnitX()});
+  const std::uint32_t first_turn = host.source->send(TurnTo{CellId(2), Eigen::Vector3d::UnitX()});
   EXPECT_EQ(outcomeOf(TurnTo{CellId(2), -Eigen::Vector3d::UnitX()}), "done");
-  const Delivered turned = listener.delivered();
+  const Delivered turned = host.listener.delivered();
   ASSERT_NE(turned.outcomeOf(first_turn), nullptr);
   EXPECT_EQ(turned.outcomeOf(first_turn)->message.english(), "another turn was asked for");
 
   EXPECT_EQ(outcomeOf(SetRate{50}), "done");
-  const std::size_t before = listener.delivered().frames.size();
-  ASSERT_TRUE(listener.waitFor([&](const Delivered& d) { return d.frames.size() >= before + 20; }));
-  source.stop();
-  const Delivered delivered = listener.delivered();
+  const std::size_t before = host.listener.delivered().frames.size();
+  ASSERT_TRUE(host.waitForFrames(before + 20));
+  host.source->stop();
+  const Delivered delivered = host.listener.delivered();
   // Between two messages a busy computer may leave a gap; the ticks of a message follow each other.
   double shortest_s = 1;
   for (std::size_t k = before + 1; k < delivered.frames.size(); ++k) {

@@ -1,7 +1,6 @@
 // 10,000 cells at 1 kHz on TCP: whatever this computer can do of it, every sample is received or said to be missing.
 
-#include "hexoderm/device/sources/wire_source.h"
-#include "tests/support/patience.h"
+#include "tests/core/device/sources/wire_host.h"
 #include "tests/support/slow_build.h"
 
 #include "tests/app/emulator/emulator_program.h"
@@ -128,19 +127,17 @@ TEST_P(EmulatorUnderLoad, KeepsUpOrSaysPreciselyWhatWasDropped) {
   }
   const Emulator emulator(arguments);
   Bookkeeper bookkeeper(means_of);
-  WireOptions patient;
-  patient.silent_after = patient.reconnect_after = patient.command_timeout = test::kForever;
-  WireSource source(emulator.address, patient);
-  source.start(bookkeeper);
+  const auto source = wireSource(emulator.address, patient());
+  source->start(bookkeeper);
   constexpr double kLong_s = 3;
   EXPECT_TRUE(bookkeeper.waitUntil([](const Bookkeeper& b) { return b.seconds() > kLong_s && b.judged() > 2; }));
 
   // A frame a second: what was dropped last shows as a gap before the next one.
   bookkeeper.endOfClock();
-  source.send(SetRate{std::max(1.0, static_cast<double>(means_of))});
+  source->send(SetRate{std::max(1.0, static_cast<double>(means_of))});
   // The books may agree for a moment before the device has slowed down.
   EXPECT_TRUE(bookkeeper.waitUntil([](const Bookkeeper& b) { return b.isAnswered() && b.isSettled(); }));
-  source.stop();
+  source->stop();
   const SourceStatus& status = bookkeeper.source();
   EXPECT_EQ(status.lost_samples, bookkeeper.device().samples_dropped);
   EXPECT_EQ(status.dropped_by_device, bookkeeper.device().samples_dropped);

@@ -1,6 +1,7 @@
 #!/usr/bin/env python3
 """What hexoderm-ros sends is a skin to the command line: captured, and without an offence. No ROS is needed for it."""
 
+import contextlib
 import json
 import socket
 import subprocess
@@ -10,7 +11,7 @@ import unittest
 
 from hexoderm_ros.device import Device
 from hexoderm_ros.skin import skin_from
-from program import CLI, InFolder, Listener, description, held_and_turned, reading, run
+from program import CLI, InFolder, Listener, description, held_and_turned, reading, run, wait_until
 
 FASTER = 5  # than time; poses are told apart by the readings' own times
 
@@ -23,6 +24,13 @@ class Devices(InFolder):
         self.addCleanup(self.device.close)
         self.over = threading.Event()
         self.addCleanup(self.over.set)
+
+    @contextlib.contextmanager
+    def host(self):
+        """A connection that was greeted, and what reads a message of it."""
+        with socket.create_connection(("localhost", self.device.port)) as connection, connection.makefile() as lines:
+            self.assertIn("hello", json.loads(lines.readline()))
+            yield connection, lambda: json.loads(lines.readline())
 
     def play(self):
         begin = time.monotonic()
@@ -62,60 +70,50 @@ class Devices(InFolder):
             for k in range(60_000):
                 self.device.add(reading(1000 + k * 0.02, 1))
             self.assertLess(time.monotonic() - begin, 30)
-            deadline = time.monotonic() + 30
-            while self.device.counts()["dropped"] == 0 and time.monotonic() < deadline:
-                time.sleep(0.05)
-        self.assertGreater(self.device.counts()["dropped"], 0)
-        # The next host is welcome.
-        with socket.create_connection(("localhost", self.device.port)) as host:
-            self.assertIn("hello", json.loads(host.makefile().readline()))
+            wait_until(lambda: self.device.counts()["dropped"] > 0, "nothing was dropped")
+        with self.host():  # the next one is welcome
+            pass
 
     def test_what_comes_without_a_host_is_not_sent(self):
         self.device.add(reading(1000, 1) + reading(1001, 1))
-        deadline = time.monotonic() + 30
-        while self.device.counts()["late"] == 0:  # as soon as the first is taken
-            self.assertLess(time.monotonic(), deadline)
-            time.sleep(0.01)
+
+
+        def is_first_taken():
             self.device.add(reading(1000, 1))
+            return self.device.counts()["late"] > 0
+
+        wait_until(is_first_taken, "the first was not taken")
         self.assertEqual(self.device.counts()["sent"], 0)
-        with socket.create_connection(("localhost", self.device.port)) as host:
-            lines = host.makefile()
-            self.assertIn("hello", json.loads(lines.readline()))
+        with self.host() as (_, read):
             self.device.add(reading(1002, 1) + reading(1002, 2))
             came = []
             while not came or came[-1]["time_us"] < 1002e6:
-                came += filter(None, [json.loads(lines.readline()).get("samples")])
+                came += filter(None, [read().get("samples")])
             self.assertEqual(self.device.counts()["sent"], sum(len(each["cells"]) for each in came))
 
     def test_a_second_host_is_told_to_wait_and_then_connected(self):
-        address = ("localhost", self.device.port)
-        with socket.create_connection(address) as first, socket.create_connection(address) as second:
-            lines = second.makefile()
-            self.assertIn("hello", json.loads(lines.readline()))
-            self.assertIn("topology", json.loads(lines.readline()))
-            self.assertIn("127.0.0.1 is connected already", json.loads(lines.readline())["status"]["text"])
-            with socket.create_connection(address):
+        with self.host() as (first, _), self.host() as (_, read):
+            self.assertIn("topology", read())
+            self.assertIn("127.0.0.1 is connected already", read()["status"]["text"])
+            with socket.create_connection(("localhost", self.device.port)):
                 pass  # one that does not wait is forgotten
-            first.close()
-            while "hello" not in (message := json.loads(lines.readline())):  # which comes again
+            first.shutdown(socket.SHUT_RDWR)
+            while "hello" not in (message := read()):  # which comes again
                 self.assertIn("is connected already", message["status"]["text"])
-            self.assertIn("topology", json.loads(lines.readline()))
+            self.assertIn("topology", read())
 
     def test_the_command_line_says_that_another_host_is_connected(self):
-        with socket.create_connection(("localhost", self.device.port)) as first:
-            self.assertIn("hello", json.loads(first.makefile().readline()))
+        with self.host():
             capture = self.capture()
             self.assertRegex(capture.wait_for("127.0.0.1 is connected already"), "No readings for [0-9]+ s. ")
             self.assertNotIn("wrong", capture.end())
 
     def test_commands_are_answered(self):
-        with socket.create_connection(("localhost", self.device.port)) as host:
-            lines = host.makefile()
-            self.assertIn("hello", json.loads(lines.readline()))
-            self.assertEqual(len(json.loads(lines.readline())["topology"]["cells"]), 5)
+        with self.host() as (host, read):
+            self.assertEqual(len(read()["topology"]["cells"]), 5)
             host.sendall(b'{"command":{"number":4,"set_led":{"cell":1,"red":255}}}\nno line\n'
                          b'{"command":{"describe":{}}}\n')
-            found = [json.loads(lines.readline()) for _ in range(3)]
+            found = [read() for _ in range(3)]
         ack = next(each["ack"] for each in found if "ack" in each)
         self.assertEqual((ack["command"], ack["done"]), (4, False))
         self.assertTrue(any("hello" in each for each in found))

@@ -9,6 +9,7 @@ import signal
 import subprocess
 import tempfile
 import threading
+import time
 import unittest
 from types import SimpleNamespace
 
@@ -24,6 +25,15 @@ def run(*arguments):
     if result.returncode not in (0, 1):
         raise AssertionError(result.stderr)
     return result.stdout
+
+
+def wait_until(condition, why, timeout_s=60):
+    """Looks again and again whether the condition is there; `why` it is not, if it never is."""
+    deadline = time.monotonic() + timeout_s
+    while not condition():
+        if time.monotonic() > deadline:
+            raise AssertionError(why)
+        time.sleep(0.02)
 
 
 class Listener:

@@ -16,7 +16,7 @@ import unittest
 import xmlrpc.client
 from unittest import mock
 
-from program import CLI, GRAVITY, InFolder, Listener, description, held_and_turned, run
+from program import CLI, GRAVITY, InFolder, Listener, description, held_and_turned, run, wait_until
 
 
 def free_port():
@@ -39,6 +39,7 @@ import tf2_ros  # noqa: E402
 
 from hexoderm_ros import ros1  # noqa: E402
 
+ONE_CELL = {"cells": [{"id": 1, "imu": "/imu"}]}
 DEFINITION = """Cell[] data
 ================================================================================
 MSG: test_skin/Cell
@@ -87,10 +88,8 @@ class Ros1(InFolder):
         os.environ.update(ROS_HOME=str(self.folder / "ros"), ROS_LOG_DIR=str(self.folder / "ros/log"))
         port = os.environ["ROS_MASTER_URI"].rpartition(":")[2]
         self.start_master(port)
-        deadline = time.monotonic() + 60
-        while not rosgraph.Master("/test").is_online():
-            self.assertLess(time.monotonic(), deadline, "the ROS master does not answer")
-            time.sleep(0.1)
+        wait_until(rosgraph.Master("/test").is_online, "the ROS master does not answer")
+        rospy.init_node("test", anonymous=True, disable_signals=True)
 
     def start_master(self, port):
         """The master of roscore, without its log and launcher, which take seconds to start and to end."""
@@ -145,14 +144,8 @@ class Ros1(InFolder):
         raise AssertionError("the adapter ended the connection")
 
     def wait_for_subscribers(self, topics):
-        master = rosgraph.Master("/test")
-        deadline = time.monotonic() + 30
-        while True:
-            subscribed = {topic for topic, _ in master.getSystemState()[1]}
-            if topics <= subscribed:
-                return
-            self.assertLess(time.monotonic(), deadline, f"nobody subscribes {topics - subscribed}")
-            time.sleep(0.1)
+        wait_until(lambda: topics <= {topic for topic, _ in rosgraph.Master("/test").getSystemState()[1]},
+                   f"not all of {topics} are subscribed to")
 
     def capture_while_played(self, address, bag, topics, rate=4):
         self.wait_for_subscribers(topics)
@@ -223,7 +216,6 @@ class Ros1(InFolder):
         return message
 
     def test_cells_on_one_topic_and_one_whose_clock_is_another(self):
-        rospy.init_node("test", anonymous=True, disable_signals=True)
         for k, ahead_s in ((1, 0), (2, 0), (3, 3600), (5, 0)):
             self.publish("/imu", sensor_msgs.msg.Imu, lambda k=k, ahead_s=ahead_s: self.imu(f"cell_{k}", ahead_s))
         adapter, _ = self.start_adapter({"cells": [{"id": k, "imu": "/imu", "frame_id": f"cell_{k}"} for k in (1, 2, 3, 4)]})
@@ -236,7 +228,6 @@ class Ros1(InFolder):
             self.assertEqual(said.count(once), 1, said)
 
     def test_a_topic_that_stops_and_comes_back_is_named(self):
-        rospy.init_node("test", anonymous=True, disable_signals=True)
         end = self.publish("/imu1", sensor_msgs.msg.Imu, self.imu)
         adapter, address = self.start_adapter({"cells": [{"id": 1, "imu": "/imu1"}]})
         self.wait_for_reading(address)
@@ -248,7 +239,6 @@ class Ros1(InFolder):
         self.assertEqual(self.end_adapter(adapter).count(gone), 1)
 
     def test_why_nothing_comes(self):
-        rospy.init_node("test", anonymous=True, disable_signals=True)
         self.publish("/imu3", std_msgs.msg.String, std_msgs.msg.String)
         silent = rospy.Publisher("/imu2", sensor_msgs.msg.Imu, queue_size=1)
         self.addCleanup(silent.unregister)
@@ -260,7 +250,6 @@ class Ros1(InFolder):
 
     def test_a_wrong_name_of_a_field_is_said_once(self):
         types = genpy.dynamic.generate_dynamic("test_skin/Cells", DEFINITION)
-        rospy.init_node("test", anonymous=True, disable_signals=True)
         adapter, _ = self.start_adapter({"cells": [{"id": 1}], "cell_data": {"topic": "/skin/cells", "array": "dat"}})
         several, published = threading.Event(), []
 
@@ -285,10 +274,10 @@ class Ros1(InFolder):
 
     def test_without_a_master_it_waits(self):
         there = dict(os.environ, ROS_MASTER_URI=f"http://localhost:{free_port()}")
-        adapter = self.begin_adapter({"cells": [{"id": 1, "imu": "/imu"}]}, env=there)
+        adapter = self.begin_adapter(ONE_CELL, env=there)
         adapter.wait_for(f"no ROS master answers at {there['ROS_MASTER_URI']}; waiting (is roscore running?")
         self.assertEqual(self.end_adapter(adapter).splitlines()[1:], ["hexoderm-ros: 0 sent, 0 late, 0 repeated, 0 dropped"])
-        adapter = self.begin_adapter({"cells": [{"id": 1, "imu": "/imu"}]}, env=there)
+        adapter = self.begin_adapter(ONE_CELL, env=there)
         adapter.wait_for("no ROS master")
         self.start_master(there["ROS_MASTER_URI"].rpartition(":")[2])
         adapter.wait_for("1 cell on tcp://")
@@ -297,16 +286,13 @@ class Ros1(InFolder):
     def test_ctrl_c_ends_it_while_a_master_does_not_answer(self):
         with socket.create_server(("localhost", 0)) as silent:
             uri = f"http://localhost:{silent.getsockname()[1]}"
-            adapter = self.begin_adapter({"cells": [{"id": 1, "imu": "/imu"}]}, env=dict(os.environ, ROS_MASTER_URI=uri))
+            adapter = self.begin_adapter(ONE_CELL, env=dict(os.environ, ROS_MASTER_URI=uri))
             adapter.wait_for(f"no ROS master answers at {uri}")
             self.end_adapter(adapter)
 
     def wait_until_no_adapter_is_known(self):
-        master = rosgraph.Master("/test")
-        deadline = time.monotonic() + 30
-        while any("/hexoderm_ros" in node for _, nodes in sum(master.getSystemState(), []) for node in nodes):
-            self.assertLess(time.monotonic(), deadline, "the master still knows the node")
-            time.sleep(0.1)
+        wait_until(lambda: not any("/hexoderm_ros" in node for _, nodes in sum(rosgraph.Master("/test").getSystemState(), [])
+                                   for node in nodes), "the master still knows the node")
 
     def test_ctrl_c_ends_it_at_any_moment_of_its_beginning(self):
         document = {"cells": [{"id": k, "imu": f"/imu{k}"} for k in range(1, 60)]}
@@ -317,29 +303,26 @@ class Ros1(InFolder):
             self.wait_until_no_adapter_is_known()
 
     def test_signals_end_it_while_it_begins(self):
-        (self.folder / "skin.json").write_text(json.dumps({"cells": [{"id": 1, "imu": "/imu"}]}))
+        (self.folder / "skin.json").write_text(json.dumps(ONE_CELL))
         for number, delay_s in ((signal.SIGINT, 0), (signal.SIGTERM, 0), (signal.SIGINT, 0.05), (signal.SIGTERM, 0.1)):
             port = free_port()
             adapter = Listener(self.start(sys.executable, "-m", "hexoderm_ros", "skin", self.folder / "skin.json", "--port",
                                           port, stderr=subprocess.PIPE))
-            self.wait_until_it_listens(port)  # and has not yet begun with ROS, or not for long
+            wait_until(lambda: self.listens(port), "it does not listen")  # and has not yet begun with ROS, or not for long
             time.sleep(delay_s)
             said = adapter.end(number)
             self.assertIn(adapter.process.returncode, (0, -signal.SIGTERM) if number == signal.SIGTERM else (0,), said)
             self.assertNotIn("Traceback", said)
 
-    def wait_until_it_listens(self, port):
-        deadline = time.monotonic() + 60
-        while True:
-            with contextlib.suppress(ConnectionRefusedError), socket.create_connection(("localhost", port)):
-                return
-            self.assertLess(time.monotonic(), deadline, "the adapter does not listen")
-            time.sleep(0.01)
+    @staticmethod
+    def listens(port):
+        with contextlib.suppress(ConnectionRefusedError), socket.create_connection(("localhost", port)):
+            return True
 
     def test_a_master_that_falls_silent_holds_ctrl_c_up_for_a_moment_only(self):
         master = self.start_master(port := str(free_port()))
         there = dict(os.environ, ROS_MASTER_URI=f"http://localhost:{port}")
-        adapter = self.begin_adapter({"cells": [{"id": 1, "imu": "/imu"}]}, env=there)
+        adapter = self.begin_adapter(ONE_CELL, env=there)
         adapter.wait_for(" on tcp://")
         master.send_signal(signal.SIGSTOP)
         try:
@@ -353,7 +336,6 @@ class Ros1(InFolder):
         run("export", self.folder / "c.json", "--to", "tf-yaml", "--place", "forearm:0.02,0,0.1,0,1.57,0", "-o",
             self.folder / "tf.yaml")
         self.start(sys.executable, "-m", "hexoderm_ros", "transforms", self.folder / "tf.yaml")
-        rospy.init_node("test", anonymous=True, disable_signals=True)
         buffer = tf2_ros.Buffer()
         listener = tf2_ros.TransformListener(buffer)
         patch = json.loads((self.folder / "c.json").read_text())["patches"][0]

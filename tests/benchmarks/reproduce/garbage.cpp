@@ -87,14 +87,15 @@ Outcome tryGarbage(const Garbage& what, std::size_t seed) {
 
 std::vector<Garbage> garbage() {
   std::vector<Garbage> all;
-  for (const auto& [name, fault] : skinFaultNames()) {
-    const bool is_here = fault == SkinFault::Echo || fault == SkinFault::Swapped || fault == SkinFault::Yawed ||
-                         fault == SkinFault::Reglued;
-    if (!is_here) continue;
-    for (const std::size_t poses : {2U, 3U, 4U, 6U}) all.push_back({std::string(name), poses, fault, {}});
+  for (const SkinFault fault : {SkinFault::Echo, SkinFault::Swapped, SkinFault::Yawed, SkinFault::Reglued}) {
+    for (const std::size_t poses : {2U, 3U, 4U, 6U}) {
+      all.push_back({std::string(kSkinFaultNames.of(fault)), poses, fault, {}});
+    }
   }
-  for (const auto& [name, fault] : wholeSkinFaultNames()) {
-    for (const std::size_t poses : {3U, 4U}) all.push_back({std::string(name) + ", all cells", poses, {}, fault});
+  for (const std::string_view name : kWholeSkinFaultNames.names) {
+    for (const std::size_t poses : {3U, 4U}) {
+      all.push_back({std::string(name) + ", all cells", poses, {}, kWholeSkinFaultNames.find(name)});
+    }
   }
   return all;
 }

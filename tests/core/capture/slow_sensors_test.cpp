@@ -4,7 +4,7 @@
 
 #include "hexoderm/geometry/se3.h"
 #include "hexoderm/util/units.h"
-#include "tests/core/capture/captures_of.h"
+#include "tests/core/capture/pose_recorder_fixture.h"
 
 #include <gtest/gtest.h>
 #include <algorithm>
@@ -104,17 +104,11 @@ class ShakenPart {
 };
 
 SkinDescription described(const Sensors& sensors) {
-  SkinDescription skin;
-  CellModel model = builtInCellModel("hex-bma150");
-  model.accelerometer.rate_hz = 100;
+  SkinDescription skin = pose_recorder_test::skinOf(sensors.cells, 100);
+  CellModel model = *skin.model;
   model.accelerometer.lsb_g = k12Bits_g;
   model.accelerometer.noise_g_per_sqrt_hz = sensors.stated_noise;
   skin.model = std::make_shared<const CellModel>(std::move(model));
-  for (std::size_t k = 1; k <= sensors.cells; ++k) {
-    CellReport cell;
-    cell.id = CellId(static_cast<std::uint32_t>(k));
-    skin.neighbors.push_back(cell);
-  }
   return skin;
 }
 

@@ -1,18 +1,17 @@
 // 20,000 cells without a single link, from a device on a wire to a pose, and as a graph.
 
 #include "hexoderm/capture/pose_recorder.h"
-#include "hexoderm/device/sources/wire_source.h"
 #include "hexoderm/graph/skin_graph.h"
 
 #include "tests/core/device/sources/loopback_device.h"
-#include "tests/support/patience.h"
+#include "tests/core/device/sources/wire_host.h"
 
 #include <sys/resource.h>
 
 #include <gtest/gtest.h>
 
-#include <condition_variable>
-#include <mutex>
+#include <chrono>
+#include <future>
 
 namespace hexoderm {
 namespace {
@@ -40,28 +39,19 @@ class Recording final : public SkinListener, public PoseRecorderListener {
   void onFrame(const SampleFrame& frame) override { recorder_.addFrame(frame); }
   void onStatus(const SourceStatus& /*status*/) override {}
   void onCommandOutcome(const CommandOutcome& /*outcome*/) override {}
-  void onPoseCaptured(CapturedPose captured) override {
-    {
-      const std::lock_guard lock(mutex_);
-      pose_ = captured.pose;
-    }
-    changed_.notify_all();
-  }
+  void onPoseCaptured(CapturedPose captured) override { pose_.set_value(captured.pose); }
   void onHold(const HoldStatus& /*status*/) override {}
   void onPreview(SkinPreview /*preview*/) override {}
 
   std::shared_ptr<const PoseCapture> waitForPose() {
-    std::unique_lock lock(mutex_);
-    changed_.wait_for(lock, test::kPatience, [this] { return pose_ != nullptr; });
-    return pose_;
+    auto pose = pose_.get_future();
+    return pose.wait_for(test::kPatience) == std::future_status::ready ? pose.get() : nullptr;
   }
   /// Once the source has stopped.
   [[nodiscard]] const SkinDescription& skin() const { return skin_; }
 
  private:
-  std::mutex mutex_;
-  std::condition_variable changed_;
-  std::shared_ptr<const PoseCapture> pose_;
+  std::promise<std::shared_ptr<const PoseCapture>> pose_;
   SkinDescription skin_;
   PoseRecorder recorder_{*this};
 };
@@ -80,9 +70,8 @@ TEST(UnlinkedCells, TwentyThousandAreCapturedInLittleMemory) {
 
   TcpDevice device;
   Recording recording;
-  const WireOptions patient{.silent_after = test::kForever, .reconnect_after = test::kForever};
-  WireSource source(device.address(), patient);
-  source.start(recording);
+  const auto source = wireSource(device.address(), patient());
+  source->start(recording);
   DeviceConnection connection = device.accept();
   connection.send(skinwire::Hello{skinwire::kMinor, "many", cellModelToJson(model), false, false, 100, 1});
   connection.send(topology);
@@ -96,7 +85,7 @@ TEST(UnlinkedCells, TwentyThousandAreCapturedInLittleMemory) {
     connection.send(samples);
   }
   const std::shared_ptr<const PoseCapture> pose = recording.waitForPose();
-  source.stop();
+  source->stop();
   ASSERT_NE(pose, nullptr);
   EXPECT_EQ(pose->samples.size(), kCells);
   EXPECT_EQ(recording.skin().neighbors.size(), kCells);

@@ -109,6 +109,17 @@ struct Scripted {
         });
     capture->start();
   }
+  /// The part is there, and held long enough for a pose.
+  void hold(bool can_turn = false) const {
+    source->describe(can_turn);
+    source->read(5, 0);
+  }
+  /// ... and once more, turned.
+  void holdAgain() const {
+    source->read(4, 0.14);
+    source->read(5, 0);
+  }
+
   template <class Event>
   [[nodiscard]] std::vector<Event> told() const {
     return of<Event>(events);
@@ -131,6 +142,13 @@ struct Scripted {
   LiveCapture::Listener then{};  ///< is told each event after that
   std::unique_ptr<LiveCapture> capture;
 };
+
+/// The event of a course.
+template <class Event>
+bool tells(const LiveCaptureEvent& event) {
+  const auto* course = std::get_if<CourseEvent>(&event);
+  return course != nullptr && std::holds_alternative<Event>(*course);
+}
 
 TEST(LiveCapture, GivesEachPoseWithTheResultOfAll) {
   LiveCapture capture(fourPoses());
@@ -222,24 +240,15 @@ TEST(LiveCapture, KeepsThePosesInItsFileAndWhatTheDeviceSentInARecording) {
   }
 }
 
-/// The event of a course.
-template <class Event>
-bool tells(const LiveCaptureEvent& event) {
-  const auto* course = std::get_if<CourseEvent>(&event);
-  return course != nullptr && std::holds_alternative<Event>(*course);
-}
-
 TEST(LiveCapture, AFileThatIsRemovedMeanwhileIsWrittenAnew) {
   const test::TemporaryFolder folder;
   LiveCaptureOptions options;
   options.file = folder.path() / "live.hexo";
   Scripted scripted(options);
-  scripted.source->describe(false);
-  scripted.source->read(5, 0);
+  scripted.hold();
   ASSERT_TRUE(scripted.capture->next());
   std::filesystem::remove(options.file);
-  scripted.source->read(4, 0.14);
-  scripted.source->read(5, 0);
+  scripted.holdAgain();
   ASSERT_TRUE(scripted.capture->next());
   EXPECT_THAT(scripted.toldByCourse<FileRenewed>(), SizeIs(1));
   EXPECT_THAT(openSession(options.file).poses(), SizeIs(2));
@@ -256,8 +265,7 @@ TEST(LiveCapture, AFileWhoseFolderIsMovedAwayIsNotSaidToBeThere) {
   LiveCaptureOptions options;
   options.file = folder.path() / "before" / "live.hexo";
   Scripted scripted(options);
-  scripted.source->describe(false);
-  scripted.source->read(5, 0);
+  scripted.hold();
   ASSERT_TRUE(scripted.capture->next());
   std::filesystem::rename(folder.path() / "before", folder.path() / "after");
   EXPECT_THAT(messageOf<StorageError>([&] { scripted.capture->close(); }),
@@ -274,13 +282,11 @@ TEST(LiveCapture, SaysWhichPoseIsNotStoredWhereItIsEndedOnAFullDisk) {
   scripted.then = [&](const LiveCaptureEvent& event) {
     if (tells<FileRefused>(event)) stop.request_stop();
   };
-  scripted.source->describe(false);
-  scripted.source->read(5, 0);
+  scripted.hold();
   ASSERT_TRUE(scripted.capture->next());
   {
     const test::NoFileGrows full;
-    scripted.source->read(4, 0.14);
-    scripted.source->read(5, 0);
+    scripted.holdAgain();
     EXPECT_FALSE(scripted.capture->next(stop.get_token()));
     const std::string why = messageOf<StorageError>([&] { scripted.capture->close(); });
     EXPECT_THAT(why, saysAll("live.hexo: ", "; pose 2 is not stored; 1 pose was stored before"));
@@ -301,8 +307,7 @@ TEST(LiveCapture, AFileThatTookNoPoseIsNotInTheWayOfTheNextCapture) {
     if (std::holds_alternative<CaptureBegun>(event)) full.emplace();
     if (tells<FileRefused>(event)) stop.request_stop();
   };
-  scripted.source->describe(false);
-  scripted.source->read(5, 0);
+  scripted.hold();
   EXPECT_FALSE(scripted.capture->next(stop.get_token()));
   EXPECT_TRUE(std::filesystem::exists(options.file)) << "the pose may still find room";
   EXPECT_THAT(messageOf<StorageError>([&] { scripted.capture->close(); }),
@@ -335,10 +340,39 @@ TEST(LiveCapture, ARecordingThatEndsIsToldAtOnceAndTheCaptureGoesOn) {
   EXPECT_NE(state.result, nullptr);
 }
 
+TEST(LiveCapture, ARecordingThatBreaksInItsLastFlushIsToldAfterADeviceThatFailed) {
+  const test::TemporaryFolder folder;
+  LiveCaptureOptions options;
+  options.record_to = folder.path() / "live.skinrec";
+  Scripted scripted(options);
+  scripted.source->describe(false);
+  scripted.source->read(0.1, 0);
+  const test::NoFileGrows full;
+  scripted.source->say(SourceState::Incompatible);
+  EXPECT_EQ(messageOf<DeviceError>([&] { scripted.capture->next(); }), "script: as the script says");
+  ASSERT_THAT(scripted.told<RecordingEnded>(), SizeIs(1));
+  EXPECT_THAT(scripted.told<RecordingEnded>().front().why.english(), saysAll("live.skinrec", "the recording ended"));
+}
+
+TEST(LiveCapture, ADeviceThatFailsIsSaidBeforeThePosesThatAreNotStored) {
+  const test::TemporaryFolder folder;
+  LiveCaptureOptions options;
+  options.file = folder.path() / "live.hexo";
+  Scripted scripted(options);
+  std::optional<test::NoFileGrows> full;
+  scripted.then = [&](const LiveCaptureEvent& event) {
+    if (std::holds_alternative<CaptureBegun>(event)) full.emplace();
+    if (tells<FileRefused>(event)) scripted.source->say(SourceState::Incompatible);
+  };
+  scripted.hold();
+  EXPECT_THAT(messageOf<DeviceError>([&] { scripted.capture->next(); }),
+              testing::AllOf(testing::StartsWith("script: as the script says; "),
+                             testing::EndsWith("pose 1 is not stored; 0 poses were stored before")));
+}
+
 TEST(LiveCapture, TellsWhatHappensInItsOrder) {
   Scripted scripted({.source = "script", .poses = 1});
-  scripted.source->describe(false);
-  scripted.source->read(5, 0);
+  scripted.hold();
   EXPECT_THAT(scripted.events, IsEmpty()) << "next() tells";
   EXPECT_THAT(posesOf(*scripted.capture), ElementsAre(PoseId(1)));
   ASSERT_THAT(scripted.told<SkinDescription>(), SizeIs(1));
@@ -377,8 +411,7 @@ TEST(LiveCapture, SaysEverMoreRarelyThatTheSameKeepsAPoseFromBeingTaken) {
 TEST(LiveCapture, GivesUpADeviceThatRefusesEveryTurn) {
   Scripted scripted({.source = "script", .automatic = true});
   scripted.source->refusals = 100;
-  scripted.source->describe(true);
-  scripted.source->read(5, 0);
+  scripted.hold(true);
   EXPECT_TRUE(scripted.capture->next());
   EXPECT_EQ(messageOf<DeviceError>([&] { scripted.capture->next(); }),
             "script: refused to turn 11 times, the last time: its motors are off");
@@ -390,8 +423,7 @@ TEST(LiveCapture, GivesUpADeviceThatRefusesEveryTurn) {
 TEST(LiveCapture, SaysWhichTurnWasRefusedWhereNoPoseComesInTime) {
   Scripted scripted({.source = "script", .automatic = true, .timeout_s = 0.4});
   scripted.source->refusals = 1;
-  scripted.source->describe(true);
-  scripted.source->read(5, 0);
+  scripted.hold(true);
   EXPECT_TRUE(scripted.capture->next());
   EXPECT_THAT(messageOf<DeviceError>([&] { scripted.capture->next(); }),
               saysAll("script: no pose for 0.4 s: ", "The device does not turn there: its motors are off",
@@ -403,8 +435,7 @@ TEST(LiveCapture, WhatItsListenerThrowsEndsIt) {
   LiveCaptureOptions options = fourPoses();
   options.file = folder.path() / "live.hexo";
   LiveCapture capture(options, openSkinSource(kSkin), [](const LiveCaptureEvent& event) {
-    const auto* course = std::get_if<CourseEvent>(&event);
-    if (course != nullptr && std::holds_alternative<PoseKept>(*course)) throw DeviceError("enough of it");
+    if (tells<PoseKept>(event)) throw DeviceError("enough of it");
   });
   capture.start();
   EXPECT_EQ(messageOf<DeviceError>([&] { capture.next(); }), "enough of it");
@@ -416,8 +447,7 @@ TEST(LiveCapture, PosesThatNobodyLetsItSolveAreKeptWithoutAResult) {
   for (const bool goes_on : {false, true}) {
     std::stop_source stop;
     LiveCapture capture(fourPoses(), openSkinSource(kSkin), [&](const LiveCaptureEvent& event) {
-      const auto* course = std::get_if<CourseEvent>(&event);
-      if (course != nullptr && std::holds_alternative<PoseKept>(*course)) stop.request_stop();
+      if (tells<PoseKept>(event)) stop.request_stop();
     });
     capture.start();
     EXPECT_FALSE(capture.next(stop.get_token(), stop.get_token()));

@@ -3,10 +3,13 @@
 #include "hexoderm/device/emulation/autonomous_cell.h"
 #include "hexoderm/util/error.h"
 
+#include <boost/graph/adjacency_list.hpp>
+#include <boost/graph/connected_components.hpp>
+
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <map>
-#include <numeric>
 #include <random>
 #include <string>
 #include <tuple>
@@ -73,10 +76,9 @@ class Network {
     std::mt19937_64 random(options_.seed);
     for (std::size_t node = 0; node < cells_.size(); ++node) {
       const double share = static_cast<double>(random() >> 11U) * 0x1p-53;
-      Event event;
-      event.time_s = options_.power_up_s + options_.power_up_spread_s * share;
-      event.node = node;
-      if (!dead_[node]) push(std::move(event));
+      if (dead_[node]) continue;
+      at(options_.power_up_s + options_.power_up_spread_s * share, node,
+         [](AutonomousCell& cell, NodeOutlet& out) { cell.powerUp(out); });
     }
     AutonomousCell& interface = cells_.back();
     while (!events_.empty() && !interface.isFinished()) {
@@ -85,14 +87,7 @@ class Network {
       events_.pop_back();
       now_s_ = event.time_s;
       NodeOutlet out(*this, event.node);
-      AutonomousCell& cell = cells_[event.node];
-      if (event.message) {
-        cell.receive(event.port, std::move(*event.message), out);
-      } else if (event.alarm) {
-        cell.wake(*event.alarm, event.tag, out);
-      } else {
-        cell.powerUp(out);
-      }
+      event.happen(cells_[event.node], out);
     }
     Exploration result;
     result.cells = interface.takeReports();
@@ -112,33 +107,26 @@ class Network {
     bool is_deaf = false, is_mute = false;
     double free_at_s = 0;  ///< earlier messages have been sent by then
   };
-  /// Without message and alarm: power comes.
-  struct Event {
-    double time_s = 0;
-    std::size_t number = 0;
-    std::size_t node = 0;
-    std::size_t port = 0;
-    std::unique_ptr<LocalMessage> message{};
-    std::optional<AutonomousCell::Alarm> alarm{};
-    std::size_t tag = 0;
-  };
-
   class NodeOutlet final : public AutonomousCell::Outlet {
    public:
     NodeOutlet(Network& network, std::size_t node) : network_(network), node_(node) {}
     void send(std::size_t port, LocalMessage message) override { network_.send({node_, port}, std::move(message)); }
     void wakeAfter(double seconds, AutonomousCell::Alarm alarm, std::size_t tag) override {
-      Event event;
-      event.time_s = network_.now_s_ + seconds;
-      event.node = node_;
-      event.alarm = alarm;
-      event.tag = tag;
-      network_.push(std::move(event));
+      network_.at(network_.now_s_ + seconds, node_,
+                  [alarm, tag](AutonomousCell& cell, NodeOutlet& out) { cell.wake(alarm, tag, out); });
     }
 
    private:
     Network& network_;
     std::size_t node_;
+  };
+
+  using Happening = std::function<void(AutonomousCell&, NodeOutlet&)>;
+  struct Event {
+    double time_s = 0;
+    std::size_t number = 0;
+    std::size_t node = 0;
+    Happening happen;
   };
 
   static bool isLater(const Event& a, const Event& b) {
@@ -176,9 +164,8 @@ class Network {
     }
   }
 
-  void push(Event event) {
-    event.number = pushed_++;
-    events_.push_back(std::move(event));
+  void at(double time_s, std::size_t node, Happening happen) {
+    events_.push_back({time_s, pushed_++, node, std::move(happen)});
     std::ranges::push_heap(events_, isLater);
   }
 
@@ -194,14 +181,14 @@ class Network {
     plug.free_at_s = begin_s + duration_s(bytes);
     if (plug.is_mute || !plug.other || dead_[plug.other->node]) return;
     if (plugs_[plug.other->node][plug.other->port].is_deaf) return;
-    Event event;
     // A cell passes it on from the first packet; the interface needs all of it.
     const bool is_last = plug.other->node + 1 == cells_.size();
-    event.time_s = begin_s + duration_s(is_last ? bytes : std::min(bytes, kPacketBytes)) + options_.processing_s;
-    event.node = plug.other->node;
-    event.port = plug.other->port;
-    event.message = std::make_unique<LocalMessage>(std::move(message));
-    push(std::move(event));
+    const double heard_s =
+        begin_s + duration_s(is_last ? bytes : std::min(bytes, kPacketBytes)) + options_.processing_s;
+    at(heard_s, plug.other->node,
+       [port = plug.other->port, message = std::move(message)](AutonomousCell& cell, NodeOutlet& out) mutable {
+         cell.receive(port, std::move(message), out);
+       });
   }
 
   const ExplorationOptions& options_;
@@ -220,24 +207,16 @@ class Network {
 std::vector<std::size_t> patchesOf(const NeighborList& wiring) {
   std::unordered_map<CellId, std::size_t> index;
   for (std::size_t k = 0; k < wiring.size(); ++k) index.emplace(wiring[k].id, k);
-  // Each cell points to one of its patch; those that point to each other end at the patch's first cell.
-  std::vector<std::size_t> towards_first(wiring.size());
-  std::iota(towards_first.begin(), towards_first.end(), std::size_t{0});
-  const auto firstOf = [&](std::size_t cell) {
-    while (towards_first[cell] != cell) cell = towards_first[cell] = towards_first[towards_first[cell]];
-    return cell;
-  };
+  boost::adjacency_list<boost::vecS, boost::vecS, boost::undirectedS> joined(wiring.size());
   for (std::size_t k = 0; k < wiring.size(); ++k) {
     for (const NeighborReport& link : wiring[k].neighbors) {
       const auto other = index.find(link.cell);
-      if (other == index.end()) continue;
-      const std::size_t a = firstOf(k);
-      const std::size_t b = firstOf(other->second);
-      towards_first[std::max(a, b)] = std::min(a, b);
+      if (other != index.end()) add_edge(k, other->second, joined);
     }
   }
-  for (std::size_t k = 0; k < wiring.size(); ++k) towards_first[k] = firstOf(k);
-  return towards_first;
+  std::vector<std::size_t> patch_of(wiring.size());
+  boost::connected_components(joined, patch_of.data());
+  return patch_of;
 }
 
 }  // namespace

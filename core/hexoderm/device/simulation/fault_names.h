@@ -1,21 +1,22 @@
 #pragma once
 
-#include "hexoderm/device/simulation/skin_faults.h"
+// Private to Hexoderm: faults of the simulator, as people write them.
 
-#include <span>
+#include "hexoderm/device/simulation/skin_faults.h"
+#include "hexoderm/util/enum_names.h"
+
 #include <string>
-#include <string_view>
-#include <utility>
 
 namespace hexoderm {
 
 struct SimulatedSkinOptions;
 
-/// Names of the simulator's faults, as people write them, in the order in which they are listed.
-std::span<const std::pair<std::string_view, SkinFault>> skinFaultNames();
-std::span<const std::pair<std::string_view, LinkFaultKind>> linkFaultNames();  ///< the same of faults of links
-/// The same of faults of all cells at once.
-std::span<const std::pair<std::string_view, WholeSkinFault>> wholeSkinFaultNames();
+inline constexpr EnumNames<SkinFault> kSkinFaultNames = {{"dead", "stuck", "stuck-axis", "dead-axis", "saturated",
+                                                          "noisy", "wrong-gain", "no-samples", "echo", "swapped",
+                                                          "yawed", "reglued"}};
+inline constexpr EnumNames<LinkFaultKind> kLinkFaultNames = {{"wrong-port", "joint", "cable"}};
+inline constexpr EnumNames<WholeSkinFault> kWholeSkinFaultNames = {
+    {"identical", "axes-swapped", "axes-permuted", "ports-rotated", "port-offset", "shuffled", "random"}};
 
 /// The faults of a simulated skin as people write them: "KIND:CELL with KIND dead, ...".
 std::string faultSyntax();

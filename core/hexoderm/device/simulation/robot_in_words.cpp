@@ -49,6 +49,7 @@ SimulatedSkinOptions skinOptions(const RobotInWords& words, const std::string& m
   options.link_law = words.link_law;
   options.faults = words.faults;
   options.link_faults = words.link_faults;
+  options.whole_skin_faults = words.whole_skin_faults;
   return options;
 }
 
@@ -70,6 +71,7 @@ SimulatedRobotOptions robotOptions(const RobotInWords& words) {
   options.skin.link_law = words.link_law;
   options.skin.faults = words.faults;
   options.skin.link_faults = words.link_faults;
+  options.skin.whole_skin_faults = words.whole_skin_faults;
   for (const std::string& mount : words.mounts) options.mounts.push_back(mountOf(mount, words));
   if (options.mounts.empty()) {
     if (words.robot != kDemoRobotName) {
@@ -84,6 +86,11 @@ SimulatedRobotOptions robotOptions(const RobotInWords& words) {
 SimulatedRobot makeRobot(CellModel model, const RobotInWords& words) {
   SimulatedRobotOptions options = robotOptions(words);
   return {std::move(model), robotNamed(words.robot, words.packages), std::move(options)};
+}
+
+std::unique_ptr<SimulatedBody> makeBody(CellModel model, const RobotInWords& words, const std::string& motion) {
+  if (!words.robot.empty()) return std::make_unique<SimulatedRobot>(makeRobot(std::move(model), words));
+  return std::make_unique<SimulatedSkin>(std::move(model), skinOptions(words, motion));
 }
 
 }  // namespace hexoderm

@@ -26,6 +26,7 @@ struct RobotInWords {
   bool ideal = false;  ///< SimulatedRobotOptions::ideal()
   std::vector<CellFault> faults;
   std::vector<LinkFault> link_faults;
+  std::vector<WholeSkinFault> whole_skin_faults;
 };
 
 /// Throws InvalidArgument for a text that is none of kMountSyntax, or has numbers that no place has.
@@ -40,5 +41,8 @@ SimulatedRobotOptions robotOptions(const RobotInWords& words);
 
 /// Throws as robotOptions(), robotNamed() and SimulatedRobot().
 SimulatedRobot makeRobot(CellModel model, const RobotInWords& words);
+
+/// The robot of these words, or where they name none the skin alone, which `motion` turns.
+std::unique_ptr<SimulatedBody> makeBody(CellModel model, const RobotInWords& words, const std::string& motion = "hand");
 
 }  // namespace hexoderm

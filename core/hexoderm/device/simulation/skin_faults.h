@@ -11,15 +11,15 @@ enum class SkinFault {
   Dead,       ///< reads 0 and noise
   Stuck,      ///< repeats its first reading for ever
   StuckAxis,  ///< one axis does
+  DeadAxis,   ///< one axis, drawn from the seed, reads 0 and noise
   Saturated,  ///< amplifies 20 times and ends at its range
   Noisy,      ///< 20 times the noise
-  NoSamples,
   WrongGain,  ///< amplifies 1.25 times, see above
-  DeadAxis,   ///< one axis, drawn from the seed, reads 0 and noise
-  Echo,       ///< sends what its first neighbour sends
-  Swapped,    ///< sends what its first neighbour sends, which sends what this cell would: the two cables are swapped
-  Yawed,      ///< is mounted turned by 20 degrees about z
-  Reglued,    ///< turns by 10 degrees about an axis drawn from the seed before the recording `reglued_before`
+  NoSamples,
+  Echo,     ///< sends what its first neighbour sends
+  Swapped,  ///< sends what its first neighbour sends, which sends what this cell would: the two cables are swapped
+  Yawed,    ///< is mounted turned by 20 degrees about z
+  Reglued,  ///< turns by 10 degrees about an axis drawn from the seed before the recording `reglued_before`
 };
 
 /// One cell's sensor is broken in a known way.

@@ -6,6 +6,11 @@
 #include "hexoderm/util/error.h"
 #include "hexoderm/util/text.h"
 
+#include <boost/crc.hpp>
+#include <boost/endian/conversion.hpp>
+
+#include <google/protobuf/descriptor.h>
+#include <google/protobuf/message.h>
 #include <google/protobuf/stubs/common.h>
 #include <google/protobuf/stubs/logging.h>
 #include <google/protobuf/util/json_util.h>
@@ -30,7 +35,8 @@ void assign(Repeated* to, const Values& from) {
   to->Assign(from.begin(), from.end());
 }
 
-void fill(const Hello& from, v1::Hello& to) {
+void fill(const Hello& from, v1::Line& line) {
+  v1::Hello& to = *line.mutable_hello();
   to.set_minor(from.minor);
   to.set_device(from.device);
   to.set_cell_model(from.cell_model);
@@ -40,7 +46,8 @@ void fill(const Hello& from, v1::Hello& to) {
   to.set_stream(from.stream);
 }
 
-void fill(const Topology& from, v1::Topology& to) {
+void fill(const Topology& from, v1::Line& line) {
+  v1::Topology& to = *line.mutable_topology();
   to.set_id(from.id);
   to.set_part(from.part);
   to.set_parts(from.parts);
@@ -57,7 +64,8 @@ void fill(const Topology& from, v1::Topology& to) {
   }
 }
 
-void fill(const Samples& from, v1::Samples& to) {
+void fill(const Samples& from, v1::Line& line) {
+  v1::Samples& to = *line.mutable_samples();
   if (from.sequence) to.set_sequence(*from.sequence);
   to.set_time_us(from.time_us);
   to.set_period_us(from.period_us);
@@ -71,14 +79,16 @@ void fill(const Samples& from, v1::Samples& to) {
   assign(to.mutable_temperature_c(), from.temperature_c);
 }
 
-void fill(const Status& from, v1::Status& to) {
+void fill(const Status& from, v1::Line& line) {
+  v1::Status& to = *line.mutable_status();
   to.set_text(from.text);
   to.set_exploring(from.exploring);
   to.set_samples_sent(from.samples_sent);
   to.set_samples_dropped(from.samples_dropped);
 }
 
-void fill(const Command& from, v1::Command& to) {
+void fill(const Command& from, v1::Line& line) {
+  v1::Command& to = *line.mutable_command();
   to.set_number(from.number);
   if (const auto* rate = std::get_if<SetRate>(&from.request)) {
     to.mutable_set_rate()->set_rate_hz(rate->rate_hz);
@@ -100,27 +110,20 @@ void fill(const Command& from, v1::Command& to) {
   }
 }
 
-void fill(const Ack& from, v1::Ack& to) {
+void fill(const Ack& from, v1::Line& line) {
+  v1::Ack& to = *line.mutable_ack();
   to.set_command(from.command);
   to.set_done(from.done);
   to.set_text(from.text);
   to.set_working(from.working);
 }
 
-void fill(const Joints& from, v1::Joints& to) {
+void fill(const Joints& from, v1::Line& line) {
+  v1::Joints& to = *line.mutable_joints();
   to.set_time_us(from.time_us);
   for (const std::string& name : from.names) to.add_names(name);
   assign(to.mutable_position(), from.position);
 }
-
-/// The field of a line for such a message.
-v1::Hello& fieldFor(const Hello& /*message*/, v1::Line& line) { return *line.mutable_hello(); }
-v1::Topology& fieldFor(const Topology& /*message*/, v1::Line& line) { return *line.mutable_topology(); }
-v1::Samples& fieldFor(const Samples& /*message*/, v1::Line& line) { return *line.mutable_samples(); }
-v1::Status& fieldFor(const Status& /*message*/, v1::Line& line) { return *line.mutable_status(); }
-v1::Command& fieldFor(const Command& /*message*/, v1::Line& line) { return *line.mutable_command(); }
-v1::Ack& fieldFor(const Ack& /*message*/, v1::Line& line) { return *line.mutable_ack(); }
-v1::Joints& fieldFor(const Joints& /*message*/, v1::Line& line) { return *line.mutable_joints(); }
 
 // ---- protobuf to plain types; nullopt where a plain type can't hold it
 
@@ -265,70 +268,49 @@ Decoded messageIn(const v1::Line& line) {
   return unknown;
 }
 
-template <class Proto>
-Decoded parsed(ByteView payload) {
+/// The payload of a body is the field of Line whose number is its type and one more.
+Decoded parsePayload(std::uint8_t type, ByteView payload) {
   // Kept, so that the arrays of samples need not grow again for every one of a thousand messages a second.
-  thread_local Proto proto;
-  const NoWordsOfProtobuf quiet;
-  if (!proto.ParseFromArray(payload.data(), static_cast<int>(payload.size()))) {
-    return failed(DecodeOutcome::Broken,
-                  {OffenceKind::WrongType, message("the payload is not the protobuf message {} that its type says",
-                                                   proto.GetDescriptor()->name())});
+  thread_local v1::Line line;
+  const google::protobuf::FieldDescriptor* field = line.GetDescriptor()->FindFieldByNumber(type + 1);
+  if (field == nullptr || field->message_type() == nullptr) {
+    return failed(
+        DecodeOutcome::UnknownType,
+        {OffenceKind::UnknownMessage, message("there is no message of type {}; expected 1 to 7", std::uint32_t{type})});
   }
-  Decoded decoded = checked(plain(proto));
+  const NoWordsOfProtobuf quiet;
+  google::protobuf::Message& proto = *line.GetReflection()->MutableMessage(&line, field);
+  const std::string& name = field->message_type()->name();
+  if (!proto.ParseFromArray(payload.data(), static_cast<int>(payload.size()))) {
+    return failed(
+        DecodeOutcome::Broken,
+        {OffenceKind::WrongType, message("the payload is not the protobuf message {} that its type says", name)});
+  }
+  Decoded decoded = messageIn(line);
   const auto& unknown = proto.GetReflection()->GetUnknownFields(proto);
   if (!unknown.empty()) {
     decoded.offences.insert(
         decoded.offences.begin(),
-        {OffenceKind::UnknownField,
-         message("{} has no field with the number {}", proto.GetDescriptor()->name(), unknown.field(0).number())});
+        {OffenceKind::UnknownField, message("{} has no field with the number {}", name, unknown.field(0).number())});
   }
   return decoded;
 }
 
-/// A type is the number of its field of Line, less one.
-Decoded parsePayload(std::uint8_t type, ByteView payload) {
-  switch (type + 1) {
-    case v1::Line::kHelloFieldNumber:
-      return parsed<v1::Hello>(payload);
-    case v1::Line::kTopologyFieldNumber:
-      return parsed<v1::Topology>(payload);
-    case v1::Line::kSamplesFieldNumber:
-      return parsed<v1::Samples>(payload);
-    case v1::Line::kStatusFieldNumber:
-      return parsed<v1::Status>(payload);
-    case v1::Line::kCommandFieldNumber:
-      return parsed<v1::Command>(payload);
-    case v1::Line::kAckFieldNumber:
-      return parsed<v1::Ack>(payload);
-    case v1::Line::kJointsFieldNumber:
-      return parsed<v1::Joints>(payload);
-    default:
-      return failed(DecodeOutcome::UnknownType,
-                    {OffenceKind::UnknownMessage,
-                     message("there is no message of type {}; expected 1 to 7", std::uint32_t{type})});
-  }
-}
-
-void checkBeforeEncoding(const Message& message) {
+/// Throws for a message that can't be sent.
+v1::Line lineOf(const Message& message) {
   if (const Complaint why = complaint(message); !why.empty()) {
     throw InvalidArgument(hexoderm::message("a message can't be sent: {}", why.reason));
   }
+  v1::Line line;
+  std::visit([&](const auto& m) { fill(m, line); }, message);
+  return line;
 }
 
-std::uint32_t byteSwapped(std::uint32_t value) {
-  return value >> 24U | (value >> 8U & 0xFF00U) | (value << 8U & 0xFF0000U) | value << 24U;
-}
-
-/// The checksum of Ethernet and zip, which is taken for CRC-32C most often (polynomial 0x04C11DB7, reflected).
+/// The checksum of Ethernet and zip, which is taken for CRC-32C most often.
 std::uint32_t crc32(ByteView bytes) {
-  constexpr std::uint32_t kPolynomial = 0xEDB88320;
-  std::uint32_t crc = 0xFFFFFFFF;
-  for (const std::uint8_t byte : bytes) {
-    crc ^= byte;
-    for (int bit = 0; bit < 8; ++bit) crc = crc >> 1U ^ ((crc & 1U) != 0 ? kPolynomial : 0);
-  }
-  return ~crc;
+  boost::crc_32_type crc;
+  crc.process_bytes(bytes.data(), bytes.size());
+  return crc.checksum();
 }
 
 /// Why the CRC of a body is wrong, as far as that can be told.
@@ -345,10 +327,10 @@ Decoded wrongCrc(ByteView body) {
     return brokenPiece(OffenceKind::WrongDialect,
                        message("a length stands before the body; here the body is expected alone"), body);
   }
-  if (found == byteSwapped(crc32c(content))) {
+  if (found == boost::endian::endian_reverse(crc32c(content))) {
     return brokenPiece(OffenceKind::BrokenFrame, message("the CRC is big-endian, expected little-endian"), body);
   }
-  if (found == crc32(content) || found == byteSwapped(crc32(content))) {
+  if (found == crc32(content) || found == boost::endian::endian_reverse(crc32(content))) {
     return brokenPiece(OffenceKind::BrokenFrame, message("the CRC is CRC-32, expected CRC-32C (polynomial 0x1EDC6F41)"),
                        body);
   }
@@ -383,28 +365,25 @@ Decoded brokenPiece(OffenceKind kind, hexoderm::Message reason, ByteView beginni
 }
 
 Bytes encodeBody(const Message& message) {
-  checkBeforeEncoding(message);
   const NoWordsOfProtobuf quiet;
-  return std::visit(
-      [&](const auto& m) {
-        std::decay_t<decltype(fieldFor(m, std::declval<v1::Line&>()))> proto;
-        fill(m, proto);
-        const std::size_t payload = proto.ByteSizeLong();
-        if (payload > kMaxBody - kHead - kTail) {
-          throw InvalidArgument("a message of " + std::to_string(payload) + " bytes can't be sent, the limit is " +
-                                std::to_string(kMaxBody - kHead - kTail) + "; expected it to be sent in parts");
-        }
-        Bytes body;
-        body.reserve(kHead + payload + kTail);
-        body.resize(kHead + payload);
-        body[0] = kMajor;
-        body[1] = static_cast<std::uint8_t>(message.index() + 1);
-        proto.SerializeWithCachedSizesToArray(body.data() + kHead);
-        const std::uint32_t crc = crc32c(body);
-        appendLittleEndian(crc, body);
-        return body;
-      },
-      message);
+  const v1::Line line = lineOf(message);
+  const auto type = static_cast<std::uint8_t>(message.index() + 1);
+  const google::protobuf::Message& proto =
+      line.GetReflection()->GetMessage(line, line.GetDescriptor()->FindFieldByNumber(type + 1));
+  const std::size_t payload = proto.ByteSizeLong();
+  if (payload > kMaxBody - kHead - kTail) {
+    throw InvalidArgument("a message of " + std::to_string(payload) + " bytes can't be sent, the limit is " +
+                          std::to_string(kMaxBody - kHead - kTail) + "; expected it to be sent in parts");
+  }
+  Bytes body;
+  body.reserve(kHead + payload + kTail);
+  body.resize(kHead + payload);
+  body[0] = kMajor;
+  body[1] = type;
+  proto.SerializeWithCachedSizesToArray(body.data() + kHead);
+  const std::uint32_t crc = crc32c(body);
+  appendLittleEndian(crc, body);
+  return body;
 }
 
 Decoded decodeBody(ByteView body) {
@@ -421,10 +400,8 @@ Decoded decodeBody(ByteView body) {
 }
 
 std::string encodeLine(const Message& message) {
-  checkBeforeEncoding(message);
   const NoWordsOfProtobuf quiet;
-  v1::Line line;
-  std::visit([&](const auto& m) { fill(m, fieldFor(m, line)); }, message);
+  const v1::Line line = lineOf(message);
   google::protobuf::util::JsonPrintOptions options;
   options.preserve_proto_field_names = true;
   std::string text;

@@ -4,6 +4,8 @@
 
 #include "hexoderm/device/skinwire/codec.h"
 
+#include <boost/endian/conversion.hpp>
+
 #include <cstddef>
 #include <cstdint>
 
@@ -12,9 +14,7 @@ namespace hexoderm::skinwire {
 /// The number in the first bytes, of which there must be as many.
 template <class Number = std::uint32_t>
 Number littleEndian(ByteView bytes) {
-  Number value = 0;
-  for (std::size_t k = 0; k < sizeof(value); ++k) value |= Number{bytes[k]} << (8 * k);
-  return value;
+  return boost::endian::endian_load<Number, sizeof(Number), boost::endian::order::little>(bytes.data());
 }
 template <class Number>
 void appendLittleEndian(Number value, Bytes& bytes) {

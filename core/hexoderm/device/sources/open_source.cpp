@@ -1,7 +1,7 @@
 #include "hexoderm/device/sources/open_source.h"
 
-#include "hexoderm/device/simulation/simulated_source.h"
 #include "hexoderm/device/sources/recording.h"
+#include "hexoderm/device/sources/simulated_source.h"
 #include "hexoderm/device/sources/stdin_source.h"
 #include "hexoderm/device/sources/wire_source.h"
 #include "hexoderm/util/error.h"
@@ -13,12 +13,12 @@
 namespace hexoderm {
 namespace {
 
-std::unique_ptr<SkinSource> openWire(const std::string& address) { return std::make_unique<WireSource>(address); }
+std::unique_ptr<SkinSource> openWire(const std::string& address) { return wireSource(address); }
 
 std::unique_ptr<SkinSource> openStdin(const std::string& address) {
   if (address != "stdin")
     throw InvalidArgument(message("source \"{}\": expected stdin, without anything behind", address));
-  return std::make_unique<StdinSource>();
+  return stdinSource();
 }
 
 std::unique_ptr<SkinSource> openReplay(const std::string& address) {
@@ -39,7 +39,7 @@ std::unique_ptr<SkinSource> openReplay(const std::string& address) {
     }
   }
   if (file.empty()) throw InvalidArgument(message("source \"{}\": expected replay:FILE[?speed=X|max|step]", address));
-  return std::make_unique<ReplaySource>(file, options);
+  return replaySource(file, options);
 }
 
 const SourceKind& kindOf(const std::string& address) {
@@ -65,7 +65,7 @@ std::span<const SourceKind> sourceKinds() {
       {"sim:",
        "sim:PATCH[?surface=...&seed=N&speed=X|max&motion=hand|robot], "
        "sim:robot[?urdf=FILE&mount=LINK:X,Y,Z&base=fixed|motors|hand&seed=N&speed=X|max]",
-       SimulatedSource::open, SimulatedSource::check},
+       openSimulatedSource, checkSimulatedAddress},
   };
   return kinds;
 }

@@ -81,31 +81,15 @@ class RecordingReader {
 struct ReplayOptions {
   double speed = 1;       ///< times real time, above 0; infinity: as fast as the listener takes it
   bool stepwise = false;  ///< only by step()
-
-  /// Throws InvalidArgument.
-  void validate() const;
 };
 
-/// Plays a recording. It takes no commands; at its end it is Ended.
-class ReplaySource final : public SkinSource {
+/// Plays a recording of a StreamRecorder. It takes no commands; at its end it is Ended.
+class ReplaySource : public SkinSource {
  public:
-  /// Plays a recording of a StreamRecorder.
-  explicit ReplaySource(std::filesystem::path path, ReplayOptions options = {});
-  ~ReplaySource() override;
-  ReplaySource(const ReplaySource&) = delete;
-  ReplaySource& operator=(const ReplaySource&) = delete;
-
-  void start(SkinListener& listener) override;
-  void stop() noexcept override;
-  std::uint32_t send(const SkinCommand& command) override;
-  [[nodiscard]] std::string address() const override;
-
   /// Delivers the next frames, and what lies before them, where replay is stepwise. From any thread; never waits.
-  void step(std::uint64_t frames = 1);
-
- private:
-  struct Impl;
-  std::unique_ptr<Impl> impl_;
+  virtual void step(std::uint64_t frames = 1) = 0;
 };
+/// Throws InvalidArgument for a speed that is none.
+std::unique_ptr<ReplaySource> replaySource(std::filesystem::path path, ReplayOptions options = {});
 
 }  // namespace hexoderm

@@ -1,176 +1,135 @@
 #include "hexoderm/device/skinwire/codec.h"
 #include "hexoderm/device/sources/recording.h"
 #include "hexoderm/device/sources/skin_stream.h"
+#include "hexoderm/device/sources/threaded_source.h"
 #include "hexoderm/util/error.h"
 #include "hexoderm/util/kept_files.h"
 
 #include <cmath>
-#include <condition_variable>
-#include <mutex>
-#include <stop_token>
-#include <thread>
 
 namespace hexoderm {
+namespace {
 
-void ReplayOptions::validate() const {
-  if (!(speed > 0)) throw InvalidArgument(message("replay: speed: expected a number above 0"));
-}
+/// Between the stream and the listener: counts frames, so that a step ends after one, although a message may have more.
+class Gate final : public SkinListener {
+ public:
+  Gate(SkinListener& next, std::function<bool()> opens) : next_(next), opens_(std::move(opens)) {}
+  void onSkin(const SkinDescription& skin) override { next_.onSkin(skin); }
+  void onFrame(const SampleFrame& frame) override {
+    if (opens_()) next_.onFrame(frame);
+  }
+  void onStatus(const SourceStatus& status) override { next_.onStatus(status); }
+  void onCommandOutcome(const CommandOutcome& outcome) override { next_.onCommandOutcome(outcome); }
+  void onDeviceStatus(const DeviceStatus& status) override { next_.onDeviceStatus(status); }
+  void onJoints(const JointReport& joints) override { next_.onJoints(joints); }
 
-struct ReplaySource::Impl {
-  /// Between the stream and the listener: counts frames, so that a step ends after one, although a message may have
-  /// more.
-  struct Gate final : SkinListener {
-    Impl& impl;
-    SkinListener& next;
-    Gate(Impl& owner, SkinListener& listener) : impl(owner), next(listener) {}
-    void onSkin(const SkinDescription& skin) override { next.onSkin(skin); }
-    void onFrame(const SampleFrame& frame) override {
-      if (impl.mayStep()) next.onFrame(frame);
+ private:
+  SkinListener& next_;
+  std::function<bool()> opens_;
+};
+
+class Replay final : public ThreadedSource<ReplaySource> {
+  using Clock = SkinStream::Clock;
+
+ public:
+  Replay(std::filesystem::path path, ReplayOptions options)
+      : ThreadedSource("replay:" + path.string()), path_(std::move(path)), kept_(path_), options_(options) {
+    if (!(options.speed > 0)) throw InvalidArgument(message("replay: speed: expected a number above 0"));
+  }
+  ~Replay() override { stop(); }
+
+  void step(std::uint64_t frames) override {
+    {
+      const std::lock_guard lock(mutex_);
+      steps_ += frames;
     }
-    void onStatus(const SourceStatus& status) override { next.onStatus(status); }
-    void onCommandOutcome(const CommandOutcome& outcome) override { next.onCommandOutcome(outcome); }
-    void onDeviceStatus(const DeviceStatus& status) override { next.onDeviceStatus(status); }
-    void onJoints(const JointReport& joints) override { next.onJoints(joints); }
-  };
+    wake();
+  }
 
-  std::filesystem::path path;
-  std::optional<KeptFile> kept;  ///< a recording of what is played can't go into the same file
-  ReplayOptions options;
-  std::optional<RecordingReader> reader;
-  SkinListener* listener = nullptr;
-  std::optional<Gate> gate;
-  std::optional<SkinStream> stream;
-  std::stop_token stop;
-  std::mutex mutex;
-  std::condition_variable_any changed;
-  std::uint64_t steps = 0;              ///< guarded: frames that may still be delivered
-  std::vector<std::uint32_t> commands;  ///< guarded: to be refused
-  std::uint32_t next_command = 1;       ///< guarded
-  std::jthread thread;                  ///< last: everything it uses exists before and after it
+ private:
+  void open() override { reader_.emplace(path_); }
 
-  /// Waits until `ready`, answering commands meanwhile. False once the source is to stop.
+  /// Waits until `ready`, refusing commands meanwhile. False once the source is to stop.
   template <class Ready>
-  bool wait(const Ready& ready, std::optional<SkinStream::Clock::time_point> until = std::nullopt) {
-    std::unique_lock lock(mutex);
-    while (true) {
-      if (stop.stop_requested()) return false;
-      if (!commands.empty()) {
-        std::vector<std::uint32_t> numbers;
-        numbers.swap(commands);
-        lock.unlock();
-        for (const std::uint32_t number : numbers) {
-          listener->onCommandOutcome({number, false, message("a recording takes no commands")});
-        }
-        lock.lock();
-        continue;
-      }
+  bool wait(const Ready& ready, std::optional<Clock::time_point> until = std::nullopt) {
+    while (!stop_.stop_requested()) {
+      refuseCommands(message("a recording takes no commands"));
+      std::unique_lock lock(mutex_);
       if (ready()) return true;
-      const auto wakes = [&] { return !commands.empty() || ready(); };
+      const auto wakes = [&] { return !queue_.empty() || ready(); };
       if (!until) {
-        changed.wait(lock, stop, wakes);
-      } else if (!changed.wait_until(lock, stop, *until, wakes) && !stop.stop_requested()) {
+        changed_.wait(lock, stop_, wakes);
+      } else if (!changed_.wait_until(lock, stop_, *until, wakes) && !stop_.stop_requested()) {
         return true;
       }
     }
+    return false;
   }
 
   bool mayStep() {
-    if (!options.stepwise) return !stop.stop_requested();
-    if (!wait([this] { return steps > 0; })) return false;
-    const std::lock_guard lock(mutex);
-    --steps;
+    if (!options_.stepwise) return !stop_.stop_requested();
+    if (!wait([this] { return steps_ > 0; })) return false;
+    const std::lock_guard lock(mutex_);
+    --steps_;
     return true;
   }
 
-  void run() {
-    using Clock = SkinStream::Clock;
+  void run() override {
+    Gate gate(*listener_, [this] { return mayStep(); });
+    SkinStream stream(gate);
+    stream.setPace(ClockCheck::Pace::Free);
     const Clock::time_point began = Clock::now();
-    const std::string name = "replay:" + path.string();
-    stream->report(SourceState::Waiting, located(name, message("playing")), began);
+    const auto say = [&](SourceState state, const Message& what) {
+      stream.report(state, located(address(), what), Clock::now());
+    };
+    say(SourceState::Waiting, message("playing"));
     const auto never = [] { return false; };
-    while (const std::optional<RecordedBody> record = reader->next()) {
+    while (const std::optional<RecordedBody> record = reader_->next()) {
       Clock::time_point due = Clock::now();
-      if (!options.stepwise && std::isfinite(options.speed)) {
+      if (!options_.stepwise && std::isfinite(options_.speed)) {
         const std::chrono::duration<double, std::micro> after(static_cast<double>(record->arrived.count()) /
-                                                              options.speed);
+                                                              options_.speed);
         // A speed of nearly nothing must not leave the clock's range.
         const auto longest = std::chrono::duration<double, std::micro>(std::chrono::hours(24 * 365));
         due = began + std::chrono::duration_cast<Clock::duration>(std::min(after, longest));
       }
       if (!wait(never, due)) break;
       // By the recording's own time, so that it is the same skin however fast it is played.
-      if (stream->take(skinwire::decodeBody(record->body), began + record->arrived) ==
+      if (stream.take(skinwire::decodeBody(record->body), began + record->arrived) ==
           SkinStream::Effect::Incompatible) {
-        stream->report(SourceState::Incompatible, located(name, stream->lastRejection()), Clock::now());
+        say(SourceState::Incompatible, stream.lastRejection());
         break;
       }
-      if (stream->isDescribed()) {
-        const Message device = stream->deviceText();
-        stream->report(
-            SourceState::Streaming,
-            located(name, device.empty() ? message("playing") : message("playing; the device said: {}", device)),
-            Clock::now());
+      if (stream.isDescribed()) {
+        const Message device = stream.deviceText();
+        say(SourceState::Streaming,
+            device.empty() ? message("playing") : message("playing; the device said: {}", device));
       }
-      stream->reportCounters(Clock::now());
+      stream.reportCounters(Clock::now());
     }
-    if (stream->state() != SourceState::Incompatible && !stop.stop_requested()) {
-      stream->tend(Clock::time_point::max());
-      stream->report(SourceState::Ended,
-                     reader->damage().empty() ? located(name, message("the recording is over")) : reader->damage(),
-                     Clock::now());
+    if (stream.state() != SourceState::Incompatible && !stop_.stop_requested()) {
+      stream.tend(Clock::time_point::max());
+      if (reader_->damage().empty()) {
+        say(SourceState::Ended, message("the recording is over"));
+      } else {
+        stream.report(SourceState::Ended, reader_->damage(), Clock::now());
+      }
     }
     wait(never);
-    stream->report(SourceState::Stopped, located(name, message("stopped")), Clock::now());
+    say(SourceState::Stopped, message("stopped"));
   }
+
+  std::filesystem::path path_;
+  KeptFile kept_;  ///< a recording of what is played can't go into the same file
+  ReplayOptions options_;
+  std::optional<RecordingReader> reader_;
+  std::uint64_t steps_ = 0;  ///< guarded: frames that may still be delivered
 };
 
-ReplaySource::ReplaySource(std::filesystem::path path, ReplayOptions options) : impl_(std::make_unique<Impl>()) {
-  options.validate();
-  impl_->path = std::move(path);
-  impl_->kept.emplace(impl_->path);
-  impl_->options = options;
-}
+}  // namespace
 
-ReplaySource::~ReplaySource() { stop(); }
-
-void ReplaySource::start(SkinListener& listener) {
-  if (impl_->listener != nullptr) throw InvalidArgument(address(), message("a source can be started only once"));
-  impl_->reader.emplace(impl_->path);
-  impl_->listener = &listener;
-  impl_->gate.emplace(*impl_, listener);
-  impl_->stream.emplace(*impl_->gate);
-  impl_->stream->setPace(ClockCheck::Pace::Free);
-  impl_->thread = std::jthread([impl = impl_.get()](std::stop_token stop) {
-    impl->stop = std::move(stop);
-    impl->run();
-  });
-}
-
-void ReplaySource::stop() noexcept {
-  if (!impl_->thread.joinable()) return;
-  impl_->thread.request_stop();
-  impl_->thread.join();
-}
-
-std::uint32_t ReplaySource::send(const SkinCommand& /*command*/) {
-  std::uint32_t number = 0;
-  {
-    const std::lock_guard lock(impl_->mutex);
-    number = impl_->next_command++;
-    impl_->commands.push_back(number);
-  }
-  impl_->changed.notify_all();
-  return number;
-}
-
-std::string ReplaySource::address() const { return "replay:" + impl_->path.string(); }
-
-void ReplaySource::step(std::uint64_t frames) {
-  {
-    const std::lock_guard lock(impl_->mutex);
-    impl_->steps += frames;
-  }
-  impl_->changed.notify_all();
+std::unique_ptr<ReplaySource> replaySource(std::filesystem::path path, ReplayOptions options) {
+  return std::make_unique<Replay>(std::move(path), options);
 }
 
 }  // namespace hexoderm

@@ -1,12 +1,10 @@
 #include "hexoderm/device/sources/wire_source.h"
 
+#include "hexoderm/device/sources/threaded_source.h"
 #include "hexoderm/device/sources/wire_connection.h"
 #include "hexoderm/util/error.h"
 
 #include <boost/asio/post.hpp>
-
-#include <atomic>
-#include <thread>
 
 namespace hexoderm {
 
@@ -22,55 +20,46 @@ void WireOptions::validate() const {
   check(repeat_command.count() > 0 && repeat_working.count() > 0, "repeat_command and repeat_working above 0");
 }
 
-struct WireSource::Impl {
-  std::string address;
-  WireOptions options;
-  std::shared_ptr<boost::asio::io_context> io = std::make_shared<boost::asio::io_context>(1);
-  std::atomic<std::uint32_t> next_command{1};
-  std::unique_ptr<WireConnection> connection;
-  std::thread thread;
+namespace {
 
-  void run() {
+class WireSource final : public ThreadedSource<> {
+ public:
+  WireSource(const std::string& address, WireOptions options) : ThreadedSource(address), options_(options) {
+    parseWireAddress(address);
+    options.validate();
+  }
+  ~WireSource() override { stop(); }
+
+ private:
+  void run() override {
+    const std::stop_callback ends(stop_, [this] { io_->stop(); });
+    WireConnection connection(io_, address(), options_, *listener_);
+    connection_ = &connection;
     Message last_words = message("stopped");
     try {
-      connection->connect();
-      io->run();
+      connection.connect();
+      io_->run();
     } catch (const std::exception& error) {
       last_words = messageOf(error);
     }
-    connection->finish(last_words);
+    connection.finish(last_words);
   }
+
+  void wake() override {
+    boost::asio::post(*io_, [this] {
+      for (const Queued& command : takeCommands()) connection_->send(command.number, command.command);
+    });
+  }
+
+  WireOptions options_;
+  std::shared_ptr<boost::asio::io_context> io_ = std::make_shared<boost::asio::io_context>(1);
+  WireConnection* connection_ = nullptr;  ///< on the thread
 };
 
-WireSource::WireSource(const std::string& address, WireOptions options) : impl_(std::make_unique<Impl>()) {
-  parseWireAddress(address);
-  options.validate();
-  impl_->address = address;
-  impl_->options = options;
+}  // namespace
+
+std::unique_ptr<SkinSource> wireSource(const std::string& address, WireOptions options) {
+  return std::make_unique<WireSource>(address, options);
 }
-
-WireSource::~WireSource() { stop(); }
-
-void WireSource::start(SkinListener& listener) {
-  if (impl_->connection) throw InvalidArgument(impl_->address, message("a source can be started only once"));
-  impl_->connection = std::make_unique<WireConnection>(impl_->io, impl_->address, impl_->options, listener);
-  impl_->thread = std::thread([impl = impl_.get()] { impl->run(); });
-}
-
-void WireSource::stop() noexcept {
-  if (!impl_->thread.joinable()) return;
-  impl_->io->stop();
-  impl_->thread.join();
-}
-
-std::uint32_t WireSource::send(const SkinCommand& command) {
-  const std::uint32_t number = impl_->next_command.fetch_add(1);
-  boost::asio::post(*impl_->io, [impl = impl_.get(), number, command] {
-    if (impl->connection) impl->connection->send(number, command);
-  });
-  return number;
-}
-
-std::string WireSource::address() const { return impl_->address; }
 
 }  // namespace hexoderm

@@ -24,25 +24,10 @@ struct WireOptions {
 };
 
 /// A skin that speaks SkinWire 1 (core/hexoderm/device/skinwire/README.md) on TCP, UDP, a serial port or a
-/// pseudo-terminal. It keeps trying for as long as it runs; only another major version of the protocol ends that
-/// (Incompatible). Broken messages are counted, named in the status and left out.
-class WireSource final : public SkinSource {
- public:
-  /// "tcp://HOST:PORT" (frames of bytes or lines of JSON, whichever the device begins with), "udp://HOST:PORT" or
-  /// "serial:/dev/tty...[?baud=N]". Throws InvalidArgument naming what was expected.
-  explicit WireSource(const std::string& address, WireOptions options = {});
-  ~WireSource() override;
-  WireSource(const WireSource&) = delete;
-  WireSource& operator=(const WireSource&) = delete;
-
-  void start(SkinListener& listener) override;
-  void stop() noexcept override;
-  std::uint32_t send(const SkinCommand& command) override;
-  [[nodiscard]] std::string address() const override;
-
- private:
-  struct Impl;
-  std::unique_ptr<Impl> impl_;
-};
+/// pseudo-terminal: "tcp://HOST:PORT" (frames of bytes or lines of JSON, whichever the device begins with),
+/// "udp://HOST:PORT" or "serial:/dev/tty...[?baud=N]". It keeps trying for as long as it runs; only another major
+/// version of the protocol ends that (Incompatible). Broken messages are counted, named in the status and left out.
+/// Throws InvalidArgument naming what was expected.
+std::unique_ptr<SkinSource> wireSource(const std::string& address, WireOptions options = {});
 
 }  // namespace hexoderm

@@ -13,6 +13,7 @@
 
 #include <array>
 #include <thread>
+#include <type_traits>
 #include <vector>
 
 namespace hexoderm {
@@ -47,7 +48,6 @@ class ChannelTransport : public WireTransport, public std::enable_shared_from_th
   }
 
  protected:
-  virtual void startReading() = 0;
   virtual void closeChannel() {
     error_code ignored;
     channel_.close(ignored);
@@ -64,6 +64,22 @@ class ChannelTransport : public WireTransport, public std::enable_shared_from_th
     callbacks_.ended(why);
   }
 
+  [[nodiscard]] bool isClosed() const { return closed_; }
+
+  Channel channel_;
+
+ private:
+  void startReading() {
+    auto handler = [this, self = this->shared_from_this()](const error_code& error, std::size_t size) {
+      received(error, size);
+    };
+    if constexpr (std::is_same_v<Channel, asio::serial_port>) {
+      channel_.async_read_some(asio::buffer(buffer_), std::move(handler));
+    } else {
+      channel_.async_receive(asio::buffer(buffer_), std::move(handler));
+    }
+  }
+
   void received(const error_code& error, std::size_t size) {
     if (closed_) return;
     if (error) return end(error == asio::error::eof ? message("the device closed the connection") : reasonOf(error));
@@ -71,29 +87,10 @@ class ChannelTransport : public WireTransport, public std::enable_shared_from_th
     if (!closed_) startReading();
   }
 
-  [[nodiscard]] bool isClosed() const { return closed_; }
-
-  Channel channel_;
   std::vector<std::uint8_t> buffer_ = std::vector<std::uint8_t>(65'536);
-
- private:
   WriteQueue<Channel> queue_;
   Callbacks callbacks_;
   bool closed_ = false;
-};
-
-template <class Channel>
-class StreamTransport : public ChannelTransport<Channel> {
- public:
-  using ChannelTransport<Channel>::ChannelTransport;
-
- protected:
-  void startReading() override {
-    this->channel_.async_read_some(asio::buffer(this->buffer_),
-                                   [this, self = this->shared_from_this()](const error_code& error, std::size_t size) {
-                                     this->received(error, size);
-                                   });
-  }
 };
 
 template <class Protocol>
@@ -124,25 +121,36 @@ void resolve(const std::shared_ptr<asio::io_context>& io, const WireAddress& add
   }).detach();
 }
 
-class TcpTransport final : public StreamTransport<asio::ip::tcp::socket> {
+void prepare(asio::ip::tcp::socket& socket) {
+  error_code ignored;
+  socket.set_option(asio::ip::tcp::no_delay(true), ignored);
+}
+
+void prepare(asio::ip::udp::socket& socket) {
+  constexpr int kReceiveBuffer = 4 << 20;  // some ten milliseconds of a large skin
+  error_code ignored;
+  socket.set_option(asio::socket_base::receive_buffer_size(kReceiveBuffer), ignored);
+}
+
+/// UDP is connected too, so that datagrams of others are not received and a port where nobody listens is an error.
+template <class Protocol>
+class NetworkTransport final : public ChannelTransport<typename Protocol::socket> {
  public:
-  TcpTransport(const std::shared_ptr<asio::io_context>& io, WireAddress address, Callbacks callbacks)
-      : StreamTransport(*io, std::move(callbacks)), io_(io), address_(std::move(address)) {}
+  NetworkTransport(const std::shared_ptr<asio::io_context>& io, WireAddress address, WireTransport::Callbacks callbacks)
+      : ChannelTransport<typename Protocol::socket>(*io, std::move(callbacks)), io_(io), address_(std::move(address)) {}
 
   void open() override {
     const auto io = io_.lock();
     if (!io) return;
-    resolve<asio::ip::tcp>(io, address_, [weak = weak_from_this(), this](error_code error, auto endpoints) {
+    resolve<Protocol>(io, address_, [weak = this->weak_from_this(), this](error_code error, const auto& endpoints) {
       const auto self = weak.lock();
-      if (!self || isClosed()) return;
-      if (error) return end(message("the host is not known: {}", reasonOf(error)));
-      endpoints_ = std::move(endpoints);
-      asio::async_connect(channel_, endpoints_, [this, self](const error_code& failure, const auto&) {
-        if (isClosed()) return;
-        if (failure) return end(reasonOf(failure));
-        error_code ignored;
-        channel_.set_option(asio::ip::tcp::no_delay(true), ignored);
-        opened();
+      if (!self || this->isClosed()) return;
+      if (error) return this->end(message("the host is not known: {}", reasonOf(error)));
+      asio::async_connect(this->channel_, endpoints, [this, self](const error_code& failure, const auto&) {
+        if (this->isClosed()) return;
+        if (failure) return this->end(reasonOf(failure));
+        prepare(this->channel_);
+        this->opened();
       });
     });
   }
@@ -150,53 +158,12 @@ class TcpTransport final : public StreamTransport<asio::ip::tcp::socket> {
  private:
   std::weak_ptr<asio::io_context> io_;
   WireAddress address_;
-  Endpoints<asio::ip::tcp> endpoints_;
 };
 
-class UdpTransport final : public ChannelTransport<asio::ip::udp::socket> {
- public:
-  UdpTransport(const std::shared_ptr<asio::io_context>& io, WireAddress address, Callbacks callbacks)
-      : ChannelTransport(*io, std::move(callbacks)), io_(io), address_(std::move(address)) {}
-
-  void open() override {
-    const auto io = io_.lock();
-    if (!io) return;
-    resolve<asio::ip::udp>(io, address_, [weak = weak_from_this(), this](error_code error, const auto& endpoints) {
-      const auto self = weak.lock();
-      if (!self || isClosed()) return;
-      if (error) return end(message("the host is not known: {}", reasonOf(error)));
-      // Connected, so that datagrams of others are not received and a port where nobody listens is an error.
-      error_code failure = asio::error::host_not_found;
-      for (const auto& endpoint : endpoints) {
-        channel_.close(failure);
-        channel_.open(endpoint.protocol(), failure);
-        if (!failure) channel_.connect(endpoint, failure);
-        if (!failure) break;
-      }
-      if (failure) return end(reasonOf(failure));
-      constexpr int kReceiveBuffer = 4 << 20;  // some ten milliseconds of a large skin
-      error_code ignored;
-      channel_.set_option(asio::socket_base::receive_buffer_size(kReceiveBuffer), ignored);
-      opened();
-    });
-  }
-
- protected:
-  void startReading() override {
-    channel_.async_receive(
-        asio::buffer(buffer_),
-        [this, self = shared_from_this()](const error_code& error, std::size_t size) { received(error, size); });
-  }
-
- private:
-  std::weak_ptr<asio::io_context> io_;
-  WireAddress address_;
-};
-
-class SerialTransport final : public StreamTransport<asio::serial_port> {
+class SerialTransport final : public ChannelTransport<asio::serial_port> {
  public:
   SerialTransport(const std::shared_ptr<asio::io_context>& io, WireAddress address, Callbacks callbacks)
-      : StreamTransport(*io, std::move(callbacks)), address_(std::move(address)) {}
+      : ChannelTransport(*io, std::move(callbacks)), address_(std::move(address)) {}
 
   void open() override {
     error_code error;
@@ -219,7 +186,7 @@ class SerialTransport final : public StreamTransport<asio::serial_port> {
   void closeChannel() override {
     // Closing would wait for bytes that the device does not take.
     if (channel_.is_open()) ::tcflush(channel_.native_handle(), TCIOFLUSH);
-    StreamTransport::closeChannel();
+    ChannelTransport::closeChannel();
   }
 
  private:
@@ -232,9 +199,9 @@ std::shared_ptr<WireTransport> makeWireTransport(const std::shared_ptr<asio::io_
                                                  const WireAddress& address, WireTransport::Callbacks callbacks) {
   switch (address.kind) {
     case WireAddress::Kind::Tcp:
-      return std::make_shared<TcpTransport>(io, address, std::move(callbacks));
+      return std::make_shared<NetworkTransport<asio::ip::tcp>>(io, address, std::move(callbacks));
     case WireAddress::Kind::Udp:
-      return std::make_shared<UdpTransport>(io, address, std::move(callbacks));
+      return std::make_shared<NetworkTransport<asio::ip::udp>>(io, address, std::move(callbacks));
     case WireAddress::Kind::Serial:
       return std::make_shared<SerialTransport>(io, address, std::move(callbacks));
   }

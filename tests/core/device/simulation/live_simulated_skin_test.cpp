@@ -47,14 +47,6 @@ TEST(LiveSimulatedSkin, TurnsWithoutAJumpAndArrives) {
   EXPECT_LT((upSeenBy(skin, skin.next(), 0) - up).norm(), 1e-12);
 }
 
-TEST(LiveSimulatedSkin, RefusesWhatIsNotThere) {
-  SimulatedSkin skin = x17(SimulatedSkinOptions::ideal());
-  EXPECT_THROW(skin.turnTo(Eigen::Vector3d::Zero()), InvalidArgument);
-  EXPECT_THROW(skin.turnTo({0, std::numeric_limits<double>::quiet_NaN(), 1}), InvalidArgument);
-  EXPECT_THROW(skin.breakCell({SkinFault::Dead, CellId(18)}), InvalidArgument);
-  EXPECT_THROW(skin.mendCell(CellId(0)), InvalidArgument);
-}
-
 TEST(SimulatedRobotMotion, ShakesEachCellByEightToThirtyFiveMilligTwentyTimesASecond) {
   SimulatedSkin skin = x17(SimulatedSkinOptions::robot());
   EXPECT_EQ(skin.rate_hz(), 20);

@@ -384,15 +384,18 @@ TEST(SimulatedFault, DeadAxisReadsNoiseAboutZeroInEveryPose) {
   for (const int count : drawn) EXPECT_GT(count, 0);
 }
 
-TEST(SimulatedFault, OfACellThatIsNotThereIsRefused) {
-  EXPECT_THROW(SimulatedSkin(kModel, withFault(SkinFault::Dead, 18)), InvalidArgument);
-  EXPECT_THROW(SimulatedSkin(kModel, withFault(SkinFault::Dead, 0)), InvalidArgument);
-}
-
-TEST(SimulatedReadings, RefuseADirectionThatIsNone) {
+TEST(SimulatedSkin, RefusesDirectionsThatAreNoneAndCellsThatAreNotThere) {
   SimulatedSkin skin(kModel, SimulatedSkinOptions());
-  EXPECT_THROW(skin.record(Eigen::Vector3d::Zero()), InvalidArgument);
-  EXPECT_THROW(skin.record({0, 0, std::numeric_limits<double>::infinity()}), InvalidArgument);
+  for (const Eigen::Vector3d& none :
+       {Eigen::Vector3d(0, 0, 0), Eigen::Vector3d(0, 0, std::numeric_limits<double>::infinity())}) {
+    EXPECT_THROW(skin.record(none), InvalidArgument);
+    EXPECT_THROW(skin.turnTo(none), InvalidArgument);
+  }
+  for (const unsigned cell : {0U, 18U}) {
+    EXPECT_THROW(SimulatedSkin(kModel, withFault(SkinFault::Dead, cell)), InvalidArgument);
+    EXPECT_THROW(skin.breakCell({SkinFault::Dead, CellId(cell)}), InvalidArgument);
+    EXPECT_THROW(skin.mendCell(CellId(cell)), InvalidArgument);
+  }
 }
 
 TEST(ScriptedUpDirections, AreUnitAndApart) {

@@ -3,9 +3,10 @@
 #include "hexoderm/device/skin_source.h"
 #include "tests/support/patience.h"
 
-#include <chrono>
+#include <algorithm>
 #include <condition_variable>
 #include <mutex>
+#include <string>
 #include <vector>
 
 namespace hexoderm {
@@ -22,23 +23,15 @@ class CollectingListener : public SkinListener {
     std::vector<JointReport> joints;
 
     [[nodiscard]] SourceStatus status() const { return statuses.empty() ? SourceStatus{} : statuses.back(); }
-    [[nodiscard]] bool sawState(SourceState state) const {
-      for (const SourceStatus& status : statuses) {
-        if (status.state == state) return true;
-      }
-      return false;
-    }
+    [[nodiscard]] bool sawState(SourceState state) const { return saw(state, ""); }
     [[nodiscard]] bool saw(SourceState state, const std::string& text) const {
-      for (const SourceStatus& status : statuses) {
-        if (status.state == state && status.message.english().find(text) != std::string::npos) return true;
-      }
-      return false;
+      return std::ranges::any_of(statuses, [&](const SourceStatus& status) {
+        return status.state == state && status.message.english().find(text) != std::string::npos;
+      });
     }
     [[nodiscard]] const CommandOutcome* outcomeOf(std::uint32_t command) const {
-      for (const CommandOutcome& outcome : outcomes) {
-        if (outcome.command == command) return &outcome;
-      }
-      return nullptr;
+      const auto found = std::ranges::find(outcomes, command, &CommandOutcome::command);
+      return found == outcomes.end() ? nullptr : &*found;
     }
   };
 

@@ -1,8 +1,7 @@
-// What a device may say with skinwire.h: readings, the skin in parts, texts; and every message from a C compiler.
+// What a device may say with skinwire.h: readings, the skin in parts, texts.
 
 #include "hexoderm/device/skinwire/description.h"
 #include "tests/core/device/skinwire/device_side_fixture.h"
-#include "tests/core/device/skinwire/device_side_in_c.h"
 #include "tests/core/device/skinwire/wire_messages.h"
 
 #include <gtest/gtest.h>
@@ -100,25 +99,6 @@ TEST(DeviceSide, SendsOnlyTextsThatAHostTakes) {
     ASSERT_EQ(framed(Ack{1, false, text, false}, SKINWIRE_COBS, 64).empty(), !is_taken) << testing::PrintToString(text);
   }
   EXPECT_GT(taken, 1000);
-}
-
-TEST(DeviceSide, InCSpeaksAsInCpp) {
-  Bytes bytes(1000);
-  bytes.resize(skinwire_in_c_every_message(bytes.data(), bytes.size()));
-  FrameDecoder decoder(Framing::Cobs);
-  decoder.feed(bytes);
-  std::vector<std::size_t> kinds;
-  while (const std::optional<Decoded> decoded = decoder.next()) {
-    ASSERT_EQ(decoded->outcome, DecodeOutcome::Understood) << decoded->reason();
-    kinds.push_back(decoded->message.index());
-    if (const auto* samples = std::get_if<Samples>(&decoded->message); samples != nullptr && !samples->mean_g.empty()) {
-      EXPECT_EQ(samples->mean_g, (std::vector{2 / 256.0F, 2 / 256.0F, 1.0F, 2 / 256.0F, 2 / 256.0F, 1.0F}));
-      EXPECT_EQ(samples->count, (std::vector<std::uint32_t>{2, 2}));
-    }
-  }
-  EXPECT_EQ(kinds, (std::vector<std::size_t>{0, 1, 2, 2, 3, 5, 6}));
-  const Bytes command = encodeFrame(Framing::Cobs, Command{9, ExploreAgain{}});
-  EXPECT_EQ(skinwire_in_c_command(command.data(), command.size()), 9U);
 }
 
 }  // namespace

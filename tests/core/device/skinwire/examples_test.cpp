@@ -1,10 +1,9 @@
 // The example senders, as people start them.
 
 #include "hexoderm/device/sources/stdin_source.h"
-#include "hexoderm/device/sources/wire_source.h"
 #include "hexoderm/graph/cell_model.h"
 #include "hexoderm/util/file.h"
-#include "tests/core/device/skinwire/collecting_listener.h"
+#include "tests/core/device/sources/wire_host.h"
 #include "tests/support/child_process.h"
 #include "tests/support/paths.h"
 
@@ -36,32 +35,25 @@ void expectDeviceOnTcp(std::vector<std::string> command, std::size_t cells) {
   const std::string line = program.readLine();
   const std::size_t at = line.find("tcp://");
   ASSERT_NE(at, std::string::npos) << line;
-  CollectingListener listener;
-  const WireOptions patient{
-      .silent_after = test::kForever, .reconnect_after = test::kForever, .command_timeout = test::kForever};
-  WireSource source(line.substr(at), patient);
-  source.start(listener);
-  ASSERT_TRUE(listener.waitFor([](const Delivered& d) { return d.frames.size() >= 20; })) << "nothing came";
-  const std::uint32_t led = source.send(SetLed{CellId(1), 255, 0, 0});
-  const std::uint32_t rate = source.send(SetRate{50});
-  ASSERT_TRUE(listener.waitFor(
-      [&](const Delivered& d) { return d.outcomeOf(led) != nullptr && d.outcomeOf(rate) != nullptr; }));
-  EXPECT_TRUE(listener.delivered().outcomeOf(led)->done);
-  EXPECT_FALSE(listener.delivered().outcomeOf(rate)->done);
-  EXPECT_NE(listener.delivered().outcomeOf(rate)->message.english().find("only light"), std::string::npos);
-  source.stop();
-  expectRest(listener.delivered(), cells);
-  const SourceStatus status = listener.delivered().status();
+  WireHost host(line.substr(at));
+  ASSERT_TRUE(host.waitForFrames(20)) << "nothing came";
+  EXPECT_TRUE(host.ask(SetLed{CellId(1), 255, 0, 0}).done);
+  const CommandOutcome rate = host.ask(SetRate{50});
+  EXPECT_FALSE(rate.done);
+  EXPECT_NE(rate.message.english().find("only light"), std::string::npos);
+  host.source->stop();
+  expectRest(host.listener.delivered(), cells);
+  const SourceStatus status = host.listener.delivered().status();
   EXPECT_EQ(status.rejected_messages + status.lost_samples + status.late_frames + status.unknown_samples, 0U);
 }
 
 void expectDeviceOnStdin(std::vector<std::string> command, std::size_t cells) {
   const ChildProcess program(std::move(command));
   CollectingListener listener;
-  StdinSource source(program.output());
-  source.start(listener);
+  const auto source = stdinSource(program.output());
+  source->start(listener);
   ASSERT_TRUE(listener.waitFor([](const Delivered& d) { return d.frames.size() >= 20; })) << "nothing came";
-  source.stop();
+  source->stop();
   expectRest(listener.delivered(), cells);
   EXPECT_EQ(listener.delivered().status().rejected_messages, 0U);
 }

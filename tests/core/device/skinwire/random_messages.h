@@ -20,6 +20,7 @@ class RandomMessages {
 
   std::uint64_t upTo(std::uint64_t most) { return std::uniform_int_distribution<std::uint64_t>(0, most)(random_); }
   bool chance(unsigned percent) { return upTo(99) < percent; }
+  std::uint8_t byte() { return static_cast<std::uint8_t>(upTo(255)); }
 
   Message device() {
     switch (upTo(5)) {
@@ -72,7 +73,6 @@ class RandomMessages {
   }
 
  private:
-  std::uint8_t byte() { return static_cast<std::uint8_t>(upTo(255)); }
   double fraction() { return std::uniform_real_distribution<double>(0, 1)(random_); }
   /// Of any length in bits.
   std::uint64_t number(std::uint64_t most) { return chance(5) ? most : upTo(most) >> upTo(63); }

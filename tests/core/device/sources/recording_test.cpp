@@ -47,11 +47,11 @@ void record(const std::filesystem::path& path) {
 
 CollectingListener::Delivered play(const std::filesystem::path& path, ReplayOptions options) {
   CollectingListener listener;
-  ReplaySource source(path, options);
-  source.start(listener);
+  const auto source = replaySource(path, options);
+  source->start(listener);
   EXPECT_TRUE(listener.waitFor(
       [](const auto& d) { return d.sawState(SourceState::Ended) || d.sawState(SourceState::Incompatible); }));
-  source.stop();
+  source->stop();
   return listener.delivered();
 }
 
@@ -61,15 +61,17 @@ void appendNumber(std::uint64_t value, int bytes, std::string& out) {
   for (int k = 0; k < bytes; ++k) out += static_cast<char>(value >> (8 * k));
 }
 
+std::string recordOf(std::uint64_t arrived_us, const skinwire::Bytes& body) {
+  std::string record;
+  appendNumber(arrived_us, 8, record);
+  appendNumber(body.size(), 4, record);
+  return record.append(body.begin(), body.end());
+}
+
 /// A recording of given arrival times.
 std::string recordingOf(const std::vector<std::pair<std::uint64_t, skinwire::Message>>& messages) {
   std::string file = "SKINREC1";
-  for (const auto& [arrived_us, message] : messages) {
-    const skinwire::Bytes body = skinwire::encodeBody(message);
-    appendNumber(arrived_us, 8, file);
-    appendNumber(body.size(), 4, file);
-    file.append(body.begin(), body.end());
-  }
+  for (const auto& [arrived_us, message] : messages) file += recordOf(arrived_us, skinwire::encodeBody(message));
   return file;
 }
 
@@ -185,21 +187,6 @@ TEST_F(Recording, CutOffAnywhereItPlaysUpToTheLastWholeFrame) {
   EXPECT_TRUE(delivered.saw(SourceState::Ended, "is cut off"));
 }
 
-TEST_F(Recording, NoFlippedBitOfABodyIsPlayed) {
-  const std::string good = recordingOf(
-      {{0, skinwire::helloMessage()}, {0, skinwire::topologyMessage()}, {0, skinwire::rawSamples(0, 1000)}});
-  const std::size_t body = skinwire::encodeBody(skinwire::rawSamples(0, 1000)).size();
-  for (std::size_t bit = 0; bit < 8 * body; ++bit) {
-    std::string bad = good;
-    char& byte = bad[good.size() - body + bit / 8];
-    byte = static_cast<char>(byte ^ (1 << (bit % 8)));
-    write(bad);
-    const auto delivered = play(path_, kAtOnce);
-    ASSERT_TRUE(delivered.frames.empty()) << bit;
-    ASSERT_EQ(delivered.statuses.back().rejected_messages, 1U) << bit;
-  }
-}
-
 TEST_F(Recording, ImpossibleLengthsEndItWithoutAllocation) {
   std::string file = recordingOf({{0, skinwire::helloMessage()}});
   appendNumber(0, 8, file);
@@ -223,59 +210,54 @@ TEST_F(Recording, IsPlayedInRealTimeOrFaster) {
   EXPECT_EQ(delivered.frames.size(), 2U);
 
   // Played at its own pace, it can be stopped long before its end.
-  ReplaySource source(path_);
-  source.start(listener_);
+  const auto source = replaySource(path_);
+  source->start(listener_);
   EXPECT_TRUE(listener_.waitFor([](const auto& d) { return d.sawState(SourceState::Streaming); }));
-  source.stop();
+  source->stop();
   EXPECT_TRUE(listener_.delivered().frames.empty());
 }
 
 TEST_F(Recording, IsPlayedStepByStep) {
   record(path_);
-  ReplaySource source(path_, {1, true});
-  source.start(listener_);
+  const auto source = replaySource(path_, {1, true});
+  source->start(listener_);
   // A refused command shows that the thread waits although nothing may be delivered.
-  const std::uint32_t command = source.send(SetRate{100});
+  const std::uint32_t command = source->send(SetRate{100});
   ASSERT_TRUE(listener_.waitFor([&](const auto& d) { return d.outcomeOf(command) != nullptr; }));
   EXPECT_FALSE(listener_.delivered().outcomeOf(command)->done);
   for (std::size_t step = 1; step <= 3; ++step) {
-    source.step();
+    source->step();
     ASSERT_TRUE(listener_.waitFor([&](const auto& d) { return d.frames.size() == step; }));
   }
-  source.step(1000);
+  source->step(1000);
   ASSERT_TRUE(listener_.waitFor([](const auto& d) { return d.sawState(SourceState::Ended); }));
   EXPECT_EQ(listener_.delivered().frames.size(), 10U);
-  source.stop();
+  source->stop();
 }
 
 TEST_F(Recording, StopsWhileItWaitsForAStep) {
   record(path_);
-  ReplaySource source(path_, {1, true});
-  source.start(listener_);
+  const auto source = replaySource(path_, {1, true});
+  source->start(listener_);
   ASSERT_TRUE(listener_.waitFor([](const auto& d) { return !d.skins.empty(); }));
-  source.stop();
+  source->stop();
   EXPECT_TRUE(listener_.delivered().frames.empty());
 }
 
 TEST_F(Recording, FilesThatAreNoneAreNamed) {
-  EXPECT_THROW(ReplaySource(path_).start(listener_), StorageError);
-  EXPECT_THROW(ReplaySource(folder_.path()).start(listener_), StorageError);
+  EXPECT_THROW(replaySource(path_)->start(listener_), StorageError);
+  EXPECT_THROW(replaySource(folder_.path())->start(listener_), StorageError);
   for (const char* content : {"", "SKIN", "{\"format\": \"hexoderm-session\"}"}) {
     write(content);
-    EXPECT_THROW(ReplaySource(path_).start(listener_), FormatError) << content;
+    EXPECT_THROW(replaySource(path_)->start(listener_), FormatError) << content;
   }
   write("SKINREC2...");
-  EXPECT_THAT(test::messageOf<FormatError>([&] { ReplaySource(path_).start(listener_); }),
+  EXPECT_THAT(test::messageOf<FormatError>([&] { replaySource(path_)->start(listener_); }),
               HasSubstr("version 2, this program reads version 1"));
 }
 
 TEST_F(Recording, FramesOfAnotherMajorVersionEndIt) {
-  const skinwire::Bytes body = skinwire::bodyOf(1, {}, 2);
-  std::string file = "SKINREC1";
-  appendNumber(0, 8, file);
-  appendNumber(body.size(), 4, file);
-  file.append(body.begin(), body.end());
-  write(file);
+  write("SKINREC1" + recordOf(0, skinwire::bodyOf(1, {}, 2)));
   const auto delivered = play(path_, kAtOnce);
   EXPECT_TRUE(delivered.saw(SourceState::Incompatible, "SkinWire 2, this program SkinWire 1"));
 }
@@ -351,7 +333,7 @@ TEST_F(Recording, AFrameThatCantBeWrittenEndsRecordingButNotListening) {
 
 TEST_F(Recording, SpeedsWithoutSenseAreRefused) {
   for (const double speed : {0.0, -1.0, std::numeric_limits<double>::quiet_NaN()}) {
-    EXPECT_THROW(ReplaySource("a", {speed, false}), InvalidArgument);
+    EXPECT_THROW(replaySource("a", {speed, false}), InvalidArgument);
   }
 }
 

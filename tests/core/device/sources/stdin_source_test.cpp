@@ -50,8 +50,8 @@ class StdinSourceTest : public testing::Test {
 };
 
 TEST_F(StdinSourceTest, DeliversLinesUntilTheInputIsOver) {
-  StdinSource source(pipe_.reader());
-  source.start(listener_);
+  const auto source = stdinSource(pipe_.reader());
+  source->start(listener_);
   pipe_.writeLine(skinwire::helloMessage());
   pipe_.writeLine(skinwire::topologyMessage());
   pipe_.write("what is this\n");
@@ -65,8 +65,8 @@ TEST_F(StdinSourceTest, DeliversLinesUntilTheInputIsOver) {
 }
 
 TEST_F(StdinSourceTest, TakesFramesOfBytesToo) {
-  StdinSource source(pipe_.reader());
-  source.start(listener_);
+  const auto source = stdinSource(pipe_.reader());
+  source->start(listener_);
   for (const skinwire::Message& message : std::vector<skinwire::Message>{
            skinwire::helloMessage(), skinwire::topologyMessage(), skinwire::rawSamples(0, 1000)}) {
     const skinwire::Bytes frame = skinwire::encodeFrame(skinwire::Framing::Length, message);
@@ -82,19 +82,19 @@ TEST_F(StdinSourceTest, ReadsAFileThatWasRedirected) {
                                             skinwire::encodeLine(skinwire::rawSamples(0, 1000)) + "\n");
   const int file = ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
   ASSERT_GE(file, 0);
-  StdinSource source(file);
-  source.start(listener_);
+  const auto source = stdinSource(file);
+  source->start(listener_);
   EXPECT_TRUE(comes(SourceState::Ended));
-  source.stop();
+  source->stop();
   EXPECT_EQ(listener_.delivered().frames.size(), 2U);
   ::close(file);
 }
 
 TEST_F(StdinSourceTest, SaysSilenceAndRefusesCommands) {
-  StdinSource source(pipe_.reader(), std::chrono::milliseconds(50));
-  source.start(listener_);
+  const auto source = stdinSource(pipe_.reader(), std::chrono::milliseconds(50));
+  source->start(listener_);
   ASSERT_TRUE(comes(SourceState::Silent));
-  const std::uint32_t command = source.send(SetRate{100});
+  const std::uint32_t command = source->send(SetRate{100});
   ASSERT_TRUE(listener_.waitFor([&](const Delivered& d) { return d.outcomeOf(command) != nullptr; }));
   EXPECT_FALSE(listener_.delivered().outcomeOf(command)->done);
   pipe_.write("{\"major\": 2}\n");

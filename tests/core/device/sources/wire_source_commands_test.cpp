@@ -20,7 +20,7 @@ TEST(WireSource, CommandsAreAnsweredByNumberInTheDevicesDialect) {
     describe(connection);
     ASSERT_TRUE(listener.waitFor(state(SourceState::Streaming)));
 
-    const std::uint32_t led = source.send(SetLed{CellId(7), 255, 0, 16});
+    const std::uint32_t led = source->send(SetLed{CellId(7), 255, 0, 16});
     skinwire::Command command = connection.receive();
     EXPECT_EQ(command, (skinwire::Command{led, skinwire::SetLed{7, 255, 0, 16}}));
     connection.send(skinwire::Ack{led, false, "there is no cell 7", false});
@@ -28,9 +28,9 @@ TEST(WireSource, CommandsAreAnsweredByNumberInTheDevicesDialect) {
     EXPECT_FALSE(listener.delivered().outcomeOf(led)->done);
     EXPECT_EQ(listener.delivered().outcomeOf(led)->message.english(), "there is no cell 7");
 
-    const std::uint32_t turn = source.send(TurnTo{CellId(1), Eigen::Vector3d::UnitX()});
-    const std::uint32_t rate = source.send(SetRate{500});
-    const std::uint32_t explore = source.send(ExploreAgain{});
+    const std::uint32_t turn = source->send(TurnTo{CellId(1), Eigen::Vector3d::UnitX()});
+    const std::uint32_t rate = source->send(SetRate{500});
+    const std::uint32_t explore = source->send(ExploreAgain{});
     EXPECT_EQ(connection.receive(), (skinwire::Command{turn, skinwire::TurnTo{1, Eigen::Vector3d::UnitX()}}));
     EXPECT_EQ(connection.receive(), (skinwire::Command{rate, skinwire::SetRate{500}}));
     EXPECT_EQ(connection.receive(), (skinwire::Command{explore, skinwire::ExploreAgain{}}));
@@ -40,7 +40,7 @@ TEST(WireSource, CommandsAreAnsweredByNumberInTheDevicesDialect) {
     EXPECT_TRUE(listener.delivered().outcomeOf(turn)->done);
     EXPECT_TRUE(listener.delivered().outcomeOf(rate)->done);
     EXPECT_EQ(listener.delivered().outcomeOf(explore), nullptr);
-    source.stop();
+    source->stop();
     ASSERT_NE(listener.delivered().outcomeOf(explore), nullptr) << "what is not answered fails in the end";
     EXPECT_FALSE(listener.delivered().outcomeOf(explore)->done);
   }
@@ -49,9 +49,9 @@ TEST(WireSource, CommandsAreAnsweredByNumberInTheDevicesDialect) {
 TEST(WireSource, CommandsThatCantBeAnsweredFailAndSayWhy) {
   TcpDevice device;
   CollectingListener listener;
-  WireSource source(device.address(), patient());
-  const std::uint32_t early = source.send(SetRate{100});
-  source.start(listener);
+  const auto source = wireSource(device.address(), patient());
+  const std::uint32_t early = source->send(SetRate{100});
+  source->start(listener);
   ASSERT_TRUE(listener.waitFor(outcome(early)));
   EXPECT_THAT(listener.delivered().outcomeOf(early)->message.english(), HasSubstr("not connected"));
 
@@ -61,10 +61,10 @@ TEST(WireSource, CommandsThatCantBeAnsweredFailAndSayWhy) {
   connection.send(hello);
   connection.send(skinwire::topologyMessage());
   ASSERT_TRUE(listener.waitFor(state(SourceState::Streaming)));
-  const std::uint32_t led = source.send(SetLed{CellId(1), 0, 0, 0});
-  const std::uint32_t turn = source.send(TurnTo{CellId(1), Eigen::Vector3d::UnitX()});
-  const std::uint32_t senseless = source.send(SetRate{-1});
-  const std::uint32_t unanswered = source.send(ExploreAgain{});
+  const std::uint32_t led = source->send(SetLed{CellId(1), 0, 0, 0});
+  const std::uint32_t turn = source->send(TurnTo{CellId(1), Eigen::Vector3d::UnitX()});
+  const std::uint32_t senseless = source->send(SetRate{-1});
+  const std::uint32_t unanswered = source->send(ExploreAgain{});
   ASSERT_TRUE(listener.waitFor(outcome(senseless)));
   EXPECT_THAT(listener.delivered().outcomeOf(led)->message.english(), HasSubstr("can't light"));
   EXPECT_THAT(listener.delivered().outcomeOf(turn)->message.english(), HasSubstr("can't turn"));
@@ -82,8 +82,8 @@ TEST(WireSource, ADeviceThatSaysThatItIsAtItIsWaitedForLongerThanOneThatSaysNoth
     DeviceConnection connection = device.accept();
     describe(connection);
     EXPECT_TRUE(listener.waitFor(state(SourceState::Streaming)));
-    const std::uint32_t slow = source.send(ExploreAgain{});
-    const std::uint32_t unanswered = source.send(SetRate{100});
+    const std::uint32_t slow = source->send(ExploreAgain{});
+    const std::uint32_t unanswered = source->send(SetRate{100});
     while (listener.delivered().outcomeOf(unanswered) == nullptr) {
       connection.send(skinwire::Ack{slow, false, "", true});
       DeviceConnection::pause(milliseconds(1));
@@ -108,12 +108,12 @@ TEST(WireSource, CommandsOverUdpAreRepeatedUntilTheyAreAnswered) {
   auto [device, listener, source] = started<UdpDevice>();
   describeWhenAsked(device);
   ASSERT_TRUE(listener.waitFor(state(SourceState::Streaming)));
-  const std::uint32_t rate = source.send(SetRate{10});
+  const std::uint32_t rate = source->send(SetRate{10});
   receiveTimes(device, {rate, skinwire::SetRate{10}}, 2);  // the first is lost
   device.send(skinwire::Ack{rate, true, "", false});
   device.send(skinwire::Ack{rate, true, "", false});
   ASSERT_TRUE(listener.waitFor(outcome(rate)));
-  source.stop();
+  source->stop();
   EXPECT_EQ(listener.delivered().outcomes.size(), 1U);
 }
 
@@ -124,7 +124,7 @@ TEST(WireSource, ACommandOverUdpThatDoesNotEndIsSaidAndRepeatedMoreRarely) {
   auto [device, listener, source] = started<UdpDevice>(options);
   describeWhenAsked(device);
   ASSERT_TRUE(listener.waitFor(state(SourceState::Streaming)));
-  const std::uint32_t rate = source.send(SetRate{10});
+  const std::uint32_t rate = source->send(SetRate{10});
   const skinwire::Command expected{rate, skinwire::SetRate{10}};
   const skinwire::Ack working{rate, false, "", true};
   receiveTimes(device, expected, 10, working);  // some were on their way before the source knew
@@ -135,7 +135,7 @@ TEST(WireSource, ACommandOverUdpThatDoesNotEndIsSaidAndRepeatedMoreRarely) {
   EXPECT_GT(std::chrono::steady_clock::now() - began, 10 * options.repeat_working / 2);
   device.send(skinwire::Ack{rate, true, "", false});
   EXPECT_TRUE(listener.waitFor(outcome(rate)));
-  source.stop();
+  source->stop();
 }
 
 }  // namespace

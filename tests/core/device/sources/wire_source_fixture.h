@@ -2,10 +2,9 @@
 
 // A source at the host's end of a wire, and what tests wait for at it.
 
-#include "hexoderm/device/sources/wire_source.h"
-#include "tests/core/device/skinwire/collecting_listener.h"
 #include "tests/core/device/skinwire/wire_messages.h"
 #include "tests/core/device/sources/loopback_device.h"
+#include "tests/core/device/sources/wire_host.h"
 
 #include <chrono>
 #include <cstddef>
@@ -39,23 +38,16 @@ bool passesWithPatience(const Test& passes) {
   return false;
 }
 
-/// Options for tests in which nothing may time out: every event has another reason.
-inline WireOptions patient() {
-  return {.first_retry = milliseconds(10),
-          .silent_after = test::kForever,
-          .reconnect_after = test::kForever,
-          .command_timeout = test::kForever};
-}
-
 /// A device, and a source that was started at its address; the source goes first.
 template <class Device>
 struct DeviceAndSource {
   Device device;
   CollectingListener listener;
-  WireSource source;
+  std::unique_ptr<SkinSource> source;
 
-  DeviceAndSource(const WireOptions& options, const std::string& query) : source(device.address() + query, options) {
-    source.start(listener);
+  DeviceAndSource(const WireOptions& options, const std::string& query)
+      : source(wireSource(device.address() + query, options)) {
+    source->start(listener);
   }
 };
 

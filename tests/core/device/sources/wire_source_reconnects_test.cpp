@@ -28,7 +28,7 @@ TEST(WireSource, ConnectsAgainWhenTheCableWasPulled) {
   describe(*connection);
   connection->send(skinwire::rawSamples(0, 1000));  // it was switched off and on
   ASSERT_TRUE(listener.waitFor(frames(4)));
-  source.stop();
+  source->stop();
   const Delivered delivered = listener.delivered();
   EXPECT_EQ(delivered.skins.size(), 1U) << "the same skin";
   EXPECT_EQ(delivered.status().reconnects, 1U);
@@ -61,7 +61,7 @@ TEST(WireSource, AStatusNowAndThenIsNoSilence) {
       // A quarter of the time after which it would be said to be silent.
       connection.pause(quick().silent_after / 4);
     }
-    source.stop();
+    source->stop();
     const Delivered delivered = listener.delivered();
     return !delivered.sawState(SourceState::Silent) && delivered.status().reconnects == 0;
   }));
@@ -71,12 +71,12 @@ TEST(WireSource, AStatusNowAndThenIsNoSilence) {
 void expectWaits(const WireOptions& options, const std::vector<std::string>& waits) {
   const AbsentTcpDevice device;
   CollectingListener listener;
-  WireSource source(device.address(), options);
-  source.start(listener);
+  const auto source = wireSource(device.address(), options);
+  source->start(listener);
   for (const std::string& wait : waits) {
     EXPECT_TRUE(listener.waitFor(status(SourceState::Connecting, "next try in " + wait))) << wait;
   }
-  source.stop();
+  source->stop();
   EXPECT_EQ(listener.delivered().status().state, SourceState::Stopped);
 }
 
@@ -119,7 +119,7 @@ TEST(WireSource, AThousandReconnectsLeaveNothingOpen) {
     if (k == 10) after_ten = openDescriptors();
   }
   EXPECT_LE(openDescriptors(), after_ten);
-  source.stop();
+  source->stop();
   EXPECT_EQ(listener.delivered().status().reconnects, 999U);
   EXPECT_EQ(listener.delivered().skins.size(), 1U);
 }
@@ -131,8 +131,8 @@ TEST(WireSource, AUdpPortWhereNobodyListensIsSaid) {
     address = device.address();
   }
   CollectingListener listener;
-  WireSource source(address, quick());
-  source.start(listener);
+  const auto source = wireSource(address, quick());
+  source->start(listener);
   EXPECT_TRUE(listener.waitFor(status(SourceState::Connecting, "next try in")));
 }
 

@@ -19,7 +19,7 @@ TEST(WireSource, DeliversFromTcpInBothDialects) {
     connection.send(skinwire::rawSamples(4, 3000));
     ASSERT_TRUE(listener.waitFor(frames(4)));
     ASSERT_TRUE(listener.waitFor(state(SourceState::Streaming)));
-    source.stop();
+    source->stop();
     const Delivered delivered = listener.delivered();
     EXPECT_EQ(delivered.skins.size(), 1U);
     EXPECT_EQ(delivered.status().state, SourceState::Stopped);
@@ -32,8 +32,8 @@ TEST(WireSource, DeliversFromTcpInBothDialects) {
 TEST(WireSource, FindsAHostByName) {
   TcpDevice device;
   CollectingListener listener;
-  WireSource source(device.address("localhost"), patient());
-  source.start(listener);
+  const auto source = wireSource(device.address("localhost"), patient());
+  source->start(listener);
   DeviceConnection connection = device.accept();
   describe(connection);
   EXPECT_TRUE(listener.waitFor(state(SourceState::Streaming)));
@@ -64,9 +64,9 @@ TEST(WireSource, DeliversFromASerialPortAfterGarbage) {
   device.sendBytes(skinwire::Bytes{0});
   device.send(skinwire::rawSamples(4, 3000));
   ASSERT_TRUE(listener.waitFor(frames(2)));
-  const std::uint32_t led = source.send(SetLed{CellId(1), 1, 2, 3});
+  const std::uint32_t led = source->send(SetLed{CellId(1), 1, 2, 3});
   EXPECT_EQ(device.receive(), (skinwire::Command{led, skinwire::SetLed{1, 1, 2, 3}}));
-  source.stop();
+  source->stop();
   EXPECT_EQ(listener.delivered().status().rejected_messages, 2U);
 }
 
@@ -74,26 +74,26 @@ TEST(WireSource, StopsInEveryState) {
   for (int k = 0; k < 20; ++k) {
     auto [device, listener, source] = started<TcpDevice>(quick());
     if (k % 2 == 0) device.accept();
-    source.stop();
-    source.stop();
+    source->stop();
+    source->stop();
     const std::size_t before = listener.delivered().statuses.size();
     EXPECT_EQ(listener.delivered().status().state, SourceState::Stopped);
     EXPECT_EQ(listener.delivered().statuses.size(), before);
   }
-  WireSource never_started("tcp://localhost:7700");
-  never_started.stop();
+  const auto never_started = wireSource("tcp://localhost:7700");
+  never_started->stop();
 }
 
 TEST(WireSource, OptionsWithoutSenseAreRefused) {
   WireOptions options{.first_retry = milliseconds(0)};
-  EXPECT_THROW(WireSource("tcp://localhost:1", options), InvalidArgument);
+  EXPECT_THROW(wireSource("tcp://localhost:1", options), InvalidArgument);
   options = {};
   options.reconnect_after = milliseconds(10);
-  EXPECT_THROW(WireSource("tcp://localhost:1", options), InvalidArgument);
+  EXPECT_THROW(wireSource("tcp://localhost:1", options), InvalidArgument);
   CollectingListener listener;
-  WireSource source("tcp://localhost:1");
-  source.start(listener);
-  EXPECT_THROW(source.start(listener), InvalidArgument);
+  const auto source = wireSource("tcp://localhost:1");
+  source->start(listener);
+  EXPECT_THROW(source->start(listener), InvalidArgument);
 }
 
 }  // namespace

@@ -38,9 +38,9 @@ TEST(WireSource, AnotherMajorVersionIsNamedAndNotTriedAgain) {
   connection.sendBytes(skinwire::Bytes(line.begin(), line.end()));
   ASSERT_TRUE(listener.waitFor(status(SourceState::Incompatible, "SkinWire 2, this program SkinWire 1")));
   // The tick that answers a command is one that did not connect; the first retry would have been due before.
-  const std::uint32_t command = source.send(SetRate{1});
+  const std::uint32_t command = source->send(SetRate{1});
   ASSERT_TRUE(listener.waitFor(outcome(command)));
-  source.stop();
+  source->stop();
   EXPECT_FALSE(device.hasCaller());
 }
 
@@ -58,7 +58,7 @@ TEST(WireSource, DatagramsLostTwiceReorderedBrokenAndTooLongAreCounted) {
   device.sendBytes(skinwire::Bytes(3, 1));
   device.send(skinwire::rawSamples(16, 9000));
   ASSERT_TRUE(listener.waitFor(frames(6)));
-  source.stop();
+  source->stop();
   const SourceStatus counted = listener.delivered().status();
   EXPECT_EQ(counted.frames, 6U);
   EXPECT_EQ(counted.lost_samples, 8U);
@@ -89,7 +89,7 @@ TEST(WireSource, BrokenBytesAloneOnASerialPortPutTheBaudRateInDoubt) {
     for (int k = 0; k < 20; ++k) device.sendBytes(bytes);
     EXPECT_TRUE(saysOffence(listener, OffenceKind::BrokenFrame, "is the baud rate right? now 9600"));
     EXPECT_TRUE(listener.waitFor(status(SourceState::Silent, "is the baud rate right? now 9600")));
-    source.stop();
+    source->stop();
   }
 }
 
@@ -101,7 +101,7 @@ TEST(WireSource, ASerialDeviceThatDoesNotHearIsAskedForItsRx) {
   device.send(skinwire::rawSamples(0, 1000));
   EXPECT_TRUE(saysOffence(listener, OffenceKind::NotDescribed, "did not answer Describe"));
   EXPECT_TRUE(saysOffence(listener, OffenceKind::NotDescribed, "is its RX connected?"));
-  source.stop();
+  source->stop();
 }
 
 }  // namespace

@@ -3,19 +3,16 @@
 #include <gmock/gmock.h>
 
 #include <boost/asio/io_context.hpp>
-#include <boost/asio/ip/udp.hpp>
 #include <boost/asio/local/connect_pair.hpp>
 #include <boost/asio/local/stream_protocol.hpp>
 #include <boost/asio/read.hpp>
 
-#include <array>
 #include <chrono>
 
 namespace hexoderm {
 namespace {
 
 namespace asio = boost::asio;
-using asio::ip::udp;
 using boost::system::error_code;
 using skinwire::Bytes;
 using Socket = asio::local::stream_protocol::socket;
@@ -109,14 +106,6 @@ TEST_F(WriteQueueTest, AnErrorIsToldOnceAndNothingIsWrittenAfterwards) {
   EXPECT_EQ(pair_->errors.front(), asio::error::broken_pipe);
 }
 
-TEST_F(WriteQueueTest, AClosedQueueTellsNothing) {
-  pair_->queue.push(Bytes(kMuch), pair_);
-  pair_->queue.close();
-  pair_->near.close();
-  io_.run();
-  EXPECT_TRUE(pair_->errors.empty());
-}
-
 TEST_F(WriteQueueTest, KeepsItsOwnerUntilTheChannelHasAnswered) {
   const std::weak_ptr<Pair> weak = pair_;
   pair_->queue.push({1}, pair_);
@@ -124,21 +113,6 @@ TEST_F(WriteQueueTest, KeepsItsOwnerUntilTheChannelHasAnswered) {
   EXPECT_FALSE(weak.expired());
   io_.run();
   EXPECT_TRUE(weak.expired());
-}
-
-TEST(WriteQueueOfDatagrams, APieceIsADatagram) {
-  asio::io_context io;
-  udp::socket far(io, {asio::ip::address_v4::loopback(), 0});
-  const auto near = std::make_shared<udp::socket>(io, udp::v4());
-  near->connect(far.local_endpoint());
-  WriteQueue<udp::socket> queue(*near, [](const error_code& error) { ADD_FAILURE() << error.message(); });
-  queue.push({1, 2, 3}, near);
-  queue.push({4}, near);
-  io.run();
-  std::array<std::uint8_t, 16> buffer{};
-  EXPECT_EQ(far.receive(asio::buffer(buffer)), 3U);
-  EXPECT_EQ(far.receive(asio::buffer(buffer)), 1U);
-  EXPECT_EQ(buffer[0], 4);
 }
 
 }  // namespace
