@@ -3,7 +3,7 @@
 #include "hexoderm/util/error.h"
 #include "hexoderm/util/file.h"
 #include "hexoderm/util/is_rotation.h"
-#include "hexoderm/util/json_writer.h"
+#include "hexoderm/util/json_fields.h"
 #include "hexoderm/util/near_match.h"
 #include "hexoderm/util/text.h"
 
@@ -313,21 +313,18 @@ std::vector<JsonReader> JsonReader::items() const {
   if (!value_->is_array()) fail(message("an array"));
   std::vector<JsonReader> items;
   items.reserve(value_->size());
-  for (std::size_t i = 0; i < value_->size(); ++i) {
-    items.push_back({(*value_)[i], file_, path_ + "[" + std::to_string(i) + "]"});
-  }
+  for (std::size_t i = 0; i < value_->size(); ++i) items.push_back(itemAt(i));
   return items;
 }
 
-double JsonReader::number() const {
-  if (!value_->is_number()) fail(message("a number"));
-  const auto value = value_->get<double>();
-  if (!std::isfinite(value)) fail(message("a finite number"));
-  return value;
+JsonReader JsonReader::itemAt(std::size_t index) const {
+  return {(*value_)[index], file_, path_ + "[" + std::to_string(index) + "]"};
 }
 
 double JsonReader::number(double most) const {
-  const double value = number();
+  if (!value_->is_number()) fail(message("a number"));
+  const auto value = value_->get<double>();
+  if (!std::isfinite(value)) fail(message("a finite number"));
   if (!(std::abs(value) <= most)) fail(message("a number from {} to {}", Number{-most}, Number{most}));
   return value;
 }
@@ -370,47 +367,25 @@ std::string JsonReader::string() const {
   return value_->get<std::string>();
 }
 
-std::vector<double> JsonReader::numbers(std::size_t count) const {
+std::vector<double> JsonReader::numbers(std::size_t count, double most) const {
   if (!value_->is_array() || value_->size() != count) fail(message("an array of {} numbers", count));
   std::vector<double> values;
   values.reserve(count);
   for (const nlohmann::json& item : *value_) {
     // A reader for each item would cost a path for each number; only a bad one needs it.
     const double value = item.is_number() ? item.get<double>() : std::numeric_limits<double>::quiet_NaN();
-    if (!std::isfinite(value)) {
-      JsonReader(item, file_, path_ + "[" + std::to_string(values.size()) + "]").fail(message("a finite number"));
-    }
+    if (!std::isfinite(value)) itemAt(values.size()).fail(message("a finite number"));
+    if (std::abs(value) > most) static_cast<void>(itemAt(values.size()).number(most));
     values.push_back(value);
   }
   return values;
 }
 
-std::vector<double> JsonReader::numbers(std::size_t count, double most) const {
-  std::vector<double> values = numbers(count);
-  for (std::size_t k = 0; k < values.size(); ++k) {
-    if (std::abs(values[k]) <= most) continue;
-    static_cast<void>(JsonReader((*value_)[k], file_, path_ + "[" + std::to_string(k) + "]").number(most));
-  }
-  return values;
-}
-
-Eigen::Vector3d JsonReader::vector3(double most) const {
-  const std::vector<double> v = numbers(3, most);
-  return {v[0], v[1], v[2]};
-}
-
-Eigen::Vector3d JsonReader::vector3() const {
-  const std::vector<double> v = numbers(3);
-  return {v[0], v[1], v[2]};
-}
-
-Eigen::Matrix3d JsonReader::matrix3() const {
-  const std::vector<double> v = numbers(9);
-  return Eigen::Map<const Eigen::Matrix<double, 3, 3, Eigen::RowMajor>>(v.data());
-}
+Eigen::Vector3d JsonReader::vector3(double most) const { return Eigen::Vector3d(numbers(3, most).data()); }
 
 Eigen::Matrix3d JsonReader::rotation() const {
-  Eigen::Matrix3d R = matrix3();
+  const std::vector<double> v = numbers(9);
+  const Eigen::Matrix3d R = Eigen::Map<const Eigen::Matrix<double, 3, 3, Eigen::RowMajor>>(v.data());
   if (!isRotation(R)) fail(message("a rotation matrix (row-major, orthogonal to 1e-6, determinant +1)"));
   return R;
 }
@@ -441,17 +416,7 @@ void JsonReader::requireFormat(std::string_view format, std::uint32_t newest) co
 }
 
 std::string dumpReadable(const nlohmann::ordered_json& json) {
-  std::string text;
-  JsonWriter writer([&](std::string_view piece) { text += piece; });
-  writer.value(json);
-  writer.finish();
-  return text;
-}
-
-nlohmann::json toJson(const Eigen::Vector3d& v) { return {v.x(), v.y(), v.z()}; }
-
-nlohmann::json toJson(const Eigen::Matrix3d& m) {
-  return {m(0, 0), m(0, 1), m(0, 2), m(1, 0), m(1, 1), m(1, 2), m(2, 0), m(2, 1), m(2, 2)};
+  return jsonText([&](JsonWriter& writer) { writer.value(json); });
 }
 
 std::array<double, 4> quaternionWxyz(const Eigen::Matrix3d& R) {
