@@ -29,25 +29,29 @@ MessageArgument placeOf(const std::string& path) {
   return path.empty() ? MessageArgument(message("top level")) : MessageArgument(path);
 }
 
-/// Follows the parser through a text and remembers the key path of the value it was at when it stopped.
-class PathTracker : public nlohmann::json_sax<nlohmann::json> {
+/// Builds the value of a text while the parser reads it, and stops at what no document of ours is: a key that is there
+/// twice, of which readers would take one or the other, and more levels or values than are read.
+class DocumentBuilder final : public nlohmann::json_sax<nlohmann::json> {
  public:
-  bool null() override { return valueDone(); }
-  bool boolean(bool /*value*/) override { return valueDone(); }
-  bool number_integer(number_integer_t /*value*/) override { return valueDone(); }
-  bool number_unsigned(number_unsigned_t /*value*/) override { return valueDone(); }
-  bool number_float(number_float_t /*value*/, const string_t& /*text*/) override { return valueDone(); }
-  bool string(string_t& value) override {
-    if (levels_.size() == 1 && levels_.front().key == "format") format_ = value;
-    return valueDone();
-  }
-  bool binary(binary_t& /*value*/) override { return valueDone(); }
-  bool start_object(std::size_t /*size*/) override { return push(false); }
-  bool start_array(std::size_t /*size*/) override { return push(true); }
-  bool end_object() override { return pop(); }
-  bool end_array() override { return pop(); }
+  DocumentBuilder(std::size_t most_values, std::size_t levels_above)
+      : most_values_(most_values), levels_above_(levels_above) {}
+
+  bool null() override { return add(nullptr); }
+  bool boolean(bool value) override { return add(value); }
+  bool number_integer(number_integer_t value) override { return add(value); }
+  bool number_unsigned(number_unsigned_t value) override { return add(value); }
+  bool number_float(number_float_t value, const string_t& /*text*/) override { return add(value); }
+  bool string(string_t& value) override { return add(value); }
+  bool binary(binary_t& /*value*/) override { return false; }
+  bool start_object(std::size_t /*size*/) override { return open(nlohmann::json::value_t::object); }
+  bool start_array(std::size_t /*size*/) override { return open(nlohmann::json::value_t::array); }
+  bool end_object() override { return close(); }
+  bool end_array() override { return close(); }
   bool key(string_t& value) override {
-    levels_.back().key = value;
+    open_.back().key = value;
+    const auto [member, is_new] = open_.back().value->get_ref<nlohmann::json::object_t&>().try_emplace(value);
+    if (!is_new) return refuse(message("is there twice, expected each key once"));
+    member_ = &member->second;
     return true;
   }
   bool parse_error(std::size_t position, const std::string& last_token,
@@ -62,17 +66,22 @@ class PathTracker : public nlohmann::json_sax<nlohmann::json> {
     std::string last_token;
     bool is_syntax = false;  ///< else a number that no double holds
   };
-  [[nodiscard]] const std::optional<Fault>& fault() const { return fault_; }
-  [[nodiscard]] const std::optional<std::string>& format() const { return format_; }
+  [[nodiscard]] const Fault& fault() const { return fault_; }
+  /// Why it stopped although the text is JSON; says nothing if it did not.
+  [[nodiscard]] const Message& refusal() const { return refusal_; }
+  nlohmann::json take() { return std::move(root_); }
+
+  /// The key path of the value it was at when it stopped.
   [[nodiscard]] std::string path() const {
     // Hostile nesting and keys make longer ones, which nobody reads to the end.
     constexpr std::size_t kLongest = 200;
     constexpr std::size_t kLongestKey = 60;
     std::string path;
-    for (const Level& level : levels_) {
+    for (const Level& level : open_) {
       if (path.size() > kLongest) return path + "...";
-      if (level.is_array) {
-        path += "[" + std::to_string(level.index) + "]";
+      if (level.value->is_array()) {
+        const bool is_within_last = &level != &open_.back();
+        path += "[" + std::to_string(level.value->size() - (is_within_last ? 1 : 0)) + "]";
       } else if (!level.key.empty()) {
         path += (path.empty() ? "" : ".") + shortened(level.key, kLongestKey);
       }
@@ -80,79 +89,13 @@ class PathTracker : public nlohmann::json_sax<nlohmann::json> {
     return path;
   }
 
- protected:
-  virtual bool valueDone() {
-    if (!levels_.empty()) {
-      ++levels_.back().index;
-      levels_.back().key.clear();
-    }
-    return true;
-  }
-
  private:
+  /// An array or an object that is not closed yet.
   struct Level {
-    bool is_array = false;
-    std::size_t index = 0;
-    std::string key;
+    nlohmann::json* value;
+    std::string key;  ///< of the member whose value is read
   };
 
-  bool push(bool is_array) {
-    if (levels_.size() >= kMostJsonLevels) return false;
-    levels_.push_back({is_array, 0, {}});
-    return true;
-  }
-  bool pop() {
-    levels_.pop_back();
-    return valueDone();
-  }
-
-  std::vector<Level> levels_;
-  std::optional<Fault> fault_;
-  std::optional<std::string> format_;
-};
-
-/// Builds the value of a text while the parser reads it, and stops at what no document of ours is: a key that is there
-/// twice, of which readers would take one or the other, and more levels or values than are read.
-class DocumentBuilder final : public PathTracker {
- public:
-  DocumentBuilder(std::size_t most_values, std::size_t levels_above)
-      : most_values_(most_values), levels_above_(levels_above) {}
-
-  bool null() override { return add(nullptr) && PathTracker::null(); }
-  bool boolean(bool value) override { return add(value) && PathTracker::boolean(value); }
-  bool number_integer(number_integer_t value) override { return add(value) && PathTracker::number_integer(value); }
-  bool number_unsigned(number_unsigned_t value) override { return add(value) && PathTracker::number_unsigned(value); }
-  bool number_float(number_float_t value, const string_t& text) override {
-    return add(value) && PathTracker::number_float(value, text);
-  }
-  bool string(string_t& value) override { return add(value) && PathTracker::string(value); }
-  bool start_object(std::size_t size) override {
-    return open(nlohmann::json::value_t::object) && PathTracker::start_object(size);
-  }
-  bool start_array(std::size_t size) override {
-    return open(nlohmann::json::value_t::array) && PathTracker::start_array(size);
-  }
-  bool end_object() override {
-    open_.pop_back();
-    return PathTracker::end_object();
-  }
-  bool end_array() override {
-    open_.pop_back();
-    return PathTracker::end_array();
-  }
-  bool key(string_t& value) override {
-    PathTracker::key(value);
-    const auto [member, is_new] = open_.back()->get_ref<nlohmann::json::object_t&>().try_emplace(value);
-    if (!is_new) return refuse(message("is there twice, expected each key once"));
-    member_ = &member->second;
-    return true;
-  }
-
-  /// Why it stopped although the text is JSON; says nothing if it did not.
-  [[nodiscard]] const Message& refusal() const { return refusal_; }
-  nlohmann::json take() { return std::move(root_); }
-
- private:
   bool refuse(Message why) {
     refusal_ = std::move(why);
     return false;
@@ -167,8 +110,10 @@ class DocumentBuilder final : public PathTracker {
   template <class Value>
   nlohmann::json& put(Value&& value) {
     if (open_.empty()) return root_ = std::forward<Value>(value);
-    if (open_.back()->is_array())
-      return open_.back()->get_ref<nlohmann::json::array_t&>().emplace_back(std::forward<Value>(value));
+    nlohmann::json& parent = *open_.back().value;
+    if (parent.is_array()) {
+      return parent.get_ref<nlohmann::json::array_t&>().emplace_back(std::forward<Value>(value));
+    }
     return *member_ = std::forward<Value>(value);
   }
 
@@ -176,7 +121,7 @@ class DocumentBuilder final : public PathTracker {
   bool add(Value&& value) {
     if (!count()) return false;
     put(std::forward<Value>(value));
-    return true;
+    return endValue();
   }
 
   bool open(nlohmann::json::value_t kind) {
@@ -184,23 +129,27 @@ class DocumentBuilder final : public PathTracker {
       return refuse(message("is nested too deeply, at most {} levels are read", kMostJsonLevels));
     }
     if (!count()) return false;
-    open_.push_back(&put(nlohmann::json(kind)));
+    nlohmann::json& opened = put(nlohmann::json(kind));
+    open_.push_back({&opened, {}});
+    return true;
+  }
+  bool close() {
+    open_.pop_back();
+    return endValue();
+  }
+  bool endValue() {
+    if (!open_.empty()) open_.back().key.clear();
     return true;
   }
 
   nlohmann::json root_;
-  std::vector<nlohmann::json*> open_;  ///< what is not closed yet, from outside to inside
-  nlohmann::json* member_ = nullptr;   ///< of the innermost object, whose value comes next
+  std::vector<Level> open_;           ///< from outside to inside
+  nlohmann::json* member_ = nullptr;  ///< of the innermost object, whose value comes next
   std::size_t most_values_;
   std::size_t levels_above_;
   std::size_t values_ = 0;
   Message refusal_;
-};
-
-/// Stops as soon as the document's format has been read.
-class FormatFinder : public PathTracker {
- protected:
-  bool valueDone() override { return PathTracker::valueDone() && !format(); }
+  Fault fault_;
 };
 
 /// The word of letters, digits, signs and points around a byte, for error messages.
@@ -225,13 +174,13 @@ bool isNotFinite(std::string_view word) {
   return lower == "nan" || lower == "inf" || lower == "infinity";
 }
 
-[[noreturn]] void throwParseError(std::string_view text, const std::string& file, const PathTracker& tracker) {
+[[noreturn]] void throwParseError(std::string_view text, const std::string& file, const DocumentBuilder& builder) {
   if (text.find_first_not_of(" \t\r\n") == std::string_view::npos) {
     throw FormatError(file, message("the file is empty, expected JSON"));
   }
   constexpr std::size_t kLongestToken = 40;
-  const PathTracker::Fault fault = tracker.fault().value_or(PathTracker::Fault());
-  const std::string path = tracker.path();
+  const DocumentBuilder::Fault& fault = builder.fault();
+  const std::string path = builder.path();
   if (!fault.is_syntax) {
     throw FormatError(file, located(placeOf(path), message("expected a finite number, found {}",
                                                            fault.last_token.substr(0, kLongestToken))));
@@ -269,9 +218,25 @@ nlohmann::json parseJson(std::string_view text, const std::string& file, std::si
 }
 
 std::optional<std::string> findJsonFormat(std::string_view text) {
-  FormatFinder finder;
-  nlohmann::json::sax_parse(text, &finder);
-  return finder.format();
+  struct Found {};
+  std::optional<std::string> format;
+  bool is_format = false;
+  // Keeps nothing of the document.
+  const auto look = [&](int depth, nlohmann::json::parse_event_t event, const nlohmann::json& parsed) {
+    using Event = nlohmann::json::parse_event_t;
+    if (depth > static_cast<int>(kMostJsonLevels)) throw Found();
+    if (depth == 1 && event == Event::key) is_format = parsed == "format";
+    if (depth == 1 && event == Event::value && is_format && parsed.is_string()) {
+      format = parsed.get<std::string>();
+      throw Found();
+    }
+    return depth == 0;
+  };
+  try {
+    [[maybe_unused]] const nlohmann::json nothing = nlohmann::json::parse(text, look, false);
+  } catch (const Found&) {
+  }
+  return format;
 }
 
 Message JsonReader::here(Message what) const { return located(*file_, located(placeOf(path_), std::move(what))); }
