@@ -3,7 +3,6 @@
 #include "hexoderm/util/error.h"
 #include "hexoderm/util/file.h"
 #include "hexoderm/util/is_rotation.h"
-#include "hexoderm/util/json_fields.h"
 #include "hexoderm/util/near_match.h"
 #include "hexoderm/util/text.h"
 
@@ -378,10 +377,6 @@ void JsonReader::requireFormat(std::string_view format, std::uint32_t newest) co
         *file_,
         located("version", message("this file has version {}, this program reads up to version {}", version, newest)));
   }
-}
-
-std::string dumpReadable(const nlohmann::ordered_json& json) {
-  return jsonText([&](JsonWriter& writer) { writer.value(json); });
 }
 
 std::array<double, 4> quaternionWxyz(const Eigen::Matrix3d& R) {

@@ -120,9 +120,6 @@ class JsonReader {
   std::string path_;
 };
 
-/// The text of a document, as JsonWriter writes it. Throws InvalidArgument for a number that is not finite.
-std::string dumpReadable(const nlohmann::ordered_json& json);
-
 std::array<double, 4> quaternionWxyz(const Eigen::Matrix3d& R);  ///< w >= 0
 
 /// What unitQuaternion() takes.

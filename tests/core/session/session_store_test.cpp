@@ -170,15 +170,6 @@ TEST_F(SessionStoreTest, KeepsEveryEdit) {
                                    "skin", "unmute"));
 }
 
-TEST_F(SessionStoreTest, KeepsJointAnglesThroughRemovals) {
-  SessionStore store = SessionStore::create(path_, sessionWithEverything());
-  appendOne(store, SetJointAngles{0, {{{"elbow", 0.1}, {"wrist", -2}}}});
-  const SessionPose before = store.readSession().poses()[0];
-  appendOne(store, RemovePose{0});
-  appendOne(store, RestorePose{before, 0});
-  expectSamePose(readSessionStore(path_).poses()[0], before);
-}
-
 TEST_F(SessionStoreTest, KeepsSourceSkinTruthAndOptionsAsLastSet) {
   SessionStore store = SessionStore::create(path_, sessionWithEverything());
   EXPECT_EQ(store.options(), "{}");
