@@ -39,8 +39,7 @@ test_packages=(
   desktop-file-utils
   libglib2.0-bin
   shared-mime-info
-  assimp-utils # reads exports back, as do the next four
-  libmujoco-dev
+  libmujoco-dev # reads exports back, as do the next two
   liburdfdom-tools
   python3-yaml
   dbus-daemon # a session bus for the test of the desktop's theme

@@ -47,6 +47,11 @@ def parents_of(document, path):
     return [place for place in places if isinstance(place, dict)], key
 
 
+def named(path):
+    """What a complaint about a key says of its place."""
+    return "d.json: " + re.escape(path).replace(re.escape("[]"), r"\[\d+\]")
+
+
 class Readers(unittest.TestCase):
     """The readers beside the schemas."""
 
@@ -109,7 +114,7 @@ class Readers(unittest.TestCase):
                     self.assertEqual(of_null is not None, error is not None, of_null)
                     self.assertEqual(complaint is not None, error is not None, complaint)
                     if complaint is not None:
-                        self.assertIn(key if not each.required_with == "place" else "place", complaint)
+                        self.assertRegex(complaint, "place" if each.required_with == "place" else named(path))
                     count += 1
         self.assertGreater(count, 250)
 
@@ -135,6 +140,7 @@ class Readers(unittest.TestCase):
                     with self.subTest(document=name, key=path, value=probe):
                         if error is not None:
                             self.assertIsNotNone(complaint, f"the schema says: {error}")
+                            self.assertRegex(complaint, named(path))
                             refused += 1
                         elif not BEYOND.search(path):
                             self.assertIsNone(complaint)

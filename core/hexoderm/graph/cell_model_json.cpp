@@ -4,6 +4,7 @@
 #include "hexoderm/graph/cell_lengths.h"
 #include "hexoderm/util/error.h"
 #include "hexoderm/util/file.h"
+#include "hexoderm/util/json_fields.h"
 #include "hexoderm/util/text.h"
 
 #include <Eigen/Geometry>
@@ -14,95 +15,92 @@ namespace {
 
 /// Written beside a quaternion that differs from the matrix in the last digits when it is read back, so that a saved
 /// model is exactly the same when it is opened again.
-const std::string kExactRotation = "R_u";
+constexpr std::string_view kExactRotation = "R_u";
 
 /// validate() refuses what is longer too, but does not know the place in the file.
-double readLength(const JsonReader& json, double least_m) {
-  const double length_m = json.nonNegativeNumber();
-  if (length_m < least_m || length_m > kMostCellLength_m) {
-    json.fail(message("a length in metres, from {} to {}", Number{least_m}, Number{kMostCellLength_m}));
+struct Length : AsItIs {
+  double least_m;
+  explicit Length(double least = 0) : least_m(least) {}
+  void take(const JsonReader& in, double& length_m) const {
+    length_m = in.nonNegativeNumber();
+    if (length_m < least_m || length_m > kMostCellLength_m) {
+      in.fail(message("a length in metres, from {} to {}", Number{least_m}, Number{kMostCellLength_m}));
+    }
   }
-  return length_m;
-}
+};
 
-SE3 readPlacement(const JsonReader& json, const std::string& t_key, const std::string& q_key) {
-  SE3 T;
-  if (const auto t = json.find(t_key)) T.t = t->vector3();
-  if (const auto q = json.find(q_key)) T.R = q->unitQuaternion().toRotationMatrix();
-  if (const auto R = json.find(kExactRotation)) T.R = R->rotation();
-  return T;
-}
-
-void addPlacement(const SE3& T_u, nlohmann::ordered_json& json) {
-  json["t_u_m"] = toJson(T_u.t);
-  json["q_u_wxyz"] = quaternionWxyz(T_u.R);
-  const nlohmann::json written = json["q_u_wxyz"];
-  if (JsonReader(written, "").unitQuaternion().toRotationMatrix() != T_u.R) json[kExactRotation] = toJson(T_u.R);
-}
-
-Accelerometer readAccelerometer(const JsonReader& json) {
-  json.requireKeys({"range_g", "lsb_g", "rate_hz", "noise_g_per_sqrt_hz", "offset_sigma_g", "shared_offset_sigma_g",
-                    "scale_sigma", "cross_axis_sigma", "t_u_m", "q_u_wxyz", kExactRotation});
-  Accelerometer a;
-  a.range_g = json.at("range_g").positiveNumber();
-  a.lsb_g = json.at("lsb_g").nonNegativeNumber();
-  a.rate_hz = json.at("rate_hz").positiveNumber();
-  a.noise_g_per_sqrt_hz = json.at("noise_g_per_sqrt_hz").nonNegativeNumber();
-  a.offset_sigma_g = json.at("offset_sigma_g").nonNegativeNumber();
-  if (const auto sigma = json.find("shared_offset_sigma_g")) a.shared_offset_sigma_g = sigma->nonNegativeNumber();
-  a.scale_sigma = json.at("scale_sigma").nonNegativeNumber();
-  if (const auto sigma = json.find("cross_axis_sigma")) {
-    a.cross_axis_sigma = sigma->nonNegativeNumber();
-  } else {
-    // A sensor whose scale is calibrated has calibrated axes too: the default keeps its ratio to an uncalibrated
-    // sensor's scale.
-    constexpr double kLargestShareOfScale = 0.25;
-    a.cross_axis_sigma = std::min(a.cross_axis_sigma, kLargestShareOfScale * a.scale_sigma);
+/// Two ports that can't be joined.
+struct AsPortPair {
+  using Pair = std::pair<PortNumber, PortNumber>;
+  void take(const JsonReader& in, std::vector<Pair>& pairs) const {
+    for (const JsonReader& pair : in.items()) {
+      const std::vector<JsonReader> ports = pair.items();
+      if (ports.size() != 2) pair.fail(message("two port numbers"));
+      pairs.emplace_back(ports[0].unsignedInteger(1), ports[1].unsignedInteger(1));
+    }
   }
-  a.T_u_a = readPlacement(json, "t_u_m", "q_u_wxyz");
-  return a;
+  void put(JsonWriter& out, const std::vector<Pair>& pairs) const {
+    out.array(pairs, [&](const Pair& pair) {
+      out.array(std::array{pair.first, pair.second}, [&](PortNumber port) { out.value(port); });
+    });
+  }
+};
+
+/// The fields of something that is placed, of which no others may be there.
+template <class Json, class Placement, class... Before>
+void placedFields(Json& json, Placement& T_u, Before... before) {
+  const auto exact = [&T_u]() -> std::optional<Eigen::Matrix3d> {
+    const auto [w, x, y, z] = quaternionWxyz(T_u.R);
+    const Eigen::Matrix3d read = Eigen::Quaterniond(w, x, y, z).normalized().toRotationMatrix();
+    return read == T_u.R ? std::nullopt : std::optional(T_u.R);
+  };
+  json.strictObject(before..., defaultedField("t_u_m", T_u.t), defaultedField("q_u_wxyz", T_u.R, AsQuaternion()),
+                    derivedField(kExactRotation, exact, [&T_u](auto& in) { kRotation.take(in, T_u.R); }));
+}
+
+template <class Json, class Model>
+void modelFields(Json& json, Model& model) {
+  const auto port = [](auto& item, auto& of_cell) {
+    item.strictObject(requiredField("port", of_cell.number, wholeFrom(1)), requiredField("vector_m", of_cell.vector_m));
+  };
+  const auto sensor = [](auto& item, auto& of_cell) {
+    placedFields(item, of_cell.T_u_s, requiredField("name", of_cell.name), requiredField("type", of_cell.type));
+  };
+  const auto accelerometer = [](auto& item, auto& a) {
+    placedFields(item, a.T_u_a, requiredField("range_g", a.range_g, kPositive),
+                 requiredField("lsb_g", a.lsb_g, kNonNegative), requiredField("rate_hz", a.rate_hz, kPositive),
+                 requiredField("noise_g_per_sqrt_hz", a.noise_g_per_sqrt_hz, kNonNegative),
+                 requiredField("offset_sigma_g", a.offset_sigma_g, kNonNegative),
+                 requiredField("scale_sigma", a.scale_sigma, kNonNegative),
+                 defaultedField("cross_axis_sigma", a.cross_axis_sigma, kNonNegative),
+                 optionalField("shared_offset_sigma_g", a.shared_offset_sigma_g, kNonNegative));
+  };
+  json.strictObject(requiredField("name", model.name), requiredField("side_m", model.side_m, Length(kLeastCellSide_m)),
+                    requiredField("thickness_m", model.thickness_m, Length()),
+                    requiredField("gap_m", model.gap_m, Length()), requiredField("ports", model.ports, Described{port}),
+                    requiredField("interface_id", model.interface_id, wholeFrom(1)),
+                    requiredField("accelerometer", model.accelerometer, Described{accelerometer}),
+                    defaultedField("sensors", model.sensors, Described{sensor}),
+                    optionalField("forbidden_port_pairs", model.forbidden_port_pairs, AsPortPair()),
+                    defaultedField("side_angle_rad", model.side_angle_rad),
+                    defaultedField("link_sigma_m", model.link_sigma_m, kPositive),
+                    defaultedField("bend_sigma_rad", model.bend_sigma_rad, kPositive),
+                    defaultedField("twist_sigma_rad", model.twist_sigma_rad, kPositive),
+                    defaultedField("yaw_sigma_rad", model.yaw_sigma_rad, kPositive));
 }
 
 }  // namespace
 
 CellModel readCellModel(const JsonReader& json) {
-  json.requireKeys({"name", "side_m", "thickness_m", "gap_m", "ports", "interface_id", "accelerometer", "sensors",
-                    "forbidden_port_pairs", "side_angle_rad", "link_sigma_m", "bend_sigma_rad", "twist_sigma_rad",
-                    "yaw_sigma_rad"});
   CellModel model;
-  model.name = json.at("name").string();
-  model.side_m = readLength(json.at("side_m"), kLeastCellSide_m);
-  model.thickness_m = readLength(json.at("thickness_m"), 0);
-  model.gap_m = readLength(json.at("gap_m"), 0);
-  for (const JsonReader& port : json.at("ports").items()) {
-    port.requireKeys({"port", "vector_m"});
-    model.ports.push_back({PortNumber(port.at("port").unsignedInteger(1)), port.at("vector_m").vector3()});
+  modelFields(json, model);
+  if (!json.at("accelerometer").find("cross_axis_sigma")) {
+    // A sensor whose scale is calibrated has calibrated axes too: the default keeps its ratio to an uncalibrated
+    // sensor's scale.
+    constexpr double kLargestShareOfScale = 0.25;
+    Accelerometer& a = model.accelerometer;
+    a.cross_axis_sigma = std::min(a.cross_axis_sigma, kLargestShareOfScale * a.scale_sigma);
   }
-  model.interface_id = CellId(json.at("interface_id").unsignedInteger(1));
-  model.accelerometer = readAccelerometer(json.at("accelerometer"));
-  if (const auto sensors = json.find("sensors")) {
-    for (const JsonReader& sensor : sensors->items()) {
-      sensor.requireKeys({"name", "type", "t_u_m", "q_u_wxyz", kExactRotation});
-      model.sensors.push_back(
-          {sensor.at("name").string(), sensor.at("type").string(), readPlacement(sensor, "t_u_m", "q_u_wxyz")});
-    }
-  }
-  if (const auto pairs = json.find("forbidden_port_pairs")) {
-    for (const JsonReader& pair : pairs->items()) {
-      const std::vector<JsonReader> ports = pair.items();
-      if (ports.size() != 2) pair.fail(message("two port numbers"));
-      model.forbidden_port_pairs.emplace_back(ports[0].unsignedInteger(1), ports[1].unsignedInteger(1));
-    }
-  }
-  if (const auto angle = json.find("side_angle_rad")) model.side_angle_rad = angle->number();
-  const auto sigma = [&](const std::string& key, double fallback) {
-    const auto value = json.find(key);
-    return value ? value->positiveNumber() : fallback;
-  };
-  model.link_sigma_m = sigma("link_sigma_m", model.link_sigma_m);
-  model.bend_sigma_rad = sigma("bend_sigma_rad", model.bend_sigma_rad);
-  model.twist_sigma_rad = sigma("twist_sigma_rad", model.twist_sigma_rad);
-  model.yaw_sigma_rad = sigma("yaw_sigma_rad", model.yaw_sigma_rad);
   try {
     model.validate();
   } catch (const InvalidArgument& error) {
@@ -116,48 +114,11 @@ CellModel cellModelFromJson(std::string_view text, const std::string& file) {
   return readCellModel(JsonReader(json, file));
 }
 
-nlohmann::ordered_json cellModelJson(const CellModel& model) {
-  nlohmann::ordered_json json;
-  json["name"] = model.name;
-  json["side_m"] = model.side_m;
-  json["thickness_m"] = model.thickness_m;
-  json["gap_m"] = model.gap_m;
-  json["ports"] = nlohmann::ordered_json::array();
-  for (const Port& port : model.ports) {
-    json["ports"].push_back({{"port", port.number.value()}, {"vector_m", toJson(port.vector_m)}});
-  }
-  json["interface_id"] = model.interface_id.value();
-  const Accelerometer& a = model.accelerometer;
-  json["accelerometer"] = {{"range_g", a.range_g},
-                           {"lsb_g", a.lsb_g},
-                           {"rate_hz", a.rate_hz},
-                           {"noise_g_per_sqrt_hz", a.noise_g_per_sqrt_hz},
-                           {"offset_sigma_g", a.offset_sigma_g},
-                           {"scale_sigma", a.scale_sigma},
-                           {"cross_axis_sigma", a.cross_axis_sigma}};
-  if (a.shared_offset_sigma_g > 0) json["accelerometer"]["shared_offset_sigma_g"] = a.shared_offset_sigma_g;
-  addPlacement(a.T_u_a, json["accelerometer"]);
-  json["sensors"] = nlohmann::ordered_json::array();
-  for (const CellSensor& sensor : model.sensors) {
-    nlohmann::ordered_json entry = {{"name", sensor.name}, {"type", sensor.type}};
-    addPlacement(sensor.T_u_s, entry);
-    json["sensors"].push_back(std::move(entry));
-  }
-  if (!model.forbidden_port_pairs.empty()) {
-    json["forbidden_port_pairs"] = nlohmann::ordered_json::array();
-    for (const auto& [a_port, b_port] : model.forbidden_port_pairs) {
-      json["forbidden_port_pairs"].push_back({a_port.value(), b_port.value()});
-    }
-  }
-  json["side_angle_rad"] = model.side_angle_rad;
-  json["link_sigma_m"] = model.link_sigma_m;
-  json["bend_sigma_rad"] = model.bend_sigma_rad;
-  json["twist_sigma_rad"] = model.twist_sigma_rad;
-  json["yaw_sigma_rad"] = model.yaw_sigma_rad;
-  return json;
-}
+void writeCellModel(const CellModel& model, JsonWriter& json) { modelFields(json, model); }
 
-std::string cellModelToJson(const CellModel& model) { return dumpReadable(cellModelJson(model)); }
+std::string cellModelToJson(const CellModel& model) {
+  return jsonText([&](JsonWriter& json) { writeCellModel(model, json); });
+}
 
 CellModel builtInCellModel(std::string_view name) {
   for (const BuiltInModel& model : builtInModels()) {

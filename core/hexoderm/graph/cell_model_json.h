@@ -2,6 +2,7 @@
 
 #include "hexoderm/graph/cell_model.h"
 #include "hexoderm/util/json_reader.h"
+#include "hexoderm/util/json_writer.h"
 
 namespace hexoderm {
 
@@ -10,6 +11,6 @@ namespace hexoderm {
 
 /// Throws FormatError with the key path.
 CellModel readCellModel(const JsonReader& json);
-nlohmann::ordered_json cellModelJson(const CellModel& model);
+void writeCellModel(const CellModel& model, JsonWriter& json);
 
 }  // namespace hexoderm

@@ -2,13 +2,12 @@
 
 #include "hexoderm/reconstruction/result/quality_colors.h"
 #include "hexoderm/reconstruction/result/result_graph.h"
-#include "hexoderm/util/hex.h"
 #include "hexoderm/util/text.h"
 
+#include <fmt/format.h>
 #include <boost/graph/graphviz.hpp>
 #include <boost/property_map/function_property_map.hpp>
 
-#include <array>
 #include <map>
 #include <sstream>
 #include <string_view>
@@ -22,11 +21,7 @@ constexpr double kInch_m = 0.0254;
 /// By name, values unescaped.
 using DotAttributes = std::map<std::string, std::string>;
 
-std::string colorName(std::uint32_t rgb) {
-  const std::array<std::uint8_t, 3> bytes = {static_cast<std::uint8_t>(rgb >> 16U),
-                                             static_cast<std::uint8_t>(rgb >> 8U), static_cast<std::uint8_t>(rgb)};
-  return "#" + hexDigits(bytes, HexCase::Upper);
-}
+std::string colorName(std::uint32_t rgb) { return fmt::format("#{:06X}", rgb & 0xFFFFFFU); }
 
 /// Other control characters than the line feed have no meaning in a label.
 std::string printable(std::string text) {

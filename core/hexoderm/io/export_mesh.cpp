@@ -81,14 +81,6 @@ std::string meshBytes(const ExportMesh& mesh, const std::string& assimp_format, 
   return {static_cast<const char*>(blob->data), blob->size};
 }
 
-std::string objName(CellId cell) { return "cell_" + toString(cell); }
-
-std::string objColor(std::uint32_t rgb) {
-  std::string text;
-  for (const unsigned shift : {16U, 8U, 0U}) text += " " + formatFixed(((rgb >> shift) & 0xFFU) / 255.0, 4);
-  return text;
-}
-
 }  // namespace
 
 ExportMesh plyMesh(const Reconstruction& reconstruction, const ExportSelection& selection) {
@@ -132,28 +124,22 @@ ExportMesh stlMesh(const Reconstruction& reconstruction, LengthUnit unit) {
 
 std::string stlBytes(const ExportMesh& mesh, const std::string& file) { return meshBytes(mesh, "stlb", file); }
 
-ObjMesh objMesh(const Reconstruction& reconstruction, const ExportSelection& selection) {
-  ObjMesh obj{plyMesh(reconstruction, selection), {}};
-  for (const PatchReconstruction& patch : reconstruction.patches) {
-    for (const CellPlacement& cell : patch.cells) obj.cells.push_back(cell.cell);
-  }
-  return obj;
-}
-
-std::string objText(const ObjMesh& obj) {
-  const auto& [mesh, cells] = obj;
+std::string objText(const Reconstruction& reconstruction, const ExportSelection& selection) {
+  const ExportMesh mesh = plyMesh(reconstruction, selection);
   std::string text = "# metres, " + mesh.frame + "\n";
+  std::size_t point = 0;
   std::size_t polygon = 0;
-  for (std::size_t k = 0; k < cells.size(); ++k) {
-    text += "o " + objName(cells[k]) + "\n";
-    const std::size_t end = (k + 1) * kPointsPerCell;
-    for (std::size_t point = k * kPointsPerCell; point < end; ++point) {
-      text += "v " + vectorText(mesh.points[point]) + objColor(mesh.colors[point]) + "\n";
-    }
-    for (; polygon < mesh.polygons.size() && mesh.polygons[polygon].front() < end; ++polygon) {
-      text += "f";
-      for (const std::uint32_t point : mesh.polygons[polygon]) text += " " + std::to_string(point + 1);  // from 1
-      text += "\n";
+  for (const PatchReconstruction& patch : reconstruction.patches) {
+    for (const CellPlacement& cell : patch.cells) {
+      text += "o cell_" + toString(cell.cell) + "\n";
+      for (const std::size_t end = point + kPointsPerCell; point < end; ++point) {
+        text += "v " + vectorText(mesh.points[point]) + " " + rgbText(mesh.colors[point]) + "\n";
+      }
+      for (; polygon < mesh.polygons.size() && mesh.polygons[polygon].front() < point; ++polygon) {
+        text += "f";
+        for (const std::uint32_t corner : mesh.polygons[polygon]) text += " " + std::to_string(corner + 1);  // from 1
+        text += "\n";
+      }
     }
   }
   return text;

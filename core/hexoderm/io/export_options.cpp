@@ -1,35 +1,25 @@
 #include "hexoderm/io/exporter.h"
+#include "hexoderm/util/enum_names.h"
 #include "hexoderm/util/error.h"
 
-#include <algorithm>
-#include <array>
-#include <utility>
+#include <optional>
 
 namespace hexoderm {
 namespace {
 
 using OptionKind = ExportOptionDescription::Kind;
 
-/// A value and how it is said, of an option with few of them.
-template <class Value, std::size_t Count>
-Value valueOf(const std::array<std::pair<std::string_view, Value>, Count>& values, const std::string& text,
-              const char* option) {
-  for (const auto& [name, value] : values) {
-    if (name == text) return value;
-  }
+enum class LinksFor { Cell, Patch };
+constexpr EnumNames<LengthUnit> kLengthUnits = {{"mm", "m"}};
+constexpr EnumNames<LinksFor> kLinksFor = {{"cell", "patch"}};
+constexpr EnumNames<UrdfForm> kForms = {{"alone", "part", "xacro"}};
+
+/// The value of an option with few of them.
+template <class Value>
+Value valueOf(const EnumNames<Value>& names, const std::string& text, const char* option) {
+  if (const std::optional<Value> value = names.find(text)) return *value;
   throw InvalidArgument(option, message("\"{}\" is none of its values", text));
 }
-
-template <class Value, std::size_t Count>
-std::string nameOfValue(const std::array<std::pair<std::string_view, Value>, Count>& values, Value value) {
-  return std::string(std::ranges::find(values, value, &std::pair<std::string_view, Value>::second)->first);
-}
-
-constexpr std::array<std::pair<std::string_view, LengthUnit>, 2> kUnits = {
-    {{"mm", LengthUnit::Millimetres}, {"m", LengthUnit::Metres}}};
-constexpr std::array<std::pair<std::string_view, bool>, 2> kLinkChoices = {{{"cell", true}, {"patch", false}}};
-constexpr std::array<std::pair<std::string_view, UrdfForm>, 3> kForms = {
-    {{"alone", UrdfForm::Alone}, {"part", UrdfForm::Part}, {"xacro", UrdfForm::Macro}}};
 
 const std::vector<ExportOptionDescription>& options() {
   using enum ExportFormat;
@@ -41,8 +31,8 @@ const std::vector<ExportOptionDescription>& options() {
        OptionKind::Choice,
        {{"mm", message("Millimetres")}, {"m", message("Metres")}},
        {Stl},
-       [](const ExportOptions& o) { return nameOfValue(kUnits, o.stl_unit); },
-       [](ExportOptions& o, const std::string& value) { o.stl_unit = valueOf(kUnits, value, "stl-unit"); }},
+       [](const ExportOptions& o) { return std::string(kLengthUnits.of(o.stl_unit)); },
+       [](ExportOptions& o, const std::string& value) { o.stl_unit = valueOf(kLengthUnits, value, "stl-unit"); }},
       {"robot",
        message("URDF of the robot"),
        message("URDF of the robot that gets the skin"),
@@ -81,8 +71,12 @@ const std::vector<ExportOptionDescription>& options() {
        OptionKind::Choice,
        {{"cell", message("One for each cell")}, {"patch", message("One for the patch (lighter in RViz)")}},
        with_links,
-       [](const ExportOptions& o) { return nameOfValue(kLinkChoices, o.link_per_cell); },
-       [](ExportOptions& o, const std::string& value) { o.link_per_cell = valueOf(kLinkChoices, value, "links"); }},
+       [](const ExportOptions& o) {
+         return std::string(kLinksFor.of(o.link_per_cell ? LinksFor::Cell : LinksFor::Patch));
+       },
+       [](ExportOptions& o, const std::string& value) {
+         o.link_per_cell = valueOf(kLinksFor, value, "links") == LinksFor::Cell;
+       }},
       {"urdf-form",
        message("Form"),
        message("alone: loads by itself; part: to be included in a robot that has the parent link; xacro: a macro for "
@@ -92,7 +86,7 @@ const std::vector<ExportOptionDescription>& options() {
         {"part", message("Part of a robot, without the parent link")},
         {"xacro", message("xacro macro for each patch")}},
        {Urdf},
-       [](const ExportOptions& o) { return nameOfValue(kForms, o.urdf_form); },
+       [](const ExportOptions& o) { return std::string(kForms.of(o.urdf_form)); },
        [](ExportOptions& o, const std::string& value) { o.urdf_form = valueOf(kForms, value, "urdf-form"); }},
   };
   return the_options;

@@ -182,7 +182,7 @@ std::string bytesOf(const Reconstruction& reconstruction, const ExportSelection&
       return skinwareText(taxels());
     case ExportFormat::Obj:
       requireMesh(reconstruction, "OBJ");
-      return objText(objMesh(reconstruction, selection));
+      return objText(reconstruction, selection);
     case ExportFormat::Gltf:
       requireMesh(reconstruction, "glTF");
       return gltfBytes(reconstruction, frameInWords(reconstruction, selection));

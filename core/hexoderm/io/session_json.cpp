@@ -1,27 +1,40 @@
 #include "hexoderm/io/session_json.h"
 
-#include "hexoderm/geometry/covariance.h"
+#include "hexoderm/device/diagnosis/plausibility.h"
 #include "hexoderm/graph/cell_model_json.h"
 #include "hexoderm/io/session_json_read.h"
 #include "hexoderm/session/session_parts_json.h"
 #include "hexoderm/session/storable.h"
 #include "hexoderm/util/error.h"
 #include "hexoderm/util/file.h"
-#include "hexoderm/util/message_json.h"
+#include "hexoderm/util/median.h"
+#include "hexoderm/util/sha256.h"
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 
 namespace hexoderm {
 namespace {
 
-using Json = nlohmann::ordered_json;
+CellModel readModel(const JsonReader& json) {
+  if (json.isObject()) return readCellModel(json);
+  if (!json.isString()) json.fail(message("the name of a built-in cell model, or a cell model as an object"));
+  const std::string name = json.string();
+  const std::vector<std::string> known = builtInCellModelNames();
+  if (std::ranges::find(known, name) == known.end()) {
+    std::string names;
+    for (const std::string& other : known) names += " " + other;
+    json.fail(message("a built-in cell model (there are:{}) or a cell model as an object", names));
+  }
+  return builtInCellModel(name);
+}
 
-Json modelJson(const CellModel& model) {
+void writeModel(const CellModel& model, JsonWriter& json) {
   const std::vector<std::string> known = builtInCellModelNames();
   const bool is_built_in = std::ranges::find(known, model.name) != known.end() &&
                            cellModelToJson(builtInCellModel(model.name)) == cellModelToJson(model);
-  return is_built_in ? Json(model.name) : cellModelJson(model);
+  is_built_in ? json.value(model.name) : writeCellModel(model, json);
 }
 
 /// Nothing but +0: a -0 was measured, and comes back as it was.
@@ -32,34 +45,140 @@ bool isUnknown(const Eigen::Matrix3d& cov_g2) {
   return true;
 }
 
-void writeSample(const GravitySample& sample, JsonWriter& json) {
-  requireStorable(sample);
-  json.beginObject();
-  json.member("cell", sample.cell.value());
-  json.member("mean_g", sample.mean_g);
-  if (!isUnknown(sample.cov_g2)) json.member("cov_g2", upperTriangle(sample.cov_g2));
-  if (sample.count > 0) json.member("count", sample.count);
-  if (sample.temperature_c) json.member("temperature_c", *sample.temperature_c);
-  json.endObject();
+/// `usual`: how many samples there will be, as a rule.
+auto asSamples(std::size_t usual = 0) {
+  const auto fields = [](auto& json, auto& sample) {
+    const auto covariance = [&] {
+      return isUnknown(sample.cov_g2) ? std::nullopt : std::optional(upperTriangle(sample.cov_g2));
+    };
+    const auto take_covariance = [&](auto& in) { AsCovariance(kMostVariance_g2).take(in, sample.cov_g2); };
+    if constexpr (!kIsRead<std::remove_cvref_t<decltype(json)>>) requireStorable(sample);
+    json.object(requiredField("cell", sample.cell),
+                requiredField("mean_g", sample.mean_g, vectorWithin(kMostAcceleration_g)),
+                derivedField("cov_g2", covariance, take_covariance), optionalField("count", sample.count),
+                optionalField("temperature_c", sample.temperature_c));
+  };
+  return Described{fields, usual};
 }
 
 void writePose(const SessionPose& pose, JsonWriter& json) {
-  json.beginObject();
-  json.member("id", pose.capture->id.value());
-  if (!pose.capture->label.empty()) writeMessage(json, "label", pose.capture->label);
-  if (pose.capture->taken_at_ms) json.member("taken_at_ms", *pose.capture->taken_at_ms);
-  if (pose.disabled) json.member("disabled", true);
-  if (!pose.why_disabled.empty()) json.member("why_disabled", pose.why_disabled);
-  if (!pose.joint_angles.positions.empty()) json.member("joint_angles", jointAnglesJson(pose.joint_angles));
   try {
-    json.arrayMember("samples", pose.capture->samples, [&](const GravitySample& s) { writeSample(s, json); });
+    poseFields(json, "id", *pose.capture, pose, requiredField("samples", pose.capture->samples, asSamples()));
   } catch (const InvalidArgument& error) {
     throw InvalidArgument(message("pose {}", pose.capture->id), error.message());
   }
-  json.endObject();
+}
+
+/// Somebody's program wrote another unit: no reading would count, and nothing would say why. Throws FormatError.
+void requireG(const Session& session, const std::string& file) {
+  std::vector<double> norms;
+  std::optional<std::size_t> first;
+  for (std::size_t pose = 0; pose < session.poses().size(); ++pose) {
+    for (const GravitySample& sample : session.poses()[pose].capture->samples) norms.push_back(sample.mean_g.norm());
+    if (!first && !norms.empty()) first = pose;
+  }
+  if (!first) return;
+  const std::string place = "poses[" + std::to_string(*first) + "].samples[0].mean_g";
+  const std::optional<Offence> offence = offenceOfNorm(median(norms), session.model().accelerometer, place.c_str());
+  if (offence && offence->kind == OffenceKind::AccelerationUnit) throw FormatError(file, offence->reason);
+}
+
+SessionPose scanPose(JsonScanner& json, const std::string& file, std::size_t usual_samples) {
+  nlohmann::json rest = nlohmann::json::object();
+  std::vector<GravitySample> samples;
+  json.objectWith([&](std::string_view key) { json.keep(key, rest); },
+                  member("samples", [&](auto& in) { asSamples(usual_samples).take(in, samples); }));
+  return readPose(JsonReader(rest, file), "id", [&] { return std::move(samples); });
+}
+
+std::vector<SessionPose> scanPoses(JsonScanner& json, const std::string& file) {
+  std::vector<SessionPose> poses;
+  json.eachItem([&](JsonScanner& item) {
+    const std::size_t before = poses.empty() ? 0 : poses.back().capture->samples.size();
+    poses.push_back(scanPose(item, file, before));
+  });
+  return poses;
+}
+
+/// What stands in a file in front of cells and poses.
+struct SessionHead {
+  SourceDescription source;
+  CellModel model;
+};
+
+SessionHead readHead(const JsonReader& json, std::string_view text, const std::string& file) {
+  json.requireFormat(kSessionFormat, kSessionVersion);
+  SourceDescription source{{}, std::filesystem::path(file).filename().string(), sha256Hex(text)};
+  if (json.find("description")) source.text = readMessage(json, "description");
+  return {std::move(source), readModel(json.at("cell_model"))};
+}
+
+/// What stands behind them, but for the truth.
+void readTail(const JsonReader& json, const std::string& file, Session& session) {
+  requireG(session, file);
+  if (const auto muted = json.find("muted_links")) {
+    for (const JsonReader& item : muted->items()) {
+      const MutedLink link = readMutedLink(item);
+      if (session.findMutedLink(link.source, link.target) != nullptr) item.fail(message("each link once"));
+      session.setLinkMuted(link.source, link.target, true, link.why);
+    }
+  }
+  if (const auto robot = json.find("robot")) session.setRobot(readRobot(*robot));
+  if (const auto placements = json.find("placements")) {
+    for (PatchPlacement& placement : readPlacements(*placements)) session.setPlacement(std::move(placement));
+  }
+}
+
+Session scanSession(JsonScanner& json, std::string_view text, const std::string& file) {
+  nlohmann::json rest = nlohmann::json::object();
+  NeighborList cells;
+  std::vector<SessionPose> poses;
+  std::optional<GroundTruth> truth;
+  json.objectWith([&](std::string_view key) { json.keep(key, rest); },
+                  member("cells", [&] { cells = scanNeighbors(json); }),
+                  member("poses", [&] { poses = scanPoses(json, file); }),
+                  optionalMember("truth", [&] { truth = scanTruth(json); }));
+  json.finish();
+
+  const JsonReader reader(rest, file);
+  SessionHead head = readHead(reader, text, file);
+  Session session(std::move(head.model), std::move(cells), std::move(head.source));
+  for (SessionPose& pose : poses) session.addPose(std::move(pose));
+  readTail(reader, file, session);
+  if (truth) session.setTruth(std::move(*truth));
+  return session;
 }
 
 }  // namespace
+
+std::optional<Session> scanSessionJson(std::string_view text, const std::string& file) {
+  try {
+    JsonScanner json(text);
+    return scanSession(json, text, file);
+  } catch (const JsonScanner::Unusual&) {
+    return std::nullopt;
+  } catch (const Error&) {
+    return std::nullopt;  // the thorough reader says it with its place
+  }
+}
+
+Session sessionFromDocument(std::string_view text, const std::string& file) {
+  const nlohmann::json document = parseJson(text, file);
+  const JsonReader json(document, file);
+  SessionHead head = readHead(json, text, file);
+  NeighborList neighbors = readNeighbors(json.at("cells"));
+  Session session(std::move(head.model), std::move(neighbors), std::move(head.source));
+  for (const JsonReader& pose : json.at("poses").items()) {
+    session.addPose(readPose(pose, "id", [&] {
+      std::vector<GravitySample> samples;
+      pose.object(requiredField("samples", samples, asSamples()));
+      return samples;
+    }));
+  }
+  readTail(json, file, session);
+  if (const auto truth = json.find("truth")) session.setTruth(readTruth(*truth));
+  return session;
+}
 
 Session parseSessionJson(std::string_view text, const std::string& file) {
   if (std::optional<Session> session = scanSessionJson(text, file)) return std::move(*session);
@@ -76,16 +195,15 @@ void writeSessionJson(const Session& session, const WriteBytes& write) {
   json.member("format", kSessionFormat);
   json.member("version", kSessionVersion);
   if (!session.source().text.empty()) writeMessage(json, "description", session.source().text);
-  json.member("cell_model", modelJson(session.model()));
+  json.key("cell_model");
+  writeModel(session.model(), json);
   json.key("cells");
   writeNeighbors(session.neighbors(), json);
   json.arrayMember("poses", session.poses(), [&](const SessionPose& pose) { writePose(pose, json); });
   if (!session.mutedLinks().empty()) {
-    json.arrayMember("muted_links", session.mutedLinks(),
-                     [&](const MutedLink& link) { json.value(mutedLinkJson(link)); });
+    json.arrayMember("muted_links", session.mutedLinks(), [&](const MutedLink& link) { writeMutedLink(link, json); });
   }
-  if (session.robot()) json.member("robot", robotJson(session.robot()));
-  if (!session.placements().empty()) json.member("placements", placementsJson(session.placements()));
+  writeRobotMembers(session.robot(), session.placements(), json);
   if (session.truth()) {
     json.key("truth");
     writeTruth(*session.truth(), json);

@@ -133,13 +133,11 @@ std::vector<SkinMaterial> skinMaterials() {
   return list;
 }
 
-std::string rgbaText(std::uint32_t rgb) {
-  std::string text;
-  for (const unsigned shift : {16U, 8U, 0U}) {
-    text += formatFixed(static_cast<double>((rgb >> shift) & 0xFFU) / 255, 4) + " ";
-  }
-  return text + "1";
+std::string rgbText(std::uint32_t rgb) {
+  return inARow(
+      std::array{16U, 8U, 0U}, [&](unsigned shift) { return formatFixed(((rgb >> shift) & 0xFFU) / 255.0, 4); }, " ");
 }
+std::string rgbaText(std::uint32_t rgb) { return rgbText(rgb) + " 1"; }
 
 std::string vectorText(const Eigen::Vector3d& v) {
   const Eigen::Vector3d w = v.array() + 0.0;  // no "-0"

@@ -71,7 +71,8 @@ struct SkinMaterial {
   std::uint32_t rgb = 0;
 };
 std::vector<SkinMaterial> skinMaterials();
-/// "0.1 0.5 0.9 1"
+/// "0.1 0.5 0.9", and with a 1 behind it.
+std::string rgbText(std::uint32_t rgb);
 std::string rgbaText(std::uint32_t rgb);
 
 /// "0 0.1 -0.02", each number exact, no "-0".

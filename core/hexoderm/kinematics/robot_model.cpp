@@ -263,6 +263,15 @@ TriangleMesh scaled(TriangleMesh mesh, const Eigen::Vector3d& scale) {
   return mesh;
 }
 
+/// `name` is that of none of these links or joints.
+template <class Named>
+[[noreturn]] void failUnknown(const std::filesystem::path& file, Message what, std::string_view name,
+                              const std::vector<Named>& known) {
+  std::vector<std::string> names;
+  for (const Named& one : known) names.push_back(one.name);
+  throw InvalidArgument(file.string(), inRow({std::move(what), didYouMean(name, names)}, "; "));
+}
+
 double longestSide(const TriangleMesh& mesh) { return boundingBox(mesh).size().maxCoeff(); }
 
 }  // namespace
@@ -489,22 +498,12 @@ std::optional<std::size_t> RobotModel::findJoint(std::string_view name) const {
 
 std::size_t RobotModel::linkNamed(std::string_view name) const {
   if (const auto found = findLink(name)) return *found;
-  std::vector<std::string> names;
-  for (const RobotLink& link : links()) names.push_back(link.name);
-  const std::optional<std::string> meant = nearMatch(name, names);
-  throw InvalidArgument(file().string(), inRow({message("the robot has no link {}", excerptOf(name)),
-                                                meant ? message("did you mean {}?", *meant) : Message()},
-                                               "; "));
+  failUnknown(file(), message("the robot has no link {}", excerptOf(name)), name, links());
 }
 
 std::size_t RobotModel::jointNamed(std::string_view name) const {
   if (const auto found = findJoint(name)) return *found;
-  std::vector<std::string> names;
-  for (const RobotJoint& joint : joints()) names.push_back(joint.name);
-  const std::optional<std::string> meant = nearMatch(name, names);
-  throw InvalidArgument(file().string(), inRow({message("the robot has no joint {}", excerptOf(name)),
-                                                meant ? message("did you mean {}?", *meant) : Message()},
-                                               "; "));
+  failUnknown(file(), message("the robot has no joint {}", excerptOf(name)), name, joints());
 }
 
 std::vector<SE3> RobotModel::forward(const JointAngles& angles) const {

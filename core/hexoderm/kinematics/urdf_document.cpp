@@ -10,7 +10,6 @@
 #include <algorithm>
 #include <cstring>
 #include <iterator>
-#include <optional>
 #include <set>
 
 namespace hexoderm {
@@ -175,11 +174,9 @@ class UrdfChecker {
     if (!result_.line_of_link.contains(name)) {
       std::vector<std::string> names;
       for (const RobotLink& link : result_.links) names.push_back(link.name);
-      const std::optional<std::string> meant = nearMatch(name, names);
-      const Message hint = meant ? message("did you mean {}?", *meant) : Message();
       fail(node, inRow({message("joint {}: <{} link=\"{}\"> names none of the robot's links", joint.name, end,
                                 excerptOf(name)),
-                        hint},
+                        didYouMean(name, names)},
                        "; "));
     }
     return name;

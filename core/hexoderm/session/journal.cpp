@@ -5,15 +5,12 @@
 #include "hexoderm/session/session_parts_json.h"
 #include "hexoderm/util/error.h"
 #include "hexoderm/util/hex.h"
-#include "hexoderm/util/message_json.h"
 #include "hexoderm/util/sha256.h"
 
 #include <algorithm>
 
 namespace hexoderm {
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 /// More than anybody takes, and few enough that a file of insertions and removals is read in a moment.
 constexpr std::size_t kMostPoses = 100'000;
@@ -31,6 +28,12 @@ void addPart(const void* data, std::size_t size, Sha256& sha) {
   sha.add(data, size);
 }
 
+template <class Json, class Source>
+void storedSourceFields(Json& json, Source& source) {
+  json.object(requiredMessage("text", source.text), requiredField("file", source.file),
+              requiredField("sha256", source.sha256));
+}
+
 std::int64_t captureOf(const JsonReader& json) { return json.at("capture").unsignedInteger(1); }
 std::size_t placeIn(const JsonReader& json) { return json.at("place").unsignedInteger(); }
 
@@ -43,18 +46,9 @@ bool haveSameReadings(const PoseCapture& a, const PoseCapture& b) {
   return a.taken_at_ms == b.taken_at_ms && encodeSamples(a.samples) == encodeSamples(b.samples);
 }
 
-/// The text of a document that is too large to be put together first.
-template <class Write>
-std::string textOf(Write write) {
-  std::string text;
-  JsonWriter writer([&](std::string_view piece) { text += piece; });
-  write(writer);
-  writer.finish();
-  return text;
-}
-
-/// Makes the entry a capture; its detail is returned.
-Json sayCapture(const SessionPose& pose, std::size_t place, JournalEntry& entry) {
+/// Makes the entry a capture.
+void sayCapture(const SessionPose& pose, std::size_t place, const std::string& raw_sha256, JournalEntry& entry) {
+  requireCapture(pose);
   const PoseCapture& capture = *pose.capture;
   entry.kind = "capture";
   try {
@@ -62,13 +56,17 @@ Json sayCapture(const SessionPose& pose, std::size_t place, JournalEntry& entry)
   } catch (const InvalidArgument& error) {
     throw InvalidArgument(message("pose {}", capture.id), error.message());
   }
-  Json detail = {{"pose", capture.id.value()}, {"place", place}, {"cells", capture.samples.size()}};
-  if (!capture.label.empty()) writeMessage(detail, "label", capture.label);
-  if (capture.taken_at_ms) detail["taken_at_ms"] = *capture.taken_at_ms;
-  if (pose.disabled) detail["disabled"] = true;
-  if (!pose.why_disabled.empty()) detail["why_disabled"] = pose.why_disabled;
-  if (!pose.joint_angles.positions.empty()) detail["joint_angles"] = jointAnglesJson(pose.joint_angles);
-  return detail;
+  const std::size_t cells = capture.samples.size();
+  entry.detail = jsonText([&](JsonWriter& json) {
+    poseFields(json, "pose", capture, pose, requiredField("place", place), requiredField("cells", cells),
+               optionalField("raw_sha256", raw_sha256));
+  });
+}
+
+/// The detail of an entry that is about one capture, and more fields.
+template <class... Fields>
+std::string ofCapture(std::int64_t capture, const Fields&... fields) {
+  return jsonText([&](JsonWriter& json) { json.object(requiredField("capture", capture), fields...); });
 }
 
 }  // namespace
@@ -148,7 +146,9 @@ void JournalState::apply(const JournalEntry& entry, const std::string& where) {
     if (entry.kind != "capture") return;
     if (const auto raw = json.find("raw_sha256")) raw_sha256_[entry.entry] = raw->string();
   } else if (entry.kind == "source") {
-    session_->setSource({readMessage(json, "text"), json.at("file").string(), json.at("sha256").string()});
+    SourceDescription source;
+    storedSourceFields(json, source);
+    session_->setSource(std::move(source));
   } else if (entry.kind == "truth") {
     session_->setTruth(readTruth(json));
   } else if (entry.kind == "options") {
@@ -201,7 +201,11 @@ std::optional<SessionEdit> JournalState::editIn(const JournalEntry& entry, const
     const auto why = json.find("why");
     return SetPoseDisabled{placeOf(captureOf(json)), kind == "disable", why ? why->string() : std::string()};
   }
-  if (kind == "joints") return SetJointAngles{placeOf(captureOf(json)), readJointAngles(json.at("joint_angles"))};
+  if (kind == "joints") {
+    SetJointAngles joints{placeOf(captureOf(json))};
+    json.object(requiredField("joint_angles", joints.angles.positions, AsJointAngles()));
+    return joints;
+  }
   if (kind == "robot") return SetRobot{readRobot(json)};
   if (kind == "placement") return SetPatchPlacement{readPlacement(json)};
   if (kind == "mute" || kind == "unmute") {
@@ -242,78 +246,69 @@ JournalEntry JournalState::entryFor(const StoreOperation& operation, std::int64_
   JournalEntry entry;
   entry.entry = last_entry_ + 1;
   entry.at_ms = at_ms;
-  Json detail = Json::object();
   if (const auto* edit = std::get_if<SessionEdit>(&operation)) {
-    detail = sayEdit(*edit, raw_sha256, entry);
-  } else if (const auto* source = std::get_if<SetSource>(&operation)) {
+    sayEdit(*edit, raw_sha256, entry);
+  } else if (const auto* set = std::get_if<SetSource>(&operation)) {
     entry.kind = "source";
-    writeMessage(detail, "text", source->source.text);
-    detail["file"] = source->source.file;
-    detail["sha256"] = source->source.sha256;
+    entry.detail = jsonText([&](JsonWriter& json) { storedSourceFields(json, set->source); });
   } else if (const auto* truth = std::get_if<SetTruth>(&operation)) {
     entry.kind = "truth";
-    entry.detail = textOf([&](JsonWriter& json) { writeTruth(truth->truth, json); });
+    entry.detail = jsonText([&](JsonWriter& json) { writeTruth(truth->truth, json); });
   } else if (const auto* options = std::get_if<SetOptions>(&operation)) {
     entry.kind = "options";
     entry.detail = options->json;
   }
-  if (entry.detail.empty()) entry.detail = dumpReadable(detail);
   entry.digest = entry.expectedDigest(digest_);
   return entry;
 }
 
-nlohmann::ordered_json JournalState::sayEdit(const SessionEdit& edit, const std::string& raw_sha256,
-                                             JournalEntry& entry) const {
-  Json detail = Json::object();
+void JournalState::sayEdit(const SessionEdit& edit, const std::string& raw_sha256, JournalEntry& entry) const {
   if (const auto* add = std::get_if<AddPose>(&edit)) {
-    requireCapture(add->pose);
-    detail = sayCapture(add->pose, add->index.value_or(captures_.size()), entry);
-    if (!raw_sha256.empty()) detail["raw_sha256"] = raw_sha256;
+    sayCapture(add->pose, add->index.value_or(captures_.size()), raw_sha256, entry);
   } else if (const auto* remove = std::get_if<RemovePose>(&edit)) {
     entry.kind = "remove";
-    detail["capture"] = captureAt(remove->index);
+    entry.detail = ofCapture(captureAt(remove->index));
   } else if (const auto* restore = std::get_if<RestorePose>(&edit)) {
     requireCapture(restore->pose);
     if (const RemovedPose* removed = lastRemoved(*restore->pose.capture)) {
       entry.kind = "restore";
-      detail["capture"] = removed->capture;
-      detail["place"] = restore->index;
+      entry.detail = ofCapture(removed->capture, requiredField("place", restore->index));
     } else {
-      detail = sayCapture(restore->pose, restore->index, entry);
+      sayCapture(restore->pose, restore->index, {}, entry);
     }
   } else if (const auto* disable = std::get_if<SetPoseDisabled>(&edit)) {
     entry.kind = disable->disabled ? "disable" : "enable";
-    detail["capture"] = captureAt(disable->index);
-    if (disable->disabled && !disable->why.empty()) detail["why"] = disable->why;
+    const std::string why = disable->disabled ? disable->why : std::string();
+    entry.detail = ofCapture(captureAt(disable->index), optionalField("why", why));
   } else if (const auto* joints = std::get_if<SetJointAngles>(&edit)) {
     entry.kind = "joints";
-    detail["capture"] = captureAt(joints->index);
     joints->angles.validate();
-    detail["joint_angles"] = jointAnglesJson(joints->angles);
+    entry.detail =
+        ofCapture(captureAt(joints->index), requiredField("joint_angles", joints->angles.positions, AsJointAngles()));
   } else if (const auto* mute = std::get_if<SetLinkMuted>(&edit)) {
     entry.kind = mute->muted ? "mute" : "unmute";
-    detail = mutedLinkJson(
-        {std::min(mute->a, mute->b), std::max(mute->a, mute->b), mute->muted ? mute->why : std::string()});
-  } else if (const auto* robot = std::get_if<SetRobot>(&edit)) {
+    const MutedLink link{std::min(mute->a, mute->b), std::max(mute->a, mute->b), mute->muted ? mute->why : ""};
+    entry.detail = jsonText([&](JsonWriter& json) { writeMutedLink(link, json); });
+  } else if (const auto* set = std::get_if<SetRobot>(&edit)) {
     entry.kind = "robot";
-    if (robot->robot) robot->robot->validate();
-    detail = robotJson(robot->robot);
+    if (set->robot) set->robot->validate();
+    entry.detail = jsonText([&](JsonWriter& json) { writeRobot(set->robot, json); });
   } else if (const auto* placed = std::get_if<SetPatchPlacement>(&edit)) {
     entry.kind = "placement";
     placed->placement.validate();
-    detail = placementJson(placed->placement);
+    entry.detail = jsonText([&](JsonWriter& json) { writePlacement(placed->placement, json); });
   } else if (const auto* skin = std::get_if<SetSkin>(&edit)) {
     if (!skin->model) throw InvalidArgument(message("a skin must have a cell model"));
     entry.kind = "skin";
-    entry.detail = textOf([&](JsonWriter& json) {
+    entry.detail = jsonText([&](JsonWriter& json) {
       json.beginObject();
-      json.member("cell_model", cellModelJson(*skin->model));
+      json.key("cell_model");
+      writeCellModel(*skin->model, json);
       json.key("cells");
       writeNeighbors(skin->neighbors, json);
       json.endObject();
     });
   }
-  return detail;
 }
 
 Session JournalState::session(const std::string& file) const {

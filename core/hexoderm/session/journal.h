@@ -60,9 +60,8 @@ class JournalState {
   /// before. Null if there is none.
   [[nodiscard]] const RemovedPose* lastRemoved(const PoseCapture& capture) const;
   [[nodiscard]] const RemovedPose& removedBy(std::int64_t capture) const;
-  /// Gives the entry its kind and, if it is a capture, its samples; returns its detail.
-  [[nodiscard]] nlohmann::ordered_json sayEdit(const SessionEdit& edit, const std::string& raw_sha256,
-                                               JournalEntry& entry) const;
+  /// Gives the entry its kind, its detail and, if it is a capture, its samples.
+  void sayEdit(const SessionEdit& edit, const std::string& raw_sha256, JournalEntry& entry) const;
   void apply(const JournalEntry& entry, const std::string& where);
   /// Applies a skin or a truth that is as it usually is, without a document of it; false if it is anything else.
   bool applyLarge(const JournalEntry& entry);

@@ -1,181 +1,164 @@
 #include "hexoderm/session/session_parts_json.h"
 
-#include "hexoderm/geometry/covariance.h"
 #include "hexoderm/util/error.h"
-#include "hexoderm/util/limits.h"
-#include "hexoderm/util/message_json.h"
 
 #include <algorithm>
-#include <cmath>
 #include <set>
 
 namespace hexoderm {
 namespace {
 
-using Json = nlohmann::ordered_json;
-
 /// What a cell has, as a rule.
 constexpr std::size_t kUsualPorts = 6;
 
-template <class In>
-NeighborList neighborsFrom(In& json) {
-  NeighborList neighbors;
-  json.eachItem([&](auto& cell) {
-    CellReport& report = neighbors.emplace_back();
-    const auto ports = [&](auto& items) {
-      report.neighbors.reserve(kUsualPorts);
-      items.eachItem([&](auto& port) {
-        NeighborReport& neighbor = report.neighbors.emplace_back();
-        port.object(member("port", into(neighbor.port)), member("cell", into(neighbor.cell)),
-                    optionalMember("cell_port", into(neighbor.cell_port)));
-      });
-    };
-    cell.object(member("id", into(report.id)), optionalMember("body_part", into(report.body_part)),
-                member("ports", ports));
-  });
-  neighbors.shrink_to_fit();
-  return neighbors;
+const Described kReportedPorts{[](auto& json, auto& neighbor) {
+                                 json.object(requiredField("port", neighbor.port), requiredField("cell", neighbor.cell),
+                                             optionalField("cell_port", neighbor.cell_port));
+                               },
+                               kUsualPorts};
+const Described kReportedCells{[](auto& json, auto& report) {
+  json.object(requiredField("id", report.id), optionalField("body_part", report.body_part),
+              requiredField("ports", report.neighbors, kReportedPorts));
+}};
+
+template <class Json, class Truth>
+void truthFields(Json& json, Truth& truth) {
+  const auto cell = [](auto& item, auto& placement) {
+    item.object(requiredField("id", placement.id), requiredField("R", placement.T_b_u.R, kRotation),
+                requiredField("t_m", placement.T_b_u.t, vectorWithin(kMostLength_m)));
+  };
+  json.object(defaultedField("frame", truth.frame), requiredField("cells", truth.cells, Described{cell}));
 }
 
-template <class In>
-GroundTruth truthFrom(In& json) {
-  GroundTruth truth;
-  const auto cells = [&](auto& items) {
-    items.eachItem([&](auto& item) {
-      TrueCellPlacement& cell = truth.cells.emplace_back();
-      item.object(member("id", into(cell.id)), member("R", [&](auto& in) { cell.T_b_u.R = in.rotation(); }),
-                  member("t_m", [&](auto& in) { cell.T_b_u.t = in.vector3(kMostLength_m); }));
-    });
+template <class Json, class Link>
+void mutedLinkFields(Json& json, Link& link) {
+  json.object(requiredField("source", link.source.cell), requiredField("source_port", link.source.port),
+              requiredField("target", link.target.cell), requiredField("target_port", link.target.port),
+              optionalField("why", link.why));
+}
+
+/// A package of the robot's description, or the position of a joint.
+struct Package {
+  std::string name;
+  std::string folder;
+};
+struct JointPosition {
+  std::string joint;
+  double position = 0;
+};
+
+template <class Json, class Item>
+void packageFields(Json& json, Item& package) {
+  json.object(requiredField("name", package.name), requiredField("folder", package.folder));
+}
+
+template <class Json, class Item>
+void jointFields(Json& json, Item& joint) {
+  json.object(requiredField("joint", joint.joint), requiredField("position", joint.position));
+}
+
+template <class Json, class Placement>
+void placementFields(Json& json, Placement& placement) {
+  const auto point = [](auto& item, auto& known) {
+    item.object(requiredField("cell", known.cell, wholeFrom(1)),
+                requiredField("x_l_m", known.x_l, vectorWithin(kMostLength_m)),
+                requiredField("sigma_m", known.sigma_m, kPositive));
   };
-  json.object(optionalMember("frame", into(truth.frame)), member("cells", cells));
-  truth.cells.shrink_to_fit();
-  return truth;
+  const auto distance = [](auto& item, auto& known) {
+    item.object(requiredField("from_cell", known.a, wholeFrom(1)), requiredField("to_cell", known.b, wholeFrom(1)),
+                requiredField("distance_m", known.distance_m, kPositive),
+                requiredField("sigma_m", known.sigma_m, kPositive));
+  };
+  const auto place = [](auto& item, auto& at) { placeFields(item, at); };
+  json.object(requiredField("origin_cell", placement.origin, wholeFrom(1)), optionalField("link", placement.link),
+              optionalField("link_chosen", placement.link_chosen), requiredField("by_surface", placement.by_surface),
+              optionalField("points", placement.points, Described{point}),
+              optionalField("distances", placement.distances, Described{distance}),
+              optionalField("place", placement.place, Described{place}));
 }
 
 }  // namespace
 
-NeighborList readNeighbors(const JsonReader& json) { return neighborsFrom(json); }
-NeighborList scanNeighbors(JsonScanner& json) { return neighborsFrom(json); }
+NeighborList readNeighbors(const JsonReader& json) {
+  NeighborList neighbors;
+  kReportedCells.take(json, neighbors);
+  return neighbors;
+}
+NeighborList scanNeighbors(JsonScanner& json) {
+  NeighborList neighbors;
+  kReportedCells.take(json, neighbors);
+  return neighbors;
+}
+void writeNeighbors(const NeighborList& neighbors, JsonWriter& json) { kReportedCells.put(json, neighbors); }
 
-void writeNeighbors(const NeighborList& neighbors, JsonWriter& json) {
-  json.array(neighbors, [&](const CellReport& report) {
-    json.beginObject();
-    json.member("id", report.id.value());
-    if (!report.body_part.empty()) json.member("body_part", report.body_part);
-    json.arrayMember("ports", report.neighbors, [&](const NeighborReport& neighbor) {
-      json.beginObject();
-      json.member("port", neighbor.port.value());
-      json.member("cell", neighbor.cell.value());
-      if (neighbor.cell_port) json.member("cell_port", neighbor.cell_port->value());
-      json.endObject();
-    });
-    json.endObject();
+MutedLink readMutedLink(const JsonReader& json) {
+  MutedLink link;
+  mutedLinkFields(json, link);
+  if (link.source == link.target) {
+    json.failAt("target_port", message("another port than the source's: a link has two ends"));
+  }
+  if (link.target < link.source) std::swap(link.source, link.target);
+  return link;
+}
+void writeMutedLink(const MutedLink& link, JsonWriter& json) { mutedLinkFields(json, link); }
+
+void AsJointAngles::take(const JsonReader& in, Positions& positions) const {
+  for (const JsonReader& item : in.items()) {
+    JointPosition joint;
+    jointFields(item, joint);
+    if (joint.joint.empty()) item.failAt("joint", message("the name of a joint"));
+    if (std::abs(joint.position) > kMostJointPosition) {
+      item.failAt("position", message("a position of at most {}", Number{kMostJointPosition, 0}));
+    }
+    if (!positions.emplace(joint.joint, joint.position).second) item.failAt("joint", message("each joint once"));
+  }
+}
+void AsJointAngles::put(JsonWriter& out, const Positions& positions) const {
+  out.array(positions, [&](const auto& joint) {
+    const JointPosition position{joint.first, joint.second};
+    jointFields(out, position);
   });
 }
 
-MutedLink readMutedLink(const JsonReader& json) {
-  const auto end = [&](const char* cell, const char* port) {
-    return LinkEnd{CellId(json.at(cell).unsignedInteger()), PortNumber(json.at(port).unsignedInteger())};
-  };
-  const LinkEnd a = end("source", "source_port");
-  const LinkEnd b = end("target", "target_port");
-  if (a == b) json.at("target_port").fail(message("another port than the source's: a link has two ends"));
-  const auto why = json.find("why");
-  return {std::min(a, b), std::max(a, b), why ? why->string() : std::string()};
-}
-
-Json mutedLinkJson(const MutedLink& link) {
-  Json json;
-  json["source"] = link.source.cell.value();
-  json["source_port"] = link.source.port.value();
-  json["target"] = link.target.cell.value();
-  json["target_port"] = link.target.port.value();
-  if (!link.why.empty()) json["why"] = link.why;
-  return json;
-}
-
-JointAngles readJointAngles(const JsonReader& json) {
-  JointAngles angles;
-  for (const JsonReader& item : json.items()) {
-    const std::string joint = item.at("joint").string();
-    if (joint.empty()) item.at("joint").fail(message("the name of a joint"));
-    const double position = item.at("position").number();
-    if (std::abs(position) > kMostJointPosition) {
-      item.at("position").fail(message("a position of at most {}", Number{kMostJointPosition, 0}));
-    }
-    if (!angles.positions.emplace(joint, position).second) item.at("joint").fail(message("each joint once"));
-  }
-  return angles;
-}
-
-Json jointAnglesJson(const JointAngles& angles) {
-  Json json = Json::array();
-  for (const auto& [joint, position] : angles.positions) json.push_back({{"joint", joint}, {"position", position}});
-  return json;
-}
-
 std::optional<RobotDescription> readRobot(const JsonReader& json) {
-  const auto urdf = json.find("urdf");
-  if (!urdf) return std::nullopt;
-  RobotDescription robot{urdf->string(), json.at("sha256").string(), {}};
-  if (robot.urdf.empty()) urdf->fail(message("the name of a file"));
+  if (!json.find("urdf")) return std::nullopt;
+  RobotDescription robot;
+  json.object(requiredField("urdf", robot.urdf), requiredField("sha256", robot.sha256));
+  if (robot.urdf.empty()) json.failAt("urdf", message("the name of a file"));
   if (const auto packages = json.find("packages")) {
     for (const JsonReader& item : packages->items()) {
-      const std::string name = item.at("name").string();
-      const std::string folder = item.at("folder").string();
-      if (name.empty() || folder.empty()) item.fail(message("a name and a folder"));
-      if (!robot.packages.emplace(name, folder).second) item.at("name").fail(message("each package once"));
+      Package package;
+      packageFields(item, package);
+      if (package.name.empty() || package.folder.empty()) item.fail(message("a name and a folder"));
+      if (!robot.packages.emplace(package.name, package.folder).second) {
+        item.failAt("name", message("each package once"));
+      }
     }
   }
   return robot;
 }
 
-Json robotJson(const std::optional<RobotDescription>& robot) {
-  Json json = Json::object();
-  if (!robot) return json;
-  json["urdf"] = robot->urdf;
-  json["sha256"] = robot->sha256;
-  for (const auto& [name, folder] : robot->packages) json["packages"].push_back({{"name", name}, {"folder", folder}});
-  return json;
-}
-
-void readPlace(const JsonReader& json, PatchOnLink& place) {
-  place.T_l_o = {json.at("R").rotation(), json.at("t_m").vector3(kMostLength_m)};
-  const auto cov = json.find("cov_t_r");
-  if (!cov) return;
-  const Matrix6d cov_t_r = fromUpperTriangle<6>(cov->numbers<21>());
-  if (!isCovariance(cov_t_r)) cov->fail(message("a covariance (positive semidefinite)"));
-  place.cov_t_r = cov_t_r;
-}
-
-void writePlace(const PatchOnLink& place, Json& json) {
-  json["R"] = toJson(place.T_l_o.R);
-  json["t_m"] = toJson(place.T_l_o.t);
-  if (place.cov_t_r) json["cov_t_r"] = upperTriangle(*place.cov_t_r);
+void writeRobot(const std::optional<RobotDescription>& robot, JsonWriter& json) {
+  json.beginObject();
+  if (robot) {
+    json.member("urdf", robot->urdf);
+    json.member("sha256", robot->sha256);
+    if (!robot->packages.empty()) {
+      json.arrayMember("packages", robot->packages, [&](const auto& folder) {
+        const Package package{folder.first, folder.second};
+        packageFields(json, package);
+      });
+    }
+  }
+  json.endObject();
 }
 
 PatchPlacement readPlacement(const JsonReader& json) {
   PatchPlacement placement;
-  placement.origin = CellId(json.at("origin_cell").unsignedInteger(1));
-  if (const auto link = json.find("link")) placement.link = link->string();
-  if (const auto chosen = json.find("link_chosen")) placement.link_chosen = chosen->boolean();
-  placement.by_surface = json.at("by_surface").boolean();
-  if (const auto points = json.find("points")) {
-    for (const JsonReader& item : points->items()) {
-      placement.points.push_back({CellId(item.at("cell").unsignedInteger(1)), item.at("x_l_m").vector3(kMostLength_m),
-                                  item.at("sigma_m").positiveNumber()});
-    }
-  }
-  if (const auto distances = json.find("distances")) {
-    for (const JsonReader& item : distances->items()) {
-      placement.distances.push_back({CellId(item.at("from_cell").unsignedInteger(1)),
-                                     CellId(item.at("to_cell").unsignedInteger(1)),
-                                     item.at("distance_m").positiveNumber(), item.at("sigma_m").positiveNumber()});
-    }
-  }
-  if (const auto place = json.find("place")) {
-    placement.place = PatchOnLink{placement.origin, placement.link, {}, {}};
-    readPlace(*place, *placement.place);
+  placementFields(json, placement);
+  if (placement.place) {
+    placement.place->origin = placement.origin;
+    placement.place->link = placement.link;
   }
   try {
     placement.validate();
@@ -184,60 +167,47 @@ PatchPlacement readPlacement(const JsonReader& json) {
   }
   return placement;
 }
-
-Json placementJson(const PatchPlacement& placement) {
-  Json json = {{"origin_cell", placement.origin.value()}};
-  if (!placement.link.empty()) json["link"] = placement.link;
-  if (placement.link_chosen) json["link_chosen"] = true;
-  json["by_surface"] = placement.by_surface;
-  for (const KnownPoint& point : placement.points) {
-    json["points"].push_back({{"cell", point.cell.value()}, {"x_l_m", toJson(point.x_l)}, {"sigma_m", point.sigma_m}});
-  }
-  for (const KnownDistance& distance : placement.distances) {
-    json["distances"].push_back({{"from_cell", distance.a.value()},
-                                 {"to_cell", distance.b.value()},
-                                 {"distance_m", distance.distance_m},
-                                 {"sigma_m", distance.sigma_m}});
-  }
-  if (placement.place) writePlace(*placement.place, json["place"]);
-  return json;
-}
+void writePlacement(const PatchPlacement& placement, JsonWriter& json) { placementFields(json, placement); }
 
 std::vector<PatchPlacement> readPlacements(const JsonReader& json) {
   std::vector<PatchPlacement> placements;
   std::set<CellId> origins;
   for (const JsonReader& item : json.items()) {
     placements.push_back(readPlacement(item));
-    if (!origins.insert(placements.back().origin).second) {
-      item.at("origin_cell").fail(message("each patch once; that of cell {} is there twice", placements.back().origin));
-    }
+    requireOriginOnce(item, placements.back().origin, origins);
   }
   return placements;
 }
 
-Json placementsJson(const std::vector<PatchPlacement>& placements) {
-  Json json = Json::array();
-  for (const PatchPlacement& placement : placements) json.push_back(placementJson(placement));
-  return json;
+void requireOriginOnce(const JsonReader& item, CellId origin, std::set<CellId>& origins) {
+  if (origins.insert(origin).second) return;
+  item.failAt("origin_cell", message("each patch once; that of cell {} is there twice", origin));
+}
+
+void writeRobotMembers(const std::optional<RobotDescription>& robot, const std::vector<PatchPlacement>& placements,
+                       JsonWriter& json) {
+  if (robot) {
+    json.key("robot");
+    writeRobot(robot, json);
+  }
+  if (placements.empty()) return;
+  json.arrayMember("placements", placements,
+                   [&](const PatchPlacement& placement) { placementFields(json, placement); });
 }
 
 SessionPose readPose(const JsonReader& json, const std::string& id_key,
                      const std::function<std::vector<GravitySample>()>& take_samples) {
   PoseCapture capture;
-  // One below the largest number, so that there is always an ID for the next pose.
-  capture.id = PoseId(json.at(id_key).unsignedInteger(0, UINT32_MAX - 1));
-  if (json.find("label")) capture.label = readMessage(json, "label");
-  if (const auto taken = json.find("taken_at_ms")) capture.taken_at_ms = taken->integer();
+  SessionPose pose;
+  poseFields(json, id_key, capture, pose);
   capture.samples = take_samples();
-  SessionPose pose{std::make_shared<const PoseCapture>(std::move(capture))};
-  if (const auto disabled = json.find("disabled")) pose.disabled = disabled->boolean();
-  if (const auto why = json.find("why_disabled")) pose.why_disabled = why->string();
-  if (const auto joints = json.find("joint_angles")) pose.joint_angles = readJointAngles(*joints);
+  pose.capture = std::make_shared<const PoseCapture>(std::move(capture));
   return pose;
 }
 
 GroundTruth readTruth(const JsonReader& json) {
-  GroundTruth truth = truthFrom(json);
+  GroundTruth truth;
+  truthFields(json, truth);
   std::set<CellId> known;
   for (std::size_t k = 0; k < truth.cells.size(); ++k) {
     if (!known.insert(truth.cells[k].id).second) json.at("cells").items()[k].failAt("id", message("each cell once"));
@@ -246,7 +216,8 @@ GroundTruth readTruth(const JsonReader& json) {
 }
 
 GroundTruth scanTruth(JsonScanner& json) {
-  GroundTruth truth = truthFrom(json);
+  GroundTruth truth;
+  truthFields(json, truth);
   std::vector<CellId> ids;
   ids.reserve(truth.cells.size());
   for (const TrueCellPlacement& cell : truth.cells) ids.push_back(cell.id);
@@ -255,17 +226,6 @@ GroundTruth scanTruth(JsonScanner& json) {
   return truth;
 }
 
-void writeTruth(const GroundTruth& truth, JsonWriter& json) {
-  json.beginObject();
-  json.member("frame", truth.frame);
-  json.arrayMember("cells", truth.cells, [&](const TrueCellPlacement& cell) {
-    json.beginObject();
-    json.member("id", cell.id.value());
-    json.member("R", cell.T_b_u.R);
-    json.member("t_m", cell.T_b_u.t);
-    json.endObject();
-  });
-  json.endObject();
-}
+void writeTruth(const GroundTruth& truth, JsonWriter& json) { truthFields(json, truth); }
 
 }  // namespace hexoderm

@@ -5,7 +5,6 @@
 #include "hexoderm/util/database_files.h"
 #include "hexoderm/util/error.h"
 #include "hexoderm/util/file.h"
-#include "hexoderm/util/file_place.h"
 #include "hexoderm/util/kept_files.h"
 #include "hexoderm/util/sha256.h"
 #include "hexoderm/util/system_reason.h"

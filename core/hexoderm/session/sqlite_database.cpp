@@ -1,9 +1,9 @@
 #include "hexoderm/session/sqlite_database.h"
 
 #include "hexoderm/util/error.h"
-#include "hexoderm/util/hex.h"
 #include "hexoderm/util/system_reason.h"
 
+#include <fmt/format.h>
 #include <sqlite3.h>
 
 #include <algorithm>
@@ -22,8 +22,7 @@ std::string immutableAddress(const std::string& path) {
   std::string address = "file://";
   for (const char c : path) {
     if (c == '%' || c == '?' || c == '#') {
-      const std::array<std::uint8_t, 1> byte = {static_cast<std::uint8_t>(c)};
-      address += '%' + hexDigits(byte, HexCase::Upper);
+      address += fmt::format("%{:02X}", static_cast<unsigned>(c));
     } else {
       address += c;
     }
@@ -185,25 +184,24 @@ Statement::Statement(Database& database, std::string_view sql) : database_(&data
   if (code != SQLITE_OK) database.fail(code);
 }
 
-Statement& Statement::bind(int place, std::int64_t value) {
-  const int code = sqlite3_bind_int64(statement_.get(), place, value);
+Statement& Statement::bound(int code) {
   if (code != SQLITE_OK) database_->fail(code);
   return *this;
 }
 
+Statement& Statement::bind(int place, std::int64_t value) {
+  return bound(sqlite3_bind_int64(statement_.get(), place, value));
+}
+
 Statement& Statement::bindText(int place, std::string_view value) {
-  const int code = sqlite3_bind_text64(statement_.get(), place, value.data(), value.size(), SQLITE_STATIC, SQLITE_UTF8);
-  if (code != SQLITE_OK) database_->fail(code);
-  return *this;
+  return bound(sqlite3_bind_text64(statement_.get(), place, value.data(), value.size(), SQLITE_STATIC, SQLITE_UTF8));
 }
 
 Statement& Statement::bindBlob(int place, std::span<const std::uint8_t> value) {
   // A null pointer would bind NULL, which is another value than nothing.
   static constexpr std::uint8_t kNothing = 0;
-  const int code = sqlite3_bind_blob64(statement_.get(), place, value.empty() ? &kNothing : value.data(), value.size(),
-                                       SQLITE_STATIC);
-  if (code != SQLITE_OK) database_->fail(code);
-  return *this;
+  return bound(sqlite3_bind_blob64(statement_.get(), place, value.empty() ? &kNothing : value.data(), value.size(),
+                                   SQLITE_STATIC));
 }
 
 bool Statement::step() {

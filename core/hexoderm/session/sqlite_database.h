@@ -81,6 +81,7 @@ class Statement {
   struct Finalize {
     void operator()(sqlite3_stmt* statement) const noexcept;
   };
+  Statement& bound(int code);
   void requireType(int column, int type, const Message& expected) const;
 
   Database* database_;

@@ -11,6 +11,7 @@
 #include <cerrno>
 #include <map>
 #include <mutex>
+#include <system_error>
 #include <vector>
 
 namespace hexoderm {
@@ -34,6 +35,24 @@ std::optional<FileIdentity> identityOf(const std::filesystem::path& path) {
   return FileIdentity(status.st_dev, status.st_ino);
 }
 
+std::optional<FileIdentity> identityOf(int descriptor) {
+  struct stat status {};
+  if (::fstat(descriptor, &status) != 0) return std::nullopt;
+  return FileIdentity(status.st_dev, status.st_ino);
+}
+
+bool isAt(const std::filesystem::path& path, int descriptor) {
+  struct stat there {};
+  return ::stat(path.c_str(), &there) == 0 && identityOf(descriptor) == FileIdentity(there.st_dev, there.st_ino);
+}
+
+std::optional<std::filesystem::path> placeOf(int descriptor) {
+  std::error_code unknown;
+  const auto place = std::filesystem::read_symlink("/proc/self/fd/" + std::to_string(descriptor), unknown);
+  if (unknown || !isAt(place, descriptor)) return std::nullopt;
+  return place;
+}
+
 bool isOpenDatabase(const std::filesystem::path& path) {
   const std::optional<FileIdentity> identity = identityOf(path);
   const std::lock_guard guard(registry().mutex);
@@ -41,18 +60,16 @@ bool isOpenDatabase(const std::filesystem::path& path) {
 }
 
 void addOpenDatabase(int descriptor) {
-  struct stat status {};
-  if (::fstat(descriptor, &status) != 0) return;
+  const std::optional<FileIdentity> identity = identityOf(descriptor);
   const std::lock_guard guard(registry().mutex);
-  registry().writing[{status.st_dev, status.st_ino}];
+  if (identity) registry().writing[*identity];
 }
 
 void closeWhenHarmless(int descriptor, bool is_writer) {
   if (descriptor < 0) return;
-  struct stat status {};
-  const bool known = ::fstat(descriptor, &status) == 0;
+  const std::optional<FileIdentity> identity = identityOf(descriptor);
   const std::lock_guard guard(registry().mutex);
-  const auto found = known ? registry().writing.find({status.st_dev, status.st_ino}) : registry().writing.end();
+  const auto found = identity ? registry().writing.find(*identity) : registry().writing.end();
   if (found == registry().writing.end()) {
     ::close(descriptor);
   } else if (is_writer) {

@@ -1,6 +1,7 @@
 #pragma once
 
-// Private to core: files that SQLite may have open in this process, and how they are looked at.
+// Private to core: which file a path or a descriptor is, files that SQLite may have open in this process, and how they
+// are looked at.
 
 #include <sys/types.h>
 
@@ -19,6 +20,12 @@ namespace hexoderm {
 using FileIdentity = std::pair<dev_t, ino_t>;
 /// Of a regular file, links followed; nullopt if there is none.
 std::optional<FileIdentity> identityOf(const std::filesystem::path& path);
+/// Of what is open, a pipe or a folder too.
+std::optional<FileIdentity> identityOf(int descriptor);
+/// Whether `path`, links followed, names what is open.
+[[nodiscard]] bool isAt(const std::filesystem::path& path, int descriptor);
+/// Where the open file is now; nullopt if that is not known, as a rule because it was removed.
+[[nodiscard]] std::optional<std::filesystem::path> placeOf(int descriptor);
 
 inline constexpr std::string_view kSqliteHeader("SQLite format 3\0", 16);
 /// "HEXO", at byte 68 of every session store.

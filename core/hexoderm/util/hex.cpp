@@ -4,8 +4,8 @@
 
 namespace hexoderm {
 
-std::string hexDigits(std::span<const std::uint8_t> bytes, HexCase letters) {
-  const std::string_view digits = letters == HexCase::Lower ? "0123456789abcdef" : "0123456789ABCDEF";
+std::string hexDigits(std::span<const std::uint8_t> bytes) {
+  constexpr std::string_view digits = "0123456789abcdef";
   std::string text;
   text.reserve(2 * bytes.size());
   for (const std::uint8_t byte : bytes) {

@@ -6,9 +6,7 @@
 
 namespace hexoderm {
 
-enum class HexCase { Lower, Upper };
-
 /// The bytes as hexadecimal digits, two a byte, the high one first.
-std::string hexDigits(std::span<const std::uint8_t> bytes, HexCase letters = HexCase::Lower);
+std::string hexDigits(std::span<const std::uint8_t> bytes);
 
 }  // namespace hexoderm

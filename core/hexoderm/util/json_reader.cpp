@@ -3,7 +3,6 @@
 #include "hexoderm/util/error.h"
 #include "hexoderm/util/file.h"
 #include "hexoderm/util/is_rotation.h"
-#include "hexoderm/util/json_writer.h"
 #include "hexoderm/util/near_match.h"
 #include "hexoderm/util/text.h"
 
@@ -29,25 +28,29 @@ MessageArgument placeOf(const std::string& path) {
   return path.empty() ? MessageArgument(message("top level")) : MessageArgument(path);
 }
 
-/// Follows the parser through a text and remembers the key path of the value it was at when it stopped.
-class PathTracker : public nlohmann::json_sax<nlohmann::json> {
+/// Builds the value of a text while the parser reads it, and stops at what no document of ours is: a key that is there
+/// twice, of which readers would take one or the other, and more levels or values than are read.
+class DocumentBuilder final : public nlohmann::json_sax<nlohmann::json> {
  public:
-  bool null() override { return valueDone(); }
-  bool boolean(bool /*value*/) override { return valueDone(); }
-  bool number_integer(number_integer_t /*value*/) override { return valueDone(); }
-  bool number_unsigned(number_unsigned_t /*value*/) override { return valueDone(); }
-  bool number_float(number_float_t /*value*/, const string_t& /*text*/) override { return valueDone(); }
-  bool string(string_t& value) override {
-    if (levels_.size() == 1 && levels_.front().key == "format") format_ = value;
-    return valueDone();
-  }
-  bool binary(binary_t& /*value*/) override { return valueDone(); }
-  bool start_object(std::size_t /*size*/) override { return push(false); }
-  bool start_array(std::size_t /*size*/) override { return push(true); }
-  bool end_object() override { return pop(); }
-  bool end_array() override { return pop(); }
+  DocumentBuilder(std::size_t most_values, std::size_t levels_above)
+      : most_values_(most_values), levels_above_(levels_above) {}
+
+  bool null() override { return add(nullptr); }
+  bool boolean(bool value) override { return add(value); }
+  bool number_integer(number_integer_t value) override { return add(value); }
+  bool number_unsigned(number_unsigned_t value) override { return add(value); }
+  bool number_float(number_float_t value, const string_t& /*text*/) override { return add(value); }
+  bool string(string_t& value) override { return add(value); }
+  bool binary(binary_t& /*value*/) override { return false; }
+  bool start_object(std::size_t /*size*/) override { return open(nlohmann::json::value_t::object); }
+  bool start_array(std::size_t /*size*/) override { return open(nlohmann::json::value_t::array); }
+  bool end_object() override { return close(); }
+  bool end_array() override { return close(); }
   bool key(string_t& value) override {
-    levels_.back().key = value;
+    open_.back().key = value;
+    const auto [member, is_new] = open_.back().value->get_ref<nlohmann::json::object_t&>().try_emplace(value);
+    if (!is_new) return refuse(message("is there twice, expected each key once"));
+    member_ = &member->second;
     return true;
   }
   bool parse_error(std::size_t position, const std::string& last_token,
@@ -62,17 +65,22 @@ class PathTracker : public nlohmann::json_sax<nlohmann::json> {
     std::string last_token;
     bool is_syntax = false;  ///< else a number that no double holds
   };
-  [[nodiscard]] const std::optional<Fault>& fault() const { return fault_; }
-  [[nodiscard]] const std::optional<std::string>& format() const { return format_; }
+  [[nodiscard]] const Fault& fault() const { return fault_; }
+  /// Why it stopped although the text is JSON; says nothing if it did not.
+  [[nodiscard]] const Message& refusal() const { return refusal_; }
+  nlohmann::json take() { return std::move(root_); }
+
+  /// The key path of the value it was at when it stopped.
   [[nodiscard]] std::string path() const {
     // Hostile nesting and keys make longer ones, which nobody reads to the end.
     constexpr std::size_t kLongest = 200;
     constexpr std::size_t kLongestKey = 60;
     std::string path;
-    for (const Level& level : levels_) {
+    for (const Level& level : open_) {
       if (path.size() > kLongest) return path + "...";
-      if (level.is_array) {
-        path += "[" + std::to_string(level.index) + "]";
+      if (level.value->is_array()) {
+        const bool is_within_last = &level != &open_.back();
+        path += "[" + std::to_string(level.value->size() - (is_within_last ? 1 : 0)) + "]";
       } else if (!level.key.empty()) {
         path += (path.empty() ? "" : ".") + shortened(level.key, kLongestKey);
       }
@@ -80,79 +88,13 @@ class PathTracker : public nlohmann::json_sax<nlohmann::json> {
     return path;
   }
 
- protected:
-  virtual bool valueDone() {
-    if (!levels_.empty()) {
-      ++levels_.back().index;
-      levels_.back().key.clear();
-    }
-    return true;
-  }
-
  private:
+  /// An array or an object that is not closed yet.
   struct Level {
-    bool is_array = false;
-    std::size_t index = 0;
-    std::string key;
+    nlohmann::json* value;
+    std::string key;  ///< of the member whose value is read
   };
 
-  bool push(bool is_array) {
-    if (levels_.size() >= kMostJsonLevels) return false;
-    levels_.push_back({is_array, 0, {}});
-    return true;
-  }
-  bool pop() {
-    levels_.pop_back();
-    return valueDone();
-  }
-
-  std::vector<Level> levels_;
-  std::optional<Fault> fault_;
-  std::optional<std::string> format_;
-};
-
-/// Builds the value of a text while the parser reads it, and stops at what no document of ours is: a key that is there
-/// twice, of which readers would take one or the other, and more levels or values than are read.
-class DocumentBuilder final : public PathTracker {
- public:
-  DocumentBuilder(std::size_t most_values, std::size_t levels_above)
-      : most_values_(most_values), levels_above_(levels_above) {}
-
-  bool null() override { return add(nullptr) && PathTracker::null(); }
-  bool boolean(bool value) override { return add(value) && PathTracker::boolean(value); }
-  bool number_integer(number_integer_t value) override { return add(value) && PathTracker::number_integer(value); }
-  bool number_unsigned(number_unsigned_t value) override { return add(value) && PathTracker::number_unsigned(value); }
-  bool number_float(number_float_t value, const string_t& text) override {
-    return add(value) && PathTracker::number_float(value, text);
-  }
-  bool string(string_t& value) override { return add(value) && PathTracker::string(value); }
-  bool start_object(std::size_t size) override {
-    return open(nlohmann::json::value_t::object) && PathTracker::start_object(size);
-  }
-  bool start_array(std::size_t size) override {
-    return open(nlohmann::json::value_t::array) && PathTracker::start_array(size);
-  }
-  bool end_object() override {
-    open_.pop_back();
-    return PathTracker::end_object();
-  }
-  bool end_array() override {
-    open_.pop_back();
-    return PathTracker::end_array();
-  }
-  bool key(string_t& value) override {
-    PathTracker::key(value);
-    const auto [member, is_new] = open_.back()->get_ref<nlohmann::json::object_t&>().try_emplace(value);
-    if (!is_new) return refuse(message("is there twice, expected each key once"));
-    member_ = &member->second;
-    return true;
-  }
-
-  /// Why it stopped although the text is JSON; says nothing if it did not.
-  [[nodiscard]] const Message& refusal() const { return refusal_; }
-  nlohmann::json take() { return std::move(root_); }
-
- private:
   bool refuse(Message why) {
     refusal_ = std::move(why);
     return false;
@@ -167,8 +109,10 @@ class DocumentBuilder final : public PathTracker {
   template <class Value>
   nlohmann::json& put(Value&& value) {
     if (open_.empty()) return root_ = std::forward<Value>(value);
-    if (open_.back()->is_array())
-      return open_.back()->get_ref<nlohmann::json::array_t&>().emplace_back(std::forward<Value>(value));
+    nlohmann::json& parent = *open_.back().value;
+    if (parent.is_array()) {
+      return parent.get_ref<nlohmann::json::array_t&>().emplace_back(std::forward<Value>(value));
+    }
     return *member_ = std::forward<Value>(value);
   }
 
@@ -176,7 +120,7 @@ class DocumentBuilder final : public PathTracker {
   bool add(Value&& value) {
     if (!count()) return false;
     put(std::forward<Value>(value));
-    return true;
+    return endValue();
   }
 
   bool open(nlohmann::json::value_t kind) {
@@ -184,23 +128,27 @@ class DocumentBuilder final : public PathTracker {
       return refuse(message("is nested too deeply, at most {} levels are read", kMostJsonLevels));
     }
     if (!count()) return false;
-    open_.push_back(&put(nlohmann::json(kind)));
+    nlohmann::json& opened = put(nlohmann::json(kind));
+    open_.push_back({&opened, {}});
+    return true;
+  }
+  bool close() {
+    open_.pop_back();
+    return endValue();
+  }
+  bool endValue() {
+    if (!open_.empty()) open_.back().key.clear();
     return true;
   }
 
   nlohmann::json root_;
-  std::vector<nlohmann::json*> open_;  ///< what is not closed yet, from outside to inside
-  nlohmann::json* member_ = nullptr;   ///< of the innermost object, whose value comes next
+  std::vector<Level> open_;           ///< from outside to inside
+  nlohmann::json* member_ = nullptr;  ///< of the innermost object, whose value comes next
   std::size_t most_values_;
   std::size_t levels_above_;
   std::size_t values_ = 0;
   Message refusal_;
-};
-
-/// Stops as soon as the document's format has been read.
-class FormatFinder : public PathTracker {
- protected:
-  bool valueDone() override { return PathTracker::valueDone() && !format(); }
+  Fault fault_;
 };
 
 /// The word of letters, digits, signs and points around a byte, for error messages.
@@ -225,13 +173,13 @@ bool isNotFinite(std::string_view word) {
   return lower == "nan" || lower == "inf" || lower == "infinity";
 }
 
-[[noreturn]] void throwParseError(std::string_view text, const std::string& file, const PathTracker& tracker) {
+[[noreturn]] void throwParseError(std::string_view text, const std::string& file, const DocumentBuilder& builder) {
   if (text.find_first_not_of(" \t\r\n") == std::string_view::npos) {
     throw FormatError(file, message("the file is empty, expected JSON"));
   }
   constexpr std::size_t kLongestToken = 40;
-  const PathTracker::Fault fault = tracker.fault().value_or(PathTracker::Fault());
-  const std::string path = tracker.path();
+  const DocumentBuilder::Fault& fault = builder.fault();
+  const std::string path = builder.path();
   if (!fault.is_syntax) {
     throw FormatError(file, located(placeOf(path), message("expected a finite number, found {}",
                                                            fault.last_token.substr(0, kLongestToken))));
@@ -269,9 +217,25 @@ nlohmann::json parseJson(std::string_view text, const std::string& file, std::si
 }
 
 std::optional<std::string> findJsonFormat(std::string_view text) {
-  FormatFinder finder;
-  nlohmann::json::sax_parse(text, &finder);
-  return finder.format();
+  struct Found {};
+  std::optional<std::string> format;
+  bool is_format = false;
+  // Keeps nothing of the document.
+  const auto look = [&](int depth, nlohmann::json::parse_event_t event, const nlohmann::json& parsed) {
+    using Event = nlohmann::json::parse_event_t;
+    if (depth > static_cast<int>(kMostJsonLevels)) throw Found();
+    if (depth == 1 && event == Event::key) is_format = parsed == "format";
+    if (depth == 1 && event == Event::value && is_format && parsed.is_string()) {
+      format = parsed.get<std::string>();
+      throw Found();
+    }
+    return depth == 0;
+  };
+  try {
+    [[maybe_unused]] const nlohmann::json nothing = nlohmann::json::parse(text, look, false);
+  } catch (const Found&) {
+  }
+  return format;
 }
 
 Message JsonReader::here(Message what) const { return located(*file_, located(placeOf(path_), std::move(what))); }
@@ -313,21 +277,18 @@ std::vector<JsonReader> JsonReader::items() const {
   if (!value_->is_array()) fail(message("an array"));
   std::vector<JsonReader> items;
   items.reserve(value_->size());
-  for (std::size_t i = 0; i < value_->size(); ++i) {
-    items.push_back({(*value_)[i], file_, path_ + "[" + std::to_string(i) + "]"});
-  }
+  for (std::size_t i = 0; i < value_->size(); ++i) items.push_back(itemAt(i));
   return items;
 }
 
-double JsonReader::number() const {
-  if (!value_->is_number()) fail(message("a number"));
-  const auto value = value_->get<double>();
-  if (!std::isfinite(value)) fail(message("a finite number"));
-  return value;
+JsonReader JsonReader::itemAt(std::size_t index) const {
+  return {(*value_)[index], file_, path_ + "[" + std::to_string(index) + "]"};
 }
 
 double JsonReader::number(double most) const {
-  const double value = number();
+  if (!value_->is_number()) fail(message("a number"));
+  const auto value = value_->get<double>();
+  if (!std::isfinite(value)) fail(message("a finite number"));
   if (!(std::abs(value) <= most)) fail(message("a number from {} to {}", Number{-most}, Number{most}));
   return value;
 }
@@ -370,47 +331,25 @@ std::string JsonReader::string() const {
   return value_->get<std::string>();
 }
 
-std::vector<double> JsonReader::numbers(std::size_t count) const {
+std::vector<double> JsonReader::numbers(std::size_t count, double most) const {
   if (!value_->is_array() || value_->size() != count) fail(message("an array of {} numbers", count));
   std::vector<double> values;
   values.reserve(count);
   for (const nlohmann::json& item : *value_) {
     // A reader for each item would cost a path for each number; only a bad one needs it.
     const double value = item.is_number() ? item.get<double>() : std::numeric_limits<double>::quiet_NaN();
-    if (!std::isfinite(value)) {
-      JsonReader(item, file_, path_ + "[" + std::to_string(values.size()) + "]").fail(message("a finite number"));
-    }
+    if (!std::isfinite(value)) itemAt(values.size()).fail(message("a finite number"));
+    if (std::abs(value) > most) static_cast<void>(itemAt(values.size()).number(most));
     values.push_back(value);
   }
   return values;
 }
 
-std::vector<double> JsonReader::numbers(std::size_t count, double most) const {
-  std::vector<double> values = numbers(count);
-  for (std::size_t k = 0; k < values.size(); ++k) {
-    if (std::abs(values[k]) <= most) continue;
-    static_cast<void>(JsonReader((*value_)[k], file_, path_ + "[" + std::to_string(k) + "]").number(most));
-  }
-  return values;
-}
-
-Eigen::Vector3d JsonReader::vector3(double most) const {
-  const std::vector<double> v = numbers(3, most);
-  return {v[0], v[1], v[2]};
-}
-
-Eigen::Vector3d JsonReader::vector3() const {
-  const std::vector<double> v = numbers(3);
-  return {v[0], v[1], v[2]};
-}
-
-Eigen::Matrix3d JsonReader::matrix3() const {
-  const std::vector<double> v = numbers(9);
-  return Eigen::Map<const Eigen::Matrix<double, 3, 3, Eigen::RowMajor>>(v.data());
-}
+Eigen::Vector3d JsonReader::vector3(double most) const { return Eigen::Vector3d(numbers(3, most).data()); }
 
 Eigen::Matrix3d JsonReader::rotation() const {
-  Eigen::Matrix3d R = matrix3();
+  const std::vector<double> v = numbers(9);
+  const Eigen::Matrix3d R = Eigen::Map<const Eigen::Matrix<double, 3, 3, Eigen::RowMajor>>(v.data());
   if (!isRotation(R)) fail(message("a rotation matrix (row-major, orthogonal to 1e-6, determinant +1)"));
   return R;
 }
@@ -438,20 +377,6 @@ void JsonReader::requireFormat(std::string_view format, std::uint32_t newest) co
         *file_,
         located("version", message("this file has version {}, this program reads up to version {}", version, newest)));
   }
-}
-
-std::string dumpReadable(const nlohmann::ordered_json& json) {
-  std::string text;
-  JsonWriter writer([&](std::string_view piece) { text += piece; });
-  writer.value(json);
-  writer.finish();
-  return text;
-}
-
-nlohmann::json toJson(const Eigen::Vector3d& v) { return {v.x(), v.y(), v.z()}; }
-
-nlohmann::json toJson(const Eigen::Matrix3d& m) {
-  return {m(0, 0), m(0, 1), m(0, 2), m(1, 0), m(1, 1), m(1, 2), m(2, 0), m(2, 1), m(2, 2)};
 }
 
 std::array<double, 4> quaternionWxyz(const Eigen::Matrix3d& R) {

@@ -54,36 +54,37 @@ class JsonReader {
   [[nodiscard]] bool isNull() const { return value_->is_null(); }
 
   // As those of JsonScanner, so that a template reads both; that says how they differ.
-  template <class... Takes>
-  void object(JsonMember<Takes>... members) const {
+  template <class... Members>
+  void object(Members... members) const {
     (takeMember(members), ...);
+  }
+  /// The same, and throws as requireKeys() for others.
+  template <class... Members>
+  void strictObject(Members... members) const {
+    requireKeys({members.key...});
+    object(std::move(members)...);
   }
   template <class Take>
   void eachItem(Take take) const {
     for (const JsonReader& item : items()) take(item);
   }
 
-  [[nodiscard]] double number() const;             ///< finite
-  [[nodiscard]] double number(double most) const;  ///< at most `most` in magnitude
+  [[nodiscard]] double number(double most = kNoLimit) const;  ///< finite, at most `most` in magnitude
   [[nodiscard]] double positiveNumber() const;
   [[nodiscard]] double nonNegativeNumber() const;
   [[nodiscard]] std::uint32_t unsignedInteger(std::uint32_t min = 0, std::uint32_t max = UINT32_MAX) const;
   [[nodiscard]] std::int64_t integer() const;  ///< a signed integer of 64 bits
   [[nodiscard]] bool boolean() const;
   [[nodiscard]] std::string string() const;
-  [[nodiscard]] std::vector<double> numbers(std::size_t count) const;               ///< exactly `count` finite numbers
-  [[nodiscard]] std::vector<double> numbers(std::size_t count, double most) const;  ///< ... of at most this magnitude
+  /// Exactly `count` numbers.
+  [[nodiscard]] std::vector<double> numbers(std::size_t count, double most = kNoLimit) const;
   template <std::size_t Count>
-  [[nodiscard]] std::array<double, Count> numbers() const {
-    return arrayOf<Count>(numbers(Count));
+  [[nodiscard]] std::array<double, Count> numbers(double most = kNoLimit) const {
+    std::array<double, Count> array{};
+    std::ranges::copy(numbers(Count, most), array.begin());
+    return array;
   }
-  template <std::size_t Count>
-  [[nodiscard]] std::array<double, Count> numbers(double most) const {
-    return arrayOf<Count>(numbers(Count, most));
-  }
-  [[nodiscard]] Eigen::Vector3d vector3() const;
-  [[nodiscard]] Eigen::Vector3d vector3(double most) const;
-  [[nodiscard]] Eigen::Matrix3d matrix3() const;            ///< nine numbers, row-major
+  [[nodiscard]] Eigen::Vector3d vector3(double most = kNoLimit) const;
   [[nodiscard]] Eigen::Matrix3d rotation() const;           ///< nine numbers, row-major, orthogonal to 1e-6, det +1
   [[nodiscard]] Eigen::Quaterniond unitQuaternion() const;  ///< four numbers w, x, y, z of norm 1 (to 1e-6); normalised
   [[nodiscard]] const std::string& path() const { return path_; }
@@ -98,16 +99,15 @@ class JsonReader {
  private:
   template <class Member>
   void takeMember(Member& member) const {
-    const std::string key(member.key);
-    const std::optional<JsonReader> value = member.is_required ? at(key) : find(key);
-    if (value) member.take(*value);
+    if constexpr (requires { member.takeFromObject(*this); }) {
+      member.takeFromObject(*this);
+    } else {
+      const std::string key(member.key);
+      const std::optional<JsonReader> value = member.is_required ? at(key) : find(key);
+      if (value) member.takeFrom(*value);
+    }
   }
-  template <std::size_t Count>
-  static std::array<double, Count> arrayOf(const std::vector<double>& values) {
-    std::array<double, Count> array{};
-    std::ranges::copy(values, array.begin());
-    return array;
-  }
+  [[nodiscard]] JsonReader itemAt(std::size_t index) const;
 
   /// "FILE: PATH: what is wrong there".
   [[nodiscard]] Message here(Message what) const;
@@ -120,11 +120,6 @@ class JsonReader {
   std::string path_;
 };
 
-/// The text of a document, as JsonWriter writes it. Throws InvalidArgument for a number that is not finite.
-std::string dumpReadable(const nlohmann::ordered_json& json);
-
-nlohmann::json toJson(const Eigen::Vector3d& v);
-nlohmann::json toJson(const Eigen::Matrix3d& m);                 ///< row-major
 std::array<double, 4> quaternionWxyz(const Eigen::Matrix3d& R);  ///< w >= 0
 
 /// What unitQuaternion() takes.

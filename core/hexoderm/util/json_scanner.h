@@ -21,13 +21,26 @@
 
 namespace hexoderm {
 
-/// A member of an object: `take` takes its value, from the JsonScanner or the JsonReader that it is called with.
+/// Of the magnitude of a number, which is finite.
+inline constexpr double kNoLimit = std::numeric_limits<double>::max();
+
+/// A member of an object: `take` takes its value, from the JsonScanner or the JsonReader that it is called with. A
+/// `take` without a parameter reads from a scanner that it knows.
 template <class Take>
 struct JsonMember {
   std::string_view key;
   bool is_required;
   Take take;
   bool is_taken = false;
+
+  template <class In>
+  void takeFrom(In& in) {
+    if constexpr (std::is_invocable_v<Take&>) {
+      take();
+    } else {
+      take(in);
+    }
+  }
 };
 template <class Take>
 JsonMember<Take> member(std::string_view key, Take take) {
@@ -46,9 +59,9 @@ JsonMember<Take> optionalMember(std::string_view key, Take take) {
 ///     scanner.object(member("id", into(id)), optionalMember("at_m", [&](auto& in) { at_m = in.vector3(); }));
 ///     scanner.finish();
 ///
-/// Its functions are called as those of JsonReader are, so that a template reads both. They differ in three ways: a
-/// member that object() does not name is refused here and passed over there; isNull() takes the null here; and only
-/// here may the `take` of a member have no parameter, where it reads from a scanner that it knows.
+/// Its functions are called as those of JsonReader are, so that a template reads both (json_fields.h). They differ in
+/// two ways: a member that object() does not name is refused here and passed over there, and isNull() takes the null
+/// here.
 class JsonScanner {
  public:
   class Unusual : public std::exception {
@@ -60,13 +73,13 @@ class JsonScanner {
   explicit JsonScanner(std::string_view text) : at_(text.data()), end_(text.data() + text.size()) {}
 
   /// An object of these members and no others, each once and in any order.
-  template <class... Takes>
-  void object(JsonMember<Takes>... members) {
+  template <class... Members>
+  void object(Members... members) {
     objectWith([](std::string_view /*key*/) { throw Unusual(); }, std::move(members)...);
   }
   /// The same with others beside them: `take_other` is called with the key of each, may be twice with the same one.
-  template <class TakeOther, class... Takes>
-  void objectWith(TakeOther take_other, JsonMember<Takes>... members);
+  template <class TakeOther, class... Members>
+  void objectWith(TakeOther take_other, Members... members);
   void beginArray() { begin('['); }
   /// Whether there is another item, which has to be taken; if not, the array has ended.
   bool nextItem();
@@ -107,8 +120,6 @@ class JsonScanner {
   void finish();
 
  private:
-  static constexpr double kNoLimit = std::numeric_limits<double>::max();
-
   static void require(bool is_usual) {
     if (!is_usual) throw Unusual();
   }
@@ -123,15 +134,6 @@ class JsonScanner {
   /// The text of a value of any kind, or of what looks like one.
   std::string_view textOfValue();
 
-  template <class Take>
-  void takeWith(Take& take) {
-    if constexpr (std::is_invocable_v<Take&>) {
-      take();
-    } else {
-      take(*this);
-    }
-  }
-
   const char* at_;
   const char* end_;
   bool is_first_ = false;  ///< no member or item has been taken since the last bracket was opened
@@ -139,51 +141,19 @@ class JsonScanner {
   std::size_t values_ = 0;  ///< so far; in documents empty arrays and objects count twice
 };
 
-template <class TakeOther, class... Takes>
-void JsonScanner::objectWith(TakeOther take_other, JsonMember<Takes>... members) {
+template <class TakeOther, class... Members>
+void JsonScanner::objectWith(TakeOther take_other, Members... members) {
   begin('{');
   while (const auto key = nextKey()) {
     [[maybe_unused]] const auto takes = [&](auto& member) {  // there may be no members
       if (*key != member.key) return false;
       if (std::exchange(member.is_taken, true)) throw Unusual();
-      takeWith(member.take);
+      member.takeFrom(*this);
       return true;
     };
     if (!(takes(members) || ...)) take_other(*key);
   }
   if (((members.is_required && !members.is_taken) || ...)) throw Unusual();
-}
-
-/// The value of a member as its type is: a text, true or false, a whole number, an ID, or a finite number.
-template <class In>
-void takeValue(In& in, std::string& value) {
-  value = in.string();
-}
-template <class In>
-void takeValue(In& in, bool& value) {
-  value = in.boolean();
-}
-template <class In>
-void takeValue(In& in, double& value) {
-  value = in.number();
-}
-template <class In>
-void takeValue(In& in, std::uint32_t& value) {
-  value = in.unsignedInteger();
-}
-template <class In, class Tag>
-void takeValue(In& in, StrongId<Tag>& value) {
-  value = StrongId<Tag>(in.unsignedInteger());
-}
-template <class In, class Value>
-void takeValue(In& in, std::optional<Value>& value) {
-  takeValue(in, value.emplace());
-}
-
-/// Takes the value of a member into a variable.
-template <class Value>
-auto into(Value& value) {
-  return [&value](auto& in) { takeValue(in, value); };
 }
 
 }  // namespace hexoderm

@@ -3,6 +3,7 @@
 // Private to core: JSON on its way to a file, without a document of it in memory.
 
 #include "hexoderm/util/file.h"
+#include "hexoderm/util/ids.h"
 
 #include <Eigen/Core>
 #include <array>
@@ -46,6 +47,10 @@ class JsonWriter {
   void value(bool truth) { addScalar(truth ? "true" : "false"); }
   void value(std::string_view text);
   void value(const char* text) { value(std::string_view(text)); }
+  template <class Tag>
+  void value(StrongId<Tag> id) {
+    addUnsigned(id.value());
+  }
   void value(const std::string& text) { value(std::string_view(text)); }
   void value(const nlohmann::ordered_json& json);
   void null() { addScalar("null"); }
@@ -75,6 +80,18 @@ class JsonWriter {
   void arrayMember(std::string_view name, const Items& items, const WriteItem& write_item) {
     key(name);
     array(items, write_item);
+  }
+
+  /// An object of fields (json_fields.h).
+  template <class... Fields>
+  void object(const Fields&... fields) {
+    beginObject();
+    (fields.write(*this), ...);
+    endObject();
+  }
+  template <class... Fields>
+  void strictObject(const Fields&... fields) {
+    object(fields...);
   }
 
   /// The end of the text, with a line break.

@@ -21,4 +21,28 @@ void writeMessage(JsonWriter& writer, const std::string& key, const Message& mes
 /// taken verbatim. Throws FormatError where a message is not what toJson() writes.
 Message readMessage(const JsonReader& json, const std::string& key);
 
+/// A message as a member of an object (json_fields.h), with the second key beside it. One that is not required is
+/// absent where it says nothing.
+template <class Said>
+struct MessageField {
+  std::string key;
+  Said& message;
+  bool is_required = true;
+
+  void takeFromObject(const JsonReader& json) {
+    if (is_required || json.find(key)) message = readMessage(json, key);
+  }
+  void write(JsonWriter& out) const {
+    if (is_required || !message.empty()) writeMessage(out, key, message);
+  }
+};
+template <class Said>
+MessageField<Said> requiredMessage(const std::string& key, Said& message) {
+  return {key, message};
+}
+template <class Said>
+MessageField<Said> optionalMessage(const std::string& key, Said& message) {
+  return {key, message, false};
+}
+
 }  // namespace hexoderm

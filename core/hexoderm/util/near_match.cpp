@@ -70,4 +70,9 @@ std::optional<std::string> nearMatch(std::string_view name, std::span<const std:
   return nearest;
 }
 
+Message didYouMean(std::string_view name, std::span<const std::string> known) {
+  const std::optional<std::string> meant = nearMatch(name, known);
+  return meant ? message("did you mean {}?", *meant) : Message();
+}
+
 }  // namespace hexoderm

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "hexoderm/util/message.h"
+
 #include <optional>
 #include <span>
 #include <string>
@@ -11,5 +13,7 @@ namespace hexoderm {
 /// another case, underscores left out, or a part of it ("time" for "time_us"). nullopt if none is near. Looks at the
 /// first 100 characters.
 std::optional<std::string> nearMatch(std::string_view name, std::span<const std::string> known);
+/// "did you mean NAME?"; says nothing if none is near.
+Message didYouMean(std::string_view name, std::span<const std::string> known);
 
 }  // namespace hexoderm

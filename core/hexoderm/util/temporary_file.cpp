@@ -42,10 +42,8 @@ bool isHiddenName(std::string_view name) {
 }
 
 bool isStillAt(const fs::path& path, int descriptor) {
-  struct stat held {};
   struct stat there {};
-  return ::fstat(descriptor, &held) == 0 && ::lstat(path.c_str(), &there) == 0 && held.st_dev == there.st_dev &&
-         held.st_ino == there.st_ino;
+  return ::lstat(path.c_str(), &there) == 0 && identityOf(descriptor) == FileIdentity(there.st_dev, there.st_ino);
 }
 
 /// A file system without locks has nobody who removes what is locked either.

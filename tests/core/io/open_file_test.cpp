@@ -85,13 +85,6 @@ TEST(OpenFile, SkipsAByteOrderMarkAndWhiteSpace) {
   EXPECT_TRUE(std::holds_alternative<Session>(open(folder.put("b", "\r\n \t" + text))));
 }
 
-TEST(OpenFile, FindsTheFormatAtTheEndToo) {
-  const TemporaryFolder folder;
-  const std::string text =
-      R"({"cells": [], "poses": [], "cell_model": "hex-bma150", "version": 1, "format": "hexoderm-session"})";
-  EXPECT_TRUE(std::holds_alternative<Session>(open(folder.put("a", text))));
-}
-
 TEST(OpenFile, SaysWhatItReadsWhenAFileIsNoneOfIt) {
   EXPECT_THAT(complaint("\x7f"
                         "ELF"),
@@ -106,10 +99,6 @@ TEST(OpenFile, SaysWhatItReadsWhenAFileIsNoneOfIt) {
 
 TEST(OpenFile, NamesWhatIsWrongInsideAFile) {
   EXPECT_THAT(complaint("{\"a\": [1, 2"), saysAll("f.dat", "at a[2]", "ends in the middle"));
-  EXPECT_THAT(complaint("{\"format\": \"hexoderm-session\", \"version\": 3}"),
-              saysAll("f.dat", "version 3", "version 1"));
-  EXPECT_THAT(complaint("{\"format\": \"hexoderm-calibration\", \"version\": 3}"),
-              saysAll("f.dat", "version 3", "version 2"));
   EXPECT_THAT(complaint("{\"format\": \"hexoderm-session\", \"version\": 1, \"cells\": [NaN]}"),
               saysAll("f.dat: cells[0]", "finite", "NaN"));
 }

@@ -6,22 +6,12 @@
 
 #include <gmock/gmock.h>
 
-#include <cmath>
-#include <functional>
-
 namespace hexoderm {
 namespace {
 
 using test::edits;
-using test::kA;
 using test::namedPose;
 using test::threePoses;
-
-PatchPlacement spoiled(const std::function<void(PatchPlacement&)>& spoil) {
-  PatchPlacement placement = test::placementWithEverything(CellId(1));
-  spoil(placement);
-  return placement;
-}
 
 TEST(SessionEdit, ItsInverseTakesItBackAndTheInverseOfThatDoesItAgain) {
   for (const SessionEdit& edit : edits()) {
@@ -70,28 +60,7 @@ TEST(SessionEdit, OnlyThoseAboutTheRobotLeaveTheSkinAsItIs) {
 }
 
 TEST(SessionEdit, OneThatMakesNoSenseIsRefusedAndChangesNothing) {
-  const std::vector<SessionEdit> bad = {AddPose{namedPose(9), 4},
-                                        AddPose{},
-                                        RemovePose{3},
-                                        RestorePose{namedPose(9), 4},
-                                        RestorePose{},
-                                        SetPoseDisabled{3},
-                                        SetLinkMuted{kA, kA},
-                                        SetSkin{nullptr, {}},
-                                        SetJointAngles{3},
-                                        SetJointAngles{0, {{{"elbow", NAN}}}},
-                                        SetJointAngles{0, {{{"", 1}}}},
-                                        SetRobot{RobotDescription{}},
-                                        SetRobot{RobotDescription{"arm.urdf", "", {{"arm", ""}}}},
-                                        SetPatchPlacement{spoiled([](auto& p) { p.points[0].x_l.x() = std::nan(""); })},
-                                        SetPatchPlacement{spoiled([](auto& p) { p.points[0].sigma_m = 0; })},
-                                        SetPatchPlacement{spoiled([](auto& p) { p.distances[0].distance_m = -1; })},
-                                        SetPatchPlacement{spoiled([](auto& p) { p.distances[0].b = CellId(1); })},
-                                        SetPatchPlacement{spoiled([](auto& p) { p.place->link = "other"; })},
-                                        SetPatchPlacement{spoiled([](auto& p) { p.place->origin = CellId(2); })},
-                                        SetPatchPlacement{spoiled([](auto& p) { p.place->T_l_o.R *= 2; })},
-                                        SetPatchPlacement{spoiled([](auto& p) { (*p.place->cov_t_r)(0, 0) = -1; })}};
-  for (const SessionEdit& edit : bad) {
+  for (const SessionEdit& edit : test::editsThatMakeNoSense()) {
     SCOPED_TRACE(edit.index());
     Session session = threePoses();
     EXPECT_THROW(apply(edit, session), InvalidArgument);

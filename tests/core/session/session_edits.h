@@ -3,7 +3,9 @@
 #include "hexoderm/session/session_edit.h"
 #include "tests/support/session_matchers.h"
 
+#include <cmath>
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <vector>
 
@@ -65,6 +67,37 @@ inline std::vector<SessionEdit> edits() {
           SetPatchPlacement{emptyPlacement(CellId(1))},
           SetPatchPlacement{emptyPlacement(CellId(2))},
           SetSkin{std::make_shared<const CellModel>(model), {{CellId(1), "elbow", {}}}}};
+}
+
+inline PatchPlacement spoiled(const std::function<void(PatchPlacement&)>& spoil) {
+  PatchPlacement placement = placementWithEverything(CellId(1));
+  spoil(placement);
+  return placement;
+}
+
+/// Edits that no session of three poses takes.
+inline std::vector<SessionEdit> editsThatMakeNoSense() {
+  return {AddPose{namedPose(9), 4},
+          AddPose{},
+          RemovePose{3},
+          RestorePose{namedPose(9), 4},
+          RestorePose{},
+          SetPoseDisabled{3},
+          SetLinkMuted{kA, kA},
+          SetSkin{nullptr, {}},
+          SetJointAngles{3},
+          SetJointAngles{0, {{{"elbow", NAN}}}},
+          SetJointAngles{0, {{{"", 1}}}},
+          SetRobot{RobotDescription{}},
+          SetRobot{RobotDescription{"arm.urdf", "", {{"arm", ""}}}},
+          SetPatchPlacement{spoiled([](auto& p) { p.points[0].x_l.x() = std::nan(""); })},
+          SetPatchPlacement{spoiled([](auto& p) { p.points[0].sigma_m = 0; })},
+          SetPatchPlacement{spoiled([](auto& p) { p.distances[0].distance_m = -1; })},
+          SetPatchPlacement{spoiled([](auto& p) { p.distances[0].b = CellId(1); })},
+          SetPatchPlacement{spoiled([](auto& p) { p.place->link = "other"; })},
+          SetPatchPlacement{spoiled([](auto& p) { p.place->origin = CellId(2); })},
+          SetPatchPlacement{spoiled([](auto& p) { p.place->T_l_o.R *= 2; })},
+          SetPatchPlacement{spoiled([](auto& p) { (*p.place->cov_t_r)(0, 0) = -1; })}};
 }
 
 }  // namespace hexoderm::test

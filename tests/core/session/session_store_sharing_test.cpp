@@ -196,12 +196,6 @@ TEST_F(SharedStore, IsNotWrittenThroughAReader) {
               saysAll("arm.hexo", "reading only", "save"));
 }
 
-TEST_F(SharedStore, ReadingChangesNothing) {
-  const auto before = contentOf(folder_.path());
-  EXPECT_EQ(readSessionStore(path_).poses().size(), 3U);
-  EXPECT_EQ(contentOf(folder_.path()), before);
-}
-
 TEST_F(SharedStore, ReadingWhatAKilledWriterLeftFindsEverythingAndChangesNothing) {
   for (const bool with_index : {true, false}) {
     const TemporaryFolder other;

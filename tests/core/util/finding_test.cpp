@@ -2,29 +2,42 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <set>
+#include <string>
 
 namespace hexoderm {
 namespace {
 
-TEST(FindingTable, HasOneEntryPerCodeInOrder) {
-  std::set<std::string_view> names;
-  ASSERT_FALSE(findingTable().empty());
+TEST(FindingTable, SaysOfEveryCodeItsNameItsReasonAndWhatToDo) {
   for (std::size_t k = 0; k < findingTable().size(); ++k) {
     const FindingDescription& entry = findingTable()[k];
-    EXPECT_EQ(static_cast<std::size_t>(entry.code), k) << entry.name;
-    EXPECT_TRUE(names.insert(entry.name).second) << entry.name << " names two codes";
-    EXPECT_FALSE(entry.meaning.empty()) << entry.name;
-  }
-}
-
-TEST(FindingTable, NamesLeadBackToTheirCodes) {
-  for (const FindingDescription& entry : findingTable()) {
+    const std::string name(entry.name);
+    EXPECT_EQ(static_cast<std::size_t>(entry.code), k) << name;
+    EXPECT_EQ(&descriptionOf(entry.code), &entry) << name;
     EXPECT_EQ(codeName(entry.code), entry.name);
-    EXPECT_EQ(codeFromName(entry.name), entry.code);
+    EXPECT_EQ(codeFromName(entry.name), entry.code) << name << " names two codes";
+    EXPECT_FALSE(entry.meaning.empty()) << name;
+    for (const Message& text : {entry.why, entry.what_to_do}) {
+      ASSERT_FALSE(text.empty()) << name;
+      EXPECT_EQ(text.english().back(), '.') << name;
+      EXPECT_NE(text, entry.meaning) << name << " only says it again";
+    }
+    const std::set<FindingRemedy> once(entry.remedies.begin(), entry.remedies.end());
+    EXPECT_EQ(once.size(), entry.remedies.size()) << name;
   }
   EXPECT_EQ(codeFromName("no-such-code"), std::nullopt);
   EXPECT_EQ(codeFromName(""), std::nullopt);
+}
+
+TEST(FindingTable, WhatIsWrongWithAPoseCanBeDoneAboutThePose) {
+  for (const FindingCode code : {FindingCode::PartMoved, FindingCode::InconsistentPose}) {
+    const std::vector<FindingRemedy>& remedies = descriptionOf(code).remedies;
+    EXPECT_EQ(remedies, (std::vector{FindingRemedy::RecapturePose, FindingRemedy::DisablePose}));
+  }
+  for (const FindingCode code : {FindingCode::LinkNotRigid, FindingCode::ImplausibleBend}) {
+    EXPECT_EQ(std::ranges::count(descriptionOf(code).remedies, FindingRemedy::MuteLink), 1);
+  }
 }
 
 TEST(Severity, NamesLeadBack) {

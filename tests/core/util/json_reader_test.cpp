@@ -152,24 +152,6 @@ TEST(RequireFormat, WantsFormatAndVersion) {
   EXPECT_THAT(require("[]"), saysAll("top level: expected an object"));
 }
 
-TEST(DumpReadable, PutsShortThingsOnOneLine) {
-  nlohmann::ordered_json json;
-  json["b"] = {1, 2.5, nullptr};
-  json["a"] = {{"x", 0.1}, {"y", "\"q\""}};
-  json["list"] = nlohmann::ordered_json::array({{{"id", 1}}, {{"id", 2}}});
-  json["none"] = nlohmann::ordered_json::array();
-  EXPECT_EQ(dumpReadable(json),
-            "{\n"
-            " \"b\": [1, 2.5, null],\n"
-            " \"a\": {\"x\": 0.1, \"y\": \"\\\"q\\\"\"},\n"
-            " \"list\": [\n"
-            "  {\"id\": 1},\n"
-            "  {\"id\": 2}\n"
-            " ],\n"
-            " \"none\": []\n"
-            "}\n");
-}
-
 TEST(QuaternionWxyz, HasANonNegativeW) {
   // Three quarters of a turn about z: the same as a quarter backwards.
   const Eigen::Matrix3d R = Eigen::AngleAxisd(4.71238898038469, Eigen::Vector3d::UnitZ()).toRotationMatrix();
