@@ -79,9 +79,7 @@ void measure(int rows, int columns, double svd_ms) {
                 }));
     }
   }
-  table.row("pair tests", least_ms([&] {
-              SuspectSearch(skin.model(), skin.graph(), skin.table(), skin.readings(), skin.edges(), options);
-            }));
+  table.row("pair tests", least_ms([&] { SuspectSearch(skin); }));
   const std::vector<double> weights = linkWeights(skin);
   OriginFound found;
   const double origin_ms = least_ms([&] { found = searchOrigin(skin.graph(), weights, 0); });
@@ -117,7 +115,7 @@ void measure(int rows, int columns, double svd_ms) {
   Estimate estimate(*snapshot, options);
   static_cast<void>(estimate.bringTo(Estimate::Stage::Patches, {}));
   table.row("attitudes searched for faults",
-            least_ms([&] { static_cast<void>(makeAttitudeExplainer()->explain(estimate)); }));
+            least_ms([&] { static_cast<void>(makeAttitudeExplainer().explain(estimate)); }));
 }
 
 }  // namespace
