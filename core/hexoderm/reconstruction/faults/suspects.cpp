@@ -1,16 +1,11 @@
 #include "hexoderm/reconstruction/faults/suspects.h"
 
-#include "hexoderm/geometry/lane_numbers.h"
 #include "hexoderm/reconstruction/faults/link_plausibility.h"
-#include "hexoderm/reconstruction/links/link_batches.h"
 #include "hexoderm/util/text.h"
 #include "hexoderm/util/units.h"
-#include "hexoderm/util/vector_instructions.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <numeric>
 
 namespace hexoderm {
 namespace {
@@ -33,16 +28,18 @@ SuspectSearch::SuspectSearch(const SkinLinks& skin)
       verdicts_(skin.edges().size()),
       tested_(skin.graph().cells().size(), 0),
       bad_(skin.graph().cells().size(), 0) {
-  std::vector<std::size_t> all(skin.edges().size());
-  std::iota(all.begin(), all.end(), std::size_t{0});
-  judge(all);
-  for (const std::size_t link : all) count(link, 1);
+  for (std::size_t link = 0; link < verdicts_.size(); ++link) {
+    verdicts_[link] = judge(link);
+    count(link, 1);
+  }
 }
 
 void SuspectSearch::update(std::span<const std::size_t> links) {
-  for (const std::size_t link : links) count(link, -1);
-  judge(links);
-  for (const std::size_t link : links) count(link, 1);
+  for (const std::size_t link : links) {
+    count(link, -1);
+    verdicts_[link] = judge(link);
+    count(link, 1);
+  }
 }
 
 void SuspectSearch::count(std::size_t index, int by) {
@@ -66,69 +63,35 @@ bool SuspectSearch::isAtOdds(std::size_t cell) const {
   return bad_[cell] >= kFewestWitnesses && bad_[cell] >= kNearlyAll * tested_[cell];
 }
 
-void SuspectSearch::judge(std::span<const std::size_t> links) {
-  std::vector<std::size_t> tested;
-  tested.reserve(links.size());
-  for (const std::size_t link : links) {
-    verdicts_[link] = {};
-    if (!skin_.graph().links()[link].muted() && skin_.readings().measured(skin_.graph().links()[link]))
-      tested.push_back(link);
-  }
-  const RigidityKernelOptions options =
-      rigidityKernelOptions(pair_prior_, skin_.model().accelerometer.T_u_a.R.transpose());
-  std::array<double, 9 * kLanes> R_c_n{};
-  RigidityKernelOutput out{};
-  std::vector<std::size_t> unusual;
-  const auto test = [&](const LinkBatch& batch) {
-    for (int lane = 0; lane < kLanes; ++lane) {
-      matrixOfLane(R_c_n.data(), static_cast<std::size_t>(lane)) = skin_.edges()[batch.linkIn(lane)].R_c_n;
-    }
-    (hasVectorInstructions() ? testRigidityByFour : testRigidityByTwo)(
-        options, {batch.poses, batch.c_g.data(), batch.n_g.data(), batch.variance_g2.data(), R_c_n.data()}, out);
-    for (int lane = 0; lane < batch.size; ++lane) {
-      const std::size_t link = batch.linkIn(lane);
-      if (out.usual[lane] == 0) {
-        unusual.push_back(link);
-        continue;
-      }
-      const Misfit misfit{out.chi_squared[lane], 3.0 * batch.poses - 3};
-      verdicts_[link] = judgeBy(link, misfit.deviate());
-    }
-  };
-  const std::vector<std::size_t> others = forBatches(skin_.graph(), skin_.table(), skin_.readings(), tested, test);
-  unusual.insert(unusual.end(), others.begin(), others.end());
-  for (const std::size_t link : unusual)
-    verdicts_[link] = judgeBy(link, testRigidity(pair_prior_, readingsOf(link).sums).deviate());
-}
-
-SuspectSearch::Verdict SuspectSearch::judgeBy(std::size_t link_index, double misfit) const {
+SuspectSearch::Verdict SuspectSearch::judge(std::size_t index) const {
   Verdict verdict;
-  const GraphLink& link = skin_.graph().links()[link_index];
-  const EdgeRotation& edge = skin_.edges()[link_index];
+  const GraphLink& link = skin_.graph().links()[index];
+  if (link.muted() || !skin_.readings().measured(link)) return verdict;
+  const EdgeRotation& edge = skin_.edges()[index];
   verdict.tested = true;
   if (edge.deviation_rad < kJudgeableSigma) {
     verdict.implausible =
         judgeLinkAngles(edge.angles, skin_.graph().sourceEnd(link), skin_.graph().targetEnd(link), skin_.model(),
                         skin_.options(), anglesSigma(edge.covariance, skin_.sourcePort(link)));
   }
-  verdict.misfit = misfit;
+  ReadingSums sums;
+  forReadings(index, [&](const CellReading& source, const Eigen::Vector3d& target_g) { sums.add(source, target_g); });
+  verdict.misfit = testRigidity(pair_prior_, sums).deviate();
   verdict.rigid = verdict.misfit <= skin_.options().max_misfit;
   return verdict;
 }
 
-SuspectSearch::PairReadings SuspectSearch::readingsOf(std::size_t link_index) const {
-  const GraphLink& link = skin_.graph().links()[link_index];
+template <class Use>
+void SuspectSearch::forReadings(std::size_t index, const Use& use) const {
+  const GraphLink& link = skin_.graph().links()[index];
   const Eigen::Matrix3d R_a_u = skin_.model().accelerometer.T_u_a.R.transpose();
-  const Eigen::Matrix3d R_a_n = R_a_u * skin_.edges()[link_index].R_c_n;
-  PairReadings pair;
-  for (const std::size_t pose : skin_.readings().posesOf(link)) {
+  const Eigen::Matrix3d R_a_n = R_a_u * skin_.edges()[index].R_c_n;
+  for (const std::size_t pose : skin_.table().enabledPoses()) {
+    if (!skin_.readings().inBoth(link, pose)) continue;
     const GravityTable::Entry& at_c = skin_.table().at(link.source, pose);
     const GravityTable::Entry& at_n = skin_.table().at(link.target, pose);
-    pair.source.push_back({pose, R_a_u * at_c.mean_g, at_c.variance_g2 + at_n.variance_g2});
-    pair.target_g.push_back(R_a_n * at_n.mean_g);
-    pair.sums.add(pair.source.back(), pair.target_g.back());
+    use(CellReading{pose, R_a_u * at_c.mean_g, at_c.variance_g2 + at_n.variance_g2}, R_a_n * at_n.mean_g);
   }
-  return pair;
 }
 
 std::optional<std::size_t> SuspectSearch::worstPose() const {
@@ -145,15 +108,16 @@ std::optional<std::size_t> SuspectSearch::worstPose() const {
   }
   std::vector<std::size_t> moving_without(skin_.table().poseCount(), static_cast<std::size_t>(moving_links_));
   for (const std::size_t link : tested) {
-    const PairReadings pair = readingsOf(link);
-    for (std::size_t k = 0; k < pair.source.size(); ++k) {
-      ReadingSums without = pair.sums;
-      without.add(pair.source[k], pair.target_g[k], -1);
+    ReadingSums all;
+    forReadings(link, [&](const CellReading& source, const Eigen::Vector3d& target_g) { all.add(source, target_g); });
+    forReadings(link, [&](const CellReading& source, const Eigen::Vector3d& target_g) {
+      ReadingSums without = all;
+      without.add(source, target_g, -1);
       const bool is_rigid = testRigidity(pair_prior_, without).deviate() <= skin_.options().max_misfit;
-      std::size_t& still_moving = moving_without[pair.source[k].pose];
+      std::size_t& still_moving = moving_without[source.pose];
       if (is_rigid && !verdicts_[link].rigid) --still_moving;
       if (!is_rigid && verdicts_[link].rigid) ++still_moving;
-    }
+    });
   }
   std::optional<std::size_t> worst;
   auto fewest = static_cast<std::size_t>(kNearlyNone * static_cast<double>(tested.size()));

@@ -44,20 +44,14 @@ class SuspectSearch {
     bool rigid = true;
     [[nodiscard]] bool bad() const { return !implausible.empty() || !rigid; }
   };
-  /// Fills in the verdicts of these links.
-  void judge(std::span<const std::size_t> links);
-  [[nodiscard]] Verdict judgeBy(std::size_t link, double misfit) const;
+  [[nodiscard]] Verdict judge(std::size_t link) const;
   /// Counts a link's verdict, or takes it out again (`by` -1).
   void count(std::size_t link, int by);
   /// Nearly all links of the cell are bad.
   [[nodiscard]] bool isAtOdds(std::size_t cell) const;
-  /// What the source reads beside what it would if it turned with the target, in all poses of both.
-  struct PairReadings {
-    std::vector<CellReading> source;
-    std::vector<Eigen::Vector3d> target_g;
-    ReadingSums sums;
-  };
-  [[nodiscard]] PairReadings readingsOf(std::size_t link) const;
+  /// Calls use(reading of the source, what it would read if it turned with the target) for all poses of both.
+  template <class Use>
+  void forReadings(std::size_t link, const Use& use) const;
 
   const SkinLinks& skin_;
   AccelerometerPrior pair_prior_;  ///< errors of two cells, seen from one of them
