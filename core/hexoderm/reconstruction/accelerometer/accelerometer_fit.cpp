@@ -156,8 +156,7 @@ double HuberLoss::weight(double squared) const {
 }
 
 Eigen::Matrix4d rootOfInverse(const Eigen::Matrix4d& matrix) {
-  // The matrix is F F^T, so F^-T is a root of its inverse. By itself, for a solution of Eigen's costs several times
-  // that.
+  // The matrix is F F^T, so F^-T is a root of its inverse. Eigen's own triangular solution takes several times as long.
   const Eigen::Matrix4d F = matrix.llt().matrixL();
   Eigen::Matrix4d root = Eigen::Matrix4d::Zero();
   for (int j = 0; j < 4; ++j) {
