@@ -95,12 +95,10 @@ void compareFactors(std::int64_t rows, std::int64_t columns) {
   };
   print("selected inverse", invert(fast), invert(portable));
   NormalEquations equations;
-  const auto linearized = [&](const LinearizeKernels* kernels) {
+  const auto linearized = [&](const LinearizeKernels& kernels) {
     return least_ms([&] { linearize(sheet.problem, sheet.state, equations, kernels); });
   };
-  const double lanes_ms = linearized(&linearizeKernels());
-  print("linearize", lanes_ms, linearized(&portableLinearizeKernels()));
-  std::printf("    one by one x %.2f\n", linearized(nullptr) / lanes_ms);
+  print("linearize", linearized(linearizeKernels()), linearized(portableLinearizeKernels()));
 }
 
 }  // namespace hexoderm

@@ -123,11 +123,11 @@ void drawRanks(const std::vector<RankedLink>& links, QPainter& painter, const Qw
   for (const QPointF& point : line) painter.drawRect(QRectF(point - QPointF(1.5, 1.5), QSizeF(3, 3)));
 }
 
-void drawBins(const std::vector<RatioBin>& bins, QPainter& painter, const QwtScaleMap& x, const QwtScaleMap& y,
+void drawBins(const std::vector<ValueBin>& bins, QPainter& painter, const QwtScaleMap& x, const QwtScaleMap& y,
               const Colors& colors) {
   painter.setPen(QPen(colors.panel, 1));
   painter.setBrush(colors.accent);
-  for (const RatioBin& bin : bins) {
+  for (const ValueBin& bin : bins) {
     if (bin.count == 0) continue;
     painter.drawRect(QRectF(QPointF(x.transform(bin.lower), y.transform(static_cast<double>(bin.count))),
                             QPointF(x.transform(bin.upper), y.transform(0))));
@@ -287,9 +287,9 @@ void ResidualPlots::refresh() {
   parts.ranked->setBounds({0.5, lowest_deg, link_count, std::max(lowest_deg, highest_deg) - lowest_deg});
   parts.link_plot->setAxisScale(QwtPlot::xBottom, 0.5, link_count + 0.5);
 
-  const std::vector<RatioBin>& bins = parts.summary.ratios;
+  const std::vector<ValueBin>& bins = parts.summary.ratios;
   const double widest = bins.empty() ? 2 : std::max(2.0, bins.back().upper);
-  const auto fullest = std::ranges::max_element(bins, {}, &RatioBin::count);
+  const auto fullest = std::ranges::max_element(bins, {}, &ValueBin::count);
   parts.ratios->setBounds({0, 0, widest, fullest == bins.end() ? 1 : static_cast<double>(fullest->count)});
   parts.ratio_plot->setAxisScale(QwtPlot::xBottom, 0, widest);
   parts.pose_plot->replot();

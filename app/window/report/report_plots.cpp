@@ -79,7 +79,7 @@ class HistogramPainter {
         metrics_(font_),
         colors_(Colors::of(Theme::Light)) {
     std::size_t largest = 1;
-    for (const Distribution::Bin& bin : bins_) largest = std::max(largest, bin.count);
+    for (const ValueBin& bin : bins_) largest = std::max(largest, bin.count);
     step_ = countStep(largest);
     top_ = step_ * ((largest + step_ - 1) / step_);
     const double left = metrics_.horizontalAdvance(QLocale().toString(static_cast<qulonglong>(top_))) + 6 * point_;
@@ -116,7 +116,7 @@ class HistogramPainter {
 
   void drawBars() {
     const double between = bins_.size() > 1 ? kHairline * point_ : 0;
-    for (const Distribution::Bin& bin : bins_) {
+    for (const ValueBin& bin : bins_) {
       if (bin.count == 0) continue;
       const double middle = (bin.lower + bin.upper) / 2;
       const Distribution& d = plot_.distribution;
@@ -184,7 +184,7 @@ class HistogramPainter {
   }
 
   const HistogramPlot& plot_;
-  const std::vector<Distribution::Bin>& bins_;
+  const std::vector<ValueBin>& bins_;
   QPainter& painter_;
   double point_;
   QFont font_;

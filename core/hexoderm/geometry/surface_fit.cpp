@@ -287,16 +287,16 @@ std::vector<double> distances(const Surface& surface, const Cloud& cloud) {
 
 }  // namespace
 
-PlaneFit fitPlane(std::span<const Eigen::Vector3d> points_m) {
+SurfaceFit fitPlane(std::span<const Eigen::Vector3d> points_m) {
   const Cloud cloud = normalise(points_m, 3, message("plane fit"));
-  PlaneFit fit;
+  SurfaceFit fit;
   fit.point = cloud.centroid;
-  fit.normal = canonicalSign(cloud.axes.col(2));
-  for (const auto& x : cloud.points.colwise()) fit.distance_m.push_back(fit.normal.dot(x) * cloud.scale);
+  fit.axis = canonicalSign(cloud.axes.col(2));
+  for (const auto& x : cloud.points.colwise()) fit.distance_m.push_back(fit.axis.dot(x) * cloud.scale);
   return fit;
 }
 
-SphereFit fitSphere(std::span<const Eigen::Vector3d> points_m) {
+SurfaceFit fitSphere(std::span<const Eigen::Vector3d> points_m) {
   const Cloud cloud = normalise(points_m, 4, message("sphere fit"));
   requireSolid(cloud, message("sphere fit"));
   // Algebraic start: |x|^2 = 2 c.x + (r^2 - |c|^2).
@@ -309,16 +309,20 @@ SphereFit fitSphere(std::span<const Eigen::Vector3d> points_m) {
   sphere.center = solution.head<3>();
   sphere.radius = std::sqrt(std::max(solution(3) + sphere.center.squaredNorm(), 1e-12));
   minimise(sphere, cloud.points);
-  return {cloud.centroid + cloud.scale * sphere.center, cloud.scale * sphere.radius, distances(sphere, cloud)};
+  SurfaceFit fit;
+  fit.point = cloud.centroid + cloud.scale * sphere.center;
+  fit.radius_m = cloud.scale * sphere.radius;
+  fit.distance_m = distances(sphere, cloud);
+  return fit;
 }
 
-CylinderFit fitCylinder(std::span<const Eigen::Vector3d> points_m) {
+SurfaceFit fitCylinder(std::span<const Eigen::Vector3d> points_m) {
   const Cloud cloud = normalise(points_m, 5, message("cylinder fit"));
   requireSolid(cloud, message("cylinder fit"));
   std::vector<CylinderEstimate> starts;
   for (const Eigen::Vector3d& axis : startingAxes(cloud)) starts.push_back(roundAlong<5>(axis, cloud.points));
   const CylinderEstimate best = bestFrom(starts, cloud);
-  CylinderFit fit;
+  SurfaceFit fit;
   fit.axis = canonicalSign(best.axis);
   fit.point = cloud.centroid + cloud.scale * (best.point - best.axis * best.axis.dot(best.point));
   fit.radius_m = cloud.scale * best.radius;
@@ -326,7 +330,7 @@ CylinderFit fitCylinder(std::span<const Eigen::Vector3d> points_m) {
   return fit;
 }
 
-ConeFit fitCone(std::span<const Eigen::Vector3d> points_m) {
+SurfaceFit fitCone(std::span<const Eigen::Vector3d> points_m) {
   const Cloud cloud = normalise(points_m, 6, message("cone fit"));
   requireSolid(cloud, message("cone fit"));
   std::vector<ConeEstimate> starts;
@@ -336,7 +340,7 @@ ConeFit fitCone(std::span<const Eigen::Vector3d> points_m) {
     starts.push_back({axis, cylinder.point, cylinder.radius, 0});
   }
   const ConeEstimate best = bestFrom(starts, cloud);
-  ConeFit fit;
+  SurfaceFit fit;
   const double towards_wide = best.angle < 0 ? -1 : 1;
   fit.axis = towards_wide * best.axis;
   fit.half_angle_rad = std::abs(best.angle);

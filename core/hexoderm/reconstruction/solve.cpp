@@ -2,6 +2,8 @@
 
 #include "hexoderm/reconstruction/explain/explainer.h"
 
+#include <array>
+#include <span>
 #include <utility>
 
 namespace hexoderm {
@@ -10,12 +12,12 @@ namespace {
 enum class Answer { Explained, NothingLeft, Stopped };
 
 /// Excludes from the estimate what the first explainer finds that finds anything.
-Answer explainOnce(Estimate& estimate, const std::vector<std::unique_ptr<Explainer>>& explainers,
-                   const std::stop_token& stop, SolveProgress* progress) {
-  for (const std::unique_ptr<Explainer>& explainer : explainers) {
-    if (estimate.bringTo(explainer->needs(), stop) == Completion::Stopped) return Answer::Stopped;
-    if (progress != nullptr && explainer->needs() == Estimate::Stage::Patches) progress->enter(SolveStage::Findings);
-    if (std::optional<Explanation> explanation = explainer->explain(estimate)) {
+Answer explainOnce(Estimate& estimate, std::span<const Explainer> explainers, const std::stop_token& stop,
+                   SolveProgress* progress) {
+  for (const Explainer& explainer : explainers) {
+    if (estimate.bringTo(explainer.needs, stop) == Completion::Stopped) return Answer::Stopped;
+    if (progress != nullptr && explainer.needs == Estimate::Stage::Patches) progress->enter(SolveStage::Findings);
+    if (std::optional<Explanation> explanation = explainer.explain(estimate)) {
       estimate.exclude(std::move(*explanation));
       return Answer::Explained;
     }
@@ -35,7 +37,9 @@ std::unique_ptr<const Estimate> solveSkin(const SessionSnapshot& snapshot, const
   if (progress != nullptr) progress->enter(SolveStage::Links);
   // Lines 1 to 6, the graph and its patches, and 8, the gravity vectors.
   auto estimate = std::make_unique<Estimate>(snapshot, options, earlier, progress);
-  const std::vector<std::unique_ptr<Explainer>> explainers = allExplainers();
+  // Those that need least of the estimate first.
+  const std::array explainers = {makeNeighborExplainer(), makeMisfitExplainer(), makeOpenLinkExplainer(),
+                                 makeAttitudeExplainer()};
   Answer answer{};
   do {
     // Lines 9 and 10, rotations of links and their weights (Stage::Links), and 11 to 15, origins, paths and placements

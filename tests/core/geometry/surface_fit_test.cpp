@@ -72,8 +72,8 @@ double angleBetweenAxes(const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
 }
 
 TEST(PlaneFit, IsExactWithoutNoise) {
-  const PlaneFit fit = fitPlane(moved(kSomewhere, onPlane()));
-  EXPECT_LT(angleBetweenAxes(fit.normal, kSomewhere.R.col(2)), 1e-14);
+  const SurfaceFit fit = fitPlane(moved(kSomewhere, onPlane()));
+  EXPECT_LT(angleBetweenAxes(fit.axis, kSomewhere.R.col(2)), 1e-14);
   EXPECT_LT(rms(fit.distance_m), 1e-15);
 }
 
@@ -81,29 +81,29 @@ TEST(PlaneFit, DistancesAreSignedAndMinimal) {
   Points points = onPlane();
   for (Eigen::Vector3d& x : points) x.z() = 0;
   points.emplace_back(0.02, 0.05, 0.01);
-  const PlaneFit fit = fitPlane(points);
-  EXPECT_NEAR(fit.normal.norm(), 1, 1e-14);
+  const SurfaceFit fit = fitPlane(points);
+  EXPECT_NEAR(fit.axis.norm(), 1, 1e-14);
   double sum = 0;
   for (std::size_t k = 0; k < points.size(); ++k) {
-    EXPECT_NEAR(fit.distance_m[k], fit.normal.dot(points[k] - fit.point), 1e-15);
+    EXPECT_NEAR(fit.distance_m[k], fit.axis.dot(points[k] - fit.point), 1e-15);
     sum += fit.distance_m[k];
   }
   EXPECT_NEAR(sum, 0, 1e-15);
-  EXPECT_GT(fit.distance_m.back() * fit.normal.z(), 0);
+  EXPECT_GT(fit.distance_m.back() * fit.axis.z(), 0);
 }
 
 TEST(SphereFit, IsExactWithoutNoiseAlsoOnASmallCap) {
   for (const double cap_rad : {0.3, 1.0, 2.5}) {
-    const SphereFit fit = fitSphere(moved(kSomewhere, onSphere(0.08, cap_rad)));
+    const SurfaceFit fit = fitSphere(moved(kSomewhere, onSphere(0.08, cap_rad)));
     EXPECT_NEAR(fit.radius_m, 0.08, 1e-12) << cap_rad;
-    EXPECT_LT((fit.center - kSomewhere.t).norm(), 1e-12) << cap_rad;
+    EXPECT_LT((fit.point - kSomewhere.t).norm(), 1e-12) << cap_rad;
     EXPECT_LT(rms(fit.distance_m), 1e-13) << cap_rad;
   }
 }
 
 TEST(SphereFit, IsGeometricNotAlgebraic) {
   // At the minimum of the orthogonal distances their sum is zero (the radius' derivative).
-  const SphereFit fit = fitSphere(noisy(0.002, onSphere(0.08, 0.8)));
+  const SurfaceFit fit = fitSphere(noisy(0.002, onSphere(0.08, 0.8)));
   double sum = 0;
   for (const double d : fit.distance_m) sum += d;
   EXPECT_NEAR(sum, 0, 1e-10);
@@ -113,7 +113,7 @@ TEST(SphereFit, IsGeometricNotAlgebraic) {
 class CylinderArc : public testing::TestWithParam<double> {};
 
 TEST_P(CylinderArc, IsExactWithoutNoise) {
-  const CylinderFit fit = fitCylinder(moved(kSomewhere, crossOnCylinder(0.0501, GetParam() * kDegree)));
+  const SurfaceFit fit = fitCylinder(moved(kSomewhere, crossOnCylinder(0.0501, GetParam() * kDegree)));
   EXPECT_NEAR(fit.radius_m, 0.0501, 1e-9);
   EXPECT_LT(angleBetweenAxes(fit.axis, kSomewhere.R.col(2)), 1e-9);
   const Eigen::Vector3d from_axis = kSomewhere.inverse() * fit.point;
@@ -127,14 +127,14 @@ TEST(CylinderFit, PointIsTheFootOfTheCentroid) {
   const Points points = moved(kSomewhere, crossOnCylinder(0.0501, 2));
   Eigen::Vector3d centroid = Eigen::Vector3d::Zero();
   for (const Eigen::Vector3d& x : points) centroid += x / static_cast<double>(points.size());
-  const CylinderFit fit = fitCylinder(points);
+  const SurfaceFit fit = fitCylinder(points);
   EXPECT_NEAR(fit.axis.dot(centroid - fit.point), 0, 1e-12);
   EXPECT_NEAR(fit.axis.norm(), 1, 1e-14);
 }
 
 /// No cylinder (angle 0) or cone nearby has a smaller sum of squared distances.
-template <class Fit>
-void expectMinimum(const Points& points, const Fit& fit, double half_angle_rad = 0) {
+void expectMinimum(const Points& points, const SurfaceFit& fit) {
+  const double half_angle_rad = fit.half_angle_rad;
   const auto cost = [&](const Eigen::Vector3d& point, const Eigen::Vector3d& axis, double radius, double angle) {
     double sum = 0;
     for (const Eigen::Vector3d& x : points) {
@@ -161,7 +161,7 @@ void expectMinimum(const Points& points, const Fit& fit, double half_angle_rad =
 
 TEST(CylinderFit, IsAMinimumWithNoise) {
   const Points points = noisy(0.0005, crossOnCylinder(0.0501, 120 * kDegree));
-  const CylinderFit fit = fitCylinder(points);
+  const SurfaceFit fit = fitCylinder(points);
   EXPECT_NEAR(fit.radius_m, 0.0501, 0.002);
   EXPECT_LT(angleBetweenAxes(fit.axis, Eigen::Vector3d::UnitZ()), 2 * kDegree);
   expectMinimum(points, fit);
@@ -169,7 +169,7 @@ TEST(CylinderFit, IsAMinimumWithNoise) {
 
 TEST(CylinderFit, DoesNotDependOnUnitsPlaceOrOrder) {
   const Points points = noisy(0.0005, crossOnCylinder(0.0501, 2));
-  const CylinderFit fit = fitCylinder(points);
+  const SurfaceFit fit = fitCylinder(points);
   Points reversed(points.rbegin(), points.rend());
   EXPECT_NEAR(fitCylinder(reversed).radius_m, fit.radius_m, 1e-9);
   EXPECT_NEAR(fitCylinder(moved(kSomewhere, points)).radius_m, fit.radius_m, 1e-9);
@@ -184,14 +184,14 @@ TEST(CylinderFit, FindsALongThinAndAShortWideCylinder) {
     for (int k = 0; k < 24; ++k) {
       points.emplace_back(0.05 * std::cos(0.26 * k), 0.05 * std::sin(0.26 * k), height * ((k * 7) % 5 - 2));
     }
-    const CylinderFit fit = fitCylinder(moved(kSomewhere, points));
+    const SurfaceFit fit = fitCylinder(moved(kSomewhere, points));
     EXPECT_NEAR(fit.radius_m, 0.05, 1e-9) << height;
     EXPECT_LT(angleBetweenAxes(fit.axis, kSomewhere.R.col(2)), 1e-8) << height;
   }
 }
 
 TEST(CylinderFit, NearlyFlatPointsGiveFiniteNumbers) {
-  const CylinderFit fit = fitCylinder(noisy(1e-6, onPlane()));
+  const SurfaceFit fit = fitCylinder(noisy(1e-6, onPlane()));
   EXPECT_TRUE(std::isfinite(fit.radius_m));
   EXPECT_TRUE(fit.point.allFinite());
   EXPECT_TRUE(fit.axis.allFinite());
@@ -216,7 +216,7 @@ class ConeAngle : public testing::TestWithParam<std::tuple<double, double>> {};
 
 TEST_P(ConeAngle, IsExactWithoutNoise) {
   const auto& [angle, span] = GetParam();
-  const ConeFit fit = fitCone(moved(kSomewhere, onCone(angle * kDegree, 0.05, span * kDegree)));
+  const SurfaceFit fit = fitCone(moved(kSomewhere, onCone(angle * kDegree, 0.05, span * kDegree)));
   EXPECT_LT(rms(fit.distance_m), 1e-9);
   EXPECT_NEAR(fit.half_angle_rad, angle * kDegree, 1e-6);
   EXPECT_LT((fit.axis - kSomewhere.R.col(2)).norm(), 1e-6) << "towards the wide end";
@@ -229,13 +229,13 @@ INSTANTIATE_TEST_SUITE_P(Cones, ConeAngle,
 
 TEST(ConeFit, IsAMinimumWithNoise) {
   const Points points = noisy(0.0005, onCone(0.4, 0.05, 4));
-  const ConeFit fit = fitCone(points);
+  const SurfaceFit fit = fitCone(points);
   EXPECT_NEAR(fit.half_angle_rad, 0.4, 0.05);
-  expectMinimum(points, fit, fit.half_angle_rad);
+  expectMinimum(points, fit);
 }
 
 TEST(ConeFit, OfACylinderIsTheCylinder) {
-  const ConeFit fit = fitCone(moved(kSomewhere, crossOnCylinder(0.0501, 2)));
+  const SurfaceFit fit = fitCone(moved(kSomewhere, crossOnCylinder(0.0501, 2)));
   EXPECT_LT(fit.half_angle_rad, 1e-6);
   EXPECT_NEAR(fit.radius_m, 0.0501, 1e-7);
   EXPECT_LT(angleBetweenAxes(fit.axis, kSomewhere.R.col(2)), 1e-6);
@@ -244,7 +244,7 @@ TEST(ConeFit, OfACylinderIsTheCylinder) {
 TEST(ConeFit, IsNeverWorseThanTheCylinder) {
   for (const Points& points : {noisy(0.0005, crossOnCylinder(0.0501, 2)), noisy(0.001, onSphere(0.08, 0.8)),
                                noisy(1e-6, onPlane()), noisy(0.001, onCone(0.3, 0.1, 1))}) {
-    const ConeFit cone = fitCone(points);
+    const SurfaceFit cone = fitCone(points);
     EXPECT_LE(rms(cone.distance_m), rms(fitCylinder(points).distance_m) * (1 + 1e-6));
     EXPECT_TRUE(cone.point.allFinite() && cone.axis.allFinite() && std::isfinite(cone.radius_m));
     EXPECT_GE(cone.half_angle_rad, 0);
@@ -253,7 +253,7 @@ TEST(ConeFit, IsNeverWorseThanTheCylinder) {
 
 TEST(ConeFit, DoesNotDependOnUnitsPlaceOrOrder) {
   const Points points = noisy(0.0005, onCone(0.4, 0.05, 4));
-  const ConeFit fit = fitCone(points);
+  const SurfaceFit fit = fitCone(points);
   EXPECT_NEAR(fitCone(Points(points.rbegin(), points.rend())).half_angle_rad, fit.half_angle_rad, 1e-7);
   EXPECT_NEAR(fitCone(moved(kSomewhere, points)).half_angle_rad, fit.half_angle_rad, 1e-7);
   EXPECT_LT((fitCone(moved(kSomewhere, points)).axis - kSomewhere.R * fit.axis).norm(), 1e-6);

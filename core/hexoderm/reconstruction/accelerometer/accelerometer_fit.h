@@ -37,6 +37,9 @@ struct CellReading {
   double variance_g2 = 0;  ///< per axis, > 0
 };
 
+/// L with L L^T = the inverse of a positive definite matrix.
+Eigen::Matrix4d rootOfInverse(const Eigen::Matrix4d& matrix);
+
 /// The most probable offset, scale and cross-axis errors of one accelerometer for given specific forces, and what that
 /// leaves unexplained. Placements are estimated with these errors eliminated (variable projection), so that a skin of
 /// any size has six unknowns a cell and few poses are safe: what the data don't say about a sensor, the prior says.

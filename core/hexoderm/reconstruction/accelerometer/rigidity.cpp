@@ -45,8 +45,8 @@ using Vector6 = Eigen::Matrix<double, 6, 1>;
 /// The most probable errors of a sensor, and what a small turn e of its cell changes beyond them. R_a_o becomes
 /// exp(-e) R_a_o, so v becomes v + v x e, and the residual of axis i changes by r^T J_i e.
 struct SensorAndTurn {
-  Eigen::Matrix<double, 4, 3> errors;                  ///< (b_i, D_i), one axis in a column
-  std::array<Eigen::LLT<Eigen::Matrix4d>, 3> factors;  ///< of the information about them
+  Eigen::Matrix<double, 4, 3> errors;              ///< (b_i, D_i), one axis in a column
+  std::array<Eigen::Matrix4d, 3> covariance_root;  ///< of these, as in AccelerometerFit
   Eigen::Matrix3d gain;
   std::array<Eigen::Matrix<double, 4, 3>, 3> J;
   Eigen::Vector3d gradient;     ///< of half the misfit
@@ -66,11 +66,11 @@ Eigen::Vector3d gradientOf(const ReadingSums& sums, const SensorAndTurn& solved)
 SensorAndTurn solveSensorAndTurn(const AccelerometerPrior& prior, const ReadingSums& sums) {
   SensorAndTurn solved;
   for (int axis = 0; axis < 3; ++axis) {
-    Eigen::LLT<Eigen::Matrix4d>& factor = solved.factors[static_cast<std::size_t>(axis)];
+    Eigen::Matrix4d& root = solved.covariance_root[static_cast<std::size_t>(axis)];
     Eigen::Matrix4d with_prior = sums.rows;
     with_prior.diagonal() += prior.precision(axis);
-    factor.compute(with_prior);
-    solved.errors.col(axis) = factor.solve(sums.mixed.col(axis));
+    root = rootOfInverse(with_prior);
+    solved.errors.col(axis) = root * (root.transpose() * sums.mixed.col(axis));
   }
   solved.gain = Eigen::Matrix3d::Identity() + solved.errors.bottomRows<3>().transpose();
   solved.gradient = gradientOf(sums, solved);
@@ -80,7 +80,8 @@ SensorAndTurn solveSensorAndTurn(const AccelerometerPrior& prior, const ReadingS
     J.setZero();
     J.bottomRows<3>() = skew(solved.gain.row(static_cast<Eigen::Index>(axis)).transpose());
     const Eigen::Matrix<double, 4, 3> weighted = sums.rows * J;
-    solved.information += J.transpose() * weighted - weighted.transpose() * solved.factors[axis].solve(weighted);
+    const Eigen::Matrix<double, 4, 3> explained = solved.covariance_root[axis].transpose() * weighted;
+    solved.information += J.transpose() * weighted - explained.transpose() * explained;
   }
   return solved;
 }
@@ -98,7 +99,8 @@ Matrix6 informationAboutTwoTurns(const ReadingSums& all, const ReadingSums& afte
     weighted << all.rows * J, after.rows * J;
     information.topRows<3>() += J.transpose() * weighted;
     information.bottomRightCorner<3, 3>() += J.transpose() * weighted.rightCols<3>();
-    information -= weighted.transpose() * solved.factors[axis].solve(weighted);
+    const Eigen::Matrix<double, 4, 6> explained = solved.covariance_root[axis].transpose() * weighted;
+    information -= explained.transpose() * explained;
   }
   // Only its upper right was summed up.
   information.bottomLeftCorner<3, 3>() = information.topRightCorner<3, 3>().transpose();
@@ -152,15 +154,26 @@ TurnBetweenPoses findTurn(const AccelerometerPrior& prior, std::span<const CellR
 
 OwnAttitude findAttitude(const AccelerometerPrior& prior, std::span<const CellReading> readings,
                          std::span<const Eigen::Vector3d> f_o, const Eigen::Matrix3d& R_start, int most_steps) {
-  constexpr double kConverged = 1e-7;
+  constexpr double kConverged = 1e-9;
   constexpr double kLargestStep = 0.5;
+  // With q = (1, f) and V the variances: sums of q q^T / V and of q y^T / V. In a cell with the attitude R the forces
+  // are v = R^T f, and everything follows from these sums turned, however many readings there are.
+  Eigen::Matrix4d forces = Eigen::Matrix4d::Zero();
+  Eigen::Matrix<double, 4, 3> read = Eigen::Matrix<double, 4, 3>::Zero();
+  for (std::size_t k = 0; k < readings.size(); ++k) {
+    const Eigen::Vector4d row(1, f_o[k].x(), f_o[k].y(), f_o[k].z());
+    const Eigen::Vector4d weighted = row / readings[k].variance_g2;
+    forces.noalias() += weighted * row.transpose();
+    read.noalias() += weighted * readings[k].y_g.transpose();
+  }
   OwnAttitude own;
   own.R = R_start;
+  Eigen::Matrix4d turned = Eigen::Matrix4d::Identity();
   for (int k = 0; k < most_steps; ++k) {
+    turned.bottomRightCorner<3, 3>() = own.R.transpose();
     ReadingSums sums;
-    for (std::size_t reading = 0; reading < readings.size(); ++reading) {
-      sums.add(readings[reading], own.R.transpose() * f_o[reading]);
-    }
+    sums.rows = turned * forces * turned.transpose();
+    sums.mixed = turned * read - sums.rows.rightCols<3>();
     const SensorAndTurn solved = solveSensorAndTurn(prior, sums);
     own.information = solved.information;
     own.offset_g = solved.errors.row(0).transpose();
@@ -207,25 +220,6 @@ double misfitWith(const AccelerometerPrior& prior, std::span<const CellReading> 
     squares += (readings[k].y_g - offset_g - gain * v_g[k]).squaredNorm() / readings[k].variance_g2;
   }
   return squares;
-}
-
-RigidityKernelOptions rigidityKernelOptions(const AccelerometerPrior& prior, const Eigen::Matrix3d& R_a_u) {
-  RigidityKernelOptions options{};
-  for (int axis = 0; axis < 3; ++axis) {
-    for (int k = 0; k < 4; ++k) options.precision[4 * axis + k] = prior.precision(axis)[k];
-    for (int k = 0; k < 3; ++k) options.R_a_u[3 * axis + k] = R_a_u(axis, k);
-  }
-  options.least_information = kLeastInformation;
-  return options;
-}
-
-AttitudeKernelOptions attitudeKernelOptions(const AccelerometerPrior& prior) {
-  AttitudeKernelOptions options{};
-  for (int axis = 0; axis < 3; ++axis) {
-    for (int k = 0; k < 4; ++k) options.precision[4 * axis + k] = prior.precision(axis)[k];
-  }
-  options.least_information = kLeastInformation;
-  return options;
 }
 
 Accelerometer pairOf(const Accelerometer& accelerometer) {

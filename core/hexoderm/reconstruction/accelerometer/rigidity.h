@@ -1,8 +1,6 @@
 #pragma once
 
 #include "hexoderm/reconstruction/accelerometer/accelerometer_fit.h"
-#include "hexoderm/reconstruction/accelerometer/attitude_kernel.h"
-#include "hexoderm/reconstruction/accelerometer/rigidity_kernel.h"
 
 #include <span>
 
@@ -86,11 +84,6 @@ OwnAttitude findAttitude(const AccelerometerPrior& prior, std::span<const CellRe
 /// axes), each as uncertain as `readings` has it, hold about a small turn of a cell whose offset, gains and cross-axis
 /// sensitivity are not known. `fit` must belong to these readings.
 Eigen::Matrix3d attitudeInformation(const AccelerometerFit& fit, std::span<const Eigen::Vector3d> v_g);
-
-/// The same for kernels, of links whose readings are in the cells' frames (rigidity_kernel.h).
-RigidityKernelOptions rigidityKernelOptions(const AccelerometerPrior& prior, const Eigen::Matrix3d& R_a_u);
-/// findAttitude() for kernels (attitude_kernel.h).
-AttitudeKernelOptions attitudeKernelOptions(const AccelerometerPrior& prior);
 
 /// The errors of two cells' accelerometers together, as one accelerometer's prior: for testing a cell's readings
 /// against its neighbour's, turned by their relative rotation.

@@ -27,23 +27,16 @@ constexpr std::size_t kFewestDirections = 3;
 /// "Very strong evidence" in Kass and Raftery, Bayes Factors, J. Am. Stat. Assoc. 90 (1995).
 constexpr double kDecisive = 10;
 
+struct FittedKind {
+  SurfaceKind kind;
+  double parameters;
+  SurfaceFit (*fit)(std::span<const Eigen::Vector3d> points_m);
+};
 /// The simplest first.
-constexpr std::array<SurfaceKind, 4> kSurfaceKinds = {SurfaceKind::Plane, SurfaceKind::Sphere, SurfaceKind::Cylinder,
-                                                      SurfaceKind::Cone};
-
-std::size_t parametersOf(SurfaceKind kind) {
-  switch (kind) {
-    case SurfaceKind::Plane:
-      return 3;
-    case SurfaceKind::Sphere:
-      return 4;
-    case SurfaceKind::Cylinder:
-      return 5;
-    case SurfaceKind::Cone:
-      return 6;
-  }
-  return 0;
-}
+constexpr std::array<FittedKind, 4> kKinds = {{{SurfaceKind::Plane, 3, fitPlane},
+                                               {SurfaceKind::Sphere, 4, fitSphere},
+                                               {SurfaceKind::Cylinder, 5, fitCylinder},
+                                               {SurfaceKind::Cone, 6, fitCone}}};
 
 /// Fills in tilts and BIC.
 void judge(const PatchReconstruction& patch, SurfaceEvaluation& surface) {
@@ -66,7 +59,7 @@ void judge(const PatchReconstruction& patch, SurfaceEvaluation& surface) {
   // A height and two tilts per cell.
   const auto observations = static_cast<double>(3 * patch.cells.size());
   surface.misfit = squares / observations;
-  surface.bic = squares + static_cast<double>(parametersOf(surface.kind)) * std::log(observations);
+  surface.bic = squares + kKinds.at(static_cast<std::size_t>(surface.kind)).parameters * std::log(observations);
 }
 
 /// Whether what is stated of the patch can contradict a surface.
@@ -186,39 +179,12 @@ SurfaceEvaluation evaluateSurface(const PatchReconstruction& patch, SurfaceKind 
     evaluation.cells.push_back(cell.cell);
     points.push_back(cell.T_o_u.t);
   }
-  switch (kind) {
-    case SurfaceKind::Plane: {
-      PlaneFit fit = fitPlane(points);
-      evaluation.point = fit.point;
-      evaluation.axis = fit.normal;
-      evaluation.distance_m = std::move(fit.distance_m);
-      break;
-    }
-    case SurfaceKind::Sphere: {
-      SphereFit fit = fitSphere(points);
-      evaluation.point = fit.center;
-      evaluation.radius_m = fit.radius_m;
-      evaluation.distance_m = std::move(fit.distance_m);
-      break;
-    }
-    case SurfaceKind::Cylinder: {
-      CylinderFit fit = fitCylinder(points);
-      evaluation.point = fit.point;
-      evaluation.axis = fit.axis;
-      evaluation.radius_m = fit.radius_m;
-      evaluation.distance_m = std::move(fit.distance_m);
-      break;
-    }
-    case SurfaceKind::Cone: {
-      ConeFit fit = fitCone(points);
-      evaluation.point = fit.point;
-      evaluation.axis = fit.axis;
-      evaluation.radius_m = fit.radius_m;
-      evaluation.half_angle_rad = fit.half_angle_rad;
-      evaluation.distance_m = std::move(fit.distance_m);
-      break;
-    }
-  }
+  SurfaceFit fit = kKinds.at(static_cast<std::size_t>(kind)).fit(points);
+  evaluation.point = fit.point;
+  evaluation.axis = fit.axis;
+  if (kind != SurfaceKind::Plane) evaluation.radius_m = fit.radius_m;
+  if (kind == SurfaceKind::Cone) evaluation.half_angle_rad = fit.half_angle_rad;
+  evaluation.distance_m = std::move(fit.distance_m);
   evaluation.rms_m = rms(evaluation.distance_m);
   judge(patch, evaluation);
   if (true_radius_m) {
@@ -235,10 +201,10 @@ SurfaceEvaluation checkSurface(const PatchReconstruction& patch, std::optional<S
   std::shared_ptr<const SurfaceEvaluation> probable;
   std::optional<SurfaceKind> simplest;
   std::optional<InvalidArgument> why_none;
-  for (const SurfaceKind other : kSurfaceKinds) {
+  for (const FittedKind& other : kKinds) {
     try {
-      SurfaceEvaluation surface = evaluateSurface(patch, other);
-      if (!simplest && surface.misfit <= 1) simplest = other;
+      SurfaceEvaluation surface = evaluateSurface(patch, other.kind);
+      if (!simplest && surface.misfit <= 1) simplest = other.kind;
       if (!probable || surface.bic < probable->bic) {
         probable = std::make_shared<const SurfaceEvaluation>(std::move(surface));
       }
@@ -431,15 +397,6 @@ std::vector<Comparison> compareToReconstruction(const Reconstruction& reconstruc
     for (Comparison& comparison : compareAll(reconstruction, cells)) comparisons.push_back(std::move(comparison));
   }
   return comparisons;
-}
-
-double trueLoopGap(const CellModel& model, const GroundTruth& truth, LinkEnd first, LinkEnd second) {
-  const auto linkPoint = [&](LinkEnd end) -> Eigen::Vector3d {
-    const auto found = std::ranges::find(truth.cells, end.cell, &TrueCellPlacement::id);
-    if (found == truth.cells.end()) throw InvalidArgument(message("the truth holds no cell {}", end.cell));
-    return found->T_b_u * model.port(end.port).vector_m;
-  };
-  return (linkPoint(first) - linkPoint(second)).norm();
 }
 
 }  // namespace hexoderm

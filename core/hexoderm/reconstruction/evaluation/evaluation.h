@@ -169,7 +169,4 @@ std::vector<Comparison> compareToTruth(const Reconstruction& reconstruction, con
 /// Cell by cell, of patches that both have.
 std::vector<Comparison> compareToReconstruction(const Reconstruction& reconstruction, const Reconstruction& reference);
 
-/// The link points' gap in the truth: what a perfect estimate of an open ring would show.
-double trueLoopGap(const CellModel& model, const GroundTruth& truth, LinkEnd first, LinkEnd second);
-
 }  // namespace hexoderm

@@ -128,22 +128,19 @@ void add(const SkinLinks& skin, const PatchSolver& patch, const AttitudeSuspect&
     case AttitudeSuspect::Kind::Moved:
       break;
   }
-  if (hasTooFewPoses(skin.table(), suspect.cell)) {
-    found.remarks.push_back(describeSuspiciousSensor(graph, skin.table(), suspect.cell));
+  if (hasTooFewPoses(skin, suspect.cell)) {
+    found.remarks.push_back(describeSuspiciousSensor(skin, suspect.cell));
     return;
   }
-  found.findings.push_back(
-      suspect.kind == AttitudeSuspect::Kind::Moved
-          ? describeMovedCell(graph, skin.snapshot(), suspect.cell, suspect.pose, suspect.angle_rad)
-          : describeTurnedSensor(id(suspect.cell), suspect.angle_rad));
+  found.findings.push_back(suspect.kind == AttitudeSuspect::Kind::Moved
+                               ? describeMovedCell(skin, suspect.cell, suspect.pose, suspect.angle_rad)
+                               : describeTurnedSensor(id(suspect.cell), suspect.angle_rad));
   found.cells.push_back(suspect.cell);
 }
 
-class Attitudes : public Explainer {
+class Attitudes {
  public:
-  [[nodiscard]] Estimate::Stage needs() const override { return Estimate::Stage::Patches; }
-
-  [[nodiscard]] std::optional<Explanation> explain(const Estimate& estimate) override {
+  [[nodiscard]] std::optional<Explanation> operator()(const Estimate& estimate) {
     constexpr int kRounds = 3;  // what a first search leaves is rare; each costs a solve
     if (rounds_ == kRounds) return std::nullopt;
     Explanation found;
@@ -167,7 +164,7 @@ class Attitudes : public Explainer {
     if (!searched_) {
       // Only of a tree they are needed once more.
       const std::vector<AttitudeSuspect> suspects =
-          AttitudeSearch(skin, patch.cells(), is_tree ? own : std::move(own)).suspects();
+          findAttitudeSuspects(skin, patch.cells(), is_tree ? own : std::move(own));
       const auto fits_no_surface = [](const AttitudeSuspect& suspect) {
         return suspect.kind == AttitudeSuspect::Kind::Patch;
       };
@@ -189,6 +186,6 @@ class Attitudes : public Explainer {
 
 }  // namespace
 
-std::unique_ptr<Explainer> makeAttitudeExplainer() { return std::make_unique<Attitudes>(); }
+Explainer makeAttitudeExplainer() { return {Estimate::Stage::Patches, Attitudes()}; }
 
 }  // namespace hexoderm

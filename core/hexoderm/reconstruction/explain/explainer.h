@@ -2,45 +2,34 @@
 
 #include "hexoderm/reconstruction/estimate.h"
 
-#include <memory>
+#include <functional>
 #include <optional>
-#include <vector>
 
 namespace hexoderm {
 
 /// Looks for one kind of fault. It is asked with one estimate after another, each without what was explained before, as
 /// long as it finds anything.
-class Explainer {
- public:
-  Explainer() = default;
-  virtual ~Explainer() = default;
-  Explainer(const Explainer&) = delete;
-  Explainer& operator=(const Explainer&) = delete;
-
-  /// How far the estimate must be brought for it.
-  [[nodiscard]] virtual Estimate::Stage needs() const = 0;
+struct Explainer {
+  Estimate::Stage needs{};  ///< how far the estimate must be brought for it
   /// The most probable explanation of what fits worst in the estimate; nothing where all that is left may be chance.
-  [[nodiscard]] virtual std::optional<Explanation> explain(const Estimate& estimate) = 0;
+  std::function<std::optional<Explanation>(const Estimate&)> explain;
 };
 
 /// By neighbouring cells alone (SuspectSearch): a pose in which the part moved, cells that contradict their neighbours,
 /// and then the links that no skin link can be. A cell that two poses don't clearly show to be wrong is called
 /// suspicious and stays, and so do its links.
-std::unique_ptr<Explainer> makeNeighborExplainer();
+Explainer makeNeighborExplainer();
 
 /// By the joint estimate: the cell whose readings fit the gravity of all others worst, in whatever position, or which
 /// turned against them between two poses.
-std::unique_ptr<Explainer> makeMisfitExplainer();
+Explainer makeMisfitExplainer();
 
 /// By the joint estimate: in every patch the link that leaves its loops open by more than askew cells can, a cable that
 /// looks like a skin link in its angles. One link a patch, because the others give way to it.
-std::unique_ptr<Explainer> makeOpenLinkExplainer();
+Explainer makeOpenLinkExplainer();
 
 /// By the attitudes of solved patches (AttitudeSearch): links, and cells that are mounted otherwise or whose readings
 /// are each other's. Of a tree's readings also what a hand that turned the part added to them.
-std::unique_ptr<Explainer> makeAttitudeExplainer();
-
-/// One of each, in the order in which they are asked: those that need least of the estimate first.
-std::vector<std::unique_ptr<Explainer>> allExplainers();
+Explainer makeAttitudeExplainer();
 
 }  // namespace hexoderm

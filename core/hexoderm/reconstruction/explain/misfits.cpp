@@ -47,17 +47,15 @@ std::optional<BadSensor> worstSensor(const SkinLinks& skin, const PatchSolver& p
 Finding describe(const SkinLinks& skin, const BadSensor& bad) {
   if (!bad.turn) {
     const bool is_leaf = out_degree(bad.cell, skin.graph()) == 1;
-    return describeBadSensor(skin.graph(), skin.table(), skin.snapshot(), bad.cell, is_leaf);
+    return describeBadSensor(skin, bad.cell, is_leaf);
   }
   const std::size_t pose = skin.table().usablePoses(bad.cell)[bad.turn->first_after];
-  return describeMovedCell(skin.graph(), skin.snapshot(), bad.cell, pose, bad.turn->angle_rad);
+  return describeMovedCell(skin, bad.cell, pose, bad.turn->angle_rad);
 }
 
-class Misfits : public Explainer {
+class Misfits {
  public:
-  [[nodiscard]] Estimate::Stage needs() const override { return Estimate::Stage::Patches; }
-
-  [[nodiscard]] std::optional<Explanation> explain(const Estimate& estimate) override {
+  [[nodiscard]] std::optional<Explanation> operator()(const Estimate& estimate) {
     if (std::exchange(revision_, estimate.placementRevision()) != estimate.placementRevision()) suspicious_.clear();
     for (const PatchSolver& patch : estimate.patches()) {
       if (patch.joint() == nullptr) continue;
@@ -72,8 +70,8 @@ class Misfits : public Explainer {
   [[nodiscard]] Explanation explanationOf(const SkinLinks& skin, const JointRefinement& joint, const BadSensor& bad) {
     Explanation found;
     const bool is_clear = joint.misfitOf(bad.cell).deviate() > kClearly * skin.options().max_misfit;
-    if (hasTooFewPoses(skin.table(), bad.cell) && !is_clear) {
-      found.remarks.push_back(describeSuspiciousSensor(skin.graph(), skin.table(), bad.cell));
+    if (hasTooFewPoses(skin, bad.cell) && !is_clear) {
+      found.remarks.push_back(describeSuspiciousSensor(skin, bad.cell));
       suspicious_.push_back(bad.cell);
     } else {
       found.findings.push_back(describe(skin, bad));
@@ -89,6 +87,6 @@ class Misfits : public Explainer {
 
 }  // namespace
 
-std::unique_ptr<Explainer> makeMisfitExplainer() { return std::make_unique<Misfits>(); }
+Explainer makeMisfitExplainer() { return {Estimate::Stage::Patches, Misfits()}; }
 
 }  // namespace hexoderm

@@ -12,11 +12,9 @@ Finding describeInconsistentPose(PoseId pose) {
                      {}, {}, {pose});
 }
 
-class Neighbors : public Explainer {
+class Neighbors {
  public:
-  [[nodiscard]] Estimate::Stage needs() const override { return Estimate::Stage::Links; }
-
-  [[nodiscard]] std::optional<Explanation> explain(const Estimate& estimate) override {
+  [[nodiscard]] std::optional<Explanation> operator()(const Estimate& estimate) {
     if (links_are_judged_) return std::nullopt;
     follow(estimate);
     const SkinLinks& skin = estimate.skin();
@@ -25,11 +23,11 @@ class Neighbors : public Explainer {
       found.findings.push_back(describeInconsistentPose(skin.poseId(*pose)));
       found.poses.push_back(*pose);
     } else if (const auto cell = search_->worstCell(suspicious_)) {
-      if (hasTooFewPoses(skin.table(), *cell) && !search_->isClearlyWrong(*cell)) {
-        found.remarks.push_back(describeSuspiciousSensor(skin.graph(), skin.table(), *cell));
+      if (hasTooFewPoses(skin, *cell) && !search_->isClearlyWrong(*cell)) {
+        found.remarks.push_back(describeSuspiciousSensor(skin, *cell));
         suspicious_.push_back(*cell);
       } else {
-        found.findings.push_back(describeBadSensor(skin.graph(), skin.table(), skin.snapshot(), *cell, false));
+        found.findings.push_back(describeBadSensor(skin, *cell, false));
         found.cells.push_back(*cell);
       }
     } else {
@@ -47,18 +45,16 @@ class Neighbors : public Explainer {
  private:
   /// Judges the links anew that have changed since it was last asked.
   void follow(const Estimate& estimate) {
-    if (search_ != nullptr && revision_ == estimate.linkRevision()) return;
-    if (search_ != nullptr && revision_ + 1 == estimate.linkRevision() && estimate.changedLinks()) {
+    if (search_ && revision_ == estimate.linkRevision()) return;
+    if (search_ && revision_ + 1 == estimate.linkRevision() && estimate.changedLinks()) {
       search_->update(*estimate.changedLinks());
     } else {
-      const SkinLinks& skin = estimate.skin();
-      search_ = std::make_unique<SuspectSearch>(skin.model(), skin.graph(), skin.table(), skin.readings(), skin.edges(),
-                                                skin.options());
+      search_.emplace(estimate.skin());
     }
     revision_ = estimate.linkRevision();
   }
 
-  std::unique_ptr<SuspectSearch> search_;
+  std::optional<SuspectSearch> search_;
   std::size_t revision_ = 0;
   std::vector<std::size_t> suspicious_;  // cells
   bool links_are_judged_ = false;
@@ -66,6 +62,6 @@ class Neighbors : public Explainer {
 
 }  // namespace
 
-std::unique_ptr<Explainer> makeNeighborExplainer() { return std::make_unique<Neighbors>(); }
+Explainer makeNeighborExplainer() { return {Estimate::Stage::Links, Neighbors()}; }
 
 }  // namespace hexoderm

@@ -25,27 +25,22 @@ Finding describeOpenLink(const SkinGraph& graph, const JointRefinement::OpenLink
       {source.cell, target.cell}, {source.port, target.port});
 }
 
-class OpenLinks : public Explainer {
- public:
-  [[nodiscard]] Estimate::Stage needs() const override { return Estimate::Stage::Patches; }
-
-  [[nodiscard]] std::optional<Explanation> explain(const Estimate& estimate) override {
-    const SkinLinks& skin = estimate.skin();
-    const double limit_m = skin.options().max_opening * skin.model().link_sigma_m;
-    Explanation found;
-    for (const PatchSolver& patch : estimate.patches()) {
-      if (patch.joint() == nullptr) continue;
-      const auto widest = patch.joint()->widestOpen();
-      if (!widest || widest->opening_m <= limit_m) continue;
-      found.links[FindingCode::LinkDoesNotClose].push_back(widest->link);
-      found.findings.push_back(describeOpenLink(skin.graph(), *widest, limit_m));
-    }
-    return found.empty() ? std::nullopt : std::optional(std::move(found));
+std::optional<Explanation> explainOpenLinks(const Estimate& estimate) {
+  const SkinLinks& skin = estimate.skin();
+  const double limit_m = skin.options().max_opening * skin.model().link_sigma_m;
+  Explanation found;
+  for (const PatchSolver& patch : estimate.patches()) {
+    if (patch.joint() == nullptr) continue;
+    const auto widest = patch.joint()->widestOpen();
+    if (!widest || widest->opening_m <= limit_m) continue;
+    found.links[FindingCode::LinkDoesNotClose].push_back(widest->link);
+    found.findings.push_back(describeOpenLink(skin.graph(), *widest, limit_m));
   }
-};
+  return found.empty() ? std::nullopt : std::optional(std::move(found));
+}
 
 }  // namespace
 
-std::unique_ptr<Explainer> makeOpenLinkExplainer() { return std::make_unique<OpenLinks>(); }
+Explainer makeOpenLinkExplainer() { return {Estimate::Stage::Patches, explainOpenLinks}; }
 
 }  // namespace hexoderm

@@ -1,16 +1,11 @@
 #include "hexoderm/reconstruction/faults/suspects.h"
 
-#include "hexoderm/geometry/lane_numbers.h"
 #include "hexoderm/reconstruction/faults/link_plausibility.h"
-#include "hexoderm/reconstruction/links/link_batches.h"
 #include "hexoderm/util/text.h"
 #include "hexoderm/util/units.h"
-#include "hexoderm/util/vector_instructions.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <numeric>
 
 namespace hexoderm {
 namespace {
@@ -27,36 +22,31 @@ LinkAngles anglesSigma(const Eigen::Matrix3d& covariance, const Port& source) {
 
 }  // namespace
 
-SuspectSearch::SuspectSearch(const CellModel& model, const SkinGraph& graph, const GravityTable& table,
-                             const SkinReadings& readings, const std::vector<EdgeRotation>& edges,
-                             const SolverOptions& options)
-    : model_(model),
-      graph_(graph),
-      table_(table),
-      readings_(readings),
-      edges_(edges),
-      options_(options),
-      pair_prior_(pairOf(model.accelerometer)),
-      verdicts_(edges.size()),
-      tested_(graph.cells().size(), 0),
-      bad_(graph.cells().size(), 0) {
-  std::vector<std::size_t> all(edges.size());
-  std::iota(all.begin(), all.end(), std::size_t{0});
-  judge(all);
-  for (const std::size_t link : all) count(link, 1);
+SuspectSearch::SuspectSearch(const SkinLinks& skin)
+    : skin_(skin),
+      pair_prior_(pairOf(skin.model().accelerometer)),
+      verdicts_(skin.edges().size()),
+      tested_(skin.graph().cells().size(), 0),
+      bad_(skin.graph().cells().size(), 0) {
+  for (std::size_t link = 0; link < verdicts_.size(); ++link) {
+    verdicts_[link] = judge(link);
+    count(link, 1);
+  }
 }
 
 void SuspectSearch::update(std::span<const std::size_t> links) {
-  for (const std::size_t link : links) count(link, -1);
-  judge(links);
-  for (const std::size_t link : links) count(link, 1);
+  for (const std::size_t link : links) {
+    count(link, -1);
+    verdicts_[link] = judge(link);
+    count(link, 1);
+  }
 }
 
 void SuspectSearch::count(std::size_t index, int by) {
   const Verdict& verdict = verdicts_[index];
   if (verdict.tested) tested_links_ += by;
   if (verdict.tested && !verdict.rigid) moving_links_ += by;
-  for (const std::size_t cell : {graph_.links()[index].source, graph_.links()[index].target}) {
+  for (const std::size_t cell : {skin_.graph().links()[index].source, skin_.graph().links()[index].target}) {
     if (verdict.tested) tested_[cell] += by;
     if (verdict.bad()) bad_[cell] += by;
     if (isAtOdds(cell)) {
@@ -73,73 +63,42 @@ bool SuspectSearch::isAtOdds(std::size_t cell) const {
   return bad_[cell] >= kFewestWitnesses && bad_[cell] >= kNearlyAll * tested_[cell];
 }
 
-void SuspectSearch::judge(std::span<const std::size_t> links) {
-  std::vector<std::size_t> tested;
-  tested.reserve(links.size());
-  for (const std::size_t link : links) {
-    verdicts_[link] = {};
-    if (!graph_.links()[link].muted() && readings_.measured(graph_.links()[link])) tested.push_back(link);
-  }
-  const RigidityKernelOptions options = rigidityKernelOptions(pair_prior_, model_.accelerometer.T_u_a.R.transpose());
-  std::array<double, 9 * kLanes> R_c_n{};
-  RigidityKernelOutput out{};
-  std::vector<std::size_t> unusual;
-  const auto test = [&](const LinkBatch& batch) {
-    for (int lane = 0; lane < kLanes; ++lane) {
-      matrixOfLane(R_c_n.data(), static_cast<std::size_t>(lane)) = edges_[batch.linkIn(lane)].R_c_n;
-    }
-    (hasVectorInstructions() ? testRigidityByFour : testRigidityByTwo)(
-        options, {batch.poses, batch.c_g.data(), batch.n_g.data(), batch.variance_g2.data(), R_c_n.data()}, out);
-    for (int lane = 0; lane < batch.size; ++lane) {
-      const std::size_t link = batch.linkIn(lane);
-      if (out.usual[lane] == 0) {
-        unusual.push_back(link);
-        continue;
-      }
-      const Misfit misfit{out.chi_squared[lane], 3.0 * batch.poses - 3};
-      verdicts_[link] = judgeBy(link, misfit.deviate());
-    }
-  };
-  const std::vector<std::size_t> others = forBatches(graph_, table_, readings_, tested, test);
-  unusual.insert(unusual.end(), others.begin(), others.end());
-  for (const std::size_t link : unusual)
-    verdicts_[link] = judgeBy(link, testRigidity(pair_prior_, readingsOf(link).sums).deviate());
-}
-
-SuspectSearch::Verdict SuspectSearch::judgeBy(std::size_t link_index, double misfit) const {
+SuspectSearch::Verdict SuspectSearch::judge(std::size_t index) const {
   Verdict verdict;
-  const GraphLink& link = graph_.links()[link_index];
-  const EdgeRotation& edge = edges_[link_index];
+  const GraphLink& link = skin_.graph().links()[index];
+  if (link.muted() || !skin_.readings().measured(link)) return verdict;
+  const EdgeRotation& edge = skin_.edges()[index];
   verdict.tested = true;
   if (edge.deviation_rad < kJudgeableSigma) {
-    verdict.implausible = judgeLinkAngles(edge.angles, graph_.sourceEnd(link), graph_.targetEnd(link), model_, options_,
-                                          anglesSigma(edge.covariance, model_.port(link.source_port)));
+    verdict.implausible =
+        judgeLinkAngles(edge.angles, skin_.graph().sourceEnd(link), skin_.graph().targetEnd(link), skin_.model(),
+                        skin_.options(), anglesSigma(edge.covariance, skin_.sourcePort(link)));
   }
-  verdict.misfit = misfit;
-  verdict.rigid = verdict.misfit <= options_.max_misfit;
+  ReadingSums sums;
+  forReadings(index, [&](const CellReading& source, const Eigen::Vector3d& target_g) { sums.add(source, target_g); });
+  verdict.misfit = testRigidity(pair_prior_, sums).deviate();
+  verdict.rigid = verdict.misfit <= skin_.options().max_misfit;
   return verdict;
 }
 
-SuspectSearch::PairReadings SuspectSearch::readingsOf(std::size_t link_index) const {
-  const GraphLink& link = graph_.links()[link_index];
-  const Eigen::Matrix3d R_a_u = model_.accelerometer.T_u_a.R.transpose();
-  const Eigen::Matrix3d R_a_n = R_a_u * edges_[link_index].R_c_n;
-  PairReadings pair;
-  for (const std::size_t pose : readings_.posesOf(link)) {
-    const GravityTable::Entry& at_c = table_.at(link.source, pose);
-    const GravityTable::Entry& at_n = table_.at(link.target, pose);
-    pair.source.push_back({pose, R_a_u * at_c.mean_g, at_c.variance_g2 + at_n.variance_g2});
-    pair.target_g.push_back(R_a_n * at_n.mean_g);
-    pair.sums.add(pair.source.back(), pair.target_g.back());
+template <class Use>
+void SuspectSearch::forReadings(std::size_t index, const Use& use) const {
+  const GraphLink& link = skin_.graph().links()[index];
+  const Eigen::Matrix3d R_a_u = skin_.model().accelerometer.T_u_a.R.transpose();
+  const Eigen::Matrix3d R_a_n = R_a_u * skin_.edges()[index].R_c_n;
+  for (const std::size_t pose : skin_.table().enabledPoses()) {
+    if (!skin_.readings().inBoth(link, pose)) continue;
+    const GravityTable::Entry& at_c = skin_.table().at(link.source, pose);
+    const GravityTable::Entry& at_n = skin_.table().at(link.target, pose);
+    use(CellReading{pose, R_a_u * at_c.mean_g, at_c.variance_g2 + at_n.variance_g2}, R_a_n * at_n.mean_g);
   }
-  return pair;
 }
 
 std::optional<std::size_t> SuspectSearch::worstPose() const {
   constexpr std::size_t kFewestPoses = 3;
   constexpr int kFewestLinks = 3;
   constexpr double kNearlyNone = 0.2;
-  if (table_.enabledPoses().size() < kFewestPoses || tested_links_ < kFewestLinks ||
+  if (skin_.table().enabledPoses().size() < kFewestPoses || tested_links_ < kFewestLinks ||
       2 * moving_links_ <= tested_links_) {
     return std::nullopt;
   }
@@ -147,21 +106,22 @@ std::optional<std::size_t> SuspectSearch::worstPose() const {
   for (std::size_t link = 0; link < verdicts_.size(); ++link) {
     if (verdicts_[link].tested) tested.push_back(link);
   }
-  std::vector<std::size_t> moving_without(table_.poseCount(), static_cast<std::size_t>(moving_links_));
+  std::vector<std::size_t> moving_without(skin_.table().poseCount(), static_cast<std::size_t>(moving_links_));
   for (const std::size_t link : tested) {
-    const PairReadings pair = readingsOf(link);
-    for (std::size_t k = 0; k < pair.source.size(); ++k) {
-      ReadingSums without = pair.sums;
-      without.add(pair.source[k], pair.target_g[k], -1);
-      const bool is_rigid = testRigidity(pair_prior_, without).deviate() <= options_.max_misfit;
-      std::size_t& still_moving = moving_without[pair.source[k].pose];
+    ReadingSums all;
+    forReadings(link, [&](const CellReading& source, const Eigen::Vector3d& target_g) { all.add(source, target_g); });
+    forReadings(link, [&](const CellReading& source, const Eigen::Vector3d& target_g) {
+      ReadingSums without = all;
+      without.add(source, target_g, -1);
+      const bool is_rigid = testRigidity(pair_prior_, without).deviate() <= skin_.options().max_misfit;
+      std::size_t& still_moving = moving_without[source.pose];
       if (is_rigid && !verdicts_[link].rigid) --still_moving;
       if (!is_rigid && verdicts_[link].rigid) ++still_moving;
-    }
+    });
   }
   std::optional<std::size_t> worst;
   auto fewest = static_cast<std::size_t>(kNearlyNone * static_cast<double>(tested.size()));
-  for (const std::size_t pose : table_.enabledPoses()) {
+  for (const std::size_t pose : skin_.table().enabledPoses()) {
     const std::size_t still_moving = moving_without[pose];
     if (still_moving > fewest || (worst && still_moving == fewest)) continue;
     worst = pose;
@@ -171,8 +131,8 @@ std::optional<std::size_t> SuspectSearch::worstPose() const {
 }
 
 bool SuspectSearch::isClearlyWrong(std::size_t cell) const {
-  return std::ranges::any_of(graph_.linksAt(cell), [&](std::size_t link) {
-    return verdicts_[link].tested && verdicts_[link].misfit > kClearly * options_.max_misfit;
+  return std::ranges::any_of(skin_.graph().linksAt(cell), [&](std::size_t link) {
+    return verdicts_[link].tested && verdicts_[link].misfit > kClearly * skin_.options().max_misfit;
   });
 }
 
@@ -184,10 +144,10 @@ std::optional<std::size_t> SuspectSearch::worstCell(std::span<const std::size_t>
     double misfit = 0;
     // Neighbours at odds with others too speak for a joint that runs between all of them.
     int unreliable = 0;
-    for (const std::size_t link : graph_.linksAt(cell)) {
+    for (const std::size_t link : skin_.graph().linksAt(cell)) {
       if (!verdicts_[link].bad()) continue;
-      misfit += std::max(verdicts_[link].misfit, options_.max_misfit);
-      if (bad_[graph_.links()[link].other(cell)] > 1) ++unreliable;
+      misfit += std::max(verdicts_[link].misfit, skin_.options().max_misfit);
+      if (bad_[skin_.graph().links()[link].other(cell)] > 1) ++unreliable;
     }
     if (2 * unreliable >= bad_[cell] || misfit <= worst_misfit) continue;
     worst = cell;
@@ -200,7 +160,7 @@ std::vector<SuspectSearch::BadLink> SuspectSearch::badLinks(std::span<const std:
   std::vector<BadLink> bad;
   for (std::size_t index = 0; index < verdicts_.size(); ++index) {
     const Verdict& verdict = verdicts_[index];
-    const GraphLink& graph_link = graph_.links()[index];
+    const GraphLink& graph_link = skin_.graph().links()[index];
     const bool is_spared = std::ranges::any_of(
         spared, [&](std::size_t cell) { return cell == graph_link.source || cell == graph_link.target; });
     if (!verdict.bad() || is_spared) continue;
@@ -209,38 +169,37 @@ std::vector<SuspectSearch::BadLink> SuspectSearch::badLinks(std::span<const std:
       bad.push_back({index, verdict.implausible});
       continue;
     }
-    const LinkEnd source = graph_.sourceEnd(graph_link);
-    const LinkEnd target = graph_.targetEnd(graph_link);
+    const LinkEnd source = skin_.graph().sourceEnd(graph_link);
+    const LinkEnd target = skin_.graph().targetEnd(graph_link);
     bad.push_back(
         {index,
          {makeFinding(
              FindingCode::LinkNotRigid,
              message("The cells of the {} moved against each other between poses (misfit {} standard deviations, limit "
                      "{}): probably a joint or a cable, or one of the two sensors is bad. The link is not used.",
-                     linkInWords(source, target), Number{verdict.misfit, 1}, Number{options_.max_misfit, 1}),
+                     linkInWords(source, target), Number{verdict.misfit, 1}, Number{skin_.options().max_misfit, 1}),
              {source.cell, target.cell}, {source.port, target.port})}});
   }
   return bad;
 }
 
-bool hasTooFewPoses(const GravityTable& table, std::size_t cell) {
+bool hasTooFewPoses(const SkinLinks& skin, std::size_t cell) {
   constexpr std::size_t kFewestToAccuse = 3;
-  return table.usablePoseCount(cell) < kFewestToAccuse;
+  return skin.table().usablePoseCount(cell) < kFewestToAccuse;
 }
 
-Finding describeSuspiciousSensor(const SkinGraph& graph, const GravityTable& table, std::size_t cell) {
-  const CellId id = graph.cells()[cell].id;
+Finding describeSuspiciousSensor(const SkinLinks& skin, std::size_t cell) {
+  const CellId id = skin.graph().cells()[cell].id;
   return makeFinding(FindingCode::SuspiciousSensor,
                      message("Cell {} does not fit its neighbours well, and {} poses don't tell why. It is used; take "
                              "another pose.",
-                             id, table.usablePoses(cell).size()),
+                             id, skin.table().usablePoses(cell).size()),
                      {id});
 }
 
-Finding describeMovedCell(const SkinGraph& graph, const SessionSnapshot& snapshot, std::size_t cell,
-                          std::size_t first_pose_after, double angle_rad) {
-  const CellId id = graph.cells()[cell].id;
-  const PoseId pose = snapshot.poses[first_pose_after].capture->id;
+Finding describeMovedCell(const SkinLinks& skin, std::size_t cell, std::size_t first_pose_after, double angle_rad) {
+  const CellId id = skin.graph().cells()[cell].id;
+  const PoseId pose = skin.poseId(first_pose_after);
   return makeFinding(FindingCode::MovedCell,
                      message("Cell {} turned by {} degrees or more against the others before pose {}: it came loose or "
                              "was fixed anew. It is placed through its links; take the poses before pose {} again.",
@@ -248,15 +207,14 @@ Finding describeMovedCell(const SkinGraph& graph, const SessionSnapshot& snapsho
                      {id}, {}, {pose});
 }
 
-Finding describeBadSensor(const SkinGraph& graph, const GravityTable& table, const SessionSnapshot& snapshot,
-                          std::size_t cell, bool is_leaf) {
-  const CellId id = graph.cells()[cell].id;
+Finding describeBadSensor(const SkinLinks& skin, std::size_t cell, bool is_leaf) {
+  const CellId id = skin.graph().cells()[cell].id;
   std::vector<PoseId> poses;
   double mean = 0;
   double mean_sq = 0;
-  for (const std::size_t pose : table.usablePoses(cell)) {
-    poses.push_back(snapshot.poses[pose].capture->id);
-    const double norm = table.at(cell, pose).mean_g.norm();
+  for (const std::size_t pose : skin.table().usablePoses(cell)) {
+    poses.push_back(skin.poseId(pose));
+    const double norm = skin.table().at(cell, pose).mean_g.norm();
     mean += norm;
     mean_sq += norm * norm;
   }

@@ -1,8 +1,7 @@
 #pragma once
 
 #include "hexoderm/reconstruction/accelerometer/rigidity.h"
-#include "hexoderm/reconstruction/links/edge_rotation.h"
-#include "hexoderm/reconstruction/links/skin_readings.h"
+#include "hexoderm/reconstruction/links/skin_links.h"
 
 #include <set>
 #include <span>
@@ -15,8 +14,7 @@ namespace hexoderm {
 /// makes good links look bad, so a cell that agrees with nearly none of its neighbours is named instead of its links.
 class SuspectSearch {
  public:
-  SuspectSearch(const CellModel& model, const SkinGraph& graph, const GravityTable& table, const SkinReadings& readings,
-                const std::vector<EdgeRotation>& edges, const SolverOptions& options);
+  explicit SuspectSearch(const SkinLinks& skin);
 
   /// Judges these links anew: their readings or rotations are other ones now.
   void update(std::span<const std::size_t> links);
@@ -46,27 +44,16 @@ class SuspectSearch {
     bool rigid = true;
     [[nodiscard]] bool bad() const { return !implausible.empty() || !rigid; }
   };
-  /// Fills in the verdicts of these links.
-  void judge(std::span<const std::size_t> links);
-  [[nodiscard]] Verdict judgeBy(std::size_t link, double misfit) const;
+  [[nodiscard]] Verdict judge(std::size_t link) const;
   /// Counts a link's verdict, or takes it out again (`by` -1).
   void count(std::size_t link, int by);
   /// Nearly all links of the cell are bad.
   [[nodiscard]] bool isAtOdds(std::size_t cell) const;
-  /// What the source reads beside what it would if it turned with the target, in all poses of both.
-  struct PairReadings {
-    std::vector<CellReading> source;
-    std::vector<Eigen::Vector3d> target_g;
-    ReadingSums sums;
-  };
-  [[nodiscard]] PairReadings readingsOf(std::size_t link) const;
+  /// Calls use(reading of the source, what it would read if it turned with the target) for all poses of both.
+  template <class Use>
+  void forReadings(std::size_t link, const Use& use) const;
 
-  const CellModel& model_;
-  const SkinGraph& graph_;
-  const GravityTable& table_;
-  const SkinReadings& readings_;
-  const std::vector<EdgeRotation>& edges_;
-  const SolverOptions& options_;
+  const SkinLinks& skin_;
   AccelerometerPrior pair_prior_;  ///< errors of two cells, seen from one of them
   std::vector<Verdict> verdicts_;  ///< per link
   int tested_links_ = 0;
@@ -81,15 +68,13 @@ inline constexpr double kClearly = 2;
 
 /// Two poses fix a cell's attitude by the priors of its sensor, and what contradicts them may be chance: a cell with no
 /// more, and not clearly wrong, is called suspicious and stays.
-bool hasTooFewPoses(const GravityTable& table, std::size_t cell);
-Finding describeSuspiciousSensor(const SkinGraph& graph, const GravityTable& table, std::size_t cell);
+bool hasTooFewPoses(const SkinLinks& skin, std::size_t cell);
+Finding describeSuspiciousSensor(const SkinLinks& skin, std::size_t cell);
 
 /// A cell that turned against the others; its readings before and after belong to two attitudes.
-Finding describeMovedCell(const SkinGraph& graph, const SessionSnapshot& snapshot, std::size_t cell,
-                          std::size_t first_pose_after, double angle_rad);
+Finding describeMovedCell(const SkinLinks& skin, std::size_t cell, std::size_t first_pose_after, double angle_rad);
 
 /// Why a cell's readings are not used, in words: a gain that is wrong in all poses, or else readings that fit nothing.
-Finding describeBadSensor(const SkinGraph& graph, const GravityTable& table, const SessionSnapshot& snapshot,
-                          std::size_t cell, bool is_leaf);
+Finding describeBadSensor(const SkinLinks& skin, std::size_t cell, bool is_leaf);
 
 }  // namespace hexoderm

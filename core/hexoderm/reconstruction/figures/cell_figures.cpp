@@ -1,5 +1,6 @@
 #include "hexoderm/reconstruction/figures/cell_figures.h"
 
+#include "hexoderm/reconstruction/figures/cell_links.h"
 #include "hexoderm/reconstruction/result/uncertainty.h"
 
 #include <algorithm>
@@ -10,29 +11,20 @@
 namespace hexoderm {
 namespace {
 
-void raise(std::optional<double>& worst, std::optional<double> value) {
-  if (value) worst = std::max(worst.value_or(*value), *value);
-}
-
 void raiseSize(std::optional<double>& largest, double value) {
   if (!largest || std::abs(value) > std::abs(*largest)) largest = value;
 }
 
-void addLinks(const PatchReconstruction& patch, const std::unordered_map<CellId, std::size_t>& index,
-              CellFigures& figures) {
-  for (const LinkEstimate& link : patch.links) {
-    if (!link.used) continue;
-    for (const CellId id : {link.source.cell, link.target.cell}) {
-      const auto found = index.find(id);
-      if (found == index.end()) continue;
-      const std::size_t cell = found->second;
-      figures.quality[cell] = std::min(figures.quality[cell].value_or(link.quality), link.quality);
-      raise(figures.residual_rad[cell], link.knownResidual());
-      raise(figures.sigma_rad[cell], link.knownSigma());
-      raiseSize(figures.bend_rad[cell], link.bend_rad);
-      raiseSize(figures.twist_rad[cell], link.twist_rad);
-      raiseSize(figures.yaw_rad[cell], std::abs(link.yaw_rad));
-    }
+void addLinks(LinksOfCell links, std::size_t cell, CellFigures& figures) {
+  const WorstLinkFigures worst = worstOf(links);
+  figures.quality[cell] = worst.quality;
+  figures.residual_rad[cell] = worst.residual_rad;
+  figures.sigma_rad[cell] = worst.sigma_rad;
+  for (const LinkEstimate* link : links) {
+    if (!link->used) continue;
+    raiseSize(figures.bend_rad[cell], link->bend_rad);
+    raiseSize(figures.twist_rad[cell], link->twist_rad);
+    raiseSize(figures.yaw_rad[cell], std::abs(link->yaw_rad));
   }
 }
 
@@ -72,17 +64,13 @@ CellFigures makeCellFigures(const Reconstruction& reconstruction) {
   figures.cells.reserve(count);
   figures.patch.reserve(count);
   figures.quality.resize(count);
-  figures.residual_rad.resize(count);
-  figures.sigma_rad.resize(count);
-  figures.bend_rad.resize(count);
-  figures.twist_rad.resize(count);
-  figures.yaw_rad.resize(count);
-  figures.position_95_m.resize(count);
-  figures.orientation_95_rad.resize(count);
-  figures.shape_position_95_m.resize(count);
-  figures.shape_orientation_95_rad.resize(count);
-  figures.path_length_m.resize(count);
   figures.body_part.resize(count);
+  for (auto* each : {&figures.residual_rad, &figures.sigma_rad, &figures.bend_rad, &figures.twist_rad, &figures.yaw_rad,
+                     &figures.position_95_m, &figures.orientation_95_rad, &figures.shape_position_95_m,
+                     &figures.shape_orientation_95_rad, &figures.path_length_m}) {
+    each->resize(count);
+  }
+  const CellLinks links(reconstruction);
   std::set<std::string> parts;
   for (std::size_t p = 0; p < reconstruction.patches.size(); ++p) {
     const PatchReconstruction& patch = reconstruction.patches[p];
@@ -103,8 +91,8 @@ CellFigures makeCellFigures(const Reconstruction& reconstruction) {
         figures.shape_orientation_95_rad[k] = known->orientation_rad;
       }
       if (!cell.body_part.empty()) parts.insert(cell.body_part);
+      addLinks(links.of(k), k, figures);
     }
-    addLinks(patch, index, figures);
     addPathLengths(patch, first, index, figures);
   }
   figures.body_parts.assign(parts.begin(), parts.end());

@@ -1,5 +1,7 @@
 #include "hexoderm/reconstruction/figures/distribution.h"
 
+#include "hexoderm/reconstruction/figures/value_scale.h"
+
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
@@ -23,12 +25,16 @@ double roundWidth(double least, double largest, std::size_t most_bins) {
   constexpr double kRounding = 1e-6;
   const double width_of_one = size > 0 ? size / 10 : 1.0;
   const double wanted = range > kRounding * size ? range / static_cast<double>(most_bins) : width_of_one;
-  for (double decade = std::pow(10.0, std::floor(std::log10(wanted)));; decade *= 10) {
-    for (const double step : {1.0, 2.0, 5.0}) {
-      const double width = step * decade;
-      if (width >= wanted * (1 - 1e-9) && binsOf(least, largest, width) <= most_bins) return width;
-    }
-  }
+  double width = roundStep(wanted);
+  while (binsOf(least, largest, width) > most_bins) width = roundStep(1.5 * width);
+  return width;
+}
+
+/// Of a value that is in one of the bins.
+std::size_t placeIn(std::span<const ValueBin> bins, double value) {
+  const double width = bins.front().upper - bins.front().lower;
+  const double place = std::floor(value / width) - std::floor(bins.front().lower / width + 0.5);
+  return static_cast<std::size_t>(std::clamp(place, 0.0, static_cast<double>(bins.size() - 1)));
 }
 
 }  // namespace
@@ -58,11 +64,19 @@ Distribution distributionOf(std::vector<double> values, std::size_t most_bins) {
     const double edge = first + static_cast<double>(k);
     result.bins.push_back({edge * width, (edge + 1) * width, 0});
   }
-  for (const double value : values) {
-    const double bin = std::floor(value / width) - first;
-    ++result.bins[std::min(static_cast<std::size_t>(std::max(bin, 0.0)), count - 1)].count;
-  }
+  for (const double value : values) ++result.bins[placeIn(result.bins, value)].count;
   return result;
+}
+
+std::vector<ValueBin> binValues(const std::vector<double>& values) {
+  constexpr double kMost = 40;
+  const auto count = static_cast<double>(std::max<std::size_t>(1, values.size()));
+  return distributionOf(values, static_cast<std::size_t>(std::min(kMost, 2 * std::sqrt(count)))).bins;
+}
+
+std::optional<std::size_t> binOf(std::span<const ValueBin> bins, double value) {
+  if (bins.empty() || !(value >= bins.front().lower) || value > bins.back().upper) return std::nullopt;
+  return placeIn(bins, value);
 }
 
 }  // namespace hexoderm

@@ -1,6 +1,7 @@
 #include "hexoderm/reconstruction/figures/overlays.h"
 
 #include "hexoderm/geometry/alignment.h"
+#include "hexoderm/reconstruction/figures/value_scale.h"
 
 #include <Eigen/Eigenvalues>
 #include <algorithm>
@@ -76,11 +77,8 @@ std::vector<CellShift> shiftsOf(const Reconstruction& reconstruction, std::span<
 double enlargement(double largest, double room) {
   constexpr double kLargestFactor = 1000;
   double factor = 1;
-  for (double decade = 1; decade <= kLargestFactor; decade *= 10) {
-    for (const double step : {1.0, 2.0, 5.0}) {
-      const double candidate = step * decade;
-      if (candidate <= kLargestFactor && candidate * largest <= room) factor = candidate;
-    }
+  for (double candidate = 1; candidate <= kLargestFactor; candidate = roundStep(1.5 * candidate)) {
+    if (candidate * largest <= room) factor = candidate;
   }
   return factor;
 }

@@ -1,11 +1,9 @@
 #include "hexoderm/reconstruction/figures/review_summary.h"
 
-#include "hexoderm/reconstruction/figures/distribution.h"
-#include "hexoderm/util/units.h"
+#include "hexoderm/reconstruction/figures/cell_links.h"
 
 #include <algorithm>
 #include <cmath>
-#include <unordered_map>
 
 namespace hexoderm {
 namespace {
@@ -28,11 +26,11 @@ PoseResiduals describe(std::size_t index, PoseId pose, std::vector<double> resid
           residuals.back()};
 }
 
-std::vector<RatioBin> countRatios(const std::vector<RankedLink>& links) {
+std::vector<ValueBin> countRatios(const std::vector<RankedLink>& links) {
   // Fine enough to see where 1 lies; what is far beyond shares the last bin.
   constexpr double kWidth = 0.1;
   constexpr std::size_t kMostBins = 50;
-  std::vector<RatioBin> bins;
+  std::vector<ValueBin> bins;
   for (const RankedLink& link : links) {
     if (!link.sigma_rad) continue;
     const double place = std::min(link.residual_rad / *link.sigma_rad / kWidth, static_cast<double>(kMostBins - 1));
@@ -50,17 +48,7 @@ std::vector<RatioBin> countRatios(const std::vector<RankedLink>& links) {
 
 std::vector<CellSummary> summariseCells(const Reconstruction& reconstruction) {
   std::vector<CellSummary> summaries;
-  std::unordered_map<CellId, double> worst;
-  for (const PatchReconstruction& patch : reconstruction.patches) {
-    for (const LinkEstimate& link : patch.links) {
-      const std::optional<double> residual_rad = link.knownResidual();
-      if (!link.used || !residual_rad) continue;
-      for (const CellId cell : {link.source.cell, link.target.cell}) {
-        double& largest = worst.try_emplace(cell, 0.0).first->second;
-        largest = std::max(largest, *residual_rad);
-      }
-    }
-  }
+  const CellLinks links(reconstruction);
   summaries.reserve(reconstruction.cellCount());
   for (const PatchReconstruction& patch : reconstruction.patches) {
     for (const CellPlacement& cell : patch.cells) {
@@ -72,7 +60,7 @@ std::vector<CellSummary> summariseCells(const Reconstruction& reconstruction) {
       summary.T_o_u = cell.T_o_u;
       summary.stated = uncertaintyOf(cell);
       summary.shape = shapeUncertaintyOf(cell);
-      if (const auto found = worst.find(cell.cell); found != worst.end()) summary.worst_residual_rad = found->second;
+      summary.worst_residual_rad = worstOf(links.of(summaries.size())).residual_rad;
       summary.offset_g = cell.accel_offset_g;
       if (cell.accel_scale) summary.worst_scale_error = furthestFromZero(cell.accel_scale->array() - 1);
       summaries.push_back(summary);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "hexoderm/reconstruction/figures/distribution.h"
 #include "hexoderm/reconstruction/result/reconstruction.h"
 #include "hexoderm/reconstruction/result/uncertainty.h"
 
@@ -46,17 +47,13 @@ struct RankedLink {
   double residual_rad = 0;
   std::optional<double> sigma_rad;
 };
-/// Number of links whose residual is so many times their predicted deviation.
-struct RatioBin {
-  double lower = 0;
-  double upper = 0;
-  std::size_t count = 0;
-};
 /// The residuals of all links.
 struct ResidualSummary {
   std::vector<PoseResiduals> poses;  ///< those that any link has a residual in
   std::vector<RankedLink> links;     ///< measured ones, largest residual first
-  std::vector<RatioBin> ratios;      ///< from 0 on, equally wide; empty if nothing is predicted
+  /// Number of links whose residual is so many times their predicted deviation: from 0 on, equally wide; empty if
+  /// nothing is predicted.
+  std::vector<ValueBin> ratios;
 };
 ResidualSummary summariseResiduals(const Reconstruction& reconstruction);  ///< the residuals of a reconstruction
 

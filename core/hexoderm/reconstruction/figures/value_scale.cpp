@@ -15,15 +15,6 @@ constexpr double kFarApart = 2;      // times the width of the others
 constexpr double kEndRounding = 40;  // ends are rounded to less than the range's width divided by this
 constexpr double kSlack = 1e-9;      // share of a step that rounding errors may take
 
-/// 1, 2 or 5 times a power of ten, not below `least`; positive.
-double roundStep(double least) {
-  const double decade = std::pow(10.0, std::floor(std::log10(least)));
-  for (const double step : {1.0, 2.0, 5.0}) {
-    if (step * decade >= least * (1 - kSlack)) return step * decade;
-  }
-  return 10 * decade;
-}
-
 std::vector<double> finiteValues(std::span<const std::optional<double>> values) {
   std::vector<double> numbers;
   numbers.reserve(values.size());
@@ -71,6 +62,14 @@ ValueRange fitAround(double center, std::vector<double> values, double least_spa
 }
 
 }  // namespace
+
+double roundStep(double least) {
+  const double decade = std::pow(10.0, std::floor(std::log10(least)));
+  for (const double step : {1.0, 2.0, 5.0}) {
+    if (step * decade >= least * (1 - kSlack)) return step * decade;
+  }
+  return 10 * decade;
+}
 
 ValueRange fitRange(std::span<const std::optional<double>> values, const ValueRangeOptions& options) {
   if (!(options.least_span > 0)) throw InvalidArgument("fitRange: least_span must be positive");

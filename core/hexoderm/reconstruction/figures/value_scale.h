@@ -10,6 +10,9 @@ namespace hexoderm {
 // Scales for figures of many cells or links: where a scale ends, where its ticks stand, and how many values lie where.
 // Units are those of the values. Absent values and such that are no finite number count as not known.
 
+/// 1, 2 or 5 times a power of ten, not below `least`; positive.
+double roundStep(double least);
+
 /// The ends of a scale, low < high.
 struct ValueRange {
   double low = 0;

@@ -9,8 +9,6 @@
 namespace hexoderm {
 namespace {
 
-using Matrix3x6d = Eigen::Matrix<double, 3, 6>;
-
 bool linksBend(const JointProblem& problem) { return problem.gap.sigma.has_value() || problem.gap.mean != 0; }
 
 /// The distance between the end points of a link, less the arc's share.
@@ -35,144 +33,6 @@ double twiceCostOf(const JointProblem& problem, const JointState& state, const J
   const Eigen::Vector3d closure = openingOf_m(problem, state, link) / problem.link_sigma_m;
   return problem.loss.cost(closure.squaredNorm()) + problem.loss.cost(elastomer.squaredNorm());
 }
-
-/// Adds what one cell's readings say.
-class CellLinearizer {
- public:
-  CellLinearizer(const JointProblem& problem, const JointState& state, NormalEquations& equations)
-      : problem_(problem),
-        state_(state),
-        equations_(equations),
-        layout_(problem),
-        prior_(problem.model->accelerometer),
-        R_a_u_(problem.model->accelerometer.T_u_a.R.transpose()) {
-    border_root_.resize(12, layout_.size());
-    pending_.resize(12 * kBatch, layout_.size());
-  }
-
-  /// Must be called after the last cell: the border is complete then.
-  void finish() {
-    subtractPending();
-    equations_.border.triangularView<Eigen::StrictlyUpper>() = equations_.border.transpose();
-  }
-
-  void add(std::size_t cell) {
-    const std::vector<CellReading>& readings = problem_.readings[cell];
-    if (readings.empty()) return;
-    fitCell(problem_, prior_, state_, cell, sensor_);
-    equations_.cost += sensor_.fit.cost;
-
-    const bool fixed = cell == problem_.origin;
-    const SE3& T_o_u = state_.cells[cell];
-    const Eigen::Matrix3d R_a_o = R_a_u_ * T_o_u.R.transpose();
-    const Eigen::Vector3d lever = T_o_u.t - state_.middle_o;
-    const auto at = static_cast<Eigen::Index>(6 * cell);
-
-    Matrix6d own = Matrix6d::Zero();
-    Eigen::Matrix<double, 6, 1> own_gradient = Eigen::Matrix<double, 6, 1>::Zero();
-    std::array<Eigen::Matrix<double, 4, 6>, 3> own_mixed;  // B^T W J per axis
-    for (auto& mixed : own_mixed) mixed.setZero();
-    border_root_.setZero();
-
-    for (std::size_t k = 0; k < readings.size(); ++k) {
-      const std::size_t pose = readings[k].pose;
-      const double precision = sensor_.fit.precision[k];
-      const Eigen::Vector3d& v = sensor_.v_g[k];
-      const Eigen::Vector4d row(1, v.x(), v.y(), v.z());
-      const Eigen::Vector3d weighted = precision * sensor_.fit.residual_g[k];
-      const Eigen::Matrix3d G = -sensor_.fit.gain * R_a_o;  // d residual / d f_o
-
-      // The residual's derivatives: to the cell ...
-      Matrix3x6d J;
-      J.rightCols<3>() = -sensor_.fit.gain * R_a_u_ * skew(T_o_u.R.transpose() * force(pose, lever));
-      if (problem_.accelerations) {
-        J.leftCols<3>() = G * skew(state_.acceleration_o[pose]) / kStandardGravity;
-      } else {
-        J.leftCols<3>().setZero();
-      }
-      if (fixed) J.setZero();
-      // ... and to the pose.
-      addPose(layout_.force(pose), at, J, G, precision, weighted, row);
-      if (problem_.accelerations) {
-        const Eigen::Matrix3d Ja = -G * skew(lever) / kStandardGravity;
-        addPose(layout_.acceleration(pose), at, J, Ja, precision, weighted, row);
-        const Eigen::Matrix3d both = precision * G.transpose() * Ja;
-        equations_.border.block<3, 3>(layout_.force(pose), layout_.acceleration(pose)) += both;
-        equations_.border.block<3, 3>(layout_.acceleration(pose), layout_.force(pose)) += both.transpose();
-      }
-      own.noalias() += precision * J.transpose() * J;
-      own_gradient.noalias() += J.transpose() * weighted;
-      for (int axis = 0; axis < 3; ++axis) {
-        own_mixed[static_cast<std::size_t>(axis)].noalias() += precision * row * J.row(axis);
-      }
-    }
-
-    // Elimination of offset and gains: what they could explain is not known of the rest.
-    Eigen::Matrix<double, 12, 6> own_root;
-    for (int axis = 0; axis < 3; ++axis) {
-      const auto index = static_cast<std::size_t>(axis);
-      const Eigen::Matrix4d root = sensor_.fit.covariance_root[index].transpose();
-      own_root.middleRows<4>(4 * axis).noalias() = root * own_mixed[index];
-      for (Eigen::Index column = 0; column < border_root_.cols(); ++column) {
-        const Eigen::Vector4d mixed = border_root_.block<4, 1>(4 * axis, column);
-        border_root_.block<4, 1>(4 * axis, column).noalias() = root * mixed;
-      }
-    }
-    subtractLater(border_root_);
-    if (fixed) return;
-    own.noalias() -= own_root.transpose() * own_root;
-    equations_.cells[cell] += own;
-    equations_.gradient_cells.segment<6>(at) += own_gradient;
-    // Column by column with sizes known to the compiler: a general product would spend its time on packing.
-    const Eigen::Matrix<double, 6, 12> own_root_t = own_root.transpose();
-    for (Eigen::Index column = 0; column < border_root_.cols(); ++column) {
-      equations_.border_cells.block<6, 1>(at, column).noalias() -= own_root_t * border_root_.col(column);
-    }
-  }
-
- private:
-  [[nodiscard]] Eigen::Vector3d force(std::size_t pose, const Eigen::Vector3d& lever) const {
-    if (!problem_.accelerations) return state_.force_o[pose];
-    return state_.force_o[pose] + state_.acceleration_o[pose].cross(lever) / kStandardGravity;
-  }
-
-  template <typename Jacobian>
-  void addPose(Eigen::Index column, Eigen::Index cell_row, const Matrix3x6d& J, const Jacobian& Jp, double precision,
-               const Eigen::Vector3d& weighted, const Eigen::Vector4d& row) {
-    constexpr int kColumns = Jacobian::ColsAtCompileTime;
-    equations_.border.template block<kColumns, kColumns>(column, column).noalias() += precision * Jp.transpose() * Jp;
-    equations_.gradient_border.template segment<kColumns>(column).noalias() += Jp.transpose() * weighted;
-    equations_.border_cells.template block<6, kColumns>(cell_row, column).noalias() += precision * J.transpose() * Jp;
-    for (int axis = 0; axis < 3; ++axis) {
-      border_root_.template block<4, kColumns>(4 * axis, column).noalias() += precision * row * Jp.row(axis);
-    }
-  }
-
-  /// With many poses the border is large: its lower triangle takes the products of several cells at once.
-  void subtractLater(const Eigen::Matrix<double, 12, Eigen::Dynamic>& root) {
-    pending_.middleRows<12>(pending_rows_) = root;
-    pending_rows_ += 12;
-    if (pending_rows_ == pending_.rows()) subtractPending();
-  }
-
-  void subtractPending() {
-    if (pending_rows_ == 0) return;
-    equations_.border.selfadjointView<Eigen::Lower>().rankUpdate(pending_.topRows(pending_rows_).transpose(), -1);
-    pending_rows_ = 0;
-  }
-
-  static constexpr Eigen::Index kBatch = 16;
-  const JointProblem& problem_;
-  const JointState& state_;
-  NormalEquations& equations_;
-  BorderLayout layout_;
-  AccelerometerPrior prior_;
-  Eigen::Matrix3d R_a_u_;
-  Eigen::MatrixXd pending_;
-  Eigen::Index pending_rows_ = 0;
-  Eigen::Matrix<double, 12, Eigen::Dynamic> border_root_;  // B^T W J per axis, then its covariance root applied
-  SensorState sensor_;
-};
 
 }  // namespace
 
@@ -256,33 +116,31 @@ void addForcePrior(const JointProblem& problem, const Eigen::Vector3d& force_o, 
   gradient += precision * (norm - 1) * up;
 }
 
-void linearize(const JointProblem& problem, const JointState& state, NormalEquations& equations,
-               const LinearizeKernels* kernels) {
-  const BorderLayout layout(problem);
+void startEquations(const JointProblem& problem, const JointState& state, Eigen::Index border,
+                    NormalEquations& equations) {
   const auto rows = static_cast<Eigen::Index>(6 * problem.cellCount());
   equations.cells.assign(problem.cellCount(), Matrix6d::Zero());
   equations.cells[problem.origin].setIdentity();
   equations.links.assign(problem.links.size(), Matrix6d::Zero());
-  equations.border_cells.setZero(rows, layout.size());
-  equations.border.setZero(layout.size(), layout.size());
+  equations.border_cells.setZero(rows, border);
+  equations.border.setZero(border, border);
   equations.gradient_cells.setZero(rows);
-  equations.gradient_border.setZero(layout.size());
+  equations.gradient_border.setZero(border);
   equations.cost = priorCost(problem, state);
+}
 
+void linearize(const JointProblem& problem, const JointState& state, NormalEquations& equations,
+               const LinearizeKernels& kernels) {
+  const BorderLayout layout(problem);
+  startEquations(problem, state, layout.size(), equations);
   for (std::size_t pose = 0; pose < problem.poses; ++pose) {
     const Eigen::Index at = layout.force(pose);
     addForcePrior(problem, state.force_o[pose], equations.border.block<3, 3>(at, at),
                   equations.gradient_border.segment<3>(at));
   }
-
-  CellLinearizer cells(problem, state, equations);
-  if (kernels == nullptr) {
-    for (std::size_t cell = 0; cell < problem.cellCount(); ++cell) cells.add(cell);
-  } else {
-    for (const std::size_t cell : linearizeCellsInLanes(*kernels, problem, state, equations)) cells.add(cell);
-  }
-  cells.finish();
-  addLinks(problem, state, layout.gapShare(), equations, kernels != nullptr ? *kernels : portableLinearizeKernels());
+  linearizeCellsInLanes(kernels, problem, state, equations);
+  equations.border.triangularView<Eigen::StrictlyUpper>() = equations.border.transpose();
+  addLinks(problem, state, layout.gapShare(), equations, kernels);
   if (problem.accelerations) {
     const double precision = 1 / (problem.acceleration_sigma * problem.acceleration_sigma);
     for (std::size_t pose = 0; pose < problem.poses; ++pose) {
@@ -291,6 +149,26 @@ void linearize(const JointProblem& problem, const JointState& state, NormalEquat
       equations.gradient_border.segment<3>(at) += precision * state.acceleration_o[pose];
     }
   }
+}
+
+Eigen::MatrixXd denseMatrix(const JointProblem& problem, const NormalEquations& equations) {
+  const auto cells = static_cast<Eigen::Index>(6 * problem.cellCount());
+  const Eigen::Index border = equations.border.rows();
+  Eigen::MatrixXd matrix = Eigen::MatrixXd::Zero(cells + border, cells + border);
+  for (std::size_t cell = 0; cell < problem.cellCount(); ++cell) {
+    const auto at = static_cast<Eigen::Index>(6 * cell);
+    matrix.block<6, 6>(at, at) = equations.cells[cell];
+  }
+  for (std::size_t k = 0; k < problem.links.size(); ++k) {
+    const auto c = static_cast<Eigen::Index>(6 * problem.links[k].c);
+    const auto n = static_cast<Eigen::Index>(6 * problem.links[k].n);
+    matrix.block<6, 6>(c, n) += equations.links[k];
+    matrix.block<6, 6>(n, c) += equations.links[k].transpose();
+  }
+  matrix.topRightCorner(cells, border) = equations.border_cells;
+  matrix.bottomLeftCorner(border, cells) = equations.border_cells.transpose();
+  matrix.bottomRightCorner(border, border) = equations.border;
+  return matrix;
 }
 
 JointState moved(const JointProblem& problem, const JointState& state, const Eigen::VectorXd& cells,

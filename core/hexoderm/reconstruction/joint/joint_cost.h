@@ -101,13 +101,18 @@ double closureCost(const JointProblem& problem, const JointState& state);
 /// Distance between the end points of a link, less the arc's share; metres.
 double linkOpening_m(const JointProblem& problem, const JointState& state, std::size_t link);
 
-/// jointCost() with its gradient (exact) and its Gauss-Newton matrix (of the eliminated problem: Kaufman's). `kernels`:
-/// null for the cells one by one, which is the same but for rounding.
+/// jointCost() with its gradient (exact) and its Gauss-Newton matrix (of the eliminated problem: Kaufman's).
 void linearize(const JointProblem& problem, const JointState& state, NormalEquations& equations,
-               const LinearizeKernels* kernels = &linearizeKernels());
+               const LinearizeKernels& kernels = linearizeKernels());
+
+/// The matrix of the equations: all cells' unknowns, then the border's.
+Eigen::MatrixXd denseMatrix(const JointProblem& problem, const NormalEquations& equations);
 
 // The parts of linearize() that the readings have no share in, for those who treat the readings in another way.
 
+/// Makes room for the cells, the links and so many unknowns in the border; with the priorCost().
+void startEquations(const JointProblem& problem, const JointState& state, Eigen::Index border,
+                    NormalEquations& equations);
 /// Of the jointCost(), what priors of forces, accelerations and the gap share cost.
 double priorCost(const JointProblem& problem, const JointState& state);
 /// Adds the cost of all links, their blocks and gradients, and the prior of the gap share, which stands at `share` in

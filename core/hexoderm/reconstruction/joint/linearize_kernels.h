@@ -12,7 +12,7 @@ struct LinearizeSetting {
   double R_a_u[9];
   double prior_precision[3][4];  ///< of offset and gains, per axis
   double threshold_squared;      ///< of the Huber losses; may be infinite
-  std::size_t poses;             ///< at most kMostPoses
+  std::size_t poses;
   bool accelerations;
   const double* force_o;         ///< three per pose
   const double* acceleration_o;  ///< three per pose, divided by standard gravity
@@ -23,8 +23,6 @@ struct LinearizeSetting {
   double yaw_precision;
   bool bends;  ///< links may be arcs
   double gap_share;
-
-  static constexpr std::size_t kMostPoses = 64;
 };
 
 /// Columns of the border that a pose has: its force's and its acceleration's.
@@ -45,6 +43,9 @@ struct CellLanes {
   /// of the gradient per pose.
   double* border_sums;
   double* gradient_sums;
+
+  double* workspace;  ///< aligned as all lanes of a number are
+  static constexpr std::size_t kWorkspaceOfPose = 41;
 };
 
 struct LinkLanes {

@@ -140,7 +140,9 @@ struct PoseOfCell {
   Vector weighted;      // residual times precision
   Lanes precision;
   Lanes explained[3][4];  // per axis: precision * row, in the units of what the sensor's errors explain
+  Lanes J[3][6];          // of the residual, to the cell
 };
+static_assert(sizeof(PoseOfCell) == CellLanes::kWorkspaceOfPose * sizeof(Lanes));
 
 template <int kColumns>
 unsigned cellsWith(const LinearizeSetting& setting, const CellLanes& cells) {
@@ -154,7 +156,7 @@ unsigned cellsWith(const LinearizeSetting& setting, const CellLanes& cells) {
   }
 
   // The sensor's most probable errors.
-  PoseOfCell seen[LinearizeSetting::kMostPoses];
+  auto* const seen = reinterpret_cast<PoseOfCell*>(cells.workspace);
   Lanes normal[4][4] = {};
   Lanes right[3][4] = {};
   for (std::size_t k = 0; k < poses; ++k) {
@@ -237,10 +239,9 @@ unsigned cellsWith(const LinearizeSetting& setting, const CellLanes& cells) {
   Lanes matrix[6][6] = {};
   Lanes gradient[6] = {};
   Lanes mixed[3][4][6] = {};
-  Lanes J_of[LinearizeSetting::kMostPoses][3][6];
   for (std::size_t k = 0; k < poses; ++k) {
     PoseOfCell& pose = seen[k];
-    Lanes(&J)[3][6] = J_of[k];
+    Lanes(&J)[3][6] = pose.J;
     const Matrix turning = timesSkew(gain_a_u, pose.turned_force);
     Matrix moving = {};
     if (kAccelerations) {
@@ -296,7 +297,7 @@ unsigned cellsWith(const LinearizeSetting& setting, const CellLanes& cells) {
     Lanes left[3][6];
     for (int axis = 0; axis < 3; ++axis) {
       for (int j = 0; j < 6; ++j) {
-        left[axis][j] = pose.precision * J_of[k][axis][j];
+        left[axis][j] = pose.precision * pose.J[axis][j];
         for (int i = 0; i < 4; ++i) left[axis][j] -= mixed[axis][i][j] * pose.explained[axis][i];
       }
     }

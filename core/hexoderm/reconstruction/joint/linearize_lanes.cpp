@@ -3,6 +3,7 @@
 #include "hexoderm/util/units.h"
 
 #include <algorithm>
+#include <limits>
 #include <numeric>
 
 namespace hexoderm {
@@ -78,6 +79,11 @@ class LaneArray {
   std::vector<double> numbers_;
 };
 
+/// As much as all lanes of a number may take, and aligned as that may have to be.
+struct alignas(4 * sizeof(double)) LaneBlock {
+  double numbers[4];
+};
+
 class CellsInLanes {
  public:
   CellsInLanes(const LinearizeKernels& kernels, const JointProblem& problem, const JointState& state,
@@ -99,13 +105,15 @@ class CellsInLanes {
         border_(6 * columns_ * problem.poses, kernels.lanes),
         border_sums_(columns_ * columns_ * problem.poses * (problem.poses + 1) / 2, kernels.lanes),
         gradient_sums_(columns_ * problem.poses, kernels.lanes),
+        workspace_(CellLanes::kWorkspaceOfPose * std::max<std::size_t>(1, problem.poses)),
+        prior_(problem.model->accelerometer),
         of_lane_(kernels.lanes) {
     for (std::size_t pose = 0; pose < problem.poses; ++pose) {
       for (std::size_t column = 0; column < columns_; ++column) places_.push_back(placeOf(pose, column));
     }
   }
 
-  std::vector<std::size_t> run() {
+  void run() {
     for (std::size_t begin = 0; begin < problem_.cellCount(); begin += kernels_.lanes) {
       bool any = false;
       for (std::size_t lane = 0; lane < kernels_.lanes; ++lane) any = fill(lane, begin + lane) || any;
@@ -114,7 +122,6 @@ class CellsInLanes {
       for (std::size_t lane = 0; lane < kernels_.lanes; ++lane) add(lane);
     }
     addSums();
-    return std::move(left_);
   }
 
  private:
@@ -145,19 +152,35 @@ class CellsInLanes {
   }
 
   void compute() {
-    const CellLanes lanes{R_.data(),      lever_.data(),    y_.data(),      precision_.data(),   cost_.data(),
-                          matrix_.data(), gradient_.data(), border_.data(), border_sums_.data(), gradient_sums_.data()};
-    for (unsigned beyond = 0; (beyond = kernels_.cells(setting_.numbers, lanes)) != 0;) {
-      bool all = false;  // where a force is not finite, not even an empty lane has a result
-      for (std::size_t lane = 0; lane < kernels_.lanes; ++lane) {
-        all = all || ((beyond >> lane & 1U) != 0 && of_lane_[lane] == problem_.cellCount());
+    const CellLanes lanes{R_.data(),
+                          lever_.data(),
+                          y_.data(),
+                          precision_.data(),
+                          cost_.data(),
+                          matrix_.data(),
+                          gradient_.data(),
+                          border_.data(),
+                          border_sums_.data(),
+                          gradient_sums_.data(),
+                          workspace_.data()->numbers};
+    const unsigned beyond = kernels_.cells(setting_.numbers, lanes);
+    if (beyond == 0) return;
+    // What a robust loss leaves of the precision of such a cell's readings is their precision where they fit best.
+    std::vector<double> robust_cost(kernels_.lanes);
+    for (std::size_t lane = 0; lane < kernels_.lanes; ++lane) {
+      if ((beyond >> lane & 1U) == 0 || of_lane_[lane] == problem_.cellCount()) continue;
+      fitCell(problem_, prior_, state_, of_lane_[lane], sensor_);
+      robust_cost[lane] = sensor_.fit.cost;
+      for (std::size_t k = 0; k < sensor_.fit.precision.size(); ++k) {
+        precision_(problem_.readings[of_lane_[lane]][k].pose, lane) = sensor_.fit.precision[k];
       }
-      for (std::size_t lane = 0; lane < kernels_.lanes; ++lane) {
-        if (of_lane_[lane] == problem_.cellCount() || (!all && (beyond >> lane & 1U) == 0)) continue;
-        left_.push_back(of_lane_[lane]);
-        empty(lane);
-      }
-      if (all) return;
+    }
+    LinearizeSetting of_squares = setting_.numbers;
+    of_squares.threshold_squared = std::numeric_limits<double>::infinity();
+    const bool is_finite = kernels_.cells(of_squares, lanes) == 0;
+    for (std::size_t lane = 0; lane < kernels_.lanes; ++lane) {
+      if ((beyond >> lane & 1U) != 0) cost_(0, lane) = robust_cost[lane];
+      if (!is_finite) cost_(0, lane) = std::numeric_limits<double>::quiet_NaN();
     }
   }
 
@@ -211,9 +234,11 @@ class CellsInLanes {
   LaneSetting setting_;
   LaneArray R_, lever_, y_, precision_;
   LaneArray cost_, matrix_, gradient_, border_, border_sums_, gradient_sums_;
+  std::vector<LaneBlock> workspace_;
+  AccelerometerPrior prior_;
   std::vector<Eigen::Index> places_;  // in the border, of each column of each pose
   std::vector<std::size_t> of_lane_;  // its cell; the number of cells if there is none
-  std::vector<std::size_t> left_;
+  SensorState sensor_;
 };
 
 class LinksInLanes {
@@ -297,29 +322,11 @@ class LinksInLanes {
   LaneArray cost_, matrix_c_, matrix_n_, matrix_c_n_, gradient_, of_share_;
 };
 
-/// No pose is named twice in a cell's readings.
-bool posesDiffer(const std::vector<CellReading>& readings) {
-  const auto isBefore = [](const CellReading& a, const CellReading& b) { return a.pose < b.pose; };
-  const auto notBefore = [&](const CellReading& a, const CellReading& b) { return !isBefore(a, b); };
-  if (std::ranges::adjacent_find(readings, notBefore) == readings.end()) return true;
-  for (std::size_t k = 1; k < readings.size(); ++k) {
-    for (std::size_t earlier = 0; earlier < k; ++earlier) {
-      if (readings[earlier].pose == readings[k].pose) return false;
-    }
-  }
-  return true;
-}
-
 }  // namespace
 
-std::vector<std::size_t> linearizeCellsInLanes(const LinearizeKernels& kernels, const JointProblem& problem,
-                                               const JointState& state, NormalEquations& equations) {
-  if (problem.poses > LinearizeSetting::kMostPoses || !std::ranges::all_of(problem.readings, posesDiffer)) {
-    std::vector<std::size_t> all(problem.cellCount());
-    std::iota(all.begin(), all.end(), std::size_t{0});
-    return all;
-  }
-  return CellsInLanes(kernels, problem, state, equations).run();
+void linearizeCellsInLanes(const LinearizeKernels& kernels, const JointProblem& problem, const JointState& state,
+                           NormalEquations& equations) {
+  CellsInLanes(kernels, problem, state, equations).run();
 }
 
 void linearizeLinksInLanes(const LinearizeKernels& kernels, const JointProblem& problem, const JointState& state,

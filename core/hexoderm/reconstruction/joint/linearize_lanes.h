@@ -3,17 +3,13 @@
 #include "hexoderm/reconstruction/joint/joint_cost.h"
 #include "hexoderm/reconstruction/joint/linearize_kernels.h"
 
-#include <vector>
-
 namespace hexoderm {
 
 // The bulk of linearize(), several cells or links at once.
 
-/// Adds what the readings of cells say. Returns those that are left to be done one by one: cells with a reading beyond
-/// the loss's threshold, and all if there are more poses than the kernels take. Of the border's matrix only the lower
-/// triangle is added to.
-std::vector<std::size_t> linearizeCellsInLanes(const LinearizeKernels& kernels, const JointProblem& problem,
-                                               const JointState& state, NormalEquations& equations);
+/// Adds what the readings of cells say. Of the border's matrix only the lower triangle is added to.
+void linearizeCellsInLanes(const LinearizeKernels& kernels, const JointProblem& problem, const JointState& state,
+                           NormalEquations& equations);
 
 /// Adds what links say, with the gap share at `share` in the border.
 void linearizeLinksInLanes(const LinearizeKernels& kernels, const JointProblem& problem, const JointState& state,

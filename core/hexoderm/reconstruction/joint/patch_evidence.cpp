@@ -23,27 +23,6 @@ JointProblem withPerfectSensors(const JointProblem& problem, std::span<const Sen
   return with;
 }
 
-/// All cells' unknowns, then the border's.
-Eigen::MatrixXd asMatrix(const JointProblem& problem, const NormalEquations& equations) {
-  const auto cells = static_cast<Eigen::Index>(6 * problem.cellCount());
-  const Eigen::Index border = equations.border.rows();
-  Eigen::MatrixXd matrix = Eigen::MatrixXd::Zero(cells + border, cells + border);
-  for (std::size_t cell = 0; cell < problem.cellCount(); ++cell) {
-    const auto at = static_cast<Eigen::Index>(6 * cell);
-    matrix.block<6, 6>(at, at) = equations.cells[cell];
-  }
-  for (std::size_t k = 0; k < problem.links.size(); ++k) {
-    const auto c = static_cast<Eigen::Index>(6 * problem.links[k].c);
-    const auto n = static_cast<Eigen::Index>(6 * problem.links[k].n);
-    matrix.block<6, 6>(c, n) += equations.links[k];
-    matrix.block<6, 6>(n, c) += equations.links[k].transpose();
-  }
-  matrix.topRightCorner(cells, border) = equations.border_cells;
-  matrix.bottomLeftCorner(border, cells) = equations.border_cells.transpose();
-  matrix.bottomRightCorner(border, border) = equations.border;
-  return matrix;
-}
-
 /// B^T W B of a cell's readings, the same for all axes, and J^T W B, a row per unknown.
 class CellRows {
  public:
@@ -96,7 +75,7 @@ SensorEvidence evidenceOfPatch(const JointProblem& problem, const JointState& st
   const JointProblem with_perfect = withPerfectSensors(problem, sensors, perfect);
   NormalEquations equations;
   linearize(with_perfect, state, equations);
-  const Eigen::LLT<Eigen::MatrixXd> factor(asMatrix(problem, equations));
+  const Eigen::LLT<Eigen::MatrixXd> factor(denseMatrix(problem, equations));
   if (factor.info() != Eigen::Success) throw Error("the information matrix is not positive definite");
 
   const auto parameters = static_cast<Eigen::Index>(measured.size()) * kSensorParameters;

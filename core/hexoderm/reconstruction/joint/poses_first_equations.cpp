@@ -18,7 +18,7 @@ class Linearizer {
         R_a_u_(problem.model->accelerometer.T_u_a.R.transpose()) {}
 
   void run() {
-    startRest();
+    startEquations(problem_, state_, problem_.gap.sigma ? 1 : 0, equations_.rest);
     equations_.phi.resize(problem_.poses);
     equations_.pose_information.assign(problem_.poses, Eigen::Matrix3d::Zero());
     equations_.gradient_poses.setZero(static_cast<Index>(3 * problem_.poses));
@@ -45,20 +45,6 @@ class Linearizer {
   }
 
  private:
-  void startRest() {
-    NormalEquations& rest = equations_.rest;
-    const auto rows = static_cast<Index>(6 * problem_.cellCount());
-    const Index border = problem_.gap.sigma ? 1 : 0;
-    rest.cells.assign(problem_.cellCount(), Matrix6d::Zero());
-    rest.cells[problem_.origin].setIdentity();
-    rest.links.assign(problem_.links.size(), Matrix6d::Zero());
-    rest.border_cells.setZero(rows, border);
-    rest.border.setZero(border, border);
-    rest.gradient_cells.setZero(rows);
-    rest.gradient_border.setZero(border);
-    rest.cost = priorCost(problem_, state_);
-  }
-
   void add(std::size_t cell) {
     const std::vector<CellReading>& readings = problem_.readings[cell];
     if (readings.empty()) return;

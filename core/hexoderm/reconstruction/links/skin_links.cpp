@@ -73,8 +73,7 @@ std::vector<std::size_t> SkinLinks::estimateEdgesAround(std::size_t cell) {
 }
 
 void SkinLinks::estimate(std::span<const std::size_t> links) {
-  EdgeBatches batches(model_, graph_, table_, readings_, options_);
-  for (const std::size_t link : batches.estimate(links, edges_, pose_residuals_)) estimateCarefully(link);
+  for (const std::size_t link : estimateUsualEdges(*this, links, edges_, pose_residuals_)) estimateCarefully(link);
 }
 
 void SkinLinks::estimateCarefully(std::size_t index) {

@@ -342,6 +342,43 @@ TEST(Rigidity, SaysNothingWithFewerThanTwoReadings) {
   EXPECT_TRUE(std::isfinite(parallel.deviate()));
 }
 
+TEST(FindAttitude, FindsWhereTheErrorsOfTheSensorExplainTheReadingsBest) {
+  const Accelerometer prior;
+  Draw draw(12);
+  for (const std::size_t poses : {3U, 6U, 20U}) {
+    for (int trial = 0; trial < 30; ++trial) {
+      std::vector<Eigen::Vector3d> f_o(poses);
+      for (Eigen::Vector3d& f : f_o) f = draw.direction();
+      const Readings readings = drawTurnedCell(prior, f_o, draw);
+      const auto chiSquaredAt = [&](const Eigen::Matrix3d& R) {
+        std::vector<Eigen::Vector3d> v_g;
+        for (const Eigen::Vector3d& f : f_o) v_g.emplace_back(R.transpose() * f);
+        return 2 * fit(prior, {v_g, readings.of}).cost;
+      };
+      const OwnAttitude own =
+          findAttitude(AccelerometerPrior(prior), readings.of, f_o, expSO3(0.1 * draw.vector()), 50);
+      EXPECT_LT((own.R.transpose() * own.R - Eigen::Matrix3d::Identity()).norm(), 1e-13);
+      const double least = chiSquaredAt(own.R);
+      for (int axis = 0; axis < 3; ++axis) {
+        const Eigen::Vector3d turn = 1e-3 * Eigen::Vector3d::Unit(axis);
+        const double rise = (chiSquaredAt(own.R * expSO3(turn)) + chiSquaredAt(own.R * expSO3(-turn))) / 2 - least;
+        EXPECT_GT(chiSquaredAt(own.R * expSO3(turn)), least) << poses << " poses";
+        EXPECT_NEAR(rise, turn.dot(own.information * turn), 0.02 * turn.dot(own.information * turn) + 1e-6);
+      }
+    }
+  }
+}
+
+TEST(FindAttitude, DoesNotTurnAboutTheOnlyDirectionThereIs) {
+  const Accelerometer prior;
+  Draw draw(13);
+  const std::vector<Eigen::Vector3d> f_o = {draw.direction()};
+  const Readings readings = drawTurnedCell(prior, f_o, draw);
+  const OwnAttitude own = findAttitude(AccelerometerPrior(prior), readings.of, f_o, Eigen::Matrix3d::Identity());
+  EXPECT_NEAR(f_o[0].dot(logSO3(own.R)), 0, 1e-3);
+  EXPECT_LT(f_o[0].dot(own.information * f_o[0]), 1e-2 * own.information.norm());
+}
+
 TEST(Misfit, WithTheMostProbableErrorsIsTwiceTheFitsCostAndWithOthersMore) {
   Draw draw(11);
   const Accelerometer sigmas;

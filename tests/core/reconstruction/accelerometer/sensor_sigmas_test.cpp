@@ -2,32 +2,23 @@
 
 #include "hexoderm/reconstruction/accelerometer/sensor_sigmas.h"
 
+#include "tests/support/normal_draw.h"
+
 #include <gtest/gtest.h>
 
 #include <Eigen/Cholesky>
 #include <Eigen/LU>
 #include <cmath>
-#include <random>
 #include <vector>
 
 namespace hexoderm {
 namespace {
 
-class NormalDraw {
- public:
-  explicit NormalDraw(unsigned seed) : engine_(seed) {}
-  double normal() { return normal_(engine_); }
-  Eigen::VectorXd vector(Eigen::Index size) {
-    return Eigen::VectorXd::NullaryExpr(size, [this] { return normal(); });
-  }
-  Eigen::MatrixXd matrix(Eigen::Index rows, Eigen::Index cols) {
-    return Eigen::MatrixXd::NullaryExpr(rows, cols, [this] { return normal(); });
-  }
+using test::NormalDraw;
 
- private:
-  std::mt19937 engine_;
-  std::normal_distribution<double> normal_;
-};
+Eigen::MatrixXd drawMatrix(NormalDraw& draw, Eigen::Index rows, Eigen::Index cols = 1) {
+  return Eigen::MatrixXd::NullaryExpr(rows, cols, [&] { return draw.normal(); });
+}
 
 Accelerometer accelerometer(double offset_g, double shared_g, double scale, double cross_axis) {
   Accelerometer result;
@@ -44,21 +35,21 @@ Eigen::VectorXd drawErrors(const Accelerometer& sigmas, std::size_t sensors, con
   Accelerometer own = sigmas;
   own.offset_sigma_g = std::sqrt(std::pow(sigmas.offset_sigma_g, 2) - std::pow(sigmas.shared_offset_sigma_g, 2));
   const Eigen::VectorXd prior = priorVariances(own, sensors);
-  Eigen::VectorXd errors = prior.cwiseSqrt().cwiseProduct(draw.vector(prior.size()));
+  Eigen::VectorXd errors = prior.cwiseSqrt().cwiseProduct(drawMatrix(draw, prior.size()));
   for (Eigen::Index k = 0; k < errors.size(); k += 4) errors[k] += lot_g[(k % kSensorParameters) / 4];
   return errors;
 }
 
 SensorEvidence seen(const Eigen::MatrixXd& information, const Eigen::VectorXd& errors, NormalDraw& draw) {
   const Eigen::LLT<Eigen::MatrixXd> factor(information);
-  const Eigen::VectorXd noise = factor.matrixL() * draw.vector(errors.size());
+  const Eigen::VectorXd noise = factor.matrixL() * drawMatrix(draw, errors.size());
   return {information, information * errors + noise};
 }
 
 /// As of readings of which each says something about several errors of neighbouring sensors, of 3 mg each.
 Eigen::MatrixXd mixedInformation(Eigen::Index parameters, NormalDraw& draw) {
   const Eigen::MatrixXd rows =
-      draw.matrix(2 * parameters, parameters) / std::sqrt(2.0 * static_cast<double>(parameters));
+      drawMatrix(draw, 2 * parameters, parameters) / std::sqrt(2.0 * static_cast<double>(parameters));
   return (rows.transpose() * rows + 0.01 * Eigen::MatrixXd::Identity(parameters, parameters)) / std::pow(0.003, 2);
 }
 
@@ -67,7 +58,7 @@ TEST(SensorEvidence, WeighingIsTheInverseOfTheErrorsCovariance) {
     NormalDraw draw(1);
     const Eigen::VectorXd prior = priorVariances(accelerometer(0.06, 0, 0.02, 0.005), sensors);
     const Eigen::MatrixXd M = mixedInformation(prior.size(), draw);
-    const SensorEvidence evidence{M, draw.vector(prior.size())};
+    const SensorEvidence evidence{M, drawMatrix(draw, prior.size())};
     const WeighedEvidence weighed = weigh(evidence, prior);
     const Eigen::MatrixXd expected = (Eigen::MatrixXd(M.inverse()) + Eigen::MatrixXd(prior.asDiagonal())).inverse();
     EXPECT_TRUE(weighed.precision.isApprox(expected, 1e-9)) << sensors;
@@ -77,7 +68,7 @@ TEST(SensorEvidence, WeighingIsTheInverseOfTheErrorsCovariance) {
 
 TEST(SensorEvidence, NoPriorLeavesTheInformationAndNoReadingLeavesNothing) {
   NormalDraw draw(2);
-  const SensorEvidence evidence{mixedInformation(12, draw), draw.vector(12)};
+  const SensorEvidence evidence{mixedInformation(12, draw), drawMatrix(draw, 12)};
   const WeighedEvidence weighed = weigh(evidence, Eigen::VectorXd::Zero(12));
   EXPECT_EQ(weighed.precision, evidence.information);
   EXPECT_EQ(weighed.weighted, evidence.weighted);

@@ -15,10 +15,10 @@ using ::testing::Field;
 
 /// Excludes what neighbouring cells show, until there is nothing left.
 void explainAll(Estimate& estimate) {
-  const std::unique_ptr<Explainer> neighbors = makeNeighborExplainer();
+  const Explainer neighbors = makeNeighborExplainer();
   while (true) {
-    ASSERT_EQ(estimate.bringTo(neighbors->needs(), {}), Completion::Finished);
-    std::optional<Explanation> explanation = neighbors->explain(estimate);
+    ASSERT_EQ(estimate.bringTo(neighbors.needs, {}), Completion::Finished);
+    std::optional<Explanation> explanation = neighbors.explain(estimate);
     if (!explanation) return;
     estimate.exclude(std::move(*explanation));
   }
@@ -44,7 +44,7 @@ TEST(Neighbors, ACellThatContradictsItsNeighboursIsDroppedInsteadOfItsLinks) {
 std::vector<std::size_t> cellsDroppedTheLongWay(SkinLinks& skin) {
   std::vector<std::size_t> dropped;
   while (true) {
-    const SuspectSearch search(skin.model(), skin.graph(), skin.table(), skin.readings(), skin.edges(), skin.options());
+    const SuspectSearch search(skin);
     if (search.worstPose()) return dropped;
     const auto cell = search.worstCell();
     if (!cell) return dropped;
@@ -81,7 +81,7 @@ TEST(NeighborsOfManyCells, AreJudgedTheSameToTheLastBitAndCostsNoMoreThanTheLink
     const std::vector<std::size_t> dropped = cellsDroppedTheLongWay(all);
     EXPECT_GE(dropped.size(), 3U) << "seed " << seed;
 
-    SuspectSearch search(around.model(), around.graph(), around.table(), around.readings(), around.edges(), solver);
+    SuspectSearch search(around);
     std::vector<std::size_t> chosen;
     std::size_t judged = 0;
     while (const auto cell = search.worstCell()) {

@@ -1,6 +1,5 @@
 #include "hexoderm/reconstruction/figures/cell_links.h"
 
-#include "hexoderm/reconstruction/figures/cell_figures.h"
 #include "tests/support/hand_made_skins.h"
 
 #include <gmock/gmock.h>
@@ -54,22 +53,6 @@ TEST(CellLinks, HoldALinkIntoAnotherPatchAtBothOfItsCells) {
   const CellLinks links(two);
   EXPECT_THAT(neighborsIn(links.of(13), CellId(14)), testing::Contains(CellId(101)));
   EXPECT_THAT(neighborsIn(links.of(17), CellId(101)), testing::Contains(CellId(14)));
-}
-
-TEST(WorstOf, IsWhatTheFiguresOfACellSay) {
-  Reconstruction demo = demoReconstruction();
-  LinkEstimate& link = demo.patches[0].links[0];
-  link.quality = EdgeQuality::Partially;
-  link.residual_rad = 2 * kDegree;
-  for (int round = 0; round < 2; ++round, link.used = false) {
-    const CellFigures figures = makeCellFigures(demo);
-    for (std::size_t k = 0; k < figures.cells.size(); ++k) {
-      const WorstLinkFigures worst = worstOf(linksOf(demo, figures.cells[k]));
-      EXPECT_EQ(worst.quality, figures.quality[k]) << figures.cells[k];
-      EXPECT_EQ(worst.residual_rad, figures.residual_rad[k]) << figures.cells[k];
-      EXPECT_EQ(worst.sigma_rad, figures.sigma_rad[k]) << figures.cells[k];
-    }
-  }
 }
 
 }  // namespace

@@ -31,6 +31,14 @@ TEST(Distribution, HasRoundBinsThatHoldEveryValue) {
     EXPECT_EQ(count, values.size());
     EXPECT_LE(d.lower(), d.least);
     EXPECT_GE(d.upper(), d.largest);
+    for (const double value : values) {
+      const std::size_t bin = binOf(d.bins, value).value();
+      EXPECT_GE(value, d.bins[bin].lower - 1e-9 * size);
+      EXPECT_LE(value, d.bins[bin].upper + 1e-9 * size);
+    }
+    EXPECT_EQ(binOf(d.bins, d.upper() + size), std::nullopt);
+    EXPECT_LE(binValues(values).size(), 40U);
+    EXPECT_GE(binValues(values).size(), 8U);
   }
 }
 
@@ -61,6 +69,10 @@ TEST(Distribution, LeavesOutWhatIsNoNumber) {
   EXPECT_EQ(distributionOf({nan, 1, infinity, 2, -infinity}, 8).count, 2U);
   EXPECT_TRUE(distributionOf({nan}, 8).bins.empty());
   EXPECT_TRUE(distributionOf({}, 8).bins.empty());
+  EXPECT_TRUE(binValues({}).empty());
+  EXPECT_EQ(binValues({3.2}).size(), 1U);
+  EXPECT_EQ(binOf({}, 1), std::nullopt);
+  EXPECT_EQ(binOf(distributionOf({1, 2}, 8).bins, nan), std::nullopt);
 }
 
 }  // namespace

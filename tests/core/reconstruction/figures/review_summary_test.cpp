@@ -82,7 +82,7 @@ TEST(ReviewSummary, ALinkThatWasSolvedOrMeasuredHasFigures) {
 TEST(ReviewSummary, RatiosCountWhatIsPredicted) {
   const ResidualSummary summary = summariseResiduals(threeLinks());
   std::size_t count = 0;
-  for (const RatioBin& bin : summary.ratios) {
+  for (const ValueBin& bin : summary.ratios) {
     count += bin.count;
     if (bin.count > 0) {
       const bool half = bin.lower <= 0.5 + 1e-9 && bin.upper >= 0.5 - 1e-9;

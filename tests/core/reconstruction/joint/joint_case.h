@@ -175,25 +175,4 @@ inline JointState perturbed(const JointProblem& problem, const JointState& state
   return moved(problem, state, cells, border);
 }
 
-/// The normal equations as one dense matrix; the origin's rows and columns stay the identity's.
-inline Eigen::MatrixXd denseMatrix(const JointProblem& problem, const NormalEquations& equations) {
-  const Eigen::Index rows = equations.gradient_cells.size();
-  const Eigen::Index all = rows + equations.gradient_border.size();
-  Eigen::MatrixXd H = Eigen::MatrixXd::Zero(all, all);
-  for (std::size_t cell = 0; cell < problem.cellCount(); ++cell) {
-    const auto at = static_cast<Eigen::Index>(6 * cell);
-    H.block<6, 6>(at, at) = equations.cells[cell];
-  }
-  for (std::size_t k = 0; k < problem.links.size(); ++k) {
-    const auto c = static_cast<Eigen::Index>(6 * problem.links[k].c);
-    const auto n = static_cast<Eigen::Index>(6 * problem.links[k].n);
-    H.block<6, 6>(c, n) += equations.links[k];
-    H.block<6, 6>(n, c) += equations.links[k].transpose();
-  }
-  H.topRightCorner(rows, all - rows) = equations.border_cells;
-  H.bottomLeftCorner(all - rows, rows) = equations.border_cells.transpose();
-  H.bottomRightCorner(all - rows, all - rows) = equations.border;
-  return H;
-}
-
 }  // namespace hexoderm

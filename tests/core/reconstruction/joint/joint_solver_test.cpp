@@ -11,7 +11,6 @@
 #include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
-#include <functional>
 #include <string>
 
 namespace hexoderm {
@@ -66,64 +65,6 @@ TEST(JointSolver, ExactDataWithoutPriorsComeBackExactly) {
   }
 }
 
-/// X17 as it lies on the paper's cylinder, its links and readings exact.
-JointCase exactX17OnCylinder(double share) {
-  JointCase example = simulatedCase(SimulatedSkinOptions::ideal(), 0, kPivotGap);
-  std::vector<SE3>& cells = example.truth.cells;
-  const std::vector<SE3> laid = cells;
-  // A link's source comes before its target, so this goes from the middle outwards.
-  for (const JointLink& link : example.problem.links) {
-    cells[link.n] = placeByLink(cells[link.c], link, laid[link.c].R.transpose() * laid[link.n].R, share);
-  }
-  const SE3 T_origin = cells[example.problem.origin].inverse();
-  for (SE3& cell : cells) cell = T_origin * cell;
-  example.truth.middle_o = middleOf(cells);
-  example.truth.gap_share = share;
-  return example;
-}
-
-TEST(JointSolver, DefaultPriorsHardlyPullExactData) {
-  // The elastomer's priors pull towards a flat skin by variance x angle / sigma^2, however exact the readings are: they
-  // are believed to 3 mg, and with three poses offsets are known by their prior alone.
-  const CellModel model = builtInCellModel("hex-bma150");
-  const auto bent = [&](double twist_rad, double yaw_rad) {
-    return [&model, twist_rad, yaw_rad](double share) {
-      return exactX17(model, share, 20 * kDegree, twist_rad, yaw_rad, 3);
-    };
-  };
-  struct Shape {
-    const char* name;
-    std::function<JointCase(double share)> make;
-    double limits_deg[3];  // 3 orthogonal poses, 4, 6
-  };
-  const Shape shapes[] = {
-      {"flat", [&](double share) { return exactX17(model, share, 0, 0, 0, 3); }, {1e-6, 1e-6, 1e-6}},
-      {"closed ring", [&](double share) { return exactRing(model, share); }, {1e-4, 1e-4, 1e-4}},
-      {"on the cylinder", exactX17OnCylinder, {0.04, 0.01, 0.01}},
-      {"bent 20 deg", bent(0, 0), {0.02, 0.005, 0.005}},
-      {"twisted 3 deg too", bent(3 * kDegree, 0), {0.03, 0.01, 0.01}},
-      {"yawed 0.5 deg too", bent(3 * kDegree, 0.5 * kDegree), {0.2, 0.04, 0.03}},
-  };
-  constexpr std::size_t kPoses[] = {3, 4, 6};
-  for (const GapShare& gap : {kPivotGap, kArcGap, kFitGap}) {
-    for (const Shape& shape : shapes) {
-      for (std::size_t k = 0; k < 3; ++k) {
-        JointCase example = shape.make(gap.mean);
-        example.problem.gap = gap;
-        addExactReadings(example, orthogonalUps(kPoses[k]));
-        const JointSolution solution = solveJointly(example.problem, example.truth);
-        const Deviation deviation = deviationOf(solution.state, example.truth);
-        const std::string what =
-            std::string(shape.name) + ", " + nameOf(gap) + ", " + std::to_string(kPoses[k]) + " poses";
-        EXPECT_LE(toDegrees(deviation.orientation_rad), shape.limits_deg[k]) << what;
-        EXPECT_LE(deviation.position_m, 1e-4) << what;
-        RecordProperty(what, std::to_string(toDegrees(deviation.orientation_rad)) + " deg, " +
-                                 std::to_string(toMillimetres(deviation.position_m)) + " mm");
-      }
-    }
-  }
-}
-
 /// The covariance by the dense way: the origin's rows taken out, the rest inverted.
 Eigen::MatrixXd denseCovariance(const JointProblem& problem, const NormalEquations& equations) {
   Eigen::MatrixXd H = denseMatrix(problem, equations);
@@ -144,6 +85,12 @@ TEST(JointCovariance, IsTheInverseOfTheNormalEquations) {
       for (const bool accelerations : {false, true}) {
         JointCase example = simulatedCase(test::skinOptions(patch), 3, gap);
         example.problem.accelerations = accelerations;
+        // Two links between the same cells add up.
+        JointLink again = example.problem.links[1];
+        std::swap(again.c, again.n);
+        std::swap(again.p_c, again.p_n);
+        again.R_nom.transposeInPlace();
+        example.problem.links.push_back(again);
         NormalEquations equations;
         linearize(example.problem, example.truth, equations);
         const Eigen::MatrixXd C = denseCovariance(example.problem, equations);
@@ -166,6 +113,8 @@ TEST(JointCovariance, IsTheInverseOfTheNormalEquations) {
                 << patch << ", cells " << a << " and " << b;
           }
         }
+        const auto rows = static_cast<Eigen::Index>(6 * count);
+        expectNear(covariance.timesCells(Eigen::MatrixXd::Identity(rows, rows)), C.topLeftCorner(rows, rows), "all");
         for (std::size_t k = 0; k < example.problem.links.size(); ++k) {
           const JointLink& link = example.problem.links[k];
           expectNear(covariance.link(k), blockOf(link.c, link.n), "link " + std::to_string(k));
@@ -180,25 +129,6 @@ TEST(JointCovariance, IsTheInverseOfTheNormalEquations) {
         EXPECT_NEAR(covariance.gapShareSigma(), gap.sigma ? std::sqrt(C(share, share)) : 0, 1e-9);
       }
     }
-  }
-}
-
-TEST(JointCovariance, TwoLinksBetweenTheSameCellsAddUp) {
-  JointCase example = simulatedCase(test::skinOptions("ring5"), 3, kFitGap);
-  JointLink again = example.problem.links[1];
-  std::swap(again.c, again.n);
-  std::swap(again.p_c, again.p_n);
-  again.R_nom.transposeInPlace();
-  example.problem.links.push_back(again);
-  NormalEquations equations;
-  linearize(example.problem, example.truth, equations);
-  const Eigen::MatrixXd C = denseCovariance(example.problem, equations);
-  const auto covariance = JointSolver().covarianceAt(example.problem, example.truth);
-  for (std::size_t k : {std::size_t{1}, example.problem.links.size() - 1}) {
-    const JointLink& link = example.problem.links[k];
-    const Matrix6d expected =
-        C.block<6, 6>(static_cast<Eigen::Index>(6 * link.c), static_cast<Eigen::Index>(6 * link.n));
-    EXPECT_LE((covariance->link(k) - expected).norm(), 1e-9 * expected.norm());
   }
 }
 
@@ -388,8 +318,14 @@ TEST(JointOrder, OptimumAndCovarianceAreTheSameInBothOrders) {
         for (std::size_t pose = 0; pose < poses; ++pose) {
           const Eigen::Matrix3d own = a.covariance->force(pose);
           expectNear(b.covariance->force(pose), own, own.norm(), "pose " + std::to_string(pose));
+          expectNear(b.covariance->forces(pose, 0), a.covariance->forces(pose, 0),
+                     std::sqrt(own.norm() * a.covariance->force(0).norm()), "poses " + std::to_string(pose) + " and 0");
         }
         EXPECT_NEAR(b.covariance->gapShareSigma(), a.covariance->gapShareSigma(), 1e-7) << what;
+        const Eigen::MatrixXd B =
+            Eigen::MatrixXd::Identity(static_cast<Eigen::Index>(6 * example.problem.cellCount()), 20);
+        const Eigen::MatrixXd times_b = a.covariance->timesCells(B);
+        expectNear(b.covariance->timesCells(B), times_b, times_b.norm(), "all cells");
       }
     }
   }

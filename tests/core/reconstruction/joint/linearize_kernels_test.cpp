@@ -26,17 +26,15 @@ double differenceBetween(const JointProblem& problem, const NormalEquations& a, 
 }
 
 void expectTheSame(const JointProblem& problem, const JointState& state, const std::string& what) {
-  NormalEquations one_by_one;
   NormalEquations portable;
   NormalEquations fast;
-  linearize(problem, state, one_by_one, nullptr);
-  linearize(problem, state, portable, &portableLinearizeKernels());
-  linearize(problem, state, fast, &linearizeKernels());
-  EXPECT_LT(differenceBetween(problem, one_by_one, portable), 1e-12) << what;
+  linearize(problem, state, portable, portableLinearizeKernels());
+  linearize(problem, state, fast, linearizeKernels());
+  EXPECT_NEAR(portable.cost, jointCost(problem, state), 1e-12 * portable.cost) << what;
   EXPECT_LT(differenceBetween(problem, portable, fast), 1e-12) << what;
 }
 
-TEST(LinearizeKernels, GiveTheSameAsCellsOneByOne) {
+TEST(LinearizeKernels, GiveTheSameOnAnyMachine) {
   for (const char* patch : {"x17", "ring8:closed", "sheet:3x3"}) {
     for (const GapShare& gap : {kPivotGap, kArcGap, kFitGap}) {
       for (const std::size_t poses : {0U, 1U, 2U, 4U, 7U}) {
@@ -73,16 +71,13 @@ TEST(LinearizeKernels, TakeMissingReadingsTurnedSensorsAndAnyOrigin) {
   expectTheSame(example.problem, perturbed(example.problem, example.truth, 0.1, 0.001, 5), "missing");
 }
 
-TEST(LinearizeKernels, TakeOverturnedLinksAndLeaveGrossErrorsToCellsOneByOne) {
+TEST(LinearizeKernels, TakeOverturnedLinksAndGrossErrors) {
   JointCase example = simulatedCase(test::skinOptions("x17"), 5, kFitGap);
   example.problem.readings[3][2].y_g = {1.5, -1.5, 0.4};
   example.problem.readings[16][0].y_g = {-1, 0.2, 1};
   JointState state = example.truth;
   state.cells[7].R = state.cells[7].R * expSO3({0.1, 3.0, 0.2});
   expectTheSame(example.problem, state, "gross");
-  // A pose that is named twice.
-  example.problem.readings[4].push_back(example.problem.readings[4].front());
-  expectTheSame(example.problem, state, "twice");
 }
 
 TEST(LinearizeKernels, TakeAnyNumberOfPoses) {

@@ -5,7 +5,6 @@
 #include "hexoderm/reconstruction/reconstructor.h"
 #include "hexoderm/reconstruction/result/uncertainty.h"
 #include "tests/core/reconstruction/joint/joint_case.h"
-#include "tests/support/options.h"
 #include "tests/support/slow_build.h"
 
 #include <gmock/gmock.h>
@@ -53,39 +52,6 @@ std::vector<Matrix6d> shapeOf(const JointSolution& solution) {
 }
 
 JointCase x17Case(std::uint64_t seed) { return simulatedCase(test::skinOptions("x17", "", seed), 4, kFitGap); }
-
-TEST(TimesCells, IsTheCovarianceInBothOrdersOfElimination) {
-  const JointCase example = x17Case(1);
-  for (const JointOrder order : {JointOrder::CellsFirst, JointOrder::PosesFirst}) {
-    const JointSolution solution =
-        solveJointly(example.problem, example.truth, test::with(&JointSolverOptions::order, order));
-    const Eigen::MatrixXd C = wholeOf(solution);
-    for (const std::size_t a : {0U, 3U, 16U}) {
-      for (const std::size_t b : {1U, 5U, 16U}) {
-        const Matrix6d block = a == b ? solution.covariance->cell(a) : solution.covariance->between(a, b);
-        EXPECT_LE((C.block<6, 6>(rowsOf(a), rowsOf(b)) - block).norm(), 1e-9 * (1 + block.norm())) << a << ", " << b;
-      }
-    }
-  }
-}
-
-TEST(Forces, HaveTheSameCrossCovariancesInBothOrdersOfElimination) {
-  const JointCase example = x17Case(2);
-  const auto solve = [&](const JointState& start, JointOrder order) {
-    return solveJointly(example.problem, start, test::with(&JointSolverOptions::order, order));
-  };
-  const JointSolution cells_first = solve(example.truth, JointOrder::CellsFirst);
-  const JointSolution poses_first = solve(cells_first.state, JointOrder::PosesFirst);
-  for (std::size_t a = 0; a < 4; ++a) {
-    EXPECT_EQ(poses_first.covariance->force(a), poses_first.covariance->forces(a, a));
-    for (std::size_t b = 0; b < 4; ++b) {
-      const Eigen::Matrix3d expected = cells_first.covariance->forces(a, b);
-      EXPECT_LE((poses_first.covariance->forces(a, b) - expected).norm(),
-                1e-4 * cells_first.covariance->force(a).norm())
-          << a << ", " << b;
-    }
-  }
-}
 
 TEST(ShapeCovariance, IsTheSTransformedCovariance) {
   const JointCase example = x17Case(3);

@@ -2,7 +2,6 @@
 
 #include "hexoderm/reconstruction/links/edge_batches.h"
 
-#include "hexoderm/reconstruction/links/skin_links.h"
 #include "tests/support/options.h"
 #include "tests/support/simulated_skins.h"
 
@@ -15,7 +14,7 @@ namespace {
 
 struct Kernels {
   const char* name;
-  EdgeBatches::Kernel kernel;
+  EdgeKernel kernel;
 };
 
 std::vector<Kernels> kernels() {
@@ -49,7 +48,6 @@ class Sheet {
   }
 
   [[nodiscard]] SkinLinks& links() { return *links_; }
-  [[nodiscard]] const SolverOptions& options() const { return options_; }
   [[nodiscard]] std::vector<std::size_t> all() const {
     std::vector<std::size_t> all(links_->graph().links().size());
     std::iota(all.begin(), all.end(), std::size_t{0});
@@ -62,17 +60,16 @@ class Sheet {
     std::vector<std::size_t> unusual;  ///< in ascending order
     [[nodiscard]] bool isUnusual(std::size_t link) const { return std::ranges::binary_search(unusual, link); }
   };
-  [[nodiscard]] Result estimate(EdgeBatches::Kernel kernel, std::span<const std::size_t> of) {
-    const SkinReadings readings(links_->model(), links_->graph(), links_->table());
+  [[nodiscard]] Result estimate(EdgeKernel kernel, std::span<const std::size_t> of) {
+    links_->estimateEdges();  // with the readings as they are now
     Result result;
     result.edges.resize(links_->graph().links().size());
     result.residuals.resize(result.edges.size() * links_->table().poseCount());
-    result.unusual = EdgeBatches(links_->model(), links_->graph(), links_->table(), readings, options_, kernel)
-                         .estimate(of, result.edges, result.residuals);
+    result.unusual = estimateUsualEdges(*links_, of, result.edges, result.residuals, kernel);
     return result;
   }
   /// Of all links, which are as one by one where they are not left to the careful way.
-  Result estimateAndCompare(EdgeBatches::Kernel kernel, double tolerance) {
+  Result estimateAndCompare(EdgeKernel kernel, double tolerance) {
     Result result = estimate(kernel, all());
     const GravityTable& table = links_->table();
     for (const std::size_t link : all()) {
@@ -91,10 +88,9 @@ class Sheet {
     return result;
   }
   [[nodiscard]] EdgeRotation carefully(std::size_t index) const {
-    const SkinReadings readings(links_->model(), links_->graph(), links_->table());
     const GraphLink& link = links_->graph().links()[index];
     return estimateEdgeRotation(links_->model(), links_->sourcePort(link), links_->targetPort(link),
-                                readings.readingsOf(link), options_);
+                                links_->readings().readingsOf(link), options_);
   }
 
  private:
@@ -163,7 +159,7 @@ TEST(EdgeBatches, DegenerateLinksAreLeftToTheCarefulWay) {
 
 TEST(EdgeBatches, SupportAxesAreLeftToTheCarefulWay) {
   Sheet sheet(3, test::with(&SolverOptions::support_axes, SupportAxes::On));
-  EXPECT_EQ(sheet.estimate(EdgeBatches::fastest(), sheet.all()).unusual, sheet.all());
+  EXPECT_EQ(sheet.estimate(fastestEdgeKernel(), sheet.all()).unusual, sheet.all());
 }
 
 }  // namespace

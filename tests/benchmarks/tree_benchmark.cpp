@@ -1,0 +1,134 @@
+// CPU time that the tree takes in memory, stage by stage, for 1,260, 10,000 and 99,856 simulated cells in three poses;
+// beside it, as a measure of the computer, 100,000 of Eigen's JacobiSVD<Matrix3d>, and what the Boost Graph Library
+// takes to find the origin from all pairs. Each figure is the least of several runs.
+//
+//   build/core/tests/benchmarks/tree_benchmark [MOST_CELLS]
+
+#include "hexoderm/device/simulation/simulated_skin.h"
+#include "hexoderm/graph/origin_search.h"
+#include "hexoderm/reconstruction/explain/explainer.h"
+#include "hexoderm/reconstruction/faults/cell_health.h"
+#include "hexoderm/reconstruction/faults/suspects.h"
+#include "hexoderm/reconstruction/links/edge_batches.h"
+#include "hexoderm/reconstruction/links/skin_links.h"
+#include "hexoderm/reconstruction/patch/patch_description.h"
+#include "hexoderm/reconstruction/patch/patch_solver.h"
+#include "hexoderm/reconstruction/reconstructor.h"
+#include "hexoderm/session/simulated_session.h"
+#include "hexoderm/util/parallel.h"
+#include "hexoderm/util/vector_instructions.h"
+#include "tests/benchmarks/boost_all_pairs.h"
+#include "tests/benchmarks/cpu_time.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+#include <numeric>
+#include <string>
+
+namespace hexoderm {
+namespace {
+
+class Table {
+ public:
+  Table(std::size_t cells, double svd_ms) : svd_ms_(svd_ms) {
+    std::printf("\n%zu cells                              ms    100,000 SVDs = 1\n", cells);
+  }
+  void row(const std::string& what, double ms) const {
+    std::printf("%-36s %9.3f %9.4f\n", what.c_str(), ms, ms / svd_ms_);
+  }
+
+ private:
+  double svd_ms_;
+};
+
+void measure(int rows, int columns, double svd_ms) {
+  SimulatedSkinOptions skin_options;
+  skin_options.patch = "sheet:" + std::to_string(rows) + "x" + std::to_string(columns);
+  const double cells = rows * columns;
+  skin_options.surface = "cylinder:r=" + std::to_string(0.25 * std::sqrt(cells / 1260));
+  skin_options.seed = 3;
+  SimulatedSkin simulated(builtInCellModel("hex-bma150"), skin_options);
+  const auto snapshot = simulateSession(simulated, 3).snapshot();
+  SolverOptions options;
+  options.solver = Solver::Tree;
+  const Table table(static_cast<std::size_t>(cells), svd_ms);
+
+  table.row("whole, reconstruct()", least_ms([&] { static_cast<void>(reconstruct(*snapshot, options)); }));
+
+  table.row("graph from reports", least_ms([&] { SkinGraph(*snapshot->model, *snapshot->neighbors); }));
+  std::vector<Finding> findings;
+  SkinLinks skin(*snapshot, options, findings);
+  table.row("readings", least_ms([&] { GravityTable(*snapshot, skin.graph(), findings); }));
+  table.row("cells judged", least_ms([&] { judgeCells(*snapshot, skin.graph(), skin.table(), findings); }));
+  table.row("edges", least_ms([&] { skin.estimateEdges(); }));
+  {
+    std::vector<std::size_t> all(skin.graph().links().size());
+    std::iota(all.begin(), all.end(), std::size_t{0});
+    std::vector<EdgeRotation> edges(all.size());
+    std::vector<std::optional<double>> residuals(all.size() * skin.table().poseCount());
+    table.row("  of these two at a time", least_ms([&] {
+                EdgeBatches(skin.model(), skin.graph(), skin.table(), skin.readings(), options, estimateEdgesByTwo)
+                    .estimate(all, edges, residuals);
+              }));
+    if (hasVectorInstructions()) {
+      table.row("  of these four at a time", least_ms([&] {
+                  EdgeBatches(skin.model(), skin.graph(), skin.table(), skin.readings(), options, estimateEdgesByFour)
+                      .estimate(all, edges, residuals);
+                }));
+    }
+  }
+  table.row("pair tests", least_ms([&] { SuspectSearch(skin); }));
+  const std::vector<double> weights = linkWeights(skin);
+  OriginFound found;
+  const double origin_ms = least_ms([&] { found = searchOrigin(skin.graph(), weights, 0); });
+  table.row("origin, " + std::to_string(found.runs) + " runs", origin_ms);
+  ShortestPaths paths;
+  table.row("paths", least_ms([&] { paths = findShortestPaths(skin.graph(), weights, found.origin); }));
+  std::vector<Eigen::Matrix3d> attitudes;
+  table.row("attitudes", least_ms([&] {
+              attitudes.clear();
+              for (const std::size_t cell : skin.graph().patches().front()) {
+                attitudes.push_back(skin.attitudeCovariance(cell, paths.link[skin.graph().cells()[cell].place]));
+              }
+            }));
+  table.row("placements", least_ms([&] {
+              static_cast<void>(placeAlongTree(skin.graph(), skin.model(), paths, skin.edges(), attitudes,
+                                               gapShareOf(options.gap_model)));
+            }));
+  std::vector<PatchSolver> patches;
+  patches.emplace_back(skin, weights, 0);
+  std::vector<PatchReconstruction> described;
+  table.row("description", least_ms([&] { described = describePatches(skin, patches, weights); }));
+  table.row("flat layout", least_ms([&] { static_cast<void>(computeFlatLayout(skin.model(), described)); }));
+  options.weights = LinkWeights::Residual;
+  const std::vector<double> real = linkWeights(skin);
+  table.row("origin by residuals", least_ms([&] { found = searchOrigin(skin.graph(), real, 0); }));
+  const auto compareWithBoost = [&] {
+    const double boost_ms = boostAllPairs_ms(skin.graph(), weights);
+    table.row("Boost, all pairs", boost_ms);
+    std::printf("%-36s %9.0f\n", "  times the origin's", boost_ms / origin_ms);
+  };
+  if (cells < 20'000) compareWithBoost();
+  options.weights = SolverOptions().weights;
+  Estimate estimate(*snapshot, options);
+  static_cast<void>(estimate.bringTo(Estimate::Stage::Patches, {}));
+  table.row("attitudes searched for faults",
+            least_ms([&] { static_cast<void>(makeAttitudeExplainer().explain(estimate)); }));
+}
+
+}  // namespace
+}  // namespace hexoderm
+
+int main(int argc, char** argv) {
+  const double most = argc > 1 ? std::atof(argv[1]) : 1e6;
+  hexoderm::setCores(1);
+  const double svd_ms = hexoderm::yardstick_ms();
+  std::printf("100,000 JacobiSVD<Matrix3d>: %.1f ms of CPU time; %d numbers at a time\n", svd_ms,
+              hexoderm::hasVectorInstructions() ? 4 : 2);
+  if (most >= 1260) hexoderm::measure(35, 36, svd_ms);
+  if (most >= 10'000) hexoderm::measure(100, 100, svd_ms);
+  if (most >= 99'856) hexoderm::measure(316, 316, svd_ms);
+  return 0;
+}
