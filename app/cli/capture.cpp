@@ -1,11 +1,11 @@
 #include "app/cli/command.h"
 #include "app/cli/json.h"
 
-#include "hexoderm/course/live_capture.h"
+#include "hexoderm/base/interrupt.h"
+#include "hexoderm/base/kept_files.h"
+#include "hexoderm/base/text.h"
+#include "hexoderm/capture/live_capture.h"
 #include "hexoderm/device/sources/open_source.h"
-#include "hexoderm/util/interrupt.h"
-#include "hexoderm/util/kept_files.h"
-#include "hexoderm/util/text.h"
 
 #include <chrono>
 #include <cstdint>

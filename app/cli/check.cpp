@@ -1,13 +1,13 @@
 #include "app/cli/command.h"
 #include "app/cli/json.h"
 
-#include "hexoderm/course/live_capture.h"
+#include "hexoderm/base/interrupt.h"
+#include "hexoderm/base/temporary_file.h"
+#include "hexoderm/base/text.h"
+#include "hexoderm/base/units.h"
+#include "hexoderm/capture/live_capture.h"
 #include "hexoderm/device/sources/open_source.h"
-#include "hexoderm/reconstruction/check/calibration_check.h"
-#include "hexoderm/util/interrupt.h"
-#include "hexoderm/util/temporary_file.h"
-#include "hexoderm/util/text.h"
-#include "hexoderm/util/units.h"
+#include "hexoderm/solve/checks/calibration_check.h"
 
 #include <filesystem>
 #include <iostream>

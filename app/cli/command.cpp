@@ -1,14 +1,14 @@
 #include "app/cli/command.h"
 #include "app/cli/json.h"
 
+#include "hexoderm/base/kept_files.h"
+#include "hexoderm/base/limits.h"
+#include "hexoderm/base/text.h"
+#include "hexoderm/base/units.h"
+#include "hexoderm/io/session_joint_angles.h"
 #include "hexoderm/io/session_json.h"
-#include "hexoderm/kinematics/demo_robot.h"
-#include "hexoderm/kinematics/joint_angles_csv.h"
-#include "hexoderm/session/session_joint_angles.h"
-#include "hexoderm/util/kept_files.h"
-#include "hexoderm/util/limits.h"
-#include "hexoderm/util/text.h"
-#include "hexoderm/util/units.h"
+#include "hexoderm/robots/demo_robot.h"
+#include "hexoderm/robots/joint_angles_csv.h"
 
 #include <unistd.h>
 

@@ -1,14 +1,14 @@
 #pragma once
 
+#include "hexoderm/base/error.h"
+#include "hexoderm/base/file.h"
+#include "hexoderm/base/text.h"
 #include "hexoderm/device/offence.h"
 #include "hexoderm/io/open_file.h"
-#include "hexoderm/kinematics/robot_model.h"
-#include "hexoderm/reconstruction/result/reconstruction.h"
-#include "hexoderm/robot/links/links.h"
+#include "hexoderm/mounting/attachment/links.h"
+#include "hexoderm/robots/robot_model.h"
 #include "hexoderm/session/session.h"
-#include "hexoderm/util/error.h"
-#include "hexoderm/util/file.h"
-#include "hexoderm/util/text.h"
+#include "hexoderm/solve/result/reconstruction.h"
 
 #include <CLI/CLI.hpp>
 

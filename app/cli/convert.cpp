@@ -1,8 +1,8 @@
 #include "app/cli/command.h"
 
+#include "hexoderm/base/text.h"
 #include "hexoderm/io/calibration_json.h"
 #include "hexoderm/session/session_store.h"
-#include "hexoderm/util/text.h"
 
 #include <iostream>
 

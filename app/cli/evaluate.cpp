@@ -1,10 +1,10 @@
 #include "app/cli/command.h"
 #include "app/cli/json.h"
 
-#include "hexoderm/reconstruction/evaluation/evaluation.h"
-#include "hexoderm/util/limits.h"
-#include "hexoderm/util/text.h"
-#include "hexoderm/util/units.h"
+#include "hexoderm/base/limits.h"
+#include "hexoderm/base/text.h"
+#include "hexoderm/base/units.h"
+#include "hexoderm/solve/checks/evaluation.h"
 
 #include <iostream>
 #include <optional>

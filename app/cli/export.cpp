@@ -2,13 +2,13 @@
 #include "app/cli/export_robot.h"
 #include "app/cli/json.h"
 
+#include "hexoderm/base/file.h"
+#include "hexoderm/base/limits.h"
+#include "hexoderm/base/sha256.h"
+#include "hexoderm/base/text.h"
 #include "hexoderm/io/export_package.h"
 #include "hexoderm/io/placements_json.h"
-#include "hexoderm/reconstruction/result/patch_placements.h"
-#include "hexoderm/util/file.h"
-#include "hexoderm/util/limits.h"
-#include "hexoderm/util/sha256.h"
-#include "hexoderm/util/text.h"
+#include "hexoderm/solve/result/patch_placements.h"
 
 #include <algorithm>
 #include <array>

@@ -1,9 +1,9 @@
 #include "app/cli/command.h"
 #include "app/cli/json.h"
 
-#include "hexoderm/reconstruction/reconstructor.h"
-#include "hexoderm/util/text.h"
-#include "hexoderm/util/units.h"
+#include "hexoderm/base/text.h"
+#include "hexoderm/base/units.h"
+#include "hexoderm/solve/reconstructor.h"
 
 #include <algorithm>
 #include <iostream>

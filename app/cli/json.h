@@ -2,10 +2,10 @@
 
 // What commands have in common where they say their results as JSON and as text.
 
-#include "hexoderm/geometry/se3.h"
-#include "hexoderm/util/message.h"
-#include "hexoderm/util/text.h"
-#include "hexoderm/util/units.h"
+#include "hexoderm/base/message.h"
+#include "hexoderm/base/se3.h"
+#include "hexoderm/base/text.h"
+#include "hexoderm/base/units.h"
 
 #include <nlohmann/json.hpp>
 #include <optional>

@@ -1,11 +1,11 @@
 #include "app/cli/command.h"
 #include "app/cli/json.h"
 
-#include "hexoderm/reconstruction/reconstructor.h"
-#include "hexoderm/reconstruction/result/uncertainty.h"
-#include "hexoderm/robot/links/links.h"
-#include "hexoderm/util/text.h"
-#include "hexoderm/util/units.h"
+#include "hexoderm/base/text.h"
+#include "hexoderm/base/units.h"
+#include "hexoderm/mounting/attachment/links.h"
+#include "hexoderm/solve/reconstructor.h"
+#include "hexoderm/solve/result/uncertainty.h"
 
 #include <algorithm>
 #include <cmath>

@@ -2,10 +2,10 @@
 #include "app/cli/json.h"
 #include "app/cli/listen_commands.h"
 
-#include "hexoderm/device/diagnosis/listening.h"
+#include "hexoderm/base/interrupt.h"
+#include "hexoderm/base/text.h"
+#include "hexoderm/device/listening.h"
 #include "hexoderm/device/sources/open_source.h"
-#include "hexoderm/util/interrupt.h"
-#include "hexoderm/util/text.h"
 
 #include <algorithm>
 #include <chrono>

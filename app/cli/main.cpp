@@ -1,8 +1,8 @@
 #include "app/cli/command.h"
 #include "app/cli/version.h"
 
-#include "hexoderm/util/freed_memory.h"
-#include "hexoderm/util/kept_files.h"
+#include "hexoderm/base/freed_memory.h"
+#include "hexoderm/base/kept_files.h"
 
 int main(int argc, char** argv) {
   using namespace hexoderm;

@@ -1,9 +1,9 @@
 #include "app/cli/command.h"
 #include "app/cli/json.h"
 
-#include "hexoderm/reconstruction/sensor_statistics.h"
-#include "hexoderm/util/enum_names.h"
-#include "hexoderm/util/text.h"
+#include "hexoderm/base/enum_names.h"
+#include "hexoderm/base/text.h"
+#include "hexoderm/solve/sensor_statistics.h"
 
 #include <iostream>
 

@@ -1,15 +1,15 @@
 #include "app/cli/command.h"
 
-#include "hexoderm/device/simulation/fault_names.h"
-#include "hexoderm/device/simulation/robot_in_words.h"
-#include "hexoderm/device/simulation/simulated_skin.h"
+#include "hexoderm/base/file.h"
+#include "hexoderm/base/kept_files.h"
+#include "hexoderm/base/text.h"
 #include "hexoderm/io/open_file.h"
-#include "hexoderm/io/robot_truth_json.h"
-#include "hexoderm/session/session_joint_angles.h"
-#include "hexoderm/session/simulated_session.h"
-#include "hexoderm/util/file.h"
-#include "hexoderm/util/kept_files.h"
-#include "hexoderm/util/text.h"
+#include "hexoderm/io/session_joint_angles.h"
+#include "hexoderm/sim/fault_names.h"
+#include "hexoderm/sim/robot_in_words.h"
+#include "hexoderm/sim/robot_truth_json.h"
+#include "hexoderm/sim/simulated_session.h"
+#include "hexoderm/sim/simulated_skin.h"
 
 #include <cstdint>
 #include <iostream>

@@ -1,11 +1,11 @@
 #include "app/cli/command.h"
 #include "app/cli/solve_batch.h"
 
+#include "hexoderm/base/parallel.h"
+#include "hexoderm/base/text.h"
 #include "hexoderm/io/calibration_json.h"
-#include "hexoderm/reconstruction/evaluation/evaluation.h"
-#include "hexoderm/reconstruction/reconstructor.h"
-#include "hexoderm/util/parallel.h"
-#include "hexoderm/util/text.h"
+#include "hexoderm/solve/checks/evaluation.h"
+#include "hexoderm/solve/reconstructor.h"
 
 #include <cstdint>
 #include <iostream>

@@ -1,11 +1,11 @@
 #include "app/cli/solve_batch.h"
 
+#include "hexoderm/base/interrupt.h"
+#include "hexoderm/base/kept_files.h"
+#include "hexoderm/base/parallel.h"
+#include "hexoderm/base/system_reason.h"
+#include "hexoderm/base/text.h"
 #include "hexoderm/io/calibration_json.h"
-#include "hexoderm/util/interrupt.h"
-#include "hexoderm/util/kept_files.h"
-#include "hexoderm/util/parallel.h"
-#include "hexoderm/util/system_reason.h"
-#include "hexoderm/util/text.h"
 
 #include <algorithm>
 #include <atomic>

@@ -4,7 +4,7 @@
 
 #include "app/cli/command.h"
 
-#include "hexoderm/reconstruction/reconstructor.h"
+#include "hexoderm/solve/reconstructor.h"
 
 #include <filesystem>
 #include <string>

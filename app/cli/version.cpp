@@ -1,12 +1,12 @@
 #include "app/cli/version.h"
 
+#include "hexoderm/base/library_versions.h"
 #include "hexoderm/device/skinwire/messages.h"
 #include "hexoderm/io/calibration_json.h"
 #include "hexoderm/io/placements_json.h"
-#include "hexoderm/io/robot_truth_json.h"
 #include "hexoderm/io/session_json.h"
 #include "hexoderm/session/store_version.h"
-#include "hexoderm/util/library_versions.h"
+#include "hexoderm/sim/robot_truth_json.h"
 
 #include <CLI/CLI.hpp>
 #include <sstream>

@@ -1,8 +1,8 @@
 #include "app/emulator/console.h"
 
-#include "hexoderm/device/simulation/fault_names.h"
-#include "hexoderm/util/error.h"
-#include "hexoderm/util/text.h"
+#include "hexoderm/base/error.h"
+#include "hexoderm/base/text.h"
+#include "hexoderm/sim/fault_names.h"
 
 #include <fcntl.h>
 #include <poll.h>

@@ -1,8 +1,8 @@
 #include "app/emulator/device_link.h"
 
+#include "hexoderm/base/error.h"
+#include "hexoderm/base/temporary_file.h"
 #include "hexoderm/device/sources/write_queue.h"
-#include "hexoderm/util/error.h"
-#include "hexoderm/util/temporary_file.h"
 
 #include <fcntl.h>
 #include <stdlib.h>

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "app/emulator/device_link.h"
-#include "hexoderm/device/emulation/emulated_device.h"
+#include "hexoderm/sim/emulated_device.h"
 
 #include <boost/asio/steady_timer.hpp>
 

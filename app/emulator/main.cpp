@@ -1,10 +1,10 @@
 #include "app/emulator/console.h"
-#include "hexoderm/device/simulation/fault_names.h"
-#include "hexoderm/device/simulation/robot_in_words.h"
-#include "hexoderm/device/simulation/simulated_skin.h"
-#include "hexoderm/util/error.h"
-#include "hexoderm/util/interrupt.h"
-#include "hexoderm/util/text.h"
+#include "hexoderm/base/error.h"
+#include "hexoderm/base/interrupt.h"
+#include "hexoderm/base/text.h"
+#include "hexoderm/sim/fault_names.h"
+#include "hexoderm/sim/robot_in_words.h"
+#include "hexoderm/sim/simulated_skin.h"
 
 #include <boost/asio/post.hpp>
 #include <boost/asio/steady_timer.hpp>

@@ -1,7 +1,7 @@
 #include "app/python/arrays.h"
 
-#include "hexoderm/util/error.h"
-#include "hexoderm/util/text.h"
+#include "hexoderm/base/error.h"
+#include "hexoderm/base/text.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "hexoderm/geometry/se3.h"
-#include "hexoderm/util/ids.h"
+#include "hexoderm/base/ids.h"
+#include "hexoderm/base/se3.h"
 
 #include <pybind11/numpy.h>
 

@@ -3,8 +3,8 @@
 #include "app/python/casters.h"
 #include "app/python/given.h"
 
-#include "hexoderm/graph/cell_model.h"
-#include "hexoderm/reconstruction/result/reconstruction.h"
+#include "hexoderm/skin/cell_model.h"
+#include "hexoderm/solve/result/reconstruction.h"
 
 #include <pybind11/pybind11.h>
 

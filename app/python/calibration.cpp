@@ -1,11 +1,11 @@
 #include "app/python/bindings.h"
 #include "app/python/unlocked.h"
 
+#include "hexoderm/base/error.h"
 #include "hexoderm/io/calibration_json.h"
 #include "hexoderm/io/open_file.h"
-#include "hexoderm/reconstruction/advice/pose_advisor.h"
-#include "hexoderm/reconstruction/evaluation/evaluation.h"
-#include "hexoderm/util/error.h"
+#include "hexoderm/solve/checks/evaluation.h"
+#include "hexoderm/solve/metrics/pose_advisor.h"
 
 #include <pybind11/stl/filesystem.h>
 

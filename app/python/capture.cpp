@@ -2,11 +2,11 @@
 #include "app/python/interruptible.h"
 #include "app/python/unlocked.h"
 
-#include "hexoderm/course/live_capture.h"
+#include "hexoderm/base/error.h"
+#include "hexoderm/base/text.h"
+#include "hexoderm/base/units.h"
+#include "hexoderm/capture/live_capture.h"
 #include "hexoderm/device/sources/open_source.h"
-#include "hexoderm/util/error.h"
-#include "hexoderm/util/text.h"
-#include "hexoderm/util/units.h"
 
 #include <pybind11/stl/filesystem.h>
 

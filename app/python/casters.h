@@ -5,8 +5,8 @@
 
 #include "app/python/arrays.h"
 
-#include "hexoderm/reconstruction/result/reconstruction.h"
-#include "hexoderm/util/message.h"
+#include "hexoderm/base/message.h"
+#include "hexoderm/solve/result/reconstruction.h"
 
 #include <pybind11/pybind11.h>
 #include <pybind11/stl.h>

@@ -1,6 +1,6 @@
 #include "app/python/bindings.h"
 
-#include "hexoderm/graph/cell_model.h"
+#include "hexoderm/skin/cell_model.h"
 
 #include <pybind11/stl/filesystem.h>
 

@@ -1,6 +1,6 @@
 #include "app/python/bindings.h"
 
-#include "hexoderm/util/error.h"
+#include "hexoderm/base/error.h"
 
 #include <array>
 #include <cstring>

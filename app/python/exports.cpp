@@ -1,11 +1,11 @@
 #include "app/python/bindings.h"
 #include "app/python/unlocked.h"
 
+#include "hexoderm/base/error.h"
+#include "hexoderm/base/text.h"
 #include "hexoderm/io/export_package.h"
 #include "hexoderm/io/exporter.h"
-#include "hexoderm/reconstruction/result/patch_placements.h"
-#include "hexoderm/util/error.h"
-#include "hexoderm/util/text.h"
+#include "hexoderm/solve/result/patch_placements.h"
 
 #include <pybind11/stl/filesystem.h>
 

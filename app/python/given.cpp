@@ -1,7 +1,7 @@
 #include "app/python/given.h"
 
-#include "hexoderm/util/near_match.h"
-#include "hexoderm/util/text.h"
+#include "hexoderm/base/near_match.h"
+#include "hexoderm/base/text.h"
 
 #include <algorithm>
 #include <cstdlib>

@@ -1,7 +1,7 @@
 #include "app/python/bindings.h"
 
-#include "hexoderm/reconstruction/result/assessment.h"
-#include "hexoderm/util/finding.h"
+#include "hexoderm/base/finding.h"
+#include "hexoderm/solve/result/assessment.h"
 
 namespace hexoderm::python {
 namespace {

@@ -1,6 +1,6 @@
 #include "app/python/bindings.h"
 
-#include "hexoderm/util/error.h"
+#include "hexoderm/base/error.h"
 
 PYBIND11_MODULE(_core, module) {
   using namespace hexoderm::python;

@@ -1,7 +1,7 @@
 #include "app/python/bindings.h"
 #include "app/python/unlocked.h"
 
-#include "hexoderm/util/error.h"
+#include "hexoderm/base/error.h"
 
 namespace hexoderm::python {
 namespace {

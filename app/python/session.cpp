@@ -2,10 +2,10 @@
 #include "app/python/session_arrays.h"
 #include "app/python/unlocked.h"
 
+#include "hexoderm/base/error.h"
 #include "hexoderm/io/open_file.h"
 #include "hexoderm/io/session_json.h"
 #include "hexoderm/session/session.h"
-#include "hexoderm/util/error.h"
 
 #include <pybind11/stl/filesystem.h>
 

@@ -4,9 +4,9 @@
 #include "app/python/given.h"
 #include "app/python/skin_arrays.h"
 
-#include "hexoderm/geometry/covariance.h"
+#include "hexoderm/base/covariance.h"
+#include "hexoderm/base/error.h"
 #include "hexoderm/io/session_json.h"
-#include "hexoderm/util/error.h"
 
 #include <algorithm>
 #include <map>

@@ -2,11 +2,11 @@
 #include "app/python/given.h"
 #include "app/python/unlocked.h"
 
-#include "hexoderm/device/simulation/fault_names.h"
-#include "hexoderm/device/simulation/robot_in_words.h"
-#include "hexoderm/device/simulation/simulated_skin.h"
-#include "hexoderm/session/simulated_session.h"
-#include "hexoderm/util/error.h"
+#include "hexoderm/base/error.h"
+#include "hexoderm/sim/fault_names.h"
+#include "hexoderm/sim/robot_in_words.h"
+#include "hexoderm/sim/simulated_session.h"
+#include "hexoderm/sim/simulated_skin.h"
 
 #include <pybind11/stl.h>
 #include <pybind11/stl/filesystem.h>

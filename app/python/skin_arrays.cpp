@@ -2,8 +2,8 @@
 
 #include "app/python/given.h"
 
-#include "hexoderm/util/error.h"
-#include "hexoderm/util/is_rotation.h"
+#include "hexoderm/base/error.h"
+#include "hexoderm/base/is_rotation.h"
 
 #include <algorithm>
 #include <array>

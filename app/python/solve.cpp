@@ -2,8 +2,8 @@
 #include "app/python/given.h"
 #include "app/python/interruptible.h"
 
-#include "hexoderm/reconstruction/reconstructor.h"
 #include "hexoderm/session/session.h"
+#include "hexoderm/solve/reconstructor.h"
 
 namespace hexoderm::python {
 namespace {

@@ -2,10 +2,10 @@
 #include "app/window/main_window/main_window.h"
 #include "app/window/settings/preferences.h"
 #include "app/window/settings/translation.h"
-#include "hexoderm/util/error.h"
-#include "hexoderm/util/freed_memory.h"
-#include "hexoderm/util/kept_files.h"
-#include "hexoderm/util/parallel.h"
+#include "hexoderm/base/error.h"
+#include "hexoderm/base/freed_memory.h"
+#include "hexoderm/base/kept_files.h"
+#include "hexoderm/base/parallel.h"
 #include "widgets/words/words.h"
 
 #include <QApplication>

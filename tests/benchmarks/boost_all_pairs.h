@@ -1,6 +1,6 @@
 #pragma once
 
-#include "hexoderm/graph/skin_graph.h"
+#include "hexoderm/skin/skin_graph.h"
 #include "tests/benchmarks/cpu_time.h"
 
 #include <boost/graph/adjacency_list.hpp>

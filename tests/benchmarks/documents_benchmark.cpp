@@ -3,14 +3,14 @@
 //
 //     documents_benchmark [CELLS...]     about so many cells each; 1260, 10000 and 100000 if none is said
 
-#include "hexoderm/device/simulation/simulated_skin.h"
+#include "hexoderm/base/sha256.h"
 #include "hexoderm/io/calibration_json.h"
 #include "hexoderm/io/calibration_json_read.h"
 #include "hexoderm/io/session_json.h"
 #include "hexoderm/io/session_json_read.h"
-#include "hexoderm/reconstruction/reconstructor.h"
-#include "hexoderm/session/simulated_session.h"
-#include "hexoderm/util/sha256.h"
+#include "hexoderm/sim/simulated_session.h"
+#include "hexoderm/sim/simulated_skin.h"
+#include "hexoderm/solve/reconstructor.h"
 #include "tests/benchmarks/cpu_time.h"
 #include "tests/support/peak_memory.h"
 

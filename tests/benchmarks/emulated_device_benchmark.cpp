@@ -1,9 +1,9 @@
 // Time it takes to emulate 10,000 cells at 1 kHz: to read them, to put the readings into messages and to frame these.
 // "core" is the share of one core at that rate; above 1 samples are dropped.
 
-#include "hexoderm/device/emulation/emulated_device.h"
-#include "hexoderm/device/simulation/simulated_skin.h"
 #include "hexoderm/device/skinwire/framing.h"
+#include "hexoderm/sim/emulated_device.h"
+#include "hexoderm/sim/simulated_skin.h"
 
 #include <benchmark/benchmark.h>
 

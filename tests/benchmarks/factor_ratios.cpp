@@ -1,6 +1,6 @@
 #include "tests/benchmarks/factor_ratios.h"
 
-#include "hexoderm/reconstruction/sparse/block_cholesky.h"
+#include "hexoderm/solve/sparse/block_cholesky.h"
 #include "tests/benchmarks/cpu_time.h"
 #include "tests/benchmarks/sheet_matrix.h"
 

@@ -1,9 +1,9 @@
 // Time that the graph takes with 10,000 cells: a whole picture at several sizes and zooms, a new result, and a mouse
 // that moves over it. Needs a display: xvfb-run -a build/release/tests/benchmarks/graph_benchmark
 
-#include "hexoderm/device/simulation/simulated_skin.h"
-#include "hexoderm/reconstruction/reconstructor.h"
-#include "hexoderm/session/simulated_session.h"
+#include "hexoderm/sim/simulated_session.h"
+#include "hexoderm/sim/simulated_skin.h"
+#include "hexoderm/solve/reconstructor.h"
 #include "widgets/controls/selection.h"
 #include "widgets/graph/graph_view.h"
 

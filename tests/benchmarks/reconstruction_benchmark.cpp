@@ -1,9 +1,9 @@
 // How the time that a reconstruction takes grows with poses and patches. The skins are simulated. What the tree and the
 // joint estimate take of a sheet is solver_ratios' to say.
 
-#include "hexoderm/device/simulation/simulated_skin.h"
-#include "hexoderm/reconstruction/reconstructor.h"
-#include "hexoderm/session/simulated_session.h"
+#include "hexoderm/sim/simulated_session.h"
+#include "hexoderm/sim/simulated_skin.h"
+#include "hexoderm/solve/reconstructor.h"
 #include "tests/support/unlinked_cells.h"
 
 #include <benchmark/benchmark.h>

@@ -2,7 +2,7 @@
 // disk of the temporary folder (TMPDIR). "head_room" is seconds of samples stored per second of the clock; below 1 the
 // store would fall behind a device whose every sample is kept.
 
-#include "hexoderm/capture/pose_capture.h"
+#include "hexoderm/device/pose_capture.h"
 #include "hexoderm/session/session_store.h"
 #include "tests/support/temporary_folder.h"
 

@@ -3,11 +3,11 @@
 // The matrix that the joint estimate of a simulated sheet of cells begins with: of its cells, at the tree's placements,
 // in three poses.
 
-#include "hexoderm/device/simulation/simulated_skin.h"
-#include "hexoderm/reconstruction/joint/elimination_plan.h"
-#include "hexoderm/reconstruction/patch/patch_solver.h"
-#include "hexoderm/reconstruction/sparse/supernodes.h"
-#include "hexoderm/session/simulated_session.h"
+#include "hexoderm/sim/simulated_session.h"
+#include "hexoderm/sim/simulated_skin.h"
+#include "hexoderm/solve/estimate/patch_solver.h"
+#include "hexoderm/solve/global/elimination_plan.h"
+#include "hexoderm/solve/sparse/supernodes.h"
 
 #include <Eigen/SparseCore>
 #include <memory>

@@ -8,20 +8,20 @@
 //
 // CELLS are 1260 10000; 99856 takes minutes. --global is the global solver from scratch alone, for a profiler.
 
-#include "hexoderm/device/simulation/simulated_skin.h"
-#include "hexoderm/graph/origin_search.h"
-#include "hexoderm/reconstruction/reconstructor.h"
-#include "hexoderm/reconstruction/solve.h"
-#include "hexoderm/session/simulated_session.h"
-#include "hexoderm/util/freed_memory.h"
-#include "hexoderm/util/parallel.h"
-#include "hexoderm/util/text.h"
+#include "hexoderm/base/freed_memory.h"
+#include "hexoderm/base/parallel.h"
+#include "hexoderm/base/text.h"
+#include "hexoderm/sim/simulated_session.h"
+#include "hexoderm/sim/simulated_skin.h"
+#include "hexoderm/skin/origin_search.h"
+#include "hexoderm/solve/reconstructor.h"
+#include "hexoderm/solve/solve.h"
 #include "tests/benchmarks/boost_all_pairs.h"
 #include "tests/benchmarks/cpu_time.h"
 #include "tests/benchmarks/factor_ratios.h"
 
 #ifdef HEXODERM_HAS_CERES
-#include "tests/core/reconstruction/joint/ceres_oracle.h"
+#include "tests/core/solve/global/ceres_oracle.h"
 #endif
 
 #include <cmath>

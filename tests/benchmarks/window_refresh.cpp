@@ -3,10 +3,10 @@
 // until the 3D view has drawn the new result, on the clock and as CPU time of all threads. The command is in README.md.
 
 #include "app/window/main_window/main_window.h"
-#include "hexoderm/device/simulation/simulated_skin.h"
+#include "hexoderm/base/freed_memory.h"
 #include "hexoderm/session/session_store.h"
-#include "hexoderm/session/simulated_session.h"
-#include "hexoderm/util/freed_memory.h"
+#include "hexoderm/sim/simulated_session.h"
+#include "hexoderm/sim/simulated_skin.h"
 #include "tests/benchmarks/cpu_time.h"
 #include "tests/benchmarks/window_application.h"
 #include "tests/support/qt_wait.h"

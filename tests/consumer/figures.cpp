@@ -1,15 +1,15 @@
 // Prints what a program is given and computes from it, one figure a line: to be compared with what the same program
 // prints that was compiled with other flags than the library.
 
-#include "hexoderm/device/simulation/simulated_robot.h"
-#include "hexoderm/device/simulation/simulated_skin.h"
-#include "hexoderm/kinematics/demo_robot.h"
-#include "hexoderm/reconstruction/advice/pose_coverage.h"
-#include "hexoderm/reconstruction/evaluation/evaluation.h"
-#include "hexoderm/reconstruction/hold_out.h"
-#include "hexoderm/reconstruction/reconstructor.h"
-#include "hexoderm/robot/parts/parts.h"
-#include "hexoderm/session/simulated_session.h"
+#include "hexoderm/mounting/parts/parts.h"
+#include "hexoderm/robots/demo_robot.h"
+#include "hexoderm/sim/simulated_robot.h"
+#include "hexoderm/sim/simulated_session.h"
+#include "hexoderm/sim/simulated_skin.h"
+#include "hexoderm/solve/checks/evaluation.h"
+#include "hexoderm/solve/hold_out.h"
+#include "hexoderm/solve/metrics/pose_coverage.h"
+#include "hexoderm/solve/reconstructor.h"
 
 #include <Eigen/Dense>
 #include <cstdio>

@@ -1,6 +1,6 @@
 // Two cells side by side, measured in two poses: built in memory, solved, and checked, as another program would do it.
 
-#include "hexoderm/reconstruction/reconstructor.h"
+#include "hexoderm/solve/reconstructor.h"
 
 #include <cmath>
 #include <cstdio>

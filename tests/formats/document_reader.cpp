@@ -5,12 +5,12 @@
 // "joints", "text": "...", "urdf": "..."}. Each gets a line: null if it is taken, else the complaint; of a table of
 // joint angles that is taken its rows.
 
-#include "hexoderm/graph/cell_model.h"
+#include "hexoderm/base/error.h"
 #include "hexoderm/io/calibration_json.h"
 #include "hexoderm/io/placements_json.h"
 #include "hexoderm/io/session_json.h"
-#include "hexoderm/kinematics/joint_angles_csv.h"
-#include "hexoderm/util/error.h"
+#include "hexoderm/robots/joint_angles_csv.h"
+#include "hexoderm/skin/cell_model.h"
 
 #include <iostream>
 #include <nlohmann/json.hpp>

@@ -1,8 +1,8 @@
 #include "tests/fuzz/fuzz_checks.h"
 
-#include "hexoderm/geometry/covariance.h"
-#include "hexoderm/graph/skin_graph.h"
-#include "hexoderm/util/text.h"
+#include "hexoderm/base/covariance.h"
+#include "hexoderm/base/text.h"
+#include "hexoderm/skin/skin_graph.h"
 
 #include <algorithm>
 #include <cmath>

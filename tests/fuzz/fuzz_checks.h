@@ -1,7 +1,7 @@
 #pragma once
 
+#include "hexoderm/base/error.h"
 #include "hexoderm/session/session.h"
-#include "hexoderm/util/error.h"
 
 #include <cstddef>
 #include <cstdint>

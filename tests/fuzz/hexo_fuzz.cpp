@@ -6,10 +6,10 @@
 //        4), a text as detail, and where flags say so a blob of samples and one of raw samples. Texts and blobs have a
 //        length of 16 bits in front. "$RAW" in a detail becomes the digest of the raw samples.
 
+#include "hexoderm/base/error.h"
+#include "hexoderm/base/file.h"
+#include "hexoderm/base/sha256.h"
 #include "hexoderm/session/session_store.h"
-#include "hexoderm/util/error.h"
-#include "hexoderm/util/file.h"
-#include "hexoderm/util/sha256.h"
 
 #include "hexoderm/session/journal.h"
 #include "hexoderm/session/store_schema.h"

@@ -1,6 +1,6 @@
 // Any text as a table of joint angles: one that is the same when written and read again, or an Error.
 
-#include "hexoderm/kinematics/joint_angles_csv.h"
+#include "hexoderm/robots/joint_angles_csv.h"
 
 #include "tests/fuzz/fuzz_checks.h"
 

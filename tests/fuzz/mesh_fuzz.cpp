@@ -1,8 +1,8 @@
 // Any bytes as a mesh file: a mesh within its limits, or an Error. Content that does not tell its format is read as
 // each of those that only the name tells.
 
-#include "hexoderm/kinematics/mesh_file.h"
-#include "hexoderm/util/limits.h"
+#include "hexoderm/base/limits.h"
+#include "hexoderm/robots/mesh_file.h"
 
 #include "tests/fuzz/fuzz_checks.h"
 

@@ -2,9 +2,9 @@
 // byte of an input says how it comes (low 3 bits: which stream; 8: bodies with CRCs in order instead of raw bytes), the
 // second in pieces of how many bytes. A body: type, length of 16 bits, so many bytes of protobuf.
 
+#include "hexoderm/base/error.h"
 #include "hexoderm/device/skinwire/framing.h"
 #include "hexoderm/device/sources/recording.h"
-#include "hexoderm/util/error.h"
 
 #include "hexoderm/device/sources/skin_stream.h"
 #include "tests/fuzz/fuzz_checks.h"

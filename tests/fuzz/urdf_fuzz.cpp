@@ -1,6 +1,6 @@
 // Any text as a URDF: a robot whose links are at finite places, or an Error. Meshes are not opened.
 
-#include "hexoderm/kinematics/robot_model.h"
+#include "hexoderm/robots/robot_model.h"
 
 #include "tests/fuzz/fuzz_checks.h"
 

@@ -8,10 +8,10 @@
 //                                         "converted N"
 //   kill_helper check FILE                reads a session: "poses N", or an error and exit code 1
 
+#include "hexoderm/base/error.h"
 #include "hexoderm/io/open_file.h"
 #include "hexoderm/io/session_json.h"
 #include "hexoderm/session/session_recorder.h"
-#include "hexoderm/util/error.h"
 
 #include <unistd.h>
 

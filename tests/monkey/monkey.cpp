@@ -7,7 +7,7 @@
 #include "app/window/main_window/main_window.h"
 #include "app/window/settings/preferences.h"
 #include "hexoderm/session/session_store.h"
-#include "hexoderm/session/simulated_session.h"
+#include "hexoderm/sim/simulated_session.h"
 #include "tests/monkey/watchdog.h"
 
 #include <QApplication>

@@ -3,10 +3,10 @@
 // coming, if a file is not whole, or if the memory of the process still grows after it has warmed up.
 //   soak [--minutes N] [--growth-mib M]      simulated minutes; 0 MiB: memory is not judged (sanitizers keep some)
 
+#include "hexoderm/base/units.h"
 #include "hexoderm/capture/pose_recorder.h"
 #include "hexoderm/device/sources/open_source.h"
 #include "hexoderm/session/session_recorder.h"
-#include "hexoderm/util/units.h"
 #include "tests/support/temporary_folder.h"
 
 #include <unistd.h>

@@ -1,16 +1,16 @@
 // The documents say what the code says.
 
+#include "hexoderm/base/file.h"
+#include "hexoderm/base/finding.h"
+#include "hexoderm/base/text.h"
 #include "hexoderm/device/offence.h"
 #include "hexoderm/device/skinwire/messages.h"
 #include "hexoderm/io/calibration_json.h"
 #include "hexoderm/io/placements_json.h"
-#include "hexoderm/io/robot_truth_json.h"
 #include "hexoderm/io/session_json.h"
-#include "hexoderm/reconstruction/result/reconstruction.h"
 #include "hexoderm/session/store_version.h"
-#include "hexoderm/util/file.h"
-#include "hexoderm/util/finding.h"
-#include "hexoderm/util/text.h"
+#include "hexoderm/sim/robot_truth_json.h"
+#include "hexoderm/solve/result/reconstruction.h"
 #include "tests/support/paths.h"
 
 #include <gmock/gmock.h>
@@ -36,7 +36,7 @@ TEST(Documentation, FindingsTableSaysWhatTheCodeSays) {
     table += "| `" + std::string(entry.name) + "` | " + std::string(severityName(entry.severity)) + " | " +
              entry.meaning.english() + " |\n";
   }
-  EXPECT_THAT(fileOfTheProject("core/hexoderm/util/README.md"), testing::HasSubstr("\n\n" + table + "\n"));
+  EXPECT_THAT(fileOfTheProject("core/hexoderm/base/README.md"), testing::HasSubstr("\n\n" + table + "\n"));
 }
 
 TEST(Documentation, OffencesTableHasEveryKindInTheOrderOfTheCode) {

@@ -20,10 +20,10 @@ HALLS = {
                      " < io < course < hexoderm",
     "core/hexoderm/device": "{sample_frame, ground_truth, offence} < skin_source < diagnosis < {skinwire, simulation}"
                             " < {emulation, sources}",
-    "core/hexoderm/reconstruction": "result < {links, sparse, accelerometer} < {joint, faults, advice} < {patch, evaluation, check}"
+    "core/hexoderm/solve": "result < {links, sparse, accelerometer} < {joint, faults, advice} < {patch, evaluation, check}"
                                     " < figures < {skin_description, solve_progress} < estimate < explain < solve < reconstructor"
                                     " < {hold_out, reconstruction_worker, sensor_statistics}",
-    "core/hexoderm/robot": "parts < links < place",
+    "core/hexoderm/mounting": "parts < links < place",
     "widgets": "style < words < {controls, coloring} < {tables, capture, graph, plot, scene} < {verify, patch} < robot",
     "app": "{cli, emulator, python, window}",
     "app/window": "{files, toolkit} < {settings, report} < session < {guide, dialogs, log} < views < presenters"

@@ -1,10 +1,10 @@
 #pragma once
 
+#include "hexoderm/base/error.h"
 #include "hexoderm/io/calibration_json.h"
 #include "hexoderm/io/calibration_json_read.h"
 #include "hexoderm/io/session_json.h"
 #include "hexoderm/io/session_json_read.h"
-#include "hexoderm/util/error.h"
 #include "tests/support/session_matchers.h"
 
 #include <gmock/gmock.h>

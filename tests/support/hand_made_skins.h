@@ -2,7 +2,7 @@
 
 // Skins made by hand, for tests and benchmarks of what shows and writes results: from no solver and no simulator.
 
-#include "hexoderm/util/units.h"
+#include "hexoderm/base/units.h"
 #include "tests/support/result_builder.h"
 
 #include <algorithm>

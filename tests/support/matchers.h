@@ -2,8 +2,8 @@
 
 // Matchers that explain themselves: what was off, by how much, in which units.
 
-#include "hexoderm/geometry/se3.h"
-#include "hexoderm/reconstruction/result/reconstruction.h"
+#include "hexoderm/base/se3.h"
+#include "hexoderm/solve/result/reconstruction.h"
 
 #include <gmock/gmock.h>
 

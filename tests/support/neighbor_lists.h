@@ -1,6 +1,6 @@
 #pragma once
 
-#include "hexoderm/graph/neighbor_list.h"
+#include "hexoderm/skin/neighbor_list.h"
 
 #include <cstdint>
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "hexoderm/session/simulated_session.h"
+#include "hexoderm/sim/simulated_session.h"
 
 #include <algorithm>
 #include <memory>

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "hexoderm/io/session_json.h"
-#include "hexoderm/reconstruction/reconstructor.h"
+#include "hexoderm/solve/reconstructor.h"
 #include "tests/support/paths.h"
 #include "tests/support/session_matchers.h"
 

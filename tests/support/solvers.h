@@ -1,7 +1,7 @@
 #pragma once
 
-#include "hexoderm/reconstruction/reconstructor.h"
 #include "hexoderm/session/session.h"
+#include "hexoderm/solve/reconstructor.h"
 
 #include <gtest/gtest.h>
 

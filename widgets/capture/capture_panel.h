@@ -2,7 +2,7 @@
 
 #include "hexoderm/capture/pose_recorder.h"
 #include "hexoderm/device/skin_source.h"
-#include "hexoderm/reconstruction/advice/pose_coverage.h"
+#include "hexoderm/solve/metrics/pose_coverage.h"
 
 #include <QTimer>
 #include <QWidget>

@@ -1,6 +1,6 @@
 #include "widgets/capture/capture_tone.h"
 
-#include "hexoderm/util/units.h"
+#include "hexoderm/base/units.h"
 
 #include <QBuffer>
 #include <QThread>

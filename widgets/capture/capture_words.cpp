@@ -1,7 +1,7 @@
 #include "widgets/capture/capture_words.h"
 
-#include "hexoderm/reconstruction/advice/assess.h"
-#include "hexoderm/util/units.h"
+#include "hexoderm/base/units.h"
+#include "hexoderm/solve/metrics/assess.h"
 #include "widgets/style/of_enum.h"
 #include "widgets/style/palette.h"
 #include "widgets/words/formatting.h"

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "hexoderm/capture/pose_recorder.h"
-#include "hexoderm/reconstruction/advice/pose_coverage.h"
+#include "hexoderm/solve/metrics/pose_coverage.h"
 
 #include <Eigen/Core>
 #include <QString>

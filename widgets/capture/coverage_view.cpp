@@ -1,7 +1,7 @@
 #include "widgets/capture/coverage_view.h"
 
+#include "hexoderm/base/units.h"
 #include "hexoderm/capture/calm_up.h"
-#include "hexoderm/util/units.h"
 #include "widgets/capture/capture_words.h"
 #include "widgets/words/words.h"
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "hexoderm/reconstruction/advice/pose_coverage.h"
+#include "hexoderm/solve/metrics/pose_coverage.h"
 #include "widgets/style/palette.h"
 
 #include <QWidget>

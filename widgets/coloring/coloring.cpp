@@ -1,7 +1,7 @@
 #include "widgets/coloring/coloring.h"
 
-#include "hexoderm/reconstruction/advice/assess.h"
-#include "hexoderm/util/units.h"
+#include "hexoderm/base/units.h"
+#include "hexoderm/solve/metrics/assess.h"
 
 #include <QtGlobal>
 #include <algorithm>

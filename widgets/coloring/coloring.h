@@ -1,8 +1,8 @@
 #pragma once
 
-#include "hexoderm/reconstruction/figures/cell_figures.h"
-#include "hexoderm/reconstruction/figures/value_scale.h"
-#include "hexoderm/reconstruction/result/reconstruction.h"
+#include "hexoderm/solve/metrics/cell_figures.h"
+#include "hexoderm/solve/metrics/value_scale.h"
+#include "hexoderm/solve/result/reconstruction.h"
 
 #include <cstddef>
 #include <optional>

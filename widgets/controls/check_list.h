@@ -1,6 +1,6 @@
 #pragma once
 
-#include "hexoderm/reconstruction/advice/skin_check.h"
+#include "hexoderm/capture/skin_check.h"
 #include "widgets/controls/banner.h"
 #include "widgets/controls/panel_parts.h"
 #include "widgets/words/words.h"

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "hexoderm/util/ids.h"
+#include "hexoderm/base/ids.h"
 
 #include <QObject>
 #include <algorithm>

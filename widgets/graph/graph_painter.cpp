@@ -1,6 +1,6 @@
 #include "widgets/graph/graph_painter.h"
 
-#include "hexoderm/util/units.h"
+#include "hexoderm/base/units.h"
 #include "widgets/graph/graph_levels.h"
 
 #include <algorithm>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "hexoderm/reconstruction/result/reconstruction.h"
+#include "hexoderm/solve/result/reconstruction.h"
 #include "widgets/coloring/coloring.h"
 #include "widgets/controls/heavy_turn.h"
 #include "widgets/graph/graph_fit.h"

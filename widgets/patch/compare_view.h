@@ -1,8 +1,8 @@
 #pragma once
 
-#include "hexoderm/reconstruction/evaluation/evaluation.h"
-#include "hexoderm/reconstruction/result/reconstruction.h"
-#include "hexoderm/util/units.h"
+#include "hexoderm/base/units.h"
+#include "hexoderm/solve/checks/evaluation.h"
+#include "hexoderm/solve/result/reconstruction.h"
 #include "widgets/coloring/coloring.h"
 #include "widgets/controls/flow_layout.h"
 #include "widgets/controls/panel_parts.h"

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "hexoderm/reconstruction/figures/overlays.h"
-#include "hexoderm/reconstruction/result/reconstruction.h"
+#include "hexoderm/solve/metrics/overlays.h"
+#include "hexoderm/solve/result/reconstruction.h"
 #include "widgets/controls/selection.h"
 #include "widgets/patch/patch_words.h"
 

@@ -1,8 +1,8 @@
 #pragma once
 
+#include "hexoderm/base/se3.h"
+#include "hexoderm/base/units.h"
 #include "hexoderm/capture/calm_up.h"
-#include "hexoderm/geometry/se3.h"
-#include "hexoderm/util/units.h"
 #include "widgets/patch/arrow_keys.h"
 #include "widgets/scene/part_camera.h"
 #include "widgets/scene/patch_scene.h"

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "hexoderm/util/finding.h"
+#include "hexoderm/base/finding.h"
 #include "widgets/style/palette.h"
 
 #include <QPainter>

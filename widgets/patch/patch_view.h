@@ -1,6 +1,6 @@
 #pragma once
 
-#include "hexoderm/reconstruction/result/reconstruction.h"
+#include "hexoderm/solve/result/reconstruction.h"
 #include "widgets/coloring/coloring.h"
 #include "widgets/scene/patch_moment.h"
 #include "widgets/scene/patch_overlays.h"

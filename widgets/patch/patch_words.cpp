@@ -1,7 +1,7 @@
 #include "widgets/patch/patch_words.h"
 
-#include "hexoderm/geometry/covariance.h"
-#include "hexoderm/util/units.h"
+#include "hexoderm/base/covariance.h"
+#include "hexoderm/base/units.h"
 #include "widgets/scene/scene_overlays.h"
 #include "widgets/style/of_enum.h"
 #include "widgets/words/formatting.h"

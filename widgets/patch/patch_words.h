@@ -1,6 +1,6 @@
 #pragma once
 
-#include "hexoderm/reconstruction/figures/overlays.h"
+#include "hexoderm/solve/metrics/overlays.h"
 #include "widgets/scene/patch_overlays.h"
 #include "widgets/scene/scene_items.h"
 

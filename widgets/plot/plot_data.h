@@ -1,6 +1,6 @@
 #pragma once
 
-#include "hexoderm/reconstruction/figures/distribution.h"
+#include "hexoderm/solve/metrics/distribution.h"
 #include "widgets/coloring/coloring.h"
 #include "widgets/controls/selection.h"
 

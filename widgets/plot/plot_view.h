@@ -1,6 +1,6 @@
 #pragma once
 
-#include "hexoderm/reconstruction/evaluation/evaluation.h"
+#include "hexoderm/solve/checks/evaluation.h"
 #include "widgets/plot/plot_data.h"
 
 #include <QWidget>

@@ -1,6 +1,6 @@
 #include "widgets/robot/place_panel.h"
 
-#include "hexoderm/util/units.h"
+#include "hexoderm/base/units.h"
 #include "widgets/controls/panel_parts.h"
 #include "widgets/controls/selection.h"
 #include "widgets/controls/typed_values.h"

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "hexoderm/session/patch_on_link.h"
+#include "hexoderm/skin/patch_on_link.h"
 #include "widgets/robot/place_words.h"
 #include "widgets/tables/joint_table.h"
 #include "widgets/verify/verify_section.h"

@@ -1,6 +1,6 @@
 #include "widgets/robot/place_words.h"
 
-#include "hexoderm/util/units.h"
+#include "hexoderm/base/units.h"
 #include "widgets/words/formatting.h"
 #include "widgets/words/words.h"
 

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "hexoderm/robot/links/links.h"
-#include "hexoderm/robot/place/place.h"
+#include "hexoderm/mounting/attachment/links.h"
+#include "hexoderm/mounting/place/place.h"
 #include "widgets/verify/verify_words.h"
 
 #include <QString>

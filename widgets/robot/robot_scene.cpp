@@ -1,7 +1,7 @@
 #include "widgets/robot/robot_scene.h"
 
-#include "hexoderm/reconstruction/figures/patch_mesh.h"
-#include "hexoderm/util/units.h"
+#include "hexoderm/base/units.h"
+#include "hexoderm/solve/metrics/patch_mesh.h"
 #include "widgets/scene/blending_renderer.h"
 #include "widgets/scene/cell_meshes.h"
 #include "widgets/scene/mesh_actor.h"

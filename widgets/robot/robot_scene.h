@@ -1,8 +1,8 @@
 #pragma once
 
-#include "hexoderm/geometry/triangle_mesh.h"
-#include "hexoderm/reconstruction/result/reconstruction.h"
-#include "hexoderm/robot/place/place.h"
+#include "hexoderm/base/triangle_mesh.h"
+#include "hexoderm/mounting/place/place.h"
+#include "hexoderm/solve/result/reconstruction.h"
 #include "widgets/style/scene_colors.h"
 
 #include <memory>

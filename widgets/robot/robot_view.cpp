@@ -1,6 +1,6 @@
 #include "widgets/robot/robot_view.h"
 
-#include "hexoderm/util/units.h"
+#include "hexoderm/base/units.h"
 #include "widgets/controls/heavy_turn.h"
 #include "widgets/patch/arrow_keys.h"
 #include "widgets/patch/opengl_info.h"

@@ -1,8 +1,8 @@
 #pragma once
 
-#include "hexoderm/geometry/se3.h"
-#include "hexoderm/util/ids.h"
-#include "hexoderm/util/units.h"
+#include "hexoderm/base/ids.h"
+#include "hexoderm/base/se3.h"
+#include "hexoderm/base/units.h"
 #include "widgets/scene/patch_scene.h"
 #include "widgets/scene/scene_pointing.h"
 #include "widgets/scene/vtk_eigen.h"

@@ -1,8 +1,8 @@
 #include "widgets/scene/overlay_meshes.h"
 
-#include "hexoderm/geometry/covariance.h"
-#include "hexoderm/reconstruction/figures/patch_mesh.h"
-#include "hexoderm/util/units.h"
+#include "hexoderm/base/covariance.h"
+#include "hexoderm/base/units.h"
+#include "hexoderm/solve/metrics/patch_mesh.h"
 #include "widgets/scene/polydata_builder.h"
 
 #include <vtkDoubleArray.h>

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "hexoderm/reconstruction/figures/overlays.h"
-#include "hexoderm/reconstruction/figures/surface_mesh.h"
+#include "hexoderm/solve/metrics/overlays.h"
+#include "hexoderm/solve/metrics/surface_mesh.h"
 #include "widgets/scene/scene_content.h"
 #include "widgets/style/scene_colors.h"
 

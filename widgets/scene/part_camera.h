@@ -1,7 +1,7 @@
 #pragma once
 
-#include "hexoderm/geometry/se3.h"
-#include "hexoderm/util/units.h"
+#include "hexoderm/base/se3.h"
+#include "hexoderm/base/units.h"
 #include "widgets/scene/vtk_eigen.h"
 
 #include <vtkCamera.h>

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "hexoderm/device/ground_truth.h"
-#include "hexoderm/reconstruction/evaluation/evaluation.h"
+#include "hexoderm/solve/checks/evaluation.h"
 
 #include <memory>
 #include <vector>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "hexoderm/util/units.h"
+#include "hexoderm/base/units.h"
 #include "widgets/scene/part_camera.h"
 #include "widgets/scene/scene_content.h"
 #include "widgets/scene/scene_corners.h"

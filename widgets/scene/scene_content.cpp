@@ -1,6 +1,6 @@
 #include "widgets/scene/scene_content.h"
 
-#include "hexoderm/reconstruction/figures/patch_mesh.h"
+#include "hexoderm/solve/metrics/patch_mesh.h"
 #include "widgets/scene/polydata_builder.h"
 
 #include <vtkCellArray.h>

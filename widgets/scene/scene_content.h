@@ -1,9 +1,9 @@
 #pragma once
 
-#include "hexoderm/reconstruction/figures/cell_figures.h"
-#include "hexoderm/reconstruction/figures/cell_links.h"
-#include "hexoderm/reconstruction/figures/skin_signs.h"
-#include "hexoderm/reconstruction/result/reconstruction.h"
+#include "hexoderm/solve/metrics/cell_figures.h"
+#include "hexoderm/solve/metrics/cell_links.h"
+#include "hexoderm/solve/metrics/skin_signs.h"
+#include "hexoderm/solve/result/reconstruction.h"
 
 #include <vtkNew.h>
 #include <vtkPolyData.h>

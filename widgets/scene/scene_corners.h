@@ -1,6 +1,6 @@
 #pragma once
 
-#include "hexoderm/geometry/se3.h"
+#include "hexoderm/base/se3.h"
 #include "widgets/scene/mesh_actor.h"
 #include "widgets/scene/scene_sight.h"
 

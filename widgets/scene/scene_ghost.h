@@ -1,7 +1,7 @@
 #pragma once
 
-#include "hexoderm/geometry/se3.h"
-#include "hexoderm/reconstruction/advice/pose_coverage.h"
+#include "hexoderm/base/se3.h"
+#include "hexoderm/solve/metrics/pose_coverage.h"
 #include "widgets/scene/blending_renderer.h"
 #include "widgets/scene/mesh_actor.h"
 #include "widgets/scene/polydata_builder.h"

@@ -1,6 +1,6 @@
 #include "widgets/scene/scene_pointing.h"
 
-#include "hexoderm/reconstruction/figures/patch_mesh.h"
+#include "hexoderm/solve/metrics/patch_mesh.h"
 #include "widgets/scene/patch_scene.h"
 
 #include <algorithm>

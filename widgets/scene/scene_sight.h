@@ -1,6 +1,6 @@
 #pragma once
 
-#include "hexoderm/util/units.h"
+#include "hexoderm/base/units.h"
 #include "widgets/scene/vtk_eigen.h"
 
 #include <vtkCamera.h>

@@ -1,6 +1,6 @@
 #include "widgets/scene/scene_signs.h"
 
-#include "hexoderm/util/units.h"
+#include "hexoderm/base/units.h"
 #include "widgets/scene/polydata_builder.h"
 
 #include <array>

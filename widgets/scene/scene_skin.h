@@ -1,6 +1,6 @@
 #pragma once
 
-#include "hexoderm/util/text.h"
+#include "hexoderm/base/text.h"
 #include "widgets/coloring/cell_colors.h"
 #include "widgets/coloring/coloring.h"
 #include "widgets/coloring/scale_legend.h"

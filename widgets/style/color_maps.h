@@ -8,7 +8,7 @@
 namespace hexoderm {
 
 // The colours that figures, signed figures and classes have in the graph and in the 3D view. Those of the quality of
-// links are in core (hexoderm/reconstruction/result/quality_colors.h).
+// links are in core (hexoderm/solve/result/quality_colors.h).
 //
 // The further a value is up its scale, the further its colour is from the ground: on the dark theme brighter, on the
 // light one darker. No colour comes near the ground of the theme, nor does one that lies in the shade. Steps look

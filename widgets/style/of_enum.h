@@ -1,6 +1,6 @@
 #pragma once
 
-#include "hexoderm/util/enum_names.h"
+#include "hexoderm/base/enum_names.h"
 
 #include <cstddef>
 

@@ -1,6 +1,6 @@
 #include "widgets/style/palette.h"
 
-#include "hexoderm/reconstruction/result/quality_colors.h"
+#include "hexoderm/solve/result/quality_colors.h"
 #include "widgets/style/of_enum.h"
 #include "widgets/style/scene_colors.h"
 #include "widgets/style/system_theme.h"

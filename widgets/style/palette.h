@@ -1,6 +1,6 @@
 #pragma once
 
-#include "hexoderm/reconstruction/result/reconstruction.h"
+#include "hexoderm/solve/result/reconstruction.h"
 
 #include <QColor>
 #include <QPalette>
@@ -27,7 +27,7 @@ struct LinkStroke {
 };
 
 /// The one place where a theme becomes colours. Hexoderm draws with these and nothing else. Those of the quality of
-/// links are core's (hexoderm/reconstruction/result/quality_colors.h), for exported files have them too.
+/// links are core's (hexoderm/solve/result/quality_colors.h), for exported files have them too.
 struct Colors {
   QColor window;        ///< behind the panels
   QColor panel;         ///< background of cards, tables, docks

@@ -1,6 +1,6 @@
 #include "widgets/tables/cell_table.h"
 
-#include "hexoderm/util/units.h"
+#include "hexoderm/base/units.h"
 #include "widgets/tables/table_cells.h"
 #include "widgets/words/formatting.h"
 

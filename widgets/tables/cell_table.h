@@ -1,6 +1,6 @@
 #pragma once
 
-#include "hexoderm/reconstruction/figures/review_summary.h"
+#include "hexoderm/solve/metrics/review_summary.h"
 #include "widgets/tables/reconstruction_table.h"
 
 #include <unordered_map>

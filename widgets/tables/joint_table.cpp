@@ -1,7 +1,7 @@
 #include "widgets/tables/joint_table.h"
 
-#include "hexoderm/kinematics/joint_check.h"
-#include "hexoderm/util/units.h"
+#include "hexoderm/base/units.h"
+#include "hexoderm/robots/joint_check.h"
 #include "widgets/tables/table_cells.h"
 #include "widgets/tables/table_roles.h"
 #include "widgets/words/formatting.h"

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "hexoderm/kinematics/robot_model.h"
-#include "hexoderm/util/ids.h"
+#include "hexoderm/base/ids.h"
+#include "hexoderm/robots/robot_model.h"
 
 #include <QAbstractTableModel>
 #include <optional>

@@ -1,6 +1,6 @@
 #include "widgets/tables/table_cells.h"
 
-#include "hexoderm/util/units.h"
+#include "hexoderm/base/units.h"
 #include "widgets/style/palette.h"
 
 #include <QApplication>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "hexoderm/reconstruction/result/reconstruction.h"
+#include "hexoderm/solve/result/reconstruction.h"
 
 #include <QIcon>
 #include <QVariant>

@@ -1,7 +1,7 @@
 #include "widgets/tables/table_csv.h"
 
-#include "hexoderm/util/csv.h"
-#include "hexoderm/util/text.h"
+#include "hexoderm/base/csv.h"
+#include "hexoderm/base/text.h"
 #include "widgets/tables/table_roles.h"
 
 #include <QAbstractItemModel>

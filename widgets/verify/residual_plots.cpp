@@ -1,6 +1,6 @@
 #include "widgets/verify/residual_plots.h"
 
-#include "hexoderm/util/units.h"
+#include "hexoderm/base/units.h"
 #include "widgets/controls/panel_parts.h"
 #include "widgets/controls/selection.h"
 #include "widgets/style/dressed_theme.h"

@@ -1,7 +1,7 @@
 #include "widgets/verify/verify_panel.h"
 
-#include "hexoderm/util/error.h"
-#include "hexoderm/util/units.h"
+#include "hexoderm/base/error.h"
+#include "hexoderm/base/units.h"
 #include "widgets/controls/column_layout.h"
 #include "widgets/controls/panel_parts.h"
 #include "widgets/controls/typed_values.h"

@@ -1,6 +1,6 @@
 #include "widgets/verify/verify_words.h"
 
-#include "hexoderm/util/units.h"
+#include "hexoderm/base/units.h"
 #include "widgets/tables/table_cells.h"
 #include "widgets/words/formatting.h"
 #include "widgets/words/surface_words.h"

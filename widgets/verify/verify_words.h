@@ -1,9 +1,9 @@
 #pragma once
 
-#include "hexoderm/reconstruction/check/calibration_check.h"
-#include "hexoderm/reconstruction/evaluation/evaluation.h"
-#include "hexoderm/reconstruction/evaluation/loop_search.h"
-#include "hexoderm/reconstruction/hold_out.h"
+#include "hexoderm/solve/checks/calibration_check.h"
+#include "hexoderm/solve/checks/evaluation.h"
+#include "hexoderm/solve/checks/loop_search.h"
+#include "hexoderm/solve/hold_out.h"
 #include "widgets/controls/banner.h"
 #include "widgets/tables/result_table.h"
 

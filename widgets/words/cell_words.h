@@ -1,6 +1,6 @@
 #pragma once
 
-#include "hexoderm/reconstruction/figures/cell_links.h"
+#include "hexoderm/solve/metrics/cell_links.h"
 
 #include <QString>
 

@@ -1,7 +1,7 @@
 #include "widgets/words/words.h"
 
-#include "hexoderm/util/error.h"
-#include "hexoderm/util/said_items.h"
+#include "hexoderm/base/error.h"
+#include "hexoderm/base/said_items.h"
 
 #include <QCoreApplication>
 #include <QLocale>

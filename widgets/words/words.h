@@ -1,6 +1,6 @@
 #pragma once
 
-#include "hexoderm/util/message.h"
+#include "hexoderm/base/message.h"
 
 #include <QString>
 #include <exception>

@@ -4,8 +4,8 @@
 #include "app/window/session/session_controller.h"
 #include "app/window/toolkit/deferred_dialog.h"
 #include "app/window/toolkit/file_dialog.h"
+#include "hexoderm/base/error.h"
 #include "hexoderm/device/sources/open_source.h"
-#include "hexoderm/util/error.h"
 #include "widgets/controls/panel_parts.h"
 #include "widgets/words/words.h"
 

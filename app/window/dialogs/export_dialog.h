@@ -5,8 +5,8 @@
 #include "app/window/session/session_controller.h"
 #include "app/window/toolkit/deferred_dialog.h"
 #include "app/window/toolkit/file_dialog.h"
-#include "hexoderm/reconstruction/result/patch_placements.h"
-#include "hexoderm/util/error.h"
+#include "hexoderm/base/error.h"
+#include "hexoderm/solve/result/patch_placements.h"
 #include "widgets/controls/panel_parts.h"
 #include "widgets/words/words.h"
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "hexoderm/util/thread_priority.h"
+#include "hexoderm/base/thread_priority.h"
 
 #include <condition_variable>
 #include <deque>

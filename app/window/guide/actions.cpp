@@ -1,6 +1,6 @@
 #include "app/window/guide/actions.h"
 
-#include "hexoderm/reconstruction/advice/assess.h"
+#include "hexoderm/solve/metrics/assess.h"
 #include "widgets/words/words.h"
 
 namespace hexoderm {

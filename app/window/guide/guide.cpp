@@ -2,8 +2,8 @@
 
 #include "app/window/guide/actions.h"
 #include "app/window/session/session_controller.h"
-#include "hexoderm/reconstruction/advice/assess.h"
-#include "hexoderm/reconstruction/result/patch_placements.h"
+#include "hexoderm/solve/metrics/assess.h"
+#include "hexoderm/solve/result/patch_placements.h"
 #include "widgets/words/formatting.h"
 #include "widgets/words/words.h"
 

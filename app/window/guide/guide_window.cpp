@@ -2,7 +2,7 @@
 
 #include "app/window/guide/keys_dialog.h"
 #include "app/window/session/session_controller.h"
-#include "hexoderm/reconstruction/result/patch_placements.h"
+#include "hexoderm/solve/result/patch_placements.h"
 #include "widgets/controls/panel_parts.h"
 
 #include <QAction>

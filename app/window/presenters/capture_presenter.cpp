@@ -2,8 +2,8 @@
 
 #include "app/window/guide/guide.h"
 #include "app/window/presenters/result_presenter.h"
-#include "hexoderm/reconstruction/advice/pose_coverage.h"
-#include "hexoderm/reconstruction/result/reconstruction.h"
+#include "hexoderm/solve/metrics/pose_coverage.h"
+#include "hexoderm/solve/result/reconstruction.h"
 #include "widgets/capture/capture_words.h"
 
 #include <Eigen/Core>

@@ -3,7 +3,7 @@
 #include "app/window/guide/guide.h"
 #include "app/window/presenters/result_presenter.h"
 #include "app/window/settings/scale_settings.h"
-#include "hexoderm/reconstruction/figures/skin_signs.h"
+#include "hexoderm/solve/metrics/skin_signs.h"
 #include "widgets/coloring/coloring.h"
 #include "widgets/coloring/scale_ranges.h"
 

@@ -1,8 +1,8 @@
 #include "app/window/presenters/presenters.h"
 
 #include "app/window/session/verification.h"
-#include "hexoderm/reconstruction/evaluation/evaluation.h"
-#include "hexoderm/reconstruction/result/reconstruction.h"
+#include "hexoderm/solve/checks/evaluation.h"
+#include "hexoderm/solve/result/reconstruction.h"
 #include "widgets/patch/compare_view.h"
 
 #include <QDialog>

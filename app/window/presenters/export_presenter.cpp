@@ -10,7 +10,7 @@
 #include "app/window/session/result_files.h"
 #include "app/window/session/verification.h"
 #include "app/window/toolkit/deferred_dialog.h"
-#include "hexoderm/session/simulated_session.h"
+#include "hexoderm/sim/simulated_session.h"
 
 #include <QDir>
 #include <functional>

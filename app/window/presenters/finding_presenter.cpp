@@ -3,7 +3,7 @@
 #include "app/window/guide/guide.h"
 #include "app/window/presenters/result_presenter.h"
 #include "app/window/presenters/review_presenter.h"
-#include "hexoderm/reconstruction/result/reconstruction.h"
+#include "hexoderm/solve/result/reconstruction.h"
 #include "widgets/tables/finding_table.h"
 
 #include <QTableView>

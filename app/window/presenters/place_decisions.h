@@ -2,7 +2,7 @@
 
 #include "app/window/session/place_facts.h"
 #include "app/window/session/session_controller.h"
-#include "hexoderm/util/error.h"
+#include "hexoderm/base/error.h"
 #include "widgets/words/words.h"
 
 #include <QCoreApplication>

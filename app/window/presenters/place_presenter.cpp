@@ -3,7 +3,7 @@
 #include "app/window/guide/guide.h"
 #include "app/window/presenters/robot_picture.h"
 #include "app/window/toolkit/file_dialog.h"
-#include "hexoderm/reconstruction/result/patch_placements.h"
+#include "hexoderm/solve/result/patch_placements.h"
 #include "widgets/robot/place_words.h"
 
 #include <QDir>

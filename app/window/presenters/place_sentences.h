@@ -2,7 +2,7 @@
 
 #include "app/window/session/place_facts.h"
 #include "app/window/session/session_controller.h"
-#include "hexoderm/kinematics/joint_check.h"
+#include "hexoderm/robots/joint_check.h"
 #include "widgets/robot/place_words.h"
 #include "widgets/words/words.h"
 

@@ -1,6 +1,6 @@
 #include "app/window/presenters/presenters.h"
 
-#include "hexoderm/reconstruction/evaluation/evaluation.h"
+#include "hexoderm/solve/checks/evaluation.h"
 #include "widgets/scene/patch_moment.h"
 
 #include <memory>

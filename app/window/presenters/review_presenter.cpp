@@ -3,7 +3,7 @@
 #include "app/window/guide/guide.h"
 #include "app/window/presenters/file_presenter.h"
 #include "app/window/presenters/result_presenter.h"
-#include "hexoderm/reconstruction/advice/assess.h"
+#include "hexoderm/solve/metrics/assess.h"
 #include "widgets/tables/cell_table.h"
 #include "widgets/tables/finding_table.h"
 #include "widgets/tables/link_table.h"

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "app/window/presenters/presenter.h"
-#include "hexoderm/util/finding.h"
+#include "hexoderm/base/finding.h"
 
 #include <optional>
 

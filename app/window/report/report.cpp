@@ -4,8 +4,8 @@
 #include "app/window/report/report_html.h"
 #include "app/window/report/report_page.h"
 #include "app/window/report/report_pdf.h"
-#include "hexoderm/util/error.h"
-#include "hexoderm/util/file.h"
+#include "hexoderm/base/error.h"
+#include "hexoderm/base/file.h"
 
 #include <QFileInfo>
 #include <QThread>

@@ -2,11 +2,11 @@
 
 #include "app/window/report/report_patch.h"
 #include "app/window/report/report_plots.h"
-#include "hexoderm/reconstruction/advice/assess.h"
-#include "hexoderm/reconstruction/advice/pose_coverage.h"
-#include "hexoderm/reconstruction/figures/review_summary.h"
-#include "hexoderm/reconstruction/result/uncertainty.h"
-#include "hexoderm/util/units.h"
+#include "hexoderm/base/units.h"
+#include "hexoderm/solve/metrics/assess.h"
+#include "hexoderm/solve/metrics/pose_coverage.h"
+#include "hexoderm/solve/metrics/review_summary.h"
+#include "hexoderm/solve/result/uncertainty.h"
 #include "widgets/words/formatting.h"
 #include "widgets/words/words.h"
 

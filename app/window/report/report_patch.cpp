@@ -1,10 +1,10 @@
 #include "app/window/report/report_patch.h"
 
 #include "app/window/report/report_plots.h"
-#include "hexoderm/reconstruction/figures/patch_mesh.h"
-#include "hexoderm/reconstruction/figures/patch_sides.h"
-#include "hexoderm/reconstruction/result/uncertainty.h"
-#include "hexoderm/util/units.h"
+#include "hexoderm/base/units.h"
+#include "hexoderm/solve/metrics/patch_mesh.h"
+#include "hexoderm/solve/metrics/patch_sides.h"
+#include "hexoderm/solve/result/uncertainty.h"
 #include "widgets/style/palette.h"
 
 #include <QCoreApplication>

@@ -1,8 +1,8 @@
 #pragma once
 
 #include "app/window/report/report_blocks.h"
-#include "hexoderm/reconstruction/figures/distribution.h"
-#include "hexoderm/reconstruction/result/reconstruction.h"
+#include "hexoderm/solve/metrics/distribution.h"
+#include "hexoderm/solve/result/reconstruction.h"
 
 #include <QString>
 #include <memory>

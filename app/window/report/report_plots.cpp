@@ -1,6 +1,6 @@
 #include "app/window/report/report_plots.h"
 
-#include "hexoderm/util/units.h"
+#include "hexoderm/base/units.h"
 #include "widgets/style/color_maps.h"
 #include "widgets/style/palette.h"
 #include "widgets/words/formatting.h"

@@ -1,9 +1,9 @@
 #pragma once
 
 #include "app/window/report/report_blocks.h"
-#include "hexoderm/reconstruction/advice/pose_coverage.h"
-#include "hexoderm/reconstruction/figures/distribution.h"
-#include "hexoderm/reconstruction/figures/review_summary.h"
+#include "hexoderm/solve/metrics/distribution.h"
+#include "hexoderm/solve/metrics/pose_coverage.h"
+#include "hexoderm/solve/metrics/review_summary.h"
 
 #include <QColor>
 #include <QFont>

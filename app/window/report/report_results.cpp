@@ -2,10 +2,10 @@
 // origins.
 
 #include "app/window/report/report_page.h"
-#include "hexoderm/reconstruction/figures/review_summary.h"
-#include "hexoderm/reconstruction/result/patch_placements.h"
-#include "hexoderm/reconstruction/result/uncertainty.h"
-#include "hexoderm/util/units.h"
+#include "hexoderm/base/units.h"
+#include "hexoderm/solve/metrics/review_summary.h"
+#include "hexoderm/solve/result/patch_placements.h"
+#include "hexoderm/solve/result/uncertainty.h"
 #include "widgets/verify/verify_words.h"
 #include "widgets/words/formatting.h"
 #include "widgets/words/words.h"

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "app/window/session/placing.h"
-#include "hexoderm/robot/place/by_hand.h"
+#include "hexoderm/mounting/place/by_hand.h"
 
 #include <memory>
 #include <optional>

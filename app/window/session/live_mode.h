@@ -1,6 +1,6 @@
 #pragma once
 
-#include "hexoderm/reconstruction/reconstruction_worker.h"
+#include "hexoderm/solve/reconstruction_worker.h"
 
 #include <QObject>
 #include <memory>

@@ -1,8 +1,8 @@
 #include "app/window/session/live_session.h"
 
 #include "app/window/session/session_controller.h"
-#include "hexoderm/util/text.h"
-#include "hexoderm/util/units.h"
+#include "hexoderm/base/text.h"
+#include "hexoderm/base/units.h"
 #include "widgets/words/formatting.h"
 #include "widgets/words/words.h"
 

@@ -1,8 +1,8 @@
 #pragma once
 
 #include "app/window/session/live_source.h"
-#include "hexoderm/course/capture_course.h"
-#include "hexoderm/util/latest_worker.h"
+#include "hexoderm/base/latest_worker.h"
+#include "hexoderm/capture/capture_course.h"
 
 #include <QObject>
 #include <cstdint>

@@ -1,9 +1,9 @@
 #include "app/window/session/place_facts.h"
 
 #include "app/window/session/session_controller.h"
-#include "hexoderm/geometry/se3.h"
-#include "hexoderm/reconstruction/result/patch_placements.h"
-#include "hexoderm/robot/place/by_gravity.h"
+#include "hexoderm/base/se3.h"
+#include "hexoderm/mounting/place/by_gravity.h"
+#include "hexoderm/solve/result/patch_placements.h"
 
 #include <algorithm>
 

@@ -2,10 +2,10 @@
 
 #include "app/window/files/session_paths.h"
 #include "app/window/session/session_controller.h"
+#include "hexoderm/base/error.h"
+#include "hexoderm/base/file.h"
+#include "hexoderm/base/kept_files.h"
 #include "hexoderm/io/calibration_json.h"
-#include "hexoderm/util/error.h"
-#include "hexoderm/util/file.h"
-#include "hexoderm/util/kept_files.h"
 #include "widgets/words/words.h"
 
 #include <QFileInfo>

@@ -1,6 +1,6 @@
 #include "app/window/session/session_controller.h"
 
-#include "hexoderm/reconstruction/result/patch_placements.h"
+#include "hexoderm/solve/result/patch_placements.h"
 #include "widgets/words/words.h"
 
 #include <QMetaObject>

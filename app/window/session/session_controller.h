@@ -6,7 +6,7 @@
 #include "app/window/session/result_files.h"
 #include "app/window/session/session_commands.h"
 #include "app/window/session/session_file.h"
-#include "hexoderm/reconstruction/reconstruction_worker.h"
+#include "hexoderm/solve/reconstruction_worker.h"
 
 #include <QObject>
 #include <QUndoStack>

@@ -3,13 +3,13 @@
 #include "app/window/files/session_paths.h"
 #include "app/window/session/background_work.h"
 #include "app/window/session/session_controller.h"
+#include "hexoderm/base/error.h"
 #include "hexoderm/io/open_file.h"
 #include "hexoderm/io/session_json.h"
-#include "hexoderm/kinematics/demo_robot.h"
-#include "hexoderm/kinematics/robot_model.h"
+#include "hexoderm/robots/demo_robot.h"
+#include "hexoderm/robots/robot_model.h"
 #include "hexoderm/session/session_store.h"
-#include "hexoderm/session/simulated_session.h"
-#include "hexoderm/util/error.h"
+#include "hexoderm/sim/simulated_session.h"
 #include "widgets/words/words.h"
 
 #include <QFileInfo>

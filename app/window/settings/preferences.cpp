@@ -2,8 +2,8 @@
 
 #include "app/window/files/session_paths.h"
 #include "app/window/settings/translation.h"
-#include "hexoderm/util/error.h"
-#include "hexoderm/util/units.h"
+#include "hexoderm/base/error.h"
+#include "hexoderm/base/units.h"
 
 #include <QApplication>
 #include <QDir>

@@ -2,7 +2,7 @@
 
 #include "app/window/settings/theme.h"
 #include "hexoderm/capture/pose_recorder.h"
-#include "hexoderm/reconstruction/result/solver_options.h"
+#include "hexoderm/solve/result/solver_options.h"
 
 #include <QObject>
 #include <QString>

@@ -4,7 +4,7 @@
 #include "app/window/settings/theme.h"
 #include "app/window/settings/translation.h"
 #include "app/window/toolkit/file_dialog.h"
-#include "hexoderm/util/units.h"
+#include "hexoderm/base/units.h"
 #include "widgets/controls/panel_parts.h"
 #include "widgets/controls/typed_values.h"
 

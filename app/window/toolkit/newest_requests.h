@@ -1,6 +1,6 @@
 #pragma once
 
-#include "hexoderm/util/latest_worker.h"
+#include "hexoderm/base/latest_worker.h"
 #include "widgets/words/words.h"
 
 #include <QMetaObject>

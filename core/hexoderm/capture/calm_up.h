@@ -1,7 +1,7 @@
 #pragma once
 
-#include "hexoderm/geometry/se3.h"
-#include "hexoderm/util/units.h"
+#include "hexoderm/base/se3.h"
+#include "hexoderm/base/units.h"
 
 #include <Eigen/Core>
 #include <algorithm>

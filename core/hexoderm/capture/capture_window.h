@@ -2,8 +2,8 @@
 
 // Private to capture/: the samples of one pose while they are collected.
 
-#include "hexoderm/capture/cell_index.h"
-#include "hexoderm/capture/gravity_accumulator.h"
+#include "hexoderm/device/cell_index.h"
+#include "hexoderm/device/gravity_accumulator.h"
 
 #include <cstdint>
 #include <optional>

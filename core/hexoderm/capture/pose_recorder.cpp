@@ -1,10 +1,10 @@
 #include "hexoderm/capture/pose_recorder.h"
 
+#include "hexoderm/base/error.h"
+#include "hexoderm/base/text.h"
+#include "hexoderm/base/units.h"
 #include "hexoderm/capture/capture_window.h"
-#include "hexoderm/capture/cell_index.h"
-#include "hexoderm/util/error.h"
-#include "hexoderm/util/text.h"
-#include "hexoderm/util/units.h"
+#include "hexoderm/device/cell_index.h"
 
 #include <algorithm>
 #include <chrono>

@@ -1,6 +1,6 @@
 #include "hexoderm/capture/sample_slots.h"
 
-#include "hexoderm/capture/gravity_accumulator.h"
+#include "hexoderm/device/gravity_accumulator.h"
 
 #include <algorithm>
 #include <cassert>

@@ -2,8 +2,8 @@
 
 // Private to capture/: the last seconds of a stream, summed up per cell in slots of time.
 
-#include "hexoderm/capture/cell_index.h"
 #include "hexoderm/capture/repeats.h"
+#include "hexoderm/device/cell_index.h"
 #include "hexoderm/device/sample_frame.h"
 
 #include <Eigen/Core>

@@ -1,9 +1,9 @@
 #include "hexoderm/capture/stillness.h"
 
-#include "hexoderm/util/enum_names.h"
-#include "hexoderm/util/error.h"
-#include "hexoderm/util/text.h"
-#include "hexoderm/util/units.h"
+#include "hexoderm/base/enum_names.h"
+#include "hexoderm/base/error.h"
+#include "hexoderm/base/text.h"
+#include "hexoderm/base/units.h"
 
 #include <cmath>
 

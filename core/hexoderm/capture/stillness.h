@@ -1,7 +1,7 @@
 #pragma once
 
-#include "hexoderm/util/ids.h"
-#include "hexoderm/util/message.h"
+#include "hexoderm/base/ids.h"
+#include "hexoderm/base/message.h"
 
 #include <cstddef>
 #include <string>

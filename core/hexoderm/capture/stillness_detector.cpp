@@ -1,9 +1,9 @@
 #include "hexoderm/capture/stillness_detector.h"
 
+#include "hexoderm/base/text.h"
+#include "hexoderm/base/units.h"
 #include "hexoderm/capture/cell_motion.h"
 #include "hexoderm/capture/sample_slots.h"
-#include "hexoderm/util/text.h"
-#include "hexoderm/util/units.h"
 
 #include <algorithm>
 #include <cmath>

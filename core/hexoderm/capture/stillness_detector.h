@@ -1,9 +1,9 @@
 #pragma once
 
-#include "hexoderm/capture/pose_capture.h"
 #include "hexoderm/capture/stillness.h"
+#include "hexoderm/device/pose_capture.h"
 #include "hexoderm/device/sample_frame.h"
-#include "hexoderm/graph/cell_model.h"
+#include "hexoderm/skin/cell_model.h"
 
 #include <memory>
 #include <vector>

@@ -1,6 +1,6 @@
 #include "hexoderm/device/offence.h"
 
-#include "hexoderm/util/enum_names.h"
+#include "hexoderm/base/enum_names.h"
 
 #include <array>
 

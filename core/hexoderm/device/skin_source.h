@@ -1,12 +1,12 @@
 #pragma once
 
+#include "hexoderm/base/joint_angles.h"
+#include "hexoderm/base/message.h"
 #include "hexoderm/device/ground_truth.h"
 #include "hexoderm/device/offence.h"
 #include "hexoderm/device/sample_frame.h"
-#include "hexoderm/graph/cell_model.h"
-#include "hexoderm/graph/neighbor_list.h"
-#include "hexoderm/kinematics/joint_angles.h"
-#include "hexoderm/util/message.h"
+#include "hexoderm/skin/cell_model.h"
+#include "hexoderm/skin/neighbor_list.h"
 
 #include <chrono>
 #include <cstdint>

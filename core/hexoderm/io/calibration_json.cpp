@@ -1,12 +1,12 @@
 #include "hexoderm/io/calibration_json.h"
 
-#include "hexoderm/graph/cell_model_json.h"
+#include "hexoderm/base/enum_names.h"
+#include "hexoderm/base/error.h"
+#include "hexoderm/base/file.h"
+#include "hexoderm/base/units.h"
 #include "hexoderm/io/calibration_json_read.h"
 #include "hexoderm/session/session_parts_json.h"
-#include "hexoderm/util/enum_names.h"
-#include "hexoderm/util/error.h"
-#include "hexoderm/util/file.h"
-#include "hexoderm/util/units.h"
+#include "hexoderm/skin/cell_model_json.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "hexoderm/reconstruction/result/reconstruction.h"
-#include "hexoderm/util/file.h"
+#include "hexoderm/base/file.h"
+#include "hexoderm/solve/result/reconstruction.h"
 
 #include <cstdint>
 #include <filesystem>

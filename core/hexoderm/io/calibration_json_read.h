@@ -2,7 +2,7 @@
 
 // Private to io and its tests: the two ways to read a calibration file.
 
-#include "hexoderm/reconstruction/result/reconstruction.h"
+#include "hexoderm/solve/result/reconstruction.h"
 
 #include <memory>
 #include <string>

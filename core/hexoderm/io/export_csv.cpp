@@ -1,10 +1,10 @@
 #include "hexoderm/io/export_csv.h"
 
-#include "hexoderm/geometry/covariance.h"
-#include "hexoderm/util/csv.h"
-#include "hexoderm/util/error.h"
-#include "hexoderm/util/text.h"
-#include "hexoderm/util/units.h"
+#include "hexoderm/base/covariance.h"
+#include "hexoderm/base/csv.h"
+#include "hexoderm/base/error.h"
+#include "hexoderm/base/text.h"
+#include "hexoderm/base/units.h"
 
 #include <Eigen/Geometry>
 #include <algorithm>

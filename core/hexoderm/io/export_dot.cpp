@@ -1,8 +1,8 @@
 #include "hexoderm/io/export_formats.h"
 
-#include "hexoderm/reconstruction/result/quality_colors.h"
-#include "hexoderm/reconstruction/result/result_graph.h"
-#include "hexoderm/util/text.h"
+#include "hexoderm/base/text.h"
+#include "hexoderm/solve/result/quality_colors.h"
+#include "hexoderm/solve/result/result_graph.h"
 
 #include <fmt/format.h>
 #include <boost/graph/graphviz.hpp>

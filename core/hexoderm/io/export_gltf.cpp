@@ -1,7 +1,7 @@
 #include "hexoderm/io/export_formats.h"
 
 #include "hexoderm/io/export_support.h"
-#include "hexoderm/reconstruction/figures/patch_mesh.h"
+#include "hexoderm/solve/metrics/patch_mesh.h"
 
 #include <bit>
 #include <cmath>

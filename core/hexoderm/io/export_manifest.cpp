@@ -1,6 +1,6 @@
 #include "hexoderm/io/export_manifest.h"
 
-#include "hexoderm/geometry/covariance.h"
+#include "hexoderm/base/covariance.h"
 #include "hexoderm/io/export_csv.h"
 #include "hexoderm/io/export_support.h"
 #include "hexoderm/io/export_taxels.h"

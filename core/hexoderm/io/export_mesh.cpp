@@ -1,12 +1,12 @@
 #include "hexoderm/io/export_mesh.h"
 
+#include "hexoderm/base/error.h"
+#include "hexoderm/base/text.h"
+#include "hexoderm/base/units.h"
 #include "hexoderm/io/export_support.h"
 #include "hexoderm/io/skin_tree.h"
-#include "hexoderm/reconstruction/figures/patch_mesh.h"
-#include "hexoderm/reconstruction/result/quality_colors.h"
-#include "hexoderm/util/error.h"
-#include "hexoderm/util/text.h"
-#include "hexoderm/util/units.h"
+#include "hexoderm/solve/metrics/patch_mesh.h"
+#include "hexoderm/solve/result/quality_colors.h"
 
 #include <assimp/scene.h>
 

@@ -1,7 +1,7 @@
 #include "hexoderm/io/export_formats.h"
 
+#include "hexoderm/base/text.h"
 #include "hexoderm/io/xml_writing.h"
-#include "hexoderm/util/text.h"
 
 #include <cmath>
 #include <pugixml.hpp>

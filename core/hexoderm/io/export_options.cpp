@@ -1,6 +1,6 @@
+#include "hexoderm/base/enum_names.h"
+#include "hexoderm/base/error.h"
 #include "hexoderm/io/exporter.h"
-#include "hexoderm/util/enum_names.h"
-#include "hexoderm/util/error.h"
 
 #include <optional>
 

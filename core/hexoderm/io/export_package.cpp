@@ -1,14 +1,14 @@
 #include "hexoderm/io/export_package.h"
 
+#include "hexoderm/base/error.h"
+#include "hexoderm/base/file.h"
+#include "hexoderm/base/kept_files.h"
+#include "hexoderm/base/sha256.h"
+#include "hexoderm/base/text.h"
+#include "hexoderm/base/zip.h"
 #include "hexoderm/io/calibration_json.h"
 #include "hexoderm/io/export_files.h"
 #include "hexoderm/io/export_manifest.h"
-#include "hexoderm/util/error.h"
-#include "hexoderm/util/file.h"
-#include "hexoderm/util/kept_files.h"
-#include "hexoderm/util/sha256.h"
-#include "hexoderm/util/text.h"
-#include "hexoderm/util/zip.h"
 
 #include <algorithm>
 #include <set>

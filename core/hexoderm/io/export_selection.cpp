@@ -1,6 +1,6 @@
 #include "hexoderm/io/export_selection.h"
 
-#include "hexoderm/util/error.h"
+#include "hexoderm/base/error.h"
 
 #include <algorithm>
 #include <set>

@@ -1,9 +1,9 @@
 #include "hexoderm/io/export_staging.h"
 
-#include "hexoderm/util/error.h"
-#include "hexoderm/util/kept_files.h"
-#include "hexoderm/util/system_reason.h"
-#include "hexoderm/util/temporary_file.h"
+#include "hexoderm/base/error.h"
+#include "hexoderm/base/kept_files.h"
+#include "hexoderm/base/system_reason.h"
+#include "hexoderm/base/temporary_file.h"
 
 #include <string_view>
 #include <system_error>

@@ -1,7 +1,7 @@
 #include "hexoderm/io/export_taxels.h"
 
+#include "hexoderm/base/text.h"
 #include "hexoderm/io/export_support.h"
-#include "hexoderm/util/text.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,9 +1,9 @@
 #include "hexoderm/io/export_formats.h"
 
+#include "hexoderm/base/text.h"
 #include "hexoderm/io/export_selection.h"
 #include "hexoderm/io/export_support.h"
 #include "hexoderm/io/xml_writing.h"
-#include "hexoderm/util/text.h"
 
 #include <map>
 #include <pugixml.hpp>

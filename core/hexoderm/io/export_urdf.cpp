@@ -1,9 +1,9 @@
 #include "hexoderm/io/export_urdf.h"
 
+#include "hexoderm/base/error.h"
+#include "hexoderm/base/file.h"
+#include "hexoderm/base/text.h"
 #include "hexoderm/io/xml_writing.h"
-#include "hexoderm/util/error.h"
-#include "hexoderm/util/file.h"
-#include "hexoderm/util/text.h"
 
 #include <algorithm>
 #include <array>

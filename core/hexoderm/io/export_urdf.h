@@ -1,7 +1,7 @@
 #pragma once
 
 #include "hexoderm/io/skin_tree.h"
-#include "hexoderm/kinematics/robot_model.h"
+#include "hexoderm/robots/robot_model.h"
 
 #include <filesystem>
 #include <string>

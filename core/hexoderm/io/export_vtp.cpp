@@ -1,10 +1,10 @@
 #include "hexoderm/io/export_vtp.h"
 
-#include "hexoderm/geometry/covariance.h"
+#include "hexoderm/base/covariance.h"
+#include "hexoderm/base/text.h"
 #include "hexoderm/io/export_support.h"
 #include "hexoderm/io/xml_writing.h"
-#include "hexoderm/reconstruction/figures/patch_mesh.h"
-#include "hexoderm/util/text.h"
+#include "hexoderm/solve/metrics/patch_mesh.h"
 
 #include <openssl/evp.h>
 #include <pugixml.hpp>

@@ -1,5 +1,10 @@
 #include "hexoderm/io/exporter.h"
 
+#include "hexoderm/base/error.h"
+#include "hexoderm/base/file.h"
+#include "hexoderm/base/kept_files.h"
+#include "hexoderm/base/limits.h"
+#include "hexoderm/base/text.h"
 #include "hexoderm/io/export_csv.h"
 #include "hexoderm/io/export_files.h"
 #include "hexoderm/io/export_formats.h"
@@ -10,11 +15,6 @@
 #include "hexoderm/io/export_taxels.h"
 #include "hexoderm/io/export_urdf.h"
 #include "hexoderm/io/export_vtp.h"
-#include "hexoderm/util/error.h"
-#include "hexoderm/util/file.h"
-#include "hexoderm/util/kept_files.h"
-#include "hexoderm/util/limits.h"
-#include "hexoderm/util/text.h"
 
 #include <algorithm>
 #include <array>

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "hexoderm/reconstruction/result/reconstruction.h"
-#include "hexoderm/session/patch_on_link.h"
+#include "hexoderm/skin/patch_on_link.h"
+#include "hexoderm/solve/result/reconstruction.h"
 
 #include <filesystem>
 #include <optional>

@@ -1,12 +1,12 @@
 #include "hexoderm/io/open_file.h"
 
+#include "hexoderm/base/error.h"
+#include "hexoderm/base/file.h"
+#include "hexoderm/base/json_reader.h"
 #include "hexoderm/io/calibration_json.h"
 #include "hexoderm/io/session_json.h"
 #include "hexoderm/io/tum_xml.h"
 #include "hexoderm/session/session_store.h"
-#include "hexoderm/util/error.h"
-#include "hexoderm/util/file.h"
-#include "hexoderm/util/json_reader.h"
 
 #include <array>
 #include <fstream>

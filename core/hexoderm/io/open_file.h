@@ -1,8 +1,8 @@
 #pragma once
 
-#include "hexoderm/reconstruction/result/reconstruction.h"
+#include "hexoderm/base/error.h"
 #include "hexoderm/session/session.h"
-#include "hexoderm/util/error.h"
+#include "hexoderm/solve/result/reconstruction.h"
 
 #include <filesystem>
 #include <memory>

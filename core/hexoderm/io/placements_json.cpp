@@ -1,7 +1,7 @@
 #include "hexoderm/io/placements_json.h"
 
+#include "hexoderm/base/file.h"
 #include "hexoderm/session/session_parts_json.h"
-#include "hexoderm/util/file.h"
 
 #include <set>
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "hexoderm/session/patch_on_link.h"
+#include "hexoderm/skin/patch_on_link.h"
 
 #include <filesystem>
 #include <string>

@@ -1,14 +1,14 @@
 #include "hexoderm/io/session_json.h"
 
-#include "hexoderm/device/diagnosis/plausibility.h"
-#include "hexoderm/graph/cell_model_json.h"
+#include "hexoderm/base/error.h"
+#include "hexoderm/base/file.h"
+#include "hexoderm/base/median.h"
+#include "hexoderm/base/sha256.h"
+#include "hexoderm/device/plausibility.h"
 #include "hexoderm/io/session_json_read.h"
 #include "hexoderm/session/session_parts_json.h"
 #include "hexoderm/session/storable.h"
-#include "hexoderm/util/error.h"
-#include "hexoderm/util/file.h"
-#include "hexoderm/util/median.h"
-#include "hexoderm/util/sha256.h"
+#include "hexoderm/skin/cell_model_json.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,7 +1,7 @@
 #pragma once
 
+#include "hexoderm/base/file.h"
 #include "hexoderm/session/session.h"
-#include "hexoderm/util/file.h"
 
 #include <cstdint>
 #include <filesystem>

@@ -1,10 +1,10 @@
 #include "hexoderm/io/skin_tree.h"
 
+#include "hexoderm/base/error.h"
+#include "hexoderm/base/text.h"
+#include "hexoderm/base/units.h"
 #include "hexoderm/io/export_support.h"
-#include "hexoderm/reconstruction/result/quality_colors.h"
-#include "hexoderm/util/error.h"
-#include "hexoderm/util/text.h"
-#include "hexoderm/util/units.h"
+#include "hexoderm/solve/result/quality_colors.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,6 +1,6 @@
-#include "hexoderm/graph/skin_graph.h"
 #include "hexoderm/io/tum_xml.h"
-#include "hexoderm/reconstruction/faults/link_plausibility.h"
+#include "hexoderm/skin/skin_graph.h"
+#include "hexoderm/solve/faults/link_plausibility.h"
 
 #include <algorithm>
 #include <map>

@@ -1,9 +1,9 @@
 #include "hexoderm/io/tum_xml.h"
 
-#include "hexoderm/util/error.h"
-#include "hexoderm/util/file.h"
-#include "hexoderm/util/sha256.h"
-#include "hexoderm/util/text.h"
+#include "hexoderm/base/error.h"
+#include "hexoderm/base/file.h"
+#include "hexoderm/base/sha256.h"
+#include "hexoderm/base/text.h"
 
 #include <pugixml.hpp>
 

@@ -1,11 +1,11 @@
 #include "hexoderm/session/journal.h"
 
 #include <openssl/evp.h>
-#include "hexoderm/graph/cell_model_json.h"
+#include "hexoderm/base/error.h"
+#include "hexoderm/base/hex.h"
+#include "hexoderm/base/sha256.h"
 #include "hexoderm/session/session_parts_json.h"
-#include "hexoderm/util/error.h"
-#include "hexoderm/util/hex.h"
-#include "hexoderm/util/sha256.h"
+#include "hexoderm/skin/cell_model_json.h"
 
 #include <algorithm>
 

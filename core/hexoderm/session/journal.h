@@ -2,9 +2,9 @@
 
 // Private to session/: entries of the journal, written from operations and read back into the session that they make.
 
+#include "hexoderm/base/json_reader.h"
 #include "hexoderm/session/sample_blobs.h"
 #include "hexoderm/session/session_store.h"
-#include "hexoderm/util/json_reader.h"
 
 #include <array>
 #include <map>

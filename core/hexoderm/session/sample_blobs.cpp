@@ -1,8 +1,8 @@
 #include "hexoderm/session/sample_blobs.h"
 
+#include "hexoderm/base/error.h"
+#include "hexoderm/base/rounding.h"
 #include "hexoderm/session/storable.h"
-#include "hexoderm/util/error.h"
-#include "hexoderm/util/rounding.h"
 
 #include <algorithm>
 #include <bit>

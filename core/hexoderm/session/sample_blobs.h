@@ -2,7 +2,7 @@
 
 // Private to session/: readings as bytes, little-endian; the layouts are documented in README.md beside this file.
 
-#include "hexoderm/capture/pose_capture.h"
+#include "hexoderm/device/pose_capture.h"
 #include "hexoderm/device/sample_frame.h"
 
 #include <cstdint>

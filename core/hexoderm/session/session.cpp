@@ -1,6 +1,6 @@
 #include "hexoderm/session/session.h"
 
-#include "hexoderm/util/error.h"
+#include "hexoderm/base/error.h"
 
 #include <algorithm>
 #include <utility>

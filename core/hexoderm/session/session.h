@@ -1,11 +1,11 @@
 #pragma once
 
-#include "hexoderm/capture/pose_capture.h"
+#include "hexoderm/base/joint_angles.h"
 #include "hexoderm/device/ground_truth.h"
-#include "hexoderm/graph/cell_model.h"
-#include "hexoderm/graph/neighbor_list.h"
-#include "hexoderm/kinematics/joint_angles.h"
-#include "hexoderm/session/patch_on_link.h"
+#include "hexoderm/device/pose_capture.h"
+#include "hexoderm/skin/cell_model.h"
+#include "hexoderm/skin/neighbor_list.h"
+#include "hexoderm/skin/patch_on_link.h"
 
 #include <cstdint>
 #include <memory>

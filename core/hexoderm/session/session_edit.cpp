@@ -1,6 +1,6 @@
 #include "hexoderm/session/session_edit.h"
 
-#include "hexoderm/util/error.h"
+#include "hexoderm/base/error.h"
 
 namespace hexoderm {
 namespace {

@@ -3,11 +3,11 @@
 // Parts of a session inside JSON documents: session files and the session store. Only for use in .cpp files: it carries
 // nlohmann's header.
 
-#include "hexoderm/geometry/covariance.h"
+#include "hexoderm/base/covariance.h"
+#include "hexoderm/base/json_fields.h"
+#include "hexoderm/base/limits.h"
+#include "hexoderm/base/message_json.h"
 #include "hexoderm/session/session.h"
-#include "hexoderm/util/json_fields.h"
-#include "hexoderm/util/limits.h"
-#include "hexoderm/util/message_json.h"
 
 #include <functional>
 #include <set>

@@ -1,6 +1,6 @@
 #include "hexoderm/session/session_recorder.h"
 
-#include "hexoderm/util/error.h"
+#include "hexoderm/base/error.h"
 
 #include <condition_variable>
 #include <deque>

@@ -1,14 +1,14 @@
 #include "hexoderm/session/session_store.h"
 
+#include "hexoderm/base/database_files.h"
+#include "hexoderm/base/error.h"
+#include "hexoderm/base/file.h"
+#include "hexoderm/base/kept_files.h"
+#include "hexoderm/base/sha256.h"
+#include "hexoderm/base/system_reason.h"
+#include "hexoderm/base/temporary_file.h"
 #include "hexoderm/session/journal.h"
 #include "hexoderm/session/store_file.h"
-#include "hexoderm/util/database_files.h"
-#include "hexoderm/util/error.h"
-#include "hexoderm/util/file.h"
-#include "hexoderm/util/kept_files.h"
-#include "hexoderm/util/sha256.h"
-#include "hexoderm/util/system_reason.h"
-#include "hexoderm/util/temporary_file.h"
 
 #include <sqlite3.h>
 #include <sys/stat.h>

@@ -1,7 +1,7 @@
 #pragma once
 
+#include "hexoderm/base/message.h"
 #include "hexoderm/session/session_edit.h"
-#include "hexoderm/util/message.h"
 
 #include <cstdint>
 #include <filesystem>

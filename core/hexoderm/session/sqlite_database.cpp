@@ -1,7 +1,7 @@
 #include "hexoderm/session/sqlite_database.h"
 
-#include "hexoderm/util/error.h"
-#include "hexoderm/util/system_reason.h"
+#include "hexoderm/base/error.h"
+#include "hexoderm/base/system_reason.h"
 
 #include <fmt/format.h>
 #include <sqlite3.h>

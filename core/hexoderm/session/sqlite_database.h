@@ -2,7 +2,7 @@
 
 // Private to session/: SQLite with Hexoderm's errors.
 
-#include "hexoderm/util/message.h"
+#include "hexoderm/base/message.h"
 
 #include <cstdint>
 #include <functional>

@@ -1,8 +1,8 @@
 #include "hexoderm/session/storable.h"
 
-#include "hexoderm/geometry/covariance.h"
-#include "hexoderm/util/error.h"
-#include "hexoderm/util/limits.h"
+#include "hexoderm/base/covariance.h"
+#include "hexoderm/base/error.h"
+#include "hexoderm/base/limits.h"
 
 #include <cmath>
 

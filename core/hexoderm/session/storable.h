@@ -1,6 +1,6 @@
 #pragma once
 
-#include "hexoderm/capture/pose_capture.h"
+#include "hexoderm/device/pose_capture.h"
 
 namespace hexoderm {
 

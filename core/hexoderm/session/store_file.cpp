@@ -1,9 +1,9 @@
 #include "hexoderm/session/store_file.h"
 
-#include "hexoderm/util/database_files.h"
-#include "hexoderm/util/error.h"
-#include "hexoderm/util/kept_files.h"
-#include "hexoderm/util/system_reason.h"
+#include "hexoderm/base/database_files.h"
+#include "hexoderm/base/error.h"
+#include "hexoderm/base/kept_files.h"
+#include "hexoderm/base/system_reason.h"
 
 #include <fcntl.h>
 #include <unistd.h>

@@ -2,8 +2,8 @@
 
 // Private to session/: the tables of a *.hexo, and how older ones become newer ones.
 
+#include "hexoderm/base/database_files.h"
 #include "hexoderm/session/sqlite_database.h"
-#include "hexoderm/util/database_files.h"
 
 #include <span>
 

@@ -2,7 +2,7 @@
 
 // The real program hexoderm-cli, run as a user would, in a folder of its own.
 
-#include "hexoderm/util/file.h"
+#include "hexoderm/base/file.h"
 #include "tests/support/paths.h"
 #include "tests/support/temporary_folder.h"
 

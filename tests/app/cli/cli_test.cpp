@@ -1,10 +1,10 @@
 // The real program, run as a user would: what it prints, what it leaves, what it ends with.
 
+#include "hexoderm/base/file.h"
+#include "hexoderm/base/units.h"
 #include "hexoderm/io/calibration_json.h"
 #include "hexoderm/io/session_json.h"
 #include "hexoderm/session/session_store.h"
-#include "hexoderm/util/file.h"
-#include "hexoderm/util/units.h"
 
 #include "tests/app/cli/cli_program.h"
 #include "tests/support/paths.h"

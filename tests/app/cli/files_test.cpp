@@ -1,7 +1,7 @@
 // Where the program's input comes from and where its output goes: pipes, links, devices, and files that nobody should
 // trust.
 
-#include "hexoderm/util/file.h"
+#include "hexoderm/base/file.h"
 
 #include "tests/app/cli/cli_program.h"
 #include "tests/support/paths.h"

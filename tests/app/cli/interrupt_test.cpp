@@ -1,7 +1,7 @@
 // Ctrl+C ends the programs whatever holds them up: each row of the table holds one up in a way of its own.
 
+#include "hexoderm/base/text.h"
 #include "hexoderm/io/calibration_json.h"
-#include "hexoderm/util/text.h"
 #include "tests/core/device/sources/loopback_device.h"
 #include "tests/support/child_process.h"
 #include "tests/support/paths.h"

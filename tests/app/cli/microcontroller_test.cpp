@@ -1,10 +1,10 @@
 // A calibration from a microcontroller: the example firmware with skinwire.h, on a Cortex-M3 that QEMU emulates, whose
 // serial port is a pseudo-terminal.
 
+#include "hexoderm/base/se3.h"
 #include "hexoderm/device/skinwire/examples/firmware/skin.h"
 #include "hexoderm/device/skinwire/framing.h"
 #include "hexoderm/device/sources/wire_source.h"
-#include "hexoderm/geometry/se3.h"
 #include "hexoderm/io/session_json.h"
 #include "tests/app/cli/cli_program.h"
 #include "tests/core/device/sources/wire_host.h"

@@ -3,7 +3,7 @@
 
 #include "hexoderm/io/calibration_json.h"
 
-#include "hexoderm/util/sha256.h"
+#include "hexoderm/base/sha256.h"
 #include "tests/app/cli/cli_program.h"
 
 #include <gmock/gmock.h>

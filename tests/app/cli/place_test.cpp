@@ -1,9 +1,9 @@
 // `hexoderm-cli place`: where on a link a patch lies, and what export makes of it.
 
-#include "hexoderm/geometry/se3.h"
-#include "hexoderm/util/file.h"
-#include "hexoderm/util/text.h"
-#include "hexoderm/util/units.h"
+#include "hexoderm/base/file.h"
+#include "hexoderm/base/se3.h"
+#include "hexoderm/base/text.h"
+#include "hexoderm/base/units.h"
 #include "tests/app/cli/cli_program.h"
 
 #include <gmock/gmock.h>

@@ -1,10 +1,10 @@
 // What --version says.
 
+#include "hexoderm/base/text.h"
 #include "hexoderm/device/skinwire/messages.h"
 #include "hexoderm/io/calibration_json.h"
 #include "hexoderm/io/session_json.h"
 #include "hexoderm/session/store_version.h"
-#include "hexoderm/util/text.h"
 #include "tests/app/cli/cli_program.h"
 
 #include <gmock/gmock.h>

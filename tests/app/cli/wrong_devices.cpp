@@ -2,7 +2,7 @@
 
 #include "hexoderm/device/skinwire/crc32c.h"
 #include "hexoderm/device/skinwire/framing.h"
-#include "hexoderm/graph/cell_model.h"
+#include "hexoderm/skin/cell_model.h"
 
 #include <algorithm>
 #include <cmath>

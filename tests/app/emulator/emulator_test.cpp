@@ -1,8 +1,8 @@
 // The emulator as a user would start it, and the library's own source as its host.
 
-#include "hexoderm/device/emulation/exploration.h"
-#include "hexoderm/device/simulation/simulated_skin.h"
 #include "hexoderm/device/skinwire/framing.h"
+#include "hexoderm/sim/exploration.h"
+#include "hexoderm/sim/simulated_skin.h"
 
 #include "tests/app/emulator/emulator_program.h"
 #include "tests/core/device/sources/wire_host.h"

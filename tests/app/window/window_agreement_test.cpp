@@ -2,7 +2,7 @@
 // the one assessment. What that agrees with in core is checked by tests/core/reconstruction/agreement_test.cpp.
 
 #include "app/window/report/report.h"
-#include "hexoderm/reconstruction/advice/assess.h"
+#include "hexoderm/solve/metrics/assess.h"
 #include "tests/app/window/window_test.h"
 #include "tests/support/random_session.h"
 #include "widgets/words/words.h"

@@ -1,7 +1,7 @@
 // Faults of a skin and of its poses, as the window reports them: every finding is listed with its words, picked by a
 // key, and the rest of the skin is still there.
 
-#include "hexoderm/reconstruction/advice/assess.h"
+#include "hexoderm/solve/metrics/assess.h"
 #include "tests/app/window/window_test.h"
 #include "widgets/tables/finding_table.h"
 #include "widgets/words/formatting.h"

@@ -2,8 +2,8 @@
 // can be done about it.
 
 #include "app/window/toolkit/result_tables.h"
-#include "hexoderm/reconstruction/advice/assess.h"
-#include "hexoderm/reconstruction/figures/cell_links.h"
+#include "hexoderm/solve/metrics/assess.h"
+#include "hexoderm/solve/metrics/cell_links.h"
 #include "tests/app/window/window_test.h"
 #include "widgets/controls/figure_card.h"
 #include "widgets/controls/finding_card.h"

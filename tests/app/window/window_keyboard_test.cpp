@@ -1,8 +1,8 @@
 // The whole demo by the keyboard alone, and what makes that possible: an order of Tab that follows the eye, F6 from
 // part to part, a focus that is seen.
 
+#include "hexoderm/base/units.h"
 #include "hexoderm/io/calibration_json.h"
-#include "hexoderm/util/units.h"
 #include "tests/app/window/keyboard.h"
 
 #include <QListWidget>

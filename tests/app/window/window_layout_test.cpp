@@ -2,7 +2,7 @@
 
 #include "app/window/settings/preferences.h"
 #include "app/window/settings/translation.h"
-#include "hexoderm/reconstruction/reconstructor.h"
+#include "hexoderm/solve/reconstructor.h"
 #include "tests/app/window/fake_device.h"
 #include "tests/app/window/window_test.h"
 #include "widgets/controls/card_dock.h"

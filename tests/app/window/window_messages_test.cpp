@@ -1,6 +1,6 @@
 // The lines by which the window says what it waits for, what blocks a capture, and what became of the device.
 
-#include "hexoderm/util/units.h"
+#include "hexoderm/base/units.h"
 #include "tests/app/window/fake_device.h"
 #include "tests/app/window/window_test.h"
 #include "tests/support/paths.h"

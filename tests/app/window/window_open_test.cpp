@@ -2,7 +2,7 @@
 // open stays as it was.
 
 #include "hexoderm/io/calibration_json.h"
-#include "hexoderm/reconstruction/reconstructor.h"
+#include "hexoderm/solve/reconstructor.h"
 #include "tests/app/window/window_test.h"
 #include "tests/support/paths.h"
 

@@ -2,10 +2,10 @@
 
 #include "app/window/guide/guide.h"
 #include "app/window/main_window/main_window.h"
-#include "hexoderm/device/simulation/simulated_skin.h"
 #include "hexoderm/io/session_json.h"
 #include "hexoderm/session/session_store.h"
-#include "hexoderm/session/simulated_session.h"
+#include "hexoderm/sim/simulated_session.h"
+#include "hexoderm/sim/simulated_skin.h"
 #include "tests/app/window/keyboard_keeper.h"
 #include "tests/support/kept_picture.h"
 #include "tests/support/paths.h"

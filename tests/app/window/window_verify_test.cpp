@@ -1,9 +1,9 @@
 // The tables, residuals and checks of a calibration in the real window.
 
 #include "app/window/session/verification.h"
+#include "hexoderm/base/units.h"
 #include "hexoderm/io/calibration_json.h"
-#include "hexoderm/reconstruction/reconstructor.h"
-#include "hexoderm/util/units.h"
+#include "hexoderm/solve/reconstructor.h"
 #include "tests/app/window/window_test.h"
 #include "widgets/verify/verify_panel.h"
 

@@ -1,7 +1,7 @@
 // Devices on real wires: the emulator is a program of its own, as a device is, and the window is connected to it by its
 // dialog. Nothing here is about how fast this computer is.
 
-#include "hexoderm/util/units.h"
+#include "hexoderm/base/units.h"
 #include "tests/app/emulator/emulator_program.h"
 #include "tests/app/window/window_test.h"
 #include "widgets/controls/check_list.h"

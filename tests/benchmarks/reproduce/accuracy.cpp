@@ -1,8 +1,8 @@
 #include "tests/benchmarks/reproduce/experiments.h"
 
-#include "hexoderm/reconstruction/reconstructor.h"
-#include "hexoderm/util/text.h"
-#include "hexoderm/util/units.h"
+#include "hexoderm/base/text.h"
+#include "hexoderm/base/units.h"
+#include "hexoderm/solve/reconstructor.h"
 
 #include <array>
 #include <cmath>
@@ -73,7 +73,7 @@ Eigen::Vector3d gapOf(const SimulatedSkin& skin, const Placement& T) {
 }
 
 /// The neighbour's centre if it is turned by R_c_n: eq. (2), or the same with a share of the arc's stretch
-/// (core/hexoderm/reconstruction/README.md, gap share).
+/// (core/hexoderm/solve/README.md, gap share).
 Eigen::Vector3d neighborCentre(const Port& c, const Port& n, const Eigen::Matrix3d& R_c_n, LinkLaw law) {
   const Eigen::Vector3d pivot = c.vector_m - R_c_n * n.vector_m;
   if (law == LinkLaw::Bend) return pivot;

@@ -1,10 +1,10 @@
 #include "tests/benchmarks/reproduce/experiments.h"
 
-#include "hexoderm/reconstruction/check/calibration_check.h"
-#include "hexoderm/reconstruction/reconstructor.h"
-#include "hexoderm/session/simulated_session.h"
-#include "hexoderm/util/text.h"
-#include "hexoderm/util/units.h"
+#include "hexoderm/base/text.h"
+#include "hexoderm/base/units.h"
+#include "hexoderm/sim/simulated_session.h"
+#include "hexoderm/solve/checks/calibration_check.h"
+#include "hexoderm/solve/reconstructor.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,6 +1,6 @@
 #include "tests/benchmarks/reproduce/detection_bound.h"
 
-#include "hexoderm/util/units.h"
+#include "hexoderm/base/units.h"
 
 #include <Eigen/Cholesky>
 #include <algorithm>

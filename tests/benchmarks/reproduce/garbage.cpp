@@ -1,9 +1,9 @@
 #include "tests/benchmarks/reproduce/detection_bound.h"
 #include "tests/benchmarks/reproduce/experiments.h"
 
-#include "hexoderm/device/simulation/fault_names.h"
-#include "hexoderm/reconstruction/reconstructor.h"
-#include "hexoderm/util/text.h"
+#include "hexoderm/base/text.h"
+#include "hexoderm/sim/fault_names.h"
+#include "hexoderm/solve/reconstructor.h"
 
 #include <algorithm>
 #include <array>

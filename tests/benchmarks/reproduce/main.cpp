@@ -1,9 +1,9 @@
-// hexoderm-reproduce: the tables of core/hexoderm/reconstruction/ACCURACY.md, measured on simulated skins.
+// hexoderm-reproduce: the tables of core/hexoderm/solve/ACCURACY.md, measured on simulated skins.
 
 #include "app/cli/command.h"
 #include "tests/benchmarks/reproduce/experiments.h"
 
-#include "hexoderm/util/freed_memory.h"
+#include "hexoderm/base/freed_memory.h"
 
 #include <array>
 #include <iostream>

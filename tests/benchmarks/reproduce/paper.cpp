@@ -1,8 +1,8 @@
 #include "tests/benchmarks/reproduce/experiments.h"
 
-#include "hexoderm/reconstruction/reconstructor.h"
-#include "hexoderm/util/text.h"
-#include "hexoderm/util/units.h"
+#include "hexoderm/base/text.h"
+#include "hexoderm/base/units.h"
+#include "hexoderm/solve/reconstructor.h"
 
 #include <array>
 #include <iostream>

@@ -1,13 +1,13 @@
 #include "tests/benchmarks/reproduce/experiments.h"
 
-#include "hexoderm/geometry/mesh_surface.h"
-#include "hexoderm/kinematics/demo_robot.h"
-#include "hexoderm/kinematics/robot_model.h"
-#include "hexoderm/reconstruction/reconstructor.h"
-#include "hexoderm/robot/place/place.h"
-#include "hexoderm/session/simulated_session.h"
-#include "hexoderm/util/text.h"
-#include "hexoderm/util/units.h"
+#include "hexoderm/base/mesh_surface.h"
+#include "hexoderm/base/text.h"
+#include "hexoderm/base/units.h"
+#include "hexoderm/mounting/place/place.h"
+#include "hexoderm/robots/demo_robot.h"
+#include "hexoderm/robots/robot_model.h"
+#include "hexoderm/sim/simulated_session.h"
+#include "hexoderm/solve/reconstructor.h"
 
 #include <Eigen/Dense>
 #include <algorithm>

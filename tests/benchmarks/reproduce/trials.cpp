@@ -1,8 +1,8 @@
 #include "tests/benchmarks/reproduce/trials.h"
 
-#include "hexoderm/session/simulated_session.h"
-#include "hexoderm/util/text.h"
-#include "hexoderm/util/units.h"
+#include "hexoderm/base/text.h"
+#include "hexoderm/base/units.h"
+#include "hexoderm/sim/simulated_session.h"
 
 #include <algorithm>
 #include <cmath>

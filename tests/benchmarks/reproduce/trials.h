@@ -1,10 +1,10 @@
 #pragma once
 
-#include "hexoderm/device/simulation/simulated_skin.h"
-#include "hexoderm/reconstruction/evaluation/evaluation.h"
-#include "hexoderm/reconstruction/result/reconstruction.h"
+#include "hexoderm/base/parallel.h"
 #include "hexoderm/session/session.h"
-#include "hexoderm/util/parallel.h"
+#include "hexoderm/sim/simulated_skin.h"
+#include "hexoderm/solve/checks/evaluation.h"
+#include "hexoderm/solve/result/reconstruction.h"
 
 #include "app/cli/command.h"
 #include "app/cli/json.h"

@@ -1,7 +1,7 @@
 #include "tests/benchmarks/reproduce/experiments.h"
 
-#include "hexoderm/reconstruction/reconstructor.h"
-#include "hexoderm/util/text.h"
+#include "hexoderm/base/text.h"
+#include "hexoderm/solve/reconstructor.h"
 
 #include <Eigen/Cholesky>
 #include <algorithm>

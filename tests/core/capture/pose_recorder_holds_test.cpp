@@ -1,6 +1,6 @@
 // Every hold is captured, once, and no motion is.
 
-#include "hexoderm/device/simulation/simulated_skin.h"
+#include "hexoderm/sim/simulated_skin.h"
 #include "tests/core/capture/pose_recorder_fixture.h"
 #include "tests/support/options.h"
 

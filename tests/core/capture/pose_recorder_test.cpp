@@ -1,6 +1,6 @@
 #include "hexoderm/capture/pose_recorder.h"
 
-#include "hexoderm/util/error.h"
+#include "hexoderm/base/error.h"
 #include "tests/core/capture/pose_recorder_fixture.h"
 #include "tests/support/options.h"
 

@@ -1,6 +1,6 @@
 // A real accelerometer laid by hand in 13 orientations.
 
-#include "hexoderm/util/text.h"
+#include "hexoderm/base/text.h"
 #include "tests/core/capture/captures_of.h"
 #include "tests/support/paths.h"
 

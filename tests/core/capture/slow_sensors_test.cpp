@@ -2,8 +2,8 @@
 
 #include "hexoderm/capture/pose_recorder.h"
 
-#include "hexoderm/geometry/se3.h"
-#include "hexoderm/util/units.h"
+#include "hexoderm/base/se3.h"
+#include "hexoderm/base/units.h"
 #include "tests/core/capture/pose_recorder_fixture.h"
 
 #include <gtest/gtest.h>

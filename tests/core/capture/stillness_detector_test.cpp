@@ -1,8 +1,8 @@
 #include "hexoderm/capture/stillness_detector.h"
 
-#include "hexoderm/device/simulation/simulated_skin.h"
-#include "hexoderm/util/error.h"
-#include "hexoderm/util/text.h"
+#include "hexoderm/base/error.h"
+#include "hexoderm/base/text.h"
+#include "hexoderm/sim/simulated_skin.h"
 #include "tests/core/capture/synthetic_stream.h"
 #include "tests/support/error_matchers.h"
 #include "tests/support/options.h"

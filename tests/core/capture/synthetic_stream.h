@@ -1,8 +1,8 @@
 #pragma once
 
+#include "hexoderm/base/se3.h"
+#include "hexoderm/base/units.h"
 #include "hexoderm/device/sample_frame.h"
-#include "hexoderm/geometry/se3.h"
-#include "hexoderm/util/units.h"
 #include "tests/support/random_vector.h"
 
 #include <algorithm>

@@ -1,7 +1,7 @@
 // 20,000 cells without a single link, from a device on a wire to a pose, and as a graph.
 
 #include "hexoderm/capture/pose_recorder.h"
-#include "hexoderm/graph/skin_graph.h"
+#include "hexoderm/skin/skin_graph.h"
 
 #include "tests/core/device/sources/loopback_device.h"
 #include "tests/core/device/sources/wire_host.h"

@@ -2,9 +2,9 @@
 // and they take what we write.
 
 #include "tests/support/both_readers.h"
-#include "hexoderm/device/simulation/simulated_skin.h"
-#include "hexoderm/session/simulated_session.h"
-#include "hexoderm/util/file.h"
+#include "hexoderm/base/file.h"
+#include "hexoderm/sim/simulated_session.h"
+#include "hexoderm/sim/simulated_skin.h"
 #include "tests/fuzz/mutations.h"
 #include "tests/support/json_mutations.h"
 #include "tests/support/paths.h"

@@ -1,12 +1,12 @@
 // Sessions of real skins and the real TUM file; registered only where they are.
 
+#include "hexoderm/base/file.h"
+#include "hexoderm/base/units.h"
 #include "hexoderm/io/calibration_json.h"
 #include "hexoderm/io/open_file.h"
 #include "hexoderm/io/session_json.h"
 #include "hexoderm/io/tum_xml.h"
-#include "hexoderm/reconstruction/reconstructor.h"
-#include "hexoderm/util/file.h"
-#include "hexoderm/util/units.h"
+#include "hexoderm/solve/reconstructor.h"
 #include "tests/support/both_readers.h"
 #include "tests/support/matchers.h"
 #include "tests/support/paths.h"

@@ -1,9 +1,9 @@
 #include "hexoderm/io/export_csv.h"
 
+#include "hexoderm/base/error.h"
+#include "hexoderm/base/text.h"
+#include "hexoderm/base/units.h"
 #include "hexoderm/io/exporter.h"
-#include "hexoderm/util/error.h"
-#include "hexoderm/util/text.h"
-#include "hexoderm/util/units.h"
 #include "tests/core/io/export_test_folder.h"
 #include "tests/support/hand_made_skins.h"
 #include "tests/support/other_programs.h"

@@ -4,8 +4,8 @@
 #include "hexoderm/io/export_mesh.h"
 
 #include "hexoderm/io/exporter.h"
-#include "hexoderm/kinematics/mesh_file.h"
-#include "hexoderm/reconstruction/figures/patch_mesh.h"
+#include "hexoderm/robots/mesh_file.h"
+#include "hexoderm/solve/metrics/patch_mesh.h"
 #include "tests/support/hand_made_skins.h"
 #include "tests/support/options.h"
 

@@ -2,9 +2,9 @@
 
 #include "hexoderm/io/export_package.h"
 
+#include "hexoderm/base/error.h"
+#include "hexoderm/base/sha256.h"
 #include "hexoderm/io/calibration_json.h"
-#include "hexoderm/util/error.h"
-#include "hexoderm/util/sha256.h"
 #include "tests/core/io/export_test_folder.h"
 #include "tests/support/failing_disk.h"
 #include "tests/support/hand_made_skins.h"

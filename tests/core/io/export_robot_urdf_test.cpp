@@ -1,7 +1,7 @@
 // The robot's URDF with the skin on it, as urdfdom and check_urdf read it.
 
+#include "hexoderm/base/error.h"
 #include "hexoderm/io/exporter.h"
-#include "hexoderm/util/error.h"
 #include "tests/core/io/export_test_folder.h"
 #include "tests/support/hand_made_skins.h"
 #include "tests/support/other_programs.h"

@@ -2,8 +2,8 @@
 
 #include "hexoderm/io/export_selection.h"
 
-#include "hexoderm/util/error.h"
-#include "hexoderm/util/sha256.h"
+#include "hexoderm/base/error.h"
+#include "hexoderm/base/sha256.h"
 #include "tests/core/io/export_test_folder.h"
 #include "tests/support/hand_made_skins.h"
 

@@ -1,6 +1,6 @@
 #include "hexoderm/io/export_staging.h"
 
-#include "hexoderm/util/error.h"
+#include "hexoderm/base/error.h"
 #include "tests/core/io/export_test_folder.h"
 #include "tests/support/failing_disk.h"
 

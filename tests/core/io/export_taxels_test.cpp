@@ -1,5 +1,5 @@
+#include "hexoderm/base/error.h"
 #include "hexoderm/io/exporter.h"
-#include "hexoderm/util/error.h"
 #include "tests/core/io/export_test_folder.h"
 #include "tests/core/io/taxel_readers.h"
 #include "tests/support/hand_made_skins.h"

@@ -1,8 +1,8 @@
 #include "hexoderm/io/export_urdf.h"
 
+#include "hexoderm/base/error.h"
+#include "hexoderm/base/units.h"
 #include "hexoderm/io/exporter.h"
-#include "hexoderm/util/error.h"
-#include "hexoderm/util/units.h"
 #include "tests/support/error_matchers.h"
 #include "tests/support/hand_made_skins.h"
 #include "tests/support/options.h"

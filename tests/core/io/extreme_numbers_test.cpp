@@ -1,17 +1,17 @@
 // Finite numbers that no skin has: what is not refused with its key path is solved, evaluated and written without a
 // number that is none.
 
-#include "hexoderm/graph/cell_model_json.h"
+#include "hexoderm/base/error.h"
+#include "hexoderm/base/limits.h"
 #include "hexoderm/io/calibration_json.h"
 #include "hexoderm/io/exporter.h"
 #include "hexoderm/io/session_json.h"
-#include "hexoderm/reconstruction/advice/pose_advisor.h"
-#include "hexoderm/reconstruction/evaluation/evaluation.h"
-#include "hexoderm/reconstruction/reconstructor.h"
 #include "hexoderm/session/session_store.h"
-#include "hexoderm/session/simulated_session.h"
-#include "hexoderm/util/error.h"
-#include "hexoderm/util/limits.h"
+#include "hexoderm/sim/simulated_session.h"
+#include "hexoderm/skin/cell_model_json.h"
+#include "hexoderm/solve/checks/evaluation.h"
+#include "hexoderm/solve/metrics/pose_advisor.h"
+#include "hexoderm/solve/reconstructor.h"
 #include "tests/core/io/export_test_folder.h"
 #include "tests/support/solvers.h"
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "hexoderm/util/error.h"
+#include "hexoderm/base/error.h"
 #include "tests/support/error_matchers.h"
 
 #include <nlohmann/json.hpp>

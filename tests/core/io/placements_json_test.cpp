@@ -1,6 +1,6 @@
 #include "hexoderm/io/placements_json.h"
 
-#include "hexoderm/util/error.h"
+#include "hexoderm/base/error.h"
 #include "tests/support/error_matchers.h"
 
 #include <gmock/gmock.h>

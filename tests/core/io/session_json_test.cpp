@@ -1,9 +1,9 @@
 #include "hexoderm/io/session_json.h"
 
+#include "hexoderm/base/error.h"
+#include "hexoderm/base/file.h"
+#include "hexoderm/base/sha256.h"
 #include "hexoderm/session/session_store.h"
-#include "hexoderm/util/error.h"
-#include "hexoderm/util/file.h"
-#include "hexoderm/util/sha256.h"
 #include "tests/core/io/json_complaints.h"
 #include "tests/support/error_matchers.h"
 #include "tests/support/paths.h"

@@ -2,7 +2,7 @@
 
 #include "hexoderm/session/sample_blobs.h"
 
-#include "hexoderm/util/error.h"
+#include "hexoderm/base/error.h"
 #include "tests/support/sample_matchers.h"
 
 #include <gtest/gtest.h>

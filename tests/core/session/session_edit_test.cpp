@@ -1,6 +1,6 @@
 #include "hexoderm/session/session_edit.h"
 
-#include "hexoderm/util/error.h"
+#include "hexoderm/base/error.h"
 #include "tests/core/session/session_edits.h"
 #include "tests/support/session_matchers.h"
 

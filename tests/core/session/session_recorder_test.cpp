@@ -1,6 +1,6 @@
 #include "hexoderm/session/session_recorder.h"
 
-#include "hexoderm/util/error.h"
+#include "hexoderm/base/error.h"
 #include "tests/support/failing_disk.h"
 #include "tests/support/temporary_folder.h"
 

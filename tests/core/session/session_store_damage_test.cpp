@@ -3,11 +3,11 @@
 
 #include "hexoderm/session/session_store.h"
 
+#include "hexoderm/base/error.h"
+#include "hexoderm/base/file.h"
 #include "hexoderm/session/journal.h"
 #include "hexoderm/session/sqlite_database.h"
 #include "hexoderm/session/store_file.h"
-#include "hexoderm/util/error.h"
-#include "hexoderm/util/file.h"
 #include "tests/support/error_matchers.h"
 #include "tests/support/session_matchers.h"
 #include "tests/support/temporary_folder.h"

@@ -2,8 +2,8 @@
 
 #include "hexoderm/session/session_store.h"
 
-#include "hexoderm/util/error.h"
-#include "hexoderm/util/file.h"
+#include "hexoderm/base/error.h"
+#include "hexoderm/base/file.h"
 #include "tests/support/error_matchers.h"
 #include "tests/support/failing_disk.h"
 #include "tests/support/session_matchers.h"

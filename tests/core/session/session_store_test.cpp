@@ -1,7 +1,7 @@
 #include "hexoderm/session/session_store.h"
 
-#include "hexoderm/util/error.h"
-#include "hexoderm/util/file.h"
+#include "hexoderm/base/error.h"
+#include "hexoderm/base/file.h"
 #include "tests/core/session/session_edits.h"
 #include "tests/support/error_matchers.h"
 #include "tests/support/failing_disk.h"

@@ -1,7 +1,7 @@
 #include "hexoderm/session/session.h"
 
-#include "hexoderm/session/simulated_session.h"
-#include "hexoderm/util/error.h"
+#include "hexoderm/base/error.h"
+#include "hexoderm/sim/simulated_session.h"
 #include "tests/support/error_matchers.h"
 
 #include <gmock/gmock.h>

@@ -1,6 +1,6 @@
 #include "widgets/capture/capture_panel.h"
 
-#include "hexoderm/util/units.h"
+#include "hexoderm/base/units.h"
 #include "tests/support/qt_wait.h"
 #include "widgets/capture/capture_words.h"
 #include "widgets/capture/hold_ring.h"

@@ -1,6 +1,6 @@
 #include "widgets/patch/compare_view.h"
 
-#include "hexoderm/geometry/se3.h"
+#include "hexoderm/base/se3.h"
 #include "tests/support/hand_made_skins.h"
 #include "tests/support/kept_picture.h"
 #include "tests/support/qt_wait.h"

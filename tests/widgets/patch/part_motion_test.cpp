@@ -1,5 +1,5 @@
-#include "hexoderm/geometry/se3.h"
-#include "hexoderm/util/units.h"
+#include "hexoderm/base/se3.h"
+#include "hexoderm/base/units.h"
 #include "tests/support/picture_counter.h"
 #include "tests/support/random_vector.h"
 #include "tests/widgets/patch/patch_view_fixture.h"

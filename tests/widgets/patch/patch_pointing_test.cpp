@@ -1,6 +1,6 @@
 // Pointing in the 3D view: what is under the mouse, what is picked, and how the camera gets there.
 
-#include "hexoderm/reconstruction/figures/cell_links.h"
+#include "hexoderm/solve/metrics/cell_links.h"
 #include "tests/support/picture_counter.h"
 #include "tests/widgets/patch/patch_view_fixture.h"
 #include "widgets/controls/figure_card.h"

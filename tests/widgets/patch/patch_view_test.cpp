@@ -1,6 +1,6 @@
 #include "widgets/patch/patch_view.h"
 
-#include "hexoderm/reconstruction/evaluation/evaluation.h"
+#include "hexoderm/solve/checks/evaluation.h"
 #include "tests/support/kept_picture.h"
 #include "tests/support/picture_counter.h"
 #include "tests/widgets/patch/patch_view_fixture.h"

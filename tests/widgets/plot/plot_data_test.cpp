@@ -1,6 +1,6 @@
 #include "widgets/plot/plot_data.h"
 
-#include "hexoderm/util/units.h"
+#include "hexoderm/base/units.h"
 #include "tests/widgets/plot/growing_sheet.h"
 
 #include <gmock/gmock.h>

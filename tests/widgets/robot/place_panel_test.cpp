@@ -1,6 +1,6 @@
 #include "widgets/robot/place_panel.h"
 
-#include "hexoderm/util/units.h"
+#include "hexoderm/base/units.h"
 #include "tests/support/panel_on_screen.h"
 #include "widgets/tables/joint_table_view.h"
 

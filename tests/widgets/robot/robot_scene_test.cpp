@@ -1,6 +1,6 @@
 #include "widgets/robot/robot_scene.h"
 
-#include "hexoderm/util/units.h"
+#include "hexoderm/base/units.h"
 #include "tests/widgets/scene/patch_scene_test.h"
 
 namespace hexoderm {

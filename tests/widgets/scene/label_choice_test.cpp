@@ -1,7 +1,7 @@
 // Which cells have their IDs written on them, without drawing any.
 #include "widgets/scene/label_choice.h"
 
-#include "hexoderm/util/units.h"
+#include "hexoderm/base/units.h"
 #include "tests/support/hand_made_skins.h"
 
 #include <gmock/gmock.h>

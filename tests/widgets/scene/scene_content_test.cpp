@@ -1,7 +1,7 @@
 // Where patches are drawn that are not placed against each other.
 #include "widgets/scene/scene_content.h"
 
-#include "hexoderm/reconstruction/figures/patch_mesh.h"
+#include "hexoderm/solve/metrics/patch_mesh.h"
 #include "tests/support/hand_made_skins.h"
 #include "tests/widgets/scene/patch_scene_test.h"
 #include "widgets/scene/overlay_meshes.h"

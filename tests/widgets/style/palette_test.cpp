@@ -1,6 +1,6 @@
 #include "widgets/style/palette.h"
 
-#include "hexoderm/reconstruction/result/quality_colors.h"
+#include "hexoderm/solve/result/quality_colors.h"
 #include "tests/support/color_vision.h"
 #include "widgets/style/color_maps.h"
 

@@ -1,6 +1,6 @@
 #include "widgets/tables/cell_table.h"
 
-#include "hexoderm/util/units.h"
+#include "hexoderm/base/units.h"
 #include "tests/support/hand_made_skins.h"
 #include "widgets/tables/table_roles.h"
 

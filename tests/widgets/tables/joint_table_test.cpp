@@ -1,6 +1,6 @@
 #include "widgets/tables/joint_table.h"
 
-#include "hexoderm/util/units.h"
+#include "hexoderm/base/units.h"
 #include "tests/support/qt_wait.h"
 #include "tests/widgets/tables/table_texts.h"
 #include "widgets/tables/joint_table_view.h"

@@ -1,6 +1,6 @@
 #include "widgets/verify/residual_view.h"
 
-#include "hexoderm/util/units.h"
+#include "hexoderm/base/units.h"
 #include "tests/support/app_theme.h"
 #include "tests/support/hand_made_skins.h"
 #include "tests/support/kept_picture.h"

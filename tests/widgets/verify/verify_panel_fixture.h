@@ -2,7 +2,7 @@
 
 // The panel of checks on the screen, and results to show in it.
 
-#include "hexoderm/util/units.h"
+#include "hexoderm/base/units.h"
 #include "tests/support/hand_made_skins.h"
 #include "tests/support/panel_on_screen.h"
 #include "widgets/verify/verify_panel.h"

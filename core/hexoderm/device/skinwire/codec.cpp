@@ -1,10 +1,10 @@
 #include "hexoderm/device/skinwire/codec.h"
 
+#include "hexoderm/base/error.h"
+#include "hexoderm/base/text.h"
 #include "hexoderm/device/skinwire/crc32c.h"
 #include "hexoderm/device/skinwire/line_diagnosis.h"
 #include "hexoderm/device/skinwire/little_endian.h"
-#include "hexoderm/util/error.h"
-#include "hexoderm/util/text.h"
 
 #include <boost/crc.hpp>
 #include <boost/endian/conversion.hpp>

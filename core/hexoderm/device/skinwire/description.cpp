@@ -1,7 +1,7 @@
 #include "hexoderm/device/skinwire/description.h"
 
+#include "hexoderm/base/error.h"
 #include "hexoderm/device/skinwire/codec.h"
-#include "hexoderm/util/error.h"
 
 #include <algorithm>
 #include <iterator>

@@ -1,8 +1,8 @@
 #include "hexoderm/device/skinwire/framing.h"
 
+#include "hexoderm/base/text.h"
 #include "hexoderm/device/skinwire/line_diagnosis.h"
 #include "hexoderm/device/skinwire/little_endian.h"
-#include "hexoderm/util/text.h"
 
 #include <algorithm>
 #include <array>

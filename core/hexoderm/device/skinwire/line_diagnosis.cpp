@@ -1,8 +1,8 @@
 #include "hexoderm/device/skinwire/line_diagnosis.h"
 
-#include "hexoderm/device/diagnosis/offence_log.h"
-#include "hexoderm/util/near_match.h"
-#include "hexoderm/util/text.h"
+#include "hexoderm/base/near_match.h"
+#include "hexoderm/base/text.h"
+#include "hexoderm/device/offence_log.h"
 
 #include <google/protobuf/descriptor.h>
 

@@ -1,6 +1,6 @@
 #include "hexoderm/device/skinwire/messages.h"
 
-#include "hexoderm/kinematics/joint_angles.h"
+#include "hexoderm/base/joint_angles.h"
 
 #include <algorithm>
 #include <cmath>

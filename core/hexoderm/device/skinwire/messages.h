@@ -1,7 +1,7 @@
 #pragma once
 
 #include "hexoderm/device/offence.h"
-#include "hexoderm/graph/neighbor_list.h"
+#include "hexoderm/skin/neighbor_list.h"
 
 #include <Eigen/Core>
 #include <cstddef>

@@ -1,8 +1,8 @@
 #include "hexoderm/device/skinwire/sample_messages.h"
 
-#include "hexoderm/util/error.h"
-#include "hexoderm/util/rounding.h"
-#include "hexoderm/util/text.h"
+#include "hexoderm/base/error.h"
+#include "hexoderm/base/rounding.h"
+#include "hexoderm/base/text.h"
 
 #include <algorithm>
 #include <array>

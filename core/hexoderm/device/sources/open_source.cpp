@@ -1,11 +1,11 @@
 #include "hexoderm/device/sources/open_source.h"
 
+#include "hexoderm/base/error.h"
+#include "hexoderm/base/text.h"
 #include "hexoderm/device/sources/recording.h"
-#include "hexoderm/device/sources/simulated_source.h"
 #include "hexoderm/device/sources/stdin_source.h"
 #include "hexoderm/device/sources/wire_source.h"
-#include "hexoderm/util/error.h"
-#include "hexoderm/util/text.h"
+#include "hexoderm/sim/simulated_source.h"
 
 #include <limits>
 #include <vector>

@@ -1,14 +1,14 @@
 #include "hexoderm/device/sources/recording.h"
 
+#include "hexoderm/base/database_files.h"
+#include "hexoderm/base/error.h"
+#include "hexoderm/base/kept_files.h"
+#include "hexoderm/base/system_reason.h"
+#include "hexoderm/base/temporary_file.h"
 #include "hexoderm/device/skinwire/codec.h"
 #include "hexoderm/device/skinwire/description.h"
 #include "hexoderm/device/skinwire/little_endian.h"
 #include "hexoderm/device/skinwire/sample_messages.h"
-#include "hexoderm/util/database_files.h"
-#include "hexoderm/util/error.h"
-#include "hexoderm/util/kept_files.h"
-#include "hexoderm/util/system_reason.h"
-#include "hexoderm/util/temporary_file.h"
 
 #include <fcntl.h>
 

@@ -1,9 +1,9 @@
+#include "hexoderm/base/error.h"
+#include "hexoderm/base/kept_files.h"
 #include "hexoderm/device/skinwire/codec.h"
 #include "hexoderm/device/sources/recording.h"
 #include "hexoderm/device/sources/skin_stream.h"
 #include "hexoderm/device/sources/threaded_source.h"
-#include "hexoderm/util/error.h"
-#include "hexoderm/util/kept_files.h"
 
 #include <cmath>
 

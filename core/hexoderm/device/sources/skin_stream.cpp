@@ -1,7 +1,7 @@
 #include "hexoderm/device/sources/skin_stream.h"
 
+#include "hexoderm/base/error.h"
 #include "hexoderm/device/skinwire/sample_messages.h"
-#include "hexoderm/util/error.h"
 
 #include <algorithm>
 #include <utility>

@@ -2,8 +2,8 @@
 
 // Private to device/: what every source of SkinWire messages does with them.
 
-#include "hexoderm/device/diagnosis/offence_log.h"
-#include "hexoderm/device/diagnosis/plausibility.h"
+#include "hexoderm/device/offence_log.h"
+#include "hexoderm/device/plausibility.h"
 #include "hexoderm/device/skin_source.h"
 #include "hexoderm/device/skinwire/codec.h"
 #include "hexoderm/device/skinwire/description.h"

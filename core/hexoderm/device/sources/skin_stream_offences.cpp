@@ -1,8 +1,8 @@
 // What SkinStream says about a device that does something wrong. Nothing here changes what is delivered.
 
-#include "hexoderm/device/diagnosis/topology_check.h"
+#include "hexoderm/base/text.h"
 #include "hexoderm/device/sources/skin_stream.h"
-#include "hexoderm/util/text.h"
+#include "hexoderm/device/topology_check.h"
 
 #include <algorithm>
 #include <string>

@@ -1,9 +1,9 @@
 #include "hexoderm/device/sources/stdin_source.h"
 
+#include "hexoderm/base/system_reason.h"
 #include "hexoderm/device/skinwire/framing.h"
 #include "hexoderm/device/sources/skin_stream.h"
 #include "hexoderm/device/sources/threaded_source.h"
-#include "hexoderm/util/system_reason.h"
 
 #include <poll.h>
 #include <unistd.h>

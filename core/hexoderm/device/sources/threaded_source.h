@@ -2,8 +2,8 @@
 
 // Private to device/: what sources have in common, each of which has a thread of its own.
 
+#include "hexoderm/base/error.h"
 #include "hexoderm/device/skin_source.h"
-#include "hexoderm/util/error.h"
 
 #include <condition_variable>
 #include <mutex>

@@ -1,6 +1,6 @@
 #include "hexoderm/device/sources/wire_connection.h"
 
-#include "hexoderm/util/text.h"
+#include "hexoderm/base/text.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,8 +1,8 @@
 #include "hexoderm/device/sources/wire_source.h"
 
+#include "hexoderm/base/error.h"
 #include "hexoderm/device/sources/threaded_source.h"
 #include "hexoderm/device/sources/wire_connection.h"
-#include "hexoderm/util/error.h"
 
 #include <boost/asio/post.hpp>
 

@@ -1,7 +1,7 @@
 #include "hexoderm/device/sources/wire_transport.h"
 
+#include "hexoderm/base/system_reason.h"
 #include "hexoderm/device/sources/write_queue.h"
-#include "hexoderm/util/system_reason.h"
 
 #include <termios.h>
 

@@ -5,7 +5,7 @@
 #include "hexoderm/device/skinwire/codec.h"
 #include "hexoderm/device/sources/wire_address.h"
 
-#include "hexoderm/util/message.h"
+#include "hexoderm/base/message.h"
 
 #include <boost/asio/io_context.hpp>
 

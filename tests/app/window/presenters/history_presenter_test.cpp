@@ -1,4 +1,4 @@
-#include "hexoderm/util/error.h"
+#include "hexoderm/base/error.h"
 #include "tests/app/window/presenters/presenter_test.h"
 #include "tests/support/paths.h"
 

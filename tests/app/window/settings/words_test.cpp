@@ -1,12 +1,12 @@
 #include "widgets/words/words.h"
 #include "app/window/settings/translation.h"
-#include "hexoderm/device/simulation/simulated_skin.h"
+#include "hexoderm/base/error.h"
+#include "hexoderm/base/finding.h"
+#include "hexoderm/base/units.h"
 #include "hexoderm/io/calibration_json.h"
-#include "hexoderm/reconstruction/reconstructor.h"
-#include "hexoderm/session/simulated_session.h"
-#include "hexoderm/util/error.h"
-#include "hexoderm/util/finding.h"
-#include "hexoderm/util/units.h"
+#include "hexoderm/sim/simulated_session.h"
+#include "hexoderm/sim/simulated_skin.h"
+#include "hexoderm/solve/reconstructor.h"
 
 #include <gtest/gtest.h>
 

@@ -1,8 +1,8 @@
 #include "hexoderm/device/skinwire/codec.h"
 
+#include "hexoderm/base/error.h"
+#include "hexoderm/base/file.h"
 #include "hexoderm/device/skinwire/crc32c.h"
-#include "hexoderm/util/error.h"
-#include "hexoderm/util/file.h"
 #include "tests/core/device/skinwire/wire_messages.h"
 #include "tests/support/paths.h"
 

@@ -1,8 +1,8 @@
 // The example senders, as people start them.
 
+#include "hexoderm/base/file.h"
 #include "hexoderm/device/sources/stdin_source.h"
-#include "hexoderm/graph/cell_model.h"
-#include "hexoderm/util/file.h"
+#include "hexoderm/skin/cell_model.h"
 #include "tests/core/device/sources/wire_host.h"
 #include "tests/support/child_process.h"
 #include "tests/support/paths.h"

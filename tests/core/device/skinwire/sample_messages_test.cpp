@@ -1,7 +1,7 @@
 #include "hexoderm/device/skinwire/sample_messages.h"
 
+#include "hexoderm/base/error.h"
 #include "hexoderm/device/skinwire/codec.h"
-#include "hexoderm/util/error.h"
 #include "tests/core/device/skinwire/wire_messages.h"
 #include "tests/support/sample_matchers.h"
 

@@ -1,6 +1,6 @@
 #include "hexoderm/device/sources/open_source.h"
 
-#include "hexoderm/util/error.h"
+#include "hexoderm/base/error.h"
 #include "tests/support/error_matchers.h"
 
 #include <gmock/gmock.h>

@@ -1,8 +1,8 @@
 #include "hexoderm/device/sources/recording.h"
 
+#include "hexoderm/base/error.h"
+#include "hexoderm/base/file.h"
 #include "hexoderm/device/skinwire/codec.h"
-#include "hexoderm/util/error.h"
-#include "hexoderm/util/file.h"
 #include "tests/core/device/skinwire/collecting_listener.h"
 #include "tests/core/device/skinwire/wire_messages.h"
 #include "tests/support/error_matchers.h"

@@ -1,6 +1,6 @@
 #include "hexoderm/device/sources/wire_source.h"
 
-#include "hexoderm/util/error.h"
+#include "hexoderm/base/error.h"
 #include "tests/core/device/sources/wire_source_fixture.h"
 
 #include <gtest/gtest.h>

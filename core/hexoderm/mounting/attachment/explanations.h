@@ -1,0 +1,29 @@
+#pragma once
+
+// Private to robot/: why patches may fit no link.
+
+#include "hexoderm/base/message.h"
+#include "hexoderm/mounting/attachment/link_test.h"
+
+#include <optional>
+#include <span>
+#include <vector>
+
+namespace hexoderm {
+
+/// Patches and the robot that they were compared with.
+struct ComparedRobot {
+  const RobotModel& robot;
+  std::vector<JointAngles> angles;  ///< of the compared poses
+  std::vector<PoseId> poses;
+  Eigen::Vector3d up_w;
+  LinkTest test;
+};
+
+/// One mistake that would explain why these patches fit no link, the likeliest kinds first: angles
+/// in another unit, a base that stands otherwise, angles of the next pose or the one before, those of a single pose, a
+/// joint that counts the other way round, a joint whose zero is far off. In words; nullopt if none does, or if there
+/// are too few poses to tell.
+std::optional<Message> explain(const std::vector<const SeenByPatch*>& without_link, const ComparedRobot& compared);
+
+}  // namespace hexoderm

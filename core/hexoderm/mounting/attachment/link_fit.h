@@ -1,0 +1,70 @@
+#pragma once
+
+// Private to robot/: how a patch is turned on a link, if it is on that link.
+
+#include "hexoderm/mounting/attachment/link_gravity.h"
+#include "hexoderm/mounting/parts/gravity_seen.h"
+#include "hexoderm/mounting/parts/rigid_fit.h"
+
+#include <Eigen/Cholesky>
+#include <Eigen/Core>
+#include <vector>
+
+namespace hexoderm {
+
+/// What a patch saw, made ready for being compared with what links see.
+class SeenByPatch {
+ public:
+  /// `places`: for each pose of `seen` its index in LinkGravity.
+  SeenByPatch(GravitySeen seen, std::vector<std::size_t> places);
+
+  [[nodiscard]] const GravitySeen& seen() const { return seen_; }
+  [[nodiscard]] std::size_t size() const { return seen_.size(); }
+  [[nodiscard]] std::size_t placeOf(std::size_t k) const { return places_[k]; }
+  [[nodiscard]] const std::vector<std::size_t>& places() const { return places_; }
+  /// Across what was seen in its pose k.
+  [[nodiscard]] const Eigen::Matrix<double, 2, 3>& across(std::size_t k) const { return across_[k]; }
+  /// The direction `foretold` (patch frame, about unit) against what was seen in its pose k: its angle, as a vector
+  /// across. Never small for opposite directions.
+  [[nodiscard]] Eigen::Vector2d residual(std::size_t k, const Eigen::Vector3d& foretold) const;
+  /// Rows of two for each pose, turned into ones with the covariance I.
+  void whiten(Eigen::MatrixXd& rows) const { factor_.matrixL().solveInPlace(rows); }
+  /// Half the logarithm of the covariance's determinant.
+  [[nodiscard]] double logSpread() const { return factor_.matrixLLT().diagonal().array().log().sum(); }
+  /// The inverse of the covariance, 1/rad^2.
+  [[nodiscard]] Eigen::MatrixXd information() const {
+    return factor_.solve(Eigen::MatrixXd::Identity(factor_.rows(), factor_.cols()));
+  }
+
+ private:
+  GravitySeen seen_;
+  std::vector<std::size_t> places_;
+  std::vector<Eigen::Matrix<double, 2, 3>> across_;
+  Eigen::LLT<Eigen::MatrixXd> factor_;
+};
+
+/// How uncertain joints and base are, 1 sigma; 0 for exact.
+struct RobotPriors {
+  double zero_rad = 0;
+  double tilt_rad = 0;
+};
+
+/// The best turn of a patch on a link, with the joints' zeros and the base's tilt free within their priors.
+struct LinkTurn {
+  Eigen::Matrix3d R_l_o = Eigen::Matrix3d::Identity();
+  /// Of e in R_true = R exp(e), e in the patch's frame, rad^2; about 1 rad^2 for a turn that the poses leave open.
+  Eigen::Matrix3d covariance = Eigen::Matrix3d::Identity();
+  GravityMisfit misfit;
+  /// Logarithm of how probable what was seen is on this link, but for a constant that is the patch's.
+  double log_evidence = 0;
+};
+
+/// Maximum likelihood (weighted Procrustes with the full covariance of the patch). The joints' zeros and the tilt are
+/// small: they count to first order.
+LinkTurn turnOn(const SeenByPatch& patch, const LinkGravity& robot, std::size_t link, const RobotPriors& priors);
+
+/// What the patch would see without errors if it were on the link and turned so, with the errors that it has.
+SeenByPatch expectedOf(const SeenByPatch& patch, const LinkGravity& robot, std::size_t link,
+                       const Eigen::Matrix3d& R_l_o);
+
+}  // namespace hexoderm

@@ -1,0 +1,137 @@
+#include "hexoderm/skin/cell_model.h"
+
+#include "hexoderm/base/error.h"
+#include "hexoderm/base/is_rotation.h"
+#include "hexoderm/base/limits.h"
+#include "hexoderm/base/text.h"
+#include "hexoderm/base/units.h"
+#include "hexoderm/skin/cell_lengths.h"
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+namespace hexoderm {
+namespace {
+
+// Far beyond every skin, and such that squares, and one divided by them, are still numbers.
+constexpr double kLeast = 1e-12;
+constexpr double kMost = 1e9;
+
+double headingOf(const Port& port) { return std::atan2(port.vector_m.y(), port.vector_m.x()); }
+
+}  // namespace
+
+const Port* CellModel::findPort(PortNumber number) const {
+  const auto found = std::ranges::find(ports, number, &Port::number);
+  return found == ports.end() ? nullptr : &*found;
+}
+
+const Port& CellModel::port(PortNumber number) const {
+  const Port* found = findPort(number);
+  if (found == nullptr) throw InvalidArgument(message("cell model {} has no port {}", name, number));
+  return *found;
+}
+
+bool CellModel::isForbidden(PortNumber a, PortNumber b) const {
+  return std::ranges::any_of(forbidden_port_pairs,
+                             [&](const auto& pair) { return pair == std::pair(a, b) || pair == std::pair(b, a); });
+}
+
+double CellModel::reach_m() const {
+  double reach = 0;
+  for (const Port& port : ports) reach = std::max(reach, port.vector_m.norm());
+  return reach;
+}
+
+std::array<Eigen::Vector3d, 6> CellModel::outline() const {
+  std::array<Eigen::Vector3d, 6> corners;
+  for (int k = 0; k < 6; ++k) {
+    const double angle = side_angle_rad + k * kPi / 3;
+    corners.at(static_cast<std::size_t>(k)) = {side_m * std::cos(angle), side_m * std::sin(angle), 0};
+  }
+  return corners;
+}
+
+void CellModel::validate() const {
+  const auto require = [&](bool holds, const Message& what) {
+    if (!holds) throw InvalidArgument(located(message("cell model {}", name), what));
+  };
+  const auto within = [&](double value, const std::string& what, double least, double most) {
+    require(value >= least && value <= most,
+            message("{} must be from {} to {}, found {}", what, Number{least}, Number{most}, Number{value}));
+  };
+  const auto positive = [&](double value, const std::string& what, double most = kMost) {
+    require(value > 0, message("{} must be above 0", what));
+    within(value, what, kLeast, most);
+  };
+  const auto notNegative = [&](double value, const std::string& what, double most = kMost) {
+    require(value >= 0, message("{} must not be negative", what));
+    if (value != 0) positive(value, what, most);
+  };
+  const auto placed = [&](const SE3& T, const std::string& what) {
+    require(isWithin(T.t, kMostCellLength_m),
+            message("{} must be within {} m", what + "t_u_m", Number{kMostCellLength_m}));
+    require(isRotation(T.R), message("{} must be a rotation", what + "R_u"));
+  };
+  require(!name.empty(), message("name must not be empty"));
+  within(side_m, "side_m", kLeastCellSide_m, kMostCellLength_m);
+  notNegative(thickness_m, "thickness_m", kMostCellLength_m);
+  notNegative(gap_m, "gap_m", kMostCellLength_m);
+  require(!ports.empty(), message("there must be at least one port"));
+  std::set<PortNumber> numbers;
+  for (const Port& port : ports) {
+    require(numbers.insert(port.number).second, message("port {} is listed twice", port.number));
+    require(isWithin(port.vector_m, kMostCellLength_m) && port.vector_m.head<2>().norm() > 1e-9,
+            message("port {}: vector_m must point out of the cell's side, by at most {} m", port.number,
+                    Number{kMostCellLength_m}));
+  }
+  for (const auto& [a, b] : forbidden_port_pairs) {
+    require(findPort(a) != nullptr && findPort(b) != nullptr, message("forbidden_port_pairs names an unknown port"));
+  }
+  require(interface_id.value() > 0, message("interface_id must be above 0"));
+  positive(accelerometer.range_g, "accelerometer.range_g", kMostAcceleration_g);
+  notNegative(accelerometer.lsb_g, "accelerometer.lsb_g", kMostAcceleration_g);
+  positive(accelerometer.rate_hz, "accelerometer.rate_hz");
+  notNegative(accelerometer.noise_g_per_sqrt_hz, "accelerometer.noise_g_per_sqrt_hz");
+  notNegative(accelerometer.offset_sigma_g, "accelerometer.offset_sigma_g");
+  notNegative(accelerometer.shared_offset_sigma_g, "accelerometer.shared_offset_sigma_g");
+  require(accelerometer.shared_offset_sigma_g <= accelerometer.offset_sigma_g,
+          message("accelerometer.shared_offset_sigma_g is a part of offset_sigma_g, so at most {}, found {}",
+                  Number{accelerometer.offset_sigma_g}, Number{accelerometer.shared_offset_sigma_g}));
+  notNegative(accelerometer.scale_sigma, "accelerometer.scale_sigma");
+  notNegative(accelerometer.cross_axis_sigma, "accelerometer.cross_axis_sigma");
+  placed(accelerometer.T_u_a, "accelerometer.");
+  for (const CellSensor& sensor : sensors) placed(sensor.T_u_s, "sensor " + sensor.name + ": ");
+  require(std::abs(side_angle_rad) <= kMost, message("side_angle_rad must be within {}", Number{kMost}));
+  positive(link_sigma_m, "link_sigma_m");
+  positive(bend_sigma_rad, "bend_sigma_rad");
+  positive(twist_sigma_rad, "twist_sigma_rad");
+  positive(yaw_sigma_rad, "yaw_sigma_rad");
+}
+
+Eigen::Matrix3d nominalAlignment(const Port& source, const Port& target) {
+  const double angle = headingOf(source) + kPi - headingOf(target);
+  Eigen::Matrix3d R;
+  R << std::cos(angle), -std::sin(angle), 0, std::sin(angle), std::cos(angle), 0, 0, 0, 1;
+  return R;
+}
+
+Eigen::Matrix3d linkAxes(const Port& port) {
+  const Eigen::Vector3d u = port.vector_m.normalized();
+  Eigen::Matrix3d axes;
+  axes << u, Eigen::Vector3d::UnitZ().cross(u), Eigen::Vector3d::UnitZ();
+  return axes;
+}
+
+LinkAngles linkAngles(const Eigen::Matrix3d& R_c_n, const Port& source, const Port& target) {
+  const Eigen::Matrix3d axes = linkAxes(source);
+  const Eigen::Vector3d w = logSO3(R_c_n * nominalAlignment(source, target).transpose());
+  return {w.dot(axes.col(0)), w.dot(axes.col(1)), w.dot(axes.col(2))};
+}
+
+SE3 linkTransform(const Eigen::Matrix3d& R_c_n, const Port& source, const Port& target) {
+  return {R_c_n, source.vector_m - R_c_n * target.vector_m};
+}
+
+}  // namespace hexoderm

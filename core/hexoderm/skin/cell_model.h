@@ -1,0 +1,112 @@
+#pragma once
+
+#include "hexoderm/base/ids.h"
+#include "hexoderm/base/se3.h"
+#include "hexoderm/base/units.h"
+
+#include <array>
+#include <filesystem>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+namespace hexoderm {
+
+/// A side of a cell through which it can be joined to a neighbour.
+struct Port {
+  PortNumber number;
+  /// Extended port vector in the cell frame, metres: from the cell's centre to its side and on by half the gap.
+  Eigen::Vector3d vector_m;
+};
+
+/// The accelerometer of a cell, as its data sheet has it.
+struct Accelerometer {
+  double range_g = 2.0;
+  double lsb_g = 0.004;
+  double rate_hz = 1000.0;
+  double noise_g_per_sqrt_hz = 0.0005;
+  double offset_sigma_g = 0.06;  ///< 1 sigma of the uncalibrated offset, per axis
+  /// 1 sigma, per axis, of the part of the offset that all chips of a lot share; at most offset_sigma_g, which includes
+  /// it. The estimate takes the offsets of a skin's chips as independent, which grants them no less.
+  double shared_offset_sigma_g = 0;
+  double scale_sigma = 0.02;        ///< 1 sigma of the relative scale error, per axis
+  double cross_axis_sigma = 0.005;  ///< 1 sigma of each off-diagonal element
+  SE3 T_u_a;                        ///< placement of the accelerometer in the cell frame
+};
+
+/// A sensor on a cell, placed in the cell frame.
+struct CellSensor {
+  std::string name;
+  std::string type;
+  SE3 T_u_s;
+};
+
+/// A kind of cell: all that is known of it before anything is measured. The built-in model is
+/// resources/cell_models/hex-bma150.json.
+///
+/// Cell frame: origin at the centre of the hexagon's front face, z out of the skin, right-handed. Metres, radians, g.
+///
+/// What has a default may be left as it is, as in a file; the rest must be given. Session and reconstruct() refuse a
+/// model that validate() refuses.
+struct CellModel {
+  std::string name;
+  double side_m = 0;
+  double thickness_m = 0;
+  double gap_m = 0;
+  std::vector<Port> ports;
+  CellId interface_id;  ///< cells with this ID or a larger one are computer interfaces
+  Accelerometer accelerometer;
+  std::vector<CellSensor> sensors;
+  std::vector<std::pair<PortNumber, PortNumber>> forbidden_port_pairs;
+  double side_angle_rad = 0;  ///< rotation of the outline about z; at 0 a corner lies on +x
+  double link_sigma_m = 0.0005;
+  double bend_sigma_rad = 30 * kDegree;  ///< priors of the elastomer, 1 sigma
+  double twist_sigma_rad = 10 * kDegree;
+  double yaw_sigma_rad = 2 * kDegree;
+
+  /// nullptr if the model has no such port.
+  [[nodiscard]] const Port* findPort(PortNumber number) const;
+  /// Throws InvalidArgument if the model has no such port.
+  [[nodiscard]] const Port& port(PortNumber number) const;
+  [[nodiscard]] bool isForbidden(PortNumber a, PortNumber b) const;  ///< the two ports can't be joined
+  /// Length of the longest extended port vector, metres.
+  [[nodiscard]] double reach_m() const;
+  /// The six corners of the front face in the cell frame, counter-clockwise seen from +z, metres.
+  [[nodiscard]] std::array<Eigen::Vector3d, 6> outline() const;
+  /// Throws InvalidArgument naming the first value that makes no sense.
+  void validate() const;
+};
+
+/// The nominal alignment of a link: the rotation about z that turns p_n onto -p_c, from the model's vectors.
+Eigen::Matrix3d nominalAlignment(const Port& source, const Port& target);
+
+/// What twist, bend and yaw of a link are about, in the columns: the port's outward direction u, z x u, and z. Ports
+/// lie in the cell's plane but for what a model's vector says.
+Eigen::Matrix3d linkAxes(const Port& port);
+
+/// Twist, bend and yaw of a link: with u_c the outward port direction of the source cell and R_c_n R_nom^T = exp(w),
+/// the parts of w along u_c, z x u_c and z. Radians.
+struct LinkAngles {
+  double twist_rad = 0;
+  double bend_rad = 0;
+  double yaw_rad = 0;
+};
+/// The angles of the link between two ports, from the rotation of its cells.
+LinkAngles linkAngles(const Eigen::Matrix3d& R_c_n, const Port& source, const Port& target);
+
+/// T_c_n of two joined cells from their relative rotation, eq. (3): t_c_n = p_c - R_c_n p_n.
+SE3 linkTransform(const Eigen::Matrix3d& R_c_n, const Port& source, const Port& target);
+
+/// The built-in model of the given name ("hex-bma150"). Throws InvalidArgument listing the names there are.
+CellModel builtInCellModel(std::string_view name);
+std::vector<std::string> builtInCellModelNames();  ///< the names that builtInCellModel() knows
+
+/// JSON text of a model, and back. `file` is named in errors (FormatError with the key path).
+CellModel cellModelFromJson(std::string_view text, const std::string& file);
+std::string cellModelToJson(const CellModel& model);  ///< the model as a document that cellModelFromJson() reads
+
+/// A built-in name, or the path of a JSON file.
+CellModel loadCellModel(const std::string& name_or_path);
+
+}  // namespace hexoderm

@@ -1,0 +1,456 @@
+#include "hexoderm/solve/checks/calibration_check.h"
+
+#include "hexoderm/base/enum_names.h"
+#include "hexoderm/base/error.h"
+#include "hexoderm/solve/checks/cell_change.h"
+#include "hexoderm/solve/checks/same_skin.h"
+#include "hexoderm/solve/faults/cell_health.h"
+
+#include <Eigen/Cholesky>
+#include <Eigen/LU>
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <unordered_map>
+#include <utility>
+
+namespace hexoderm {
+namespace {
+
+/// An explanation is ruled out if it leaves so much more of the chi-squared than the other: 2 ln 20.
+constexpr double kRuledOut = 5.99;
+/// A turn about an axis that is known no better than this may be larger than what is seen of it.
+constexpr double kBlind_rad = 10 * kDegree;
+/// A cell about which no smaller turn would be noticed, but for one axis, tells nothing.
+constexpr double kTellsNothing_rad = 20 * kDegree;
+
+/// What the readings alone say against a sensor.
+Message brokenInWords(FindingCode code) {
+  switch (code) {
+    case FindingCode::IdenticalReadings:
+      return message("broken: it reads the same as another cell, digit for digit");
+    case FindingCode::DeadSensor:
+      return message("dead: it reads no gravity");
+    case FindingCode::StuckSensor:
+      return message("dead: it reads the same in all poses");
+    case FindingCode::SaturatedSensor:
+      return message("broken: it reads the end of its range");
+    case FindingCode::DeadAxis:
+      return message("broken: one of its axes is dead");
+    case FindingCode::NoisySensor:
+      return message("broken: it scatters far more than the other cells");
+    default:
+      return {};
+  }
+}
+
+/// The calibration as the statistics need it: what is known of each of its cells.
+class CalibratedCells {
+ public:
+  explicit CalibratedCells(const Reconstruction& calibration)
+      : calibration_(calibration),
+        model_(*calibration.model),
+        prior_(model_.accelerometer),
+        joint_(calibration.solver == solverName(Solver::Global)) {
+    for (std::size_t k = 0; k < calibration.poses.size(); ++k) place_of_.emplace(calibration.poses[k].pose, k);
+  }
+
+  /// Covariance of the errors of a cell's attitude (accelerometer axes), offset and gains. `own_g2`: variance that the
+  /// sensor's own noise leaves in a mean reading, as today's poses show it.
+  [[nodiscard]] CellErrors errorsOf(const PatchReconstruction& patch, const CellPlacement& cell, double own_g2) const {
+    const Eigen::Matrix3d R_u_a = model_.accelerometer.T_u_a.R;
+    if (cell.placed_by == PlacedBy::Links) {
+      CellErrors covariance =
+          priorInformation(prior_, elastomerInformation(model_, portsOf(patch, cell.cell))).inverse();
+      if (cell.cov_t_r) {
+        covariance.topLeftCorner<3, 3>() = R_u_a.transpose() * cell.cov_t_r->bottomRightCorner<3, 3>() * R_u_a;
+      }
+      return covariance;
+    }
+    const CellErrors priors = priorInformation(prior_, elastomerInformation(model_, portsOf(patch, cell.cell)));
+    const std::vector<PlacingReading> readings = readingsOf(patch, cell, own_g2);
+    const CellEstimate estimate = joint_ ? CellEstimate::JointNoCrossAxis : CellEstimate::Tree;
+    return errorsOfCell(priors, readings, gainOf(cell), estimate);
+  }
+
+  [[nodiscard]] static Eigen::Matrix3d gainOf(const CellPlacement& cell) {
+    return cell.accel_scale ? Eigen::Matrix3d(cell.accel_scale->asDiagonal()) : Eigen::Matrix3d::Identity();
+  }
+  [[nodiscard]] static Eigen::Vector3d offsetOf(const CellPlacement& cell) {
+    return cell.accel_offset_g.value_or(Eigen::Vector3d::Zero());
+  }
+
+ private:
+  [[nodiscard]] static std::vector<PortNumber> portsOf(const PatchReconstruction& patch, CellId cell) {
+    std::vector<PortNumber> ports;
+    for (const LinkEstimate& link : patch.links) {
+      if (!link.used) continue;
+      if (link.source.cell == cell) ports.push_back(link.source.port);
+      if (link.target.cell == cell) ports.push_back(link.target.port);
+    }
+    return ports;
+  }
+
+  /// In which of the calibration's poses the cell was measured: its links have residuals there. A cell without any
+  /// counts as measured in all.
+  [[nodiscard]] std::vector<bool> measuredIn(const PatchReconstruction& patch, CellId cell) const {
+    std::vector<bool> measured(calibration_.poses.size(), false);
+    for (const LinkEstimate& link : patch.links) {
+      if (link.source.cell != cell && link.target.cell != cell) continue;
+      for (std::size_t k = 0; k < std::min(measured.size(), link.pose_residual_rad.size()); ++k) {
+        measured[k] = measured[k] || link.pose_residual_rad[k].has_value();
+      }
+    }
+    if (std::ranges::count(measured, true) == 0) measured.assign(measured.size(), true);
+    return measured;
+  }
+
+  /// The readings that the cell was placed by, as far as the calibration tells: their gravity, and the variance with
+  /// which the solver weighed those of a pose, which holds more than the sensor's own noise (GravityTable).
+  [[nodiscard]] std::vector<PlacingReading> readingsOf(const PatchReconstruction& patch, const CellPlacement& cell,
+                                                       double own_g2) const {
+    const Eigen::Matrix3d R_a_o = (cell.T_o_u.R * model_.accelerometer.T_u_a.R).transpose();
+    const std::vector<bool> measured = measuredIn(patch, cell.cell);
+    std::vector<PlacingReading> readings;
+    for (const GravityDirection& gravity : patch.gravity) {
+      const auto place = place_of_.find(gravity.pose);
+      if (place == place_of_.end() || !measured[place->second]) continue;
+      const double noise_g = std::max(calibration_.poses[place->second].noise_g, kTremorFloor_g);
+      readings.push_back({R_a_o * gravity.g_o, noise_g * noise_g, std::min(noise_g * noise_g, own_g2)});
+    }
+    return readings;
+  }
+
+  const Reconstruction& calibration_;
+  const CellModel& model_;
+  AccelerometerPrior prior_;
+  bool joint_;
+  std::unordered_map<PoseId, std::size_t> place_of_;
+};
+
+class CalibrationChecker {
+ public:
+  CalibrationChecker(const Reconstruction& calibration, const SessionSnapshot& today)
+      : calibration_(calibration),
+        today_(withModel(today, calibration.model)),
+        graph_(*today_.model, *today_.neighbors),
+        missing_(findMissingParts(calibration, *today.model, graph_)),
+        cells_(calibration),
+        table_(today_, graph_, ignored_) {}
+
+  CalibrationCheck run() {
+    for (const std::size_t pose : table_.enabledPoses()) check_.poses.push_back(today_.poses[pose].capture->id);
+    judgeReadings();
+    for (const PatchReconstruction& patch : calibration_.patches) checkPatch(patch);
+    std::ranges::sort(check_.cells, {}, &CheckedCell::cell);
+    sayWhatIsMissing();
+    summarize();
+    return std::move(check_);
+  }
+
+ private:
+  static SessionSnapshot withModel(SessionSnapshot snapshot, std::shared_ptr<const CellModel> model) {
+    snapshot.model = std::move(model);
+    return snapshot;
+  }
+
+  /// Sensors that can't be compared. A norm beyond what the prior of an uncalibrated sensor excuses is one to explain.
+  void judgeReadings() {
+    std::vector<Finding> findings;
+    judgeCells(today_, graph_, table_, findings);
+    for (const Finding& finding : findings) {
+      if (finding.code == FindingCode::PartMoved) check_.remarks.push_back(finding.message);
+      if (finding.code == FindingCode::WrongNorm) allowAgain(finding);
+      const Message words = brokenInWords(finding.code);
+      if (words.empty()) continue;
+      for (const CellId cell : finding.cells) broken_.try_emplace(cell, words);
+    }
+  }
+
+  void allowAgain(const Finding& finding) {
+    for (const std::size_t pose : table_.enabledPoses()) {
+      if (std::ranges::find(finding.poses, today_.poses[pose].capture->id) == finding.poses.end()) continue;
+      for (const CellId cell : finding.cells) table_.at(*graph_.indexOf(cell), pose).usable = true;
+    }
+  }
+
+  void checkPatch(const PatchReconstruction& patch) {
+    std::vector<CellView> views;
+    for (const CellPlacement& cell : patch.cells) {
+      if (std::optional<CheckedCell> outcome = withoutComparison(cell)) {
+        check_.cells.push_back(*std::move(outcome));
+      } else {
+        views.push_back(look(patch, cell));
+      }
+    }
+    const Consensus consensus(views, check_.poses.size(), kChangedFrom);
+    if (views.size() < 2) {
+      for (const CellView& view : views) {
+        check_.cells.push_back(
+            notTold(view, message("can't be told: no other cell of its patch can be compared with it")));
+      }
+      return;
+    }
+    check_.compared = true;
+    if (2 * consensus.size() <= views.size()) {
+      contradictory_ = true;
+      check_.changed = true;
+      for (const CellView& view : views) {
+        check_.cells.push_back(notTold(
+            view, message("can't be told: the cells of its patch contradict each other, and no majority agrees")));
+      }
+      return;
+    }
+    for (std::size_t k = 0; k < views.size(); ++k) check_.cells.push_back(judge(views[k], consensus.compare(k)));
+  }
+
+  /// A cell that does not take part in the comparison, if it is one.
+  [[nodiscard]] std::optional<CheckedCell> withoutComparison(const CellPlacement& cell) const {
+    CheckedCell checked;
+    checked.cell = cell.cell;
+    checked.change = CellChange::Broken;
+    const std::optional<std::size_t> index = graph_.indexOf(cell.cell);
+    const auto broken = broken_.find(cell.cell);
+    if (!index) {
+      checked.words = message("gone: it is no longer among the skin's cells");
+    } else if (broken != broken_.end()) {
+      checked.words = broken->second;
+    } else if (!table_.usablePoses(*index).empty()) {
+      return std::nullopt;
+    } else if (cell.placed_by == PlacedBy::Links) {
+      checked.change = CellChange::NotTold;
+      checked.words = message("can't be told: it has no usable reading, as when it was calibrated");
+    } else {
+      checked.words = message("dead: it sends no reading");
+    }
+    return checked;
+  }
+
+  [[nodiscard]] static CheckedCell notTold(const CellView& view, Message words) {
+    CheckedCell checked;
+    checked.cell = view.cell;
+    checked.words = std::move(words);
+    checked.poses = view.poses.size();
+    return checked;
+  }
+
+  [[nodiscard]] CellView look(const PatchReconstruction& patch, const CellPlacement& cell) const {
+    constexpr double kLeast_g2 = 1e-12;  // a model may have neither noise nor steps
+    const std::size_t index = *graph_.indexOf(cell.cell);
+    const Eigen::Matrix3d R_a_u = today_.model->accelerometer.T_u_a.R.transpose();
+    const Eigen::Matrix3d R_o_a = cell.T_o_u.R * R_a_u.transpose();
+    const Eigen::Matrix3d gain = CalibratedCells::gainOf(cell);
+    const Eigen::Matrix3d inverse = gain.inverse();
+    CellView view;
+    view.cell = cell.cell;
+    view.at_o = cell.T_o_u.t;
+    view.drift_o = R_o_a * inverse;
+    const std::vector<std::size_t>& enabled = table_.enabledPoses();
+    for (std::size_t k = 0; k < enabled.size(); ++k) {
+      if (table_.at(index, enabled[k]).usable) view.poses.push_back(k);
+    }
+    const auto rows = 3 * static_cast<Eigen::Index>(view.poses.size());
+    view.force_o_g.resize(rows);
+    Eigen::MatrixXd jacobian(rows, kCellUnknowns);
+    Eigen::VectorXd noise_g2(rows);
+    for (std::size_t k = 0; k < view.poses.size(); ++k) {
+      const auto row = 3 * static_cast<Eigen::Index>(k);
+      const GravityTable::Entry& entry = table_.at(index, enabled[view.poses[k]]);
+      const Eigen::Vector3d v = inverse * (R_a_u * entry.mean_g - CalibratedCells::offsetOf(cell));
+      view.force_o_g.segment<3>(row) = R_o_a * v;
+      jacobian.middleRows<3>(row) = view.drift_o * readingJacobian(gain, v.normalized());
+      noise_g2.segment<3>(row).setConstant(std::max(entry.own_variance_g2, kLeast_g2));
+    }
+    view.covariance_g2 = jacobian * cells_.errorsOf(patch, cell, noise_g2.mean()) * jacobian.transpose();
+    view.covariance_g2.diagonal() += noise_g2;
+    return view;
+  }
+
+  [[nodiscard]] CheckedCell judge(const CellView& view, const ViewComparison& comparison) {
+    CheckedCell checked;
+    checked.cell = view.cell;
+    checked.poses = view.poses.size();
+    checked.deviate = comparison.misfit.deviate();
+    const NoticedTurn noticed = noticedTurn(comparison, kChangedFrom);
+    checked.noticed_turn_rad = noticed.any_axis_rad;
+    if (checked.deviate > kChangedFrom) {
+      explain(view, comparison, checked);
+    } else if (noticed.two_axes_rad.value_or(kPi) > kTellsNothing_rad) {
+      checked.words = message("can't be told: its calibration is too uncertain");
+    } else {
+      checked.change = CellChange::None;
+      checked.words = message("as calibrated");
+    }
+    return checked;
+  }
+
+  void explain(const CellView& view, const ViewComparison& comparison, CheckedCell& checked) {
+    const TurnFit turn = fitTurn(comparison);
+    const DriftFit drift = fitDrift(view, comparison);
+    if (std::min(turn.left.deviate(), drift.left.deviate()) > kChangedFrom) {
+      checked.change = CellChange::Broken;
+      checked.words = message("broken: neither a turn nor a drift of its offset explains what it reads");
+      changed_meanwhile_ = changed_meanwhile_ || view.poses.size() > 1;
+      return;
+    }
+    const double turn_leaves_more = turn.left.chi_squared - drift.left.chi_squared;
+    if (turn_leaves_more < kRuledOut) {
+      checked.turn = {turn.turn_o.norm(), turn.sigma_rad, turn.blind_sigma_rad > kBlind_rad};
+    }
+    if (turn_leaves_more > -kRuledOut) checked.drift = {drift.offset_g, drift.sigma_g};
+    checked.change = !checked.drift  ? CellChange::Turned
+                     : !checked.turn ? CellChange::Drifted
+                                     : CellChange::TurnedOrDrifted;
+    checked.words = explanationInWords(checked);
+  }
+
+  [[nodiscard]] static Message explanationInWords(const CheckedCell& checked) {
+    Message turned;
+    Message drifted;
+    if (checked.turn) {
+      const Degrees angle{checked.turn->angle_rad};
+      const Degrees sigma{checked.turn->sigma_rad};
+      turned = checked.turn->at_least ? message("turned by {} +- {} or more", angle, sigma)
+                                      : message("turned by {} +- {}", angle, sigma);
+    }
+    if (checked.drift) {
+      drifted = message("its sensor's offset drifted by {} +- {}", MilliG{checked.drift->offset_g.norm()},
+                        MilliG{checked.drift->sigma_g});
+    }
+    if (!checked.drift) return turned;
+    if (!checked.turn) return drifted;
+    return message("changed: {}, or {}; these poses can't tell which", turned, drifted);
+  }
+
+  void sayWhatIsMissing() {
+    for (const auto& [source, target] : missing_.links) {
+      check_.changed = true;
+      check_.remarks.push_back(
+          message("The {} of the calibration is no longer reported.", linkInWords(source, target)));
+    }
+  }
+
+  void summarize() {
+    std::vector<CellId> changed;
+    for (const CheckedCell& cell : check_.cells) {
+      if (cell.change != CellChange::None && cell.change != CellChange::NotTold) changed.push_back(cell.cell);
+    }
+    check_.changed = check_.changed || !changed.empty();
+    const std::size_t same = check_.count(CellChange::None);
+    const std::size_t not_told = check_.count(CellChange::NotTold);
+    std::vector<Message> words;
+    if (!changed.empty()) {
+      words.push_back(message("Not as calibrated: {}.", cellsInWords(changed)));
+    } else if (contradictory_) {
+      words.push_back(
+          message("The skin is not as calibrated, and the cells contradict each other so much that none can "
+                  "be named: calibrate it anew."));
+    } else if (!check_.compared) {
+      words.push_back(message("Nothing could be compared: no two cells of a patch have a usable reading."));
+    } else if (same == 0) {
+      words.push_back(message("Nothing can be told of any cell: the calibration is too uncertain."));
+    } else if (not_told == 0) {
+      words.push_back(message("All {} cells are as calibrated, as far as these poses show.", same));
+    }
+    if (same > 0 && not_told > 0) {
+      words.push_back(
+          message("{} of {} cells are as calibrated, as far as these poses show; of {} nothing can be told.", same,
+                  check_.cells.size(), not_told));
+    }
+    check_.compared = same > 0 || !changed.empty();
+    const bool too_many = 3 * changed.size() > check_.cells.size();
+    if (too_many) words.push_back(message("So many cells changed that the skin should be calibrated anew."));
+    const bool is_blind = std::ranges::any_of(check_.cells, [](const CheckedCell& cell) {
+      return cell.change == CellChange::None && !cell.noticed_turn_rad;
+    });
+    if (is_blind) {
+      words.push_back(
+          message("These poses don't show every turn of a cell: take another one, with the part turned by 45° "
+                  "or more."));
+    }
+    check_.summary = inRow(std::move(words));
+    if (!check_.changed) {
+      check_.advice = adviceWhereNothingChanged(is_blind || not_told > 0);
+    } else if (!too_many && !(contradictory_ && changed.empty())) {  // else the summary says what to do
+      check_.advice = adviceOnChanges(is_blind);
+    }
+  }
+
+  [[nodiscard]] Message adviceWhereNothingChanged(bool with_gaps) const {
+    if (!check_.compared) {
+      return message("See that the cells send readings, and that the calibration was made of three poses or more.");
+    }
+    return with_gaps ? message("As far as it could be compared, the calibration still holds.")
+                     : message("The calibration still holds: it can be used as before.");
+  }
+
+  [[nodiscard]] Message adviceOnChanges(bool is_blind) const {
+    const bool is_either = check_.count(CellChange::TurnedOrDrifted) > 0;
+    std::vector<Message> words;
+    if (is_either || check_.count(CellChange::Turned) > 0) {
+      words.push_back(
+          message("A cell that turned came loose or was fixed anew: see that it sits firmly, then calibrate anew."));
+    }
+    if (is_either || check_.count(CellChange::Drifted) > 0) {
+      words.push_back(
+          message("A cell whose offset drifted is still where it was; its readings are off by that much until the skin "
+                  "is calibrated anew."));
+    }
+    // Where the poses are blind, the summary asks for another one.
+    if (is_either && !is_blind) {
+      words.push_back(message("Another pose, with the part turned by 45° or more, tells a turn from a drift."));
+    }
+    if (check_.count(CellChange::Broken) > 0) {
+      words.push_back(message("Check the sensor, plug and cable of a cell that is dead, broken or gone."));
+    }
+    if (changed_meanwhile_) {
+      words.push_back(
+          message("What neither a turn nor a drift explains may have happened between these poses: compare only those "
+                  "that were taken since."));
+    }
+    if (!missing_.links.empty()) {
+      words.push_back(message("See that the cells are still joined where a link is no longer reported."));
+    }
+    return inRow(std::move(words));
+  }
+
+  const Reconstruction& calibration_;
+  SessionSnapshot today_;
+  SkinGraph graph_;
+  MissingParts missing_;
+  CalibratedCells cells_;
+  std::vector<Finding> ignored_;  ///< about the topology and the numbers of poses
+  GravityTable table_;
+  std::unordered_map<CellId, Message> broken_;
+  bool contradictory_ = false;      ///< no majority of some patch agrees
+  bool changed_meanwhile_ = false;  ///< as far as can be told, a cell may have changed between the poses
+  CalibrationCheck check_;
+};
+
+}  // namespace
+
+std::string_view cellChangeName(CellChange change) {
+  constexpr EnumNames<CellChange> kNames = {{"none", "turned", "drifted", "turned_or_drifted", "broken", "not_told"}};
+  return kNames.of(change);
+}
+
+std::size_t CalibrationCheck::count(CellChange change) const {
+  return static_cast<std::size_t>(std::ranges::count(cells, change, &CheckedCell::change));
+}
+
+CalibrationCheck checkCalibration(const Reconstruction& calibration, const SessionSnapshot& today) {
+  const bool is_ours =
+      calibration.solver == solverName(Solver::Global) || calibration.solver == solverName(Solver::Tree);
+  if (!is_ours) {
+    throw InvalidArgument(
+        message("the calibration was imported and does not say how its cells were measured: only one that Hexoderm "
+                "made of poses "
+                "can be checked"));
+  }
+  if (std::ranges::count(today.poses, false, &SessionPose::disabled) == 0) {
+    throw InvalidArgument(message("there is no pose to check the calibration with: take one to three"));
+  }
+  return CalibrationChecker(calibration, today).run();
+}
+
+}  // namespace hexoderm

@@ -1,0 +1,162 @@
+#include "hexoderm/solve/checks/cell_change.h"
+
+#include "hexoderm/base/procrustes.h"
+#include "hexoderm/base/units.h"
+
+#include <Eigen/Cholesky>
+#include <Eigen/Eigenvalues>
+#include <Eigen/LU>
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace hexoderm {
+namespace {
+
+constexpr double kTurnPrior_rad = 1;
+constexpr double kDriftPrior_g = 1;
+
+Eigen::Matrix3Xd columns(const Eigen::VectorXd& stacked) { return stacked.reshaped(3, stacked.size() / 3); }
+
+/// Derivative of the forces exp(-e) v that a cell turned by e sees, at e = 0; three rows per pose.
+Eigen::MatrixXd turnJacobian(const Eigen::VectorXd& force_o_g) {
+  Eigen::MatrixXd J(force_o_g.size(), 3);
+  for (Eigen::Index k = 0; k < force_o_g.size(); k += 3) J.middleRows<3>(k) = skew(force_o_g.segment<3>(k));
+  return J;
+}
+
+/// Least squares in units of a covariance.
+class Whitener {
+ public:
+  explicit Whitener(const Eigen::MatrixXd& covariance) : factor_(covariance) {}
+  [[nodiscard]] Eigen::MatrixXd operator()(const Eigen::MatrixXd& values) const {
+    return factor_.matrixL().solve(values);
+  }
+
+ private:
+  Eigen::LLT<Eigen::MatrixXd> factor_;
+};
+
+/// Deviation of the length of a vector with such a covariance.
+double sigmaAlong(const Eigen::Vector3d& v, const Eigen::Matrix3d& covariance) {
+  if (v.norm() == 0) return std::sqrt(covariance.trace() / 3);
+  const Eigen::Vector3d along = v.normalized();
+  return std::sqrt(along.dot(covariance * along));
+}
+
+/// Gauss-Newton from the rotation R of what the cell should see.
+struct TurnSearch {
+  const ViewComparison& comparison;
+  Whitener whiten;
+  Eigen::Matrix3d R = Eigen::Matrix3d::Identity();
+  double cost = 0;
+
+  [[nodiscard]] Eigen::VectorXd seen() const { return (R * columns(comparison.foretold_o_g)).reshaped(); }
+  [[nodiscard]] Eigen::VectorXd misses() const {
+    return whiten(comparison.foretold_o_g + comparison.residual_g - seen());
+  }
+  [[nodiscard]] double costOf(const Eigen::Matrix3d& rotation) {
+    R = rotation;
+    return misses().squaredNorm() + logSO3(R).squaredNorm() / (kTurnPrior_rad * kTurnPrior_rad);
+  }
+  [[nodiscard]] Eigen::Matrix3d information() const {
+    const Eigen::MatrixXd J = whiten(turnJacobian(seen()));
+    return J.transpose() * J + Eigen::Matrix3d::Identity() / (kTurnPrior_rad * kTurnPrior_rad);
+  }
+
+  void run(const Eigen::Matrix3d& start) {
+    constexpr int kSteps = 30;
+    constexpr int kHalvings = 20;
+    constexpr double kConverged = 1e-10;
+    cost = costOf(start);
+    for (int k = 0; k < kSteps; ++k) {
+      const Eigen::MatrixXd J = whiten(turnJacobian(seen()));
+      // R = exp(-turn), so the turn's part of the gradient is -log R.
+      const Eigen::Vector3d right = J.transpose() * misses() + logSO3(R) / (kTurnPrior_rad * kTurnPrior_rad);
+      Eigen::Vector3d step = information().llt().solve(right);
+      const Eigen::Matrix3d from = R;
+      const double before = cost;
+      bool lowered = false;
+      for (int halving = 0; !lowered && halving < kHalvings; ++halving, step /= 2) {
+        cost = costOf(expSO3(-step) * from);
+        lowered = cost < before;
+      }
+      if (!lowered) {
+        cost = costOf(from);
+        return;
+      }
+      if (step.norm() < kConverged) return;
+    }
+  }
+};
+
+/// Above the deviate `limit` with so many degrees of freedom: the chi-squared of Wilson and Hilferty's transformation.
+double chiSquaredAt(double limit, double degrees) {
+  const double spread = 2 / (9 * degrees);
+  return degrees * std::pow(std::max(0.0, 1 - spread + limit * std::sqrt(spread)), 3);
+}
+
+/// By how much a chi-squared must be shifted (its noncentrality) to be beyond the deviate `limit` with 95 %.
+double foundFrom(double limit, double degrees) {
+  constexpr double k95Percent = 1.645;
+  const double bound = chiSquaredAt(limit, degrees);
+  double shift = std::max(0.0, bound - degrees);
+  constexpr int kRounds = 50;
+  for (int k = 0; k < kRounds; ++k) shift = bound - degrees + k95Percent * std::sqrt(2 * (degrees + 2 * shift));
+  return shift;
+}
+
+}  // namespace
+
+TurnFit fitTurn(const ViewComparison& comparison) {
+  const Eigen::VectorXd seen = comparison.foretold_o_g + comparison.residual_g;
+  const Whitener whiten(comparison.covariance_g2);
+  const Eigen::Vector3d first = comparison.foretold_o_g.head<3>();
+  const Eigen::Matrix3d shortest = shortestRotation(first.normalized(), seen.head<3>().normalized());
+  const Eigen::Matrix3d best = solveProcrustes(columns(comparison.foretold_o_g), columns(seen)).R_c_n;
+  TurnSearch found{comparison, whiten};
+  found.cost = -1;
+  for (const Eigen::Matrix3d& start : {Eigen::Matrix3d(Eigen::Matrix3d::Identity()), shortest, best}) {
+    TurnSearch search{comparison, whiten};
+    search.run(start);
+    if (found.cost < 0 || search.cost < found.cost) {
+      found.R = search.R;
+      found.cost = search.cost;
+    }
+  }
+  const Eigen::Matrix3d covariance = found.information().inverse();
+  TurnFit fit;
+  fit.turn_o = -logSO3(found.R);
+  fit.sigma_rad = sigmaAlong(fit.turn_o, covariance);
+  fit.blind_sigma_rad = std::sqrt(Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(covariance).eigenvalues().maxCoeff());
+  fit.left = {found.misses().squaredNorm(), std::max(0.0, static_cast<double>(seen.size()) - 3)};
+  return fit;
+}
+
+DriftFit fitDrift(const CellView& view, const ViewComparison& comparison) {
+  const Whitener whiten(comparison.covariance_g2);
+  const Eigen::MatrixXd J = whiten(view.drift_o.replicate(static_cast<Eigen::Index>(view.poses.size()), 1));
+  const Eigen::VectorXd residual = whiten(comparison.residual_g);
+  const Eigen::Matrix3d information = J.transpose() * J + Eigen::Matrix3d::Identity() / (kDriftPrior_g * kDriftPrior_g);
+  DriftFit fit;
+  fit.offset_g = information.llt().solve(J.transpose() * residual);
+  fit.sigma_g = sigmaAlong(fit.offset_g, information.inverse());
+  fit.left = {(residual - J * fit.offset_g).squaredNorm(), std::max(0.0, static_cast<double>(residual.size()) - 3)};
+  return fit;
+}
+
+NoticedTurn noticedTurn(const ViewComparison& comparison, double limit) {
+  constexpr double kSmall_rad = 60 * kDegree;  // the readings' change is as good as linear in a smaller turn
+  const Eigen::MatrixXd J = Whitener(comparison.covariance_g2)(turnJacobian(comparison.foretold_o_g));
+  const Eigen::Vector3d information =
+      Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(J.transpose() * J).eigenvalues();  // ascending
+  const double shift = foundFrom(limit, static_cast<double>(comparison.residual_g.size()));
+  const auto angle = [&](double shown) -> std::optional<double> {
+    if (!(shown > 0)) return std::nullopt;
+    const double angle_rad = std::sqrt(shift / shown);
+    return angle_rad < kSmall_rad ? std::optional(angle_rad) : std::nullopt;
+  };
+  return {angle(information[0]), angle(information[1])};
+}
+
+}  // namespace hexoderm

@@ -1,0 +1,35 @@
+#pragma once
+
+#include "hexoderm/solve/estimate/estimate.h"
+
+#include <functional>
+#include <optional>
+
+namespace hexoderm {
+
+/// Looks for one kind of fault. It is asked with one estimate after another, each without what was explained before, as
+/// long as it finds anything.
+struct Explainer {
+  Estimate::Stage needs{};  ///< how far the estimate must be brought for it
+  /// The most probable explanation of what fits worst in the estimate; nothing where all that is left may be chance.
+  std::function<std::optional<Explanation>(const Estimate&)> explain;
+};
+
+/// By neighbouring cells alone (SuspectSearch): a pose in which the part moved, cells that contradict their neighbours,
+/// and then the links that no skin link can be. A cell that two poses don't clearly show to be wrong is called
+/// suspicious and stays, and so do its links.
+Explainer makeNeighborExplainer();
+
+/// By the joint estimate: the cell whose readings fit the gravity of all others worst, in whatever position, or which
+/// turned against them between two poses.
+Explainer makeMisfitExplainer();
+
+/// By the joint estimate: in every patch the link that leaves its loops open by more than askew cells can, a cable that
+/// looks like a skin link in its angles. One link a patch, because the others give way to it.
+Explainer makeOpenLinkExplainer();
+
+/// By the attitudes of solved patches (AttitudeSearch): links, and cells that are mounted otherwise or whose readings
+/// are each other's. Of a tree's readings also what a hand that turned the part added to them.
+Explainer makeAttitudeExplainer();
+
+}  // namespace hexoderm

@@ -1,0 +1,243 @@
+#include "hexoderm/solve/faults/own_attitudes.h"
+
+#include "hexoderm/base/parallel.h"
+#include "hexoderm/base/units.h"
+
+#include <Eigen/Cholesky>
+#include <Eigen/LU>
+#include <Eigen/QR>
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace hexoderm {
+namespace {
+
+/// One pose's force and swing, by least squares over the cells that read it.
+class SwingFit {
+ public:
+  void add(const Eigen::Vector3d& f_o, const Eigen::Vector3d& t_o, double variance_g2) {
+    count_ += 1;
+    variances_ += variance_g2;
+    force_ += f_o;
+    squares_ += f_o.squaredNorm();
+    place_ += t_o;
+    places_ += t_o * t_o.transpose();
+    turning_ += t_o.cross(f_o);
+  }
+
+  void operator+=(const SwingFit& other) {
+    count_ += other.count_;
+    squares_ += other.squares_;
+    variances_ += other.variances_;
+    force_ += other.force_;
+    place_ += other.place_;
+    places_ += other.places_;
+    turning_ += other.turning_;
+  }
+
+  /// Returns by how much that changes what a usual cell reads, g. Leaves `force` as it was where the cells agree on
+  /// nothing.
+  double find(PatchForce& force) const {
+    constexpr double kLeastAgreed = 0.5;  // g, as a sum
+    constexpr int kRounds = 4;
+    if (count_ == 0 || force_.norm() <= kLeastAgreed) return 0;
+    const Eigen::Vector3d mean = force_ / count_;
+    const Eigen::Vector3d middle = place_ / count_;
+    // f(t) = mean + swing x (t - middle), the swing with a usual tremor as its prior, and an error of every f whose
+    // variance is what is left.
+    const Eigen::Matrix3d about_middle = places_ - count_ * middle * middle.transpose();
+    const Eigen::Matrix3d levers = about_middle.trace() * Eigen::Matrix3d::Identity() - about_middle;
+    const Eigen::Vector3d turning = turning_ - middle.cross(force_);
+    const double squares = squares_ - count_ * mean.squaredNorm();
+    const PatchForce before = force;
+    double left = squares;
+    for (int round = 0; round < kRounds; ++round) {
+      const double variance = std::max(kLeastVariance, left / (3 * count_));
+      Eigen::Matrix3d information = levers;
+      information.diagonal().array() += variance * std::pow(kStandardGravity / kTremorAcceleration_rad_s2, 2);
+      force.swing_o = information.ldlt().solve(turning);
+      // With few poses own attitudes and sensors fit what they read too well.
+      force.swing_covariance_o = std::max(variance, variances_ / count_) * information.inverse();
+      left = squares + force.swing_o.dot(levers * force.swing_o - 2 * turning);
+    }
+    force.at_origin_o = mean.normalized() - force.swing_o.cross(middle);
+    const Eigen::Vector3d turned = force.swing_o - before.swing_o;
+    return (force.at_origin_o - before.at_origin_o + turned.cross(middle)).norm() +
+           turned.norm() * std::sqrt(about_middle.trace() / count_);
+  }
+
+ private:
+  static constexpr double kLeastVariance = 1e-12;  // g^2: without noise too the algebra is finite
+  double count_ = 0;
+  double squares_ = 0;
+  double variances_ = 0;
+  Eigen::Vector3d force_ = Eigen::Vector3d::Zero();
+  Eigen::Vector3d place_ = Eigen::Vector3d::Zero();
+  Eigen::Matrix3d places_ = Eigen::Matrix3d::Zero();
+  Eigen::Vector3d turning_ = Eigen::Vector3d::Zero();
+};
+
+/// Anderson's acceleration of x = g(x): the next x is what the last few, each with its g, say together.
+class Acceleration {
+ public:
+  Eigen::VectorXd next(const Eigen::VectorXd& x, const Eigen::VectorXd& g) {
+    constexpr std::size_t kMemory = 5;
+    const Eigen::VectorXd off = g - x;
+    if (last_off_.size() == off.size()) {
+      g_changes_.push_back(g - last_g_);
+      off_changes_.push_back(off - last_off_);
+      if (g_changes_.size() > kMemory) {
+        g_changes_.erase(g_changes_.begin());
+        off_changes_.erase(off_changes_.begin());
+      }
+    }
+    last_g_ = g;
+    last_off_ = off;
+    if (g_changes_.empty()) return g;
+    const auto count = static_cast<Eigen::Index>(g_changes_.size());
+    Eigen::MatrixXd changes(off.size(), count);
+    for (Eigen::Index k = 0; k < count; ++k) changes.col(k) = off_changes_[static_cast<std::size_t>(k)];
+    const Eigen::VectorXd shares = changes.colPivHouseholderQr().solve(off);
+    Eigen::VectorXd next = g;
+    for (Eigen::Index k = 0; k < count; ++k) next -= shares[k] * g_changes_[static_cast<std::size_t>(k)];
+    return next;
+  }
+
+ private:
+  Eigen::VectorXd last_g_;
+  Eigen::VectorXd last_off_;
+  std::vector<Eigen::VectorXd> g_changes_;
+  std::vector<Eigen::VectorXd> off_changes_;
+};
+
+/// All forces in one column, swings as what they change over a tenth of a metre.
+Eigen::VectorXd packed(std::span<const PatchForce> forces) {
+  constexpr double kLever_m = 0.1;
+  Eigen::VectorXd all(static_cast<Eigen::Index>(6 * forces.size()));
+  for (std::size_t k = 0; k < forces.size(); ++k) {
+    all.segment<6>(static_cast<Eigen::Index>(6 * k)) << forces[k].at_origin_o, kLever_m * forces[k].swing_o;
+  }
+  return all;
+}
+void unpack(const Eigen::VectorXd& all, std::span<PatchForce> forces) {
+  constexpr double kLever_m = 0.1;
+  for (std::size_t k = 0; k < forces.size(); ++k) {
+    forces[k].at_origin_o = all.segment<3>(static_cast<Eigen::Index>(6 * k));
+    forces[k].swing_o = all.segment<3>(static_cast<Eigen::Index>(6 * k + 3)) / kLever_m;
+  }
+}
+
+class Finder {
+ public:
+  Finder(const SkinLinks& skin, std::span<const std::size_t> cells, std::vector<PatchForce> forces,
+         std::span<const SE3> placements)
+      : R_u_a_(skin.model().accelerometer.T_u_a.R),
+        prior_(skin.model().accelerometer),
+        forces_(std::move(forces)),
+        placements_(placements),
+        own_(cells.size()),
+        start_(cells.size()) {
+    for (std::size_t place = 0; place < cells.size(); ++place) {
+      OwnCell& own = own_[place];
+      own.R_o_u = placements[place].R;
+      for (std::size_t k = 0; k < forces_.size(); ++k) {
+        const GravityTable::Entry& entry = skin.table().at(cells[place], forces_[k].pose);
+        if (entry.usable) own.readings.push_back({k, R_u_a_.transpose() * entry.mean_g, entry.variance_g2});
+      }
+      own.f_o.resize(own.readings.size());
+      own.known = !own.readings.empty();
+      start_[place] = own.R_o_u * R_u_a_;
+    }
+  }
+
+  /// Forces and own attitudes in turn, until they agree.
+  void settle() {
+    constexpr int kRounds = 60;
+    constexpr int kSteps = 2;  // of each attitude; the next round goes on
+    Acceleration acceleration;
+    for (int round = 0; round < kRounds; ++round) {
+      const Eigen::VectorXd before = packed(forces_);
+      if (refineForces(kSteps)) return;
+      unpack(acceleration.next(before, packed(forces_)), forces_);
+    }
+  }
+
+  OwnAttitudes run() {
+    findAttitudes(kMostAttitudeSteps, [this](std::size_t, std::size_t place, const OwnAttitude& found) {
+      OwnCell& own = own_[place];
+      own.R_o_u = found.R * R_u_a_.transpose();
+      own.information =
+          R_u_a_ * (found.information + Eigen::Matrix3d::Identity() / kUnknownVariance) * R_u_a_.transpose();
+      own.covariance = own.information.inverse();
+      own.offset_g = found.offset_g;
+      own.gain = found.gain;
+    });
+    return {std::move(own_), std::move(forces_)};
+  }
+
+ private:
+  static constexpr std::size_t kCellsAtOnce = 128;
+
+  /// Calls take(range, place, attitude) for every cell that has readings.
+  template <class Take>
+  void findAttitudes(int most_steps, const Take& take) {
+    inRanges(own_.size(), kCellsAtOnce, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t place = begin; place < end; ++place) {
+        if (!own_[place].known) continue;
+        findForcesOn(place);
+        const OwnAttitude found =
+            findAttitude(prior_, own_[place].readings, own_[place].f_o, start_[place], most_steps);
+        start_[place] = found.R;
+        take(begin / kCellsAtOnce, place, found);
+      }
+    });
+  }
+
+  void findForcesOn(std::size_t place) {
+    OwnCell& own = own_[place];
+    for (std::size_t k = 0; k < own.readings.size(); ++k) {
+      const PatchForce& force = forces_[own.readings[k].pose];
+      own.f_o[k] = force.at_origin_o + force.swing_o.cross(placements_[place].t);
+    }
+  }
+
+  /// Every force as most cells, freed from the errors of their sensors, read it. Returns whether that was known before.
+  bool refineForces(int most_steps) {
+    constexpr double kSettled_g = 3e-4;  // far below what any attitude is known to
+    using Fits = std::vector<SwingFit>;  // per force
+    std::vector<Fits> of_ranges((own_.size() + kCellsAtOnce - 1) / kCellsAtOnce, Fits(forces_.size()));
+    findAttitudes(most_steps, [&](std::size_t range, std::size_t place, const OwnAttitude& found) {
+      const Eigen::Matrix3d freed = found.R * found.gain.inverse();
+      for (const CellReading& reading : own_[place].readings) {
+        of_ranges[range][reading.pose].add(freed * (reading.y_g - found.offset_g), placements_[place].t,
+                                           reading.variance_g2);
+      }
+    });
+    double most_g = 0;
+    for (std::size_t k = 0; k < forces_.size(); ++k) {
+      SwingFit fit;
+      for (const Fits& fits : of_ranges) fit += fits[k];
+      most_g = std::max(most_g, fit.find(forces_[k]));
+    }
+    return most_g <= kSettled_g;
+  }
+
+  Eigen::Matrix3d R_u_a_;
+  AccelerometerPrior prior_;
+  std::vector<PatchForce> forces_;
+  std::span<const SE3> placements_;
+  std::vector<OwnCell> own_;
+  std::vector<Eigen::Matrix3d> start_;  // of the next search, per cell, accelerometer to patch
+};
+
+}  // namespace
+
+OwnAttitudes findOwnAttitudes(const SkinLinks& skin, std::span<const std::size_t> cells, std::vector<PatchForce> forces,
+                              std::span<const SE3> placements, bool forces_are_rough) {
+  Finder finder(skin, cells, std::move(forces), placements);
+  if (forces_are_rough) finder.settle();
+  return finder.run();
+}
+
+}  // namespace hexoderm

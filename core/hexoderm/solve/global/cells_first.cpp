@@ -1,0 +1,358 @@
+#include "hexoderm/solve/global/cells_first.h"
+
+#include "hexoderm/base/parallel.h"
+#include "hexoderm/solve/global/elimination_plan.h"
+#include "hexoderm/solve/sparse/block_cholesky.h"
+
+#include <Eigen/Cholesky>
+#include <cassert>
+#include <cmath>
+#include <mutex>
+#include <stdexcept>
+#include <utility>
+
+namespace hexoderm {
+namespace {
+
+constexpr std::size_t kAtOnce = 512;
+
+std::shared_ptr<const EliminationPlan> planOf(const JointProblem& problem) {
+  return problem.elimination && problem.elimination->fits(problem) ? problem.elimination : planElimination(problem);
+}
+
+/// The sparse block of the cells with its dense border: A x + E y = a, E^T x + F y = f.
+class BorderedFactor {
+ public:
+  explicit BorderedFactor(std::shared_ptr<const EliminationPlan> plan)
+      : plan_(std::move(plan)), factor_(plan_->pattern) {}
+
+  /// With the diagonal raised by `damping` times itself. Of the equations no more than the gradient counts afterwards.
+  bool factorize(NormalEquations& equations, double damping) {
+    takeBorder(equations);
+    return factorizeCells(equations, damping) && factorizeBorder(equations.border, damping);
+  }
+  /// The same of equations that are not needed again: what comes next gets their memory.
+  bool factorizeLast(NormalEquations equations, double damping) {
+    takeBorder(equations);
+    equations.border_cells.resize(0, 0);
+    if (!factorizeCells(equations, damping)) return false;
+    equations.cells = LargeVector<Matrix6d>();  // "= {}" would keep the memory
+    equations.links = LargeVector<Matrix6d>();
+    return factorizeBorder(equations.border, damping);
+  }
+
+  /// The step that takes the gradient away.
+  void solve(const NormalEquations& equations, Eigen::VectorXd& cells, Eigen::VectorXd& border) const {
+    assert(!finished_);
+    Eigen::VectorXd right = factor_.orderedVector(-equations.gradient_cells);
+    factor_.solveLower(right);
+    border = -equations.gradient_border - border_.matrix().transpose() * right;
+    if (border.size() > 0) schur_.solveInPlace(border);
+    right -= border_.matrix() * border;
+    factor_.solveUpper(right);
+    cells = factor_.vectorInOwnOrder(right);
+  }
+
+  /// After the last solve(): what is asked of the inverse takes the border in another form.
+  void finish() {
+    if (finished_) return;
+    finished_ = true;
+    auto matrix = border_.matrix();
+    if (matrix.cols() > 0) schur_.matrixU().solveInPlace<Eigen::OnTheRight>(matrix);
+    factor_.solveUpper(border_);
+    border_ = factor_.inOwnOrder(std::move(border_));
+  }
+  /// A^-1 E S^-T, with S S^T = F - E^T A^-1 E: the border's part of the cells' covariance is its outer product. Needs
+  /// finish().
+  [[nodiscard]] const RightSides& borderRoot() const {
+    assert(finished_);
+    return border_;
+  }
+  /// The cells' factor, to be used up.
+  [[nodiscard]] BlockCholesky&& takeCells() { return std::move(factor_); }
+
+  [[nodiscard]] const std::shared_ptr<const EliminationPlan>& plan() const { return plan_; }
+  [[nodiscard]] const BlockCholesky& cells() const { return factor_; }
+  [[nodiscard]] const Eigen::LLT<Eigen::MatrixXd>& schur() const { return schur_; }
+
+ private:
+  void takeBorder(const NormalEquations& equations) {
+    border_ = {};  // before there is another
+    border_ = factor_.ordered(equations.border_cells);
+    finished_ = false;
+  }
+
+  bool factorizeCells(NormalEquations& equations, double damping) {
+    if (damping > 0) {
+      for (Matrix6d& block : equations.cells) block.diagonal() *= 1 + damping;
+    }
+    LargeVector<Matrix6d> sums;
+    return factor_.factorize(equations.cells, plan_->couplesOf(equations.links, sums));
+  }
+
+  bool factorizeBorder(Eigen::MatrixXd schur, double damping) {
+    factor_.solveLower(border_);
+    schur.diagonal() *= 1 + damping;
+    if (schur.size() == 0) return true;  // neither a pose nor a gap share to estimate
+    schur.triangularView<Eigen::Lower>() -= border_.gram();
+    schur_.compute(schur);
+    return schur_.info() == Eigen::Success;
+  }
+
+  std::shared_ptr<const EliminationPlan> plan_;
+  BlockCholesky factor_;
+  RightSides border_;      // L^-1 E, with L L^T = A, until finish()
+  bool finished_ = false;  // border_ is the root
+  Eigen::LLT<Eigen::MatrixXd> schur_;
+};
+
+/// The covariances of all cells from their blocks of the sparse matrix's inverse.
+std::vector<Matrix6d> withBorder(std::vector<Matrix6d> cells, const RightSides& border_root, std::size_t origin) {
+  inRanges(cells.size(), kAtOnce, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t cell = begin; cell < end; ++cell) {
+      const Matrix6d sum = cells[cell] + border_root.product(cell, cell);
+      cells[cell] = (sum + sum.transpose()) / 2;
+    }
+  });
+  cells[origin].setZero();
+  return cells;
+}
+
+/// Where and how a factor was made, to make it once more.
+struct FactorOrigin {
+  JointState state;
+  double damping = 0;
+};
+
+class CellsFirstCovariance : public JointCovariance {
+ public:
+  CellsFirstCovariance(const JointProblem& problem, std::shared_ptr<BorderedFactor> factor, FactorOrigin made)
+      : origin_(problem.origin),
+        cells_(problem.cellCount()),
+        layout_(problem),
+        estimates_gap_share_(problem.gap.sigma.has_value()),
+        link_ends_(problem.links.size()),
+        plan_(factor->plan()),
+        made_(std::move(made)),
+        factor_(std::move(factor)) {
+    for (std::size_t k = 0; k < link_ends_.size(); ++k) link_ends_[k] = {problem.links[k].c, problem.links[k].n};
+  }
+
+  [[nodiscard]] const Matrix6d& cell(std::size_t cell) const override { return parts().cells[cell]; }
+  [[nodiscard]] const Matrix6d& link(std::size_t link) const override { return parts().links[link]; }
+
+  [[nodiscard]] Matrix6d between(std::size_t a, std::size_t b) const override {
+    if (a == origin_ || b == origin_) return Matrix6d::Zero();
+    Eigen::MatrixXd unit = Eigen::MatrixXd::Zero(static_cast<Eigen::Index>(6 * cells_), 6);
+    unit.middleRows<6>(static_cast<Eigen::Index>(6 * b)).setIdentity();
+    const std::shared_ptr<const BorderedFactor> factor = finishedFactor();
+    factor->cells().solve(unit);
+    return unit.middleRows<6>(static_cast<Eigen::Index>(6 * a)) + factor->borderRoot().product(a, b);
+  }
+
+  [[nodiscard]] Eigen::MatrixXd timesCells(Eigen::MatrixXd product) const override {
+    const auto origin_rows = [this](Eigen::MatrixXd& rows) {
+      return rows.middleRows<6>(static_cast<Eigen::Index>(6 * origin_));
+    };
+    origin_rows(product).setZero();
+    const std::shared_ptr<const BorderedFactor> factor = finishedFactor();
+    const auto border_root = factor->borderRoot().matrix();
+    const Eigen::MatrixXd by_border = border_root.transpose() * product;
+    factor->cells().solve(product);
+    product.noalias() += border_root * by_border;
+    origin_rows(product).setZero();
+    return product;
+  }
+
+  [[nodiscard]] Eigen::Matrix3d force(std::size_t pose) const override { return forces(pose, pose); }
+
+  [[nodiscard]] Eigen::Matrix3d forces(std::size_t a, std::size_t b) const override {
+    return border().block<3, 3>(layout_.force(a), layout_.force(b));
+  }
+
+  [[nodiscard]] Eigen::Matrix3d acceleration(std::size_t pose) const override {
+    const Eigen::Index at = layout_.acceleration(pose);
+    return border().block<3, 3>(at, at);
+  }
+
+  [[nodiscard]] double gapShareSigma() const override {
+    return estimates_gap_share_ ? std::sqrt(border()(layout_.gapShare(), layout_.gapShare())) : 0;
+  }
+
+  void keepProblemInstead(std::shared_ptr<const JointProblem> problem) const override {
+    border();
+    std::call_once(computed_, [&] { parts_ = compute(givenUpFactor(problem)); });
+    const std::lock_guard lock(factor_mutex_);
+    problem_ = std::move(problem);
+    factor_.reset();
+  }
+
+ private:
+  struct Parts {
+    std::vector<Matrix6d> cells;
+    std::vector<Matrix6d> links;
+  };
+
+  [[nodiscard]] std::shared_ptr<BorderedFactor> factor() const {
+    const std::lock_guard lock(factor_mutex_);
+    return knownFactor();
+  }
+  [[nodiscard]] std::shared_ptr<BorderedFactor> finishedFactor() const {
+    const std::lock_guard lock(factor_mutex_);
+    knownFactor()->finish();
+    return factor_;
+  }
+  /// The finished factor, which is made from the problem when it is needed again.
+  [[nodiscard]] std::shared_ptr<BorderedFactor> givenUpFactor(
+      const std::shared_ptr<const JointProblem>& problem) const {
+    const std::lock_guard lock(factor_mutex_);
+    knownFactor()->finish();
+    problem_ = problem;
+    return std::move(factor_);
+  }
+  /// Under the lock.
+  const std::shared_ptr<BorderedFactor>& knownFactor() const {
+    if (factor_ == nullptr) {
+      NormalEquations equations;
+      linearize(*problem_, made_.state, equations);
+      auto again = std::make_shared<BorderedFactor>(plan_);
+      if (!again->factorizeLast(std::move(equations), made_.damping)) {
+        throw std::logic_error("a factor that was made can't be made");
+      }
+      factor_ = std::move(again);
+    }
+    return factor_;
+  }
+
+  /// Computed when somebody asks: of several solutions in a row only the last one's cells are looked at.
+  const Eigen::MatrixXd& border() const {
+    std::call_once(border_computed_, [this] {
+      if (layout_.size() > 0)
+        border_ = factor()->schur().solve(Eigen::MatrixXd::Identity(layout_.size(), layout_.size()));
+    });
+    return border_;
+  }
+  const Parts& parts() const {
+    std::call_once(computed_, [this] { parts_ = compute(finishedFactor()); });
+    return parts_;
+  }
+
+  /// A factor that nobody else has is used up.
+  [[nodiscard]] Parts compute(std::shared_ptr<BorderedFactor> factor) const {
+    BlockCholesky::SelectedInverse inverse =
+        factor.use_count() == 1 ? factor->takeCells().selectedInverse() : factor->cells().selectedInverse();
+    const RightSides& border_root = factor->borderRoot();
+    Parts parts;
+    parts.cells = withBorder(std::move(inverse.diagonal), border_root, origin_);
+    parts.links.resize(link_ends_.size());
+    inRanges(link_ends_.size(), kAtOnce, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t k = begin; k < end; ++k) {
+        const auto& [c, n] = link_ends_[k];
+        if (c == origin_ || n == origin_) {
+          parts.links[k].setZero();
+          continue;
+        }
+        const EliminationPlan::Place place = plan_->of_link[k];
+        parts.links[k] = border_root.product(c, n);
+        if (place.transposed) {
+          parts.links[k] += inverse.couples[place.couple].transpose();
+        } else {
+          parts.links[k] += inverse.couples[place.couple];
+        }
+      }
+    });
+    return parts;
+  }
+
+  std::size_t origin_;
+  std::size_t cells_;
+  BorderLayout layout_;
+  bool estimates_gap_share_;
+  std::vector<std::pair<std::size_t, std::size_t>> link_ends_;
+  std::shared_ptr<const EliminationPlan> plan_;
+  FactorOrigin made_;
+  mutable std::mutex factor_mutex_;
+  mutable std::shared_ptr<const JointProblem> problem_;  ///< where there may be no factor
+  mutable std::shared_ptr<BorderedFactor> factor_;       ///< null: to be made from the problem
+  mutable std::once_flag computed_;
+  mutable Parts parts_;
+  mutable std::once_flag border_computed_;
+  mutable Eigen::MatrixXd border_;
+};
+
+/// Equations are large, so there are those of one state at a time: where a candidate is refused, those of the state
+/// before are made once more.
+class CellsFirst : public JointSystem {
+ public:
+  double linearize(const JointProblem& problem, const JointState& candidate) override {
+    problem_ = &problem;
+    hexoderm::linearize(problem, candidate, equations_);
+    of_state_ = false;
+    candidate_ = candidate;
+    return equations_.cost;
+  }
+  void accept() override {
+    std::swap(state_, candidate_);
+    of_state_ = true;
+  }
+  bool factorize(double damping) override {
+    if (!of_state_) hexoderm::linearize(*problem_, state_, equations_);
+    of_state_ = false;
+    if (factor_ == nullptr) {
+      factor_ = std::make_shared<BorderedFactor>(planOf(*problem_));
+    } else if (factor_.use_count() > 1) {
+      factor_ = std::make_shared<BorderedFactor>(factor_->plan());
+    }
+    made_ = {state_, damping};
+    return factor_->factorize(equations_, damping);
+  }
+  double step(Eigen::VectorXd& cells, Eigen::VectorXd& border) const override {
+    factor_->solve(equations_, cells, border);
+    return -(equations_.gradient_cells.dot(cells) + equations_.gradient_border.dot(border)) / 2;
+  }
+  std::shared_ptr<const JointCovariance> inverse() override {
+    return std::make_shared<CellsFirstCovariance>(*problem_, factor_, made_);
+  }
+  void releaseWorkspace() override {
+    factor_.reset();
+    equations_ = {};
+    of_state_ = false;
+    made_ = {};
+    state_ = {};
+    candidate_ = {};
+  }
+
+ private:
+  const JointProblem* problem_ = nullptr;  ///< the latest
+  std::shared_ptr<BorderedFactor> factor_;
+  FactorOrigin made_;
+  NormalEquations equations_;
+  bool of_state_ = false;  ///< the equations are whole, and those of the state
+  JointState state_;
+  JointState candidate_;
+};
+
+}  // namespace
+
+std::unique_ptr<JointSystem> makeCellsFirst() { return std::make_unique<CellsFirst>(); }
+
+std::vector<Matrix6d> cellCovariancesAt(const JointProblem& problem, const JointState& state) {
+  BorderedFactor factor(planOf(problem));
+  factorizeWithLeastDamping([&](double damping) {
+    NormalEquations equations;
+    linearize(problem, state, equations);
+    return factor.factorizeLast(std::move(equations), damping);
+  });
+  factor.finish();
+  return withBorder(factor.takeCells().inverseDiagonal(), factor.borderRoot(), problem.origin);
+}
+
+double workOfCellsFirst(const JointProblem& problem) {
+  // Twelve errors of a sensor and six unknowns of a cell take their products from the dense border, which is then
+  // factorised; the sparse part is small beside it.
+  const auto border = static_cast<double>(BorderLayout(problem).size());
+  const auto cells = static_cast<double>(problem.cellCount());
+  return 9 * cells * border * border + border * border * border / 6;
+}
+
+}  // namespace hexoderm

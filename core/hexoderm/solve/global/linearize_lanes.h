@@ -1,0 +1,18 @@
+#pragma once
+
+#include "hexoderm/solve/global/joint_cost.h"
+#include "hexoderm/solve/global/linearize_kernels.h"
+
+namespace hexoderm {
+
+// The bulk of linearize(), several cells or links at once.
+
+/// Adds what the readings of cells say. Of the border's matrix only the lower triangle is added to.
+void linearizeCellsInLanes(const LinearizeKernels& kernels, const JointProblem& problem, const JointState& state,
+                           NormalEquations& equations);
+
+/// Adds what links say, with the gap share at `share` in the border.
+void linearizeLinksInLanes(const LinearizeKernels& kernels, const JointProblem& problem, const JointState& state,
+                           Eigen::Index share, NormalEquations& equations);
+
+}  // namespace hexoderm

@@ -1,0 +1,263 @@
+#include "hexoderm/solve/metrics/pose_coverage.h"
+
+#include "hexoderm/base/units.h"
+
+#include "hexoderm/solve/tree/edge_rotation.h"
+
+#include <Eigen/Eigenvalues>
+#include <algorithm>
+#include <cmath>
+
+namespace hexoderm {
+namespace {
+
+/// One cell's opinion of where up is.
+struct Vote {
+  Eigen::Vector3d up_o;
+  double weight = 1;
+};
+
+/// Nothing where the reading is no gravity at all.
+std::optional<Vote> voteOf(const Accelerometer& accelerometer, const CellPlacement& cell,
+                           const Eigen::Vector3d& reading_g) {
+  constexpr double kLeast_g = 0.5;
+  constexpr double kMost_g = 1.5;
+  constexpr double kPlacedByLinks = 0.25;
+  Eigen::Vector3d force_g = reading_g;
+  if (cell.accel_offset_g) force_g -= *cell.accel_offset_g;
+  if (cell.accel_scale && cell.accel_scale->minCoeff() > 0) force_g = force_g.cwiseQuotient(*cell.accel_scale);
+  const double norm_g = force_g.norm();
+  if (!(norm_g >= kLeast_g && norm_g <= kMost_g)) return std::nullopt;
+  return Vote{cell.T_o_u.R * (accelerometer.T_u_a.R * (force_g / norm_g)),
+              cell.placed_by == PlacedBy::Links ? kPlacedByLinks : 1.0};
+}
+
+std::optional<Eigen::Vector3d> agreedUp(const std::vector<Vote>& votes) {
+  constexpr double kFar = 15 * kDegree;
+  constexpr double kLeastAgreement = 0.7;
+  constexpr int kRounds = 3;
+  if (votes.empty()) return std::nullopt;
+  Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+  double total = 0;
+  for (const Vote& vote : votes) {
+    sum += vote.weight * vote.up_o;
+    total += vote.weight;
+  }
+  if (sum.norm() < kLeastAgreement * total) return std::nullopt;
+  Eigen::Vector3d up_o = sum.normalized();
+  for (int round = 0; round < kRounds; ++round) {
+    sum.setZero();
+    for (const Vote& vote : votes) {
+      const double away = angleBetween(vote.up_o, up_o) / kFar;
+      sum += vote.weight / (1 + away * away) * vote.up_o;
+    }
+    if (sum.norm() > 0) up_o = sum.normalized();
+  }
+  return up_o;
+}
+
+template <class Samples, class Reading>
+std::optional<Eigen::Vector3d> upFrom(const Reconstruction& reconstruction, const Samples& samples,
+                                      const Reading& reading_g) {
+  const PatchReconstruction* patch = largestPatch(reconstruction);
+  if (patch == nullptr) return std::nullopt;
+  std::vector<Vote> votes;
+  votes.reserve(patch->cells.size());
+  for (const auto& sample : samples) {
+    const CellPlacement* cell = patch->findCell(sample.cell);
+    if (cell == nullptr) continue;
+    if (const auto vote = voteOf(reconstruction.model->accelerometer, *cell, reading_g(sample))) votes.push_back(*vote);
+  }
+  return agreedUp(votes);
+}
+
+struct Spread {
+  Eigen::Vector3d values = Eigen::Vector3d::Zero();          ///< descending
+  Eigen::Matrix3d directions = Eigen::Matrix3d::Identity();  ///< columns, in the same order
+};
+
+Spread spreadOf(const std::vector<GravityDirection>& gravity) {
+  Eigen::Matrix3d sum = Eigen::Matrix3d::Zero();
+  for (const GravityDirection& direction : gravity) sum += direction.g_o * direction.g_o.transpose();
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(sum);
+  Spread spread;
+  spread.values = solver.eigenvalues().reverse().cwiseMax(0.0);
+  spread.directions = solver.eigenvectors().rowwise().reverse();
+  return spread;
+}
+
+/// Without any pose every direction is missing: the origin's front is as good as any, and easy to say.
+MissingDirection missingDirection(const Spread& spread, double threshold, const PatchReconstruction& patch) {
+  MissingDirection missing;
+  missing.which = spread.values.x() < threshold ? 1 : spread.values.y() < threshold ? 2 : 3;
+  missing.value = spread.values(missing.which - 1);
+  missing.up_o =
+      missing.which == 1 ? Eigen::Vector3d::UnitZ() : Eigen::Vector3d(spread.directions.col(missing.which - 1));
+  missing.facing = clearestFacing(patch, missing.up_o);
+  if (missing.facing.facing == Facing::Floor) {
+    missing.facing.facing = Facing::Ceiling;
+    missing.up_o = -missing.up_o;
+  }
+  return missing;
+}
+
+const char* axisName(const Eigen::Vector3d& up_o) {
+  if (std::abs(up_o.x()) > std::abs(up_o.y())) return up_o.x() > 0 ? "+x" : "-x";
+  return up_o.y() > 0 ? "+y" : "-y";
+}
+
+}  // namespace
+
+DiscPoint onDisc(const Eigen::Vector3d& up_o) {
+  DiscPoint point;
+  point.side = up_o.z() < 0 ? Hemisphere::Back : Hemisphere::Front;
+  const double across = std::hypot(up_o.x(), up_o.y());
+  if (across == 0) return point;
+  const double radius = std::sqrt(std::max(0.0, 1 - std::abs(up_o.z())));
+  const double mirror = point.side == Hemisphere::Back ? -1 : 1;
+  point.at = radius / across * Vector2d(mirror * up_o.x(), up_o.y());
+  return point;
+}
+
+double discRadius(double angle_rad) { return std::numbers::sqrt2 * std::sin(0.5 * angle_rad); }
+
+Facing facingOf(const CellPlacement& cell, const Eigen::Vector3d& up_o) {
+  // Rounded, so that exactly 45 degrees is not a matter of the last digit.
+  const double upright = cell.T_o_u.R.col(2).dot(up_o);
+  if (std::abs(upright) < std::cos(45 * kDegree) - 1e-9) return Facing::Wall;
+  return upright > 0 ? Facing::Ceiling : Facing::Floor;
+}
+
+CellFacing clearestFacing(const PatchReconstruction& patch, const Eigen::Vector3d& up_o) {
+  const CellPlacement* chosen = nullptr;
+  double most_upright = 0;
+  for (const CellPlacement& cell : patch.cells) {
+    const double upright = std::abs(cell.T_o_u.R.col(2).dot(up_o));
+    if (chosen != nullptr && upright <= most_upright + 1e-9) continue;
+    chosen = &cell;
+    most_upright = upright;
+  }
+  return {chosen->cell, facingOf(*chosen, up_o)};
+}
+
+PoseCoverage coverageOf(const Reconstruction& reconstruction,
+                        std::span<const std::shared_ptr<const PoseCapture>> captures) {
+  PoseCoverage coverage;
+  coverage.threshold = reconstruction.options.class_threshold;
+  const PatchReconstruction* patch = largestPatch(reconstruction);
+  if (patch == nullptr) return coverage;
+  const auto add = [&](const PoseSummary& pose, const Eigen::Vector3d& up_o) {
+    coverage.seen.push_back({pose.pose, pose.label, pose.enabled, up_o, onDisc(up_o)});
+    if (pose.enabled) ++coverage.enabled;
+  };
+  for (const PoseSummary& pose : reconstruction.poses) {
+    const auto known = std::ranges::find(patch->gravity, pose.pose, &GravityDirection::pose);
+    if (pose.enabled && known != patch->gravity.end()) {
+      add(pose, known->g_o);
+      continue;
+    }
+    const auto capture = std::ranges::find_if(captures, [&](const auto& taken) { return taken->id == pose.pose; });
+    std::optional<Eigen::Vector3d> up_o;
+    if (!pose.enabled && capture != captures.end()) {
+      up_o = currentUp(reconstruction, std::span<const GravitySample>((*capture)->samples));
+    }
+    if (up_o) {
+      add(pose, *up_o);
+    } else {
+      coverage.unplaced.push_back(pose.pose);
+    }
+  }
+  const Spread spread = spreadOf(patch->gravity);
+  coverage.singular_values = spread.values;
+  coverage.quality = classifyEdge(spread.values, coverage.threshold);
+  // A direction is missing where the assessment says that another one would help.
+  if (coverage.quality != EdgeQuality::Over && reconstruction.assessment.remedy == Remedy::TakePose) {
+    coverage.missing = missingDirection(spread, coverage.threshold, *patch);
+  }
+  return coverage;
+}
+
+bool fillsMissing(const PoseCoverage& coverage, const Eigen::Vector3d& up_o) {
+  if (!coverage.missing) return false;
+  std::vector<GravityDirection> gravity;
+  for (const SeenDirection& seen : coverage.seen) {
+    if (seen.enabled) gravity.push_back({seen.pose, seen.up_o, 0});
+  }
+  gravity.push_back({PoseId(), up_o.normalized(), 0});
+  return spreadOf(gravity).values(coverage.missing->which - 1) >= coverage.threshold;
+}
+
+std::optional<Eigen::Vector3d> currentUp(const Reconstruction& reconstruction, std::span<const CellSample> readings) {
+  return upFrom(reconstruction, readings, [](const CellSample& sample) { return sample.acceleration_g; });
+}
+
+std::optional<Eigen::Vector3d> currentUp(const Reconstruction& reconstruction, std::span<const GravitySample> means) {
+  return upFrom(reconstruction, means, [](const GravitySample& sample) { return sample.mean_g; });
+}
+
+PartTurn partTurn(const Eigen::Vector3d& from_up_o, const Eigen::Vector3d& to_up_o) {
+  // The part's turn takes what is to be up to where up is now.
+  const Eigen::Vector3d w = logSO3(shortestRotation(to_up_o, from_up_o));
+  PartTurn turn;
+  turn.angle_rad = w.norm();
+  turn.axis_o = turn.angle_rad > 1e-12 ? Eigen::Vector3d(w / turn.angle_rad) : from_up_o.unitOrthogonal();
+  return turn;
+}
+
+std::optional<NextPose> describeNextPose(const PoseAdvice& advice, const Reconstruction& reconstruction,
+                                         const std::optional<Eigen::Vector3d>& current_up_o) {
+  constexpr double kOpposite = 30 * kDegree;
+  const PatchReconstruction* patch = largestPatch(reconstruction);
+  if (patch == nullptr) return std::nullopt;
+  NextPose next;
+  next.up_o = advice.up;
+  next.at = onDisc(advice.up);
+  next.target = clearestFacing(*patch, advice.up);
+  if (current_up_o) {
+    next.turn = partTurn(*current_up_o, advice.up);
+  } else if (!patch->gravity.empty()) {
+    next.turn = partTurn(patch->gravity.back().g_o, advice.up);
+  }
+  next.sigma_now_rad = advice.sigma_now_rad;
+  next.sigma_then_rad = advice.sigma_then_rad;
+  const double threshold = reconstruction.options.class_threshold;
+  const EdgeQuality quality = classifyEdge(spreadOf(patch->gravity).values, threshold);
+  if (patch->gravity.empty()) {
+    next.gain = PoseGain::First;
+  } else if (quality < EdgeQuality::Fully) {
+    next.gain = PoseGain::SecondDirection;
+  } else if (quality == EdgeQuality::Fully) {
+    next.gain = PoseGain::OutOfPlane;
+  } else {
+    const auto opposite = std::ranges::find_if(
+        patch->gravity, [&](const GravityDirection& seen) { return angleBetween(-seen.g_o, advice.up) < kOpposite; });
+    next.gain = opposite == patch->gravity.end() ? PoseGain::Further : PoseGain::Opposite;
+    if (opposite != patch->gravity.end()) next.opposite_of = opposite->pose;
+  }
+  next.worthwhile = reconstruction.assessment.wantsPose();
+  next.is_good = reconstruction.assessment.level == VerdictLevel::Good;
+  return next;
+}
+
+Message poseLabel(const Eigen::Vector3d& up_o) {
+  // Up in the origin's frame: its z is how much the origin's front points up.
+  const double elevation_rad = std::asin(std::clamp(up_o.z(), -1.0, 1.0));
+  constexpr double kLevel = 30 * kDegree;
+  constexpr double kUpright = 60 * kDegree;
+  if (elevation_rad >= kUpright) return message("facing ceiling");
+  if (elevation_rad <= -kUpright) return message("facing floor");
+  const std::string axis = axisName(up_o);
+  if (std::abs(elevation_rad) <= kLevel) return message("facing wall, {} up", axis);
+  return elevation_rad > 0 ? message("tilted up, {} up", axis) : message("tilted down, {} up", axis);
+}
+
+Message poseLabel(const Reconstruction& reconstruction, const PoseCapture& capture) {
+  constexpr double kLeast_g = 0.5;
+  const PatchReconstruction* patch = largestPatch(reconstruction);
+  if (patch == nullptr) return {};
+  const auto sample = std::ranges::find(capture.samples, patch->origin, &GravitySample::cell);
+  if (sample == capture.samples.end() || !(sample->mean_g.norm() >= kLeast_g)) return {};
+  return poseLabel(reconstruction.model->accelerometer.T_u_a.R * sample->mean_g.normalized());
+}
+
+}  // namespace hexoderm

@@ -1,0 +1,86 @@
+#include "hexoderm/solve/metrics/skin_signs.h"
+
+#include <algorithm>
+#include <unordered_map>
+
+namespace hexoderm {
+namespace {
+
+/// About the readings of single cells, which are all that Finding::cells names.
+bool isAboutCells(FindingCode code) {
+  switch (code) {
+    case FindingCode::NoSamples:
+    case FindingCode::DeadSensor:
+    case FindingCode::StuckSensor:
+    case FindingCode::SaturatedSensor:
+    case FindingCode::NoisySensor:
+    case FindingCode::WrongNorm:
+    case FindingCode::DeadAxis:
+    case FindingCode::WrongGain:
+    case FindingCode::InconsistentSensor:
+    case FindingCode::IdenticalReadings:
+    case FindingCode::SwappedReadings:
+    case FindingCode::TurnedSensor:
+    case FindingCode::MovedCell:
+    case FindingCode::SuspiciousSensor:
+      return true;
+    default:
+      return false;
+  }
+}
+
+bool isAboutALink(const Finding& finding) { return finding.cells.size() == 2 && finding.ports.size() == 2; }
+
+}  // namespace
+
+SkinSigns signsOf(const Reconstruction& reconstruction) {
+  SkinSigns signs;
+  signs.cells.reserve(reconstruction.cellCount());
+  std::unordered_map<CellId, std::size_t> index;
+  index.reserve(reconstruction.cellCount());
+  bool any_measured = false;
+  for (const PatchReconstruction& patch : reconstruction.patches) {
+    for (const CellPlacement& cell : patch.cells) {
+      index.emplace(cell.cell, signs.cells.size());
+      signs.cells.push_back({.by_links = cell.placed_by == PlacedBy::Links});
+      any_measured = any_measured || cell.placed_by == PlacedBy::Samples;
+    }
+  }
+  if (!any_measured) {
+    for (CellSign& sign : signs.cells) sign.by_links = false;
+  }
+  for (const Finding& finding : reconstruction.findings) {
+    if (finding.severity == Severity::Info) continue;
+    if (isAboutALink(finding)) {
+      const LinkEnd a{finding.cells[0], finding.ports[0]};
+      const LinkEnd b{finding.cells[1], finding.ports[1]};
+      const LinkEstimate* link = reconstruction.findLink(a, b);
+      if (link != nullptr) signs.links.emplace_back(link->source, link->target);
+    } else if (isAboutCells(finding.code)) {
+      for (const CellId cell : finding.cells) {
+        const auto found = index.find(cell);
+        if (found == index.end()) continue;
+        CellSign& sign = signs.cells[found->second];
+        (finding.severity == Severity::Error ? sign.faulty : sign.doubtful) = true;
+      }
+    }
+  }
+  for (CellSign& sign : signs.cells) sign.doubtful = sign.doubtful && !sign.faulty;
+  std::ranges::sort(signs.links);
+  signs.links.erase(std::unique(signs.links.begin(), signs.links.end()), signs.links.end());
+  return signs;
+}
+
+bool isOfOneQuality(const Reconstruction& reconstruction) {
+  std::optional<EdgeQuality> common;
+  for (const PatchReconstruction& patch : reconstruction.patches) {
+    for (const LinkEstimate& link : patch.links) {
+      if (!link.used) continue;
+      if (link.quality == EdgeQuality::Undefined || common.value_or(link.quality) != link.quality) return false;
+      common = link.quality;
+    }
+  }
+  return common.has_value();
+}
+
+}  // namespace hexoderm

@@ -1,0 +1,54 @@
+#include "hexoderm/solve/solve.h"
+
+#include "hexoderm/solve/explain/explainer.h"
+
+#include <array>
+#include <span>
+#include <utility>
+
+namespace hexoderm {
+namespace {
+
+enum class Answer { Explained, NothingLeft, Stopped };
+
+/// Excludes from the estimate what the first explainer finds that finds anything.
+Answer explainOnce(Estimate& estimate, std::span<const Explainer> explainers, const std::stop_token& stop,
+                   SolveProgress* progress) {
+  for (const Explainer& explainer : explainers) {
+    if (estimate.bringTo(explainer.needs, stop) == Completion::Stopped) return Answer::Stopped;
+    if (progress != nullptr && explainer.needs == Estimate::Stage::Patches) progress->enter(SolveStage::Findings);
+    if (std::optional<Explanation> explanation = explainer.explain(estimate)) {
+      estimate.exclude(std::move(*explanation));
+      return Answer::Explained;
+    }
+  }
+  return Answer::NothingLeft;
+}
+
+}  // namespace
+
+/// The paper's Algorithm 1 in its reconstruction loop (lines 7 to 16), which the session runs anew with each pose. What
+/// it says of sound skins holds for real ones as soon as all that is broken is left out, so the estimate is repeated
+/// until nothing in it contradicts the model.
+std::unique_ptr<const Estimate> solveSkin(const SessionSnapshot& snapshot, const SolverOptions& options,
+                                          const Reconstruction* earlier, const std::stop_token& stop,
+                                          SolveProgress* progress) {
+  options.validate();
+  if (progress != nullptr) progress->enter(SolveStage::Links);
+  // Lines 1 to 6, the graph and its patches, and 8, the gravity vectors.
+  auto estimate = std::make_unique<Estimate>(snapshot, options, earlier, progress);
+  // Those that need least of the estimate first.
+  const std::array explainers = {makeNeighborExplainer(), makeMisfitExplainer(), makeOpenLinkExplainer(),
+                                 makeAttitudeExplainer()};
+  Answer answer{};
+  do {
+    // Lines 9 and 10, rotations of links and their weights (Stage::Links), and 11 to 15, origins, paths and placements
+    // (Stage::Patches), as far as an explainer needs them.
+    answer = explainOnce(*estimate, explainers, stop, progress);
+  } while (answer == Answer::Explained);
+  if (answer == Answer::Stopped) return nullptr;
+  estimate->reportPlacements(stop);
+  return stop.stop_requested() ? nullptr : std::move(estimate);
+}
+
+}  // namespace hexoderm

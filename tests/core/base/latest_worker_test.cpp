@@ -1,0 +1,204 @@
+#include "hexoderm/base/latest_worker.h"
+
+#include "tests/support/patience.h"
+
+#include <gmock/gmock.h>
+
+#ifdef __linux__
+#include <sys/resource.h>
+#include <unistd.h>
+#endif
+#include <algorithm>
+#include <atomic>
+#include <condition_variable>
+#include <future>
+#include <mutex>
+#include <string>
+#include <thread>
+#include <vector>
+
+namespace hexoderm {
+namespace {
+
+using ::testing::ElementsAre;
+using ::testing::IsEmpty;
+
+/// The names of the jobs that ran, in order.
+class Diary {
+ public:
+  LatestWorker::Job job(const std::string& name) {
+    return [this, name](const std::stop_token&) { note(name); };
+  }
+  void note(const std::string& name) {
+    const std::lock_guard lock(mutex_);
+    names_.push_back(name);
+  }
+  std::vector<std::string> names() {
+    const std::lock_guard lock(mutex_);
+    return names_;
+  }
+
+ private:
+  std::mutex mutex_;
+  std::vector<std::string> names_;
+};
+
+/// A job that runs until it is released or stopped.
+class HeldJob {
+ public:
+  LatestWorker::Job job() {
+    return [this](const std::stop_token& stop) {
+      std::unique_lock lock(mutex_);
+      begun_ = true;
+      changed_.notify_all();
+      changed_.wait(lock, stop, [this] { return released_; });
+      was_stopped_ = stop.stop_requested();
+    };
+  }
+  void waitUntilBegun() {
+    std::unique_lock lock(mutex_);
+    changed_.wait(lock, [this] { return begun_; });
+  }
+  void release() {
+    const std::lock_guard lock(mutex_);
+    released_ = true;
+    changed_.notify_all();
+  }
+  bool wasStopped() {
+    const std::lock_guard lock(mutex_);
+    return was_stopped_;
+  }
+
+ private:
+  std::mutex mutex_;
+  std::condition_variable_any changed_;
+  bool begun_ = false;
+  bool released_ = false;
+  bool was_stopped_ = false;
+};
+
+#ifdef __linux__
+TEST(LatestWorker, GivesWayToOtherThreads) {
+  const int here = ::getpriority(PRIO_PROCESS, static_cast<id_t>(::gettid()));
+  std::promise<int> there;
+  LatestWorker worker;
+  worker.submit(
+      [&](const std::stop_token&) { there.set_value(::getpriority(PRIO_PROCESS, static_cast<id_t>(::gettid()))); });
+  EXPECT_EQ(there.get_future().get(), std::min(here + 5, 19));
+  EXPECT_EQ(::getpriority(PRIO_PROCESS, static_cast<id_t>(::gettid())), here);
+}
+#endif
+
+TEST(LatestWorker, TheNewestJobWinsAndTheRunningOneIsNotStopped) {
+  Diary diary;
+  HeldJob held;
+  LatestWorker worker;
+  worker.submit(held.job());
+  held.waitUntilBegun();
+  for (const char* name : {"1", "2", "3"}) worker.submit(diary.job(name));
+  held.release();
+  worker.waitUntilIdle();
+  EXPECT_FALSE(held.wasStopped());
+  EXPECT_THAT(diary.names(), ElementsAre("3"));
+}
+
+TEST(LatestWorker, MailboxesDoNotDropEachOthersJobs) {
+  Diary diary;
+  HeldJob held;
+  LatestWorker worker(3);
+  worker.submit(held.job(), 1);
+  held.waitUntilBegun();
+  worker.submit(diary.job("of 2"), 2);
+  worker.submit(diary.job("old of 0"), 0);
+  worker.submit(diary.job("of 1"), 1);
+  worker.submit(diary.job("of 0"), 0);
+  held.release();
+  worker.waitUntilIdle();
+  EXPECT_THAT(diary.names(), ElementsAre("of 0", "of 1", "of 2"));
+}
+
+TEST(LatestWorker, CancelStopsTheRunningJobDropsTheWaitingOneAndTheWorkerGoesOn) {
+  Diary diary;
+  HeldJob held;
+  LatestWorker worker;
+  worker.submit(held.job());
+  held.waitUntilBegun();
+  worker.submit(diary.job("dropped"));
+  worker.cancel();
+  worker.waitUntilIdle();
+  EXPECT_TRUE(held.wasStopped());
+  EXPECT_THAT(diary.names(), IsEmpty());
+  worker.submit(diary.job("next"));
+  worker.waitUntilIdle();
+  EXPECT_THAT(diary.names(), ElementsAre("next"));
+}
+
+TEST(LatestWorker, CancellingOneMailboxLeavesTheJobOfAnotherAlone) {
+  HeldJob held;
+  LatestWorker worker(2);
+  worker.submit(held.job(), 0);
+  held.waitUntilBegun();
+  worker.cancel(1);
+  held.release();
+  worker.waitUntilIdle();
+  EXPECT_FALSE(held.wasStopped());
+}
+
+TEST(LatestWorker, CancelReachesNoJobThatIsSubmittedLater) {
+  LatestWorker worker;
+  for (int k = 0; k < 200; ++k) {
+    worker.cancel();
+    std::promise<bool> stopped;
+    worker.submit([&stopped](const std::stop_token& stop) { stopped.set_value(stop.stop_requested()); });
+    EXPECT_FALSE(stopped.get_future().get());
+  }
+}
+
+TEST(LatestWorker, TheDestructorStopsTheRunningJobAndDropsTheWaitingOne) {
+  Diary diary;
+  HeldJob held;
+  {
+    LatestWorker worker(2);
+    worker.submit(held.job());
+    held.waitUntilBegun();
+    worker.submit(diary.job("0"), 0);
+    worker.submit(diary.job("1"), 1);
+  }
+  EXPECT_TRUE(held.wasStopped());
+  EXPECT_THAT(diary.names(), IsEmpty());
+}
+
+TEST(LatestWorker, WhenIdleItHoldsNothingThatAJobHeld) {
+  LatestWorker worker;
+  auto held = std::make_shared<int>(1);
+  worker.submit([held](const std::stop_token&) {});
+  worker.waitUntilIdle();
+  EXPECT_EQ(held.use_count(), 1);
+}
+
+TEST(LatestWorker, GoesAwayWithoutEverHavingWorked) {
+  const std::future<void> gone = std::async(std::launch::async, [] { const LatestWorker worker; });
+  EXPECT_EQ(gone.wait_for(test::kPatience), std::future_status::ready);
+}
+
+TEST(LatestWorker, TakesJobsOfManyThreads) {
+  std::atomic<int> ran = 0;
+  LatestWorker worker(2);
+  {
+    std::vector<std::jthread> threads;
+    for (std::size_t thread = 0; thread < 4; ++thread) {
+      threads.emplace_back([&, thread] {
+        for (int k = 0; k < 500; ++k) {
+          worker.submit([&ran](const std::stop_token&) { ++ran; }, thread % 2);
+          if (k % 50 == 0) worker.cancel(thread % 2);
+        }
+      });
+    }
+  }
+  worker.waitUntilIdle();
+  EXPECT_GE(ran, 1);
+  EXPECT_LE(ran, 2000);
+}
+
+}  // namespace
+}  // namespace hexoderm

@@ -1,0 +1,542 @@
+#include "hexoderm/capture/live_capture.h"
+
+#include "hexoderm/base/error.h"
+#include "hexoderm/device/sources/open_source.h"
+#include "hexoderm/io/open_file.h"
+#include "hexoderm/sim/simulated_skin.h"
+#include "tests/support/error_matchers.h"
+#include "tests/support/failing_disk.h"
+#include "tests/support/temporary_folder.h"
+
+#include <gmock/gmock.h>
+#include <Eigen/Geometry>
+
+#include <chrono>
+#include <filesystem>
+#include <future>
+#include <memory>
+#include <optional>
+#include <stop_token>
+#include <string>
+#include <thread>
+#include <utility>
+#include <variant>
+#include <vector>
+
+namespace hexoderm {
+namespace {
+
+using test::messageOf;
+using test::saysAll;
+using testing::DoubleNear;
+using testing::ElementsAre;
+using testing::IsEmpty;
+using testing::SizeIs;
+
+constexpr const char* kSkin = "sim:x17?speed=max";
+
+LiveCaptureOptions fourPoses() { return {.source = kSkin, .poses = 4, .automatic = true}; }
+
+std::vector<PoseId> posesOf(LiveCapture& capture) {
+  std::vector<PoseId> poses;
+  while (const auto pose = capture.next()) poses.push_back(pose->pose->id);
+  return poses;
+}
+
+/// Says what the test says, before the capture waits for it, and refuses as many turns as the test says.
+class ScriptedSource final : public SkinSource {
+ public:
+  void start(SkinListener& listener) override { listener_ = &listener; }
+  void stop() noexcept override {}
+  std::uint32_t send(const SkinCommand& /*command*/) override {
+    ++commands_;
+    if (commands_ <= refusals) {
+      listener_->onCommandOutcome({commands_, false, Message::verbatim("its motors are off")});
+    }
+    return commands_;
+  }
+  [[nodiscard]] std::string address() const override { return "script"; }
+
+  void describe(bool can_turn) {
+    SkinDescription description;
+    description.device = Message::verbatim("test skin");
+    description.model = std::make_shared<const CellModel>(skin_.model());
+    description.neighbors = skin_.neighbors();
+    description.can_turn = can_turn;
+    listener_->onSkin(description);
+    say(SourceState::Streaming);
+  }
+  void say(SourceState state) {
+    SourceStatus status;
+    status.state = state;
+    status.message = Message::verbatim("as the script says");
+    listener_->onStatus(status);
+  }
+  /// 20 readings a second of every cell, all of which turn alike.
+  void read(double duration_s, double turn_rad_s) {
+    for (; duration_s > 0; duration_s -= kEvery_s) {
+      SampleFrame frame{time_s_ += kEvery_s};
+      angle_rad_ += turn_rad_s * kEvery_s;
+      const Eigen::AngleAxisd turned(angle_rad_, Eigen::Vector3d::UnitZ());
+      for (const GravitySample& sample : at_rest_.samples) {
+        frame.samples.push_back({sample.cell, turned * sample.mean_g});
+      }
+      listener_->onFrame(frame);
+    }
+  }
+
+  std::uint32_t refusals = 0;
+
+ private:
+  static constexpr double kEvery_s = 0.05;
+  SimulatedSkin skin_{builtInCellModel("hex-bma150"), {}};
+  PoseCapture at_rest_ = averageFrames(skin_.record(Eigen::Vector3d::UnitZ()), PoseId(1), {});
+  SkinListener* listener_ = nullptr;
+  std::uint32_t commands_ = 0;
+  double time_s_ = 0;
+  double angle_rad_ = 0;
+};
+
+/// A capture from a script, and all that it tells.
+struct Scripted {
+  explicit Scripted(LiveCaptureOptions options) {
+    auto owned = std::make_unique<ScriptedSource>();
+    source = owned.get();
+    capture =
+        std::make_unique<LiveCapture>(std::move(options), std::move(owned), [this](const LiveCaptureEvent& event) {
+          events.push_back(event);
+          if (then) then(event);
+        });
+    capture->start();
+  }
+  /// The part is there, and held long enough for a pose.
+  void hold(bool can_turn = false) const {
+    source->describe(can_turn);
+    source->read(5, 0);
+  }
+  /// ... and once more, turned.
+  void holdAgain() const {
+    source->read(4, 0.14);
+    source->read(5, 0);
+  }
+
+  template <class Event>
+  [[nodiscard]] std::vector<Event> told() const {
+    return of<Event>(events);
+  }
+  template <class Event>
+  [[nodiscard]] std::vector<Event> toldByCourse() const {
+    return of<Event>(told<CourseEvent>());
+  }
+  template <class Event>
+  static std::vector<Event> of(const auto& events) {
+    std::vector<Event> found;
+    for (const auto& event : events) {
+      if (const auto* own = std::get_if<Event>(&event)) found.push_back(*own);
+    }
+    return found;
+  }
+
+  ScriptedSource* source = nullptr;
+  std::vector<LiveCaptureEvent> events;
+  LiveCapture::Listener then{};  ///< is told each event after that
+  std::unique_ptr<LiveCapture> capture;
+};
+
+/// The event of a course.
+template <class Event>
+bool tells(const LiveCaptureEvent& event) {
+  const auto* course = std::get_if<CourseEvent>(&event);
+  return course != nullptr && std::holds_alternative<Event>(*course);
+}
+
+TEST(LiveCapture, GivesEachPoseWithTheResultOfAll) {
+  LiveCapture capture(fourPoses());
+  EXPECT_FALSE(capture.state().last);
+  std::size_t poses = 0;
+  while (const auto pose = capture.next()) {
+    const LiveCaptureState state = capture.state();
+    ++poses;
+    ASSERT_TRUE(state.last);
+    EXPECT_EQ(state.last->captured.pose, pose->pose);
+    EXPECT_EQ(state.last->where, KeptIn::Memory);
+    EXPECT_TRUE(state.can_turn);
+    EXPECT_EQ(pose->pose->id, PoseId(static_cast<std::uint32_t>(poses)));
+    ASSERT_TRUE(state.session);
+    EXPECT_THAT(state.session->poses(), SizeIs(poses));
+    ASSERT_NE(state.result, nullptr);
+    EXPECT_THAT(state.result->poses, SizeIs(poses));
+    // The last one needs no further pose, and what was advised before it is over.
+    ASSERT_EQ(state.up.has_value(), poses < 4);
+    EXPECT_EQ(state.advice.empty(), poses == 4);
+    EXPECT_EQ(state.status.english() == "There are enough poses.", poses == 4);
+    EXPECT_NEAR(state.up.value_or(Eigen::Vector3d::UnitX()).norm(), 1, 1e-9);
+  }
+  EXPECT_EQ(poses, 4U);
+  EXPECT_FALSE(capture.next());  // and stays so
+  EXPECT_EQ(capture.state().result->cellCount(), 17U);
+  EXPECT_EQ(capture.state().status.english(), "There are enough poses.");
+}
+
+TEST(LiveCapture, SaysNothingOfAPartThatItDoesNotLookAtAnyMore) {
+  LiveCapture capture(fourPoses());
+  ASSERT_TRUE(capture.next());
+  EXPECT_FALSE(capture.state().advice.empty());
+  capture.close();
+  const LiveCaptureState state = capture.state();
+  EXPECT_TRUE(state.advice.empty());
+  EXPECT_FALSE(state.up);
+  EXPECT_EQ(state.status.english(), "The capture is over.");
+}
+
+TEST(LiveCapture, AdvisesNoPoseThatTheResultDoesNotWant) {
+  // Turned on request, and without a number of poses it goes on as long as somebody does.
+  LiveCapture capture(LiveCaptureOptions{.source = kSkin});
+  bool is_wanted = true;
+  for (std::size_t poses = 1; is_wanted && poses <= CaptureCourse::kMostPosesByItself; ++poses) {
+    ASSERT_TRUE(capture.next());
+    const LiveCaptureState state = capture.state();
+    is_wanted = state.result->assessment.wantsPose();
+    EXPECT_EQ(state.advice.empty(), !is_wanted);
+    EXPECT_EQ(state.up.has_value(), is_wanted);
+    capture.turnToNextPose();
+  }
+  EXPECT_FALSE(is_wanted);
+}
+
+TEST(LiveCapture, EndsByItselfWhereTheVerdictIsGoodEnough) {
+  LiveCapture capture(LiveCaptureOptions{.source = kSkin, .automatic = true});
+  EXPECT_THAT(posesOf(capture), testing::Not(IsEmpty()));
+  EXPECT_NE(capture.state().result->assessment.level, VerdictLevel::NotEnough);
+}
+
+TEST(LiveCapture, KeepsThePosesInItsFileAndWhatTheDeviceSentInARecording) {
+  const test::TemporaryFolder folder;
+  LiveCaptureOptions options = fourPoses();
+  options.file = folder.path() / "live.hexo";
+  options.record_to = folder.path() / "live.skinrec";
+  std::size_t in_file = 0;
+  {
+    LiveCapture capture(options);
+    while (capture.next()) {
+      ++in_file;
+      EXPECT_EQ(capture.state().last->where, KeptIn::File);
+      const auto opened = openFile(options.file, builtInCellModel("hex-bma150"));
+      EXPECT_THAT(std::get<Session>(opened).poses(), SizeIs(testing::Ge(in_file)));
+    }
+    capture.close();
+  }
+  EXPECT_EQ(in_file, 4U);
+
+  // A recording is played to its end; its poses are the same.
+  LiveCapture again(LiveCaptureOptions{.source = "replay:" + options.record_to.string() + "?speed=max"});
+  EXPECT_THAT(posesOf(again), ElementsAre(PoseId(1), PoseId(2), PoseId(3), PoseId(4)));
+  const Session recorded = openSession(options.file);
+  for (std::size_t pose = 0; pose < 4; ++pose) {
+    const auto& live = recorded.poses()[pose].capture->samples;
+    const auto& replayed = again.state().session->poses()[pose].capture->samples;
+    ASSERT_EQ(live.size(), replayed.size());
+    for (std::size_t cell = 0; cell < live.size(); ++cell) EXPECT_EQ(live[cell].mean_g, replayed[cell].mean_g);
+  }
+}
+
+TEST(LiveCapture, AFileThatIsRemovedMeanwhileIsWrittenAnew) {
+  const test::TemporaryFolder folder;
+  LiveCaptureOptions options;
+  options.file = folder.path() / "live.hexo";
+  Scripted scripted(options);
+  scripted.hold();
+  ASSERT_TRUE(scripted.capture->next());
+  std::filesystem::remove(options.file);
+  scripted.holdAgain();
+  ASSERT_TRUE(scripted.capture->next());
+  EXPECT_THAT(scripted.toldByCourse<FileRenewed>(), SizeIs(1));
+  EXPECT_THAT(openSession(options.file).poses(), SizeIs(2));
+  std::filesystem::remove(options.file);  // after the last pose, too
+  scripted.capture->close();
+  EXPECT_THAT(scripted.toldByCourse<FileRenewed>(), SizeIs(2));
+  EXPECT_THAT(openSession(options.file).poses(), SizeIs(2));
+  EXPECT_EQ(folder.entryCount(), 1U);
+}
+
+TEST(LiveCapture, AFileWhoseFolderIsMovedAwayIsNotSaidToBeThere) {
+  const test::TemporaryFolder folder;
+  std::filesystem::create_directory(folder.path() / "before");
+  LiveCaptureOptions options;
+  options.file = folder.path() / "before" / "live.hexo";
+  Scripted scripted(options);
+  scripted.hold();
+  ASSERT_TRUE(scripted.capture->next());
+  std::filesystem::rename(folder.path() / "before", folder.path() / "after");
+  EXPECT_THAT(messageOf<StorageError>([&] { scripted.capture->close(); }),
+              saysAll("before/live.hexo: was moved to ", "after/live.hexo while it was open"));
+  EXPECT_THAT(openSession(folder.path() / "after" / "live.hexo").poses(), SizeIs(1));
+}
+
+TEST(LiveCapture, SaysWhichPoseIsNotStoredWhereItIsEndedOnAFullDisk) {
+  const test::TemporaryFolder folder;
+  LiveCaptureOptions options;
+  options.file = folder.path() / "live.hexo";
+  Scripted scripted(options);
+  std::stop_source stop;
+  scripted.then = [&](const LiveCaptureEvent& event) {
+    if (tells<FileRefused>(event)) stop.request_stop();
+  };
+  scripted.hold();
+  ASSERT_TRUE(scripted.capture->next());
+  {
+    const test::NoFileGrows full;
+    scripted.holdAgain();
+    EXPECT_FALSE(scripted.capture->next(stop.get_token()));
+    const std::string why = messageOf<StorageError>([&] { scripted.capture->close(); });
+    EXPECT_THAT(why, saysAll("live.hexo: ", "; pose 2 is not stored; 1 pose was stored before"));
+    EXPECT_THAT(why, testing::Not(testing::HasSubstr("was closed")));
+  }
+  EXPECT_THAT(scripted.toldByCourse<FileRefused>(), SizeIs(1)) << "at the end nobody tries again";
+  EXPECT_THAT(openSession(options.file).poses(), SizeIs(1));
+}
+
+TEST(LiveCapture, AFileThatTookNoPoseIsNotInTheWayOfTheNextCapture) {
+  const test::TemporaryFolder folder;
+  LiveCaptureOptions options;
+  options.file = folder.path() / "live.hexo";
+  Scripted scripted(options);
+  std::stop_source stop;
+  std::optional<test::NoFileGrows> full;
+  scripted.then = [&](const LiveCaptureEvent& event) {
+    if (std::holds_alternative<CaptureBegun>(event)) full.emplace();
+    if (tells<FileRefused>(event)) stop.request_stop();
+  };
+  scripted.hold();
+  EXPECT_FALSE(scripted.capture->next(stop.get_token()));
+  EXPECT_TRUE(std::filesystem::exists(options.file)) << "the pose may still find room";
+  EXPECT_THAT(messageOf<StorageError>([&] { scripted.capture->close(); }),
+              saysAll("live.hexo: ", "pose 1 is not stored; 0 poses were stored before"));
+  full.reset();
+  EXPECT_EQ(folder.entryCount(), 0U);
+}
+
+TEST(LiveCapture, ARecordingThatEndsIsToldAtOnceAndTheCaptureGoesOn) {
+  const test::TemporaryFolder folder;
+  LiveCaptureOptions options;
+  options.poses = 1;
+  options.record_to = folder.path() / "live.skinrec";
+  Scripted scripted(options);
+  std::size_t told_before_the_pose = 0;
+  scripted.then = [&](const LiveCaptureEvent& event) {
+    if (tells<PoseTaken>(event)) told_before_the_pose = scripted.told<RecordingEnded>().size();
+  };
+  scripted.source->describe(false);
+  std::filesystem::remove(options.record_to);
+  std::this_thread::sleep_for(std::chrono::milliseconds(1100));  // it looks once a second
+  scripted.source->read(5, 0);
+  EXPECT_TRUE(scripted.capture->next());
+  EXPECT_EQ(told_before_the_pose, 1U);
+  EXPECT_THAT(messageOf<StorageError>([&] { scripted.capture->next(); }), saysAll("live.skinrec", "it was removed"));
+  EXPECT_THAT(scripted.told<RecordingEnded>(), SizeIs(1));
+  const LiveCaptureState state = scripted.capture->state();
+  EXPECT_THAT(state.recording_error.english(), saysAll("live.skinrec", "it was removed"));
+  EXPECT_THAT(state.session->poses(), SizeIs(1));
+  EXPECT_NE(state.result, nullptr);
+}
+
+TEST(LiveCapture, ARecordingThatBreaksInItsLastFlushIsToldAfterADeviceThatFailed) {
+  const test::TemporaryFolder folder;
+  LiveCaptureOptions options;
+  options.record_to = folder.path() / "live.skinrec";
+  Scripted scripted(options);
+  scripted.source->describe(false);
+  scripted.source->read(0.1, 0);
+  const test::NoFileGrows full;
+  scripted.source->say(SourceState::Incompatible);
+  EXPECT_EQ(messageOf<DeviceError>([&] { scripted.capture->next(); }), "script: as the script says");
+  ASSERT_THAT(scripted.told<RecordingEnded>(), SizeIs(1));
+  EXPECT_THAT(scripted.told<RecordingEnded>().front().why.english(), saysAll("live.skinrec", "the recording ended"));
+}
+
+TEST(LiveCapture, ADeviceThatFailsIsSaidBeforeThePosesThatAreNotStored) {
+  const test::TemporaryFolder folder;
+  LiveCaptureOptions options;
+  options.file = folder.path() / "live.hexo";
+  Scripted scripted(options);
+  std::optional<test::NoFileGrows> full;
+  scripted.then = [&](const LiveCaptureEvent& event) {
+    if (std::holds_alternative<CaptureBegun>(event)) full.emplace();
+    if (tells<FileRefused>(event)) scripted.source->say(SourceState::Incompatible);
+  };
+  scripted.hold();
+  EXPECT_THAT(messageOf<DeviceError>([&] { scripted.capture->next(); }),
+              testing::AllOf(testing::StartsWith("script: as the script says; "),
+                             testing::EndsWith("pose 1 is not stored; 0 poses were stored before")));
+}
+
+TEST(LiveCapture, TellsWhatHappensInItsOrder) {
+  Scripted scripted({.source = "script", .poses = 1});
+  scripted.hold();
+  EXPECT_THAT(scripted.events, IsEmpty()) << "next() tells";
+  EXPECT_THAT(posesOf(*scripted.capture), ElementsAre(PoseId(1)));
+  ASSERT_THAT(scripted.told<SkinDescription>(), SizeIs(1));
+  ASSERT_THAT(scripted.told<CaptureBegun>(), SizeIs(1));
+  EXPECT_THAT(scripted.told<CaptureBegun>().front().skin.neighbors, SizeIs(17));
+  EXPECT_THAT(scripted.told<SourceStatus>(), SizeIs(1));
+  EXPECT_THAT(scripted.told<HoldStatus>(), SizeIs(testing::Le(2U))) << "one before the pose and one after it";
+  EXPECT_THAT(scripted.toldByCourse<PoseTaken>(), SizeIs(1));
+  EXPECT_THAT(scripted.toldByCourse<PoseKept>(), SizeIs(1));
+  EXPECT_TRUE(std::holds_alternative<SkinDescription>(scripted.events.front()));
+  EXPECT_THAT(scripted.toldByCourse<CourseFinished>(), SizeIs(1));
+  const LiveCaptureState state = scripted.capture->state();
+  EXPECT_EQ(state.device.english(), "test skin");
+  EXPECT_EQ(state.source.state, SourceState::Streaming);
+  EXPECT_NEAR(state.holds.watched_s(), 5, 0.5);
+}
+
+TEST(LiveCapture, SaysEverMoreRarelyThatTheSameKeepsAPoseFromBeingTaken) {
+  Scripted scripted({.source = "script"});
+  scripted.source->describe(false);
+  constexpr double kTurning_rad_s = 0.14;
+  scripted.source->read(30, kTurning_rad_s);
+  scripted.source->read(5, 0);
+  scripted.source->read(8, kTurning_rad_s);
+  scripted.source->say(SourceState::Ended);
+  EXPECT_THAT(posesOf(*scripted.capture), SizeIs(1));
+  std::vector<double> durations_s;
+  for (const NoPose& wait : scripted.told<NoPose>()) {
+    durations_s.push_back(wait.duration_s);
+    EXPECT_THAT(wait.why.english(), testing::HasSubstr("the part turns by"));
+  }
+  EXPECT_THAT(durations_s,
+              ElementsAre(DoubleNear(5, 0.2), DoubleNear(10, 0.4), DoubleNear(20, 0.8), DoubleNear(5, 0.2)));
+}
+
+TEST(LiveCapture, GivesUpADeviceThatRefusesEveryTurn) {
+  Scripted scripted({.source = "script", .automatic = true});
+  scripted.source->refusals = 100;
+  scripted.hold(true);
+  EXPECT_TRUE(scripted.capture->next());
+  EXPECT_EQ(messageOf<DeviceError>([&] { scripted.capture->next(); }),
+            "script: refused to turn 11 times, the last time: its motors are off");
+  EXPECT_THAT(scripted.toldByCourse<TurnRefused>(), SizeIs(11));
+  EXPECT_THAT(scripted.told<PoseAdvised>(), SizeIs(testing::Ge(11U)));
+  EXPECT_NE(scripted.capture->state().result, nullptr);
+}
+
+TEST(LiveCapture, SaysWhichTurnWasRefusedWhereNoPoseComesInTime) {
+  Scripted scripted({.source = "script", .automatic = true, .timeout_s = 0.4});
+  scripted.source->refusals = 1;
+  scripted.hold(true);
+  EXPECT_TRUE(scripted.capture->next());
+  EXPECT_THAT(messageOf<DeviceError>([&] { scripted.capture->next(); }),
+              saysAll("script: no pose for 0.4 s: ", "The device does not turn there: its motors are off",
+                      "as the script says"));
+}
+
+TEST(LiveCapture, WhatItsListenerThrowsEndsIt) {
+  const test::TemporaryFolder folder;
+  LiveCaptureOptions options = fourPoses();
+  options.file = folder.path() / "live.hexo";
+  LiveCapture capture(options, openSkinSource(kSkin), [](const LiveCaptureEvent& event) {
+    if (tells<PoseKept>(event)) throw DeviceError("enough of it");
+  });
+  capture.start();
+  EXPECT_EQ(messageOf<DeviceError>([&] { capture.next(); }), "enough of it");
+  EXPECT_FALSE(capture.next());
+  EXPECT_THAT(openSession(options.file).poses(), SizeIs(1));
+}
+
+TEST(LiveCapture, PosesThatNobodyLetsItSolveAreKeptWithoutAResult) {
+  for (const bool goes_on : {false, true}) {
+    std::stop_source stop;
+    LiveCapture capture(fourPoses(), openSkinSource(kSkin), [&](const LiveCaptureEvent& event) {
+      if (tells<PoseKept>(event)) stop.request_stop();
+    });
+    capture.start();
+    EXPECT_FALSE(capture.next(stop.get_token(), stop.get_token()));
+    if (goes_on) {
+      EXPECT_EQ(capture.next()->pose->id, PoseId(1));
+    }
+    capture.close(stop.get_token());
+    ASSERT_THAT(capture.state().session->poses(), SizeIs(1));
+    EXPECT_EQ(capture.state().result != nullptr, goes_on);
+  }
+}
+
+TEST(LiveCapture, RefusesWhatCanNotBe) {
+  const test::TemporaryFolder folder;
+  LiveCaptureOptions options = fourPoses();
+  options.file = folder.path() / "live.json";
+  EXPECT_THAT(messageOf<InvalidArgument>([&] { LiveCapture capture(options); }), saysAll(".hexo", "live.json"));
+  options.file = folder.put("live.hexo", "somebody's");
+  EXPECT_THAT(messageOf<StorageError>([&] { LiveCapture capture(options); }), saysAll("live.hexo", "exists already"));
+  options.file.clear();
+  options.source = "nonsense://x";
+  EXPECT_THAT(messageOf<InvalidArgument>([&] { LiveCapture capture(options); }), saysAll("nonsense"));
+  options = fourPoses();
+  options.timeout_s = 0;
+  EXPECT_THAT(messageOf<InvalidArgument>([&] { LiveCapture capture(options); }), saysAll("timeout_s"));
+}
+
+TEST(LiveCapture, SaysWhyNothingComes) {
+  LiveCapture capture(LiveCaptureOptions{.source = "tcp://127.0.0.1:1", .timeout_s = 0.2});
+  EXPECT_THAT(messageOf<DeviceError>([&] { capture.next(); }),
+              saysAll("tcp://127.0.0.1:1", "the device did not describe itself for 0.2 s"));
+  EXPECT_FALSE(capture.next());
+}
+
+TEST(LiveCapture, SaysThatNoSkinDescribedItself) {
+  const test::TemporaryFolder folder;
+  const LiveCaptureOptions options{.source = "replay:" + folder.put("stream", "SKINREC1").string() + "?speed=max"};
+  LiveCapture capture(options);
+  EXPECT_EQ(messageOf<DeviceError>([&] { capture.next(); }), options.source + ": ended before a skin described itself");
+}
+
+TEST(LiveCapture, ADeviceThatDoesNotTurnCanNotBeAsked) {
+  // It moves, but not when it is asked to.
+  LiveCaptureOptions options{.source = "sim:x17?speed=max&motion=robot", .poses = 1};
+  LiveCapture unasked(options);
+  EXPECT_TRUE(unasked.next());
+  EXPECT_FALSE(unasked.state().can_turn);
+  EXPECT_EQ(messageOf<InvalidArgument>([&] { unasked.turnToNextPose(); }),
+            options.source + ": this device does not turn by itself");
+  options.automatic = true;
+  LiveCapture automatic(options);
+  EXPECT_THAT(messageOf<DeviceError>([&] { automatic.next(); }), saysAll(options.source, "auto needs", "can't"));
+  LiveCapture waits(LiveCaptureOptions{.source = "stdin"});
+  EXPECT_THAT(messageOf<InvalidArgument>([&] { waits.turnToNextPose(); }),
+              saysAll("stdin", "no skin has described itself yet"));
+}
+
+TEST(LiveCapture, IsAskedToTurnWhileAnotherThreadWaits) {
+  LiveCapture capture(LiveCaptureOptions{.source = kSkin, .poses = 2});  // it turns only when it is asked to
+  auto waiting = std::async(std::launch::async, [&] { return posesOf(capture); });
+  const auto deadline = std::chrono::steady_clock::now() + std::chrono::seconds(60);
+  while (!capture.state().last && std::chrono::steady_clock::now() < deadline) {
+    std::this_thread::sleep_for(std::chrono::milliseconds(10));
+  }
+  ASSERT_TRUE(capture.state().last);
+  EXPECT_EQ(waiting.wait_for(std::chrono::milliseconds(300)), std::future_status::timeout);
+  capture.turnToNextPose();
+  EXPECT_EQ(waiting.wait_for(std::chrono::seconds(60)), std::future_status::ready);
+  capture.close();
+  EXPECT_THAT(waiting.get(), ElementsAre(PoseId(1), PoseId(2)));
+}
+
+TEST(LiveCapture, StopsWhenItIsToldAndGoesOn) {
+  LiveCapture capture(fourPoses());
+  std::stop_source stop;
+  stop.request_stop();
+  EXPECT_FALSE(capture.next(stop.get_token()));
+  EXPECT_THAT(posesOf(capture), SizeIs(4));
+}
+
+TEST(LiveCapture, IsClosedByAnotherThread) {
+  // Nobody turns it, so that there is no second pose.
+  LiveCapture capture(LiveCaptureOptions{.source = "sim:x17", .poses = 2});
+  auto waiting = std::async(std::launch::async, [&] { return posesOf(capture).size(); });
+  EXPECT_EQ(waiting.wait_for(std::chrono::milliseconds(300)), std::future_status::timeout);
+  capture.close();
+  EXPECT_LE(waiting.get(), 1U);
+  capture.close();
+}
+
+}  // namespace
+}  // namespace hexoderm

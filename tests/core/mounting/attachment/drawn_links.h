@@ -1,0 +1,140 @@
+#pragma once
+
+// Patches on the links of an arm, which see gravity with errors that are known exactly.
+
+#include "tests/core/mounting/attachment/links_tally.h"
+
+#include <memory>
+#include <string>
+#include <utility>
+
+namespace hexoderm {
+
+/// Six joints that turn: the first upright, and each at right angles to the one before. On l4 and l6 there is more: a
+/// link that is fixed, and one that slides.
+inline std::string armUrdf() {
+  return R"(<robot name="arm">
+  <link name="base"/>
+  <joint name="j1" type="continuous"><parent link="base"/><child link="l1"/><origin xyz="0 0 0.3"/><axis xyz="0 0 1"/></joint>
+  <link name="l1"/>
+  <joint name="j2" type="revolute"><parent link="l1"/><child link="l2"/><origin xyz="0 0 0.1" rpy="0.3 0 0.4"/><axis xyz="0 1 0"/>
+    <limit lower="-2" upper="2" effort="1" velocity="1"/></joint>
+  <link name="l2"/>
+  <joint name="j3" type="revolute"><parent link="l2"/><child link="l3"/><origin xyz="0.1 0 0.2"/><axis xyz="0 0 1"/>
+    <limit lower="-2.5" upper="2.5" effort="1" velocity="1"/></joint>
+  <link name="l3"/>
+  <joint name="j4" type="revolute"><parent link="l3"/><child link="l4"/><origin xyz="0 0 0.2" rpy="0 0.2 0"/><axis xyz="1 0 0"/>
+    <limit lower="-2" upper="2" effort="1" velocity="1"/></joint>
+  <link name="l4"/>
+  <joint name="cover" type="fixed"><parent link="l4"/><child link="l4_cover"/><origin xyz="0 0.05 0" rpy="0.5 0.6 0.7"/></joint>
+  <link name="l4_cover"/>
+  <joint name="j5" type="revolute"><parent link="l4"/><child link="l5"/><origin xyz="0 0 0.2"/><axis xyz="0 0 1"/>
+    <limit lower="-2.5" upper="2.5" effort="1" velocity="1"/></joint>
+  <link name="l5"/>
+  <joint name="j6" type="revolute"><parent link="l5"/><child link="l6"/><origin xyz="0 0 0.1"/><axis xyz="0 1 0"/>
+    <limit lower="-2" upper="2" effort="1" velocity="1"/></joint>
+  <link name="l6"/>
+  <joint name="slide" type="prismatic"><parent link="l6"/><child link="finger"/><axis xyz="0 0 1"/>
+    <limit lower="0" upper="0.1" effort="1" velocity="1"/></joint>
+  <link name="finger"/>
+</robot>
+)";
+}
+
+/// The covariance of a GravitySeen, as the solver's factor would give it.
+class DrawnCovariance final : public GravityCovariance {
+ public:
+  explicit DrawnCovariance(GravitySeen seen) : seen_(std::move(seen)) {}
+  [[nodiscard]] Eigen::Matrix3d forces(std::size_t a, std::size_t b) const override {
+    const Eigen::Matrix2d C =
+        seen_.covariance.block<2, 2>(static_cast<Eigen::Index>(2 * a), static_cast<Eigen::Index>(2 * b));
+    return acrossBasis(seen_.up[a]) * C * acrossBasis(seen_.up[b]).transpose();
+  }
+  [[nodiscard]] std::optional<Eigen::Matrix3d> swing(std::size_t /*pose*/) const override { return std::nullopt; }
+
+ private:
+  GravitySeen seen_;
+};
+
+/// A patch of one cell that saw this.
+inline PatchReconstruction patchThatSaw(const GravitySeen& seen, std::uint32_t number) {
+  PatchReconstruction patch;
+  patch.id = PatchId(number);
+  patch.origin = CellId(100 + number);
+  for (std::size_t k = 0; k < seen.size(); ++k) patch.gravity.push_back({seen.poses[k], seen.up[k], 0.01, {}});
+  CellPlacement cell;
+  cell.cell = patch.origin;
+  patch.cells.push_back(std::move(cell));
+  patch.gravity_covariance = std::make_shared<DrawnCovariance>(seen);
+  return patch;
+}
+
+struct DrawnArmOptions {
+  std::vector<std::string> links = {"l3", "l6"};  ///< of the patches
+  std::size_t poses = 6;
+  std::uint64_t seed = 1;
+  double error_scale = 1;  ///< of the errors that are drawn; what is stated stays
+  double zero_sigma_rad = 0.5 * kDegree;
+  double tilt_sigma_rad = 1 * kDegree;
+  double range_rad = 1.5;  ///< joints are drawn within +- this
+};
+
+/// What the patches see is drawn without a lever.
+inline LinksOptions withoutLever() {
+  LinksOptions options;
+  options.test_lever_m = 0;
+  return options;
+}
+
+struct DrawnArm {
+  RobotModel robot;
+  std::vector<std::string> links;        ///< of the patches
+  std::map<PoseId, JointAngles> angles;  ///< as reported
+  JointAngles zeros;
+  Eigen::Vector3d up_w = Eigen::Vector3d::UnitZ();
+  std::vector<Eigen::Matrix3d> R_l_o;  ///< of the patches
+  std::vector<GravitySeen> seen;       ///< by the patches
+  Reconstruction reconstruction;
+
+  explicit DrawnArm(const DrawnArmOptions& options)
+      : robot(RobotModel::parse(armUrdf(), "arm.urdf")), links(options.links) {
+    GravityDraw draw(options.seed);
+    for (const std::string& joint : robot.freeJointNames()) {
+      zeros.positions[joint] = joint == "slide" ? 0 : options.zero_sigma_rad * draw.normal();
+    }
+    up_w = expSO3({options.tilt_sigma_rad * draw.normal(), options.tilt_sigma_rad * draw.normal(), 0}) * up_w;
+    std::vector<std::vector<SE3>> T_w_l;
+    for (std::uint32_t pose = 1; pose <= options.poses; ++pose) {
+      JointAngles true_angles;
+      for (const std::string& joint : robot.freeJointNames()) {
+        const double angle = joint == "slide" ? 0.05 : options.range_rad * std::tanh(draw.normal());
+        angles[PoseId(pose)].positions[joint] = angle;
+        true_angles.positions[joint] = angle + zeros.positions.at(joint);
+      }
+      T_w_l.push_back(robot.forward(true_angles));
+    }
+    for (std::size_t k = 0; k < options.links.size(); ++k) {
+      R_l_o.push_back(draw.rotation());
+      std::vector<Eigen::Vector3d> up;
+      for (const std::vector<SE3>& of_pose : T_w_l) {
+        const SE3& T_w_link = of_pose[robot.linkNamed(options.links[k])];
+        up.emplace_back((T_w_link.R * R_l_o.back()).transpose() * up_w);
+      }
+      seen.push_back(draw.see(up, {}, options.error_scale));
+      reconstruction.patches.push_back(patchThatSaw(seen.back(), static_cast<std::uint32_t>(k)));
+    }
+  }
+
+  [[nodiscard]] LinksResult find(const LinksOptions& options = withoutLever()) const {
+    return findLinks(reconstruction, robot, angles, options);
+  }
+  [[nodiscard]] LinksTruth truth() const {
+    LinksTruth result{{}, zeros, up_w};
+    for (std::size_t k = 0; k < links.size(); ++k) {
+      result.cells[reconstruction.patches[k].origin] = {links[k], R_l_o[k]};
+    }
+    return result;
+  }
+};
+
+}  // namespace hexoderm

@@ -1,0 +1,64 @@
+// What is solved does not depend on how many cores it is solved with.
+
+#include "hexoderm/base/parallel.h"
+#include "hexoderm/io/calibration_json.h"
+#include "hexoderm/solve/reconstructor.h"
+#include "tests/support/simulated_skins.h"
+#include "tests/support/solvers.h"
+
+#include <gtest/gtest.h>
+#include <cstddef>
+#include <string>
+#include <thread>
+#include <vector>
+
+namespace hexoderm {
+namespace {
+
+class SolvedWithCores : public testing::TestWithParam<Solver> {
+ protected:
+  ~SolvedWithCores() override { setCores(before_); }
+
+  [[nodiscard]] std::string calibration() const {
+    Reconstruction result = *reconstruct(*session_.snapshot(), test::by(GetParam()));
+    result.solve_seconds = 0;
+    return calibrationToJson(result);
+  }
+
+  /// Large enough for all that is shared out, and with faults that are looked for.
+  static Session session() {
+    SimulatedSkinOptions options = test::skinOptions("sheet:42x42", "cylinder:r=0.3", 4);
+    options.faults = {{SkinFault::Yawed, CellId(100)}, {SkinFault::Dead, CellId(700)}};
+    return test::simulatedSession(options, 3);
+  }
+
+  Session session_ = session();
+
+ private:
+  std::size_t before_ = cores();
+};
+
+TEST_P(SolvedWithCores, IsTheSameToTheLastDigit) {
+  setCores(1);
+  const std::string expected = calibration();
+  setCores(5);
+  EXPECT_TRUE(calibration() == expected);
+}
+
+TEST_P(SolvedWithCores, SeveralAtATimeShareThem) {
+  setCores(3);
+  std::vector<std::string> found(2);
+  {
+    std::vector<std::jthread> threads;
+    for (std::string& each : found) threads.emplace_back([&] { each = calibration(); });
+  }
+  setCores(1);
+  const std::string expected = calibration();
+  EXPECT_TRUE(found[0] == expected);
+  EXPECT_TRUE(found[1] == expected);
+}
+
+INSTANTIATE_TEST_SUITE_P(Both, SolvedWithCores, testing::Values(Solver::Tree, Solver::Global), test::solverOfTest);
+
+}  // namespace
+}  // namespace hexoderm

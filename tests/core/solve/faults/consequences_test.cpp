@@ -1,0 +1,97 @@
+#include "hexoderm/solve/faults/consequences.h"
+
+#include "hexoderm/base/units.h"
+#include "hexoderm/solve/faults/requested_exclusions.h"
+#include "tests/support/changed_session.h"
+#include "tests/support/options.h"
+#include "tests/support/pin_jointed_skin.h"
+
+#include <gmock/gmock.h>
+
+#include <algorithm>
+#include <utility>
+#include <vector>
+
+namespace hexoderm {
+namespace {
+
+using ::testing::EndsWith;
+using ::testing::HasSubstr;
+using ::testing::Not;
+using ::testing::SizeIs;
+
+/// The link between two neighbours.
+std::pair<LinkEnd, LinkEnd> linkBetween(const Session& session, CellId a, CellId b) {
+  const auto report = std::ranges::find(session.neighbors(), a, &CellReport::id);
+  const auto neighbor = std::ranges::find(report->neighbors, b, &NeighborReport::cell);
+  return {{a, neighbor->port}, {b, neighbor->cell_port.value()}};
+}
+
+/// What is said of the links that are set aside and the cells that are left out.
+std::vector<Finding> saidOf(const Session& session, const SolverOptions& options = {}) {
+  const auto snapshot = session.snapshot();
+  std::vector<Finding> findings;
+  SkinLinks skin(*snapshot, options, findings);
+  setLinksAside(skin, findings);
+  leaveOutCells(skin, findings);
+  skin.estimateEdges();
+  addConsequences(skin, findings);
+  return findings;
+}
+
+std::vector<Finding> saidWithout(CellId cell) {
+  return saidOf(bentX17().session(orthogonalUps(3)), test::with(&SolverOptions::left_out, {cell}));
+}
+
+TEST(Consequences, ATreeIsSplitWhereALinkIsSetAside) {
+  Session session = bentX17().session(orthogonalUps(3));
+  const auto [a, b] = linkBetween(session, CellId(1), CellId(2));
+  session.setLinkMuted(a, b, true);
+  const std::vector<Finding> findings = saidOf(session);
+  ASSERT_THAT(findings, SizeIs(1));
+  EXPECT_THAT(findings[0].message.english(), EndsWith("the patch is split there."));
+}
+
+TEST(Consequences, ARingIsSplitWithoutTwoOfItsLinksButNotWithoutOne) {
+  PinJointedSkin ring = ringOfEight(45 * kDegree);
+  ring.connect(kRingFirst, kRingLast);
+  Session session = ring.session(orthogonalUps(3));
+  session.setLinkMuted(kRingFirst, kRingLast, true);
+  std::vector<Finding> findings = saidOf(session);
+  ASSERT_THAT(findings, SizeIs(1));
+  EXPECT_THAT(findings[0].message.english(), Not(HasSubstr("split")));
+
+  const auto [a, b] = linkBetween(session, CellId(3), CellId(4));
+  session.setLinkMuted(a, b, true);
+  findings = saidOf(session);
+  ASSERT_THAT(findings, SizeIs(2));
+  EXPECT_THAT(findings[0].message.english(), HasSubstr("split"));
+  EXPECT_THAT(findings[1].message.english(), Not(HasSubstr("split"))) << "said once";
+}
+
+TEST(Consequences, NobodyCallsTheBorderOfABodyPartASplit) {
+  const Session skin = bentX17().session(orthogonalUps(3));
+  NeighborList neighbors = skin.neighbors();
+  for (CellReport& report : neighbors) {
+    const bool is_on_first_arm = report.id >= CellId(2) && report.id <= CellId(5);
+    report.body_part = is_on_first_arm ? "hand" : "arm";
+  }
+  const std::vector<Finding> findings = saidOf(withNeighbors(skin, neighbors));
+  ASSERT_THAT(findings, SizeIs(1));
+  EXPECT_THAT(findings[0].message.english(), EndsWith("arm and hand; the patch ends there."));
+}
+
+TEST(Consequences, PartsThatACellWithoutReadingsAloneConnectsAreLessCertain) {
+  const std::vector<Finding> findings = saidWithout(CellId(2));
+  ASSERT_THAT(findings, SizeIs(1));
+  EXPECT_THAT(findings[0].message.english(), EndsWith("whose relative placement is less certain."));
+}
+
+TEST(Consequences, ALeafWithoutReadingsConnectsNothing) {
+  const std::vector<Finding> findings = saidWithout(CellId(17));
+  ASSERT_THAT(findings, SizeIs(1));
+  EXPECT_THAT(findings[0].message.english(), EndsWith("placed through its links."));
+}
+
+}  // namespace
+}  // namespace hexoderm

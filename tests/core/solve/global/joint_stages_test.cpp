@@ -1,0 +1,136 @@
+// The way from the tree's placements to the joint optimum where two poses leave turns that only the links hold: it
+// takes few steps, and ends at the optimum.
+
+#include "hexoderm/solve/estimate/patch_solver.h"
+#include "hexoderm/solve/global/joint_refinement.h"
+#include "hexoderm/solve/reconstructor.h"
+#include "tests/support/changed_session.h"
+#include "tests/support/options.h"
+#include "tests/support/simulated_skins.h"
+#include "tests/support/slow_build.h"
+
+#include <gmock/gmock.h>
+
+#include <cmath>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace hexoderm {
+namespace {
+
+using ::testing::Contains;
+using ::testing::Field;
+using ::testing::IsEmpty;
+using ::testing::Not;
+
+constexpr int kSide = test::kSlowBuild ? 12 : 35;
+const auto kSeeds = test::kSlowBuild ? std::vector{2, 101} : std::vector{2, 5, 6, 101, 102};
+
+/// A skin on a cylinder, of every size the same part of the way around, and a session of it.
+struct SimulatedSession {
+  SimulatedSession(int side, std::size_t poses, int seed)
+      : skin(test::simulatedSkin(test::skinOptions("sheet:" + std::to_string(side) + "x" + std::to_string(side + 1),
+                                                   "cylinder:r=" + std::to_string(0.25 * side / 35),
+                                                   static_cast<std::uint64_t>(seed)))),
+        session(simulateSession(skin, poses)) {}
+
+  SimulatedSkin skin;
+  Session session;
+};
+
+/// The same as its joint estimate finds it: the problem, and the tree's placements to start from.
+class TreeStart {
+ public:
+  TreeStart(int side, std::size_t poses, int seed) {
+    const SimulatedSession simulated(side, poses, seed);
+    snapshot_ = simulated.session.snapshot();
+    for (const TrueCell& cell : simulated.skin.truth()) T_b_u_.push_back(cell.T_b_u);
+    links_ = std::make_unique<SkinLinks>(*snapshot_, options_, findings_);
+    links_->estimateEdges();
+    weights_ = linkWeights(*links_);
+    const PatchSolver patch(*links_, weights_, 0);
+    std::vector<SE3> placements;
+    for (const TreePlacement& placement : patch.treePlacements()) placements.push_back(placement.T_o_u);
+    refinement_ = std::make_unique<JointRefinement>(links_->model(), links_->graph(), links_->table(), options_,
+                                                    patch.cells(), patch.origin(), placements);
+  }
+
+  [[nodiscard]] const JointProblem& problem() const { return refinement_->problem(); }
+  [[nodiscard]] const JointState& state() const { return refinement_->solution().state; }
+  /// The same with the true placements.
+  [[nodiscard]] JointState truth() const {
+    JointState truth = state();
+    for (std::size_t k = 0; k < truth.cells.size(); ++k) {
+      truth.cells[k] = T_b_u_[problem().origin].inverse() * T_b_u_[k];
+    }
+    return truth;
+  }
+
+ private:
+  SolverOptions options_;
+  std::vector<Finding> findings_;
+  std::shared_ptr<const SessionSnapshot> snapshot_;
+  std::vector<SE3> T_b_u_;
+  std::unique_ptr<SkinLinks> links_;
+  std::vector<double> weights_;
+  std::unique_ptr<JointRefinement> refinement_;
+};
+
+/// The cost where a strict solve from the true placements ends, which close the links: no stages are needed.
+double strictCost(const TreeStart& start) {
+  JointSolverOptions strict;
+  strict.cost_tolerance = 1e-12;
+  strict.max_iterations = 300;
+  strict.covariance = false;
+  return solveJointly(start.problem(), start.truth(), strict).cost;
+}
+
+void expectFewSteps(int side, std::size_t poses, int seed, int most) {
+  const TreeStart start(side, poses, seed);
+  const JointSolution solution =
+      solveJointly(start.problem(), start.state(), test::with(&JointSolverOptions::covariance, false));
+  EXPECT_EQ(solution.termination, JointTermination::Converged) << "seed " << seed;
+  EXPECT_LE(solution.iterations, most) << "seed " << seed;
+  EXPECT_LE(solution.cost, strictCost(start) * (1 + 1e-6)) << "seed " << seed;
+}
+
+TEST(JointStages, FewStepsLeadToTheOptimum) {
+  for (const int seed : kSeeds) expectFewSteps(kSide, 2, seed, 20);
+  for (const int seed : kSeeds) expectFewSteps(kSide, 3, seed, 10);
+  // Links that look closed and refuse the first step.
+  for (const int seed : {5, 6, 7}) expectFewSteps(12, 3, seed, 10);
+}
+
+TEST(JointStages, GrossErrorsDoNotLeadTheStagesAway) {
+  const TreeStart start(kSide, 2, 101);
+  JointProblem problem = start.problem();
+  for (std::size_t cell = 7; cell < problem.cellCount(); cell += 50) problem.readings[cell][1].y_g *= -1;
+  JointSolverOptions options;
+  options.covariance = false;
+  // Readings that are wrong, but not yet freed, leave a long valley to the last digits: what counts is where it ends.
+  options.max_iterations = 300;
+  const JointSolution solution = solveJointly(problem, start.state(), options);
+  const double reference = solveJointly(problem, start.truth(), options).cost;
+  EXPECT_EQ(solution.termination, JointTermination::Converged);
+  EXPECT_LE(solution.cost, reference * (1 + 1e-6));
+}
+
+/// In a solve such readings are found and left out, after which few steps are left.
+TEST(JointStages, ASolveWithGrossErrorsConverges) {
+  for (const std::size_t poses : {2U, 3U}) {
+    for (const int seed : kSeeds) {
+      const SimulatedSession simulated(kSide, poses, seed);
+      const Session session = changed(simulated.session, [](std::size_t pose, GravitySample& sample) {
+        if (pose == 1 && sample.cell.value() % 50 == 8) sample.mean_g.y() *= -1;
+      });
+      const auto result = reconstruct(*session.snapshot());
+      EXPECT_THAT(result->findings, Not(Contains(Field(&Finding::code, FindingCode::NotConverged))))
+          << poses << " poses, seed " << seed;
+      EXPECT_THAT(result->findings, Not(IsEmpty())) << poses << " poses, seed " << seed;
+    }
+  }
+}
+
+}  // namespace
+}  // namespace hexoderm

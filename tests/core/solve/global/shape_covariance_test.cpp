@@ -1,0 +1,139 @@
+#include "hexoderm/solve/global/shape_covariance.h"
+
+#include "hexoderm/base/alignment.h"
+#include "hexoderm/solve/global/joint_solver.h"
+#include "hexoderm/solve/reconstructor.h"
+#include "hexoderm/solve/result/uncertainty.h"
+#include "tests/core/solve/global/joint_case.h"
+#include "tests/support/slow_build.h"
+
+#include <gmock/gmock.h>
+
+#include <Eigen/Dense>
+#include <algorithm>
+#include <cmath>
+
+namespace hexoderm {
+namespace {
+
+using test::kSlowBuild;
+
+Eigen::Index rowsOf(std::size_t cell) { return static_cast<Eigen::Index>(6 * cell); }
+
+/// What motions of the whole patch do to its cells, about the frame's origin.
+Eigen::MatrixXd motionsOf(const std::vector<SE3>& cells) {
+  Eigen::MatrixXd G = Eigen::MatrixXd::Zero(rowsOf(cells.size()), 6);
+  for (std::size_t k = 0; k < cells.size(); ++k) {
+    G.block<3, 3>(rowsOf(k), 0).setIdentity();
+    G.block<3, 3>(rowsOf(k), 3) = -skew(cells[k].t);
+    G.block<3, 3>(rowsOf(k) + 3, 3) = cells[k].R.transpose();
+  }
+  return G;
+}
+
+/// S = I - G (G^T W G)^-1 G^T W, W of the centres.
+Eigen::MatrixXd transformationOf(const std::vector<SE3>& cells) {
+  const Eigen::MatrixXd G = motionsOf(cells);
+  Eigen::MatrixXd WG = G;
+  for (std::size_t k = 0; k < cells.size(); ++k) WG.middleRows<3>(rowsOf(k) + 3).setZero();
+  return Eigen::MatrixXd::Identity(G.rows(), G.rows()) - G * (G.transpose() * WG).inverse() * WG.transpose();
+}
+
+/// The covariance of all cells of a solution relative to its origin.
+Eigen::MatrixXd wholeOf(const JointSolution& solution) {
+  const Eigen::Index rows = rowsOf(solution.state.cells.size());
+  return solution.covariance->timesCells(Eigen::MatrixXd::Identity(rows, rows));
+}
+
+std::vector<Matrix6d> shapeOf(const JointSolution& solution) {
+  return shapeCovariancesOf(
+      solution.state.cells, [&](Eigen::MatrixXd B) { return solution.covariance->timesCells(std::move(B)); },
+      [&](std::size_t cell) { return solution.covariance->cell(cell); });
+}
+
+JointCase x17Case(std::uint64_t seed) { return simulatedCase(test::skinOptions("x17", "", seed), 4, kFitGap); }
+
+TEST(ShapeCovariance, IsTheSTransformedCovariance) {
+  const JointCase example = x17Case(3);
+  const JointSolution solution = solveJointly(example.problem, example.truth);
+  const Eigen::MatrixXd S = transformationOf(solution.state.cells);
+  const Eigen::MatrixXd C_s = S * wholeOf(solution) * S.transpose();
+  // Motions of the whole are taken out.
+  Eigen::MatrixXd WG = motionsOf(solution.state.cells);
+  for (std::size_t k = 0; k < solution.state.cells.size(); ++k) WG.middleRows<3>(rowsOf(k) + 3).setZero();
+  EXPECT_LE((WG.transpose() * C_s).norm(), 1e-12);
+  const std::vector<Matrix6d> shape = shapeOf(solution);
+  for (std::size_t k = 0; k < shape.size(); ++k) {
+    EXPECT_LE((shape[k] - C_s.block<6, 6>(rowsOf(k), rowsOf(k))).norm(), 1e-10) << k;
+  }
+}
+
+// Another origin is another frame with another covariance; the shape's is the same, but for the priors' being
+// linearised elsewhere.
+TEST(ShapeCovariance, DoesNotDependOnTheOrigin) {
+  const JointCase example = x17Case(5);
+  const JointSolution one = solveJointly(example.problem, example.truth);
+  JointCase moved = example;
+  moved.problem.origin = 14;
+  const SE3 T = one.state.cells[14].inverse();
+  JointState start = one.state;
+  for (SE3& cell : start.cells) cell = T * cell;
+  for (Eigen::Vector3d& force : start.force_o) force = T.R * force;
+  for (Eigen::Vector3d& acceleration : start.acceleration_o) acceleration = T.R * acceleration;
+  start.middle_o = T * start.middle_o;
+  const JointSolution other = solveJointly(moved.problem, start);
+  const std::vector<Matrix6d> shape = shapeOf(one);
+  const std::vector<Matrix6d> shape_there = shapeOf(other);
+  Matrix6d turn = Matrix6d::Identity();  // positions are in the patch's frame
+  turn.topLeftCorner<3, 3>() = T.R;
+  for (std::size_t k = 0; k < shape.size(); ++k) {
+    EXPECT_LE((turn * shape[k] * turn.transpose() - shape_there[k]).norm(), 2e-3 * shape[k].norm()) << k;
+  }
+  EXPECT_GT(shape[example.problem.origin].norm(), 0);
+  EXPECT_EQ(one.covariance->cell(example.problem.origin).norm(), 0);
+}
+
+// Few cells: two that lie on one line, and one that has no shape.
+TEST(ShapeCovariance, IsACovarianceForAnyNumberOfCells) {
+  for (const char* patch : {"sheet:1x1", "sheet:1x2", "sheet:1x6", "ring3"}) {
+    const auto result = reconstruct(*test::simulatedSession(test::skinOptions(patch, "plane"), 3).snapshot());
+    for (const CellPlacement& cell : result->patches.front().cells) {
+      ASSERT_TRUE(cell.shape_cov_t_r.has_value()) << patch;
+      EXPECT_TRUE(cell.shape_cov_t_r->allFinite()) << patch;
+      EXPECT_GE(cell.shape_cov_t_r->diagonal().minCoeff(), 0) << patch;
+      const Uncertainty95 shape = *shapeUncertaintyOf(cell);
+      EXPECT_LE(shape.position_m, 0.02) << patch;
+      EXPECT_TRUE(result->patches.front().cells.size() > 1 || cell.shape_cov_t_r->norm() == 0);
+    }
+  }
+}
+
+TEST(ShapeCovariance, ErrorsAfterTheBestAlignmentAreAsLargeAsStated) {
+  double nees = 0;
+  double count = 0;
+  for (std::uint64_t seed = 1; seed <= (kSlowBuild ? 2U : 100U); ++seed) {
+    const JointCase example = x17Case(seed);
+    const JointSolution solution = solveJointly(example.problem, example.truth);
+    const std::vector<Matrix6d> shape = shapeOf(solution);
+    std::vector<Eigen::Vector3d> found;
+    std::vector<Eigen::Vector3d> truth;
+    for (std::size_t k = 0; k < shape.size(); ++k) {
+      found.push_back(solution.state.cells[k].t);
+      truth.push_back(example.truth.cells[k].t);
+    }
+    const SE3 T = alignPoints(found, truth);
+    for (std::size_t k = 0; k < shape.size(); ++k) {
+      const Eigen::Vector3d e = T * truth[k] - found[k];
+      const Eigen::Matrix3d C = shape[k].topLeftCorner<3, 3>();
+      nees += e.dot(C.ldlt().solve(e)) / 3;
+      ++count;
+    }
+  }
+  EXPECT_TRUE(std::isfinite(nees));
+  if (kSlowBuild) return;
+  EXPECT_GT(nees / count, 0.5);
+  EXPECT_LT(nees / count, 1.5);
+}
+
+}  // namespace
+}  // namespace hexoderm

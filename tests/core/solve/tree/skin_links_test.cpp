@@ -1,0 +1,43 @@
+#include "hexoderm/solve/tree/skin_links.h"
+
+#include "hexoderm/skin/shortest_paths.h"
+#include "tests/support/matchers.h"
+#include "tests/support/pin_jointed_skin.h"
+
+namespace hexoderm {
+namespace {
+
+class SkinLinksTest : public ::testing::Test {
+ protected:
+  SkinLinksTest() { links_.estimateEdges(); }
+
+  PinJointedSkin skin_ = bentX17();
+  std::shared_ptr<const SessionSnapshot> snapshot_ = skin_.session(orthogonalUps(3)).snapshot();
+  SolverOptions options_;
+  std::vector<Finding> findings_;
+  SkinLinks links_{*snapshot_, options_, findings_};
+};
+
+TEST_F(SkinLinksTest, ADroppedPoseIsUsedByNoLink) {
+  links_.dropPose(1);
+  links_.estimateEdges();
+  ASSERT_FALSE(links_.graph().links().empty());
+  for (const GraphLink& link : links_.graph().links()) {
+    EXPECT_THAT(links_.readings().posesOf(link), ::testing::ElementsAre(0, 2));
+  }
+}
+
+TEST_F(SkinLinksTest, ACellBetweenTwoReadingNeighboursIsTurnedLessUncertainlyThanOneAtTheEnd) {
+  const std::size_t inner = *links_.graph().indexOf(CellId(3));
+  const std::size_t outer = *links_.graph().indexOf(CellId(5));
+  links_.dropCell(inner);
+  links_.dropCell(outer);
+  links_.estimateEdges();
+  const auto covariance = [&](std::size_t cell) {
+    return links_.attitudeCovariance(cell, links_.graph().linksAt(cell).front());
+  };
+  EXPECT_NEAR(covariance(inner).trace(), covariance(outer).trace() / 2, 1e-12);
+}
+
+}  // namespace
+}  // namespace hexoderm
