@@ -3,11 +3,13 @@
 
 #include "hexoderm/base/freed_memory.h"
 #include "hexoderm/base/kept_files.h"
+#include "hexoderm/sim/simulated_source.h"
 
 int main(int argc, char** argv) {
   using namespace hexoderm;
   keepFreedMemory();
   keepWhatIsRead();
+  addSimulatedSources();
   cli::Common common;
   CLI::App app("Finds where every cell of a robot's artificial skin is", "hexoderm-cli");
   app.set_version_flag("--version", cli::versionText, "Display version, commit, formats and libraries, and exit");

@@ -1,6 +1,7 @@
 #include "app/python/bindings.h"
 
 #include "hexoderm/base/error.h"
+#include "hexoderm/sim/simulated_source.h"
 
 PYBIND11_MODULE(_core, module) {
   using namespace hexoderm::python;
@@ -13,6 +14,7 @@ PYBIND11_MODULE(_core, module) {
       "named:\n"
       "x_patch = R @ x_cell + t. How several patches lie to each other is not known, so each has arrays of its own.";
   module.attr("__version__") = HEXODERM_VERSION;
+  hexoderm::addSimulatedSources();
   // Types are added before what names them, so that help() has their Python names.
   for (Bind* bind : {bindErrors, bindCellModel, bindSession, bindSimulate, bindJudgement, bindPatch, bindCalibration,
                      bindSolve, bindExports, bindCapture}) {

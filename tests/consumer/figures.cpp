@@ -1,11 +1,9 @@
 // Prints what a program is given and computes from it, one figure a line: to be compared with what the same program
-// prints that was compiled with other flags than the library.
+// prints that was compiled with other flags than the library. Usage: figures SESSION_OF_A_SKIN SESSION_OF_A_ROBOT URDF
 
+#include "hexoderm/io/session_json.h"
 #include "hexoderm/mounting/parts/parts.h"
-#include "hexoderm/robots/demo_robot.h"
-#include "hexoderm/sim/simulated_robot.h"
-#include "hexoderm/sim/simulated_session.h"
-#include "hexoderm/sim/simulated_skin.h"
+#include "hexoderm/robots/robot_model.h"
 #include "hexoderm/solve/checks/evaluation.h"
 #include "hexoderm/solve/hold_out.h"
 #include "hexoderm/solve/metrics/pose_coverage.h"
@@ -83,17 +81,14 @@ void printResult(const SessionSnapshot& snapshot, const SolverOptions& options) 
   print("cylinder", *evaluateSurface(patch, SurfaceKind::Cylinder).radius_m);
 }
 
-void printRobot(const CellModel& model) {
-  SimulatedRobotOptions options;
-  options.mounts = demoMounts();
-  SimulatedRobot robot(model, RobotModel::read(demoRobotFile()), options);
-  const SimulatedRobotSession simulated = simulateRobotSession(robot, 6, 50);
-  for (const SE3& T_w_l : simulated.poses.back().T_w_l) print("link of the robot", T_w_l);
-  for (std::size_t link = 0; link < robot.robot().links().size(); ++link) {
-    for (const Eigen::Vector3d& point : robot.robot().bodyOf(link).points) print("body", point);
+void printRobot(const RobotModel& robot) {
+  for (std::size_t link = 0; link < robot.links().size(); ++link) {
+    for (const Eigen::Vector3d& point : robot.bodyOf(link).points) print("body", point);
   }
+}
 
-  const std::shared_ptr<const Reconstruction> result = reconstruct(*simulated.session.snapshot());
+void printParts(const SessionSnapshot& snapshot) {
+  const std::shared_ptr<const Reconstruction> result = reconstruct(snapshot);
   for (const PatchReconstruction& patch : result->patches) {
     for (const CellPlacement& cell : patch.cells) print("shape", *cell.shape_cov_t_r);
     print("forces", patch.gravity_covariance->forces(0, 1));
@@ -114,21 +109,21 @@ void printRobot(const CellModel& model) {
 
 }  // namespace
 
-int main() {
-  SimulatedSkin skin(loadCellModel(CELL_MODELS "/hex-bma150.json"), SimulatedSkinOptions());
-  Session session(skin.model(), skin.neighbors());
-  for (const Eigen::Vector3d& up : scriptedUpDirections(5)) {
-    session.addPose(
-        {std::make_shared<const PoseCapture>(averageFrames(skin.record(up), session.nextPoseId(), {})), false});
+int main(int argc, char** argv) {
+  if (argc != 4) {
+    std::fputs("usage: figures SESSION_OF_A_SKIN SESSION_OF_A_ROBOT URDF\n", stderr);
+    return 2;
   }
+  const std::shared_ptr<const SessionSnapshot> skin = readSessionJson(argv[1]).snapshot();
   print("own algebra", ownAlgebra(Eigen::MatrixXd::Identity(100, 100)));
   for (const Solver solver : {Solver::Tree, Solver::Global}) {
     SolverOptions options;
     options.solver = solver;
-    printResult(*session.snapshot(), options);
+    printResult(*skin, options);
   }
-  const HoldOutResult held_out = evaluateHoldOut(*session.snapshot(), PoseId(5), {});
+  const HoldOutResult held_out = evaluateHoldOut(*skin, skin->poses.back().capture->id, {});
   for (const HoldOutCell& cell : held_out.cells) print("hold-out", cell.error_rad);
-  printRobot(skin.model());
+  printParts(*readSessionJson(argv[2]).snapshot());
+  printRobot(RobotModel::read(argv[3]));
   print("own algebra", ownAlgebra(Eigen::MatrixXd::Identity(150, 150)));
 }

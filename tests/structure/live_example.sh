@@ -1,6 +1,6 @@
 #!/bin/bash
-# Builds the examples with an installed library, and runs them: a session of arrays, and a live calibration with the simulated
-# skin that turns itself and with an emulated device on a wire that somebody turns. Usage: live_example.sh CMAKE PREFIX ROOT HEXODERM_CLI EMULATOR
+# Builds the examples with an installed library, and runs them: a session of arrays, and a live calibration with an
+# emulated device on a wire that turns itself, and with one that somebody turns. Usage: live_example.sh CMAKE PREFIX ROOT HEXODERM_CLI EMULATOR
 set -euo pipefail
 cmake="$1"
 prefix="$2"
@@ -22,14 +22,13 @@ expect_calibration() {
   grep -q '<robot' live.urdf
   rm live.calibration.json live.urdf
 }
-build/live_calibration | tee said.txt
-[ "$(grep -c '^Pose ' said.txt)" = 4 ] || { echo "4 poses were expected"; exit 1; }
-expect_calibration
-
 mkfifo hand
 exec {device}< <("$emulator" --tcp 0 --speed 20 <hand)
 exec {turn}>hand
 read -r _ _ address <&"$device"
+build/live_calibration "$address" auto | tee said.txt
+[ "$(grep -c '^Pose ' said.txt)" = 4 ] || { echo "4 poses were expected"; exit 1; }
+expect_calibration
 build/live_calibration "$address" >said.txt &
 calibration=$!
 while kill -0 "$calibration" 2>/dev/null; do

@@ -16,14 +16,12 @@ import sys
 # The halls; a name such as main.cpp stands for the files with that stem at the root of the hall.
 HALLS = {
     "": "core < {widgets, resources} < app < tests",
-    "core/hexoderm": "util < geometry < graph < kinematics < device < capture < session < reconstruction < robot"
-                     " < io < course < hexoderm",
-    "core/hexoderm/device": "{sample_frame, ground_truth, offence} < skin_source < diagnosis < {skinwire, simulation}"
-                            " < {emulation, sources}",
-    "core/hexoderm/solve": "result < {links, sparse, accelerometer} < {joint, faults, advice} < {patch, evaluation, check}"
-                                    " < figures < {skin_description, solve_progress} < estimate < explain < solve < reconstructor"
-                                    " < {hold_out, reconstruction_worker, sensor_statistics}",
-    "core/hexoderm/mounting": "parts < links < place",
+    "core/hexoderm": "base < {skin, robots} < device < session < solve < {mounting, io, sim} < capture",
+    "core/hexoderm/device": "{sample_frame, ground_truth, offence} < {skin_source, pose_capture, cell_index} < gravity_accumulator"
+                            " < {offence_log, plausibility, topology_check, pose_average} < listening < skinwire < sources",
+    "core/hexoderm/solve": "result < {tree, sparse} < global < faults < checks < metrics < estimate < explain < {solve}"
+                           " < reconstructor < {hold_out, reconstruction_worker, sensor_statistics}",
+    "core/hexoderm/mounting": "parts < attachment < place",
     "widgets": "style < words < {controls, coloring} < {tables, capture, graph, plot, scene} < {verify, patch} < robot",
     "app": "{cli, emulator, python, window}",
     "app/window": "{files, toolkit} < {settings, report} < session < {guide, dialogs, log} < views < presenters"

@@ -14,6 +14,7 @@
 #include "app/window/session/verification.h"
 #include "app/window/toolkit/focus_order.h"
 #include "app/window/toolkit/table_views.h"
+#include "hexoderm/sim/simulated_source.h"
 #include "widgets/controls/notice_stack.h"
 #include "widgets/controls/panel_parts.h"
 #include "widgets/tables/cell_table.h"
@@ -115,6 +116,7 @@ MainWindow::MainWindow(QWidget* parent)
       recent_(jobs_),
       unsaved_(jobs_, unsavedFolder()),
       refresh_([this] { refresh(); }) {
+  addSimulatedSources();
   setObjectName(QStringLiteral("mainWindow"));
   setAcceptDrops(true);
   // At first no part has the focus, and none has it after a click beside all, so that keys mean what the list of keys

@@ -3,6 +3,7 @@
 #include "hexoderm/base/error.h"
 #include "hexoderm/base/surface.h"
 #include "hexoderm/base/text.h"
+#include "hexoderm/device/sources/open_source.h"
 #include "hexoderm/device/sources/threaded_source.h"
 #include "hexoderm/robots/demo_robot.h"
 #include "hexoderm/sim/patch_plan.h"
@@ -169,21 +170,29 @@ SimulatedAddress parseAddress(const std::string& address) {
   return parsed;
 }
 
-}  // namespace
-
-std::unique_ptr<SkinSource> openSimulatedSource(const std::string& address) {
+std::unique_ptr<SkinSource> openAddress(const std::string& address) {
   const SimulatedAddress parsed = parseAddress(address);
   return std::make_unique<SimulatedSource>(makeBody(builtInCellModel("hex-bma150"), parsed.words, parsed.motion),
                                            parsed.speed, address);
 }
 
-void checkSimulatedAddress(const std::string& address) {
+/// Builds nothing, however many cells there are. Only building can tell that a patch does not fit its surface.
+void checkAddress(const std::string& address) {
   const RobotInWords words = parseAddress(address).words;
   if (!words.robot.empty()) {
     robotOptions(words);
   } else if (!words.surface.empty()) {
     makeSurface(words.surface);
   }
+}
+
+}  // namespace
+
+void addSimulatedSources() {
+  addSourceKind({"sim:",
+                 "sim:PATCH[?surface=...&seed=N&speed=X|max&motion=hand|robot], "
+                 "sim:robot[?urdf=FILE&mount=LINK:X,Y,Z&base=fixed|motors|hand&seed=N&speed=X|max]",
+                 openAddress, checkAddress});
 }
 
 }  // namespace hexoderm

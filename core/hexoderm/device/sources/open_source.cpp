@@ -5,9 +5,10 @@
 #include "hexoderm/device/sources/recording.h"
 #include "hexoderm/device/sources/stdin_source.h"
 #include "hexoderm/device/sources/wire_source.h"
-#include "hexoderm/sim/simulated_source.h"
 
+#include <algorithm>
 #include <limits>
+#include <utility>
 #include <vector>
 
 namespace hexoderm {
@@ -42,6 +43,19 @@ std::unique_ptr<SkinSource> openReplay(const std::string& address) {
   return replaySource(file, options);
 }
 
+std::vector<SourceKind>& kinds() {
+  // Until they are started these hold their address and no more, so that opening one is a check of it.
+  const auto by_opening = [](auto open) { return [open](const std::string& address) { open(address); }; };
+  static std::vector<SourceKind> kinds = {
+      {"tcp://", "tcp://HOST:PORT", openWire, by_opening(openWire)},
+      {"udp://", "udp://HOST:PORT", openWire, by_opening(openWire)},
+      {"serial:", "serial:/dev/DEVICE[?baud=N]", openWire, by_opening(openWire)},
+      {"stdin", "stdin", openStdin, by_opening(openStdin)},
+      {"replay:", "replay:FILE[?speed=X|max|step]", openReplay, by_opening(openReplay)},
+  };
+  return kinds;
+}
+
 const SourceKind& kindOf(const std::string& address) {
   for (const SourceKind& kind : sourceKinds()) {
     if (address.starts_with(kind.prefix)) return kind;
@@ -53,21 +67,15 @@ const SourceKind& kindOf(const std::string& address) {
 
 std::string sourceKindsInWords() { return inARow(sourceKinds(), &SourceKind::example); }
 
-std::span<const SourceKind> sourceKinds() {
-  // Until they are started these hold their address and no more, so that opening one is a check of it.
-  const auto by_opening = [](auto open) { return [open](const std::string& address) { open(address); }; };
-  static const std::vector<SourceKind> kinds = {
-      {"tcp://", "tcp://HOST:PORT", openWire, by_opening(openWire)},
-      {"udp://", "udp://HOST:PORT", openWire, by_opening(openWire)},
-      {"serial:", "serial:/dev/DEVICE[?baud=N]", openWire, by_opening(openWire)},
-      {"stdin", "stdin", openStdin, by_opening(openStdin)},
-      {"replay:", "replay:FILE[?speed=X|max|step]", openReplay, by_opening(openReplay)},
-      {"sim:",
-       "sim:PATCH[?surface=...&seed=N&speed=X|max&motion=hand|robot], "
-       "sim:robot[?urdf=FILE&mount=LINK:X,Y,Z&base=fixed|motors|hand&seed=N&speed=X|max]",
-       openSimulatedSource, checkSimulatedAddress},
-  };
-  return kinds;
+std::span<const SourceKind> sourceKinds() { return kinds(); }
+
+void addSourceKind(SourceKind kind) {
+  const auto same = std::ranges::find(kinds(), kind.prefix, &SourceKind::prefix);
+  if (same == kinds().end()) {
+    kinds().push_back(std::move(kind));
+  } else {
+    *same = std::move(kind);
+  }
 }
 
 std::unique_ptr<SkinSource> openSkinSource(const std::string& address) { return kindOf(address).open(address); }

@@ -18,15 +18,16 @@ struct SourceKind {
   std::function<void(const std::string& address)> check;  ///< see checkSkinAddress()
 };
 
-/// All kinds there are, in the order in which they are listed to people. A new kind of source is a new entry.
+/// All kinds there are, in the order in which they are listed to people.
 std::span<const SourceKind> sourceKinds();
+/// Adds a kind of source, or replaces the one of the same prefix. Call it before any source is opened: it is not
+/// synchronised with the functions of this header.
+void addSourceKind(SourceKind kind);
 std::string sourceKindsInWords();  ///< "tcp://HOST:PORT, udp://HOST:PORT, ..."
 
 /// A source, not yet started: "tcp://HOST:PORT", "udp://HOST:PORT", "serial:/dev/tty...[?baud=N]", "stdin",
-/// "replay:FILE[?speed=X|max|step]", "sim:PATCH[?surface=...&seed=N&speed=X|max&motion=hand|robot]" or
-/// "sim:robot[?...]". PATCH is x17, ringN, ringN:closed or sheet:ROWSxCOLS; surfaces are those of SimulatedSkinOptions,
-/// and what a robot takes is at SimulatedSource::open(). Throws InvalidArgument naming what was expected; for the URDF
-/// of a simulated robot also StorageError and FormatError.
+/// "replay:FILE[?speed=X|max|step]", or of a kind that was added. Throws InvalidArgument naming the expected address, and
+/// whatever the added kind throws.
 std::unique_ptr<SkinSource> openSkinSource(const std::string& address);
 
 /// Throws as openSkinSource() for what is wrong with the address itself. Opens and builds nothing, and is quick enough

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "hexoderm/base/units.h"
-#include "hexoderm/device/pose_capture.h"
+#include "hexoderm/session/session.h"
 #include "hexoderm/solve/metrics/pose_advisor.h"
 #include "hexoderm/solve/result/reconstruction.h"
 
